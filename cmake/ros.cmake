@@ -1,0 +1,30 @@
+# The ROS side of the build: messages, dynamic_reconfigure, what other packages may use.
+
+set(HIDWA_CATKIN_DEPENDS
+  angles costmap_2d diagnostic_updater dynamic_reconfigure geometry_msgs nav_core nav_msgs pluginlib roscpp
+  sensor_msgs std_msgs tf2 tf2_geometry_msgs tf2_ros visualization_msgs)
+
+find_package(catkin REQUIRED COMPONENTS message_generation ${HIDWA_CATKIN_DEPENDS})
+
+add_message_files(DIRECTORY msg FILES
+  CriticScore.msg Cycle.msg Evaluation.msg OperatorState.msg Trajectory.msg TrajectoryScore.msg)
+generate_messages(DEPENDENCIES geometry_msgs std_msgs)
+generate_dynamic_reconfigure_options(cfg/HIDWAPlanner.cfg)
+# The .cfg reads the parameters' one declaration: made anew when that changes.
+add_custom_command(
+  OUTPUT ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_INCLUDE_DESTINATION}/HIDWAPlannerConfig.h
+  DEPENDS ${PROJECT_SOURCE_DIR}/include/hidwa_local_planner/core/parameter_list.inc APPEND)
+
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES hidwa_core hidwa_input hidwa_local_planner
+  CATKIN_DEPENDS message_runtime ${HIDWA_CATKIN_DEPENDS}
+  DEPENDS EIGEN3)
+
+set(HIDWA_LIB_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+set(HIDWA_BIN_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+set(HIDWA_INCLUDE_DESTINATION ${CATKIN_GLOBAL_INCLUDE_DESTINATION})
+set(HIDWA_SHARE_DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+
+install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+install(FILES plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})

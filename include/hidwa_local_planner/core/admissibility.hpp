@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hidwa_local_planner/core/brake_manoeuvre.hpp"
+#include "hidwa_local_planner/core/collision.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/trajectory_batch.hpp"
+
+namespace hidwa_local_planner {
+
+/// Which candidates are free of collision, and which of them can still stop in free space. A robot that already stands
+/// in collision may move where its penetration never grows and ends smaller, or equal with more clearance.
+class AdmissibilityCheck {
+ public:
+  struct Setup {
+    Pose2 start;
+    Twist2 reference;  // [m/s, rad/s]
+    double period = 0.05;  // [s]
+  };
+  /// Once a cycle; `checker` must be prepared and everything must outlive the questions.
+  void prepare(const Parameters& parameters, const VelocityLimits& limits, const CollisionChecker& checker,
+               const Footprint& footprint, double resolution, const Setup& setup);
+
+  /// Reasons for the candidates of a tile, nullptr where free: the rollout.
+  void check_rollouts(const Tile& tile, const char** reasons);
+  /// Whether the manoeuvre of a sample ends at rest in free space. Poses at most half a cell apart.
+  bool can_brake(const Twist2& sample, std::size_t column);
+  /// As can_brake, without gaps: poses a sixteenth of a cell apart, the outline grown by half of that.
+  bool can_brake_surely(const Twist2& sample);
+  /// The first command towards a sample.
+  Twist2 command_for(const Twist2& sample) const;
+  bool escaping() const { return escaping_; }
+
+ private:
+  struct Stance {
+    int penetration = 0;
+    double clearance = 0.0;  // [m]
+  };
+  bool rollout_free(const Tile& tile, std::size_t c) const;
+  bool rollout_escapes(const Tile& tile, std::size_t c) const;
+  bool manoeuvre_free(const Twist2& command, double spacing, const Footprint& outline);
+  bool manoeuvre_deeper(const Twist2& command);
+
+  const Parameters* parameters_ = nullptr;
+  const VelocityLimits* limits_ = nullptr;
+  const CollisionChecker* checker_ = nullptr;
+  const Footprint* footprint_ = nullptr;
+  Footprint grown_;
+  double resolution_ = 0.05;
+  Setup setup_;
+  bool escaping_ = false;
+  Stance stance_;
+  struct Memo {
+    Twist2 command;
+    bool known = false, free = false;
+  };
+  std::vector<Memo> memo_;  // the last answer in each column of samples
+  std::vector<Pose2> poses_;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/trajectory_batch.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+class Footprint;
+class PlanGrids;
+
+/// What all critics may look at in one cycle. Everything is in the costmap frame and lives as long as the cycle.
+struct CycleView {
+  Pose2 pose;                                // of the robot
+  Twist2 velocity;                           // measured [m/s, rad/s]
+  Twist2 last_command;                       // what was sent in the last cycle [m/s, rad/s]
+  Pose2 goal;                                // the last pose of the full plan
+  double time = 0.0;                         // of the cycle [s]
+  bool steered = false;                      // the person's input counts (gamma = 1)
+  const std::vector<Pose2>* plan = nullptr;  // the window of the plan around the robot
+  const GridView* grid = nullptr;
+  const Footprint* footprint = nullptr;
+  PlanGrids* grids = nullptr;                // distance grids shared between critics, made on demand
+};
+
+/// What a critic says of the candidates of one tile. A refusal is a value, never an exception.
+class TileScores {
+ public:
+  TileScores(double* raw, const char** reason, std::size_t count) : raw_(raw), reason_(reason), count_(count) {}
+  std::size_t count() const { return count_; }
+  /// A candidate that somebody refused already needs no score.
+  bool refused(std::size_t c) const { return reason_[c] != nullptr; }
+  void set(std::size_t c, double raw_score) { raw_[c] = raw_score; }
+  /// Refuses a candidate; `reason` must outlive the cycle (a string literal).
+  void refuse(std::size_t c, const char* reason) { reason_[c] = reason; }
+
+ private:
+  double* raw_;          // [count], zero at the start
+  const char** reason_;  // [count], nullptr while legal
+  std::size_t count_;
+};
+
+/// Where a critic of another package finds its own parameters: `<planner>/<critic>/<key>`.
+class ParameterSource {
+ public:
+  virtual ~ParameterSource() = default;
+  virtual double number(const std::string& key, double fallback) const = 0;
+  virtual bool flag(const std::string& key, bool fallback) const = 0;
+};
+
+/// Scores candidates. The life of a critic: configure once and on every change of parameters; then in each cycle
+/// prepare, score for every tile, and debrief; reset on a new goal. No verb may throw, wait or log;
+/// after the first cycle prepare and score should not allocate.
+class Critic {
+ public:
+  virtual ~Critic() = default;
+
+  /// Takes its parameters and returns its weight; 0 turns it off, refusals included.
+  virtual double configure(const Parameters& parameters, const ParameterSource& own) = 0;
+  /// Once a cycle, before any score: what all candidates share.
+  virtual void prepare(const CycleView& /*cycle*/) {}
+  /// Sets the raw score of the candidates of a tile, or refuses them. Adds weight * raw score to the total.
+  virtual void score(const CycleView& cycle, const Tile& tile, TileScores& scores) = 0;
+  /// What was sent in the end.
+  virtual void debrief(const CycleView& /*cycle*/, const Twist2& /*command*/) {}
+  /// A new goal.
+  virtual void reset() {}
+
+ protected:
+  Critic() = default;
+  Critic(const Critic&) = default;
+  Critic& operator=(const Critic&) = default;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hidwa_local_planner/core/critic.hpp"
+
+namespace hidwa_local_planner {
+
+/// Makes critics by name. Starts with the ten of this package; the plugin adds those of other packages.
+class CriticRegistry {
+ public:
+  using Maker = std::function<std::shared_ptr<Critic>()>;
+
+  /// A registry that knows this package's critics.
+  static CriticRegistry with_built_in();
+
+  /// Adds a critic, or replaces the one of that name.
+  void add(const std::string& name, Maker maker);
+  bool knows(const std::string& name) const { return makers_.count(name) != 0; }
+  /// nullptr for an unknown name.
+  std::shared_ptr<Critic> make(const std::string& name) const;
+  std::vector<std::string> names() const;
+
+ private:
+  std::map<std::string, Maker> makers_;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// The robot's outline in its own frame, as a polygon or, where the corners say so, a circle about the origin.
+class Footprint {
+ public:
+  Footprint() = default;
+  /// Corners [m] in order, either way round; at least 3 unless `radius` > 0. `radius` > 0 makes it a circle.
+  explicit Footprint(Polygon outline, double radius = 0.0);
+
+  /// A circle where 12 or more corners lie at one distance from the origin (costmap_2d makes 16 of `robot_radius`),
+  /// else the polygon; every side moved outwards by `padding` [m].
+  static Footprint from_outline(const Polygon& outline, double padding);
+
+  bool empty() const { return outline_.empty() && radius_ <= 0.0; }
+  bool is_circle() const { return radius_ > 0.0; }
+  double radius() const { return radius_; }                // of the circle [m]; 0 for a polygon
+  const Polygon& outline() const { return outline_; }      // robot frame [m]
+  double inscribed_radius() const { return inscribed_; }   // [m]
+  double circumscribed_radius() const { return circumscribed_; }  // [m]
+  /// The same outline, every side moved outwards by `padding` [m].
+  Footprint padded(double padding) const;
+
+ private:
+  Polygon outline_;
+  double radius_ = 0.0;
+  double inscribed_ = 0.0;
+  double circumscribed_ = 0.0;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace hidwa_local_planner {
+
+// The order of the enumerators is the order of the names in parameter_list.inc.
+enum class Generator { standard, dwa };
+enum class Integration { euler, midpoint };
+enum class CommandPolicy { feasible, target };
+enum class VelocityReference { command, odometry };
+enum class TieBreak { least_change, first };
+enum class Admissibility { braking, horizon };
+enum class MapGridDistance { geodesic, l1 };
+enum class OperatorMode { off, joystick };
+enum class LinearPolicy { v_max, axis };
+enum class HoldLinear { operator_, robot };
+enum class OnInputLost { hold, stop, autonomy };
+
+/// Every tunable parameter with its default; see parameter_list.inc for units, ranges and meaning.
+struct Parameters {
+#define HIDWA_DOUBLE(name, value, min, max, unit, tab, text) double name = value;
+#define HIDWA_INT(name, value, min, max, unit, tab, text) int name = value;
+#define HIDWA_BOOL(name, value, tab, text) bool name = value;
+#define HIDWA_STRING(name, value, tab, text) std::string name = value;
+#define HIDWA_ENUM(Type, name, value, names, tab, text) Type name = Type::value;
+#include "hidwa_local_planner/core/parameter_list.inc"
+#undef HIDWA_DOUBLE
+#undef HIDWA_INT
+#undef HIDWA_BOOL
+#undef HIDWA_STRING
+#undef HIDWA_ENUM
+
+  /// Braking limits as positive numbers: their sign is the user's choice, 0 stands for the acceleration limit.
+  double braking_x() const { return decel_lim_x == 0.0 ? acc_lim_x : std::abs(decel_lim_x); }  // [m/s^2]
+  double braking_theta() const {                                                               // [rad/s^2]
+    return decel_lim_theta == 0.0 ? acc_lim_theta : std::abs(decel_lim_theta);
+  }
+  bool has_wheel_limit() const { return wheel_radius > 0.0 && wheel_separation > 0.0 && max_wheel_velocity > 0.0; }
+};
+
+/// A value as the outside world writes it: enumerations as their names.
+using ParameterValue = std::variant<bool, int, double, std::string>;
+
+/// What is known of one parameter besides its value.
+struct ParameterInfo {
+  std::string name;
+  std::string type;           // "double", "int", "bool", "str" or "enum"
+  ParameterValue value;       // the default
+  double min = 0.0, max = 0.0;  // numbers only
+  std::string unit;           // empty where it has none
+  std::string tab;
+  std::string description;
+  std::vector<std::string> choices;  // enumerations only
+};
+
+/// All parameters in the order of their declaration.
+const std::vector<ParameterInfo>& parameter_table();
+
+/// Sets one parameter by name. Integers are accepted for doubles. Returns the fault in words, empty when it was set.
+std::string set_parameter(Parameters& parameters, const std::string& name, const ParameterValue& value);
+
+/// Reads one parameter by name; throws std::out_of_range for an unknown name.
+ParameterValue get_parameter(const Parameters& parameters, const std::string& name);
+
+/// Every fault of a set, each naming the parameter and the remedy; empty when the set is valid.
+std::vector<std::string> validate(const Parameters& parameters);
+
+/// The names in a list like "PathDist, GoalDist"; brackets and quotes are ignored.
+std::vector<std::string> split_names(const std::string& list);
+
+}  // namespace hidwa_local_planner

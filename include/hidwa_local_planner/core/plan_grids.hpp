@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "hidwa_local_planner/core/distance_grid.hpp"
+#include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// The distance grids of one cycle, made when first asked for and shared by all critics: to the plan's window, to its
+/// local goal, and to the local goal moved ahead.
+class PlanGrids {
+ public:
+  /// Once a cycle; `grid` and `plan` must outlive the cycle.
+  void prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
+               bool unknown_is_obstacle);
+
+  /// False when no pose of the plan lies on the map: the grids then cannot be made.
+  bool on_map() const { return !path_cells_.empty(); }
+
+  /// Distance to the nearest cell of the plan's first stretch on the map.
+  const DistanceGrid& to_path();
+  /// Distance to the last cell of that stretch: the local goal.
+  const DistanceGrid& to_goal();
+  /// Distance to the local goal after the plan's last pose was moved by `ahead` [m] along the bearing `from` -> `goal`.
+  const DistanceGrid& to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal);
+
+  /// The distance at a point [m], or a negative number where there is none: off the map or unreached.
+  static double at(const DistanceGrid& distances, const GridView& grid, double x, double y);
+
+ private:
+  void make(DistanceGrid& distances, const std::vector<Cell>& sources);
+  std::vector<Cell> cells_on_map(const std::vector<Pose2>& plan) const;
+
+  GridView grid_;
+  const std::vector<Pose2>* plan_ = nullptr;
+  MapGridDistance distance_ = MapGridDistance::geodesic;
+  bool stops_at_unknown_ = false;
+  std::vector<Cell> path_cells_;
+  DistanceGrid path_, goal_, goal_ahead_;
+  bool path_made_ = false, goal_made_ = false, ahead_made_ = false;
+  double ahead_distance_ = 0.0;
+};
+
+}  // namespace hidwa_local_planner

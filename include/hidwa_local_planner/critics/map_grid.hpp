@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "hidwa_local_planner/core/critic.hpp"
+#include "hidwa_local_planner/core/plan_grids.hpp"
+
+namespace hidwa_local_planner {
+
+/// What the four map-grid critics share: the raw score is the distance [m] of a point `forward` ahead of the last pose
+/// to the plan or the local goal; it weighs scale/2 per metre, as Nav2's resolution * scale / 2 per cell.
+/// Where no pose of the plan lies on the map, the score is how far the last pose's heading is off the bearing to the
+/// nearest plan pose [rad], so that a steered robot can be led back.
+class MapGridCritic : public Critic {
+ public:
+  void prepare(const CycleView& cycle) final;
+  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) final;
+
+ protected:
+  /// The grid to look distances up in; nullptr turns the critic off for this cycle.
+  virtual const DistanceGrid* choose(const CycleView& cycle) = 0;
+
+  MapGridDistance distance_ = MapGridDistance::geodesic;
+  double forward_ = 0.0;  // the point's distance ahead of the robot [m]
+
+ private:
+  double raw_score(const GridView& grid, const Pose2& last, double cosine, double sine, const char** reason) const;
+
+  const DistanceGrid* distances_ = nullptr;
+  bool off_map_ = false;
+  Pose2 nearest_;           // the plan's pose nearest to the robot, when it is off the map
+  double unreached_ = 0.0;  // the score where there is no way [m]
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "hidwa_local_planner/input/wish.hpp"
+
+namespace hidwa_local_planner::input {
+
+/// What the device said last and whether it still counts: knows silence and the centred stick, no states.
+///
+/// While the person gives input, silence longer than the timeout is a loss. While the stick is centred
+/// silence means nothing. After a start, a loss and on demand the input counts only once it was seen inactive
+/// (centred, or the enable button released), unless that is not required.
+class InputChannel {
+ public:
+  /// timeout 0: a silent stick is still where it was, it is never lost.
+  void configure(double timeout, bool require_neutral);  // [s]
+  /// A usable message arrived; `received` [s] never decreasing.
+  void accept(const Wish& wish, double received);
+  /// Notices a loss up to `now` [s].
+  void check(double now);
+  /// The same reading means another wish: parameters changed.
+  void remap(const Wish& wish);
+  /// The input must be seen inactive once (again) before it counts.
+  void demand_neutral();
+  /// As at the start.
+  void reset();
+
+  bool heard() const { return heard_; }
+  double time() const { return time_; }       // of the last message [s]
+  bool active() const { return active_; }     // input that counts
+  const Twist2& u_h() const { return u_h_; }  // of the newest input that counted
+  bool lost() const { return lost_; }         // active input fell silent and has not come back
+  bool waits_for_neutral() const { return deflected_ && !armed_; }
+  /// When the input that counted last ended [s]. A sender that repeats itself: its last active message. One
+  /// that sends only changes (timeout 0) was active until the message that ended it.
+  double ended_at() const { return timeout_ > 0.0 ? active_time_ : time_; }
+
+ private:
+  double timeout_ = 0.0;  // [s]
+  bool require_neutral_ = true;
+  bool heard_ = false;
+  bool armed_ = false;      // seen inactive since it was demanded
+  bool deflected_ = false;  // the last message was active, whether it counted or not
+  bool active_ = false;
+  bool lost_ = false;
+  double time_ = 0.0;         // [s]
+  double active_time_ = 0.0;  // of the last message that counted as active [s]
+  Twist2 u_h_;
+};
+
+}  // namespace hidwa_local_planner::input

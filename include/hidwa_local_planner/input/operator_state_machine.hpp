@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "hidwa_local_planner/core/operator_intent.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/input/backlog_gate.hpp"
+#include "hidwa_local_planner/input/blocked_watch.hpp"
+#include "hidwa_local_planner/input/device_watch.hpp"
+#include "hidwa_local_planner/input/hold.hpp"
+#include "hidwa_local_planner/input/input_channel.hpp"
+#include "hidwa_local_planner/input/input_rhythm.hpp"
+#include "hidwa_local_planner/input/stick_message.hpp"
+#include "hidwa_local_planner/input/stick_source.hpp"
+
+namespace hidwa_local_planner::input {
+
+/// What the cycle told the person: needed to know when a hold is refused and when the robot is blocked.
+struct CycleFeedback {
+  bool own_command_refused = false;  // u_h itself was refused
+  bool at_rest = false;              // the command was zero and the robot stands
+  bool goal_latched = false;
+  Twist2 command;   // what was sent [m/s, rad/s]
+  Twist2 velocity;  // measured [m/s, rad/s]
+};
+
+/// Turns a person's messages into states and intents (AUTONOMY, SHARED, HOLD, LOST, BLOCKED; MANUAL and
+/// STOPPED have their place). Knows no clock and no message type: time is always an argument [s]. Not
+/// thread-safe.
+///
+/// The way of a message: source (read_stick, wish_of) -> device and backlog checks -> InputChannel. The way
+/// of a cycle: facts -> next_state -> intent. States change in update() only, so state() is that of the cycle
+/// just run, and only input that a cycle has seen can be released: what comes and goes between two cycles has
+/// no effect.
+class OperatorStateMachine {
+ public:
+  OperatorStateMachine();
+
+  /// Takes a valid set of parameters; at any time. Another mode starts afresh. After another topic, other
+  /// axes or another enable button the stick must be seen centred. Everything else takes effect with the next
+  /// update(), without an interruption.
+  void configure(const Parameters& parameters);
+  /// A message arrived. Returns the fault in words when it was dropped, empty when it was taken.
+  std::string receive(const StickMessage& message);
+  /// What the person wants now. Call once a cycle, before plan(). A `now` that jumps back resets.
+  OperatorIntent update(double now);
+  /// What became of it. Call once a cycle, after plan().
+  void debrief(double now, const CycleFeedback& feedback);
+  /// A new goal: the old one's latch no longer keeps the person from steering, and a blockage is measured
+  /// anew. Steering, holding and a loss go on: the goal changed, the hand on the stick did not.
+  void new_goal();
+  /// As at the start, except for dropped(): AUTONOMY, and the stick must be seen centred. For time that
+  /// jumped back; update() and receive() notice that by themselves.
+  void reset();
+
+  OperatorStateId state() const { return state_; }
+  double input_age(double now) const;                 // [s]; negative when none was accepted yet
+  std::uint32_t dropped() const { return dropped_; }  // messages dropped since the start
+  /// A sentence with the remedy where something about the input needs attention; empty where nothing does.
+  std::string advice() const;
+
+ private:
+  std::string drop(const std::string& fault);
+  void new_device();
+  void begin_hold();
+  OperatorIntent intent(double now) const;
+
+  Parameters parameters_;
+  StickReading reading_;
+  DeviceWatch device_;
+  BacklogGate backlog_;
+  InputChannel channel_;
+  InputRhythm rhythm_;
+  Hold hold_;
+  BlockedWatch blocked_;
+  OperatorStateId state_ = OperatorStateId::autonomy;
+  bool goal_latched_ = false;
+  bool commanded_ = false;                                      // a command is known
+  double own_v_ = 0.0;                                          // the robot's: what was commanded last [m/s]
+  double now_ = -std::numeric_limits<double>::infinity();       // newest time of a cycle [s]
+  double received_ = -std::numeric_limits<double>::infinity();  // newest time of a message [s]
+  std::uint32_t dropped_ = 0;
+  std::string fault_;  // of the last message; empty where it was taken
+};
+
+}  // namespace hidwa_local_planner::input

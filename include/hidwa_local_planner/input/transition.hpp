@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "hidwa_local_planner/core/operator_intent.hpp"
+
+namespace hidwa_local_planner::input {
+
+/// All that the next state depends on, besides the present one.
+struct Facts {
+  bool enabled = false;  // the mode is not off
+  bool lost = false;     // active input fell silent and has not come back
+  bool active = false;   // the person gives input, and it counts
+  bool blocked = false;  // refusals have held the steered robot at rest for long
+  bool holding = false;  // a release was less than delta ago
+  bool at_goal = false;  // the goal is latched: steering and holding no longer count
+};
+
+/// The state machine proper: a pure function. Rules in the order of their rank, the first that applies
+/// decides: off, (stopped,) lost, (manual,) steering, holding, autonomy.
+OperatorStateId next_state(OperatorStateId present, const Facts& facts);
+
+/// The person is bending the motion: SHARED or BLOCKED.
+bool is_steering(OperatorStateId state);
+
+}  // namespace hidwa_local_planner::input

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace hidwa_local_planner {
+
+/// Watches when the host calls: pauses, time that jumps back, and a rate that is not the nominal one.
+class CycleClock {
+ public:
+  struct Tick {
+    bool jumped_back = false;  // time went backwards
+    bool paused = false;       // the host was in control since the last call, or this is the first one
+  };
+  /// A call at `now` [s] with the nominal `period` [s].
+  Tick tick(double now, double period);
+  /// A sentence with the remedy when the measured rate differs from the nominal one by more than 30 %; said
+  /// once.
+  std::string complaint();
+
+ private:
+  std::optional<double> last_;  // [s]
+  double period_ = 0.0;         // nominal [s]
+  double sum_ = 0.0;            // of the counted intervals [s]
+  int count_ = 0;
+  bool complained_ = false;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <nav_core/base_local_planner.h>
+
+namespace hidwa_local_planner {
+
+class Shell;
+
+/// The local planner as move_base loads it. Nothing thrown inside comes out: what goes wrong is logged, and
+/// the call fails, so that the host stops the robot.
+class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
+ public:
+  HIDWAPlannerROS();
+  ~HIDWAPlannerROS() override;
+  HIDWAPlannerROS(const HIDWAPlannerROS&) = delete;
+  HIDWAPlannerROS& operator=(const HIDWAPlannerROS&) = delete;
+
+  /// `name`: the namespace of parameters and topics below the node's own.
+  void initialize(std::string name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros) override;
+  /// On every replan; only a plan with a changed last pose is a new goal.
+  bool setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) override;
+  /// One control cycle. True with a zero twist is a hold; false: nothing to send, the host is to replan or
+  /// recover.
+  bool computeVelocityCommands(geometry_msgs::Twist& cmd_vel) override;
+  bool isGoalReached() override;
+
+ private:
+  std::unique_ptr<Shell> shell_;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// The robot's measured velocity. Thread-safe.
+class OdometryInput {
+ public:
+  /// `handle` decides the namespace and whose thread serves the messages.
+  void subscribe(ros::NodeHandle handle, const std::string& topic);
+  void receive(const nav_msgs::Odometry& message, double received);
+
+  struct Reading {
+    std::optional<Twist2> velocity;  // [m/s, rad/s]; nothing when it is missing or old
+    std::string fault;               // why
+  };
+  /// The velocity unless it is older than `timeout` [s] at `now` [s], by receive time or by a stamp that is
+  /// set.
+  Reading read(double now, double timeout) const;
+  /// Time jumped back: what was received before counts no more.
+  void forget();
+
+ private:
+  mutable std::mutex mutex_;
+  ros::Subscriber subscriber_;
+  std::string topic_;
+  std::optional<Twist2> velocity_;
+  double stamp_ = 0.0;     // of the header [s]; 0 where the sender leaves it empty
+  double received_ = 0.0;  // [s]
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include "hidwa_local_planner/core/parameters.hpp"
+
+namespace hidwa_local_planner {
+
+/// What a namespace of the parameter server says.
+struct LoadedParameters {
+  Parameters parameters;           // defaults where nothing valid was found
+  std::vector<std::string> found;  // "max_vel_x: 0.5" for every value that came from the namespace
+  std::vector<std::string>
+      faults;  // each names the parameter and the remedy; any of them makes the set invalid
+  std::vector<std::string> warnings;  // unknown keys, with the likely right one
+  std::vector<std::string> aliases;   // nested keys taken over, "PathAlign/scale"
+};
+
+/// Reads the content of the planner's namespace (a struct, or an invalid value for an empty namespace).
+/// Takes YAML as people write it: `critics` as list or text, whole numbers for real ones, DWB's nested
+/// `PathAlign: {scale: 32}` for PathAlign_scale (it wins over the flat key), and the word `off`, which YAML
+/// reads as false. Namespaces of critics of other packages, listed in `critics`, are theirs. Never throws.
+LoadedParameters load_parameters(const XmlRpc::XmlRpcValue& content);
+
+/// The namespace of a critic's own parameters: the last part of a name like `package/Class` or
+/// `package::Class`.
+std::string short_name(const std::string& critic);
+
+/// The known parameter that an unknown key most likely means: DWA's and DWB's other names, slips of the pen;
+/// empty when nothing is near.
+std::string suggestion_for(const std::string& key);
+
+}  // namespace hidwa_local_planner

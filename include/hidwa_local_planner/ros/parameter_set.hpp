@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include "hidwa_local_planner/core/critic_registry.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+
+namespace hidwa_local_planner {
+
+/// A set of parameters and, beside it, what the namespaces of other packages' critics held at that time:
+/// whoever configures a planner with it talks to no parameter server.
+struct ParameterSet {
+  Parameters parameters;
+  XmlRpc::XmlRpcValue content;  // of the planner's namespace; a struct, or invalid when it is empty
+
+  /// Finds a critic's own parameters in `content`.
+  std::unique_ptr<ParameterSource> source_for(const std::string& critic) const;
+};
+
+/// All that the parameter server holds below the handle's namespace.
+XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle);
+
+/// Every fault that configuring a planner with this set would meet; critics of other packages are loaded on
+/// the way.
+std::vector<std::string> faults_of(const ParameterSet& set, const CriticRegistry& registry);
+
+}  // namespace hidwa_local_planner

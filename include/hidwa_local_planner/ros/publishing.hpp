@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nav_msgs/Path.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include "hidwa_local_planner/Cycle.h"
+#include "hidwa_local_planner/OperatorState.h"
+#include "hidwa_local_planner/core/operator_intent.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/ros/operator_input.hpp"
+
+namespace hidwa_local_planner {
+
+/// What a cycle came to.
+struct CycleResult {
+  Outcome outcome = Outcome::fail;
+  Twist2 command;     // sent, or zero on failure [m/s, rad/s]
+  std::string fault;  // missing input; then there is no decision
+  const Decision* decision = nullptr;
+};
+
+/// The topics below the planner's name. Costly ones are built only when somebody subscribes.
+class Publishing {
+ public:
+  /// `frame`: the costmap's.
+  Publishing(ros::NodeHandle handle, std::string frame);
+
+  void publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state,
+                     double duration);
+  void publish_operator(const ros::Time& stamp, const CycleResult& result, const OperatorIntent& intent,
+                        const OperatorInput::Status& status);
+  void publish_paths(const ros::Time& stamp, const std::vector<Pose2>& window,
+                     const std::vector<Pose2>& trajectory);
+  void publish_evaluation(const ros::Time& stamp, const Planner& planner);
+
+ private:
+  void publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose2>& poses);
+
+  std::string frame_;
+  ros::Publisher global_plan_, local_plan_, operator_state_, cycle_, evaluation_, trajectories_;
+  // Kept from cycle to cycle for their memory.
+  Cycle cycle_message_;
+  OperatorState operator_message_;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <costmap_2d/costmap_2d_ros.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <ros/node_handle.h>
+#include <tf2_ros/buffer.h>
+
+#include "hidwa_local_planner/core/goal_checker.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/ros/callback_thread.hpp"
+#include "hidwa_local_planner/ros/conversions.hpp"
+#include "hidwa_local_planner/ros/cycle_clock.hpp"
+#include "hidwa_local_planner/ros/cycle_statistics.hpp"
+#include "hidwa_local_planner/ros/diagnostics.hpp"
+#include "hidwa_local_planner/ros/fault_brake.hpp"
+#include "hidwa_local_planner/ros/odometry_input.hpp"
+#include "hidwa_local_planner/ros/operator_input.hpp"
+#include "hidwa_local_planner/ros/parameter_set.hpp"
+#include "hidwa_local_planner/ros/plan_tracker.hpp"
+#include "hidwa_local_planner/ros/publishing.hpp"
+#include "hidwa_local_planner/ros/reconfigure.hpp"
+
+namespace hidwa_local_planner {
+
+/// The planner among messages, clocks and parameters: gathers what a cycle needs, asks the core once, sends
+/// what it decided. set_plan, cycle and goal_reached come from the host's control thread; parameters,
+/// odometry and the person come from threads of their own.
+class Shell {
+ public:
+  /// `name`: the planner's namespace below the node's. `tf` and `costmap` must outlive the shell.
+  Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS& costmap);
+  ~Shell();
+
+  void set_plan(const std::vector<geometry_msgs::PoseStamped>& plan);
+  /// False when there is nothing to send: the host is to stop, replan or recover.
+  bool cycle(geometry_msgs::Twist& command);
+  bool goal_reached();
+
+ private:
+  /// What is known of the robot; a fault names what is missing.
+  struct Observation {
+    std::string fault;
+    std::optional<Twist2> velocity;  // [m/s, rad/s]
+    Pose2 pose;                      // costmap frame
+    FrameTransform from_plan;        // of the plan's frame, in the costmap's
+  };
+
+  // Parameters.
+  void start_parameters();
+  void report_start(const std::vector<std::string>& found) const;
+  std::vector<std::string> judge(const Parameters& wanted);
+  void take_parameters();
+  double control_period() const;  // [s]
+
+  // One cycle.
+  bool watch_time(double now);  // true when the host was in control meanwhile
+  Observation observe(double now);
+  std::string observe_pose(double now, Observation& observation);
+  std::string update_footprint();
+  CycleResult brake(double now, const Observation& observation);
+  CycleResult decide(double now, const Observation& observation, const OperatorIntent& intent);
+  void remember(double now, const CycleResult& result, const Observation& observation);
+  void explain(double now, const CycleResult& result);
+  void check_horizon();
+  void begin_goal();
+
+  const std::string name_;
+  ros::NodeHandle host_handle_;  // topics by the host's names
+  ros::NodeHandle handle_;       // the planner's namespace
+  const tf2_ros::Buffer& tf_;
+  costmap_2d::Costmap2DROS& costmap_;
+  double host_frequency_ = 0.0;  // [Hz]
+
+  CriticRegistry registry_;
+  Planner planner_;
+  GoalChecker goal_checker_;
+  PlanTracker plan_;
+  FaultBrake fault_brake_;
+  CycleClock clock_;
+  CycleStatistics statistics_;
+  Situation situation_;        // kept for its memory
+  Polygon outline_;            // what the planner was last given
+  Twist2 last_command_;        // [m/s, rad/s]
+  std::string refused_;        // why the parameters at start cannot drive; empty once a valid set came
+  std::string explained_;      // the message said last ...
+  double explained_at_ = 0.0;  // ... and when [s]
+  std::vector<std::string> horizon_said_;
+
+  std::mutex pending_mutex_;
+  std::optional<ParameterSet> pending_;  // accepted, in force from the next cycle on
+  std::atomic<bool> has_pending_{false};
+
+  CallbackThread thread_;  // odometry, reconfigure, diagnostics; outlives whatever it serves
+  OdometryInput odometry_;
+  OperatorInput person_;
+  std::string odom_topic_;
+  Publishing publishing_;
+  std::unique_ptr<Reconfigure> reconfigure_;
+  std::unique_ptr<Diagnostics> diagnostics_;
+};
+
+}  // namespace hidwa_local_planner

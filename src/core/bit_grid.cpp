@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/core/bit_grid.hpp"
+
+#include <algorithm>
+
+namespace hidwa_local_planner {
+
+void BitGrid::reset(int width, int height) {
+  width_ = width;
+  height_ = height;
+  row_words_ = (static_cast<std::size_t>(width) + 63) / 64;
+  words_.assign(row_words_ * static_cast<std::size_t>(height), 0);
+}
+
+bool BitGrid::any(int j, int i0, int i1) const {
+  for (int i = i0; i <= i1; i = (i | 63) + 1) {
+    const int last = std::min(i1, i | 63);
+    const std::uint64_t upto = (last & 63) == 63 ? ~std::uint64_t{0} : (std::uint64_t{1} << ((last & 63) + 1)) - 1;
+    const std::uint64_t from = ~std::uint64_t{0} << (i & 63);
+    if ((words_[word(i, j)] & upto & from) != 0) return true;
+  }
+  return false;
+}
+
+// One cell wider on both sides. Bits beyond the width may get set; nobody reads them.
+void BitGrid::widen(std::vector<std::uint64_t>& row, std::vector<std::uint64_t>& scratch) const {
+  scratch = row;
+  for (std::size_t w = 0; w < row_words_; ++w) {
+    std::uint64_t bits = scratch[w] | (scratch[w] << 1) | (scratch[w] >> 1);
+    if (w > 0) bits |= scratch[w - 1] >> 63;
+    if (w + 1 < row_words_) bits |= scratch[w + 1] << 63;
+    row[w] = bits;
+  }
+}
+
+void BitGrid::dilate(const std::vector<int>& reach, BitGrid& out) const {
+  out.reset(width_, height_);
+  if (reach.empty() || reach[0] < 0) return;
+  row_.resize(row_words_);
+  for (int j = 0; j < height_; ++j) {
+    const auto begin = words_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(j) * row_words_);
+    if (std::all_of(begin, begin + static_cast<std::ptrdiff_t>(row_words_), [](std::uint64_t w) { return w == 0; })) {
+      continue;
+    }
+    std::copy(begin, begin + static_cast<std::ptrdiff_t>(row_words_), row_.begin());
+    int widened = 0;
+    // From the far rows, which reach least, to the row itself: each widening serves all that follow.
+    for (int dy = static_cast<int>(reach.size()) - 1; dy >= 0; --dy) {
+      if (reach[static_cast<std::size_t>(dy)] < 0) continue;
+      for (; widened < reach[static_cast<std::size_t>(dy)]; ++widened) widen(row_, scratch_);
+      for (const int row : {j - dy, j + dy}) {
+        if (row < 0 || row >= height_) continue;
+        std::uint64_t* target = out.words_.data() + static_cast<std::size_t>(row) * row_words_;
+        for (std::size_t w = 0; w < row_words_; ++w) target[w] |= row_[w];
+      }
+    }
+  }
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/core/plan_grids.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace hidwa_local_planner {
+
+void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
+                        bool unknown_is_obstacle) {
+  grid_ = grid;
+  plan_ = &plan;
+  distance_ = distance;
+  stops_at_unknown_ = distance == MapGridDistance::l1 && unknown_is_obstacle;  // Nav2's rule
+  path_cells_ = cells_on_map(plan);
+  path_made_ = goal_made_ = ahead_made_ = false;
+}
+
+// The cells of the plan's first stretch on the map. Poses in the same or neighbouring cells need nothing between them;
+// wider gaps are filled at half a cell's spacing.
+std::vector<Cell> PlanGrids::cells_on_map(const std::vector<Pose2>& plan) const {
+  std::vector<Cell> cells;
+  const auto usable = [this](Cell cell) {
+    return grid_.contains(cell) && !(stops_at_unknown_ && grid_.at(cell) == cost::kUnknown);
+  };
+  for (std::size_t k = 0; k < plan.size(); ++k) {
+    const Cell cell = grid_.cell_at(plan[k].x, plan[k].y);
+    if (k > 0) {
+      const Cell before = grid_.cell_at(plan[k - 1].x, plan[k - 1].y);
+      if (std::max(std::abs(cell.i - before.i), std::abs(cell.j - before.j)) > 1) {
+        const double gap = distance(plan[k - 1], plan[k]);
+        const int parts = static_cast<int>(std::ceil(gap / (0.5 * grid_.resolution)));
+        for (int part = 1; part < parts; ++part) {
+          const double t = static_cast<double>(part) / parts;
+          const Cell between = grid_.cell_at(plan[k - 1].x + t * (plan[k].x - plan[k - 1].x),
+                                             plan[k - 1].y + t * (plan[k].y - plan[k - 1].y));
+          if (usable(between)) {
+            cells.push_back(between);
+          } else if (!cells.empty()) {
+            return cells;
+          }
+        }
+      }
+    }
+    if (usable(cell)) {
+      cells.push_back(cell);
+    } else if (!cells.empty()) {
+      return cells;
+    }
+  }
+  return cells;
+}
+
+void PlanGrids::make(DistanceGrid& distances, const std::vector<Cell>& sources) {
+  if (distance_ == MapGridDistance::l1) {
+    distances.make_l1(grid_, sources);
+  } else {
+    distances.make_geodesic(grid_, sources);
+  }
+}
+
+const DistanceGrid& PlanGrids::to_path() {
+  if (!path_made_) make(path_, path_cells_);
+  path_made_ = true;
+  return path_;
+}
+
+const DistanceGrid& PlanGrids::to_goal() {
+  if (!goal_made_) make(goal_, {path_cells_.back()});
+  goal_made_ = true;
+  return goal_;
+}
+
+const DistanceGrid& PlanGrids::to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal) {
+  if (ahead_made_ && ahead_distance_ == ahead) return goal_ahead_;
+  std::vector<Pose2> moved = *plan_;
+  const double bearing = std::atan2(goal.y - from.y, goal.x - from.x);
+  moved.back().x += ahead * std::cos(bearing);
+  moved.back().y += ahead * std::sin(bearing);
+  const std::vector<Cell> cells = cells_on_map(moved);
+  make(goal_ahead_, {cells.empty() ? path_cells_.back() : cells.back()});
+  ahead_made_ = true;
+  ahead_distance_ = ahead;
+  return goal_ahead_;
+}
+
+double PlanGrids::at(const DistanceGrid& distances, const GridView& grid, double x, double y) {
+  const Cell cell = grid.cell_at(x, y);
+  if (!grid.contains(cell)) return -1.0;
+  const std::int32_t units = distances.units(cell);
+  return units == DistanceGrid::kUnreached ? -1.0 : units * distances.metres_per_unit();
+}
+
+}  // namespace hidwa_local_planner

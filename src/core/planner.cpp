@@ -1,0 +1,550 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/core/planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "hidwa_local_planner/core/admissibility.hpp"
+#include "hidwa_local_planner/core/choice.hpp"
+#include "hidwa_local_planner/core/collision.hpp"
+#include "hidwa_local_planner/core/plan_grids.hpp"
+#include "hidwa_local_planner/core/rollout.hpp"
+#include "hidwa_local_planner/core/samples.hpp"
+#include "hidwa_local_planner/core/velocity_limits.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// Who refused a candidate: nobody, the collision check, the braking check, or critic number (value - kFirstCritic).
+constexpr std::uint8_t kLegal = 0;
+constexpr std::uint8_t kCollision = 1;
+constexpr std::uint8_t kBraking = 2;
+constexpr std::uint8_t kFirstCritic = 3;
+constexpr std::size_t kMaxCritics = 200;
+
+constexpr const char* kCannotBrake = "cannot stop in free space";
+
+// Slower than this the robot rests [m/s, rad/s].
+constexpr double kAtRest = 1e-3;
+
+bool at_rest(const Twist2& u) { return std::abs(u.v) < kAtRest && std::abs(u.omega) < kAtRest; }
+
+// Beyond these a number is no measurement but a fault: no robot this planner serves is so fast or so far away.
+constexpr double kFastest = 20.0;         // [m/s]
+constexpr double kFastestTurn = 50.0;     // [rad/s]
+constexpr double kFarthest = 1e6;         // [m, rad]
+
+bool plausible(const Twist2& u) { return std::abs(u.v) <= kFastest && std::abs(u.omega) <= kFastestTurn; }
+bool plausible(const Pose2& q) {
+  return std::abs(q.x) <= kFarthest && std::abs(q.y) <= kFarthest && std::abs(q.theta) <= kFarthest;
+}
+
+// Off the plan's direction by less than this a robot faces it [rad].
+constexpr double kFacesPlan = 0.5;
+
+// How far along the plan its direction is taken [m]: beyond the cells around the robot, before the next corner.
+constexpr double kDirectionAhead = 0.5;
+
+// How far to turn to face the plan [rad]; left positive.
+double heading_off_plan(const Situation& situation) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < situation.plan.size(); ++i) {
+    if (distance(situation.plan[i], situation.pose) < distance(situation.plan[nearest], situation.pose)) nearest = i;
+  }
+  std::size_t ahead = nearest;
+  while (ahead + 1 < situation.plan.size() && distance(situation.plan[ahead], situation.pose) < kDirectionAhead) ++ahead;
+  const Pose2& target = situation.plan[ahead];
+  if (distance(target, situation.pose) < 1e-6) return 0.0;
+  return wrap_angle(std::atan2(target.y - situation.pose.y, target.x - situation.pose.x) - situation.pose.theta);
+}
+
+// Parameters of critics of other packages where nobody supplies any: the fallbacks.
+class NoParameters : public ParameterSource {
+ public:
+  double number(const std::string& /*key*/, double fallback) const override { return fallback; }
+  bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
+};
+
+struct NamedCritic {
+  std::string name;
+  std::shared_ptr<Critic> critic;
+  double weight = 0.0;
+  std::unique_ptr<ParameterSource> source;
+};
+
+}  // namespace
+
+const char* to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::drive: return "DRIVE";
+    case Outcome::brake: return "BRAKE";
+    case Outcome::fail: return "FAIL";
+    case Outcome::hold: return "HOLD";
+  }
+  return "UNKNOWN";
+}
+
+struct Planner::Impl {
+  CriticRegistry registry;
+  Parameters parameters;
+  VelocityLimits limits;
+  std::vector<NamedCritic> critics;
+  Polygon outline;
+  Footprint footprint;
+
+  // One cycle's work, kept for its memory and for evaluation().
+  Sampler sampler;
+  Rollout rollout;
+  CollisionChecker collision;
+  AdmissibilityCheck admissibility;
+  PlanGrids grids;
+  std::vector<double> totals;             // [candidates]; infinite where refused
+  std::vector<std::uint8_t> refused_by;   // [candidates]
+  std::vector<const char*> reasons;       // [candidates]
+  std::vector<std::vector<double>> raw;   // [critics][candidates]
+  std::vector<double> deviation;          // [candidates] the operator's term
+  Decision decision;
+  Marked marked;
+  double rest_since = -1.0;               // [s]; negative while moving
+  bool turning_to_plan = false;           // stuck autonomy turns on the spot, see watch_rest()
+
+  std::string fault_of(const Situation& situation, const GridView& grid, const OperatorIntent& intent) const;
+  void begin(const Situation& situation);
+  void give_up(const Situation& situation, const std::string& problem);
+  Twist2 bounded_reference(const Situation& situation) const;
+  void make_candidates(const Situation& situation, const OperatorIntent& intent, const Sampling& sampling);
+  void prepare_checks(const Situation& situation, const GridView& grid);
+  void score_tile(const CycleView& cycle, const Tile& tile, const OperatorIntent& intent);
+  void refuse_colliding(const Tile& tile);
+  void ask_critics(const CycleView& cycle, const Tile& tile);
+  void sum_up(const Tile& tile, const OperatorIntent& intent);
+  std::uint8_t not_a_number(std::size_t candidate) const;
+  int choose(const Situation& situation);
+  int choose_turn(const Situation& situation);
+  void watch_rest(const Situation& situation, bool autonomous);
+  void describe(int best);
+  void count_refusals();
+  void judge_operator(const OperatorIntent& intent);
+  const std::string& name_of(std::uint8_t refuser) const;
+  Twist2 sample_at(std::size_t candidate) const { return sampler.samples()[candidate].u; }
+  std::vector<CriticTerm> terms_of(std::size_t candidate) const;
+  const Decision& drive(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
+                        const Sampling& sampling);
+  void pass_through(const Situation& situation, const OperatorIntent& intent);
+};
+
+Planner::Planner(CriticRegistry registry) : impl_(std::make_unique<Impl>()) {
+  impl_->registry = std::move(registry);
+  configure(Parameters{});
+}
+Planner::~Planner() = default;
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
+
+const Parameters& Planner::parameters() const { return impl_->parameters; }
+const Footprint& Planner::footprint() const { return impl_->footprint; }
+
+std::vector<std::string> Planner::configure(const Parameters& parameters, const SourceFor& source_for) {
+  std::vector<std::string> faults = validate(parameters);
+  const std::vector<std::string> names = split_names(parameters.critics);
+  for (const std::string& name : names) {
+    if (impl_->registry.knows(name)) continue;
+    std::string known;
+    for (const std::string& other : impl_->registry.names()) known += " " + other;
+    faults.push_back("critics: no critic named " + name + "; there are" + known);
+  }
+  if (names.size() > kMaxCritics) faults.push_back("critics: more than 200; name fewer");
+  if (!faults.empty()) return faults;
+
+  // A critic that stays keeps what it latched.
+  std::vector<NamedCritic> critics;
+  for (const std::string& name : names) {
+    const auto kept = std::find_if(impl_->critics.begin(), impl_->critics.end(),
+                                   [&](const NamedCritic& c) { return c.critic != nullptr && c.name == name; });
+    NamedCritic named;
+    named.name = name;
+    named.critic = kept != impl_->critics.end() ? std::move(kept->critic) : impl_->registry.make(name);
+    if (source_for) named.source = source_for(name);
+    if (!named.source) named.source = std::make_unique<NoParameters>();
+    named.weight = named.critic->configure(parameters, *named.source);
+    critics.push_back(std::move(named));
+  }
+  impl_->critics = std::move(critics);
+  impl_->raw.resize(impl_->critics.size());
+  impl_->parameters = parameters;
+  impl_->limits = VelocityLimits::from(parameters);
+  set_footprint(impl_->outline);
+  return {};
+}
+
+void Planner::set_footprint(const Polygon& outline) {
+  impl_->outline = outline;
+  impl_->footprint = Footprint::from_outline(outline, impl_->parameters.footprint_padding);
+}
+
+void Planner::reset() {
+  for (NamedCritic& named : impl_->critics) named.critic->reset();
+  impl_->rest_since = -1.0;
+  impl_->turning_to_plan = false;
+}
+
+const Decision& Planner::plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
+                              const Sampling& sampling) {
+  impl_->begin(situation);
+  const std::string fault = impl_->fault_of(situation, grid, intent);
+  if (!fault.empty()) {
+    impl_->give_up(situation, fault);
+  } else if (intent.influence == Influence::stop) {
+    impl_->give_up(situation, "");
+    impl_->decision.outcome = at_rest(impl_->decision.command) ? Outcome::hold : Outcome::brake;
+  } else if (intent.influence == Influence::direct && !intent.guarded) {
+    impl_->pass_through(situation, intent);
+  } else {
+    return impl_->drive(situation, grid, intent, sampling);
+  }
+  impl_->rest_since = -1.0;  // autonomy did not choose to stand
+  impl_->turning_to_plan = false;
+  return impl_->decision;
+}
+
+std::string Planner::Impl::fault_of(const Situation& situation, const GridView& grid,
+                                    const OperatorIntent& intent) const {
+  if (!grid.valid()) return "the costmap is empty";
+  if (footprint.empty()) return "no footprint is set: give the costmap footprint or robot_radius";
+  if (!plausible(situation.pose) || !plausible(situation.velocity) || !plausible(situation.last_command)) {
+    return "pose or velocity is not a number, or beyond all bounds: look at odometry and tf";
+  }
+  if (!(situation.period > 0.0) || !std::isfinite(situation.period)) return "the control period is not positive";
+  if (situation.plan.empty()) return "the plan is empty";
+  const auto bad = [](const Pose2& pose) { return !plausible(pose); };
+  if (bad(situation.goal) || std::any_of(situation.plan.begin(), situation.plan.end(), bad)) {
+    return "a pose of the plan is not a number, or beyond all bounds: look at the global planner";
+  }
+  if (intent.influence != Influence::none && !is_finite(intent.u_h)) return "what the person wants is not a number";
+  return "";
+}
+
+// A command that was never a number is none; a reference beyond the limits is brought back by the window.
+Twist2 Planner::Impl::bounded_reference(const Situation& situation) const {
+  const Twist2 last = plausible(situation.last_command) ? situation.last_command : Twist2{};
+  const Twist2 measured = plausible(situation.velocity) ? situation.velocity : last;
+  return velocity_reference(parameters, measured, last);
+}
+
+void Planner::Impl::begin(const Situation& situation) {
+  decision = Decision{};
+  decision.reference = bounded_reference(situation);
+  marked = Marked{};
+  totals.clear();
+}
+
+// The brake command; at rest there is nothing left but to fail.
+void Planner::Impl::give_up(const Situation& situation, const std::string& problem) {
+  decision.problem = problem;
+  decision.sample = {};
+  const double period = situation.period > 0.0 ? situation.period : Situation().period;
+  decision.command = limits.brake(decision.reference, period);
+  const bool moving = !at_rest(decision.reference) || !at_rest(situation.velocity);
+  decision.outcome = moving ? Outcome::brake : Outcome::fail;
+}
+
+void Planner::Impl::pass_through(const Situation& situation, const OperatorIntent& intent) {
+  decision.sample = limits.clamp(intent.u_h);
+  decision.command = limits.step(decision.reference, decision.sample, situation.period);
+  decision.outcome = at_rest(decision.command) ? Outcome::hold : Outcome::drive;
+}
+
+const Decision& Planner::Impl::drive(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
+                                     const Sampling& sampling) {
+  make_candidates(situation, intent, sampling);
+  prepare_checks(situation, grid);
+  grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
+  CycleView cycle;
+  cycle.pose = situation.pose;
+  cycle.velocity = situation.velocity;
+  cycle.last_command = situation.last_command;
+  cycle.goal = situation.goal;
+  cycle.time = situation.time;
+  cycle.steered = intent.influence != Influence::none;
+  cycle.plan = &situation.plan;
+  cycle.grid = &grid;
+  cycle.footprint = &footprint;
+  cycle.grids = &grids;
+  if (!grids.on_map() && !cycle.steered) {
+    give_up(situation, "no pose of the plan lies on the local map");
+    return decision;
+  }
+  for (NamedCritic& named : critics) {
+    if (named.weight != 0.0) named.critic->prepare(cycle);
+  }
+  for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, rollout.tile(t), intent);
+
+  const bool autonomous = intent.influence == Influence::none && !situation.goal_latched;
+  if (!autonomous) turning_to_plan = false;
+  int best = turning_to_plan ? choose_turn(situation) : -1;
+  if (best < 0) {
+    turning_to_plan = false;
+    best = choose(situation);
+  }
+  if (best < 0) {
+    give_up(situation, "every candidate was refused");
+  } else {
+    describe(best);
+  }
+  count_refusals();
+  judge_operator(intent);
+  watch_rest(situation, autonomous);
+  for (NamedCritic& named : critics) {
+    if (named.weight != 0.0) named.critic->debrief(cycle, decision.command);
+  }
+  return decision;
+}
+
+void Planner::Impl::make_candidates(const Situation& situation, const OperatorIntent& intent,
+                                    const Sampling& sampling) {
+  SampleRequest request;
+  request.reference = decision.reference;
+  request.previous = situation.last_command;
+  request.wanted = intent.influence != Influence::none ? &intent.u_h : nullptr;
+  request.period = situation.period;
+  request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
+  request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
+  sampler.make(parameters, limits, request);
+  rollout.run(parameters, limits, situation.pose, decision.reference, sampler.samples());
+  const std::size_t n = rollout.candidate_count();
+  decision.candidates = n;
+  totals.assign(n, std::numeric_limits<double>::infinity());
+  refused_by.assign(n, kLegal);
+  reasons.assign(n, nullptr);
+  deviation.assign(n, 0.0);
+  for (std::vector<double>& scores : raw) scores.assign(n, 0.0);
+}
+
+void Planner::Impl::prepare_checks(const Situation& situation, const GridView& grid) {
+  double fastest = std::abs(decision.reference.v);
+  for (const Sample& sample : sampler.samples()) fastest = std::max(fastest, std::abs(sample.u.v));
+  const double longest = std::max(parameters.sim_time, parameters.control_latency + situation.period +
+                                                           limits.x.time_to_rest(fastest));
+  collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, fastest * longest);
+  admissibility.prepare(parameters, limits, collision, footprint, grid.resolution,
+                        {situation.pose, decision.reference, situation.period});
+  decision.escaping = admissibility.escaping();
+}
+
+void Planner::Impl::score_tile(const CycleView& cycle, const Tile& tile, const OperatorIntent& intent) {
+  refuse_colliding(tile);
+  ask_critics(cycle, tile);
+  sum_up(tile, intent);
+}
+
+void Planner::Impl::refuse_colliding(const Tile& tile) {
+  const char** reason = reasons.data() + tile.first;
+  std::uint8_t* refuser = refused_by.data() + tile.first;
+  admissibility.check_rollouts(tile, reason);
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    if (reason[c] != nullptr) {
+      refuser[c] = kCollision;
+    } else if (parameters.admissibility == Admissibility::braking && !admissibility.can_brake(tile.sample(c), c)) {
+      refuser[c] = kBraking;
+      reason[c] = kCannotBrake;
+    }
+  }
+}
+
+void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
+  for (std::size_t i = 0; i < critics.size(); ++i) {
+    if (critics[i].weight == 0.0) continue;
+    TileScores scores(raw[i].data() + tile.first, reasons.data() + tile.first, tile.count);
+    critics[i].critic->score(cycle, tile, scores);
+    for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
+      if (reasons[c] != nullptr && refused_by[c] == kLegal) refused_by[c] = static_cast<std::uint8_t>(kFirstCritic + i);
+    }
+  }
+}
+
+// Kalliokoski 2022, the cost J in section III: J = s_nv J_nv + gamma (s_v |v_h - v| + s_omega |omega_h - omega|).
+void Planner::Impl::sum_up(const Tile& tile, const OperatorIntent& intent) {
+  const bool counts = intent.influence != Influence::none;
+  // Direct control takes the legal candidate nearest to what the person wants, by the same weights.
+  const bool direct = intent.influence == Influence::direct;
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    const std::size_t at = tile.first + c;
+    const double off_v = std::abs(intent.u_h.v - tile.v[c]);
+    const double off_omega = std::abs(intent.u_h.omega - tile.omega);
+    if (counts) deviation[at] = parameters.s_v * off_v + parameters.s_omega * off_omega;
+    if (refused_by[at] != kLegal) continue;
+    double autonomy = 0.0;
+    for (std::size_t i = 0; i < critics.size(); ++i) autonomy += critics[i].weight * raw[i][at];
+    const double total = direct ? deviation[at] : parameters.s_nv * autonomy + deviation[at];
+    // A critic of another package may say anything: what is not a number is no legal candidate.
+    if (std::isfinite(total)) {
+      totals[at] = total;
+    } else {
+      refused_by[at] = not_a_number(at);
+      reasons[at] = "total is not a number";
+    }
+  }
+}
+
+// The critic that spoiled a total.
+std::uint8_t Planner::Impl::not_a_number(std::size_t candidate) const {
+  for (std::size_t i = 0; i < critics.size(); ++i) {
+    if (!std::isfinite(critics[i].weight * raw[i][candidate])) return static_cast<std::uint8_t>(kFirstCritic + i);
+  }
+  return kFirstCritic;
+}
+
+int Planner::Impl::choose(const Situation& situation) {
+  const TieRule tie(parameters, situation.last_command);
+  const bool verify = parameters.admissibility == Admissibility::braking;
+  while (true) {
+    const auto lowest = std::min_element(totals.begin(), totals.end());
+    if (lowest == totals.end() || !std::isfinite(*lowest)) return -1;
+    std::size_t best = static_cast<std::size_t>(lowest - totals.begin());
+    const double equal = *lowest + kEqualTotals;
+    for (std::size_t c = 0; c < totals.size(); ++c) {
+      if (totals[c] <= equal && tie.prefers(sample_at(c), sample_at(best))) best = c;
+    }
+    if (!verify || admissibility.can_brake_surely(sample_at(best))) return static_cast<int>(best);
+    totals[best] = std::numeric_limits<double>::infinity();
+    refused_by[best] = kBraking;
+    reasons[best] = kCannotBrake;
+  }
+}
+
+void Planner::Impl::describe(int best) {
+  const auto index = static_cast<std::size_t>(best);
+  marked.best = best;
+  decision.sample = sample_at(index);
+  decision.command = admissibility.command_for(decision.sample);
+  decision.total = totals[index];
+  decision.terms = terms_of(index);
+  decision.outcome = at_rest(decision.command) && at_rest(decision.sample) ? Outcome::hold : Outcome::drive;
+  for (std::size_t t = 0; t < rollout.tile_count(); ++t) {
+    const Tile tile = rollout.tile(t);
+    if (index < tile.first || index >= tile.first + tile.count) continue;
+    decision.step = tile.dt;
+    for (std::size_t k = 0; k <= tile.steps; ++k) decision.trajectory.push_back(tile.pose(k, index - tile.first));
+  }
+}
+
+void Planner::Impl::count_refusals() {
+  std::vector<std::size_t> counts(kFirstCritic + critics.size(), 0);
+  for (const std::uint8_t refuser : refused_by) ++counts[refuser];
+  decision.legal = counts[kLegal];
+  for (std::size_t refuser = kCollision; refuser < counts.size(); ++refuser) {
+    if (counts[refuser] > 0) decision.refusals.push_back({name_of(static_cast<std::uint8_t>(refuser)), counts[refuser]});
+  }
+  double worst = -std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < totals.size(); ++c) {
+    if (std::isfinite(totals[c]) && totals[c] > worst) {
+      worst = totals[c];
+      marked.worst = static_cast<int>(c);
+    }
+  }
+}
+
+// How near the choice comes to the operator's own command, and what became of that: of its own candidate, or of the
+// sample nearest to it.
+void Planner::Impl::judge_operator(const OperatorIntent& intent) {
+  if (intent.influence == Influence::none) return;
+  const double v_span = std::max(limits.x.max - limits.x.min, 1e-6);
+  const double omega_span = std::max(limits.theta.max - limits.theta.min, 1e-6);
+  decision.agreement = std::max(0.0, 1.0 - std::abs(intent.u_h.v - decision.sample.v) / v_span -
+                                         std::abs(intent.u_h.omega - decision.sample.omega) / omega_span);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < rollout.candidate_count(); ++c) {
+    const Sample& sample = sampler.samples()[c];
+    const double off = sample.kind == SampleKind::operator_own
+                           ? -1.0
+                           : std::abs(sample.u.v - intent.u_h.v) + std::abs(sample.u.omega - intent.u_h.omega);
+    if (off < nearest) {
+      nearest = off;
+      marked.operator_own = static_cast<int>(c);
+    }
+  }
+  if (marked.operator_own < 0) return;
+  const std::uint8_t refuser = refused_by[static_cast<std::size_t>(marked.operator_own)];
+  if (refuser != kLegal) decision.operator_refused_by = name_of(refuser);
+}
+
+// Autonomy that prefers standing still to every legal move is stuck, mostly because it faces away from the plan and the
+// first part of the turn gains nothing. It turns towards the plan on the spot; where that does not help either it fails,
+// so that the host replans or recovers.
+void Planner::Impl::watch_rest(const Situation& situation, bool autonomous) {
+  if (!autonomous || decision.outcome != Outcome::hold || situation.time < rest_since) {
+    rest_since = -1.0;
+    return;
+  }
+  if (rest_since < 0.0) rest_since = situation.time;
+  const double rest = situation.time - rest_since;
+  if (parameters.turn_when_stuck && rest >= 0.5 * parameters.blocked_time &&
+      std::abs(heading_off_plan(situation)) > kFacesPlan) {
+    turning_to_plan = true;
+  }
+  if (rest > parameters.blocked_time) {
+    decision.outcome = Outcome::fail;
+    decision.problem = "autonomy is stuck: standing still is its best legal candidate";
+  }
+}
+
+// The legal turn on the spot that ends nearest to the plan's direction; -1 when there is none or it faces it already.
+int Planner::Impl::choose_turn(const Situation& situation) {
+  const double off = heading_off_plan(situation);
+  if (std::abs(off) <= 0.5 * kFacesPlan) return -1;
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < rollout.tile_count(); ++t) {
+    const Tile tile = rollout.tile(t);
+    const double left = std::abs(wrap_angle(off - (tile.heading[tile.steps] - situation.pose.theta)));
+    for (std::size_t c = 0; c < tile.count; ++c) {
+      if (tile.v[c] != 0.0 || tile.omega == 0.0 || !std::isfinite(totals[tile.first + c]) || left >= least) continue;
+      if (!admissibility.can_brake_surely(tile.sample(c))) continue;
+      best = static_cast<int>(tile.first + c);
+      least = left;
+    }
+  }
+  return best;
+}
+
+const std::string& Planner::Impl::name_of(std::uint8_t refuser) const {
+  static const std::string kNames[] = {"", "Collision", "Braking"};
+  if (refuser < kFirstCritic) return kNames[refuser];
+  return critics[static_cast<std::size_t>(refuser - kFirstCritic)].name;
+}
+
+std::vector<CriticTerm> Planner::Impl::terms_of(std::size_t candidate) const {
+  std::vector<CriticTerm> terms;
+  for (std::size_t i = 0; i < critics.size(); ++i) {
+    terms.push_back({critics[i].name, raw[i][candidate], parameters.s_nv * critics[i].weight});
+  }
+  terms.push_back({"OperatorDeviation", deviation[candidate], 1.0});
+  return terms;
+}
+
+std::vector<CandidateRecord> Planner::evaluation() const {
+  std::vector<CandidateRecord> records;
+  if (impl_->totals.empty()) return records;
+  for (std::size_t t = 0; t < impl_->rollout.tile_count(); ++t) {
+    const Tile tile = impl_->rollout.tile(t);
+    for (std::size_t c = 0; c < tile.count; ++c) {
+      const std::size_t at = tile.first + c;
+      CandidateRecord record;
+      record.sample = tile.sample(c);
+      record.step = tile.dt;
+      for (std::size_t k = 0; k <= tile.steps; ++k) record.poses.push_back(tile.pose(k, c));
+      record.terms = impl_->terms_of(at);
+      if (std::isfinite(impl_->totals[at])) record.total = impl_->totals[at];
+      record.refused_by = impl_->name_of(impl_->refused_by[at]);
+      record.reason = impl_->reasons[at] != nullptr ? impl_->reasons[at] : "";
+      records.push_back(std::move(record));
+    }
+  }
+  return records;
+}
+
+Planner::Marked Planner::marked() const { return impl_->marked; }
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/critics/obstacle_footprint.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidwa_local_planner {
+namespace {
+
+void append_side(const Point& a, const Point& b, double spacing, Polygon& points) {
+  const int parts = std::max(1, static_cast<int>(std::ceil((b - a).norm() / spacing)));
+  for (int part = 0; part < parts; ++part) points.push_back(a + (b - a) * (static_cast<double>(part) / parts));
+}
+
+void trace_outline(const Footprint& footprint, double spacing, Polygon& points) {
+  points.clear();
+  if (footprint.is_circle()) {
+    const double radius = footprint.radius();
+    const int parts = std::max(8, 4 * static_cast<int>(std::ceil(0.5 * M_PI * radius / spacing)));
+    for (int part = 0; part < parts; ++part) {
+      const double angle = 2.0 * M_PI * part / parts;
+      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    return;
+  }
+  const Polygon& outline = footprint.outline();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    append_side(outline[i], outline[(i + 1) % outline.size()], spacing, points);
+  }
+}
+
+}  // namespace
+
+double ObstacleFootprintCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+  sum_scores_ = parameters.ObstacleFootprint_sum_scores;
+  escape_ = parameters.escape;
+  unknown_is_obstacle_ = parameters.unknown_is_obstacle;
+  return parameters.ObstacleFootprint_scale;
+}
+
+void ObstacleFootprintCritic::prepare(const CycleView& cycle) {
+  trace_outline(*cycle.footprint, 0.5 * cycle.grid->resolution, outline_);
+  const Pose2& q = cycle.pose;
+  refuses_ = !(escape_ && outline_cost(*cycle.grid, q.x, q.y, std::cos(q.theta), std::sin(q.theta)) < 0.0);
+}
+
+double ObstacleFootprintCritic::outline_cost(const GridView& grid, double x, double y, double cosine,
+                                             double sine) const {
+  std::uint8_t largest = cost::kFree;
+  for (const Point& p : outline_) {
+    const Cell cell = grid.cell_at(x + cosine * p.x() - sine * p.y(), y + sine * p.x() + cosine * p.y());
+    if (!grid.contains(cell)) return -1.0;
+    const std::uint8_t value = grid.at(cell);
+    if (value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle_)) return -1.0;
+    if (value != cost::kUnknown) largest = std::max(largest, value);
+  }
+  return largest;
+}
+
+void ObstacleFootprintCritic::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    if (scores.refused(c)) continue;
+    double sum = 0.0;
+    double last = 0.0;
+    for (std::size_t k = 0; k <= tile.steps && last >= 0.0; ++k) {
+      last = outline_cost(*cycle.grid, tile.x_at(k, c), tile.y_at(k, c), tile.cos_heading[k], tile.sin_heading[k]);
+      if (last < 0.0 && !refuses_) last = cost::kLethal;
+      sum += last;
+    }
+    if (last < 0.0) {
+      scores.refuse(c, "outline hits an obstacle");
+    } else {
+      scores.set(c, sum_scores_ ? sum : last);
+    }
+  }
+}
+
+}  // namespace hidwa_local_planner

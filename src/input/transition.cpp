@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/input/transition.hpp"
+
+namespace hidwa_local_planner::input {
+
+OperatorStateId next_state(OperatorStateId present, const Facts& facts) {
+  if (!facts.enabled) return OperatorStateId::autonomy;
+  // A loss matters where something was in effect; it lasts until the input comes back.
+  const bool can_lose = is_steering(present) || present == OperatorStateId::lost;
+  if (facts.lost && can_lose) return OperatorStateId::lost;
+  if (facts.at_goal) return OperatorStateId::autonomy;
+  if (facts.active) return facts.blocked ? OperatorStateId::blocked : OperatorStateId::shared;
+  if (facts.holding) return OperatorStateId::hold;
+  return OperatorStateId::autonomy;
+}
+
+bool is_steering(OperatorStateId state) {
+  return state == OperatorStateId::shared || state == OperatorStateId::blocked;
+}
+
+}  // namespace hidwa_local_planner::input

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/cycle_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace hidwa_local_planner {
+namespace {
+
+constexpr int kIntervals = 40;      // measured before a rate is judged
+constexpr double kTolerance = 0.3;  // of the nominal rate
+
+}  // namespace
+
+CycleClock::Tick CycleClock::tick(double now, double period) {
+  Tick tick;
+  const double interval = last_ ? now - *last_ : 0.0;
+  tick.jumped_back = last_ && interval < 0.0;
+  // A slow host still calls in this time; a host that replans, recovers or waits for its costmap does not.
+  tick.paused = !last_ || tick.jumped_back || interval > std::max(4.0 * period, 0.3);
+  if (period != period_) {
+    period_ = period;
+    complained_ = false;
+    sum_ = 0.0;
+    count_ = 0;
+  }
+  if (tick.paused) {
+    sum_ = 0.0;
+    count_ = 0;
+  } else {
+    sum_ += interval;
+    ++count_;
+  }
+  last_ = now;
+  return tick;
+}
+
+std::string CycleClock::complaint() {
+  if (complained_ || count_ < kIntervals) return "";
+  const double mean = sum_ / count_;  // [s]
+  sum_ = 0.0;
+  count_ = 0;
+  if (mean <= 0.0 || std::abs(period_ / mean - 1.0) <= kTolerance) return "";
+  complained_ = true;
+  char text[240];
+  std::snprintf(
+      text, sizeof(text),
+      "called at %.1f Hz, but the control period is taken to be %.3f s (%.1f Hz): set controller_frequency "
+      "to the rate that the host reaches, or lighten its load",
+      1.0 / mean, period_, 1.0 / period_);
+  return text;
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/fault_brake.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidwa_local_planner {
+namespace {
+
+double towards_zero(double value, double step) {
+  return value > 0.0 ? std::max(0.0, value - step) : std::min(0.0, value + step);
+}
+
+}  // namespace
+
+Twist2 brake_step(const Twist2& command, const Parameters& parameters, double period) {
+  return {towards_zero(command.v, parameters.braking_x() * period),
+          towards_zero(command.omega, parameters.braking_theta() * period)};
+}
+
+FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& velocity,
+                                      const Twist2& last_command, const Parameters& parameters,
+                                      double period) {
+  if (!since_ || now < *since_) since_ = now;
+  bool moving = !(last_command == Twist2{});
+  if (velocity) {
+    moving = moving || std::abs(velocity->v) > parameters.trans_stopped_velocity ||
+             std::abs(velocity->omega) > parameters.rot_stopped_velocity;
+  } else {
+    const double fastest = std::max(parameters.max_vel_x, -parameters.min_vel_x);
+    moving = moving || now - *since_ <= fastest / parameters.braking_x() + period;
+  }
+  if (!moving) return {};
+  return {true, brake_step(last_command, parameters, period)};
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/hidwa_planner_ros.hpp"
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "hidwa_local_planner/ros/shell.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+/// Runs `call`; where it throws, logs and answers false.
+template <typename Call>
+bool guarded(const char* what, Call call) {
+  try {
+    return call();
+  } catch (const std::exception& error) {
+    ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS: %s failed: %s", what, error.what());
+  } catch (...) {
+    ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS: %s failed", what);
+  }
+  return false;
+}
+
+}  // namespace
+
+HIDWAPlannerROS::HIDWAPlannerROS() = default;
+HIDWAPlannerROS::~HIDWAPlannerROS() = default;
+
+void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf,
+                                 costmap_2d::Costmap2DROS* costmap_ros) {
+  guarded("initialize", [&] {
+    if (shell_) {
+      ROS_WARN("%s is initialized already; the second call is ignored", name.c_str());
+    } else if (tf == nullptr || costmap_ros == nullptr) {
+      ROS_ERROR("%s needs a tf buffer and a costmap", name.c_str());
+    } else {
+      shell_ = std::make_unique<Shell>(name, *tf, *costmap_ros);
+    }
+    return true;
+  });
+}
+
+bool HIDWAPlannerROS::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
+  return guarded("setPlan", [&] {
+    if (shell_) shell_->set_plan(plan);
+    return shell_ != nullptr;
+  });
+}
+
+bool HIDWAPlannerROS::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
+  cmd_vel = geometry_msgs::Twist();
+  return guarded("computeVelocityCommands", [&] {
+    if (shell_) return shell_->cycle(cmd_vel);
+    ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS was not initialized: nothing is driven");
+    return false;
+  });
+}
+
+bool HIDWAPlannerROS::isGoalReached() {
+  return guarded("isGoalReached", [&] { return shell_ && shell_->goal_reached(); });
+}
+
+}  // namespace hidwa_local_planner
+
+PLUGINLIB_EXPORT_CLASS(hidwa_local_planner::HIDWAPlannerROS, nav_core::BaseLocalPlanner)

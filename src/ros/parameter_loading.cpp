@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/parameter_loading.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+
+namespace hidwa_local_planner {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+const ParameterInfo* info_of(const std::string& name) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name == name) return &info;
+  }
+  return nullptr;
+}
+
+std::string as_text(const XmlRpcValue& value) {
+  std::ostringstream text;
+  value.write(text);
+  return text.str();
+}
+
+/// A list of names as the text that split_names() reads; nothing where an element is no text.
+std::optional<std::string> joined(const XmlRpcValue& list) {
+  std::string text;
+  for (int i = 0; i < list.size(); ++i) {
+    const XmlRpcValue& element = list[i];
+    if (element.getType() != XmlRpcValue::TypeString) return std::nullopt;
+    text += (i == 0 ? "" : ", ") + static_cast<const std::string&>(element);
+  }
+  return text;
+}
+
+std::optional<ParameterValue> converted(const ParameterInfo& info, const XmlRpcValue& value) {
+  switch (value.getType()) {
+    case XmlRpcValue::TypeBoolean: {
+      const bool flag = static_cast<const bool&>(value);
+      // YAML 1.1 reads the bare word off as false.
+      if (info.type == "enum" && !flag) return ParameterValue(std::string("off"));
+      return ParameterValue(flag);
+    }
+    case XmlRpcValue::TypeInt:
+      return ParameterValue(static_cast<const int&>(value));
+    case XmlRpcValue::TypeDouble:
+      return ParameterValue(static_cast<const double&>(value));
+    case XmlRpcValue::TypeString:
+      return ParameterValue(static_cast<const std::string&>(value));
+    case XmlRpcValue::TypeArray: {
+      const std::optional<std::string> names = joined(value);
+      if (info.name != "critics" || !names) return std::nullopt;
+      return ParameterValue(*names);
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string remedy_for(const ParameterInfo& info, const XmlRpcValue& value) {
+  if (value.getType() == XmlRpcValue::TypeString && (info.type == "double" || info.type == "int")) {
+    return " (YAML takes it for a text: write numbers like 0.001 or 1.0e-3, without quotes)";
+  }
+  if (value.getType() == XmlRpcValue::TypeDouble && info.type == "int")
+    return " (write it without a decimal point)";
+  return "";
+}
+
+void take(LoadedParameters& loaded, const ParameterInfo& info, const std::string& key,
+          const XmlRpcValue& value) {
+  std::string fault;
+  if (const std::optional<ParameterValue> plain = converted(info, value)) {
+    fault = set_parameter(loaded.parameters, info.name, *plain);
+  } else {
+    fault = info.name + ": expected a single value" + (info.name == "critics" ? " or a list of names" : "");
+  }
+  if (!fault.empty()) {
+    loaded.faults.push_back(fault + ", found " + key + ": " + as_text(value) + remedy_for(info, value));
+    return;
+  }
+  loaded.found.push_back(key + ": " + as_text(value));
+}
+
+std::string unknown(const std::string& key) {
+  const std::string near = suggestion_for(key);
+  return "unknown parameter " + key +
+         (near.empty() ? ": it has no effect; remove it, or look for its name in the README's table"
+                       : ": it has no effect; do you mean " + near + "?");
+}
+
+/// DWB's layout, `PathAlign: {scale: 32}`.
+void take_nested(LoadedParameters& loaded, const std::string& group, const XmlRpcValue& members) {
+  for (const auto& [member, value] : members) {
+    const std::string key = group + "/" + member;
+    const std::string flat = group + "_" + member;
+    const ParameterInfo* info = info_of(flat);
+    if (info == nullptr) {
+      const std::string near = suggestion_for(flat);
+      loaded.warnings.push_back("unknown parameter " + key + ": it has no effect" +
+                                (near.empty() ? "" : "; do you mean " + near + "?"));
+      continue;
+    }
+    take(loaded, *info, key, value);
+    loaded.aliases.push_back(key);
+  }
+}
+
+bool is_built_in_group(const std::string& group) {
+  const std::vector<ParameterInfo>& table = parameter_table();
+  return std::any_of(table.begin(), table.end(),
+                     [&](const ParameterInfo& info) { return info.name.rfind(group + "_", 0) == 0; });
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = diagonal + (std::tolower(a[i - 1]) == std::tolower(b[j - 1]) ? 0u : 1u);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, change});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+LoadedParameters load_parameters(const XmlRpcValue& content) {
+  LoadedParameters loaded;
+  if (!content.valid()) return loaded;
+  if (content.getType() != XmlRpcValue::TypeStruct) {
+    loaded.faults.push_back("expected the planner's parameters by name, found " + as_text(content));
+    return loaded;
+  }
+  std::vector<std::pair<std::string, const XmlRpcValue*>> groups;
+  for (const auto& [key, value] : content) {
+    if (const ParameterInfo* info = info_of(key)) {
+      take(loaded, *info, key, value);
+    } else if (value.getType() == XmlRpcValue::TypeStruct) {
+      groups.emplace_back(key, &value);
+    } else {
+      loaded.warnings.push_back(unknown(key));
+    }
+  }
+  std::set<std::string> listed;
+  for (const std::string& critic : split_names(loaded.parameters.critics)) listed.insert(short_name(critic));
+  for (const auto& [group, members] : groups) {
+    if (is_built_in_group(group)) {
+      take_nested(loaded, group, *members);
+    } else if (listed.count(group) == 0) {
+      loaded.warnings.push_back("unknown namespace " + group +
+                                ": no critic of that name is listed in critics");
+    }
+  }
+  for (const std::string& fault : validate(loaded.parameters)) loaded.faults.push_back(fault);
+  return loaded;
+}
+
+std::string short_name(const std::string& critic) {
+  const std::size_t end = critic.find_last_of("/:");
+  return end == std::string::npos ? critic : critic.substr(end + 1);
+}
+
+std::string suggestion_for(const std::string& key) {
+  // What DWA and DWB call it.
+  static const std::map<std::string, std::string> others = {
+      {"max_trans_vel", "max_vel_x"},
+      {"max_vel_trans", "max_vel_x"},
+      {"max_speed_xy", "max_vel_x"},
+      {"min_trans_vel", "min_vel_x"},
+      {"max_rot_vel", "max_vel_theta"},
+      {"min_rot_vel", "min_vel_theta"},
+      {"min_speed_theta", "min_vel_theta"},
+      {"theta_stopped_vel", "rot_stopped_velocity"},
+      {"rot_stopped_vel", "rot_stopped_velocity"},
+      {"trans_stopped_vel", "trans_stopped_velocity"},
+      {"sim_granularity", "linear_granularity"},
+      {"angular_sim_granularity", "angular_granularity"},
+      {"vtheta_samples", "vth_samples"},
+      {"path_distance_bias", "PathDist_scale (its unit differs)"},
+      {"goal_distance_bias", "GoalDist_scale (its unit differs)"},
+      {"occdist_scale", "BaseObstacle_scale (its unit differs)"},
+      {"forward_point_distance", "PathAlign_forward_point_distance and GoalAlign_forward_point_distance"},
+      {"oscillation_reset_dist", "Oscillation_reset_dist"},
+      {"oscillation_reset_angle", "Oscillation_reset_angle"},
+      {"use_dwa", "generator: dwa"},
+      {"latch_xy_goal_tolerance", "nothing: the position is always latched"}};
+  const auto other = others.find(key);
+  if (other != others.end()) return other->second;
+
+  const std::size_t limit = std::max<std::size_t>(2, key.size() / 5);
+  std::string best;
+  std::size_t smallest = limit + 1;
+  for (const ParameterInfo& info : parameter_table()) {
+    const std::size_t distance = edit_distance(key, info.name);
+    if (distance < smallest && distance < info.name.size()) {
+      smallest = distance;
+      best = info.name;
+    }
+  }
+  return best;
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/shell.hpp"
+
+#include <sstream>
+#include <utility>
+
+#include "hidwa_local_planner/ros/critic_loading.hpp"
+#include "hidwa_local_planner/ros/horizon_check.hpp"
+#include "hidwa_local_planner/ros/parameter_loading.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+constexpr double kUsualFrequency = 20.0;  // of move_base's control cycle [Hz]
+
+double frequency_of_host() {
+  ros::NodeHandle node("~");
+  std::string key;
+  double frequency = kUsualFrequency;
+  if (node.searchParam("controller_frequency", key)) node.getParam(key, frequency);
+  return frequency > 0.0 ? frequency : kUsualFrequency;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+}  // namespace
+
+Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS& costmap)
+    : name_(name),
+      handle_("~/" + name),
+      tf_(tf),
+      costmap_(costmap),
+      host_frequency_(frequency_of_host()),
+      registry_(registry_with_plugins()),
+      planner_(registry_),
+      publishing_(handle_, costmap.getGlobalFrameID()) {
+  start_parameters();
+  diagnostics_ = std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_);
+  diagnostics_->set_period(control_period());
+  update_footprint();
+  thread_.start();
+}
+
+Shell::~Shell() { thread_.stop(); }
+
+void Shell::start_parameters() {
+  const XmlRpc::XmlRpcValue content = read_namespace(handle_);
+  LoadedParameters loaded = load_parameters(content);
+  const ParameterSet set{loaded.parameters, content};
+  if (loaded.faults.empty()) loaded.faults = faults_of(set, registry_);
+  for (const std::string& warning : loaded.warnings) {
+    ROS_WARN("%s: %s", handle_.getNamespace().c_str(), warning.c_str());
+  }
+  if (loaded.faults.empty()) {
+    planner_.configure(set.parameters, [&set](const std::string& critic) { return set.source_for(critic); });
+  } else {
+    for (const std::string& fault : loaded.faults) {
+      ROS_ERROR("%s: %s", handle_.getNamespace().c_str(), fault.c_str());
+    }
+    planner_.configure(Parameters());
+    refused_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
+               "): correct them and restart, or set valid ones by dynamic_reconfigure";
+  }
+  report_start(loaded.found);
+
+  odom_topic_ = loaded.parameters.odom_topic;
+  odometry_.subscribe(thread_.serve(host_handle_), odom_topic_);
+  person_.configure(host_handle_, planner_.parameters());
+  // A nested key was taken over into the flat one: left behind it would hide later changes from the next
+  // start.
+  for (const std::string& alias : loaded.aliases) handle_.deleteParam(alias);
+  reconfigure_ = std::make_unique<Reconfigure>(thread_.serve(handle_), loaded.parameters,
+                                               [this](const Parameters& wanted) { return judge(wanted); });
+}
+
+void Shell::report_start(const std::vector<std::string>& found) const {
+  std::vector<std::string> changed;
+  for (const ParameterInfo& info : parameter_table()) {
+    const ParameterValue value = get_parameter(planner_.parameters(), info.name);
+    if (value == info.value) continue;
+    std::string text = info.name + ": ";
+    std::visit(
+        [&text](const auto& v) {
+          std::ostringstream stream;
+          stream << std::boolalpha << v;
+          text += stream.str();
+        },
+        value);
+    changed.push_back(text);
+  }
+  ROS_INFO("%s: %zu values came from the parameter server; not the defaults: %s",
+           handle_.getNamespace().c_str(), found.size(), changed.empty() ? "none" : joined(changed).c_str());
+  ROS_INFO("%s: critics in order: %s; control period %.3f s", handle_.getNamespace().c_str(),
+           joined(split_names(planner_.parameters().critics)).c_str(), control_period());
+}
+
+std::vector<std::string> Shell::judge(const Parameters& wanted) {
+  ParameterSet set{wanted, read_namespace(handle_)};
+  const std::vector<std::string> faults = faults_of(set, registry_);
+  if (!faults.empty()) return faults;
+  if (wanted.odom_topic != odom_topic_) {
+    odom_topic_ = wanted.odom_topic;
+    odometry_.subscribe(thread_.serve(host_handle_), odom_topic_);
+  }
+  person_.configure(host_handle_, wanted);
+  const std::lock_guard<std::mutex> lock(pending_mutex_);
+  pending_ = std::move(set);
+  has_pending_ = true;
+  return {};
+}
+
+void Shell::take_parameters() {
+  if (!has_pending_.exchange(false)) return;
+  ParameterSet set;
+  {
+    const std::lock_guard<std::mutex> lock(pending_mutex_);
+    set = std::move(*pending_);
+  }
+  const std::vector<std::string> faults = planner_.configure(
+      set.parameters, [&set](const std::string& critic) { return set.source_for(critic); });
+  for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
+  if (!faults.empty()) return;
+  refused_.clear();
+  diagnostics_->set_period(control_period());
+  check_horizon();
+}
+
+double Shell::control_period() const {
+  const double own = planner_.parameters().controller_frequency;
+  return 1.0 / (own > 0.0 ? own : host_frequency_);
+}
+
+void Shell::check_horizon() {
+  const costmap_2d::Costmap2D& map = *costmap_.getCostmap();
+  if (map.getSizeInCellsX() == 0 || map.getSizeInCellsY() == 0) return;  // it waits for its map
+  std::vector<std::string> complaints = horizon_complaints(
+      planner_.parameters(), map.getSizeInCellsX() * map.getResolution(),
+      map.getSizeInCellsY() * map.getResolution(), planner_.footprint().circumscribed_radius());
+  if (complaints == horizon_said_) return;
+  for (const std::string& complaint : complaints) ROS_WARN("%s: %s", name_.c_str(), complaint.c_str());
+  horizon_said_ = std::move(complaints);
+}
+
+}  // namespace hidwa_local_planner

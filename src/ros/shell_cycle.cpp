@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <tf2/exceptions.h>
+
+#include "hidwa_local_planner/ros/shell.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+bool same_outline(const Polygon& outline, const std::vector<geometry_msgs::Point>& points) {
+  if (outline.size() != points.size()) return false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (outline[i].x() != points[i].x || outline[i].y() != points[i].y) return false;
+  }
+  return true;
+}
+
+/// What is the same in two messages that differ by a figure.
+std::string without_figures(const std::string& text) {
+  return text.substr(0, text.find_first_of("0123456789"));
+}
+
+std::string refusals_in_words(const Decision& decision) {
+  std::string text = decision.problem;
+  if (decision.candidates > 0) text += " (of " + std::to_string(decision.candidates) + " candidates";
+  for (const RefusalCount& refusal : decision.refusals) {
+    if (refusal.count == 0) continue;
+    text += ", " + refusal.name + " refuses " + std::to_string(refusal.count);
+  }
+  if (decision.candidates > 0) text += ")";
+  return text;
+}
+
+}  // namespace
+
+void Shell::set_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
+  if (plan_.set(plan)) begin_goal();
+}
+
+void Shell::begin_goal() {
+  planner_.reset();
+  goal_checker_.reset();
+  person_.new_goal();
+}
+
+bool Shell::goal_reached() {
+  const double now = ros::Time::now().toSec();
+  if (person_.status(now).state == OperatorStateId::manual) return false;
+  const Observation observation = observe(now);
+  if (!observation.fault.empty()) return false;
+  const Pose2 goal = observation.from_plan.apply(plan_.goal());
+  if (!goal_checker_.update(observation.pose, *observation.velocity, goal, planner_.parameters()))
+    return false;
+  plan_.finish();
+  last_command_ = {};  // the host stops the robot
+  return true;
+}
+
+bool Shell::cycle(geometry_msgs::Twist& command) {
+  const auto start = std::chrono::steady_clock::now();
+  const ros::Time stamp = ros::Time::now();
+  const double now = stamp.toSec();
+  take_parameters();
+  const bool paused = watch_time(now);
+  const OperatorIntent intent = person_.update(now);
+  // Most hosts hold this recursive mutex already.
+  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
+  const Observation observation = observe(now);
+  // While the host was in control it sent commands of its own.
+  if (paused) last_command_ = observation.velocity.value_or(Twist2{});
+  const CycleResult result =
+      observation.fault.empty() ? decide(now, observation, intent) : brake(now, observation);
+  remember(now, result, observation);
+  explain(now, result);
+
+  const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+  statistics_.add(duration.count(), control_period());
+  publishing_.publish_cycle(stamp, result, intent.state, duration.count());
+  publishing_.publish_operator(stamp, result, intent, person_.status(now));
+  if (result.decision) {
+    publishing_.publish_paths(stamp, situation_.plan, result.decision->trajectory);
+    publishing_.publish_evaluation(stamp, planner_);
+  }
+  command = to_message(result.command);
+  return result.outcome != Outcome::fail;
+}
+
+bool Shell::watch_time(double now) {
+  const CycleClock::Tick tick = clock_.tick(now, control_period());
+  if (tick.jumped_back) {
+    ROS_WARN("%s: time jumped back; starting anew", name_.c_str());
+    person_.reset();
+    odometry_.forget();
+    fault_brake_.clear();
+    explained_.clear();
+  }
+  const std::string complaint = clock_.complaint();
+  if (!complaint.empty()) ROS_WARN("%s: %s", name_.c_str(), complaint.c_str());
+  return tick.paused;
+}
+
+Shell::Observation Shell::observe(double now) {
+  Observation observation;
+  OdometryInput::Reading odometry = odometry_.read(now, planner_.parameters().odom_timeout);
+  observation.velocity = odometry.velocity;
+  if (!refused_.empty()) {
+    observation.fault = refused_;
+  } else if (!plan_.fault().empty()) {
+    observation.fault = plan_.fault();
+  } else if (!observation.velocity) {
+    observation.fault = odometry.fault;
+  } else if (!costmap_.isCurrent()) {
+    observation.fault = "the local costmap is not current: a sensor that it waits for is silent";
+  } else {
+    observation.fault = observe_pose(now, observation);
+  }
+  if (observation.fault.empty()) observation.fault = update_footprint();
+  return observation;
+}
+
+std::string Shell::observe_pose(double now, Observation& observation) {
+  const std::string& frame = costmap_.getGlobalFrameID();
+  geometry_msgs::PoseStamped pose;
+  if (!costmap_.getRobotPose(pose)) {
+    return "the robot's pose in " + frame + " cannot be had: check the transform from " +
+           costmap_.getBaseFrameID();
+  }
+  observation.pose = to_pose(pose.pose);
+  if (!is_finite(observation.pose)) return "the robot's pose in " + frame + " is not a number";
+  if (plan_.frame() == frame) return "";
+  try {
+    const geometry_msgs::TransformStamped transform = tf_.lookupTransform(frame, plan_.frame(), ros::Time(0));
+    const double age = transform.header.stamp.isZero() ? 0.0 : now - transform.header.stamp.toSec();
+    if (age > planner_.parameters().transform_tolerance) {
+      return "the transform from the plan's frame " + plan_.frame() + " to " + frame + " is " +
+             std::to_string(age) + " s old (transform_tolerance)";
+    }
+    observation.from_plan = to_transform(transform.transform);
+    return is_finite(observation.from_plan.origin)
+               ? ""
+               : "the transform from " + plan_.frame() + " is not a number";
+  } catch (const tf2::TransformException& error) {
+    return "no transform from the plan's frame " + plan_.frame() + " to " + frame + ": " + error.what();
+  }
+}
+
+std::string Shell::update_footprint() {
+  const auto& points = costmap_.getRobotFootprint();
+  if (points.size() < 3) return "the local costmap has no footprint: set robot_radius or footprint";
+  if (same_outline(outline_, points)) return "";
+  outline_ = to_polygon(points);
+  planner_.set_footprint(outline_);
+  check_horizon();
+  return "";
+}
+
+CycleResult Shell::brake(double now, const Observation& observation) {
+  CycleResult result;
+  result.fault = observation.fault;
+  const FaultBrake::Answer answer =
+      fault_brake_.answer(now, observation.velocity, last_command_, planner_.parameters(), control_period());
+  result.outcome = answer.success ? Outcome::brake : Outcome::fail;
+  result.command = answer.command;
+  return result;
+}
+
+CycleResult Shell::decide(double now, const Observation& observation, const OperatorIntent& intent) {
+  fault_brake_.clear();
+  const Parameters& p = planner_.parameters();
+  const double ahead = p.forward_prune_auto
+                           ? std::max(p.forward_prune_distance, 1.2 * p.max_vel_x * p.sim_time)
+                           : p.forward_prune_distance;
+  situation_.pose = observation.pose;
+  situation_.velocity = *observation.velocity;
+  situation_.last_command = last_command_;
+  situation_.goal = observation.from_plan.apply(plan_.goal());
+  situation_.period = control_period();
+  situation_.time = now;
+  plan_.window(observation.from_plan, observation.pose, p.prune_distance, ahead, situation_.plan);
+  goal_checker_.update(observation.pose, *observation.velocity, situation_.goal, p);
+  // Somebody carried or drove the robot away meanwhile: what was latched is true no more.
+  if (goal_checker_.latched() && distance(observation.pose, situation_.goal) > 2.0 * p.xy_goal_tolerance)
+    begin_goal();
+  situation_.goal_latched = goal_checker_.latched();
+
+  CycleResult result;
+  result.decision = &planner_.plan(situation_, view_of(*costmap_.getCostmap()), intent);
+  result.outcome = result.decision->outcome;
+  if (result.outcome != Outcome::fail) result.command = result.decision->command;
+  return result;
+}
+
+void Shell::remember(double now, const CycleResult& result, const Observation& observation) {
+  last_command_ = result.command;  // zero on failure: so the host does
+  diagnostics_->set_fault(result.fault);
+  const Parameters& p = planner_.parameters();
+  input::CycleFeedback feedback;
+  feedback.command = result.command;
+  feedback.velocity = observation.velocity.value_or(Twist2{});
+  feedback.at_rest = result.command == Twist2{} &&
+                     std::abs(feedback.velocity.v) <= p.trans_stopped_velocity &&
+                     std::abs(feedback.velocity.omega) <= p.rot_stopped_velocity;
+  feedback.own_command_refused = result.decision && !result.decision->operator_refused_by.empty();
+  feedback.goal_latched = goal_checker_.latched();
+  person_.debrief(now, feedback);
+}
+
+void Shell::explain(double now, const CycleResult& result) {
+  std::string message = result.fault;
+  if (result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail)) {
+    message = refusals_in_words(*result.decision);
+  } else if (result.decision && result.decision->escaping) {
+    message = "the robot stands in collision: it only moves out of it";
+  }
+  if (message.empty()) {
+    if (!explained_.empty()) ROS_INFO("%s: driving again", name_.c_str());
+    explained_.clear();
+    return;
+  }
+  const std::string kind = without_figures(message);
+  if (kind == explained_ && now - explained_at_ < 1.0) return;
+  explained_ = kind;
+  explained_at_ = now;
+  const char* consequence = result.outcome == Outcome::fail
+                                ? "; the robot stands, the host replans or recovers"
+                            : result.outcome == Outcome::brake ? "; braking"
+                                                               : "";
+  ROS_WARN("%s: %s%s", name_.c_str(), message.c_str(), consequence);
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/time.h>
+#include <sensor_msgs/LaserScan.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "hidwa_local_planner/sim/laser.hpp"
+#include "hidwa_local_planner/sim/polygon.hpp"
+#include "hidwa_local_planner/sim/regions.hpp"
+
+namespace hidwa_local_planner {
+namespace sim {
+
+/// A pose in `frame` as an odometry message; the velocity is the robot's own, in `child`.
+nav_msgs::Odometry odometry_message(const ros::Time& stamp, const std::string& frame,
+                                    const std::string& child, const Pose& pose, const Velocity& velocity);
+
+/// The transform of `child` in `frame`, `height` [m] above it.
+geometry_msgs::TransformStamped transform_message(const ros::Time& stamp, const std::string& frame,
+                                                  const std::string& child, const Pose& pose,
+                                                  double height = 0.0);
+
+/// A scan's head; the ranges are filled in by the caller.
+sensor_msgs::LaserScan scan_message(const LaserSpec& laser, const std::string& frame, double period);
+
+/// Outline and name of each region to avoid; those already crossed in another colour.
+visualization_msgs::MarkerArray region_markers(const ros::Time& stamp, const std::string& frame,
+                                               const RegionCounter& regions);
+
+/// Heading of a message's orientation [rad].
+double yaw_of(const geometry_msgs::Quaternion& q);
+
+}  // namespace sim
+}  // namespace hidwa_local_planner

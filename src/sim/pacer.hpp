@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace hidwa_local_planner {
+namespace sim {
+
+/// Spaces steps evenly in wall time. A short lateness is caught up; after a longer one the time lost stays
+/// lost, so that simulated time never races ahead of the nodes that follow it.
+class Pacer {
+ public:
+  explicit Pacer(double period) : period_(period), next_(Clock::now()) {}  // period [s]
+
+  /// Sleeps until the next step is due.
+  void wait() {
+    next_ = std::max(next_ + std::chrono::duration_cast<Clock::duration>(period_), Clock::now() - kCatchUp);
+    std::this_thread::sleep_until(next_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kCatchUp{5};
+
+  std::chrono::duration<double> period_;
+  Clock::time_point next_;
+};
+
+}  // namespace sim
+}  // namespace hidwa_local_planner
