@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole drives through the office without ROS, in the default profile.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "closed_loop/drive.hpp"
+#include "hidwa_local_planner/sim/avoiding_operator.hpp"
+#include "hidwa_local_planner/sim/scripted_operator.hpp"
+
+namespace hidwa_local_planner::test {
+namespace {
+
+const sim::Polygon kOctagon{{0.277, 0.115},   {0.115, 0.277},   {-0.115, 0.277}, {-0.277, 0.115},
+                            {-0.277, -0.115}, {-0.115, -0.277}, {0.115, -0.277}, {0.277, -0.115}};
+
+DriveSetup office() {
+  const std::string folder = HIDWA_MAPS;
+  DriveSetup setup;
+  setup.map = std::make_shared<sim::OccupancyMap>(sim::load_map(folder + "/office.yaml"));
+  const sim::RegionsFile regions = sim::load_regions(folder + "/office_regions.yaml");
+  setup.regions = regions.regions;
+  setup.start = *regions.start;
+  setup.goal = *regions.goal;
+  setup.footprint = kOctagon;
+  setup.robot_radius = 0.30;
+  return setup;
+}
+
+// Every step of the commands within the acceleration limits, except where a failure hands the stop to the host.
+void expect_feasible(const DriveResult& result, const Parameters& p) {
+  for (std::size_t i = 1; i < result.samples.size(); ++i) {
+    const DriveSample& before = result.samples[i - 1];
+    const DriveSample& now = result.samples[i];
+    if (now.outcome == Outcome::fail) continue;
+    EXPECT_LE(std::abs(now.command.v - before.command.v), p.acc_lim_x * 0.05 + 1e-9) << now.time;
+    EXPECT_LE(std::abs(now.command.omega - before.command.omega), p.acc_lim_theta * 0.05 + 1e-9) << now.time;
+  }
+}
+
+TEST(ClosedLoop, AutonomyArrivesAndCannotSeeRegions) {
+  const DriveSetup setup = office();
+  const DriveResult result = drive(setup);
+  EXPECT_TRUE(result.arrived);
+  EXPECT_EQ(result.contacts, 0);
+  EXPECT_GE(result.regions_crossed, 1);
+  EXPECT_EQ(result.failures, 0u);
+  expect_feasible(result, setup.parameters);
+  // Hardly slower than driving all of the way at full speed: corners and the final turn.
+  EXPECT_LT(result.duration, 1.1 * result.length / setup.parameters.max_vel_x);
+}
+
+TEST(ClosedLoop, AutonomyArrivesWithThePolygonToo) {
+  DriveSetup setup = office();
+  setup.robot_radius = 0.0;
+  const DriveResult result = drive(setup);
+  EXPECT_TRUE(result.arrived);
+  EXPECT_EQ(result.contacts, 0);
+}
+
+TEST(ClosedLoop, PaperProfileArrives) {
+  DriveSetup setup = office();
+  Parameters& p = setup.parameters;
+  p.max_vel_x = 0.26;
+  p.integration = Integration::euler;
+  p.sample_zero = p.sample_operator = p.sample_previous = false;
+  p.tie_break = TieBreak::first;
+  p.command = CommandPolicy::target;
+  p.admissibility = Admissibility::horizon;
+  p.escape = p.turn_when_stuck = false;
+  p.map_grid = MapGridDistance::l1;
+  p.forward_prune_auto = false;
+  p.forward_prune_distance = 1.0;
+  p.trans_stopped_velocity = p.rot_stopped_velocity = 0.25;
+  const DriveResult result = drive(setup);
+  EXPECT_TRUE(result.arrived);
+  EXPECT_EQ(result.contacts, 0);
+}
+
+// Full deflection to either side, again and again, all the way: the robot turns where it can and touches nothing.
+TEST(ClosedLoop, NothingThePersonDoesSteersItIntoAnything) {
+  for (const double side : {1.0, -1.0}) {
+    DriveSetup setup = office();
+    std::vector<sim::ScriptEntry> script;
+    for (int i = 0; i < 12; ++i) {
+      sim::ScriptEntry entry;
+      entry.after_m = 3.0 + 5.0 * i;
+      entry.for_s = 3.0;
+      entry.stick = {i % 3 == 2 ? -side : side, 0.0};
+      script.push_back(entry);
+    }
+    setup.person = std::make_shared<sim::ScriptedOperator>(script);
+    const DriveResult result = drive(setup);
+    EXPECT_TRUE(result.arrived) << side;
+    EXPECT_EQ(result.contacts, 0) << side;
+    expect_feasible(result, setup.parameters);
+    const auto steered = std::count_if(result.samples.begin(), result.samples.end(), [](const DriveSample& sample) {
+      return sample.state == OperatorStateId::shared || sample.state == OperatorStateId::blocked;
+    });
+    EXPECT_GE(steered, 12 * 3 * 20 - 60) << side;  // 12 deflections of 3 s at 20 Hz
+  }
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::test

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The collision check against areas and nearest points: random outlines, random obstacles, random poses.
+#include <cmath>
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/collision.hpp"
+#include "support/naive_planner.hpp"
+#include "support/random_scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::NaiveBody;
+using test::Random;
+using test::Scene;
+
+// Overlaps below it are doubtful [m, or the root of m^2].
+constexpr double kDoubt = 1e-6;
+
+struct Tally {
+  int poses = 0, hits = 0, doubtful = 0;
+};
+
+void compare_pose(const Scene& scene, const CollisionChecker& checker, const NaiveBody& body,
+                  const Pose2& pose, Tally& tally) {
+  int cells = 0;
+  const GridView grid = scene.grid();
+  const double overlap = test::naive_overlap(grid, body, pose, scene.parameters.unknown_is_obstacle, &cells);
+  ++tally.poses;
+  if (overlap > 0.0 && overlap < kDoubt) {
+    ++tally.doubtful;
+    return;
+  }
+  const bool hit = overlap > 0.0 || test::naive_centre_inscribed(grid, body, pose);
+  tally.hits += hit;
+  ASSERT_EQ(checker.collides(pose), hit)
+      << pose.x << " " << pose.y << " " << pose.theta << " overlap " << overlap;
+  // Within one cell's side of a clear place nothing collides, at any heading.
+  if (checker.clear(pose.x, pose.y)) {
+    for (int k = 0; k < 8; ++k) {
+      const double angle = M_PI / 4 * k;
+      const Pose2 near{pose.x + 0.99 * scene.resolution * std::cos(angle),
+                       pose.y + 0.99 * scene.resolution * std::sin(angle), angle};
+      ASSERT_LT(test::naive_overlap(grid, body, near, scene.parameters.unknown_is_obstacle), kDoubt);
+    }
+  }
+  const Pose2 first = {grid.origin_x + 0.6, grid.origin_y + 0.6, 0.0};
+  const Pose2 last = {grid.origin_x + grid.size_x * grid.resolution - 0.6,
+                      grid.origin_y + grid.size_y * grid.resolution - 0.6, 0.0};
+  const bool inside = pose.x > first.x && pose.y > first.y && pose.x < last.x && pose.y < last.y;
+  if (inside) {  // cells beyond the edge are counted too, which the twin does not see
+    ASSERT_EQ(checker.penetration(pose), cells) << pose.x << " " << pose.y << " " << pose.theta;
+  }
+}
+
+void compare_scene(std::uint64_t seed, Tally& tally) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  const Scene scene = test::random_scene(seed);
+  const NaiveBody body = test::naive_body(scene);
+  const Footprint footprint = Footprint::from_outline(scene.outline, scene.parameters.footprint_padding);
+  CollisionChecker checker;
+  const double reach = random.uniform(0.0, 2.0);  // poses beyond it must be right, too
+  checker.prepare(scene.grid(), footprint, scene.parameters.unknown_is_obstacle, scene.situation.pose, reach);
+  const double width = scene.size_x * scene.resolution, height = scene.size_y * scene.resolution;
+  for (int k = 0; k < 60; ++k) {
+    const Pose2 pose{scene.origin_x + random.uniform(-0.5, width + 0.5),
+                     scene.origin_y + random.uniform(-0.5, height + 0.5), random.uniform(-4.0, 4.0)};
+    compare_pose(scene, checker, body, pose, tally);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(CollisionTwin, RandomOutlinesObstaclesAndPoses) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 500 && !HasFatalFailure(); ++seed) compare_scene(3000000 + seed, tally);
+  std::printf("%d poses, %d hits, %d doubtful\n", tally.poses, tally.hits, tally.doubtful);
+  EXPECT_GT(tally.hits, tally.poses / 10);
+  EXPECT_LT(tally.hits, tally.poses * 9 / 10);
+  EXPECT_LT(tally.doubtful, tally.poses / 1000);
+}
+
+// overlaps_square alone: polygons about as large as the square, near it.
+TEST(OverlapTwin, RandomPolygonsAndSquares) {
+  Random random(5);
+  int hits = 0, doubtful = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Polygon polygon =
+        random.chance(0.5) ? test::random_convex_outline(random) : test::random_star_outline(random);
+    const double side = random.uniform(0.02, 0.5);
+    const double x = random.uniform(-0.6, 0.4), y = random.uniform(-0.6, 0.4);
+    const double overlap = std::sqrt(test::naive_shared_area(polygon, x, y, side));
+    if (overlap > 0.0 && overlap < kDoubt) {
+      ++doubtful;
+      continue;
+    }
+    hits += overlap > 0.0;
+    ASSERT_EQ(overlaps_square(polygon, x, y, side), overlap > 0.0) << k << " " << overlap;
+  }
+  EXPECT_GT(hits, 4000);
+  EXPECT_LT(hits, 16000);
+  EXPECT_LT(doubtful, 20);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

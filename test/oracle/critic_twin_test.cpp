@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Critics by themselves on random rollouts, so that those count too which the planner's own checks would have
+// refused. Oscillation, which remembers, on random histories.
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "support/critic_bench.hpp"
+#include "support/naive_planner.hpp"
+#include "support/random_scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::CriticBench;
+using test::NaiveCandidate;
+using test::NaiveCritics;
+using test::Random;
+using test::Scene;
+
+struct Tally {
+  int legal = 0, refused = 0;
+};
+
+void compare_scene(const std::string& name, std::uint64_t seed, Tally& tally) {
+  SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+  const Scene scene = test::random_scene(seed);
+  const test::NaiveBody body = test::naive_body(scene);
+  const NaiveCritics naive(scene, body);
+  CriticBench bench(name, scene);
+  bench.prepare();
+  ASSERT_NEAR(bench.weight(), NaiveCritics::weight(name, scene.parameters), 1e-12);
+  std::vector<NaiveCandidate> candidates = test::naive_candidates(scene, scene.situation.velocity);
+  test::naive_roll_out(scene, scene.situation.velocity, candidates);
+  for (const NaiveCandidate& c : candidates) {
+    bool refuses = false;
+    const double raw = naive.raw(name, c, refuses);
+    const test::Verdict verdict = bench.score(c.u, c.poses, c.dt);
+    ASSERT_EQ(verdict.refused(), refuses) << c.u.v << " " << c.u.omega << " " << verdict.reason;
+    ++(refuses ? tally.refused : tally.legal);
+    if (!refuses) {
+      ASSERT_NEAR(verdict.raw, raw, 1e-9) << c.u.v << " " << c.u.omega;
+    }
+  }
+}
+
+class CriticTwin : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(CriticTwin, RandomScenes) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 150 && !HasFatalFailure(); ++seed)
+    compare_scene(GetParam(), 4000000 + seed, tally);
+  std::printf("%s: %d legal, %d refused\n", GetParam(), tally.legal, tally.refused);
+  EXPECT_GT(tally.legal, 1000);
+  const std::string name = GetParam();
+  if (name != "PreferForward" && name != "Twirling") {
+    EXPECT_GT(tally.refused, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Critics, CriticTwin,
+                         ::testing::Values("PathDist", "PathAlign", "GoalDist", "GoalAlign", "BaseObstacle",
+                                           "ObstacleFootprint", "RotateToGoal", "PreferForward", "Twirling"));
+
+// Keeps the whole history and reads the ban out of it each time.
+class NaiveOscillation {
+ public:
+  explicit NaiveOscillation(const Parameters& p) : p_(p) {}
+  void note(const Pose2& pose, double time, const Twist2& command) {
+    events_.push_back({pose, time, command});
+    bool changed = flip(&Twist2::v) || (slow(command) && flip(&Twist2::omega));
+    if (changed) since_ = events_.back();
+    if (ban(&Twist2::v) == 0 && ban(&Twist2::omega) == 0) return;
+    const double turned = std::abs(std::remainder(pose.theta - since_.pose.theta, 2 * M_PI));
+    if ((p_.Oscillation_reset_dist > 0.0 && distance(pose, since_.pose) > p_.Oscillation_reset_dist) ||
+        (p_.Oscillation_reset_angle > 0.0 && turned > p_.Oscillation_reset_angle) ||
+        (p_.Oscillation_reset_time >= 0.0 && time - since_.time > p_.Oscillation_reset_time)) {
+      events_.clear();
+    }
+  }
+  bool refuses(const Twist2& u) const {
+    return u.v * ban(&Twist2::v) < 0.0 || u.omega * ban(&Twist2::omega) < 0.0;
+  }
+
+ private:
+  struct Event {
+    Pose2 pose;
+    double time = 0.0;
+    Twist2 command;
+  };
+  bool slow(const Twist2& u) const { return std::abs(u.v) <= p_.Oscillation_x_only_threshold; }
+  // The signs of an axis since the last reset, zeros and (for turning) fast ones left out.
+  std::vector<int> signs(double Twist2::*axis) const {
+    std::vector<int> found;
+    for (const Event& event : events_) {
+      if (axis == &Twist2::omega && !slow(event.command)) continue;
+      const double value = event.command.*axis;
+      if (value != 0.0) found.push_back(value > 0.0 ? 1 : -1);
+    }
+    return found;
+  }
+  // The last command changed the sign.
+  bool flip(double Twist2::*axis) const {
+    const std::vector<int> s = signs(axis);
+    return events_.back().command.*axis != 0.0 && s.size() > 1 && s[s.size() - 1] != s[s.size() - 2];
+  }
+  // The direction of the last change of sign; 0 before the first.
+  int ban(double Twist2::*axis) const {
+    const std::vector<int> s = signs(axis);
+    for (std::size_t i = s.size(); i-- > 1;) {
+      if (s[i] != s[i - 1]) return s[i];
+    }
+    return 0;
+  }
+
+  Parameters p_;
+  std::vector<Event> events_;
+  Event since_;
+};
+
+TEST(OscillationTwin, RandomHistories) {
+  Random random(31);
+  int refused = 0, resets = 0;
+  for (int history = 0; history < 400; ++history) {
+    Scene scene = Scene::empty(21);
+    if (random.chance(0.3)) scene.parameters.Oscillation_reset_time = random.uniform(0.1, 2.0);
+    if (random.chance(0.2)) scene.parameters.Oscillation_reset_dist = 0.0;
+    CriticBench bench("Oscillation", scene);
+    NaiveOscillation naive(scene.parameters);
+    Situation& s = bench.scene().situation;
+    bool banned = false;
+    for (int k = 0; k < 60; ++k) {
+      s.time += 0.05;
+      s.pose.x += random.uniform(-0.01, 0.01);
+      s.pose.theta += random.uniform(-0.05, 0.05);
+      const Twist2 command{random.pick({0.0, 0.0, 0.04, -0.04, 0.3}), random.pick({0.0, 0.5, -0.5})};
+      bench.prepare();
+      bench.debrief(command);
+      naive.note(s.pose, s.time, command);
+      bool any = false;
+      for (const Twist2& u :
+           {Twist2{0.2, 0.0}, Twist2{-0.2, 0.0}, Twist2{0.0, 0.4}, Twist2{0.0, -0.4}, Twist2{}}) {
+        ASSERT_EQ(bench.score(u, {{}, {}}).refused(), naive.refuses(u)) << history << " " << k;
+        any = any || naive.refuses(u);
+      }
+      refused += any;
+      resets += banned && !any;
+      banned = any;
+    }
+  }
+  EXPECT_GT(refused, 1000);
+  EXPECT_GT(resets, 20);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

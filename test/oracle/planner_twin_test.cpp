@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole cycles against the naive twin: every candidate's refusal, every critic's score, the choice and its
+// command.
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "support/naive_planner.hpp"
+#include "support/random_scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::NaiveCandidate;
+using test::NaivePlanner;
+using test::Scene;
+
+struct Tally {
+  int compared = 0, in_collision = 0, doubtful = 0, tied = 0, braked = 0;
+  std::map<std::string, int> refusals;
+};
+
+void compare_candidates(const Scene& scene, const NaivePlanner& naive, const Planner& planner, Tally& tally) {
+  const std::vector<CandidateRecord> records = planner.evaluation();
+  ASSERT_EQ(records.size(), naive.candidates().size());
+  for (std::size_t c = 0; c < records.size(); ++c) {
+    const CandidateRecord& core = records[c];
+    const NaiveCandidate& twin = naive.candidates()[c];
+    ASSERT_NEAR(core.sample.v, twin.u.v, 1e-9) << "candidate " << c;
+    ASSERT_NEAR(core.sample.omega, twin.u.omega, 1e-9) << "candidate " << c;
+    ASSERT_EQ(core.refused_by, twin.refused_by)
+        << "candidate " << c << " " << twin.u.v << " " << twin.u.omega;
+    ASSERT_EQ(core.poses.size(), twin.poses.size());
+    ASSERT_NEAR(core.poses.back().x, twin.poses.back().x, 1e-9);
+    ASSERT_NEAR(core.poses.back().y, twin.poses.back().y, 1e-9);
+    ASSERT_NEAR(core.poses.back().theta, twin.poses.back().theta, 1e-9);
+    if (!twin.refused_by.empty()) {
+      ++tally.refusals[twin.refused_by];
+      continue;
+    }
+    const std::vector<std::string> critics = split_names(scene.parameters.critics);
+    for (std::size_t i = 0; i < critics.size(); ++i) {
+      ASSERT_EQ(core.terms[i].name, critics[i]);
+      ASSERT_NEAR(core.terms[i].raw, twin.raw[i], 1e-9) << critics[i] << " of candidate " << c;
+    }
+    ASSERT_NEAR(core.total, twin.total, 1e-9) << "candidate " << c;
+  }
+}
+
+void compare_choice(const NaivePlanner& naive, const Decision& decision, Tally& tally) {
+  const bool chosen = decision.outcome == Outcome::drive || decision.outcome == Outcome::hold;
+  ASSERT_EQ(chosen, naive.best() != nullptr);
+  if (!chosen) {
+    ++tally.braked;
+    return;
+  }
+  ASSERT_NEAR(decision.total, naive.best()->total, 1e-9);
+  if (naive.runner_up() < naive.best()->total + 1e-6) {
+    ++tally.tied;
+    return;
+  }
+  ASSERT_NEAR(decision.sample.v, naive.best()->u.v, 1e-9);
+  ASSERT_NEAR(decision.sample.omega, naive.best()->u.omega, 1e-9);
+  ASSERT_NEAR(decision.command.v, naive.command().v, 1e-9);
+  ASSERT_NEAR(decision.command.omega, naive.command().omega, 1e-9);
+}
+
+void compare(const Scene& scene, Tally& tally) {
+  const NaivePlanner naive(scene);
+  if (naive.stands_in_collision()) {
+    ++tally.in_collision;
+    return;
+  }
+  if (naive.doubtful()) {
+    ++tally.doubtful;
+    return;
+  }
+  Planner planner;
+  ASSERT_TRUE(planner.configure(scene.parameters).empty());
+  planner.set_footprint(scene.outline);
+  const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent);
+  ++tally.compared;
+  if (naive.gives_up()) {
+    ASSERT_NE(decision.outcome, Outcome::drive);
+    return;
+  }
+  compare_candidates(scene, naive, planner, tally);
+  compare_choice(naive, decision, tally);
+}
+
+void compare_all(int scenes, std::uint64_t first_seed, const std::function<void(Scene&)>& adjust,
+                 Tally& tally) {
+  for (int k = 0; k < scenes; ++k) {
+    const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(k);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Scene scene = test::random_scene(seed);
+    adjust(scene);
+    compare(scene, tally);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+  std::printf("%d compared, %d in collision, %d doubtful, %d tied, %d braked; refusals:", tally.compared,
+              tally.in_collision, tally.doubtful, tally.tied, tally.braked);
+  for (const auto& [name, count] : tally.refusals) std::printf(" %s %d", name.c_str(), count);
+  std::printf("\n");
+}
+
+// The default profile; the robot, its outline and the scene are random.
+TEST(PlannerTwin, DefaultProfile) {
+  Tally tally;
+  compare_all(
+      1100, 1000000,
+      [](Scene& scene) {
+        const Parameters random = scene.parameters;
+        scene.parameters = Parameters();
+        scene.parameters.vx_samples = random.vx_samples;  // fewer, for time's sake
+        scene.parameters.vth_samples = random.vth_samples;
+        scene.parameters.footprint_padding = random.footprint_padding;
+      },
+      tally);
+  EXPECT_GE(tally.compared, 1000);
+  EXPECT_LE(tally.doubtful, 5);
+  for (const char* name : {"Collision", "Braking", "BaseObstacle", "RotateToGoal"}) {
+    EXPECT_GT(tally.refusals[name], 20) << name;
+  }
+}
+
+// Everything random: both generators, both integrations, both distances, all ten critics, wheels, dead bands,
+// reverse.
+TEST(PlannerTwin, RandomParameters) {
+  Tally tally;
+  compare_all(
+      600, 2000000, [](Scene& /*scene*/) {}, tally);
+  EXPECT_GE(tally.compared, 500);
+  EXPECT_LE(tally.doubtful, 5);
+  for (const char* name : {"Collision", "Braking", "BaseObstacle", "RotateToGoal"}) {
+    EXPECT_GT(tally.refusals[name], 5) << name;
+  }
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

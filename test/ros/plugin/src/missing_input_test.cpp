@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the planner does while something it needs is missing: brakes within its limits while it moves, fails
+// at rest, and goes on as new when it returns.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "stage.hpp"
+
+namespace hidwa_plugin_tests {
+namespace {
+
+constexpr double kStep = 2.5 * kPeriod + 1e-6;  // acc_lim_x of the launch file x period [m/s]
+
+class MissingInput : public ::testing::Test {
+ protected:
+  MissingInput()
+      : host_("Planner_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    Robot& robot = Stage::get().robot;
+    robot.odometry = robot.laser = robot.base_transform = robot.map_transform = true;
+  }
+
+  void drive(const std::string& frame = "odom") {
+    ASSERT_TRUE(host_.plan_ahead(6.0, frame));
+    const auto fast = [this](const Host::Cycle& c) {
+      last_ = c.command.linear.x;
+      return c.success && last_ > 0.45;
+    };
+    ASSERT_TRUE(host_.cycle_until(fast, 10.0)) << host_.report().fault;
+  }
+
+  /// From the moment that something is missing: braking commands that succeed, then failure with `reason` in
+  /// words.
+  void expect_braking_then_failure(const std::string& reason) {
+    int brakes = 0;
+    const bool failed = host_.cycle_until(
+        [&](const Host::Cycle& c) {
+          EXPECT_LE(std::abs(c.command.linear.x - last_), c.success ? kStep : 1.0);
+          last_ = c.command.linear.x;
+          const bool braking = c.success && host_.report().outcome == hidwa_local_planner::Cycle::BRAKE;
+          brakes += braking ? 1 : 0;
+          return !c.success;
+        },
+        5.0);
+    EXPECT_TRUE(failed);
+    // From 0.45 m/s or more by 0.125 m/s a cycle: at least three braking commands on the way.
+    EXPECT_GE(brakes, 3);
+    EXPECT_EQ(last_, 0.0);
+    EXPECT_NE(host_.report().fault.find(reason), std::string::npos) << host_.report().fault;
+  }
+
+  void expect_driving_again() {
+    EXPECT_TRUE(
+        host_.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
+        << host_.report().fault;
+  }
+
+  Host host_;
+  double last_ = 0.0;  // command [m/s]
+};
+
+TEST_F(MissingInput, NoPlanYet) {
+  // Without odometry, which may come a little later too, standing still counts as braking for 0.25 s.
+  const auto failed = [this](const Host::Cycle& c) {
+    EXPECT_EQ(c.command.linear.x, 0.0);
+    return !c.success && host_.report().fault.find("plan") != std::string::npos;
+  };
+  EXPECT_TRUE(host_.cycle_until(failed, 5.0)) << host_.report().fault;
+  drive();
+}
+
+TEST_F(MissingInput, EmptyPlan) {
+  drive();
+  EXPECT_TRUE(host_.planner().setPlan({}));
+  expect_braking_then_failure("plan is empty");
+  ASSERT_TRUE(host_.plan_ahead(3.0));
+  expect_driving_again();
+}
+
+TEST_F(MissingInput, PlanInAFrameThatNobodyKnows) {
+  drive();
+  ASSERT_TRUE(host_.plan_ahead(3.0, "nowhere"));
+  expect_braking_then_failure("nowhere");
+  ASSERT_TRUE(host_.plan_ahead(3.0));
+  expect_driving_again();
+}
+
+TEST_F(MissingInput, TransformOfThePlanGrowsOld) {
+  drive("map");
+  Stage::get().robot.map_transform = false;
+  expect_braking_then_failure("transform");
+  Stage::get().robot.map_transform = true;
+  expect_driving_again();
+}
+
+TEST_F(MissingInput, PoseOfTheRobot) {
+  drive();
+  Stage::get().robot.base_transform = false;
+  expect_braking_then_failure("pose");
+  Stage::get().robot.base_transform = true;
+  expect_driving_again();
+}
+
+TEST_F(MissingInput, Odometry) {
+  drive();
+  Stage::get().robot.odometry = false;
+  expect_braking_then_failure("odometry");
+  Stage::get().robot.odometry = true;
+  expect_driving_again();
+}
+
+TEST_F(MissingInput, CostmapThatIsNotCurrent) {
+  drive();
+  Stage::get().robot.laser = false;
+  expect_braking_then_failure("costmap is not current");
+  Stage::get().robot.laser = true;
+  ASSERT_TRUE(wait_for([] { return Stage::get().costmap->isCurrent(); }, 5.0));
+  expect_driving_again();
+}
+
+}  // namespace
+}  // namespace hidwa_plugin_tests
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "missing_input_test");
+  ros::NodeHandle node;
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

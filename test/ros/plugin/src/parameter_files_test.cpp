@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The YAML files that ship with the planner, as the parameter server holds them: every key known, every set
+// valid.
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <hidwa_local_planner/ros/parameter_loading.hpp>
+
+namespace hidwa_plugin_tests {
+namespace {
+
+using namespace hidwa_local_planner;
+
+class ParameterFile : public ::testing::TestWithParam<const char*> {
+ protected:
+  LoadedParameters load() const {
+    XmlRpc::XmlRpcValue content;
+    EXPECT_TRUE(ros::param::get("/files/" + std::string(GetParam()) + "/HIDWAPlannerROS", content))
+        << GetParam();
+    return load_parameters(content);
+  }
+};
+
+TEST_P(ParameterFile, IsKnownAndValid) {
+  const LoadedParameters loaded = load();
+  EXPECT_FALSE(loaded.found.empty());
+  for (const std::string& fault : loaded.faults) ADD_FAILURE() << fault;
+  for (const std::string& warning : loaded.warnings) ADD_FAILURE() << warning;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ParameterFile,
+                         ::testing::Values("dwa", "hidwa", "jackal", "paper", "pmb2", "telepresence_base",
+                                           "turtlebot3"),
+                         [](const auto& file) { return std::string(file.param); });
+
+TEST(ParameterFiles, HidwaHoldsTheDefaults) {
+  XmlRpc::XmlRpcValue content;
+  ASSERT_TRUE(ros::param::get("/files/hidwa/HIDWAPlannerROS", content));
+  const Parameters parameters = load_parameters(content).parameters;
+  for (const ParameterInfo& info : parameter_table()) {
+    EXPECT_EQ(get_parameter(parameters, info.name), info.value) << info.name;
+  }
+}
+
+}  // namespace
+}  // namespace hidwa_plugin_tests
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "parameter_files_test");
+  ros::NodeHandle node;
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The planner loaded from the install space: drives, arrives, reads its parameters, takes other packages'
+// critics.
+#include <algorithm>
+#include <cmath>
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <hidwa_local_planner/Evaluation.h>
+#include <nav_msgs/Path.h>
+#include <visualization_msgs/MarkerArray.h>
+#include <hidwa_local_planner/core/parameters.hpp>
+
+#include "stage.hpp"
+
+namespace hidwa_plugin_tests {
+namespace {
+
+using hidwa_local_planner::Evaluation;
+
+std::string ns(const std::string& name) { return ros::this_node::getName() + "/" + name + "/"; }
+
+bool drives(Host& host) {
+  return host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.1; }, 5.0);
+}
+
+TEST(Plugin, BeforeInitializeEverythingFailsAndNothingThrows) {
+  pluginlib::ClassLoader<nav_core::BaseLocalPlanner> loader("nav_core", "nav_core::BaseLocalPlanner");
+  const auto planner = loader.createInstance("hidwa_local_planner/HIDWAPlannerROS");
+  geometry_msgs::Twist command;
+  EXPECT_FALSE(planner->setPlan({}));
+  EXPECT_FALSE(planner->computeVelocityCommands(command));
+  EXPECT_FALSE(planner->isGoalReached());
+  planner->initialize("Nothing", nullptr, nullptr);
+  EXPECT_FALSE(planner->computeVelocityCommands(command));
+}
+
+TEST(Plugin, ArrivesAndTheSameGoalAgainIsANewOne) {
+  Host host("Arrives");
+  ASSERT_TRUE(host.plan_ahead(1.5, "map"));
+  EXPECT_FALSE(host.planner().isGoalReached());
+  ASSERT_TRUE(host.cycle_until([&](const Host::Cycle&) { return host.planner().isGoalReached(); }, 20.0))
+      << host.report().fault;
+  host.stop();
+  ASSERT_TRUE(host.plan_ahead(1.5, "map"));
+  EXPECT_FALSE(host.planner().isGoalReached());
+  EXPECT_TRUE(drives(host));
+}
+
+TEST(Plugin, CommandsStayWithinTheAccelerationLimit) {
+  Host host("Limits");
+  ASSERT_TRUE(host.plan_ahead(3.0));
+  double last = 0.0;  // [m/s]
+  for (int i = 0; i < 20; ++i) {
+    const Host::Cycle cycle = host.cycle();
+    ASSERT_TRUE(cycle.success);
+    EXPECT_LE(std::abs(cycle.command.linear.x - last), 2.5 * kPeriod + 1e-9);
+    last = cycle.command.linear.x;
+  }
+  EXPECT_NEAR(last, 0.5, 1e-6);
+}
+
+/// The newest message of a topic.
+template <typename Message>
+class Newest {
+ public:
+  explicit Newest(const std::string& topic) {
+    subscriber_ =
+        ros::NodeHandle().subscribe<Message>(topic, 1, [this](const boost::shared_ptr<const Message>& m) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          message_ = m;
+        });
+  }
+  boost::shared_ptr<const Message> get() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return message_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  boost::shared_ptr<const Message> message_;
+  ros::Subscriber subscriber_;
+};
+
+TEST(Plugin, ShowsPlansAndTrajectories) {
+  Host host("Shows");
+  const Newest<nav_msgs::Path> global_plan(ns("Shows") + "global_plan");
+  const Newest<nav_msgs::Path> local_plan(ns("Shows") + "local_plan");
+  const Newest<visualization_msgs::MarkerArray> trajectories(ns("Shows") + "trajectories");
+  ASSERT_TRUE(host.plan_ahead(6.0, "map"));
+  ASSERT_TRUE(host.cycle_until(
+      [&](const Host::Cycle& c) {
+        return c.command.linear.x > 0.4 && global_plan.get() && local_plan.get() && trajectories.get();
+      },
+      10.0));
+  EXPECT_EQ(global_plan.get()->header.frame_id, "odom");
+  // At most prune_distance behind and forward_prune_distance ahead of the robot, a pose every 0.05 m.
+  const hidwa_local_planner::Parameters defaults;
+  const double poses = static_cast<double>(global_plan.get()->poses.size());
+  EXPECT_GE(poses, defaults.forward_prune_distance / 0.05);
+  EXPECT_LE(poses, (defaults.prune_distance + defaults.forward_prune_distance) / 0.05 + 2.0);
+  EXPECT_EQ(local_plan.get()->header.frame_id, "odom");
+  EXPECT_GT(local_plan.get()->poses.size(), 2u);
+  const auto& markers = trajectories.get()->markers;
+  EXPECT_GT(markers.size(), 419u);
+  EXPECT_EQ(markers.back().ns, "chosen");
+}
+
+TEST(Plugin, ReportsDiagnostics) {
+  Host host("Healthy");
+  const Newest<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  ASSERT_TRUE(host.plan_ahead(6.0));
+  const auto reported = [&](const Host::Cycle&) {
+    const auto message = diagnostics.get();
+    if (!message || message->status.empty() || message->status[0].name.find("Healthy") == std::string::npos) {
+      return false;
+    }
+    for (const diagnostic_msgs::KeyValue& value : message->status[0].values) {
+      if (value.key == "cycle time p99 [ms]" && std::stod(value.value) > 0.0) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(host.cycle_until(reported, 5.0));
+}
+
+TEST(Plugin, ReverseWhereAllowed) {
+  ros::param::set(ns("Reverse") + "min_vel_x", -0.3);
+  ros::param::set(ns("Reverse") + "critics", "PathDist, GoalDist, BaseObstacle");
+  Host host("Reverse");
+  ASSERT_TRUE(host.plan_ahead(-2.0));
+  EXPECT_TRUE(
+      host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x < -0.25; }, 5.0));
+  EXPECT_GE(host.cycle().command.linear.x, -0.3 - 1e-9);
+}
+
+TEST(Plugin, NoReverseByDefault) {
+  ros::param::set(ns("Forward") + "critics", "PathDist, GoalDist, BaseObstacle");
+  Host host("Forward");
+  ASSERT_TRUE(host.plan_ahead(-2.0));
+  for (int i = 0; i < 20; ++i) EXPECT_GE(host.cycle().command.linear.x, 0.0);
+}
+
+TEST(Plugin, ParametersOfTheServerStay) {
+  const std::string at = ns("Stays");
+  ros::param::set(at + "max_vel_x", 0.31);
+  ros::param::set(at + "critics", std::vector<std::string>{"PathDist", "GoalDist"});
+  ros::param::set(at + "mode", false);  // what YAML makes of off
+  ros::param::set(at + "PathDist/scale", 16);
+  Host host("Stays");
+  EXPECT_EQ(ros::param::param(at + "max_vel_x", 0.0), 0.31);
+  EXPECT_EQ(ros::param::param<std::string>(at + "critics", ""), "PathDist, GoalDist");
+  EXPECT_EQ(ros::param::param<std::string>(at + "mode", ""), "off");
+  EXPECT_EQ(ros::param::param(at + "PathDist_scale", 0.0), 16.0);
+  EXPECT_FALSE(ros::param::has(at + "PathDist/scale"));
+  ASSERT_TRUE(host.plan_ahead(2.0));
+  ASSERT_TRUE(host.cycle_until([](const Host::Cycle& c) { return c.command.linear.x > 0.3; }, 5.0));
+  EXPECT_LE(host.cycle().command.linear.x, 0.31 + 1e-9);
+}
+
+TEST(Plugin, SaysUnknownKeysWithTheLikelyOne) {
+  const LogListener log;
+  ros::param::set(ns("Unknown") + "max_vel_xx", 0.2);
+  Host host("Unknown");
+  EXPECT_TRUE(
+      wait_for([&] { return log.said("max_vel_xx: it has no effect; do you mean max_vel_x?"); }, 5.0));
+}
+
+TEST(Plugin, SaysASmallMapAndAShortHorizon) {
+  const LogListener log;
+  ros::param::set(ns("Short") + "sim_time", 0.1);
+  Host host("Short");
+  EXPECT_TRUE(wait_for([&] { return log.said("raise sim_time to 0.30 s"); }, 5.0));
+  ros::param::set(ns("Far") + "sim_time", 10.0);
+  Host far("Far");
+  EXPECT_TRUE(wait_for([&] { return log.said("set its width and height"); }, 5.0));
+}
+
+TEST(Plugin, TakesCriticsOfOtherPackages) {
+  const std::string at = ns("Example");
+  ros::param::set(at + "critics", "PathDist, GoalDist, hidwa_example_critics/TurnLimit");
+  ros::param::set(at + "TurnLimit/limit", 0.25);
+  ros::param::set(at + "TurnLimit/scale", 3.0);
+  Host host("Example");
+  Evaluation evaluation;
+  ros::NodeHandle node("~/Example");
+  std::mutex mutex;
+  const ros::Subscriber subscriber =
+      node.subscribe<Evaluation>("evaluation", 1, [&](const Evaluation::ConstPtr& message) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        evaluation = *message;
+      });
+  ASSERT_TRUE(host.plan_ahead(2.0));
+  ASSERT_TRUE(host.cycle_until(
+      [&](const Host::Cycle&) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        return !evaluation.twists.empty();
+      },
+      5.0));
+
+  const std::lock_guard<std::mutex> lock(mutex);
+  int refused = 0;
+  for (const hidwa_local_planner::TrajectoryScore& twist : evaluation.twists) {
+    const double omega = std::abs(twist.traj.velocity.angular.z);
+    EXPECT_EQ(twist.refused_by == "hidwa_example_critics/TurnLimit", omega > 0.25) << omega;
+    if (!twist.refused_by.empty()) {
+      EXPECT_EQ(twist.reason, "turns too fast");
+      ++refused;
+      continue;
+    }
+    const auto term = std::find_if(twist.scores.begin(), twist.scores.end(), [](const auto& score) {
+      return score.name == "hidwa_example_critics/TurnLimit";
+    });
+    ASSERT_NE(term, twist.scores.end());
+    EXPECT_DOUBLE_EQ(term->raw_score, omega);
+    EXPECT_DOUBLE_EQ(term->scale, 3.0);
+  }
+  EXPECT_GT(refused, 0);
+  const hidwa_local_planner::Cycle report = host.report();
+  const auto name = std::find(report.rejection_names.begin(), report.rejection_names.end(),
+                              "hidwa_example_critics/TurnLimit");
+  ASSERT_NE(name, report.rejection_names.end());
+  EXPECT_GT(report.rejection_counts[static_cast<std::size_t>(name - report.rejection_names.begin())], 0u);
+}
+
+TEST(Plugin, ACriticsShortNameWillDo) {
+  ros::param::set(ns("Brief") + "critics", std::vector<std::string>{"PathDist", "GoalDist", "TurnLimit"});
+  Host host("Brief");
+  ASSERT_TRUE(host.plan_ahead(2.0));
+  EXPECT_TRUE(drives(host)) << host.report().fault;
+}
+
+TEST(Plugin, AnUnknownCriticIsSaidWithWhatThereIsAndNothingDrives) {
+  const LogListener log;
+  ros::param::set(ns("NoSuch") + "critics", "PathDist, NoSuchCritic");
+  Host host("NoSuch");
+  ASSERT_TRUE(host.plan_ahead(2.0));
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(host.cycle().command.linear.x, 0.0);
+  EXPECT_FALSE(host.cycle().success);
+  EXPECT_TRUE(wait_for([&] { return log.said("NoSuchCritic"); }, 5.0));
+  EXPECT_TRUE(log.said("TurnLimit"));
+}
+
+}  // namespace
+}  // namespace hidwa_plugin_tests
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "plugin_test");
+  ros::NodeHandle node;
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// dynamic_reconfigure: a change counts in the next cycle, a set that does not validate is refused whole.
+#include <cmath>
+
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <gtest/gtest.h>
+
+#include "stage.hpp"
+
+namespace hidwa_plugin_tests {
+namespace {
+
+class Change {
+ public:
+  Change& set(const std::string& name, double value) {
+    dynamic_reconfigure::DoubleParameter parameter;
+    parameter.name = name;
+    parameter.value = value;
+    call_.request.config.doubles.push_back(parameter);
+    return *this;
+  }
+  Change& set(const std::string& name, const std::string& value) {
+    dynamic_reconfigure::StrParameter parameter;
+    parameter.name = name;
+    parameter.value = value;
+    call_.request.config.strs.push_back(parameter);
+    return *this;
+  }
+  bool send(const Host& host) {
+    return ros::service::call(ros::this_node::getName() + "/" + host.name() + "/set_parameters", call_);
+  }
+  double number(const std::string& name) const {
+    for (const auto& parameter : call_.response.config.doubles) {
+      if (parameter.name == name) return parameter.value;
+    }
+    return std::nan("");
+  }
+  std::string text(const std::string& name) const {
+    for (const auto& parameter : call_.response.config.strs) {
+      if (parameter.name == name) return parameter.value;
+    }
+    return "?";
+  }
+
+ private:
+  dynamic_reconfigure::Reconfigure call_;
+};
+
+/// A planner on the way at its full 0.5 m/s.
+void drive(Host& host) {
+  ASSERT_TRUE(host.plan_ahead(8.0));
+  ASSERT_TRUE(host.cycle_until([](const Host::Cycle& c) { return c.command.linear.x > 0.499; }, 10.0))
+      << host.report().fault;
+}
+
+TEST(Reconfigure, AChangeCountsInTheNextCycle) {
+  Host host("Changes");
+  drive(host);
+  Change change;
+  ASSERT_TRUE(change.set("max_vel_x", 0.2).send(host));
+  EXPECT_EQ(change.number("max_vel_x"), 0.2);
+  // 0.5 - 2.5 x 0.05 = 0.375 m/s: the first step down to 0.2.
+  EXPECT_NEAR(host.cycle().command.linear.x, 0.375, 1e-6);
+  EXPECT_TRUE(
+      host.cycle_until([](const Host::Cycle& c) { return std::abs(c.command.linear.x - 0.2) < 1e-6; }, 2.0));
+}
+
+TEST(Reconfigure, ASetWithOneFaultIsRefusedWhole) {
+  const LogListener log;
+  Host host("Refuses");
+  drive(host);
+  Change change;
+  ASSERT_TRUE(change.set("max_vel_x", 0.2).set("min_vel_x", 0.3).set("sim_time", -1.0).send(host));
+  // What was in force comes back, in all three.
+  EXPECT_EQ(change.number("max_vel_x"), 0.5);
+  EXPECT_EQ(change.number("min_vel_x"), 0.0);
+  EXPECT_EQ(change.number("sim_time"), 1.7);
+  EXPECT_EQ(ros::param::param(ros::this_node::getName() + "/Refuses/max_vel_x", 0.0), 0.5);
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(host.cycle().command.linear.x, 0.5, 1e-3);
+  EXPECT_TRUE(wait_for([&] { return log.said("min_vel_x = 0.3 m/s is above max_vel_x"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("sim_time = -1 s is outside"); }, 5.0));
+}
+
+TEST(Reconfigure, AValueOutOfRangeIsRefusedNotCut) {
+  Host host("Range");
+  Change change;
+  ASSERT_TRUE(change.set("max_vel_x", 99.0).send(host));
+  EXPECT_EQ(change.number("max_vel_x"), 0.5);
+}
+
+TEST(Reconfigure, NamesOfChoicesAndCriticsAreChecked) {
+  Host host("Names");
+  Change wrong;
+  ASSERT_TRUE(wrong.set("generator", "teb").send(host));
+  EXPECT_EQ(wrong.text("generator"), "standard");
+  Change unknown;
+  ASSERT_TRUE(unknown.set("critics", "PathDist, NoSuchCritic").send(host));
+  EXPECT_NE(unknown.text("critics").find("GoalAlign"), std::string::npos);
+  Change right;
+  ASSERT_TRUE(right.set("generator", "dwa").set("critics", "PathDist, GoalDist, TurnLimit").send(host));
+  EXPECT_EQ(right.text("generator"), "dwa");
+  EXPECT_EQ(right.text("critics"), "PathDist, GoalDist, TurnLimit");
+  ASSERT_TRUE(host.plan_ahead(2.0));
+  EXPECT_TRUE(
+      host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
+      << host.report().fault;
+}
+
+TEST(Reconfigure, ABadStartRefusesToDriveUntilAValidSetComes) {
+  const LogListener log;
+  ros::param::set(ros::this_node::getName() + "/BadStart/max_vel_x", 99.0);
+  ros::param::set(ros::this_node::getName() + "/BadStart/sim_time", "long");
+  Host host("BadStart");
+  EXPECT_TRUE(wait_for([&] { return log.said("max_vel_x = 99 m/s is outside"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("sim_time: long"); }, 5.0));
+  ASSERT_TRUE(host.plan_ahead(3.0));
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(host.cycle().command.linear.x, 0.0);
+  EXPECT_FALSE(host.cycle().success);
+  // Another change alone leaves the fault where it is.
+  Change other;
+  ASSERT_TRUE(other.set("delta", 1.0).send(host));
+  EXPECT_FALSE(host.cycle().success);
+  Change change;
+  ASSERT_TRUE(change.set("max_vel_x", 0.4).send(host));
+  EXPECT_TRUE(
+      host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.39; }, 5.0))
+      << host.report().fault;
+}
+
+TEST(Reconfigure, AnotherOdometryTopicIsListenedTo) {
+  Host host("Topic");
+  drive(host);
+  Change away;
+  ASSERT_TRUE(away.set("odom_topic", "nobody_speaks_here").send(host));
+  EXPECT_TRUE(host.cycle_until([](const Host::Cycle& c) { return !c.success; }, 5.0));
+  EXPECT_NE(host.report().fault.find("nobody_speaks_here"), std::string::npos);
+  Change back;
+  ASSERT_TRUE(back.set("odom_topic", "odom").send(host));
+  EXPECT_TRUE(
+      host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
+      << host.report().fault;
+}
+
+}  // namespace
+}  // namespace hidwa_plugin_tests
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "reconfigure_test");
+  ros::NodeHandle node;
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stage.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <nav_msgs/Odometry.h>
+#include <rosgraph_msgs/Log.h>
+#include <sensor_msgs/LaserScan.h>
+
+namespace hidwa_plugin_tests {
+namespace {
+
+geometry_msgs::Quaternion heading(double theta) {
+  geometry_msgs::Quaternion q;
+  q.z = std::sin(0.5 * theta);
+  q.w = std::cos(0.5 * theta);
+  return q;
+}
+
+/// The map lies away from odom: a plan in it needs the transform.
+const Pose kOdomInMap{3.0, -2.0, 0.5};
+
+pluginlib::ClassLoader<nav_core::BaseLocalPlanner>& loader() {
+  static pluginlib::ClassLoader<nav_core::BaseLocalPlanner> instance("nav_core",
+                                                                     "nav_core::BaseLocalPlanner");
+  return instance;
+}
+
+}  // namespace
+
+Robot::Robot(tf2_ros::Buffer& tf) : tf_(tf) {
+  ros::NodeHandle node;
+  odometry_publisher_ = node.advertise<nav_msgs::Odometry>("odom", 1);
+  laser_publisher_ = node.advertise<sensor_msgs::LaserScan>("scan", 1);
+  thread_ = std::thread([this] { run(); });
+}
+
+Robot::~Robot() {
+  running_ = false;
+  thread_.join();
+}
+
+void Robot::command(const geometry_msgs::Twist& twist) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  command_ = twist;
+}
+
+Pose Robot::pose() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return pose_;
+}
+
+void Robot::run() {
+  constexpr double kStep = 0.02;  // [s]
+  ros::WallRate rate(1.0 / kStep);
+  while (running_) {
+    step(kStep);
+    rate.sleep();
+  }
+}
+
+void Robot::step(double dt) {
+  nav_msgs::Odometry message;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const double middle = pose_.theta + 0.5 * command_.angular.z * dt;
+    pose_.x += command_.linear.x * std::cos(middle) * dt;
+    pose_.y += command_.linear.x * std::sin(middle) * dt;
+    pose_.theta = std::remainder(pose_.theta + command_.angular.z * dt, 2.0 * M_PI);
+    message.twist.twist = command_;
+  }
+  const Pose now = pose();
+  if (base_transform) send_transform("odom", "base_link", now);
+  if (map_transform) send_transform("map", "odom", kOdomInMap);
+  if (odometry) {
+    message.header.stamp = ros::Time::now();
+    message.header.frame_id = "odom";
+    message.child_frame_id = "base_link";
+    odometry_publisher_.publish(message);
+  }
+  if (laser) {
+    sensor_msgs::LaserScan scan;
+    scan.header.stamp = ros::Time::now();
+    scan.header.frame_id = "base_link";
+    scan.angle_min = -3.0f;
+    scan.angle_max = 3.0f;
+    scan.angle_increment = 0.1f;
+    scan.range_min = 0.1f;
+    scan.range_max = 10.0f;
+    scan.ranges.assign(61, std::numeric_limits<float>::infinity());
+    laser_publisher_.publish(scan);
+  }
+}
+
+void Robot::send_transform(const std::string& parent, const std::string& child, const Pose& pose) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = ros::Time::now();
+  transform.header.frame_id = parent;
+  transform.child_frame_id = child;
+  transform.transform.translation.x = pose.x;
+  transform.transform.translation.y = pose.y;
+  transform.transform.rotation = heading(pose.theta);
+  tf_.setTransform(transform, "stage", false);
+}
+
+Stage& Stage::get() {
+  static Stage stage;
+  return stage;
+}
+
+Stage::Stage() : robot(tf), spinner_(1) {
+  tf.setUsingDedicatedThread(true);
+  spinner_.start();
+  costmap = std::make_unique<costmap_2d::Costmap2DROS>("local_costmap", tf);
+  wait_for([this] { return costmap->isCurrent(); }, 10.0);
+}
+
+Host::Host(const std::string& name) : name_(name), next_(ros::Time::now()) {
+  Stage& stage = Stage::get();
+  planner_ = loader().createInstance("hidwa_local_planner/HIDWAPlannerROS");
+  planner_->initialize(name, &stage.tf, stage.costmap.get());
+  ros::NodeHandle node("~/" + name);
+  subscriber_ = node.subscribe<hidwa_local_planner::Cycle>(
+      "cycle", 10, [this](const hidwa_local_planner::Cycle::ConstPtr& message) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        report_ = *message;
+      });
+}
+
+Host::~Host() { stop(); }
+
+bool Host::plan_ahead(double ahead, const std::string& frame) {
+  const Pose start = Stage::get().robot.pose();
+  std::vector<geometry_msgs::PoseStamped> plan;
+  const int steps = static_cast<int>(std::lround(std::abs(ahead) / 0.05));
+  for (int i = 0; i <= steps; ++i) {
+    const double along = ahead * i / steps;
+    Pose pose{start.x + along * std::cos(start.theta), start.y + along * std::sin(start.theta), start.theta};
+    if (frame == "map") {
+      const double c = std::cos(kOdomInMap.theta);
+      const double s = std::sin(kOdomInMap.theta);
+      pose = {kOdomInMap.x + c * pose.x - s * pose.y, kOdomInMap.y + s * pose.x + c * pose.y,
+              pose.theta + kOdomInMap.theta};
+    }
+    geometry_msgs::PoseStamped stamped;
+    stamped.header.frame_id = frame;
+    stamped.pose.position.x = pose.x;
+    stamped.pose.position.y = pose.y;
+    stamped.pose.orientation = heading(pose.theta);
+    plan.push_back(stamped);
+  }
+  return planner_->setPlan(plan);
+}
+
+Host::Cycle Host::cycle() {
+  Stage& stage = Stage::get();
+  Cycle cycle;
+  {
+    const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*stage.costmap->getCostmap()->getMutex());
+    cycle.success = planner_->computeVelocityCommands(cycle.command);
+  }
+  stage.robot.command(cycle.success ? cycle.command : geometry_msgs::Twist());
+  next_ = std::max(next_ + ros::Duration(kPeriod), ros::Time::now());
+  const ros::Duration rest = next_ - ros::Time::now();
+  if (rest > ros::Duration(0)) rest.sleep();
+  return cycle;
+}
+
+bool Host::cycle_until(const std::function<bool(const Cycle&)>& done, double seconds) {
+  const ros::Time end = ros::Time::now() + ros::Duration(seconds);
+  while (ros::Time::now() < end) {
+    if (done(cycle())) return true;
+  }
+  return false;
+}
+
+hidwa_local_planner::Cycle Host::report() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return report_;
+}
+
+void Host::stop() { Stage::get().robot.command(geometry_msgs::Twist()); }
+
+bool wait_for(const std::function<bool()>& done, double seconds) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
+  while (!done()) {
+    if (ros::WallTime::now() > end) return false;
+    ros::WallDuration(0.01).sleep();
+  }
+  return true;
+}
+
+LogListener::LogListener() {
+  ros::NodeHandle node;
+  subscriber_ =
+      node.subscribe<rosgraph_msgs::Log>("/rosout", 1000, [this](const rosgraph_msgs::Log::ConstPtr& line) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        lines_.push_back(line->msg);
+      });
+}
+
+bool LogListener::said(const std::string& part) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::string& line : lines_) {
+    if (line.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace hidwa_plugin_tests

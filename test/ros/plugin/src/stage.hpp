@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <costmap_2d/costmap_2d_ros.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <hidwa_local_planner/Cycle.h>
+#include <nav_core/base_local_planner.h>
+#include <ros/ros.h>
+#include <tf2_ros/buffer.h>
+#include <pluginlib/class_loader.hpp>
+
+namespace hidwa_plugin_tests {
+
+constexpr double kPeriod = 0.05;  // of the control cycle, as in the launch files [s]
+
+struct Pose {
+  double x = 0.0, y = 0.0, theta = 0.0;  // [m, rad]
+};
+
+/// A robot without inertia that does at once what it is told, with odometry, laser and transforms that can be
+/// silenced one by one. Runs in real time on a thread of its own at 50 Hz.
+class Robot {
+ public:
+  explicit Robot(tf2_ros::Buffer& tf);
+  ~Robot();
+  void command(const geometry_msgs::Twist& twist);
+  Pose pose() const;
+
+  std::atomic<bool> odometry{true}, laser{true}, base_transform{true}, map_transform{true};
+
+ private:
+  void run();
+  void step(double dt);
+  void send_transform(const std::string& parent, const std::string& child, const Pose& pose);
+
+  tf2_ros::Buffer& tf_;
+  ros::Publisher odometry_publisher_, laser_publisher_;
+  mutable std::mutex mutex_;
+  Pose pose_;
+  geometry_msgs::Twist command_;
+  std::atomic<bool> running_{true};
+  std::thread thread_;
+};
+
+/// Robot, costmap and tf, shared by the tests of one process.
+class Stage {
+ public:
+  static Stage& get();
+  tf2_ros::Buffer tf;
+  Robot robot;
+  std::unique_ptr<costmap_2d::Costmap2DROS> costmap;
+
+ private:
+  Stage();
+  ros::AsyncSpinner spinner_;
+};
+
+/// A planner loaded as a host does it, in a namespace of its own, and the control loop round it.
+class Host {
+ public:
+  /// Parameters belong on the server before.
+  explicit Host(const std::string& name);
+  ~Host();
+
+  nav_core::BaseLocalPlanner& planner() { return *planner_; }
+  const std::string& name() const { return name_; }
+
+  /// A straight plan from the robot's pose, `ahead` [m] along its heading (behind it when negative), in
+  /// `frame`.
+  bool plan_ahead(double ahead, const std::string& frame = "odom");
+
+  struct Cycle {
+    bool success = false;
+    geometry_msgs::Twist command;
+  };
+  /// One control cycle: computes, drives (stops on failure, as move_base does), waits for the next period.
+  Cycle cycle();
+  /// Cycles until `done` says so of one; false after `seconds`.
+  bool cycle_until(const std::function<bool(const Cycle&)>& done, double seconds);
+  /// The newest message about a cycle.
+  hidwa_local_planner::Cycle report() const;
+  /// Brings the robot to rest.
+  void stop();
+
+ private:
+  std::string name_;
+  boost::shared_ptr<nav_core::BaseLocalPlanner> planner_;
+  ros::Subscriber subscriber_;
+  mutable std::mutex mutex_;
+  hidwa_local_planner::Cycle report_;
+  ros::Time next_;
+};
+
+/// Waits until `done`; false after `seconds`.
+bool wait_for(const std::function<bool()>& done, double seconds);
+
+/// What the process logs, while it exists.
+class LogListener {
+ public:
+  LogListener();
+  bool said(const std::string& part) const;
+
+ private:
+  ros::Subscriber subscriber_;
+  mutable std::mutex mutex_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace hidwa_plugin_tests

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes bags like the demo's, of drives whose figures are known by construction."""
+import json
+import math
+import os
+
+import genpy
+import rosbag
+from actionlib_msgs.msg import GoalStatus
+from genpy.dynamic import generate_dynamic
+from geometry_msgs.msg import Point, PoseStamped, Twist
+from move_base_msgs.msg import MoveBaseActionGoal, MoveBaseActionResult
+from nav_msgs.msg import OccupancyGrid, Odometry, Path
+from sensor_msgs.msg import Joy
+from std_msgs.msg import String, UInt32
+from visualization_msgs.msg import Marker, MarkerArray
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
+PLANNER = '/move_base/HIDWAPlannerROS/'
+RATE = 50              # [Hz], ground truth
+SPEED = 0.5            # [m/s]
+RESOLUTION = 0.05      # [m]
+ORIGIN = (-2.0, -3.0)  # [m]
+SIZE = (400, 120)      # cells: x from -2 to 18 m, y from -3 to 3 m
+FOOTPRINT = [[0.2, 0.15], [-0.2, 0.15], [-0.2, -0.15], [0.2, -0.15]]
+
+
+def own_message(name):
+    """The class of one of our messages, out of msg/ (no built workspace needed)."""
+    from std_msgs.msg import Header
+    with open(os.path.join(ROOT, 'msg', name + '.msg'), encoding='utf-8') as text:
+        definition = text.read()
+    parts = [definition]
+    for package, cls in (('std_msgs/Header', Header), ('geometry_msgs/Twist', Twist)):
+        parts.append(f'MSG: {package}\n{cls._full_text}')
+    full = ('\n' + '=' * 80 + '\n').join(parts)
+    return generate_dynamic('hidwa_local_planner/' + name, full)['hidwa_local_planner/' + name]
+
+
+class SyntheticDrive:
+    """A drive along y = lateral(x) at constant forward speed from x = 0 to x = length."""
+
+    def __init__(self, length=10.0, lateral=lambda x: 0.0, blocks=(), regions=(), stick=lambda t: 0.0, arrived=True):
+        """blocks: occupied rectangles (x0, y0, x1, y1) on multiples of 0.05 m; stick: deflection over time."""
+        self.length, self.lateral, self.blocks, self.regions = length, lateral, blocks, regions
+        self.stick, self.arrived = stick, arrived
+        self.info = {'map': 'synthetic', 'mode': 'joystick', 'host': 'compat', 'planner': 'HIDWAPlannerROS',
+                     'operator': 'script', 'start': [0, 0, 0], 'goal': [length, 0, 0], 'rate': 1.0,
+                     'footprint': FOOTPRINT, 'stick': {'axis': 0, 'sign': 1, 'dead_zone': 0.1}}
+        self.omit = ()  # topics left out
+
+    def write(self, path):
+        """Writes the bag; the goal comes 1 s after its begin."""
+        self._cycle, self._state = own_message('Cycle'), own_message('OperatorState')
+        with rosbag.Bag(path, 'w') as bag:
+            self._bag = bag
+            self._put('/demo_info', 0.1, String(json.dumps(self.info)))
+            self._put('/map', 0.1, self._map())
+            self._put('/regions', 0.1, self._markers())
+            goal = MoveBaseActionGoal()
+            goal.goal.target_pose.pose.position.x = self.length
+            self._put('/move_base/goal', 1.0, goal)
+            self._put('/move_base/NavfnROS/plan', 1.1, self._plan())
+            end = 1.0 + math.ceil(self.length / SPEED * RATE - 1e-9) / RATE
+            for i in range(int(round((end + 0.5) * RATE)) + 1):
+                self._moment(i / RATE)
+            result = MoveBaseActionResult()
+            result.status.status = GoalStatus.SUCCEEDED if self.arrived else GoalStatus.ABORTED
+            self._put('/move_base/result', end, result)
+        return path
+
+    def _put(self, topic, time, message):
+        if topic not in self.omit:
+            self._bag.write(topic, message, genpy.Time.from_sec(time))
+
+    def _map(self):
+        grid = OccupancyGrid()
+        grid.info.resolution, grid.info.width, grid.info.height = RESOLUTION, *SIZE
+        grid.info.origin.position.x, grid.info.origin.position.y = ORIGIN
+        grid.info.origin.orientation.w = 1.0
+        data = [0] * (SIZE[0] * SIZE[1])
+        for x0, y0, x1, y1 in self.blocks:
+            columns = range(round((x0 - ORIGIN[0]) / RESOLUTION), round((x1 - ORIGIN[0]) / RESOLUTION))
+            for row in range(round((y0 - ORIGIN[1]) / RESOLUTION), round((y1 - ORIGIN[1]) / RESOLUTION)):
+                for column in columns:
+                    data[row * SIZE[0] + column] = 100
+        grid.data = data
+        return grid
+
+    def _markers(self):
+        array = MarkerArray()
+        for i, polygon in enumerate(self.regions):
+            marker = Marker(id=i, type=Marker.LINE_STRIP)
+            marker.pose.orientation.w = 1.0
+            marker.points = [Point(x, y, 0.0) for x, y in [*polygon, polygon[0]]]
+            array.markers.append(marker)
+        return array
+
+    def _plan(self):
+        path = Path()
+        for i in range(int(round(self.length / RESOLUTION)) + 1):
+            pose = PoseStamped()
+            pose.pose.position.x = i * RESOLUTION
+            path.poses.append(pose)
+        return path
+
+    def _moment(self, time):
+        x = min(max(time - 1.0, 0.0) * SPEED, self.length)
+        yaw = math.atan2(self.lateral(x + 1e-3) - self.lateral(x - 1e-3), 2e-3)
+        truth = Odometry()
+        truth.header.stamp = genpy.Time.from_sec(time)
+        truth.pose.pose.position.x, truth.pose.pose.position.y = x, self.lateral(x)
+        truth.pose.pose.orientation.z, truth.pose.pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
+        truth.twist.twist.linear.x = SPEED
+        self._put('/ground_truth', time, truth)
+        self._put('/contacts', time, UInt32(0))
+        deflection = self.stick(time)
+        self._put('/joy', time, Joy(axes=[deflection, 0.0]))
+        state = self._state()
+        state.state, state.active = (1, True) if abs(deflection) > 0.1 else (0, False)
+        state.wanted.angular.z = deflection
+        self._put(PLANNER + 'operator_state', time, state)
+        cycle = self._cycle()
+        cycle.duration = 0.002 if round(time * RATE) % 50 else 0.006
+        self._put(PLANNER + 'cycle', time, cycle)
+        command = Twist()
+        command.linear.x, command.angular.z = SPEED, 0.01 * (round(time * RATE) % 2)
+        self._put('/cmd_vel', time, command)

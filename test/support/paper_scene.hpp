@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hidwa_local_planner/core/planner.hpp"
+
+namespace hidwa_local_planner::test {
+
+/// The paper's profile (launch/params/paper.yaml) as a value.
+inline Parameters paper_parameters() {
+  Parameters p;
+  p.max_vel_x = 0.26;
+  p.trans_stopped_velocity = 0.25;
+  p.rot_stopped_velocity = 0.25;
+  p.generator = Generator::standard;
+  p.integration = Integration::euler;
+  p.sample_zero = p.sample_operator = p.sample_previous = false;
+  p.tie_break = TieBreak::first;
+  p.command = CommandPolicy::target;
+  p.admissibility = Admissibility::horizon;
+  p.escape = false;
+  p.turn_when_stuck = false;
+  p.map_grid = MapGridDistance::l1;
+  p.oscillation_while_steering = true;
+  p.operator_in_goal_window = true;
+  p.hold_ends_when_refused = false;
+  p.velocity_reference = VelocityReference::odometry;
+  p.forward_prune_auto = false;
+  p.forward_prune_distance = 1.0;
+  return p;
+}
+
+/// An empty map of 61 x 61 cells of 0.05 m with the robot at the centre of the middle cell, heading +x, driving at v_max
+/// on a straight plan from 1.0 m behind to 1.0 m ahead; the goal is 8 m ahead. At 1.0 m/s the rollouts end 1.7 m ahead,
+/// beyond the 1.525 m of that map: 101 cells then, which changes no distance.
+struct PaperScene {
+  std::vector<std::uint8_t> costs;
+  GridView grid;
+  Situation situation;
+  Polygon outline{{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}};
+
+  explicit PaperScene(double v_max) {
+    const int cells = v_max > 0.8 ? 101 : 61;
+    costs.assign(static_cast<std::size_t>(cells * cells), cost::kFree);
+    grid = {costs.data(), cells, cells, 0.05, -cells * 0.025, -cells * 0.025};
+    situation.velocity = situation.last_command = {v_max, 0.0};
+    for (int i = -20; i <= 20; ++i) situation.plan.push_back({0.05 * i, 0.0, 0.0});
+    situation.goal = {8.0, 0.0, 0.0};
+  }
+};
+
+}  // namespace hidwa_local_planner::test

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/core/admissibility.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/rollout.hpp"
+#include "support/scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::Scene;
+
+// The robot reaches 0.2 m ahead and drives 0.5 m/s; a wall stands `gap` ahead of its front.
+class Corridor {
+ public:
+  Corridor(double gap, const Parameters& p) : parameters_(p), limits_(VelocityLimits::from(p)) {
+    scene_ = Scene::empty(121);
+    scene_.fill(1.025, -9.0, 9.0, 9.0);  // cells from x = 1.025 on
+    start_ = {1.025 - 0.2 - gap, 0.0, 0.0};
+    footprint_ = Footprint(scene_.outline);
+    checker_.prepare(scene_.grid(), footprint_, true, start_, 2.0);
+    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05, {start_, {0.5, 0.0}, 0.05});
+  }
+  Corridor(const Corridor&) = delete;
+  bool can_brake(const Twist2& sample) { return check_.can_brake(sample, 0); }
+  bool can_brake_surely(const Twist2& sample) { return check_.can_brake_surely(sample); }
+  AdmissibilityCheck& check() { return check_; }
+  const Pose2& start() const { return start_; }
+  const VelocityLimits& limits() const { return limits_; }
+
+ private:
+  Parameters parameters_;
+  VelocityLimits limits_;
+  Scene scene_;
+  Pose2 start_;
+  Footprint footprint_;
+  CollisionChecker checker_;
+  AdmissibilityCheck check_;
+};
+
+TEST(CanBrake, TheBrakingDistanceIsTheLimit) {
+  Parameters p;
+  p.control_latency = 0.0;
+  // Going on at 0.5 for one period, then braking: 0.5 * 0.05 + 0.5^2 / (2 * 2.5) = 0.075 m.
+  EXPECT_TRUE(Corridor(0.077, p).can_brake({0.5, 0.0}));
+  EXPECT_FALSE(Corridor(0.073, p).can_brake({0.5, 0.0}));
+  // Braking at once: 0.05 * (0.5 + 0.375) / 2 + 0.375^2 / 5 = 0.05 m.
+  EXPECT_TRUE(Corridor(0.052, p).can_brake({0.0, 0.0}));
+  EXPECT_FALSE(Corridor(0.048, p).can_brake({0.0, 0.0}));
+}
+
+TEST(CanBrake, LatencyLengthensIt) {
+  Parameters p;
+  p.control_latency = 0.2;
+  // 0.2 * 0.5 = 0.1 m more.
+  EXPECT_TRUE(Corridor(0.177, p).can_brake({0.5, 0.0}));
+  EXPECT_FALSE(Corridor(0.173, p).can_brake({0.5, 0.0}));
+}
+
+TEST(CanBrake, WeakerBrakesLengthenIt) {
+  Parameters p;
+  p.control_latency = 0.0;
+  p.decel_lim_x = -0.5;
+  // 0.025 + 0.5^2 / (2 * 0.5) = 0.275 m.
+  EXPECT_TRUE(Corridor(0.277, p).can_brake({0.5, 0.0}));
+  EXPECT_FALSE(Corridor(0.273, p).can_brake({0.5, 0.0}));
+}
+
+TEST(CanBrake, SurelyKeepsAThirtySecondOfACellMore) {
+  Parameters p;
+  p.control_latency = 0.0;
+  // 0.075 + 0.05 / 32 = 0.0766 m.
+  EXPECT_TRUE(Corridor(0.078, p).can_brake_surely({0.5, 0.0}));
+  EXPECT_FALSE(Corridor(0.0758, p).can_brake_surely({0.5, 0.0}));
+  EXPECT_TRUE(Corridor(0.0758, p).can_brake({0.5, 0.0}));
+}
+
+TEST(CanBrake, TheFirstStepCountsNotTheSampleItself) {
+  Parameters p;
+  p.control_latency = 0.0;
+  // Asking for 0 gives 0.375 first; asking for 0.375 the same.
+  EXPECT_TRUE(Corridor(0.052, p).check().command_for({0.0, 0.0}) == (Twist2{0.375, 0.0}));
+  EXPECT_TRUE(Corridor(0.052, p).can_brake({0.375, 0.0}));
+  p.command = CommandPolicy::target;
+  EXPECT_TRUE(Corridor(0.052, p).check().command_for({0.1, 0.3}) == (Twist2{0.1, 0.3}));
+}
+
+const char* rollout_reason(Corridor& corridor, const Parameters& p, const Twist2& sample) {
+  Rollout rollout;
+  rollout.run(p, corridor.limits(), corridor.start(), {0.5, 0.0}, {{sample, SampleKind::grid}});
+  const char* reason = nullptr;
+  corridor.check().check_rollouts(rollout.tile(0), &reason);
+  return reason;
+}
+
+TEST(RolloutCheck, TheWholeHorizonMustBeFree) {
+  Parameters p;  // 0.5 * 1.7 = 0.85 m
+  Corridor enough(0.86, p);
+  EXPECT_EQ(rollout_reason(enough, p, {0.5, 0.0}), nullptr);
+  Corridor tight(0.84, p);
+  ASSERT_NE(rollout_reason(tight, p, {0.5, 0.0}), nullptr);
+  EXPECT_EQ(rollout_reason(tight, p, {0.4, 0.0}), nullptr);
+}
+
+TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
+  // One step of 0.85 m over a single lethal cell.
+  Parameters p;
+  p.linear_granularity = 1.0;
+  p.integration = Integration::euler;
+  Scene scene = Scene::empty(121);
+  scene.at({68, 60}) = cost::kLethal;  // at x = 0.4
+  const Footprint footprint(scene.outline);
+  const VelocityLimits limits = VelocityLimits::from(p);
+  CollisionChecker checker;
+  checker.prepare(scene.grid(), footprint, true, {-0.3, 0.0, 0.0}, 2.0);
+  AdmissibilityCheck check;
+  check.prepare(p, limits, checker, footprint, 0.05, {{-0.3, 0.0, 0.0}, {0.5, 0.0}, 0.05});
+  Rollout rollout;
+  // From -0.3 to 1.4 at 1.0 m/s: both ends are free, the cell lies between.
+  Parameters fast = p;
+  fast.max_vel_x = 1.0;
+  fast.linear_granularity = 1.0;
+  fast.generator = Generator::dwa;
+  fast.sim_time = 1.0;
+  rollout.run(fast, limits, {-0.3, 0.0, 0.0}, {1.0, 0.0}, {{{1.0, 0.0}, SampleKind::grid}});
+  ASSERT_EQ(rollout.tile(0).steps, 1u);
+  const char* reason = nullptr;
+  check.check_rollouts(rollout.tile(0), &reason);
+  EXPECT_NE(reason, nullptr);
+}
+
+// Standing 0.02 m in an obstacle behind it, and one cell of another ahead: what leaves the first and drives
+// over the second ends free, but goes deeper on the way.
+TEST(EscapeCheck, NeverDeeperAtAnyPose) {
+  Parameters p;
+  p.generator = Generator::dwa;
+  for (const bool cell_ahead : {false, true}) {
+    Scene scene = Scene::empty(121);
+    scene.fill(-9.0, -9.0, -0.15, 9.0);                  // cells up to x = -0.175
+    if (cell_ahead) scene.at({68, 60}) = cost::kLethal;  // from x = 0.375 to 0.425
+    const Pose2 start{0.005, 0.0, 0.0};                  // from x = -0.195 to 0.205
+    const Footprint footprint(scene.outline);
+    const VelocityLimits limits = VelocityLimits::from(p);
+    CollisionChecker checker;
+    checker.prepare(scene.grid(), footprint, true, start, 2.0);
+    AdmissibilityCheck check;
+    check.prepare(p, limits, checker, footprint, 0.05, {start, {}, 0.05});
+    ASSERT_TRUE(check.escaping());
+    Rollout rollout;
+    rollout.run(p, limits, start, {},
+                {{{0.5, 0.0}, SampleKind::grid}});  // 0.85 m: past the cell with its rear
+    const char* reason = nullptr;
+    check.check_rollouts(rollout.tile(0), &reason);
+    EXPECT_EQ(reason != nullptr, cell_ahead);
+  }
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/core/collision.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::Scene;
+
+TEST(OverlapsSquare, SharedAreaCountsTouchingDoesNot) {
+  const Polygon square{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+  EXPECT_TRUE(overlaps_square(square, 0.9, 0.9, 0.5));    // a corner reaches in
+  EXPECT_FALSE(overlaps_square(square, 1.0, 0.0, 0.5));   // along an edge
+  EXPECT_FALSE(overlaps_square(square, 1.0, 1.0, 0.5));   // at a corner
+  EXPECT_TRUE(overlaps_square(square, 0.25, 0.25, 0.5));  // the cell lies inside
+  EXPECT_TRUE(overlaps_square(square, -1.0, -1.0, 3.0));  // the polygon lies inside
+  EXPECT_FALSE(overlaps_square(square, 1.1, 0.2, 0.5));
+}
+
+TEST(OverlapsSquare, AnEdgeThatCutsACornerOff) {
+  // x + y = 1.9 passes the cell [0.9, 1.4]^2 at its corner (0.9, 0.9): 1.8 < 1.9.
+  const Polygon triangle{{0.0, 0.0}, {1.9, 0.0}, {0.0, 1.9}};
+  EXPECT_TRUE(overlaps_square(triangle, 0.9, 0.9, 0.5));
+  EXPECT_FALSE(overlaps_square(triangle, 0.96, 0.96, 0.5));  // 1.92 > 1.9
+}
+
+TEST(OverlapsSquare, ADentIsFree) {
+  const Polygon u{{0.0, 0.0}, {3.0, 0.0}, {3.0, 3.0}, {2.0, 3.0},
+                  {2.0, 1.0}, {1.0, 1.0}, {1.0, 3.0}, {0.0, 3.0}};
+  EXPECT_FALSE(overlaps_square(u, 1.25, 1.5, 0.5));
+  EXPECT_TRUE(overlaps_square(u, 1.25, 0.75, 0.5));
+}
+
+CollisionChecker prepared(const Scene& scene, const Footprint& footprint, bool unknown = true) {
+  CollisionChecker checker;
+  checker.prepare(scene.grid(), footprint, unknown, {}, 1.0);
+  return checker;
+}
+
+// Cells of 0.05 m, the origin at the middle of cell (30, 30): cell (i, j) spans (i - 30.5) * 0.05 on.
+TEST(Collision, ARectangleBesideACell) {
+  Scene scene = Scene::empty(61);
+  scene.at({40, 30}) = cost::kLethal;  // x from 0.475 to 0.525
+  const Footprint footprint(Polygon{{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}});
+  const CollisionChecker checker = prepared(scene, footprint);
+  EXPECT_FALSE(checker.collides({0.2749, 0.0, 0.0}));  // front at 0.4749
+  EXPECT_TRUE(checker.collides({0.2751, 0.0, 0.0}));
+  EXPECT_FALSE(checker.collides({0.37, 0.0, M_PI / 2}));  // front at 0.37 + 0.1
+  EXPECT_TRUE(checker.collides({0.38, 0.0, M_PI / 2}));
+  EXPECT_EQ(checker.penetration({0.2749, 0.0, 0.0}), 0);
+  EXPECT_EQ(checker.penetration({0.3, 0.0, 0.0}), 1);
+}
+
+TEST(Collision, ADiscIsExactAndMindsInscribedCells) {
+  Scene scene = Scene::empty(61);
+  scene.at({40, 30}) = cost::kLethal;
+  const Footprint disc({}, 0.2);
+  const CollisionChecker checker = prepared(scene, disc);
+  EXPECT_FALSE(checker.collides({0.2749, 0.0, 0.0}));
+  EXPECT_TRUE(checker.collides({0.2751, 0.0, 0.0}));
+  // Past the corner (0.475, 0.025): at (0.475 - 0.15, 0.025 + 0.14) it is hypot(0.15, 0.14) = 0.2052 away.
+  EXPECT_FALSE(checker.collides({0.325, 0.165, 0.0}));
+  EXPECT_TRUE(checker.collides({0.335, 0.165, 0.0}));  // hypot(0.14, 0.14) = 0.198
+  scene.at({20, 20}) = cost::kInscribed;               // the middle of it is (-0.5, -0.5)
+  EXPECT_TRUE(prepared(scene, disc).collides({-0.5, -0.5, 0.0}));
+  const Footprint square(Polygon{{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
+  EXPECT_FALSE(prepared(scene, square).collides({-0.5, -0.5, 0.0}));  // a polygon is tested itself
+}
+
+TEST(Collision, UnknownByPolicyAndTheEdgeAlways) {
+  Scene scene = Scene::empty(61);
+  scene.at({40, 30}) = cost::kUnknown;
+  const Footprint footprint(Polygon{{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}});
+  EXPECT_TRUE(prepared(scene, footprint, true).collides({0.4, 0.0, 0.0}));
+  EXPECT_FALSE(prepared(scene, footprint, false).collides({0.4, 0.0, 0.0}));
+  // The map ends at 61 * 0.05 / 2 = 1.525.
+  EXPECT_FALSE(prepared(scene, footprint).collides({1.32, 0.0, 0.0}));
+  EXPECT_TRUE(prepared(scene, footprint).collides({1.33, 0.0, 0.0}));
+}
+
+TEST(Collision, FarBeyondThePreparedReachItStillAnswers) {
+  Scene scene = Scene::empty(61);
+  scene.at({55, 30}) = cost::kLethal;  // x from 1.225 on
+  const Footprint footprint(Polygon{{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}});
+  CollisionChecker checker;
+  checker.prepare(scene.grid(), footprint, true, {-1.0, 0.0, 0.0}, 0.1);
+  EXPECT_TRUE(checker.collides({1.1, 0.0, 0.0}));
+  EXPECT_FALSE(checker.collides({1.0, 0.0, 0.0}));
+}
+
+TEST(Collision, APolygonAroundNothingOfTheOrigin) {
+  // The body lies 0.3 to 0.5 m ahead of the origin: an obstacle under the origin itself does not matter.
+  Scene scene = Scene::empty(61);
+  scene.at({30, 30}) = cost::kLethal;
+  const Footprint footprint(Polygon{{0.5, 0.1}, {0.3, 0.1}, {0.3, -0.1}, {0.5, -0.1}});
+  EXPECT_FALSE(prepared(scene, footprint).collides({0.0, 0.0, 0.0}));
+  EXPECT_TRUE(prepared(scene, footprint).collides({-0.4, 0.0, 0.0}));
+}
+
+TEST(Clearance, DistanceToTheNearestObstacle) {
+  Scene scene = Scene::empty(61);
+  scene.at({36, 38}) = cost::kLethal;  // from (0.275, 0.375) on
+  scene.at({30, 45}) = cost::kLethal;  // from y = 0.725 on
+  const Footprint footprint(Polygon{{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}});
+  EXPECT_NEAR(prepared(scene, footprint).clearance({0.0, 0.0, 0.0}), std::hypot(0.275, 0.375), 1e-12);
+  EXPECT_NEAR(prepared(scene, footprint).clearance({0.0, 0.6, 0.0}), 0.125, 1e-12);
+  // Inside there is none, wherever in the cell: standing in the midst of obstacles nothing looks like a way
+  // out.
+  EXPECT_EQ(prepared(scene, footprint).clearance({0.31, 0.39, 0.0}), 0.0);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/core/distance_grid.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/plan_grids.hpp"
+#include "support/scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::Scene;
+
+TEST(GeodesicGrid, WithinEightPercentOfEuclidOnAnEmptyMap) {
+  const Scene scene = Scene::empty(101);
+  DistanceGrid distances;
+  distances.make_geodesic(scene.grid(), {{50, 50}});
+  double most = 0.0, least = 1e9;
+  for (int j = 0; j < 101; ++j) {
+    for (int i = 0; i < 101; ++i) {
+      const double straight = 0.05 * std::hypot(i - 50, j - 50);
+      if (straight == 0.0) continue;
+      const double ratio = distances.units({i, j}) * distances.metres_per_unit() / straight;
+      most = std::max(most, ratio);
+      least = std::min(least, ratio);
+    }
+  }
+  // The octagon of steps 5 and 7: worst near atan(2/5), sqrt(1 + 0.4^2) = 1.077; 7 / (5 sqrt(2)) = 0.990
+  // diagonally.
+  EXPECT_LE(most, 1.08);
+  EXPECT_GE(most, 1.07);
+  EXPECT_NEAR(least, 7.0 / (5.0 * std::sqrt(2.0)), 1e-9);
+}
+
+TEST(GeodesicGrid, GoesRoundAWall) {
+  Scene scene = Scene::empty(11);
+  for (int j = 0; j <= 8; ++j) scene.at({5, j}) = cost::kInscribed;
+  DistanceGrid distances;
+  distances.make_geodesic(scene.grid(), {{4, 4}});
+  // Up 5 rows to the gap at row 9, over and down: (4,4) -> (4,8) 4 straight, 2 diagonals to (6,8) through
+  // (5,9), 4 straight down: 8 * 5 + 2 * 7.
+  EXPECT_EQ(distances.units({6, 4}), 54);
+}
+
+TEST(GeodesicGrid, ABlockedSourceSeedsAndBlockedCellsGetValuesButLeadNowhere) {
+  Scene scene = Scene::empty(9);
+  for (int j = 0; j < 9; ++j) scene.at({4, j}) = scene.at({5, j}) = cost::kLethal;
+  DistanceGrid distances;
+  distances.make_geodesic(scene.grid(), {{4, 4}});  // on the wall
+  EXPECT_EQ(distances.units({4, 4}), 0);
+  EXPECT_EQ(distances.units({3, 4}), 5);
+  EXPECT_EQ(distances.units({4, 5}), 5);   // beside the source
+  EXPECT_EQ(distances.units({5, 4}), 5);   // in the wall's other half
+  EXPECT_EQ(distances.units({4, 7}), 15);  // along the wall from the source: free cells are no shorter
+  EXPECT_EQ(distances.units({6, 4}), DistanceGrid::kUnreached);  // nothing passes through
+}
+
+TEST(GeodesicGrid, NoWayIsUnreached) {
+  Scene scene = Scene::empty(9);
+  for (int j = 0; j < 9; ++j) scene.at({4, j}) = cost::kLethal;
+  DistanceGrid distances;
+  distances.make_geodesic(scene.grid(), {{1, 1}});
+  EXPECT_EQ(distances.units({7, 7}), DistanceGrid::kUnreached);
+  EXPECT_EQ(distances.units({4, 1}), 15);  // the wall itself: three straight steps
+}
+
+TEST(L1Grid, IsBlindToCosts) {
+  Scene scene = Scene::empty(9);
+  for (int j = 0; j < 9; ++j) scene.at({4, j}) = cost::kLethal;
+  DistanceGrid distances;
+  distances.make_l1(scene.grid(), {{1, 1}, {8, 0}});
+  EXPECT_EQ(distances.units({4, 4}), 6);  // 3 + 3
+  EXPECT_EQ(distances.units({7, 2}), 3);  // 1 + 2 from (8, 0)
+  EXPECT_DOUBLE_EQ(distances.metres_per_unit(), 0.05);
+}
+
+// Cells of 0.05 m with a corner at the origin.
+Scene corner_scene() {
+  Scene scene = Scene::empty(40);
+  scene.origin_x = scene.origin_y = 0.0;
+  return scene;
+}
+
+TEST(PlanGridsSources, GapsAreFilledAndNeighboursAreNot) {
+  const Scene scene = corner_scene();
+  PlanGrids grids;
+  const std::vector<Pose2> plan{{0.125, 0.525, 0.0}, {0.925, 0.525, 0.0}};  // cells (2, 10) and (18, 10)
+  grids.prepare(scene.grid(), plan, MapGridDistance::l1, true);
+  for (int i = 2; i <= 18; ++i) EXPECT_EQ(grids.to_path().units({i, 10}), 0) << i;
+  EXPECT_EQ(grids.to_path().units({19, 10}), 1);
+  EXPECT_EQ(grids.to_goal().units({2, 10}), 16);
+}
+
+TEST(PlanGridsSources, OnlyTheFirstStretchOnTheMap) {
+  const Scene scene = corner_scene();
+  PlanGrids grids;
+  // Starts off the map, crosses x = 0 .. 0.5 at y = 1, leaves at the top and comes back far right.
+  std::vector<Pose2> plan;
+  for (int k = 0; k <= 15; ++k) plan.push_back({-0.225 + 0.05 * k, 1.025, 0.0});  // cells ... to (10, 20)
+  plan.push_back({0.525, 2.525, 0.0});                                            // above the map
+  plan.push_back({1.525, 1.025, 0.0});
+  grids.prepare(scene.grid(), plan, MapGridDistance::l1, true);
+  ASSERT_TRUE(grids.on_map());
+  EXPECT_EQ(grids.to_path().units({10, 30}), 0);  // on the way up
+  EXPECT_EQ(grids.to_goal().units({10, 39}), 0);  // where it leaves
+  EXPECT_GT(grids.to_path().units({30, 20}), 0);  // the second visit does not count
+}
+
+TEST(PlanGridsSources, NowhereOnTheMap) {
+  const Scene scene = corner_scene();
+  PlanGrids grids;
+  const std::vector<Pose2> plan{{-1.0, 0.0, 0.0}, {-1.0, 0.05, 0.0}};
+  grids.prepare(scene.grid(), plan, MapGridDistance::geodesic, true);
+  EXPECT_FALSE(grids.on_map());
+}
+
+TEST(PlanGridsSources, Nav2sGridStopsAtUnknownCells) {
+  Scene scene = corner_scene();
+  scene.at({10, 10}) = cost::kUnknown;
+  std::vector<Pose2> plan;
+  for (int i = 2; i <= 20; ++i) plan.push_back({0.05 * i + 0.025, 0.525, 0.0});
+  PlanGrids grids;
+  grids.prepare(scene.grid(), plan, MapGridDistance::l1, true);
+  EXPECT_EQ(grids.to_goal().units({9, 10}), 0);
+  grids.prepare(scene.grid(), plan, MapGridDistance::l1, false);
+  EXPECT_EQ(grids.to_goal().units({20, 10}), 0);
+  grids.prepare(scene.grid(), plan, MapGridDistance::geodesic, true);
+  EXPECT_EQ(grids.to_goal().units({20, 10}), 0);
+}
+
+TEST(PlanGridsSources, TheGoalAheadIsMovedTowardsTheFinalGoal) {
+  const Scene scene = corner_scene();
+  PlanGrids grids;
+  std::vector<Pose2> plan;
+  for (int i = 2; i <= 20; ++i) plan.push_back({0.05 * i + 0.025, 0.525, 0.0});
+  grids.prepare(scene.grid(), plan, MapGridDistance::l1, true);
+  // From (0.125, 0.525) straight up to the goal: the last pose (1.025, 0.525) moves 0.2 m up, 4 cells.
+  EXPECT_EQ(grids.to_goal_ahead(0.2, {0.125, 0.525, 0.0}, {0.125, 9.0, 0.0}).units({20, 14}), 0);
+}
+
+TEST(PlanGridsLookUp, MetresOrNegative) {
+  Scene scene = corner_scene();
+  for (int j = 0; j < 40; ++j) scene.at({30, j}) = cost::kLethal;
+  DistanceGrid distances;
+  distances.make_geodesic(scene.grid(), {{2, 10}});
+  // Cell (12, 10): 10 straight steps of 0.05 m.
+  EXPECT_NEAR(PlanGrids::at(distances, scene.grid(), 0.61, 0.54), 0.5, 1e-12);
+  EXPECT_LT(PlanGrids::at(distances, scene.grid(), -0.01, 0.54), 0.0);
+  EXPECT_LT(PlanGrids::at(distances, scene.grid(), 1.9, 0.54), 0.0);  // behind the wall
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/core/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace hidwa_local_planner {
+namespace {
+
+bool names(const std::vector<std::string>& faults, const std::string& parameter) {
+  return std::any_of(faults.begin(), faults.end(),
+                     [&](const std::string& fault) { return fault.find(parameter) != std::string::npos; });
+}
+
+TEST(ParameterTable, NamesAreUniqueAndDefaultsAreTheStructs) {
+  std::set<std::string> seen;
+  const Parameters defaults;
+  for (const ParameterInfo& info : parameter_table()) {
+    EXPECT_TRUE(seen.insert(info.name).second) << info.name;
+    EXPECT_TRUE(get_parameter(defaults, info.name) == info.value) << info.name;
+    EXPECT_FALSE(info.description.empty()) << info.name;
+    EXPECT_FALSE(info.tab.empty()) << info.name;
+  }
+  EXPECT_EQ(seen.count("max_vel_x"), 1u);
+  EXPECT_TRUE(validate(defaults).empty());
+}
+
+TEST(ParameterAccess, SetAndGetEveryOneByName) {
+  for (const ParameterInfo& info : parameter_table()) {
+    Parameters p;
+    ParameterValue value = info.value;
+    if (info.type == "double") value = 0.5 * (info.min + info.max);
+    if (info.type == "int") value = static_cast<int>(info.max);
+    if (info.type == "bool") value = !std::get<bool>(info.value);
+    if (info.type == "str") value = std::string("something else");
+    if (info.type == "enum") value = info.choices.back();
+    ASSERT_EQ(set_parameter(p, info.name, value), "") << info.name;
+    EXPECT_TRUE(get_parameter(p, info.name) == value) << info.name;
+    // Nothing else changed.
+    for (const ParameterInfo& other : parameter_table()) {
+      if (other.name == info.name) continue;
+      EXPECT_TRUE(get_parameter(p, other.name) == other.value) << other.name;
+    }
+  }
+}
+
+TEST(ParameterAccess, WholeNumbersServeAsDoublesNotTheOtherWayRound) {
+  Parameters p;
+  EXPECT_EQ(set_parameter(p, "max_vel_x", 1), "");
+  EXPECT_EQ(p.max_vel_x, 1.0);
+  EXPECT_NE(set_parameter(p, "vx_samples", 7.0), "");
+  EXPECT_EQ(p.vx_samples, 20);
+}
+
+TEST(ParameterAccess, EnumerationsByName) {
+  Parameters p;
+  EXPECT_EQ(set_parameter(p, "generator", std::string("dwa")), "");
+  EXPECT_EQ(p.generator, Generator::dwa);
+  EXPECT_EQ(std::get<std::string>(get_parameter(p, "generator")), "dwa");
+  const std::string fault = set_parameter(p, "generator", std::string("nonsense"));
+  for (const char* word : {"generator", "standard", "dwa"})
+    EXPECT_NE(fault.find(word), std::string::npos) << fault;
+  EXPECT_EQ(p.generator, Generator::dwa);
+}
+
+TEST(ParameterAccess, FaultsNameTheParameterAndWhatItWants) {
+  Parameters p;
+  EXPECT_NE(set_parameter(p, "max_vel_x", std::string("fast")).find("max_vel_x: expected a number"),
+            std::string::npos);
+  EXPECT_NE(set_parameter(p, "escape", 1).find("true or false"), std::string::npos);
+  EXPECT_NE(set_parameter(p, "vx_samples", true).find("a whole number"), std::string::npos);
+  EXPECT_NE(set_parameter(p, "odom_topic", 3).find("a text"), std::string::npos);
+  EXPECT_NE(set_parameter(p, "max_vel", 3).find("max_vel"), std::string::npos);
+  EXPECT_THROW(get_parameter(p, "max_vel"), std::out_of_range);
+}
+
+TEST(Validate, EveryNumberIsHeldToItsRange) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.type != "double" && info.type != "int") continue;
+    for (const double off : {-1.0, 1.0}) {
+      Parameters p;
+      const double bound = off < 0.0 ? info.min : info.max;
+      const ParameterValue value =
+          info.type == "int" ? ParameterValue(static_cast<int>(bound + off)) : ParameterValue(bound + off);
+      ASSERT_EQ(set_parameter(p, info.name, value), "");
+      EXPECT_TRUE(names(validate(p), info.name)) << info.name << " " << bound + off;
+    }
+    if (info.type == "int") continue;
+    Parameters p;
+    set_parameter(p, info.name, std::nan(""));
+    EXPECT_TRUE(names(validate(p), info.name)) << info.name;
+  }
+}
+
+TEST(Validate, ReturnsEveryFaultAtOnce) {
+  Parameters p;
+  p.sim_time = -1.0;
+  p.acc_lim_x = INFINITY;
+  p.min_vel_x = 0.6;               // above max_vel_x
+  p.min_vel_theta = 1.1;           // above max_vel_theta
+  p.min_in_place_vel_theta = 1.2;  // likewise
+  p.wheel_radius = 0.1;            // alone
+  p.axis_angular_sign = 0;
+  p.axis_linear_sign = 0;
+  p.odom_topic = "";
+  p.critics = " , ";
+  p.vx_samples = p.vth_samples = 500;  // 250000 candidates
+  const std::vector<std::string> faults = validate(p);
+  EXPECT_EQ(faults.size(), 11u);
+  for (const char* name :
+       {"sim_time", "acc_lim_x", "min_vel_x", "min_vel_theta", "min_in_place_vel_theta", "wheel_separation",
+        "axis_angular_sign", "axis_linear_sign", "odom_topic", "critics", "vx_samples"}) {
+    EXPECT_TRUE(names(faults, name)) << name;
+  }
+}
+
+TEST(BrakingLimits, EitherSignAndZeroForTheAcceleration) {
+  Parameters p;
+  EXPECT_EQ(p.braking_x(), 2.5);
+  EXPECT_EQ(p.braking_theta(), 3.2);
+  p.decel_lim_x = -1.5;
+  p.decel_lim_theta = 2.0;
+  EXPECT_EQ(p.braking_x(), 1.5);
+  EXPECT_EQ(p.braking_theta(), 2.0);
+}
+
+TEST(SplitNames, CommasBracketsAndQuotes) {
+  const std::vector<std::string> expected{"PathDist", "GoalDist"};
+  for (const char* text : {"PathDist, GoalDist", "[PathDist, GoalDist]", "['PathDist','GoalDist']",
+                           "PathDist GoalDist", "\"PathDist\";\"GoalDist\",", "\tPathDist\n GoalDist"}) {
+    EXPECT_EQ(split_names(text), expected) << text;
+  }
+  EXPECT_TRUE(split_names("").empty());
+  EXPECT_TRUE(split_names("[]").empty());
+  EXPECT_EQ(split_names("my_pkg/MyCritic").front(), "my_pkg/MyCritic");
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Input that makes no sense gets a braked robot and a reason, never a crash or a wild command.
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "support/planner_bench.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::PlannerBench;
+using test::Scene;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+Scene driving(double v = 0.3) {
+  Scene scene = Scene::empty(61);
+  scene.situation.velocity = scene.situation.last_command = {v, 0.0};
+  return scene;
+}
+
+// The command must be the brake command from `from` [m/s], the reason must hold `word`.
+void expect_braked(const Scene& scene, double from, const std::string& word) {
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(decision.outcome, Outcome::brake) << word;
+  EXPECT_NEAR(decision.command.v, std::max(0.0, from - 0.125), 1e-12) << word;  // 2.5 * 0.05
+  EXPECT_EQ(decision.command.omega, 0.0) << word;
+  EXPECT_NE(decision.problem.find(word), std::string::npos) << decision.problem;
+  EXPECT_TRUE(bench.planner().evaluation().empty());
+}
+
+TEST(BadInput, NumbersThatAreNone) {
+  for (const double bad : {kNan, kInf, -kInf}) {
+    for (const auto& spoil : std::vector<std::function<void(Situation&)>>{
+             [&](Situation& s) { s.pose.x = bad; }, [&](Situation& s) { s.pose.theta = bad; },
+             [&](Situation& s) { s.velocity.v = bad; }, [&](Situation& s) { s.velocity.omega = bad; }}) {
+      Scene scene = driving();
+      spoil(scene.situation);
+      expect_braked(scene, 0.3, "not a number");
+    }
+    Scene scene = driving();
+    scene.situation.last_command.omega = bad;  // the measured 0.3 m/s is what is left to brake from
+    scene.parameters.velocity_reference = VelocityReference::odometry;
+    expect_braked(scene, 0.3, "not a number");
+  }
+}
+
+TEST(BadInput, NumbersBeyondAllBounds) {
+  Scene far = driving();
+  far.situation.pose.x = 1e12;
+  expect_braked(far, 0.3, "beyond all bounds");
+  Scene fast = driving();
+  fast.situation.velocity.v = 1e9;
+  expect_braked(fast, 0.3, "beyond all bounds");
+  Scene wild = driving();
+  wild.situation.velocity.omega = -1e9;
+  expect_braked(wild, 0.3, "beyond all bounds");
+}
+
+TEST(BadInput, PlanAndGoal) {
+  Scene empty = driving();
+  empty.situation.plan.clear();
+  expect_braked(empty, 0.3, "the plan is empty");
+  Scene holed = driving();
+  holed.situation.plan[7].y = kNan;
+  expect_braked(holed, 0.3, "plan");
+  Scene goalless = driving();
+  goalless.situation.goal.theta = kNan;
+  expect_braked(goalless, 0.3, "plan");
+}
+
+TEST(BadInput, Period) {
+  for (const double period : {0.0, -0.05, kNan}) {
+    Scene scene = driving();
+    scene.situation.period = period;
+    expect_braked(scene, 0.3, "period");
+  }
+}
+
+TEST(BadInput, ThePersonsWish) {
+  for (const Influence influence : {Influence::shared, Influence::direct}) {
+    for (const bool guarded : {true, false}) {
+      Scene scene = driving();
+      scene.steer({kNan, 0.0});
+      scene.intent.influence = influence;
+      scene.intent.guarded = guarded;
+      expect_braked(scene, 0.3, "person");
+      scene.intent.u_h = {0.5, kInf};
+      expect_braked(scene, 0.3, "person");
+    }
+  }
+}
+
+TEST(BadInput, MapAndFootprint) {
+  Scene scene = driving();
+  PlannerBench bench(scene);
+  const Decision no_map = bench.planner().plan(scene.situation, GridView(), scene.intent);
+  EXPECT_EQ(no_map.outcome, Outcome::brake);
+  EXPECT_NE(no_map.problem.find("costmap"), std::string::npos);
+  bench.planner().set_footprint({});
+  const Decision no_body = bench.cycle();
+  EXPECT_EQ(no_body.outcome, Outcome::brake);
+  EXPECT_NE(no_body.problem.find("robot_radius"), std::string::npos);
+}
+
+TEST(BadInput, AtRestItIsAFailure) {
+  Scene scene = driving(0.0);
+  scene.situation.plan.clear();
+  PlannerBench bench(scene);
+  EXPECT_EQ(bench.cycle().outcome, Outcome::fail);
+  EXPECT_TRUE(bench.cycle().command == Twist2{});
+}
+
+TEST(BadInput, TheNextCycleIsAsGoodAsNew) {
+  Scene scene = driving();
+  PlannerBench bench(scene);
+  const Decision before = bench.cycle();
+  bench.scene().situation.pose.x = kNan;
+  bench.cycle();
+  bench.scene().situation.pose.x = 0.0;
+  const Decision& after = bench.cycle();
+  EXPECT_TRUE(after.command == before.command);
+  EXPECT_EQ(after.total, before.total);
+}
+
+TEST(OddInput, AReferenceOutsideTheLimitsIsBroughtBack) {
+  Scene scene = driving();
+  scene.situation.velocity = scene.situation.last_command = {0.9, -1.6};
+  for (const Generator generator : {Generator::standard, Generator::dwa}) {
+    scene.parameters.generator = generator;
+    PlannerBench bench(scene);
+    const Decision& decision = bench.cycle();
+    EXPECT_NEAR(decision.command.v, 0.775, 1e-12);      // 0.9 - 0.125
+    EXPECT_NEAR(decision.command.omega, -1.44, 1e-12);  // -1.6 + 0.16
+  }
+}
+
+TEST(OddInput, ARobotOffItsMap) {
+  Scene scene = driving();
+  scene.situation.pose.x = 30.0;
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_NE(decision.outcome, Outcome::drive);
+  EXPECT_NEAR(decision.command.v, 0.175, 1e-12);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

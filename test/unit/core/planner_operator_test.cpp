@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The person and the planner.
+#include <gtest/gtest.h>
+
+#include "support/naive_collision.hpp"
+#include "support/planner_bench.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::PlannerBench;
+using test::Scene;
+
+Scene driving(double v = 0.5) {
+  Scene scene = Scene::empty(121);
+  scene.situation.velocity = scene.situation.last_command = {v, 0.0};
+  return scene;
+}
+
+TEST(Shared, ThePapersWeightsFollowThePerson) {
+  for (const double omega : {0.07, -0.4, 1.0}) {
+    Scene scene = driving();
+    scene.steer({0.5, omega});
+    PlannerBench bench(scene);
+    const Decision& decision = bench.cycle();
+    EXPECT_TRUE(decision.sample == (Twist2{0.5, omega}));
+    EXPECT_EQ(decision.agreement, 1.0);
+    EXPECT_TRUE(decision.operator_refused_by.empty());
+    EXPECT_NEAR(decision.command.omega, std::copysign(std::min(0.16, std::abs(omega)), omega), 1e-12);
+  }
+}
+
+TEST(Shared, UnclippedWishesAreBroughtIn) {
+  Scene scene = driving();
+  scene.steer({2.0, -5.0});
+  PlannerBench bench(scene);
+  EXPECT_TRUE(bench.cycle().sample == (Twist2{0.5, -1.0}));
+}
+
+// A wall across the way, 1 m ahead of the robot's front; the person pushes straight on.
+TEST(Shared, InFrontOfAWallItStopsAndDoesNotTurnAway) {
+  Scene scene = driving();
+  scene.fill(1.2, -9.0, 9.0, 9.0);  // cells from x = 1.225 on, the front starts at 0.2
+  scene.steer({0.5, 0.0});
+  PlannerBench bench(scene);
+  std::string refused_by;
+  for (int k = 0; k < 200; ++k) {
+    const Decision& decision = bench.drive();
+    ASSERT_NE(decision.outcome, Outcome::fail);
+    const double overlap = test::naive_overlap(bench.scene().grid(), {bench.scene().outline, 0.0},
+                                               bench.scene().situation.pose, true);
+    ASSERT_LT(overlap, 1e-9);
+    // Beyond v_max / 2 = 0.25 rad/s a turn costs more than stopping: 800 * 0.25 = 400 * 0.5.
+    ASSERT_LE(std::abs(decision.sample.omega), 0.25);
+    refused_by = decision.operator_refused_by;
+  }
+  EXPECT_TRUE(bench.scene().situation.last_command == Twist2{});
+  EXPECT_EQ(refused_by, "Collision");
+  EXPECT_LT(bench.cycle().agreement, 0.5);
+  EXPECT_GT(bench.scene().situation.pose.x, 0.5);  // it did approach
+}
+
+TEST(Shared, HeldAtRestItIsNoFailureAndAutonomyStartsAfresh) {
+  Scene scene = driving(0.0);
+  scene.fill(0.25, -9.0, 9.0, 9.0);
+  scene.situation.pose.x = -0.0;
+  scene.steer({0.5, 0.0});
+  PlannerBench bench(scene);
+  for (int k = 0; k < 60; ++k) ASSERT_NE(bench.drive().outcome, Outcome::fail);  // 3 s against the wall
+  bench.scene().intent = OperatorIntent();
+  EXPECT_NE(bench.drive().outcome, Outcome::fail);  // not stuck since 3 s: autonomy has only just begun
+}
+
+TEST(Direct, GuardedTakesTheNearestLegalControl) {
+  Scene scene = driving();
+  scene.intent.state = OperatorStateId::manual;
+  scene.intent.influence = Influence::direct;
+  scene.intent.u_h = {0.2, 0.7};
+  PlannerBench free(scene);
+  const Decision& decision = free.cycle();
+  EXPECT_TRUE(decision.sample == (Twist2{0.2, 0.7}));
+  EXPECT_EQ(decision.total, 0.0);  // the deviation alone
+
+  scene.fill(1.2, -9.0, 9.0, 9.0);
+  scene.intent.u_h = {0.5, 0.0};
+  PlannerBench wall(scene);
+  for (int k = 0; k < 200; ++k) {
+    wall.drive();
+    ASSERT_LT(test::naive_overlap(wall.scene().grid(), {wall.scene().outline, 0.0},
+                                  wall.scene().situation.pose, true),
+              1e-9);
+  }
+  EXPECT_NEAR(wall.scene().situation.last_command.v, 0.0, 0.05);
+}
+
+TEST(Direct, UnguardedPassesWithinLimitsAndAccelerations) {
+  Scene scene = driving(0.3);
+  scene.fill(0.3, -9.0, 9.0, 9.0);
+  scene.intent.state = OperatorStateId::manual;
+  scene.intent.influence = Influence::direct;
+  scene.intent.guarded = false;
+  scene.intent.u_h = {9.0, -9.0};
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(decision.outcome, Outcome::drive);
+  EXPECT_TRUE(decision.sample == (Twist2{0.5, -1.0}));
+  EXPECT_NEAR(decision.command.v, 0.425, 1e-12);      // 0.3 + 2.5 * 0.05
+  EXPECT_NEAR(decision.command.omega, -0.16, 1e-12);  // 3.2 * 0.05
+  scene.intent.u_h = {};
+  scene.situation.velocity = scene.situation.last_command = {};
+  PlannerBench idle(scene);
+  EXPECT_EQ(idle.cycle().outcome, Outcome::hold);
+}
+
+TEST(PlanOutsideTheMap, ASteeredRobotGoesOnAutonomyDoesNot) {
+  Scene scene = driving();
+  for (Pose2& pose : scene.situation.plan) pose.x += 100.0;
+  scene.situation.goal.x += 100.0;
+  PlannerBench autonomy(scene);
+  const Decision alone = autonomy.cycle();
+  EXPECT_EQ(alone.outcome, Outcome::brake);
+  EXPECT_NE(alone.problem.find("plan"), std::string::npos);
+  scene.situation.velocity = scene.situation.last_command = {};
+  EXPECT_EQ(PlannerBench(scene).cycle().outcome, Outcome::fail);
+  scene.steer({0.5, 0.6});
+  PlannerBench steered(scene);
+  const Decision& decision = steered.cycle();
+  EXPECT_EQ(decision.outcome, Outcome::drive);
+  EXPECT_TRUE(decision.sample == (Twist2{0.5, 0.6}));
+}
+
+// With weak weights the bearing to the plan decides: 90 degrees to the left.
+TEST(PlanOutsideTheMap, TheBearingToThePlanPullsBack) {
+  Scene scene = driving();
+  for (Pose2& pose : scene.situation.plan) pose = {0.0, 100.0 + pose.x, 0.0};
+  scene.situation.goal = {0.0, 200.0, 0.0};
+  scene.parameters.s_v = scene.parameters.s_omega = 0.1;
+  scene.steer({0.5, 0.0});
+  PlannerBench bench(scene);
+  EXPECT_GT(bench.cycle().sample.omega, 0.5);
+}
+
+TEST(Stuck, AutonomyThatPrefersStandingStillFailsAfterAWhile) {
+  Scene scene = driving(0.0);
+  scene.situation.plan = {{0.0, 0.0, 0.0}};  // nowhere to go, but the goal is not here
+  scene.situation.goal = {3.0, 0.0, 0.0};
+  PlannerBench bench(scene);
+  double failed_at = -1.0;
+  for (int k = 0; k < 60 && failed_at < 0.0; ++k) {
+    const double now = bench.scene().situation.time;
+    const Decision& decision = bench.drive();
+    if (decision.outcome == Outcome::fail) {
+      failed_at = now;
+      EXPECT_NE(decision.problem.find("stuck"), std::string::npos);
+    } else {
+      EXPECT_EQ(decision.outcome, Outcome::hold);
+    }
+  }
+  // More than blocked_time (1 s) after the first cycle at rest, in cycles of 0.05 s.
+  EXPECT_GT(failed_at, 1.0 - 1e-9);
+  EXPECT_LT(failed_at, 1.1 + 1e-9);
+}
+
+TEST(Stuck, AtTheGoalStandingStillIsNoFailure) {
+  Scene scene = driving(0.0);
+  scene.situation.plan = {{0.0, 0.0, 0.0}};
+  scene.situation.goal = {0.0, 0.0, 0.0};
+  scene.situation.goal_latched = true;
+  PlannerBench bench(scene);
+  for (int k = 0; k < 60; ++k) EXPECT_EQ(bench.drive().outcome, Outcome::hold);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

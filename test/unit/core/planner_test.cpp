@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole cycle: cost, outcomes, explanations. The default robot: 0.5 m/s, 1 rad/s, 2.5 m/s^2, 3.2 rad/s^2,
+// a square of 0.4 m, cycles of 0.05 s.
+#include <gtest/gtest.h>
+
+#include "support/planner_bench.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::PlannerBench;
+using test::refusals_by;
+using test::Scene;
+
+Scene driving(double v = 0.5) {
+  Scene scene = Scene::empty(81);
+  scene.situation.velocity = scene.situation.last_command = {v, 0.0};
+  return scene;
+}
+
+TEST(PlannerCycle, DrivesAlongAFreePlan) {
+  PlannerBench bench(driving());
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(decision.outcome, Outcome::drive);
+  EXPECT_TRUE(decision.command == (Twist2{0.5, 0.0}));
+  EXPECT_TRUE(decision.refusals.empty());
+  EXPECT_EQ(decision.legal, decision.candidates);
+  EXPECT_EQ(decision.candidates, 421u);  // 419, stopping, the last command
+  EXPECT_TRUE(decision.problem.empty());
+  EXPECT_NEAR(decision.trajectory.back().x, 0.85, 1e-9);  // 0.5 * 1.7
+  EXPECT_NEAR(decision.step * static_cast<double>(decision.trajectory.size() - 1), 1.7, 1e-9);
+}
+
+TEST(PlannerCycle, TheCommandIsTheFirstFeasibleStep) {
+  PlannerBench bench(driving(0.0));
+  const Decision& decision = bench.cycle();
+  EXPECT_DOUBLE_EQ(decision.command.v, 0.125);  // 2.5 * 0.05
+  EXPECT_EQ(decision.sample.v, 0.5);
+  Scene scene = driving(0.0);
+  scene.parameters.command = CommandPolicy::target;
+  PlannerBench target(scene);
+  EXPECT_EQ(target.cycle().command.v, 0.5);
+}
+
+TEST(PlannerCost, TheTotalIsTheSumOfItsTerms) {
+  Scene scene = driving();
+  scene.situation.pose.y = 0.3;
+  scene.steer({0.5, 0.4});
+  scene.parameters.s_nv = 2.0;
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  double sum = 0.0;
+  for (const CriticTerm& term : decision.terms) sum += term.raw * term.weight;
+  EXPECT_NEAR(decision.total, sum, 1e-9);
+  EXPECT_EQ(decision.terms.back().name, "OperatorDeviation");
+  EXPECT_EQ(decision.terms.size(), 8u);
+}
+
+TEST(PlannerCost, AutonomyIsWeighedByItsScale) {
+  Scene scene = driving();
+  scene.situation.pose.y = 0.3;
+  PlannerBench one(scene);
+  one.cycle();
+  const std::vector<CandidateRecord> single = one.planner().evaluation();
+  scene.parameters.s_nv = 3.0;
+  PlannerBench three(scene);
+  three.cycle();
+  const std::vector<CandidateRecord> triple = three.planner().evaluation();
+  ASSERT_EQ(single.size(), triple.size());
+  for (std::size_t c = 0; c < single.size(); ++c) EXPECT_NEAR(triple[c].total, 3.0 * single[c].total, 1e-9);
+}
+
+TEST(PlannerCost, WithoutAutonomyOnlyTheDeviationIsLeft) {
+  Scene scene = driving();
+  scene.steer({0.3, -0.35});
+  scene.parameters.s_nv = 0.0;
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_TRUE(decision.sample == (Twist2{0.3, -0.35}));  // its own sample: no deviation at all
+  EXPECT_EQ(decision.total, 0.0);
+  const std::vector<CandidateRecord> records = bench.planner().evaluation();
+  for (const CandidateRecord& record : records) {
+    EXPECT_NEAR(record.total,
+                400.0 * std::abs(0.3 - record.sample.v) + 800.0 * std::abs(-0.35 - record.sample.omega),
+                1e-9);
+  }
+}
+
+TEST(PlannerOutcome, NothingLegalBrakesWhileMovingThenFails) {
+  // Obstacles everywhere, and no escape.
+  Scene scene = driving(0.3);
+  scene.fill(-9.0, -9.0, 9.0, 9.0);
+  scene.parameters.escape = false;
+  PlannerBench bench(scene);
+  const Decision& moving = bench.drive();
+  EXPECT_EQ(moving.outcome, Outcome::brake);
+  EXPECT_NEAR(moving.command.v, 0.175, 1e-12);  // 0.3 - 2.5 * 0.05
+  EXPECT_EQ(moving.legal, 0u);
+  EXPECT_EQ(refusals_by(moving, "Collision"), moving.candidates);
+  EXPECT_FALSE(moving.problem.empty());
+  EXPECT_EQ(bench.drive().outcome, Outcome::brake);  // 0.05
+  EXPECT_EQ(bench.drive().outcome, Outcome::brake);  // 0.0, from 0.05
+  EXPECT_EQ(bench.drive().outcome, Outcome::fail);
+}
+
+TEST(PlannerOutcome, StopInfluenceBrakesAndHolds) {
+  Scene scene = driving(0.3);
+  scene.situation.velocity.omega = scene.situation.last_command.omega = -0.2;
+  scene.intent.state = OperatorStateId::stopped;
+  scene.intent.influence = Influence::stop;
+  PlannerBench bench(scene);
+  const Decision first = bench.drive();
+  EXPECT_EQ(first.outcome, Outcome::brake);
+  EXPECT_NEAR(first.command.v, 0.175, 1e-12);
+  EXPECT_NEAR(first.command.omega, -0.04, 1e-12);  // -0.2 + 3.2 * 0.05
+  EXPECT_NEAR(bench.drive().command.v, 0.05, 1e-12);
+  for (int k = 0; k < 60; ++k) {  // three seconds: holding is no failure
+    const Decision& held = bench.drive();
+    EXPECT_EQ(held.outcome, Outcome::hold);
+    EXPECT_TRUE(held.command == Twist2{});
+  }
+}
+
+TEST(PlannerRefusals, AddUpAndAreNamedInOrder) {
+  Scene scene = driving();
+  scene.fill(0.45, -0.35, 0.7, 9.0);  // ahead and to the left
+  for (int j = 0; j < scene.size_y; ++j) {
+    for (int i = 0; i < scene.size_x; ++i) {
+      const Point c = scene.grid().centre({i, j});
+      if (scene.at({i, j}) == cost::kFree && c.x() > 0.1 && c.y() > -0.55)
+        scene.at({i, j}) = cost::kInscribed;
+    }
+  }
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  std::size_t sum = decision.legal;
+  for (const RefusalCount& refusal : decision.refusals) sum += refusal.count;
+  EXPECT_EQ(sum, decision.candidates);
+  EXPECT_GT(refusals_by(decision, "Collision"), 0u);
+  EXPECT_GT(refusals_by(decision, "BaseObstacle"), 0u);
+  EXPECT_GT(decision.legal, 0u);
+  EXPECT_EQ(decision.refusals.front().name, "Collision");
+  std::size_t refused = 0;
+  for (const CandidateRecord& record : bench.planner().evaluation()) {
+    EXPECT_EQ(record.refused_by.empty(), record.total >= 0.0);
+    EXPECT_EQ(record.refused_by.empty(), record.reason.empty());
+    refused += !record.refused_by.empty();
+  }
+  EXPECT_EQ(refused, decision.candidates - decision.legal);
+}
+
+TEST(PlannerMarks, BestWorstAndTheOperatorsOwn) {
+  Scene scene = driving();
+  scene.steer({0.5, 0.33});
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  const Planner::Marked marked = bench.planner().marked();
+  const std::vector<CandidateRecord> records = bench.planner().evaluation();
+  ASSERT_GE(marked.best, 0);
+  EXPECT_TRUE(records[static_cast<std::size_t>(marked.best)].sample == decision.sample);
+  EXPECT_EQ(records[static_cast<std::size_t>(marked.best)].total, decision.total);
+  EXPECT_TRUE(records[static_cast<std::size_t>(marked.operator_own)].sample == (Twist2{0.5, 0.33}));
+  for (const CandidateRecord& record : records) {
+    EXPECT_LE(record.total, records[static_cast<std::size_t>(marked.worst)].total);
+  }
+}
+
+TEST(PlannerSampling, NumbersOfOneCycleOverrideTheParameters) {
+  PlannerBench bench(driving());
+  const Sampling sampling{5, 4};
+  const Decision& decision =
+      bench.planner().plan(bench.scene().situation, bench.scene().grid(), bench.scene().intent, sampling);
+  EXPECT_EQ(decision.candidates,
+            5u * 5u - 1u + 2u);  // 5 x (4 and 0) without (0, 0); stopping, the last command
+}
+
+TEST(PlannerConfigure, ASetIsTakenWholeOrNotAtAll) {
+  Planner planner;
+  Parameters p;
+  p.max_vel_x = 0.7;
+  ASSERT_TRUE(planner.configure(p).empty());
+  p.max_vel_x = 0.9;
+  p.sim_time = -1.0;
+  p.critics = "PathDist, Nonsense, Rubbish";
+  const std::vector<std::string> faults = planner.configure(p);
+  EXPECT_EQ(faults.size(), 3u);
+  EXPECT_NE(faults[1].find("Nonsense"), std::string::npos);
+  EXPECT_NE(faults[1].find("PathAlign"), std::string::npos);  // says which there are
+  EXPECT_EQ(planner.parameters().max_vel_x, 0.7);
+  EXPECT_EQ(planner.parameters().critics, Parameters().critics);
+}
+
+TEST(PlannerConfigure, TakesEffectInTheNextCycleAndPadsTheFootprint) {
+  PlannerBench bench(driving());
+  EXPECT_EQ(bench.cycle().sample.v, 0.5);
+  Parameters p = bench.scene().parameters;
+  p.max_vel_x = 0.3;
+  p.footprint_padding = 0.05;
+  ASSERT_TRUE(bench.planner().configure(p).empty());
+  EXPECT_LE(bench.cycle().sample.v, 0.3);
+  EXPECT_NEAR(bench.planner().footprint().inscribed_radius(), 0.25, 1e-12);
+}
+
+TEST(PlannerConfigure, CriticsThatStayKeepWhatTheyLatched) {
+  // In the goal's tolerance at rest RotateToGoal latches; slid out again it must still refuse to drive.
+  Scene scene = driving(0.0);
+  scene.situation.goal = {0.2, 0.0, 1.5};
+  PlannerBench bench(scene);
+  bench.cycle();
+  ASSERT_TRUE(bench.planner().configure(scene.parameters).empty());
+  bench.scene().situation.pose.x = -0.3;
+  EXPECT_GT(refusals_by(bench.cycle(), "RotateToGoal"), 300u);
+  bench.planner().reset();
+  EXPECT_EQ(refusals_by(bench.cycle(), "RotateToGoal"), 0u);
+}
+
+TEST(PlannerRepeat, TheSameBits) {
+  Scene scene = driving();
+  scene.situation.pose = {0.013, 0.21, 0.3};
+  scene.fill(0.6, 0.1, 0.9, 0.4);
+  scene.steer({0.5, 0.2});
+  PlannerBench bench(scene);
+  const Decision first = bench.cycle();
+  bench.planner().reset();
+  const Decision second = bench.cycle();
+  EXPECT_TRUE(first.command == second.command);
+  EXPECT_EQ(first.total, second.total);
+}
+
+TEST(PlannerGoal, TurnsOnTheSpotOnceThere) {
+  Scene scene = driving(0.0);
+  scene.situation.goal = {0.1, 0.0, 1.0};
+  scene.situation.plan = {{-0.1, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.05, 0.0, 0.0}, {0.1, 0.0, 1.0}};
+  scene.situation.goal_latched = true;
+  PlannerBench bench(scene);
+  for (int k = 0; k < 80; ++k) bench.drive();
+  EXPECT_NEAR(bench.scene().situation.pose.theta, 1.0, scene.parameters.yaw_goal_tolerance);
+  EXPECT_EQ(bench.scene().situation.pose.x, 0.0);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "support/critic_bench.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::CriticBench;
+using test::Scene;
+using test::Verdict;
+
+// Tolerance 0.25 m, stopped below 0.1 m/s, slowing factor 5. The goal at the origin looks along 1.0 rad.
+CriticBench bench_at(double x, double v) {
+  Scene scene = Scene::empty();
+  scene.situation.goal = {0.0, 0.0, 1.0};
+  scene.situation.pose = {x, 0.0, 0.0};
+  scene.situation.velocity = {v, 0.0};
+  return CriticBench("RotateToGoal", scene);
+}
+
+const std::vector<Pose2> kEndsAtPointFour{{}, {0.1, 0.0, 0.4}};
+
+TEST(RotateToGoal, OutsideTheToleranceItSaysNothing) {
+  CriticBench bench = bench_at(0.26, 0.4);
+  bench.prepare();
+  const Verdict verdict = bench.score({0.5, 0.0}, kEndsAtPointFour);
+  EXPECT_FALSE(verdict.refused());
+  EXPECT_EQ(verdict.raw, 0.0);
+  EXPECT_EQ(bench.weight(), 32.0);
+}
+
+TEST(RotateToGoal, StillDrivingInsideItMustSlowDown) {
+  CriticBench bench = bench_at(0.24, 0.4);
+  bench.prepare();
+  EXPECT_TRUE(bench.score({0.4, 0.0}, kEndsAtPointFour).refused());
+  EXPECT_TRUE(bench.score({-0.4, 0.0}, kEndsAtPointFour).refused());
+  const Verdict slower = bench.score({0.3, 0.0}, kEndsAtPointFour);
+  EXPECT_FALSE(slower.refused());
+  EXPECT_NEAR(slower.raw, 0.09 * 5.0 + 0.6, 1e-12);  // v^2 * 5 + |1.0 - 0.4|
+}
+
+TEST(RotateToGoal, StoppedItOnlyTurns) {
+  CriticBench bench = bench_at(0.24, 0.1);
+  bench.prepare();
+  EXPECT_TRUE(bench.score({0.05, 0.5}, kEndsAtPointFour).refused());
+  EXPECT_TRUE(bench.score({-0.05, 0.5}, kEndsAtPointFour).refused());
+  const Verdict turning = bench.score({0.0, 0.5}, kEndsAtPointFour);
+  EXPECT_FALSE(turning.refused());
+  EXPECT_NEAR(turning.raw, 0.6, 1e-12);
+}
+
+TEST(RotateToGoal, TheHeadingErrorIsTheShortWayRound) {
+  CriticBench bench = bench_at(0.0, 0.0);
+  bench.scene().situation.goal.theta = 3.0;
+  bench.prepare();
+  // From -3.0 to 3.0 it is 2 pi - 6.
+  EXPECT_NEAR(bench.score({0.0, 0.5}, {{}, {0.0, 0.0, -3.0}}).raw, 2.0 * M_PI - 6.0, 1e-12);
+}
+
+TEST(RotateToGoal, BothLatchesHoldUntilANewGoal) {
+  CriticBench bench = bench_at(0.24, 0.4);
+  bench.prepare();
+  bench.scene().situation.pose.x = 0.6;  // slid out of the tolerance
+  bench.prepare();
+  EXPECT_TRUE(bench.score({0.4, 0.0}, kEndsAtPointFour).refused());
+  bench.scene().situation.velocity.v = 0.05;  // stopped ...
+  bench.prepare();
+  bench.scene().situation.velocity.v = 0.4;  // ... and pushed on
+  bench.prepare();
+  EXPECT_TRUE(bench.score({0.05, 0.0}, kEndsAtPointFour).refused());
+  bench.critic().reset();
+  bench.prepare();
+  EXPECT_EQ(bench.score({0.4, 0.0}, kEndsAtPointFour).raw, 0.0);
+  EXPECT_FALSE(bench.score({0.4, 0.0}, kEndsAtPointFour).refused());
+}
+
+TEST(RotateToGoal, LookaheadInterpolatesBetweenPoses) {
+  Scene scene = Scene::empty();
+  scene.situation.goal = {0.0, 0.0, 1.0};
+  scene.parameters.RotateToGoal_lookahead_time = 0.25;
+  CriticBench bench("RotateToGoal", scene);
+  bench.prepare();
+  // Steps of 0.1 s at headings 0, 0.1, 0.2, 0.4: 0.25 s lies halfway between 0.2 and 0.4.
+  const std::vector<Pose2> poses{{}, {0, 0, 0.1}, {0, 0, 0.2}, {0, 0, 0.4}};
+  EXPECT_NEAR(bench.score({0.0, 1.0}, poses).raw, 1.0 - 0.3, 1e-12);
+  scene.parameters.RotateToGoal_lookahead_time = 9.0;  // beyond the end: the end
+  CriticBench late("RotateToGoal", scene);
+  late.prepare();
+  EXPECT_NEAR(late.score({0.0, 1.0}, poses).raw, 0.6, 1e-12);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

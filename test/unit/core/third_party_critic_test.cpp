@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Critics of other packages: chosen by name, weighed, and not trusted.
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "support/planner_bench.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::PlannerBench;
+using test::refusals_by;
+using test::Scene;
+
+// Says `value` of every candidate, or refuses those that turn left.
+class Opinion : public Critic {
+ public:
+  explicit Opinion(double value, bool refuses_left = false, bool refuses_all = false)
+      : value_(value), refuses_left_(refuses_left), refuses_all_(refuses_all) {}
+  double configure(const Parameters& /*parameters*/, const ParameterSource& own) override {
+    return own.number("scale", 2.0);
+  }
+  void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
+    for (std::size_t c = 0; c < tile.count; ++c) {
+      if (refuses_all_ || (refuses_left_ && tile.omega > 0.0)) {
+        scores.refuse(c, "in my opinion");
+      } else {
+        scores.set(c, value_);
+      }
+    }
+  }
+
+ private:
+  double value_;
+  bool refuses_left_, refuses_all_;
+};
+
+CriticRegistry with(const std::function<std::shared_ptr<Critic>()>& maker) {
+  CriticRegistry registry = CriticRegistry::with_built_in();
+  registry.add("Opinion", maker);
+  return registry;
+}
+
+Scene asking(double v = 0.5) {
+  Scene scene = Scene::empty(81);
+  scene.situation.velocity = scene.situation.last_command = {v, 0.0};
+  scene.parameters.critics = "PathDist, Opinion";
+  return scene;
+}
+
+TEST(ThirdPartyCritic, IsWeighedAndListed) {
+  PlannerBench bench(asking(), with([] { return std::make_shared<Opinion>(3.0); }));
+  const Decision& decision = bench.cycle();
+  ASSERT_EQ(decision.terms.size(), 3u);
+  EXPECT_EQ(decision.terms[1].name, "Opinion");
+  EXPECT_EQ(decision.terms[1].raw, 3.0);
+  EXPECT_EQ(decision.terms[1].weight, 2.0);
+  EXPECT_NEAR(decision.total, decision.terms[0].raw * 16.0 + 6.0, 1e-9);
+}
+
+TEST(ThirdPartyCritic, ReadsItsOwnParameters) {
+  struct Source : ParameterSource {
+    double number(const std::string& key, double fallback) const override {
+      return key == "scale" ? 5.0 : fallback;
+    }
+    bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
+  };
+  Planner planner(with([] { return std::make_shared<Opinion>(3.0); }));
+  const Scene scene = asking();
+  const auto source = [](const std::string& name) -> std::unique_ptr<ParameterSource> {
+    if (name == "Opinion") return std::make_unique<Source>();
+    return nullptr;
+  };
+  ASSERT_TRUE(planner.configure(scene.parameters, source).empty());
+  planner.set_footprint(scene.outline);
+  EXPECT_EQ(planner.plan(scene.situation, scene.grid(), scene.intent).terms[1].weight, 5.0);
+}
+
+TEST(ThirdPartyCritic, ItsRefusalsCountUnderItsName) {
+  PlannerBench bench(asking(), with([] { return std::make_shared<Opinion>(0.0, true); }));
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(refusals_by(decision, "Opinion"), 200u);  // 20 speeds x 10 left turns
+  EXPECT_EQ(decision.outcome, Outcome::drive);
+}
+
+TEST(ThirdPartyCritic, RefusingEverythingBrakesThenFails) {
+  PlannerBench bench(asking(0.2), with([] { return std::make_shared<Opinion>(0.0, false, true); }));
+  const Decision first = bench.drive();
+  EXPECT_EQ(first.outcome, Outcome::brake);
+  EXPECT_NEAR(first.command.v, 0.075, 1e-12);  // 0.2 - 0.125
+  EXPECT_EQ(refusals_by(first, "Opinion"), first.candidates);
+  bench.drive();
+  EXPECT_EQ(bench.drive().outcome, Outcome::fail);
+}
+
+TEST(ThirdPartyCritic, NotANumberIsARefusalOfTheOneThatSaidIt) {
+  for (const double value :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    PlannerBench bench(asking(0.2), with([value] { return std::make_shared<Opinion>(value); }));
+    const Decision& decision = bench.cycle();
+    EXPECT_EQ(decision.outcome, Outcome::brake);
+    EXPECT_NEAR(decision.command.v, 0.075, 1e-12);
+    EXPECT_EQ(refusals_by(decision, "Opinion"), decision.candidates);
+    EXPECT_EQ(refusals_by(decision, "PathDist"), 0u);
+  }
+}
+
+TEST(ThirdPartyCritic, WeightZeroTurnsItOffRefusalsIncluded) {
+  struct Off : Opinion {
+    Off() : Opinion(0.0, false, true) {}
+    double configure(const Parameters& /*parameters*/, const ParameterSource& /*own*/) override {
+      return 0.0;
+    }
+  };
+  PlannerBench bench(asking(), with([] { return std::make_shared<Off>(); }));
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(decision.outcome, Outcome::drive);
+  EXPECT_EQ(decision.legal, decision.candidates);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

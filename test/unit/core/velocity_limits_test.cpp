@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/core/velocity_limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/random.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// Accelerates at 2, brakes at 4, between -1 and 1.
+constexpr AxisLimits kAxis{-1.0, 1.0, 2.0, 4.0};
+
+TEST(AxisRamp, AcceleratesAwayFromZeroAndStopsAtTheTarget) {
+  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, 1.0, 0.1), 0.4);     // 0.2 + 2 * 0.1
+  EXPECT_DOUBLE_EQ(kAxis.ramp(-0.2, -1.0, 0.1), -0.4);  // -0.2 - 2 * 0.1
+  EXPECT_EQ(kAxis.ramp(0.2, 0.3, 0.1), 0.3);            // needs 0.05 s only
+  EXPECT_EQ(kAxis.ramp(0.0, 0.0, 0.1), 0.0);
+}
+
+TEST(AxisRamp, BrakesTowardsZero) {
+  EXPECT_DOUBLE_EQ(kAxis.ramp(0.9, 0.0, 0.1), 0.5);  // 0.9 - 4 * 0.1
+  EXPECT_DOUBLE_EQ(kAxis.ramp(-0.9, -0.1, 0.1), -0.5);
+  EXPECT_EQ(kAxis.ramp(0.3, 0.0, 0.1), 0.0);  // needs 0.075 s only
+  EXPECT_EQ(kAxis.ramp(0.9, 0.8, 0.1), 0.8);
+}
+
+TEST(AxisRamp, ThroughZeroBrakesFirstAndAcceleratesThen) {
+  // 0.2 / 4 = 0.05 s to rest, the other 0.05 s at 2.
+  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, -1.0, 0.1), -0.1);
+  EXPECT_DOUBLE_EQ(kAxis.ramp(-0.2, 1.0, 0.1), 0.1);
+  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, -1.0, 0.05), 0.0);
+  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, -1.0, 0.025), 0.1);
+  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, -0.05, 0.1), -0.05);
+}
+
+TEST(AxisRamp, TimeAndDistanceToRest) {
+  EXPECT_DOUBLE_EQ(kAxis.time_to_rest(-0.8), 0.2);      // 0.8 / 4
+  EXPECT_DOUBLE_EQ(kAxis.distance_to_rest(0.8), 0.08);  // 0.8^2 / (2 * 4)
+}
+
+TEST(Reachable, WindowBetweenBrakingAndAccelerating) {
+  const Interval inside = reachable(kAxis, 0.5, 0.1);
+  EXPECT_DOUBLE_EQ(inside.lo, 0.1);  // 0.5 - 4 * 0.1
+  EXPECT_DOUBLE_EQ(inside.hi, 0.7);  // 0.5 + 2 * 0.1
+  const Interval through = reachable(kAxis, 0.2, 0.1);
+  EXPECT_DOUBLE_EQ(through.lo, -0.1);  // 0.05 s to rest, 0.05 s at 2
+  const Interval cut = reachable(kAxis, 0.9, 1.0);
+  EXPECT_EQ(cut.hi, 1.0);
+  EXPECT_EQ(cut.lo, -1.0);
+}
+
+TEST(Reachable, OutsideTheLimitsIsBroughtBackAndNeverEmpty) {
+  // 1.8 - 4 * 0.1 = 1.4 is still above 1: the end nearest to the limits alone.
+  EXPECT_DOUBLE_EQ(reachable(kAxis, 1.8, 0.1).lo, 1.4);
+  EXPECT_DOUBLE_EQ(reachable(kAxis, 1.8, 0.1).hi, 1.4);
+  EXPECT_DOUBLE_EQ(reachable(kAxis, -1.8, 0.1).hi, -1.4);
+  // 1.2 - 0.4 = 0.8 is inside: from there to the limit.
+  EXPECT_DOUBLE_EQ(reachable(kAxis, 1.2, 0.1).lo, 0.8);
+  EXPECT_EQ(reachable(kAxis, 1.2, 0.1).hi, 1.0);
+  test::Random random(1);
+  for (int k = 0; k < 2000; ++k) {
+    const double velocity = random.uniform(-20.0, 20.0), dt = random.uniform(1e-4, 3.0);
+    const Interval window = reachable(kAxis, velocity, dt);
+    ASSERT_LE(window.lo, window.hi) << velocity << " " << dt;
+    // Never farther outside than it was.
+    ASSERT_LE(std::max(std::abs(window.lo), std::abs(window.hi)), std::max(1.0, std::abs(velocity)));
+  }
+}
+
+VelocityLimits wheeled() {
+  VelocityLimits limits;
+  limits.x = {-0.3, 0.5, 2.5, 2.5};
+  limits.theta = {-2.0, 2.0, 3.2, 3.2};
+  limits.half_separation = 0.2;
+  limits.wheel_speed = 0.5;
+  return limits;
+}
+
+TEST(WheelLimit, IsTheSumOfDrivingAndTurning) {
+  const VelocityLimits limits = wheeled();
+  EXPECT_TRUE(limits.wheels_allow({0.3, 1.0}));  // 0.3 + 1.0 * 0.2 = 0.5
+  EXPECT_FALSE(limits.wheels_allow({0.31, 1.0}));
+  EXPECT_TRUE(limits.wheels_allow({-0.3, -1.0}));
+  EXPECT_FALSE(limits.wheels_allow({-0.31, 1.0}));
+}
+
+TEST(WheelLimit, ClampKeepsTheTurnAndReducesTheSpeed) {
+  const VelocityLimits limits = wheeled();
+  const Twist2 u = limits.clamp({0.5, 1.5});
+  EXPECT_EQ(u.omega, 1.5);
+  EXPECT_DOUBLE_EQ(u.v, 0.2);  // 0.5 - 1.5 * 0.2
+  EXPECT_DOUBLE_EQ(limits.clamp({-9.0, 1.5}).v, -0.2);
+  EXPECT_EQ(limits.clamp({0.5, -9.0}).omega, -2.0);
+  // Wheels too slow for the turn itself: 0.3 / 0.2 = 1.5 rad/s on the spot.
+  VelocityLimits slow = wheeled();
+  slow.wheel_speed = 0.3;
+  EXPECT_DOUBLE_EQ(slow.clamp({0.5, -2.0}).omega, -1.5);
+  EXPECT_DOUBLE_EQ(slow.clamp({0.5, -2.0}).v, 0.0);
+}
+
+TEST(WheelLimit, FromParameters) {
+  Parameters p;
+  p.wheel_radius = 0.1;
+  p.wheel_separation = 0.4;
+  p.max_wheel_velocity = 5.0;
+  p.decel_lim_x = -1.0;
+  p.decel_lim_theta = 2.0;
+  const VelocityLimits limits = VelocityLimits::from(p);
+  EXPECT_DOUBLE_EQ(limits.wheel_speed, 0.5);  // 0.1 * 5
+  EXPECT_DOUBLE_EQ(limits.half_separation, 0.2);
+  EXPECT_EQ(limits.x.braking, 1.0);  // either sign
+  EXPECT_EQ(limits.theta.braking, 2.0);
+  p.max_wheel_velocity = 0.0;
+  EXPECT_EQ(VelocityLimits::from(p).wheel_speed, 0.0);
+  p.decel_lim_x = 0.0;
+  EXPECT_EQ(VelocityLimits::from(p).x.braking, p.acc_lim_x);
+}
+
+TEST(FeasibleStep, ArithmeticWithinTheWheels) {
+  const VelocityLimits limits = wheeled();
+  // v: 0.2 -> 0.2 + 2.5 * 0.05 = 0.325; omega: 0 -> 3.2 * 0.05 = 0.16; wheels 0.325 + 0.032 < 0.5.
+  const Twist2 u = limits.step({0.2, 0.0}, {0.5, 1.0}, 0.05);
+  EXPECT_DOUBLE_EQ(u.v, 0.325);
+  EXPECT_DOUBLE_EQ(u.omega, 0.16);
+  const Twist2 brake = limits.brake({0.2, -0.5}, 0.05);
+  EXPECT_DOUBLE_EQ(brake.v, 0.075);      // 0.2 - 0.125
+  EXPECT_DOUBLE_EQ(brake.omega, -0.34);  // -0.5 + 0.16
+}
+
+TEST(FeasibleStep, WhereTheWheelsCutTheTurnIsKeptAndTheSpeedGivesWay) {
+  const VelocityLimits limits = wheeled();
+  // omega 0.5 -> 0.66 takes 0.132 of the wheels; v may be 0.368, and 0.4 - 0.125 = 0.275 is in reach.
+  const Twist2 u = limits.step({0.4, 0.5}, {0.5, 2.0}, 0.05);
+  EXPECT_DOUBLE_EQ(u.omega, 0.66);
+  EXPECT_NEAR(u.v, 0.368, 1e-12);
+}
+
+TEST(FeasibleStep, AlwaysWithinLimitsWheelsAndAccelerations) {
+  const VelocityLimits limits = wheeled();
+  test::Random random(2);
+  int cut = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Twist2 reference = limits.clamp({random.uniform(-0.5, 0.7), random.uniform(-3.0, 3.0)});
+    const Twist2 target = limits.clamp({random.uniform(-0.5, 0.7), random.uniform(-3.0, 3.0)});
+    const double dt = random.uniform(0.01, 0.3);
+    const Twist2 u = limits.step(reference, target, dt);
+    cut += u.v != limits.x.ramp(reference.v, target.v, dt);
+    ASSERT_TRUE(limits.wheels_allow(u)) << u.v << " " << u.omega;
+    ASSERT_LE(std::abs(u.v - reference.v), 2.5 * dt + 1e-12);
+    ASSERT_LE(std::abs(u.omega - reference.omega), 3.2 * dt + 1e-12);
+    ASSERT_GE(u.v, -0.3);
+    ASSERT_LE(u.v, 0.5);
+    ASSERT_LE(std::abs(u.omega), 2.0);
+  }
+  EXPECT_GT(cut, 100);  // the wheels did cut
+}
+
+TEST(FeasibleStep, FromBeyondTheWheelsItComesBackAsFastAsTheBrakesAllow) {
+  const VelocityLimits limits = wheeled();
+  test::Random random(3);
+  for (int k = 0; k < 20000; ++k) {
+    const Twist2 reference{random.uniform(-0.6, 1.0), random.uniform(-4.0, 4.0)};
+    const Twist2 u =
+        limits.step(reference, limits.clamp({random.uniform(-0.5, 0.7), random.uniform(-3.0, 3.0)}), 0.05);
+    ASSERT_LE(std::abs(u.v - reference.v), 2.5 * 0.05 + 1e-12);
+    ASSERT_LE(std::abs(u.omega - reference.omega), 3.2 * 0.05 + 1e-12);
+    if (limits.wheels_allow(u)) continue;
+    // Too fast still: then both axes brake fully.
+    const Twist2 brake = limits.brake(reference, 0.05);
+    ASSERT_NEAR(u.v, brake.v, 1e-12) << reference.v << " " << reference.omega;
+    ASSERT_NEAR(u.omega, brake.omega, 1e-12);
+  }
+}
+
+TEST(VelocityReferenceRule, LastCommandWhileOdometryAgrees) {
+  Parameters p;
+  p.velocity_reference_tolerance_x = 0.2;
+  p.velocity_reference_tolerance_theta = 0.5;
+  const Twist2 last{0.4, 0.3};
+  EXPECT_TRUE(velocity_reference(p, {0.21, 0.3}, last) == last);                 // 0.19 off
+  EXPECT_TRUE(velocity_reference(p, {0.19, 0.3}, last) == (Twist2{0.19, 0.3}));  // 0.21 off
+  EXPECT_TRUE(velocity_reference(p, {0.4, -0.19}, last) == last);                // 0.49 off
+  EXPECT_TRUE(velocity_reference(p, {0.4, -0.21}, last) == (Twist2{0.4, -0.21}));
+  p.velocity_reference = VelocityReference::odometry;
+  EXPECT_TRUE(velocity_reference(p, {0.39, 0.3}, last) == (Twist2{0.39, 0.3}));
+}
+
+TEST(VelocityReferenceRule, AStandingRobotInItsDeadBandAgrees) {
+  Parameters p;
+  p.velocity_reference_tolerance_theta = 0.1;
+  p.min_in_place_vel_theta = 0.4;
+  // Inside the dead band the motors stand: 0 agrees with 0.3. Beyond it the tolerance of 0.1 alone counts.
+  EXPECT_TRUE(velocity_reference(p, {0.0, 0.0}, {0.0, 0.3}) == (Twist2{0.0, 0.3}));
+  EXPECT_TRUE(velocity_reference(p, {0.0, 0.0}, {0.0, 0.5}) == (Twist2{0.0, 0.0}));
+  p.min_in_place_vel_theta = 0.0;
+  EXPECT_TRUE(velocity_reference(p, {0.0, 0.0}, {0.0, 0.3}) == (Twist2{0.0, 0.0}));
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

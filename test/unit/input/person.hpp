@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/input/operator_state_machine.hpp"
+
+namespace hidwa_local_planner::input {
+
+inline StickMessage stick_at(double received, float angular, float linear = 0.0F) {
+  StickMessage message;
+  message.axes = {angular, linear};
+  message.buttons = {0, 0};
+  message.received = received;
+  return message;
+}
+
+/// A person with a stick and the control loop, in one hand.
+struct Person {
+  explicit Person(const Parameters& parameters = Parameters()) : p(parameters) { machine.configure(p); }
+
+  std::string stick(double time, float angular, float linear = 0.0F) {
+    return machine.receive(stick_at(time, angular, linear));
+  }
+  OperatorIntent cycle(double time, const CycleFeedback& feedback = CycleFeedback()) {
+    const OperatorIntent intent = machine.update(time);
+    machine.debrief(time, feedback);
+    return intent;
+  }
+  /// Centred at `time`, deflected 0.05 s later, one cycle: SHARED (or what the parameters make of it).
+  OperatorIntent steer(double time, float angular = 1.0F, float linear = 0.0F) {
+    stick(time, 0.0F);
+    stick(time + 0.05, angular, linear);
+    return cycle(time + 0.05);
+  }
+
+  Parameters p;
+  OperatorStateMachine machine;
+};
+
+inline void expect_intent(const OperatorIntent& intent, OperatorStateId state, Influence influence, double v,
+                          double omega) {
+  EXPECT_STREQ(to_string(intent.state), to_string(state));
+  EXPECT_EQ(static_cast<int>(intent.influence), static_cast<int>(influence));
+  EXPECT_DOUBLE_EQ(intent.u_h.v, v);
+  EXPECT_DOUBLE_EQ(intent.u_h.omega, omega);
+}
+
+}  // namespace hidwa_local_planner::input

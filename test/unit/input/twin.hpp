@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hidwa_local_planner/input/operator_state_machine.hpp"
+
+namespace hidwa_local_planner::input {
+
+/// One thing that happened to the state machine.
+struct Event {
+  enum class Kind { message, cycle, new_goal };
+  Kind kind = Kind::cycle;
+  double time = 0.0;       // [s]
+  StickMessage message;    // messages: two axes, no enable button
+  CycleFeedback feedback;  // cycles: what the cycle came to
+};
+
+/// The slow, obvious twin of OperatorStateMachine: keeps no state of its own, but answers every question by
+/// looking through the whole history. Times never go back, stamps neither.
+class Twin {
+ public:
+  Twin(std::vector<Event> history, const Parameters& parameters);
+  /// The intent of every cycle, in order.
+  std::vector<OperatorIntent> intents() const;
+  std::uint32_t dropped() const;
+
+ private:
+  struct Heard {
+    std::size_t event = 0;
+    double time = 0.0;
+    bool deflected = false;
+    Twist2 u_h;
+  };
+  struct Cycle {
+    std::size_t event = 0;
+    double time = 0.0;
+    OperatorStateId state = OperatorStateId::autonomy;
+    CycleFeedback feedback;
+  };
+  enum class Device { quiet, active, lost };
+
+  bool usable(std::size_t event) const;
+  bool readable(const StickMessage& message) const;
+  bool held_back(std::size_t event) const;
+  std::optional<std::size_t> last_heard(std::size_t before_event) const;
+  bool broken(std::size_t first, std::size_t last) const;
+  std::optional<std::size_t> centred_before(std::size_t heard) const;
+  bool counts(std::size_t heard) const;
+  Device device(std::size_t event, double now) const;
+  bool latched(const std::vector<Cycle>& past, std::size_t event) const;
+  bool blocked(const std::vector<Cycle>& past, std::size_t event, double now) const;
+  std::optional<double> held_velocity(const std::vector<Cycle>& past, std::size_t event, double now) const;
+
+  std::vector<Event> history_;
+  Parameters p_;
+  std::vector<Heard> heard_;
+};
+
+}  // namespace hidwa_local_planner::input

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "twin.hpp"
+
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace hidwa_local_planner::input {
+namespace {
+
+/// Makes up a person, a link and a robot.
+class Story {
+ public:
+  explicit Story(unsigned seed) : random_(seed) {}
+
+  Parameters parameters() {
+    Parameters p;
+    p.linear = chance(0.3) ? LinearPolicy::axis : LinearPolicy::v_max;
+    p.hold_linear = chance(0.3) ? HoldLinear::robot : HoldLinear::operator_;
+    p.on_input_lost = static_cast<OnInputLost>(random_() % 3);
+    p.input_timeout = chance(0.2) ? 0.0 : 0.5;
+    p.delta = chance(0.2) ? 0.3 : 2.0;
+    p.blocked_time = chance(0.3) ? 0.1 : 0.6;
+    p.require_neutral = chance(0.7);
+    p.hold_ends_when_refused = chance(0.7);
+    p.operator_in_goal_window = chance(0.2);
+    return p;
+  }
+
+  std::vector<Event> events(int count) {
+    stamps_ = chance(0.6);
+    std::vector<Event> history;
+    for (int i = 0; i < count; ++i) {
+      now_ += chance(0.03) ? uniform(0.3, 3.0) : uniform(0.001, 0.06);
+      Event event;
+      event.time = now_;
+      if (chance(0.5)) {
+        event.kind = Event::Kind::message;
+        event.message = message();
+      } else if (chance(0.02)) {
+        event.kind = Event::Kind::new_goal;
+      } else {
+        event.feedback = feedback();
+      }
+      history.push_back(event);
+    }
+    return history;
+  }
+
+ private:
+  bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+  }
+  float value() { return chance(0.3) ? 0.05F : static_cast<float>(uniform(-1.0, 1.0)); }
+
+  StickMessage message() {
+    if (chance(0.1)) deflected_ = !deflected_;
+    if (chance(0.05)) late_ = chance(0.5) ? uniform(0.0, 2.0) : 0.0;
+    StickMessage m;
+    m.received = now_;
+    m.axes = {deflected_ ? value() : 0.0F, deflected_ ? value() : 0.0F};
+    if (chance(0.03)) m.axes[0] = std::numeric_limits<float>::quiet_NaN();
+    if (chance(0.03)) m.axes[0] = -1.5F;
+    if (chance(0.03)) m.axes.clear();
+    if (stamps_ && !chance(0.1)) {
+      if (!chance(0.2)) stamp_ = std::max(stamp_, now_ - 3.0 - late_);  // the sender's clock is 3 s behind
+      m.stamp = stamp_;
+    }
+    return m;
+  }
+
+  CycleFeedback feedback() {
+    if (chance(0.1)) held_ = chance(0.4);
+    if (chance(0.05)) latched_ = chance(0.2);
+    CycleFeedback f;
+    f.own_command_refused = held_ ? !chance(0.02) : chance(0.02);
+    f.at_rest = held_ ? !chance(0.02) : chance(0.1);
+    f.goal_latched = latched_;
+    f.command = {uniform(0.0, 0.5), uniform(-1.0, 1.0)};
+    return f;
+  }
+
+  std::mt19937 random_;
+  double now_ = 100.0;
+  double stamp_ = 1.0;
+  double late_ = 0.0;
+  bool stamps_ = false;
+  bool deflected_ = false;
+  bool held_ = false;
+  bool latched_ = false;
+};
+
+TEST(OperatorTwin, EveryCycleOfRandomStories) {
+  std::array<std::array<int, 7>, 7> changes{};
+  std::uint32_t dropped = 0;
+  for (unsigned seed = 1; seed <= 1000; ++seed) {
+    Story story(seed);
+    const Parameters p = story.parameters();
+    const std::vector<Event> history = story.events(240);
+    const Twin twin(history, p);
+    const std::vector<OperatorIntent> expected = twin.intents();
+
+    OperatorStateMachine machine;
+    machine.configure(p);
+    std::size_t cycle = 0;
+    for (const Event& event : history) {
+      if (event.kind == Event::Kind::message) {
+        machine.receive(event.message);
+        continue;
+      }
+      if (event.kind == Event::Kind::new_goal) {
+        machine.new_goal();
+        continue;
+      }
+      const OperatorStateId before = machine.state();
+      const OperatorIntent intent = machine.update(event.time);
+      machine.debrief(event.time, event.feedback);
+      const OperatorIntent& wanted = expected[cycle];
+      ASSERT_STREQ(to_string(intent.state), to_string(wanted.state)) << "seed " << seed << " cycle " << cycle;
+      ASSERT_EQ(static_cast<int>(intent.influence), static_cast<int>(wanted.influence)) << "seed " << seed;
+      ASSERT_EQ(intent.u_h.v, wanted.u_h.v) << "seed " << seed << " cycle " << cycle;
+      ASSERT_EQ(intent.u_h.omega, wanted.u_h.omega) << "seed " << seed << " cycle " << cycle;
+      ASSERT_EQ(machine.state(), intent.state);
+      ++changes[static_cast<std::size_t>(before)][static_cast<std::size_t>(intent.state)];
+      ++cycle;
+    }
+    ASSERT_EQ(cycle, expected.size());
+    ASSERT_EQ(machine.dropped(), twin.dropped()) << "seed " << seed;
+    dropped += machine.dropped();
+  }
+
+  // The stories went through every change that there is.
+  using S = OperatorStateId;
+  const std::vector<std::pair<S, S>> all = {
+      {S::autonomy, S::shared},  {S::shared, S::autonomy}, {S::shared, S::hold},      {S::shared, S::lost},
+      {S::shared, S::blocked},   {S::blocked, S::shared},  {S::blocked, S::hold},     {S::blocked, S::lost},
+      {S::blocked, S::autonomy}, {S::hold, S::shared},     {S::hold, S::autonomy},    {S::lost, S::shared},
+      {S::lost, S::hold},        {S::lost, S::autonomy},   {S::autonomy, S::autonomy}};
+  for (const auto& [from, to] : all) {
+    const int times = changes[static_cast<std::size_t>(from)][static_cast<std::size_t>(to)];
+    std::printf("%s -> %s: %d\n", to_string(from), to_string(to), times);
+    EXPECT_GE(times, 5) << to_string(from) << " -> " << to_string(to);
+  }
+  std::printf("dropped: %u\n", dropped);
+  EXPECT_GT(dropped, 1000U);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::input

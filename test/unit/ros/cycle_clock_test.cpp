@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/cycle_clock.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hidwa_local_planner {
+namespace {
+
+TEST(CycleClock, TheFirstCallFollowsAPause) {
+  CycleClock clock;
+  EXPECT_TRUE(clock.tick(100.0, 0.05).paused);
+  EXPECT_FALSE(clock.tick(100.05, 0.05).paused);
+  EXPECT_FALSE(clock.tick(100.25, 0.05).paused);  // three late cycles are no pause
+  EXPECT_TRUE(clock.tick(101.0, 0.05).paused);
+}
+
+TEST(CycleClock, TimeThatJumpsBackIsAPause) {
+  CycleClock clock;
+  clock.tick(100.0, 0.05);
+  const CycleClock::Tick tick = clock.tick(5.0, 0.05);
+  EXPECT_TRUE(tick.jumped_back);
+  EXPECT_TRUE(tick.paused);
+  EXPECT_FALSE(clock.tick(5.05, 0.05).jumped_back);
+}
+
+std::string complaint_at(double interval, double period) {
+  CycleClock clock;
+  std::string said;
+  for (int i = 0; i < 200; ++i) {
+    clock.tick(interval * i, period);
+    said += clock.complaint();
+  }
+  return said;
+}
+
+TEST(CycleClock, ComplainsOnceOfAWrongRate) {
+  EXPECT_EQ(complaint_at(0.05, 0.05), "");
+  EXPECT_EQ(complaint_at(0.06, 0.05), "");  // 17 % slow
+  const std::string said = complaint_at(0.1, 0.05);
+  EXPECT_NE(said.find("10.0 Hz"), std::string::npos) << said;
+  EXPECT_EQ(said.find("10.0 Hz"), said.rfind("10.0 Hz"));
+  EXPECT_NE(said.find("controller_frequency"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

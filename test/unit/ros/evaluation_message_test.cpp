@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/evaluation_message.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hidwa_local_planner {
+namespace {
+
+CandidateRecord candidate(double v, double total, const std::string& refused_by = "") {
+  CandidateRecord record;
+  record.sample = {v, 0.1};
+  record.poses = {{0.0, 0.0, 0.0}, {v, 0.0, 0.1}};
+  record.step = 0.5;
+  record.terms = {{"PathDist", 2.0, 3.0}};
+  record.total = total;
+  record.refused_by = refused_by;
+  record.reason = refused_by.empty() ? "" : "hits";
+  return record;
+}
+
+const std::vector<CandidateRecord> kThree = {candidate(0.1, 6.0), candidate(0.2, 2.0),
+                                             candidate(0.3, -1.0, "Collision")};
+
+TEST(EvaluationMessage, HoldsEveryCandidate) {
+  Planner::Marked marked;
+  marked.best = 1;
+  marked.worst = 0;
+  const Evaluation message = to_evaluation(kThree, marked, "odom", ros::Time(7.0));
+  ASSERT_EQ(message.twists.size(), 3u);
+  EXPECT_EQ(message.header.frame_id, "odom");
+  EXPECT_EQ(message.best_index, 1u);
+  EXPECT_EQ(message.worst_index, 0u);
+  EXPECT_EQ(message.twists[0].traj.velocity.linear.x, 0.1);
+  ASSERT_EQ(message.twists[0].traj.poses.size(), 2u);
+  ASSERT_EQ(message.twists[0].traj.time_offsets.size(), 2u);
+  EXPECT_EQ(message.twists[0].traj.time_offsets[1], 0.5);
+  EXPECT_EQ(message.twists[0].scores[0].name, "PathDist");
+  EXPECT_EQ(message.twists[0].scores[0].raw_score, 2.0);
+  EXPECT_EQ(message.twists[0].scores[0].scale, 3.0);
+  EXPECT_EQ(message.twists[0].total, 6.0);
+  EXPECT_EQ(message.twists[2].refused_by, "Collision");
+  EXPECT_EQ(message.twists[2].total, -1.0);
+}
+
+TEST(EvaluationMessage, NothingChosen) {
+  EXPECT_EQ(to_evaluation(kThree, Planner::Marked(), "odom", ros::Time(7.0)).best_index, Evaluation::NONE);
+}
+
+TEST(EvaluationMessage, MarksTheChosenAndTheOperators) {
+  Planner::Marked marked;
+  marked.best = 1;
+  marked.operator_own = 2;
+  const visualization_msgs::MarkerArray message = to_markers(kThree, marked, "odom", ros::Time(7.0));
+  // One that deletes what was drawn before, three candidates, two marked ones.
+  ASSERT_EQ(message.markers.size(), 6u);
+  EXPECT_EQ(message.markers[0].action, visualization_msgs::Marker::DELETEALL);
+  EXPECT_FLOAT_EQ(message.markers[1].color.r, 1.0f);  // the dearest
+  EXPECT_FLOAT_EQ(message.markers[2].color.g, 1.0f);  // the cheapest
+  EXPECT_EQ(message.markers[3].ns, "refused");
+  EXPECT_EQ(message.markers[4].ns, "operator");
+  EXPECT_EQ(message.markers[5].ns, "chosen");
+  EXPECT_EQ(message.markers[5].points[1].x, 0.2);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

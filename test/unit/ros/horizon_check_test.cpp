@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/horizon_check.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hidwa_local_planner {
+namespace {
+
+TEST(HorizonCheck, TheDefaultsFitAFourMetreMap) {
+  // 0.5 x 1.7 + 0.30 = 1.15 m <= 2 m; 0.5 / 2.5 + 0.1 = 0.3 s <= 1.7 s
+  EXPECT_TRUE(horizon_complaints(Parameters(), 4.0, 4.0, 0.30).empty());
+  EXPECT_TRUE(horizon_complaints(Parameters(), 2.31, 2.31, 0.30).empty());
+}
+
+TEST(HorizonCheck, ASmallMapIsReported) {
+  const auto complaints = horizon_complaints(Parameters(), 4.0, 2.2, 0.30);
+  ASSERT_EQ(complaints.size(), 1u);
+  EXPECT_NE(complaints[0].find("reaches 1.10 m"), std::string::npos) << complaints[0];
+  EXPECT_NE(complaints[0].find("1.15 m"), std::string::npos) << complaints[0];
+}
+
+TEST(HorizonCheck, AShortHorizonIsReported) {
+  Parameters p;
+  p.sim_time = 0.5;
+  p.acc_lim_x = 1.0;  // 0.5 / 1.0 + 0.1 = 0.6 s
+  const auto complaints = horizon_complaints(p, 4.0, 4.0, 0.30);
+  ASSERT_EQ(complaints.size(), 1u);
+  EXPECT_NE(complaints[0].find("0.60 s"), std::string::npos) << complaints[0];
+}
+
+TEST(HorizonCheck, ReverseCountsAsWell) {
+  Parameters p;
+  p.min_vel_x = -1.0;  // 1.0 x 1.7 + 0.3 = 2.0 m
+  EXPECT_EQ(horizon_complaints(p, 3.9, 3.9, 0.30).size(), 1u);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/odometry_input.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace hidwa_local_planner {
+namespace {
+
+nav_msgs::Odometry driving(double v, double stamp) {
+  nav_msgs::Odometry message;
+  message.header.stamp.fromSec(stamp);
+  message.twist.twist.linear.x = v;
+  return message;
+}
+
+TEST(OdometryInput, NothingYet) {
+  const OdometryInput::Reading reading = OdometryInput().read(10.0, 0.5);
+  EXPECT_FALSE(reading.velocity);
+  EXPECT_NE(reading.fault.find("odom_topic"), std::string::npos);
+}
+
+TEST(OdometryInput, OldByReceiveTime) {
+  OdometryInput input;
+  input.receive(driving(0.3, 0.0), 10.0);  // no stamp
+  ASSERT_TRUE(input.read(10.4, 0.5).velocity);
+  EXPECT_EQ(input.read(10.4, 0.5).velocity->v, 0.3);
+  EXPECT_FALSE(input.read(10.6, 0.5).velocity);
+}
+
+TEST(OdometryInput, OldByStamp) {
+  OdometryInput input;
+  input.receive(driving(0.3, 8.0), 10.0);  // late on the way
+  EXPECT_FALSE(input.read(10.1, 0.5).velocity);
+  EXPECT_NE(input.read(10.1, 0.5).fault.find("2.10 s old"), std::string::npos);
+}
+
+TEST(OdometryInput, AStampFromTheFutureDoesNotKeepItFresh) {
+  OdometryInput input;
+  input.receive(driving(0.3, 99.0), 10.0);
+  EXPECT_TRUE(input.read(10.1, 0.5).velocity);
+  EXPECT_FALSE(input.read(11.0, 0.5).velocity);
+}
+
+TEST(OdometryInput, WhatIsNoNumberIsDropped) {
+  ros::Time::init();
+  OdometryInput input;
+  input.receive(driving(0.3, 0.0), 10.0);
+  input.receive(driving(std::numeric_limits<double>::quiet_NaN(), 0.0), 10.1);
+  EXPECT_EQ(input.read(10.2, 0.5).velocity->v, 0.3);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/parameter_loading.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hidwa_local_planner {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+XmlRpcValue list(const std::vector<std::string>& names) {
+  XmlRpcValue value;
+  value.setSize(static_cast<int>(names.size()));
+  for (int i = 0; i < value.size(); ++i) value[i] = names[static_cast<std::size_t>(i)];
+  return value;
+}
+
+bool contains(const std::vector<std::string>& texts, const std::string& part) {
+  for (const std::string& text : texts) {
+    if (text.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+TEST(ParameterLoading, AnEmptyNamespaceIsAllDefaults) {
+  const LoadedParameters loaded = load_parameters(XmlRpcValue());
+  for (const ParameterInfo& info : parameter_table()) {
+    EXPECT_EQ(get_parameter(loaded.parameters, info.name), info.value) << info.name;
+  }
+  EXPECT_TRUE(loaded.faults.empty());
+  EXPECT_TRUE(loaded.warnings.empty());
+  EXPECT_TRUE(loaded.found.empty());
+}
+
+TEST(ParameterLoading, TakesEveryKindOfValue) {
+  XmlRpcValue content;
+  content["max_vel_x"] = 1;  // a whole number for a real one
+  content["acc_lim_x"] = 1.25;
+  content["vx_samples"] = 7;
+  content["escape"] = false;
+  content["odom_topic"] = "wheels";
+  content["generator"] = "dwa";
+  const LoadedParameters loaded = load_parameters(content);
+  EXPECT_TRUE(loaded.faults.empty());
+  EXPECT_EQ(loaded.parameters.max_vel_x, 1.0);
+  EXPECT_EQ(loaded.parameters.acc_lim_x, 1.25);
+  EXPECT_EQ(loaded.parameters.vx_samples, 7);
+  EXPECT_FALSE(loaded.parameters.escape);
+  EXPECT_EQ(loaded.parameters.odom_topic, "wheels");
+  EXPECT_EQ(loaded.parameters.generator, Generator::dwa);
+  EXPECT_EQ(loaded.found.size(), 6u);
+}
+
+TEST(ParameterLoading, CriticsAreAListOrAText) {
+  XmlRpcValue content;
+  content["critics"] = list({"PathDist", "GoalDist"});
+  EXPECT_EQ(split_names(load_parameters(content).parameters.critics),
+            (std::vector<std::string>{"PathDist", "GoalDist"}));
+  content["critics"] = "GoalDist, PathDist";
+  EXPECT_EQ(split_names(load_parameters(content).parameters.critics),
+            (std::vector<std::string>{"GoalDist", "PathDist"}));
+  content["critics"] = list({});
+  EXPECT_TRUE(contains(load_parameters(content).faults, "critics"));
+  XmlRpcValue mixed = list({"PathDist", "GoalDist"});
+  mixed[1] = 3;
+  content["critics"] = mixed;
+  EXPECT_TRUE(contains(load_parameters(content).faults, "list of names"));
+}
+
+// YAML 1.1 makes `mode: off` a boolean.
+TEST(ParameterLoading, TheBareWordOffIsAName) {
+  XmlRpcValue content;
+  content["mode"] = false;
+  const LoadedParameters loaded = load_parameters(content);
+  EXPECT_TRUE(loaded.faults.empty());
+  EXPECT_EQ(loaded.parameters.mode, OperatorMode::off);
+  content["mode"] = true;
+  EXPECT_TRUE(contains(load_parameters(content).faults, "mode"));
+  content.clear();
+  content["generator"] = false;  // has no off
+  EXPECT_TRUE(contains(load_parameters(content).faults, "generator"));
+}
+
+TEST(ParameterLoading, NestedCriticParametersStandForFlatOnes) {
+  XmlRpcValue content;
+  content["PathAlign"]["scale"] = 16.0;
+  content["PathAlign"]["forward_point_distance"] = 0.2;
+  content["PathAlign_scale"] = 8.0;
+  const LoadedParameters loaded = load_parameters(content);
+  EXPECT_TRUE(loaded.faults.empty());
+  EXPECT_TRUE(loaded.warnings.empty());
+  EXPECT_EQ(loaded.parameters.PathAlign_scale, 16.0);
+  EXPECT_EQ(loaded.parameters.PathAlign_forward_point_distance, 0.2);
+  EXPECT_EQ(loaded.aliases.size(), 2u);
+}
+
+TEST(ParameterLoading, UnknownKeysAreNamedWithTheLikelyOne) {
+  XmlRpcValue content;
+  content["max_vel_X"] = 0.4;
+  content["max_trans_vel"] = 0.4;
+  content["something_else"] = 1;
+  content["PathAlign"]["scal"] = 1.0;
+  content["PahtAlign"]["scale"] = 1.0;
+  const LoadedParameters loaded = load_parameters(content);
+  EXPECT_TRUE(loaded.faults.empty());
+  EXPECT_EQ(loaded.warnings.size(), 5u);
+  EXPECT_TRUE(contains(loaded.warnings, "max_vel_X: it has no effect; do you mean max_vel_x?"));
+  EXPECT_TRUE(contains(loaded.warnings, "max_trans_vel: it has no effect; do you mean max_vel_x?"));
+  EXPECT_TRUE(contains(loaded.warnings, "something_else"));
+  EXPECT_TRUE(contains(loaded.warnings, "PathAlign/scal: it has no effect; do you mean PathAlign_scale?"));
+  EXPECT_TRUE(contains(loaded.warnings, "namespace PahtAlign"));
+}
+
+TEST(ParameterLoading, NamespacesOfListedCriticsAreTheirs) {
+  XmlRpcValue content;
+  content["critics"] = list({"PathDist", "some_package/TurnLimit"});
+  content["TurnLimit"]["limit"] = 0.5;
+  EXPECT_TRUE(load_parameters(content).warnings.empty());
+  content["critics"] = list({"PathDist"});
+  EXPECT_EQ(load_parameters(content).warnings.size(), 1u);
+}
+
+TEST(ParameterLoading, FaultsNameTheValueAndTheRemedy) {
+  XmlRpcValue content;
+  content["max_vel_x"] = "fast";
+  content["sim_time"] = "1e0";  // YAML 1.1 takes it for a text
+  content["vx_samples"] = 20.5;
+  content["generator"] = "teb";
+  content["min_vel_theta"] = -1.0;  // outside its range
+  const LoadedParameters loaded = load_parameters(content);
+  EXPECT_EQ(loaded.faults.size(), 5u);
+  EXPECT_TRUE(contains(loaded.faults, "max_vel_x: fast"));
+  EXPECT_TRUE(contains(loaded.faults, "1.0e-3"));
+  EXPECT_TRUE(contains(loaded.faults, "without a decimal point"));
+  EXPECT_TRUE(contains(loaded.faults, "one of standard dwa"));
+  EXPECT_TRUE(contains(loaded.faults, "min_vel_theta"));
+  EXPECT_EQ(loaded.parameters.max_vel_x, Parameters().max_vel_x);
+}
+
+TEST(ParameterLoading, SomethingElseThanParametersIsAFault) {
+  EXPECT_EQ(load_parameters(XmlRpcValue(3)).faults.size(), 1u);
+}
+
+TEST(ParameterLoading, ShortNames) {
+  EXPECT_EQ(short_name("PathDist"), "PathDist");
+  EXPECT_EQ(short_name("package/Class"), "Class");
+  EXPECT_EQ(short_name("package::Class"), "Class");
+}
+
+TEST(ParameterLoading, NothingNearNothingSuggested) { EXPECT_EQ(suggestion_for("zzzzzzzzzzzz"), ""); }
+
+}  // namespace
+}  // namespace hidwa_local_planner

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "hidwa_local_planner/sim/occupancy_map.hpp"
+#include "hidwa_local_planner/sim/random.hpp"
+
+namespace hidwa_local_planner {
+namespace sim {
+
+/// A map whose cells are occupied with probability `density`, each by itself.
+inline OccupancyMap random_map(Random& random, int width, int height, double density) {
+  OccupancyMap map = make_map(width, height, 0.05, -1.3, 0.7);
+  for (Cell& cell : map.cells) {
+    if (random.uniform() < density) cell = Cell::kOccupied;
+  }
+  return map;
+}
+
+inline double uniform(Random& random, double low, double high) {
+  return low + (high - low) * random.uniform();
+}
+
+}  // namespace sim
+}  // namespace hidwa_local_planner
