@@ -1,0 +1,328 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/test, once everything needed is installed: builds, runs every suite, counts."""
+import argparse
+import glob
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+from .counting import Counts, count_ctest, count_unittest
+from .measure import LONGEST_GAP
+from .processes import end_on_signals
+
+ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
+SPACE = os.environ.get('HIDWA_SPACE', ROOT)
+DATA = os.path.abspath(os.environ.get('HIDWA_DATA', os.path.join(ROOT, '..', 'shared', 'data')))
+WORK = os.path.join(SPACE, 'build', 'tests')  # what the tests build and write
+JOBS = str(os.cpu_count() or 1)
+LIMIT = 1200.0        # [s], of one command
+FASTEST = 3.0         # simulated seconds a second, of the drives
+COMPAT = ('nav_core', 'costmap_2d', 'map_server', 'move_base')
+GDC = ('--start', '-7.05,-12.35,3.14', '--goal', '-16.65,32.85,1.57')
+
+
+class Failed(Exception):
+    """A suite could not run; the text says why and ends with the log's tail."""
+
+
+class Absent(Exception):
+    """A suite is skipped; the text names what is absent."""
+
+
+def run(command, log, cwd=ROOT, check=True):
+    """Runs a command into WORK/log.log and returns (exit status, output). What it started ends with it."""
+    os.makedirs(WORK, exist_ok=True)
+    path = os.path.join(WORK, log + '.log')
+    with open(path, 'w', encoding='utf-8') as out:
+        process = subprocess.Popen(command, cwd=cwd, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
+                                   start_new_session=True)
+        try:
+            status = process.wait(LIMIT)
+        except subprocess.TimeoutExpired:
+            status = f'none after {LIMIT:.0f} s'
+        finally:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGTERM)
+                process.wait(60.0)
+    with open(path, encoding='utf-8', errors='replace') as text:
+        output = text.read()
+    if check and status != 0:
+        raise Failed(f'{" ".join(command[:3])} ...: exit status {status}\n{tail(output)}')
+    return status, output
+
+
+def tail(output, lines=40):
+    return '\n'.join('    | ' + line for line in output.splitlines()[-lines:])
+
+
+def sourced(setup, *command):
+    """The command in a shell that has sourced a setup file."""
+    return ['bash', '-c', 'setup=$1; shift; . "$setup" && exec "$@"', 'scripts/test', setup, *command]
+
+
+def in_install(*command):
+    return sourced(os.path.join(ROOT, 'scripts', 'env'), *command)
+
+
+def ctest(folder, log, wrap=lambda *command: list(command), jobs=JOBS):
+    """Runs ctest in a build folder and counts."""
+    _, listing = run(wrap('ctest', '--show-only=json-v1'), log + '_list', cwd=folder)
+    since = time.time() - 1.0
+    _, output = run(wrap('ctest', '-j', jobs, '--output-on-failure'), log, cwd=folder, check=False)
+    counts = count_ctest(output, listing[listing.index('{'):], since)
+    if counts.failed:
+        print(tail(output, 80))
+    return counts
+
+
+def host_packages():
+    """Those of the host's packages that come from compat/ in this build."""
+    return [name for name in COMPAT if os.path.isdir(os.path.join(SPACE, 'build', name))]
+
+
+def plain():
+    """Core, critics, operator and simulation by plain CMake, without ROS."""
+    folder = os.path.join(WORK, 'plain')
+    run(['cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DCMAKE_BUILD_TYPE=Release'],
+        'plain_configure')
+    run(['cmake', '--build', folder, '-j', JOBS], 'plain_build')
+    return ctest(folder, 'plain')
+
+
+def build():
+    """The colcon build of everything; tests that need no ROS are not built twice."""
+    run([os.path.join(ROOT, 'scripts', 'build'), '--tests', '-DHIDWA_TEST_SUITES=unit/ros'], 'build')
+    return Counts(passed=1)
+
+
+def package():
+    """The tests of the plugin's parts, which need ROS to build."""
+    return ctest(os.path.join(SPACE, 'build', 'hidwa_local_planner'), 'package', in_install)
+
+
+def compat():
+    """The tests of compat/."""
+    names = host_packages()
+    if not names:
+        raise Absent('compat/ is not in use: the real navigation stack was found')
+    counts = Counts()
+    for name in names:
+        if os.path.isdir(os.path.join(ROOT, 'compat', name, 'test')):
+            counts += ctest(os.path.join(SPACE, 'build', name), f'compat_{name}', in_install, jobs='1')
+    return counts
+
+
+def ros():
+    """rostests of what was installed, and the packages they need."""
+    folder = os.path.join(WORK, 'ros')
+    os.makedirs(folder, exist_ok=True)
+    paths = [os.path.dirname(path) for path in sorted(glob.glob(os.path.join(ROOT, 'test', 'ros', '*', 'package.xml')))]
+    run(in_install('colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', *paths, '--cmake-args',
+                   '-DCMAKE_BUILD_TYPE=Release', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
+                   '-DPython3_EXECUTABLE=/usr/bin/python3', '--no-warn-unused-cli'), 'ros_build', cwd=folder)
+    counts = Counts()
+    setup = os.path.join(folder, 'install', 'setup.bash')
+    for path in sorted(glob.glob(os.path.join(folder, 'build', '*', 'CTestTestfile.cmake'))):
+        place = os.path.dirname(path)
+        name = os.path.basename(place)
+        run(sourced(setup, 'cmake', '--build', place, '--target', 'tests', '-j', JOBS), f'ros_{name}_build')
+        _, listing = run(['ctest', '--show-only=json-v1'], f'ros_{name}_list', cwd=place)
+        if json.loads(listing)['tests']:
+            counts += ctest(place, f'ros_{name}', lambda *command: sourced(setup, *command), jobs='1')
+    return counts if counts.total else Counts(failed=1)
+
+
+def contract():
+    """How the host calls a local planner, against what the real move_base was seen to do."""
+    setup = os.path.join(WORK, 'ros', 'install', 'setup.bash')
+    run(sourced(setup, '/usr/bin/python3', os.path.join(ROOT, 'test', 'ros', 'probe', 'run_probe'), '--log',
+                os.path.join(WORK, 'contract.txt')), 'contract')
+    return Counts(passed=1)
+
+
+def python():
+    """The scripts' own tests."""
+    _, output = run(in_install('/usr/bin/python3', '-W', 'ignore::ResourceWarning', '-m', 'unittest', 'discover', '-s', os.path.join(ROOT, 'test', 'scripts')),
+                    'python', check=False)
+    counts = count_unittest(output)
+    if counts.failed:
+        print(tail(output, 80))
+    return counts
+
+
+def robot():
+    """The plugin alone, as a robot builds it: it links neither the simulation nor rosbag nor yaml-cpp."""
+    folder = os.path.join(WORK, 'robot')
+    os.makedirs(folder, exist_ok=True)
+    run(in_install('colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', ROOT, '--packages-select',
+                   'hidwa_local_planner', '--cmake-args', '-DHIDWA_TOOLS=OFF',
+                   '-DHIDWA_TESTS=OFF', '-DCMAKE_BUILD_TYPE=Release', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
+                   '-DPython3_EXECUTABLE=/usr/bin/python3'), 'robot_build', cwd=folder)
+    library = os.path.join(folder, 'install', 'lib', 'libhidwa_local_planner.so')
+    _, linked = run(sourced(os.path.join(folder, 'install', 'setup.bash'), 'ldd', library), 'robot_links')
+    unwanted = [line for line in linked.splitlines()
+                if any(name in line for name in ('hidwa_sim', 'rosbag', 'yaml-cpp', 'not found'))]
+    if unwanted:
+        raise Failed('libhidwa_local_planner.so links\n' + '\n'.join(unwanted))
+    _, own = run(['nm', '-DC', library], 'robot_symbols')
+    if 'hidwa_local_planner::sim::' in own:
+        raise Failed('libhidwa_local_planner.so holds parts of the simulation')
+    tools = glob.glob(os.path.join(folder, 'install', 'lib', 'hidwa_local_planner', 'hidwa_*'))
+    if tools:
+        raise Failed(f'HIDWA_TOOLS=OFF installs {", ".join(tools)}')
+    return Counts(passed=3)
+
+
+def lint():
+    """catkin_lint's errors."""
+    if not shutil.which('catkin_lint'):
+        raise Absent('catkin_lint')
+    run(['catkin_lint', '--offline', '-W0', ROOT, *(os.path.join(ROOT, 'compat', name) for name in COMPAT)], 'lint')
+    return Counts(passed=1)
+
+
+def demo(name, rate, *arguments):
+    """Runs scripts/demo: (exit status, report, output)."""
+    folder = os.path.join(WORK, name)
+    status, output = run([os.path.join(ROOT, 'scripts', 'demo'), '--no-build', '--rate', f'{rate:g}', '--report', folder,
+                          *arguments], name, check=False)
+    try:
+        with open(os.path.join(folder, 'report.json'), encoding='utf-8') as text:
+            return status, json.load(text), output
+    except OSError as fault:
+        raise Failed(f'scripts/demo wrote no report (exit status {status})\n{tail(output)}') from fault
+
+
+def drive(name, *arguments, expect):
+    """One demo; each of the expectations on its report is a test, and so are arrival and the simulator's own counts.
+
+    A machine that does not keep up with the simulated clock shows nothing of the planner: then slower, down to real time.
+    """
+    rate = FASTEST
+    status, report, output = demo(name, rate, *arguments)
+    while rate > 1.0 and (report['longest_gap_s'] or 0.0) > LONGEST_GAP:
+        print(f"    rate {rate:g}: {report['longest_gap_s']:.2f} s of simulated time between two commands; again, slower")
+        rate = max(1.0, 0.5 * rate)
+        status, report, output = demo(name, rate, *arguments)
+    expectations = {
+        'arrives without contact (exit status 0)': status == 0,
+        'the bag shows what the simulator counted': report['simulator'] == {
+            key: report[key] for key in ('contacts', 'regions_crossed')},
+        'host is what was built': report['host'] == ('compat' if 'move_base' in host_packages() else 'real'),
+        **{text: check(report) for text, check in expect.items()}}
+    missed = [text for text, met in expectations.items() if not met]
+    for text in missed:
+        print(f'    not so: {text}')
+    if missed:
+        print(f'    {json.dumps(report)}\n{tail(output)}')
+    return Counts(passed=len(expectations) - len(missed), failed=len(missed))
+
+
+def drive_avoid():
+    """Through the office with a person who steers round the regions to avoid."""
+    return drive('drive_avoid', '--operator', 'avoid', expect={
+        'no region is crossed': lambda r: r['regions_crossed'] == 0,
+        'the person steers': lambda r: r['operator_active_s'] > 1.0})
+
+
+def drive_none():
+    """The same with nobody: autonomy cannot see the regions."""
+    return drive('drive_none', '--operator', 'none', expect={
+        'a region is crossed': lambda r: r['regions_crossed'] >= 1,
+        'nobody steers': lambda r: r['operator_active_s'] == 0.0})
+
+
+def gdc_map():
+    path = os.path.join(DATA, 'maps', 'gdc_3', 'map.yaml')
+    if not os.path.exists(path):
+        raise Absent(f'{path} (HIDWA_DATA names the folder of the real data)')
+    return path
+
+
+def drive_real_map():
+    """A real floor, 74 m, autonomy alone."""
+    return drive('drive_real_map', '--map', gdc_map(), *GDC, '--operator', 'none', expect={
+        'about as long as planned': lambda r: r['path_length_m'] < 1.05 * r['planned_length_m']})
+
+
+def steer(side):
+    script = os.path.join(ROOT, 'test', 'scripts', f'steer_{side}.yaml')
+    return drive(f'drive_steer_{side}', '--map', gdc_map(), *GDC, '--operator', script, expect={
+        f'the path goes 0.3 m or more to the {side}': lambda r: r[f'operator_shift_{side}_m'] >= 0.3,
+        'the person steers for 3 s': lambda r: 2.8 <= r['operator_active_s'] <= 3.2})
+
+
+def drive_steer_left():
+    """The stick held left for 3 s in a corridor of the real floor."""
+    return steer('left')
+
+
+def drive_steer_right():
+    """The stick held right for 3 s there."""
+    return steer('right')
+
+
+# In this order; those after `build` need what it built.
+SUITES = (plain, build, package, compat, ros, contract, python, robot, lint, drive_avoid, drive_none, drive_real_map,
+          drive_steer_left, drive_steer_right)
+ALONE = (plain, build, lint)
+
+
+def cpu_seconds():
+    """CPU time [s] of all commands that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def run_suite(suite, built):
+    """Counts of one suite; what did not run counts as failed."""
+    begin, cpu = time.monotonic(), cpu_seconds()
+    print(f'==> {suite.__name__}: {suite.__doc__.splitlines()[0]}', flush=True)
+    try:
+        if not built and suite not in ALONE:
+            raise Failed('did not run: the build failed')
+        counts = suite()
+    except Absent as absent:
+        print(f'    skipped, absent: {absent}')
+        counts = Counts(skipped=1)
+    except Exception as fault:  # whatever it is, the suite did not run to its end
+        print(f'    {type(fault).__name__}: {fault}')
+        counts = Counts(failed=1)
+    print(f'    {suite.__name__}: {counts.passed} ok, {counts.failed} not ok, {counts.skipped} left out, '
+          f'{time.monotonic() - begin:.0f} s, {cpu_seconds() - cpu:.0f} s of CPU', flush=True)
+    return counts
+
+
+def main(arguments=None):
+    """scripts/test"""
+    names = [suite.__name__ for suite in SUITES]
+    parser = argparse.ArgumentParser(
+        prog='scripts/test', formatter_class=argparse.RawDescriptionHelpFormatter,
+        description='Installs what is missing, builds and runs every test. Ends with the line\n'
+        '"N passed, N failed, N skipped"; exit status 0 only if nothing failed.',
+        epilog='suites:\n' + '\n'.join(f'  {suite.__name__:18}{suite.__doc__.splitlines()[0]}' for suite in SUITES)
+        + '\n\nenvironment: HIDWA_DATA=DIR real maps (default: ../shared/data); HIDWA_UNDERLAY and more: scripts/build --help')
+    parser.add_argument('suites', nargs='*', metavar='SUITE', help='only these (default: all; what is built is used as it is)')
+    options = parser.parse_args(arguments)
+    for name in options.suites:
+        if name not in names:
+            parser.error(f"there is no suite '{name}'; there are {', '.join(names)}")
+    end_on_signals()
+    total, built, begin = Counts(), True, time.monotonic()
+    for suite in SUITES:
+        if not options.suites or suite.__name__ in options.suites:
+            counts = run_suite(suite, built)
+            built = built and not (suite is build and counts.failed)
+            total += counts
+    print(f'==> {time.monotonic() - begin:.0f} s in all; logs in {WORK}')
+    print(total, flush=True)
+    return 1 if total.failed or not total.passed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What has to be installed, by purpose, and how. Sourced after common.sh.
+
+say() { printf '==> %s\n' "$*"; }
+fail() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 2; }
+
+# Debian packages ROS 1 itself, in /usr.
+HIDWA_DEBIAN_BUILD="build-essential cmake catkin python3-setuptools
+  libroscpp-dev librosconsole-dev python3-rospy pluginlib-dev librosbag-dev
+  ros-message-generation ros-message-runtime ros-cmake-modules python3-genmsg python3-gencpp python3-genpy python3-genlisp
+  libgeometry-msgs-dev libnav-msgs-dev libsensor-msgs-dev libvisualization-msgs-dev libstd-srvs-dev libmap-msgs-dev
+  libmove-base-msgs-dev ros-std-msgs ros-geometry-msgs ros-nav-msgs ros-sensor-msgs ros-map-msgs
+  ros-visualization-msgs ros-actionlib-msgs ros-move-base-msgs ros-std-srvs
+  libactionlib-dev libangles-dev libmessage-filters-dev libtf2-ros-dev libtf2-geometry-msgs-dev
+  libtf2-sensor-msgs-dev liblaser-geometry-dev libdynamic-reconfigure-config-init-mutex-dev
+  python3-dynamic-reconfigure libeigen3-dev libyaml-cpp-dev libtinyxml2-dev libsdl-image1.2-dev liburdf-dev
+  liburdfdom-dev libdiagnostic-updater-dev libinteractive-markers-dev
+  colcon python3-colcon-core python3-colcon-bash python3-colcon-cmake python3-colcon-ros python3-colcon-library-path
+  python3-colcon-metadata python3-colcon-output python3-colcon-package-information
+  python3-colcon-package-selection python3-colcon-pkg-config python3-colcon-recursive-crawl
+  python3-colcon-test-result python3-colcon-parallel-executor"
+HIDWA_DEBIAN_RUN="python3-roslaunch rosout python3-rosparam python3-rostopic python3-rosnode rospack-tools rosbash
+  python3-tf2-ros python3-actionlib python3-move-base-msgs python3-nav-msgs python3-sensor-msgs python3-numpy
+  python3-rosbag python3-yaml python3-scipy python3-matplotlib"
+HIDWA_DEBIAN_TEST="librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev
+  catkin-lint python3-visualization-msgs"
+HIDWA_DEBIAN_GUI="rviz libgl1-mesa-dri ros-robot-state-publisher"
+
+# Ubuntu 20.04 with ROS Noetic in /opt/ros/noetic: the real navigation stack is packaged there.
+HIDWA_NOETIC_BUILD="build-essential cmake libeigen3-dev libyaml-cpp-dev liburdfdom-dev
+  python3-colcon-common-extensions ros-noetic-catkin ros-noetic-navigation ros-noetic-diagnostic-updater
+  ros-noetic-dynamic-reconfigure ros-noetic-pluginlib ros-noetic-rosbag ros-noetic-roscpp ros-noetic-rospy
+  ros-noetic-tf2-ros ros-noetic-tf2-geometry-msgs ros-noetic-urdf ros-noetic-visualization-msgs"
+HIDWA_NOETIC_RUN="ros-noetic-roslaunch ros-noetic-rosbash ros-noetic-actionlib ros-noetic-move-base-msgs
+  python3-yaml python3-numpy python3-scipy python3-matplotlib"
+HIDWA_NOETIC_TEST="libgtest-dev libgmock-dev libbenchmark-dev ros-noetic-rostest ros-noetic-rosunit python3-catkin-lint"
+HIDWA_NOETIC_GUI="ros-noetic-rviz ros-noetic-robot-state-publisher"
+
+# hidwa_packages PURPOSE...: the names, for build, run, test and gui.
+hidwa_packages() {
+  local family=DEBIAN purpose list
+  if [ -d "$HIDWA_NOETIC" ]; then family=NOETIC; fi
+  for purpose in "$@"; do
+    list=HIDWA_${family}_${purpose^^}
+    printf '%s ' ${!list}
+  done
+}
+
+# Those of the names given that are not installed.
+hidwa_not_installed() {
+  local name
+  for name in "$@"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || printf '%s ' "$name"
+  done
+}
+
+hidwa_apt() {
+  local as_root=()
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null || fail "neither root nor sudo; as root run: apt-get $*"
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q "$@"
+}
+
+# hidwa_install PURPOSE...: installs what is missing. HIDWA_INSTALL=no only says so.
+hidwa_install() {
+  local names
+  command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
+    fail "no apt here: install ROS 1 with move_base's messages by hand and set HIDWA_INSTALL=skip; needed: $(hidwa_packages "$@")"
+  # shellcheck disable=SC2046
+  names=$(hidwa_not_installed $(hidwa_packages "$@"))
+  if [ -z "$names" ]; then return 0; fi
+  if [ "${HIDWA_INSTALL:-yes}" = no ]; then fail "not installed (HIDWA_INSTALL=no): $names"; fi
+  say "installing with apt: $names"
+  # The lists on the disk may be empty or old: only then are they fetched.
+  # shellcheck disable=SC2086
+  hidwa_apt install -y --no-install-recommends $names ||
+    { say "fetching the package lists"; hidwa_apt update && hidwa_apt install -y --no-install-recommends $names; } ||
+    fail "apt could not install: $names"
+}
