@@ -12,6 +12,20 @@ void BitGrid::reset(int width, int height) {
   words_.assign(row_words_ * static_cast<std::size_t>(height), 0);
 }
 
+void BitGrid::fill(int j, int i0, int i1) {
+  for (int i = i0; i < i1; ++i) set(i, j);
+}
+
+void BitGrid::set_where(int j, int i0, int i1, const std::uint8_t* cells, const Values& values) {
+  for (int i = i0; i < i1;) {
+    const int end = std::min(i1, (i | 63) + 1);
+    const std::size_t at = word(i, j);
+    std::uint64_t bits = 0;
+    for (; i < end; ++i) bits |= std::uint64_t{values[cells[i - i0]]} << (i & 63);
+    words_[at] |= bits;
+  }
+}
+
 bool BitGrid::any(int j, int i0, int i1) const {
   for (int i = i0; i <= i1; i = (i | 63) + 1) {
     const int last = std::min(i1, i | 63);
@@ -35,6 +49,10 @@ void BitGrid::widen(std::vector<std::uint64_t>& row, std::vector<std::uint64_t>&
 
 void BitGrid::dilate(const std::vector<int>& reach, BitGrid& out) const {
   out.reset(width_, height_);
+  dilate_into(reach, out);
+}
+
+void BitGrid::dilate_into(const std::vector<int>& reach, BitGrid& out) const {
   if (reach.empty() || reach[0] < 0) return;
   row_.resize(row_words_);
   for (int j = 0; j < height_; ++j) {

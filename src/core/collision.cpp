@@ -73,34 +73,75 @@ bool overlaps_square(const Polygon& polygon, double x, double y, double side) {
 }
 
 void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle,
-                               const Pose2& centre, double reach) {
+                               const Pose2& centre, double reach, double margin) {
   grid_ = grid;
   footprint_ = &footprint;
   unknown_is_obstacle_ = unknown_is_obstacle;
   const double resolution = grid.resolution;
-  // One cell more than the outline reaches, for clear(), and the obstacles that this may touch.
-  const double outer = footprint.circumscribed_radius() + resolution;
-  const int radius = static_cast<int>(std::ceil((reach + outer) / resolution)) + 2;
+  const double outer = footprint.circumscribed_radius() + margin;
+  const int radius = static_cast<int>(std::ceil((reach + outer) / resolution)) + 3;
   const Cell middle = grid.cell_at(centre.x, centre.y);
   first_ = {middle.i - radius, middle.j - radius};
   obstacles_.reset(2 * radius + 1, 2 * radius + 1);
-  for (int j = 0; j < obstacles_.height(); ++j) {
-    for (int i = 0; i < obstacles_.width(); ++i) {
-      if (obstacle({first_.i + i, first_.j + j})) obstacles_.set(i, j);
-    }
-  }
+  mark_obstacles();
   disc_reach(outer, resolution, 1, reach_);
-  margin_ = static_cast<int>(reach_.size());
+  rim_ = static_cast<int>(reach_.size());
   obstacles_.dilate(reach_, near_);
   disc_reach(footprint.inscribed_radius() - kRounding, resolution, 0, reach_);
   obstacles_.dilate(reach_, hit_);
+  if (footprint.is_circle()) mark_inscribed(margin);
+}
+
+// Marks the window's cells that hold certain costs, and those beyond the map's edge where it counts.
+void CollisionChecker::mark(const BitGrid::Values& values, bool edge, BitGrid& marked) const {
+  const int size = marked.width();
+  const int begin = std::clamp(-first_.i, 0, size), end = std::clamp(grid_.size_x - first_.i, begin, size);
+  for (int j = 0; j < size; ++j) {
+    const int row = first_.j + j;
+    if (row < 0 || row >= grid_.size_y || begin == end) {
+      if (edge) marked.fill(j, 0, size);
+      continue;
+    }
+    if (edge) {
+      marked.fill(j, 0, begin);
+      marked.fill(j, end, size);
+    }
+    marked.set_where(j, begin, end, grid_.costs + grid_.index({first_.i + begin, row}), values);
+  }
+}
+
+void CollisionChecker::mark_obstacles() {
+  BitGrid::Values values{};
+  values[cost::kLethal] = 1;
+  values[cost::kUnknown] = unknown_is_obstacle_ ? 1 : 0;
+  mark(values, true, obstacles_);
+}
+
+// Only a circle minds inscribed cells: they are hits, and near is whatever comes within the margin of one.
+void CollisionChecker::mark_inscribed(double margin) {
+  inscribed_.reset(obstacles_.width(), obstacles_.height());
+  BitGrid::Values values{};
+  values[cost::kInscribed] = 1;
+  mark(values, false, inscribed_);
+  disc_reach(margin + kRounding, grid_.resolution, 1, reach_);
+  inscribed_.dilate_into(reach_, near_);
+  reach_.assign(1, 0);
+  inscribed_.dilate_into(reach_, hit_);
 }
 
 bool CollisionChecker::clear(double x, double y) const {
   const Cell cell = grid_.cell_at(x, y);
-  if (!in_reach(cell) || near_.test(cell.i - first_.i, cell.j - first_.j)) return false;
-  // Inscribed cells, which only a circle minds, lie where costs rise.
-  return !footprint_->is_circle() || grid_.at(cell) == cost::kFree;
+  return in_reach(cell) && !near_.test(cell.i - first_.i, cell.j - first_.j);
+}
+
+bool CollisionChecker::clear_around(double x, double y, double distance) const {
+  const Cell lo = grid_.cell_at(x - distance, y - distance);
+  const Cell hi = grid_.cell_at(x + distance, y + distance);
+  if (!in_reach(lo) || !in_reach(hi)) return false;
+  for (int j = lo.j; j <= hi.j; ++j) {
+    if (near_.any(j - first_.j, lo.i - first_.i, hi.i - first_.i)) return false;
+  }
+  return true;
 }
 
 // An outline need not contain the robot's centre: only where it does, the centre's cell alone can decide.
@@ -110,63 +151,96 @@ bool CollisionChecker::centre_collides(Cell cell, const Footprint& outline) cons
   return outline.is_circle() && grid_.at(cell) == cost::kInscribed;
 }
 
-bool CollisionChecker::collides(const Pose2& pose) const {
+bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading) const {
   const Cell cell = grid_.cell_at(pose.x, pose.y);
-  if (centre_collides(cell, *footprint_)) return true;
   if (in_reach(cell)) {
     const int i = cell.i - first_.i, j = cell.j - first_.j;
     if (!near_.test(i, j)) return false;
     if (hit_.test(i, j)) return true;
+  } else if (centre_collides(cell, *footprint_)) {
+    return true;
   }
-  return overlaps_any(pose, *footprint_);
+  return overlaps_any(pose, heading, *footprint_);
 }
 
-bool CollisionChecker::collides(const Pose2& pose, const Footprint& outline) const {
+bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const {
   const Cell cell = grid_.cell_at(pose.x, pose.y);
-  if (centre_collides(cell, outline)) return true;
   if (in_reach(cell) && !near_.test(cell.i - first_.i, cell.j - first_.j)) return false;
-  return overlaps_any(pose, outline);
+  if (centre_collides(cell, outline)) return true;
+  return overlaps_any(pose, heading, outline);
+}
+
+// Calls visit(cell) for the obstacles among the cells from lo to hi that overlap, until it returns false.
+template <typename Overlaps, typename Visit>
+void CollisionChecker::visit_obstacles(Cell lo, Cell hi, const Overlaps& overlaps, Visit&& visit) const {
+  const bool inside = in_window(lo) && in_window(hi);
+  for (int j = lo.j; j <= hi.j; ++j) {
+    const double y = grid_.origin_y + j * grid_.resolution;
+    if (inside && hi.i - lo.i < 64) {
+      std::uint64_t row = obstacles_.bits(j - first_.j, lo.i - first_.i);
+      row &= ~std::uint64_t{0} >> (63 - (hi.i - lo.i));
+      for (; row != 0; row &= row - 1) {
+        const int i = lo.i + __builtin_ctzll(row);
+        if (overlaps(grid_.origin_x + i * grid_.resolution, y) && !visit(Cell{i, j})) return;
+      }
+      continue;
+    }
+    for (int i = lo.i; i <= hi.i; ++i) {
+      if (obstacle({i, j}) && overlaps(grid_.origin_x + i * grid_.resolution, y) && !visit(Cell{i, j})) return;
+    }
+  }
 }
 
 // Calls visit(cell) for obstacle cells that the outline overlaps until it returns false.
 template <typename Visit>
-void CollisionChecker::visit_overlapped(const Pose2& pose, const Footprint& outline, Visit&& visit) const {
-  double lo_x = pose.x - outline.radius(), hi_x = pose.x + outline.radius();
-  double lo_y = pose.y - outline.radius(), hi_y = pose.y + outline.radius();
-  if (!outline.is_circle()) {
-    const double c = std::cos(pose.theta), s = std::sin(pose.theta);
-    corners_.resize(outline.outline().size());
-    lo_x = lo_y = std::numeric_limits<double>::infinity();
-    hi_x = hi_y = -lo_x;
-    for (std::size_t k = 0; k < corners_.size(); ++k) {
-      const Point& p = outline.outline()[k];
-      corners_[k] = {pose.x + c * p.x() - s * p.y(), pose.y + s * p.x() + c * p.y()};
-      lo_x = std::min(lo_x, corners_[k].x());
-      hi_x = std::max(hi_x, corners_[k].x());
-      lo_y = std::min(lo_y, corners_[k].y());
-      hi_y = std::max(hi_y, corners_[k].y());
-    }
+void CollisionChecker::visit_overlapped(const Pose2& pose, const Rotation& heading, const Footprint& outline,
+                                        Visit&& visit) const {
+  const double side = grid_.resolution;
+  if (outline.is_circle()) {
+    const double r = outline.radius();
+    const auto overlaps = [&](double x, double y) { return disc_overlaps(pose.x, pose.y, r, x, y, side); };
+    visit_obstacles(grid_.cell_at(pose.x - r, pose.y - r), grid_.cell_at(pose.x + r, pose.y + r), overlaps, visit);
+    return;
+  }
+  double lo_x = std::numeric_limits<double>::infinity(), lo_y = lo_x, hi_x = -lo_x, hi_y = -lo_x;
+  corners_.resize(outline.outline().size());
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const Point& p = outline.outline()[k];
+    corners_[k] = {pose.x + heading.c * p.x() - heading.s * p.y(), pose.y + heading.s * p.x() + heading.c * p.y()};
+    lo_x = std::min(lo_x, corners_[k].x());
+    hi_x = std::max(hi_x, corners_[k].x());
+    lo_y = std::min(lo_y, corners_[k].y());
+    hi_y = std::max(hi_y, corners_[k].y());
   }
   const Cell lo = grid_.cell_at(lo_x, lo_y);
   const Cell hi = grid_.cell_at(hi_x, hi_y);
-  const bool inside = in_window(lo) && in_window(hi);
-  for (int j = lo.j; j <= hi.j; ++j) {
-    if (inside && !obstacles_.any(j - first_.j, lo.i - first_.i, hi.i - first_.i)) continue;
-    for (int i = lo.i; i <= hi.i; ++i) {
-      if (inside ? !obstacles_.test(i - first_.i, j - first_.j) : !obstacle({i, j})) continue;
-      const double x = grid_.origin_x + i * grid_.resolution;
-      const double y = grid_.origin_y + j * grid_.resolution;
-      const bool overlaps = outline.is_circle()
-                                ? disc_overlaps(pose.x, pose.y, outline.radius(), x, y, grid_.resolution)
-                                : overlaps_square(corners_, x, y, grid_.resolution);
-      if (overlaps && !visit(Cell{i, j})) return;
-    }
+  if (outline.sides().empty()) {
+    visit_obstacles(lo, hi, [&](double x, double y) { return overlaps_square(corners_, x, y, side); }, visit);
+    return;
   }
+  // Two convex shapes share area unless a side of one of them has the other beyond it. How far the square reaches
+  // towards a side goes into that side's offset.
+  sides_.resize(outline.sides().size());
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const Point& n = outline.sides()[k].normal;
+    Footprint::Side& turned = sides_[k];
+    turned.normal = {heading.c * n.x() - heading.s * n.y(), heading.s * n.x() + heading.c * n.y()};
+    turned.offset =
+        outline.sides()[k].offset + 0.5 * side * (std::abs(turned.normal.x()) + std::abs(turned.normal.y()));
+  }
+  const auto overlaps = [&](double x, double y) {
+    if (x >= hi_x || x + side <= lo_x || y >= hi_y || y + side <= lo_y) return false;
+    const double middle_x = x + 0.5 * side - pose.x, middle_y = y + 0.5 * side - pose.y;
+    return std::none_of(sides_.begin(), sides_.end(), [&](const Footprint::Side& s) {
+      return s.normal.x() * middle_x + s.normal.y() * middle_y >= s.offset;
+    });
+  };
+  visit_obstacles(lo, hi, overlaps, visit);
 }
 
-bool CollisionChecker::overlaps_any(const Pose2& pose, const Footprint& outline) const {
+bool CollisionChecker::overlaps_any(const Pose2& pose, const Rotation& heading, const Footprint& outline) const {
   bool found = false;
-  visit_overlapped(pose, outline, [&found](Cell) {
+  visit_overlapped(pose, heading, outline, [&found](Cell) {
     found = true;
     return false;
   });
@@ -175,7 +249,7 @@ bool CollisionChecker::overlaps_any(const Pose2& pose, const Footprint& outline)
 
 int CollisionChecker::penetration(const Pose2& pose) const {
   int cells = 0;
-  visit_overlapped(pose, *footprint_, [&cells](Cell) {
+  visit_overlapped(pose, {std::cos(pose.theta), std::sin(pose.theta)}, *footprint_, [&cells](Cell) {
     ++cells;
     return true;
   });

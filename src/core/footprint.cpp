@@ -57,6 +57,23 @@ Polygon offset(const Polygon& outline, double padding) {
   return moved;
 }
 
+// Empty where a corner bends the other way.
+std::vector<Footprint::Side> convex_sides(const Polygon& outline) {
+  std::vector<Footprint::Side> sides;
+  const std::size_t n = outline.size();
+  const double around = signed_area(outline) > 0.0 ? 1.0 : -1.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point& a = outline[i];
+    const Point& b = outline[(i + 1) % n];
+    const Point normal = -around * left_normal(a, b);
+    const double offset = normal.dot(a);
+    const auto beyond = [&](const Point& p) { return normal.dot(p) > offset + 1e-12; };
+    if ((b - a).norm() <= 0.0 || std::any_of(outline.begin(), outline.end(), beyond)) return {};
+    sides.push_back({normal, offset});
+  }
+  return sides;
+}
+
 Polygon without_repeats(const Polygon& outline) {
   Polygon kept;
   for (const Point& p : outline) {
@@ -79,6 +96,7 @@ Footprint::Footprint(Polygon outline, double radius) : outline_(std::move(outlin
     inscribed_ = std::min(inscribed_, distance_to_segment(outline_[i], outline_[(i + 1) % outline_.size()]));
   }
   if (!contains_origin(outline_)) inscribed_ = 0.0;
+  sides_ = convex_sides(outline_);
 }
 
 Footprint Footprint::from_outline(const Polygon& outline, double padding) {

@@ -11,16 +11,20 @@ void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, Ma
                         bool unknown_is_obstacle) {
   grid_ = grid;
   plan_ = &plan;
-  distance_ = distance;
   stops_at_unknown_ = distance == MapGridDistance::l1 && unknown_is_obstacle;  // Nav2's rule
-  path_cells_ = cells_on_map(plan);
-  path_made_ = goal_made_ = ahead_made_ = false;
+  ahead_set_ = false;
+  find_cells_on_map(plan, path_cells_);
+  distances_.prepare(grid, distance);
+  if (!on_map()) return;
+  distances_.set_sources(kPath, path_cells_);
+  last_cell_.assign(1, path_cells_.back());
+  distances_.set_sources(kGoal, last_cell_);
 }
 
 // The cells of the plan's first stretch on the map. Poses in the same or neighbouring cells need nothing between them;
 // wider gaps are filled at half a cell's spacing.
-std::vector<Cell> PlanGrids::cells_on_map(const std::vector<Pose2>& plan) const {
-  std::vector<Cell> cells;
+void PlanGrids::find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Cell>& cells) const {
+  cells.clear();
   const auto usable = [this](Cell cell) {
     return grid_.contains(cell) && !(stops_at_unknown_ && grid_.at(cell) == cost::kUnknown);
   };
@@ -38,7 +42,7 @@ std::vector<Cell> PlanGrids::cells_on_map(const std::vector<Pose2>& plan) const 
           if (usable(between)) {
             cells.push_back(between);
           } else if (!cells.empty()) {
-            return cells;
+            return;
           }
         }
       }
@@ -46,41 +50,21 @@ std::vector<Cell> PlanGrids::cells_on_map(const std::vector<Pose2>& plan) const 
     if (usable(cell)) {
       cells.push_back(cell);
     } else if (!cells.empty()) {
-      return cells;
+      return;
     }
   }
-  return cells;
-}
-
-void PlanGrids::make(DistanceGrid& distances, const std::vector<Cell>& sources) {
-  if (distance_ == MapGridDistance::l1) {
-    distances.make_l1(grid_, sources);
-  } else {
-    distances.make_geodesic(grid_, sources);
-  }
-}
-
-const DistanceGrid& PlanGrids::to_path() {
-  if (!path_made_) make(path_, path_cells_);
-  path_made_ = true;
-  return path_;
-}
-
-const DistanceGrid& PlanGrids::to_goal() {
-  if (!goal_made_) make(goal_, {path_cells_.back()});
-  goal_made_ = true;
-  return goal_;
 }
 
 const DistanceGrid& PlanGrids::to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal) {
-  if (ahead_made_ && ahead_distance_ == ahead) return goal_ahead_;
-  std::vector<Pose2> moved = *plan_;
+  if (!on_map() || (ahead_set_ && ahead_distance_ == ahead)) return goal_ahead_;
+  moved_plan_ = *plan_;
   const double bearing = std::atan2(goal.y - from.y, goal.x - from.x);
-  moved.back().x += ahead * std::cos(bearing);
-  moved.back().y += ahead * std::sin(bearing);
-  const std::vector<Cell> cells = cells_on_map(moved);
-  make(goal_ahead_, {cells.empty() ? path_cells_.back() : cells.back()});
-  ahead_made_ = true;
+  moved_plan_.back().x += ahead * std::cos(bearing);
+  moved_plan_.back().y += ahead * std::sin(bearing);
+  find_cells_on_map(moved_plan_, moved_cells_);
+  last_cell_.assign(1, moved_cells_.empty() ? path_cells_.back() : moved_cells_.back());
+  distances_.set_sources(kGoalAhead, last_cell_);
+  ahead_set_ = true;
   ahead_distance_ = ahead;
   return goal_ahead_;
 }

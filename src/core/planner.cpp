@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hidwa_local_planner/core/admissibility.hpp"
+#include "hidwa_local_planner/core/cell_classes.hpp"
 #include "hidwa_local_planner/core/choice.hpp"
 #include "hidwa_local_planner/core/collision.hpp"
 #include "hidwa_local_planner/core/plan_grids.hpp"
@@ -98,41 +99,45 @@ struct Planner::Impl {
   Sampler sampler;
   Rollout rollout;
   CollisionChecker collision;
+  CellClasses classes;
   AdmissibilityCheck admissibility;
   PlanGrids grids;
   std::vector<double> totals;             // [candidates]; infinite where refused
   std::vector<std::uint8_t> refused_by;   // [candidates]
   std::vector<const char*> reasons;       // [candidates]
   std::vector<std::vector<double>> raw;   // [critics][candidates]
-  std::vector<double> deviation;          // [candidates] the operator's term
+  std::vector<std::size_t> counts;        // of refusals, by refuser
+  OperatorIntent intent;                  // of the last cycle
   Decision decision;
   Marked marked;
   double rest_since = -1.0;               // [s]; negative while moving
   bool turning_to_plan = false;           // stuck autonomy turns on the spot, see watch_rest()
 
-  std::string fault_of(const Situation& situation, const GridView& grid, const OperatorIntent& intent) const;
+  const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
-  void give_up(const Situation& situation, const std::string& problem);
+  void give_up(const Situation& situation, const char* problem);
   Twist2 bounded_reference(const Situation& situation) const;
-  void make_candidates(const Situation& situation, const OperatorIntent& intent, const Sampling& sampling);
+  void make_candidates(const Situation& situation, const Sampling& sampling);
   void prepare_checks(const Situation& situation, const GridView& grid);
-  void score_tile(const CycleView& cycle, const Tile& tile, const OperatorIntent& intent);
+  void score_tile(const CycleView& cycle, Tile tile);
   void refuse_colliding(const Tile& tile);
   void ask_critics(const CycleView& cycle, const Tile& tile);
-  void sum_up(const Tile& tile, const OperatorIntent& intent);
+  void sum_up(const Tile& tile);
+  double deviation_of(const Twist2& sample) const;
   std::uint8_t not_a_number(std::size_t candidate) const;
   int choose(const Situation& situation);
   int choose_turn(const Situation& situation);
   void watch_rest(const Situation& situation, bool autonomous);
   void describe(int best);
   void count_refusals();
-  void judge_operator(const OperatorIntent& intent);
-  const std::string& name_of(std::uint8_t refuser) const;
+  void judge_operator();
+  int find_operator_own() const;
+  std::string_view name_of(std::uint8_t refuser) const;
   Twist2 sample_at(std::size_t candidate) const { return sampler.samples()[candidate].u; }
-  std::vector<CriticTerm> terms_of(std::size_t candidate) const;
-  const Decision& drive(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
-                        const Sampling& sampling);
-  void pass_through(const Situation& situation, const OperatorIntent& intent);
+  void list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const;
+  void clear_decision();
+  const Decision& drive(const Situation& situation, const GridView& grid, const Sampling& sampling);
+  void pass_through(const Situation& situation);
 };
 
 Planner::Planner(CriticRegistry registry) : impl_(std::make_unique<Impl>()) {
@@ -162,10 +167,12 @@ std::vector<std::string> Planner::configure(const Parameters& parameters, const 
   std::vector<NamedCritic> critics;
   for (const std::string& name : names) {
     const auto kept = std::find_if(impl_->critics.begin(), impl_->critics.end(),
-                                   [&](const NamedCritic& c) { return c.critic != nullptr && c.name == name; });
+                                   [&](const NamedCritic& c) { return c.name == name; });
+    const bool twice = std::any_of(critics.begin(), critics.end(), [&](const NamedCritic& c) { return c.name == name; });
     NamedCritic named;
     named.name = name;
-    named.critic = kept != impl_->critics.end() ? std::move(kept->critic) : impl_->registry.make(name);
+    named.critic = kept != impl_->critics.end() && !twice ? kept->critic : impl_->registry.make(name);
+    if (!named.critic) return {"critics: " + name + " is known but could not be made: look at its package's library"};
     if (source_for) named.source = source_for(name);
     if (!named.source) named.source = std::make_unique<NoParameters>();
     named.weight = named.critic->configure(parameters, *named.source);
@@ -180,7 +187,7 @@ std::vector<std::string> Planner::configure(const Parameters& parameters, const 
 }
 
 void Planner::set_footprint(const Polygon& outline) {
-  impl_->outline = outline;
+  if (&impl_->outline != &outline) impl_->outline = outline;
   impl_->footprint = Footprint::from_outline(outline, impl_->parameters.footprint_padding);
 }
 
@@ -193,24 +200,24 @@ void Planner::reset() {
 const Decision& Planner::plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
                               const Sampling& sampling) {
   impl_->begin(situation);
-  const std::string fault = impl_->fault_of(situation, grid, intent);
-  if (!fault.empty()) {
+  impl_->intent = intent;
+  const char* fault = impl_->fault_of(situation, grid);
+  if (fault != nullptr) {
     impl_->give_up(situation, fault);
   } else if (intent.influence == Influence::stop) {
     impl_->give_up(situation, "");
     impl_->decision.outcome = at_rest(impl_->decision.command) ? Outcome::hold : Outcome::brake;
   } else if (intent.influence == Influence::direct && !intent.guarded) {
-    impl_->pass_through(situation, intent);
+    impl_->pass_through(situation);
   } else {
-    return impl_->drive(situation, grid, intent, sampling);
+    return impl_->drive(situation, grid, sampling);
   }
   impl_->rest_since = -1.0;  // autonomy did not choose to stand
   impl_->turning_to_plan = false;
   return impl_->decision;
 }
 
-std::string Planner::Impl::fault_of(const Situation& situation, const GridView& grid,
-                                    const OperatorIntent& intent) const {
+const char* Planner::Impl::fault_of(const Situation& situation, const GridView& grid) const {
   if (!grid.valid()) return "the costmap is empty";
   if (footprint.empty()) return "no footprint is set: give the costmap footprint or robot_radius";
   if (!plausible(situation.pose) || !plausible(situation.velocity) || !plausible(situation.last_command)) {
@@ -223,7 +230,7 @@ std::string Planner::Impl::fault_of(const Situation& situation, const GridView& 
     return "a pose of the plan is not a number, or beyond all bounds: look at the global planner";
   }
   if (intent.influence != Influence::none && !is_finite(intent.u_h)) return "what the person wants is not a number";
-  return "";
+  return nullptr;
 }
 
 // A command that was never a number is none; a reference beyond the limits is brought back by the window.
@@ -234,14 +241,33 @@ Twist2 Planner::Impl::bounded_reference(const Situation& situation) const {
 }
 
 void Planner::Impl::begin(const Situation& situation) {
-  decision = Decision{};
+  clear_decision();
   decision.reference = bounded_reference(situation);
   marked = Marked{};
   totals.clear();
 }
 
+// Keeps the memory.
+void Planner::Impl::clear_decision() {
+  std::vector<Pose2> trajectory = std::move(decision.trajectory);
+  std::vector<CriticTerm> terms = std::move(decision.terms);
+  std::vector<RefusalCount> refusals = std::move(decision.refusals);
+  std::string refused = std::move(decision.operator_refused_by), problem = std::move(decision.problem);
+  trajectory.clear();
+  terms.clear();
+  refusals.clear();
+  refused.clear();
+  problem.clear();
+  decision = Decision{};
+  decision.trajectory = std::move(trajectory);
+  decision.terms = std::move(terms);
+  decision.refusals = std::move(refusals);
+  decision.operator_refused_by = std::move(refused);
+  decision.problem = std::move(problem);
+}
+
 // The brake command; at rest there is nothing left but to fail.
-void Planner::Impl::give_up(const Situation& situation, const std::string& problem) {
+void Planner::Impl::give_up(const Situation& situation, const char* problem) {
   decision.problem = problem;
   decision.sample = {};
   const double period = situation.period > 0.0 ? situation.period : Situation().period;
@@ -250,15 +276,14 @@ void Planner::Impl::give_up(const Situation& situation, const std::string& probl
   decision.outcome = moving ? Outcome::brake : Outcome::fail;
 }
 
-void Planner::Impl::pass_through(const Situation& situation, const OperatorIntent& intent) {
+void Planner::Impl::pass_through(const Situation& situation) {
   decision.sample = limits.clamp(intent.u_h);
   decision.command = limits.step(decision.reference, decision.sample, situation.period);
   decision.outcome = at_rest(decision.command) ? Outcome::hold : Outcome::drive;
 }
 
-const Decision& Planner::Impl::drive(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
-                                     const Sampling& sampling) {
-  make_candidates(situation, intent, sampling);
+const Decision& Planner::Impl::drive(const Situation& situation, const GridView& grid, const Sampling& sampling) {
+  make_candidates(situation, sampling);
   prepare_checks(situation, grid);
   grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
   CycleView cycle;
@@ -273,13 +298,14 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   cycle.footprint = &footprint;
   cycle.grids = &grids;
   if (!grids.on_map() && !cycle.steered) {
+    totals.clear();
     give_up(situation, "no pose of the plan lies on the local map");
     return decision;
   }
   for (NamedCritic& named : critics) {
     if (named.weight != 0.0) named.critic->prepare(cycle);
   }
-  for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, rollout.tile(t), intent);
+  for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, rollout.tile(t));
 
   const bool autonomous = intent.influence == Influence::none && !situation.goal_latched;
   if (!autonomous) turning_to_plan = false;
@@ -294,7 +320,7 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
     describe(best);
   }
   count_refusals();
-  judge_operator(intent);
+  judge_operator();
   watch_rest(situation, autonomous);
   for (NamedCritic& named : critics) {
     if (named.weight != 0.0) named.critic->debrief(cycle, decision.command);
@@ -302,8 +328,7 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   return decision;
 }
 
-void Planner::Impl::make_candidates(const Situation& situation, const OperatorIntent& intent,
-                                    const Sampling& sampling) {
+void Planner::Impl::make_candidates(const Situation& situation, const Sampling& sampling) {
   SampleRequest request;
   request.reference = decision.reference;
   request.previous = situation.last_command;
@@ -315,11 +340,10 @@ void Planner::Impl::make_candidates(const Situation& situation, const OperatorIn
   rollout.run(parameters, limits, situation.pose, decision.reference, sampler.samples());
   const std::size_t n = rollout.candidate_count();
   decision.candidates = n;
-  totals.assign(n, std::numeric_limits<double>::infinity());
-  refused_by.assign(n, kLegal);
-  reasons.assign(n, nullptr);
-  deviation.assign(n, 0.0);
-  for (std::vector<double>& scores : raw) scores.assign(n, 0.0);
+  totals.resize(n);  // the rest is set tile by tile
+  refused_by.resize(n);
+  reasons.resize(n);
+  for (std::vector<double>& scores : raw) scores.resize(n);
 }
 
 void Planner::Impl::prepare_checks(const Situation& situation, const GridView& grid) {
@@ -327,16 +351,23 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
   for (const Sample& sample : sampler.samples()) fastest = std::max(fastest, std::abs(sample.u.v));
   const double longest = std::max(parameters.sim_time, parameters.control_latency + situation.period +
                                                            limits.x.time_to_rest(fastest));
-  collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, fastest * longest);
+  const double reach = fastest * longest;
+  // Half a step: what lies between two clear poses is clear. And enough for an outline that is grown a little.
+  const double margin = std::max(0.5 * rollout.longest_step(), grid.resolution / 16.0);
+  collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin);
+  classes.prepare(collision, grid, parameters.unknown_is_obstacle, situation.pose, reach);
   admissibility.prepare(parameters, limits, collision, footprint, grid.resolution,
                         {situation.pose, decision.reference, situation.period});
   decision.escaping = admissibility.escaping();
 }
 
-void Planner::Impl::score_tile(const CycleView& cycle, const Tile& tile, const OperatorIntent& intent) {
+void Planner::Impl::score_tile(const CycleView& cycle, Tile tile) {
+  classes.classify(tile);
+  std::fill_n(refused_by.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, kLegal);
+  std::fill_n(reasons.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, nullptr);
   refuse_colliding(tile);
   ask_critics(cycle, tile);
-  sum_up(tile, intent);
+  sum_up(tile);
 }
 
 void Planner::Impl::refuse_colliding(const Tile& tile) {
@@ -355,6 +386,7 @@ void Planner::Impl::refuse_colliding(const Tile& tile) {
 
 void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
   for (std::size_t i = 0; i < critics.size(); ++i) {
+    std::fill_n(raw[i].begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, 0.0);
     if (critics[i].weight == 0.0) continue;
     TileScores scores(raw[i].data() + tile.first, reasons.data() + tile.first, tile.count);
     critics[i].critic->score(cycle, tile, scores);
@@ -365,27 +397,37 @@ void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
 }
 
 // Kalliokoski 2022, the cost J in section III: J = s_nv J_nv + gamma (s_v |v_h - v| + s_omega |omega_h - omega|).
-void Planner::Impl::sum_up(const Tile& tile, const OperatorIntent& intent) {
-  const bool counts = intent.influence != Influence::none;
+void Planner::Impl::sum_up(const Tile& tile) {
+  const std::size_t n = tile.count;
+  double* total = totals.data() + tile.first;
+  std::fill_n(total, n, 0.0);
   // Direct control takes the legal candidate nearest to what the person wants, by the same weights.
-  const bool direct = intent.influence == Influence::direct;
-  for (std::size_t c = 0; c < tile.count; ++c) {
+  if (intent.influence != Influence::direct) {
+    for (std::size_t i = 0; i < critics.size(); ++i) {
+      const double weight = critics[i].weight;
+      const double* scores = raw[i].data() + tile.first;
+      for (std::size_t c = 0; c < n; ++c) total[c] += weight * scores[c];
+    }
+    for (std::size_t c = 0; c < n; ++c) total[c] *= parameters.s_nv;
+  }
+  if (intent.influence != Influence::none) {
+    for (std::size_t c = 0; c < n; ++c) total[c] += deviation_of(tile.sample(c));
+  }
+  for (std::size_t c = 0; c < n; ++c) {
     const std::size_t at = tile.first + c;
-    const double off_v = std::abs(intent.u_h.v - tile.v[c]);
-    const double off_omega = std::abs(intent.u_h.omega - tile.omega);
-    if (counts) deviation[at] = parameters.s_v * off_v + parameters.s_omega * off_omega;
-    if (refused_by[at] != kLegal) continue;
-    double autonomy = 0.0;
-    for (std::size_t i = 0; i < critics.size(); ++i) autonomy += critics[i].weight * raw[i][at];
-    const double total = direct ? deviation[at] : parameters.s_nv * autonomy + deviation[at];
-    // A critic of another package may say anything: what is not a number is no legal candidate.
-    if (std::isfinite(total)) {
-      totals[at] = total;
-    } else {
+    if (refused_by[at] == kLegal && !std::isfinite(total[c])) {
+      // A critic of another package may say anything: what is not a number is no legal candidate.
       refused_by[at] = not_a_number(at);
       reasons[at] = "total is not a number";
     }
+    if (refused_by[at] != kLegal) total[c] = std::numeric_limits<double>::infinity();
   }
+}
+
+// The paper's J_sh; nothing while the person's input does not count.
+double Planner::Impl::deviation_of(const Twist2& u) const {
+  if (intent.influence == Influence::none) return 0.0;
+  return parameters.s_v * std::abs(intent.u_h.v - u.v) + parameters.s_omega * std::abs(intent.u_h.omega - u.omega);
 }
 
 // The critic that spoiled a total.
@@ -420,18 +462,15 @@ void Planner::Impl::describe(int best) {
   decision.sample = sample_at(index);
   decision.command = admissibility.command_for(decision.sample);
   decision.total = totals[index];
-  decision.terms = terms_of(index);
+  list_terms(index, decision.terms);
   decision.outcome = at_rest(decision.command) && at_rest(decision.sample) ? Outcome::hold : Outcome::drive;
-  for (std::size_t t = 0; t < rollout.tile_count(); ++t) {
-    const Tile tile = rollout.tile(t);
-    if (index < tile.first || index >= tile.first + tile.count) continue;
-    decision.step = tile.dt;
-    for (std::size_t k = 0; k <= tile.steps; ++k) decision.trajectory.push_back(tile.pose(k, index - tile.first));
-  }
+  const Tile tile = rollout.tile(rollout.tile_of(index));
+  decision.step = tile.dt;
+  for (std::size_t k = 0; k <= tile.steps; ++k) decision.trajectory.push_back(tile.pose(k, index - tile.first));
 }
 
 void Planner::Impl::count_refusals() {
-  std::vector<std::size_t> counts(kFirstCritic + critics.size(), 0);
+  counts.assign(kFirstCritic + critics.size(), 0);
   for (const std::uint8_t refuser : refused_by) ++counts[refuser];
   decision.legal = counts[kLegal];
   for (std::size_t refuser = kCollision; refuser < counts.size(); ++refuser) {
@@ -448,26 +487,34 @@ void Planner::Impl::count_refusals() {
 
 // How near the choice comes to the operator's own command, and what became of that: of its own candidate, or of the
 // sample nearest to it.
-void Planner::Impl::judge_operator(const OperatorIntent& intent) {
+void Planner::Impl::judge_operator() {
   if (intent.influence == Influence::none) return;
   const double v_span = std::max(limits.x.max - limits.x.min, 1e-6);
   const double omega_span = std::max(limits.theta.max - limits.theta.min, 1e-6);
   decision.agreement = std::max(0.0, 1.0 - std::abs(intent.u_h.v - decision.sample.v) / v_span -
                                          std::abs(intent.u_h.omega - decision.sample.omega) / omega_span);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < rollout.candidate_count(); ++c) {
-    const Sample& sample = sampler.samples()[c];
-    const double off = sample.kind == SampleKind::operator_own
-                           ? -1.0
-                           : std::abs(sample.u.v - intent.u_h.v) + std::abs(sample.u.omega - intent.u_h.omega);
-    if (off < nearest) {
-      nearest = off;
-      marked.operator_own = static_cast<int>(c);
-    }
-  }
+  marked.operator_own = find_operator_own();
   if (marked.operator_own < 0) return;
   const std::uint8_t refuser = refused_by[static_cast<std::size_t>(marked.operator_own)];
   if (refuser != kLegal) decision.operator_refused_by = name_of(refuser);
+}
+
+// The person's own candidate, one of the last, or the sample nearest to what the person wants.
+int Planner::Impl::find_operator_own() const {
+  const std::vector<Sample>& samples = sampler.samples();
+  for (std::size_t c = samples.size(); c-- > 0 && samples[c].kind != SampleKind::grid;) {
+    if (samples[c].kind == SampleKind::operator_own) return static_cast<int>(c);
+  }
+  int own = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < samples.size(); ++c) {
+    const double off = std::abs(samples[c].u.v - intent.u_h.v) + std::abs(samples[c].u.omega - intent.u_h.omega);
+    if (off < nearest) {
+      nearest = off;
+      own = static_cast<int>(c);
+    }
+  }
+  return own;
 }
 
 // Autonomy that prefers standing still to every legal move is stuck, mostly because it faces away from the plan and the
@@ -509,19 +556,17 @@ int Planner::Impl::choose_turn(const Situation& situation) {
   return best;
 }
 
-const std::string& Planner::Impl::name_of(std::uint8_t refuser) const {
-  static const std::string kNames[] = {"", "Collision", "Braking"};
+std::string_view Planner::Impl::name_of(std::uint8_t refuser) const {
+  constexpr std::string_view kNames[] = {"", "Collision", "Braking"};
   if (refuser < kFirstCritic) return kNames[refuser];
   return critics[static_cast<std::size_t>(refuser - kFirstCritic)].name;
 }
 
-std::vector<CriticTerm> Planner::Impl::terms_of(std::size_t candidate) const {
-  std::vector<CriticTerm> terms;
+void Planner::Impl::list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const {
   for (std::size_t i = 0; i < critics.size(); ++i) {
     terms.push_back({critics[i].name, raw[i][candidate], parameters.s_nv * critics[i].weight});
   }
-  terms.push_back({"OperatorDeviation", deviation[candidate], 1.0});
-  return terms;
+  terms.push_back({"OperatorDeviation", deviation_of(sample_at(candidate)), 1.0});
 }
 
 std::vector<CandidateRecord> Planner::evaluation() const {
@@ -535,7 +580,7 @@ std::vector<CandidateRecord> Planner::evaluation() const {
       record.sample = tile.sample(c);
       record.step = tile.dt;
       for (std::size_t k = 0; k <= tile.steps; ++k) record.poses.push_back(tile.pose(k, c));
-      record.terms = impl_->terms_of(at);
+      impl_->list_terms(at, record.terms);
       if (std::isfinite(impl_->totals[at])) record.total = impl_->totals[at];
       record.refused_by = impl_->name_of(impl_->refused_by[at]);
       record.reason = impl_->reasons[at] != nullptr ? impl_->reasons[at] : "";

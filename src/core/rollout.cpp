@@ -3,138 +3,185 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "hidwa_local_planner/core/roll_kernel.hpp"
+#include "hidwa_local_planner/core/rotation.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
-// Nav2's number of steps: neither the distance nor the turn between two poses exceeds its granularity.
-std::size_t step_count(const Parameters& p, double v, double omega) {
-  const double steps = std::ceil(std::max(std::abs(v) * p.sim_time / p.linear_granularity,
-                                          std::abs(omega) * p.sim_time / p.angular_granularity));
-  return static_cast<std::size_t>(std::max(1.0, steps));
+// Columns of a tile: 32 candidates of 70 poses take 36 kB, about a first cache.
+constexpr std::size_t kMostColumns = 32;
+
+// Faster than any robot, so that only the accelerations bind.
+constexpr double kUnbounded = 1e6;
+
+std::size_t padded(std::size_t count) {
+  return (count + kernel::kLaneMultiple - 1) / kernel::kLaneMultiple * kernel::kLaneMultiple;
 }
 
 }  // namespace
 
-void Rollout::run(const Parameters& p, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-                  const std::vector<Sample>& samples) {
-  make_tiles(p, samples);
-  for (const Block& block : tiles_) {
-    roll_heading(p, limits, start, reference, block);
-    roll_positions(p, limits, start, reference, block);
-  }
+// Nav2's number: neither the distance nor the turn between two poses exceeds its granularity.
+std::size_t Rollout::Settings::steps(double v, double omega) const {
+  const double number = std::ceil(std::max(std::abs(v) * sim_time / linear_granularity,
+                                           std::abs(omega) * sim_time / angular_granularity));
+  return static_cast<std::size_t>(std::max(1.0, number));
 }
 
-void Rollout::make_tiles(const Parameters& p, const std::vector<Sample>& samples) {
+void Rollout::run(const Parameters& p, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
+                  const std::vector<Sample>& samples) {
+  settings_ = {p.sim_time, p.linear_granularity, p.angular_granularity, p.integration == Integration::euler,
+               p.generator == Generator::standard};
+  limits_ = limits;
+  start_ = start;
+  reference_ = reference;
+  start_cosine_ = std::cos(start.theta);
+  start_sine_ = std::sin(start.theta);
+  turn_.known = 0;
+  least_v_ = most_v_ = reference.v;
+  for (const Sample& sample : samples) {
+    least_v_ = std::min(least_v_, sample.u.v);
+    most_v_ = std::max(most_v_, sample.u.v);
+  }
+  make_tiles(samples);
+}
+
+void Rollout::make_tiles(const std::vector<Sample>& samples) {
   tiles_.clear();
-  kinds_.clear();
   v_.clear();
   double fastest = 0.0;
   for (const Sample& sample : samples) fastest = std::max(fastest, std::abs(sample.u.v));
-  std::size_t positions = 0, headings = 0;
+  longest_step_ = 0.0;
+  const double top_speed = std::max(-least_v_, most_v_);
+  std::size_t turns = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Sample& sample = samples[i];
     const bool brake = sample.kind == SampleKind::brake;
-    const bool ramped = brake || p.generator == Generator::standard;
+    const bool ramped = brake || settings_.standard;
     // An Euler rollout's end depends on its number of steps, so each candidate has Nav2's own; a midpoint rollout's
     // hardly does, so all candidates of one omega share the largest number.
-    std::size_t steps = step_count(p, p.integration == Integration::euler ? sample.u.v : fastest, sample.u.omega);
+    std::size_t steps = settings_.steps(settings_.euler ? sample.u.v : fastest, sample.u.omega);
     // A brake candidate turns and drives on at first: its steps are those of the fastest.
-    if (brake) steps = std::max(steps, step_count(p, fastest, 0.0));
-    if (tiles_.empty() || tiles_.back().omega != sample.u.omega || tiles_.back().steps != steps ||
-        tiles_.back().ramped != ramped) {
+    if (brake) steps = std::max(steps, settings_.steps(fastest, 0.0));
+    const bool same_turn = !tiles_.empty() && tiles_.back().omega == sample.u.omega && tiles_.back().steps == steps &&
+                           tiles_.back().ramped == ramped;
+    if (!same_turn || tiles_.back().count == kMostColumns) {
       Block block;
       block.omega = sample.u.omega;
       block.steps = steps;
-      block.dt = p.sim_time / static_cast<double>(steps);
+      block.dt = settings_.sim_time / static_cast<double>(steps);
       block.first = i;
+      block.turn = same_turn ? turns : ++turns;
       block.ramped = ramped;
       tiles_.push_back(block);
+      longest_step_ = std::max(longest_step_, top_speed * block.dt);
     }
     ++tiles_.back().count;
-    kinds_.push_back(sample.kind);
     v_.push_back(sample.u.v);
   }
-  for (Block& block : tiles_) {
-    block.positions = positions;
-    block.headings = headings;
-    positions += (block.steps + 1) * block.count;
-    headings += block.steps + 1;
-  }
-  x_.resize(positions);
-  y_.resize(positions);
-  for (std::vector<double>* table : {&heading_, &cos_, &sin_, &omega_at_, &step_cos_, &step_sin_}) {
-    table->resize(headings);
-  }
 }
 
-void Rollout::roll_heading(const Parameters& p, const VelocityLimits& limits, const Pose2& start,
-                           const Twist2& reference, const Block& block) {
+void Rollout::roll_turn(const Block& block) const {
+  Turn& t = turn_;
+  t.known = block.turn;
+  for (std::vector<double>* table : {&t.heading, &t.cosine, &t.sine, &t.omega, &t.step_x, &t.step_y}) {
+    if (table->size() <= block.steps) table->resize(block.steps + 1);
+  }
+  const bool euler = settings_.euler;
   double turn = 0.0;  // since the start: what rotated scenes share to the last bit
-  double omega = block.ramped ? reference.omega : block.omega;
-  const double cos_start = std::cos(start.theta);
-  const double sin_start = std::sin(start.theta);
+  double omega = block.ramped ? reference_.omega : block.omega;
+  double last_half = 0.0;
+  Rotation direction{start_cosine_, start_sine_}, half;
   for (std::size_t k = 0; k <= block.steps; ++k) {
-    const std::size_t at = block.headings + k;
-    heading_[at] = start.theta + turn;
-    omega_at_[at] = omega;
-    cos_[at] = cos_start * std::cos(turn) - sin_start * std::sin(turn);
-    sin_[at] = sin_start * std::cos(turn) + cos_start * std::sin(turn);
-    const double next = block.ramped ? limits.theta.ramp(omega, block.omega, block.dt) : block.omega;
-    if (p.integration == Integration::euler) {
-      step_cos_[at] = cos_[at];
-      step_sin_[at] = sin_[at];
-      turn += next * block.dt;
-    } else {
-      const double middle = turn + 0.25 * (omega + next) * block.dt;
-      step_cos_[at] = cos_start * std::cos(middle) - sin_start * std::sin(middle);
-      step_sin_[at] = sin_start * std::cos(middle) + cos_start * std::sin(middle);
-      turn += 0.5 * (omega + next) * block.dt;
+    t.heading[k] = start_.theta + turn;
+    t.omega[k] = omega;
+    t.cosine[k] = direction.c;
+    t.sine[k] = direction.s;
+    const double next = omega == block.omega ? omega : limits_.theta.ramp(omega, block.omega, block.dt);
+    const double by = euler ? next * block.dt : 0.5 * (omega + next) * block.dt;
+    if (0.5 * by != last_half) {
+      last_half = 0.5 * by;
+      half = Rotation::of(last_half);
     }
+    const Rotation middle = direction.turned(half);
+    const Rotation& step = euler ? direction : middle;
+    t.step_x[k] = step.c * block.dt;
+    t.step_y[k] = step.s * block.dt;
+    direction = middle.turned(half);
+    turn += by;
     omega = next;
   }
+  roll_speed(block);
 }
 
-void Rollout::roll_positions(const Parameters& p, const VelocityLimits& limits, const Pose2& start,
-                             const Twist2& reference, const Block& block) {
-  const std::size_t n = block.count;
-  const double* target = v_.data() + block.first;
-  double* x = x_.data() + block.positions;
-  double* y = y_.data() + block.positions;
-  std::fill(x, x + n, start.x);
-  std::fill(y, y + n, start.y);
-  speed_.resize(std::max(speed_.size(), n));
-  for (std::size_t c = 0; c < n; ++c) speed_[c] = block.ramped ? reference.v : target[c];
-  const bool euler = p.integration == Integration::euler;
-  for (std::size_t k = 0; k < block.steps; ++k) {
-    const double step_x = step_cos_[block.headings + k] * block.dt;
-    const double step_y = step_sin_[block.headings + k] * block.dt;
-    for (std::size_t c = 0; c < n; ++c) {
-      const double next = block.ramped ? limits.x.ramp(speed_[c], target[c], block.dt) : target[c];
-      const double mean = euler ? next : 0.5 * (speed_[c] + next);
-      x[(k + 1) * n + c] = x[k * n + c] + mean * step_x;
-      y[(k + 1) * n + c] = y[k * n + c] + mean * step_y;
-      speed_[c] = next;
-    }
+// A candidate's speed is its sample, as far as the ramp from the reference allows: all share the two ramps that go on
+// for ever.
+void Rollout::roll_speed(const Block& block) const {
+  Turn& t = turn_;
+  t.ramp_steps = 0;
+  if (!block.ramped) return;
+  for (std::vector<double>* table : {&t.slowest, &t.fastest}) {
+    if (table->size() <= block.steps) table->resize(block.steps + 1);
+  }
+  double slowest = reference_.v, fastest = reference_.v;
+  for (std::size_t k = 0; k <= block.steps; ++k) {
+    t.slowest[k] = slowest;
+    t.fastest[k] = fastest;
+    t.ramp_steps = k;
+    if (slowest <= least_v_ && fastest >= most_v_) return;
+    slowest = limits_.x.ramp(slowest, -kUnbounded, block.dt);
+    fastest = limits_.x.ramp(fastest, kUnbounded, block.dt);
   }
 }
 
 Tile Rollout::tile(std::size_t index) const {
   const Block& block = tiles_[index];
+  if (turn_.known != block.turn) roll_turn(block);
   Tile tile;
   tile.omega = block.omega;
   tile.dt = block.dt;
   tile.steps = block.steps;
   tile.first = block.first;
   tile.count = block.count;
+  tile.stride = padded(block.count);
+  const std::size_t size = (block.steps + 1) * tile.stride;
+  if (x_.size() < size) {
+    x_.resize(size);
+    y_.resize(size);
+  }
+  lane_v_.assign(tile.stride, v_[block.first]);  // padding repeats the first candidate
+  std::copy_n(v_.begin() + static_cast<std::ptrdiff_t>(block.first), block.count, lane_v_.begin());
+  std::fill_n(x_.begin(), tile.stride, start_.x);
+  std::fill_n(y_.begin(), tile.stride, start_.y);
+
+  kernel::RollRequest request;
+  request.steps = block.steps;
+  request.ramp_steps = std::min(turn_.ramp_steps, block.steps);
+  request.stride = tile.stride;
+  request.euler = settings_.euler;
+  request.v = lane_v_.data();
+  request.slowest = turn_.slowest.data();
+  request.fastest = turn_.fastest.data();
+  request.step_x = turn_.step_x.data();
+  request.step_y = turn_.step_y.data();
+  kernel::roll(request, x_.data(), y_.data());
+
   tile.v = v_.data() + block.first;
-  tile.x = x_.data() + block.positions;
-  tile.y = y_.data() + block.positions;
-  tile.heading = heading_.data() + block.headings;
-  tile.cos_heading = cos_.data() + block.headings;
-  tile.sin_heading = sin_.data() + block.headings;
-  tile.omega_at = omega_at_.data() + block.headings;
+  tile.x = x_.data();
+  tile.y = y_.data();
+  tile.heading = turn_.heading.data();
+  tile.cos_heading = turn_.cosine.data();
+  tile.sin_heading = turn_.sine.data();
+  tile.omega_at = turn_.omega.data();
   return tile;
+}
+
+std::size_t Rollout::tile_of(std::size_t candidate) const {
+  const auto next = std::upper_bound(tiles_.begin(), tiles_.end(), candidate,
+                                     [](std::size_t c, const Block& block) { return c < block.first; });
+  return static_cast<std::size_t>(next - tiles_.begin()) - 1;
 }
 
 }  // namespace hidwa_local_planner

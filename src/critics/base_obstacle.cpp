@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/critics/base_obstacle.hpp"
 
+#include "hidwa_local_planner/core/cell_classes.hpp"
+
 namespace hidwa_local_planner {
 
 double BaseObstacleCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
@@ -25,22 +27,25 @@ void BaseObstacleCritic::score(const CycleView& cycle, const Tile& tile, TileSco
   const GridView& grid = *cycle.grid;
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (scores.refused(c)) continue;
-    double sum = 0.0;
-    double last = 0.0;
-    bool hit = false;
-    for (std::size_t k = 0; k <= tile.steps && !hit; ++k) {
-      const double x = tile.x_at(k, c), y = tile.y_at(k, c);
-      hit = refuses_ && obstacle(grid, x, y);
-      const Cell cell = grid.cell_at(x, y);
-      last = grid.contains(cell) ? static_cast<double>(grid.at(cell)) : 0.0;
-      sum += last;
-    }
-    if (hit) {
+    if (refuses_ && hits(grid, tile, c)) {
       scores.refuse(c, "centre hits an obstacle or its inscribed cells");
-    } else {
-      scores.set(c, sum_scores_ ? sum : last);
+      continue;
     }
+    double sum = 0.0;
+    for (std::size_t k = sum_scores_ ? 0 : tile.steps; k <= tile.steps; ++k) {
+      const Cell cell = grid.cell_at(tile.x_at(k, c), tile.y_at(k, c));
+      if (grid.contains(cell)) sum += static_cast<double>(grid.at(cell));
+    }
+    scores.set(c, sum);
   }
+}
+
+bool BaseObstacleCritic::hits(const GridView& grid, const Tile& tile, std::size_t c) const {
+  if (tile.touched != nullptr) return (tile.touched[c] & cell_class::kBlocked) != 0;
+  for (std::size_t k = 0; k <= tile.steps; ++k) {
+    if (obstacle(grid, tile.x_at(k, c), tile.y_at(k, c))) return true;
+  }
+  return false;
 }
 
 }  // namespace hidwa_local_planner

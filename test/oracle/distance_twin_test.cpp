@@ -32,15 +32,16 @@ Scene random_map(Random& random, std::vector<Cell>& sources) {
 
 TEST(DistanceTwin, L1) {
   Random random(21);
-  DistanceGrid distances;
+  DistanceGrids distances;
   std::vector<Cell> sources;
   for (int k = 0; k < 300; ++k) {
     const Scene scene = random_map(random, sources);
-    distances.make_l1(scene.grid(), sources);
+    distances.prepare(scene.grid(), MapGridDistance::l1);
+    distances.set_sources(1, sources);
     const std::vector<int> naive = test::naive_l1(scene.grid(), sources);
     for (int j = 0; j < scene.size_y; ++j) {
       for (int i = 0; i < scene.size_x; ++i) {
-        ASSERT_EQ(distances.units({i, j}), naive[scene.grid().index({i, j})])
+        ASSERT_EQ(distances.units(1, {i, j}), naive[scene.grid().index({i, j})])
             << "map " << k << " cell " << i << " " << j;
       }
     }
@@ -49,17 +50,23 @@ TEST(DistanceTwin, L1) {
 
 TEST(DistanceTwin, Geodesic) {
   Random random(22);
-  DistanceGrid distances;
+  DistanceGrids distances;
   std::vector<Cell> sources;
   int unreached = 0, blocked = 0;
   for (int k = 0; k < 300; ++k) {
     const Scene scene = random_map(random, sources);
-    distances.make_geodesic(scene.grid(), sources);
+    const std::vector<Cell> others(sources.begin(), sources.begin() + 1);
+    distances.prepare(scene.grid(), MapGridDistance::geodesic);
+    distances.set_sources(0, sources);
+    distances.set_sources(2, others);
     const std::vector<int> naive = test::naive_geodesic(scene.grid(), sources);
+    const std::vector<int> naive_others = test::naive_geodesic(scene.grid(), others);
     for (int j = 0; j < scene.size_y; ++j) {
       for (int i = 0; i < scene.size_x; ++i) {
         const int expected = naive[scene.grid().index({i, j})];
-        ASSERT_EQ(distances.units({i, j}), expected) << "map " << k << " cell " << i << " " << j;
+        ASSERT_EQ(distances.units(0, {i, j}), expected) << "map " << k << " cell " << i << " " << j;
+        ASSERT_EQ(distances.units(2, {i, j}), naive_others[scene.grid().index({i, j})])
+            << "map " << k << " cell " << i << " " << j;
         unreached += expected < 0;
         blocked += expected >= 0 && test::naive_blocks(scene.grid().at({i, j}));
       }

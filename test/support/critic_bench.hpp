@@ -30,7 +30,7 @@ class HandTile {
     tile_.omega = u.omega;
     tile_.dt = dt;
     tile_.steps = poses.size() - 1;
-    tile_.count = 1;
+    tile_.count = tile_.stride = 1;
     tile_.v = &v_;
     tile_.x = x_.data();
     tile_.y = y_.data();

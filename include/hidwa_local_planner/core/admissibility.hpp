@@ -40,15 +40,22 @@ class AdmissibilityCheck {
     double clearance = 0.0;  // [m]
   };
   bool rollout_free(const Tile& tile, std::size_t c) const;
+  bool segment_free(const Tile& tile, std::size_t c, std::size_t k) const;
   bool rollout_escapes(const Tile& tile, std::size_t c) const;
-  bool manoeuvre_free(const Twist2& command, double spacing, const Footprint& outline);
+  BrakeManoeuvre manoeuvre(const Twist2& command) const;
+  bool manoeuvre_free(const Twist2& command, double spacing, const Footprint& outline) const;
   bool manoeuvre_deeper(const Twist2& command);
+  void grow_outline();
 
   const Parameters* parameters_ = nullptr;
   const VelocityLimits* limits_ = nullptr;
   const CollisionChecker* checker_ = nullptr;
   const Footprint* footprint_ = nullptr;
-  Footprint grown_;
+  Footprint grown_;            // the footprint and a thirty-second of a cell
+  Footprint grown_from_;       // what that was made of
+  double grown_by_ = 0.0;      // [m]
+  const Footprint* sure_outline_ = nullptr;
+  TurnedPose start_;
   double resolution_ = 0.05;
   Setup setup_;
   bool escaping_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,13 +15,28 @@ class BitGrid {
   int width() const { return width_; }
   int height() const { return height_; }
   void set(int i, int j) { words_[word(i, j)] |= std::uint64_t{1} << (i & 63); }
+  /// Sets the bits of row j in [i0, i1).
+  void fill(int j, int i0, int i1);
+  /// 1 for the values that set_where() takes.
+  using Values = std::array<std::uint8_t, 256>;
+  /// Sets the bits of row j in [i0, i1) where `cells`, which begin at i0, hold one of the values.
+  void set_where(int j, int i0, int i1, const std::uint8_t* cells, const Values& values);
   bool test(int i, int j) const { return (words_[word(i, j)] >> (i & 63)) & 1U; }
   /// True when any bit of row j in [i0, i1] is set; the range must lie inside.
   bool any(int j, int i0, int i1) const;
+  /// The 64 bits of row j from column i0 on, the first one lowest; 0 beyond the row's words.
+  std::uint64_t bits(int j, int i0) const {
+    const std::size_t w = word(i0, j), end = static_cast<std::size_t>(j + 1) * row_words_;
+    const int shift = i0 & 63;
+    const std::uint64_t low = words_[w] >> shift;
+    return shift == 0 || w + 1 >= end ? low : low | (words_[w + 1] << (64 - shift));
+  }
 
   /// Sets every bit of `out` whose cell has a set bit of this grid at an offset (dx, dy) with |dx| <= reach[|dy|].
   /// `reach` must not grow with |dy|; a negative reach ends it. `out` gets this grid's size.
   void dilate(const std::vector<int>& reach, BitGrid& out) const;
+  /// As dilate(), keeping what is set in `out`, which must have this grid's size.
+  void dilate_into(const std::vector<int>& reach, BitGrid& out) const;
 
  private:
   std::size_t word(int i, int j) const {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "hidwa_local_planner/core/rotation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 #include "hidwa_local_planner/core/velocity_limits.hpp"
 
@@ -16,10 +19,76 @@ struct BrakeManoeuvre {
   Twist2 command;        // [m/s, rad/s]
   double latency = 0.0;  // [s]
   double period = 0.05;  // [s]
+
+  /// How far from its start the robot's centre can get [m].
+  double reach(const VelocityLimits& limits) const {
+    const double fastest = std::max(std::abs(reference.v), std::abs(command.v));
+    return std::abs(reference.v) * latency + fastest * period + limits.x.distance_to_rest(command.v);
+  }
 };
 
-/// The poses of a manoeuvre after its start, the last one at rest. No point within `radius` [m] of the robot's centre
-/// moves more than `spacing` [m] between two of them. Empty when it does not move at all.
+/// A pose and its heading's cosine and sine.
+struct TurnedPose {
+  Pose2 pose;
+  Rotation heading;
+};
+
+/// Rolls manoeuvres out pose by pose, from one pose on.
+class ManoeuvreRoller {
+ public:
+  /// No point within `radius` [m] of the robot's centre moves more than `spacing` [m] between two poses.
+  ManoeuvreRoller(const VelocityLimits& limits, double radius, double spacing, const TurnedPose& start)
+      : limits_(limits), radius_(radius), spacing_(spacing), at_(start) {}
+
+  /// Calls visit(TurnedPose) for the poses after the start until it returns false, the last one at rest, none when it
+  /// does not move at all. Returns what the last visit did.
+  template <typename Visit>
+  bool roll(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
+    u_ = manoeuvre.reference;
+    if (!stretch(manoeuvre.reference, manoeuvre.latency, visit)) return false;
+    if (!stretch(manoeuvre.command, manoeuvre.period, visit)) return false;
+    // Both axes to rest, each at its own limit: one of them may rest before the other.
+    const double first = std::min(limits_.x.time_to_rest(u_.v), limits_.theta.time_to_rest(u_.omega));
+    const Twist2 then{limits_.x.ramp(u_.v, 0.0, first), limits_.theta.ramp(u_.omega, 0.0, first)};
+    if (!stretch(then, first, visit)) return false;
+    const double rest = std::max(limits_.x.time_to_rest(u_.v), limits_.theta.time_to_rest(u_.omega));
+    return stretch({}, rest, visit);
+  }
+
+ private:
+  // One stretch of `duration` [s] in which both axes change evenly from the current velocity to `end`.
+  template <typename Visit>
+  bool stretch(const Twist2& end, double duration, Visit&& visit) {
+    if (duration <= 0.0) return true;
+    const double fastest = std::max(std::abs(u_.v), std::abs(end.v)) +
+                           radius_ * std::max(std::abs(u_.omega), std::abs(end.omega));
+    const Twist2 begin = u_;
+    u_ = end;
+    if (fastest * duration <= 1e-12) return true;
+    const int steps = static_cast<int>(std::ceil(fastest * duration / spacing_));
+    const double dt = duration / steps;
+    for (int k = 0; k < steps; ++k) {
+      const double middle = (k + 0.5) / steps;
+      const double v = begin.v + middle * (end.v - begin.v);
+      const double turn = (begin.omega + middle * (end.omega - begin.omega)) * dt;
+      const Rotation half = Rotation::of(0.5 * turn);
+      const Rotation direction = at_.heading.turned(half);
+      at_.pose.x += v * direction.c * dt;
+      at_.pose.y += v * direction.s * dt;
+      at_.pose.theta += turn;
+      at_.heading = direction.turned(half);
+      if (!visit(static_cast<const TurnedPose&>(at_))) return false;
+    }
+    return true;
+  }
+
+  const VelocityLimits& limits_;
+  double radius_, spacing_;
+  TurnedPose at_;
+  Twist2 u_;
+};
+
+/// The poses of a manoeuvre after its start, see ManoeuvreRoller.
 void roll_out(const BrakeManoeuvre& manoeuvre, const VelocityLimits& limits, double radius, double spacing,
               std::vector<Pose2>& poses);
 

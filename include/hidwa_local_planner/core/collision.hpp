@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "hidwa_local_planner/core/bit_grid.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/rotation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
@@ -17,15 +20,25 @@ namespace hidwa_local_planner {
 class CollisionChecker {
  public:
   /// Once a cycle. `reach` [m] is how far from `centre` the robot's centre will be asked about; farther poses are
-  /// answered too, only slower. `grid` and `footprint` must outlive the questions.
+  /// answered too, only slower. `margin` [m] is how far around a clear position the robot is free too. `grid` and
+  /// `footprint` must outlive the questions.
   void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
-               double reach);
+               double reach, double margin);
+  /// With a margin of one cell's side.
+  void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
+               double reach) {
+    prepare(grid, footprint, unknown_is_obstacle, centre, reach, grid.resolution);
+  }
 
-  bool collides(const Pose2& pose) const;
-  /// As collides(), for an outline that differs from the prepared one by less than a cell's side.
-  bool collides(const Pose2& pose, const Footprint& outline) const;
-  /// True when the robot is free at any heading, at this position and everywhere within one cell's side of it.
+  bool collides(const Pose2& pose) const { return collides(pose, Rotation{std::cos(pose.theta), std::sin(pose.theta)}); }
+  /// With the heading's cosine and sine given.
+  bool collides(const Pose2& pose, const Rotation& heading) const;
+  /// As collides(), for an outline that differs from the prepared one by less than the margin.
+  bool collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
+  /// True when the robot is free at any heading, at this position and everywhere within the margin around it.
   bool clear(double x, double y) const;
+  /// True when all positions within `distance` [m] of a position are clear.
+  bool clear_around(double x, double y, double distance) const;
 
   /// Obstacle cells that the robot overlaps at a pose.
   int penetration(const Pose2& pose) const;
@@ -39,31 +52,43 @@ class CollisionChecker {
     return value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle_);
   }
 
+  /// Where the next two answer.
+  bool in_reach(Cell cell) const {
+    return static_cast<unsigned>(cell.i - first_.i - rim_) < static_cast<unsigned>(near_.width() - 2 * rim_) &&
+           static_cast<unsigned>(cell.j - first_.j - rim_) < static_cast<unsigned>(near_.height() - 2 * rim_);
+  }
+  /// For 64 cells of a row from `cell` on, the first one lowest: not clear.
+  std::uint64_t near_bits(Cell cell) const { return near_.bits(cell.j - first_.j, cell.i - first_.i); }
+  /// Likewise: colliding at any heading, wherever in the cell the robot's centre is.
+  std::uint64_t hit_bits(Cell cell) const { return hit_.bits(cell.j - first_.j, cell.i - first_.i); }
+
  private:
+  void mark(const BitGrid::Values& values, bool edge, BitGrid& marked) const;
+  void mark_obstacles();
+  void mark_inscribed(double margin);
   bool centre_collides(Cell cell, const Footprint& outline) const;
-  bool overlaps_any(const Pose2& pose, const Footprint& outline) const;
+  bool overlaps_any(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
   bool in_window(Cell cell) const {
     return static_cast<unsigned>(cell.i - first_.i) < static_cast<unsigned>(obstacles_.width()) &&
            static_cast<unsigned>(cell.j - first_.j) < static_cast<unsigned>(obstacles_.height());
   }
-  // Every obstacle that the robot may touch there lies in the window.
-  bool in_reach(Cell cell) const {
-    return static_cast<unsigned>(cell.i - first_.i - margin_) < static_cast<unsigned>(near_.width() - 2 * margin_) &&
-           static_cast<unsigned>(cell.j - first_.j - margin_) < static_cast<unsigned>(near_.height() - 2 * margin_);
-  }
+  template <typename Overlaps, typename Visit>
+  void visit_obstacles(Cell lo, Cell hi, const Overlaps& overlaps, Visit&& visit) const;
   template <typename Visit>
-  void visit_overlapped(const Pose2& pose, const Footprint& outline, Visit&& visit) const;
+  void visit_overlapped(const Pose2& pose, const Rotation& heading, const Footprint& outline, Visit&& visit) const;
 
   GridView grid_;
   const Footprint* footprint_ = nullptr;
   bool unknown_is_obstacle_ = true;
   Cell first_;         // of the window, map cells
-  int margin_ = 0;     // cells at the window's rim that near_ does not answer for
+  int rim_ = 0;        // cells at the window's rim that near_ does not answer for
   BitGrid obstacles_;  // in the window
   BitGrid near_;       // centre cells where the robot may overlap an obstacle
   BitGrid hit_;        // centre cells where it surely does
+  BitGrid inscribed_;  // in the window; for circles only
   std::vector<int> reach_;
   mutable Polygon corners_;
+  mutable std::vector<Footprint::Side> sides_;
 };
 
 /// True when a simple polygon shares area with the axis-parallel square [x, x + side] x [y, y + side].

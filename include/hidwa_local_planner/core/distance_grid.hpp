@@ -2,59 +2,77 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "hidwa_local_planner/core/distance_sweep.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
 
 namespace hidwa_local_planner {
 
-/// Distance of every cell to the nearest of a set of cells, in whole units so that symmetric scenes give equal values.
-class DistanceGrid {
+/// Distances of every cell to the nearest of a set of cells, for a few sets at once and in whole units, so that
+/// symmetric scenes give equal values.
+///   l1        cost-blind Manhattan distance, one unit a cell: Nav2's map grid.
+///   geodesic  around obstacles: 8 neighbours, 5 units straight and 7 diagonally (at most 8 % from Euclidean). Lethal and
+///             inscribed cells block, though a blocked source still seeds. Blocked cells get values too, from the
+///             reached ones beside them on inwards, so that a robot in one still knows its way; nothing passes through
+///             them.
+/// Computed when first asked for, and kept while map and sources stay the same.
+class DistanceGrids {
  public:
   static constexpr std::int32_t kUnreached = -1;
+  static constexpr int kSets = DistanceSweep::kLanes;
 
-  /// Cost-blind Manhattan distance, 4 neighbours, one unit a cell: Nav2's map grid. Sources must lie in the grid.
-  void make_l1(const GridView& grid, const std::vector<Cell>& sources);
-  /// Around obstacles: 8 neighbours, 5 units straight and 7 diagonally (at most 8 % from Euclidean). Lethal and
-  /// inscribed cells block, though a blocked source still seeds. Blocked cells get values too, from the reached ones
-  /// beside them on inwards, so that a robot in one still knows its way; nothing passes through them.
-  void make_geodesic(const GridView& grid, const std::vector<Cell>& sources);
+  /// `grid` must outlive the questions. All sets are empty then.
+  void prepare(const GridView& grid, MapGridDistance distance);
+  /// The sources of a set, all of which must lie in the grid.
+  void set_sources(int set, const std::vector<Cell>& cells);
 
   /// In units; kUnreached where there is no way. The cell must lie in the grid.
-  std::int32_t units(Cell cell) const {
-    const std::int32_t value = units_[index(cell)];
-    return value >= kFar ? kUnreached : value;
+  std::int32_t units(int set, Cell cell) {
+    if (!settled_) settle();
+    if (!blocked_settled_ && sweep_.blocked(cell)) settle_blocked();
+    const std::int16_t value = sweep_.units(set, cell);
+    return value >= DistanceSweep::kFar ? kUnreached : value;
   }
   double metres_per_unit() const { return metres_per_unit_; }
 
  private:
-  static constexpr std::int32_t kFar = 1 << 30;
-  enum class Kind : std::uint8_t { free, blocked, border };
-  struct Rim {
-    std::int32_t units;
-    std::uint32_t index;
+  // What the sweep holds the distances of.
+  struct Content {
+    MapGridDistance distance = MapGridDistance::geodesic;
+    int size_x = 0, size_y = 0;
+    std::vector<std::uint8_t> costs;
+    std::array<std::vector<Cell>, kSets> sources;
   };
+  bool same_content() const;
+  void settle();
+  void settle_blocked();
 
-  // Cells are stored with a border of one cell all around, so that no neighbour needs a bounds test.
-  std::size_t index(Cell cell) const {
-    return static_cast<std::size_t>(cell.j + 1) * stride_ + static_cast<std::size_t>(cell.i + 1);
-  }
-  void reset(const GridView& grid);
-  void flood(Kind into);
-  void collect_rim();
-  void push(std::size_t index, std::int32_t units);
-
-  int size_x_ = 0, size_y_ = 0;
-  std::size_t stride_ = 0;
+  GridView grid_;
+  MapGridDistance distance_ = MapGridDistance::geodesic;
   double metres_per_unit_ = 0.05;
-  std::vector<std::int32_t> units_;
-  std::vector<Kind> kinds_;
-  // Buckets by value modulo their number: a step adds at most 7.
-  std::array<std::vector<std::uint32_t>, 8> buckets_;
-  std::size_t queued_ = 0;
-  std::vector<Rim> rim_;
+  std::array<std::vector<Cell>, kSets> sources_;
+  DistanceSweep sweep_;
+  Content swept_;
+  bool settled_ = false;
+  bool blocked_settled_ = false;
+};
+
+/// One of the sets.
+class DistanceGrid {
+ public:
+  static constexpr std::int32_t kUnreached = DistanceGrids::kUnreached;
+
+  DistanceGrid() = default;
+  DistanceGrid(DistanceGrids& grids, int set) : grids_(&grids), set_(set) {}
+  std::int32_t units(Cell cell) const { return grids_->units(set_, cell); }
+  double metres_per_unit() const { return grids_->metres_per_unit(); }
+
+ private:
+  DistanceGrids* grids_ = nullptr;
+  int set_ = 0;
 };
 
 }  // namespace hidwa_local_planner

@@ -22,11 +22,19 @@ class Footprint {
   const Polygon& outline() const { return outline_; }      // robot frame [m]
   double inscribed_radius() const { return inscribed_; }   // [m]
   double circumscribed_radius() const { return circumscribed_; }  // [m]
+  /// A side of a convex outline: its points p have normal . p = offset, those inside less.
+  struct Side {
+    Point normal;         // of length 1, outwards
+    double offset = 0.0;  // [m]
+  };
+  /// Empty where the outline is not convex, or a circle.
+  const std::vector<Side>& sides() const { return sides_; }
   /// The same outline, every side moved outwards by `padding` [m].
   Footprint padded(double padding) const;
 
  private:
   Polygon outline_;
+  std::vector<Side> sides_;
   double radius_ = 0.0;
   double inscribed_ = 0.0;
   double circumscribed_ = 0.0;

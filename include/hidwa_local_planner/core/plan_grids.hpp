@@ -10,10 +10,14 @@
 
 namespace hidwa_local_planner {
 
-/// The distance grids of one cycle, made when first asked for and shared by all critics: to the plan's window, to its
-/// local goal, and to the local goal moved ahead.
+/// The distance grids of one cycle, shared by all critics and made when the first distance is asked for: to the plan's
+/// window, to its local goal, and to the local goal moved ahead.
 class PlanGrids {
  public:
+  PlanGrids() : path_(distances_, kPath), goal_(distances_, kGoal), goal_ahead_(distances_, kGoalAhead) {}
+  PlanGrids(const PlanGrids&) = delete;
+  PlanGrids& operator=(const PlanGrids&) = delete;
+
   /// Once a cycle; `grid` and `plan` must outlive the cycle.
   void prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
                bool unknown_is_obstacle);
@@ -22,9 +26,9 @@ class PlanGrids {
   bool on_map() const { return !path_cells_.empty(); }
 
   /// Distance to the nearest cell of the plan's first stretch on the map.
-  const DistanceGrid& to_path();
+  const DistanceGrid& to_path() { return path_; }
   /// Distance to the last cell of that stretch: the local goal.
-  const DistanceGrid& to_goal();
+  const DistanceGrid& to_goal() { return goal_; }
   /// Distance to the local goal after the plan's last pose was moved by `ahead` [m] along the bearing `from` -> `goal`.
   const DistanceGrid& to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal);
 
@@ -32,16 +36,18 @@ class PlanGrids {
   static double at(const DistanceGrid& distances, const GridView& grid, double x, double y);
 
  private:
-  void make(DistanceGrid& distances, const std::vector<Cell>& sources);
-  std::vector<Cell> cells_on_map(const std::vector<Pose2>& plan) const;
+  enum Set { kPath = 0, kGoal = 1, kGoalAhead = 2 };
+
+  void find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Cell>& cells) const;
 
   GridView grid_;
   const std::vector<Pose2>* plan_ = nullptr;
-  MapGridDistance distance_ = MapGridDistance::geodesic;
   bool stops_at_unknown_ = false;
-  std::vector<Cell> path_cells_;
+  std::vector<Cell> path_cells_, moved_cells_, last_cell_;
+  std::vector<Pose2> moved_plan_;
+  DistanceGrids distances_;
   DistanceGrid path_, goal_, goal_ahead_;
-  bool path_made_ = false, goal_made_ = false, ahead_made_ = false;
+  bool ahead_set_ = false;
   double ahead_distance_ = 0.0;
 };
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hidwa_local_planner/core/critic.hpp"
@@ -38,13 +39,14 @@ struct Sampling {
 enum class Outcome { drive = 0, brake, fail, hold };
 const char* to_string(Outcome outcome);
 
+/// Names stay valid until the planner is configured anew.
 struct RefusalCount {
-  std::string name;         // "Collision", "Braking" or a critic
+  std::string_view name;    // "Collision", "Braking" or a critic
   std::size_t count = 0;
 };
 
 struct CriticTerm {
-  std::string name;
+  std::string_view name;
   double raw = 0.0;
   double weight = 0.0;  // adds raw * weight to the total
 };

@@ -12,8 +12,9 @@
 
 namespace hidwa_local_planner {
 
-/// Rolls all samples out with the unicycle model (Kalliokoski 2022, Eq. 1) into tiles of equal omega: heading, sine and
-/// cosine are computed once a tile, positions by multiplication and addition only. Keeps its memory between cycles.
+/// Rolls all samples out with the unicycle model (Kalliokoski 2022, Eq. 1) in tiles of equal omega: headings are
+/// turned on step by step, once for all candidates of an omega, and positions need multiplication and addition only.
+/// A tile is rolled out when it is asked for. Keeps its memory between cycles.
 class Rollout {
  public:
   /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start.
@@ -21,33 +22,51 @@ class Rollout {
            const std::vector<Sample>& samples);
 
   std::size_t tile_count() const { return tiles_.size(); }
-  /// A view of a tile, valid until the next run().
+  /// Rolls a tile out. Valid until the next tile() or run(); quickest in ascending order.
   Tile tile(std::size_t index) const;
-  /// Kinds in the order of the candidates.
-  const std::vector<SampleKind>& kinds() const { return kinds_; }
-  std::size_t candidate_count() const { return kinds_.size(); }
+  /// The tile that holds a candidate.
+  std::size_t tile_of(std::size_t candidate) const;
+  std::size_t candidate_count() const { return v_.size(); }
+  /// No two consecutive poses of a rollout are farther apart than this [m].
+  double longest_step() const { return longest_step_; }
 
  private:
   struct Block {
     double omega = 0.0, dt = 0.0;
     std::size_t steps = 0, first = 0, count = 0;
-    std::size_t positions = 0;  // offset into x_ and y_
-    std::size_t headings = 0;   // offset into heading_
-    bool ramped = true;         // velocities ramp from the reference; else they are the sample's from the start
+    std::size_t turn = 0;  // blocks of the same turn share their headings
+    bool ramped = true;    // velocities ramp from the reference; else they are the sample's from the start
   };
-  void make_tiles(const Parameters& parameters, const std::vector<Sample>& samples);
-  void roll_heading(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start,
-                    const Twist2& reference, const Block& block);
-  void roll_positions(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start,
-                      const Twist2& reference, const Block& block);
+  // One turn's headings and bounds of speed, at each step.
+  struct Turn {
+    std::vector<double> heading, cosine, sine, omega;
+    std::vector<double> step_x, step_y;     // direction of each step times its length in time
+    std::vector<double> slowest, fastest;   // what the reference can have become
+    std::size_t ramp_steps = 0;             // after so many steps every candidate has its own speed
+    std::size_t known = 0;                  // 1 + number of the turn that is in here
+  };
+  // What of the parameters counts here; a copy, since a tile may be asked for after they changed.
+  struct Settings {
+    double sim_time = 0.0, linear_granularity = 0.0, angular_granularity = 0.0;
+    bool euler = false, standard = true;
+    std::size_t steps(double v, double omega) const;
+  };
+  void make_tiles(const std::vector<Sample>& samples);
+  void roll_turn(const Block& block) const;
+  void roll_speed(const Block& block) const;
 
+  Settings settings_;
+  VelocityLimits limits_;
+  Pose2 start_;
+  Twist2 reference_;
+  double start_cosine_ = 1.0, start_sine_ = 0.0;
+  double least_v_ = 0.0, most_v_ = 0.0;
+  double longest_step_ = 0.0;
   std::vector<Block> tiles_;
-  std::vector<SampleKind> kinds_;
-  std::vector<double> v_;                                // [candidates]
-  std::vector<double> x_, y_;                            // blocks of (steps + 1) x count
-  std::vector<double> heading_, cos_, sin_, omega_at_;   // blocks of steps + 1
-  std::vector<double> step_cos_, step_sin_;              // direction of each step
-  std::vector<double> speed_;                            // [count] scratch
+  std::vector<double> v_;             // [candidates]
+  mutable Turn turn_;
+  mutable std::vector<double> lane_v_;  // [stride] of the tile
+  mutable std::vector<double> x_, y_;   // of the tile
 };
 
 }  // namespace hidwa_local_planner

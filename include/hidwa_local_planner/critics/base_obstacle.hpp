@@ -16,6 +16,7 @@ class BaseObstacleCritic : public Critic {
 
  private:
   bool obstacle(const GridView& grid, double x, double y) const;
+  bool hits(const GridView& grid, const Tile& tile, std::size_t c) const;
 
   bool sum_scores_ = false;
   bool escape_ = true;

@@ -23,9 +23,15 @@ class MapGridCritic : public Critic {
   double forward_ = 0.0;  // the point's distance ahead of the robot [m]
 
  private:
-  double raw_score(const GridView& grid, const Pose2& last, double cosine, double sine, const char** reason) const;
+  double raw_score(const GridView& grid, const Point& last, const Point& nose, const char** reason) const;
+  double at(const GridView& grid, Cell cell) const;
+  Cell cell_at(const GridView& grid, const Point& p) const {
+    return {GridView::floor_to_int((p.x() - grid.origin_x) * cells_per_metre_),
+            GridView::floor_to_int((p.y() - grid.origin_y) * cells_per_metre_)};
+  }
 
   const DistanceGrid* distances_ = nullptr;
+  double cells_per_metre_ = 20.0;
   bool off_map_ = false;
   Pose2 nearest_;           // the plan's pose nearest to the robot, when it is off the map
   double unreached_ = 0.0;  // the score where there is no way [m]

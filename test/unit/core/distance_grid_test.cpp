@@ -13,10 +13,17 @@ namespace {
 
 using test::Scene;
 
+DistanceGrid distances_to(DistanceGrids& grids, const Scene& scene, MapGridDistance kind,
+                          const std::vector<Cell>& sources) {
+  grids.prepare(scene.grid(), kind);
+  grids.set_sources(0, sources);
+  return {grids, 0};
+}
+
 TEST(GeodesicGrid, WithinEightPercentOfEuclidOnAnEmptyMap) {
   const Scene scene = Scene::empty(101);
-  DistanceGrid distances;
-  distances.make_geodesic(scene.grid(), {{50, 50}});
+  DistanceGrids grids;
+  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{50, 50}});
   double most = 0.0, least = 1e9;
   for (int j = 0; j < 101; ++j) {
     for (int i = 0; i < 101; ++i) {
@@ -37,8 +44,8 @@ TEST(GeodesicGrid, WithinEightPercentOfEuclidOnAnEmptyMap) {
 TEST(GeodesicGrid, GoesRoundAWall) {
   Scene scene = Scene::empty(11);
   for (int j = 0; j <= 8; ++j) scene.at({5, j}) = cost::kInscribed;
-  DistanceGrid distances;
-  distances.make_geodesic(scene.grid(), {{4, 4}});
+  DistanceGrids grids;
+  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{4, 4}});
   // Up 5 rows to the gap at row 9, over and down: (4,4) -> (4,8) 4 straight, 2 diagonals to (6,8) through
   // (5,9), 4 straight down: 8 * 5 + 2 * 7.
   EXPECT_EQ(distances.units({6, 4}), 54);
@@ -47,8 +54,8 @@ TEST(GeodesicGrid, GoesRoundAWall) {
 TEST(GeodesicGrid, ABlockedSourceSeedsAndBlockedCellsGetValuesButLeadNowhere) {
   Scene scene = Scene::empty(9);
   for (int j = 0; j < 9; ++j) scene.at({4, j}) = scene.at({5, j}) = cost::kLethal;
-  DistanceGrid distances;
-  distances.make_geodesic(scene.grid(), {{4, 4}});  // on the wall
+  DistanceGrids grids;
+  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{4, 4}});  // on the wall
   EXPECT_EQ(distances.units({4, 4}), 0);
   EXPECT_EQ(distances.units({3, 4}), 5);
   EXPECT_EQ(distances.units({4, 5}), 5);   // beside the source
@@ -60,8 +67,8 @@ TEST(GeodesicGrid, ABlockedSourceSeedsAndBlockedCellsGetValuesButLeadNowhere) {
 TEST(GeodesicGrid, NoWayIsUnreached) {
   Scene scene = Scene::empty(9);
   for (int j = 0; j < 9; ++j) scene.at({4, j}) = cost::kLethal;
-  DistanceGrid distances;
-  distances.make_geodesic(scene.grid(), {{1, 1}});
+  DistanceGrids grids;
+  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{1, 1}});
   EXPECT_EQ(distances.units({7, 7}), DistanceGrid::kUnreached);
   EXPECT_EQ(distances.units({4, 1}), 15);  // the wall itself: three straight steps
 }
@@ -69,8 +76,8 @@ TEST(GeodesicGrid, NoWayIsUnreached) {
 TEST(L1Grid, IsBlindToCosts) {
   Scene scene = Scene::empty(9);
   for (int j = 0; j < 9; ++j) scene.at({4, j}) = cost::kLethal;
-  DistanceGrid distances;
-  distances.make_l1(scene.grid(), {{1, 1}, {8, 0}});
+  DistanceGrids grids;
+  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::l1, {{1, 1}, {8, 0}});
   EXPECT_EQ(distances.units({4, 4}), 6);  // 3 + 3
   EXPECT_EQ(distances.units({7, 2}), 3);  // 1 + 2 from (8, 0)
   EXPECT_DOUBLE_EQ(distances.metres_per_unit(), 0.05);
@@ -143,8 +150,8 @@ TEST(PlanGridsSources, TheGoalAheadIsMovedTowardsTheFinalGoal) {
 TEST(PlanGridsLookUp, MetresOrNegative) {
   Scene scene = corner_scene();
   for (int j = 0; j < 40; ++j) scene.at({30, j}) = cost::kLethal;
-  DistanceGrid distances;
-  distances.make_geodesic(scene.grid(), {{2, 10}});
+  DistanceGrids grids;
+  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{2, 10}});
   // Cell (12, 10): 10 straight steps of 0.05 m.
   EXPECT_NEAR(PlanGrids::at(distances, scene.grid(), 0.61, 0.54), 0.5, 1e-12);
   EXPECT_LT(PlanGrids::at(distances, scene.grid(), -0.01, 0.54), 0.0);

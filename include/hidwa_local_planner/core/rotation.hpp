@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+namespace hidwa_local_planner {
+
+/// A direction, or a turn from one to another.
+struct Rotation {
+  double c = 1.0;  // cosine
+  double s = 0.0;  // sine
+
+  /// Exact to the last bits; small angles [rad], of which rollouts consist, take a few multiplications.
+  static Rotation of(double angle) {
+    if (std::abs(angle) > 0.05) return {std::cos(angle), std::sin(angle)};
+    const double a2 = angle * angle;  // the next terms are below 1e-18
+    return {1.0 - a2 * (1.0 / 2.0) * (1.0 - a2 * (1.0 / 12.0) * (1.0 - a2 * (1.0 / 30.0) * (1.0 - a2 * (1.0 / 56.0)))),
+            angle * (1.0 - a2 * (1.0 / 6.0) * (1.0 - a2 * (1.0 / 20.0) * (1.0 - a2 * (1.0 / 42.0))))};
+  }
+  Rotation turned(const Rotation& by) const { return {c * by.c - s * by.s, s * by.c + c * by.s}; }
+};
+
+}  // namespace hidwa_local_planner
