@@ -12,6 +12,12 @@ namespace {
 // Clearances closer than this are equal [m].
 constexpr double kSameClearance = 1e-6;
 
+// A pose that is free without room [m].
+constexpr double kTouching = 1e-12;
+
+// How much room around a pose is looked for, in cells: what is found saves looking at its neighbours.
+constexpr double kRoom = 2.0;
+
 }  // namespace
 
 void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLimits& limits,
@@ -27,6 +33,9 @@ void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLim
   start_ = {setup.start, {std::cos(setup.start.theta), std::sin(setup.start.theta)}};
   escaping_ = parameters.escape && checker.collides(setup.start);
   if (escaping_) stance_ = {checker.penetration(setup.start), checker.clearance(setup.start)};
+  margin_ = checker.margin();
+  rooms_.clear(footprint.circumscribed_radius(), resolution);
+  all_clear_ = !escaping_ && nothing_in_reach();
   grow_outline();
   // A robot that stands within the growth of an obstacle would find every manoeuvre refused: it goes without.
   sure_outline_ = !escaping_ && checker.collides(setup.start, start_.heading, grown_) ? &footprint : &grown_;
@@ -49,6 +58,11 @@ Twist2 AdmissibilityCheck::command_for(const Twist2& sample) const {
 }
 
 void AdmissibilityCheck::check_rollouts(const Tile& tile, const char** reasons) {
+  last_hit_ = 0;
+  most_turn_ = 0.0;
+  for (std::size_t k = 1; k <= tile.steps; ++k) {
+    most_turn_ = std::max(most_turn_, std::abs(tile.heading[k] - tile.heading[k - 1]));
+  }
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (escaping_) {
       if (!rollout_escapes(tile, c)) reasons[c] = "would go deeper into collision, or not out of it";
@@ -58,36 +72,72 @@ void AdmissibilityCheck::check_rollouts(const Tile& tile, const char** reasons) 
   }
 }
 
-bool AdmissibilityCheck::rollout_free(const Tile& tile, std::size_t c) const {
+bool AdmissibilityCheck::rollout_free(const Tile& tile, std::size_t c) {
   if (tile.touched != nullptr) {
     if ((tile.touched[c] & cell_class::kHit) != 0) return false;
     if ((tile.touched[c] & cell_class::kNear) == 0) return true;
   }
-  for (std::size_t k = 1; k <= tile.steps; ++k) {
-    // Between two poses that are clear everything is: they are at most twice the checker's margin apart.
-    if (tile.classes != nullptr &&
-        ((tile.classes[(k - 1) * tile.stride + c] | tile.classes[k * tile.stride + c]) & cell_class::kNear) == 0) {
+  // Where its neighbour hit something, a candidate mostly does too.
+  if (last_hit_ > 0 && room_at(tile, c, last_hit_) <= 0.0) return false;
+  // No point of the robot moves farther in a step: its centre at the faster of two speeds, its rim by the turn.
+  const double step = std::max(std::abs(tile.v[c]), std::abs(setup_.reference.v)) * tile.dt +
+                      most_turn_ * footprint_->circumscribed_radius();
+  double room = room_at(tile, c, 0);
+  for (std::size_t k = 0; k < tile.steps;) {
+    if (both_clear(tile, c, k + 1)) {  // so is what lies between, whatever the heading
+      room = margin_;
+      ++k;
       continue;
     }
-    if (!segment_free(tile, c, k)) return false;
+    if (room >= step) {  // all poses within the room are free
+      k = std::min(tile.steps, k + static_cast<std::size_t>(std::min(room / step, 1e6)));
+      if (k < tile.steps) room = std::max(room_at(tile, c, k), kTouching);
+      continue;
+    }
+    const double next = room_at(tile, c, k + 1);
+    if (next <= 0.0 || (room + next < step && !between_free(tile, c, k + 1))) {
+      last_hit_ = k + 1;
+      return false;
+    }
+    room = next;
+    ++k;
   }
   return true;
 }
 
-// The poses from step k - 1 to step k, at most half a cell apart.
-bool AdmissibilityCheck::segment_free(const Tile& tile, std::size_t c, std::size_t k) const {
+bool AdmissibilityCheck::both_clear(const Tile& tile, std::size_t c, std::size_t k) const {
+  return tile.classes != nullptr &&
+         ((tile.classes[(k - 1) * tile.stride + c] | tile.classes[k * tile.stride + c]) & cell_class::kNear) == 0;
+}
+
+// How far every point of the robot may move from a pose of a rollout, at least [m]; 0 where it collides.
+double AdmissibilityCheck::room_at(const Tile& tile, std::size_t c, std::size_t k) {
+  if (tile.classes != nullptr && (tile.classes[k * tile.stride + c] & cell_class::kNear) == 0) return margin_;
+  return look(tile.pose(k, c), {tile.cos_heading[k], tile.sin_heading[k]});
+}
+
+double AdmissibilityCheck::look(const Pose2& pose, const Rotation& heading) {
+  const double left = rooms_.room_at(pose);
+  if (left > 0.0) return left;
+  const double room = checker_->separation(pose, heading, kRoom * resolution_);
+  if (room > 0.0) rooms_.note(pose, room);
+  return room;
+}
+
+// The poses between step k - 1 and step k, at most half a cell apart.
+bool AdmissibilityCheck::between_free(const Tile& tile, std::size_t c, std::size_t k) const {
   const Pose2 from = tile.pose(k - 1, c);
   const Pose2 to = tile.pose(k, c);
   const double dx = to.x - from.x, dy = to.y - from.y, turn = to.theta - from.theta;
   const double moved = std::sqrt(dx * dx + dy * dy) + std::abs(turn) * footprint_->circumscribed_radius();
   const int parts = static_cast<int>(std::ceil(moved / (0.5 * resolution_) - 1e-9));
+  const Rotation heading{tile.cos_heading[k - 1], tile.sin_heading[k - 1]};
   for (int part = 1; part < parts; ++part) {
     const double t = static_cast<double>(part) / parts;
     const Pose2 pose{from.x + t * dx, from.y + t * dy, from.theta + t * turn};
-    const Rotation heading{tile.cos_heading[k - 1], tile.sin_heading[k - 1]};
     if (checker_->collides(pose, heading.turned(Rotation::of(t * turn)))) return false;
   }
-  return !checker_->collides(to, Rotation{tile.cos_heading[k], tile.sin_heading[k]});
+  return true;
 }
 
 bool AdmissibilityCheck::rollout_escapes(const Tile& tile, std::size_t c) const {
@@ -102,6 +152,7 @@ bool AdmissibilityCheck::rollout_escapes(const Tile& tile, std::size_t c) const 
 }
 
 bool AdmissibilityCheck::can_brake(const Twist2& sample, std::size_t column) {
+  if (all_clear_) return true;
   const Twist2 command = command_for(sample);
   if (memo_.size() <= column) memo_.resize(column + 1);
   Memo& memo = memo_[column];
@@ -112,23 +163,47 @@ bool AdmissibilityCheck::can_brake(const Twist2& sample, std::size_t column) {
     return memo.free;
   }
   memo = {command, true,
-          escaping_ ? !manoeuvre_deeper(command) : manoeuvre_free(command, 0.5 * resolution_, *footprint_)};
+          escaping_ ? !manoeuvre_deeper(command) : manoeuvre_free(command)};
   return memo.free;
 }
 
 bool AdmissibilityCheck::can_brake_surely(const Twist2& sample) {
-  return escaping_ || manoeuvre_free(command_for(sample), resolution_ / 16.0, *sure_outline_);
+  return escaping_ || all_clear_ || manoeuvre_surely_free(command_for(sample));
 }
 
 BrakeManoeuvre AdmissibilityCheck::manoeuvre(const Twist2& command) const {
   return {setup_.start, setup_.reference, command, parameters_->control_latency, setup_.period};
 }
 
-bool AdmissibilityCheck::manoeuvre_free(const Twist2& command, double spacing, const Footprint& outline) const {
-  const BrakeManoeuvre way = manoeuvre(command);
-  if (checker_->clear_around(setup_.start.x, setup_.start.y, way.reach(*limits_))) return true;
+// No command reaches farther than the one that speeds up.
+bool AdmissibilityCheck::nothing_in_reach() const {
+  const double speed = std::abs(setup_.reference.v) + limits_->x.acc * setup_.period;
+  const double fastest = parameters_->command == CommandPolicy::target
+                             ? std::max({speed, std::abs(limits_->x.min), std::abs(limits_->x.max)})
+                             : speed;
+  return checker_->clear_around(setup_.start.x, setup_.start.y, manoeuvre({fastest, 0.0}).reach(*limits_));
+}
+
+bool AdmissibilityCheck::manoeuvre_free(const Twist2& command) {
+  const double spacing = 0.5 * resolution_;
   ManoeuvreRoller roller(*limits_, footprint_->circumscribed_radius(), spacing, start_);
-  return roller.roll(way, [&](const TurnedPose& at) { return !checker_->collides(at.pose, at.heading, outline); });
+  double room = 0.0;
+  return roller.roll(manoeuvre(command), [&](const TurnedPose& at) {
+    room -= spacing;  // nothing moved farther since the last pose
+    if (room <= 0.0) room = look(at.pose, at.heading);
+    return room > 0.0;
+  });
+}
+
+bool AdmissibilityCheck::manoeuvre_surely_free(const Twist2& command) const {
+  const double spacing = resolution_ / 16.0;
+  ManoeuvreRoller roller(*limits_, footprint_->circumscribed_radius(), spacing, start_);
+  double room = 0.0;
+  return roller.roll(manoeuvre(command), [&](const TurnedPose& at) {
+    room -= spacing;
+    if (room <= 0.0) room = checker_->separation(at.pose, at.heading, *sure_outline_, kRoom * resolution_);
+    return room > 0.0;
+  });
 }
 
 bool AdmissibilityCheck::manoeuvre_deeper(const Twist2& command) {

@@ -75,4 +75,22 @@ void BitGrid::dilate_into(const std::vector<int>& reach, BitGrid& out) const {
   }
 }
 
+void BitGrid::find_edges(BitGrid& out) const {
+  out.reset(width_, height_);
+  for (int j = 0; j < height_; ++j) {
+    const std::size_t first = static_cast<std::size_t>(j) * row_words_;
+    for (std::size_t w = first; w < first + row_words_; ++w) {
+      if (words_[w] == 0) continue;
+      std::uint64_t surrounded = 0;
+      if (j > 0 && j + 1 < height_) {
+        const std::uint64_t before = w > first ? words_[w - 1] >> 63 : 0;
+        const std::uint64_t after = w + 1 < first + row_words_ ? words_[w + 1] << 63 : 0;
+        surrounded = ((words_[w] << 1) | before) & ((words_[w] >> 1) | after) & words_[w - row_words_] &
+                     words_[w + row_words_];
+      }
+      out.words_[w] = words_[w] & ~surrounded;
+    }
+  }
+}
+
 }  // namespace hidwa_local_planner

@@ -29,6 +29,24 @@ void find_cells(const Table& t, const double* __restrict x, const double* __rest
   }
 }
 
+void look_up(const std::uint8_t* __restrict table, const std::int32_t* __restrict index,
+             std::uint8_t* __restrict classes, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) classes[k] = table[index[k]];
+}
+
+// The start is no news: a robot that stands in collision is another matter.
+HIDWA_VECTOR_CLONES
+void gather(const std::uint8_t* __restrict classes, std::size_t rows, std::size_t stride,
+            std::uint8_t* __restrict touched) {
+  for (std::size_t c = 0; c < stride; ++c) {
+    touched[c] = static_cast<std::uint8_t>(classes[c] & ~static_cast<unsigned>(cell_class::kHit));
+  }
+  for (std::size_t k = 1; k < rows; ++k) {
+    const std::uint8_t* __restrict row = classes + k * stride;
+    for (std::size_t c = 0; c < stride; ++c) touched[c] = static_cast<std::uint8_t>(touched[c] | row[c]);
+  }
+}
+
 }  // namespace
 
 void CellClasses::prepare(const CollisionChecker& checker, const GridView& grid, bool unknown_is_obstacle,
@@ -78,14 +96,8 @@ void CellClasses::classify(Tile& tile) {
   }
   if (touched_.size() < tile.stride) touched_.resize(tile.stride);
   find_cells({corner_x_, corner_y_, cells_per_metre_, shift_, wrap_}, tile.x, tile.y, index_.data(), size);
-  const std::uint8_t* table = table_.data();
-  for (std::size_t k = 0; k < size; ++k) classes_[k] = table[index_[k]];
-  // The start is no news: a robot that stands in collision is another matter.
-  for (std::size_t c = 0; c < tile.stride; ++c) touched_[c] = classes_[c] & static_cast<std::uint8_t>(~cell_class::kHit);
-  for (std::size_t k = 1; k <= tile.steps; ++k) {
-    const std::uint8_t* row = classes_.data() + k * tile.stride;
-    for (std::size_t c = 0; c < tile.stride; ++c) touched_[c] = touched_[c] | row[c];
-  }
+  look_up(table_.data(), index_.data(), classes_.data(), size);
+  gather(classes_.data(), tile.steps + 1, tile.stride, touched_.data());
   tile.classes = classes_.data();
   tile.touched = touched_.data();
 }

@@ -39,10 +39,10 @@ bool contains(const Polygon& polygon, double x, double y) {
 
 double gap(double value, double lo, double hi) { return std::max({lo - value, value - hi, 0.0}); }
 
-bool disc_overlaps(double x, double y, double radius, double cell_x, double cell_y, double side) {
+double distance_to_cell(double x, double y, double cell_x, double cell_y, double side) {
   const double dx = gap(x, cell_x, cell_x + side);
   const double dy = gap(y, cell_y, cell_y + side);
-  return dx * dx + dy * dy < (radius - kRounding) * (radius - kRounding);
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 // How many columns away an obstacle in a row `dy` rows away can be and still be nearer than `radius`, when each of the
@@ -77,6 +77,7 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
   grid_ = grid;
   footprint_ = &footprint;
   unknown_is_obstacle_ = unknown_is_obstacle;
+  margin_ = margin;
   const double resolution = grid.resolution;
   const double outer = footprint.circumscribed_radius() + margin;
   const int radius = static_cast<int>(std::ceil((reach + outer) / resolution)) + 3;
@@ -90,6 +91,7 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
   disc_reach(footprint.inscribed_radius() - kRounding, resolution, 0, reach_);
   obstacles_.dilate(reach_, hit_);
   if (footprint.is_circle()) mark_inscribed(margin);
+  obstacles_.find_edges(edges_);
 }
 
 // Marks the window's cells that hold certain costs, and those beyond the map's edge where it counts.
@@ -152,107 +154,150 @@ bool CollisionChecker::centre_collides(Cell cell, const Footprint& outline) cons
 }
 
 bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading) const {
-  const Cell cell = grid_.cell_at(pose.x, pose.y);
-  if (in_reach(cell)) {
-    const int i = cell.i - first_.i, j = cell.j - first_.j;
-    if (!near_.test(i, j)) return false;
-    if (hit_.test(i, j)) return true;
-  } else if (centre_collides(cell, *footprint_)) {
-    return true;
-  }
-  return overlaps_any(pose, heading, *footprint_);
+  return separation(pose, heading, *footprint_, 0.0) <= 0.0;
 }
 
 bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const {
+  return separation(pose, heading, outline, 0.0) <= 0.0;
+}
+
+double CollisionChecker::separation(const Pose2& pose, const Rotation& heading, const Footprint& outline,
+                                    double cap) const {
+  constexpr double kFree = std::numeric_limits<double>::min();
   const Cell cell = grid_.cell_at(pose.x, pose.y);
-  if (in_reach(cell) && !near_.test(cell.i - first_.i, cell.j - first_.j)) return false;
-  if (centre_collides(cell, outline)) return true;
-  return overlaps_any(pose, heading, outline);
-}
-
-// Calls visit(cell) for the obstacles among the cells from lo to hi that overlap, until it returns false.
-template <typename Overlaps, typename Visit>
-void CollisionChecker::visit_obstacles(Cell lo, Cell hi, const Overlaps& overlaps, Visit&& visit) const {
-  const bool inside = in_window(lo) && in_window(hi);
-  for (int j = lo.j; j <= hi.j; ++j) {
-    const double y = grid_.origin_y + j * grid_.resolution;
-    if (inside && hi.i - lo.i < 64) {
-      std::uint64_t row = obstacles_.bits(j - first_.j, lo.i - first_.i);
-      row &= ~std::uint64_t{0} >> (63 - (hi.i - lo.i));
-      for (; row != 0; row &= row - 1) {
-        const int i = lo.i + __builtin_ctzll(row);
-        if (overlaps(grid_.origin_x + i * grid_.resolution, y) && !visit(Cell{i, j})) return;
-      }
-      continue;
-    }
-    for (int i = lo.i; i <= hi.i; ++i) {
-      if (obstacle({i, j}) && overlaps(grid_.origin_x + i * grid_.resolution, y) && !visit(Cell{i, j})) return;
-    }
+  if (in_reach(cell)) {
+    const int i = cell.i - first_.i, j = cell.j - first_.j;
+    if (cap <= 0.0 && !near_.test(i, j)) return kFree;
+    if (&outline == footprint_ && hit_.test(i, j)) return 0.0;
   }
+  if (centre_collides(cell, outline)) return 0.0;
+  double least = smallest_gap(place(pose, heading, outline), cap);
+  if (least > 0.0 && outline.is_circle() && cap > 0.0) least = std::min(least, inscribed_gap(pose, cap));
+  return least <= 0.0 ? 0.0 : std::max(std::min(least, cap) - kRounding, kFree);
 }
 
-// Calls visit(cell) for obstacle cells that the outline overlaps until it returns false.
-template <typename Visit>
-void CollisionChecker::visit_overlapped(const Pose2& pose, const Rotation& heading, const Footprint& outline,
-                                        Visit&& visit) const {
-  const double side = grid_.resolution;
+CollisionChecker::Placed CollisionChecker::place(const Pose2& pose, const Rotation& heading,
+                                                 const Footprint& outline) const {
+  Placed placed{&outline, pose, 0.0, 0.0, 0.0, 0.0};
   if (outline.is_circle()) {
     const double r = outline.radius();
-    const auto overlaps = [&](double x, double y) { return disc_overlaps(pose.x, pose.y, r, x, y, side); };
-    visit_obstacles(grid_.cell_at(pose.x - r, pose.y - r), grid_.cell_at(pose.x + r, pose.y + r), overlaps, visit);
-    return;
+    placed.lo_x = pose.x - r;
+    placed.hi_x = pose.x + r;
+    placed.lo_y = pose.y - r;
+    placed.hi_y = pose.y + r;
+    return placed;
   }
-  double lo_x = std::numeric_limits<double>::infinity(), lo_y = lo_x, hi_x = -lo_x, hi_y = -lo_x;
+  placed.lo_x = placed.lo_y = std::numeric_limits<double>::infinity();
+  placed.hi_x = placed.hi_y = -placed.lo_x;
   corners_.resize(outline.outline().size());
   for (std::size_t k = 0; k < corners_.size(); ++k) {
     const Point& p = outline.outline()[k];
-    corners_[k] = {pose.x + heading.c * p.x() - heading.s * p.y(), pose.y + heading.s * p.x() + heading.c * p.y()};
-    lo_x = std::min(lo_x, corners_[k].x());
-    hi_x = std::max(hi_x, corners_[k].x());
-    lo_y = std::min(lo_y, corners_[k].y());
-    hi_y = std::max(hi_y, corners_[k].y());
+    const double x = pose.x + heading.c * p.x() - heading.s * p.y();
+    const double y = pose.y + heading.s * p.x() + heading.c * p.y();
+    corners_[k] = {x, y};
+    placed.lo_x = std::min(placed.lo_x, x);
+    placed.hi_x = std::max(placed.hi_x, x);
+    placed.lo_y = std::min(placed.lo_y, y);
+    placed.hi_y = std::max(placed.hi_y, y);
   }
-  const Cell lo = grid_.cell_at(lo_x, lo_y);
-  const Cell hi = grid_.cell_at(hi_x, hi_y);
-  if (outline.sides().empty()) {
-    visit_obstacles(lo, hi, [&](double x, double y) { return overlaps_square(corners_, x, y, side); }, visit);
-    return;
-  }
-  // Two convex shapes share area unless a side of one of them has the other beyond it. How far the square reaches
-  // towards a side goes into that side's offset.
   sides_.resize(outline.sides().size());
   for (std::size_t k = 0; k < sides_.size(); ++k) {
-    const Point& n = outline.sides()[k].normal;
-    Footprint::Side& turned = sides_[k];
-    turned.normal = {heading.c * n.x() - heading.s * n.y(), heading.s * n.x() + heading.c * n.y()};
-    turned.offset =
-        outline.sides()[k].offset + 0.5 * side * (std::abs(turned.normal.x()) + std::abs(turned.normal.y()));
+    const Footprint::Side& side = outline.sides()[k];
+    const double x = heading.c * side.normal.x() - heading.s * side.normal.y();
+    const double y = heading.s * side.normal.x() + heading.c * side.normal.y();
+    sides_[k].normal = {x, y};
+    sides_[k].offset = side.offset + 0.5 * grid_.resolution * (std::abs(x) + std::abs(y));
   }
-  const auto overlaps = [&](double x, double y) {
-    if (x >= hi_x || x + side <= lo_x || y >= hi_y || y + side <= lo_y) return false;
-    const double middle_x = x + 0.5 * side - pose.x, middle_y = y + 0.5 * side - pose.y;
-    return std::none_of(sides_.begin(), sides_.end(), [&](const Footprint::Side& s) {
-      return s.normal.x() * middle_x + s.normal.y() * middle_y >= s.offset;
-    });
-  };
-  visit_obstacles(lo, hi, overlaps, visit);
+  return placed;
 }
 
-bool CollisionChecker::overlaps_any(const Pose2& pose, const Rotation& heading, const Footprint& outline) const {
-  bool found = false;
-  visit_overlapped(pose, heading, outline, [&found](Cell) {
-    found = true;
-    return false;
+// How far the outline is from a cell with this lower left corner, at least; not positive where they overlap. Anything
+// of `enough` and more will do. Two convex shapes share area unless a side of one of them has the other beyond it.
+double CollisionChecker::gap_to(const Placed& placed, double x, double y, double enough) const {
+  const double side = grid_.resolution;
+  const Pose2& pose = placed.pose;
+  if (placed.outline->is_circle()) {
+    return distance_to_cell(pose.x, pose.y, x, y, side) - (placed.outline->radius() - kRounding);
+  }
+  double most = std::max({x - placed.hi_x, placed.lo_x - (x + side), y - placed.hi_y, placed.lo_y - (y + side)});
+  if (most >= enough) return most;
+  if (placed.outline->sides().empty()) {
+    if (most > 0.0) return most;
+    return overlaps_square(corners_, x, y, side) ? 0.0 : kRounding;  // near, who knows how near
+  }
+  const double middle_x = x + 0.5 * side - pose.x, middle_y = y + 0.5 * side - pose.y;
+  for (const Footprint::Side& s : sides_) {
+    most = std::max(most, s.normal.x() * middle_x + s.normal.y() * middle_y - s.offset);
+  }
+  return most;
+}
+
+// To the nearest obstacle, or `cap` and more; not positive where one overlaps.
+double CollisionChecker::smallest_gap(const Placed& placed, double cap) const {
+  double least = std::max(cap, kRounding);
+  const Cell lo = grid_.cell_at(placed.lo_x - cap, placed.lo_y - cap);
+  const Cell hi = grid_.cell_at(placed.hi_x + cap, placed.hi_y + cap);
+  const auto take = [&](Cell cell) {
+    const double x = grid_.origin_x + cell.i * grid_.resolution, y = grid_.origin_y + cell.j * grid_.resolution;
+    least = std::min(least, gap_to(placed, x, y, least));
+    return least > 0.0;
+  };
+  if (in_window(lo) && in_window(hi) && hi.i - lo.i < 64) {
+    // Where its centre lies inside, an outline that touches the midst of obstacles touches their edge too.
+    visit_marked(placed.outline->inscribed_radius() > 0.0 ? edges_ : obstacles_, lo, hi, take);
+    return least;
+  }
+  for (int j = lo.j; j <= hi.j; ++j) {
+    for (int i = lo.i; i <= hi.i; ++i) {
+      if (obstacle({i, j}) && !take({i, j})) return least;
+    }
+  }
+  return least;
+}
+
+// How far the centre may move before it enters an inscribed cell.
+double CollisionChecker::inscribed_gap(const Pose2& pose, double cap) const {
+  const Cell lo = grid_.cell_at(pose.x - cap, pose.y - cap), hi = grid_.cell_at(pose.x + cap, pose.y + cap);
+  if (!in_window(lo) || !in_window(hi) || hi.i - lo.i >= 64) return kRounding;
+  double least = cap;
+  visit_marked(inscribed_, lo, hi, [&](Cell cell) {
+    const double x = grid_.origin_x + cell.i * grid_.resolution, y = grid_.origin_y + cell.j * grid_.resolution;
+    least = std::min(least, distance_to_cell(pose.x, pose.y, x, y, grid_.resolution));
+    return true;
   });
-  return found;
+  return std::max(least, kRounding);
+}
+
+// Calls visit(cell) for the marked cells from lo to hi, at most 64 columns inside the window, until it returns false.
+template <typename Visit>
+void CollisionChecker::visit_marked(const BitGrid& marked, Cell lo, Cell hi, Visit&& visit) const {
+  for (int j = lo.j; j <= hi.j; ++j) {
+    std::uint64_t row = marked.bits(j - first_.j, lo.i - first_.i);
+    row &= ~std::uint64_t{0} >> (63 - (hi.i - lo.i));
+    for (; row != 0; row &= row - 1) {
+      if (!visit(Cell{lo.i + __builtin_ctzll(row), j})) return;
+    }
+  }
 }
 
 int CollisionChecker::penetration(const Pose2& pose) const {
+  const Placed placed = place(pose, {std::cos(pose.theta), std::sin(pose.theta)}, *footprint_);
+  const Cell lo = grid_.cell_at(placed.lo_x, placed.lo_y), hi = grid_.cell_at(placed.hi_x, placed.hi_y);
   int cells = 0;
-  visit_overlapped(pose, {std::cos(pose.theta), std::sin(pose.theta)}, *footprint_, [&cells](Cell) {
-    ++cells;
+  const auto count = [&](Cell cell) {
+    const double x = grid_.origin_x + cell.i * grid_.resolution, y = grid_.origin_y + cell.j * grid_.resolution;
+    if (gap_to(placed, x, y, kRounding) <= 0.0) ++cells;
     return true;
-  });
+  };
+  if (in_window(lo) && in_window(hi) && hi.i - lo.i < 64) {
+    visit_marked(obstacles_, lo, hi, count);
+    return cells;
+  }
+  for (int j = lo.j; j <= hi.j; ++j) {
+    for (int i = lo.i; i <= hi.i; ++i) {
+      if (obstacle({i, j})) count({i, j});
+    }
+  }
   return cells;
 }
 

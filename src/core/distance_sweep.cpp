@@ -40,7 +40,7 @@ bool take_from(const std::int16_t* __restrict from, const std::int16_t* __restri
     const std::int16_t side = smaller(from[k - kLanes], from[k + kLanes]);
     const auto across = static_cast<std::int16_t>(side + diagonal);
     const auto along = static_cast<std::int16_t>(from[k] + straight);
-    const auto offer = static_cast<std::int16_t>(smaller(across, along) | mask[k]);
+    const auto offer = static_cast<std::int16_t>(smaller(across, along) + mask[k]);
     const std::int16_t now = smaller(row[k], offer);
     changed = static_cast<std::int16_t>(changed | (now ^ row[k]));
     taken[k] = now;
@@ -57,11 +57,11 @@ void run_along(const std::int16_t* __restrict taken, const std::int16_t* __restr
   Lanes left = right;
   for (std::size_t i = 0, back = kLanes * (cells - 1); i < kLanes * cells; i += kLanes, back -= kLanes) {
     const Lanes ahead = load(taken + i);
-    right = (right + step) | load(mask + i);
+    right = right + (step + load(mask + i));
     right = right < ahead ? right : ahead;
     store(right, rightward + i);
     const Lanes behind = load(taken + back);
-    left = (left + step) | load(mask + back);
+    left = left + (step + load(mask + back));
     left = left < behind ? left : behind;
     store(left, leftward + back);
   }
@@ -86,7 +86,7 @@ void DistanceSweep::reset(int width, int height, const Steps& steps) {
   height_ = height;
   stride_ = static_cast<std::size_t>(width) + 2;
   steps_ = steps;
-  closed_ = 0;
+  open_ = 0;
   const std::size_t cells = stride_ * (static_cast<std::size_t>(height) + 2);
   units_.assign(kLanes * cells, kFar);
   mask_.assign(kLanes * cells, 0);
@@ -98,7 +98,7 @@ void DistanceSweep::reset(int width, int height, const Steps& steps) {
 void DistanceSweep::block_lethal_and_inscribed(int row, const std::uint8_t* costs) {
   std::int16_t* mask = mask_.data() + at({0, row});
   for (int i = 0; i < width_; ++i) {
-    const std::uint64_t shut = costs[i] == cost::kLethal || costs[i] == cost::kInscribed ? 0x7000700070007000U : 0U;
+    const std::uint64_t shut = costs[i] == cost::kLethal || costs[i] == cost::kInscribed ? 0x3FF03FF03FF03FF0U : 0U;
     std::memcpy(mask + kLanes * static_cast<std::size_t>(i), &shut, sizeof(shut));
   }
 }
@@ -114,7 +114,7 @@ void DistanceSweep::settle() {
 
 void DistanceSweep::settle_blocked() {
   for (std::int16_t& m : mask_) m = static_cast<std::int16_t>(m ^ kFar);
-  closed_ = static_cast<std::int16_t>(closed_ ^ kFar);
+  open_ = static_cast<std::int16_t>(open_ ^ kFar);
   std::fill(due_down_.begin(), due_down_.end(), std::uint8_t{2});
   settle();
 }

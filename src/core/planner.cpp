@@ -390,6 +390,7 @@ void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
     if (critics[i].weight == 0.0) continue;
     TileScores scores(raw[i].data() + tile.first, reasons.data() + tile.first, tile.count);
     critics[i].critic->score(cycle, tile, scores);
+    if (!scores.any_refused()) continue;
     for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
       if (reasons[c] != nullptr && refused_by[c] == kLegal) refused_by[c] = static_cast<std::uint8_t>(kFirstCritic + i);
     }

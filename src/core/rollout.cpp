@@ -92,8 +92,8 @@ void Rollout::roll_turn(const Block& block) const {
   const bool euler = settings_.euler;
   double turn = 0.0;  // since the start: what rotated scenes share to the last bit
   double omega = block.ramped ? reference_.omega : block.omega;
-  double last_half = 0.0;
-  Rotation direction{start_cosine_, start_sine_}, half;
+  double last_by = 0.0;
+  Rotation direction{start_cosine_, start_sine_}, middle = direction, half, whole;
   for (std::size_t k = 0; k <= block.steps; ++k) {
     t.heading[k] = start_.theta + turn;
     t.omega[k] = omega;
@@ -101,15 +101,18 @@ void Rollout::roll_turn(const Block& block) const {
     t.sine[k] = direction.s;
     const double next = omega == block.omega ? omega : limits_.theta.ramp(omega, block.omega, block.dt);
     const double by = euler ? next * block.dt : 0.5 * (omega + next) * block.dt;
-    if (0.5 * by != last_half) {
-      last_half = 0.5 * by;
-      half = Rotation::of(last_half);
+    if (k > 0 && by == last_by) {
+      middle = middle.turned(whole);  // two chains that do not wait for each other
+    } else {
+      half = Rotation::of(0.5 * by);
+      whole = half.turned(half);
+      middle = direction.turned(half);
+      last_by = by;
     }
-    const Rotation middle = direction.turned(half);
     const Rotation& step = euler ? direction : middle;
     t.step_x[k] = step.c * block.dt;
     t.step_y[k] = step.s * block.dt;
-    direction = middle.turned(half);
+    direction = direction.turned(whole);
     turn += by;
     omega = next;
   }

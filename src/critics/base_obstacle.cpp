@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/critics/base_obstacle.hpp"
 
+#include <algorithm>
+
 #include "hidwa_local_planner/core/cell_classes.hpp"
+#include "hidwa_local_planner/core/cell_index.hpp"
 
 namespace hidwa_local_planner {
 
@@ -24,19 +27,29 @@ void BaseObstacleCritic::prepare(const CycleView& cycle) {
 }
 
 void BaseObstacleCritic::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
-  const GridView& grid = *cycle.grid;
-  for (std::size_t c = 0; c < tile.count; ++c) {
+  for (std::size_t first = 0; first < tile.count; first += kernel::kMostPoints) {
+    score_some(cycle, tile, first, std::min(kernel::kMostPoints, tile.count - first), scores);
+  }
+}
+
+void BaseObstacleCritic::score_some(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
+                                    TileScores& scores) const {
+  double sum[kernel::kMostPoints] = {};
+  std::int32_t index[kernel::kMostPoints];
+  for (std::size_t k = sum_scores_ ? 0 : tile.steps; k <= tile.steps; ++k) {
+    const std::size_t row = k * tile.stride + first;
+    kernel::index_cells(*cycle.grid, {cycle.grid->size_x, 0, -1}, tile.x + row, tile.y + row, 0.0, 0.0, count, index);
+    for (std::size_t c = 0; c < count; ++c) {
+      if (index[c] >= 0) sum[c] += static_cast<double>(cycle.grid->costs[index[c]]);
+    }
+  }
+  for (std::size_t c = first; c < first + count; ++c) {
     if (scores.refused(c)) continue;
-    if (refuses_ && hits(grid, tile, c)) {
+    if (refuses_ && hits(*cycle.grid, tile, c)) {
       scores.refuse(c, "centre hits an obstacle or its inscribed cells");
-      continue;
+    } else {
+      scores.set(c, sum[c - first]);
     }
-    double sum = 0.0;
-    for (std::size_t k = sum_scores_ ? 0 : tile.steps; k <= tile.steps; ++k) {
-      const Cell cell = grid.cell_at(tile.x_at(k, c), tile.y_at(k, c));
-      if (grid.contains(cell)) sum += static_cast<double>(grid.at(cell));
-    }
-    scores.set(c, sum);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hidwa_local_planner/core/cell_index.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -25,59 +27,57 @@ double bearing_error(const Pose2& pose, const Pose2& target) {
   return std::abs(wrap_angle(std::atan2(target.y - pose.y, target.x - pose.x) - pose.theta));
 }
 
-bool blocked(std::uint8_t value) { return value == cost::kLethal || value == cost::kInscribed; }
-
 }  // namespace
 
 void MapGridCritic::prepare(const CycleView& cycle) {
   off_map_ = !cycle.grids->on_map();
   distances_ = off_map_ ? nullptr : choose(cycle);
-  cells_per_metre_ = 1.0 / cycle.grid->resolution;
   unreached_ = cycle.grid->resolution * (cycle.grid->size_x + cycle.grid->size_y);
   if (off_map_) nearest_ = nearest_pose(*cycle.plan, cycle.pose);
 }
 
 void MapGridCritic::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
-  if (!off_map_ && distances_ == nullptr) return;
-  const Point ahead{forward_ * tile.cos_heading[tile.steps], forward_ * tile.sin_heading[tile.steps]};
+  if (off_map_) {
+    score_bearings(tile, scores);
+  } else if (distances_ != nullptr) {
+    for (std::size_t first = 0; first < tile.count; first += kernel::kMostPoints) {
+      score_some(cycle, tile, first, std::min(kernel::kMostPoints, tile.count - first), scores);
+    }
+  }
+}
+
+void MapGridCritic::score_bearings(const Tile& tile, TileScores& scores) const {
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (scores.refused(c)) continue;
-    if (off_map_) {
-      scores.set(c, bearing_error(tile.last_pose(c), nearest_));
-      continue;
-    }
-    const Point last{tile.x_at(tile.steps, c), tile.y_at(tile.steps, c)};
-    const char* reason = nullptr;
-    const double raw = raw_score(*cycle.grid, last, last + ahead, &reason);
-    if (reason != nullptr) {
-      scores.refuse(c, reason);
+    if (!scores.refused(c)) scores.set(c, bearing_error(tile.last_pose(c), nearest_));
+  }
+}
+
+void MapGridCritic::score_some(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
+                               TileScores& scores) const {
+  const double ahead_x = forward_ * tile.cos_heading[tile.steps], ahead_y = forward_ * tile.sin_heading[tile.steps];
+  const double* x = tile.x + tile.steps * tile.stride + first;
+  const double* y = tile.y + tile.steps * tile.stride + first;
+  DistanceGrids::Table table = distances_->table();
+  const double metres_per_unit = distances_->metres_per_unit();
+  std::int32_t nose[kernel::kMostPoints];
+  kernel::index_cells(*cycle.grid, {cycle.grid->size_x + 2, 1, 0}, x, y, ahead_x, ahead_y, count, nose);
+  for (std::size_t c = 0; c < count; ++c) {
+    if (scores.refused(first + c)) continue;
+    const std::size_t at = DistanceGrids::Table::kStep * static_cast<std::size_t>(nose[c]);
+    if (table.units[at] < DistanceSweep::kFar && table.mask[at] == table.open) {
+      scores.set(first + c, table.units[at] * metres_per_unit);
+    } else if (distance_ == MapGridDistance::l1) {  // Nav2: every point must lie on a reached cell
+      scores.refuse(first + c, "trajectory leaves the map or the plan cannot be reached");
     } else {
-      scores.set(c, raw);
+      scores.set(first + c, without_nose(cycle, tile.last_pose(first + c)));
+      table = distances_->table();  // now the blocked cells may be known
     }
   }
 }
 
-// A distance [m], or a negative number where there is none: off the map or unreached.
-double MapGridCritic::at(const GridView& grid, Cell cell) const {
-  if (!grid.contains(cell)) return -1.0;
-  const std::int32_t units = distances_->units(cell);
-  return units == DistanceGrid::kUnreached ? -1.0 : units * distances_->metres_per_unit();
-}
-
-double MapGridCritic::raw_score(const GridView& grid, const Point& last, const Point& nose,
-                                const char** reason) const {
-  const Cell cell = cell_at(grid, nose);
-  if (distance_ == MapGridDistance::l1) {  // Nav2: every point must lie on a reached cell
-    const double raw = at(grid, cell);
-    if (raw < 0.0) *reason = "trajectory leaves the map or the plan cannot be reached";
-    return raw;
-  }
-  // Only where the nose is on no free cell does the centre count instead.
-  if (grid.contains(cell) && !blocked(grid.at(cell))) {
-    const double raw = at(grid, cell);
-    if (raw >= 0.0) return raw;
-  }
-  const double centre = at(grid, cell_at(grid, last));
+// Where the nose is on no free cell with a way to the plan, the centre counts instead.
+double MapGridCritic::without_nose(const CycleView& cycle, const Pose2& last) const {
+  const double centre = PlanGrids::at(*distances_, *cycle.grid, last.x, last.y);
   return centre >= 0.0 ? centre : unreached_;
 }
 

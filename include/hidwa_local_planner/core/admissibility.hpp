@@ -7,6 +7,7 @@
 #include "hidwa_local_planner/core/brake_manoeuvre.hpp"
 #include "hidwa_local_planner/core/collision.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/room_memo.hpp"
 #include "hidwa_local_planner/core/trajectory_batch.hpp"
 
 namespace hidwa_local_planner {
@@ -39,11 +40,15 @@ class AdmissibilityCheck {
     int penetration = 0;
     double clearance = 0.0;  // [m]
   };
-  bool rollout_free(const Tile& tile, std::size_t c) const;
-  bool segment_free(const Tile& tile, std::size_t c, std::size_t k) const;
+  bool rollout_free(const Tile& tile, std::size_t c);
+  bool both_clear(const Tile& tile, std::size_t c, std::size_t k) const;
+  double room_at(const Tile& tile, std::size_t c, std::size_t k);
+  bool between_free(const Tile& tile, std::size_t c, std::size_t k) const;
   bool rollout_escapes(const Tile& tile, std::size_t c) const;
   BrakeManoeuvre manoeuvre(const Twist2& command) const;
-  bool manoeuvre_free(const Twist2& command, double spacing, const Footprint& outline) const;
+  bool nothing_in_reach() const;
+  bool manoeuvre_free(const Twist2& command);
+  bool manoeuvre_surely_free(const Twist2& command) const;
   bool manoeuvre_deeper(const Twist2& command);
   void grow_outline();
 
@@ -60,6 +65,13 @@ class AdmissibilityCheck {
   Setup setup_;
   bool escaping_ = false;
   Stance stance_;
+  double look(const Pose2& pose, const Rotation& heading);
+
+  RoomMemo rooms_;            // of the footprint
+  double most_turn_ = 0.0;    // of the tile's headings in a step [rad]
+  std::size_t last_hit_ = 0;  // step at which a candidate of the tile hit something; 0: none yet
+  double margin_ = 0.0;       // around a clear position [m]
+  bool all_clear_ = false;    // no manoeuvre can hit anything
   struct Memo {
     Twist2 command;
     bool known = false, free = false;

@@ -35,8 +35,15 @@ class CollisionChecker {
   bool collides(const Pose2& pose, const Rotation& heading) const;
   /// As collides(), for an outline that differs from the prepared one by less than the margin.
   bool collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
+  /// 0 where the robot collides; else a distance [m] by which every point of it may move without colliding: at most
+  /// `cap`, and a lower bound.
+  double separation(const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap) const;
+  double separation(const Pose2& pose, const Rotation& heading, double cap) const {
+    return separation(pose, heading, *footprint_, cap);
+  }
   /// True when the robot is free at any heading, at this position and everywhere within the margin around it.
   bool clear(double x, double y) const;
+  double margin() const { return margin_; }  // of clear() [m]
   /// True when all positions within `distance` [m] of a position are clear.
   bool clear_around(double x, double y, double distance) const;
 
@@ -67,22 +74,31 @@ class CollisionChecker {
   void mark_obstacles();
   void mark_inscribed(double margin);
   bool centre_collides(Cell cell, const Footprint& outline) const;
-  bool overlaps_any(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
   bool in_window(Cell cell) const {
     return static_cast<unsigned>(cell.i - first_.i) < static_cast<unsigned>(obstacles_.width()) &&
            static_cast<unsigned>(cell.j - first_.j) < static_cast<unsigned>(obstacles_.height());
   }
-  template <typename Overlaps, typename Visit>
-  void visit_obstacles(Cell lo, Cell hi, const Overlaps& overlaps, Visit&& visit) const;
+  // An outline placed at a pose: its box, and where it is convex its sides, each moved by half a cell's reach.
+  struct Placed {
+    const Footprint* outline = nullptr;
+    Pose2 pose;
+    double lo_x = 0.0, lo_y = 0.0, hi_x = 0.0, hi_y = 0.0;
+  };
+  Placed place(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
+  double gap_to(const Placed& placed, double x, double y, double enough) const;
+  double smallest_gap(const Placed& placed, double cap) const;
+  double inscribed_gap(const Pose2& pose, double cap) const;
   template <typename Visit>
-  void visit_overlapped(const Pose2& pose, const Rotation& heading, const Footprint& outline, Visit&& visit) const;
+  void visit_marked(const BitGrid& marked, Cell lo, Cell hi, Visit&& visit) const;
 
   GridView grid_;
   const Footprint* footprint_ = nullptr;
   bool unknown_is_obstacle_ = true;
   Cell first_;         // of the window, map cells
+  double margin_ = 0.0;  // [m]
   int rim_ = 0;        // cells at the window's rim that near_ does not answer for
   BitGrid obstacles_;  // in the window
+  BitGrid edges_;      // obstacles with something else beside them: those in their midst are never nearest
   BitGrid near_;       // centre cells where the robot may overlap an obstacle
   BitGrid hit_;        // centre cells where it surely does
   BitGrid inscribed_;  // in the window; for circles only

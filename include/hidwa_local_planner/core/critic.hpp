@@ -38,12 +38,18 @@ class TileScores {
   bool refused(std::size_t c) const { return reason_[c] != nullptr; }
   void set(std::size_t c, double raw_score) { raw_[c] = raw_score; }
   /// Refuses a candidate; `reason` must outlive the cycle (a string literal).
-  void refuse(std::size_t c, const char* reason) { reason_[c] = reason; }
+  void refuse(std::size_t c, const char* reason) {
+    reason_[c] = reason;
+    any_refused_ = true;
+  }
+  /// True once somebody was refused through this object.
+  bool any_refused() const { return any_refused_; }
 
  private:
   double* raw_;          // [count], zero at the start
   const char** reason_;  // [count], nullptr while legal
   std::size_t count_;
+  bool any_refused_ = false;
 };
 
 /// Where a critic of another package finds its own parameters: `<planner>/<critic>/<key>`.

@@ -38,6 +38,18 @@ class DistanceGrids {
   }
   double metres_per_unit() const { return metres_per_unit_; }
 
+  /// All cells at once, for loops over many: kStep values a cell, in rows of size_x + 2 cells with a border of one.
+  struct Table {
+    static constexpr std::size_t kStep = DistanceSweep::kLanes;
+    const std::int16_t* units = nullptr;  // kFar where nothing comes, the border included
+    const std::int16_t* mask = nullptr;   // other than `open` in blocked cells, whose units may not be known yet
+    std::int16_t open = 0;
+  };
+  Table table(int set) {
+    if (!settled_) settle();
+    return {sweep_.table() + set, sweep_.mask() + set, sweep_.open()};
+  }
+
  private:
   // What the sweep holds the distances of.
   struct Content {
@@ -69,6 +81,7 @@ class DistanceGrid {
   DistanceGrid(DistanceGrids& grids, int set) : grids_(&grids), set_(set) {}
   std::int32_t units(Cell cell) const { return grids_->units(set_, cell); }
   double metres_per_unit() const { return grids_->metres_per_unit(); }
+  DistanceGrids::Table table() const { return grids_->table(set_); }
 
  private:
   DistanceGrids* grids_ = nullptr;

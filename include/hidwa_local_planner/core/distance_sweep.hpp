@@ -16,7 +16,7 @@ class DistanceSweep {
  public:
   static constexpr int kLanes = 4;
   /// A cell that nothing reaches. Ways of more than this many units count as none.
-  static constexpr std::int16_t kFar = 0x7000;
+  static constexpr std::int16_t kFar = 0x3FF0;  // a step and a mask more still fit
 
   /// Units of a step along an axis and of one across.
   struct Steps {
@@ -36,7 +36,12 @@ class DistanceSweep {
   void settle_blocked();
 
   std::int16_t units(int lane, Cell cell) const { return units_[at(cell) + static_cast<std::size_t>(lane)]; }
-  bool blocked(Cell cell) const { return mask_[at(cell)] != closed_; }
+  /// All cells in rows of width + 2, a border of one cell all around that nothing reaches; kLanes values a cell.
+  const std::int16_t* table() const { return units_.data(); }
+  /// Likewise: other than open() where a cell is blocked.
+  const std::int16_t* mask() const { return mask_.data(); }
+  std::int16_t open() const { return open_; }
+  bool blocked(Cell cell) const { return mask_[at(cell)] != open_; }
 
  private:
   // A border of one cell all around needs no bounds test.
@@ -49,9 +54,9 @@ class DistanceSweep {
   int width_ = 0, height_ = 0;
   std::size_t stride_ = 0;  // [cells]
   Steps steps_;
-  std::int16_t closed_ = 0;              // the mask of a free cell: changes when the blocked ones are settled
+  std::int16_t open_ = 0;                // the mask of a free cell: changes when the blocked ones are settled
   std::vector<std::int16_t> units_;      // [cells][lanes]
-  std::vector<std::int16_t> mask_;       // [cells][lanes] kFar where a cell takes nothing
+  std::vector<std::int16_t> mask_;       // [cells][lanes] kFar where a cell takes nothing: what it costs more to enter
   std::vector<std::int16_t> taken_, rightward_, leftward_;  // one row each
   std::vector<std::uint8_t> due_down_, due_up_;             // rows whose neighbour changed
 };

@@ -16,6 +16,8 @@ class BaseObstacleCritic : public Critic {
 
  private:
   bool obstacle(const GridView& grid, double x, double y) const;
+  void score_some(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
+                  TileScores& scores) const;
   bool hits(const GridView& grid, const Tile& tile, std::size_t c) const;
 
   bool sum_scores_ = false;

@@ -23,15 +23,12 @@ class MapGridCritic : public Critic {
   double forward_ = 0.0;  // the point's distance ahead of the robot [m]
 
  private:
-  double raw_score(const GridView& grid, const Point& last, const Point& nose, const char** reason) const;
-  double at(const GridView& grid, Cell cell) const;
-  Cell cell_at(const GridView& grid, const Point& p) const {
-    return {GridView::floor_to_int((p.x() - grid.origin_x) * cells_per_metre_),
-            GridView::floor_to_int((p.y() - grid.origin_y) * cells_per_metre_)};
-  }
+  void score_bearings(const Tile& tile, TileScores& scores) const;
+  void score_some(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
+                  TileScores& scores) const;
+  double without_nose(const CycleView& cycle, const Pose2& last) const;
 
   const DistanceGrid* distances_ = nullptr;
-  double cells_per_metre_ = 20.0;
   bool off_map_ = false;
   Pose2 nearest_;           // the plan's pose nearest to the robot, when it is off the map
   double unreached_ = 0.0;  // the score where there is no way [m]
