@@ -34,7 +34,7 @@ void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLim
   escaping_ = parameters.escape && checker.collides(setup.start);
   if (escaping_) stance_ = {checker.penetration(setup.start), checker.clearance(setup.start)};
   margin_ = checker.margin();
-  rooms_.clear(footprint.circumscribed_radius(), resolution);
+  rooms_.clear(footprint.circumscribed_radius(), 0.5 * resolution);
   all_clear_ = !escaping_ && nothing_in_reach();
   grow_outline();
   // A robot that stands within the growth of an obstacle would find every manoeuvre refused: it goes without.
@@ -95,7 +95,7 @@ bool AdmissibilityCheck::rollout_free(const Tile& tile, std::size_t c) {
       continue;
     }
     const double next = room_at(tile, c, k + 1);
-    if (next <= 0.0 || (room + next < step && !between_free(tile, c, k + 1))) {
+    if (next <= 0.0 || (room + next < step && !between_free(tile, c, k + 1, room, next))) {
       last_hit_ = k + 1;
       return false;
     }
@@ -124,8 +124,9 @@ double AdmissibilityCheck::look(const Pose2& pose, const Rotation& heading) {
   return room;
 }
 
-// The poses between step k - 1 and step k, at most half a cell apart.
-bool AdmissibilityCheck::between_free(const Tile& tile, std::size_t c, std::size_t k) const {
+// The poses between step k - 1 and step k, at most half a cell apart, with the room that there is at both ends.
+bool AdmissibilityCheck::between_free(const Tile& tile, std::size_t c, std::size_t k, double room_before,
+                                      double room_after) {
   const Pose2 from = tile.pose(k - 1, c);
   const Pose2 to = tile.pose(k, c);
   const double dx = to.x - from.x, dy = to.y - from.y, turn = to.theta - from.theta;
@@ -134,8 +135,9 @@ bool AdmissibilityCheck::between_free(const Tile& tile, std::size_t c, std::size
   const Rotation heading{tile.cos_heading[k - 1], tile.sin_heading[k - 1]};
   for (int part = 1; part < parts; ++part) {
     const double t = static_cast<double>(part) / parts;
+    if (t * moved <= room_before || (1.0 - t) * moved <= room_after) continue;
     const Pose2 pose{from.x + t * dx, from.y + t * dy, from.theta + t * turn};
-    if (checker_->collides(pose, heading.turned(Rotation::of(t * turn)))) return false;
+    if (look(pose, heading.turned(Rotation::of(t * turn))) <= 0.0) return false;
   }
   return true;
 }

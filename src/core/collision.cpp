@@ -11,6 +11,9 @@ namespace {
 // Lengths of this order are rounding [m].
 constexpr double kRounding = 1e-9;
 
+// How much room around a pose is looked for at most, in cells.
+constexpr double kMostRoom = 2.0;
+
 // Clips the parameter range [t0, t1] of the segment a + t d to the open slab (lo, hi).
 bool clip(double a, double d, double lo, double hi, double& t0, double& t1) {
   if (d == 0.0) return a > lo && a < hi;
@@ -45,24 +48,6 @@ double distance_to_cell(double x, double y, double cell_x, double cell_y, double
   return std::sqrt(dx * dx + dy * dy);
 }
 
-// How many columns away an obstacle in a row `dy` rows away can be and still be nearer than `radius`, when each of the
-// two cells is nearer by `slack` cells an axis than its index says. Negative: none.
-int columns_within(int dy, double radius, double resolution, int slack) {
-  const double rows = std::max(0, dy - slack) * resolution;
-  if (rows >= radius) return -1;
-  const double columns = std::sqrt(radius * radius - rows * rows) / resolution;
-  return static_cast<int>(std::ceil(columns - kRounding)) - 1 + slack;
-}
-
-void disc_reach(double radius, double resolution, int slack, std::vector<int>& reach) {
-  reach.clear();
-  for (int dy = 0;; ++dy) {
-    const int columns = columns_within(dy, radius, resolution, slack);
-    if (columns < 0) break;
-    reach.push_back(columns);
-  }
-}
-
 }  // namespace
 
 bool overlaps_square(const Polygon& polygon, double x, double y, double side) {
@@ -80,7 +65,7 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
   margin_ = margin;
   const double resolution = grid.resolution;
   const double outer = footprint.circumscribed_radius() + margin;
-  const int radius = static_cast<int>(std::ceil((reach + outer) / resolution)) + 3;
+  const int radius = static_cast<int>(std::ceil((reach + outer) / resolution + kMostRoom)) + 3;
   const Cell middle = grid.cell_at(centre.x, centre.y);
   first_ = {middle.i - radius, middle.j - radius};
   obstacles_.reset(2 * radius + 1, 2 * radius + 1);
@@ -92,6 +77,21 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
   obstacles_.dilate(reach_, hit_);
   if (footprint.is_circle()) mark_inscribed(margin);
   obstacles_.find_edges(edges_);
+  prepare_lists(margin);
+}
+
+// Where its centre lies inside, an outline that touches the midst of obstacles touches their edge too.
+void CollisionChecker::prepare_lists(double margin) {
+  const double room = kMostRoom * grid_.resolution;
+  ObstacleLists::Window window;
+  window.solid = footprint_->inscribed_radius() > 0.0 ? &edges_ : &obstacles_;
+  window.core = footprint_->is_circle() ? &inscribed_ : nullptr;
+  window.solid_reach = footprint_->circumscribed_radius() + margin + room;
+  window.core_reach = room + kRounding;
+  window.corner_x = grid_.origin_x + first_.i * grid_.resolution;
+  window.corner_y = grid_.origin_y + first_.j * grid_.resolution;
+  window.resolution = grid_.resolution;
+  lists_.prepare(window);
 }
 
 // Marks the window's cells that hold certain costs, and those beyond the map's edge where it counts.
@@ -165,15 +165,16 @@ double CollisionChecker::separation(const Pose2& pose, const Rotation& heading, 
                                     double cap) const {
   constexpr double kFree = std::numeric_limits<double>::min();
   const Cell cell = grid_.cell_at(pose.x, pose.y);
-  if (in_reach(cell)) {
-    const int i = cell.i - first_.i, j = cell.j - first_.j;
-    if (cap <= 0.0 && !near_.test(i, j)) return kFree;
-    if (&outline == footprint_ && hit_.test(i, j)) return 0.0;
-  }
+  const bool reached = in_reach(cell);
+  const int i = cell.i - first_.i, j = cell.j - first_.j;
+  if (reached && cap <= 0.0 && !near_.test(i, j)) return kFree;
+  if (reached && &outline == footprint_ && hit_.test(i, j)) return 0.0;
   if (centre_collides(cell, outline)) return 0.0;
-  double least = smallest_gap(place(pose, heading, outline), cap);
-  if (least > 0.0 && outline.is_circle() && cap > 0.0) least = std::min(least, inscribed_gap(pose, cap));
-  return least <= 0.0 ? 0.0 : std::max(std::min(least, cap) - kRounding, kFree);
+  const bool listed = reached && (outline.is_circle() || !outline.sides().empty());
+  cap = std::min(std::max(cap, kRounding), kMostRoom * grid_.resolution);
+  const double least = listed ? lists_.smallest_gap(i, j, pose, heading, outline, cap)
+                              : smallest_gap(place(pose, heading, outline));
+  return least <= 0.0 ? 0.0 : std::max(least - kRounding, kFree);
 }
 
 CollisionChecker::Placed CollisionChecker::place(const Pose2& pose, const Rotation& heading,
@@ -211,16 +212,15 @@ CollisionChecker::Placed CollisionChecker::place(const Pose2& pose, const Rotati
   return placed;
 }
 
-// How far the outline is from a cell with this lower left corner, at least; not positive where they overlap. Anything
-// of `enough` and more will do. Two convex shapes share area unless a side of one of them has the other beyond it.
-double CollisionChecker::gap_to(const Placed& placed, double x, double y, double enough) const {
+// How far the outline is from a cell with this lower left corner, at least; not positive where they overlap. Two
+// convex shapes share area unless a side of one of them has the other beyond it.
+double CollisionChecker::gap_to(const Placed& placed, double x, double y) const {
   const double side = grid_.resolution;
   const Pose2& pose = placed.pose;
   if (placed.outline->is_circle()) {
     return distance_to_cell(pose.x, pose.y, x, y, side) - (placed.outline->radius() - kRounding);
   }
   double most = std::max({x - placed.hi_x, placed.lo_x - (x + side), y - placed.hi_y, placed.lo_y - (y + side)});
-  if (most >= enough) return most;
   if (placed.outline->sides().empty()) {
     if (most > 0.0) return most;
     return overlaps_square(corners_, x, y, side) ? 0.0 : kRounding;  // near, who knows how near
@@ -232,72 +232,36 @@ double CollisionChecker::gap_to(const Placed& placed, double x, double y, double
   return most;
 }
 
-// To the nearest obstacle, or `cap` and more; not positive where one overlaps.
-double CollisionChecker::smallest_gap(const Placed& placed, double cap) const {
-  double least = std::max(cap, kRounding);
-  const Cell lo = grid_.cell_at(placed.lo_x - cap, placed.lo_y - cap);
-  const Cell hi = grid_.cell_at(placed.hi_x + cap, placed.hi_y + cap);
-  const auto take = [&](Cell cell) {
-    const double x = grid_.origin_x + cell.i * grid_.resolution, y = grid_.origin_y + cell.j * grid_.resolution;
-    least = std::min(least, gap_to(placed, x, y, least));
+// To the nearest obstacle that it comes near; not positive where one overlaps. The slow way, for any outline anywhere.
+double CollisionChecker::smallest_gap(const Placed& placed) const {
+  double least = kRounding;
+  visit_obstacles(placed, [&](double gap) {
+    least = std::min(least, gap);
     return least > 0.0;
-  };
-  if (in_window(lo) && in_window(hi) && hi.i - lo.i < 64) {
-    // Where its centre lies inside, an outline that touches the midst of obstacles touches their edge too.
-    visit_marked(placed.outline->inscribed_radius() > 0.0 ? edges_ : obstacles_, lo, hi, take);
-    return least;
-  }
-  for (int j = lo.j; j <= hi.j; ++j) {
-    for (int i = lo.i; i <= hi.i; ++i) {
-      if (obstacle({i, j}) && !take({i, j})) return least;
-    }
-  }
+  });
   return least;
 }
 
-// How far the centre may move before it enters an inscribed cell.
-double CollisionChecker::inscribed_gap(const Pose2& pose, double cap) const {
-  const Cell lo = grid_.cell_at(pose.x - cap, pose.y - cap), hi = grid_.cell_at(pose.x + cap, pose.y + cap);
-  if (!in_window(lo) || !in_window(hi) || hi.i - lo.i >= 64) return kRounding;
-  double least = cap;
-  visit_marked(inscribed_, lo, hi, [&](Cell cell) {
-    const double x = grid_.origin_x + cell.i * grid_.resolution, y = grid_.origin_y + cell.j * grid_.resolution;
-    least = std::min(least, distance_to_cell(pose.x, pose.y, x, y, grid_.resolution));
-    return true;
-  });
-  return std::max(least, kRounding);
-}
-
-// Calls visit(cell) for the marked cells from lo to hi, at most 64 columns inside the window, until it returns false.
+// Calls visit(gap to it) for the obstacles in the outline's box until it returns false.
 template <typename Visit>
-void CollisionChecker::visit_marked(const BitGrid& marked, Cell lo, Cell hi, Visit&& visit) const {
+void CollisionChecker::visit_obstacles(const Placed& placed, Visit&& visit) const {
+  const Cell lo = grid_.cell_at(placed.lo_x, placed.lo_y);
+  const Cell hi = grid_.cell_at(placed.hi_x, placed.hi_y);
   for (int j = lo.j; j <= hi.j; ++j) {
-    std::uint64_t row = marked.bits(j - first_.j, lo.i - first_.i);
-    row &= ~std::uint64_t{0} >> (63 - (hi.i - lo.i));
-    for (; row != 0; row &= row - 1) {
-      if (!visit(Cell{lo.i + __builtin_ctzll(row), j})) return;
+    for (int i = lo.i; i <= hi.i; ++i) {
+      if (!obstacle({i, j})) continue;
+      const double x = grid_.origin_x + i * grid_.resolution, y = grid_.origin_y + j * grid_.resolution;
+      if (!visit(gap_to(placed, x, y))) return;
     }
   }
 }
 
 int CollisionChecker::penetration(const Pose2& pose) const {
-  const Placed placed = place(pose, {std::cos(pose.theta), std::sin(pose.theta)}, *footprint_);
-  const Cell lo = grid_.cell_at(placed.lo_x, placed.lo_y), hi = grid_.cell_at(placed.hi_x, placed.hi_y);
   int cells = 0;
-  const auto count = [&](Cell cell) {
-    const double x = grid_.origin_x + cell.i * grid_.resolution, y = grid_.origin_y + cell.j * grid_.resolution;
-    if (gap_to(placed, x, y, kRounding) <= 0.0) ++cells;
+  visit_obstacles(place(pose, {std::cos(pose.theta), std::sin(pose.theta)}, *footprint_), [&cells](double gap) {
+    cells += gap <= 0.0 ? 1 : 0;
     return true;
-  };
-  if (in_window(lo) && in_window(hi) && hi.i - lo.i < 64) {
-    visit_marked(obstacles_, lo, hi, count);
-    return cells;
-  }
-  for (int j = lo.j; j <= hi.j; ++j) {
-    for (int i = lo.i; i <= hi.i; ++i) {
-      if (obstacle({i, j})) count({i, j});
-    }
-  }
+  });
   return cells;
 }
 

@@ -9,8 +9,10 @@ namespace {
 
 std::atomic<bool> counting{false};
 std::atomic<std::size_t> allocations{0};
+thread_local std::size_t of_this_thread = 0;
 
 void note() {
+  ++of_this_thread;
   if (counting.load(std::memory_order_relaxed)) allocations.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -45,5 +47,7 @@ AllocationCounter::AllocationCounter() {
 }
 AllocationCounter::~AllocationCounter() { counting = false; }
 std::size_t AllocationCounter::count() const { return allocations; }
+
+std::size_t allocations_of_this_thread() { return of_this_thread; }
 
 }  // namespace hidwa_local_planner::test

@@ -19,4 +19,7 @@ class AllocationCounter {
   std::size_t count() const;
 };
 
+/// Allocations of the calling thread since it began; always counted.
+std::size_t allocations_of_this_thread();
+
 }  // namespace hidwa_local_planner::test

@@ -43,7 +43,7 @@ class AdmissibilityCheck {
   bool rollout_free(const Tile& tile, std::size_t c);
   bool both_clear(const Tile& tile, std::size_t c, std::size_t k) const;
   double room_at(const Tile& tile, std::size_t c, std::size_t k);
-  bool between_free(const Tile& tile, std::size_t c, std::size_t k) const;
+  bool between_free(const Tile& tile, std::size_t c, std::size_t k, double room_before, double room_after);
   bool rollout_escapes(const Tile& tile, std::size_t c) const;
   BrakeManoeuvre manoeuvre(const Twist2& command) const;
   bool nothing_in_reach() const;

@@ -8,6 +8,7 @@
 #include "hidwa_local_planner/core/bit_grid.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/obstacle_lists.hpp"
 #include "hidwa_local_planner/core/rotation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
@@ -36,7 +37,7 @@ class CollisionChecker {
   /// As collides(), for an outline that differs from the prepared one by less than the margin.
   bool collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
   /// 0 where the robot collides; else a distance [m] by which every point of it may move without colliding: at most
-  /// `cap`, and a lower bound.
+  /// `cap`, itself at most two cells, and a lower bound.
   double separation(const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap) const;
   double separation(const Pose2& pose, const Rotation& heading, double cap) const {
     return separation(pose, heading, *footprint_, cap);
@@ -73,11 +74,8 @@ class CollisionChecker {
   void mark(const BitGrid::Values& values, bool edge, BitGrid& marked) const;
   void mark_obstacles();
   void mark_inscribed(double margin);
+  void prepare_lists(double margin);
   bool centre_collides(Cell cell, const Footprint& outline) const;
-  bool in_window(Cell cell) const {
-    return static_cast<unsigned>(cell.i - first_.i) < static_cast<unsigned>(obstacles_.width()) &&
-           static_cast<unsigned>(cell.j - first_.j) < static_cast<unsigned>(obstacles_.height());
-  }
   // An outline placed at a pose: its box, and where it is convex its sides, each moved by half a cell's reach.
   struct Placed {
     const Footprint* outline = nullptr;
@@ -85,11 +83,10 @@ class CollisionChecker {
     double lo_x = 0.0, lo_y = 0.0, hi_x = 0.0, hi_y = 0.0;
   };
   Placed place(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
-  double gap_to(const Placed& placed, double x, double y, double enough) const;
-  double smallest_gap(const Placed& placed, double cap) const;
-  double inscribed_gap(const Pose2& pose, double cap) const;
+  double gap_to(const Placed& placed, double x, double y) const;
+  double smallest_gap(const Placed& placed) const;
   template <typename Visit>
-  void visit_marked(const BitGrid& marked, Cell lo, Cell hi, Visit&& visit) const;
+  void visit_obstacles(const Placed& placed, Visit&& visit) const;
 
   GridView grid_;
   const Footprint* footprint_ = nullptr;
@@ -103,6 +100,7 @@ class CollisionChecker {
   BitGrid hit_;        // centre cells where it surely does
   BitGrid inscribed_;  // in the window; for circles only
   std::vector<int> reach_;
+  mutable ObstacleLists lists_;
   mutable Polygon corners_;
   mutable std::vector<Footprint::Side> sides_;
 };

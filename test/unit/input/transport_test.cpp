@@ -176,6 +176,38 @@ TEST(Transport, AnotherDeviceMustBeSeenCentred) {
   EXPECT_EQ(person.cycle(1.25).state, State::hold);
 }
 
+/// A message at `time` [s] from `sender`.
+StickMessage sent_by(const std::string& sender, double time, float angular) {
+  StickMessage message = stick_at(time, angular);
+  message.sender = sender;
+  return message;
+}
+
+TEST(Transport, TwoSendersInTurnSteerNothingAndAreNamed) {
+  Person person;
+  for (int i = 0; i < 20; ++i) {
+    const double time = 1.0 + 0.05 * i;
+    person.machine.receive(sent_by("/here", time, 1.0F));
+    EXPECT_EQ(person.cycle(time).state, State::autonomy);
+    person.machine.receive(sent_by("/there", time + 0.02, 0.0F));
+    EXPECT_EQ(person.cycle(time + 0.02).state, State::autonomy);
+  }
+  EXPECT_NE(person.machine.advice().find("/here and /there"), std::string::npos) << person.machine.advice();
+  // One of them goes; a hundred messages of the other make it the only one.
+  for (int i = 0; i < 100; ++i) person.machine.receive(sent_by("/there", 2.0 + 0.05 * i, 0.0F));
+  EXPECT_EQ(person.machine.advice(), "");
+  person.machine.receive(sent_by("/there", 7.0, 1.0F));
+  EXPECT_EQ(person.cycle(7.0).state, State::shared);
+}
+
+TEST(Transport, ASenderThatTakesOverIsNoRival) {
+  Person person;
+  for (int i = 0; i < 100; ++i) person.machine.receive(sent_by("/here", 1.0 + 0.05 * i, 0.0F));
+  for (int i = 0; i < 100; ++i) person.machine.receive(sent_by("/there", 6.0 + 0.05 * i, 0.0F));
+  person.machine.receive(sent_by("/here", 11.0, 0.0F));
+  EXPECT_EQ(person.machine.advice(), "");
+}
+
 TEST(Transport, ASilentStickCountsWhereTheTimeoutIsOff) {
   Parameters p;
   p.input_timeout = 0.0;

@@ -115,10 +115,14 @@ TEST(Plugin, ReportsDiagnostics) {
     if (!message || message->status.empty() || message->status[0].name.find("Healthy") == std::string::npos) {
       return false;
     }
+    bool timed = false;
     for (const diagnostic_msgs::KeyValue& value : message->status[0].values) {
-      if (value.key == "cycle time p99 [ms]" && std::stod(value.value) > 0.0) return true;
+      if (value.key == "cycle time p99 [ms]") timed = std::stod(value.value) > 0.0;
+      if (value.key == "cycle budget [ms]") {
+        EXPECT_DOUBLE_EQ(std::stod(value.value), 0.5 * 1e3 * kPeriod);
+      }
     }
-    return false;
+    return timed;
   };
   EXPECT_TRUE(host.cycle_until(reported, 5.0));
 }
@@ -193,7 +197,7 @@ TEST(Plugin, TakesCriticsOfOtherPackages) {
   ASSERT_TRUE(host.cycle_until(
       [&](const Host::Cycle&) {
         const std::lock_guard<std::mutex> lock(mutex);
-        return !evaluation.twists.empty();
+        return !evaluation.twists.empty() && !host.report().rejection_names.empty();
       },
       5.0));
 
@@ -239,6 +243,45 @@ TEST(Plugin, AnUnknownCriticIsSaidWithWhatThereIsAndNothingDrives) {
   EXPECT_TRUE(wait_for([&] { return log.said("NoSuchCritic"); }, 5.0));
   EXPECT_TRUE(log.said("TurnLimit"));
 }
+
+/// A critic that cannot be used, and what is to be said of it.
+struct BrokenCritic {
+  const char* name;
+  const char* reason;
+  const char* fault;
+};
+
+class ABrokenCritic : public ::testing::TestWithParam<BrokenCritic> {};
+
+TEST_P(ABrokenCritic, IsSaidAndNothingDrives) {
+  const BrokenCritic& broken = GetParam();
+  const LogListener log;
+  const std::string name = std::string("With") + broken.name;
+  ros::param::set(ns(name) + "critics", std::string("PathDist, hidwa_broken_critics/") + broken.name);
+  Host host(name);
+  EXPECT_TRUE(wait_for([&] { return log.said(broken.reason) && log.said(broken.fault); }, 5.0));
+  ASSERT_TRUE(host.plan_ahead(2.0));
+  // Until the first odometry comes, standing still counts as braking.
+  EXPECT_TRUE(host.cycle_until(
+      [](const Host::Cycle& c) {
+        EXPECT_EQ(c.command.linear.x, 0.0);
+        return !c.success;
+      },
+      5.0));
+  EXPECT_TRUE(wait_for([&] { return host.report().fault.find("are not valid") != std::string::npos; }, 5.0));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ABrokenCritic,
+    ::testing::Values(
+        BrokenCritic{"NotInTheLibrary", "the critic hidwa_broken_critics/NotInTheLibrary cannot be loaded",
+                     "critics: hidwa_broken_critics/NotInTheLibrary is declared, but"},
+        BrokenCritic{"NoLibrary", "the critic hidwa_broken_critics/NoLibrary cannot be loaded",
+                     "critics: hidwa_broken_critics/NoLibrary is declared, but"},
+        BrokenCritic{"CannotBeMade", "no memory of its own",
+                     "critics: hidwa_broken_critics/CannotBeMade is declared, but"},
+        BrokenCritic{"CannotBeConfigured", "its table is missing", "does not take its parameters"}),
+    [](const auto& critic) { return std::string(critic.param.name); });
 
 }  // namespace
 }  // namespace hidwa_plugin_tests

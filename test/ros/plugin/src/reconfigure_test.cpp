@@ -106,6 +106,17 @@ TEST(Reconfigure, NamesOfChoicesAndCriticsAreChecked) {
       << host.report().fault;
 }
 
+TEST(Reconfigure, ACriticThatCannotBeUsedIsRefusedWhileDriving) {
+  Host host("Broken");
+  drive(host);
+  for (const char* name : {"NotInTheLibrary", "NoLibrary", "CannotBeMade", "CannotBeConfigured"}) {
+    Change change;
+    ASSERT_TRUE(change.set("critics", std::string("PathDist, ") + name).send(host));
+    EXPECT_NE(change.text("critics").find("GoalAlign"), std::string::npos) << name;
+    for (int i = 0; i < 5; ++i) EXPECT_NEAR(host.cycle().command.linear.x, 0.5, 1e-3) << name;
+  }
+}
+
 TEST(Reconfigure, ABadStartRefusesToDriveUntilAValidSetComes) {
   const LogListener log;
   ros::param::set(ros::this_node::getName() + "/BadStart/max_vel_x", 99.0);

@@ -116,10 +116,11 @@ Stage::Stage() : robot(tf), spinner_(1) {
   wait_for([this] { return costmap->isCurrent(); }, 10.0);
 }
 
-Host::Host(const std::string& name) : name_(name), next_(ros::Time::now()) {
+Host::Host(const std::string& name, Listens listens) : name_(name), next_(ros::Time::now()) {
   Stage& stage = Stage::get();
   planner_ = loader().createInstance("hidwa_local_planner/HIDWAPlannerROS");
   planner_->initialize(name, &stage.tf, stage.costmap.get());
+  if (listens == Listens::no) return;
   ros::NodeHandle node("~/" + name);
   subscriber_ = node.subscribe<hidwa_local_planner::Cycle>(
       "cycle", 10, [this](const hidwa_local_planner::Cycle::ConstPtr& message) {

@@ -67,8 +67,9 @@ class Stage {
 /// A planner loaded as a host does it, in a namespace of its own, and the control loop round it.
 class Host {
  public:
-  /// Parameters belong on the server before.
-  explicit Host(const std::string& name);
+  enum class Listens { yes, no };
+  /// Parameters belong on the server before. A host that does not listen gets no report().
+  explicit Host(const std::string& name, Listens listens = Listens::yes);
   ~Host();
 
   nav_core::BaseLocalPlanner& planner() { return *planner_; }

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A cycle allocates nothing while nobody subscribes: the host's two calls a cycle, minus what the costmap and
+// tf allocate when they are asked the same.
+#include <atomic>
+
+#include <gtest/gtest.h>
+#include <sensor_msgs/Joy.h>
+
+#include "stage.hpp"
+#include "support/allocation_counter.hpp"
+
+namespace hidwa_plugin_tests {
+namespace {
+
+using hidwa_local_planner::test::allocations_of_this_thread;
+
+// In a few hundred cycles: vectors of the core's grids that meet their longest window of the plan yet.
+constexpr long kGrowth = 20;
+
+std::string ns(const std::string& name) { return ros::this_node::getName() + "/" + name + "/"; }
+
+/// What the planner asks the host for in either call.
+std::size_t of_the_host(const std::string& plan_frame) {
+  Stage& stage = Stage::get();
+  const std::size_t before = allocations_of_this_thread();
+  stage.costmap->isCurrent();
+  geometry_msgs::PoseStamped pose;
+  stage.costmap->getRobotPose(pose);
+  stage.costmap->getRobotFootprint();
+  if (plan_frame != stage.costmap->getGlobalFrameID()) {
+    stage.tf.lookupTransform(stage.costmap->getGlobalFrameID(), plan_frame, ros::Time(0));
+  }
+  return allocations_of_this_thread() - before;
+}
+
+class Allocations : public ::testing::Test {
+ protected:
+  /// Allocations of one cycle beyond the host's own.
+  long cycle(Host& host, const std::string& plan_frame = "odom") {
+    Stage& stage = Stage::get();
+    long own = 0;
+    {
+      const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*stage.costmap->getCostmap()->getMutex());
+      const auto of_host = static_cast<long>(of_the_host(plan_frame));
+      const std::size_t before = allocations_of_this_thread();
+      host.planner().isGoalReached();
+      success_ = host.planner().computeVelocityCommands(command_);
+      own = static_cast<long>(allocations_of_this_thread() - before) - 2 * of_host;
+    }
+    stage.robot.command(success_ ? command_ : geometry_msgs::Twist());
+    rate_.sleep();
+    return own;
+  }
+
+  long cycles(Host& host, int count, const std::string& plan_frame = "odom") {
+    long own = 0;
+    for (int i = 0; i < count; ++i) own += cycle(host, plan_frame);
+    return own;
+  }
+
+  ros::Rate rate_{1.0 / kPeriod};
+  bool success_ = false;
+  geometry_msgs::Twist command_;
+};
+
+TEST_F(Allocations, NoneWhileDriving) {
+  Host host("Drives", Host::Listens::no);
+  ASSERT_TRUE(host.plan_ahead(15.0));
+  cycles(host, 40);
+  ASSERT_GT(command_.linear.x, 0.49);
+  EXPECT_LE(cycles(host, 300), kGrowth);  // 7.5 m
+  EXPECT_GT(command_.linear.x, 0.49);
+}
+
+TEST_F(Allocations, NoneWithThePlanInAnotherFrame) {
+  Host host("Map", Host::Listens::no);
+  ASSERT_TRUE(host.plan_ahead(10.0, "map"));
+  cycles(host, 40, "map");
+  EXPECT_LE(cycles(host, 100, "map"), kGrowth);
+  EXPECT_GT(command_.linear.x, 0.49);
+}
+
+TEST_F(Allocations, NoneWhileThePersonSteers) {
+  Host host("Steered", Host::Listens::no);
+  ros::NodeHandle node;
+  std::atomic<float> stick{0.0f};
+  const ros::Publisher publisher = node.advertise<sensor_msgs::Joy>("joy", 1);
+  const ros::WallTimer timer = node.createWallTimer(ros::WallDuration(0.05), [&](const ros::WallTimerEvent&) {
+    sensor_msgs::Joy message;
+    message.axes = {stick, 0.0f};
+    message.buttons = {0};
+    publisher.publish(message);
+  });
+  ASSERT_TRUE(wait_for([&] { return publisher.getNumSubscribers() > 0; }, 5.0));
+  ASSERT_TRUE(host.plan_ahead(15.0));
+  cycles(host, 40);
+  stick = 0.8f;
+  ASSERT_TRUE(wait_for([&] { return cycle(host), command_.angular.z > 0.6; }, 5.0));  // 0.8^2 = 0.64 rad/s
+  EXPECT_LE(cycles(host, 100), kGrowth);
+  EXPECT_GT(command_.angular.z, 0.6);
+}
+
+TEST_F(Allocations, NoneWhereEverythingIsRefusedButToSaySo) {
+  ros::param::set(ns("Refused") + "critics", "PathDist, TurnLimit");
+  ros::param::set(ns("Refused") + "TurnLimit/limit", -1.0);
+  Host host("Refused", Host::Listens::no);
+  ASSERT_TRUE(host.plan_ahead(5.0));
+  cycles(host, 40);
+  ASSERT_FALSE(success_);
+  int saying = 0;
+  const ros::WallTime begin = ros::WallTime::now();
+  for (int i = 0; i < 100; ++i) saying += cycle(host) != 0 ? 1 : 0;
+  // Once a second at most; one more for the second that had begun before.
+  EXPECT_LE(saying, (ros::WallTime::now() - begin).toSec() + 1.0);
+}
+
+}  // namespace
+}  // namespace hidwa_plugin_tests
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "allocation_test");
+  ros::NodeHandle node;
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
