@@ -21,6 +21,12 @@ void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, Ma
   distances_.set_sources(kGoal, last_cell_);
 }
 
+void PlanGrids::expect(const Pose2& centre, double reach) {
+  const Cell lo = grid_.cell_at(centre.x - reach, centre.y - reach);
+  const Cell hi = grid_.cell_at(centre.x + reach, centre.y + reach);
+  distances_.set_interest({lo.i, lo.j, hi.i - lo.i + 1, hi.j - lo.j + 1});
+}
+
 // The cells of the plan's first stretch on the map. Poses in the same or neighbouring cells need nothing between them;
 // wider gaps are filled at half a cell's spacing.
 void PlanGrids::find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Cell>& cells) const {

@@ -106,6 +106,7 @@ struct Planner::Impl {
   std::vector<std::uint8_t> refused_by;   // [candidates]
   std::vector<const char*> reasons;       // [candidates]
   std::vector<std::vector<double>> raw;   // [critics][candidates]
+  double reach = 0.0;                     // of all rollouts and manoeuvres [m]
   std::vector<std::size_t> counts;        // of refusals, by refuser
   OperatorIntent intent;                  // of the last cycle
   Decision decision;
@@ -286,6 +287,8 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   make_candidates(situation, sampling);
   prepare_checks(situation, grid);
   grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
+  grids.expect(situation.pose, reach + std::max(parameters.PathAlign_forward_point_distance,
+                                                parameters.GoalAlign_forward_point_distance));
   CycleView cycle;
   cycle.pose = situation.pose;
   cycle.velocity = situation.velocity;
@@ -351,7 +354,7 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
   for (const Sample& sample : sampler.samples()) fastest = std::max(fastest, std::abs(sample.u.v));
   const double longest = std::max(parameters.sim_time, parameters.control_latency + situation.period +
                                                            limits.x.time_to_rest(fastest));
-  const double reach = fastest * longest;
+  reach = fastest * longest;
   // Half a step: what lies between two clear poses is clear. And enough for an outline that is grown a little.
   const double margin = std::max(0.5 * rollout.longest_step(), grid.resolution / 16.0);
   collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin);

@@ -62,7 +62,10 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
     const bool ramped = brake || settings_.standard;
     // An Euler rollout's end depends on its number of steps, so each candidate has Nav2's own; a midpoint rollout's
     // hardly does, so all candidates of one omega share the largest number.
-    std::size_t steps = settings_.steps(settings_.euler ? sample.u.v : fastest, sample.u.omega);
+    const bool as_before = i > 0 && !brake && !settings_.euler && samples[i - 1].u.omega == sample.u.omega &&
+                           samples[i - 1].kind == SampleKind::grid;
+    std::size_t steps = as_before ? tiles_.back().steps
+                                  : settings_.steps(settings_.euler ? sample.u.v : fastest, sample.u.omega);
     // A brake candidate turns and drives on at first: its steps are those of the fastest.
     if (brake) steps = std::max(steps, settings_.steps(fastest, 0.0));
     const bool same_turn = !tiles_.empty() && tiles_.back().omega == sample.u.omega && tiles_.back().steps == steps &&
@@ -92,31 +95,50 @@ void Rollout::roll_turn(const Block& block) const {
   const bool euler = settings_.euler;
   double turn = 0.0;  // since the start: what rotated scenes share to the last bit
   double omega = block.ramped ? reference_.omega : block.omega;
-  double last_by = 0.0;
-  Rotation direction{start_cosine_, start_sine_}, middle = direction, half, whole;
-  for (std::size_t k = 0; k <= block.steps; ++k) {
+  Rotation direction{start_cosine_, start_sine_};
+  std::size_t k = 0;
+  for (; k < block.steps && omega != block.omega; ++k) {
+    const double next = limits_.theta.ramp(omega, block.omega, block.dt);
+    const double by = euler ? next * block.dt : 0.5 * (omega + next) * block.dt;
+    const Rotation half = Rotation::of(0.5 * by);
+    const Rotation middle = direction.turned(half);
     t.heading[k] = start_.theta + turn;
     t.omega[k] = omega;
     t.cosine[k] = direction.c;
     t.sine[k] = direction.s;
-    const double next = omega == block.omega ? omega : limits_.theta.ramp(omega, block.omega, block.dt);
-    const double by = euler ? next * block.dt : 0.5 * (omega + next) * block.dt;
-    if (k > 0 && by == last_by) {
-      middle = middle.turned(whole);  // two chains that do not wait for each other
-    } else {
-      half = Rotation::of(0.5 * by);
-      whole = half.turned(half);
-      middle = direction.turned(half);
-      last_by = by;
-    }
-    const Rotation& step = euler ? direction : middle;
-    t.step_x[k] = step.c * block.dt;
-    t.step_y[k] = step.s * block.dt;
-    direction = direction.turned(whole);
+    t.step_x[k] = (euler ? direction.c : middle.c) * block.dt;
+    t.step_y[k] = (euler ? direction.s : middle.s) * block.dt;
+    direction = middle.turned(half);
     turn += by;
     omega = next;
   }
+  roll_steady_turn(block, k, turn, direction);
+  t.omega[k] = omega;  // the ramp may be longer than the rollout
   roll_speed(block);
+}
+
+// From step `first` on the turn is the same in every step: every second direction follows from the one two before, so
+// that four chains run side by side.
+void Rollout::roll_steady_turn(const Block& block, std::size_t first, double turn, const Rotation& direction) const {
+  Turn& t = turn_;
+  const double by = block.omega * block.dt;
+  const Rotation half = Rotation::of(0.5 * by), whole = half.turned(half), twice = whole.turned(whole);
+  Rotation here[2] = {direction, direction.turned(whole)};
+  Rotation middle[2] = {here[0].turned(half), here[1].turned(half)};
+  for (std::size_t k = first; k <= block.steps; ++k) {
+    const std::size_t side = (k - first) % 2;
+    const Rotation& step = settings_.euler ? here[side] : middle[side];
+    t.cosine[k] = here[side].c;
+    t.sine[k] = here[side].s;
+    t.step_x[k] = step.c * block.dt;
+    t.step_y[k] = step.s * block.dt;
+    here[side] = here[side].turned(twice);
+    middle[side] = middle[side].turned(twice);
+  }
+  for (std::size_t k = first; k <= block.steps; ++k) {
+    t.heading[k] = start_.theta + (turn + static_cast<double>(k - first) * by);
+    t.omega[k] = block.omega;
+  }
 }
 
 // A candidate's speed is its sample, as far as the ramp from the reference allows: all share the two ramps that go on

@@ -35,17 +35,18 @@ void BaseObstacleCritic::score(const CycleView& cycle, const Tile& tile, TileSco
 void BaseObstacleCritic::score_some(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
                                     TileScores& scores) const {
   double sum[kernel::kMostPoints] = {};
-  std::int32_t index[kernel::kMostPoints];
+  std::int32_t i[kernel::kMostPoints], j[kernel::kMostPoints];
+  const GridView& grid = *cycle.grid;
   for (std::size_t k = sum_scores_ ? 0 : tile.steps; k <= tile.steps; ++k) {
     const std::size_t row = k * tile.stride + first;
-    kernel::index_cells(*cycle.grid, {cycle.grid->size_x, 0, -1}, tile.x + row, tile.y + row, 0.0, 0.0, count, index);
+    kernel::find_cells(grid, {0, 0, grid.size_x, grid.size_y}, tile.x + row, tile.y + row, 0.0, 0.0, count, i, j);
     for (std::size_t c = 0; c < count; ++c) {
-      if (index[c] >= 0) sum[c] += static_cast<double>(cycle.grid->costs[index[c]]);
+      if (i[c] >= 0) sum[c] += static_cast<double>(grid.at({i[c], j[c]}));
     }
   }
   for (std::size_t c = first; c < first + count; ++c) {
     if (scores.refused(c)) continue;
-    if (refuses_ && hits(*cycle.grid, tile, c)) {
+    if (refuses_ && hits(grid, tile, c)) {
       scores.refuse(c, "centre hits an obstacle or its inscribed cells");
     } else {
       scores.set(c, sum[c - first]);

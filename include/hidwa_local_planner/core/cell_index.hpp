@@ -8,18 +8,18 @@
 
 namespace hidwa_local_planner::kernel {
 
-/// How a table of a grid's cells is stored: rows `stride` apart, `border` cells around the grid.
-struct CellLayout {
-  std::int32_t stride = 0;
-  std::int32_t border = 0;
-  std::int32_t off_grid = -1;  // the index for whatever is not on the grid
-};
-
-/// Most points that index_cells() takes at once.
+/// Most points that find_cells() takes at once.
 constexpr std::size_t kMostPoints = 64;
 
-/// The cells of `count` points (x[c] + dx, y[c] + dy) as indices into such a table.
-void index_cells(const GridView& grid, const CellLayout& layout, const double* x, const double* y, double dx, double dy,
-                 std::size_t count, std::int32_t* index);
+/// A box of cells.
+struct CellBox {
+  std::int32_t i = 0, j = 0;           // its lowest cell
+  std::int32_t width = 0, height = 0;  // [cells]
+};
+
+/// The cells of `count` points (x[c] + dx, y[c] + dy), counted from the lowest cell of the box; i is negative for those
+/// outside it.
+void find_cells(const GridView& grid, const CellBox& box, const double* x, const double* y, double dx, double dy,
+                std::size_t count, std::int32_t* i, std::int32_t* j);
 
 }  // namespace hidwa_local_planner::kernel

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
+#include "hidwa_local_planner/core/cell_index.hpp"
 #include "hidwa_local_planner/core/distance_sweep.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
@@ -18,36 +21,53 @@ namespace hidwa_local_planner {
 ///             inscribed cells block, though a blocked source still seeds. Blocked cells get values too, from the
 ///             reached ones beside them on inwards, so that a robot in one still knows its way; nothing passes through
 ///             them.
-/// Computed when first asked for, and kept while map and sources stay the same.
+/// Computed when first asked for, around the cells of interest only while that is enough: a way that leaves the region
+/// swept cannot be shorter than a bound, and only where a distance exceeds it the whole map is swept. Kept while map and
+/// sources stay the same.
 class DistanceGrids {
  public:
   static constexpr std::int32_t kUnreached = -1;
   static constexpr int kSets = DistanceSweep::kLanes;
 
-  /// `grid` must outlive the questions. All sets are empty then.
+  /// `grid` must outlive the questions. All sets are empty then, and the whole map is of interest.
   void prepare(const GridView& grid, MapGridDistance distance);
+  /// The cells that will be asked about, mostly.
+  void set_interest(const kernel::CellBox& box);
   /// The sources of a set, all of which must lie in the grid.
   void set_sources(int set, const std::vector<Cell>& cells);
 
   /// In units; kUnreached where there is no way. The cell must lie in the grid.
-  std::int32_t units(int set, Cell cell) {
-    if (!settled_) settle();
-    if (!blocked_settled_ && sweep_.blocked(cell)) settle_blocked();
-    const std::int16_t value = sweep_.units(set, cell);
-    return value >= DistanceSweep::kFar ? kUnreached : value;
-  }
+  std::int32_t units(int set, Cell cell);
   double metres_per_unit() const { return metres_per_unit_; }
 
-  /// All cells at once, for loops over many: kStep values a cell, in rows of size_x + 2 cells with a border of one.
+  /// The cells of interest at once, for loops over many.
   struct Table {
-    static constexpr std::size_t kStep = DistanceSweep::kLanes;
-    const std::int16_t* units = nullptr;  // kFar where nothing comes, the border included
-    const std::int16_t* mask = nullptr;   // other than `open` in blocked cells, whose units may not be known yet
-    std::int16_t open = 0;
+    kernel::CellBox box;  // of the cells of interest; the look-up counts from its lowest cell
+    const std::int16_t* units = nullptr;  // of that cell
+    const std::int16_t* mask = nullptr;
+    std::size_t stride = 0;               // values a row
+    std::int16_t open = 0;                // mask of a free cell
+    std::int32_t sure = 0;                // distances up to it, and the one without obstacles more, are exact
+    bool single = false;                  // one source only
+    Cell source;                          // it, counted from the box's lowest cell
+
+    /// In units; negative for cells that are blocked, not reached, or whose distance takes a closer look: units().
+    std::int32_t free_units(std::int32_t i, std::int32_t j) const {
+      const std::size_t at = static_cast<std::size_t>(j) * stride + static_cast<std::size_t>(i) * DistanceSweep::kLanes;
+      const std::int32_t value = units[at];
+      if (value >= DistanceSweep::kFar || mask[at] != open) return kUnreached;
+      if (value <= sure) return value;
+      return single && value <= sure + unhindered(i, j) ? value : kUnreached;
+    }
+    // Without obstacles, where a diagonal step costs 2 more than a straight one.
+    std::int32_t unhindered(std::int32_t i, std::int32_t j) const {
+      const std::int32_t di = std::abs(i - source.i), dj = std::abs(j - source.j);
+      return 5 * std::max(di, dj) + 2 * std::min(di, dj);
+    }
   };
   Table table(int set) {
     if (!settled_) settle();
-    return {sweep_.table() + set, sweep_.mask() + set, sweep_.open()};
+    return tables_[static_cast<std::size_t>(set)];
   }
 
  private:
@@ -55,17 +75,25 @@ class DistanceGrids {
   struct Content {
     MapGridDistance distance = MapGridDistance::geodesic;
     int size_x = 0, size_y = 0;
+    kernel::CellBox interest;
     std::vector<std::uint8_t> costs;
     std::array<std::vector<Cell>, kSets> sources;
   };
   bool same_content() const;
   void settle();
   void settle_blocked();
+  kernel::CellBox region() const;
+  void sweep_region(const kernel::CellBox& box);
+  void make_table(int set);
+  bool whole() const { return region_.width == grid_.size_x && region_.height == grid_.size_y; }
+  Cell in_region(Cell cell) const { return {cell.i - region_.i, cell.j - region_.j}; }
 
   GridView grid_;
   MapGridDistance distance_ = MapGridDistance::geodesic;
   double metres_per_unit_ = 0.05;
+  kernel::CellBox interest_, region_;
   std::array<std::vector<Cell>, kSets> sources_;
+  std::array<Table, kSets> tables_;
   DistanceSweep sweep_;
   Content swept_;
   bool settled_ = false;

@@ -36,10 +36,11 @@ class DistanceSweep {
   void settle_blocked();
 
   std::int16_t units(int lane, Cell cell) const { return units_[at(cell) + static_cast<std::size_t>(lane)]; }
-  /// All cells in rows of width + 2, a border of one cell all around that nothing reaches; kLanes values a cell.
-  const std::int16_t* table() const { return units_.data(); }
+  /// The values of all cells from one on, kLanes a cell and values_a_row() a row.
+  const std::int16_t* table_from(Cell cell) const { return units_.data() + at(cell); }
   /// Likewise: other than open() where a cell is blocked.
-  const std::int16_t* mask() const { return mask_.data(); }
+  const std::int16_t* mask_from(Cell cell) const { return mask_.data() + at(cell); }
+  std::size_t values_a_row() const { return kLanes * stride_; }
   std::int16_t open() const { return open_; }
   bool blocked(Cell cell) const { return mask_[at(cell)] != open_; }
 

@@ -22,6 +22,9 @@ class PlanGrids {
   void prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
                bool unknown_is_obstacle);
 
+  /// The points that will be asked about lie within `reach` [m] of `centre`, mostly: saves looking farther.
+  void expect(const Pose2& centre, double reach);
+
   /// False when no pose of the plan lies on the map: the grids then cannot be made.
   bool on_map() const { return !path_cells_.empty(); }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/rotation.hpp"
 #include "hidwa_local_planner/core/samples.hpp"
 #include "hidwa_local_planner/core/trajectory_batch.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -53,6 +54,7 @@ class Rollout {
   };
   void make_tiles(const std::vector<Sample>& samples);
   void roll_turn(const Block& block) const;
+  void roll_steady_turn(const Block& block, std::size_t first, double turn, const Rotation& direction) const;
   void roll_speed(const Block& block) const;
 
   Settings settings_;

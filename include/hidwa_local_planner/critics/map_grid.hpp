@@ -26,7 +26,7 @@ class MapGridCritic : public Critic {
   void score_bearings(const Tile& tile, TileScores& scores) const;
   void score_some(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
                   TileScores& scores) const;
-  double without_nose(const CycleView& cycle, const Pose2& last) const;
+  double raw_score(const GridView& grid, const Pose2& last, double nose_x, double nose_y, const char** reason) const;
 
   const DistanceGrid* distances_ = nullptr;
   bool off_map_ = false;
