@@ -59,10 +59,7 @@ Twist2 AdmissibilityCheck::command_for(const Twist2& sample) const {
 
 void AdmissibilityCheck::check_rollouts(const Tile& tile, const char** reasons) {
   last_hit_ = 0;
-  most_turn_ = 0.0;
-  for (std::size_t k = 1; k <= tile.steps; ++k) {
-    most_turn_ = std::max(most_turn_, std::abs(tile.heading[k] - tile.heading[k - 1]));
-  }
+  most_turn_ = std::max(std::abs(tile.omega), std::abs(setup_.reference.omega)) * tile.dt;
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (escaping_) {
       if (!rollout_escapes(tile, c)) reasons[c] = "would go deeper into collision, or not out of it";
@@ -83,8 +80,10 @@ bool AdmissibilityCheck::rollout_free(const Tile& tile, std::size_t c) {
   const double step = std::max(std::abs(tile.v[c]), std::abs(setup_.reference.v)) * tile.dt +
                       most_turn_ * footprint_->circumscribed_radius();
   double room = room_at(tile, c, 0);
+  const std::uint8_t* classes = tile.classes != nullptr ? tile.classes + c : nullptr;
   for (std::size_t k = 0; k < tile.steps;) {
-    if (both_clear(tile, c, k + 1)) {  // so is what lies between, whatever the heading
+    if (classes != nullptr &&
+        ((classes[k * tile.stride] | classes[(k + 1) * tile.stride]) & cell_class::kNear) == 0) {  // so is what lies between, whatever the heading
       room = margin_;
       ++k;
       continue;
@@ -103,11 +102,6 @@ bool AdmissibilityCheck::rollout_free(const Tile& tile, std::size_t c) {
     ++k;
   }
   return true;
-}
-
-bool AdmissibilityCheck::both_clear(const Tile& tile, std::size_t c, std::size_t k) const {
-  return tile.classes != nullptr &&
-         ((tile.classes[(k - 1) * tile.stride + c] | tile.classes[k * tile.stride + c]) & cell_class::kNear) == 0;
 }
 
 // How far every point of the robot may move from a pose of a rollout, at least [m]; 0 where it collides.
@@ -155,17 +149,16 @@ bool AdmissibilityCheck::rollout_escapes(const Tile& tile, std::size_t c) const 
 
 bool AdmissibilityCheck::can_brake(const Twist2& sample, std::size_t column) {
   if (all_clear_) return true;
-  const Twist2 command = command_for(sample);
   if (memo_.size() <= column) memo_.resize(column + 1);
   Memo& memo = memo_[column];
+  const Twist2 command = command_for(sample);
   const Memo* before = column > 0 ? &memo_[column - 1] : nullptr;
   if (memo.known && memo.command == command) return memo.free;
   if (before != nullptr && before->known && before->command == command) {
     memo = *before;
     return memo.free;
   }
-  memo = {command, true,
-          escaping_ ? !manoeuvre_deeper(command) : manoeuvre_free(command)};
+  memo = {command, true, escaping_ ? !manoeuvre_deeper(command) : manoeuvre_free(command)};
   return memo.free;
 }
 

@@ -16,6 +16,7 @@ inline Parameters paper_parameters() {
   p.rot_stopped_velocity = 0.25;
   p.generator = Generator::standard;
   p.integration = Integration::euler;
+  p.angular_granularity = 0.025;
   p.sample_zero = p.sample_operator = p.sample_previous = false;
   p.tie_break = TieBreak::first;
   p.command = CommandPolicy::target;

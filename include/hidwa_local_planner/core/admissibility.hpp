@@ -41,7 +41,6 @@ class AdmissibilityCheck {
     double clearance = 0.0;  // [m]
   };
   bool rollout_free(const Tile& tile, std::size_t c);
-  bool both_clear(const Tile& tile, std::size_t c, std::size_t k) const;
   double room_at(const Tile& tile, std::size_t c, std::size_t k);
   bool between_free(const Tile& tile, std::size_t c, std::size_t k, double room_before, double room_after);
   bool rollout_escapes(const Tile& tile, std::size_t c) const;
@@ -68,7 +67,7 @@ class AdmissibilityCheck {
   double look(const Pose2& pose, const Rotation& heading);
 
   RoomMemo rooms_;            // of the footprint
-  double most_turn_ = 0.0;    // of the tile's headings in a step [rad]
+  double most_turn_ = 0.0;    // between two poses of the tile, at most [rad]
   std::size_t last_hit_ = 0;  // step at which a candidate of the tile hit something; 0: none yet
   double margin_ = 0.0;       // around a clear position [m]
   bool all_clear_ = false;    // no manoeuvre can hit anything

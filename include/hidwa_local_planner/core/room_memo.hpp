@@ -22,13 +22,14 @@ class RoomMemo {
     slots_per_metre_ = 1.0 / spacing;
   }
   void note(const Pose2& pose, double room) {
-    fine_[slot(pose, slots_per_metre_, kFineTurns)] = {pose, room, generation_};
-    coarse_[slot(pose, 0.5 * slots_per_metre_, 0.5 * kFineTurns)] = {pose, room, generation_};
+    const Slot at = slot(pose);
+    fine_[at.fine] = coarse_[at.coarse] = {pose, room, generation_};
   }
   /// What is left of the room of a known pose [m]; not positive when none is near enough.
   double room_at(const Pose2& pose) const {
-    const double left = left_of(fine_[slot(pose, slots_per_metre_, kFineTurns)], pose);
-    return left > 0.0 ? left : left_of(coarse_[slot(pose, 0.5 * slots_per_metre_, 0.5 * kFineTurns)], pose);
+    const Slot at = slot(pose);
+    const double left = left_of(fine_[at.fine], pose);
+    return left > 0.0 ? left : left_of(coarse_[at.coarse], pose);
   }
 
  private:
@@ -44,12 +45,18 @@ class RoomMemo {
     const double dx = pose.x - known.pose.x, dy = pose.y - known.pose.y;
     return known.room - std::sqrt(dx * dx + dy * dy) - std::abs(pose.theta - known.pose.theta) * radius_;
   }
-  static std::uint32_t whole(double value) {
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(value + 1e9));
+  struct Slot {
+    std::uint32_t fine, coarse;
+  };
+  Slot slot(const Pose2& pose) const {
+    // Far below any pose, so that truncating is rounding down.
+    const auto i = static_cast<std::uint32_t>(static_cast<std::int64_t>(pose.x * slots_per_metre_ + 1e9));
+    const auto j = static_cast<std::uint32_t>(static_cast<std::int64_t>(pose.y * slots_per_metre_ + 1e9));
+    const auto t = static_cast<std::uint32_t>(static_cast<std::int64_t>(pose.theta * kFineTurns + 1e9));
+    return {mix(i, j, t), mix(i >> 1, j >> 1, t >> 1)};
   }
-  static std::size_t slot(const Pose2& pose, double per_metre, double per_radian) {
-    const std::uint32_t i = whole(pose.x * per_metre), j = whole(pose.y * per_metre);
-    return ((i + 64 * j) ^ (whole(pose.theta * per_radian) * 2531U)) % kSlots;
+  static std::uint32_t mix(std::uint32_t i, std::uint32_t j, std::uint32_t t) {
+    return ((i + 64 * j) ^ (t * 2531U)) % kSlots;
   }
 
   std::array<Entry, kSlots> fine_{}, coarse_{};

@@ -28,6 +28,7 @@ Rollout run(const Parameters& p, const Pose2& start, const Twist2& reference,
 TEST(RolloutSteps, Nav2sNumber) {
   Parameters p;
   p.integration = Integration::euler;
+  p.angular_granularity = 0.025;
   // ceil(0.5 * 1.7 / 0.05) = 17; ceil(1 * 1.7 / 0.025) = 68; at least 1.
   EXPECT_EQ(run(p, {}, {}, {{{0.5, 0.0}, SampleKind::grid}}).tile(0).steps, 17u);
   EXPECT_EQ(run(p, {}, {}, {{{0.5, -1.0}, SampleKind::grid}}).tile(0).steps, 68u);
@@ -39,6 +40,7 @@ TEST(RolloutSteps, EulerCandidatesHaveTheirOwnMidpointOnesThoseOfTheFastest) {
   const std::vector<Sample> samples = {{{0.1, 0.2}, SampleKind::grid}, {{0.5, 0.2}, SampleKind::grid}};
   Parameters p;
   p.integration = Integration::euler;
+  p.angular_granularity = 0.025;
   const Rollout euler = run(p, {}, {}, samples);
   ASSERT_EQ(euler.tile_count(), 2u);
   EXPECT_EQ(euler.tile(0).steps, 14u);  // ceil(0.2 * 1.7 / 0.025) = ceil(13.6)
@@ -80,9 +82,10 @@ TEST(RolloutArithmetic, MidpointEndsOnTheArc) {
   p.generator = Generator::dwa;
   const Rollout rollout = run(p, {}, {}, {{{0.5, 1.0}, SampleKind::grid}});
   const Pose2 end = rollout.tile(0).last_pose(0);
-  // Radius 0.5 m, angle 1.7 rad. Chords at the middle's heading of 0.025 rad are short by 0.025^2 / 24.
-  EXPECT_NEAR(end.x, 0.5 * std::sin(1.7), 2e-5);
-  EXPECT_NEAR(end.y, 0.5 * (1.0 - std::cos(1.7)), 2e-5);
+  // Radius 0.5 m, angle 1.7 rad. Steps at the middle's heading of 0.1 rad are long by 0.1^2 / 24 = 4.2e-4: 0.2 mm of the
+  // radius, 0.4 mm at the far side of the circle.
+  EXPECT_NEAR(end.x, 0.5 * std::sin(1.7), 4e-4);
+  EXPECT_NEAR(end.y, 0.5 * (1.0 - std::cos(1.7)), 4e-4);
   EXPECT_NEAR(end.theta, 1.7, 1e-12);
 }
 
