@@ -20,6 +20,11 @@ bool same_cells(const std::vector<Cell>& a, const std::vector<Cell>& b) {
 
 }  // namespace
 
+DistanceGrids::DistanceGrids() {
+  for (std::vector<Cell>& cells : sources_) cells.reserve(kUsualSources);
+  for (std::vector<Cell>& cells : swept_.sources) cells.reserve(kUsualSources);
+}
+
 void DistanceGrids::prepare(const GridView& grid, MapGridDistance distance) {
   grid_ = grid;
   distance_ = distance;

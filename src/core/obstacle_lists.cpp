@@ -17,6 +17,9 @@ constexpr double kRounding = 1e-9;
 // Lists are padded to whole registers by repeating their last cell.
 constexpr std::size_t kPad = 4;
 
+// Cells in all lists of a usual cycle: room that is taken once.
+constexpr std::size_t kUsualCells = 16384;
+
 struct Planes {
   const double* normal_x;
   const double* normal_y;
@@ -68,6 +71,8 @@ void ObstacleLists::prepare(const Window& window) {
   spans_.assign(static_cast<std::size_t>(window.solid->width()) * static_cast<std::size_t>(window.solid->height()), Span{});
   x_.clear();
   y_.clear();
+  x_.reserve(kUsualCells);
+  y_.reserve(kUsualCells);
 }
 
 const ObstacleLists::Span& ObstacleLists::span_of(int i, int j) {

@@ -7,6 +7,13 @@
 
 namespace hidwa_local_planner {
 
+PlanGrids::PlanGrids() : path_(distances_, kPath), goal_(distances_, kGoal), goal_ahead_(distances_, kGoalAhead) {
+  // Plans differ in length from cycle to cycle: room for any usual one.
+  path_cells_.reserve(DistanceGrids::kUsualSources);
+  moved_cells_.reserve(DistanceGrids::kUsualSources);
+  moved_plan_.reserve(DistanceGrids::kUsualSources);
+}
+
 void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
                         bool unknown_is_obstacle) {
   grid_ = grid;

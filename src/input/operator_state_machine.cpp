@@ -138,6 +138,10 @@ std::string OperatorStateMachine::advice() const {
     text += sentence;
   };
   add(rhythm_.advice(parameters_.input_timeout));
+  if (device_.contested()) {
+    add("Two nodes take turns on joy_topic, " + device_.rival() + " and " + device_.sender() +
+        ": each counts as a new device after the other. Let only one of them send.");
+  }
   if (channel_.waits_for_neutral()) {
     add("The input does not count before it was seen released once (require_neutral): let go of the stick "
         "and of the "

@@ -24,6 +24,7 @@ struct LoadedCritic {
   boost::shared_ptr<Critic> critic;
 };
 
+/// Null, and the reason in the log, where it cannot be had.
 std::shared_ptr<Critic> make(const std::shared_ptr<PluginLoader>& plugins, const std::string& name) {
   try {
     const std::lock_guard<std::mutex> lock(plugins->mutex);
@@ -33,8 +34,10 @@ std::shared_ptr<Critic> make(const std::shared_ptr<PluginLoader>& plugins, const
     return std::shared_ptr<Critic>(loaded, loaded->critic.get());
   } catch (const std::exception& error) {
     ROS_ERROR("the critic %s cannot be loaded: %s", name.c_str(), error.what());
-    return nullptr;
+  } catch (...) {
+    ROS_ERROR("the critic %s cannot be loaded: its constructor failed", name.c_str());
   }
+  return nullptr;
 }
 
 }  // namespace

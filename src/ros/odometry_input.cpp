@@ -16,8 +16,9 @@ void OdometryInput::subscribe(ros::NodeHandle handle, const std::string& topic) 
   };
   subscriber_ =
       handle.subscribe<nav_msgs::Odometry>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
+  std::string resolved = subscriber_.getTopic();
   const std::lock_guard<std::mutex> lock(mutex_);
-  topic_ = subscriber_.getTopic();
+  topic_.swap(resolved);
 }
 
 void OdometryInput::receive(const nav_msgs::Odometry& message, double received) {
@@ -26,26 +27,35 @@ void OdometryInput::receive(const nav_msgs::Odometry& message, double received) 
     ROS_WARN_THROTTLE(1.0, "odometry with a velocity that is not a number was dropped");
     return;
   }
+  const Newest newest{velocity, message.header.stamp.toSec(), received};
   const std::lock_guard<std::mutex> lock(mutex_);
-  velocity_ = velocity;
-  stamp_ = message.header.stamp.toSec();
-  received_ = received;
+  newest_ = newest;
 }
 
 OdometryInput::Reading OdometryInput::read(double now, double timeout) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!velocity_) return {std::nullopt, "no odometry on " + topic_ + " yet: check odom_topic"};
-  double age = now - received_;
-  if (stamp_ > 0.0) age = std::max(age, now - stamp_);
-  if (age <= timeout) return {velocity_, ""};
+  const Newest newest = this->newest();
+  if (!newest.velocity) return {std::nullopt, "no odometry on " + topic() + " yet: check odom_topic"};
+  double age = now - newest.received;
+  if (newest.stamp > 0.0) age = std::max(age, now - newest.stamp);
+  if (age <= timeout) return {newest.velocity, ""};
   char text[64];
   std::snprintf(text, sizeof(text), " is %.2f s old (odom_timeout %.2f s)", age, timeout);
-  return {std::nullopt, "odometry on " + topic_ + text};
+  return {std::nullopt, "odometry on " + topic() + text};
 }
 
 void OdometryInput::forget() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  velocity_.reset();
+  newest_ = {};
+}
+
+OdometryInput::Newest OdometryInput::newest() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return newest_;
+}
+
+std::string OdometryInput::topic() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return topic_;
 }
 
 }  // namespace hidwa_local_planner

@@ -23,6 +23,15 @@ XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle) {
   return content;
 }
 
+std::vector<std::string> configure(Planner& planner, const ParameterSet& set) {
+  try {
+    return planner.configure(set.parameters,
+                             [&set](const std::string& critic) { return set.source_for(critic); });
+  } catch (const std::exception& error) {
+    return {std::string("critics: one of them does not take its parameters: ") + error.what()};
+  }
+}
+
 std::vector<std::string> faults_of(const ParameterSet& set, const CriticRegistry& registry) {
   std::vector<std::string> faults;
   for (const std::string& critic : split_names(set.parameters.critics)) {
@@ -33,8 +42,7 @@ std::vector<std::string> faults_of(const ParameterSet& set, const CriticRegistry
   }
   if (!faults.empty()) return faults;
   Planner trial(registry);
-  return trial.configure(set.parameters,
-                         [&set](const std::string& critic) { return set.source_for(critic); });
+  return configure(trial, set);
 }
 
 }  // namespace hidwa_local_planner

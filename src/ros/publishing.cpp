@@ -21,6 +21,7 @@ Publishing::Publishing(ros::NodeHandle handle, std::string frame) : frame_(std::
 
 void Publishing::publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state,
                                double duration) {
+  if (cycle_.getNumSubscribers() == 0) return;
   Cycle& message = cycle_message_;
   message.header.stamp = stamp;
   message.header.frame_id = frame_;
@@ -29,6 +30,8 @@ void Publishing::publish_cycle(const ros::Time& stamp, const CycleResult& result
   message.command = to_message(result.command);
   message.duration = duration;
   message.state = static_cast<std::uint8_t>(state);
+  message.vx_samples = static_cast<std::uint32_t>(result.sampling.vx_samples);
+  message.vth_samples = static_cast<std::uint32_t>(result.sampling.vth_samples);
   const Decision* decision = result.decision;
   message.fault = decision ? decision->problem : result.fault;
   message.reference = to_message(decision ? decision->reference : Twist2{});
@@ -46,6 +49,7 @@ void Publishing::publish_cycle(const ros::Time& stamp, const CycleResult& result
 
 void Publishing::publish_operator(const ros::Time& stamp, const CycleResult& result,
                                   const OperatorIntent& intent, const OperatorInput::Status& status) {
+  if (operator_state_.getNumSubscribers() == 0) return;
   OperatorState& message = operator_message_;
   message.header.stamp = stamp;
   message.header.frame_id = frame_;

@@ -21,6 +21,13 @@ double frequency_of_host() {
   return frequency > 0.0 ? frequency : kUsualFrequency;
 }
 
+Sampling wanted_samples(const Parameters& parameters) {
+  Sampling wanted;
+  wanted.vx_samples = parameters.vx_samples;
+  wanted.vth_samples = parameters.vth_samples;
+  return wanted;
+}
+
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
@@ -40,35 +47,39 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
       publishing_(handle_, costmap.getGlobalFrameID()) {
   start_parameters();
   diagnostics_ = std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_);
-  diagnostics_->set_period(control_period());
+  diagnostics_->set("", load());
   update_footprint();
+  odometry_thread_.start();
   thread_.start();
 }
 
-Shell::~Shell() { thread_.stop(); }
+Shell::~Shell() {
+  thread_.stop();
+  odometry_thread_.stop();
+}
 
 void Shell::start_parameters() {
   const XmlRpc::XmlRpcValue content = read_namespace(handle_);
   LoadedParameters loaded = load_parameters(content);
   const ParameterSet set{loaded.parameters, content};
   if (loaded.faults.empty()) loaded.faults = faults_of(set, registry_);
+  if (loaded.faults.empty()) loaded.faults = configure(planner_, set);
   for (const std::string& warning : loaded.warnings) {
     ROS_WARN("%s: %s", handle_.getNamespace().c_str(), warning.c_str());
   }
-  if (loaded.faults.empty()) {
-    planner_.configure(set.parameters, [&set](const std::string& critic) { return set.source_for(critic); });
-  } else {
-    for (const std::string& fault : loaded.faults) {
-      ROS_ERROR("%s: %s", handle_.getNamespace().c_str(), fault.c_str());
-    }
+  for (const std::string& fault : loaded.faults) {
+    ROS_ERROR("%s: %s", handle_.getNamespace().c_str(), fault.c_str());
+  }
+  if (!loaded.faults.empty()) {
     planner_.configure(Parameters());
     refused_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
                "): correct them and restart, or set valid ones by dynamic_reconfigure";
   }
+  budget_.configure(wanted_samples(planner_.parameters()));
   report_start(loaded.found);
 
   odom_topic_ = loaded.parameters.odom_topic;
-  odometry_.subscribe(thread_.serve(host_handle_), odom_topic_);
+  odometry_.subscribe(odometry_thread_.serve(host_handle_), odom_topic_);
   person_.configure(host_handle_, planner_.parameters());
   // A nested key was taken over into the flat one: left behind it would hide later changes from the next
   // start.
@@ -104,34 +115,36 @@ std::vector<std::string> Shell::judge(const Parameters& wanted) {
   if (!faults.empty()) return faults;
   if (wanted.odom_topic != odom_topic_) {
     odom_topic_ = wanted.odom_topic;
-    odometry_.subscribe(thread_.serve(host_handle_), odom_topic_);
+    odometry_.subscribe(odometry_thread_.serve(host_handle_), odom_topic_);
   }
   person_.configure(host_handle_, wanted);
-  const std::lock_guard<std::mutex> lock(pending_mutex_);
-  pending_ = std::move(set);
-  has_pending_ = true;
+  pending_.put(std::move(set));
   return {};
 }
 
 void Shell::take_parameters() {
-  if (!has_pending_.exchange(false)) return;
-  ParameterSet set;
-  {
-    const std::lock_guard<std::mutex> lock(pending_mutex_);
-    set = std::move(*pending_);
-  }
-  const std::vector<std::string> faults = planner_.configure(
-      set.parameters, [&set](const std::string& critic) { return set.source_for(critic); });
+  const std::unique_ptr<ParameterSet> set = pending_.take();
+  if (!set) return;
+  const std::vector<std::string> faults = configure(planner_, *set);
   for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
   if (!faults.empty()) return;
   refused_.clear();
-  diagnostics_->set_period(control_period());
+  budget_.configure(wanted_samples(planner_.parameters()));
   check_horizon();
 }
 
 double Shell::control_period() const {
   const double own = planner_.parameters().controller_frequency;
   return 1.0 / (own > 0.0 ? own : host_frequency_);
+}
+
+double Shell::cycle_budget() const {
+  const double own = planner_.parameters().cycle_budget;
+  return own == 0.0 ? 0.5 * control_period() : own;
+}
+
+Diagnostics::Load Shell::load() const {
+  return {control_period(), cycle_budget(), budget_.in_force(), budget_.full()};
 }
 
 void Shell::check_horizon() {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string_view>
 
 #include <tf2/exceptions.h>
 
@@ -18,17 +19,16 @@ bool same_outline(const Polygon& outline, const std::vector<geometry_msgs::Point
   return true;
 }
 
-/// What is the same in two messages that differ by a figure.
-std::string without_figures(const std::string& text) {
-  return text.substr(0, text.find_first_of("0123456789"));
-}
+constexpr const char* kEscapes = "the robot stands in collision: it only moves out of it";
 
 std::string refusals_in_words(const Decision& decision) {
   std::string text = decision.problem;
   if (decision.candidates > 0) text += " (of " + std::to_string(decision.candidates) + " candidates";
   for (const RefusalCount& refusal : decision.refusals) {
     if (refusal.count == 0) continue;
-    text += ", " + refusal.name + " refuses " + std::to_string(refusal.count);
+    text += ", ";
+    text += refusal.name;
+    text += " refuses " + std::to_string(refusal.count);
   }
   if (decision.candidates > 0) text += ")";
   return text;
@@ -38,6 +38,7 @@ std::string refusals_in_words(const Decision& decision) {
 
 void Shell::set_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   if (plan_.set(plan)) begin_goal();
+  situation_.plan.reserve(plan.size());  // what no window of it outgrows
 }
 
 void Shell::begin_goal() {
@@ -66,26 +67,32 @@ bool Shell::cycle(geometry_msgs::Twist& command) {
   take_parameters();
   const bool paused = watch_time(now);
   const OperatorIntent intent = person_.update(now);
-  // Most hosts hold this recursive mutex already.
-  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
-  const Observation observation = observe(now);
-  // While the host was in control it sent commands of its own.
-  if (paused) last_command_ = observation.velocity.value_or(Twist2{});
-  const CycleResult result =
-      observation.fault.empty() ? decide(now, observation, intent) : brake(now, observation);
-  remember(now, result, observation);
+  const CycleResult result = work(now, intent, paused);
   explain(now, result);
 
-  const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
-  statistics_.add(duration.count(), control_period());
-  publishing_.publish_cycle(stamp, result, intent.state, duration.count());
   publishing_.publish_operator(stamp, result, intent, person_.status(now));
   if (result.decision) {
     publishing_.publish_paths(stamp, situation_.plan, result.decision->trajectory);
     publishing_.publish_evaluation(stamp, planner_);
   }
+  const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
+  publishing_.publish_cycle(stamp, result, intent.state, duration.count());
+  statistics_.add(duration.count(), control_period());
+  keep_budget(duration.count(), result);
   command = to_message(result.command);
   return result.outcome != Outcome::fail;
+}
+
+CycleResult Shell::work(double now, const OperatorIntent& intent, bool paused) {
+  // Most hosts hold this recursive mutex already.
+  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
+  const Observation observation = observe(now);
+  // While the host was in control it sent commands of its own.
+  if (paused) last_command_ = observation.velocity.value_or(Twist2{});
+  CycleResult result = observation.fault.empty() ? decide(now, observation, intent) : brake(now, observation);
+  result.sampling = budget_.in_force();
+  remember(now, result, observation);
+  return result;
 }
 
 bool Shell::watch_time(double now) {
@@ -95,7 +102,7 @@ bool Shell::watch_time(double now) {
     person_.reset();
     odometry_.forget();
     fault_brake_.clear();
-    explained_.clear();
+    explanations_.end();
   }
   const std::string complaint = clock_.complaint();
   if (!complaint.empty()) ROS_WARN("%s: %s", name_.c_str(), complaint.c_str());
@@ -187,7 +194,7 @@ CycleResult Shell::decide(double now, const Observation& observation, const Oper
   situation_.goal_latched = goal_checker_.latched();
 
   CycleResult result;
-  result.decision = &planner_.plan(situation_, view_of(*costmap_.getCostmap()), intent);
+  result.decision = &planner_.plan(situation_, view_of(*costmap_.getCostmap()), intent, budget_.in_force());
   result.outcome = result.decision->outcome;
   if (result.outcome != Outcome::fail) result.command = result.decision->command;
   return result;
@@ -195,7 +202,6 @@ CycleResult Shell::decide(double now, const Observation& observation, const Oper
 
 void Shell::remember(double now, const CycleResult& result, const Observation& observation) {
   last_command_ = result.command;  // zero on failure: so the host does
-  diagnostics_->set_fault(result.fault);
   const Parameters& p = planner_.parameters();
   input::CycleFeedback feedback;
   feedback.command = result.command;
@@ -209,26 +215,38 @@ void Shell::remember(double now, const CycleResult& result, const Observation& o
 }
 
 void Shell::explain(double now, const CycleResult& result) {
-  std::string message = result.fault;
-  if (result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail)) {
-    message = refusals_in_words(*result.decision);
-  } else if (result.decision && result.decision->escaping) {
-    message = "the robot stands in collision: it only moves out of it";
-  }
-  if (message.empty()) {
-    if (!explained_.empty()) ROS_INFO("%s: driving again", name_.c_str());
-    explained_.clear();
+  const bool refused =
+      result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);
+  const bool escaping = result.decision && !refused && result.decision->escaping;
+  const std::string_view what = refused    ? std::string_view(result.decision->problem)
+                                : escaping ? kEscapes
+                                           : std::string_view(result.fault);
+  if (what.empty()) {
+    if (explanations_.end()) ROS_INFO("%s: driving again", name_.c_str());
     return;
   }
-  const std::string kind = without_figures(message);
-  if (kind == explained_ && now - explained_at_ < 1.0) return;
-  explained_ = kind;
-  explained_at_ = now;
+  if (!explanations_.due(now, what)) return;
+  const std::string message = refused ? refusals_in_words(*result.decision) : std::string(what);
   const char* consequence = result.outcome == Outcome::fail
                                 ? "; the robot stands, the host replans or recovers"
                             : result.outcome == Outcome::brake ? "; braking"
                                                                : "";
   ROS_WARN("%s: %s%s", name_.c_str(), message.c_str(), consequence);
+}
+
+// Fewer samples rather than a missed rate. A cycle that weighed nothing says nothing about their cost.
+void Shell::keep_budget(double duration, const CycleResult& result) {
+  if (result.decision && result.decision->candidates > 0) {
+    const SampleBudget::Event event = budget_.observe(duration, cycle_budget());
+    if (event == SampleBudget::Event::thinning_began) {
+      ROS_WARN("%s: %s", name_.c_str(),
+               thinning_complaint(budget_.in_force(), budget_.full(), cycle_budget()).c_str());
+    } else if (event == SampleBudget::Event::thinning_ended) {
+      ROS_INFO("%s: all %d x %d samples are tried again", name_.c_str(), budget_.full().vx_samples,
+               budget_.full().vth_samples);
+    }
+  }
+  diagnostics_->set(result.fault, load());
 }
 
 }  // namespace hidwa_local_planner

@@ -29,6 +29,10 @@ class DistanceGrids {
   static constexpr std::int32_t kUnreached = -1;
   static constexpr int kSets = DistanceSweep::kLanes;
 
+  /// Room is kept for so many sources of a set.
+  static constexpr std::size_t kUsualSources = 1024;
+
+  DistanceGrids();
   /// `grid` must outlive the questions. All sets are empty then, and the whole map is of interest.
   void prepare(const GridView& grid, MapGridDistance distance);
   /// The cells that will be asked about, mostly.

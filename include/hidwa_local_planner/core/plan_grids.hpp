@@ -14,7 +14,7 @@ namespace hidwa_local_planner {
 /// window, to its local goal, and to the local goal moved ahead.
 class PlanGrids {
  public:
-  PlanGrids() : path_(distances_, kPath), goal_(distances_, kGoal), goal_ahead_(distances_, kGoalAhead) {}
+  PlanGrids();
   PlanGrids(const PlanGrids&) = delete;
   PlanGrids& operator=(const PlanGrids&) = delete;
 

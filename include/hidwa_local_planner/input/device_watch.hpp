@@ -13,6 +13,7 @@ class DeviceWatch {
  public:
   /// True when this message comes from another device than the one before it.
   bool changed(const StickMessage& message) {
+    watch_rivals(message.sender);
     const bool same = !known_ || (message.sender == sender_ && message.axes.size() == axes_ &&
                                   message.buttons.size() == buttons_);
     if (!known_ || !same) {
@@ -23,13 +24,34 @@ class DeviceWatch {
     }
     return !same;
   }
-  void reset() { known_ = false; }
+  /// Two senders take turns. Each is a new device after the other, so neither can be relied on.
+  bool contested() const { return contested_; }
+  const std::string& sender() const { return sender_; }
+  const std::string& rival() const { return rival_; }  // who sent before the present sender
+  void reset() { *this = DeviceWatch(); }
 
  private:
+  // So many messages in a row make a sender the only one.
+  static constexpr int kAlone = 100;
+
+  void watch_rivals(const std::string& sender) {
+    if (!known_ || sender == sender_) {
+      if (alone_ < kAlone) ++alone_;
+      if (alone_ == kAlone) contested_ = false;
+      return;
+    }
+    contested_ = sender == rival_ && alone_ < kAlone;
+    rival_ = sender_;
+    alone_ = 1;
+  }
+
   bool known_ = false;
   std::string sender_;
   std::size_t axes_ = 0;
   std::size_t buttons_ = 0;
+  std::string rival_;
+  int alone_ = 0;  // messages in a row from the present sender, up to kAlone
+  bool contested_ = false;
 };
 
 }  // namespace hidwa_local_planner::input

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <string>
 
@@ -11,28 +12,38 @@
 
 #include "hidwa_local_planner/ros/cycle_statistics.hpp"
 #include "hidwa_local_planner/ros/operator_input.hpp"
+#include "hidwa_local_planner/ros/sample_budget.hpp"
 
 namespace hidwa_local_planner {
 
-/// Once a second on /diagnostics, from the handle's callback thread: cycle times, the operator, what is
-/// missing.
+/// Once a second on /diagnostics, from the handle's callback thread: cycle times, samples, the operator, what
+/// is missing. The control thread never waits for a report: the lock is held to hand over numbers and a
+/// pointer.
 class Diagnostics {
  public:
   /// The statistics and the operator must outlive it.
   Diagnostics(ros::NodeHandle handle, const std::string& name, const CycleStatistics& statistics,
               const OperatorInput& person);
-  /// What is missing at present; empty when nothing is.
-  void set_fault(const std::string& fault);
-  void set_period(double period);  // [s]
+  /// How the cycles are doing.
+  struct Load {
+    double period = 0.0;  // of the control cycle [s]
+    double budget = 0.0;  // [s]; negative: none
+    Sampling in_force;
+    Sampling full;
+  };
+  /// From the control thread, once a cycle. `fault`: what is missing at present; empty when nothing is.
+  void set(const std::string& fault, const Load& load);
 
  private:
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void report_load(diagnostic_updater::DiagnosticStatusWrapper& status, const Load& load) const;
 
   const CycleStatistics& statistics_;
   const OperatorInput& person_;
+  std::string known_fault_;  // the control thread's: what fault_ holds
   std::mutex mutex_;
-  std::string fault_;
-  double period_ = 0.05;  // [s]
+  std::shared_ptr<const std::string> fault_ = std::make_shared<const std::string>();
+  Load load_;
   std::uint64_t reported_cycles_ = 0;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;

@@ -13,7 +13,7 @@
 
 namespace hidwa_local_planner {
 
-/// The robot's measured velocity. Thread-safe.
+/// The robot's measured velocity. Thread-safe; both sides hold the lock for a copy of numbers only.
 class OdometryInput {
  public:
   /// `handle` decides the namespace and whose thread serves the messages.
@@ -31,12 +31,18 @@ class OdometryInput {
   void forget();
 
  private:
-  mutable std::mutex mutex_;
+  struct Newest {
+    std::optional<Twist2> velocity;
+    double stamp = 0.0;     // of the header [s]; 0 where the sender leaves it empty
+    double received = 0.0;  // [s]
+  };
+  Newest newest() const;
+  std::string topic() const;
+
   ros::Subscriber subscriber_;
+  mutable std::mutex mutex_;
   std::string topic_;
-  std::optional<Twist2> velocity_;
-  double stamp_ = 0.0;     // of the header [s]; 0 where the sender leaves it empty
-  double received_ = 0.0;  // [s]
+  Newest newest_;
 };
 
 }  // namespace hidwa_local_planner

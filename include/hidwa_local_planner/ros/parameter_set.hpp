@@ -27,6 +27,10 @@ struct ParameterSet {
 /// All that the parameter server holds below the handle's namespace.
 XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle);
 
+/// Configures a planner with this set. Returns every fault; with any, nothing changes. A critic that throws
+/// is one.
+std::vector<std::string> configure(Planner& planner, const ParameterSet& set);
+
 /// Every fault that configuring a planner with this set would meet; critics of other packages are loaded on
 /// the way.
 std::vector<std::string> faults_of(const ParameterSet& set, const CriticRegistry& registry);

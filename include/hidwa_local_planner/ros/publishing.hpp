@@ -22,9 +22,10 @@ struct CycleResult {
   Twist2 command;     // sent, or zero on failure [m/s, rad/s]
   std::string fault;  // missing input; then there is no decision
   const Decision* decision = nullptr;
+  Sampling sampling;  // in force
 };
 
-/// The topics below the planner's name. Costly ones are built only when somebody subscribes.
+/// The topics below the planner's name. A message is built only when somebody subscribes.
 class Publishing {
  public:
   /// `frame`: the costmap's.

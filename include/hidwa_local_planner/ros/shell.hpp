@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,12 +20,15 @@
 #include "hidwa_local_planner/ros/cycle_statistics.hpp"
 #include "hidwa_local_planner/ros/diagnostics.hpp"
 #include "hidwa_local_planner/ros/fault_brake.hpp"
+#include "hidwa_local_planner/ros/handover.hpp"
+#include "hidwa_local_planner/ros/message_throttle.hpp"
 #include "hidwa_local_planner/ros/odometry_input.hpp"
 #include "hidwa_local_planner/ros/operator_input.hpp"
 #include "hidwa_local_planner/ros/parameter_set.hpp"
 #include "hidwa_local_planner/ros/plan_tracker.hpp"
 #include "hidwa_local_planner/ros/publishing.hpp"
 #include "hidwa_local_planner/ros/reconfigure.hpp"
+#include "hidwa_local_planner/ros/sample_budget.hpp"
 
 namespace hidwa_local_planner {
 
@@ -60,9 +61,12 @@ class Shell {
   std::vector<std::string> judge(const Parameters& wanted);
   void take_parameters();
   double control_period() const;  // [s]
+  double cycle_budget() const;    // [s]; negative: none
+  Diagnostics::Load load() const;
 
   // One cycle.
   bool watch_time(double now);  // true when the host was in control meanwhile
+  CycleResult work(double now, const OperatorIntent& intent, bool paused);
   Observation observe(double now);
   std::string observe_pose(double now, Observation& observation);
   std::string update_footprint();
@@ -70,6 +74,7 @@ class Shell {
   CycleResult decide(double now, const Observation& observation, const OperatorIntent& intent);
   void remember(double now, const CycleResult& result, const Observation& observation);
   void explain(double now, const CycleResult& result);
+  void keep_budget(double duration, const CycleResult& result);
   void check_horizon();
   void begin_goal();
 
@@ -87,19 +92,20 @@ class Shell {
   FaultBrake fault_brake_;
   CycleClock clock_;
   CycleStatistics statistics_;
-  Situation situation_;        // kept for its memory
-  Polygon outline_;            // what the planner was last given
-  Twist2 last_command_;        // [m/s, rad/s]
-  std::string refused_;        // why the parameters at start cannot drive; empty once a valid set came
-  std::string explained_;      // the message said last ...
-  double explained_at_ = 0.0;  // ... and when [s]
+  SampleBudget budget_;
+  Situation situation_;  // kept for its memory
+  Polygon outline_;      // what the planner was last given
+  Twist2 last_command_;  // [m/s, rad/s]
+  std::string refused_;  // why the parameters at start cannot drive; empty once a valid set came
+  MessageThrottle explanations_;
   std::vector<std::string> horizon_said_;
 
-  std::mutex pending_mutex_;
-  std::optional<ParameterSet> pending_;  // accepted, in force from the next cycle on
-  std::atomic<bool> has_pending_{false};
+  Handover<ParameterSet> pending_;  // accepted, in force from the next cycle on
 
-  CallbackThread thread_;  // odometry, reconfigure, diagnostics; outlives whatever it serves
+  // Threads outlive whatever they serve. Odometry has its own: a reconfigure call may wait for the parameter
+  // server or load a library.
+  CallbackThread thread_;
+  CallbackThread odometry_thread_;
   OdometryInput odometry_;
   OperatorInput person_;
   std::string odom_topic_;

@@ -55,7 +55,10 @@ void Robot::run() {
   constexpr double kStep = 0.02;  // [s]
   ros::WallRate rate(1.0 / kStep);
   while (running_) {
-    step(kStep);
+    {
+      const std::unique_lock<std::mutex> lock = still();
+      step(kStep);
+    }
     rate.sleep();
   }
 }

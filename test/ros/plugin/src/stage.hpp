@@ -34,6 +34,8 @@ class Robot {
   ~Robot();
   void command(const geometry_msgs::Twist& twist);
   Pose pose() const;
+  /// While it is held the robot neither moves nor sends.
+  std::unique_lock<std::mutex> still() { return std::unique_lock<std::mutex>(step_mutex_); }
 
   std::atomic<bool> odometry{true}, laser{true}, base_transform{true}, map_transform{true};
 
@@ -44,6 +46,7 @@ class Robot {
 
   tf2_ros::Buffer& tf_;
   ros::Publisher odometry_publisher_, laser_publisher_;
+  std::mutex step_mutex_;  // before mutex_
   mutable std::mutex mutex_;
   Pose pose_;
   geometry_msgs::Twist command_;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <utility>
+
+namespace hidwa_local_planner {
+
+/// Hands the newest of its values from one thread to another; neither ever waits for the other.
+template <typename T>
+class Handover {
+ public:
+  Handover() = default;
+  ~Handover() { take(); }
+  Handover(const Handover&) = delete;
+  Handover& operator=(const Handover&) = delete;
+
+  /// Replaces a value that was not taken.
+  void put(T value) {
+    const std::unique_ptr<T> replaced(value_.exchange(std::make_unique<T>(std::move(value)).release()));
+  }
+  /// Null where nothing new was put.
+  std::unique_ptr<T> take() { return std::unique_ptr<T>(value_.exchange(nullptr)); }
+
+ private:
+  std::atomic<T*> value_{nullptr};
+};
+
+}  // namespace hidwa_local_planner
