@@ -209,11 +209,19 @@ class NaiveCritics {
     return scene_.parameters.ObstacleFootprint_sum_scores ? sum : last;
   }
 
+  // `time` [s] after the start, evenly from pose to pose; at the end where that is negative or beyond it.
+  double heading_at(const NaiveCandidate& c, double time) const {
+    for (std::size_t k = 0; time >= 0.0 && k + 1 < c.poses.size(); ++k) {
+      const double part = time / c.dt - static_cast<double>(k);
+      if (part <= 1.0) return c.poses[k].theta + part * (c.poses[k + 1].theta - c.poses[k].theta);
+    }
+    return c.poses.back().theta;
+  }
   double rotate_to_goal(const NaiveCandidate& c, bool& refuses) const {
     const Parameters& p = scene_.parameters;
     const Situation& s = scene_.situation;
     if (std::hypot(s.goal.x - s.pose.x, s.goal.y - s.pose.y) > p.xy_goal_tolerance) return 0.0;
-    const double error = naive_angle(s.goal.theta - c.poses.back().theta);
+    const double error = naive_angle(s.goal.theta - heading_at(c, p.RotateToGoal_lookahead_time));
     if (std::abs(s.velocity.v) <= p.trans_stopped_velocity) {
       refuses = std::abs(c.u.v) > 1e-5;
       return error;

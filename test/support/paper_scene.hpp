@@ -17,6 +17,10 @@ inline Parameters paper_parameters() {
   p.generator = Generator::standard;
   p.integration = Integration::euler;
   p.angular_granularity = 0.025;
+  p.sim_time = 1.7;
+  p.vx_samples = 20;
+  p.vth_samples = 20;
+  p.RotateToGoal_lookahead_time = -1.0;
   p.sample_zero = p.sample_operator = p.sample_previous = false;
   p.tie_break = TieBreak::first;
   p.command = CommandPolicy::target;

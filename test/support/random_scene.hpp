@@ -217,6 +217,7 @@ inline Scene random_scene(std::uint64_t seed) {
   add_obstacles(random, scene, random.integer(0, 25), random.chance(0.9) ? outer + 0.1 : 0.0);
   const double inscribed = random.uniform(0.1, 0.25);
   inflate(scene, inscribed, inscribed + random.uniform(0.1, 0.4), random.uniform(2.0, 10.0));
+  scene.parameters.RotateToGoal_lookahead_time = random.chance(0.5) ? -1.0 : random.uniform(0.0, 2.2);
   return scene;
 }
 

@@ -18,9 +18,19 @@ struct Scene {
   Situation situation;
   OperatorIntent intent;
 
+  /// The sampling that expectations count on: few candidates, and round figures.
+  static Parameters few_samples() {
+    Parameters p;
+    p.sim_time = 1.7;
+    p.vx_samples = p.vth_samples = 20;
+    p.trans_stopped_velocity = p.rot_stopped_velocity = 0.1;
+    return p;
+  }
+
   /// An empty map of `cells` x `cells` around the origin, a robot at `pose` with a straight plan along +x.
   static Scene empty(int cells = 61, double resolution = 0.05) {
     Scene scene;
+    scene.parameters = few_samples();
     scene.size_x = scene.size_y = cells;
     scene.resolution = resolution;
     scene.origin_x = scene.origin_y = -0.5 * cells * resolution;

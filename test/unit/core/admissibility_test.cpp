@@ -95,7 +95,8 @@ const char* rollout_reason(Corridor& corridor, const Parameters& p, const Twist2
 }
 
 TEST(RolloutCheck, TheWholeHorizonMustBeFree) {
-  Parameters p;  // 0.5 * 1.7 = 0.85 m
+  Parameters p;
+  p.sim_time = 1.7;  // 0.5 * 1.7 = 0.85 m
   Corridor enough(0.86, p);
   EXPECT_EQ(rollout_reason(enough, p, {0.5, 0.0}), nullptr);
   Corridor tight(0.84, p);

@@ -7,7 +7,14 @@ namespace hidwa_local_planner {
 namespace {
 
 // Tolerances 0.25 m and 0.25 rad; stopped below 0.1 m/s and 0.1 rad/s.
-const Parameters kDefaults;
+Parameters stopped_below(double v, double omega) {
+  Parameters p;
+  p.trans_stopped_velocity = v;
+  p.rot_stopped_velocity = omega;
+  return p;
+}
+
+const Parameters kDefaults = stopped_below(0.1, 0.1);
 const Pose2 kGoal{2.0, 1.0, 3.1};
 
 TEST(GoalChecker, NeedsPositionHeadingAndRest) {

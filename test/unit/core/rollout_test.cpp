@@ -29,6 +29,7 @@ TEST(RolloutSteps, Nav2sNumber) {
   Parameters p;
   p.integration = Integration::euler;
   p.angular_granularity = 0.025;
+  p.sim_time = 1.7;
   // ceil(0.5 * 1.7 / 0.05) = 17; ceil(1 * 1.7 / 0.025) = 68; at least 1.
   EXPECT_EQ(run(p, {}, {}, {{{0.5, 0.0}, SampleKind::grid}}).tile(0).steps, 17u);
   EXPECT_EQ(run(p, {}, {}, {{{0.5, -1.0}, SampleKind::grid}}).tile(0).steps, 68u);
@@ -41,6 +42,7 @@ TEST(RolloutSteps, EulerCandidatesHaveTheirOwnMidpointOnesThoseOfTheFastest) {
   Parameters p;
   p.integration = Integration::euler;
   p.angular_granularity = 0.025;
+  p.sim_time = 1.7;
   const Rollout euler = run(p, {}, {}, samples);
   ASSERT_EQ(euler.tile_count(), 2u);
   EXPECT_EQ(euler.tile(0).steps, 14u);  // ceil(0.2 * 1.7 / 0.025) = ceil(13.6)
@@ -79,6 +81,7 @@ TEST(RolloutArithmetic, MidpointTakesTheHeadingInTheStepsMiddle) {
 
 TEST(RolloutArithmetic, MidpointEndsOnTheArc) {
   Parameters p;
+  p.sim_time = 1.7;
   p.generator = Generator::dwa;
   const Rollout rollout = run(p, {}, {}, {{{0.5, 1.0}, SampleKind::grid}});
   const Pose2 end = rollout.tile(0).last_pose(0);

@@ -74,6 +74,7 @@ TEST(Spread, MirroredIntervalsGiveMirroredValuesToTheBit) {
 
 TEST(Window, StandardReachesAsFarAsTheHorizonDwaAsOnePeriod) {
   Parameters p;
+  p.sim_time = 1.7;
   p.max_vel_x = 5.0;
   p.max_vel_theta = 9.0;
   p.decel_lim_x = 1.0;
