@@ -29,7 +29,8 @@ void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLim
   footprint_ = &footprint;
   resolution_ = resolution;
   setup_ = setup;
-  for (Memo& memo : memo_) memo.known = false;
+  for (Memo& memo : memo_) memo.known = memo.v_known = false;
+  omega_known_ = false;
   start_ = {setup.start, {std::cos(setup.start.theta), std::sin(setup.start.theta)}};
   escaping_ = parameters.escape && checker.collides(setup.start);
   if (escaping_) stance_ = {checker.penetration(setup.start), checker.clearance(setup.start)};
@@ -151,15 +152,36 @@ bool AdmissibilityCheck::can_brake(const Twist2& sample, std::size_t column) {
   if (all_clear_) return true;
   if (memo_.size() <= column) memo_.resize(column + 1);
   Memo& memo = memo_[column];
-  const Twist2 command = command_for(sample);
+  const Twist2 command = brief_command_for(sample, column);
   const Memo* before = column > 0 ? &memo_[column - 1] : nullptr;
   if (memo.known && memo.command == command) return memo.free;
   if (before != nullptr && before->known && before->command == command) {
-    memo = *before;
+    memo.command = command;
+    memo.known = true;
+    memo.free = before->free;
     return memo.free;
   }
-  memo = {command, true, escaping_ ? !manoeuvre_deeper(command) : manoeuvre_free(command)};
+  memo.command = command;
+  memo.known = true;
+  memo.free = escaping_ ? !manoeuvre_deeper(command) : manoeuvre_free(command);
   return memo.free;
+}
+
+// As command_for(): where no wheel couples the axes, a column shares its speed and a tile its turn.
+Twist2 AdmissibilityCheck::brief_command_for(const Twist2& sample, std::size_t column) {
+  if (limits_->wheel_speed > 0.0 || parameters_->command == CommandPolicy::target) return command_for(sample);
+  Memo& memo = memo_[column];
+  if (!memo.v_known || memo.sample_v != sample.v) {
+    memo.v_known = true;
+    memo.sample_v = sample.v;
+    memo.command_v = limits_->x.ramp(setup_.reference.v, sample.v, setup_.period);
+  }
+  if (!omega_known_ || sample_omega_ != sample.omega) {
+    omega_known_ = true;
+    sample_omega_ = sample.omega;
+    command_omega_ = limits_->theta.ramp(setup_.reference.omega, sample.omega, setup_.period);
+  }
+  return {memo.command_v, command_omega_};
 }
 
 bool AdmissibilityCheck::can_brake_surely(const Twist2& sample) {

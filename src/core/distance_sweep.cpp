@@ -97,9 +97,11 @@ void DistanceSweep::reset(int width, int height, const Steps& steps) {
 
 void DistanceSweep::block_lethal_and_inscribed(int row, const std::uint8_t* costs) {
   std::int16_t* mask = mask_.data() + at({0, row});
-  for (int i = 0; i < width_; ++i) {
-    const std::uint64_t shut = costs[i] == cost::kLethal || costs[i] == cost::kInscribed ? 0x3FF03FF03FF03FF0U : 0U;
-    std::memcpy(mask + kLanes * static_cast<std::size_t>(i), &shut, sizeof(shut));
+  const std::uint8_t* const end = costs + width_;
+  // Long stretches of a map are alike: the mask is 0 already.
+  for (const std::uint8_t* cell = costs; cell != end; ++cell) {
+    if (*cell != cost::kLethal && *cell != cost::kInscribed) continue;
+    std::fill_n(mask + kLanes * static_cast<std::size_t>(cell - costs), kLanes, kFar);
   }
 }
 

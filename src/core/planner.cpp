@@ -106,6 +106,8 @@ struct Planner::Impl {
   std::vector<std::uint8_t> refused_by;   // [candidates]
   std::vector<const char*> reasons;       // [candidates]
   std::vector<std::vector<double>> raw;   // [critics][candidates]
+  double row_omega = 0.0;                 // of the tiles being scored [rad/s]
+  std::size_t row_first = 0;              // the first candidate of that omega
   double reach = 0.0;                     // of all rollouts and manoeuvres [m]
   std::vector<std::size_t> counts;        // of refusals, by refuser
   OperatorIntent intent;                  // of the last cycle
@@ -377,10 +379,15 @@ void Planner::Impl::refuse_colliding(const Tile& tile) {
   const char** reason = reasons.data() + tile.first;
   std::uint8_t* refuser = refused_by.data() + tile.first;
   admissibility.check_rollouts(tile, reason);
+  if (tile.first == 0 || tile.omega != row_omega) {
+    row_omega = tile.omega;
+    row_first = tile.first;
+  }
+  const std::size_t column = tile.first - row_first;
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (reason[c] != nullptr) {
       refuser[c] = kCollision;
-    } else if (parameters.admissibility == Admissibility::braking && !admissibility.can_brake(tile.sample(c), c)) {
+    } else if (parameters.admissibility == Admissibility::braking && !admissibility.can_brake(tile.sample(c), column + c)) {
       refuser[c] = kBraking;
       reason[c] = kCannotBrake;
     }

@@ -64,7 +64,11 @@ TEST(Property, SymmetricScenesGiveTheSameCandidate) {
     const Answer answer = ask(scene);
     chosen += chose(answer.decision);
     tied += answer.tied;
-    expect_same(answer, ask(test::turned(scene)), 1.0, "turned by 90 degrees", seed);
+    Scene turned = scene;
+    for (const char* what : {"turned by 90 degrees", "turned by 180 degrees", "turned by 270 degrees"}) {
+      turned = test::turned(turned);
+      expect_same(answer, ask(turned), 1.0, what, seed);
+    }
     expect_same(answer, ask(test::mirrored(scene)), -1.0, "mirrored", seed);
     expect_same(answer, ask(test::translated(scene, 7, -11)), 1.0, "moved by whole cells", seed);
   }

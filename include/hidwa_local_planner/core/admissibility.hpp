@@ -71,9 +71,14 @@ class AdmissibilityCheck {
   std::size_t last_hit_ = 0;  // step at which a candidate of the tile hit something; 0: none yet
   double margin_ = 0.0;       // around a clear position [m]
   bool all_clear_ = false;    // no manoeuvre can hit anything
+  Twist2 brief_command_for(const Twist2& sample, std::size_t column);
+  double sample_omega_ = 0.0, command_omega_ = 0.0;  // of the tile [rad/s]
+  bool omega_known_ = false;
   struct Memo {
     Twist2 command;
     bool known = false, free = false;
+    bool v_known = false;
+    double sample_v = 0.0, command_v = 0.0;  // of the column [m/s]
   };
   std::vector<Memo> memo_;  // the last answer in each column of samples
   std::vector<Pose2> poses_;
