@@ -12,6 +12,12 @@ void register_cycles(const Effort& effort);
 /// naive_cycle/...: the same situations by naive_cycle().
 void register_naive_cycles(const Effort& effort);
 
+/// part/<part>/<candidates>/...: the parts of those cycles. sampling; rollout, of all candidates; obstacles,
+/// what cells mean to the robot; classes, of all poses; admissibility, of all candidates; geodesic and l1,
+/// the distance grids. A tile lives only while it is looked at: classes and admissibility include the
+/// rollout, and admissibility the classes.
+void register_parts(const Effort& effort);
+
 /// calibration/pose/<candidates>: the least that a pose can cost.
 void register_calibration(const Effort& effort);
 

@@ -18,6 +18,7 @@ inline Parameters paper_parameters() {
   p.integration = Integration::euler;
   p.angular_granularity = 0.025;
   p.sim_time = 1.7;
+  p.PathAlign_scale = p.PathDist_scale = 32.0;
   p.vx_samples = 20;
   p.vth_samples = 20;
   p.RotateToGoal_lookahead_time = -1.0;

@@ -22,6 +22,7 @@ struct Scene {
   static Parameters few_samples() {
     Parameters p;
     p.sim_time = 1.7;
+    p.PathAlign_scale = p.PathDist_scale = 32.0;
     p.vx_samples = p.vth_samples = 20;
     p.trans_stopped_velocity = p.rot_stopped_velocity = 0.1;
     return p;

@@ -135,7 +135,8 @@ def parse(arguments):
         description='Installs what is missing, builds hidwa_benchmark and shows how long a cycle takes, beside a\n'
         'straightforward cycle that chooses the same (naive_cycle), and which bounds are met.',
         epilog='cases: cycle/CANDIDATES/CELLS/circle|polygon/open|tight, cycle_cached/... (one situation again and again),\n'
-        'naive_cycle/..., calibration/pose/CANDIDATES (the least a pose can cost).\n'
+        'naive_cycle/..., part/sampling|rollout|obstacles|classes|admissibility|geodesic|l1/... (parts of those cycles; classes\n'
+        'and admissibility include the rollout), calibration/pose/CANDIDATES (the least a pose can cost).\n'
         'p50 and p99 are of single cycles by the wall clock; "cpu" are the same by the thread\'s own time, which others on\n'
         'the machine do not lengthen: by it ns/pose and ratios are made. A missed bound does not change the exit status.\n'
         'exit status: 0 everything ran; 2 something did not\n'

@@ -7,16 +7,16 @@ namespace hidwa_local_planner {
 namespace {
 
 TEST(HorizonCheck, TheDefaultsFitAFourMetreMap) {
-  // 0.5 x 2.0 + 0.30 = 1.30 m <= 2 m; 0.5 / 2.5 + 0.1 = 0.3 s <= 2.0 s
+  // 0.5 x 1.85 + 0.30 = 1.225 m <= 2 m; 0.5 / 2.5 + 0.1 = 0.3 s <= 1.85 s
   EXPECT_TRUE(horizon_complaints(Parameters(), 4.0, 4.0, 0.30).empty());
-  EXPECT_TRUE(horizon_complaints(Parameters(), 2.61, 2.61, 0.30).empty());
+  EXPECT_TRUE(horizon_complaints(Parameters(), 2.46, 2.46, 0.30).empty());
 }
 
 TEST(HorizonCheck, ASmallMapIsReported) {
-  const auto complaints = horizon_complaints(Parameters(), 4.0, 2.4, 0.30);
+  const auto complaints = horizon_complaints(Parameters(), 4.0, 2.2, 0.30);
   ASSERT_EQ(complaints.size(), 1u);
-  EXPECT_NE(complaints[0].find("reaches 1.20 m"), std::string::npos) << complaints[0];
-  EXPECT_NE(complaints[0].find("1.30 m"), std::string::npos) << complaints[0];
+  EXPECT_NE(complaints[0].find("reaches 1.10 m"), std::string::npos) << complaints[0];
+  EXPECT_NE(complaints[0].find("1.2"), std::string::npos) << complaints[0];
 }
 
 TEST(HorizonCheck, AShortHorizonIsReported) {
@@ -30,8 +30,8 @@ TEST(HorizonCheck, AShortHorizonIsReported) {
 
 TEST(HorizonCheck, ReverseCountsAsWell) {
   Parameters p;
-  p.min_vel_x = -1.0;  // 1.0 x 2.0 + 0.3 = 2.3 m
-  EXPECT_EQ(horizon_complaints(p, 4.5, 4.5, 0.30).size(), 1u);
+  p.min_vel_x = -1.0;  // 1.0 x 1.85 + 0.3 = 2.15 m
+  EXPECT_EQ(horizon_complaints(p, 4.2, 4.2, 0.30).size(), 1u);
 }
 
 }  // namespace

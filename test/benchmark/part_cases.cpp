@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of a cycle, each by itself, as Planner::plan puts them together.
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "benchmark/cases.hpp"
+#include "benchmark/cycle_case.hpp"
+#include "benchmark/cycle_times.hpp"
+#include "hidwa_local_planner/core/admissibility.hpp"
+#include "hidwa_local_planner/core/cell_classes.hpp"
+#include "hidwa_local_planner/core/collision.hpp"
+#include "hidwa_local_planner/core/plan_grids.hpp"
+#include "hidwa_local_planner/core/rollout.hpp"
+#include "hidwa_local_planner/core/samples.hpp"
+#include "hidwa_local_planner/core/velocity_limits.hpp"
+
+namespace hidwa_local_planner::test {
+namespace {
+
+class Parts {
+ public:
+  explicit Parts(const Scene& first)
+      : parameters_(first.parameters),
+        limits_(VelocityLimits::from(first.parameters)),
+        footprint_(Footprint::from_outline(first.outline, first.parameters.footprint_padding)) {}
+
+  void take(const Scene& scene) {
+    scene_ = &scene;
+    grid_ = scene.grid();
+    reference_ = velocity_reference(parameters_, scene.situation.velocity, scene.situation.last_command);
+  }
+  void sample() {
+    SampleRequest request;
+    request.reference = reference_;
+    request.previous = scene_->situation.last_command;
+    request.wanted = &scene_->intent.u_h;
+    request.period = scene_->situation.period;
+    request.vx_samples = parameters_.vx_samples;
+    request.vth_samples = parameters_.vth_samples;
+    sampler_.make(parameters_, limits_, request);
+  }
+  void start_rollout() { rollout_.run(parameters_, limits_, pose(), reference_, sampler_.samples()); }
+  void roll_out() {
+    start_rollout();
+    for (std::size_t t = 0; t < rollout_.tile_count(); ++t) benchmark::DoNotOptimize(rollout_.tile(t).x);
+  }
+  // As far as any rollout or stop.
+  void find_reach() {
+    double fastest = std::abs(reference_.v);
+    for (const Sample& sample : sampler_.samples()) fastest = std::max(fastest, std::abs(sample.u.v));
+    reach_ = fastest * std::max(parameters_.sim_time, parameters_.control_latency + scene_->situation.period +
+                                                          limits_.x.time_to_rest(fastest));
+  }
+  void mark_obstacles() {
+    const double margin = std::max(0.5 * rollout_.longest_step(), grid_.resolution / 16.0);
+    collision_.prepare(grid_, footprint_, parameters_.unknown_is_obstacle, pose(), reach_, margin);
+    classes_.prepare(collision_, grid_, parameters_.unknown_is_obstacle, pose(), reach_);
+  }
+  void classify() {
+    for (std::size_t t = 0; t < rollout_.tile_count(); ++t) {
+      Tile tile = rollout_.tile(t);
+      classes_.classify(tile);
+      benchmark::DoNotOptimize(tile.classes);
+    }
+  }
+  void judge() {
+    admissibility_.prepare(parameters_, limits_, collision_, footprint_, grid_.resolution,
+                           {pose(), reference_, scene_->situation.period});
+    for (std::size_t t = 0; t < rollout_.tile_count(); ++t) {
+      Tile tile = rollout_.tile(t);
+      classes_.classify(tile);
+      reasons_.assign(tile.count, nullptr);
+      admissibility_.check_rollouts(tile, reasons_.data());
+      for (std::size_t c = 0; c < tile.count; ++c) {
+        if (reasons_[c] == nullptr) benchmark::DoNotOptimize(admissibility_.can_brake(tile.sample(c), c));
+      }
+    }
+  }
+  // All three sets at once, as the critics ask for them.
+  void measure_distances(MapGridDistance distance) {
+    const double ahead = parameters_.GoalAlign_forward_point_distance;
+    grids_.prepare(grid_, scene_->situation.plan, distance, parameters_.unknown_is_obstacle);
+    grids_.expect(pose(), reach_ + std::max(parameters_.PathAlign_forward_point_distance, ahead));
+    grids_.to_goal_ahead(ahead, pose(), scene_->situation.goal);
+    benchmark::DoNotOptimize(grids_.to_path().table().units);
+  }
+
+ private:
+  const Pose2& pose() const { return scene_->situation.pose; }
+
+  Parameters parameters_;
+  VelocityLimits limits_;
+  Footprint footprint_;
+  const Scene* scene_ = nullptr;
+  GridView grid_;
+  Twist2 reference_;
+  double reach_ = 0.0;  // [m]
+  Sampler sampler_;
+  Rollout rollout_;
+  CollisionChecker collision_;
+  CellClasses classes_;
+  AdmissibilityCheck admissibility_;
+  std::vector<const char*> reasons_;  // of a tile
+  PlanGrids grids_;
+};
+
+// What comes before in a cycle is done, but not timed.
+struct Part {
+  const char* name;
+  void (*before)(Parts&);
+  void (*timed)(Parts&);
+};
+
+void sample_and_start(Parts& parts) {
+  parts.sample();
+  parts.find_reach();
+  parts.start_rollout();
+}
+void all_before_the_tiles(Parts& parts) {
+  sample_and_start(parts);
+  parts.mark_obstacles();
+}
+
+constexpr Part kParts[] = {
+    {"sampling", [](Parts& /*parts*/) {}, [](Parts& parts) { parts.sample(); }},
+    {"rollout", [](Parts& parts) { parts.sample(); }, [](Parts& parts) { parts.roll_out(); }},
+    {"obstacles", sample_and_start, [](Parts& parts) { parts.mark_obstacles(); }},
+    {"classes", all_before_the_tiles, [](Parts& parts) { parts.classify(); }},
+    {"admissibility", all_before_the_tiles, [](Parts& parts) { parts.judge(); }},
+    {"geodesic", sample_and_start, [](Parts& parts) { parts.measure_distances(MapGridDistance::geodesic); }},
+    {"l1", sample_and_start, [](Parts& parts) { parts.measure_distances(MapGridDistance::l1); }},
+};
+
+void run_part(benchmark::State& state, const Effort& effort, const Part& part, CycleCase& cycles) {
+  Parts parts(cycles.scene(0));
+  CycleTimes times;
+  times.measure(
+      state, effort, cycles.size(),
+      [&](std::size_t k) {
+        parts.take(cycles.scene(k));
+        part.before(parts);
+      },
+      [&](std::size_t /*k*/) { part.timed(parts); });
+  const CycleCase::Size size = cycles.measure();
+  times.report(state, size.candidates, size.poses);
+}
+
+void add(const Effort& effort, const Part& part, const char* load_name, const Setting& setting) {
+  const std::string name = std::string("part/") + part.name + "/" + load_name + "/" +
+                           std::to_string(setting.cells) + "/" + to_string(setting.body) + "/" +
+                           to_string(setting.ground);
+  const auto body = [=](benchmark::State& state) {
+    try {
+      CycleCase cycles(load(load_name), setting);
+      run_part(state, effort, part, cycles);
+    } catch (const std::exception& fault) {
+      state.SkipWithError(fault.what());
+    }
+  };
+  benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMicrosecond);
+}
+
+}  // namespace
+
+void register_parts(const Effort& effort) {
+  for (const char* load_name : {"819", "2000"}) {
+    for (const Body body : {Body::circle, Body::polygon}) {
+      for (const Ground ground : {Ground::open, Ground::tight}) {
+        for (const Part& part : kParts) add(effort, part, load_name, {120, body, ground});
+      }
+    }
+  }
+}
+
+}  // namespace hidwa_local_planner::test

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A cycle allocates nothing once it has seen situations like it: 10,000 of them, in whatever order they come.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <ostream>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/allocation_counter.hpp"
+#include "support/random_scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::AllocationCounter;
+using test::Random;
+using test::Scene;
+
+constexpr std::uint64_t kScenes = 250;  // of each case
+constexpr int kRounds = 10;             // over them all; there are four cases
+
+enum class Body { circle, polygon };
+
+struct Case {
+  MapGridDistance distances;
+  Body body;
+};
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << (c.distances == MapGridDistance::geodesic ? "geodesic" : "l1") << ", "
+       << (c.body == Body::circle ? "circle" : "polygon");
+}
+
+Polygon outline_of(Body body) {
+  if (body == Body::polygon) return {{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, -0.165}};
+  Polygon corners;  // as costmap_2d makes them of robot_radius
+  for (int i = 0; i < 16; ++i)
+    corners.emplace_back(0.2 * std::cos(M_PI * i / 8.0), 0.2 * std::sin(M_PI * i / 8.0));
+  return corners;
+}
+
+// Default parameters with fewer samples. Some robots stand in collision, for the outline is not the scene's
+// own; some cannot stop any more; some have reached their goal; some have no plan; one person in ten steers
+// alone, one in twenty stops the robot.
+Scene make_scene(std::uint64_t seed, const Case& c) {
+  Scene scene = test::random_scene(seed);
+  scene.parameters = Parameters();
+  scene.parameters.vx_samples = 8;
+  scene.parameters.vth_samples = 12;
+  scene.parameters.map_grid = c.distances;
+  scene.outline = outline_of(c.body);
+  Random random(seed + 1000000);
+  if (random.chance(0.2)) scene.situation.velocity = scene.situation.last_command = {};
+  if (random.chance(0.1)) scene.situation.plan.clear();
+  if (random.chance(0.1)) scene.situation.goal_latched = true;
+  if (random.chance(0.1)) scene.intent.influence = Influence::direct;
+  if (scene.intent.influence == Influence::direct) scene.intent.guarded = random.chance(0.7);
+  if (random.chance(0.05)) scene.intent.influence = Influence::stop;
+  return scene;
+}
+
+struct Seen {
+  std::uint64_t driven = 0, braked = 0, failed = 0, steered = 0, autonomous = 0, refusing = 0, escaping = 0;
+};
+
+class Allocations : public ::testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    for (std::uint64_t seed = 0; seed < kScenes; ++seed) scenes_.push_back(make_scene(seed, GetParam()));
+    ASSERT_TRUE(planner_.configure(scenes_.front().parameters).empty());
+    planner_.set_footprint(scenes_.front().outline);
+  }
+  void note(const Scene& scene, const Decision& decision) {
+    seen_.driven += decision.outcome == Outcome::drive;
+    seen_.braked += decision.outcome == Outcome::brake;
+    seen_.failed += decision.outcome == Outcome::fail;
+    seen_.steered += scene.intent.influence != Influence::none;
+    seen_.autonomous += scene.intent.influence == Influence::none;
+    seen_.refusing += decision.legal < decision.candidates;
+    seen_.escaping += decision.escaping;
+  }
+
+  std::vector<Scene> scenes_;
+  Planner planner_;
+  Seen seen_;
+};
+
+TEST_P(Allocations, NoneAfterTheFirstRound) {
+  for (const Scene& scene : scenes_) planner_.plan(scene.situation, scene.grid(), scene.intent);
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t k = 0; k < scenes_.size(); ++k) {
+      // Another order every time: 7 and 250 have no common divisor.
+      const Scene& scene =
+          scenes_[round % 2 == 0 ? k : (7 * k + static_cast<std::size_t>(round)) % scenes_.size()];
+      const AllocationCounter counter;
+      const Decision& decision = planner_.plan(scene.situation, scene.grid(), scene.intent);
+      ASSERT_EQ(counter.count(), 0U) << "round " << round << ", call " << k;
+      note(scene, decision);
+    }
+  }
+  std::printf("%llu driven, %llu braked, %llu failed, %llu steered, %llu refusing, %llu escaping\n",
+              static_cast<unsigned long long>(seen_.driven), static_cast<unsigned long long>(seen_.braked),
+              static_cast<unsigned long long>(seen_.failed), static_cast<unsigned long long>(seen_.steered),
+              static_cast<unsigned long long>(seen_.refusing),
+              static_cast<unsigned long long>(seen_.escaping));
+  const auto often = {seen_.driven, seen_.steered, seen_.autonomous, seen_.refusing};
+  const auto seldom = {seen_.braked, seen_.failed, seen_.escaping};
+  for (const std::uint64_t count : often) EXPECT_GT(count, 250U);
+  for (const std::uint64_t count : seldom) EXPECT_GT(count, 20U);
+}
+
+INSTANTIATE_TEST_SUITE_P(GridsAndBodies, Allocations,
+                         ::testing::Values(Case{MapGridDistance::geodesic, Body::circle},
+                                           Case{MapGridDistance::geodesic, Body::polygon},
+                                           Case{MapGridDistance::l1, Body::circle},
+                                           Case{MapGridDistance::l1, Body::polygon}));
+
+struct alignas(64) Wide {
+  double values[8] = {};
+};
+
+// Where nothing were counted, nothing would ever be found.
+TEST(AllocationCounter, SeesEveryKindOfAllocation) {
+  const AllocationCounter counter;
+  EXPECT_EQ(counter.count(), 0U);
+  std::vector<int> grown(1);
+  EXPECT_EQ(counter.count(), 1U);
+  grown.resize(grown.capacity() + 1);
+  EXPECT_EQ(counter.count(), 2U);
+  const std::vector<Wide> aligned(3);
+  EXPECT_EQ(counter.count(), 3U);
+  const std::unique_ptr<int[]> array(new int[grown.size() + aligned.size()]());
+  EXPECT_EQ(counter.count(), 4U);
+}
+
+TEST(AllocationCounter, SeesTheLibrarysAllocations) {
+  Scene scene = make_scene(1, {MapGridDistance::geodesic, Body::polygon});
+  Planner fresh;
+  ASSERT_TRUE(fresh.configure(scene.parameters).empty());
+  fresh.set_footprint(scene.outline);
+  const AllocationCounter counter;
+  fresh.plan(scene.situation, scene.grid(), scene.intent);
+  EXPECT_GT(counter.count(), 0U);
+}
+
+TEST(AllocationCounter, SeesOtherThreadsAndTellsThemApart) {
+  const std::size_t own_before = test::allocations_of_this_thread();
+  std::size_t of_the_other = 0, all = 0;
+  std::thread other([&] {
+    const AllocationCounter counter;
+    const std::size_t before = test::allocations_of_this_thread();
+    std::vector<int> memory(1000);
+    memory.clear();
+    of_the_other = test::allocations_of_this_thread() - before;
+    all = counter.count();
+  });
+  const std::size_t own = test::allocations_of_this_thread() - own_before;  // starting the thread
+  other.join();
+  EXPECT_EQ(of_the_other, 1U);
+  EXPECT_GE(all, of_the_other);
+  EXPECT_EQ(test::allocations_of_this_thread() - own_before, own);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
