@@ -15,6 +15,9 @@ constexpr double kSameClearance = 1e-6;
 // A pose that is free without room [m].
 constexpr double kTouching = 1e-12;
 
+// Columns of samples that room is made for at once.
+constexpr std::size_t kUsualColumns = 128;
+
 // How much room around a pose is looked for, in cells: what is found saves looking at its neighbours.
 constexpr double kRoom = 2.0;
 
@@ -29,6 +32,7 @@ void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLim
   footprint_ = &footprint;
   resolution_ = resolution;
   setup_ = setup;
+  if (memo_.size() < kUsualColumns) memo_.resize(kUsualColumns);
   for (Memo& memo : memo_) memo.known = memo.v_known = false;
   omega_known_ = false;
   start_ = {setup.start, {std::cos(setup.start.theta), std::sin(setup.start.theta)}};

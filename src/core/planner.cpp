@@ -68,6 +68,13 @@ class NoParameters : public ParameterSource {
   bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
 };
 
+// Makes room with some to spare: the number of candidates changes by a few from cycle to cycle.
+template <typename T>
+void fit(std::vector<T>& values, std::size_t count) {
+  if (values.capacity() < count) values.reserve(count + count / 8 + 16);
+  values.resize(count);
+}
+
 struct NamedCritic {
   std::string name;
   std::shared_ptr<Critic> critic;
@@ -345,10 +352,10 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
   rollout.run(parameters, limits, situation.pose, decision.reference, sampler.samples());
   const std::size_t n = rollout.candidate_count();
   decision.candidates = n;
-  totals.resize(n);  // the rest is set tile by tile
-  refused_by.resize(n);
-  reasons.resize(n);
-  for (std::vector<double>& scores : raw) scores.resize(n);
+  fit(totals, n);  // what they hold is set tile by tile
+  fit(refused_by, n);
+  fit(reasons, n);
+  for (std::vector<double>& scores : raw) fit(scores, n);
 }
 
 void Planner::Impl::prepare_checks(const Situation& situation, const GridView& grid) {

@@ -51,6 +51,8 @@ void Rollout::run(const Parameters& p, const VelocityLimits& limits, const Pose2
 void Rollout::make_tiles(const std::vector<Sample>& samples) {
   tiles_.clear();
   v_.clear();
+  if (v_.capacity() < samples.size()) v_.reserve(samples.size() + samples.size() / 8 + 16);
+  if (tiles_.capacity() < 128) tiles_.reserve(128);
   double fastest = 0.0;
   for (const Sample& sample : samples) fastest = std::max(fastest, std::abs(sample.u.v));
   longest_step_ = 0.0;

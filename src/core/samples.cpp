@@ -62,6 +62,8 @@ void Sampler::make(const Parameters& p, const VelocityLimits& limits, const Samp
   spread(window_.v, request.vx_samples, v_);
   spread(window_.omega, request.vth_samples, omega_);
   samples_.clear();
+  const std::size_t most = (v_.size() + 1) * (omega_.size() + 1) + 8;
+  if (samples_.capacity() < most) samples_.reserve(most + most / 8);
   add_grid(p, limits);
   add_extra(p, limits, request);
 }

@@ -109,6 +109,8 @@ TEST(Budget, SamplesComeBackWhereThereIsRoomAgain) {
 
 TEST(Budget, ANegativeOneThinsNothing) {
   ros::param::set(ns("Never") + "cycle_budget", 1e-6);
+  ros::param::set(ns("Never") + "vx_samples", 20);
+  ros::param::set(ns("Never") + "vth_samples", 20);
   Host host("Never");
   ASSERT_TRUE(host.plan_ahead(20.0));
   ASSERT_TRUE(reaches(host, 6, 6, 5.0));
