@@ -102,6 +102,7 @@ kernel::CellBox DistanceGrids::region() const {
 
 void DistanceGrids::sweep_region(const kernel::CellBox& box) {
   region_ = box;
+  sweep_.reserve(grid_.size_x, grid_.size_y);  // regions differ from cycle to cycle
   sweep_.reset(box.width, box.height, distance_ == MapGridDistance::l1 ? kL1 : kGeodesic);
   blocked_settled_ = distance_ == MapGridDistance::l1;
   if (distance_ == MapGridDistance::geodesic) {

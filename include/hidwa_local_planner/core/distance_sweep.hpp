@@ -24,6 +24,8 @@ class DistanceSweep {
     std::int16_t diagonal = 7;
   };
 
+  /// Makes room for grids up to this size, so that reset() needs none.
+  void reserve(int width, int height);
   /// A grid of free cells that nothing reaches.
   void reset(int width, int height, const Steps& steps);
   /// Nothing passes through a blocked cell nor into it; `costs` is one row.
