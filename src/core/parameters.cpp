@@ -150,9 +150,25 @@ void check_limits(std::vector<std::string>& faults, const Parameters& p) {
   }
 }
 
-void check_rest(std::vector<std::string>& faults, const Parameters& p) {
+void check_operator(std::vector<std::string>& faults, const Parameters& p) {
   if (p.axis_angular_sign == 0) faults.push_back("axis_angular_sign = 0: set 1 (left is +1) or -1 (right is +1)");
   if (p.axis_linear_sign == 0) faults.push_back("axis_linear_sign = 0: set 1 (up is +1) or -1 (down is +1)");
+  if (p.clutch_axis_sign == 0) faults.push_back("clutch_axis_sign = 0: set 1 or -1 (a pressed axis is negative)");
+  if (p.gesture_axis_sign == 0) faults.push_back("gesture_axis_sign = 0: set 1 (left is positive) or -1 (right is)");
+  if (p.gesture_linear_sign == 0) faults.push_back("gesture_linear_sign = 0: set 1 or -1 (forward is negative)");
+  if (p.mode == OperatorMode::gesture && p.clutch_button < 0 && p.clutch_axis < 0) {
+    faults.push_back("mode gesture needs a clutch: set clutch_button or clutch_axis");
+  }
+  if (p.mode == OperatorMode::gesture && p.gesture_frame.empty() && p.gesture_topic.empty()) {
+    faults.push_back("mode gesture needs a hand: set gesture_topic, or gesture_frame and gesture_parent_frame");
+  }
+  if (p.gesture_frame.empty() != p.gesture_parent_frame.empty()) {
+    faults.push_back("gesture_frame and gesture_parent_frame go together: set both or neither");
+  }
+}
+
+void check_rest(std::vector<std::string>& faults, const Parameters& p) {
+  check_operator(faults, p);
   if (p.odom_topic.empty()) faults.push_back("odom_topic is empty: name the robot's nav_msgs/Odometry topic");
   if (split_names(p.critics).empty()) faults.push_back("critics is empty: name at least one, for example PathDist");
   const double samples = static_cast<double>(p.vx_samples) * static_cast<double>(p.vth_samples);

@@ -23,7 +23,11 @@ void InputChannel::accept(const Wish& wish, double received) {
 }
 
 void InputChannel::check(double now) {
-  if (!active_ || timeout_ <= 0.0 || now - time_ <= timeout_) return;
+  if (timeout_ > 0.0 && now - time_ > timeout_) lose();
+}
+
+void InputChannel::lose() {
+  if (!active_) return;
   active_ = false;
   lost_ = true;
   armed_ = false;

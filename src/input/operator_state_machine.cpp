@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hidwa_local_planner/input/transition.hpp"
 #include "words.hpp"
 
 namespace hidwa_local_planner::input {
@@ -14,10 +13,22 @@ namespace {
 // larger step back is a clock that was set back.
 constexpr double kClockJitter = 0.2;  // [s]
 
+// Longer without a cycle, and nobody drives: a press of the button would hand over what nobody sees.
+constexpr double kDriving = 1.0;  // [s]
+
 bool same_mapping(const Parameters& a, const Parameters& b) {
   return a.axis_angular == b.axis_angular && a.axis_linear == b.axis_linear &&
          a.axis_angular_sign == b.axis_angular_sign && a.axis_linear_sign == b.axis_linear_sign &&
-         a.enable_button == b.enable_button;
+         a.enable_button == b.enable_button && a.stop_button == b.stop_button && a.toggle_button == b.toggle_button &&
+         a.clutch_button == b.clutch_button && a.clutch_axis == b.clutch_axis &&
+         a.clutch_axis_sign == b.clutch_axis_sign && a.gesture_axis == b.gesture_axis &&
+         a.gesture_axis_sign == b.gesture_axis_sign && a.gesture_linear_axis == b.gesture_linear_axis &&
+         a.gesture_linear_sign == b.gesture_linear_sign;
+}
+
+bool same_topics(const Parameters& a, const Parameters& b) {
+  return a.joy_topic == b.joy_topic && a.twist_topic == b.twist_topic && a.gesture_topic == b.gesture_topic &&
+         a.gesture_frame == b.gesture_frame && a.gesture_parent_frame == b.gesture_parent_frame;
 }
 
 std::string late(double excess, double limit) {
@@ -27,6 +38,15 @@ std::string late(double excess, double limit) {
          "clocks, or leave the stamps empty)";
 }
 
+template <typename Message>
+Envelope envelope_of(const Message& message, double received) {
+  Envelope envelope;
+  envelope.sender = message.sender;
+  envelope.stamp = message.stamp;
+  envelope.received = received;
+  return envelope;
+}
+
 }  // namespace
 
 OperatorStateMachine::OperatorStateMachine() { configure(Parameters()); }
@@ -34,45 +54,78 @@ OperatorStateMachine::OperatorStateMachine() { configure(Parameters()); }
 void OperatorStateMachine::configure(const Parameters& parameters) {
   const bool other_mode = parameters.mode != parameters_.mode;
   const bool other_mapping = !same_mapping(parameters, parameters_);
-  const bool other_device = parameters.joy_topic != parameters_.joy_topic;
+  const bool other_device = !same_topics(parameters, parameters_);
   if (parameters.input_timeout != parameters_.input_timeout) rhythm_.reset();
   parameters_ = parameters;
   channel_.configure(parameters_.input_timeout, parameters_.require_neutral);
   if (other_mode) {
+    const StopRequest stop = stop_;  // who stopped the robot did not let go of it
     reset();
+    stop_ = stop;
   } else if (other_device) {
+    sticks_.forget_lag();
+    twists_.forget_lag();
+    hands_.forget_lag();
     new_device();
   } else if (other_mapping) {
     channel_.demand_neutral();
+    stop_.demand_neutral();
+    control_.forget_button();
+    gesture_.lose();
   } else {
-    channel_.remap(wish_of(reading_, parameters_));
+    channel_.remap(present_wish());
   }
 }
 
 std::string OperatorStateMachine::receive(const StickMessage& message) {
   if (parameters_.mode == OperatorMode::off) return {};
-  if (!std::isfinite(message.stamp) || !std::isfinite(message.received)) {
-    return drop("its time is not a finite number: look at the sender");
-  }
-  if (message.received < received_ - kClockJitter) reset();
-  received_ = std::max(received_, message.received);
-
+  std::string fault = begin(message.stamp, message.received);
   StickReading reading;
-  const std::string fault = read_stick(message, parameters_, reading);
+  if (fault.empty()) fault = read_stick(message, parameters_, reading);
   if (!fault.empty()) return drop(fault);
-  if (device_.changed(message)) new_device();
-  const double timeout = parameters_.input_timeout;
-  if (timeout > 0.0) {
-    const BacklogGate::Verdict verdict = backlog_.judge(message.stamp, received_, timeout);
-    if (verdict == BacklogGate::Verdict::backlog) return drop(late(backlog_.excess(), timeout));
-    if (verdict == BacklogGate::Verdict::new_clock) channel_.demand_neutral();
-  }
+  Envelope envelope = envelope_of(message, received_);
+  envelope.axes = message.axes.size();
+  envelope.buttons = message.buttons.size();
+  fault = admit(sticks_, envelope);
+  if (!fault.empty()) return drop(fault);
   reading_ = reading;
-  const Wish wish = wish_of(reading_, parameters_);
-  channel_.accept(wish, received_);
-  rhythm_.heard(received_, wish.active, timeout);
+  stick_time_ = received_;
+  read_buttons();
+  if (steered_by_stick()) feed(wish_of(reading_, parameters_));
   fault_.clear();
   return {};
+}
+
+std::string OperatorStateMachine::receive(const TwistMessage& message) {
+  if (parameters_.mode == OperatorMode::off || !steered_by_twist(parameters_)) return {};
+  std::string fault = begin(message.stamp, message.received);
+  if (fault.empty()) fault = fault_of(message);
+  if (fault.empty()) fault = admit(twists_, envelope_of(message, received_));
+  if (!fault.empty()) return drop(fault);
+  twist_ = message;
+  feed(wish_of(twist_, parameters_));
+  fault_.clear();
+  return {};
+}
+
+std::string OperatorStateMachine::receive(const HandMessage& message) {
+  if (parameters_.mode != OperatorMode::gesture) return {};
+  std::string fault = begin(message.stamp, message.received);
+  if (fault.empty()) fault = admit(hands_, envelope_of(message, received_));
+  if (!fault.empty()) return drop(fault);
+  fault = gesture_.take(message, parameters_);
+  if (!fault.empty()) {
+    channel_.lose();
+    return drop(fault);
+  }
+  // A clutch that is still held after a loss says nothing: the loss lasts until it is let go.
+  if (!gesture_.waits_for_release()) feed(gesture_.wish(parameters_));
+  fault_.clear();
+  return {};
+}
+
+void OperatorStateMachine::take_control(bool manual) {
+  if (parameters_.mode == OperatorMode::switching && cycles_run()) control_.say(manual);
 }
 
 OperatorIntent OperatorStateMachine::update(double now) {
@@ -81,18 +134,12 @@ OperatorIntent OperatorStateMachine::update(double now) {
   now_ = std::max(now_, now);
   channel_.check(now_);
   rhythm_.check(now_, parameters_.input_timeout);
+  watch_clutch();
   if (is_steering(state_) && !channel_.active()) begin_hold();
-
-  Facts facts;
-  facts.enabled = parameters_.mode != OperatorMode::off;
-  facts.lost = channel_.lost();
-  facts.active = channel_.active();
-  facts.blocked = blocked_.blocked(now_, parameters_.blocked_time);
-  facts.holding = hold_.running(now_, parameters_.delta);
-  facts.at_goal = goal_latched_ && !parameters_.operator_in_goal_window;
-  state_ = next_state(state_, facts);
-
-  if (is_steering(state_) || facts.at_goal) hold_.end();
+  const Facts present = facts();
+  state_ = next_state(state_, present);
+  const bool in_command = is_steering(state_) || state_ == OperatorStateId::stopped || state_ == OperatorStateId::manual;
+  if (in_command || present.at_goal) hold_.end();
   if (!is_steering(state_)) blocked_.reset();
   return intent(now_);
 }
@@ -112,8 +159,14 @@ void OperatorStateMachine::new_goal() {
 }
 
 void OperatorStateMachine::reset() {
-  device_.reset();
-  backlog_.reset();
+  sticks_.reset();
+  twists_.reset();
+  hands_.reset();
+  reading_ = {};
+  twist_ = {};
+  gesture_.reset();
+  stop_.reset();
+  control_.reset();
   channel_.reset();
   rhythm_.reset();
   hold_.end();
@@ -121,8 +174,8 @@ void OperatorStateMachine::reset() {
   state_ = OperatorStateId::autonomy;
   goal_latched_ = false;
   commanded_ = false;
-  now_ = -std::numeric_limits<double>::infinity();
-  received_ = -std::numeric_limits<double>::infinity();
+  own_v_ = 0.0;
+  now_ = received_ = stick_time_ = -std::numeric_limits<double>::infinity();
   fault_.clear();
 }
 
@@ -138,16 +191,57 @@ std::string OperatorStateMachine::advice() const {
     text += sentence;
   };
   add(rhythm_.advice(parameters_.input_timeout));
-  if (device_.contested()) {
-    add("Two nodes take turns on joy_topic, " + device_.rival() + " and " + device_.sender() +
-        ": each counts as a new device after the other. Let only one of them send.");
-  }
-  if (channel_.waits_for_neutral()) {
+  add(sticks_.advice("joy_topic"));
+  add(twists_.advice("twist_topic"));
+  add(hands_.advice("gesture_topic"));
+  if (parameters_.mode == OperatorMode::gesture && gesture_.waits_for_release()) {
+    add("The hand does not count before its clutch was let go and pressed anew: let go of it.");
+  } else if (channel_.waits_for_neutral()) {
     add("The input does not count before it was seen released once (require_neutral): let go of the stick "
         "and of the "
         "enable button; if nobody touches it, raise dead_zone.");
   }
   return text;
+}
+
+bool OperatorStateMachine::steered_by_stick() const {
+  return parameters_.mode != OperatorMode::gesture && !steered_by_twist(parameters_);
+}
+
+bool OperatorStateMachine::cycles_run() const { return std::abs(received_ - now_) < kDriving; }
+
+// The time of a message: whether it is one, and whether it went back.
+std::string OperatorStateMachine::begin(double stamp, double received) {
+  if (!std::isfinite(stamp) || !std::isfinite(received)) {
+    return "its time is not a finite number: look at the sender";
+  }
+  if (received < received_ - kClockJitter) reset();
+  received_ = std::max(received_, received);
+  return {};
+}
+
+std::string OperatorStateMachine::admit(MessageStream& stream, const Envelope& envelope) {
+  switch (stream.judge(envelope, parameters_.input_timeout)) {
+    case MessageStream::Verdict::late: return late(stream.excess(), parameters_.input_timeout);
+    case MessageStream::Verdict::new_device: new_device(); break;
+    case MessageStream::Verdict::new_clock: channel_.demand_neutral(); break;
+    case MessageStream::Verdict::live: break;
+  }
+  return {};
+}
+
+void OperatorStateMachine::read_buttons() {
+  stop_.take(reading_, parameters_);
+  if (parameters_.mode == OperatorMode::switching) control_.take(reading_.toggle, cycles_run());
+  if (parameters_.mode != OperatorMode::gesture) return;
+  gesture_.set_clutch(reading_.clutch);
+  // A release is heard at once, not with the hand's next pose.
+  if (!reading_.clutch) feed({});
+}
+
+void OperatorStateMachine::feed(const Wish& wish) {
+  channel_.accept(wish, received_);
+  rhythm_.heard(received_, wish.active, parameters_.input_timeout);
 }
 
 std::string OperatorStateMachine::drop(const std::string& fault) {
@@ -157,29 +251,67 @@ std::string OperatorStateMachine::drop(const std::string& fault) {
 }
 
 void OperatorStateMachine::new_device() {
-  backlog_.reset();
   channel_.demand_neutral();
+  stop_.demand_neutral();
+  control_.forget_button();
+  gesture_.lose();
   rhythm_.reset();
+}
+
+// Poses may go on without the stick whose button is the clutch. And where poses fell silent, the origin is old.
+void OperatorStateMachine::watch_clutch() {
+  if (parameters_.mode != OperatorMode::gesture || !gesture_.clutch()) return;
+  const double timeout = parameters_.input_timeout;
+  if (timeout > 0.0 && now_ - stick_time_ > timeout) channel_.lose();
+  if (channel_.lost()) gesture_.lose();
 }
 
 // A loss is a release only where the policy says so.
 void OperatorStateMachine::begin_hold() {
   if (channel_.lost() && parameters_.on_input_lost != OnInputLost::hold) return;
-  const bool from_robot = parameters_.hold_linear == HoldLinear::robot && commanded_;
-  hold_.begin(channel_.ended_at(), from_robot ? own_v_ : channel_.u_h().v);
+  const bool from_robot = parameters_.hold_linear == HoldLinear::robot || parameters_.linear == LinearPolicy::current;
+  hold_.begin(channel_.ended_at(), from_robot && commanded_ ? own_v_ : channel_.u_h().v);
+}
+
+// What the newest messages ask for by the present parameters.
+Wish OperatorStateMachine::present_wish() const {
+  if (parameters_.mode == OperatorMode::gesture) return gesture_.wish(parameters_);
+  return steered_by_stick() ? wish_of(reading_, parameters_) : wish_of(twist_, parameters_);
+}
+
+Facts OperatorStateMachine::facts() const {
+  const bool switching = parameters_.mode == OperatorMode::switching;
+  Facts facts;
+  facts.enabled = parameters_.mode != OperatorMode::off;
+  facts.stop = stop_.requested();
+  facts.manual = manual();
+  facts.lost = channel_.lost() && (!switching || facts.manual);
+  facts.active = channel_.active() && !switching;
+  facts.blocked = blocked_.blocked(now_, parameters_.blocked_time);
+  facts.holding = hold_.running(now_, parameters_.delta);
+  facts.at_goal = goal_latched_ && !parameters_.operator_in_goal_window;
+  return facts;
 }
 
 OperatorIntent OperatorStateMachine::intent(double now) const {
   OperatorIntent wanted;
   wanted.state = state_;
   const bool lost = state_ == OperatorStateId::lost;
-  if (is_steering(state_)) {
+  const bool stops = state_ == OperatorStateId::stopped ||
+                     (lost && (manual() || parameters_.on_input_lost == OnInputLost::stop));
+  const bool straight_on = state_ == OperatorStateId::hold || (lost && parameters_.on_input_lost == OnInputLost::hold &&
+                                                               hold_.running(now, parameters_.delta));
+  if (stops) {
+    wanted.influence = Influence::stop;
+  } else if (state_ == OperatorStateId::manual) {
+    wanted.influence = Influence::direct;
+    wanted.guarded = parameters_.guard == Guard::nearest;
+    if (channel_.active()) wanted.u_h = channel_.u_h();
+  } else if (is_steering(state_)) {
     wanted.influence = Influence::shared;
     wanted.u_h = channel_.u_h();
-  } else if (lost && parameters_.on_input_lost == OnInputLost::stop) {
-    wanted.influence = Influence::stop;
-  } else if (state_ == OperatorStateId::hold || (lost && parameters_.on_input_lost == OnInputLost::hold &&
-                                                 hold_.running(now, parameters_.delta))) {
+    if (parameters_.linear == LinearPolicy::current) wanted.u_h.v = own_v_;
+  } else if (straight_on) {
     wanted.influence = Influence::shared;
     wanted.u_h = {hold_.v(), 0.0};
   }

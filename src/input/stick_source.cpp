@@ -37,17 +37,55 @@ std::string check_axis(const StickMessage& message, const std::string& parameter
          " is outside [-1, 1]: scale it at the sender, or set " + parameter + " to another axis";
 }
 
-std::string check_button(const StickMessage& message, int index) {
+std::string check_button(const StickMessage& message, const std::string& parameter, int index) {
   if (index < 0) return {};
   const auto i = static_cast<std::size_t>(index);
   if (i >= message.buttons.size()) {
-    return "enable_button = " + std::to_string(index) + ", but " +
-           has_only(message.buttons.size(), "buttons") +
-           ": set enable_button to one that the device has, or to -1 for none";
+    return parameter + " = " + std::to_string(index) + ", but " + has_only(message.buttons.size(), "buttons") +
+           ": set " + parameter + " to one that the device has, or to -1 for none";
   }
   if (message.buttons[i] == 0 || message.buttons[i] == 1) return {};
   return "buttons[" + std::to_string(i) + "] = " + std::to_string(message.buttons[i]) +
-         " is neither 0 nor 1: look at the sender, or set enable_button to another button";
+         " is neither 0 nor 1: look at the sender, or set " + parameter + " to another button";
+}
+
+bool held(const StickMessage& message, int index) {
+  return index >= 0 && message.buttons[static_cast<std::size_t>(index)] != 0;
+}
+
+std::string check_clutch(const StickMessage& message, const Parameters& parameters) {
+  if (parameters.clutch_axis >= 0) return check_axis(message, "clutch_axis", parameters.clutch_axis);
+  return check_button(message, "clutch_button", parameters.clutch_button);
+}
+
+bool clutch_held(const StickMessage& message, const Parameters& parameters) {
+  if (parameters.clutch_axis < 0) return held(message, parameters.clutch_button);
+  const float pressed = message.axes[static_cast<std::size_t>(parameters.clutch_axis)] *
+                        static_cast<float>(parameters.clutch_axis_sign);
+  return pressed > static_cast<float>(parameters.clutch_threshold);
+}
+
+std::string check(const StickMessage& message, const Parameters& parameters) {
+  const bool by_hand = parameters.mode == OperatorMode::gesture;
+  const bool by_stick = !by_hand && !steered_by_twist(parameters);
+  const bool needs_linear =
+      by_stick && (parameters.linear == LinearPolicy::axis || parameters.mode == OperatorMode::switching);
+  std::string fault = check_numbers(message);
+  if (fault.empty() && by_stick) fault = check_axis(message, "axis_angular", parameters.axis_angular);
+  if (fault.empty() && needs_linear) fault = check_axis(message, "axis_linear", parameters.axis_linear);
+  if (fault.empty() && by_stick) fault = check_button(message, "enable_button", parameters.enable_button);
+  if (fault.empty()) fault = check_button(message, "stop_button", parameters.stop_button);
+  if (fault.empty() && by_hand) fault = check_clutch(message, parameters);
+  if (fault.empty() && parameters.mode == OperatorMode::switching) {
+    fault = check_button(message, "toggle_button", parameters.toggle_button);
+  }
+  return fault;
+}
+
+// The value of an axis, 0 where the device does not have it.
+float axis(const StickMessage& message, int index, int sign) {
+  const auto i = static_cast<std::size_t>(index);
+  return i < message.axes.size() ? message.axes[i] * static_cast<float>(sign) : 0.0F;
 }
 
 // Axes are floats: a dead zone of 0.1 must hold the float 0.1 too, which as a double is a little more.
@@ -56,38 +94,54 @@ double map_float(float deflection, const Parameters& parameters, double maximum)
   return map_axis(static_cast<double>(deflection), dead_zone, parameters.exponent, maximum);
 }
 
+bool steers_both_axes(const Parameters& parameters) {
+  return parameters.linear == LinearPolicy::axis || parameters.mode == OperatorMode::switching;
+}
+
+// Kalliokoski 2022, the maps of (p_x, p_y) to (v_h, omega_h) in section IV-A.
+Twist2 mapped(float angular, float linear, const Parameters& parameters) {
+  const double omega = map_float(angular, parameters, parameters.max_vel_theta);
+  if (steers_both_axes(parameters)) return {map_float(linear, parameters, parameters.max_vel_x), omega};
+  return {parameters.linear == LinearPolicy::v_max ? parameters.max_vel_x : 0.0, omega};
+}
+
 }  // namespace
 
 std::string read_stick(const StickMessage& message, const Parameters& parameters, StickReading& reading) {
-  const bool needs_linear = parameters.linear == LinearPolicy::axis;
-  std::string fault = check_numbers(message);
-  if (fault.empty()) fault = check_axis(message, "axis_angular", parameters.axis_angular);
-  if (fault.empty() && needs_linear) fault = check_axis(message, "axis_linear", parameters.axis_linear);
-  if (fault.empty()) fault = check_button(message, parameters.enable_button);
+  std::string fault = check(message, parameters);
   if (!fault.empty()) return fault;
-
   reading = StickReading();
-  reading.angular = message.axes[static_cast<std::size_t>(parameters.axis_angular)] *
-                    static_cast<float>(parameters.axis_angular_sign);
-  const auto linear = static_cast<std::size_t>(parameters.axis_linear);
-  if (linear < message.axes.size()) {
-    reading.linear = message.axes[linear] * static_cast<float>(parameters.axis_linear_sign);
-  }
-  reading.enabled = parameters.enable_button >= 0 &&
-                    message.buttons[static_cast<std::size_t>(parameters.enable_button)] != 0;
+  reading.angular = axis(message, parameters.axis_angular, parameters.axis_angular_sign);
+  reading.linear = axis(message, parameters.axis_linear, parameters.axis_linear_sign);
+  const bool by_hand = parameters.mode == OperatorMode::gesture;
+  if (!by_hand && !steered_by_twist(parameters)) reading.enabled = held(message, parameters.enable_button);
+  reading.stop = held(message, parameters.stop_button);
+  if (parameters.mode == OperatorMode::switching) reading.toggle = held(message, parameters.toggle_button);
+  if (by_hand) reading.clutch = clutch_held(message, parameters);
   return {};
 }
 
 Wish wish_of(const StickReading& reading, const Parameters& parameters) {
-  const bool by_axis = parameters.linear == LinearPolicy::axis;
-  const double omega = map_float(reading.angular, parameters, parameters.max_vel_theta);
-  const double v =
-      by_axis ? map_float(reading.linear, parameters, parameters.max_vel_x) : parameters.max_vel_x;
-  const bool deflected = omega != 0.0 || (by_axis && v != 0.0);
-  Wish wish;
-  wish.active = parameters.enable_button >= 0 ? reading.enabled : deflected;
-  if (wish.active) wish.u_h = {v, omega};
-  return wish;
+  if (parameters.enable_button < 0) return wish_of_deflection(reading.angular, reading.linear, parameters);
+  if (!reading.enabled) return {};
+  return {true, mapped(reading.angular, reading.linear, parameters)};
+}
+
+Wish wish_of_deflection(float angular, float linear, const Parameters& parameters) {
+  const Twist2 u = mapped(angular, linear, parameters);
+  const bool deflected = u.omega != 0.0 || (steers_both_axes(parameters) && u.v != 0.0);
+  return deflected ? Wish{true, u} : Wish{};
+}
+
+bool steered_by_twist(const Parameters& parameters) {
+  return parameters.mode != OperatorMode::gesture && !parameters.twist_topic.empty();
+}
+
+bool pull_stops(const Parameters& parameters) {
+  if (parameters.stop_pull <= 0.0) return false;
+  if (parameters.mode == OperatorMode::gesture) return true;
+  const bool asks_for_reverse = parameters.linear == LinearPolicy::axis && parameters.min_vel_x < 0.0;
+  return parameters.mode == OperatorMode::joystick && !steered_by_twist(parameters) && !asks_for_reverse;
 }
 
 }  // namespace hidwa_local_planner::input

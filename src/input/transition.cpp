@@ -5,9 +5,11 @@ namespace hidwa_local_planner::input {
 
 OperatorStateId next_state(OperatorStateId present, const Facts& facts) {
   if (!facts.enabled) return OperatorStateId::autonomy;
+  if (facts.stop) return OperatorStateId::stopped;
   // A loss matters where something was in effect; it lasts until the input comes back.
-  const bool can_lose = is_steering(present) || present == OperatorStateId::lost;
+  const bool can_lose = is_steering(present) || present == OperatorStateId::manual || present == OperatorStateId::lost;
   if (facts.lost && can_lose) return OperatorStateId::lost;
+  if (facts.manual) return OperatorStateId::manual;
   if (facts.at_goal) return OperatorStateId::autonomy;
   if (facts.active) return facts.blocked ? OperatorStateId::blocked : OperatorStateId::shared;
   if (facts.holding) return OperatorStateId::hold;

@@ -16,8 +16,10 @@ enum class VelocityReference { command, odometry };
 enum class TieBreak { least_change, first };
 enum class Admissibility { braking, horizon };
 enum class MapGridDistance { geodesic, l1 };
-enum class OperatorMode { off, joystick };
-enum class LinearPolicy { v_max, axis };
+enum class OperatorMode { off, joystick, gesture, switching };
+enum class Guard { nearest, none };
+enum class LinearPolicy { v_max, axis, current };
+enum class HandAxis { x, y, z };
 enum class HoldLinear { operator_, robot };
 enum class OnInputLost { hold, stop, autonomy };
 

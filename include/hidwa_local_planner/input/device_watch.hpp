@@ -4,22 +4,19 @@
 #include <cstddef>
 #include <string>
 
-#include "hidwa_local_planner/input/stick_message.hpp"
-
 namespace hidwa_local_planner::input {
 
 /// Notices another device on the topic: another sender, or another number of axes or buttons.
 class DeviceWatch {
  public:
   /// True when this message comes from another device than the one before it.
-  bool changed(const StickMessage& message) {
-    watch_rivals(message.sender);
-    const bool same = !known_ || (message.sender == sender_ && message.axes.size() == axes_ &&
-                                  message.buttons.size() == buttons_);
+  bool changed(const std::string& sender, std::size_t axes, std::size_t buttons) {
+    watch_rivals(sender);
+    const bool same = !known_ || (sender == sender_ && axes == axes_ && buttons == buttons_);
     if (!known_ || !same) {
-      sender_ = message.sender;
-      axes_ = message.axes.size();
-      buttons_ = message.buttons.size();
+      sender_ = sender;
+      axes_ = axes;
+      buttons_ = buttons;
       known_ = true;
     }
     return !same;

@@ -18,6 +18,8 @@ class InputChannel {
   void accept(const Wish& wish, double received);
   /// Notices a loss up to `now` [s].
   void check(double now);
+  /// What steers is known to be gone, without waiting for silence to last.
+  void lose();
   /// The same reading means another wish: parameters changed.
   void remap(const Wish& wish);
   /// The input must be seen inactive once (again) before it counts.

@@ -8,14 +8,18 @@
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
-#include "hidwa_local_planner/input/backlog_gate.hpp"
 #include "hidwa_local_planner/input/blocked_watch.hpp"
-#include "hidwa_local_planner/input/device_watch.hpp"
+#include "hidwa_local_planner/input/control_switch.hpp"
+#include "hidwa_local_planner/input/gesture_source.hpp"
 #include "hidwa_local_planner/input/hold.hpp"
 #include "hidwa_local_planner/input/input_channel.hpp"
 #include "hidwa_local_planner/input/input_rhythm.hpp"
+#include "hidwa_local_planner/input/message_stream.hpp"
 #include "hidwa_local_planner/input/stick_message.hpp"
 #include "hidwa_local_planner/input/stick_source.hpp"
+#include "hidwa_local_planner/input/stop_request.hpp"
+#include "hidwa_local_planner/input/transition.hpp"
+#include "hidwa_local_planner/input/twist_source.hpp"
 
 namespace hidwa_local_planner::input {
 
@@ -28,14 +32,15 @@ struct CycleFeedback {
   Twist2 velocity;  // measured [m/s, rad/s]
 };
 
-/// Turns a person's messages into states and intents (AUTONOMY, SHARED, HOLD, LOST, BLOCKED; MANUAL and
-/// STOPPED have their place). Knows no clock and no message type: time is always an argument [s]. Not
-/// thread-safe.
+/// Turns a person's messages into states and intents. Knows no clock and no message type: time is always an
+/// argument [s]. Not thread-safe.
 ///
-/// The way of a message: source (read_stick, wish_of) -> device and backlog checks -> InputChannel. The way
-/// of a cycle: facts -> next_state -> intent. States change in update() only, so state() is that of the cycle
-/// just run, and only input that a cycle has seen can be released: what comes and goes between two cycles has
-/// no effect.
+/// The way of a message: its stream (another device, held back) -> its source, which makes a wish of it ->
+/// InputChannel. One stream steers: the stick, or where there is a twist_topic the Twist, or in mode gesture
+/// the hand. The stick's buttons count beside it.
+/// The way of a cycle: facts -> next_state -> intent. States change in update() only, so state() is that of
+/// the cycle just run, and only input that a cycle has seen can be released: what comes and goes between two
+/// cycles has no effect.
 class OperatorStateMachine {
  public:
   OperatorStateMachine();
@@ -44,8 +49,14 @@ class OperatorStateMachine {
   /// axes or another enable button the stick must be seen centred. Everything else takes effect with the next
   /// update(), without an interruption.
   void configure(const Parameters& parameters);
-  /// A message arrived. Returns the fault in words when it was dropped, empty when it was taken.
+  /// A message arrived. Returns the fault in words when it was dropped, empty when it was taken or when
+  /// nobody listens to its kind.
   std::string receive(const StickMessage& message);
+  std::string receive(const TwistMessage& message);
+  std::string receive(const HandMessage& message);
+  /// In words instead of by a button: hand control over (mode switching), or stop for as long as it is true.
+  void take_control(bool manual);
+  void stop(bool stop) { stop_.say(stop); }
   /// What the person wants now. Call once a cycle, before plan(). A `now` that jumps back resets.
   OperatorIntent update(double now);
   /// What became of it. Call once a cycle, after plan().
@@ -58,28 +69,44 @@ class OperatorStateMachine {
   void reset();
 
   OperatorStateId state() const { return state_; }
+  /// SW: the person has taken control and has not given it back, whatever the state: a loss or a stop may be
+  /// on top of it.
+  bool manual() const { return parameters_.mode == OperatorMode::switching && control_.manual(); }
   double input_age(double now) const;                 // [s]; negative when none was accepted yet
   std::uint32_t dropped() const { return dropped_; }  // messages dropped since the start
   /// A sentence with the remedy where something about the input needs attention; empty where nothing does.
   std::string advice() const;
 
  private:
+  bool steered_by_stick() const;
+  bool cycles_run() const;
+  std::string begin(double stamp, double received);
+  std::string admit(MessageStream& stream, const Envelope& envelope);
+  void read_buttons();
+  void feed(const Wish& wish);
   std::string drop(const std::string& fault);
   void new_device();
+  void watch_clutch();
   void begin_hold();
+  Wish present_wish() const;
+  Facts facts() const;
   OperatorIntent intent(double now) const;
 
   Parameters parameters_;
-  StickReading reading_;
-  DeviceWatch device_;
-  BacklogGate backlog_;
-  InputChannel channel_;
-  InputRhythm rhythm_;
+  MessageStream sticks_, twists_, hands_;
+  StickReading reading_;      // of the newest stick message
+  TwistMessage twist_;        // the newest
+  GestureSource gesture_;
+  StopRequest stop_;
+  ControlSwitch control_;
+  InputChannel channel_;      // of what steers
+  InputRhythm rhythm_;        // of what steers
   Hold hold_;
   BlockedWatch blocked_;
   OperatorStateId state_ = OperatorStateId::autonomy;
   bool goal_latched_ = false;
   bool commanded_ = false;                                      // a command is known
+  double stick_time_ = -std::numeric_limits<double>::infinity();  // of the newest stick message [s]
   double own_v_ = 0.0;                                          // the robot's: what was commanded last [m/s]
   double now_ = -std::numeric_limits<double>::infinity();       // newest time of a cycle [s]
   double received_ = -std::numeric_limits<double>::infinity();  // newest time of a message [s]

@@ -9,22 +9,37 @@
 
 namespace hidwa_local_planner::input {
 
-/// Where a stick stands, in the planner's directions.
+/// Where a stick stands, in the planner's directions, and which of its buttons are held. A button that is not
+/// configured is not held.
 struct StickReading {
   float angular = 0.0F;  // left positive, about [-1, 1]
   float linear = 0.0F;   // forward positive, about [-1, 1]; 0 where the device does not have the axis
-  bool enabled = false;  // the enable button is held; false where none is configured
+  bool enabled = false;  // enable_button
+  bool stop = false;     // stop_button
+  bool toggle = false;   // toggle_button
+  bool clutch = false;   // clutch_button, or clutch_axis beyond its threshold
 };
 
-/// Reads a message by the parameters axis_*, enable_button and linear. Returns the fault in words, naming the
+/// Reads a message by the parameters axis_*, *_button and clutch_*. Returns the fault in words, naming the
 /// remedy, and leaves `reading` alone when the message cannot be used: a value that is not a number anywhere
-/// in it, an axis or button that is needed and that it does not have, or one out of range. The linear axis is
-/// needed with `linear: axis`.
+/// in it, an axis or button that the mode needs and that it does not have, or one out of range. The linear
+/// axis is needed with `linear: axis` and in mode `switching`. Where a Twist or a hand steers, no axis of the
+/// stick is needed, but its buttons are.
 std::string read_stick(const StickMessage& message, const Parameters& parameters, StickReading& reading);
 
-/// What a reading asks for (Kalliokoski 2022, section IV-A, SJ): u_h = (max_vel_x, map(angular)), or with
-/// `linear: axis` (map(linear), map(angular)). Active while the mapped command is not zero; where there is an
-/// enable button, while that is held: a centred stick then means straight on.
+/// What a reading asks for (Kalliokoski 2022, section IV-A): in SJ u_h = (max_vel_x, map(angular)), or with
+/// `linear: axis`, as in SW, (map(linear), map(angular)). Active while the mapped command is not zero; where
+/// there is an enable button, while that is held: a centred stick then means straight on.
 Wish wish_of(const StickReading& reading, const Parameters& parameters);
+
+/// The same map for any two deflections, left and forward positive, beyond [-1, 1] clipped. With
+/// `linear: current` the v of u_h is left at 0 for the robot's own.
+Wish wish_of_deflection(float angular, float linear, const Parameters& parameters);
+
+/// Whether a Twist takes the stick's place.
+bool steered_by_twist(const Parameters& parameters);
+
+/// Whether pulling the stick back stops: in SJ and SG, unless it asks for reverse.
+bool pull_stops(const Parameters& parameters);
 
 }  // namespace hidwa_local_planner::input

@@ -8,6 +8,8 @@ namespace hidwa_local_planner::input {
 /// All that the next state depends on, besides the present one.
 struct Facts {
   bool enabled = false;  // the mode is not off
+  bool stop = false;     // the person wants the robot to stop
+  bool manual = false;   // SW: the person has taken control
   bool lost = false;     // active input fell silent and has not come back
   bool active = false;   // the person gives input, and it counts
   bool blocked = false;  // refusals have held the steered robot at rest for long
@@ -16,7 +18,8 @@ struct Facts {
 };
 
 /// The state machine proper: a pure function. Rules in the order of their rank, the first that applies
-/// decides: off, (stopped,) lost, (manual,) steering, holding, autonomy.
+/// decides: off, stopped, lost, manual, steering, holding, autonomy. Stopping outranks a loss: a robot that was
+/// told to stop stays so until it is told otherwise.
 OperatorStateId next_state(OperatorStateId present, const Facts& facts);
 
 /// The person is bending the motion: SHARED or BLOCKED.

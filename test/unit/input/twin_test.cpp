@@ -27,6 +27,7 @@ class Story {
     p.require_neutral = chance(0.7);
     p.hold_ends_when_refused = chance(0.7);
     p.operator_in_goal_window = chance(0.2);
+    p.stop_pull = 0.0;
     return p;
   }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "hidwa_local_planner/input/backlog_gate.hpp"
+#include "hidwa_local_planner/input/device_watch.hpp"
+
+namespace hidwa_local_planner::input {
+
+/// What every message has, whatever it says.
+struct Envelope {
+  std::string sender;       // empty where not known
+  std::size_t axes = 0;     // so many of them, where there are any
+  std::size_t buttons = 0;
+  double stamp = 0.0;       // [s]; 0: none
+  double received = 0.0;    // [s]
+};
+
+/// One topic's messages: who sends them, and whether the link held them back.
+class MessageStream {
+ public:
+  enum class Verdict {
+    live,
+    late,        // held back: to be dropped
+    new_device,  // live, and the first of another device
+    new_clock    // live, and the first since a clock was set
+  };
+
+  /// Judges a message; received never decreasing; timeout 0: none is too late [s].
+  Verdict judge(const Envelope& envelope, double timeout);
+  /// By how much the last message was later than the link needs at best [s].
+  double excess() const { return backlog_.excess(); }
+  /// Two nodes that take turns, in words, with the remedy; empty where there is one.
+  std::string advice(const std::string& topic) const;
+  void forget_lag() { backlog_.reset(); }
+  void reset();
+
+ private:
+  DeviceWatch device_;
+  BacklogGate backlog_;
+};
+
+}  // namespace hidwa_local_planner::input
