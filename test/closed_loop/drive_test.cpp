@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "closed_loop/drive.hpp"
+#include "hidwa_local_planner/drive/drive.hpp"
+#include "hidwa_local_planner/drive/outline.hpp"
 #include "hidwa_local_planner/sim/avoiding_operator.hpp"
 #include "hidwa_local_planner/sim/scripted_operator.hpp"
 
@@ -17,16 +18,23 @@ namespace {
 const sim::Polygon kOctagon{{0.277, 0.115},   {0.115, 0.277},   {-0.115, 0.277}, {-0.277, 0.115},
                             {-0.277, -0.115}, {-0.115, -0.277}, {0.115, -0.277}, {0.277, -0.115}};
 
+using drive::DriveResult;
+using drive::DriveSample;
+using drive::DriveSetup;
+
 DriveSetup office() {
   const std::string folder = HIDWA_MAPS;
   DriveSetup setup;
-  setup.map = std::make_shared<sim::OccupancyMap>(sim::load_map(folder + "/office.yaml"));
+  setup.ground = std::make_shared<drive::Ground>(
+      std::make_shared<sim::OccupancyMap>(sim::load_map(folder + "/office.yaml")));
   const sim::RegionsFile regions = sim::load_regions(folder + "/office_regions.yaml");
   setup.regions = regions.regions;
   setup.start = *regions.start;
   setup.goal = *regions.goal;
   setup.footprint = kOctagon;
-  setup.robot_radius = 0.30;
+  setup.outline = drive::circle_outline(0.30, 0.01);
+  setup.limits.latency = 0.05;
+  setup.laser.noise = 0.01;
   return setup;
 }
 
@@ -43,7 +51,7 @@ void expect_feasible(const DriveResult& result, const Parameters& p) {
 
 TEST(ClosedLoop, AutonomyArrivesAndCannotSeeRegions) {
   const DriveSetup setup = office();
-  const DriveResult result = drive(setup);
+  const DriveResult result = drive::drive(setup);
   EXPECT_TRUE(result.arrived);
   EXPECT_EQ(result.contacts, 0);
   EXPECT_GE(result.regions_crossed, 1);
@@ -55,8 +63,8 @@ TEST(ClosedLoop, AutonomyArrivesAndCannotSeeRegions) {
 
 TEST(ClosedLoop, AutonomyArrivesWithThePolygonToo) {
   DriveSetup setup = office();
-  setup.robot_radius = 0.0;
-  const DriveResult result = drive(setup);
+  setup.outline = drive::padded_outline(kOctagon, 0.01);
+  const DriveResult result = drive::drive(setup);
   EXPECT_TRUE(result.arrived);
   EXPECT_EQ(result.contacts, 0);
 }
@@ -75,9 +83,23 @@ TEST(ClosedLoop, PaperProfileArrives) {
   p.forward_prune_auto = false;
   p.forward_prune_distance = 1.0;
   p.trans_stopped_velocity = p.rot_stopped_velocity = 0.25;
-  const DriveResult result = drive(setup);
+  const DriveResult result = drive::drive(setup);
   EXPECT_TRUE(result.arrived);
   EXPECT_EQ(result.contacts, 0);
+}
+
+// Somebody who knows of the regions keeps the robot out of them; it cannot see them itself.
+TEST(ClosedLoop, APersonKeepsItOutOfTheRegions) {
+  DriveSetup setup = office();
+  setup.person = std::make_shared<sim::AvoidingOperator>(sim::OperatorTraits(), sim::RobotHabits(), *setup.ground->map(),
+                                                         setup.regions, 1);
+  const DriveResult result = drive::drive(setup);
+  EXPECT_TRUE(result.arrived);
+  EXPECT_EQ(result.contacts, 0);
+  EXPECT_EQ(result.regions_crossed, 0);
+  EXPECT_GE(result.interventions, 3);
+  EXPECT_GT(result.operator_active, 1.0);
+  EXPECT_GT(result.agreement, 0.5);
 }
 
 // Full deflection to either side, again and again, all the way: the robot turns where it can and touches nothing.
@@ -93,7 +115,7 @@ TEST(ClosedLoop, NothingThePersonDoesSteersItIntoAnything) {
       script.push_back(entry);
     }
     setup.person = std::make_shared<sim::ScriptedOperator>(script);
-    const DriveResult result = drive(setup);
+    const DriveResult result = drive::drive(setup);
     EXPECT_TRUE(result.arrived) << side;
     EXPECT_EQ(result.contacts, 0) << side;
     expect_feasible(result, setup.parameters);

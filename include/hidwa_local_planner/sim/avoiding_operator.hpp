@@ -32,9 +32,7 @@ class AvoidingOperator : public Operator {
   AvoidingOperator(const OperatorTraits& traits, const RobotHabits& habits, const OccupancyMap& map,
                    const std::vector<Region>& regions, std::uint64_t seed);
 
-  /// The robot's global plan, map frame.
-  void set_plan(const Route& plan);
-
+  void set_plan(const Route& plan) override;
   Stick update(const Observation& observation) override;
 
  private:

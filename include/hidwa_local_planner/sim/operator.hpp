@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "hidwa_local_planner/sim/grid_route.hpp"
 #include "hidwa_local_planner/sim/polygon.hpp"
 
 namespace hidwa_local_planner {
@@ -27,6 +28,9 @@ class Operator {
 
   /// Where the stick stands now; to be asked with times that do not fall.
   virtual Stick update(const Observation& observation) = 0;
+
+  /// The robot's global plan, map frame, whenever there is a new one.
+  virtual void set_plan(const Route& /*plan*/) {}
 };
 
 /// Leaves the stick alone.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "hidwa_local_planner/sim/distance_field.hpp"
+#include "hidwa_local_planner/sim/grid_route.hpp"
+#include "hidwa_local_planner/sim/occupancy_map.hpp"
+#include "hidwa_local_planner/sim/polygon.hpp"
+#include "hidwa_local_planner/sim/ray_caster.hpp"
+
+namespace hidwa_local_planner {
+namespace drive {
+
+/// A map and what is worked out of it once for all drives on it. Drives in several threads may share it.
+class Ground {
+ public:
+  explicit Ground(std::shared_ptr<const sim::OccupancyMap> map);
+
+  const std::shared_ptr<const sim::OccupancyMap>& map() const { return map_; }
+  const sim::RayCaster& caster() const { return caster_; }
+
+  /// Free space between a robot's outline (robot frame) at `pose` (map frame) and the nearest occupied cell
+  /// [m]: exact below `at_most` [m], else `at_most`; 0 where they overlap.
+  double clearance(const sim::Polygon& outline, const sim::Pose& pose, double at_most) const;
+
+ private:
+  std::shared_ptr<const sim::OccupancyMap> map_;
+  sim::RayCaster caster_;
+  sim::DistanceField distance_;
+};
+
+/// The clearance by which a navfn plans on a costmap with this inflation.
+/// `inscribed_radius` [m], `cost_scaling_factor` [1/m].
+sim::RouteClearance navfn_clearance(double inscribed_radius, double cost_scaling_factor);
+
+}  // namespace drive
+}  // namespace hidwa_local_planner

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/drive/ground.hpp"
+#include "hidwa_local_planner/drive/local_costmap.hpp"
+#include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "hidwa_local_planner/sim/grid_route.hpp"
+#include "hidwa_local_planner/sim/laser.hpp"
+#include "hidwa_local_planner/sim/odometry.hpp"
+#include "hidwa_local_planner/sim/operator.hpp"
+#include "hidwa_local_planner/sim/polygon.hpp"
+#include "hidwa_local_planner/sim/regions.hpp"
+
+namespace hidwa_local_planner {
+namespace drive {
+
+/// How often things happen; each is rounded to whole steps of 10 ms.
+struct Rates {
+  double control = 20.0;       // [Hz]
+  double scan = 20.0;          // [Hz]
+  double costmap = 10.0;       // [Hz]
+  double plan = 1.0;           // [Hz], of the global plan
+  double stick = 20.0;         // [Hz]
+  double costmap_phase = 0.0;  // [s], how much later than the first control cycle the costmap is updated
+};
+
+/// All that a drive depends on: equal setups give equal drives, but for the computing time.
+struct DriveSetup {
+  std::shared_ptr<const Ground> ground;
+  std::shared_ptr<const sim::GridRoute> route;  // to the goal; null: made for this drive
+  std::vector<sim::Region> regions;             // to avoid, seen by no sensor
+  sim::Pose start;                              // map frame
+  sim::Pose goal;                               // map frame
+
+  sim::Polygon footprint;   // [m], of the robot itself
+  Polygon outline;          // [m], what costmap and planner take it for, see outline.hpp
+  sim::DriveLimits limits;  // of the robot itself, with its latency
+  sim::OdometryNoise odometry_noise;
+  sim::LaserSpec laser;
+  sim::Pose laser_pose{0.10, 0.0, 0.0};  // robot frame
+
+  CostmapSettings costmap;
+  Parameters parameters;
+  std::shared_ptr<sim::Operator> person;  // null: nobody
+  Rates rates;
+
+  std::uint64_t odometry_seed = 1;
+  std::uint64_t laser_seed = 2;
+  double patience = 15.0;     // [s], of cycles without a command before the goal is given up
+  double time_limit = 600.0;  // [s]
+  bool keep_samples = true;
+};
+
+}  // namespace drive
+}  // namespace hidwa_local_planner
