@@ -18,6 +18,10 @@ void register_naive_cycles(const Effort& effort);
 /// rollout, and admissibility the classes.
 void register_parts(const Effort& effort);
 
+/// drive/office/alone|steered: whole drives through the office and back, without and with a person. The
+/// counter times_real_time is the simulated time over that by the wall clock.
+void register_drives(const Effort& effort);
+
 /// calibration/pose/<candidates>: the least that a pose can cost.
 void register_calibration(const Effort& effort);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// hidwa_benchmark: how long a cycle takes, by the candidate, the map, the robot and the room it has. Google
-// Benchmark's options, and --quick for a tenth of the cycles. scripts/bench runs it and reads its output.
+// hidwa_benchmark: how long a cycle takes, by the candidate, the map, the robot and the room it has, and how
+// much faster than real time whole drives run. Google Benchmark's options, and --quick for a tenth of the cycles. scripts/bench runs it and reads its output.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   hidwa_local_planner::test::register_naive_cycles(naive_cycles);
   hidwa_local_planner::test::register_parts(cycles);
   hidwa_local_planner::test::register_calibration(cycles);
+  hidwa_local_planner::test::register_drives(cycles);
   if (benchmark::RunSpecifiedBenchmarks() == 0) return 1;  // nothing is named so
   return 0;
 }

@@ -73,6 +73,14 @@ class Bounds(unittest.TestCase):
         self.assertTrue(lines({OURS: case()}, 'allocations')[0].startswith('met'))
         self.assertEqual(lines({'naive_' + OURS: case(allocations=900.0)}), [])
 
+    def test_drives(self):
+        def drive(times, cpu):
+            return {'drive/office/alone': {'times_real_time': times, 'times_real_time_cpu': cpu}}
+        self.assertEqual(lines(drive(50.0, 60.0)), ['met     drive/office/alone: 50 times real time, at least 50'])
+        self.assertEqual(lines(drive(40.4, 45.0)), ['MISSED  drive/office/alone: 40 times real time, at least 50'])
+        self.assertEqual(lines(drive(40.4, 55.0)), ['MISSED  drive/office/alone: 40 times real time, at least 50; 55 times by '
+                                                    'its own time, the machine was busy'])
+
     def test_what_did_not_run_is_not_judged(self):
         self.assertEqual(judge({OURS: {'error_message': 'cannot read worlds.txt'}}), [])
 
@@ -114,6 +122,11 @@ class Output(unittest.TestCase):
         self.assertEqual(ours.split(), [OURS, '800', '2000', '99.9', '120', '99.9', '120', '3.33', '0.0', '8.0'])
         self.assertEqual(naive.split()[-1], '0.0')  # no ratio of its own
         self.assertEqual(ours.index('99.9') + 4, heading.index('p50 us') + 6)  # numbers end where their heading does
+
+    def test_drives(self):
+        drive = {'times_real_time': 149.6, 'times_real_time_cpu': 155.0, 'planning': 0.62, 'driven_m': 151.4, 'simulated_s': 308.8}
+        said, _ = printed(bench.show_drives, {OURS: case(), 'drive/office/alone': drive})
+        self.assertEqual(said, 'drive/office/alone: 151 m in 309 s of simulated time, 150 times real time; 62% of it is planning\n')
 
     def test_faults(self):
         absent, broken = printed(bench.show_faults, {OURS: {'error_message': 'cannot read worlds.txt'}})

@@ -79,6 +79,14 @@ def table(cases, found):
                                for column, (text, width) in enumerate(zip(row, widths))).rstrip() for row in rows)
 
 
+def show_drives(cases):
+    """The drives, one a line."""
+    for name, case in cases.items():
+        if 'times_real_time' in case:
+            print(f"{name}: {case['driven_m']:.0f} m in {case['simulated_s']:.0f} s of simulated time, "
+                  f"{case['times_real_time']:.0f} times real time; {case['planning']:.0%} of it is planning")
+
+
 def read_ratios():
     """What was recorded; nothing where nothing was."""
     try:
@@ -136,7 +144,8 @@ def parse(arguments):
         'straightforward cycle that chooses the same (naive_cycle), and which bounds are met.',
         epilog='cases: cycle/CANDIDATES/CELLS/circle|polygon/open|tight, cycle_cached/... (one situation again and again),\n'
         'naive_cycle/..., part/sampling|rollout|obstacles|classes|admissibility|geodesic|l1/... (parts of those cycles; classes\n'
-        'and admissibility include the rollout), calibration/pose/CANDIDATES (the least a pose can cost).\n'
+        'and admissibility include the rollout), calibration/pose/CANDIDATES (the least a pose can cost), and whole drives in\n'
+        'simulated time: drive/office/alone|steered.\n'
         'p50 and p99 are of single cycles by the wall clock; "cpu" are the same by the thread\'s own time, which others on\n'
         'the machine do not lengthen: by it ns/pose and ratios are made. A missed bound does not change the exit status.\n'
         'exit status: 0 everything ran; 2 something did not\n'
@@ -165,6 +174,7 @@ def main(arguments=None):
         return 2
     found = ratios(cases)
     print(table(cases, found))
+    show_drives(cases)
     broken = show_faults(cases)
     show_bounds(cases)
     show_ratios(found)

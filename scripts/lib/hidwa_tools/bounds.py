@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a cycle may cost, and which measured cases keep to it."""
+"""What a cycle and a drive may cost, and which measured cases keep to it."""
 import re
 from dataclasses import dataclass
 
@@ -12,6 +12,7 @@ TIMES = (
 )
 GROWTH = 1.25       # of a pose's time from 2,000 to 100,000 candidates
 CALIBRATIONS = 3.0  # the most that a pose may cost, in calibrations
+REAL_TIME = 50.0    # how many times faster than real time a whole drive runs, at least
 
 
 @dataclass
@@ -69,6 +70,19 @@ def judge_allocations(cases):
     return [Verdict(f'allocations a cycle: {measured[worst]:.1f} in {worst}, at most 0', measured[worst] == 0.0)]
 
 
+def judge_drives(cases):
+    """Whole drives by the wall clock."""
+    verdicts = []
+    for name, case in cases.items():
+        if not name.startswith('drive/') or 'times_real_time' not in case:
+            continue
+        times, cpu = case['times_real_time'], case['times_real_time_cpu']
+        busy = times < REAL_TIME <= cpu
+        verdicts.append(Verdict(f'{name}: {times:.0f} times real time, at least {REAL_TIME:.0f}', times >= REAL_TIME,
+                                f'; {cpu:.0f} times by its own time, the machine was busy' if busy else ''))
+    return verdicts
+
+
 def judge(cases):
     """Every bound on every case that was measured."""
-    return judge_times(cases) + judge_kernel(cases) + judge_allocations(cases)
+    return judge_times(cases) + judge_kernel(cases) + judge_allocations(cases) + judge_drives(cases)
