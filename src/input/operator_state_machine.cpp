@@ -16,6 +16,10 @@ constexpr double kClockJitter = 0.2;  // [s]
 // Longer without a cycle, and nobody drives: a press of the button would hand over what nobody sees.
 constexpr double kDriving = 1.0;  // [s]
 
+// What follows the end of a silence at once may be what a link held back meanwhile: a press of a button in it
+// is an old one. The message that ends the silence is none of these: a stick may send only changes.
+constexpr double kCatchingUp = 0.2;  // [s]
+
 bool same_mapping(const Parameters& a, const Parameters& b) {
   return a.axis_angular == b.axis_angular && a.axis_linear == b.axis_linear &&
          a.axis_angular_sign == b.axis_angular_sign && a.axis_linear_sign == b.axis_linear_sign &&
@@ -82,17 +86,17 @@ std::string OperatorStateMachine::receive(const StickMessage& message) {
   std::string fault = begin(message.stamp, message.received);
   StickReading reading;
   if (fault.empty()) fault = read_stick(message, parameters_, reading);
-  if (!fault.empty()) return drop(fault);
+  if (!fault.empty()) return drop(fault, stick_fault_);
   Envelope envelope = envelope_of(message, received_);
   envelope.axes = message.axes.size();
   envelope.buttons = message.buttons.size();
   fault = admit(sticks_, envelope);
-  if (!fault.empty()) return drop(fault);
+  if (!fault.empty()) return drop(fault, stick_fault_);
   reading_ = reading;
-  stick_time_ = received_;
+  hear_stick();
   read_buttons();
   if (steered_by_stick()) feed(wish_of(reading_, parameters_));
-  fault_.clear();
+  stick_fault_.clear();
   return {};
 }
 
@@ -101,10 +105,10 @@ std::string OperatorStateMachine::receive(const TwistMessage& message) {
   std::string fault = begin(message.stamp, message.received);
   if (fault.empty()) fault = fault_of(message);
   if (fault.empty()) fault = admit(twists_, envelope_of(message, received_));
-  if (!fault.empty()) return drop(fault);
+  if (!fault.empty()) return drop(fault, twist_fault_);
   twist_ = message;
   feed(wish_of(twist_, parameters_));
-  fault_.clear();
+  twist_fault_.clear();
   return {};
 }
 
@@ -112,33 +116,37 @@ std::string OperatorStateMachine::receive(const HandMessage& message) {
   if (parameters_.mode != OperatorMode::gesture) return {};
   std::string fault = begin(message.stamp, message.received);
   if (fault.empty()) fault = admit(hands_, envelope_of(message, received_));
-  if (!fault.empty()) return drop(fault);
+  if (!fault.empty()) return drop(fault, hand_fault_);
+  watch_hand(received_);
   fault = gesture_.take(message, parameters_);
   if (!fault.empty()) {
     channel_.lose();
-    return drop(fault);
+    return drop(fault, hand_fault_);
   }
+  hand_time_ = received_;
   // A clutch that is still held after a loss says nothing: the loss lasts until it is let go.
   if (!gesture_.waits_for_release()) feed(gesture_.wish(parameters_));
-  fault_.clear();
+  hand_fault_.clear();
   return {};
 }
 
 void OperatorStateMachine::take_control(bool manual) {
-  if (parameters_.mode == OperatorMode::switching && cycles_run()) control_.say(manual);
+  if (parameters_.mode == OperatorMode::switching) said_control_ = manual;
 }
 
 OperatorIntent OperatorStateMachine::update(double now) {
-  const bool before_message = channel_.heard() && now < channel_.time() - kClockJitter;
-  if (now < now_ - kClockJitter || before_message) reset();
+  if (now < std::max(now_, received_) - kClockJitter) reset();
+  if (said_control_ && now - now_ < kDriving) control_.say(*said_control_);
+  said_control_.reset();
   now_ = std::max(now_, now);
   channel_.check(now_);
   rhythm_.check(now_, parameters_.input_timeout);
-  watch_clutch();
+  watch_hand(now_);
   if (is_steering(state_) && !channel_.active()) begin_hold();
   const Facts present = facts();
   state_ = next_state(state_, present);
-  const bool in_command = is_steering(state_) || state_ == OperatorStateId::stopped || state_ == OperatorStateId::manual;
+  const bool in_command =
+      is_steering(state_) || state_ == OperatorStateId::stopped || state_ == OperatorStateId::manual;
   if (in_command || present.at_goal) hold_.end();
   if (!is_steering(state_)) blocked_.reset();
   return intent(now_);
@@ -175,8 +183,12 @@ void OperatorStateMachine::reset() {
   goal_latched_ = false;
   commanded_ = false;
   own_v_ = 0.0;
-  now_ = received_ = stick_time_ = -std::numeric_limits<double>::infinity();
-  fault_.clear();
+  said_control_.reset();
+  now_ = received_ = -std::numeric_limits<double>::infinity();
+  stick_time_ = stick_back_ = hand_time_ = -std::numeric_limits<double>::infinity();
+  stick_fault_.clear();
+  twist_fault_.clear();
+  hand_fault_.clear();
 }
 
 double OperatorStateMachine::input_age(double now) const {
@@ -185,11 +197,13 @@ double OperatorStateMachine::input_age(double now) const {
 
 std::string OperatorStateMachine::advice() const {
   std::string text;
-  if (!fault_.empty()) text = "The last message was dropped: " + fault_ + ".";
   const auto add = [&text](const std::string& sentence) {
     if (!text.empty() && !sentence.empty()) text += ' ';
     text += sentence;
   };
+  for (const std::string* fault : {&stick_fault_, &twist_fault_, &hand_fault_}) {
+    if (!fault->empty()) add("The last message was dropped: " + *fault + ".");
+  }
   add(rhythm_.advice(parameters_.input_timeout));
   add(sticks_.advice("joy_topic"));
   add(twists_.advice("twist_topic"));
@@ -230,9 +244,17 @@ std::string OperatorStateMachine::admit(MessageStream& stream, const Envelope& e
   return {};
 }
 
+void OperatorStateMachine::hear_stick() {
+  const double timeout = parameters_.input_timeout;
+  const bool back = timeout > 0.0 && received_ - stick_time_ > timeout;
+  if (back) stick_back_ = received_;
+  catching_up_ = timeout > 0.0 && !back && received_ - stick_back_ < kCatchingUp;
+  stick_time_ = received_;
+}
+
 void OperatorStateMachine::read_buttons() {
   stop_.take(reading_, parameters_);
-  if (parameters_.mode == OperatorMode::switching) control_.take(reading_.toggle, cycles_run());
+  if (parameters_.mode == OperatorMode::switching) control_.take(reading_.toggle, cycles_run() && !catching_up_);
   if (parameters_.mode != OperatorMode::gesture) return;
   gesture_.set_clutch(reading_.clutch);
   // A release is heard at once, not with the hand's next pose.
@@ -244,10 +266,10 @@ void OperatorStateMachine::feed(const Wish& wish) {
   rhythm_.heard(received_, wish.active, parameters_.input_timeout);
 }
 
-std::string OperatorStateMachine::drop(const std::string& fault) {
+std::string OperatorStateMachine::drop(const std::string& fault, std::string& last_fault) {
   ++dropped_;
-  fault_ = fault;
-  return fault_;
+  last_fault = fault;
+  return fault;
 }
 
 void OperatorStateMachine::new_device() {
@@ -259,10 +281,15 @@ void OperatorStateMachine::new_device() {
 }
 
 // Poses may go on without the stick whose button is the clutch. And where poses fell silent, the origin is old.
-void OperatorStateMachine::watch_clutch() {
+void OperatorStateMachine::watch_hand(double now) {
   if (parameters_.mode != OperatorMode::gesture || !gesture_.clutch()) return;
   const double timeout = parameters_.input_timeout;
-  if (timeout > 0.0 && now_ - stick_time_ > timeout) channel_.lose();
+  const bool no_clutch = now - stick_time_ > timeout;
+  const bool no_hand = gesture_.engaged() && now - hand_time_ > timeout;
+  if (timeout > 0.0 && (no_clutch || no_hand)) {
+    channel_.lose();
+    gesture_.lose();
+  }
   if (channel_.lost()) gesture_.lose();
 }
 

@@ -72,7 +72,9 @@ std::string check(const StickMessage& message, const Parameters& parameters) {
       by_stick && (parameters.linear == LinearPolicy::axis || parameters.mode == OperatorMode::switching);
   std::string fault = check_numbers(message);
   if (fault.empty() && by_stick) fault = check_axis(message, "axis_angular", parameters.axis_angular);
-  if (fault.empty() && needs_linear) fault = check_axis(message, "axis_linear", parameters.axis_linear);
+  const bool has_linear = static_cast<std::size_t>(parameters.axis_linear) < message.axes.size();
+  const bool reads_linear = needs_linear || (has_linear && pull_stops(parameters));
+  if (fault.empty() && reads_linear) fault = check_axis(message, "axis_linear", parameters.axis_linear);
   if (fault.empty() && by_stick) fault = check_button(message, "enable_button", parameters.enable_button);
   if (fault.empty()) fault = check_button(message, "stop_button", parameters.stop_button);
   if (fault.empty() && by_hand) fault = check_clutch(message, parameters);

@@ -6,8 +6,9 @@ namespace hidwa_local_planner::input {
 OperatorStateId next_state(OperatorStateId present, const Facts& facts) {
   if (!facts.enabled) return OperatorStateId::autonomy;
   if (facts.stop) return OperatorStateId::stopped;
-  // A loss matters where something was in effect; it lasts until the input comes back.
-  const bool can_lose = is_steering(present) || present == OperatorStateId::manual || present == OperatorStateId::lost;
+  // A loss matters where something was in effect; it lasts until the input comes back, a stop in between or not.
+  const bool can_lose = is_steering(present) || present == OperatorStateId::manual ||
+                        present == OperatorStateId::lost || present == OperatorStateId::stopped;
   if (facts.lost && can_lose) return OperatorStateId::lost;
   if (facts.manual) return OperatorStateId::manual;
   if (facts.at_goal) return OperatorStateId::autonomy;

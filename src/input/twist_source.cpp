@@ -14,7 +14,8 @@ Wish wish_of(const TwistMessage& message, const Parameters& parameters) {
   wish.active = !(message.u == Twist2{});
   wish.u_h = message.u;
   if (!wish.active) wish.u_h = {};
-  if (parameters.linear == LinearPolicy::current) wish.u_h.v = 0.0;
+  const bool shares = parameters.mode != OperatorMode::switching;
+  if (shares && parameters.linear == LinearPolicy::current) wish.u_h.v = 0.0;
   return wish;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "hidwa_local_planner/core/operator_intent.hpp"
@@ -55,6 +56,7 @@ class OperatorStateMachine {
   std::string receive(const TwistMessage& message);
   std::string receive(const HandMessage& message);
   /// In words instead of by a button: hand control over (mode switching), or stop for as long as it is true.
+  /// As with the button, control is handed over only while cycles run, and by the next of them.
   void take_control(bool manual);
   void stop(bool stop) { stop_.say(stop); }
   /// What the person wants now. Call once a cycle, before plan(). A `now` that jumps back resets.
@@ -82,11 +84,12 @@ class OperatorStateMachine {
   bool cycles_run() const;
   std::string begin(double stamp, double received);
   std::string admit(MessageStream& stream, const Envelope& envelope);
+  void hear_stick();
   void read_buttons();
   void feed(const Wish& wish);
-  std::string drop(const std::string& fault);
+  std::string drop(const std::string& fault, std::string& last_fault);
   void new_device();
-  void watch_clutch();
+  void watch_hand(double now);
   void begin_hold();
   Wish present_wish() const;
   Facts facts() const;
@@ -106,12 +109,16 @@ class OperatorStateMachine {
   OperatorStateId state_ = OperatorStateId::autonomy;
   bool goal_latched_ = false;
   bool commanded_ = false;                                      // a command is known
+  std::optional<bool> said_control_;  // in words, since the last cycle
   double stick_time_ = -std::numeric_limits<double>::infinity();  // of the newest stick message [s]
+  double stick_back_ = -std::numeric_limits<double>::infinity();  // of the one that ended its last silence [s]
+  bool catching_up_ = false;  // the newest stick message may have been held back
+  double hand_time_ = -std::numeric_limits<double>::infinity();   // of the newest hand message [s]
   double own_v_ = 0.0;                                          // the robot's: what was commanded last [m/s]
   double now_ = -std::numeric_limits<double>::infinity();       // newest time of a cycle [s]
   double received_ = -std::numeric_limits<double>::infinity();  // newest time of a message [s]
   std::uint32_t dropped_ = 0;
-  std::string fault_;  // of the last message; empty where it was taken
+  std::string stick_fault_, twist_fault_, hand_fault_;  // of the last one; empty where it was taken
 };
 
 }  // namespace hidwa_local_planner::input

@@ -23,8 +23,8 @@ struct StickReading {
 /// Reads a message by the parameters axis_*, *_button and clutch_*. Returns the fault in words, naming the
 /// remedy, and leaves `reading` alone when the message cannot be used: a value that is not a number anywhere
 /// in it, an axis or button that the mode needs and that it does not have, or one out of range. The linear
-/// axis is needed with `linear: axis` and in mode `switching`. Where a Twist or a hand steers, no axis of the
-/// stick is needed, but its buttons are.
+/// axis is needed with `linear: axis` and in mode `switching`; where pulling it back stops, it may be missing,
+/// but not out of range. Where a Twist or a hand steers, no axis of the stick is needed, but its buttons are.
 std::string read_stick(const StickMessage& message, const Parameters& parameters, StickReading& reading);
 
 /// What a reading asks for (Kalliokoski 2022, section IV-A): in SJ u_h = (max_vel_x, map(angular)), or with

@@ -15,8 +15,8 @@ class StopRequest {
  public:
   void take(const StickReading& reading, const Parameters& parameters);
   void say(bool stop) { said_ = stop; }
-  /// Another stick, or the same one after a start.
-  void demand_neutral() { armed_ = false; }
+  /// Another stick, or the same one read in another way. A stop by pulling goes on until it is seen otherwise.
+  void demand_neutral() { armed_ = pulled_; }
   void reset() { *this = StopRequest(); }
 
   bool requested() const { return button_ || pulled_ || said_; }

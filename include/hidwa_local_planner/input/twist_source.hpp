@@ -20,8 +20,8 @@ struct TwistMessage {
 /// The fault in words where the message cannot be used; empty where it can.
 std::string fault_of(const TwistMessage& message);
 
-/// The message itself is u_h, whatever the linear policy (but `current` takes the robot's own v). Active while
-/// it is not zero.
+/// The message itself is u_h, whatever the linear policy; but in shared control `current` leaves v to the
+/// robot's own. Active while it is not zero.
 Wish wish_of(const TwistMessage& message, const Parameters& parameters);
 
 }  // namespace hidwa_local_planner::input

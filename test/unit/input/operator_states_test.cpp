@@ -94,6 +94,24 @@ TEST(OperatorStates, HoldMayKeepTheRobotsVelocity) {
   expect_intent(person.cycle(1.2), State::hold, Influence::shared, 0.3, 0.0);  // at release, not now
 }
 
+TEST(OperatorStates, TheRobotsOwnSpeedWhereThatIsThePolicy) {
+  Parameters p;
+  p.linear = LinearPolicy::current;
+  Person person(p);
+  person.stick(1.0, 0.0F);
+  person.stick(1.05, 0.5F);
+  CycleFeedback feedback;
+  feedback.command = {0.2, 0.1};
+  expect_intent(person.cycle(1.05, feedback), State::shared, Influence::shared, 0.0, 0.25);  // no command yet
+  expect_intent(person.cycle(1.1, feedback), State::shared, Influence::shared, 0.2, 0.25);
+  feedback.command = {0.35, 0.2};
+  expect_intent(person.cycle(1.15, feedback), State::shared, Influence::shared, 0.2, 0.25);  // the last one's
+  person.stick(1.2, 0.0F);
+  feedback.command = {0.1, 0.0};
+  expect_intent(person.cycle(1.2, feedback), State::hold, Influence::shared, 0.35, 0.0);
+  expect_intent(person.cycle(1.25, feedback), State::hold, Influence::shared, 0.35, 0.0);  // at release, not now
+}
+
 TEST(OperatorStates, HoldEndsWhenItIsRefused) {
   Person person;
   person.steer(1.0);

@@ -17,6 +17,22 @@ inline StickMessage stick_at(double received, float angular, float linear = 0.0F
   return message;
 }
 
+/// A tracked hand, whose orientation is one.
+inline HandMessage hand_at(double received, double x, double y, double z) {
+  HandMessage message;
+  message.position = {x, y, z};
+  message.orientation = {0.1, 0.0, 0.0, 0.995};
+  message.received = received;
+  return message;
+}
+
+inline TwistMessage twist_at(double received, double v, double omega) {
+  TwistMessage message;
+  message.u = {v, omega};
+  message.received = received;
+  return message;
+}
+
 /// A person with a stick and the control loop, in one hand.
 struct Person {
   explicit Person(const Parameters& parameters = Parameters()) : p(parameters) { machine.configure(p); }
@@ -24,6 +40,14 @@ struct Person {
   std::string stick(double time, float angular, float linear = 0.0F) {
     return machine.receive(stick_at(time, angular, linear));
   }
+  /// The stick with one of its two buttons held.
+  std::string button(double time, std::size_t held, float angular = 0.0F, float linear = 0.0F) {
+    StickMessage message = stick_at(time, angular, linear);
+    message.buttons[held] = 1;
+    return machine.receive(message);
+  }
+  std::string twist(double time, double v, double omega) { return machine.receive(twist_at(time, v, omega)); }
+  std::string hand(double time, double y, double x = 1.0) { return machine.receive(hand_at(time, x, y, 1.0)); }
   OperatorIntent cycle(double time, const CycleFeedback& feedback = CycleFeedback()) {
     const OperatorIntent intent = machine.update(time);
     machine.debrief(time, feedback);

@@ -55,6 +55,46 @@ TEST(StickSource, LinearFromTheAxis) {
   EXPECT_FALSE(wish_from(message_of({0.1F, 0.1F}), p).active);
 }
 
+TEST(StickSource, SharedControlAtItsEdges) {
+  Parameters p;
+  p.max_vel_x = 0.7;
+  p.max_vel_theta = 1.5;
+  const auto wish = [&p](float angular) { return wish_from(message_of({angular, 0.0F}), p); };
+  for (const float none : {0.0F, 0.1F, -0.1F}) EXPECT_FALSE(wish(none).active) << none;
+  const float above = std::nextafter(0.1F, 1.0F);
+  EXPECT_NEAR(wish(above).u_h.omega, 0.015, 1e-8);  // 0.1^2 * 1.5
+  EXPECT_NEAR(wish(-above).u_h.omega, -0.015, 1e-8);
+  EXPECT_DOUBLE_EQ(wish(0.5F).u_h.omega, 0.375);  // 0.5^2 * 1.5
+  EXPECT_DOUBLE_EQ(wish(1.0F).u_h.omega, 1.5);    // 1^2 * 1.5
+  EXPECT_DOUBLE_EQ(wish(-1.0F).u_h.omega, -1.5);
+  for (const float any : {above, -above, 0.5F, -1.0F}) EXPECT_DOUBLE_EQ(wish(any).u_h.v, 0.7);  // v_max
+}
+
+// Whatever the linear policy: SW takes both axes.
+TEST(StickSource, SwitchingAtItsEdges) {
+  for (const LinearPolicy linear : {LinearPolicy::v_max, LinearPolicy::axis, LinearPolicy::current}) {
+    Parameters p;
+    p.mode = OperatorMode::switching;
+    p.linear = linear;
+    p.max_vel_x = 0.7;
+    p.max_vel_theta = 1.5;
+    const auto wish = [&p](float angular, float along) { return wish_from(message_of({angular, along}, {0}), p); };
+    const float above = std::nextafter(0.1F, 1.0F);
+    for (const float none : {0.0F, 0.1F, -0.1F}) {
+      EXPECT_FALSE(wish(none, none).active);
+      EXPECT_DOUBLE_EQ(wish(1.0F, none).u_h.v, 0.0);
+      EXPECT_DOUBLE_EQ(wish(none, 1.0F).u_h.omega, 0.0);
+    }
+    EXPECT_NEAR(wish(above, -above).u_h.omega, 0.015, 1e-8);  // 0.1^2 * 1.5
+    EXPECT_NEAR(wish(above, -above).u_h.v, -0.007, 1e-8);     // -(0.1^2) * 0.7
+    EXPECT_DOUBLE_EQ(wish(-0.5F, 0.5F).u_h.omega, -0.375);    // -(0.5^2) * 1.5
+    EXPECT_DOUBLE_EQ(wish(-0.5F, 0.5F).u_h.v, 0.175);         // 0.5^2 * 0.7
+    EXPECT_DOUBLE_EQ(wish(1.0F, -1.0F).u_h.omega, 1.5);
+    EXPECT_DOUBLE_EQ(wish(1.0F, -1.0F).u_h.v, -0.7);
+    EXPECT_TRUE(wish(0.0F, 1.0F).active);
+  }
+}
+
 TEST(StickSource, IndicesAndSigns) {
   Parameters p;
   p.linear = LinearPolicy::axis;
