@@ -148,8 +148,12 @@ bool AdmissibilityCheck::rollout_escapes(const Tile& tile, std::size_t c) const 
     if (now > before) return false;
     before = now;
   }
-  if (before < stance_.penetration) return true;
+  if (before < stance_.penetration || turns_out(tile, c)) return true;
   return checker_->clearance(tile.last_pose(c)) > stance_.clearance + kSameClearance;
+}
+
+bool AdmissibilityCheck::turns_out(const Tile& tile, std::size_t c) const {
+  return setup_.turn_out && tile.omega != 0.0 && tile.v[c] == 0.0 && setup_.reference.v == 0.0;
 }
 
 bool AdmissibilityCheck::can_brake(const Twist2& sample, std::size_t column) {

@@ -14,6 +14,7 @@
 #include "hidwa_local_planner/core/rollout.hpp"
 #include "hidwa_local_planner/core/samples.hpp"
 #include "hidwa_local_planner/core/velocity_limits.hpp"
+#include "hidwa_local_planner/core/way_out.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -32,6 +33,9 @@ constexpr double kAtRest = 1e-3;
 
 bool at_rest(const Twist2& u) { return std::abs(u.v) < kAtRest && std::abs(u.omega) < kAtRest; }
 
+// A turn on the spot below this share of the fastest creeps.
+constexpr double kCreeps = 0.25;
+
 // Beyond these a number is no measurement but a fault: no robot this planner serves is so fast or so far away.
 constexpr double kFastest = 20.0;         // [m/s]
 constexpr double kFastestTurn = 50.0;     // [rad/s]
@@ -40,25 +44,6 @@ constexpr double kFarthest = 1e6;         // [m, rad]
 bool plausible(const Twist2& u) { return std::abs(u.v) <= kFastest && std::abs(u.omega) <= kFastestTurn; }
 bool plausible(const Pose2& q) {
   return std::abs(q.x) <= kFarthest && std::abs(q.y) <= kFarthest && std::abs(q.theta) <= kFarthest;
-}
-
-// Off the plan's direction by less than this a robot faces it [rad].
-constexpr double kFacesPlan = 0.5;
-
-// How far along the plan its direction is taken [m]: beyond the cells around the robot, before the next corner.
-constexpr double kDirectionAhead = 0.5;
-
-// How far to turn to face the plan [rad]; left positive.
-double heading_off_plan(const Situation& situation) {
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < situation.plan.size(); ++i) {
-    if (distance(situation.plan[i], situation.pose) < distance(situation.plan[nearest], situation.pose)) nearest = i;
-  }
-  std::size_t ahead = nearest;
-  while (ahead + 1 < situation.plan.size() && distance(situation.plan[ahead], situation.pose) < kDirectionAhead) ++ahead;
-  const Pose2& target = situation.plan[ahead];
-  if (distance(target, situation.pose) < 1e-6) return 0.0;
-  return wrap_angle(std::atan2(target.y - situation.pose.y, target.x - situation.pose.x) - situation.pose.theta);
 }
 
 // Parameters of critics of other packages where nobody supplies any: the fallbacks.
@@ -118,10 +103,11 @@ struct Planner::Impl {
   double reach = 0.0;                     // of all rollouts and manoeuvres [m]
   std::vector<std::size_t> counts;        // of refusals, by refuser
   OperatorIntent intent;                  // of the last cycle
+  bool steered = false;                   // in this pass the deviation from `wish` counts
+  Twist2 wish;                            // u_h, or with authority below 1 what is blended of it and of autonomy
   Decision decision;
   Marked marked;
-  double rest_since = -1.0;               // [s]; negative while moving
-  bool turning_to_plan = false;           // stuck autonomy turns on the spot, see watch_rest()
+  WayOut way_out;
 
   const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
@@ -136,7 +122,6 @@ struct Planner::Impl {
   double deviation_of(const Twist2& sample) const;
   std::uint8_t not_a_number(std::size_t candidate) const;
   int choose(const Situation& situation);
-  int choose_turn(const Situation& situation);
   void watch_rest(const Situation& situation, bool autonomous);
   void describe(int best);
   void count_refusals();
@@ -147,6 +132,8 @@ struct Planner::Impl {
   void list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const;
   void clear_decision();
   const Decision& drive(const Situation& situation, const GridView& grid, const Sampling& sampling);
+  void aim(const Situation& situation, const GridView& grid, const Sampling& sampling);
+  CycleView weigh(const Situation& situation, const GridView& grid, const Sampling& sampling);
   void pass_through(const Situation& situation);
 };
 
@@ -203,18 +190,17 @@ void Planner::set_footprint(const Polygon& outline) {
 
 void Planner::reset() {
   for (NamedCritic& named : impl_->critics) named.critic->reset();
-  impl_->rest_since = -1.0;
-  impl_->turning_to_plan = false;
+  impl_->way_out.reset();
 }
 
 const Decision& Planner::plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
                               const Sampling& sampling) {
   impl_->begin(situation);
   impl_->intent = intent;
-  const char* fault = impl_->fault_of(situation, grid);
+  const char* fault = intent.influence != Influence::stop ? impl_->fault_of(situation, grid) : nullptr;
   if (fault != nullptr) {
     impl_->give_up(situation, fault);
-  } else if (intent.influence == Influence::stop) {
+  } else if (intent.influence == Influence::stop) {  // whatever is known of the world
     impl_->give_up(situation, "");
     impl_->decision.outcome = at_rest(impl_->decision.command) ? Outcome::hold : Outcome::brake;
   } else if (intent.influence == Influence::direct && !intent.guarded) {
@@ -222,8 +208,7 @@ const Decision& Planner::plan(const Situation& situation, const GridView& grid, 
   } else {
     return impl_->drive(situation, grid, sampling);
   }
-  impl_->rest_since = -1.0;  // autonomy did not choose to stand
-  impl_->turning_to_plan = false;
+  impl_->way_out.reset();  // autonomy did not choose to stand
   return impl_->decision;
 }
 
@@ -293,39 +278,19 @@ void Planner::Impl::pass_through(const Situation& situation) {
 }
 
 const Decision& Planner::Impl::drive(const Situation& situation, const GridView& grid, const Sampling& sampling) {
-  make_candidates(situation, sampling);
-  prepare_checks(situation, grid);
-  grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
-  grids.expect(situation.pose, reach + std::max(parameters.PathAlign_forward_point_distance,
-                                                parameters.GoalAlign_forward_point_distance));
-  CycleView cycle;
-  cycle.pose = situation.pose;
-  cycle.velocity = situation.velocity;
-  cycle.last_command = situation.last_command;
-  cycle.goal = situation.goal;
-  cycle.time = situation.time;
-  cycle.steered = intent.influence != Influence::none;
-  cycle.plan = &situation.plan;
-  cycle.grid = &grid;
-  cycle.footprint = &footprint;
-  cycle.grids = &grids;
-  if (!grids.on_map() && !cycle.steered) {
+  aim(situation, grid, sampling);
+  const CycleView cycle = weigh(situation, grid, sampling);
+  if (!grids.on_map() && !steered) {
     totals.clear();
     give_up(situation, "no pose of the plan lies on the local map");
     return decision;
   }
-  for (NamedCritic& named : critics) {
-    if (named.weight != 0.0) named.critic->prepare(cycle);
-  }
-  for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, rollout.tile(t));
-
-  const bool autonomous = intent.influence == Influence::none && !situation.goal_latched;
-  if (!autonomous) turning_to_plan = false;
-  int best = turning_to_plan ? choose_turn(situation) : -1;
-  if (best < 0) {
-    turning_to_plan = false;
-    best = choose(situation);
-  }
+  const bool autonomous = !steered && !situation.goal_latched;
+  if (!autonomous) way_out.reset();
+  const bool turning_out = way_out.active();
+  int best = way_out.choose({situation, grid, rollout, totals, collision, admissibility, grids});
+  // In a collision only the way out is worth turning for.
+  if (best < 0 && !(admissibility.escaping() && turning_out)) best = choose(situation);
   if (best < 0) {
     give_up(situation, "every candidate was refused");
   } else {
@@ -340,11 +305,52 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   return decision;
 }
 
+// What the deviation is measured from. With authority a the wish is u_ref = (1 - a) u_nv + a u_h, where u_nv is what
+// autonomy alone would choose: the reference is blended, never the weights, and u_ref itself is a candidate.
+void Planner::Impl::aim(const Situation& situation, const GridView& grid, const Sampling& sampling) {
+  const double a = intent.influence == Influence::shared ? parameters.authority : 1.0;
+  steered = intent.influence != Influence::none && a > 0.0;
+  wish = intent.u_h;
+  if (!steered || a >= 1.0) return;
+  steered = false;
+  weigh(situation, grid, sampling);
+  const int own = grids.on_map() ? choose(situation) : -1;
+  const Twist2 u_nv = own >= 0 ? sample_at(static_cast<std::size_t>(own)) : Twist2{};
+  wish = {u_nv.v + a * (intent.u_h.v - u_nv.v), u_nv.omega + a * (intent.u_h.omega - u_nv.omega)};
+  steered = true;
+}
+
+// Makes, checks and scores all candidates.
+CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid, const Sampling& sampling) {
+  make_candidates(situation, sampling);
+  prepare_checks(situation, grid);
+  grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
+  grids.expect(situation.pose, reach + std::max(parameters.PathAlign_forward_point_distance,
+                                                parameters.GoalAlign_forward_point_distance));
+  CycleView cycle;
+  cycle.pose = situation.pose;
+  cycle.velocity = situation.velocity;
+  cycle.last_command = situation.last_command;
+  cycle.goal = situation.goal;
+  cycle.time = situation.time;
+  cycle.steered = steered;
+  cycle.plan = &situation.plan;
+  cycle.grid = &grid;
+  cycle.footprint = &footprint;
+  cycle.grids = &grids;
+  if (!grids.on_map() && !steered) return cycle;
+  for (NamedCritic& named : critics) {
+    if (named.weight != 0.0) named.critic->prepare(cycle);
+  }
+  for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, rollout.tile(t));
+  return cycle;
+}
+
 void Planner::Impl::make_candidates(const Situation& situation, const Sampling& sampling) {
   SampleRequest request;
   request.reference = decision.reference;
   request.previous = situation.last_command;
-  request.wanted = intent.influence != Influence::none ? &intent.u_h : nullptr;
+  request.wanted = steered ? &wish : nullptr;
   request.period = situation.period;
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
   request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
@@ -369,7 +375,7 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
   collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin);
   classes.prepare(collision, grid, parameters.unknown_is_obstacle, situation.pose, reach);
   admissibility.prepare(parameters, limits, collision, footprint, grid.resolution,
-                        {situation.pose, decision.reference, situation.period});
+                        {situation.pose, decision.reference, situation.period, !steered && way_out.active()});
   decision.escaping = admissibility.escaping();
 }
 
@@ -428,7 +434,7 @@ void Planner::Impl::sum_up(const Tile& tile) {
     }
     for (std::size_t c = 0; c < n; ++c) total[c] *= parameters.s_nv;
   }
-  if (intent.influence != Influence::none) {
+  if (steered) {
     for (std::size_t c = 0; c < n; ++c) total[c] += deviation_of(tile.sample(c));
   }
   for (std::size_t c = 0; c < n; ++c) {
@@ -444,8 +450,8 @@ void Planner::Impl::sum_up(const Tile& tile) {
 
 // The paper's J_sh; nothing while the person's input does not count.
 double Planner::Impl::deviation_of(const Twist2& u) const {
-  if (intent.influence == Influence::none) return 0.0;
-  return parameters.s_v * std::abs(intent.u_h.v - u.v) + parameters.s_omega * std::abs(intent.u_h.omega - u.omega);
+  if (!steered) return 0.0;
+  return parameters.s_v * std::abs(wish.v - u.v) + parameters.s_omega * std::abs(wish.omega - u.omega);
 }
 
 // The critic that spoiled a total.
@@ -535,43 +541,22 @@ int Planner::Impl::find_operator_own() const {
   return own;
 }
 
-// Autonomy that prefers standing still to every legal move is stuck, mostly because it faces away from the plan and the
-// first part of the turn gains nothing. It turns towards the plan on the spot; where that does not help either it fails,
-// so that the host replans or recovers.
+// Autonomy that prefers standing still to every legal move is stuck. It looks for a way out; where there is none it
+// fails, so that the host replans or recovers.
 void Planner::Impl::watch_rest(const Situation& situation, bool autonomous) {
-  if (!autonomous || decision.outcome != Outcome::hold || situation.time < rest_since) {
-    rest_since = -1.0;
-    return;
+  const bool trapped = decision.outcome == Outcome::fail && decision.escaping;
+  WayOut::Rest rest;
+  rest.stands = autonomous && (decision.outcome == Outcome::hold || trapped);
+  rest.creeps = autonomous && decision.outcome == Outcome::drive && decision.sample.v == 0.0 &&
+                std::abs(decision.sample.omega) < kCreeps * limits.theta.max;
+  const double patience = parameters.turn_when_stuck ? 0.5 * parameters.blocked_time : -1.0;
+  if (way_out.watch(situation, rest, patience)) {
+    for (NamedCritic& named : critics) named.critic->reset();  // what they forbid may be the way out
   }
-  if (rest_since < 0.0) rest_since = situation.time;
-  const double rest = situation.time - rest_since;
-  if (parameters.turn_when_stuck && rest >= 0.5 * parameters.blocked_time &&
-      std::abs(heading_off_plan(situation)) > kFacesPlan) {
-    turning_to_plan = true;
-  }
-  if (rest > parameters.blocked_time) {
+  if (!trapped && way_out.rest(situation.time) > parameters.blocked_time) {
     decision.outcome = Outcome::fail;
     decision.problem = "autonomy is stuck: standing still is its best legal candidate";
   }
-}
-
-// The legal turn on the spot that ends nearest to the plan's direction; -1 when there is none or it faces it already.
-int Planner::Impl::choose_turn(const Situation& situation) {
-  const double off = heading_off_plan(situation);
-  if (std::abs(off) <= 0.5 * kFacesPlan) return -1;
-  int best = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < rollout.tile_count(); ++t) {
-    const Tile tile = rollout.tile(t);
-    const double left = std::abs(wrap_angle(off - (tile.heading[tile.steps] - situation.pose.theta)));
-    for (std::size_t c = 0; c < tile.count; ++c) {
-      if (tile.v[c] != 0.0 || tile.omega == 0.0 || !std::isfinite(totals[tile.first + c]) || left >= least) continue;
-      if (!admissibility.can_brake_surely(tile.sample(c))) continue;
-      best = static_cast<int>(tile.first + c);
-      least = left;
-    }
-  }
-  return best;
 }
 
 std::string_view Planner::Impl::name_of(std::uint8_t refuser) const {

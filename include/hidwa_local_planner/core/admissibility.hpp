@@ -13,13 +13,15 @@
 namespace hidwa_local_planner {
 
 /// Which candidates are free of collision, and which of them can still stop in free space. A robot that already stands
-/// in collision may move where its penetration never grows and ends smaller, or equal with more clearance.
+/// in collision may move where its penetration never grows and ends smaller, or equal with more clearance; and when that
+/// is not to be had, turn on the spot where its penetration never grows.
 class AdmissibilityCheck {
  public:
   struct Setup {
     Pose2 start;
     Twist2 reference;  // [m/s, rad/s]
     double period = 0.05;  // [s]
+    bool turn_out = false;  // out of a collision that no motion leads out of, by turning first
   };
   /// Once a cycle; `checker` must be prepared and everything must outlive the questions.
   void prepare(const Parameters& parameters, const VelocityLimits& limits, const CollisionChecker& checker,
@@ -44,6 +46,7 @@ class AdmissibilityCheck {
   double room_at(const Tile& tile, std::size_t c, std::size_t k);
   bool between_free(const Tile& tile, std::size_t c, std::size_t k, double room_before, double room_after);
   bool rollout_escapes(const Tile& tile, std::size_t c) const;
+  bool turns_out(const Tile& tile, std::size_t c) const;
   BrakeManoeuvre manoeuvre(const Twist2& command) const;
   bool nothing_in_reach() const;
   bool manoeuvre_free(const Twist2& command);

@@ -61,7 +61,8 @@ class ParameterSource {
 };
 
 /// Scores candidates. The life of a critic: configure once and on every change of parameters; then in each cycle
-/// prepare, score for every tile, and debrief; reset on a new goal. No verb may throw, wait or log;
+/// prepare, score for every tile, and debrief; reset on a new goal. With an authority between 0 and 1 a cycle weighs
+/// twice before it is debriefed: once as autonomy, once steered. No verb may throw, wait or log;
 /// after the first cycle prepare and score should not allocate.
 class Critic {
  public:
