@@ -184,8 +184,8 @@ void OperatorStateMachine::reset() {
   commanded_ = false;
   own_v_ = 0.0;
   said_control_.reset();
-  now_ = received_ = -std::numeric_limits<double>::infinity();
-  stick_time_ = stick_back_ = hand_time_ = -std::numeric_limits<double>::infinity();
+  catching_up_ = false;
+  now_ = received_ = stick_time_ = stick_back_ = hand_time_ = kNever;
   stick_fault_.clear();
   twist_fault_.clear();
   hand_fault_.clear();
@@ -254,7 +254,8 @@ void OperatorStateMachine::hear_stick() {
 
 void OperatorStateMachine::read_buttons() {
   stop_.take(reading_, parameters_);
-  if (parameters_.mode == OperatorMode::switching) control_.take(reading_.toggle, cycles_run() && !catching_up_);
+  const bool counts = cycles_run() && !catching_up_;
+  if (parameters_.mode == OperatorMode::switching) control_.take(reading_.toggle, counts);
   if (parameters_.mode != OperatorMode::gesture) return;
   gesture_.set_clutch(reading_.clutch);
   // A release is heard at once, not with the hand's next pose.

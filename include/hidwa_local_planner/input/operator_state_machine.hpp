@@ -108,15 +108,17 @@ class OperatorStateMachine {
   BlockedWatch blocked_;
   OperatorStateId state_ = OperatorStateId::autonomy;
   bool goal_latched_ = false;
-  bool commanded_ = false;                                      // a command is known
-  std::optional<bool> said_control_;  // in words, since the last cycle
-  double stick_time_ = -std::numeric_limits<double>::infinity();  // of the newest stick message [s]
-  double stick_back_ = -std::numeric_limits<double>::infinity();  // of the one that ended its last silence [s]
-  bool catching_up_ = false;  // the newest stick message may have been held back
-  double hand_time_ = -std::numeric_limits<double>::infinity();   // of the newest hand message [s]
-  double own_v_ = 0.0;                                          // the robot's: what was commanded last [m/s]
-  double now_ = -std::numeric_limits<double>::infinity();       // newest time of a cycle [s]
-  double received_ = -std::numeric_limits<double>::infinity();  // newest time of a message [s]
+  bool commanded_ = false;             // a command is known
+  double own_v_ = 0.0;                 // the robot's: what was commanded last [m/s]
+  std::optional<bool> said_control_;   // in words, since the last cycle
+  bool catching_up_ = false;           // the newest stick message may have been held back
+  // Newest times [s]: of a cycle, any message, a stick's, the stick's that ended its last silence, a hand's.
+  static constexpr double kNever = -std::numeric_limits<double>::infinity();
+  double now_ = kNever;
+  double received_ = kNever;
+  double stick_time_ = kNever;
+  double stick_back_ = kNever;
+  double hand_time_ = kNever;
   std::uint32_t dropped_ = 0;
   std::string stick_fault_, twist_fault_, hand_fault_;  // of the last one; empty where it was taken
 };

@@ -34,6 +34,32 @@ TEST(LiveConfiguration, AnotherModeMustSeeTheStickCentred) {
   EXPECT_EQ(person.cycle(1.2).state, State::shared);
 }
 
+TEST(LiveConfiguration, AnyModeChangeWhileSteeringIsAutonomyAndNeedsNeutral) {
+  for (const OperatorMode mode : {OperatorMode::off, OperatorMode::gesture, OperatorMode::switching}) {
+    Person person;
+    person.steer(1.0);
+    person.p.mode = mode;
+    person.machine.configure(person.p);
+    expect_intent(person.cycle(1.1), State::autonomy, Influence::none, 0.0, 0.0);
+    person.p.mode = OperatorMode::joystick;
+    person.machine.configure(person.p);
+    person.stick(1.15, 1.0F);
+    expect_intent(person.cycle(1.15), State::autonomy, Influence::none, 0.0, 0.0);
+    person.steer(1.2);
+    EXPECT_EQ(person.machine.state(), State::shared);
+  }
+}
+
+TEST(LiveConfiguration, AnotherModeLeavesNoHold) {
+  Person person;
+  person.steer(1.0);
+  person.stick(1.1, 0.0F);
+  EXPECT_EQ(person.cycle(1.1).state, State::hold);
+  person.p.mode = OperatorMode::gesture;
+  person.machine.configure(person.p);
+  EXPECT_EQ(person.cycle(1.15).state, State::autonomy);
+}
+
 TEST(LiveConfiguration, LostEndsWithTheMode) {
   Parameters p;
   p.on_input_lost = OnInputLost::stop;

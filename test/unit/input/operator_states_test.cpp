@@ -109,7 +109,7 @@ TEST(OperatorStates, TheRobotsOwnSpeedWhereThatIsThePolicy) {
   person.stick(1.2, 0.0F);
   feedback.command = {0.1, 0.0};
   expect_intent(person.cycle(1.2, feedback), State::hold, Influence::shared, 0.35, 0.0);
-  expect_intent(person.cycle(1.25, feedback), State::hold, Influence::shared, 0.35, 0.0);  // at release, not now
+  expect_intent(person.cycle(1.25, feedback), State::hold, Influence::shared, 0.35, 0.0);  // as it was then
 }
 
 TEST(OperatorStates, HoldEndsWhenItIsRefused) {

@@ -47,7 +47,7 @@ struct Person {
     return machine.receive(message);
   }
   std::string twist(double time, double v, double omega) { return machine.receive(twist_at(time, v, omega)); }
-  std::string hand(double time, double y, double x = 1.0) { return machine.receive(hand_at(time, x, y, 1.0)); }
+  std::string hand(double time, double y) { return machine.receive(hand_at(time, 1.0, y, 1.0)); }
   OperatorIntent cycle(double time, const CycleFeedback& feedback = CycleFeedback()) {
     const OperatorIntent intent = machine.update(time);
     machine.debrief(time, feedback);

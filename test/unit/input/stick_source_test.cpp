@@ -78,7 +78,9 @@ TEST(StickSource, SwitchingAtItsEdges) {
     p.linear = linear;
     p.max_vel_x = 0.7;
     p.max_vel_theta = 1.5;
-    const auto wish = [&p](float angular, float along) { return wish_from(message_of({angular, along}, {0}), p); };
+    const auto wish = [&p](float angular, float along) {
+      return wish_from(message_of({angular, along}, {0}), p);
+    };
     const float above = std::nextafter(0.1F, 1.0F);
     for (const float none : {0.0F, 0.1F, -0.1F}) {
       EXPECT_FALSE(wish(none, none).active);
