@@ -1,0 +1,18 @@
+# Finds urdfdom, 1.0 or later: HIDWA_ROBOT says whether hidwa_robot can be built, hidwa_urdfdom is what it links.
+
+find_package(urdfdom_headers QUIET)
+find_package(urdfdom QUIET)
+set(HIDWA_ROBOT ${urdfdom_FOUND})
+if(NOT HIDWA_ROBOT AND HIDWA_ROS)
+  message(FATAL_ERROR "urdfdom not found: install liburdfdom-dev")
+elseif(NOT HIDWA_ROBOT)
+  message(STATUS "urdfdom not found: building without hidwa_robot (limits from the URDF)")
+else()
+  add_library(hidwa_urdfdom INTERFACE)
+  # Named by its real path, /usr/include is left to the compiler, which knows it.
+  foreach(folder ${urdfdom_INCLUDE_DIRS} ${urdfdom_headers_INCLUDE_DIRS})
+    get_filename_component(folder ${folder} REALPATH)
+    target_include_directories(hidwa_urdfdom SYSTEM INTERFACE ${folder})
+  endforeach()
+  target_link_libraries(hidwa_urdfdom INTERFACE ${urdfdom_LIBRARIES})
+endif()

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/robot/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "words.hpp"
+
+namespace hidwa_local_planner::robot {
+namespace {
+
+constexpr int kRound = 32;         // corners of a circle
+constexpr double kFarthest = 5.0;  // of a corner from the base [m]
+
+bool has_size(const Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      return shape.size.minCoeff() > 0.0;
+    case Shape::Kind::cylinder:
+      return shape.radius > 0.0 && shape.length > 0.0;
+    case Shape::Kind::sphere:
+      return shape.radius > 0.0;
+    default:
+      return false;
+  }
+}
+
+/// Corner `i` of a polygon round the unit circle.
+Point round_corner(int i) {
+  const double angle = 2.0 * M_PI * (i + 0.5) / kRound;
+  return Point(std::cos(angle), std::sin(angle)) / std::cos(M_PI / kRound);
+}
+
+void add_projection(const Shape& shape, std::vector<Point>& points) {
+  if (shape.kind == Shape::Kind::sphere) {
+    const Point centre = shape.pose.translation().head<2>();
+    for (int i = 0; i < kRound; ++i) points.push_back(centre + shape.radius * round_corner(i));
+    return;
+  }
+  const bool box = shape.kind == Shape::Kind::box;
+  for (const double up : {-0.5, 0.5}) {
+    for (int i = 0; i < (box ? 4 : kRound); ++i) {
+      Eigen::Vector3d corner;
+      if (box) {
+        corner = Eigen::Vector3d(i < 2 ? 0.5 : -0.5, i % 2 == 0 ? 0.5 : -0.5, up).cwiseProduct(shape.size);
+      } else {
+        corner << shape.radius * round_corner(i), up * shape.length;
+      }
+      points.push_back((shape.pose * corner).head<2>());
+    }
+  }
+}
+
+double cross(const Point& a, const Point& b, const Point& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+}  // namespace
+
+Polygon convex_hull(std::vector<Point> points) {
+  constexpr double kStraight = 1e-9;  // twice the area of a corner that is none [m^2]
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  Polygon hull;
+  // The lower side from left to right, then the upper one back (monotone chain).
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t begin = hull.size();
+    for (const Point& point : points) {
+      while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= kStraight)
+        hull.pop_back();
+      hull.push_back(point);
+    }
+    if (!hull.empty()) hull.pop_back();  // where the other side begins
+    std::reverse(points.begin(), points.end());
+  }
+  return hull.size() < 3 ? Polygon() : hull;
+}
+
+Outline outline_of(const Model& model) {
+  Outline outline;
+  std::vector<Point> points;
+  for (const Link& link : model.links) {
+    for (const Shape& shape : link.collisions) {
+      if (!has_size(shape)) {
+        if (outline.skipped.empty() || outline.skipped.back() != link.name)
+          outline.skipped.push_back(link.name);
+        continue;
+      }
+      const std::size_t first = points.size();
+      add_projection(shape, points);
+      for (std::size_t i = first; i < points.size(); ++i) {
+        if (points[i].norm() <= kFarthest) continue;
+        outline.fault = link.name + ": its collision geometry reaches " + worded(points[i].norm()) +
+                        " m from " + model.base + ", beyond " + worded(kFarthest) +
+                        " m: correct it in the URDF";
+        return outline;
+      }
+    }
+  }
+  outline.corners = convex_hull(std::move(points));
+  if (outline.corners.empty())
+    outline.fault = "no link has a box, a cylinder or a sphere as collision geometry";
+  return outline;
+}
+
+}  // namespace hidwa_local_planner::robot

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/robot/wheel_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "words.hpp"
+
+namespace hidwa_local_planner::robot {
+namespace {
+
+constexpr double kSame = 0.02;  // lengths that differ by less are one
+
+bool in_range(const Parameters& parameters, const std::string& name) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name != name) continue;
+    const double value = std::get<double>(get_parameter(parameters, name));
+    return value >= info.min && value <= info.max;
+  }
+  return false;
+}
+
+double largest(const std::string& name) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name == name) return info.max;
+  }
+  return 0.0;
+}
+
+bool all_in_range(const Parameters& p) {
+  for (const char* name : {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_radius", "wheel_separation",
+                           "max_wheel_velocity"}) {
+    if (!in_range(p, name)) return false;
+  }
+  return true;
+}
+
+void compare(std::vector<Remark>& remarks, const std::string& name, double own, double urdf,
+             const Wheels& wheels) {
+  if (own == 0.0 || urdf == 0.0 || std::abs(own - urdf) <= kSame * urdf) return;
+  remarks.push_back({Remark::Level::warning, name + " differs",
+                     name + " = " + worded(own) + " m holds, but the URDF says " + worded(urdf) + " m (" +
+                         wheels.left + ", " + wheels.right + "): correct one of them"});
+}
+
+/// Says which of two limits on one thing holds, and returns the tighter one.
+double tighter(std::vector<Remark>& remarks, const std::string& joint, double by_joint,
+               const std::string& name, double own, const std::string& unit) {
+  const std::string allows = joint + " allows " + worded(by_joint) + " " + unit;
+  if (own <= by_joint) {
+    remarks.push_back({Remark::Level::info, name + " holds",
+                       allows + ", " + name + " " + worded(own) + " " + unit + " holds"});
+    return own;
+  }
+  remarks.push_back({Remark::Level::info, joint + " holds against " + name,
+                     allows + " and holds: " + name + " " + worded(own) + " " + unit + " is more"});
+  return by_joint;
+}
+
+}  // namespace
+
+LimitedParameters limited(const Parameters& wanted, const Wheels& wheels) {
+  LimitedParameters result{wanted, {}};
+  std::vector<Remark>& remarks = result.remarks;
+  if (!all_in_range(wanted)) return result;  // whoever validates them says so
+  compare(remarks, "wheel_radius", wanted.wheel_radius, wheels.radius, wheels);
+  compare(remarks, "wheel_separation", wanted.wheel_separation, wheels.separation, wheels);
+  const double radius = wanted.wheel_radius > 0.0 ? wanted.wheel_radius : wheels.radius;
+  const double separation = wanted.wheel_separation > 0.0 ? wanted.wheel_separation : wheels.separation;
+  const bool joint_limits = wheels.max_velocity > 0.0;
+  if (!joint_limits && wanted.max_wheel_velocity <= 0.0) {
+    remarks.push_back(
+        {Remark::Level::info, "no velocity",
+         wheels.left + " and " + wheels.right + " have no <limit velocity>: the parameters' limits hold"});
+    return result;
+  }
+  if (radius <= 0.0) {
+    remarks.push_back({Remark::Level::fault, "no radius", wheels.no_radius});
+    return result;
+  }
+
+  Parameters& p = result.parameters;
+  std::string by = "max_wheel_velocity";
+  double velocity = wanted.max_wheel_velocity;
+  if (joint_limits) {
+    by = wheels.slower;
+    velocity = std::min(wheels.max_velocity, largest("max_wheel_velocity"));
+    if (wanted.max_wheel_velocity > 0.0) {
+      velocity = tighter(remarks, by, velocity, "max_wheel_velocity", wanted.max_wheel_velocity, "rad/s");
+      if (velocity == wanted.max_wheel_velocity) by = "max_wheel_velocity";
+    }
+  }
+  p.wheel_radius = radius;
+  p.wheel_separation = separation;
+  p.max_wheel_velocity = velocity;
+  const double fastest = radius * velocity;        // [m/s]
+  const double turn = 2.0 * fastest / separation;  // [rad/s]
+  p.max_vel_x = tighter(remarks, by, fastest, "max_vel_x", wanted.max_vel_x, "m/s");
+  p.min_vel_x = std::max(wanted.min_vel_x, -fastest);
+  p.max_vel_theta = tighter(remarks, by, turn, "max_vel_theta", wanted.max_vel_theta, "rad/s");
+  return result;
+}
+
+}  // namespace hidwa_local_planner::robot

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/robot/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/footprint.hpp"
+#include "hidwa_local_planner/robot/urdf_reading.hpp"
+#include "unit/robot/urdf_texts.hpp"
+
+namespace hidwa_local_planner::robot {
+namespace {
+
+Outline outline(const std::string& inside) {
+  const UrdfReading reading = read_urdf("<robot name='r'>" + inside + "</robot>", "base_link");
+  EXPECT_TRUE(reading.model) << reading.fault;
+  return reading.model ? outline_of(*reading.model) : Outline();
+}
+
+TEST(ConvexHull, CounterClockwiseWithoutStraightCorners) {
+  const Polygon hull =
+      convex_hull({{0, 0}, {1, 0}, {0.5, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0, 0.5}, {0, 0}, {1, 1}});
+  const Polygon expected{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(hull, expected);
+}
+
+TEST(ConvexHull, EmptyWhereThereIsNoArea) {
+  EXPECT_TRUE(convex_hull({}).empty());
+  EXPECT_TRUE(convex_hull({{1, 2}, {1, 2}, {1, 2}}).empty());
+  EXPECT_TRUE(convex_hull({{0, 0}, {1, 1}, {2, 2}}).empty());
+}
+
+TEST(Outline, OfABoxOffTheBase) {
+  // Turned by a quarter about z at (0.1, 0): 0.4 m long across, 0.2 m wide along.
+  const Outline result =
+      outline("<link name='base_link'/>" +
+              joint_text("j", "fixed", "base_link", "body", "0.1 0 0.3", "0 0 1.5707963268") +
+              link_text("body", "<box size='0.4 0.2 0.1'/>"));
+  ASSERT_EQ(result.corners.size(), 4u);
+  const Polygon expected{{0.0, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {0.0, 0.2}};
+  for (const Point& corner : expected) {
+    EXPECT_TRUE(std::any_of(result.corners.begin(), result.corners.end(), [&](const Point& found) {
+      return (found - corner).norm() < 1e-9;
+    })) << corner.transpose();
+  }
+  EXPECT_EQ(result.fault, "");
+}
+
+TEST(Outline, OfALyingCylinderIsARectangle) {
+  const Outline result = outline(link_text("base_link", "<cylinder radius='0.1' length='0.5'/>", kAcross));
+  double widest = 0.0, longest = 0.0;
+  for (const Point& corner : result.corners) {
+    longest = std::max(longest, corner.x());
+    widest = std::max(widest, corner.y());
+  }
+  EXPECT_NEAR(widest, 0.25, 1e-9);
+  EXPECT_NEAR(longest, 0.1, 0.0005);
+  EXPECT_GE(longest, 0.1 - 1e-12);
+}
+
+TEST(Outline, ARoundRobotIsACircleThatContainsIt) {
+  const Outline result = outline(link_text("base_link", "<cylinder radius='0.275' length='0.2'/>"));
+  const Footprint footprint = Footprint::from_outline(result.corners, 0.0);
+  ASSERT_TRUE(footprint.is_circle());
+  // 0.275 / cos(pi / 32) = 0.27633 m.
+  EXPECT_NEAR(footprint.radius(), 0.27633, 1e-5);
+}
+
+TEST(Outline, CoversEveryLinkWhateverItsHeight) {
+  const Outline result =
+      outline(link_text("base_link", "<sphere radius='0.1'/>") +
+              joint_text("j", "continuous", "base_link", "screen", "0.2 0 1.2", "0 0 0", kAxisY) +
+              link_text("screen", "<box size='0.02 0.36 0.24'/>"));
+  double widest = 0.0, longest = 0.0;
+  for (const Point& corner : result.corners) {
+    longest = std::max(longest, corner.x());
+    widest = std::max(widest, corner.y());
+  }
+  EXPECT_NEAR(longest, 0.21, 1e-9);
+  EXPECT_NEAR(widest, 0.18, 1e-9);
+}
+
+TEST(Outline, MeshesAndShapesWithoutSizeAreSkippedAndNamed) {
+  const Outline result = outline(link_text("base_link", "<sphere radius='0.1'/>") +
+                                 joint_text("a", "fixed", "base_link", "body", "0 0 0") +
+                                 link_text("body", "<mesh filename='package://r/body.stl'/>") +
+                                 joint_text("b", "fixed", "base_link", "flat", "0 0 0") +
+                                 link_text("flat", "<cylinder radius='0' length='1'/>"));
+  const std::vector<std::string> expected{"body", "flat"};
+  EXPECT_EQ(result.skipped, expected);
+  EXPECT_FALSE(result.corners.empty());
+}
+
+TEST(Outline, NothingToProjectIsAFault) {
+  const Outline result = outline("<link name='base_link'/>");
+  EXPECT_TRUE(result.corners.empty());
+  EXPECT_NE(result.fault.find("no link has"), std::string::npos);
+}
+
+TEST(Outline, WhatReachesTooFarIsAFaultThatNamesTheLink) {
+  const Outline result = outline(link_text("base_link", "<box size='275 275 10'/>"));
+  EXPECT_TRUE(result.corners.empty());
+  EXPECT_NE(result.fault.find("base_link"), std::string::npos) << result.fault;
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::robot
