@@ -131,7 +131,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-LoadedParameters load_parameters(const XmlRpcValue& content) {
+LoadedParameters load_parameters(const XmlRpcValue& content,
+                                 const std::function<Parameters(const Parameters&)>& completed) {
   LoadedParameters loaded;
   if (!content.valid()) return loaded;
   if (content.getType() != XmlRpcValue::TypeStruct) {
@@ -158,7 +159,8 @@ LoadedParameters load_parameters(const XmlRpcValue& content) {
                                 ": no critic of that name is listed in critics");
     }
   }
-  for (const std::string& fault : validate(loaded.parameters)) loaded.faults.push_back(fault);
+  const Parameters whole = completed ? completed(loaded.parameters) : loaded.parameters;
+  for (const std::string& fault : validate(whole)) loaded.faults.push_back(fault);
   return loaded;
 }
 

@@ -42,12 +42,14 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
       tf_(tf),
       costmap_(costmap),
       host_frequency_(frequency_of_host()),
+      description_(handle_, costmap.getBaseFrameID()),
       registry_(registry_with_plugins()),
       planner_(registry_),
       publishing_(handle_, costmap.getGlobalFrameID()) {
   start_parameters();
   diagnostics_ = std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_);
   diagnostics_->set("", load());
+  description_.give_outline(costmap_);
   update_footprint();
   odometry_thread_.start();
   thread_.start();
@@ -60,8 +62,9 @@ Shell::~Shell() {
 
 void Shell::start_parameters() {
   const XmlRpc::XmlRpcValue content = read_namespace(handle_);
-  LoadedParameters loaded = load_parameters(content);
-  const ParameterSet set{loaded.parameters, content};
+  const auto completed = [this](const Parameters& wanted) { return description_.limited(wanted); };
+  LoadedParameters loaded = load_parameters(content, completed);
+  const ParameterSet set{completed(loaded.parameters), content};
   if (loaded.faults.empty()) loaded.faults = faults_of(set, registry_);
   if (loaded.faults.empty()) loaded.faults = configure(planner_, set);
   for (const std::string& warning : loaded.warnings) {
@@ -110,14 +113,14 @@ void Shell::report_start(const std::vector<std::string>& found) const {
 }
 
 std::vector<std::string> Shell::judge(const Parameters& wanted) {
-  ParameterSet set{wanted, read_namespace(handle_)};
+  ParameterSet set{description_.limited(wanted), read_namespace(handle_)};
   const std::vector<std::string> faults = faults_of(set, registry_);
   if (!faults.empty()) return faults;
   if (wanted.odom_topic != odom_topic_) {
     odom_topic_ = wanted.odom_topic;
     odometry_.subscribe(odometry_thread_.serve(host_handle_), odom_topic_);
   }
-  person_.configure(host_handle_, wanted);
+  person_.configure(host_handle_, set.parameters);
   pending_.put(std::move(set));
   return {};
 }

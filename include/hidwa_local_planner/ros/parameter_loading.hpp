@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,10 @@ struct LoadedParameters {
 /// Reads the content of the planner's namespace (a struct, or an invalid value for an empty namespace).
 /// Takes YAML as people write it: `critics` as list or text, whole numbers for real ones, DWB's nested
 /// `PathAlign: {scale: 32}` for PathAlign_scale (it wins over the flat key), and the word `off`, which YAML
-/// reads as false. Namespaces of critics of other packages, listed in `critics`, are theirs. Never throws.
-LoadedParameters load_parameters(const XmlRpc::XmlRpcValue& content);
+/// reads as false. Namespaces of critics of other packages, listed in `critics`, are theirs. `completed`, where given,
+/// adds what is known of the robot besides before the set is validated. Throws nothing of its own.
+LoadedParameters load_parameters(const XmlRpc::XmlRpcValue& content,
+                                 const std::function<Parameters(const Parameters&)>& completed = {});
 
 /// The namespace of a critic's own parameters: the last part of a name like `package/Class` or
 /// `package::Class`.

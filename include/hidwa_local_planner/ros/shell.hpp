@@ -28,6 +28,7 @@
 #include "hidwa_local_planner/ros/plan_tracker.hpp"
 #include "hidwa_local_planner/ros/publishing.hpp"
 #include "hidwa_local_planner/ros/reconfigure.hpp"
+#include "hidwa_local_planner/ros/robot_description.hpp"
 #include "hidwa_local_planner/ros/sample_budget.hpp"
 
 namespace hidwa_local_planner {
@@ -85,6 +86,7 @@ class Shell {
   costmap_2d::Costmap2DROS& costmap_;
   double host_frequency_ = 0.0;  // [Hz]
 
+  RobotDescription description_;
   CriticRegistry registry_;
   Planner planner_;
   GoalChecker goal_checker_;

@@ -204,12 +204,13 @@ LogListener::LogListener() {
       });
 }
 
-bool LogListener::said(const std::string& part) const {
+int LogListener::times(const std::string& part) const {
   const std::lock_guard<std::mutex> lock(mutex_);
+  int count = 0;
   for (const std::string& line : lines_) {
-    if (line.find(part) != std::string::npos) return true;
+    if (line.find(part) != std::string::npos) ++count;
   }
-  return false;
+  return count;
 }
 
 }  // namespace hidwa_plugin_tests

@@ -111,7 +111,8 @@ bool wait_for(const std::function<bool()>& done, double seconds);
 class LogListener {
  public:
   LogListener();
-  bool said(const std::string& part) const;
+  bool said(const std::string& part) const { return times(part) > 0; }
+  int times(const std::string& part) const;
 
  private:
   ros::Subscriber subscriber_;
