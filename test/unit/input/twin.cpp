@@ -30,15 +30,22 @@ Twin::Twin(std::vector<Event> history, const Parameters& parameters)
     Heard heard;
     heard.event = e;
     heard.time = history_[e].time;
-    heard.deflected = omega != 0.0 || (p_.linear == LinearPolicy::axis && v != 0.0);
-    heard.u_h = {p_.linear == LinearPolicy::axis ? v : p_.max_vel_x, omega};
+    const bool both = p_.linear == LinearPolicy::axis || switching();
+    heard.deflected = omega != 0.0 || (both && v != 0.0);
+    heard.u_h = {both ? v : p_.max_vel_x, omega};
+    heard.toggle = m.buttons[0] == 1;
+    heard.stop = m.buttons[1] == 1;
+    heard.pulled = -static_cast<double>(m.axes[1]);
     heard_.push_back(heard);
   }
 }
 
 bool Twin::readable(const StickMessage& m) const {
   if (m.axes.size() != 2 || !std::isfinite(m.axes[0]) || !std::isfinite(m.axes[1])) return false;
-  return std::abs(m.axes[0]) <= 1.01F && (p_.linear == LinearPolicy::v_max || std::abs(m.axes[1]) <= 1.01F);
+  if (m.buttons.size() != 2 || m.buttons[1] < 0 || m.buttons[1] > 1) return false;
+  if (switching() && (m.buttons[0] < 0 || m.buttons[0] > 1)) return false;
+  const bool linear_is_read = p_.linear == LinearPolicy::axis || switching() || pull_counts();
+  return std::abs(m.axes[0]) <= 1.01F && (!linear_is_read || std::abs(m.axes[1]) <= 1.01F);
 }
 
 bool Twin::usable(std::size_t e) const {
@@ -102,6 +109,78 @@ Twin::Device Twin::device(std::size_t event, double now) const {
                                : Device::quiet;  // deflected again after a loss, or since the start
 }
 
+bool Twin::pull_counts() const {
+  const bool reverse = p_.linear == LinearPolicy::axis && p_.min_vel_x < 0.0;
+  return p_.stop_pull > 0.0 && !switching() && !reverse;
+}
+
+// Since the stick was last back by a quarter of the threshold it was once beyond it, and before that it was
+// seen not to be.
+bool Twin::pulled(std::size_t heard) const {
+  if (!pull_counts()) return false;
+  for (std::size_t i = heard + 1; i-- > 0 && heard_[i].pulled >= 0.75 * p_.stop_pull;) {
+    if (heard_[i].pulled < p_.stop_pull) continue;
+    if (!p_.require_neutral) return true;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (heard_[k].pulled < p_.stop_pull) return true;
+    }
+  }
+  return false;
+}
+
+bool Twin::stopped(std::size_t event) const {
+  for (std::size_t e = event; e-- > 0;) {
+    if (history_[e].kind != Event::Kind::say_stop) continue;
+    if (history_[e].said) return true;
+    break;
+  }
+  const std::optional<std::size_t> last = last_heard(event);
+  return last && (heard_[*last].stop || pulled(*last));
+}
+
+// Shortly after a message that ended a silence.
+bool Twin::held_up(std::size_t heard) const {
+  if (p_.input_timeout == 0.0) return false;
+  for (std::size_t i = heard + 1; i-- > 0;) {
+    const bool ended_silence = i == 0 || heard_[i].time - heard_[i - 1].time > p_.input_timeout;
+    if (ended_silence) return i < heard && heard_[heard].time - heard_[i].time < 0.2;
+  }
+  return false;
+}
+
+std::optional<std::size_t> Twin::cycle_before(std::size_t event) const {
+  for (std::size_t e = event; e-- > 0;) {
+    if (history_[e].kind == Event::Kind::cycle) return e;
+  }
+  return std::nullopt;
+}
+
+bool Twin::press(std::size_t heard) const {
+  if (heard == 0 || !heard_[heard].toggle || heard_[heard - 1].toggle || held_up(heard)) return false;
+  const std::optional<std::size_t> cycle = cycle_before(heard_[heard].event);
+  return cycle && heard_[heard].time - history_[*cycle].time < 1.0;
+}
+
+// Who has control in the cycle at `event`: the last word that a cycle took, then every press.
+bool Twin::manual(std::size_t event) const {
+  if (!switching()) return false;
+  bool answer = false;
+  std::size_t since = 0;
+  for (std::size_t e = event; e-- > 0 && since == 0;) {
+    if (history_[e].kind != Event::Kind::say_control) continue;
+    std::size_t taker = e;
+    while (history_[taker].kind != Event::Kind::cycle) ++taker;
+    const std::optional<std::size_t> before = cycle_before(e);
+    if (!before || history_[taker].time - history_[*before].time >= 1.0) continue;
+    answer = history_[e].said;
+    since = taker;
+  }
+  for (std::size_t i = 0; i < heard_.size(); ++i) {
+    if (heard_[i].event > since && heard_[i].event < event && press(i)) answer = !answer;
+  }
+  return answer;
+}
+
 bool Twin::latched(const std::vector<Cycle>& past, std::size_t event) const {
   if (past.empty() || p_.operator_in_goal_window) return false;
   for (std::size_t e = past.back().event; e < event; ++e) {
@@ -138,7 +217,7 @@ std::optional<double> Twin::held_velocity(const std::vector<Cycle>& past, std::s
     return std::nullopt;
   for (std::size_t i = last; i < past.size(); ++i) {
     const std::vector<Cycle> before(past.begin(), past.begin() + static_cast<std::ptrdiff_t>(i));
-    if (latched(before, past[i].event)) return std::nullopt;
+    if (past[i].state == State::stopped || latched(before, past[i].event)) return std::nullopt;
     if (p_.hold_ends_when_refused && past[i].feedback.own_command_refused) return std::nullopt;
   }
   if (latched(past, event)) return std::nullopt;
@@ -147,7 +226,8 @@ std::optional<double> Twin::held_velocity(const std::vector<Cycle>& past, std::s
   while (!counts(active)) --active;
   const double ended = p_.input_timeout > 0.0 ? heard_[active].time : heard_[newest].time;
   if (now - ended >= p_.delta) return std::nullopt;
-  return p_.hold_linear == HoldLinear::robot ? past[last - 1].feedback.command.v : heard_[active].u_h.v;
+  const bool robots = p_.hold_linear == HoldLinear::robot || p_.linear == LinearPolicy::current;
+  return robots ? past[last - 1].feedback.command.v : heard_[active].u_h.v;
 }
 
 std::vector<OperatorIntent> Twin::intents() const {
@@ -160,20 +240,34 @@ std::vector<OperatorIntent> Twin::intents() const {
     const Device now_device = device(e, now);
     const bool goal = latched(past, e);
     OperatorIntent intent;
-    const bool loses = now_device == Device::lost && (steers(before) || before == State::lost);
-    const std::optional<double> hold =
-        now_device == Device::active && !goal ? std::nullopt : held_velocity(past, e, now);
-    if (loses) {
+    const bool in_control = manual(e);
+    const bool matters =
+        steers(before) || before == State::manual || before == State::lost || before == State::stopped;
+    const bool loses = now_device == Device::lost && matters && (in_control || !switching());
+    const bool shares = now_device == Device::active && !goal && !switching();
+    const std::optional<double> hold = shares || switching() ? std::nullopt : held_velocity(past, e, now);
+    if (stopped(e)) {
+      intent.state = State::stopped;
+      intent.influence = Influence::stop;
+    } else if (loses) {
       intent.state = State::lost;
-      if (p_.on_input_lost == OnInputLost::stop) intent.influence = Influence::stop;
-    } else if (now_device == Device::active && !goal) {
+      if (in_control || p_.on_input_lost == OnInputLost::stop) intent.influence = Influence::stop;
+    } else if (in_control) {
+      intent.state = State::manual;
+      intent.influence = Influence::direct;
+      intent.guarded = p_.guard == Guard::nearest;
+      if (now_device == Device::active) intent.u_h = heard_[last_heard(e).value()].u_h;
+    } else if (shares) {
       intent.state = blocked(past, e, now) ? State::blocked : State::shared;
       intent.influence = Influence::shared;
       intent.u_h = heard_[last_heard(e).value()].u_h;
+      if (p_.linear == LinearPolicy::current)
+        intent.u_h.v = past.empty() ? 0.0 : past.back().feedback.command.v;
     } else if (hold) {
       intent.state = State::hold;
     }
-    const bool straight = intent.state == State::hold || (loses && p_.on_input_lost == OnInputLost::hold);
+    const bool lost = intent.state == State::lost && !in_control;
+    const bool straight = intent.state == State::hold || (lost && p_.on_input_lost == OnInputLost::hold);
     if (straight && hold) {
       intent.influence = Influence::shared;
       intent.u_h = {*hold, 0.0};

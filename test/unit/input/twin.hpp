@@ -11,15 +11,17 @@ namespace hidwa_local_planner::input {
 
 /// One thing that happened to the state machine.
 struct Event {
-  enum class Kind { message, cycle, new_goal };
+  enum class Kind { message, cycle, new_goal, say_stop, say_control };
   Kind kind = Kind::cycle;
   double time = 0.0;       // [s]
-  StickMessage message;    // messages: two axes, no enable button
+  StickMessage message;    // messages: two axes; buttons: toggle, stop; no enable button
   CycleFeedback feedback;  // cycles: what the cycle came to
+  bool said = false;       // words: stop, or take control
 };
 
-/// The slow, obvious twin of OperatorStateMachine: keeps no state of its own, but answers every question by
-/// looking through the whole history. Times never go back, stamps neither.
+/// The slow, obvious twin of OperatorStateMachine with a stick (modes joystick and switching): keeps no state
+/// of its own, but answers every question by looking through the whole history. Times never go back, stamps
+/// neither.
 class Twin {
  public:
   Twin(std::vector<Event> history, const Parameters& parameters);
@@ -32,6 +34,9 @@ class Twin {
     std::size_t event = 0;
     double time = 0.0;
     bool deflected = false;
+    bool toggle = false;
+    bool stop = false;
+    double pulled = 0.0;  // how far back the stick is
     Twist2 u_h;
   };
   struct Cycle {
@@ -50,6 +55,14 @@ class Twin {
   std::optional<std::size_t> centred_before(std::size_t heard) const;
   bool counts(std::size_t heard) const;
   Device device(std::size_t event, double now) const;
+  bool switching() const { return p_.mode == OperatorMode::switching; }
+  bool pull_counts() const;
+  bool pulled(std::size_t heard) const;
+  bool stopped(std::size_t event) const;
+  bool held_up(std::size_t heard) const;
+  bool press(std::size_t heard) const;
+  std::optional<std::size_t> cycle_before(std::size_t event) const;
+  bool manual(std::size_t event) const;
   bool latched(const std::vector<Cycle>& past, std::size_t event) const;
   bool blocked(const std::vector<Cycle>& past, std::size_t event, double now) const;
   std::optional<double> held_velocity(const std::vector<Cycle>& past, std::size_t event, double now) const;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "twin.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -18,16 +21,22 @@ class Story {
 
   Parameters parameters() {
     Parameters p;
-    p.linear = chance(0.3) ? LinearPolicy::axis : LinearPolicy::v_max;
+    p.mode = chance(0.5) ? OperatorMode::joystick : OperatorMode::switching;
+    p.linear = chance(0.3) ? LinearPolicy::axis : chance(0.2) ? LinearPolicy::current : LinearPolicy::v_max;
+    p.min_vel_x = chance(0.3) ? -0.2 : 0.0;
     p.hold_linear = chance(0.3) ? HoldLinear::robot : HoldLinear::operator_;
     p.on_input_lost = static_cast<OnInputLost>(random_() % 3);
+    p.guard = chance(0.5) ? Guard::nearest : Guard::none;
     p.input_timeout = chance(0.2) ? 0.0 : 0.5;
     p.delta = chance(0.2) ? 0.3 : 2.0;
     p.blocked_time = chance(0.3) ? 0.1 : 0.6;
     p.require_neutral = chance(0.7);
     p.hold_ends_when_refused = chance(0.7);
     p.operator_in_goal_window = chance(0.2);
-    p.stop_pull = 0.0;
+    p.toggle_button = 0;
+    p.stop_button = 1;
+    p.stop_pull = chance(0.3) ? 0.0 : 0.8;
+    pulls_ = p.stop_pull > 0.0;
     return p;
   }
 
@@ -43,6 +52,12 @@ class Story {
         event.message = message();
       } else if (chance(0.02)) {
         event.kind = Event::Kind::new_goal;
+      } else if (chance(0.02)) {
+        event.kind = Event::Kind::say_stop;
+        event.said = chance(0.3);
+      } else if (chance(0.03)) {
+        event.kind = Event::Kind::say_control;
+        event.said = chance(0.7);
       } else {
         event.feedback = feedback();
       }
@@ -64,6 +79,14 @@ class Story {
     StickMessage m;
     m.received = now_;
     m.axes = {deflected_ ? value() : 0.0F, deflected_ ? value() : 0.0F};
+    if (chance(pulled_ ? 0.3 : 0.02)) pulled_ = !pulled_;
+    if (pulls_ && pulled_) m.axes[1] = -static_cast<float>(uniform(0.5, 1.0));
+    if (chance(toggles_ ? 0.4 : 0.04)) toggles_ = !toggles_;
+    if (chance(stops_ ? 0.3 : 0.01)) stops_ = !stops_;
+    m.buttons = {toggles_ ? 1 : 0, stops_ ? 1 : 0};
+    if (chance(0.01)) m.buttons.pop_back();
+    if (chance(0.01)) m.buttons[0] = 2;
+    if (chance(0.01)) m.axes[1] = 1.5F;
     if (chance(0.03)) m.axes[0] = std::numeric_limits<float>::quiet_NaN();
     if (chance(0.03)) m.axes[0] = -1.5F;
     if (chance(0.03)) m.axes.clear();
@@ -91,6 +114,10 @@ class Story {
   double late_ = 0.0;
   bool stamps_ = false;
   bool deflected_ = false;
+  bool toggles_ = false;
+  bool stops_ = false;
+  bool pulls_ = false;  // a pulled stick is part of the story
+  bool pulled_ = false;
   bool held_ = false;
   bool latched_ = false;
 };
@@ -98,7 +125,7 @@ class Story {
 TEST(OperatorTwin, EveryCycleOfRandomStories) {
   std::array<std::array<int, 7>, 7> changes{};
   std::uint32_t dropped = 0;
-  for (unsigned seed = 1; seed <= 1000; ++seed) {
+  for (unsigned seed = 1; seed <= 2000; ++seed) {
     Story story(seed);
     const Parameters p = story.parameters();
     const std::vector<Event> history = story.events(240);
@@ -117,6 +144,14 @@ TEST(OperatorTwin, EveryCycleOfRandomStories) {
         machine.new_goal();
         continue;
       }
+      if (event.kind == Event::Kind::say_stop) {
+        machine.stop(event.said);
+        continue;
+      }
+      if (event.kind == Event::Kind::say_control) {
+        machine.take_control(event.said);
+        continue;
+      }
       const OperatorStateId before = machine.state();
       const OperatorIntent intent = machine.update(event.time);
       machine.debrief(event.time, event.feedback);
@@ -125,6 +160,7 @@ TEST(OperatorTwin, EveryCycleOfRandomStories) {
       ASSERT_EQ(static_cast<int>(intent.influence), static_cast<int>(wanted.influence)) << "seed " << seed;
       ASSERT_EQ(intent.u_h.v, wanted.u_h.v) << "seed " << seed << " cycle " << cycle;
       ASSERT_EQ(intent.u_h.omega, wanted.u_h.omega) << "seed " << seed << " cycle " << cycle;
+      ASSERT_EQ(intent.guarded, wanted.guarded) << "seed " << seed << " cycle " << cycle;
       ASSERT_EQ(machine.state(), intent.state);
       ++changes[static_cast<std::size_t>(before)][static_cast<std::size_t>(intent.state)];
       ++cycle;
@@ -136,15 +172,30 @@ TEST(OperatorTwin, EveryCycleOfRandomStories) {
 
   // The stories went through every change that there is.
   using S = OperatorStateId;
-  const std::vector<std::pair<S, S>> all = {
-      {S::autonomy, S::shared},  {S::shared, S::autonomy}, {S::shared, S::hold},      {S::shared, S::lost},
-      {S::shared, S::blocked},   {S::blocked, S::shared},  {S::blocked, S::hold},     {S::blocked, S::lost},
-      {S::blocked, S::autonomy}, {S::hold, S::shared},     {S::hold, S::autonomy},    {S::lost, S::shared},
-      {S::lost, S::hold},        {S::lost, S::autonomy},   {S::autonomy, S::autonomy}};
+  std::vector<std::pair<S, S>> all = {
+      {S::autonomy, S::shared}, {S::autonomy, S::manual}, {S::shared, S::autonomy},  {S::shared, S::hold},
+      {S::shared, S::lost},     {S::shared, S::blocked},  {S::blocked, S::autonomy}, {S::blocked, S::shared},
+      {S::blocked, S::hold},    {S::blocked, S::lost},    {S::hold, S::autonomy},    {S::hold, S::shared},
+      {S::lost, S::autonomy},   {S::lost, S::shared},     {S::lost, S::hold},        {S::lost, S::manual},
+      {S::manual, S::autonomy}, {S::manual, S::lost},     {S::stopped, S::autonomy}, {S::stopped, S::shared},
+      {S::stopped, S::manual},  {S::stopped, S::lost}};
+  const S states[] = {S::autonomy, S::shared, S::hold, S::manual, S::stopped, S::lost, S::blocked};
+  for (const S any : states) {
+    all.emplace_back(any, any);
+    if (any != S::stopped) all.emplace_back(any, S::stopped);
+  }
   for (const auto& [from, to] : all) {
     const int times = changes[static_cast<std::size_t>(from)][static_cast<std::size_t>(to)];
     std::printf("%s -> %s: %d\n", to_string(from), to_string(to), times);
     EXPECT_GE(times, 5) << to_string(from) << " -> " << to_string(to);
+  }
+  // And through none that there is not.
+  for (const S from : states) {
+    for (const S to : states) {
+      const bool known = std::find(all.begin(), all.end(), std::make_pair(from, to)) != all.end();
+      const int times = changes[static_cast<std::size_t>(from)][static_cast<std::size_t>(to)];
+      EXPECT_TRUE(known || times == 0) << to_string(from) << " -> " << to_string(to) << ": " << times;
+    }
   }
   std::printf("dropped: %u\n", dropped);
   EXPECT_GT(dropped, 1000U);
