@@ -142,10 +142,13 @@ bool AdmissibilityCheck::between_free(const Tile& tile, std::size_t c, std::size
 }
 
 bool AdmissibilityCheck::rollout_escapes(const Tile& tile, std::size_t c) const {
+  const bool circle = footprint_->radius() > 0.0;
   int before = stance_.penetration;
   for (std::size_t k = 1; k <= tile.steps; ++k) {
     const int now = checker_->penetration(tile.pose(k, c));
     if (now > before) return false;
+    // Cells say little of how deep it is in each of them; of a circle more is known.
+    if (circle && now > 0 && checker_->clearance(tile.pose(k, c)) < stance_.clearance - kSameClearance) return false;
     before = now;
   }
   if (before < stance_.penetration || turns_out(tile, c)) return true;

@@ -350,7 +350,8 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
   SampleRequest request;
   request.reference = decision.reference;
   request.previous = situation.last_command;
-  request.wanted = steered ? &wish : nullptr;
+  request.wanted = steered ? &intent.u_h : nullptr;
+  request.blended = steered && !(wish == intent.u_h) ? &wish : nullptr;
   request.period = situation.period;
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
   request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;

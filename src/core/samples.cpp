@@ -89,6 +89,9 @@ void Sampler::add_extra(const Parameters& p, const VelocityLimits& limits, const
   if (p.sample_operator && request.wanted != nullptr) {
     samples_.push_back({into_window(p, limits, window_, *request.wanted), SampleKind::operator_own});
   }
+  if (p.sample_operator && request.blended != nullptr) {
+    samples_.push_back({into_window(p, limits, window_, *request.blended), SampleKind::blended});
+  }
   if (p.sample_previous) {
     const Twist2 u = into_window(p, limits, window_, request.previous);
     if (!is_zero(u)) samples_.push_back({u, SampleKind::previous});

@@ -10,7 +10,7 @@
 namespace hidwa_local_planner {
 
 /// Where a candidate comes from.
-enum class SampleKind { grid, brake, operator_own, previous };
+enum class SampleKind { grid, brake, operator_own, blended, previous };
 
 struct Sample {
   Twist2 u;  // [m/s, rad/s]
@@ -39,7 +39,8 @@ Twist2 into_window(const Parameters& parameters, const VelocityLimits& limits, c
 struct SampleRequest {
   Twist2 reference;                // [m/s, rad/s]
   Twist2 previous;                 // the last command [m/s, rad/s]
-  const Twist2* wanted = nullptr;  // u_h where it counts
+  const Twist2* wanted = nullptr;   // u_h where it counts
+  const Twist2* blended = nullptr;  // u_ref where it differs from that (authority below 1)
   double period = 0.05;            // [s]
   int vx_samples = 20;
   int vth_samples = 20;

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Places where autonomy stands still, though a way leads on.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/naive_inflation.hpp"
+#include "support/naive_planner.hpp"
+#include "support/planner_bench.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::PlannerBench;
+using test::Scene;
+
+constexpr double kRadius = 0.31;  // [m]
+
+// A round robot at rest in an empty map.
+Scene round_robot() {
+  Scene scene = Scene::empty(81, 0.05);
+  scene.parameters = Parameters();
+  scene.outline.clear();
+  for (int i = 0; i < 16; ++i) {
+    scene.outline.push_back({kRadius * std::cos(i * M_PI / 8.0), kRadius * std::sin(i * M_PI / 8.0)});
+  }
+  return scene;
+}
+
+// A plan that passes a block on its right more closely than the robot may: the block begins `ahead` of the robot's
+// centre, its upper edge lies at y = -0.275; robot and plan lie at y.
+Scene beside_a_block(double ahead, double y) {
+  Scene scene = round_robot();
+  scene.fill(ahead, -1.0, ahead + 0.4, -0.275);
+  test::inflate(scene, 0.304, 0.8, 3.0);  // 0.31 cos(pi / 16) is inscribed
+  for (Pose2& pose : scene.situation.plan) pose.y = y;
+  scene.situation.pose.y = scene.situation.goal.y = y;
+  return scene;
+}
+
+double driven(const Scene& scene) {
+  PlannerBench bench(scene);
+  for (int k = 0; k < 200; ++k) {
+    bench.drive();
+    const Scene& now = bench.scene();
+    // Where the centre's cell is inscribed it counts as in collision already and finds its way by coarser steps: a
+    // disc 3 mm deep in an edge overlaps it by 4/3 d sqrt(2 R d) = 1.7e-4 m2.
+    EXPECT_LT(test::naive_overlap(now.grid(), test::naive_body(now), now.situation.pose, true), 1.7e-4);
+  }
+  return bench.scene().situation.pose.x;
+}
+
+TEST(WayOut, PastCornersThatThePlanHugs) {
+  int stuck_without = 0, scenes = 0;
+  for (const double ahead : {0.125, 0.225, 0.325}) {
+    for (double y = 0.0; y < 0.05; y += 0.008) {
+      Scene scene = beside_a_block(ahead, y);
+      const test::NaiveBody body = test::naive_body(scene);
+      if (test::naive_overlap(scene.grid(), body, scene.situation.pose, true) > 0.0) continue;
+      ++scenes;
+      EXPECT_GT(driven(scene), 0.8) << ahead << " " << y;
+      scene.parameters.turn_when_stuck = false;
+      if (driven(scene) < 0.8) ++stuck_without;
+    }
+  }
+  EXPECT_GE(scenes, 10);
+  EXPECT_GE(stuck_without, 3);  // or these scenes show nothing
+}
+
+// It faces a wall: nothing that drives is legal, and no turn is cheaper than standing before it is half done.
+TEST(WayOut, TurnsFromAWallToThePlan) {
+  for (const double theta : {M_PI, 2.5, -2.0, 1.2}) {
+    Scene scene = round_robot();
+    scene.situation.pose.theta = theta;
+    const double x = (kRadius + 0.08) * std::cos(theta), y = (kRadius + 0.08) * std::sin(theta);
+    scene.fill(x - 0.05, y - 0.05, x + 0.05, y + 0.05);
+    EXPECT_GT(driven(scene), 0.8) << theta;
+  }
+}
+
+// A cell that a new scan put into the robot's right side; a wall on the left leaves no room for an arc out of it.
+TEST(WayOut, OutOfACollisionByTurningFirst) {
+  Scene scene = round_robot();
+  scene.situation.pose = {0.0, 0.012, -0.5};
+  scene.fill(-0.05, -0.325, 0.05, -0.275);  // its upper edge at -0.275: 0.31 - 0.287 = 23 mm deep
+  scene.fill(-1.0, 0.375, 1.0, 0.425);      // 0.375 - 0.012 - 0.31 = 53 mm beside it
+  Scene stays = scene;
+  stays.parameters.turn_when_stuck = false;
+  PlannerBench bench(scene), without(stays);
+  const test::NaiveBody body = test::naive_body(scene);
+  const auto overlap = [&body](PlannerBench& b) {
+    return test::naive_overlap(b.scene().grid(), body, b.scene().situation.pose, true);
+  };
+  const double deep = overlap(bench);
+  ASSERT_GT(deep, 0.0);
+  for (int k = 0; k < 200 && overlap(bench) > 0.0; ++k) {
+    bench.drive();
+    EXPECT_LT(overlap(bench), deep + 5e-4);  // of 16 corners a turn moves some in, some out [m2]
+  }
+  EXPECT_LT(overlap(bench), 1e-9);
+  for (int k = 0; k < 200; ++k) without.drive();
+  EXPECT_GT(overlap(without), 0.0);  // or this scene shows nothing
+}
+
+// Walled in on all sides: standing is right, and the host is told.
+TEST(WayOut, WhereThereIsNoneItSaysSo) {
+  Scene scene = round_robot();
+  scene.fill(-0.6, -0.6, 0.6, -0.33);
+  scene.fill(-0.6, 0.33, 0.6, 0.6);
+  scene.fill(-0.6, -0.6, -0.33, 0.6);
+  scene.fill(0.33, -0.6, 0.6, 0.6);
+  PlannerBench bench(scene);
+  int failures = 0;
+  std::string problem;
+  for (int k = 0; k < 400; ++k) {
+    const Decision& decision = bench.drive();
+    if (decision.outcome != Outcome::fail) continue;
+    ++failures;
+    problem = decision.problem;
+  }
+  EXPECT_GT(failures, 100);
+  EXPECT_NE(problem.find("stuck"), std::string::npos);
+  EXPECT_LT(std::hypot(bench.scene().situation.pose.x, bench.scene().situation.pose.y), 0.03);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
