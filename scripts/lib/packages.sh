@@ -11,7 +11,7 @@ HIDWA_DEBIAN_BUILD="build-essential cmake catkin python3-setuptools
   libgeometry-msgs-dev libnav-msgs-dev libsensor-msgs-dev libvisualization-msgs-dev libstd-srvs-dev libmap-msgs-dev
   libmove-base-msgs-dev ros-std-msgs ros-geometry-msgs ros-nav-msgs ros-sensor-msgs ros-map-msgs
   ros-visualization-msgs ros-actionlib-msgs ros-move-base-msgs ros-std-srvs
-  libactionlib-dev libangles-dev libmessage-filters-dev libtf2-ros-dev libtf2-geometry-msgs-dev
+  libactionlib-dev libangles-dev libmessage-filters-dev libtf2-ros-dev libtf2-geometry-msgs-dev libtopic-tools-dev
   libtf2-sensor-msgs-dev liblaser-geometry-dev libdynamic-reconfigure-config-init-mutex-dev
   python3-dynamic-reconfigure libeigen3-dev libyaml-cpp-dev libtinyxml2-dev libsdl-image1.2-dev liburdf-dev
   liburdfdom-dev libdiagnostic-updater-dev libinteractive-markers-dev

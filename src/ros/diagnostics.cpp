@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/diagnostics.hpp"
 
+#include "hidwa_local_planner/ros/operator_feedback.hpp"
+
 namespace hidwa_local_planner {
 
 Diagnostics::Diagnostics(ros::NodeHandle handle, const std::string& name, const CycleStatistics& statistics,
@@ -8,6 +10,8 @@ Diagnostics::Diagnostics(ros::NodeHandle handle, const std::string& name, const 
     : statistics_(statistics), person_(person), updater_(handle, ros::NodeHandle("~")) {
   updater_.setHardwareID("none");
   updater_.add(name, [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
+  updater_.add(name + " operator",
+               [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report_person(status); });
   timer_ = handle.createWallTimer(ros::WallDuration(1.0),
                                   [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
@@ -26,8 +30,6 @@ void Diagnostics::set(const std::string& fault, const Load& load) {
 void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using Status = diagnostic_msgs::DiagnosticStatus;
   const CycleStatistics::Summary cycles = statistics_.summary();
-  const OperatorInput::Status person = person_.status(ros::Time::now().toSec());
-  const std::string advice = person_.advice();
   std::shared_ptr<const std::string> fault;
   Load load;
   {
@@ -36,7 +38,6 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
     load = load_;
   }
   status.summary(Status::OK, "ready");
-  if (!advice.empty()) status.mergeSummary(Status::WARN, advice);
   const std::string thinned = thinning_complaint(load.in_force, load.full, load.budget);
   if (!thinned.empty()) status.mergeSummary(Status::WARN, thinned);
   if (cycles.p99 > load.period) {
@@ -52,9 +53,38 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   status.add("cycle time p99 [ms]", 1e3 * cycles.p99);
   status.add("cycle time max [ms]", 1e3 * cycles.max);
   report_load(status, load);
-  status.add("operator", to_string(person.state));
-  status.add("operator input age [s]", person.age);
-  status.add("operator messages dropped", person.dropped);
+}
+
+void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using Status = diagnostic_msgs::DiagnosticStatus;
+  const OperatorInput::Status person = person_.status(ros::Time::now().toSec());
+  const OperatorInput::Device device = person_.device();
+  const std::string advice = person_.advice();
+  const ros::WallTime now = ros::WallTime::now();
+  const double elapsed = (now - reported_at_).toSec();
+  const std::uint64_t since = device.messages >= reported_messages_ ? device.messages - reported_messages_ : 0;
+  const double rate = !reported_at_.isZero() && elapsed > 0.0 ? static_cast<double>(since) / elapsed : 0.0;
+  reported_at_ = now;
+  reported_messages_ = device.messages;
+
+  status.summary(Status::OK, to_string(person.state));
+  if (person.mode == OperatorMode::off) {
+    status.summary(Status::OK, "off: nobody steers (parameter mode, or the topic set_mode)");
+  } else if (device.messages == 0) {
+    status.mergeSummary(Status::OK, "nothing came on " + device.topic + " yet: start the device's node, or set mode off");
+  } else if (person.state == OperatorStateId::lost) {
+    status.mergeSummary(Status::ERROR, device.topic + " fell silent while the person steered: look at the link to " +
+                                           device.sender);
+  }
+  if (!advice.empty()) status.mergeSummary(Status::WARN, advice);
+  status.add("mode", name_of(person.mode));
+  status.add("state", to_string(person.state));
+  status.add("input", device.topic);
+  status.add("device", device.sender.empty() ? "none yet" : device.sender);
+  status.add("rate [Hz]", rate);
+  status.add("age of the last message [s]", person.age);
+  status.add("messages", device.messages);
+  status.add("messages dropped", person.dropped);
 }
 
 void Diagnostics::report_load(diagnostic_updater::DiagnosticStatusWrapper& status, const Load& load) const {

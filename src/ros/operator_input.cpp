@@ -1,7 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/operator_input.hpp"
 
+#include <geometry_msgs/Twist.h>
+#include <geometry_msgs/TwistStamped.h>
+
 namespace hidwa_local_planner {
+namespace {
+
+bool by_hand(const Parameters& p) { return p.mode == OperatorMode::gesture; }
+
+bool by_twist(const Parameters& p) { return p.mode != OperatorMode::off && input::steered_by_twist(p); }
+
+// What steers, as a person knows it.
+std::string steering_topic(const Parameters& p) {
+  if (p.mode == OperatorMode::off) return {};
+  if (by_twist(p)) return p.twist_topic;
+  if (!by_hand(p)) return p.joy_topic;
+  return p.gesture_frame.empty() ? p.gesture_topic : "tf " + p.gesture_parent_frame + " -> " + p.gesture_frame;
+}
+
+input::HandMessage to_hand(const geometry_msgs::Point& position, const geometry_msgs::Quaternion& orientation) {
+  input::HandMessage hand;
+  hand.position = {position.x, position.y, position.z};
+  hand.orientation = {orientation.x, orientation.y, orientation.z, orientation.w};
+  return hand;
+}
+
+}  // namespace
 
 OperatorInput::OperatorInput() { thread_.start(); }
 
@@ -11,22 +36,36 @@ void OperatorInput::configure(const ros::NodeHandle& handle, const Parameters& p
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     machine_.configure(parameters);
+    mode_ = parameters.mode;
+    const std::string topic = steering_topic(parameters);
+    if (topic != device_.topic) device_ = {topic, "", 0};
+    stick_steers_ = topic == parameters.joy_topic;
   }
-  const std::string topic = parameters.mode == OperatorMode::off ? std::string() : parameters.joy_topic;
-  if (topic != topic_) subscribe(handle, topic);
+  const bool off = parameters.mode == OperatorMode::off;
+  const bool pose = by_hand(parameters) && parameters.gesture_frame.empty();
+  follow<sensor_msgs::Joy>(joy_, joy_topic_, handle, off ? "" : parameters.joy_topic, &OperatorInput::receive);
+  follow<topic_tools::ShapeShifter>(twist_, twist_topic_, handle, by_twist(parameters) ? parameters.twist_topic : "",
+                                    &OperatorInput::receive_twist);
+  follow<geometry_msgs::PoseStamped>(hand_, hand_topic_, handle, pose ? parameters.gesture_topic : "",
+                                     &OperatorInput::receive_hand);
 }
 
-void OperatorInput::subscribe(const ros::NodeHandle& handle, const std::string& topic) {
-  topic_ = topic;
-  subscriber_.shutdown();
+template <typename Message>
+void OperatorInput::follow(ros::Subscriber& subscriber, std::string& followed, const ros::NodeHandle& handle,
+                           const std::string& topic, Receive<Message> taker) {
+  if (topic == followed) return;
+  followed = topic;
+  subscriber.shutdown();
   if (topic.empty()) return;
-  // Size 1 and no delay: an old deflection must never be worked off late.
-  using Event = ros::MessageEvent<const sensor_msgs::Joy>;
-  const boost::function<void(const Event&)> callback = [this](const Event& event) {
-    receive(*event.getConstMessage(), event.getPublisherName(), ros::Time::now().toSec());
+  using Event = ros::MessageEvent<const Message>;
+  const boost::function<void(const Event&)> callback = [this, taker](const Event& event) {
+    const ros::Time now = ros::Time::now();
+    if (now.isZero()) return;  // a simulated clock that has not begun: nothing can be said about lateness
+    (this->*taker)(*event.getConstMessage(), event.getPublisherName(), now.toSec());
   };
-  subscriber_ = thread_.serve(handle).subscribe<sensor_msgs::Joy, const Event&>(
-      topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
+  // Size 1 and no delay: an old deflection must never be worked off late.
+  subscriber = thread_.serve(handle).subscribe<Message, const Event&>(topic, 1, callback, nullptr,
+                                                                      ros::TransportHints().tcpNoDelay());
 }
 
 void OperatorInput::receive(const sensor_msgs::Joy& message, const std::string& sender, double received) {
@@ -36,12 +75,68 @@ void OperatorInput::receive(const sensor_msgs::Joy& message, const std::string& 
   stick.buttons.assign(message.buttons.begin(), message.buttons.end());
   stick.stamp = message.header.stamp.toSec();
   stick.received = received;
+  take(stick, "joystick", stick_steers_);
+}
+
+void OperatorInput::receive_twist(const topic_tools::ShapeShifter& message, const std::string& sender,
+                                  double received) {
+  geometry_msgs::Twist twist;
+  input::TwistMessage wanted;
+  if (message.getDataType() == "geometry_msgs/TwistStamped") {
+    const auto stamped = message.instantiate<geometry_msgs::TwistStamped>();
+    twist = stamped->twist;
+    wanted.stamp = stamped->header.stamp.toSec();
+  } else if (message.getDataType() == "geometry_msgs/Twist") {
+    twist = *message.instantiate<geometry_msgs::Twist>();
+  } else {
+    ROS_WARN_THROTTLE(5.0, "twist_topic %s carries %s: geometry_msgs/Twist or TwistStamped is wanted",
+                      twist_topic_.c_str(), message.getDataType().c_str());
+    return;
+  }
+  wanted.u = {twist.linear.x, twist.angular.z};
+  wanted.sender = sender;
+  wanted.received = received;
+  take(wanted, "Twist", true);
+}
+
+void OperatorInput::receive_hand(const geometry_msgs::PoseStamped& message, const std::string& sender,
+                                 double received) {
+  input::HandMessage hand = to_hand(message.pose.position, message.pose.orientation);
+  hand.sender = sender;
+  hand.stamp = message.header.stamp.toSec();
+  hand.received = received;
+  take(hand, "hand pose", true);
+}
+
+void OperatorInput::receive(const geometry_msgs::TransformStamped& transform, double received) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (transform.header.stamp == hand_stamp_) return;
+    hand_stamp_ = transform.header.stamp;
+  }
+  geometry_msgs::Point position;
+  position.x = transform.transform.translation.x;
+  position.y = transform.transform.translation.y;
+  position.z = transform.transform.translation.z;
+  input::HandMessage hand = to_hand(position, transform.transform.rotation);
+  hand.sender = "tf";
+  hand.stamp = transform.header.stamp.toSec();
+  hand.received = received;
+  take(hand, "hand transform", true);
+}
+
+template <typename Message>
+void OperatorInput::take(const Message& message, const char* kind, bool steers) {
   std::string fault;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    fault = machine_.receive(stick);
+    fault = machine_.receive(message);
+    if (fault.empty() && steers) {
+      ++device_.messages;
+      device_.sender = message.sender;
+    }
   }
-  if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "joystick message dropped: %s", fault.c_str());
+  if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "%s message dropped: %s", kind, fault.c_str());
 }
 
 OperatorIntent OperatorInput::update(double now) {
@@ -64,9 +159,24 @@ void OperatorInput::reset() {
   machine_.reset();
 }
 
+void OperatorInput::take_control(bool manual) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  machine_.take_control(manual);
+}
+
+void OperatorInput::stop(bool stop) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  machine_.stop(stop);
+}
+
 OperatorInput::Status OperatorInput::status(double now) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return {machine_.state(), machine_.input_age(now), machine_.dropped()};
+  return {machine_.state(), mode_, machine_.manual(), machine_.input_age(now), machine_.dropped()};
+}
+
+OperatorInput::Device OperatorInput::device() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return device_;
 }
 
 std::string OperatorInput::advice() const {

@@ -13,7 +13,6 @@ namespace hidwa_local_planner {
 Publishing::Publishing(ros::NodeHandle handle, std::string frame) : frame_(std::move(frame)) {
   global_plan_ = handle.advertise<nav_msgs::Path>("global_plan", 1);
   local_plan_ = handle.advertise<nav_msgs::Path>("local_plan", 1);
-  operator_state_ = handle.advertise<OperatorState>("operator_state", 10);
   cycle_ = handle.advertise<Cycle>("cycle", 50);
   evaluation_ = handle.advertise<Evaluation>("evaluation", 1);
   trajectories_ = handle.advertise<visualization_msgs::MarkerArray>("trajectories", 1);
@@ -45,26 +44,6 @@ void Publishing::publish_cycle(const ros::Time& stamp, const CycleResult& result
     message.rejection_counts[i] = static_cast<std::uint32_t>(decision->refusals[i].count);
   }
   cycle_.publish(message);
-}
-
-void Publishing::publish_operator(const ros::Time& stamp, const CycleResult& result,
-                                  const OperatorIntent& intent, const OperatorInput::Status& status) {
-  if (operator_state_.getNumSubscribers() == 0) return;
-  OperatorState& message = operator_message_;
-  message.header.stamp = stamp;
-  message.header.frame_id = frame_;
-  message.state = static_cast<std::uint8_t>(intent.state);
-  message.state_name = to_string(intent.state);
-  message.active = intent.influence != Influence::none;
-  message.wanted = to_message(intent.u_h);
-  message.command = to_message(result.command);
-  message.agreement = result.decision ? result.decision->agreement : message.active ? 0.0 : 1.0;
-  message.refused_by = result.decision  ? result.decision->operator_refused_by
-                       : message.active ? result.fault
-                                        : "";
-  message.input_age = status.age;
-  message.dropped = status.dropped;
-  operator_state_.publish(message);
 }
 
 void Publishing::publish_paths(const ros::Time& stamp, const std::vector<Pose2>& window,

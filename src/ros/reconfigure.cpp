@@ -61,6 +61,19 @@ Reconfigure::Reconfigure(const ros::NodeHandle& handle, const Parameters& initia
   server_->setCallback([this](StrictConfig& wanted, std::uint32_t) { change(wanted); });
 }
 
+std::vector<std::string> Reconfigure::set(const std::string& name, const ParameterValue& value) {
+  const boost::recursive_mutex::scoped_lock lock(mutex_);
+  std::vector<std::string> faults;
+  Parameters parameters = from_config(shown_, faults);
+  const std::string fault = set_parameter(parameters, name, value);
+  if (!fault.empty()) faults.push_back(fault);
+  if (faults.empty()) faults = judge_(parameters);
+  if (!faults.empty()) return faults;
+  shown_ = StrictConfig(to_config(parameters));
+  server_->updateConfig(shown_);
+  return {};
+}
+
 void Reconfigure::change(StrictConfig& wanted) {
   if (!started_) {  // setting the callback calls it with what is in force already
     started_ = true;

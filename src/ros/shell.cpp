@@ -45,7 +45,8 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
       description_(handle_, costmap.getBaseFrameID()),
       registry_(registry_with_plugins()),
       planner_(registry_),
-      publishing_(handle_, costmap.getGlobalFrameID()) {
+      publishing_(handle_, costmap.getGlobalFrameID()),
+      feedback_(handle_, host_handle_, costmap.getGlobalFrameID(), costmap.getBaseFrameID()) {
   start_parameters();
   diagnostics_ = std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_);
   diagnostics_->set("", load());
@@ -89,6 +90,8 @@ void Shell::start_parameters() {
   for (const std::string& alias : loaded.aliases) handle_.deleteParam(alias);
   reconfigure_ = std::make_unique<Reconfigure>(thread_.serve(handle_), loaded.parameters,
                                                [this](const Parameters& wanted) { return judge(wanted); });
+  commands_ = std::make_unique<OperatorCommands>(thread_.serve(handle_), person_, *reconfigure_);
+  feedback_.show_mode(planner_.parameters().mode);
 }
 
 void Shell::report_start(const std::vector<std::string>& found) const {
@@ -133,6 +136,7 @@ void Shell::take_parameters() {
   if (!faults.empty()) return;
   refused_.clear();
   budget_.configure(wanted_samples(planner_.parameters()));
+  feedback_.show_mode(planner_.parameters().mode);
   check_horizon();
 }
 

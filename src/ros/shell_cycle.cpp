@@ -49,7 +49,7 @@ void Shell::begin_goal() {
 
 bool Shell::goal_reached() {
   const double now = ros::Time::now().toSec();
-  if (person_.status(now).state == OperatorStateId::manual) return false;
+  if (person_.status(now).manual) return false;
   const Observation observation = observe(now);
   if (!observation.fault.empty()) return false;
   const Pose2 goal = observation.from_plan.apply(plan_.goal());
@@ -66,11 +66,12 @@ bool Shell::cycle(geometry_msgs::Twist& command) {
   const double now = stamp.toSec();
   take_parameters();
   const bool paused = watch_time(now);
+  watch_hand(now);
   const OperatorIntent intent = person_.update(now);
   const CycleResult result = work(now, intent, paused);
   explain(now, result);
 
-  publishing_.publish_operator(stamp, result, intent, person_.status(now));
+  feedback_.publish(stamp, planner_.parameters(), result, intent, person_.status(now));
   if (result.decision) {
     publishing_.publish_paths(stamp, situation_.plan, result.decision->trajectory);
     publishing_.publish_evaluation(stamp, planner_);
@@ -89,10 +90,20 @@ CycleResult Shell::work(double now, const OperatorIntent& intent, bool paused) {
   const Observation observation = observe(now);
   // While the host was in control it sent commands of its own.
   if (paused) last_command_ = observation.velocity.value_or(Twist2{});
-  CycleResult result = observation.fault.empty() ? decide(now, observation, intent) : brake(now, observation);
+  CycleResult result = observation.fault.empty() ? decide(now, observation, intent) : brake(now, observation, intent);
   result.sampling = budget_.in_force();
   remember(now, result, observation);
   return result;
+}
+
+// Where the hand is a tf frame: what cannot be had is silence, and told as such.
+void Shell::watch_hand(double now) {
+  const Parameters& p = planner_.parameters();
+  if (p.mode != OperatorMode::gesture || p.gesture_frame.empty()) return;
+  try {
+    person_.receive(tf_.lookupTransform(p.gesture_parent_frame, p.gesture_frame, ros::Time(0)), now);
+  } catch (const tf2::TransformException&) {
+  }
 }
 
 bool Shell::watch_time(double now) {
@@ -164,13 +175,15 @@ std::string Shell::update_footprint() {
   return "";
 }
 
-CycleResult Shell::brake(double now, const Observation& observation) {
+CycleResult Shell::brake(double now, const Observation& observation, const OperatorIntent& intent) {
   CycleResult result;
   result.fault = observation.fault;
   const FaultBrake::Answer answer =
       fault_brake_.answer(now, observation.velocity, last_command_, planner_.parameters(), control_period());
   result.outcome = answer.success ? Outcome::brake : Outcome::fail;
   result.command = answer.command;
+  // Who stopped the robot did not ask the host to recover it.
+  if (!answer.success && intent.influence == Influence::stop) result.outcome = Outcome::hold;
   return result;
 }
 

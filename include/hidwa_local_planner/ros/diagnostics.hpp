@@ -36,6 +36,7 @@ class Diagnostics {
 
  private:
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void report_person(diagnostic_updater::DiagnosticStatusWrapper& status);
   void report_load(diagnostic_updater::DiagnosticStatusWrapper& status, const Load& load) const;
 
   const CycleStatistics& statistics_;
@@ -45,6 +46,8 @@ class Diagnostics {
   std::shared_ptr<const std::string> fault_ = std::make_shared<const std::string>();
   Load load_;
   std::uint64_t reported_cycles_ = 0;
+  std::uint64_t reported_messages_ = 0;
+  ros::WallTime reported_at_;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
 };

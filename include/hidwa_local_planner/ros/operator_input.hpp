@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <string>
 
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 #include <sensor_msgs/Joy.h>
+#include <topic_tools/shape_shifter.h>
 
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
@@ -15,39 +20,66 @@
 
 namespace hidwa_local_planner {
 
-/// The person: a joystick topic with its own queue and thread, and the state machine behind it. Thread-safe;
-/// the control thread waits at most for one message to be taken.
+/// The person: the topics of stick, Twist and hand with their own queue and thread, and the state machine
+/// behind them. Thread-safe; the control thread waits at most for one message to be taken.
 class OperatorInput {
  public:
   OperatorInput();
   ~OperatorInput();
-  /// Resubscribes where the topic changed. `handle` decides the namespace.
+  /// Resubscribes where a topic changed. `handle` decides the namespace.
   void configure(const ros::NodeHandle& handle, const Parameters& parameters);
   /// `sender`: the publishing node; `received` [s].
   void receive(const sensor_msgs::Joy& message, const std::string& sender, double received);
+  /// The hand as tf has it; the same transform again is no news.
+  void receive(const geometry_msgs::TransformStamped& hand, double received);
 
   OperatorIntent update(double now);
   void debrief(double now, const input::CycleFeedback& feedback);
   void new_goal();
   /// Time jumped back.
   void reset();
+  /// In words: see OperatorStateMachine.
+  void take_control(bool manual);
+  void stop(bool stop);
 
   struct Status {
     OperatorStateId state = OperatorStateId::autonomy;
-    double age = -1.0;  // of the last accepted message [s]; negative when none came yet
+    OperatorMode mode = OperatorMode::off;
+    bool manual = false;  // SW: the person has taken control and not given it back
+    double age = -1.0;    // of the last accepted message of what steers [s]; negative when none came yet
     std::uint32_t dropped = 0;
   };
   Status status(double now) const;
+
+  /// What steers, as a person would ask for it.
+  struct Device {
+    std::string topic;   // or frames
+    std::string sender;  // the node that sent the last message; empty when none came
+    std::uint64_t messages = 0;
+  };
+  Device device() const;
   std::string advice() const;
 
  private:
-  void subscribe(const ros::NodeHandle& handle, const std::string& topic);
+  template <typename Message>
+  using Receive = void (OperatorInput::*)(const Message&, const std::string&, double);
+  template <typename Message>
+  void follow(ros::Subscriber& subscriber, std::string& followed, const ros::NodeHandle& handle,
+              const std::string& topic, Receive<Message> taker);
+  template <typename Message>
+  void take(const Message& message, const char* kind, bool steers);
+  void receive_twist(const topic_tools::ShapeShifter& message, const std::string& sender, double received);
+  void receive_hand(const geometry_msgs::PoseStamped& message, const std::string& sender, double received);
 
   mutable std::mutex mutex_;
   input::OperatorStateMachine machine_;
-  CallbackThread thread_;  // outlives the subscriber that it serves
-  std::string topic_;
-  ros::Subscriber subscriber_;
+  OperatorMode mode_ = OperatorMode::off;
+  Device device_;
+  std::atomic<bool> stick_steers_{false};
+  ros::Time hand_stamp_;   // of the newest transform
+  CallbackThread thread_;  // outlives the subscribers that it serves
+  std::string joy_topic_, twist_topic_, hand_topic_;
+  ros::Subscriber joy_, twist_, hand_;
 };
 
 }  // namespace hidwa_local_planner

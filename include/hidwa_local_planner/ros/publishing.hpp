@@ -9,23 +9,13 @@
 #include <ros/publisher.h>
 
 #include "hidwa_local_planner/Cycle.h"
-#include "hidwa_local_planner/OperatorState.h"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
-#include "hidwa_local_planner/ros/operator_input.hpp"
+#include "hidwa_local_planner/ros/cycle_result.hpp"
 
 namespace hidwa_local_planner {
 
-/// What a cycle came to.
-struct CycleResult {
-  Outcome outcome = Outcome::fail;
-  Twist2 command;     // sent, or zero on failure [m/s, rad/s]
-  std::string fault;  // missing input; then there is no decision
-  const Decision* decision = nullptr;
-  Sampling sampling;  // in force
-};
-
-/// The topics below the planner's name. A message is built only when somebody subscribes.
+/// The topics below the planner's name, except those for the person. A message is built only when somebody subscribes.
 class Publishing {
  public:
   /// `frame`: the costmap's.
@@ -33,8 +23,6 @@ class Publishing {
 
   void publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state,
                      double duration);
-  void publish_operator(const ros::Time& stamp, const CycleResult& result, const OperatorIntent& intent,
-                        const OperatorInput::Status& status);
   void publish_paths(const ros::Time& stamp, const std::vector<Pose2>& window,
                      const std::vector<Pose2>& trajectory);
   void publish_evaluation(const ros::Time& stamp, const Planner& planner);
@@ -43,10 +31,9 @@ class Publishing {
   void publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose2>& poses);
 
   std::string frame_;
-  ros::Publisher global_plan_, local_plan_, operator_state_, cycle_, evaluation_, trajectories_;
+  ros::Publisher global_plan_, local_plan_, cycle_, evaluation_, trajectories_;
   // Kept from cycle to cycle for their memory.
   Cycle cycle_message_;
-  OperatorState operator_message_;
 };
 
 }  // namespace hidwa_local_planner

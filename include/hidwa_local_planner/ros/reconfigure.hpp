@@ -38,6 +38,10 @@ class Reconfigure {
   /// Shows `initial`, which need not be valid, and writes it to the parameter server.
   Reconfigure(const ros::NodeHandle& handle, const Parameters& initial, Judge judge);
 
+  /// Changes one parameter as a client would, and shows it to all clients. Returns the faults where it was
+  /// refused.
+  std::vector<std::string> set(const std::string& name, const ParameterValue& value);
+
  private:
   void change(StrictConfig& wanted);
 

@@ -23,6 +23,8 @@
 #include "hidwa_local_planner/ros/handover.hpp"
 #include "hidwa_local_planner/ros/message_throttle.hpp"
 #include "hidwa_local_planner/ros/odometry_input.hpp"
+#include "hidwa_local_planner/ros/operator_commands.hpp"
+#include "hidwa_local_planner/ros/operator_feedback.hpp"
 #include "hidwa_local_planner/ros/operator_input.hpp"
 #include "hidwa_local_planner/ros/parameter_set.hpp"
 #include "hidwa_local_planner/ros/plan_tracker.hpp"
@@ -66,12 +68,13 @@ class Shell {
   Diagnostics::Load load() const;
 
   // One cycle.
+  void watch_hand(double now);
   bool watch_time(double now);  // true when the host was in control meanwhile
   CycleResult work(double now, const OperatorIntent& intent, bool paused);
   Observation observe(double now);
   std::string observe_pose(double now, Observation& observation);
   std::string update_footprint();
-  CycleResult brake(double now, const Observation& observation);
+  CycleResult brake(double now, const Observation& observation, const OperatorIntent& intent);
   CycleResult decide(double now, const Observation& observation, const OperatorIntent& intent);
   void remember(double now, const CycleResult& result, const Observation& observation);
   void explain(double now, const CycleResult& result);
@@ -112,7 +115,9 @@ class Shell {
   OperatorInput person_;
   std::string odom_topic_;
   Publishing publishing_;
+  OperatorFeedback feedback_;
   std::unique_ptr<Reconfigure> reconfigure_;
+  std::unique_ptr<OperatorCommands> commands_;
   std::unique_ptr<Diagnostics> diagnostics_;
 };
 

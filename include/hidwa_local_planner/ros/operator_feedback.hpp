@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <sensor_msgs/JoyFeedbackArray.h>
+#include <std_msgs/String.h>
+
+#include "hidwa_local_planner/OperatorState.h"
+#include "hidwa_local_planner/core/operator_intent.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/ros/cycle_result.hpp"
+#include "hidwa_local_planner/ros/operator_input.hpp"
+
+namespace hidwa_local_planner {
+
+/// Tells the person who is in control and what the robot does of what they want: as `operator_state`, as the
+/// latched `mode`, as markers for rviz (`operator_markers`) and by the stick's motor. Messages are built only
+/// when somebody subscribes.
+class OperatorFeedback {
+ public:
+  /// `planner`: the planner's namespace; `host`: that of the devices; `frame`: the costmap's; `base_frame`:
+  /// the robot's.
+  OperatorFeedback(ros::NodeHandle planner, ros::NodeHandle host, std::string frame, std::string base_frame);
+
+  /// Once a cycle, from the control thread.
+  void publish(const ros::Time& stamp, const Parameters& parameters, const CycleResult& result,
+               const OperatorIntent& intent, const OperatorInput::Status& status);
+  /// The mode in force; published where it changed.
+  void show_mode(OperatorMode mode);
+
+ private:
+  void fill(const ros::Time& stamp, const CycleResult& result, const OperatorIntent& intent,
+            const OperatorInput::Status& status);
+  void rumble();
+
+  ros::NodeHandle host_;
+  std::string frame_;
+  std::string base_frame_;
+  ros::Publisher state_, mode_, markers_, rumble_;
+  std::string rumble_topic_;
+  std::string shown_mode_;
+  float rumbling_ = 0.0F;  // intensity last sent
+  // Kept from cycle to cycle for their memory.
+  OperatorState message_;
+  sensor_msgs::JoyFeedbackArray rumble_message_;
+};
+
+/// The mode as parameters and topics call it.
+std::string name_of(OperatorMode mode);
+
+/// How strongly the stick should rumble, in [0, 1]: nothing at agreement or where the person wants nothing,
+/// else the more the less of it is done.
+float rumble_intensity(bool active, double agreement);
+
+}  // namespace hidwa_local_planner
