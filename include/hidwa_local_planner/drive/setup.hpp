@@ -47,7 +47,7 @@ struct DriveSetup {
 
   CostmapSettings costmap;
   Parameters parameters;
-  std::shared_ptr<sim::Operator> person;  // null: nobody
+  std::shared_ptr<sim::Operator> person;  // a new one for each drive: they remember; null: nobody
   Rates rates;
 
   std::uint64_t odometry_seed = 1;
