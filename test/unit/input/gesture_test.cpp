@@ -289,6 +289,15 @@ TEST(Gesture, LostTrackingWithoutTheClutchLosesNothing) {
   EXPECT_EQ(move(person, 1.15, 0.15).state, State::shared);
 }
 
+TEST(Gesture, LostTrackingJustBeforeThePressIsNoLossEither) {
+  Person person(by_hand());
+  person.stick(1.0, 0.0F);
+  person.cycle(1.0);
+  person.machine.receive(untracked(1.02).front().message);
+  EXPECT_EQ(move(person, 1.05, 0.0).state, State::autonomy);
+  EXPECT_EQ(move(person, 1.1, 0.15).state, State::shared);
+}
+
 // Both messages come from one headset: the stick's must not hide that its tracking is gone.
 TEST(Gesture, AnUntrackedHandIsToldWhileTheStickIsHeard) {
   Person person(by_hand());
@@ -362,6 +371,13 @@ TEST(Gesture, AnotherSenderOfPosesMakesANewOrigin) {
   other.position[1] = 0.3;
   person.machine.receive(other);
   EXPECT_EQ(person.cycle(1.2).state, State::hold);  // the clutch was not let go
+  // Nor does it steer by way of the old origin.
+  for (const double y : {0.0, 0.15}) {
+    other.received += 0.05;
+    other.position[1] = y;
+    person.machine.receive(other);
+    EXPECT_EQ(person.cycle(other.received).state, State::hold);
+  }
 }
 
 TEST(Gesture, TheRangeChangesWhileSteering) {

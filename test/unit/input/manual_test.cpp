@@ -357,6 +357,20 @@ TEST(Manual, WithoutAToggleButtonNoButtonTakesControl) {
   EXPECT_EQ(person.cycle(1.3).state, State::autonomy);
 }
 
+TEST(Manual, AnotherToggleButtonThatIsHeldIsNoPress) {
+  Person person(switching());
+  person.stick(1.0, 0.0F);
+  person.cycle(1.0);
+  person.button(1.3, 1);
+  person.p.toggle_button = 1;
+  person.machine.configure(person.p);
+  person.button(1.35, 1);
+  EXPECT_EQ(person.cycle(1.35).state, State::autonomy);
+  person.stick(1.4, 0.0F);
+  person.button(1.45, 1);
+  EXPECT_EQ(person.cycle(1.45).state, State::manual);
+}
+
 TEST(Manual, EnableButton) {
   Parameters p = switching();
   p.enable_button = 1;
