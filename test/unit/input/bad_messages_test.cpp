@@ -104,5 +104,64 @@ TEST(BadMessages, RandomOnesNeverMakeACommand) {
   }
 }
 
+// The same for everything that can steer, in every mode, with words in between.
+TEST(BadMessages, RandomOnesOfEveryKindNeverMakeACommand) {
+  const double values[] = {std::numeric_limits<double>::quiet_NaN(),
+                           -std::numeric_limits<double>::infinity(),
+                           -1e30,
+                           -0.5,
+                           0.0,
+                           0.2,
+                           1.0};
+  const float axes[] = {kNan, -1.5F, -1.0F, 0.0F, 0.4F, 1.0F};
+  std::mt19937 random(20220801);
+  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  const auto value = [&] { return values[below(std::size(values))]; };
+  int steered = 0;
+  for (int run = 0; run < 400; ++run) {
+    Parameters p;
+    p.mode = static_cast<OperatorMode>(below(4));
+    p.twist_topic = below(2) == 0 ? "" : "operator_twist";
+    p.linear = static_cast<LinearPolicy>(below(3));
+    p.clutch_axis = static_cast<int>(below(4)) - 1;
+    p.stop_button = static_cast<int>(below(4)) - 1;
+    p.require_neutral = below(2) == 0;
+    p.gesture_jump = below(2) == 0 ? 0.3 : 10.0;
+    Person person(p);
+    double now = 10.0;
+    std::uint32_t dropped = 0;
+    for (int i = 0; i < 200; ++i) {
+      now += 0.01 * static_cast<double>(below(20));
+      std::string fault;
+      if (below(3) == 0) {
+        fault = person.twist(now, value(), value());
+      } else if (below(2) == 0) {
+        HandMessage message = hand_at(now, value(), value(), value());
+        if (below(4) == 0) message.orientation = {value(), value(), value(), value()};
+        fault = person.machine.receive(message);
+      } else {
+        StickMessage message = stick_at(now, axes[below(std::size(axes))], axes[below(std::size(axes))]);
+        for (int& button : message.buttons) button = static_cast<int>(below(8)) / 3;  // a 2 now and then
+        fault = person.machine.receive(message);
+      }
+      if (below(50) == 0) person.machine.take_control(below(2) == 0);
+      if (below(100) == 0) person.machine.stop(below(2) == 0);
+      dropped += fault.empty() ? 0U : 1U;
+      ASSERT_EQ(person.machine.dropped(), dropped);
+      const OperatorIntent intent = person.cycle(now);
+      ASSERT_TRUE(is_finite(intent.u_h));
+      const bool by_twist = steered_by_twist(p);
+      if (!by_twist) {
+        ASSERT_LE(std::abs(intent.u_h.v), p.max_vel_x);
+      }
+      if (!by_twist) {
+        ASSERT_LE(std::abs(intent.u_h.omega), p.max_vel_theta);
+      }
+      if (!(intent.u_h == Twist2{})) ++steered;
+    }
+  }
+  EXPECT_GT(steered, 1000);  // good ones among them did
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner::input
