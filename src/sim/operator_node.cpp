@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// hidwa_operator: a simulated person at the stick. Publishes sensor_msgs/Joy as joy_node does with
-// autorepeat.
+// hidwa_operator: a simulated person. Publishes sensor_msgs/Joy as joy_node does with autorepeat, and in mode
+// gesture the hand's geometry_msgs/PoseStamped as a headset's bridge does.
 
 #include <exception>
 #include <memory>
@@ -8,12 +8,14 @@
 #include <string>
 #include <vector>
 
+#include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Joy.h>
 
 #include "hidwa_local_planner/sim/avoiding_operator.hpp"
+#include "hidwa_local_planner/sim/operator_device.hpp"
 #include "hidwa_local_planner/sim/scripted_operator.hpp"
 #include "node_messages.hpp"
 #include "node_parameters.hpp"
@@ -25,6 +27,7 @@ namespace {
 constexpr double kPublishRate = 20.0;  // [Hz], simulated time where the clock is
 constexpr std::size_t kAxes = 8;       // those of a common gamepad
 constexpr std::size_t kButtons = 11;
+constexpr double kGestureRange = 0.3;  // [m], the planner's gesture_range
 
 std::string required_path(const ros::NodeHandle& node, const std::string& name) {
   const auto path = node.param<std::string>(name, "");
@@ -40,6 +43,7 @@ std::unique_ptr<AvoidingOperator> make_avoiding(const ros::NodeHandle& node) {
   node.getParam("acc_lim_theta", habits.acc_lim_theta);
   node.getParam("dead_zone", habits.dead_zone);
   node.getParam("delta", habits.hold_time);
+  if (node.param<std::string>("mode", "joystick") == "switching") habits.hold_time = 0.0;  // given back is given back
   node.getParam("sim_time", habits.refusal_time);
   habits.radius = circumscribed_radius(read_footprint(node, node.param("radius", habits.radius)));
   OperatorTraits traits;
@@ -64,7 +68,10 @@ class OperatorNode {
     } else {
       operator_ = std::make_unique<ScriptedOperator>(load_script(mode));
     }
+    device_ = make_operator_device(private_node.param<std::string>("mode", "joystick"),
+                                   private_node.param("gesture_range", kGestureRange));
     joy_ = node_.advertise<sensor_msgs::Joy>("joy", 10);
+    hand_ = node_.advertise<geometry_msgs::PoseStamped>("hand_pose", 10);
     truth_ = node_.subscribe<nav_msgs::Odometry>(
         "ground_truth", 1, [this](const nav_msgs::Odometry::ConstPtr& m) { seen_ = m; });
     timer_ =
@@ -93,21 +100,38 @@ class OperatorNode {
     joy.header.stamp = ros::Time::now();
     joy.axes.assign(kAxes, 0.0F);
     joy.buttons.assign(kButtons, 0);
+    double hand_left = 0.0;  // [m]
     if (seen_) {
       const Stick stick = operator_->update(
           {seen_->header.stamp.toSec(),
            {seen_->pose.pose.position.x, seen_->pose.pose.position.y, yaw_of(seen_->pose.pose.orientation)},
            {seen_->twist.twist.linear.x, seen_->twist.twist.angular.z}});
-      joy.axes[0] = static_cast<float>(stick.left);
-      joy.axes[1] = static_cast<float>(stick.up);
+      const Controls controls = device_->update(seen_->header.stamp.toSec(), stick);
+      joy.axes[0] = static_cast<float>(controls.stick.left);
+      joy.axes[1] = static_cast<float>(controls.stick.up);
+      joy.buttons[0] = controls.toggle || controls.clutch ? 1 : 0;
+      hand_left = controls.hand_left;
     }
     joy_.publish(joy);
+    publish_hand(joy.header.stamp, hand_left);
+  }
+
+  void publish_hand(const ros::Time& stamp, double left) {
+    geometry_msgs::PoseStamped hand;
+    hand.header.stamp = stamp;
+    hand.header.frame_id = "vr_origin";
+    hand.pose.position.x = 0.35;  // [m], before the person, on the armrest's height
+    hand.pose.position.y = -0.2 + left;
+    hand.pose.position.z = 0.9;
+    hand.pose.orientation.w = 1.0;
+    hand_.publish(hand);
   }
 
   ros::NodeHandle node_;
   std::unique_ptr<Operator> operator_;
   nav_msgs::Odometry::ConstPtr seen_;
-  ros::Publisher joy_;
+  std::unique_ptr<OperatorDevice> device_;
+  ros::Publisher joy_, hand_;
   ros::Subscriber truth_;
   std::vector<ros::Subscriber> plans_;
   ros::Timer timer_;

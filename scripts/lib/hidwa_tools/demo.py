@@ -72,7 +72,7 @@ def launch_arguments(o):
     kind = o.operator if o.operator in ('avoid', 'none', 'joystick') else 'script'
     x, y, yaw = o.start
     # roslaunch takes an empty value for none given: what is not there is left out.
-    arguments = {'map': o.map, 'regions': o.regions or 'none', 'x': x, 'y': y, 'yaw': yaw, 'operator': kind,
+    arguments = {'map': o.map, 'regions': o.regions or 'none', 'x': x, 'y': y, 'yaw': yaw, 'operator': kind, 'mode': o.mode,
                  'rate': o.rate, 'gui': str(o.gui).lower(), 'base_local_planner': o.planner,
                  'base_global_planner': o.global_planner}
     if kind == 'script':
@@ -123,7 +123,7 @@ def drive(options, env):
         recorder = Child(['rosbag', 'record', '--lz4', '-O', os.path.join(folder, 'drive.bag'), *topics,
                           f'__name:={RECORDER}'], os.path.join(folder, 'recorder.log'), env)
         this.wait_for_recorder('/' + RECORDER, topics)
-        say(f'driving to ({options.goal[0]:.2f}, {options.goal[1]:.2f}), operator: {options.operator_name}')
+        say(f'driving to ({options.goal[0]:.2f}, {options.goal[1]:.2f}), operator: {options.operator_name}, mode: {options.mode}')
         return this.go()
     finally:
         # A second Ctrl-C must not leave anything running.

@@ -5,6 +5,7 @@ import os
 
 POSES = ('--start', '--goal')
 OPERATORS = ('avoid', 'none', 'joystick')
+MODES = ('joystick', 'gesture', 'switching')
 
 
 def pose(text):
@@ -61,6 +62,9 @@ def parser():
     p.add_argument('--operator', type=operator, default='avoid', metavar='avoid|none|joystick|FILE',
                    help='who steers: a simulated person who steers round the regions (default), nobody, you with a '
                    'joystick at /dev/input/js0, or a script of {after_m: 12.0, for_s: 3.0, stick: [1.0, 0.0]}')
+    p.add_argument('--mode', choices=MODES, default='joystick',
+                   help='how the person steers: by stick or by hand in shared control, or by taking control and giving '
+                   'it back (default: %(default)s)')
     p.add_argument('--report', default='report', metavar='DIR', help='where the results go (default: %(default)s)')
     p.add_argument('--gui', action='store_true', help='watch in rviz')
     p.add_argument('--rate', type=positive, default=1.0, metavar='N', help='speed of the simulated time (default: 1)')
