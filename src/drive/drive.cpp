@@ -12,6 +12,7 @@
 #include "hidwa_local_planner/core/goal_checker.hpp"
 #include "hidwa_local_planner/core/plan_window.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "operator_link.hpp"
 #include "recorder.hpp"
 #include "sensing.hpp"
 
@@ -42,6 +43,7 @@ class Every {
 sim::WorldSetup world_setup(const DriveSetup& setup) {
   if (!setup.ground) throw std::invalid_argument("a drive needs a ground");
   if (setup.outline.size() < 3) throw std::invalid_argument("the outline needs three corners or more");
+  if (!(setup.link_delay >= 0.0)) throw std::invalid_argument("the link's delay must not be negative");
   sim::WorldSetup world;
   world.map = setup.ground->map();
   world.regions = setup.regions;
@@ -88,6 +90,7 @@ class Run {
         stick_due_(setup.rates.stick),
         world_(world_setup(setup)),
         sensing_(setup),
+        link_(setup, person_),
         route_(route_of(setup)),
         recorder_(setup) {
     const std::vector<std::string> faults = planner_.configure(setup.parameters);
@@ -104,7 +107,8 @@ class Run {
       if (scan_due_(step)) sensing_.scan(world_);
       if (costmap_due_(step)) sensing_.update_costmap(world_);
       if (plan_due_(step)) plan_wanted_ = true;
-      if (stick_due_(step)) listen();
+      if (stick_due_(step)) link_.send({now(), world_.pose(), world_.velocity()});
+      link_.deliver(now());
       if (control_due_(step)) control();
       if (!ended_) world_.advance(kStep);
     }
@@ -124,15 +128,6 @@ class Run {
   void end(Ending ending) {
     ending_ = ending;
     ended_ = true;
-  }
-
-  void listen() {
-    if (!setup_.person) return;
-    const sim::Stick stick = setup_.person->update({now(), world_.pose(), world_.velocity()});
-    input::StickMessage message;
-    message.axes = {static_cast<float>(stick.left), static_cast<float>(stick.up)};
-    message.stamp = message.received = now();
-    person_.receive(message);
   }
 
   // The host's control cycle.
@@ -237,9 +232,10 @@ class Run {
   const Every control_due_, scan_due_, costmap_due_, plan_due_, stick_due_;
   sim::World world_;
   Sensing sensing_;
+  input::OperatorStateMachine person_;
+  OperatorLink link_;
   std::shared_ptr<const sim::GridRoute> route_;
   Planner planner_;
-  input::OperatorStateMachine person_;
   GoalChecker goal_checker_;
   PlanWindow plan_;            // map frame
   Situation situation_;        // kept for its memory

@@ -28,7 +28,6 @@ constexpr double kProgress = 1.0;         // [1/m]
 
 constexpr double kPlanSpacing = 0.1;  // [m]
 constexpr double kPlanReach = 5.0;    // [m], how much of the plan ahead is looked at
-constexpr double kExtraCare = 0.05;   // [m], more margin to let go than to take the stick
 
 }  // namespace
 
@@ -157,7 +156,7 @@ double AvoidingOperator::set_by_hand(double left) {
 void AvoidingOperator::decide(const Observation& observation) {
   double hold_left = 0.0;
   const State state = anticipated(observation, hold_left);
-  const double margin = traits_.region_margin + (hold_left > 0.0 ? kExtraCare : 0.0);
+  const double margin = traits_.region_margin + (hold_left > 0.0 ? traits_.release_margin : 0.0);
   const double wanted = safe_alone(state, hold_left, margin) ? 0.0 : search(state, 0).left;
   pending_.push_back({observation.time + traits_.reaction_time, set_by_hand(wanted)});
 }

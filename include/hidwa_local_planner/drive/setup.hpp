@@ -14,6 +14,7 @@
 #include "hidwa_local_planner/sim/laser.hpp"
 #include "hidwa_local_planner/sim/odometry.hpp"
 #include "hidwa_local_planner/sim/operator.hpp"
+#include "hidwa_local_planner/sim/operator_device.hpp"
 #include "hidwa_local_planner/sim/polygon.hpp"
 #include "hidwa_local_planner/sim/regions.hpp"
 
@@ -26,7 +27,7 @@ struct Rates {
   double scan = 20.0;          // [Hz]
   double costmap = 10.0;       // [Hz]
   double plan = 1.0;           // [Hz], of the global plan
-  double stick = 20.0;         // [Hz]
+  double stick = 20.0;         // [Hz], of all of the person's messages
   double costmap_phase = 0.0;  // [s], how much later than the first control cycle the costmap is updated
 };
 
@@ -48,6 +49,9 @@ struct DriveSetup {
   CostmapSettings costmap;
   Parameters parameters;
   std::shared_ptr<sim::Operator> person;  // a new one for each drive: they remember; null: nobody
+  // What the person holds, a new one for each drive: axes 0 and 1, button 0, the hand along y. Null: a stick.
+  std::shared_ptr<sim::OperatorDevice> device;
+  double link_delay = 0.0;  // [s], from the person's hand to the planner
   Rates rates;
 
   std::uint64_t odometry_seed = 1;

@@ -19,6 +19,7 @@ struct OperatorTraits {
   double decision_period = 0.2;  // [s]
   double look_ahead = 5.0;       // [s], how far ahead the motion without input is judged
   double region_margin = 0.15;   // [m], kept from regions
+  double release_margin = 0.05;  // [m], more margin to let go of the stick than to take it
   double stick_step = 0.05;      // finest difference of stick positions
   double stick_noise = 0.03;     // standard deviation of a stick position
 };
