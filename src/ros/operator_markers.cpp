@@ -7,9 +7,10 @@
 namespace hidwa_local_planner {
 namespace {
 
-constexpr double kLetters = 0.55;     // height [m]
-constexpr double kSmallLetters = 0.3;  // [m]
-constexpr double kTextAhead = 1.3;    // of the robot's centre, to the left of where it is drawn from above [m]
+// Capitals are 0.7 of the height: in a view of 10 m they stand at 1/20 of it and more.
+constexpr double kLetters = 0.8;       // height [m]
+constexpr double kSmallLetters = 0.4;  // [m]
+constexpr double kTextHeight = 1.3;    // above the floor [m]
 constexpr double kNose = 0.45;        // from the robot's centre [m]
 constexpr double kShown = 1.6;        // how long the ways shown take [s]
 constexpr int kParts = 16;            // of a way
@@ -30,7 +31,7 @@ std_msgs::ColorRGBA colour_of(std::uint8_t state) {
     case OperatorState::AUTONOMY: return colour(70, 110, 150);
     case OperatorState::SHARED: return colour(0, 130, 95);
     case OperatorState::HOLD: return colour(60, 170, 220);
-    case OperatorState::MANUAL: return colour(215, 130, 0);
+    case OperatorState::MANUAL: return colour(190, 100, 0);
     case OperatorState::STOPPED: return colour(20, 20, 20);
     case OperatorState::LOST: return colour(150, 70, 150);
     default: return colour(200, 30, 20);  // BLOCKED
@@ -113,11 +114,11 @@ void add_way(visualization_msgs::MarkerArray& all, const std::string& base_frame
 visualization_msgs::MarkerArray to_operator_markers(const OperatorState& state, const std::string& base_frame) {
   visualization_msgs::MarkerArray all;
   const std_msgs::ColorRGBA c = colour_of(state.state);
-  // Ahead of the robot in its own frame would turn with it: above its centre, and in a view from above as far
-  // away as letters are high, by line breaks.
-  all.markers.push_back(text(base_frame, "state", state.state_name + "\n\n\n", kLetters, kTextAhead, c));
+  // A place beside the robot in its own frame would turn with it, so the text hangs above its centre; line breaks
+  // keep it off the robot in a view from above.
+  all.markers.push_back(text(base_frame, "state", state.state_name + "\n\n\n", kLetters, kTextHeight, c));
   const std::string refused = state.refused_by.empty() ? "" : "\n\n\n\n\nrefused by " + state.refused_by;
-  all.markers.push_back(text(base_frame, "refusal", refused, kSmallLetters, kTextAhead, colour(200, 30, 20)));
+  all.markers.push_back(text(base_frame, "refusal", refused, kSmallLetters, kTextHeight, colour(200, 30, 20)));
   const bool wants = state.active != 0;
   add_way(all, base_frame, "executed", state.command, true, {0.09, 0.1, colour(30, 30, 30)});
   add_way(all, base_frame, "wanted", state.wanted, wants, {0.045, 0.2, colour(225, 0, 140)});
