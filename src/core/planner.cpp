@@ -108,6 +108,8 @@ struct Planner::Impl {
   Decision decision;
   Marked marked;
   WayOut way_out;
+  double unturned_since = -1.0;           // at the goal's position it stands at another heading [s]; negative: it does not
+  bool unturned_reset = false;            // the critics were reset for that
 
   const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
@@ -123,6 +125,7 @@ struct Planner::Impl {
   std::uint8_t not_a_number(std::size_t candidate) const;
   int choose(const Situation& situation);
   void watch_rest(const Situation& situation, bool autonomous);
+  void watch_last_turn(const Situation& situation);
   void describe(int best);
   void count_refusals();
   void judge_operator();
@@ -191,6 +194,7 @@ void Planner::set_footprint(const Polygon& outline) {
 void Planner::reset() {
   for (NamedCritic& named : impl_->critics) named.critic->reset();
   impl_->way_out.reset();
+  impl_->unturned_since = -1.0;
 }
 
 const Decision& Planner::plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
@@ -299,6 +303,7 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   count_refusals();
   judge_operator();
   watch_rest(situation, autonomous);
+  watch_last_turn(situation);
   for (NamedCritic& named : critics) {
     if (named.weight != 0.0) named.critic->debrief(cycle, decision.command);
   }
@@ -557,6 +562,30 @@ void Planner::Impl::watch_rest(const Situation& situation, bool autonomous) {
   if (!trapped && way_out.rest(situation.time) > parameters.blocked_time) {
     decision.outcome = Outcome::fail;
     decision.problem = "autonomy is stuck: standing still is its best legal candidate";
+  }
+}
+
+// At the goal's position only a turn is left. Where a critic forbids its direction (one that the person had the robot
+// turn from, for example) the other one is longer and standing still is cheaper for ever.
+void Planner::Impl::watch_last_turn(const Situation& situation) {
+  const double off = std::abs(wrap_angle(situation.goal.theta - situation.pose.theta));
+  const bool stands = !steered && situation.goal_latched && decision.outcome == Outcome::hold;
+  if (!stands || off <= parameters.yaw_goal_tolerance) {
+    unturned_since = -1.0;
+    return;
+  }
+  if (unturned_since < 0.0 || situation.time < unturned_since) {
+    unturned_since = situation.time;
+    unturned_reset = false;
+  }
+  const double stood = situation.time - unturned_since;
+  if (!unturned_reset && stood >= 0.5 * parameters.blocked_time) {
+    for (NamedCritic& named : critics) named.critic->reset();
+    unturned_reset = true;
+  }
+  if (stood > parameters.blocked_time) {
+    decision.outcome = Outcome::fail;
+    decision.problem = "the last turn to the goal's heading is stuck: standing still is its best legal candidate";
   }
 }
 

@@ -170,5 +170,33 @@ TEST(Stuck, AtTheGoalStandingStillIsNoFailure) {
   for (int k = 0; k < 60; ++k) EXPECT_EQ(bench.drive().outcome, Outcome::hold);
 }
 
+// The person had the robot turn left and right, so that Oscillation forbids the turn that is left to do at the goal.
+TEST(Stuck, AForbiddenLastTurnIsMadeAllTheSame) {
+  for (const double side : {1.0, -1.0}) {
+    Scene scene = driving(0.0);
+    scene.parameters.oscillation_while_steering = true;
+    scene.situation.plan = {{0.0, 0.0, 0.0}};
+    scene.situation.goal = {0.0, 0.0, side * 1.5};
+    scene.situation.goal_latched = true;
+    scene.parameters.s_omega = 1e4;
+    PlannerBench bench(scene);
+    // A turn the right way and one back: from then on the right way is forbidden.
+    for (const double omega : {0.16, -0.16}) {
+      bench.scene().steer({0.0, side * omega});
+      bench.drive();
+    }
+    bench.scene().intent = OperatorIntent();
+    bench.scene().situation.velocity = bench.scene().situation.last_command = {};
+    int stood = 0;
+    for (int k = 0; k < 120; ++k) {
+      const Decision& decision = bench.drive();
+      ASSERT_NE(decision.outcome, Outcome::fail);
+      if (decision.outcome == Outcome::hold && k < 20) ++stood;
+    }
+    EXPECT_GE(stood, 5);  // or nothing was forbidden
+    EXPECT_NEAR(bench.scene().situation.pose.theta, side * 1.5, 0.25);
+  }
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner
