@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/study/setting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include <yaml-cpp/yaml.h>
+
+#include "hidwa_local_planner/study/error.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+namespace {
+
+const std::string kTrait = "participant.";
+
+double to_number(const std::string& name, const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value)) {
+    throw UsageError(name + " needs a number, not '" + text + "'");
+  }
+  return value;
+}
+
+const ParameterInfo& info_of(const std::string& name) {
+  const std::vector<ParameterInfo>& table = parameter_table();
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&name](const ParameterInfo& info) { return info.name == name; });
+  if (found == table.end()) {
+    throw UsageError("there is no parameter '" + name +
+                     "': the README lists the planner's; besides there are participant.TRAIT (docs/study.md) "
+                     "and link_delay");
+  }
+  return *found;
+}
+
+ParameterValue read_value(const ParameterInfo& info, const std::string& text) {
+  if (info.type == "bool") {
+    if (text == "true") return true;
+    if (text == "false") return false;
+    throw UsageError(info.name + " is true or false, not '" + text + "'");
+  }
+  if (info.type == "int") {
+    const double value = to_number(info.name, text);
+    if (value != std::floor(value) || std::abs(value) > 1e9) {
+      throw UsageError(info.name + " needs a whole number, not '" + text + "'");
+    }
+    return static_cast<int>(value);
+  }
+  if (info.type == "double") return to_number(info.name, text);
+  return text;
+}
+
+void assign_parameter(Parameters& parameters, const Assignment& assignment) {
+  const ParameterInfo& info = info_of(assignment.name);
+  const std::string fault = set_parameter(parameters, info.name, read_value(info, assignment.value));
+  if (!fault.empty()) throw UsageError(fault);
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(at); end != std::string::npos; end = text.find(at, begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+std::string text_of(const YAML::Node& node) {
+  if (node.IsScalar()) return node.Scalar();
+  std::string joined;
+  for (const YAML::Node& item : node) joined += (joined.empty() ? "" : ", ") + item.as<std::string>();
+  return joined;
+}
+
+}  // namespace
+
+std::string to_string(const Setting& setting) {
+  std::string text;
+  for (const Assignment& assignment : setting) {
+    text += (text.empty() ? "" : ";") + assignment.name + "=" + assignment.value;
+  }
+  return text.empty() ? "default" : text;
+}
+
+Assignment parse_assignment(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || text.find_first_of("\n\r") != std::string::npos) {
+    throw UsageError("'" + text + "' is not of the form name=value");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+void assign(Subject& subject, const Assignment& assignment) {
+  const std::string& name = assignment.name;
+  if (name == "mode") throw UsageError("mode is what the condition says: choose with --conditions");
+  if (name == "guard") throw UsageError("guard counts in SW only: choose with --guard");
+  if (name == "link_delay") {
+    subject.link_delay = to_number(name, assignment.value);
+    if (subject.link_delay < 0.0 || subject.link_delay > 60.0) throw UsageError("link_delay must be within 0 to 60");
+  } else if (name.compare(0, kTrait.size(), kTrait) == 0) {
+    const std::string fault =
+        set_trait(subject.participant, name.substr(kTrait.size()), to_number(name, assignment.value));
+    if (!fault.empty()) throw UsageError(fault);
+  } else {
+    assign_parameter(subject.parameters, assignment);
+  }
+}
+
+std::vector<Setting> combinations(const std::vector<std::string>& grid) {
+  std::vector<Setting> settings(1);
+  std::set<std::string> names;
+  for (const std::string& text : grid) {
+    const Assignment axis = parse_assignment(text);
+    if (!names.insert(axis.name).second) {
+      throw UsageError("--grid " + axis.name + " is there twice: give all of its values at once");
+    }
+    std::vector<Setting> next;
+    for (const Setting& before : settings) {
+      std::set<std::string> values;
+      for (const std::string& value : split(axis.value, ',')) {
+        if (value.empty() || value.find_first_of(";\"\\") != std::string::npos) {
+          throw UsageError("'" + text + "' is not of the form name=value,value,...");
+        }
+        if (!values.insert(value).second) throw UsageError("'" + text + "' has a value twice");
+        next.push_back(before);
+        next.back().push_back({axis.name, value});
+      }
+    }
+    settings = next;
+  }
+  return settings;
+}
+
+void assign_file(Parameters& parameters, const std::string& path) {
+  YAML::Node root;
+  try {
+    root = YAML::LoadFile(path)["HIDWAPlannerROS"];
+    if (!root || !root.IsMap()) throw UsageError("'" + path + "' has no HIDWAPlannerROS");
+    for (const auto& entry : root) {
+      assign_parameter(parameters, {entry.first.as<std::string>(), text_of(entry.second)});
+    }
+  } catch (const YAML::Exception& e) {
+    throw UsageError("'" + path + "' cannot be read: " + e.what());
+  }
+}
+
+}  // namespace study
+}  // namespace hidwa_local_planner
