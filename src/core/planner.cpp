@@ -98,6 +98,7 @@ struct Planner::Impl {
   std::vector<std::uint8_t> refused_by;   // [candidates]
   std::vector<const char*> reasons;       // [candidates]
   std::vector<std::vector<double>> raw;   // [critics][candidates]
+  std::vector<std::uint32_t> queue, equals;  // candidates, see choose_next()
   double row_omega = 0.0;                 // of the tiles being scored [rad/s]
   std::size_t row_first = 0;              // the first candidate of that omega
   double reach = 0.0;                     // of all rollouts and manoeuvres [m]
@@ -124,6 +125,8 @@ struct Planner::Impl {
   double deviation_of(const Twist2& sample) const;
   std::uint8_t not_a_number(std::size_t candidate) const;
   int choose(const Situation& situation);
+  int choose_next(const TieRule& tie, std::size_t refused);
+  void refuse_braking(std::size_t candidate);
   void watch_rest(const Situation& situation, bool autonomous);
   void watch_last_turn(const Situation& situation);
   void describe(int best);
@@ -367,6 +370,8 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
   fit(totals, n);  // what they hold is set tile by tile
   fit(refused_by, n);
   fit(reasons, n);
+  fit(queue, n);
+  fit(equals, n);
   for (std::vector<double>& scores : raw) fit(scores, n);
 }
 
@@ -470,20 +475,56 @@ std::uint8_t Planner::Impl::not_a_number(std::size_t candidate) const {
 
 int Planner::Impl::choose(const Situation& situation) {
   const TieRule tie(parameters, situation.last_command);
-  const bool verify = parameters.admissibility == Admissibility::braking;
-  while (true) {
-    const auto lowest = std::min_element(totals.begin(), totals.end());
-    if (lowest == totals.end() || !std::isfinite(*lowest)) return -1;
-    std::size_t best = static_cast<std::size_t>(lowest - totals.begin());
-    const double equal = *lowest + kEqualTotals;
-    for (std::size_t c = 0; c < totals.size(); ++c) {
-      if (totals[c] <= equal && tie.prefers(sample_at(c), sample_at(best))) best = c;
-    }
-    if (!verify || admissibility.can_brake_surely(sample_at(best))) return static_cast<int>(best);
-    totals[best] = std::numeric_limits<double>::infinity();
-    refused_by[best] = kBraking;
-    reasons[best] = kCannotBrake;
+  const auto lowest = std::min_element(totals.begin(), totals.end());
+  if (lowest == totals.end() || !std::isfinite(*lowest)) return -1;
+  std::size_t best = static_cast<std::size_t>(lowest - totals.begin());
+  const double equal = *lowest + kEqualTotals;
+  for (std::size_t c = 0; c < totals.size(); ++c) {
+    if (totals[c] <= equal && tie.prefers(sample_at(c), sample_at(best))) best = c;
   }
+  if (parameters.admissibility != Admissibility::braking) return static_cast<int>(best);
+  return admissibility.can_brake_surely(sample_at(best)) ? static_cast<int>(best) : choose_next(tie, best);
+}
+
+// The same rule for the rest, where the closer look refused the first: cheapest first, without searching all anew.
+int Planner::Impl::choose_next(const TieRule& tie, std::size_t refused) {
+  const auto later = [this](std::uint32_t a, std::uint32_t b) {
+    return totals[a] != totals[b] ? totals[a] > totals[b] : a > b;
+  };
+  refuse_braking(refused);
+  queue.clear();
+  for (std::size_t c = 0; c < totals.size(); ++c) {
+    if (std::isfinite(totals[c])) queue.push_back(static_cast<std::uint32_t>(c));
+  }
+  std::make_heap(queue.begin(), queue.end(), later);
+  while (!queue.empty()) {
+    equals.clear();
+    const double equal = totals[queue.front()] + kEqualTotals;
+    while (!queue.empty() && totals[queue.front()] <= equal) {
+      equals.push_back(queue.front());
+      std::pop_heap(queue.begin(), queue.end(), later);
+      queue.pop_back();
+    }
+    std::uint32_t best = equals.front();
+    std::sort(equals.begin(), equals.end());
+    for (const std::uint32_t c : equals) {
+      if (tie.prefers(sample_at(c), sample_at(best))) best = c;
+    }
+    if (admissibility.can_brake_surely(sample_at(best))) return static_cast<int>(best);
+    refuse_braking(best);
+    for (const std::uint32_t c : equals) {
+      if (c == best) continue;
+      queue.push_back(c);
+      std::push_heap(queue.begin(), queue.end(), later);
+    }
+  }
+  return -1;
+}
+
+void Planner::Impl::refuse_braking(std::size_t candidate) {
+  totals[candidate] = std::numeric_limits<double>::infinity();
+  refused_by[candidate] = kBraking;
+  reasons[candidate] = kCannotBrake;
 }
 
 void Planner::Impl::describe(int best) {
