@@ -71,7 +71,11 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
   if (person.mode == OperatorMode::off) {
     status.summary(Status::OK, "off: nobody steers (parameter mode, or the topic set_mode)");
   } else if (device.messages == 0) {
-    status.mergeSummary(Status::OK, "nothing came on " + device.topic + " yet: start the device's node, or set mode off");
+    // Nothing wrong: autonomy drives. (Merging would drop the words of what is well.)
+    status.summary(Status::OK, "nothing came on " + device.topic + " yet: start the device's node, or set mode off");
+  } else if (!device.clutch_topic.empty() && device.clutch_messages == 0) {
+    status.summary(Status::OK, "nothing came on " + device.clutch_topic +
+                                   " yet: the hand counts only while the clutch is held, a button or axis there");
   } else if (person.state == OperatorStateId::lost) {
     status.mergeSummary(Status::ERROR, device.topic + " fell silent while the person steered: look at the link to " +
                                            device.sender);

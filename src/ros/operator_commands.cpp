@@ -12,10 +12,14 @@ OperatorCommands::OperatorCommands(ros::NodeHandle handle, OperatorInput& person
     : person_(person), reconfigure_(reconfigure) {
   set_mode_ = handle.subscribe<std_msgs::String>(
       "set_mode", 1, [this](const std_msgs::String::ConstPtr& message) { set_mode(*message); });
-  take_control_ = handle.subscribe<std_msgs::Bool>(
-      "take_control", 1, [this](const std_msgs::Bool::ConstPtr& message) { person_.take_control(message->data); });
-  stop_ = handle.subscribe<std_msgs::Bool>(
-      "stop", 1, [this](const std_msgs::Bool::ConstPtr& message) { person_.stop(message->data); });
+  // A stop waits for no other callback: a change of parameters may take long.
+  ros::NodeHandle prompt = person_.serve(handle);
+  const auto without_delay = ros::TransportHints().tcpNoDelay();
+  using Said = const std_msgs::Bool::ConstPtr&;
+  const boost::function<void(Said)> take_control = [this](Said said) { person_.take_control(said->data); };
+  const boost::function<void(Said)> stop = [this](Said said) { person_.stop(said->data); };
+  take_control_ = prompt.subscribe<std_msgs::Bool>("take_control", 1, take_control, nullptr, without_delay);
+  stop_ = prompt.subscribe<std_msgs::Bool>("stop", 1, stop, nullptr, without_delay);
 }
 
 void OperatorCommands::set_mode(const std_msgs::String& message) {

@@ -30,6 +30,7 @@ OperatorFeedback::OperatorFeedback(ros::NodeHandle planner, ros::NodeHandle host
 void OperatorFeedback::publish(const ros::Time& stamp, const Parameters& parameters, const CycleResult& result,
                                const OperatorIntent& intent, const OperatorInput::Status& status) {
   if (parameters.rumble_topic != rumble_topic_) {
+    if (rumbling_ != 0.0F) send_rumble(0.0F);  // nobody else ends it there
     rumble_topic_ = parameters.rumble_topic;
     rumble_ = rumble_topic_.empty() ? ros::Publisher()
                                     : host_.advertise<sensor_msgs::JoyFeedbackArray>(rumble_topic_, 1);
@@ -47,8 +48,6 @@ void OperatorFeedback::show_mode(OperatorMode mode) {
   if (message.data == shown_mode_) return;
   shown_mode_ = message.data;
   mode_.publish(message);
-  message_.mode = static_cast<std::uint8_t>(mode);
-  message_.mode_name = message.data;
 }
 
 void OperatorFeedback::fill(const ros::Time& stamp, const CycleResult& result, const OperatorIntent& intent,
@@ -56,15 +55,22 @@ void OperatorFeedback::fill(const ros::Time& stamp, const CycleResult& result, c
   OperatorState& message = message_;
   message.header.stamp = stamp;
   message.header.frame_id = frame_;
+  const auto mode = static_cast<std::uint8_t>(status.mode);
+  if (message.mode != mode || message.mode_name.empty()) message.mode_name = name_of(status.mode);
+  message.mode = mode;
   message.state = static_cast<std::uint8_t>(intent.state);
   message.state_name = to_string(intent.state);
   message.active = intent.influence != Influence::none;
   message.wanted = to_message(intent.u_h);
   message.command = to_message(result.command);
   message.agreement = result.decision ? result.decision->agreement : message.active ? 0.0 : 1.0;
-  message.refused_by = result.decision  ? result.decision->operator_refused_by
-                       : message.active ? result.fault
-                                        : "";
+  if (result.decision) {  // no common value of the three: a copy would be memory anew in every cycle
+    message.refused_by = result.decision->operator_refused_by;
+  } else if (message.active) {
+    message.refused_by = result.fault;
+  } else {
+    message.refused_by.clear();
+  }
   message.input_age = status.age;
   message.dropped = status.dropped;
 }
@@ -75,6 +81,10 @@ void OperatorFeedback::rumble() {
   const float intensity = rumble_intensity(message_.active != 0 && !stopped, message_.agreement);
   if (intensity == 0.0F && rumbling_ == 0.0F) return;
   rumbling_ = intensity;
+  send_rumble(intensity);
+}
+
+void OperatorFeedback::send_rumble(float intensity) {
   if (rumble_.getNumSubscribers() == 0) return;
   rumble_message_.array[0].intensity = intensity;
   rumble_.publish(rumble_message_);

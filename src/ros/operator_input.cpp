@@ -26,6 +26,22 @@ input::HandMessage to_hand(const geometry_msgs::Point& position, const geometry_
   return hand;
 }
 
+// False where it is neither of the two types; throws where it only claims to be.
+bool read(const topic_tools::ShapeShifter& message, input::TwistMessage& wanted) {
+  geometry_msgs::Twist twist;
+  if (message.getDataType() == "geometry_msgs/TwistStamped") {
+    const auto stamped = message.instantiate<geometry_msgs::TwistStamped>();
+    twist = stamped->twist;
+    wanted.stamp = stamped->header.stamp.toSec();
+  } else if (message.getDataType() == "geometry_msgs/Twist") {
+    twist = *message.instantiate<geometry_msgs::Twist>();
+  } else {
+    return false;
+  }
+  wanted.u = {twist.linear.x, twist.angular.z};
+  return true;
+}
+
 }  // namespace
 
 OperatorInput::OperatorInput() { thread_.start(); }
@@ -38,7 +54,8 @@ void OperatorInput::configure(const ros::NodeHandle& handle, const Parameters& p
     machine_.configure(parameters);
     mode_ = parameters.mode;
     const std::string topic = steering_topic(parameters);
-    if (topic != device_.topic) device_ = {topic, "", 0};
+    const std::string clutch = by_hand(parameters) ? parameters.joy_topic : "";
+    if (topic != device_.topic || clutch != device_.clutch_topic) device_ = {topic, "", 0, clutch, 0};
     stick_steers_ = topic == parameters.joy_topic;
   }
   const bool off = parameters.mode == OperatorMode::off;
@@ -80,20 +97,18 @@ void OperatorInput::receive(const sensor_msgs::Joy& message, const std::string& 
 
 void OperatorInput::receive_twist(const topic_tools::ShapeShifter& message, const std::string& sender,
                                   double received) {
-  geometry_msgs::Twist twist;
   input::TwistMessage wanted;
-  if (message.getDataType() == "geometry_msgs/TwistStamped") {
-    const auto stamped = message.instantiate<geometry_msgs::TwistStamped>();
-    twist = stamped->twist;
-    wanted.stamp = stamped->header.stamp.toSec();
-  } else if (message.getDataType() == "geometry_msgs/Twist") {
-    twist = *message.instantiate<geometry_msgs::Twist>();
-  } else {
-    ROS_WARN_THROTTLE(5.0, "twist_topic %s carries %s: geometry_msgs/Twist or TwistStamped is wanted",
-                      twist_topic_.c_str(), message.getDataType().c_str());
+  try {
+    if (!read(message, wanted)) {
+      ROS_WARN_THROTTLE(5.0, "twist_topic carries %s from %s: geometry_msgs/Twist or TwistStamped is wanted",
+                        message.getDataType().c_str(), sender.c_str());
+      return;
+    }
+  } catch (const ros::Exception& error) {  // it bears the name of a Twist and is none
+    ROS_WARN_THROTTLE(5.0, "twist_topic carries what cannot be read as %s, from %s: %s", message.getDataType().c_str(),
+                      sender.c_str(), error.what());
     return;
   }
-  wanted.u = {twist.linear.x, twist.angular.z};
   wanted.sender = sender;
   wanted.received = received;
   take(wanted, "Twist", true);
@@ -134,6 +149,8 @@ void OperatorInput::take(const Message& message, const char* kind, bool steers) 
     if (fault.empty() && steers) {
       ++device_.messages;
       device_.sender = message.sender;
+    } else if (fault.empty()) {
+      ++device_.clutch_messages;
     }
   }
   if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "%s message dropped: %s", kind, fault.c_str());

@@ -124,6 +124,7 @@ std::vector<std::string> Shell::judge(const Parameters& wanted) {
     odometry_.subscribe(odometry_thread_.serve(host_handle_), odom_topic_);
   }
   person_.configure(host_handle_, set.parameters);
+  feedback_.show_mode(set.parameters.mode);
   pending_.put(std::move(set));
   return {};
 }
@@ -136,7 +137,6 @@ void Shell::take_parameters() {
   if (!faults.empty()) return;
   refused_.clear();
   budget_.configure(wanted_samples(planner_.parameters()));
-  feedback_.show_mode(planner_.parameters().mode);
   check_horizon();
 }
 

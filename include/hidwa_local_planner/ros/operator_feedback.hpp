@@ -28,13 +28,15 @@ class OperatorFeedback {
   /// Once a cycle, from the control thread.
   void publish(const ros::Time& stamp, const Parameters& parameters, const CycleResult& result,
                const OperatorIntent& intent, const OperatorInput::Status& status);
-  /// The mode in force; published where it changed.
+  /// The mode in force, from whatever thread changes it (one at a time), also while no cycles run; published
+  /// where it changed.
   void show_mode(OperatorMode mode);
 
  private:
   void fill(const ros::Time& stamp, const CycleResult& result, const OperatorIntent& intent,
             const OperatorInput::Status& status);
   void rumble();
+  void send_rumble(float intensity);
 
   ros::NodeHandle host_;
   std::string frame_;

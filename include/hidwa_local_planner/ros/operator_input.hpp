@@ -28,6 +28,8 @@ class OperatorInput {
   ~OperatorInput();
   /// Resubscribes where a topic changed. `handle` decides the namespace.
   void configure(const ros::NodeHandle& handle, const Parameters& parameters);
+  /// The same handle, its callbacks served by the thread that takes the person's messages.
+  ros::NodeHandle serve(const ros::NodeHandle& handle) { return thread_.serve(handle); }
   /// `sender`: the publishing node; `received` [s].
   void receive(const sensor_msgs::Joy& message, const std::string& sender, double received);
   /// The hand as tf has it; the same transform again is no news.
@@ -56,6 +58,8 @@ class OperatorInput {
     std::string topic;   // or frames
     std::string sender;  // the node that sent the last message; empty when none came
     std::uint64_t messages = 0;
+    std::string clutch_topic;  // of the stick whose button lets a hand count; empty where no hand steers
+    std::uint64_t clutch_messages = 0;
   };
   Device device() const;
   std::string advice() const;
