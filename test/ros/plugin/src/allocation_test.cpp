@@ -33,6 +33,23 @@ std::size_t of_the_host(const std::string& plan_frame) {
   return allocations_of_this_thread() - before;
 }
 
+/// At 20 Hz on the topic `joy`.
+struct Stick {
+  bool is_heard() {
+    return wait_for([this] { return publisher.getNumSubscribers() > 0; }, 5.0);
+  }
+  void send() {
+    sensor_msgs::Joy message;
+    message.axes = {left, 0.0f};
+    message.buttons = {0};
+    publisher.publish(message);
+  }
+  ros::NodeHandle node;
+  std::atomic<float> left{0.0f};
+  ros::Publisher publisher = node.advertise<sensor_msgs::Joy>("joy", 1);
+  ros::WallTimer timer = node.createWallTimer(ros::WallDuration(0.05), [this](const ros::WallTimerEvent&) { send(); });
+};
+
 class Allocations : public ::testing::Test {
  protected:
   /// Allocations of one cycle beyond the host's own.
@@ -84,23 +101,35 @@ TEST_F(Allocations, NoneWithThePlanInAnotherFrame) {
 
 TEST_F(Allocations, NoneWhileThePersonSteers) {
   Host host("Steered", Host::Listens::no);
-  ros::NodeHandle node;
-  std::atomic<float> stick{0.0f};
-  const ros::Publisher publisher = node.advertise<sensor_msgs::Joy>("joy", 1);
-  const ros::WallTimer timer = node.createWallTimer(ros::WallDuration(0.05), [&](const ros::WallTimerEvent&) {
-    sensor_msgs::Joy message;
-    message.axes = {stick, 0.0f};
-    message.buttons = {0};
-    publisher.publish(message);
-  });
-  ASSERT_TRUE(wait_for([&] { return publisher.getNumSubscribers() > 0; }, 5.0));
+  Stick stick;
+  ASSERT_TRUE(stick.is_heard());
   ASSERT_TRUE(host.plan_ahead(15.0));
   cycles(host, 40);
-  stick = 0.8f;
+  stick.left = 0.8f;
   ASSERT_TRUE(wait_for([&] { return cycle(host), command_.angular.z > 0.6; }, 5.0));  // 0.8^2 = 0.64 rad/s
   cycles(host, 60);  // the way there is the first of its kind
   EXPECT_LE(cycles(host, 100), kGrowth);
   EXPECT_GT(command_.angular.z, 0.6);
+}
+
+// The state, its markers and the stick's motor have much to say now, and nobody listens.
+TEST_F(Allocations, NoneWhileThePersonIsRefused) {
+  ros::param::set(ns("Refuses") + "critics",
+                  "RotateToGoal, Oscillation, ObstacleFootprint, GoalAlign, PathAlign, PathDist, GoalDist");
+  ros::param::set(ns("Refuses") + "blocked_time", 0.5);
+  Host host("Refuses", Host::Listens::no);
+  Stick stick;
+  ASSERT_TRUE(stick.is_heard());
+  ASSERT_TRUE(host.plan_ahead(8.0));
+  cycles(host, 40);
+  Stage::get().robot.wall_ahead(1.8);
+  stick.left = 0.2f;
+  ASSERT_TRUE(wait_for([&] { return cycle(host), Stage::get().robot.room() < 1.0 && command_.linear.x < 0.05; }, 15.0));
+  cycles(host, 60);
+  EXPECT_LE(cycles(host, 100), kGrowth);
+  EXPECT_LT(command_.linear.x, 0.05);
+  EXPECT_TRUE(success_);
+  Stage::get().clear();
 }
 
 TEST_F(Allocations, NoneWhereEverythingIsRefusedButToSaySo) {

@@ -50,11 +50,11 @@ bool reaches(Host& host, unsigned vx, unsigned vth, double seconds) {
 /// Whether /diagnostics warns of thinned samples at the moment; the newest message decides.
 class Warning {
  public:
-  explicit Warning(std::string name) : name_(std::move(name)) {
+  explicit Warning(const std::string& name) : name_(ros::this_node::getName().substr(1) + ": " + name) {
     subscriber_ = ros::NodeHandle().subscribe<diagnostic_msgs::DiagnosticArray>(
         "/diagnostics", 10, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& message) {
           for (const diagnostic_msgs::DiagnosticStatus& status : message->status) {
-            if (status.name.find(name_) == std::string::npos) continue;
+            if (status.name != name_) continue;
             heard_ = true;
             on_ = status.level == diagnostic_msgs::DiagnosticStatus::WARN &&
                   status.message.find("samples thinned") != std::string::npos;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stage.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <costmap_2d/cost_values.h>
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/LaserScan.h>
@@ -51,6 +53,31 @@ Pose Robot::pose() const {
   return pose_;
 }
 
+void Robot::wall_ahead(double ahead) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  wall_ = true;
+  wall_heading_ = pose_.theta;
+  wall_distance_ = pose_.x * std::cos(wall_heading_) + pose_.y * std::sin(wall_heading_) + ahead;
+  room_ = ahead;
+}
+
+void Robot::no_wall() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  wall_ = false;
+  room_ = std::numeric_limits<double>::infinity();
+}
+
+double Robot::room() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return room_;
+}
+
+double Robot::range(const Pose& from, double angle) const {
+  const double towards = std::cos(from.theta + angle - wall_heading_);
+  const double to_wall = wall_distance_ - from.x * std::cos(wall_heading_) - from.y * std::sin(wall_heading_);
+  return wall_ && towards > 1e-6 ? to_wall / towards : std::numeric_limits<double>::infinity();
+}
+
 void Robot::run() {
   constexpr double kStep = 0.02;  // [s]
   ros::WallRate rate(1.0 / kStep);
@@ -72,6 +99,7 @@ void Robot::step(double dt) {
     pose_.y += command_.linear.x * std::sin(middle) * dt;
     pose_.theta = std::remainder(pose_.theta + command_.angular.z * dt, 2.0 * M_PI);
     message.twist.twist = command_;
+    if (wall_) room_ = std::min(room_, range(pose_, wall_heading_ - pose_.theta));
   }
   const Pose now = pose();
   if (base_transform) send_transform("odom", "base_link", now);
@@ -88,10 +116,14 @@ void Robot::step(double dt) {
     scan.header.frame_id = "base_link";
     scan.angle_min = -3.0f;
     scan.angle_max = 3.0f;
-    scan.angle_increment = 0.1f;
-    scan.range_min = 0.1f;
+    scan.angle_increment = 0.02f;
+    scan.range_min = 0.05f;
     scan.range_max = 10.0f;
-    scan.ranges.assign(61, std::numeric_limits<float>::infinity());
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (int i = 0; i <= 300; ++i) {
+      const auto distance = static_cast<float>(range(now, -3.0 + 0.02 * i));
+      scan.ranges.push_back(distance < scan.range_max ? distance : std::numeric_limits<float>::infinity());
+    }
     laser_publisher_.publish(scan);
   }
 }
@@ -117,6 +149,25 @@ Stage::Stage() : robot(tf), spinner_(1) {
   spinner_.start();
   costmap = std::make_unique<costmap_2d::Costmap2DROS>("local_costmap", tf);
   wait_for([this] { return costmap->isCurrent(); }, 10.0);
+}
+
+void Stage::clear() {
+  robot.no_wall();
+  // A scan from before may still be on its way: the layers are emptied until nothing of the wall is left.
+  wait_for(
+      [this] {
+        costmap->resetLayers();
+        ros::WallDuration(0.15).sleep();
+        const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap->getCostmap()->getMutex());
+        const costmap_2d::Costmap2D& map = *costmap->getCostmap();
+        for (unsigned int y = 0; y < map.getSizeInCellsY(); ++y) {
+          for (unsigned int x = 0; x < map.getSizeInCellsX(); ++x) {
+            if (map.getCost(x, y) == costmap_2d::LETHAL_OBSTACLE) return false;
+          }
+        }
+        return costmap->isCurrent();
+      },
+      10.0);
 }
 
 Host::Host(const std::string& name, Listens listens) : name_(name), next_(ros::Time::now()) {
@@ -165,6 +216,12 @@ Host::Cycle Host::cycle() {
     cycle.success = planner_->computeVelocityCommands(cycle.command);
   }
   stage.robot.command(cycle.success ? cycle.command : geometry_msgs::Twist());
+  if (cycle.success && last_.success) {
+    const auto larger = [](double& largest, double a, double b) { largest = std::max(largest, std::abs(a - b)); };
+    larger(largest_change_.linear.x, cycle.command.linear.x, last_.command.linear.x);
+    larger(largest_change_.angular.z, cycle.command.angular.z, last_.command.angular.z);
+  }
+  last_ = cycle;
   next_ = std::max(next_ + ros::Duration(kPeriod), ros::Time::now());
   const ros::Duration rest = next_ - ros::Time::now();
   if (rest > ros::Duration(0)) rest.sleep();

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -34,6 +35,12 @@ class Robot {
   ~Robot();
   void command(const geometry_msgs::Twist& twist);
   Pose pose() const;
+  /// A wall that only the laser sees, `ahead` [m] of the robot's centre and across its way; without end, and
+  /// the robot drives through it.
+  void wall_ahead(double ahead);
+  void no_wall();
+  /// The smallest distance of the robot's centre from that wall so far [m]; infinite where there was none.
+  double room() const;
   /// While it is held the robot neither moves nor sends.
   std::unique_lock<std::mutex> still() { return std::unique_lock<std::mutex>(step_mutex_); }
 
@@ -42,6 +49,7 @@ class Robot {
  private:
   void run();
   void step(double dt);
+  double range(const Pose& from, double angle) const;  // [m], to the wall; needs mutex_
   void send_transform(const std::string& parent, const std::string& child, const Pose& pose);
 
   tf2_ros::Buffer& tf_;
@@ -50,6 +58,9 @@ class Robot {
   mutable std::mutex mutex_;
   Pose pose_;
   geometry_msgs::Twist command_;
+  bool wall_ = false;
+  double wall_heading_ = 0.0, wall_distance_ = 0.0;  // its normal, and its distance from the origin of odom
+  double room_ = std::numeric_limits<double>::infinity();
   std::atomic<bool> running_{true};
   std::thread thread_;
 };
@@ -58,6 +69,8 @@ class Robot {
 class Stage {
  public:
   static Stage& get();
+  /// No obstacles, neither there nor remembered.
+  void clear();
   tf2_ros::Buffer tf;
   Robot robot;
   std::unique_ptr<costmap_2d::Costmap2DROS> costmap;
@@ -90,6 +103,8 @@ class Host {
   Cycle cycle();
   /// Cycles until `done` says so of one; false after `seconds`.
   bool cycle_until(const std::function<bool(const Cycle&)>& done, double seconds);
+  /// The largest change from one command to the next [m/s, rad/s], both of successful cycles, so far.
+  geometry_msgs::Twist largest_change() const { return largest_change_; }
   /// The newest message about a cycle.
   hidwa_local_planner::Cycle report() const;
   /// Brings the robot to rest.
@@ -102,6 +117,8 @@ class Host {
   mutable std::mutex mutex_;
   hidwa_local_planner::Cycle report_;
   ros::Time next_;
+  Cycle last_;
+  geometry_msgs::Twist largest_change_;
 };
 
 /// Waits until `done`; false after `seconds`.
