@@ -235,6 +235,24 @@ def drive_avoid():
         'the person steers': lambda r: r['operator_active_s'] > 1.0})
 
 
+def drive_in_mode(mode, **more):
+    """The same in another mode; the demo's person steers with what it has."""
+    return drive(f'drive_{mode}', '--mode', mode, '--operator', 'avoid', expect={
+        'no region is crossed': lambda r: r['regions_crossed'] == 0,
+        f'the mode is {mode}': lambda r: r['mode'] == mode,
+        'the person steers': lambda r: r['operator_active_s'] > 1.0, **more})
+
+
+def drive_gesture():
+    """The same by a hand with a clutch."""
+    return drive_in_mode('gesture')
+
+
+def drive_switching():
+    """The same by taking control."""
+    return drive_in_mode('switching', **{'the person is in control for a while': lambda r: r['state_s']['MANUAL'] > 1.0})
+
+
 def drive_none():
     """The same with nobody: autonomy cannot see the regions."""
     return drive('drive_none', '--operator', 'none', expect={
@@ -273,8 +291,8 @@ def drive_steer_right():
 
 
 # In this order; those after `build` need what it built.
-SUITES = (plain, build, package, compat, ros, contract, python, robot, lint, drive_avoid, drive_none, drive_real_map,
-          drive_steer_left, drive_steer_right)
+SUITES = (plain, build, package, compat, ros, contract, python, robot, lint, drive_avoid, drive_gesture, drive_switching,
+          drive_none, drive_real_map, drive_steer_left, drive_steer_right)
 ALONE = (plain, build, lint)
 
 
