@@ -22,6 +22,11 @@ void register_parts(const Effort& effort);
 /// counter times_real_time is the simulated time over that by the wall clock.
 void register_drives(const Effort& effort);
 
+/// samples/<v>x<omega>: what so many samples buy in the office. Counters: omega_change, the mean absolute change of omega
+/// from command to command of autonomy [rad/s]; deviation and excess, where the person's own command is refused: the
+/// mean deviation of what is chosen instead, and its J above that with the finest samples.
+void register_samples(const Effort& effort);
+
 /// calibration/pose/<candidates>: the least that a pose can cost.
 void register_calibration(const Effort& effort);
 

@@ -9,8 +9,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmark/cases.hpp"
-#include "hidwa_local_planner/drive/drive.hpp"
-#include "hidwa_local_planner/drive/outline.hpp"
+#include "benchmark/office_drive.hpp"
 #include "hidwa_local_planner/sim/avoiding_operator.hpp"
 
 namespace hidwa_local_planner::test {
@@ -19,9 +18,6 @@ namespace {
 using drive::DriveResult;
 using drive::DriveSetup;
 
-const sim::Polygon kOctagon{{0.277, 0.115},   {0.115, 0.277},   {-0.115, 0.277}, {-0.277, 0.115},
-                            {-0.277, -0.115}, {-0.115, -0.277}, {0.115, -0.277}, {0.277, -0.115}};
-
 struct Work {
   double simulated = 0.0;  // [s]
   double driven = 0.0;     // [m]
@@ -29,17 +25,7 @@ struct Work {
 };
 
 DriveSetup office(bool steered) {
-  const std::string folder = HIDWA_MAPS;
-  DriveSetup setup;
-  setup.ground = std::make_shared<drive::Ground>(
-      std::make_shared<sim::OccupancyMap>(sim::load_map(folder + "/office.yaml")));
-  const sim::RegionsFile file = sim::load_regions(folder + "/office_regions.yaml");
-  setup.regions = file.regions;
-  setup.start = file.start.value();
-  setup.goal = file.goal.value();
-  setup.footprint = kOctagon;
-  setup.outline = drive::circle_outline(0.30, 0.01);
-  setup.laser.noise = 0.01;
+  DriveSetup setup = office_drive();
   if (steered) {
     setup.person = std::make_shared<sim::AvoidingOperator>(sim::OperatorTraits(), sim::RobotHabits(),
                                                            *setup.ground->map(), setup.regions, 1);

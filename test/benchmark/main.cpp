@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   hidwa_local_planner::test::register_parts(cycles);
   hidwa_local_planner::test::register_calibration(cycles);
   hidwa_local_planner::test::register_drives(cycles);
+  hidwa_local_planner::test::register_samples(cycles);
   if (benchmark::RunSpecifiedBenchmarks() == 0) return 1;  // nothing is named so
   return 0;
 }

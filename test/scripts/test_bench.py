@@ -123,6 +123,14 @@ class Output(unittest.TestCase):
         self.assertEqual(naive.split()[-1], '0.0')  # no ratio of its own
         self.assertEqual(ours.index('99.9') + 4, heading.index('p50 us') + 6)  # numbers end where their heading does
 
+    def test_samples(self):
+        cases = {OURS: case(), 'samples/20x20': {'omega_change': 0.01712, 'deviation': 120.17, 'excess': 16.66},
+                 'samples/10x10': {'omega_change': 0.0131}}
+        said, _ = printed(bench.show_samples, cases)
+        self.assertEqual(said, 'samples/20x20: mean change of omega 0.0171 rad/s; where the wish is refused, what is chosen '
+                         "deviates by 120.2 (J 16.7 above the finest samples')\n"
+                         'samples/10x10: mean change of omega 0.0131 rad/s\n')
+
     def test_drives(self):
         drive = {'times_real_time': 149.6, 'times_real_time_cpu': 155.0, 'planning': 0.62, 'driven_m': 151.4, 'simulated_s': 308.8}
         said, _ = printed(bench.show_drives, {OURS: case(), 'drive/office/alone': drive})

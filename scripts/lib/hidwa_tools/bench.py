@@ -79,6 +79,15 @@ def table(cases, found):
                                for column, (text, width) in enumerate(zip(row, widths))).rstrip() for row in rows)
 
 
+def show_samples(cases):
+    """What finer samples buy, one line a sampling."""
+    for name, case in cases.items():
+        if name.startswith('samples/') and 'omega_change' in case:
+            refused = (f"; where the wish is refused, what is chosen deviates by {case['deviation']:.1f} (J {case['excess']:.1f} "
+                       f"above the finest samples')" if 'deviation' in case else '')
+            print(f"{name}: mean change of omega {case['omega_change']:.4f} rad/s{refused}")
+
+
 def show_drives(cases):
     """The drives, one a line."""
     for name, case in cases.items():
@@ -145,7 +154,7 @@ def parse(arguments):
         epilog='cases: cycle/CANDIDATES/CELLS/circle|polygon/open|tight, cycle_cached/... (one situation again and again),\n'
         'naive_cycle/..., part/sampling|rollout|obstacles|classes|admissibility|geodesic|l1/... (parts of those cycles; classes\n'
         'and admissibility include the rollout), calibration/pose/CANDIDATES (the least a pose can cost), and whole drives in\n'
-        'simulated time: drive/office/alone|steered.\n'
+        'simulated time: drive/office/alone|steered. samples/VxOMEGA: what so many samples buy.\n'
         'p50 and p99 are of single cycles by the wall clock; "cpu" are the same by the thread\'s own time, which others on\n'
         'the machine do not lengthen: by it ns/pose and ratios are made. A missed bound does not change the exit status.\n'
         'exit status: 0 everything ran; 2 something did not\n'
@@ -175,6 +184,7 @@ def main(arguments=None):
     found = ratios(cases)
     print(table(cases, found))
     show_drives(cases)
+    show_samples(cases)
     broken = show_faults(cases)
     show_bounds(cases)
     show_ratios(found)
