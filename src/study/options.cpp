@@ -88,6 +88,7 @@ std::map<std::string, Reader> readers(Options& o) {
        }},
       {"--set", [&o](const std::string& v) { o.sets.push_back(parse_assignment(v)); }},
       {"--grid", [&o](const std::string& v) { o.grid.push_back(v); }},
+      {"--vary", [&o](const std::string& v) { o.vary.push_back(v); }},
       {"--shard", [&o](const std::string& v) { read_shard(v, o); }},
   };
 }
@@ -129,8 +130,11 @@ void check(const Options& o) {
   if (o.command == "merge" && o.parts.empty()) {
     throw UsageError("merge needs the folders of the parts after its options");
   }
-  if (o.command == "sweep" && o.grid.empty()) throw UsageError("sweep needs --grid name=value,value,...");
+  if (o.command == "sweep" && o.grid.empty() == o.vary.empty()) {
+    throw UsageError("sweep needs either --grid or --vary name=value,value,...");
+  }
   if (o.command != "sweep" && !o.grid.empty()) throw UsageError("--grid is for sweep; for one value take --set");
+  if (o.command != "sweep" && !o.vary.empty()) throw UsageError("--vary is for sweep; for one value take --set");
   if (o.command == "pilot") {
     for (const Assignment& set : o.sets) {
       if (set.name == "s_v" || set.name == "s_omega" || set.name == "delta") {
@@ -167,6 +171,8 @@ std::string help() {
   hidwa_study pilot --out DIR   SJ with the paper's four combinations of s_v, s_omega and delta, 8 participants
   hidwa_study sweep --out DIR --grid NAME=V1,V2,... [--grid ...]
                                 every combination, 8 participants, SJ
+  hidwa_study sweep --out DIR --vary NAME=V1,V2,... [--vary ...]
+                                as it is, then each value alone: the sensitivity to it
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
 

@@ -35,8 +35,7 @@ std::vector<Trait> all() {
       // Motor noise of about -20 to -25 dB of the movement (Kleinman, Baron and Levison 1970), for half a
       // deflection.
       {"stick_noise", &P::stick_noise, uniform(0.03, 0.05), 0.0, 1.0},
-      // The same of a displacement of 0.15 m, and the tracking's own error of about 4 mm (Carnevale et al.
-      // 2022) on top.
+      // The same share of a displacement of 0.15 m; a millimetre for the tracking is assumed.
       {"hand_noise", &P::hand_noise, uniform(0.010, 0.016), 0.0, 1.0},
       // A keystroke: 0.2 s, 0.08 s of the best (Card, Moran and Newell 1980, Keystroke-Level Model).
       {"button_time", &P::button_time, normal(0.20, 0.05, 0.08, 0.50), 0.0, 10.0},

@@ -95,7 +95,9 @@ Parameters profile(const std::string& name) {
 
 Plan plan_of(const Options& options) {
   const bool pilot = options.command == "pilot";
-  const std::vector<Setting> settings = pilot ? pilot_settings() : combinations(options.grid);
+  const std::vector<Setting> settings = pilot                   ? pilot_settings()
+                                        : options.vary.empty() ? combinations(options.grid)
+                                                               : variations(options.vary);
   if (settings.size() > 99999) throw UsageError("there are more than 99999 combinations: take fewer values");
   return make_plan(options.command, options.participants, options.conditions, settings, pilot);
 }

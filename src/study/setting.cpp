@@ -137,6 +137,15 @@ std::vector<Setting> combinations(const std::vector<std::string>& grid) {
   return settings;
 }
 
+std::vector<Setting> variations(const std::vector<std::string>& varied) {
+  combinations(varied);  // for its faults
+  std::vector<Setting> settings(1);
+  for (const std::string& text : varied) {
+    for (const Setting& setting : combinations({text})) settings.push_back(setting);
+  }
+  return settings;
+}
+
 void assign_file(Parameters& parameters, const std::string& path) {
   YAML::Node root;
   try {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/study/store.hpp"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -104,7 +106,8 @@ Plan Store::plan() const {
 
 void Store::write(const std::string& name, const std::string& text) const {
   const fs::path path = fs::path(folder_) / name;
-  const fs::path draft = path.string() + ".part";
+  // Shards may share a folder.
+  const fs::path draft = path.string() + "." + std::to_string(::getpid()) + ".part";
   std::ofstream file(draft, std::ios::binary);
   file << text;
   file.close();

@@ -28,7 +28,8 @@ struct Options {
   std::string profile = "default";
   Guard guard = Guard::none;  // SW
   std::vector<Assignment> sets;
-  std::vector<std::string> grid;  // sweep: name=value,value,...
+  std::vector<std::string> grid;  // sweep: name=value,value,...; all combinations
+  std::vector<std::string> vary;  // sweep: likewise; one at a time
   std::size_t shard = 1, shards = 1;
   bool resume = true;
   bool paths = true;

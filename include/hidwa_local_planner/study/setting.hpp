@@ -39,6 +39,9 @@ void assign(Subject& subject, const Assignment& assignment);
 /// none. Throws UsageError.
 std::vector<Setting> combinations(const std::vector<std::string>& grid);
 
+/// An empty setting, then each value of `name=v1,v2,...` alone: what matters, and how much. Throws UsageError.
+std::vector<Setting> variations(const std::vector<std::string>& varied);
+
 /// Takes the parameters under HIDWAPlannerROS in a YAML file. Throws UsageError.
 void assign_file(Parameters& parameters, const std::string& path);
 

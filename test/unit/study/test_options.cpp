@@ -72,7 +72,7 @@ TEST(Options, FaultsNameTheOption) {
   EXPECT_NE(fault_of("run --out a stray").find("'stray'"), std::string::npos);
   for (const char* bad : {"--participants 0", "--participants 2.5", "--seed -1", "--threads 0", "--conditions SJ,SX",
                           "--conditions ,", "--start 1,2", "--goal 1,2,x", "--profile best", "--guard some",
-                          "--shard 0/2", "--shard 3/2", "--shard 2", "--set delta", "--grid s_v=1,2"}) {
+                          "--shard 0/2", "--shard 3/2", "--shard 2", "--set delta", "--grid s_v=1,2", "--vary s_v=1,2"}) {
     const std::string option = std::string(bad).substr(0, std::string(bad).find(' '));
     const std::string fault = fault_of(std::string("run --out a ") + bad);
     EXPECT_NE(fault, "") << bad;
@@ -80,6 +80,7 @@ TEST(Options, FaultsNameTheOption) {
     EXPECT_NE(fault.find(option), std::string::npos) << bad << ": " << fault;
   }
   EXPECT_NE(fault_of("sweep --out a").find("--grid"), std::string::npos);
+  EXPECT_NE(fault_of("sweep --out a --grid s_v=1 --vary delta=1").find("either"), std::string::npos);
   EXPECT_NE(fault_of("pilot --out a --set s_v=1").find("s_v"), std::string::npos);
   EXPECT_NE(fault_of("merge --out a").find("parts"), std::string::npos);
 }

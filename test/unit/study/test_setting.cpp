@@ -61,6 +61,15 @@ TEST(Setting, CombinationsAreAllOfThem) {
   EXPECT_THROW(combinations({"s_v=1", "s_v=2"}), UsageError);
 }
 
+TEST(Setting, VariationsAreOneAtATime) {
+  const std::vector<Setting> settings = variations({"s_v=1,2", "delta=0"});
+  ASSERT_EQ(settings.size(), 4u);
+  EXPECT_EQ(to_string(settings[0]), "default");
+  EXPECT_EQ(to_string(settings[2]), "s_v=2");
+  EXPECT_EQ(to_string(settings[3]), "delta=0");
+  EXPECT_THROW(variations({"delta=0", "delta=1"}), UsageError);
+}
+
 }  // namespace
 }  // namespace study
 }  // namespace hidwa_local_planner
