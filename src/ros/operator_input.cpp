@@ -71,8 +71,8 @@ template <typename Message>
 void OperatorInput::follow(ros::Subscriber& subscriber, std::string& followed, const ros::NodeHandle& handle,
                            const std::string& topic, Receive<Message> taker) {
   if (topic == followed) return;
-  followed = topic;
   subscriber.shutdown();
+  followed.clear();
   if (topic.empty()) return;
   using Event = ros::MessageEvent<const Message>;
   const boost::function<void(const Event&)> callback = [this, taker](const Event& event) {
@@ -83,6 +83,7 @@ void OperatorInput::follow(ros::Subscriber& subscriber, std::string& followed, c
   // Size 1 and no delay: an old deflection must never be worked off late.
   subscriber = thread_.serve(handle).subscribe<Message, const Event&>(topic, 1, callback, nullptr,
                                                                       ros::TransportHints().tcpNoDelay());
+  followed = topic;
 }
 
 void OperatorInput::receive(const sensor_msgs::Joy& message, const std::string& sender, double received) {

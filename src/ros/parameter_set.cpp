@@ -1,12 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/parameter_set.hpp"
 
+#include <array>
+#include <utility>
+
+#include <ros/names.h>
 #include <ros/param.h>
 
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
+namespace {
+
+// What roscpp would throw at later, out of whatever callback or cycle.
+void check_topics(std::vector<std::string>& faults, const Parameters& p) {
+  using Named = std::pair<const char*, const std::string*>;
+  const std::array<Named, 5> topics{{{"odom_topic", &p.odom_topic},
+                                     {"joy_topic", &p.joy_topic},
+                                     {"twist_topic", &p.twist_topic},
+                                     {"gesture_topic", &p.gesture_topic},
+                                     {"rumble_topic", &p.rumble_topic}}};
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    const auto& [name, topic] = topics[i];
+    std::string why;
+    if (topic->empty()) continue;
+    if (!ros::names::validate(*topic, why)) {
+      faults.push_back(std::string(name) + " = " + *topic + " is no name of a topic: " + why);
+    } else if (topic->front() == '~') {
+      faults.push_back(std::string(name) + " = " + *topic + ": private names are not resolved here, write it in full");
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (*topics[j].second != *topic) continue;
+      faults.push_back(std::string(topics[j].first) + " and " + name + " are both " + *topic +
+                       ", but carry different messages: change one");
+    }
+  }
+}
+
+}  // namespace
 
 std::unique_ptr<ParameterSource> ParameterSet::source_for(const std::string& critic) const {
   const std::string name = short_name(critic);
@@ -40,6 +72,7 @@ std::vector<std::string> faults_of(const ParameterSet& set, const CriticRegistry
                        " is declared, but its library cannot be loaded; rebuild its package");
     }
   }
+  check_topics(faults, set.parameters);
   if (!faults.empty()) return faults;
   Planner trial(registry);
   return configure(trial, set);

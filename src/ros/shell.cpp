@@ -82,16 +82,19 @@ void Shell::start_parameters() {
   budget_.configure(wanted_samples(planner_.parameters()));
   report_start(loaded.found);
 
-  odom_topic_ = loaded.parameters.odom_topic;
-  odometry_.subscribe(odometry_thread_.serve(host_handle_), odom_topic_);
-  person_.configure(host_handle_, planner_.parameters());
+  const std::string fault = listen(planner_.parameters());
+  if (!fault.empty()) {
+    ROS_ERROR("%s: %s", handle_.getNamespace().c_str(), fault.c_str());
+    refused_ = fault;
+  }
   // A nested key was taken over into the flat one: left behind it would hide later changes from the next
   // start.
   for (const std::string& alias : loaded.aliases) handle_.deleteParam(alias);
   reconfigure_ = std::make_unique<Reconfigure>(thread_.serve(handle_), loaded.parameters,
                                                [this](const Parameters& wanted) { return judge(wanted); });
   commands_ = std::make_unique<OperatorCommands>(thread_.serve(handle_), person_, *reconfigure_);
-  feedback_.show_mode(planner_.parameters().mode);
+  accepted_ = planner_.parameters();
+  feedback_.show_mode(accepted_.mode);
 }
 
 void Shell::report_start(const std::vector<std::string>& found) const {
@@ -119,14 +122,29 @@ std::vector<std::string> Shell::judge(const Parameters& wanted) {
   ParameterSet set{description_.limited(wanted), read_namespace(handle_)};
   const std::vector<std::string> faults = faults_of(set, registry_);
   if (!faults.empty()) return faults;
-  if (wanted.odom_topic != odom_topic_) {
-    odom_topic_ = wanted.odom_topic;
-    odometry_.subscribe(odometry_thread_.serve(host_handle_), odom_topic_);
+  const std::string fault = listen(set.parameters);
+  if (!fault.empty()) {
+    listen(accepted_);
+    return {fault};
   }
-  person_.configure(host_handle_, set.parameters);
+  accepted_ = set.parameters;
   feedback_.show_mode(set.parameters.mode);
   pending_.put(std::move(set));
   return {};
+}
+
+std::string Shell::listen(const Parameters& parameters) {
+  try {
+    if (parameters.odom_topic != odom_topic_) {
+      odom_topic_.clear();
+      odometry_.subscribe(odometry_thread_.serve(host_handle_), parameters.odom_topic);
+      odom_topic_ = parameters.odom_topic;
+    }
+    person_.configure(host_handle_, parameters);
+  } catch (const ros::Exception& error) {
+    return std::string("a topic cannot be listened to: ") + error.what();
+  }
+  return "";
 }
 
 void Shell::take_parameters() {

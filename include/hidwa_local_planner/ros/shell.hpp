@@ -62,6 +62,7 @@ class Shell {
   void start_parameters();
   void report_start(const std::vector<std::string>& found) const;
   std::vector<std::string> judge(const Parameters& wanted);
+  std::string listen(const Parameters& parameters);  // to their topics; the fault in words where that cannot be
   void take_parameters();
   double control_period() const;  // [s]
   double cycle_budget() const;    // [s]; negative: none
@@ -113,7 +114,8 @@ class Shell {
   CallbackThread odometry_thread_;
   OdometryInput odometry_;
   OperatorInput person_;
-  std::string odom_topic_;
+  std::string odom_topic_;  // listened to
+  Parameters accepted_;     // the last valid set, in force or about to be
   Publishing publishing_;
   OperatorFeedback feedback_;
   std::unique_ptr<Reconfigure> reconfigure_;

@@ -117,6 +117,7 @@ TEST_F(Allocations, NoneWhileThePersonIsRefused) {
   ros::param::set(ns("Refuses") + "critics",
                   "RotateToGoal, Oscillation, ObstacleFootprint, GoalAlign, PathAlign, PathDist, GoalDist");
   ros::param::set(ns("Refuses") + "blocked_time", 0.5);
+  ros::param::set(ns("Refuses") + "cycle_budget", -1.0);  // a busy machine would be told so, in the log
   Host host("Refuses", Host::Listens::no);
   Stick stick;
   ASSERT_TRUE(stick.is_heard());

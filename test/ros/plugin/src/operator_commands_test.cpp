@@ -127,6 +127,43 @@ TEST_F(Commands, WhatIsNoModeIsRefused) {
   }
 }
 
+// The hand's topic is no topic, or one that somebody in this node reads as something else: said, never thrown.
+TEST_F(Commands, AModeWhoseTopicCannotBeHadIsRefused) {
+  const LogListener log;
+  start();
+  drive();
+  for (const auto& [topic, why] : {std::pair<std::string, std::string>{"a hand", "gesture_topic = a hand is no name of a topic"},
+                                   {"joy", "joy_topic and gesture_topic are both joy"},
+                                   {"scan", "a topic cannot be listened to"}}) {
+    dynamic_reconfigure::Reconfigure call;
+    dynamic_reconfigure::StrParameter parameter;
+    parameter.name = "gesture_topic";
+    parameter.value = topic;
+    call.request.config.strs.push_back(parameter);
+    parameter.name = "mode";
+    parameter.value = "gesture";
+    call.request.config.strs.push_back(parameter);
+    ASSERT_TRUE(ros::service::call(in_namespace("set_parameters"), call));
+    EXPECT_EQ(mode_in(call.response.config), "joystick") << topic;
+    EXPECT_TRUE(cycle_until([&](const Host::Cycle& c) { return c.success && log.said(why); })) << topic;
+    EXPECT_TRUE(late_subscriber_reads("joystick"));
+  }
+  // What listens to the scan is there for mode gesture alone: valid, until that mode is asked for in words.
+  dynamic_reconfigure::Reconfigure call;
+  dynamic_reconfigure::StrParameter parameter;
+  parameter.name = "gesture_topic";
+  parameter.value = "scan";
+  call.request.config.strs.push_back(parameter);
+  ASSERT_TRUE(ros::service::call(in_namespace("set_parameters"), call));
+  ASSERT_TRUE(say_mode("gesture"));
+  EXPECT_TRUE(cycle_until([&](const Host::Cycle&) { return log.said("set_mode: a topic cannot be listened to"); }));
+  EXPECT_TRUE(late_subscriber_reads("joystick"));
+  // The stick steers as before.
+  ASSERT_TRUE(all_cycles([](const Host::Cycle& c) { return c.success; }, 0.3));
+  person().left = 1.0f;
+  EXPECT_TRUE(reaches("SHARED"));
+}
+
 }  // namespace
 }  // namespace hidwa_plugin_tests
 
