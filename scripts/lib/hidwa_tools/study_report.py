@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The report of a study: what hidwa_study left in a folder, as one self-contained page and its pictures."""
+import base64
+import csv
+import glob
+import html
+import json
+import os
+import sys
+
+import numpy as np
+import yaml
+import matplotlib
+matplotlib.use('Agg')
+import matplotlib.image as image  # noqa: E402
+import matplotlib.pyplot as plt  # noqa: E402
+
+from .statistics import normality, proportion, signed_ranks
+
+CONDITIONS = ('SJ', 'SG', 'SW')
+NAMES = {'SJ': 'SJ, shared control by joystick', 'SG': 'SG, shared control by gesture', 'SW': 'SW, switching'}
+STEERED = ('SHARED', 'MANUAL', 'STOPPED', 'BLOCKED')
+MEASURES = (('duration', 'time [s]'), ('length', 'length [m]'), ('regions_crossed', 'regions crossed'),
+            ('contacts', 'contacts'), ('operator_active', 'operator active [s]'), ('interventions', 'interventions'),
+            ('omega_change', 'mean change of omega [rad/s]'), ('agreement', 'mean agreement'),
+            ('clearance', 'smallest clearance [m]'))
+# Kalliokoski et al. 2022, section V: means of 32 people; contacts in all.
+PAPER = {'SJ': {'duration': 172.37, 'regions_crossed': 0.219, 'contacts': 0},
+         'SW': {'duration': 187.17, 'regions_crossed': 0.406, 'contacts': 3}}
+INK, WAY, RED = '#22303c', '#1f4e9c', '#d62728'
+
+
+class ReportError(Exception):
+    """The folder cannot be reported on; the text says why and what to do."""
+
+
+def read_runs(folder):
+    """The rows of runs.csv, numbers as such."""
+    path = os.path.join(folder, 'runs.csv')
+    try:
+        with open(path, encoding='utf-8', newline='') as text:
+            rows = list(csv.DictReader(text))
+    except FileNotFoundError as fault:
+        raise ReportError(f'{path} is missing: give the folder that hidwa_study wrote (--out)') from fault
+    if not rows:
+        raise ReportError(f'{path} holds no runs: let hidwa_study finish first')
+    missing = [name for name in ('condition', 'participant', 'setting', *dict(MEASURES)) if name not in rows[0]]
+    if missing:
+        raise ReportError(f'{path} has no column {missing[0]}: it is not from this version of hidwa_study')
+    for row in rows:
+        for name, _ in MEASURES:
+            row[name] = float(row[name])
+    return rows
+
+
+def of(rows, condition, setting):
+    """The runs of one condition and setting, by participant."""
+    return {row['participant']: row for row in rows if row['condition'] == condition and row['setting'] == setting}
+
+
+def compare(first, second, measure):
+    """The paired test of a measure over the people who drove both; None where nobody did."""
+    both = sorted(set(first) & set(second), key=int)
+    if not both:
+        return None
+    return signed_ranks([first[p][measure] for p in both], [second[p][measure] for p in both])
+
+
+def settings_of(rows):
+    """Settings in the order of their first run."""
+    return list(dict.fromkeys(row['setting'] for row in rows))
+
+
+def statements(rows):
+    """What the tests say of SJ against SW and SG, a sentence each, in the default setting or the only one."""
+    setting = settings_of(rows)[0]
+    said = []
+    for other in ('SW', 'SG'):
+        joystick, second = of(rows, 'SJ', setting), of(rows, other, setting)
+        for measure, name in (('duration', 'time'), ('regions_crossed', 'regions crossed'), ('contacts', 'contacts')):
+            test = compare(joystick, second, measure)
+            if test is None:
+                continue
+            means = [np.mean([row[measure] for row in group.values()]) for group in (joystick, second)]
+            text = f'{name}: mean {means[0]:.3f} in SJ, {means[1]:.3f} in {other}; '
+            if test.changed == 0:
+                said.append(text + 'no pair differs')
+                continue
+            said.append(text + f'Wilcoxon signed-rank, two-sided, of {test.changed} pairs that differ: '
+                        f'Z = {test.z:.3f}, p = {test.p:.4f} (exact), r = {test.r:.3f}')
+        both = sorted(set(joystick) & set(second), key=int)
+        quicker = sum(joystick[p]['duration'] < second[p]['duration'] for p in both)
+        differ = sum(joystick[p]['duration'] != second[p]['duration'] for p in both)
+        if differ:
+            share = proportion(quicker, differ)
+            said.append(f'SJ was quicker than {other} for {quicker} of {differ}: exact binomial p = {share.p_two_sided:.4f} '
+                        f'(two-sided), 95 % interval {100 * share.low:.1f} % to {100 * share.high:.1f} %')
+    for condition in CONDITIONS:
+        w, p = normality([row['duration'] for row in of(rows, condition, setting).values()])
+        if np.isfinite(w):
+            said.append(f'Shapiro-Wilk of the times in {condition}: W = {w:.3f}, p = {p:.4f}')
+    return said
+
+
+def verdict(rows):
+    """In plain words, whether the order of the paper came out."""
+    setting = settings_of(rows)[0]
+    joystick, switching = of(rows, 'SJ', setting), of(rows, 'SW', setting)
+    test = compare(joystick, switching, 'duration')
+    if test is None or test.changed == 0:
+        return ''
+    ratio = np.mean([r['duration'] for r in joystick.values()]) / np.mean([r['duration'] for r in switching.values()])
+    paper = PAPER['SJ']['duration'] / PAPER['SW']['duration']
+    order = 'SJ is faster than SW, as in the paper' if ratio < 1.0 else 'SJ is not faster than SW, unlike in the paper'
+    sure = 'beyond chance' if test.p < 0.05 else 'not beyond chance'
+    return (f'{order}: its mean time is {ratio:.3f} of that in SW (the paper: {paper:.3f}), p = {test.p:.4f}, {sure}. The '
+            'paper states neither speed nor length of the route, so that only ratio and order compare. The people here are a '
+            'model: they say nothing about preference, workload, comfort or sickness, and what docs/study.md lists as not '
+            'modelled is what can turn the order round.')
+
+
+def load_floor(path):
+    """(image, extent) of a map_server map, or None where there is none."""
+    if not path:
+        return None
+    try:
+        with open(path, encoding='utf-8') as text:
+            info = yaml.safe_load(text)
+        picture = image.imread(os.path.join(os.path.dirname(path), info['image']))
+    except (OSError, KeyError, TypeError, yaml.YAMLError) as fault:
+        raise ReportError(f'{path} cannot be read as a map: {fault}') from fault
+    if picture.ndim == 3:
+        picture = picture[:, :, 0]
+    height, width = picture.shape[:2]
+    x, y = info['origin'][:2]
+    return picture, (x, x + width * info['resolution'], y, y + height * info['resolution'])
+
+
+def read_way(path):
+    """(points (n, 2), steered (n,)) of a run."""
+    with open(path, encoding='utf-8', newline='') as text:
+        rows = list(csv.DictReader(text))
+    return (np.array([(float(r['x']), float(r['y'])) for r in rows]).reshape(-1, 2),
+            np.array([r['state'] in STEERED for r in rows], bool))
+
+
+def draw_ways(folder, rows, floor, out):
+    """All ways of each condition over the floor, red where the person steered. False where no ways were kept."""
+    shown = [c for c in CONDITIONS if any(row['condition'] == c for row in rows)]
+    ways = {c: [path for row in rows if row['condition'] == c
+                for path in glob.glob(os.path.join(glob.escape(folder), 'paths', glob.escape(row['id']) + '.csv'))] for c in shown}
+    if not any(ways.values()):
+        return False
+    figure, axes = plt.subplots(len(shown), 1, figsize=(11, 5.2 * len(shown)), squeeze=False, constrained_layout=True)
+    for ax, condition in zip(axes[:, 0], shown):
+        if floor:
+            ax.imshow(floor[0], cmap='gray', extent=floor[1], origin='upper', alpha=0.8)
+        for path in ways[condition]:
+            points, steered = read_way(path)
+            ax.plot(points[:, 0], points[:, 1], color=WAY, lw=0.5, alpha=0.5)
+            ax.plot(*np.where(steered[:, None], points, np.nan).T, color=RED, lw=1.0, alpha=0.7)
+        ax.set_aspect('equal')
+        ax.set_title(f'{NAMES[condition]}: {len(ways[condition])} runs, red where the person steered', fontsize=10, loc='left')
+        ax.set_xlabel('x [m]')
+        ax.set_ylabel('y [m]')
+    figure.savefig(out, dpi=100)
+    plt.close(figure)
+    return True
+
+
+def draw_distributions(rows, out):
+    """A box and every run of the main measures, by condition and setting."""
+    groups = [(s, c) for s in settings_of(rows) for c in CONDITIONS if of(rows, c, s)]
+    several = len(settings_of(rows)) > 1
+    labels = [f'{c}\n{s}' if several else c for s, c in groups]
+    shown = ('duration', 'regions_crossed', 'contacts', 'operator_active', 'interventions', 'clearance')
+    figure, axes = plt.subplots(2, 3, figsize=(max(11.0, 0.9 * len(groups) * 3), 6.5), constrained_layout=True)
+    scatter = np.random.default_rng(1)
+    for ax, measure in zip(axes.flat, shown):
+        values = [[row[measure] for row in of(rows, c, s).values()] for s, c in groups]
+        ax.boxplot(values, labels=labels, showfliers=False, medianprops={'color': INK})
+        for i, group in enumerate(values):
+            ax.plot(i + 1 + scatter.uniform(-0.15, 0.15, len(group)), group, '.', color=WAY, ms=4, alpha=0.6)
+        ax.set_title(dict(MEASURES)[measure], fontsize=10, loc='left')
+        ax.grid(axis='y', lw=0.4)
+        if not np.any(np.concatenate(values)):
+            ax.set_ylim(-0.05, 1.0)
+    figure.savefig(out, dpi=100)
+    plt.close(figure)
+
+
+def table(rows):
+    """Means and standard deviations by setting and condition, beside the paper's, as HTML."""
+    settings = settings_of(rows)
+    head = ['measure'] + [(f'{s}: ' if len(settings) > 1 else '') + c for s in settings for c in CONDITIONS if of(rows, c, s)]
+    paper = [c for c in PAPER if any(row['condition'] == c for row in rows)]
+    lines = ['<tr>' + ''.join(f'<th>{html.escape(h)}</th>' for h in head + [f'paper: {c}' for c in paper]) + '</tr>']
+    for measure, name in MEASURES:
+        cells = [name]
+        for s in settings:
+            for c in CONDITIONS:
+                values = [row[measure] for row in of(rows, c, s).values()]
+                if not values:
+                    continue
+                cells.append(f'{sum(values):.0f} in all' if measure == 'contacts' else
+                             f'{np.mean(values):.3f} ({np.std(values, ddof=1) if len(values) > 1 else 0.0:.3f}), '
+                             f'median {np.median(values):.3f}')
+        for c in paper:
+            value = PAPER[c].get(measure)
+            cells.append('' if value is None else f'{value} in all' if measure == 'contacts' else f'{value}')
+        lines.append('<tr>' + ''.join(f'<td>{html.escape(cell)}</td>' for cell in cells) + '</tr>')
+    return '<table>' + ''.join(lines) + '</table>'
+
+
+def embedded(path):
+    """A PNG as part of the page."""
+    with open(path, 'rb') as data:
+        return f'<img alt="" src="data:image/png;base64,{base64.b64encode(data.read()).decode()}">'
+
+
+def write_report(folder, map_path=None):
+    """Writes report.html, distributions.png and, where ways were kept, ways.png into the folder. Returns the page's path."""
+    rows = read_runs(folder)
+    about = {}
+    if os.path.exists(os.path.join(folder, 'study.json')):
+        with open(os.path.join(folder, 'study.json'), encoding='utf-8') as text:
+            about = json.load(text)
+    distributions, ways = (os.path.join(folder, name) for name in ('distributions.png', 'ways.png'))
+    draw_distributions(rows, distributions)
+    has_ways = draw_ways(folder, rows, load_floor(map_path), ways)
+    arrived = sum(row.get('arrived') == '1' for row in rows)
+    asked = ', '.join(f'{key} {value}' for key, value in about.items() if key in ('experiment', 'participants', 'seed', 'profile', 'guard'))
+    parts = ['<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>A study with simulated people</title><style>',
+             'body{font:15px/1.5 sans-serif;max-width:72em;margin:2em auto;padding:0 1em;color:#22303c}',
+             'table{border-collapse:collapse;font-size:13px}td,th{border:1px solid #d9dee3;padding:.25em .6em;text-align:left}',
+             'img{max-width:100%}</style>',
+             '<h1>A study with simulated people</h1>',
+             f'<p>{len(rows)} runs, {arrived} arrived. {html.escape(asked)}</p>',
+             f'<p>{html.escape(verdict(rows))}</p>',
+             '<h2>By condition</h2><p>Mean (standard deviation), median.</p>', table(rows),
+             '<h2>Tests</h2><ul>', ''.join(f'<li>{html.escape(s)}</li>' for s in statements(rows)), '</ul>',
+             '<h2>Distributions</h2>', embedded(distributions)]
+    if has_ways:
+        parts += ['<h2>Ways driven</h2>', embedded(ways)]
+    page = os.path.join(folder, 'report.html')
+    with open(page, 'w', encoding='utf-8') as text:
+        text.write('\n'.join(parts) + '\n</html>\n')
+    return page
+
+
+def main(arguments=None):
+    """study_report DIR [MAP.yaml]"""
+    arguments = sys.argv[1:] if arguments is None else arguments
+    if not arguments or len(arguments) > 2:
+        print('scripts/study report DIR [MAP.yaml]', file=sys.stderr)
+        return 2
+    try:
+        rows = read_runs(arguments[0])
+        page = write_report(*arguments)
+    except ReportError as fault:
+        print(f'scripts/study: {fault}', file=sys.stderr)
+        return 2
+    for line in [verdict(rows), *statements(rows)]:
+        if line:
+            print(line)
+    print(f'==> {page}')
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
