@@ -236,7 +236,7 @@ def drive_avoid():
 
 
 def drive_in_mode(mode, **more):
-    """The same in another mode; the demo's person steers with what it has."""
+    """The office in another mode; the demo's person steers with what it has."""
     return drive(f'drive_{mode}', '--mode', mode, '--operator', 'avoid', expect={
         'no region is crossed': lambda r: r['regions_crossed'] == 0,
         f'the mode is {mode}': lambda r: r['mode'] == mode,
@@ -244,17 +244,17 @@ def drive_in_mode(mode, **more):
 
 
 def drive_gesture():
-    """The same by a hand with a clutch."""
+    """Through the office with a person whose hand steers, with a clutch."""
     return drive_in_mode('gesture')
 
 
 def drive_switching():
-    """The same by taking control."""
+    """Through the office with a person who takes control and hands it back."""
     return drive_in_mode('switching', **{'the person is in control for a while': lambda r: r['state_s']['MANUAL'] > 1.0})
 
 
 def drive_none():
-    """The same with nobody: autonomy cannot see the regions."""
+    """Through the office with nobody: autonomy cannot see the regions."""
     return drive('drive_none', '--operator', 'none', expect={
         'a region is crossed': lambda r: r['regions_crossed'] >= 1,
         'nobody steers': lambda r: r['operator_active_s'] == 0.0})
