@@ -10,6 +10,7 @@
 #include "hidwa_local_planner/core/cell_classes.hpp"
 #include "hidwa_local_planner/core/choice.hpp"
 #include "hidwa_local_planner/core/collision.hpp"
+#include "hidwa_local_planner/core/lasting.hpp"
 #include "hidwa_local_planner/core/plan_grids.hpp"
 #include "hidwa_local_planner/core/rollout.hpp"
 #include "hidwa_local_planner/core/samples.hpp"
@@ -109,7 +110,7 @@ struct Planner::Impl {
   Decision decision;
   Marked marked;
   WayOut way_out;
-  double unturned_since = -1.0;           // at the goal's position it stands at another heading [s]; negative: it does not
+  Lasting unturned;                       // at the goal's position it stands at another heading
   bool unturned_reset = false;            // the critics were reset for that
 
   const char* fault_of(const Situation& situation, const GridView& grid) const;
@@ -129,6 +130,9 @@ struct Planner::Impl {
   void refuse_braking(std::size_t candidate);
   void watch_rest(const Situation& situation, bool autonomous);
   void watch_last_turn(const Situation& situation);
+  void reset_critics() {
+    for (NamedCritic& named : critics) named.critic->reset();
+  }
   void describe(int best);
   void count_refusals();
   void judge_operator();
@@ -195,9 +199,9 @@ void Planner::set_footprint(const Polygon& outline) {
 }
 
 void Planner::reset() {
-  for (NamedCritic& named : impl_->critics) named.critic->reset();
+  impl_->reset_critics();
   impl_->way_out.reset();
-  impl_->unturned_since = -1.0;
+  impl_->unturned.reset();
 }
 
 const Decision& Planner::plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
@@ -598,7 +602,7 @@ void Planner::Impl::watch_rest(const Situation& situation, bool autonomous) {
                 std::abs(decision.sample.omega) < kCreeps * limits.theta.max;
   const double patience = parameters.turn_when_stuck ? 0.5 * parameters.blocked_time : -1.0;
   if (way_out.watch(situation, rest, patience)) {
-    for (NamedCritic& named : critics) named.critic->reset();  // what they forbid may be the way out
+    reset_critics();  // what they forbid may be the way out
   }
   if (!trapped && way_out.rest(situation.time) > parameters.blocked_time) {
     decision.outcome = Outcome::fail;
@@ -611,20 +615,11 @@ void Planner::Impl::watch_rest(const Situation& situation, bool autonomous) {
 void Planner::Impl::watch_last_turn(const Situation& situation) {
   const double off = std::abs(wrap_angle(situation.goal.theta - situation.pose.theta));
   const bool stands = !steered && situation.goal_latched && decision.outcome == Outcome::hold;
-  if (!stands || off <= parameters.yaw_goal_tolerance) {
-    unturned_since = -1.0;
-    return;
-  }
-  if (unturned_since < 0.0 || situation.time < unturned_since) {
-    unturned_since = situation.time;
-    unturned_reset = false;
-  }
-  const double stood = situation.time - unturned_since;
-  if (!unturned_reset && stood >= 0.5 * parameters.blocked_time) {
-    for (NamedCritic& named : critics) named.critic->reset();
-    unturned_reset = true;
-  }
-  if (stood > parameters.blocked_time) {
+  unturned.observe(situation.time, stands && off > parameters.yaw_goal_tolerance);
+  const bool long_enough = unturned.for_at_least(0.5 * parameters.blocked_time, situation.time);
+  if (long_enough && !unturned_reset) reset_critics();
+  unturned_reset = long_enough;
+  if (unturned.time(situation.time) > parameters.blocked_time) {
     decision.outcome = Outcome::fail;
     decision.problem = "the last turn to the goal's heading is stuck: standing still is its best legal candidate";
   }

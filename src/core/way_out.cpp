@@ -29,15 +29,14 @@ constexpr int kParts = 8;
 // A way leads nearer to the goal by at least so many cells.
 constexpr double kNearer = 0.4;
 
+// Farther from an obstacle, and not by rounding [m].
+constexpr double kClearly = 0.01;
+
 double to_goal(const WayOut::Scene& scene, double x, double y) {
   return PlanGrids::at(scene.grids.to_goal(), scene.grid, x, y);
 }
 
-// Farther from an obstacle, and not by rounding [m].
-constexpr double kClearly = 0.01;
-
-}  // namespace
-
+// How far to turn to face the plan [rad]; left positive.
 double heading_off_plan(const Situation& situation) {
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < situation.plan.size(); ++i) {
@@ -50,23 +49,17 @@ double heading_off_plan(const Situation& situation) {
   return wrap_angle(std::atan2(target.y - situation.pose.y, target.x - situation.pose.x) - situation.pose.theta);
 }
 
+}  // namespace
+
 bool WayOut::watch(const Situation& situation, const Rest& rest, double patience) {
-  note(rest.stands, situation.time, stands_since_);
-  note(rest.stands || rest.creeps, situation.time, creeps_since_);
-  if (active_ || patience < 0.0 || creeps_since_ < 0.0 || situation.time - creeps_since_ < patience) return false;
+  stands_.observe(situation.time, rest.stands);
+  rests_.observe(situation.time, rest.stands || rest.creeps);
+  if (active_ || patience < 0.0 || !rests_.for_at_least(patience, situation.time)) return false;
   active_ = true;
   stood_ = situation.pose;
   begun_ = situation.time;
   facing_plan_ = turning_to_plan_ = turning_ = false;
   return true;
-}
-
-void WayOut::note(bool holds, double now, double& since) {
-  if (!holds) {
-    since = -1.0;
-  } else if (since < 0.0 || now < since) {
-    since = now;
-  }
 }
 
 int WayOut::choose(const Scene& scene) {

@@ -55,14 +55,6 @@ sim::WorldSetup world_setup(const DriveSetup& setup) {
   return world;
 }
 
-std::shared_ptr<const sim::GridRoute> route_of(const DriveSetup& setup) {
-  if (setup.route) return setup.route;
-  const sim::RouteClearance clearance = navfn_clearance(Footprint(setup.outline).inscribed_radius(),
-                                                        setup.costmap.inflation.cost_scaling_factor);
-  return std::make_shared<sim::GridRoute>(*setup.ground->map(), clearance,
-                                          Eigen::Vector2d(setup.goal.x, setup.goal.y));
-}
-
 /// Poses along a route to the goal; each heads the way that the route takes from two points before it to two
 /// points after it.
 std::vector<Pose2> poses_along(const sim::Route& route, const sim::Pose& goal) {
@@ -91,7 +83,7 @@ class Run {
         world_(world_setup(setup)),
         sensing_(setup),
         link_(setup, person_),
-        route_(route_of(setup)),
+        route_(setup.route ? setup.route : make_route(setup)),
         recorder_(setup) {
     const std::vector<std::string> faults = planner_.configure(setup.parameters);
     if (!faults.empty()) throw std::invalid_argument(faults.front());
@@ -250,6 +242,13 @@ class Run {
 }  // namespace
 
 DriveResult drive(const DriveSetup& setup, const Observer& observer) { return Run(setup, observer).run(); }
+
+std::shared_ptr<const sim::GridRoute> make_route(const DriveSetup& setup) {
+  const sim::RouteClearance clearance = navfn_clearance(Footprint(setup.outline).inscribed_radius(),
+                                                        setup.costmap.inflation.cost_scaling_factor);
+  return std::make_shared<sim::GridRoute>(*setup.ground->map(), clearance,
+                                          Eigen::Vector2d(setup.goal.x, setup.goal.y));
+}
 
 }  // namespace drive
 }  // namespace hidwa_local_planner

@@ -15,6 +15,11 @@ double away_from_zero(double value, double by) {
 
 }  // namespace
 
+sim::Polygon telepresence_footprint() {
+  return {{0.277, 0.115},   {0.115, 0.277},   {-0.115, 0.277}, {-0.277, 0.115},
+          {-0.277, -0.115}, {-0.115, -0.277}, {0.115, -0.277}, {0.277, -0.115}};
+}
+
 Polygon circle_outline(double robot_radius, double padding) {
   constexpr int kCorners = 16;
   Polygon outline;

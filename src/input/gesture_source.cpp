@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "hidwa_local_planner/core/words.hpp"
 #include "hidwa_local_planner/input/stick_source.hpp"
-#include "words.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {
@@ -43,7 +43,7 @@ std::string GestureSource::take(const HandMessage& message, const Parameters& pa
   if (fault.empty() && engaged()) {
     const double jump = (message.position - position_).norm();
     if (jump > parameters.gesture_jump) {
-      fault = "the hand jumped by " + number(jump) + " m, more than gesture_jump (" + number(parameters.gesture_jump) +
+      fault = "the hand jumped by " + worded(jump, 3) + " m, more than gesture_jump (" + worded(parameters.gesture_jump, 3) +
               " m): tracking is not to be trusted";
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/input/input_rhythm.hpp"
 
-#include "words.hpp"
+#include "hidwa_local_planner/core/words.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {
@@ -29,7 +29,7 @@ void InputRhythm::check(double now, double timeout) {
 
 std::string InputRhythm::advice(double timeout) const {
   if (silences_ == 0 || timeout <= 0.0) return {};
-  return "The deflected stick fell silent for more than input_timeout (" + number(timeout) + " s), " +
+  return "The deflected stick fell silent for more than input_timeout (" + worded(timeout, 3) + " s), " +
          (silences_ == 1 ? "once" : std::to_string(silences_) + " times") +
          ". If it sends only changes, as joy_node does without autorepeat, set joy_node's autorepeat_rate to "
          "20, or "

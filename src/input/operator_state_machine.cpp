@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "words.hpp"
+#include "hidwa_local_planner/core/words.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {
@@ -36,8 +36,8 @@ bool same_topics(const Parameters& a, const Parameters& b) {
 }
 
 std::string late(double excess, double limit) {
-  return "it arrived " + number(excess) + " s later than the link needs at best, more than input_timeout (" +
-         number(limit) +
+  return "it arrived " + worded(excess, 3) + " s later than the link needs at best, more than input_timeout (" +
+         worded(limit, 3) +
          " s): the link holds messages back, or the sender's clock runs differently (synchronise the " +
          "clocks, or leave the stamps empty)";
 }
@@ -315,7 +315,7 @@ Facts OperatorStateMachine::facts() const {
   facts.manual = manual();
   facts.lost = channel_.lost() && (!switching || facts.manual);
   facts.active = channel_.active() && !switching;
-  facts.blocked = blocked_.blocked(now_, parameters_.blocked_time);
+  facts.blocked = blocked_.for_at_least(parameters_.blocked_time, now_);
   facts.holding = hold_.running(now_, parameters_.delta);
   facts.at_goal = goal_latched_ && !parameters_.operator_in_goal_window;
   return facts;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "hidwa_local_planner/core/words.hpp"
 #include "hidwa_local_planner/input/joystick_map.hpp"
-#include "words.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {
@@ -33,7 +33,7 @@ std::string check_axis(const StickMessage& message, const std::string& parameter
            ": set " + parameter + " to one that the device has";
   }
   if (std::abs(message.axes[i]) <= 1.0F + kRangeTolerance) return {};
-  return "axes[" + std::to_string(i) + "] = " + number(static_cast<double>(message.axes[i])) +
+  return "axes[" + std::to_string(i) + "] = " + worded(static_cast<double>(message.axes[i]), 3) +
          " is outside [-1, 1]: scale it at the sender, or set " + parameter + " to another axis";
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "words.hpp"
+#include "hidwa_local_planner/core/words.hpp"
 
 namespace hidwa_local_planner::robot {
 namespace {

@@ -6,6 +6,7 @@
 
 #include <ros/console.h>
 
+#include "hidwa_local_planner/core/words.hpp"
 #include "hidwa_local_planner/robot/urdf_reading.hpp"
 
 namespace hidwa_local_planner {
@@ -36,12 +37,6 @@ std::vector<geometry_msgs::Point> points_of(const Polygon& outline) {
     points.push_back(point);
   }
   return points;
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 }  // namespace

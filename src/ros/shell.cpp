@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "hidwa_local_planner/core/words.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/horizon_check.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
@@ -26,12 +27,6 @@ Sampling wanted_samples(const Parameters& parameters) {
   wanted.vx_samples = parameters.vx_samples;
   wanted.vth_samples = parameters.vth_samples;
   return wanted;
-}
-
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return text;
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <exception>
 
-#include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/drive/outline.hpp"
 #include "hidwa_local_planner/sim/avoiding_operator.hpp"
 #include "hidwa_local_planner/sim/contact.hpp"
@@ -14,9 +13,7 @@ namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-// launch/params/telepresence_footprint.yaml and urdf/telepresence_base.urdf.
-const sim::Polygon kFootprint{{0.277, 0.115},   {0.115, 0.277},   {-0.115, 0.277}, {-0.277, 0.115},
-                              {-0.277, -0.115}, {-0.115, -0.277}, {0.115, -0.277}, {0.277, -0.115}};
+// Of urdf/telepresence_base.urdf and launch/params.
 constexpr double kRadius = 0.30;             // [m], what planner and costmap take it for
 constexpr double kPadding = 0.01;            // [m]
 constexpr double kWheelRadius = 0.0985;      // [m]
@@ -28,7 +25,7 @@ constexpr double kSlip = 0.01;               // of the odometry
 
 drive::DriveSetup telepresence_base() {
   drive::DriveSetup robot;
-  robot.footprint = kFootprint;
+  robot.footprint = drive::telepresence_footprint();
   robot.outline = drive::circle_outline(kRadius, kPadding);
   robot.limits.wheel_radius = kWheelRadius;
   robot.limits.wheel_separation = kWheelSeparation;
@@ -46,7 +43,7 @@ sim::RobotHabits learnt_habits(const Subject& subject) {
   habits.max_vel_x = p.max_vel_x;
   habits.max_vel_theta = p.max_vel_theta;
   habits.acc_lim_theta = p.acc_lim_theta;
-  habits.radius = sim::circumscribed_radius(kFootprint);
+  habits.radius = sim::circumscribed_radius(drive::telepresence_footprint());
   habits.dead_zone = p.dead_zone;
   habits.refusal_time = p.sim_time;
   // After a release it goes straight on: for delta, or in SW until control is given back.
@@ -74,7 +71,7 @@ sim::OperatorTraits steering_traits(const Subject& subject) {
 void check_place(const Scene& scene, const sim::Pose& pose, const char* name) {
   const sim::OccupancyMap& map = *scene.ground->map();
   const bool inside = map.inside(map.column(pose.x), map.row(pose.y));
-  if (!inside || sim::overlaps_occupied(map, sim::transformed(kFootprint, pose))) {
+  if (!inside || sim::overlaps_occupied(map, sim::transformed(drive::telepresence_footprint(), pose))) {
     throw UsageError(std::string("the robot does not fit at its ") + name + ": choose another by --" + name +
                      " x,y,yaw");
   }
@@ -101,11 +98,10 @@ Scene load_scene(const std::string& map, const std::string& regions, const std::
   check_place(scene, scene.start, "start");
   check_place(scene, scene.goal, "goal");
   scene.robot = telepresence_base();
-  scene.route = std::make_shared<sim::GridRoute>(
-      *scene.ground->map(),
-      drive::navfn_clearance(Footprint(scene.robot.outline).inscribed_radius(),
-                             scene.robot.costmap.inflation.cost_scaling_factor),
-      Eigen::Vector2d(scene.goal.x, scene.goal.y));
+  drive::DriveSetup way = scene.robot;
+  way.ground = scene.ground;
+  way.goal = scene.goal;
+  scene.route = drive::make_route(way);
   if (scene.route->from({scene.start.x, scene.start.y}).empty()) {
     throw UsageError("there is no way from the start to the goal: choose others by --start and --goal");
   }

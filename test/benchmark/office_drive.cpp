@@ -7,12 +7,6 @@
 #include "hidwa_local_planner/drive/outline.hpp"
 
 namespace hidwa_local_planner::test {
-namespace {
-
-const sim::Polygon kOctagon{{0.277, 0.115},   {0.115, 0.277},   {-0.115, 0.277}, {-0.277, 0.115},
-                            {-0.277, -0.115}, {-0.115, -0.277}, {0.115, -0.277}, {0.277, -0.115}};
-
-}  // namespace
 
 drive::DriveSetup office_drive() {
   const std::string folder = HIDWA_MAPS;
@@ -23,7 +17,7 @@ drive::DriveSetup office_drive() {
   setup.regions = file.regions;
   setup.start = file.start.value();
   setup.goal = file.goal.value();
-  setup.footprint = kOctagon;
+  setup.footprint = drive::telepresence_footprint();
   setup.outline = drive::circle_outline(0.30, 0.01);
   setup.laser.noise = 0.01;
   return setup;

@@ -15,9 +15,6 @@
 namespace hidwa_local_planner::test {
 namespace {
 
-const sim::Polygon kOctagon{{0.277, 0.115},   {0.115, 0.277},   {-0.115, 0.277}, {-0.277, 0.115},
-                            {-0.277, -0.115}, {-0.115, -0.277}, {0.115, -0.277}, {0.277, -0.115}};
-
 using drive::DriveResult;
 using drive::DriveSample;
 using drive::DriveSetup;
@@ -31,7 +28,7 @@ DriveSetup office() {
   setup.regions = regions.regions;
   setup.start = *regions.start;
   setup.goal = *regions.goal;
-  setup.footprint = kOctagon;
+  setup.footprint = drive::telepresence_footprint();
   setup.outline = drive::circle_outline(0.30, 0.01);
   setup.limits.latency = 0.05;
   setup.laser.noise = 0.01;
@@ -63,7 +60,7 @@ TEST(ClosedLoop, AutonomyArrivesAndCannotSeeRegions) {
 
 TEST(ClosedLoop, AutonomyArrivesWithThePolygonToo) {
   DriveSetup setup = office();
-  setup.outline = drive::padded_outline(kOctagon, 0.01);
+  setup.outline = drive::padded_outline(drive::telepresence_footprint(), 0.01);
   const DriveResult result = drive::drive(setup);
   EXPECT_TRUE(result.arrived);
   EXPECT_EQ(result.contacts, 0);

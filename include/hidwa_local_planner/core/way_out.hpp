@@ -6,6 +6,7 @@
 #include "hidwa_local_planner/core/admissibility.hpp"
 #include "hidwa_local_planner/core/collision.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/lasting.hpp"
 #include "hidwa_local_planner/core/plan_grids.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/rollout.hpp"
@@ -47,7 +48,7 @@ class WayOut {
   /// It is looking for one.
   bool active() const { return active_; }
   /// It has stood for so long [s].
-  double rest(double now) const { return stands_since_ >= 0.0 ? now - stands_since_ : 0.0; }
+  double rest(double now) const { return stands_.time(now); }
 
  private:
   int towards_plan(const Scene& scene);
@@ -58,20 +59,14 @@ class WayOut {
   bool leads_on(const Scene& scene, double heading) const;
   bool leads_out(const Scene& scene, double heading) const;
 
-  static void note(bool holds, double now, double& since);
-
-  double stands_since_ = -1.0;  // [s]; negative: it does not
-  double creeps_since_ = -1.0;  // [s]
+  Lasting stands_, rests_;  // it stands; it stands or creeps
   bool active_ = false;
-  Pose2 stood_;              // where it began
-  double begun_ = 0.0;       // [s]
+  Pose2 stood_;         // where it began
+  double begun_ = 0.0;  // [s]
   bool facing_plan_ = false;      // it does, or has since it began
   bool turning_to_plan_ = false;
-  bool turning_ = false;      // to a free heading
-  double heading_ = 0.0;      // that one, costmap frame [rad]
+  bool turning_ = false;   // to a free heading
+  double heading_ = 0.0;   // that one, costmap frame [rad]
 };
-
-/// How far to turn to face the plan [rad]; left positive.
-double heading_off_plan(const Situation& situation);
 
 }  // namespace hidwa_local_planner

@@ -32,5 +32,9 @@ using Observer = std::function<void(const Cycle&)>;
 /// std::invalid_argument where the setup makes no sense.
 DriveResult drive(const DriveSetup& setup, const Observer& observer = {});
 
+/// The route to the setup's goal as a navfn plans it on the setup's costmap: made once, drives to the same goal may
+/// share it. Needs ground, goal, outline and costmap.
+std::shared_ptr<const sim::GridRoute> make_route(const DriveSetup& setup);
+
 }  // namespace drive
 }  // namespace hidwa_local_planner

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "hidwa_local_planner/core/lasting.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
-#include "hidwa_local_planner/input/blocked_watch.hpp"
 #include "hidwa_local_planner/input/control_switch.hpp"
 #include "hidwa_local_planner/input/gesture_source.hpp"
 #include "hidwa_local_planner/input/hold.hpp"
@@ -105,7 +105,7 @@ class OperatorStateMachine {
   InputChannel channel_;      // of what steers
   InputRhythm rhythm_;        // of what steers
   Hold hold_;
-  BlockedWatch blocked_;
+  Lasting blocked_;  // refusals have held the steered robot at rest
   OperatorStateId state_ = OperatorStateId::autonomy;
   bool goal_latched_ = false;
   bool commanded_ = false;             // a command is known
