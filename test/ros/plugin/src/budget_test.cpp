@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cycles that take longer than the budget: the samples are thinned and that is said, and they come back.
 #include <diagnostic_msgs/DiagnosticArray.h>
-#include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 
+#include "change.hpp"
 #include "stage.hpp"
 
 namespace hidwa_plugin_tests {
@@ -11,31 +11,9 @@ namespace {
 
 std::string ns(const std::string& name) { return ros::this_node::getName() + "/" + name + "/"; }
 
-dynamic_reconfigure::Config samples(int count) {
-  dynamic_reconfigure::Config config;
-  for (const char* name : {"vx_samples", "vth_samples"}) {
-    dynamic_reconfigure::IntParameter parameter;
-    parameter.name = name;
-    parameter.value = count;
-    config.ints.push_back(parameter);
-  }
-  return config;
-}
+Change samples(int count) { return Change().set("vx_samples", count).set("vth_samples", count); }
 
-dynamic_reconfigure::Config budget(double seconds) {
-  dynamic_reconfigure::Config config;
-  dynamic_reconfigure::DoubleParameter parameter;
-  parameter.name = "cycle_budget";
-  parameter.value = seconds;
-  config.doubles.push_back(parameter);
-  return config;
-}
-
-bool change(const Host& host, const dynamic_reconfigure::Config& config) {
-  dynamic_reconfigure::Reconfigure call;
-  call.request.config = config;
-  return ros::service::call(ns(host.name()) + "set_parameters", call);
-}
+Change budget(double seconds) { return Change().set("cycle_budget", seconds); }
 
 /// Cycles until reports say `vx` x `vth` samples.
 bool reaches(Host& host, unsigned vx, unsigned vth, double seconds) {
@@ -84,9 +62,7 @@ TEST(Budget, TooManySamplesAreThinnedAndFewerAreAllThereAgain) {
   EXPECT_TRUE(wait_for([&] { return log.said("samples thinned from 400 x 400 to"); }, 5.0));
   EXPECT_TRUE(host.cycle_until([&](const Host::Cycle& c) { return warning.on() && c.success; }, 10.0));
   // Fewer samples are all there at once, though thinned ones need 40 cycles a step; with room they stay.
-  dynamic_reconfigure::Config roomy = samples(10);
-  roomy.doubles = budget(10.0).doubles;
-  ASSERT_TRUE(change(host, roomy));
+  ASSERT_TRUE(samples(10).set("cycle_budget", 10.0).send(host));
   EXPECT_TRUE(reaches(host, 10, 10, 5.0));
   EXPECT_TRUE(host.cycle_until([&](const Host::Cycle& c) { return warning.off() && c.success; }, 10.0));
 }
@@ -100,7 +76,7 @@ TEST(Budget, SamplesComeBackWhereThereIsRoomAgain) {
   ASSERT_TRUE(host.plan_ahead(20.0));
   EXPECT_TRUE(reaches(host, 6, 5, 5.0));
   EXPECT_TRUE(host.cycle().success);
-  ASSERT_TRUE(change(host, budget(10.0)));
+  ASSERT_TRUE(budget(10.0).send(host));
   // Two steps, 8 x 7 and all, of 40 cycles each.
   EXPECT_TRUE(reaches(host, 8, 7, 10.0));
   EXPECT_TRUE(reaches(host, 10, 9, 10.0));
@@ -114,7 +90,7 @@ TEST(Budget, ANegativeOneThinsNothing) {
   Host host("Never");
   ASSERT_TRUE(host.plan_ahead(20.0));
   ASSERT_TRUE(reaches(host, 6, 6, 5.0));
-  ASSERT_TRUE(change(host, budget(-1.0)));
+  ASSERT_TRUE(budget(-1.0).send(host));
   ASSERT_TRUE(reaches(host, 20, 20, 5.0));
   for (int i = 0; i < 10; ++i) host.cycle();
   EXPECT_TRUE(reaches(host, 20, 20, 1.0));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mode by its topic: it counts at once, whoever looks sees it, and what is no mode changes nothing.
 #include <dynamic_reconfigure/Config.h>
-#include <dynamic_reconfigure/Reconfigure.h>
 #include <std_msgs/String.h>
 
+#include "change.hpp"
 #include "person.hpp"
 
 namespace hidwa_plugin_tests {
@@ -95,12 +95,7 @@ TEST_F(Commands, TheModeIsToldWhileNoCyclesRun) {
   ASSERT_TRUE(say_mode("switching"));
   EXPECT_TRUE(late_subscriber_reads("switching"));
   // Set in another way it is told likewise.
-  dynamic_reconfigure::Reconfigure call;
-  dynamic_reconfigure::StrParameter mode;
-  mode.name = "mode";
-  mode.value = "gesture";
-  call.request.config.strs.push_back(mode);
-  ASSERT_TRUE(ros::service::call(in_namespace("set_parameters"), call));
+  ASSERT_TRUE(Change().set("mode", "gesture").send(host()));
   EXPECT_TRUE(late_subscriber_reads("gesture"));
 }
 
@@ -135,26 +130,14 @@ TEST_F(Commands, AModeWhoseTopicCannotBeHadIsRefused) {
   for (const auto& [topic, why] : {std::pair<std::string, std::string>{"a hand", "gesture_topic = a hand is no name of a topic"},
                                    {"joy", "joy_topic and gesture_topic are both joy"},
                                    {"scan", "a topic cannot be listened to"}}) {
-    dynamic_reconfigure::Reconfigure call;
-    dynamic_reconfigure::StrParameter parameter;
-    parameter.name = "gesture_topic";
-    parameter.value = topic;
-    call.request.config.strs.push_back(parameter);
-    parameter.name = "mode";
-    parameter.value = "gesture";
-    call.request.config.strs.push_back(parameter);
-    ASSERT_TRUE(ros::service::call(in_namespace("set_parameters"), call));
-    EXPECT_EQ(mode_in(call.response.config), "joystick") << topic;
+    Change change;
+    ASSERT_TRUE(change.set("gesture_topic", topic).set("mode", "gesture").send(host()));
+    EXPECT_EQ(change.text("mode"), "joystick") << topic;
     EXPECT_TRUE(cycle_until([&](const Host::Cycle& c) { return c.success && log.said(why); })) << topic;
     EXPECT_TRUE(late_subscriber_reads("joystick"));
   }
   // What listens to the scan is there for mode gesture alone: valid, until that mode is asked for in words.
-  dynamic_reconfigure::Reconfigure call;
-  dynamic_reconfigure::StrParameter parameter;
-  parameter.name = "gesture_topic";
-  parameter.value = "scan";
-  call.request.config.strs.push_back(parameter);
-  ASSERT_TRUE(ros::service::call(in_namespace("set_parameters"), call));
+  ASSERT_TRUE(Change().set("gesture_topic", "scan").send(host()));
   ASSERT_TRUE(say_mode("gesture"));
   EXPECT_TRUE(cycle_until([&](const Host::Cycle&) { return log.said("set_mode: a topic cannot be listened to"); }));
   EXPECT_TRUE(late_subscriber_reads("joystick"));

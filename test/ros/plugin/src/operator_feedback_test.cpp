@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <dynamic_reconfigure/Reconfigure.h>
 #include <sensor_msgs/JoyFeedbackArray.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "change.hpp"
 #include "person.hpp"
 
 namespace hidwa_plugin_tests {
@@ -129,12 +129,7 @@ TEST_F(Feedback, AnotherMotorTakesOver) {
   drive();
   steer_at_the_wall();
   ASSERT_FALSE(silent());
-  dynamic_reconfigure::Reconfigure call;
-  dynamic_reconfigure::StrParameter topic;
-  topic.name = "rumble_topic";
-  topic.value = in_namespace("second");
-  call.request.config.strs.push_back(topic);
-  ASSERT_TRUE(ros::service::call(in_namespace("set_parameters"), call));
+  ASSERT_TRUE(Change().set("rumble_topic", in_namespace("second")).send(host()));
   ASSERT_TRUE(cycle_until([this](const Host::Cycle&) { return silent(); }));
   const std::size_t ended = felt().size();
   EXPECT_TRUE(all_cycles([](const Host::Cycle&) { return true; }, 0.3));

@@ -2,49 +2,13 @@
 // dynamic_reconfigure: a change counts in the next cycle, a set that does not validate is refused whole.
 #include <cmath>
 
-#include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 
+#include "change.hpp"
 #include "stage.hpp"
 
 namespace hidwa_plugin_tests {
 namespace {
-
-class Change {
- public:
-  Change& set(const std::string& name, double value) {
-    dynamic_reconfigure::DoubleParameter parameter;
-    parameter.name = name;
-    parameter.value = value;
-    call_.request.config.doubles.push_back(parameter);
-    return *this;
-  }
-  Change& set(const std::string& name, const std::string& value) {
-    dynamic_reconfigure::StrParameter parameter;
-    parameter.name = name;
-    parameter.value = value;
-    call_.request.config.strs.push_back(parameter);
-    return *this;
-  }
-  bool send(const Host& host) {
-    return ros::service::call(ros::this_node::getName() + "/" + host.name() + "/set_parameters", call_);
-  }
-  double number(const std::string& name) const {
-    for (const auto& parameter : call_.response.config.doubles) {
-      if (parameter.name == name) return parameter.value;
-    }
-    return std::nan("");
-  }
-  std::string text(const std::string& name) const {
-    for (const auto& parameter : call_.response.config.strs) {
-      if (parameter.name == name) return parameter.value;
-    }
-    return "?";
-  }
-
- private:
-  dynamic_reconfigure::Reconfigure call_;
-};
 
 /// A planner on the way at its full 0.5 m/s.
 void drive(Host& host) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <dynamic_reconfigure/Reconfigure.h>
 #include <gtest/gtest.h>
 #include <hidwa_local_planner/Evaluation.h>
 
+#include "change.hpp"
 #include "stage.hpp"
 
 namespace hidwa_plugin_tests {
@@ -81,16 +81,9 @@ TEST(RobotDescription, ATighterUrdfHoldsInEverySampleAndCommand) {
   EXPECT_EQ(ros::param::param(ns("Tight") + "wheel_radius", -1.0), 0.0);
 
   // A change of parameters loses nothing, and may restrict further.
-  const auto change = [](const std::string& name, double value) {
-    dynamic_reconfigure::Reconfigure call;
-    call.request.config.doubles.resize(1);
-    call.request.config.doubles[0].name = name;
-    call.request.config.doubles[0].value = value;
-    return ros::service::call(ns("Tight") + "set_parameters", call);
-  };
-  ASSERT_TRUE(change("max_vel_x", 0.45));
+  ASSERT_TRUE(Change().set("max_vel_x", 0.45).send(host));
   for (int i = 0; i < 20; ++i) EXPECT_LE(host.cycle().command.linear.x, 0.2 + 1e-9);
-  ASSERT_TRUE(change("max_wheel_velocity", 1.0));
+  ASSERT_TRUE(Change().set("max_wheel_velocity", 1.0).send(host));
   EXPECT_TRUE(reaches(host, 0.1));
   EXPECT_EQ(log.times("max_vel_x 0.5 m/s is more"), 1);
   EXPECT_EQ(log.times("allows 0.2 m/s and holds: max_vel_x 0.45 m/s"), 0);  // still the same side
