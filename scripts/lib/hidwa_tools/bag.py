@@ -8,8 +8,6 @@ import rosbag
 
 from .errors import BagError
 
-STATE_NAMES = ('AUTONOMY', 'SHARED', 'HOLD', 'MANUAL', 'STOPPED', 'LOST', 'BLOCKED')
-STEERED = ('SHARED', 'MANUAL', 'STOPPED', 'BLOCKED')  # the person gives input now; in HOLD it has ended
 # actionlib_msgs/GoalStatus
 OUTCOMES = {2: 'cancelled', 3: 'reached', 4: 'given up', 5: 'refused', 8: 'cancelled'}
 SUCCEEDED = 3

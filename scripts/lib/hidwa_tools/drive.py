@@ -15,7 +15,8 @@ from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Joy, LaserScan
 from std_msgs.msg import String, UInt32
 
-from .bag import INFO_TOPIC, STATE_NAMES, SUCCEEDED
+from .bag import INFO_TOPIC, SUCCEEDED
+from .drawing import STATE_NAMES
 from .errors import DemoError
 from .wheels import Wheels
 

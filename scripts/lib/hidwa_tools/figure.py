@@ -9,11 +9,11 @@ from matplotlib.colors import ListedColormap  # noqa: E402
 from matplotlib.patches import Patch, Polygon  # noqa: E402
 
 from . import geometry
-from .bag import STATE_NAMES, STEERED
+from .drawing import DRIVEN, INK, STATE_NAMES, STEERED, STEERED_COLOUR
 from .measure import first_plan
 
-INK, GRID = '#22303c', '#d9dee3'
-PLANNED, REPLANNED, DRIVEN, STEERED_COLOUR, REGION = '#2a9d3a', '#9bd6a3', '#1f4e9c', '#d62728', '#e08a00'
+GRID = '#d9dee3'
+PLANNED, REPLANNED, REGION = '#2a9d3a', '#9bd6a3', '#e08a00'
 STATE_COLOURS = ('#c9d6e4', '#d62728', '#f3a1a1', '#7b3294', '#22303c', '#b8860b', '#ff7f0e')
 MARGIN = 2.5  # [m] of map around what was driven and planned
 

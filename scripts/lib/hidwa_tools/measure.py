@@ -4,7 +4,7 @@ import numpy as np
 from scipy.ndimage import distance_transform_edt
 
 from . import geometry
-from .bag import STATE_NAMES, STEERED
+from .drawing import STATE_NAMES, STEERED
 
 CONTACT_STEP = 0.01     # [s]; between recorded poses the drive is followed in steps no longer than this
 AFTER_RELEASE = 4.0     # [s]; how long after a release the path still counts as bent by it

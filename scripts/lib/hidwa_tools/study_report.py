@@ -15,11 +15,11 @@ matplotlib.use('Agg')
 import matplotlib.image as image  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 
+from .drawing import DRIVEN, INK, STEERED, STEERED_COLOUR
 from .statistics import normality, proportion, signed_ranks
 
 CONDITIONS = ('SJ', 'SG', 'SW')
 NAMES = {'SJ': 'SJ, shared control by joystick', 'SG': 'SG, shared control by gesture', 'SW': 'SW, switching'}
-STEERED = ('SHARED', 'MANUAL', 'STOPPED', 'BLOCKED')
 MEASURES = (('duration', 'time [s]'), ('length', 'length [m]'), ('regions_crossed', 'regions crossed'),
             ('contacts', 'contacts'), ('operator_active', 'operator active [s]'), ('interventions', 'interventions'),
             ('omega_change', 'mean change of omega [rad/s]'), ('agreement', 'mean agreement'),
@@ -27,7 +27,6 @@ MEASURES = (('duration', 'time [s]'), ('length', 'length [m]'), ('regions_crosse
 # Kalliokoski et al. 2022, section V: means of 32 people; contacts in all.
 PAPER = {'SJ': {'duration': 172.37, 'regions_crossed': 0.219, 'contacts': 0},
          'SW': {'duration': 187.17, 'regions_crossed': 0.406, 'contacts': 3}}
-INK, WAY, RED = '#22303c', '#1f4e9c', '#d62728'
 
 
 class ReportError(Exception):
@@ -157,8 +156,8 @@ def draw_ways(folder, rows, floor, out):
             ax.imshow(floor[0], cmap='gray', extent=floor[1], origin='upper', alpha=0.8)
         for path in ways[condition]:
             points, steered = read_way(path)
-            ax.plot(points[:, 0], points[:, 1], color=WAY, lw=0.5, alpha=0.5)
-            ax.plot(*np.where(steered[:, None], points, np.nan).T, color=RED, lw=1.0, alpha=0.7)
+            ax.plot(points[:, 0], points[:, 1], color=DRIVEN, lw=0.5, alpha=0.5)
+            ax.plot(*np.where(steered[:, None], points, np.nan).T, color=STEERED_COLOUR, lw=1.0, alpha=0.7)
         ax.set_aspect('equal')
         ax.set_title(f'{NAMES[condition]}: {len(ways[condition])} runs, red where the person steered', fontsize=10, loc='left')
         ax.set_xlabel('x [m]')
@@ -180,7 +179,7 @@ def draw_distributions(rows, out):
         values = [[row[measure] for row in of(rows, c, s).values()] for s, c in groups]
         ax.boxplot(values, labels=labels, showfliers=False, medianprops={'color': INK})
         for i, group in enumerate(values):
-            ax.plot(i + 1 + scatter.uniform(-0.15, 0.15, len(group)), group, '.', color=WAY, ms=4, alpha=0.6)
+            ax.plot(i + 1 + scatter.uniform(-0.15, 0.15, len(group)), group, '.', color=DRIVEN, ms=4, alpha=0.6)
         ax.set_title(dict(MEASURES)[measure], fontsize=10, loc='left')
         ax.grid(axis='y', lw=0.4)
         if not np.any(np.concatenate(values)):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """scripts/test, once everything needed is installed: builds, runs every suite, counts."""
 import argparse
+import csv
 import glob
 import json
 import os
@@ -228,6 +229,26 @@ def drive(name, *arguments, expect):
     return Counts(passed=len(expectations) - len(missed), failed=len(missed))
 
 
+def study():
+    """A small study by scripts/study, from an environment that knows nothing of ROS."""
+    folder = os.path.join(WORK, 'study')
+    shutil.rmtree(folder, ignore_errors=True)
+    run(['env', '-i', f'HOME={os.environ.get("HOME", "/")}', f'PATH={os.environ["PATH"]}', f'HIDWA_SPACE={SPACE}',
+         os.path.join(ROOT, 'scripts', 'study'), 'run', '--out', folder, '--participants', '2'], 'study')
+    with open(os.path.join(folder, 'runs.csv'), encoding='utf-8', newline='') as text:
+        runs = list(csv.DictReader(text))
+    expectations = {
+        'two people in three conditions': sorted(r['condition'] for r in runs) == ['SG', 'SG', 'SJ', 'SJ', 'SW', 'SW'],
+        'SG comes last': all(r['order'] == '3' for r in runs if r['condition'] == 'SG'),
+        'SJ and SW are counterbalanced': sorted(r['order'] for r in runs if r['condition'] == 'SJ') == ['1', '2'],
+        'no contact in SJ and SG': all(r['contacts'] == '0' for r in runs if r['condition'] != 'SW'),
+        'the page is there': os.path.getsize(os.path.join(folder, 'report.html')) > 10000}
+    for text, met in expectations.items():
+        if not met:
+            print(f'    not so: {text}')
+    return Counts(passed=sum(expectations.values()), failed=len(expectations) - sum(expectations.values()))
+
+
 def drive_avoid():
     """Through the office with a person who steers round the regions to avoid."""
     return drive('drive_avoid', '--operator', 'avoid', expect={
@@ -291,8 +312,8 @@ def drive_steer_right():
 
 
 # In this order; those after `build` need what it built.
-SUITES = (plain, build, package, compat, ros, contract, python, robot, lint, drive_avoid, drive_gesture, drive_switching,
-          drive_none, drive_real_map, drive_steer_left, drive_steer_right)
+SUITES = (plain, build, package, compat, ros, contract, python, robot, lint, study, drive_avoid, drive_gesture,
+          drive_switching, drive_none, drive_real_map, drive_steer_left, drive_steer_right)
 ALONE = (plain, build, lint)
 
 
