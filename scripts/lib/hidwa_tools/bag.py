@@ -18,13 +18,6 @@ PLANNER = '/move_base/HIDWAPlannerROS/'
 NEEDED = (INFO_TOPIC, '/map', '/ground_truth', '/move_base/goal')
 
 
-def recorded_topics(global_planner):
-    """What the demo records. Costmaps and scans are left out: they can be computed again and would fill the bag."""
-    return [*NEEDED, '/move_base/result', '/move_base/status', f'/move_base/{global_planner}/plan', '/cmd_vel', '/odom',
-            '/tf', '/tf_static', '/joy', '/hand_pose', '/regions', '/contacts', '/regions_crossed', PLANNER + 'cycle',
-            PLANNER + 'operator_state', PLANNER + 'mode', PLANNER + 'global_plan', PLANNER + 'local_plan', '/diagnostics', '/rosout']
-
-
 @dataclass
 class Grid:
     """The true map."""

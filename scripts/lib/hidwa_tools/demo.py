@@ -12,12 +12,12 @@ import xml.etree.ElementTree as xml
 import rosgraph
 import yaml
 
-from .bag import recorded_topics
 from .drive import Drive
 from .errors import BagError, DemoError
 from .measure import LONGEST_GAP
 from .options import parse
 from .processes import Child, end_on_signals, free_port
+from .recording import recorded_topics
 from .report import write_report
 
 PACKAGE = 'hidwa_local_planner'
@@ -119,7 +119,7 @@ def drive(options, env):
         this = Drive(options, lambda: launched.running and not _could_not_launch(log))
         this.wait_until_ready()
         this.describe(host_kind())
-        topics = recorded_topics(options.global_planner.split('/')[-1])
+        topics = recorded_topics(options.global_planner.split('/')[-1], options.planner.split('/')[-1])
         recorder = Child(['rosbag', 'record', '--lz4', '-O', os.path.join(folder, 'drive.bag'), *topics,
                           f'__name:={RECORDER}'], os.path.join(folder, 'recorder.log'), env)
         this.wait_for_recorder('/' + RECORDER, topics)

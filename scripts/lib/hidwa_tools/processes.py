@@ -34,7 +34,7 @@ class Child:
     """A command in a session of its own, so that whatever it starts can be found and ended."""
 
     def __init__(self, command, log_path, environment):
-        self._log = open(log_path, 'ab')
+        self._log = open(log_path, 'ab') if log_path else None  # None: where the parent writes
         self._process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=self._log, stderr=subprocess.STDOUT,
                                          env=environment, start_new_session=True, preexec_fn=_end_with_parent)
 
@@ -60,7 +60,8 @@ class Child:
                         pass
                 time.sleep(0.1)
                 self._process.poll()
-        self._log.close()
+        if self._log:
+            self._log.close()
 
     def _left(self):
         """Processes of the child's session that still run."""
