@@ -8,11 +8,13 @@ import genpy
 import rosbag
 from actionlib_msgs.msg import GoalStatus
 from genpy.dynamic import generate_dynamic
-from geometry_msgs.msg import Point, PoseStamped, Twist
+from dynamic_reconfigure.msg import Config, StrParameter
+from geometry_msgs.msg import Point, PoseStamped, Quaternion, Transform, TransformStamped, Twist, Vector3
 from move_base_msgs.msg import MoveBaseActionGoal, MoveBaseActionResult
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
-from sensor_msgs.msg import Joy
-from std_msgs.msg import String, UInt32
+from sensor_msgs.msg import Joy, LaserScan
+from std_msgs.msg import Header, String, UInt32
+from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
@@ -27,7 +29,6 @@ FOOTPRINT = [[0.2, 0.15], [-0.2, 0.15], [-0.2, -0.15], [0.2, -0.15]]
 
 def own_message(name):
     """The class of one of our messages, out of msg/ (no built workspace needed)."""
-    from std_msgs.msg import Header
     with open(os.path.join(ROOT, 'msg', name + '.msg'), encoding='utf-8') as text:
         definition = text.read()
     parts = [definition]
@@ -126,3 +127,69 @@ class SyntheticDrive:
         command = Twist()
         command.linear.x, command.angular.z = SPEED, 0.01 * (round(time * RATE) % 2)
         self._put('/cmd_vel', time, command)
+
+
+class RealDrive:
+    """What a real robot's recorder writes of a drive along y = 0 in the map, at SPEED from x = 0, without any ground truth.
+
+    The odometry began elsewhere: map -> odom is the pose OFFSET. The laser stands MOUNTED ahead of the robot's centre and
+    sees a wall to its left, at y = WALL. Each goal takes 10 s: 5 m."""
+    OFFSET = (3.0, -2.0, 0.5)  # [m, m, rad]
+    MOUNTED, WALL, RATE = 0.1, 1.0, 20
+
+    def __init__(self, goals=1, namespace='', base='base_link', odom='odom'):
+        self.goals, self.namespace, self.base, self.odom = goals, namespace, base, odom
+        self.footprint = None        # of the local costmap's parameter_updates, as text
+        self.leave_out = set()       # names of topics without the namespace
+
+    def write(self, path):
+        """Writes the bag and returns its path."""
+        with rosbag.Bag(path, 'w') as bag:
+            self._bag = bag
+            self._put('/tf_static', 0.0, TFMessage([self._link(0.0, self.base, 'laser', self.MOUNTED, 0.0, 0.0)]))
+            if self.footprint:
+                self._put('move_base/local_costmap/parameter_updates', 0.0, Config(strs=[StrParameter('footprint', self.footprint)]))
+            for i in range(self.goals):
+                begin = 1.0 + 10.0 * i
+                goal, result = MoveBaseActionGoal(), MoveBaseActionResult()
+                goal.goal_id.id = result.status.goal_id.id = f'goal {i}'
+                goal.goal.target_pose.header.frame_id = 'map'
+                goal.goal.target_pose.pose.position.x = 5.0 * (i + 1)
+                goal.goal.target_pose.pose.orientation.w = 1.0
+                result.status.status = GoalStatus.SUCCEEDED
+                self._put('move_base/goal', begin, goal)
+                self._put('move_base/result', begin + 9.99, result)
+            for i in range(int((1.5 + 10.0 * self.goals) * self.RATE) + 1):
+                self._moment(i / self.RATE)
+        return path
+
+    def _put(self, topic, time, message):
+        if topic not in self.leave_out:
+            self._bag.write(topic if topic.startswith('/') else f'{self.namespace}/{topic}', message, genpy.Time.from_sec(100.0 + time))
+
+    def _header(self, time, frame):
+        return Header(stamp=genpy.Time.from_sec(100.0 + time), frame_id=frame)
+
+    def _link(self, time, parent, child, x, y, yaw):
+        turn = Quaternion(0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
+        return TransformStamped(self._header(time, parent), child, Transform(Vector3(x, y, 0.0), turn))
+
+    def _moment(self, time):
+        x0, y0, turn = self.OFFSET
+        x = min(max(time - 1.0, 0.0) * SPEED, 5.0 * self.goals)
+        # The map's (x, 0) in the odometry's frame: turned back by its yaw.
+        ox = math.cos(turn) * (x - x0) + math.sin(turn) * (0.0 - y0)
+        oy = -math.sin(turn) * (x - x0) + math.cos(turn) * (0.0 - y0)
+        links = [self._link(time, self.odom, self.base, ox, oy, -turn)]
+        if 'map' not in self.leave_out:
+            links.append(self._link(time, 'map', self.odom, x0, y0, turn))
+        self._put('/tf', time, TFMessage(links))
+        odometry = Odometry(header=self._header(time, self.odom), child_frame_id=self.base)
+        odometry.pose.pose.position.x, odometry.pose.pose.position.y = ox, oy
+        odometry.pose.pose.orientation = links[0].transform.rotation
+        odometry.twist.twist.linear.x = SPEED if 0.0 < x < 5.0 * self.goals else 0.0
+        self._put('odom', time, odometry)
+        # Three beams: ahead nothing, 45 degrees to the left and square to it the wall.
+        ranges = [float('inf'), self.WALL * math.sqrt(2.0), self.WALL]
+        self._put('scan', time, LaserScan(header=self._header(time, 'laser'), angle_min=0.0, angle_increment=math.pi / 4,
+                                          range_min=0.05, range_max=10.0, ranges=ranges))

@@ -18,6 +18,7 @@ from std_msgs.msg import String, UInt32
 from .bag import INFO_TOPIC, SUCCEEDED
 from .drawing import STATE_NAMES
 from .errors import DemoError
+from .geometry import circle
 from .wheels import Wheels
 
 READY_PATIENCE = 90.0  # [s], wall time
@@ -42,8 +43,7 @@ def footprint_of(parameters):
         outline = json.loads(outline)
     if outline:
         return outline
-    radius = parameters.get('radius', 0.30)  # the simulation's default
-    return [[radius * math.cos(i * math.pi / 8), radius * math.sin(i * math.pi / 8)] for i in range(16)]
+    return circle(parameters.get('radius', 0.30)).tolist()  # the simulation's default
 
 
 def unconnected(node, topics):

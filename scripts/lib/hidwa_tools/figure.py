@@ -18,8 +18,8 @@ STATE_COLOURS = ('#c9d6e4', '#d62728', '#f3a1a1', '#7b3294', '#22303c', '#b8860b
 MARGIN = 2.5  # [m] of map around what was driven and planned
 
 
-def draw(drive, report, path):
-    """Writes the picture of the drive, with the report's figures in its title."""
+def draw(drive, report, path, name=None):
+    """Writes the picture of the drive, with the report's figures in its title; `name` stands for map and operator there."""
     with plt.rc_context({'font.family': 'DejaVu Sans', 'font.size': 9, 'axes.edgecolor': INK, 'text.color': INK,
                          'axes.labelcolor': INK, 'xtick.color': INK, 'ytick.color': INK, 'axes.linewidth': 0.7,
                          'hatch.linewidth': 0.8}):
@@ -30,16 +30,21 @@ def draw(drive, report, path):
                                     gridspec_kw={'height_ratios': [tall, 1.15, 1.15, 1.15, 0.45]})
         _map(axes[0], drive, turned, extent)
         _over_time(axes[1:], drive)
-        figure.suptitle(_title(report), fontsize=12, fontweight='bold')
+        figure.suptitle(_title(report, name), fontsize=12, fontweight='bold')
         figure.savefig(path, dpi=110)
         plt.close(figure)
 
 
-def _title(report):
-    arrived = 'arrived' if report['arrived'] else 'did not arrive'
+def _title(report, name=None):
+    arrived = {True: 'arrived', False: 'did not arrive', None: 'drove'}[report['arrived']]
+    after = 'for' if report['arrived'] is None else 'after'
     regions = f", {report['regions_crossed']} of {report['regions']} regions crossed" if report['regions'] else ''
-    return (f"{report['map']}, operator: {report['operator']} - {arrived} after {report['duration_s']:.1f} s and "
-            f"{report['path_length_m']:.1f} m, {report['contacts']} contacts{regions}")
+    contacts = 'contacts not known' if report['contacts'] is None else f"{report['contacts']} contacts"
+    estimate = (report.get('clearance_estimate') or {}).get('smallest_m')
+    if report['contacts'] is None and estimate is not None:
+        contacts += f', estimated clearance {estimate:.2f} m'
+    return (f"{name or '{map}, operator: {operator}'.format(**report)} - {arrived} {after} {report['duration_s']:.1f} s and "
+            f"{report['path_length_m']:.1f} m, {contacts}{regions}")
 
 
 def _turn(points):
@@ -60,7 +65,10 @@ def _extent(drive):
 
 def _map(ax, drive, turned, extent):
     view = _turn if turned else (lambda points: points)
-    _floor(ax, drive.grid, turned)
+    if drive.grid is not None:
+        _floor(ax, drive.grid, turned)
+    elif drive.seen is not None:
+        ax.plot(*view(drive.seen.floor(drive.goal_time, drive.result_time)).T, '.', color=INK, ms=1.0, alpha=0.35, zorder=1)
     for region in drive.regions:
         ax.add_patch(Polygon(view(region), facecolor=REGION + '30', edgecolor=REGION, hatch='////', lw=0.9, zorder=2))
     plan = first_plan(drive)
@@ -110,10 +118,13 @@ def _driven(ax, drive, view):
 
 def _ends(ax, drive, view):
     truth = drive.driven()
-    outline = view(geometry.placed(drive.footprint, *truth[-1, 1:4]))
-    ax.add_patch(Polygon(outline, facecolor=DRIVEN + '40', edgecolor=DRIVEN, lw=1.0, zorder=7))
-    goal = np.array(drive.info['goal'], float)
-    for pose, marker, name in ((truth[0, 1:4], 'o', 'start'), (goal, '*', 'goal')):
+    if drive.footprint is not None:
+        outline = view(geometry.placed(drive.footprint, *truth[-1, 1:4]))
+        ax.add_patch(Polygon(outline, facecolor=DRIVEN + '40', edgecolor=DRIVEN, lw=1.0, zorder=7))
+    ends = [(truth[0, 1:4], 'o', 'start')]
+    if drive.info.get('goal') is not None:
+        ends.append((np.array(drive.info['goal'], float), '*', 'goal'))
+    for pose, marker, name in ends:
         at = view(pose[None, :2])[0]
         ax.plot(*at, marker=marker, ms=14 if marker == '*' else 8, mfc='#ffd23f', mec=INK, mew=0.9, zorder=8)
         ax.annotate(name, at, xytext=(8, 8), textcoords='offset points', fontsize=9, fontweight='bold', zorder=9,
@@ -129,10 +140,15 @@ def _scale_bar(ax, extent):
 
 def _legend(ax, drive):
     line = plt.Line2D
-    entries = [line([], [], color=PLANNED, lw=2.4, label='planned first'),
-               line([], [], color=REPLANNED, lw=1.0, label='replanned'),
-               line([], [], color=DRIVEN, lw=1.8, label='driven'),
-               line([], [], color=STEERED_COLOUR, lw=1.8, label='driven while the person steers')]
+    entries = []
+    if drive.demo or first_plan(drive) is not None:
+        entries += [line([], [], color=PLANNED, lw=2.4, label='planned first'),
+                    line([], [], color=REPLANNED, lw=1.0, label='replanned')]
+    entries.append(line([], [], color=DRIVEN, lw=1.8, label='driven'))
+    if drive.demo or len(drive.states):
+        entries.append(line([], [], color=STEERED_COLOUR, lw=1.8, label='driven while the person steers'))
+    if drive.grid is None:
+        entries.append(line([], [], color=INK, lw=0, marker='.', label='seen on the way'))
     if drive.regions:
         entries.append(Patch(facecolor=REGION + '30', edgecolor=REGION, hatch='////', label='to avoid; no sensor sees it'))
     ax.legend(handles=entries, loc='upper center', bbox_to_anchor=(0.5, 0.0), ncol=len(entries), frameon=False,
@@ -149,6 +165,8 @@ def _over_time(axes, drive):
     omega.plot(truth[:, 0] - drive.goal_time, truth[:, 5], color='#8fa3b8', lw=0.9)
     omega.step(commands[:, 0] - drive.goal_time, commands[:, 2], color=DRIVEN, lw=1.0, where='post')
     omega.set_ylabel('ω [rad/s]')
+    if not len(states):
+        wanted.text(0.5, 0.5, 'not recorded', transform=wanted.transAxes, ha='center', va='center', color=INK)
     wanted.step(states[:, 0] - drive.goal_time, states[:, 3], color=STEERED_COLOUR, lw=1.2, where='post')
     wanted.set_ylabel('$ω_h$ [rad/s]')
     v.legend(loc='lower right', bbox_to_anchor=(1.0, 0.97), ncol=2, frameon=False, fontsize=8, borderaxespad=0.0)
@@ -165,7 +183,7 @@ def _over_time(axes, drive):
     limit = max(1.0, *np.abs(omega.get_ylim()))
     for ax in (omega, wanted):
         ax.set_ylim(-1.1 * limit, 1.1 * limit)
-    strip.set_xlabel('time since the goal was given [s]')
+    strip.set_xlabel('time [s]' if drive.arrived is None else 'time since the goal was given [s]')
 
 
 def _state_strip(ax, drive):
@@ -179,5 +197,8 @@ def _state_strip(ax, drive):
             if end > 0 and state not in shown:
                 shown.append(state)
     ax.set(yticks=[], ylim=(0, 1), ylabel='state')
+    if not shown:
+        ax.text(0.5, 0.5, 'not recorded', transform=ax.transAxes, ha='center', va='center', color=INK)
+        return
     ax.legend(handles=[Patch(color=STATE_COLOURS[i], label=STATE_NAMES[i]) for i in sorted(shown)], loc='upper center',
               bbox_to_anchor=(0.5, -1.1), ncol=7, frameon=False)

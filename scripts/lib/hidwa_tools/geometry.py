@@ -59,6 +59,21 @@ def polygons_touch(one, other):
     return bool(contains(one, other[:1])[0] or contains(other, one[:1])[0])
 
 
+def circle(radius, corners=16):
+    """A regular polygon (corners, 2) in the circle of that radius [m] about the origin."""
+    angles = np.arange(corners) * 2.0 * np.pi / corners
+    return radius * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def distances(polygon, points):
+    """Distance (m,) [m] of each of the points (m, 2) from the polygon's outline."""
+    start, along = polygon[None, :, :], (np.roll(polygon, -1, axis=0) - polygon)[None, :, :]
+    to = points[:, None, :] - start
+    length = np.maximum((along ** 2).sum(axis=2), 1e-18)
+    away = to - np.clip((to * along).sum(axis=2) / length, 0.0, 1.0)[..., None] * along
+    return np.hypot(away[..., 0], away[..., 1]).min(axis=1)
+
+
 def path_length(points):
     """Length of a polyline (n, 2) [m]."""
     return float(np.hypot(*np.diff(points, axis=0).T).sum()) if len(points) > 1 else 0.0

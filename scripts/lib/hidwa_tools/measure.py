@@ -108,7 +108,7 @@ def first_plan(drive):
 
 def state_seconds(drive):
     """Time [s] spent in each of the operator's states between goal and result."""
-    states = drive.states[(drive.states[:, 0] >= drive.goal_time) & (drive.states[:, 0] <= drive.result_time)]
+    states = drive.during(drive.states)
     lasted = np.minimum(np.diff(states[:, 0], append=states[-1:, 0]), LONGEST_SILENCE)
     return {name: round(float(lasted[states[:, 1] == i].sum()), 3) for i, name in enumerate(STATE_NAMES)}
 
@@ -124,7 +124,7 @@ def cycle_times(drive):
 def longest_gap(drive):
     """The longest simulated time [s] between two control cycles; None where there are not two. Far above the control
     period, the machine did not keep up with the simulated clock."""
-    times = drive.cycles[(drive.cycles[:, 0] >= drive.goal_time) & (drive.cycles[:, 0] <= drive.result_time), 0]
+    times = drive.during(drive.cycles)[:, 0]
     return round(float(np.diff(times).max()), 3) if len(times) > 1 else None
 
 
@@ -136,22 +136,24 @@ def measure(drive):
     """report.json, as a dict."""
     truth, info, plan = drive.driven(), drive.info, first_plan(drive)
     if len(truth) < 2:
-        raise ValueError('the bag holds no ground truth between goal and result')
-    commands = drive.commands[(drive.commands[:, 0] >= drive.goal_time) & (drive.commands[:, 0] <= drive.result_time)]
+        raise ValueError(f'the bag holds no {drive.pose_from} between goal and result')
+    commands = drive.during(drive.commands)
     seconds = state_seconds(drive)
-    return {
+    known = drive.demo or len(drive.states) > 0  # what the person did
+    shifts = (drive.demo or (known and len(drive.sticks) > 0)) and (drive.demo or plan is not None)
+    report = {
         'arrived': drive.arrived,
         'outcome': drive.result_text,
         'duration_s': round(drive.result_time - drive.goal_time, 3),
         'path_length_m': round(geometry.path_length(truth[:, 1:3]), 3),
         'planned_length_m': round(geometry.path_length(plan), 3) if plan is not None else None,
-        'contacts': count_contacts(drive.grid, drive.footprint, truth),
-        'regions_crossed': count_regions(drive.regions, drive.footprint, truth),
-        'regions': len(drive.regions),
-        'operator_active_s': round(sum(seconds[name] for name in STEERED), 3),
-        'operator_shift_left_m': round(operator_shift(drive, 1), 3),
-        'operator_shift_right_m': round(operator_shift(drive, -1), 3),
-        'state_s': seconds,
+        'contacts': count_contacts(drive.grid, drive.footprint, truth) if drive.contacts_known else None,
+        'regions_crossed': count_regions(drive.regions, drive.footprint, truth) if _regions_known(drive) else None,
+        'regions': len(drive.regions) if _regions_known(drive) else None,
+        'operator_active_s': round(sum(seconds[name] for name in STEERED), 3) if known else None,
+        'operator_shift_left_m': round(operator_shift(drive, 1), 3) if shifts else None,
+        'operator_shift_right_m': round(operator_shift(drive, -1), 3) if shifts else None,
+        'state_s': seconds if known else None,
         'cycles': len(drive.cycles),
         'cycle_us': cycle_times(drive),
         'longest_gap_s': longest_gap(drive),
@@ -159,3 +161,27 @@ def measure(drive):
         'simulator': drive.simulator,
         **{key: info.get(key) for key in ('map', 'mode', 'host', 'planner', 'operator', 'start', 'goal', 'rate')},
     }
+    return report if drive.demo else {**report, **_of_real_drive(drive)}
+
+
+def _regions_known(drive):
+    return drive.demo or (bool(drive.regions) and drive.footprint is not None)
+
+
+def _of_real_drive(drive):
+    """What a report says besides, where the bag is not the demo's: what rests on what, and what is missing."""
+    truth, lacking = drive.driven(), list(drive.lacking)
+    contacts = 'by the ground truth and the map' if drive.contacts_known else \
+        'not known: that takes the ground truth, a map and the footprint'
+    estimate = None
+    if drive.footprint is not None:
+        distance, scans, inside = drive.seen.clearance(drive.footprint, drive.goal_time, drive.result_time)
+        if scans:
+            estimate = {'smallest_m': None if distance is None else round(distance, 3), 'scans': scans,
+                        'hits_inside_the_outline': inside,
+                        'note': 'estimated: from the outline to the nearest laser hit outside it, in the plane of the laser; '
+                                'says nothing about what the laser does not see'}
+    lacking += [f'no tf from the robot to {frame}: the laser is taken to lie at its centre' for frame in drive.seen.mounting_unknown()]
+    return {'mean_speed_m_s': round(float(np.abs(truth[:, 4]).mean()), 3), 'contacts_note': contacts,
+            'clearance_estimate': estimate, 'pose_from': drive.pose_from, 'topics': drive.used, 'lacking': lacking,
+            'notes': drive.notes}
