@@ -96,9 +96,9 @@ def prepare_folder(folder):
     return lock
 
 
-def environment(logs):
-    """Its own master on a port nothing else uses, ROS's own logs in the folder given."""
-    os.environ.update(ROS_MASTER_URI=f'http://localhost:{free_port()}', ROS_HOSTNAME='localhost', ROS_LOG_DIR=logs,
+def environment(logs, port=None):
+    """Its own master on the port given or one that nothing else uses, ROS's own logs in the folder given."""
+    os.environ.update(ROS_MASTER_URI=f'http://localhost:{port or free_port()}', ROS_HOSTNAME='localhost', ROS_LOG_DIR=logs,
                       ROS_HOME=logs, PYTHONUNBUFFERED='1')
     for name in ('ROS_IP', 'ROS_NAMESPACE'):
         os.environ.pop(name, None)

@@ -62,6 +62,17 @@ def unconnected(node, topics):
     return [topic for topic, nodes in publishers.items() if any((name, topic) not in sent for name in nodes)]
 
 
+def goal_message(goal, name):
+    """A move_base goal [x, y, yaw] [m, m, rad] in the map; `name` is its id."""
+    message = MoveBaseActionGoal()
+    target = message.goal.target_pose
+    message.header.stamp = message.goal_id.stamp = target.header.stamp = rospy.Time.now()
+    message.goal_id.id, target.header.frame_id = name, 'map'
+    target.pose.position.x, target.pose.position.y = goal[:2]
+    target.pose.orientation.z, target.pose.orientation.w = math.sin(goal[2] / 2), math.cos(goal[2] / 2)
+    return message
+
+
 class Drive:
     """A drive with `options` (see options.py); `alive` says whether the launched nodes still run."""
 
@@ -139,7 +150,7 @@ class Drive:
 
     def go(self):
         """Gives the goal and waits for the host's answer: (arrived, text)."""
-        goal = self._goal_message()
+        goal = goal_message(self._options.goal, 'demo')
         self._goal.publish(goal)
         begin, progress = rospy.get_time(), Progress()
         while not self._result.message:
@@ -156,17 +167,6 @@ class Drive:
         self._settle()
         status = self._result.message.status
         return status.status == SUCCEEDED, status.text
-
-    def _goal_message(self):
-        message = MoveBaseActionGoal()
-        message.header.stamp = message.goal_id.stamp = message.goal.target_pose.header.stamp = rospy.Time.now()
-        message.goal_id.id = 'demo'
-        message.goal.target_pose.header.frame_id = 'map'
-        x, y, yaw = self._options.goal
-        pose = message.goal.target_pose.pose
-        pose.position.x, pose.position.y = x, y
-        pose.orientation.z, pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
-        return message
 
     def _settle(self):
         """Half a second of simulated time more for the record."""

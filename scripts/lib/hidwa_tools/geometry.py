@@ -41,6 +41,19 @@ def meets_squares(polygon, centres, size):
     return ~apart.all(axis=1) | contains(polygon, centres)
 
 
+def gap_to_squares(polygon, centres, size):
+    """Distance [m] between the polygon and the nearest of axis-aligned squares (centres (m, 2), side `size`); 0 where they
+    meet, infinite where there are none. Of two shapes apart, a corner of one is nearest to the other."""
+    if len(centres) == 0:
+        return np.inf
+    if meets_squares(polygon, centres, size).any():
+        return 0.0
+    half = 0.5 * size
+    corners = (centres[:, None, :] + half * np.array([[1, 1], [1, -1], [-1, -1], [-1, 1]])).reshape(-1, 2)
+    beyond = np.maximum(np.abs(polygon[:, None, :] - centres[None, :, :]) - half, 0.0)
+    return min(float(distances(polygon, corners).min()), float(np.hypot(beyond[..., 0], beyond[..., 1]).min()))
+
+
 def _segments_meet(a, b, c, d):
     """Whether segments a[i]b[i] and c[j]d[j] meet, for every pair (i, j)."""
     def side(p, q, r):

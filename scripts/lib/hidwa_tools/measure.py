@@ -47,6 +47,16 @@ def overlaps(grid, footprint, poses):
     return np.array(answers, bool)
 
 
+def clearance(grid, footprint, poses, at_most):
+    """The smallest distance [m] from the footprint to an occupied cell over the poses (n, 3), at most `at_most`."""
+    reach, size = np.hypot(footprint[:, 0], footprint[:, 1]).max(), grid.resolution
+    centres = grid.origin + (np.argwhere(grid.occupied)[:, ::-1] + 0.5) * size
+    for x, y, yaw in poses:
+        near = centres[(np.abs(centres - [x, y]) <= reach + at_most + size).all(axis=1)]
+        at_most = min(at_most, geometry.gap_to_squares(geometry.placed(footprint, x, y, yaw), near, size))
+    return at_most
+
+
 def count_contacts(grid, footprint, truth):
     """Uninterrupted overlaps of the footprint with an occupied cell along the ground truth."""
     touching = overlaps(grid, footprint, _fine(truth))
@@ -128,7 +138,8 @@ def longest_gap(drive):
     return round(float(np.diff(times).max()), 3) if len(times) > 1 else None
 
 
-def _mean_change(values):
+def mean_change(values):
+    """Mean absolute change from one to the next; None where there are not two."""
     return round(float(np.abs(np.diff(values)).mean()), 5) if len(values) > 1 else None
 
 
@@ -157,7 +168,7 @@ def measure(drive):
         'cycles': len(drive.cycles),
         'cycle_us': cycle_times(drive),
         'longest_gap_s': longest_gap(drive),
-        'mean_omega_change': _mean_change(commands[:, 2]),
+        'mean_omega_change': mean_change(commands[:, 2]),
         'simulator': drive.simulator,
         **{key: info.get(key) for key in ('map', 'mode', 'host', 'planner', 'operator', 'start', 'goal', 'rate')},
     }

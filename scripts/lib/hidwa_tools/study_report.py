@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report of a study: what hidwa_study left in a folder, as one self-contained page and its pictures."""
+"""The report of a study, of hidwa_study's people or of real ones: what is in its folder, as one self-contained page and its
+pictures."""
 import base64
 import csv
 import glob
@@ -16,6 +17,7 @@ import matplotlib.image as image  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 
 from .drawing import DRIVEN, INK, STEERED, STEERED_COLOUR
+from .questionnaires import AnswersError, read_answers, statements as answers_statements
 from .statistics import normality, proportion, signed_ranks
 
 CONDITIONS = ('SJ', 'SG', 'SW')
@@ -34,7 +36,7 @@ class ReportError(Exception):
 
 
 def read_runs(folder):
-    """The rows of runs.csv, numbers as such."""
+    """The rows of runs.csv, numbers as such, nan where a cell is empty."""
     path = os.path.join(folder, 'runs.csv')
     try:
         with open(path, encoding='utf-8', newline='') as text:
@@ -48,7 +50,7 @@ def read_runs(folder):
         raise ReportError(f'{path} has no column {missing[0]}: it is not from this version of hidwa_study')
     for row in rows:
         for name, _ in MEASURES:
-            row[name] = float(row[name])
+            row[name] = float(row[name]) if row[name] else np.nan  # empty: not known, of a real robot for one
     return rows
 
 
@@ -58,11 +60,21 @@ def of(rows, condition, setting):
 
 
 def compare(first, second, measure):
-    """The paired test of a measure over the people who drove both; None where nobody did."""
-    both = sorted(set(first) & set(second), key=int)
+    """The paired test of a measure over the people who drove both and of whom it is known; None where there is nobody."""
+    both = paired(first, second, measure)
     if not both:
         return None
     return signed_ranks([first[p][measure] for p in both], [second[p][measure] for p in both])
+
+
+def paired(first, second, measure):
+    """The participants with a known value in both."""
+    return [p for p in sorted(set(first) & set(second), key=int) if not np.isnan(first[p][measure] + second[p][measure])]
+
+
+def known(group, measure):
+    """The known values of a measure in a group of runs."""
+    return [row[measure] for row in group.values() if not np.isnan(row[measure])]
 
 
 def settings_of(rows):
@@ -80,7 +92,7 @@ def statements(rows):
             test = compare(joystick, second, measure)
             if test is None:
                 continue
-            means = [np.mean([row[measure] for row in group.values()]) for group in (joystick, second)]
+            means = [np.mean(known(group, measure)) for group in (joystick, second)]
             text = f'{name}: mean {means[0]:.3f} in SJ, {means[1]:.3f} in {other}; '
             if test.changed == 0:
                 said.append(text + 'no pair differs')
@@ -95,7 +107,7 @@ def statements(rows):
             said.append(f'SJ was quicker than {other} for {quicker} of {differ}: exact binomial p = {share.p_two_sided:.4f} '
                         f'(two-sided), 95 % interval {100 * share.low:.1f} % to {100 * share.high:.1f} %')
     for condition in CONDITIONS:
-        w, p = normality([row['duration'] for row in of(rows, condition, setting).values()])
+        w, p = normality(known(of(rows, condition, setting), 'duration'))
         if np.isfinite(w):
             said.append(f'Shapiro-Wilk of the times in {condition}: W = {w:.3f}, p = {p:.4f}')
     return said
@@ -106,16 +118,92 @@ def verdict(rows):
     setting = settings_of(rows)[0]
     joystick, switching = of(rows, 'SJ', setting), of(rows, 'SW', setting)
     test = compare(joystick, switching, 'duration')
-    if test is None or test.changed == 0:
+    if test is None:
         return ''
-    ratio = np.mean([r['duration'] for r in joystick.values()]) / np.mean([r['duration'] for r in switching.values()])
-    paper = PAPER['SJ']['duration'] / PAPER['SW']['duration']
-    order = 'SJ is faster than SW, as in the paper' if ratio < 1.0 else 'SJ is not faster than SW, unlike in the paper'
-    sure = 'beyond chance' if test.p < 0.05 else 'not beyond chance'
-    return (f'{order}: its mean time is {ratio:.3f} of that in SW (the paper: {paper:.3f}), p = {test.p:.4f}, {sure}. The '
-            'paper states neither speed nor length of the route, so that only ratio and order compare. The people here are a '
-            'model: they say nothing about preference, workload, comfort or sickness, and what docs/study.md lists as not '
-            'modelled is what can turn the order round.')
+    ratio, paper = _ratio(joystick, switching), PAPER['SJ']['duration'] / PAPER['SW']['duration']
+    if test.p >= 0.05:
+        order = 'No difference in time shown between SJ and SW, unlike in the paper'
+    elif test.z < 0.0:
+        order = 'SJ is faster than SW, as in the paper'
+    else:
+        order = 'SJ is not faster than SW, unlike in the paper: SW is'
+    return f'{order}: the mean time in SJ is {ratio:.3f} of that in SW (the paper: {paper:.3f}), p = {test.p:.4f}.'
+
+
+def caution(simulated):
+    """What the figures are no evidence of."""
+    text = 'The paper states neither speed nor length of the route, so that only ratio and order compare.'
+    return text + (' The people here are a model: they say nothing about preference, workload, comfort or sickness, and what '
+                   'docs/study.md lists as not modelled is what can turn the order round.' if simulated else '')
+
+
+def _ratio(joystick, switching):
+    return np.mean(known(joystick, 'duration')) / np.mean(known(switching, 'duration'))
+
+
+def differences(rows):
+    """[(what, here, in the paper)] of SJ and SW, in the default setting or the only one; empty without both."""
+    setting = settings_of(rows)[0]
+    joystick, switching = of(rows, 'SJ', setting), of(rows, 'SW', setting)
+    if not paired(joystick, switching, 'duration'):
+        return []
+    lines = []
+    for measure, name, form in (('duration', 'mean time', '{:.2f} s'), ('regions_crossed', 'regions crossed, mean', '{:.3f}'),
+                                ('contacts', 'contacts, in all', '{:.0f}')):
+        for condition, group in (('SJ', joystick), ('SW', switching)):
+            values = known(group, measure)
+            here = 'not known' if not values else form.format(sum(values) if measure == 'contacts' else np.mean(values))
+            if values and len(values) < len(group):
+                here += f' (known of {len(values)} of {len(group)})'
+            lines.append((f'{name}, {condition}', here, form.format(PAPER[condition][measure])))
+        if measure == 'duration':
+            times = [PAPER[c]['duration'] for c in ('SJ', 'SW')]
+            order = [np.mean(known(group, 'duration')) for group in (joystick, switching)]
+            lines.append(('ratio SJ / SW', f'{_ratio(joystick, switching):.3f}', f'{times[0] / times[1]:.3f}'))
+            lines.append(('shorter mean time', 'SJ' if order[0] < order[1] else 'SW' if order[1] < order[0] else 'neither', 'SJ'))
+    return lines
+
+
+def reasons(rows, simulated):
+    """Why the times differ as they do, as far as the runs themselves show it, a sentence each."""
+    setting = settings_of(rows)[0]
+    joystick, switching = of(rows, 'SJ', setting), of(rows, 'SW', setting)
+    both = paired(joystick, switching, 'duration')
+    if not both:
+        return []
+    later, by_length = [], []
+    for p in both:
+        first, second = joystick[p], switching[p]
+        later.append(second['duration'] - first['duration'])
+        # The time by which the other length is driven at SJ's mean speed; what is left is speed.
+        by_length.append((second['length'] - first['length']) * first['duration'] / first['length'])
+    gain, length = np.mean(later), np.mean(by_length)
+    test = compare(joystick, switching, 'duration')
+    faster = ('SJ is not faster here: no difference is shown' if test.p >= 0.05 else 'SJ is faster here' if test.z < 0.0 else
+              'SJ is not faster here, SW is')
+    speeds = [np.mean([group[p]['length'] / group[p]['duration'] for p in both]) for group in (joystick, switching)]
+    said = [f'{faster}. SW takes {gain:+.2f} s against SJ, of which {length:+.2f} s by the length of the way and {gain - length:+.2f} s by '
+            f'the mean speed ({speeds[0]:.3f} m/s in SJ, {speeds[1]:.3f} m/s in SW).']
+    if speeds[1] > 0.98 * speeds[0]:
+        longer = 100.0 * (PAPER['SW']['duration'] / PAPER['SJ']['duration'] - 1.0)
+        said.append(f"Driving by hand costs these people next to no speed. The paper's took {longer:.1f} % longer in SW; whether by speed, "
+                    'way or pauses it does not say.')
+    steering = [known(group, 'operator_active') for group in (joystick, switching)]
+    if all(steering):
+        said.append(f'In SJ the person steers for {np.mean(steering[0]):.1f} s, in SW they are in control for {np.mean(steering[1]):.1f} s.')
+    crossed = [known(group, 'regions_crossed') for group in (joystick, switching)]
+    if all(crossed):
+        contacts = [known(group, 'contacts') for group in (joystick, switching)]
+        touched = f'; {sum(contacts[0]):.0f} and {sum(contacts[1]):.0f} contacts' if all(contacts) else ''
+        said.append(f'{sum(map(bool, crossed[0]))} of {len(crossed[0])} runs in SJ and {sum(map(bool, crossed[1]))} of {len(crossed[1])} in SW '
+                    f'crossed a region{touched}.')
+    errors = [float(row['mode_errors']) for row in switching.values() if row.get('mode_errors')]
+    if errors:
+        said.append(f'Mode errors in SW: {sum(errors):.0f} in {len(errors)} runs.')
+    if simulated:
+        said.append('Simulated people see where everything is, do not hesitate and hardly err: what would cost time and contacts in SW '
+                    'is what the model leaves out (docs/study.md, "Not modelled").')
+    return said
 
 
 def load_floor(path):
@@ -133,6 +221,14 @@ def load_floor(path):
     height, width = picture.shape[:2]
     x, y = info['origin'][:2]
     return picture, (x, x + width * info['resolution'], y, y + height * info['resolution'])
+
+
+def picture_of(grid):
+    """(image, extent) of a recorded map (bag.Grid), as load_floor makes it of a file."""
+    rows, columns = grid.occupied.shape
+    x, y = grid.origin
+    shades = np.where(grid.occupied, 0.0, np.where(grid.free, 1.0, 0.8))[::-1]
+    return shades, (x, x + columns * grid.resolution, y, y + rows * grid.resolution)
 
 
 def read_way(path):
@@ -176,13 +272,13 @@ def draw_distributions(rows, out):
     figure, axes = plt.subplots(2, 3, figsize=(max(11.0, 0.9 * len(groups) * 3), 6.5), constrained_layout=True)
     scatter = np.random.default_rng(1)
     for ax, measure in zip(axes.flat, shown):
-        values = [[row[measure] for row in of(rows, c, s).values()] for s, c in groups]
+        values = [known(of(rows, c, s), measure) for s, c in groups]
         ax.boxplot(values, labels=labels, showfliers=False, medianprops={'color': INK})
         for i, group in enumerate(values):
             ax.plot(i + 1 + scatter.uniform(-0.15, 0.15, len(group)), group, '.', color=DRIVEN, ms=4, alpha=0.6)
         ax.set_title(dict(MEASURES)[measure], fontsize=10, loc='left')
         ax.grid(axis='y', lw=0.4)
-        if not np.any(np.concatenate(values)):
+        if not np.any(np.concatenate(values)):  # nothing but zeros, or nothing
             ax.set_ylim(-0.05, 1.0)
     figure.savefig(out, dpi=100)
     plt.close(figure)
@@ -198,8 +294,11 @@ def table(rows):
         cells = [name]
         for s in settings:
             for c in CONDITIONS:
-                values = [row[measure] for row in of(rows, c, s).values()]
+                if not of(rows, c, s):
+                    continue
+                values = known(of(rows, c, s), measure)
                 if not values:
+                    cells.append('not known')
                     continue
                 cells.append(f'{sum(values):.0f} in all' if measure == 'contacts' else
                              f'{np.mean(values):.3f} ({np.std(values, ddof=1) if len(values) > 1 else 0.0:.3f}), '
@@ -217,34 +316,91 @@ def embedded(path):
         return f'<img alt="" src="data:image/png;base64,{base64.b64encode(data.read()).decode()}">'
 
 
-def write_report(folder, map_path=None):
-    """Writes report.html, distributions.png and, where ways were kept, ways.png into the folder. Returns the page's path."""
-    rows = read_runs(folder)
-    about = {}
-    if os.path.exists(os.path.join(folder, 'study.json')):
-        with open(os.path.join(folder, 'study.json'), encoding='utf-8') as text:
-            about = json.load(text)
+def read_about(folder):
+    """study.json, or an empty dict."""
+    path = os.path.join(folder, 'study.json')
+    if not os.path.exists(path):
+        return {}
+    with open(path, encoding='utf-8') as text:
+        return json.load(text)
+
+
+def who_drove(rows, about):
+    """(the page's title, whether simulated people are among those who drove)."""
+    if about.get('experiment') != 'live':
+        return 'A study with simulated people', True
+    simulated, people = set(about['simulated']), {int(row['participant']) for row in rows}
+    if not simulated:
+        return 'A study', False
+    return ('Drives with simulated people' if people <= simulated else
+            f'A study; simulated: participant {", ".join(map(str, sorted(simulated)))}'), True
+
+
+def answers_of(folder, rows, about):
+    """What people answered, or None; only people of a study that was driven can have."""
+    if about.get('experiment') != 'live':
+        return None
+    drives = {(int(row['participant']), row['condition']) for row in rows}
+    try:
+        return read_answers(folder, drives, about['simulated'])
+    except AnswersError as fault:
+        raise ReportError(str(fault)) from fault
+
+
+def _items(texts):
+    return ''.join(f'<li>{html.escape(text)}</li>' for text in texts)
+
+
+def write_report(folder, map_path=None, floor=None):
+    """Writes report.html, distributions.png and, where ways were kept, ways.png into the folder. `floor` is what load_floor
+    makes of a map, where there is no map file. Returns the page's path."""
+    rows, about = read_runs(folder), read_about(folder)
+    answers, (title, simulated) = answers_of(folder, rows, about), who_drove(rows, about)
     distributions, ways = (os.path.join(folder, name) for name in ('distributions.png', 'ways.png'))
     draw_distributions(rows, distributions)
-    has_ways = draw_ways(folder, rows, load_floor(map_path), ways)
+    has_ways = draw_ways(folder, rows, load_floor(map_path) or floor, ways)
     arrived = sum(row.get('arrived') == '1' for row in rows)
     asked = ', '.join(f'{key} {value}' for key, value in about.items() if key in ('experiment', 'participants', 'seed', 'profile', 'guard'))
-    parts = ['<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>A study with simulated people</title><style>',
+    parts = ['<!DOCTYPE html><html lang="en"><meta charset="utf-8">', f'<title>{html.escape(title)}</title><style>',
              'body{font:15px/1.5 sans-serif;max-width:72em;margin:2em auto;padding:0 1em;color:#22303c}',
              'table{border-collapse:collapse;font-size:13px}td,th{border:1px solid #d9dee3;padding:.25em .6em;text-align:left}',
              'img{max-width:100%}</style>',
-             '<h1>A study with simulated people</h1>',
+             f'<h1>{html.escape(title)}</h1>',
              f'<p>{len(rows)} runs, {arrived} arrived. {html.escape(asked)}</p>',
-             f'<p>{html.escape(verdict(rows))}</p>',
-             '<h2>By condition</h2><p>Mean (standard deviation), median.</p>', table(rows),
-             '<h2>Tests</h2><ul>', ''.join(f'<li>{html.escape(s)}</li>' for s in statements(rows)), '</ul>',
-             '<h2>Distributions</h2>', embedded(distributions)]
+             f'<p>{html.escape(verdict(rows))}</p><p>{html.escape(caution(simulated))}</p>']
+    if about.get('remarks'):
+        parts += ['<h2>Remarks</h2><ul>', _items(about['remarks']), '</ul>']
+    if differences(rows):
+        parts += ['<h2>What differs from the paper, and why</h2><table><tr><th></th><th>here</th><th>the paper</th></tr>',
+                  *('<tr>' + ''.join(f'<td>{html.escape(cell)}</td>' for cell in line) + '</tr>' for line in differences(rows)),
+                  '</table><ul>', _items(reasons(rows, simulated)), '</ul>']
+    parts += ['<h2>By condition</h2><p>Mean (standard deviation), median.</p>', table(rows),
+              '<h2>Tests</h2><ul>', _items(statements(rows)), '</ul>']
+    if answers:
+        parts += ['<h2>What people answered</h2><p>Of real people alone; the tests are not corrected for their number, as in the paper.</p>',
+                  '<ul>', _items(answers_statements(answers)), '</ul><ul>', _items(answers.remarks), '</ul>']
+    parts += ['<h2>Distributions</h2>', embedded(distributions)]
     if has_ways:
         parts += ['<h2>Ways driven</h2>', embedded(ways)]
     page = os.path.join(folder, 'report.html')
     with open(page, 'w', encoding='utf-8') as text:
         text.write('\n'.join(parts) + '\n</html>\n')
     return page
+
+
+def say(folder, page):
+    """Prints what the page says in words."""
+    rows, about = read_runs(folder), read_about(folder)
+    _, simulated = who_drove(rows, about)
+    answers = answers_of(folder, rows, about)
+    lines = [verdict(rows), *(f'{what}: {here} (the paper: {paper})' for what, here, paper in differences(rows)),
+             *reasons(rows, simulated), *statements(rows), caution(simulated)]
+    if answers:
+        lines += [*answers_statements(answers), *answers.remarks]
+    for line in lines:
+        if line:
+            print(line)
+    print(f'==> {page}')
 
 
 def main(arguments=None):
@@ -254,15 +410,10 @@ def main(arguments=None):
         print('scripts/study report DIR [MAP.yaml]', file=sys.stderr)
         return 2
     try:
-        rows = read_runs(arguments[0])
-        page = write_report(*arguments)
+        say(arguments[0], write_report(*arguments))
     except ReportError as fault:
         print(f'scripts/study: {fault}', file=sys.stderr)
         return 2
-    for line in [verdict(rows), *statements(rows)]:
-        if line:
-            print(line)
-    print(f'==> {page}')
     return 0
 
 
