@@ -125,6 +125,11 @@ def _region(marker):
     return geometry.placed(points, marker.pose.position.x, marker.pose.position.y, yaw_of(marker.pose.orientation))
 
 
+def _is_plan(topic, kind):
+    """Whether a topic has a global planner's paths; the local planner's are many and long."""
+    return kind == 'nav_msgs/Path' and topic.endswith('/plan')
+
+
 def _regions(array):
     return [_region(marker) for marker in array.markers if marker.type == marker.LINE_STRIP and len(marker.points) > 2]
 
@@ -155,8 +160,8 @@ class Reader:
 
     def __init__(self, path, names):
         self.path, self.names = path, names
-        kinds = set().union(*(types for types, _ in TOPICS.values()), {TF, 'nav_msgs/Path', 'std_msgs/UInt32'})
-        self.messages = read_messages(path, kinds)
+        kinds = set().union(*(types for types, _ in TOPICS.values()), {TF, 'std_msgs/UInt32'})
+        self.messages = read_messages(path, lambda topic, kind: kind in kinds or _is_plan(topic, kind))
         self.topics, self.lacking = {}, []
         self.demo = all(self.messages.get(topic) for topic in DEMO) and names == Names()
         for key, (types, usual) in TOPICS.items():
@@ -262,7 +267,7 @@ class Reader:
     def _plans(self):
         plans = []
         for topic, kind in self.messages.kinds.items():
-            if kind != 'nav_msgs/Path' or not topic.endswith('/plan') or not topic.startswith(self.names.namespace):
+            if not _is_plan(topic, kind) or not topic.startswith(self.names.namespace):
                 continue
             for time, message in self.messages.get(topic):
                 points = self._moved(message.header, _points(message)) if len(message.poses) > 1 else None

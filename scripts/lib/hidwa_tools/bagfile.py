@@ -29,27 +29,27 @@ class Messages:
         return rows[-1][1] if rows else None
 
 
-def read_messages(path, kinds):
-    """The messages of the given types. A bag without an index (the recorder was killed) or cut off is repaired in a
+def read_messages(path, wanted):
+    """The messages of the topics for which wanted(topic, type) holds. A bag without an index (the recorder was killed) or cut off is repaired in a
     copy; the file itself is never written to. BagError where nothing can be read."""
     if not os.path.isfile(path):
         raise BagError(f'there is no bag {path}')
     try:
         try:
             with rosbag.Bag(path) as bag:
-                return _read(bag, kinds)
+                return _read(bag, wanted)
         except (rosbag.ROSBagUnindexedException, rosbag.ROSBagFormatException):
-            return _repaired(path, kinds)
+            return _repaired(path, wanted)
         except rosbag.ROSBagException as fault:
             with open(path, 'rb') as head:
                 if not head.read(9).startswith(b'#ROSBAG V'):
                     raise BagError(f'{path} is no bag: {fault}') from fault
-            return _repaired(path, kinds)
+            return _repaired(path, wanted)
     except (OSError, rosbag.ROSBagException) as fault:
         raise BagError(f'{path} cannot be read: {fault}') from fault
 
 
-def _repaired(path, kinds):
+def _repaired(path, wanted):
     with tempfile.TemporaryDirectory(prefix='hidwa_bag_') as folder:
         copy = os.path.join(folder, 'copy.bag')
         shutil.copyfile(path, copy)
@@ -58,7 +58,7 @@ def _repaired(path, kinds):
             for _ in bag.reindex():
                 pass
         with rosbag.Bag(copy) as bag:
-            messages = _read(bag, kinds)
+            messages = _read(bag, wanted)
     messages.notes.insert(0, 'the recording was cut short: the bag has no index. Read is what is intact, from a copy; '
                              '"rosbag reindex" would repair the bag itself')
     return messages
@@ -81,15 +81,15 @@ def _unmark(copy):
             data.truncate(index)
 
 
-def _read(bag, kinds):
+def _read(bag, wanted):
     messages = Messages()
     messages.kinds = {topic: info.msg_type for topic, info in bag.get_type_and_topic_info().topics.items()}
     if not bag.get_message_count():
         return messages
     messages.begin, messages.end = bag.get_start_time(), bag.get_end_time()
-    wanted = [topic for topic, kind in messages.kinds.items() if kind in kinds]
+    topics = [topic for topic, kind in messages.kinds.items() if wanted(topic, kind)]
     try:
-        for topic, message, time in bag.read_messages(topics=wanted) if wanted else ():
+        for topic, message, time in bag.read_messages(topics=topics) if topics else ():
             messages.rows.setdefault(topic, []).append((time.to_sec(), message))
     except Exception as fault:  # pylint: disable=broad-except  # a damaged chunk may show as anything
         messages.end = max((rows[-1][0] for rows in messages.rows.values()), default=messages.begin)
