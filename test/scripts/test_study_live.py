@@ -264,7 +264,7 @@ class Gap(unittest.TestCase):
     def test_to_squares_equals_a_slow_twin(self):
         random = np.random.default_rng(7)
         square = np.array([[1, 1], [1, -1], [-1, -1], [-1, 1]]) / 2.0
-        share = np.linspace(0.0, 1.0, 400, endpoint=False)[:, None]
+        share = np.linspace(0.0, 1.0, 100, endpoint=False)[:, None]
 
         def outline(polygon):
             return np.vstack([a + share * (b - a) for a, b in zip(polygon, np.roll(polygon, -1, axis=0))])
@@ -276,7 +276,7 @@ class Gap(unittest.TestCase):
             twin = min(np.hypot(*(outline(polygon)[:, None, :] - outline(c + 0.2 * square)[None]).transpose(2, 0, 1)).min() for c in centres)
             apart += mine > 0.0
             if mine > 0.0:
-                self.assertAlmostEqual(mine, twin, delta=0.002)  # edges of 0.47 m in 400 steps
+                self.assertAlmostEqual(mine, twin, delta=0.005)  # edges of 0.47 m in 100 steps
         self.assertGreater(apart, 5)
         self.assertEqual(geometry.gap_to_squares(geometry.circle(0.4), np.array([[0.0, 0.0]]), 0.1), 0.0)  # inside
         self.assertEqual(geometry.gap_to_squares(geometry.circle(0.4), np.zeros((0, 2)), 0.1), np.inf)

@@ -25,7 +25,8 @@ class Frames:
 
     def __init__(self, messages):
         self._buffer = tf2_py.BufferCore(genpy.Duration(1000000000))
-        self._stamps, self._parents, self.samples = {}, {}, []
+        self._stamps, self._parents = {}, {}
+        self._recorded, self._static = [], []  # (time, transform), transforms
         for topic in sorted(t for t, kind in messages.kinds.items() if kind == TF):
             static = topic.endswith('tf_static')
             for time, message in messages.get(topic):
@@ -43,12 +44,13 @@ class Frames:
                                      Transform(Vector3(t.x, t.y, t.z), Quaternion(q.x, q.y, q.z, q.w)))
         if static:
             self._buffer.set_transform_static(transform, 'bag')
+            self._static.append(transform)
             return
         self._buffer.set_transform(transform, 'bag')
         stamp = recorded.header.stamp.to_sec()
         first, last = self._stamps.get(child, (stamp, stamp))
         self._stamps[child] = (min(first, stamp), max(last, stamp))
-        self.samples.append((time, stamp, child))
+        self._recorded.append((time, transform))
 
     def __contains__(self, frame):
         return frame in self._parents or frame in self._parents.values()
@@ -74,25 +76,40 @@ class Frames:
         links = [self._stamps[name] for frame in (source, target) for name in self.chain(frame) if name in self._stamps]
         for at in [stamp] + ([min(max(stamp, max(a for a, _ in links)), min(b for _, b in links))] if links else []):
             try:
-                found = self._buffer.lookup_transform_core(target, source, genpy.Time.from_sec(max(at, 0.0))).transform
-                return found.translation.x, found.translation.y, float(yaw_of(found.rotation))
+                return _looked_up(self._buffer, target, source, genpy.Time.from_sec(max(at, 0.0)))
             except tf2_py.TransformException:
                 continue
         return None
 
     def drive(self, fixed, odometry, base):
         """Rows (n, 4) of time, x, y, yaw of the base in the fixed frame, at each movement of the base in the odometry's
-        frame; what is above that is held from the last one to the next."""
-        link, rows = self.moving(base), []
-        above = self._stamps.get(next((name for name in self.chain(odometry) if name in self._stamps), None))
-        for time, stamp, child in self.samples:
-            if child != link:
+        frame; what is above that is held until it is said anew."""
+        # Replayed, and asked for the newest each time: to look up old ones would take a walk through all later ones.
+        buffer, link, inner, outer = tf2_py.BufferCore(genpy.Duration(10)), self.moving(base), [], []
+        for transform in self._static:
+            buffer.set_transform_static(transform, 'bag')
+        for time, transform in self._recorded:
+            buffer.set_transform(transform, 'bag')
+            if transform.child_frame_id != link:
                 continue
-            inner = self.pose(odometry, base, stamp)
-            outer = self.pose(fixed, odometry, min(max(stamp, above[0]), above[1]) if above else stamp)
-            if inner and outer:
-                rows.append((time, *composed(outer, inner)))
+            try:
+                pose = _looked_up(buffer, odometry, base, genpy.Time())
+            except tf2_py.TransformException:
+                continue
+            inner.append((time, pose))
+            try:
+                outer.append(_looked_up(buffer, fixed, odometry, genpy.Time()))
+            except tf2_py.TransformException:
+                outer.append(outer[-1] if outer else None)
+        first = next((pose for pose in outer if pose), None)
+        rows = [(time, *composed(above or first, pose)) for (time, pose), above in zip(inner, outer) if first]
         return np.array(rows, float).reshape(-1, 4)
+
+
+def _looked_up(buffer, target, source, time):
+    """(x, y, yaw) of the source frame in the target frame."""
+    found = buffer.lookup_transform_core(target, source, time).transform
+    return found.translation.x, found.translation.y, float(yaw_of(found.rotation))
 
 
 def composed(outer, inner):

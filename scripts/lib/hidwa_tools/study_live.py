@@ -178,16 +178,17 @@ def drive_robot(o, further, folder, params):
     """Drives the user's robot until its goal's result, into folder/drive.bag; what the host said."""
     import rosgraph
     import rospy
-    from actionlib_msgs.msg import GoalStatus
+    from actionlib_msgs.msg import GoalID, GoalStatus
     from move_base_msgs.msg import MoveBaseActionGoal, MoveBaseActionResult
     from .drive import Latest, goal_message, unconnected
     command = robot_command(o, further, folder, params)
     if not rosgraph.is_master_online():
         raise DemoError(f'no ROS master at {os.environ.get("ROS_MASTER_URI", "")}: start the robot\'s driver and localisation first')
+    rospy.init_node('study_live', disable_signals=True, anonymous=True)
+    goals, results = rospy.resolve_name('move_base/goal'), Latest('move_base/result', MoveBaseActionResult)
+    cancel = rospy.Publisher('move_base/cancel', GoalID, queue_size=1)
     launched = Child(command, os.path.join(folder, 'demo.log'), dict(os.environ))
     try:
-        rospy.init_node('study_live', disable_signals=True, anonymous=True)
-        goals, results = rospy.resolve_name('move_base/goal'), Latest('move_base/result', MoveBaseActionResult)
         publisher = rospy.Publisher(goals, MoveBaseActionGoal, queue_size=1)
         master = rosgraph.Master('/study_live')
 
@@ -208,6 +209,9 @@ def drive_robot(o, further, folder, params):
         status = results.message.status
         return status.text or ('reached' if status.status == GoalStatus.SUCCEEDED else f'status {status.status}')
     finally:
+        if not results.message:  # interrupted: the robot comes to rest before its host goes
+            cancel.publish(GoalID())
+            time.sleep(1.0)
         launched.stop(60.0)
 
 

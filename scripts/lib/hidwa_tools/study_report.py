@@ -121,13 +121,14 @@ def verdict(rows):
     if test is None:
         return ''
     ratio, paper = _ratio(joystick, switching), PAPER['SJ']['duration'] / PAPER['SW']['duration']
-    if test.p >= 0.05:
-        order = 'No difference in time shown between SJ and SW, unlike in the paper'
-    elif test.z < 0.0:
-        order = 'SJ is faster than SW, as in the paper'
-    else:
-        order = 'SJ is not faster than SW, unlike in the paper: SW is'
+    order = {None: 'No difference in time shown between SJ and SW, unlike in the paper', 'SJ': 'SJ is faster than SW, as in the paper',
+             'SW': 'SJ is not faster than SW, unlike in the paper: SW is'}[faster(test)]
     return f'{order}: the mean time in SJ is {ratio:.3f} of that in SW (the paper: {paper:.3f}), p = {test.p:.4f}.'
+
+
+def faster(test):
+    """SJ or SW, by the test of their times; None where it shows no difference."""
+    return None if test.p >= 0.05 else 'SJ' if test.z < 0.0 else 'SW'
 
 
 def caution(simulated):
@@ -158,9 +159,9 @@ def differences(rows):
             lines.append((f'{name}, {condition}', here, form.format(PAPER[condition][measure])))
         if measure == 'duration':
             times = [PAPER[c]['duration'] for c in ('SJ', 'SW')]
-            order = [np.mean(known(group, 'duration')) for group in (joystick, switching)]
+            test = compare(joystick, switching, 'duration')
             lines.append(('ratio SJ / SW', f'{_ratio(joystick, switching):.3f}', f'{times[0] / times[1]:.3f}'))
-            lines.append(('shorter mean time', 'SJ' if order[0] < order[1] else 'SW' if order[1] < order[0] else 'neither', 'SJ'))
+            lines.append(('faster', f'{faster(test) or "no difference shown"}, p = {test.p:.4f}', 'SJ, p < 0.001'))
     return lines
 
 
@@ -179,10 +180,9 @@ def reasons(rows, simulated):
         by_length.append((second['length'] - first['length']) * first['duration'] / first['length'])
     gain, length = np.mean(later), np.mean(by_length)
     test = compare(joystick, switching, 'duration')
-    faster = ('SJ is not faster here: no difference is shown' if test.p >= 0.05 else 'SJ is faster here' if test.z < 0.0 else
-              'SJ is not faster here, SW is')
+    order = {None: 'SJ is not faster here: no difference is shown', 'SJ': 'SJ is faster here', 'SW': 'SJ is not faster here, SW is'}[faster(test)]
     speeds = [np.mean([group[p]['length'] / group[p]['duration'] for p in both]) for group in (joystick, switching)]
-    said = [f'{faster}. SW takes {gain:+.2f} s against SJ, of which {length:+.2f} s by the length of the way and {gain - length:+.2f} s by '
+    said = [f'{order}. SW takes {gain:+.2f} s against SJ, of which {length:+.2f} s by the length of the way and {gain - length:+.2f} s by '
             f'the mean speed ({speeds[0]:.3f} m/s in SJ, {speeds[1]:.3f} m/s in SW).']
     if speeds[1] > 0.98 * speeds[0]:
         longer = 100.0 * (PAPER['SW']['duration'] / PAPER['SJ']['duration'] - 1.0)
