@@ -96,6 +96,12 @@ class Live(Folder):
                 study_live.parse(good + bad)
             self.assertIn(said, complaint.getvalue())
 
+    def test_robot_takes_a_file_or_none(self):
+        good = ['--out', self.folder, '--participant', '7', '--condition', 'SJ', '--robot']
+        for also, robot, rest in ((['map:=f.yaml'], '', ['map:=f.yaml']), (['a.launch', 'x:=1'], 'a.launch', ['x:=1']), ([], '', [])):
+            options, further = study_live.parse(good + also)
+            self.assertEqual((options.robot, further), (robot, rest))
+
     def test_parameters_of_a_condition_stand_over_device_and_file(self):
         self.write('own.yaml', 'HIDWAPlannerROS: {s_omega: 400, mode: off}')
         options, _ = study_live.parse(['--out', self.folder, '--participant', '7', '--condition', 'SW', '--device', 'quest2ros',
@@ -273,7 +279,8 @@ class Gap(unittest.TestCase):
             polygon = geometry.placed(geometry.circle(0.4, 5), *random.uniform(-1.0, 1.0, 3))
             centres = random.uniform(-1.5, 1.5, (3, 2))
             mine = geometry.gap_to_squares(polygon, centres, 0.2)
-            twin = min(np.hypot(*(outline(polygon)[:, None, :] - outline(c + 0.2 * square)[None]).transpose(2, 0, 1)).min() for c in centres)
+            twin = min(np.hypot(*(outline(polygon)[:, None, :] - outline(c + 0.2 * square)[None]).transpose(2, 0, 1)).min()
+                       for c in centres)
             apart += mine > 0.0
             if mine > 0.0:
                 self.assertAlmostEqual(mine, twin, delta=0.005)  # edges of 0.47 m in 100 steps

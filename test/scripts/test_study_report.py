@@ -88,7 +88,8 @@ class TestStudyReport(unittest.TestCase):
         self.change('SW0', contacts='')
         _, said, _ = run(self.folder)
         self.assertIn('SW takes +2.00 s against SJ, of which +1.00 s by the length of the way and +1.00 s by the mean speed', said)
-        for line in ('mean time, SW: 12.00 s (the paper: 187.17 s)', 'ratio SJ / SW: 0.833 (the paper: 0.921)', 'faster: no difference shown, p = 1.0000 (the paper: SJ, p < 0.001)',
+        for line in ('mean time, SW: 12.00 s (the paper: 187.17 s)', 'ratio SJ / SW: 0.833 (the paper: 0.921)',
+                     'faster: no difference shown, p = 1.0000 (the paper: SJ, p < 0.001)',
                      'regions crossed, mean, SW: 0.500 (the paper: 0.406)',
                      'contacts, in all, SW: 2 (known of 1 of 2) (the paper: 3)', '1 of 2 in SW crossed a region'):
             self.assertIn(line, said)

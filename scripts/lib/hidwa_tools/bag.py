@@ -70,7 +70,7 @@ class Drive:
     truth: np.ndarray                            # (n, 6): time, x, y, yaw, v, omega
     goal_time: float
     result_time: float                           # of the bag's end where the host gave no result
-    arrived: bool                                # None: there was no goal
+    arrived: bool                                # None: nothing in the bag says so
     result_text: str
     regions: list = field(default_factory=list)  # polygons (n, 2)
     plans: list = field(default_factory=list)    # (time, (n, 2)), oldest first
@@ -143,8 +143,8 @@ def _rows(messages, topic, row, width):
     return np.array(rows, float).reshape(-1, width)
 
 
-def _outcome(messages, topic, goal_time, goal, end):
-    """Time, success and text of the host's first result for the goal."""
+def _outcome(messages, topic, goal_time, goal, end, without):
+    """Time, success and text of the host's first result for the goal; `without` is the success where there is none."""
     name = goal.goal_id.id
     for time, message in messages.get(topic):
         status = message.status
@@ -152,7 +152,7 @@ def _outcome(messages, topic, goal_time, goal, end):
             continue
         outcome = OUTCOMES.get(status.status, f'status {status.status}')
         return time, status.status == SUCCEEDED, f'{outcome}: {status.text}' if status.text else outcome
-    return end, False, 'the host gave no result while recording'
+    return end, without, 'the host gave no result while recording'
 
 
 class Reader:
@@ -325,7 +325,7 @@ class Reader:
         found, goals = [], m.get(topics['goal'])
         for i, (time, goal) in enumerate(goals):
             end = goals[i + 1][0] if i + 1 < len(goals) else m.end
-            result_time, arrived, text = _outcome(m, topics['result'], time, goal, m.end)
+            result_time, arrived, text = _outcome(m, topics['result'], time, goal, m.end, False if self.demo else None)
             if i + 1 < len(goals) and result_time > end:
                 result_time, arrived, text = end, False, 'replaced by the next goal'
             found.append(Drive(info={**info, **self._ends(info, goal, time)}, goal_time=time, result_time=result_time,

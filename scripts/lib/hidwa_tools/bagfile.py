@@ -30,8 +30,8 @@ class Messages:
 
 
 def read_messages(path, wanted):
-    """The messages of the topics for which wanted(topic, type) holds. A bag without an index (the recorder was killed) or cut off is repaired in a
-    copy; the file itself is never written to. BagError where nothing can be read."""
+    """The messages of the topics for which wanted(topic, type) holds. A bag without an index (the recorder was killed) or
+    cut off is repaired in a copy; the file itself is never written to. BagError where nothing can be read."""
     if not os.path.isfile(path):
         raise BagError(f'there is no bag {path}')
     try:

@@ -37,7 +37,7 @@ def write_report(bag, folder, names=None, goal=None):
             continue
         reports.append({'goal_number': i, **report})
         os.makedirs(folder, exist_ok=True)
-        draw(drive, report, os.path.join(folder, f'report_{i}.png'), f'{_title(bag, drive) or os.path.basename(bag)}, goal {i} of {len(drives)}')
+        draw(drive, report, os.path.join(folder, f'report_{i}.png'), f'{os.path.basename(bag)}, goal {i} of {len(drives)}')
     report = {'goals': reports}
     _write(folder, report)
     return report
@@ -96,8 +96,9 @@ def main(arguments=None):
     options = _parser().parse_args(arguments)
     footprint = options.footprint or (geometry.circle(options.radius, 64).tolist() if options.radius else None)
     namespace = '/' + options.namespace.strip('/') if options.namespace.strip('/') else ''
-    names = Names({key: getattr(options, key + '_topic') for key in NAMED if getattr(options, key + '_topic')}, namespace, options.base_frame,
-                  options.map_frame and options.map_frame.lstrip('/'), footprint)
+    topics = {key: getattr(options, key + '_topic') for key in NAMED if getattr(options, key + '_topic')}
+    map_frame = options.map_frame and options.map_frame.lstrip('/')
+    names = Names(topics, namespace, options.base_frame, map_frame, footprint)
     try:
         report = write_report(options.bag, options.out or os.path.dirname(os.path.abspath(options.bag)), names, options.goal)
     except BagError as fault:

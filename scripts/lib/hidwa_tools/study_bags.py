@@ -81,7 +81,7 @@ def row_of(participant, order, condition, drive):
 
 
 def _ending(drive):
-    return drive.result_text.split(':')[0].replace(',', ' ') if drive.arrived is not None else 'no goal'
+    return drive.result_text.split(':')[0].replace(',', ' ')
 
 
 def way_of(drive):

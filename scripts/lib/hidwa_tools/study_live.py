@@ -56,6 +56,8 @@ def parse(arguments):
         joined.append(f'{word}={rest.pop(0)}' if word in demo_options.POSES and rest else word)
     p = parser()
     o, further = p.parse_known_args(joined)
+    if o.robot and ':=' in o.robot:  # "--robot map:=floor.yaml": robot.launch, with an argument of its
+        o.robot, further = '', [o.robot, *further]
     if o.participant < 1:
         p.error('--participant counts from 1')
     for word in further:
@@ -199,7 +201,8 @@ def drive_robot(o, further, folder, params):
         _wait(ready, launched, ROBOT_PATIENCE, 'move_base and the recorder')
         mode = rospy.get_param(rospy.resolve_name('move_base/HIDWAPlannerROS/mode'), None)
         if mode != MODES[o.condition]:
-            raise DemoError(f'the planner is in mode {mode}, not {MODES[o.condition]}: does the launch file pass on mode and extra_params?')
+            raise DemoError(f'the planner is in mode {mode}, not {MODES[o.condition]}: does the launch file pass on mode and '
+                            'extra_params?')
         if o.goal:
             publisher.publish(goal_message(o.goal, 'study'))
         else:

@@ -180,7 +180,8 @@ def reasons(rows, simulated):
         by_length.append((second['length'] - first['length']) * first['duration'] / first['length'])
     gain, length = np.mean(later), np.mean(by_length)
     test = compare(joystick, switching, 'duration')
-    order = {None: 'SJ is not faster here: no difference is shown', 'SJ': 'SJ is faster here', 'SW': 'SJ is not faster here, SW is'}[faster(test)]
+    order = {None: 'SJ is not faster here: no difference is shown', 'SJ': 'SJ is faster here',
+             'SW': 'SJ is not faster here, SW is'}[faster(test)]
     speeds = [np.mean([group[p]['length'] / group[p]['duration'] for p in both]) for group in (joystick, switching)]
     said = [f'{order}. SW takes {gain:+.2f} s against SJ, of which {length:+.2f} s by the length of the way and {gain - length:+.2f} s by '
             f'the mean speed ({speeds[0]:.3f} m/s in SJ, {speeds[1]:.3f} m/s in SW).']
@@ -377,8 +378,8 @@ def write_report(folder, map_path=None, floor=None):
     parts += ['<h2>By condition</h2><p>Mean (standard deviation), median.</p>', table(rows),
               '<h2>Tests</h2><ul>', _items(statements(rows)), '</ul>']
     if answers:
-        parts += ['<h2>What people answered</h2><p>Of real people alone; the tests are not corrected for their number, as in the paper.</p>',
-                  '<ul>', _items(answers_statements(answers)), '</ul><ul>', _items(answers.remarks), '</ul>']
+        parts += ['<h2>What people answered</h2>',
+                  '<p>Of real people alone; the tests are not corrected for their number, as in the paper.</p>', '<ul>', _items(answers_statements(answers)), '</ul><ul>', _items(answers.remarks), '</ul>']
     parts += ['<h2>Distributions</h2>', embedded(distributions)]
     if has_ways:
         parts += ['<h2>Ways driven</h2>', embedded(ways)]
