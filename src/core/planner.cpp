@@ -112,6 +112,9 @@ struct Planner::Impl {
   WayOut way_out;
   Lasting unturned;                       // at the goal's position it stands at another heading
   bool unturned_reset = false;            // the critics were reset for that
+  bool thorough = false;
+  std::vector<CandidateVerdict> verdicts;  // of the last cycle, where thorough
+  ChoiceReport report;
 
   const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
@@ -142,6 +145,8 @@ struct Planner::Impl {
   void list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const;
   void clear_decision();
   const Decision& drive(const Situation& situation, const GridView& grid, const Sampling& sampling);
+  void hear_everybody(const CycleView& cycle);
+  void hear_critics(const CycleView& cycle, const Tile& tile);
   void aim(const Situation& situation, const GridView& grid, const Sampling& sampling);
   CycleView weigh(const Situation& situation, const GridView& grid, const Sampling& sampling);
   void pass_through(const Situation& situation);
@@ -251,6 +256,8 @@ void Planner::Impl::begin(const Situation& situation) {
   decision.reference = bounded_reference(situation);
   marked = Marked{};
   totals.clear();
+  verdicts.clear();
+  report = ChoiceReport{};
 }
 
 // Keeps the memory.
@@ -300,15 +307,18 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   if (!autonomous) way_out.reset();
   const bool turning_out = way_out.active();
   int best = way_out.choose({situation, grid, rollout, totals, collision, admissibility, grids});
+  report = {best >= 0 ? ChoiceReport::Rule::way_out : ChoiceReport::Rule::cheapest, wish, steered};
   // In a collision only the way out is worth turning for.
   if (best < 0 && !(admissibility.escaping() && turning_out)) best = choose(situation);
   if (best < 0) {
+    report.rule = ChoiceReport::Rule::none;
     give_up(situation, "every candidate was refused");
   } else {
     describe(best);
   }
   count_refusals();
   judge_operator();
+  if (thorough) hear_everybody(cycle);
   watch_rest(situation, autonomous);
   watch_last_turn(situation);
   for (NamedCritic& named : critics) {
@@ -660,5 +670,78 @@ std::vector<CandidateRecord> Planner::evaluation() const {
 }
 
 Planner::Marked Planner::marked() const { return impl_->marked; }
+const std::vector<double>& Planner::totals() const { return impl_->totals; }
+const ChoiceReport& Planner::choice() const { return impl_->report; }
+const std::vector<CandidateVerdict>& Planner::verdicts() const { return impl_->verdicts; }
+void Planner::set_thorough(bool thorough) { impl_->thorough = thorough; }
+
+// After the choice and before anybody is told of it: what the critics remember is still what they judged by.
+void Planner::Impl::hear_everybody(const CycleView& cycle) {
+  verdicts.assign(totals.size(), CandidateVerdict{});
+  for (std::size_t t = 0; t < rollout.tile_count(); ++t) {
+    Tile tile = rollout.tile(t);
+    classes.classify(tile);
+    std::vector<const char*> collides(tile.count, nullptr);
+    admissibility.check_rollouts(tile, collides.data());
+    for (std::size_t c = 0; c < tile.count; ++c) {
+      CandidateVerdict& verdict = verdicts[tile.first + c];
+      verdict.sample = tile.sample(c);
+      verdict.end = tile.pose(tile.steps, c);
+      verdict.collision = collides[c];
+      verdict.can_brake = parameters.admissibility != Admissibility::braking ||
+                          (refused_by[tile.first + c] != kBraking && admissibility.can_brake_surely(verdict.sample));
+      verdict.total = totals[tile.first + c];
+      verdict.operator_own = sampler.samples()[tile.first + c].kind == SampleKind::operator_own;
+    }
+    hear_critics(cycle, tile);
+  }
+}
+
+void Planner::Impl::hear_critics(const CycleView& cycle, const Tile& tile) {
+  for (const NamedCritic& named : critics) {
+    std::vector<double> scores(tile.count, 0.0);
+    std::vector<const char*> refusals(tile.count, nullptr);
+    TileScores said(scores.data(), refusals.data(), tile.count);
+    if (named.weight != 0.0) named.critic->score(cycle, tile, said);
+    for (std::size_t c = 0; c < tile.count; ++c) {
+      verdicts[tile.first + c].critics.push_back({named.name, scores[c], parameters.s_nv * named.weight, refusals[c]});
+    }
+  }
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    CandidateVerdict& verdict = verdicts[tile.first + c];
+    verdict.critics.push_back({"OperatorDeviation", deviation_of(verdict.sample), 1.0, nullptr});
+    for (const CriticVerdict& critic : verdict.critics) verdict.sum += critic.raw * critic.weight;
+  }
+}
+
+void Planner::save(Bytes& state) const {
+  ArchiveWriter write(state);
+  write(impl_->way_out, impl_->unturned, impl_->unturned_reset, static_cast<std::uint32_t>(impl_->critics.size()));
+  for (const NamedCritic& named : impl_->critics) {
+    Bytes own;
+    ArchiveWriter write_own(own);
+    named.critic->save(write_own);
+    write(named.name, own);
+  }
+}
+
+bool Planner::load(const Bytes& state) {
+  ArchiveReader read(state);
+  std::uint32_t count = 0;
+  reset();
+  read(impl_->way_out, impl_->unturned, impl_->unturned_reset, count);
+  for (std::uint32_t i = 0; i < count && !read.failed(); ++i) {
+    std::string name;
+    Bytes own;
+    read(name, own);
+    for (NamedCritic& named : impl_->critics) {
+      if (named.name != name) continue;
+      ArchiveReader read_own(own);
+      named.critic->load(read_own);
+      break;
+    }
+  }
+  return read.complete();
+}
 
 }  // namespace hidwa_local_planner

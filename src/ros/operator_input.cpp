@@ -53,6 +53,8 @@ void OperatorInput::configure(const ros::NodeHandle& handle, const Parameters& p
     const std::lock_guard<std::mutex> lock(mutex_);
     machine_.configure(parameters);
     mode_ = parameters.mode;
+    parameters_ = parameters;
+    ++revision_;
     const std::string topic = steering_topic(parameters);
     const std::string clutch = by_hand(parameters) ? parameters.joy_topic : "";
     if (topic != device_.topic || clutch != device_.clutch_topic) device_ = {topic, "", 0, clutch, 0};
@@ -157,8 +159,15 @@ void OperatorInput::take(const Message& message, const char* kind, bool steers) 
   if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "%s message dropped: %s", kind, fault.c_str());
 }
 
-OperatorIntent OperatorInput::update(double now) {
+OperatorIntent OperatorInput::update(double now, Before* before) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (before != nullptr) {
+    before->state.clear();
+    ArchiveWriter write(before->state);
+    machine_.save(write);
+    if (before->revision != revision_) before->parameters = parameters_;
+    before->revision = revision_;
+  }
   return machine_.update(now);
 }
 

@@ -18,8 +18,15 @@ Publishing::Publishing(ros::NodeHandle handle, std::string frame) : frame_(std::
   trajectories_ = handle.advertise<visualization_msgs::MarkerArray>("trajectories", 1);
 }
 
+bool Publishing::new_cycle_subscriber() {
+  const std::uint32_t count = cycle_.getNumSubscribers();
+  const bool more = count > cycle_subscribers_;
+  cycle_subscribers_ = count;
+  return more;
+}
+
 void Publishing::publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state,
-                               double duration) {
+                               double duration, const Bytes& record) {
   if (cycle_.getNumSubscribers() == 0) return;
   Cycle& message = cycle_message_;
   message.header.stamp = stamp;
@@ -43,6 +50,7 @@ void Publishing::publish_cycle(const ros::Time& stamp, const CycleResult& result
     message.rejection_names[i] = decision->refusals[i].name;
     message.rejection_counts[i] = static_cast<std::uint32_t>(decision->refusals[i].count);
   }
+  message.record = record;
   cycle_.publish(message);
 }
 

@@ -74,6 +74,7 @@ void Shell::start_parameters() {
     refused_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
                "): correct them and restart, or set valid ones by dynamic_reconfigure";
   }
+  recording_.take({planner_.parameters(), content});
   budget_.configure(wanted_samples(planner_.parameters()));
   report_start(loaded.found);
 
@@ -149,6 +150,7 @@ void Shell::take_parameters() {
   for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
   if (!faults.empty()) return;
   refused_.clear();
+  recording_.take(*set);
   budget_.configure(wanted_samples(planner_.parameters()));
   check_horizon();
 }

@@ -67,7 +67,11 @@ bool Shell::cycle(geometry_msgs::Twist& command) {
   take_parameters();
   const bool paused = watch_time(now);
   watch_hand(now);
-  const OperatorIntent intent = person_.update(now);
+  const bool recorded = planner_.parameters().record_cycles && publishing_.cycle_wanted();
+  if (publishing_.new_cycle_subscriber()) recording_.demand_key();
+  recording_.begin(now, recorded);
+  const OperatorIntent intent = person_.update(now, recording_.before());
+  recording_.heard(intent);
   const CycleResult result = work(now, intent, paused);
   explain(now, result);
 
@@ -77,7 +81,7 @@ bool Shell::cycle(geometry_msgs::Twist& command) {
     publishing_.publish_evaluation(stamp, planner_);
   }
   const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
-  publishing_.publish_cycle(stamp, result, intent.state, duration.count());
+  publishing_.publish_cycle(stamp, result, intent.state, duration.count(), recording_.finish(result, planner_));
   statistics_.add(duration.count(), control_period());
   keep_budget(duration.count(), result);
   command = to_message(result.command);
@@ -170,6 +174,7 @@ std::string Shell::update_footprint() {
   if (points.size() < 3) return "the local costmap has no footprint: set robot_radius or footprint";
   if (same_outline(outline_, points)) return "";
   outline_ = to_polygon(points);
+  recording_.demand_key();
   planner_.set_footprint(outline_);
   check_horizon();
   return "";
@@ -178,12 +183,11 @@ std::string Shell::update_footprint() {
 CycleResult Shell::brake(double now, const Observation& observation, const OperatorIntent& intent) {
   CycleResult result;
   result.fault = observation.fault;
+  recording_.brakes(planner_, outline_, fault_brake_, {{}, observation.velocity, last_command_, control_period(), observation.fault});
   const FaultBrake::Answer answer =
       fault_brake_.answer(now, observation.velocity, last_command_, planner_.parameters(), control_period());
-  result.outcome = answer.success ? Outcome::brake : Outcome::fail;
+  result.outcome = outcome_of(answer, intent);
   result.command = answer.command;
-  // Who stopped the robot did not ask the host to recover it.
-  if (!answer.success && intent.influence == Influence::stop) result.outcome = Outcome::hold;
   return result;
 }
 
@@ -206,8 +210,10 @@ CycleResult Shell::decide(double now, const Observation& observation, const Oper
     begin_goal();
   situation_.goal_latched = goal_checker_.latched();
 
+  const GridView grid = view_of(*costmap_.getCostmap());
+  recording_.plans(planner_, outline_, situation_, grid, budget_.in_force());
   CycleResult result;
-  result.decision = &planner_.plan(situation_, view_of(*costmap_.getCostmap()), intent, budget_.in_force());
+  result.decision = &planner_.plan(situation_, grid, intent, budget_.in_force());
   result.outcome = result.decision->outcome;
   if (result.outcome != Outcome::fail) result.command = result.decision->command;
   return result;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/study/setting.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <set>
 
 #include <yaml-cpp/yaml.h>
 
+#include "hidwa_local_planner/core/parameter_text.hpp"
 #include "hidwa_local_planner/study/error.hpp"
 
 namespace hidwa_local_planner {
@@ -25,39 +25,13 @@ double to_number(const std::string& name, const std::string& text) {
   return value;
 }
 
-const ParameterInfo& info_of(const std::string& name) {
-  const std::vector<ParameterInfo>& table = parameter_table();
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&name](const ParameterInfo& info) { return info.name == name; });
-  if (found == table.end()) {
-    throw UsageError("there is no parameter '" + name +
-                     "': the README lists the planner's; besides there are participant.TRAIT (docs/study.md) "
-                     "and link_delay");
-  }
-  return *found;
-}
-
-ParameterValue read_value(const ParameterInfo& info, const std::string& text) {
-  if (info.type == "bool") {
-    if (text == "true") return true;
-    if (text == "false") return false;
-    throw UsageError(info.name + " is true or false, not '" + text + "'");
-  }
-  if (info.type == "int") {
-    const double value = to_number(info.name, text);
-    if (value != std::floor(value) || std::abs(value) > 1e9) {
-      throw UsageError(info.name + " needs a whole number, not '" + text + "'");
-    }
-    return static_cast<int>(value);
-  }
-  if (info.type == "double") return to_number(info.name, text);
-  return text;
-}
-
 void assign_parameter(Parameters& parameters, const Assignment& assignment) {
-  const ParameterInfo& info = info_of(assignment.name);
-  const std::string fault = set_parameter(parameters, info.name, read_value(info, assignment.value));
-  if (!fault.empty()) throw UsageError(fault);
+  const std::string fault = set_parameter_text(parameters, assignment.name, assignment.value);
+  if (fault.empty()) return;
+  const bool unknown = fault.find("there is no parameter") == 0;
+  throw UsageError(fault + (unknown ? ": the README lists the planner's; besides there are participant.TRAIT "
+                                      "(docs/study.md) and link_delay"
+                                    : ""));
 }
 
 std::vector<std::string> split(const std::string& text, char at) {

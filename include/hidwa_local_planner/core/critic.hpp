@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hidwa_local_planner/core/archive.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/trajectory_batch.hpp"
@@ -78,6 +79,11 @@ class Critic {
   virtual void debrief(const CycleView& /*cycle*/, const Twist2& /*command*/) {}
   /// A new goal.
   virtual void reset() {}
+  /// What the critic remembers from one cycle to the next (what prepare, debrief and reset change), for a record of the
+  /// cycle to come: load() of the same bytes, after configure(), makes it decide the same. A critic that remembers
+  /// something and does not say so here is replayed as if after reset().
+  virtual void save(ArchiveWriter& /*state*/) const {}
+  virtual void load(ArchiveReader& /*state*/) {}
 
  protected:
   Critic() = default;

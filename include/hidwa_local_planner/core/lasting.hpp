@@ -18,6 +18,11 @@ class Lasting {
   /// Whether it holds, and has for `duration` [s] or longer.
   bool for_at_least(double duration, double now) const { return holds_ && now - since_ >= duration; }
 
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.holds_, self.since_);
+  }
+
  private:
   bool holds_ = false;
   double since_ = 0.0;  // [s]

@@ -25,6 +25,11 @@ struct OperatorIntent {
   Influence influence = Influence::none;
   Twist2 u_h;            // wanted velocity, unclipped [m/s, rad/s]
   bool guarded = true;   // direct only: the legal control nearest to u_h, instead of u_h itself
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.state, self.influence, self.u_h, self.guarded);
+  }
 };
 
 }  // namespace hidwa_local_planner

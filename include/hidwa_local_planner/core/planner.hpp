@@ -81,6 +81,45 @@ struct CandidateRecord {
   std::string reason;
 };
 
+/// What one critic says of one candidate.
+struct CriticVerdict {
+  std::string_view name;
+  double raw = 0.0;
+  double weight = 0.0;         // adds raw * weight to the total
+  const char* reason = nullptr;  // why it refuses the candidate; null where it does not
+};
+
+/// What everybody says of one candidate, also of one that was refused before they were asked.
+struct CandidateVerdict {
+  Twist2 sample;                        // [m/s, rad/s]
+  Pose2 end;                            // of its rollout, costmap frame
+  const char* collision = nullptr;      // why the collision check refuses it; null where it does not
+  bool can_brake = true;                // true too where admissibility is not `braking`
+  std::vector<CriticVerdict> critics;   // in their order; the deviation from the person's wish last
+  double sum = 0.0;                     // of all raw * weight, refused or not
+  double total = 0.0;                   // J, infinite where it was refused: the choice is the smallest
+  bool operator_own = false;            // u_h itself, brought into the window
+  bool legal() const { return collision == nullptr && can_brake && !refused_by_critic(); }
+  bool refused_by_critic() const {
+    for (const CriticVerdict& critic : critics) {
+      if (critic.reason != nullptr && critic.weight != 0.0) return true;
+    }
+    return false;
+  }
+};
+
+/// By which rule the last cycle's command was chosen.
+struct ChoiceReport {
+  enum class Rule {
+    none,      // nothing was chosen: a fault, a stop, no legal candidate, or u_h was passed through
+    cheapest,  // the smallest total, ties by tie_break
+    way_out    // what gets stuck autonomy going again, see WayOut
+  };
+  Rule rule = Rule::none;
+  Twist2 wish;            // what the deviation was measured from [m/s, rad/s]
+  bool steered = false;   // it counted
+};
+
 /// HI-DWA without ROS: samples, rolls out, refuses, scores and chooses. Deterministic: the same input gives the
 /// same bits. Not thread-safe; one call at a time. plan() never throws.
 class Planner {
@@ -104,6 +143,11 @@ class Planner {
   /// A new goal: critics forget what they latched.
   void reset();
 
+  /// What is remembered from cycle to cycle, the critics' part included: a planner with the same parameters and outline
+  /// that loads it decides the next cycle to the same bits. load() is false where the bytes are none of save()'s.
+  void save(Bytes& state) const;
+  bool load(const Bytes& state);
+
   /// One cycle. `grid` must stay unchanged during the call. The decision stays valid until the next call.
   const Decision& plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
                        const Sampling& sampling = {});
@@ -117,6 +161,18 @@ class Planner {
     int operator_own = -1;
   };
   Marked marked() const;
+
+  /// J of every candidate of the last plan(), infinite where it was refused; empty where nothing was weighed.
+  const std::vector<double>& totals() const;
+
+  /// From now on plan() also asks every critic about every candidate, whoever has refused it. The decision is the same,
+  /// to the bit; it takes several times as long and allocates.
+  void set_thorough(bool thorough);
+  /// What was said of every candidate of the last plan(), in the order of the samples; empty where nothing was weighed or
+  /// the planner is not thorough.
+  const std::vector<CandidateVerdict>& verdicts() const;
+  /// How the last choice was made.
+  const ChoiceReport& choice() const;
 
  private:
   struct Impl;

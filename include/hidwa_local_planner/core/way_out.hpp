@@ -49,6 +49,11 @@ class WayOut {
   bool active() const { return active_; }
   /// It has stood for so long [s].
   double rest(double now) const { return stands_.time(now); }
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.stands_, self.rests_, self.active_, self.stood_, self.begun_, self.facing_plan_, self.turning_to_plan_,
+       self.turning_, self.heading_);
+  }
 
  private:
   int towards_plan(const Scene& scene);

@@ -15,6 +15,8 @@ class OscillationCritic : public Critic {
   void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
   void debrief(const CycleView& cycle, const Twist2& command) override;
   void reset() override;
+  void save(ArchiveWriter& state) const override { archive(*this, state); }
+  void load(ArchiveReader& state) override { archive(*this, state); }
 
  private:
   /// What one axis may do: 0 both directions, +1 only positive, -1 only negative.
@@ -23,8 +25,16 @@ class OscillationCritic : public Critic {
     int only = 0;
     bool note(double velocity);  // true when the sign changed
     bool bans(double velocity) const { return velocity * only < 0.0; }
+    template <typename Self, typename Archive>
+    static void archive(Self& self, Archive& io) {
+      io(self.last_sign, self.only);
+    }
   };
   bool may_forget(const CycleView& cycle) const;
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.x_, self.theta_, self.since_pose_, self.since_time_);
+  }
 
   double x_only_threshold_ = 0.05;  // [m/s]
   double reset_dist_ = 0.05;        // [m]

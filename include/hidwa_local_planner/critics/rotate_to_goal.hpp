@@ -14,6 +14,8 @@ class RotateToGoalCritic : public Critic {
   void prepare(const CycleView& cycle) override;
   void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
   void reset() override;
+  void save(ArchiveWriter& state) const override { state(in_window_, rotating_); }
+  void load(ArchiveReader& state) override { state(in_window_, rotating_); }
 
  private:
   double heading_error(const Tile& tile, double goal_heading) const;

@@ -19,6 +19,10 @@ class ControlSwitch {
   void reset() { *this = ControlSwitch(); }
 
   bool manual() const { return manual_; }
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.manual_, self.known_, self.held_);
+  }
 
  private:
   bool manual_ = false;

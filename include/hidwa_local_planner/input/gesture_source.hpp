@@ -44,6 +44,11 @@ class GestureSource {
   /// What the hand asks for; inactive unless engaged.
   Wish wish(const Parameters& parameters) const;
 
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.clutch_, self.waits_, self.has_origin_, self.origin_, self.position_);
+  }
+
  private:
   bool clutch_ = false;
   bool waits_ = true;  // until the clutch is seen released

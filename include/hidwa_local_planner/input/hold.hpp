@@ -18,6 +18,11 @@ class Hold {
   bool running(double now, double delta) const { return begun_ && now - time_ < delta; }
   double v() const { return v_; }  // [m/s]
 
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.begun_, self.time_, self.v_);
+  }
+
  private:
   bool begun_ = false;
   double time_ = 0.0;  // [s]

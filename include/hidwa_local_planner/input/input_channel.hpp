@@ -37,6 +37,11 @@ class InputChannel {
   /// that sends only changes (timeout 0) was active until the message that ended it.
   double ended_at() const { return timeout_ > 0.0 ? active_time_ : time_; }
 
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.heard_, self.armed_, self.deflected_, self.active_, self.lost_, self.time_, self.active_time_, self.u_h_);
+  }
+
  private:
   double timeout_ = 0.0;  // [s]
   bool require_neutral_ = true;

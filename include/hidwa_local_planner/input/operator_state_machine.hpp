@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "hidwa_local_planner/core/archive.hpp"
 #include "hidwa_local_planner/core/lasting.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
@@ -79,7 +80,18 @@ class OperatorStateMachine {
   /// A sentence with the remedy where something about the input needs attention; empty where nothing does.
   std::string advice() const;
 
+  /// All that the next update() depends on besides the parameters: with the same ones, a machine that loads it says the
+  /// same. What only judges messages to come (who sent, how late they are) is not in it.
+  void save(ArchiveWriter& state) const { archive(*this, state); }
+  void load(ArchiveReader& state) { archive(*this, state); }
+
  private:
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.reading_, self.twist_.u, self.gesture_, self.stop_, self.control_, self.channel_, self.hold_,
+       self.blocked_, self.state_, self.goal_latched_, self.commanded_, self.own_v_, self.said_control_,
+       self.catching_up_, self.now_, self.received_, self.stick_time_, self.stick_back_, self.hand_time_);
+  }
   bool steered_by_stick() const;
   bool cycles_run() const;
   std::string begin(double stamp, double received);

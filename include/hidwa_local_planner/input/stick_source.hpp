@@ -18,6 +18,11 @@ struct StickReading {
   bool stop = false;     // stop_button
   bool toggle = false;   // toggle_button
   bool clutch = false;   // clutch_button, or clutch_axis beyond its threshold
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.angular, self.linear, self.enabled, self.stop, self.toggle, self.clutch);
+  }
 };
 
 /// Reads a message by the parameters axis_*, *_button and clutch_*. Returns the fault in words, naming the

@@ -21,6 +21,11 @@ class StopRequest {
 
   bool requested() const { return button_ || pulled_ || said_; }
 
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.armed_, self.button_, self.pulled_, self.said_);
+  }
+
  private:
   bool armed_ = false;  // the stick was seen not pulled
   bool button_ = false;

@@ -35,7 +35,14 @@ class OperatorInput {
   /// The hand as tf has it; the same transform again is no news.
   void receive(const geometry_msgs::TransformStamped& hand, double received);
 
-  OperatorIntent update(double now);
+  /// The machine as it was before an update, for a record.
+  struct Before {
+    Bytes state;            // see OperatorStateMachine::save()
+    unsigned revision = 0;  // counts configure()
+    Parameters parameters;  // as of that revision
+  };
+  /// What the person wants now. `before`, where it is given, is brought up to date.
+  OperatorIntent update(double now, Before* before = nullptr);
   void debrief(double now, const input::CycleFeedback& feedback);
   void new_goal();
   /// Time jumped back.
@@ -78,6 +85,8 @@ class OperatorInput {
   mutable std::mutex mutex_;
   input::OperatorStateMachine machine_;
   OperatorMode mode_ = OperatorMode::off;
+  Parameters parameters_;  // the machine's
+  unsigned revision_ = 0;
   Device device_;
   std::atomic<bool> stick_steers_{false};
   ros::Time hand_stamp_;   // of the newest transform

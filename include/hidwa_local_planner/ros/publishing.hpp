@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include <ros/publisher.h>
 
 #include "hidwa_local_planner/Cycle.h"
+#include "hidwa_local_planner/core/archive.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/ros/cycle_result.hpp"
@@ -21,8 +23,11 @@ class Publishing {
   /// `frame`: the costmap's.
   Publishing(ros::NodeHandle handle, std::string frame);
 
-  void publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state,
-                     double duration);
+  bool cycle_wanted() const { return cycle_.getNumSubscribers() > 0; }
+  /// Somebody subscribed to the cycles since the last call.
+  bool new_cycle_subscriber();
+  void publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state, double duration,
+                     const Bytes& record);
   void publish_paths(const ros::Time& stamp, const std::vector<Pose2>& window,
                      const std::vector<Pose2>& trajectory);
   void publish_evaluation(const ros::Time& stamp, const Planner& planner);
@@ -34,6 +39,7 @@ class Publishing {
   ros::Publisher global_plan_, local_plan_, cycle_, evaluation_, trajectories_;
   // Kept from cycle to cycle for their memory.
   Cycle cycle_message_;
+  std::uint32_t cycle_subscribers_ = 0;  // as of the last look
 };
 
 }  // namespace hidwa_local_planner

@@ -12,14 +12,15 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/buffer.h>
 
+#include "hidwa_local_planner/core/fault_brake.hpp"
 #include "hidwa_local_planner/core/goal_checker.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/ros/callback_thread.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 #include "hidwa_local_planner/ros/cycle_clock.hpp"
+#include "hidwa_local_planner/ros/cycle_recording.hpp"
 #include "hidwa_local_planner/ros/cycle_statistics.hpp"
 #include "hidwa_local_planner/ros/diagnostics.hpp"
-#include "hidwa_local_planner/ros/fault_brake.hpp"
 #include "hidwa_local_planner/ros/handover.hpp"
 #include "hidwa_local_planner/ros/message_throttle.hpp"
 #include "hidwa_local_planner/ros/odometry_input.hpp"
@@ -96,6 +97,7 @@ class Shell {
   GoalChecker goal_checker_;
   PlanTracker plan_;
   FaultBrake fault_brake_;
+  CycleRecording recording_;
   CycleClock clock_;
   CycleStatistics statistics_;
   SampleBudget budget_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/fault_brake.hpp"
+#include "hidwa_local_planner/core/fault_brake.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,9 @@
 
 #include <optional>
 
+#include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
@@ -27,9 +29,16 @@ class FaultBrake {
                 const Parameters& parameters, double period);
   /// The input is complete again.
   void clear() { since_.reset(); }
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.since_);
+  }
 
  private:
   std::optional<double> since_;  // when the input went missing [s]
 };
+
+/// What an answer means to the host. Who stopped the robot did not ask the host to recover it: then it holds.
+Outcome outcome_of(const FaultBrake::Answer& answer, const OperatorIntent& intent);
 
 }  // namespace hidwa_local_planner

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/fault_brake.hpp"
+#include "hidwa_local_planner/core/fault_brake.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +32,11 @@ FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& v
   }
   if (!moving) return {};
   return {true, brake_step(last_command, parameters, period)};
+}
+
+Outcome outcome_of(const FaultBrake::Answer& answer, const OperatorIntent& intent) {
+  if (answer.success) return Outcome::brake;
+  return intent.influence == Influence::stop ? Outcome::hold : Outcome::fail;
 }
 
 }  // namespace hidwa_local_planner

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/cycle_recording.hpp"
+
+#include <utility>
+
+#include "hidwa_local_planner/core/parameter_text.hpp"
+#include "hidwa_local_planner/ros/parameter_loading.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// What the critics of other packages found on the parameter server.
+std::string foreign_parameters(const ParameterSet& set) {
+  const CriticRegistry own = CriticRegistry::with_built_in();
+  XmlRpc::XmlRpcValue foreign;
+  XmlRpc::XmlRpcValue content = set.content;
+  for (const std::string& critic : split_names(set.parameters.critics)) {
+    const std::string name = short_name(critic);
+    const bool there = content.valid() && content.getType() == XmlRpc::XmlRpcValue::TypeStruct && content.hasMember(name);
+    if (there && !own.knows(critic)) foreign[name] = content[name];
+  }
+  return foreign.valid() ? foreign.toXml() : "";
+}
+
+}  // namespace
+
+void CycleRecording::take(const ParameterSet& set) {
+  critics_ = foreign_parameters(set);
+  demand_key();
+}
+
+void CycleRecording::begin(double now, bool wanted) {
+  if (!wanted) demand_key();  // one is left out
+  wanted_ = wanted;
+  now_ = now;
+  before_.state.clear();
+}
+
+void CycleRecording::heard(const OperatorIntent& intent) {
+  if (!wanted_) return;
+  intent_ = intent;
+  if (before_.revision != recorded_revision_) demand_key();
+  recorded_revision_ = before_.revision;
+}
+
+void CycleRecording::open(const Planner& planner, const Polygon& outline) {
+  if (recorder_.begin(now_)) {
+    record::Setup setup;
+    setup.version = HIDWA_VERSION;
+    setup.parameters = to_lines(planner.parameters());
+    setup.operator_parameters = to_lines(before_.parameters);
+    if (setup.operator_parameters == setup.parameters) setup.operator_parameters.clear();
+    setup.critics = critics_;
+    setup.outline = outline;
+    recorder_.setup(std::move(setup));
+  }
+  recorder_.operator_state() = before_.state;
+  recorder_.intent(intent_);
+}
+
+void CycleRecording::plans(const Planner& planner, const Polygon& outline, const Situation& situation,
+                           const GridView& grid, const Sampling& sampling) {
+  if (!wanted_) return;
+  open(planner, outline);
+  recorder_.plans(planner, situation, grid, sampling);
+}
+
+void CycleRecording::brakes(const Planner& planner, const Polygon& outline, const FaultBrake& brake,
+                            const record::BrakeInput& input) {
+  if (!wanted_) return;
+  open(planner, outline);
+  recorder_.brakes(brake, input);
+}
+
+const Bytes& CycleRecording::finish(const CycleResult& result, const Planner& planner) {
+  if (!wanted_) return nothing_;
+  if (result.decision != nullptr) return recorder_.finish(record::verdict_of(*result.decision, planner.totals()));
+  return recorder_.finish(record::verdict_of(result.outcome, result.command));
+}
+
+}  // namespace hidwa_local_planner

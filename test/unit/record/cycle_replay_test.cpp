@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/record/cycle_replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/recorded_drive.hpp"
+
+namespace hidwa_local_planner::record {
+namespace {
+
+using test::Random;
+using test::RecordedDrive;
+using Reading = CycleReplay::Reading;
+
+constexpr OperatorMode kModes[] = {OperatorMode::off, OperatorMode::joystick, OperatorMode::switching};
+
+std::vector<RecordedDrive::Cycle> drive(std::uint64_t seed, int cycles = 250) {
+  return RecordedDrive(seed, kModes[seed % 3]).run(cycles);
+}
+
+// Whatever critics, generators and people: 30 drives, 7,500 cycles. Something of everything must have happened.
+TEST(CycleReplay, EveryCycleOfARandomDriveIsRepeatedToTheBit) {
+  std::array<int, 4> outcomes{};
+  std::array<int, 7> states{};
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    CycleReplay replay;
+    int at = 0;
+    for (const RecordedDrive::Cycle& cycle : drive(seed)) {
+      ASSERT_EQ(replay.take(cycle.record), Reading::ready) << replay.fault();
+      if (!cycle.costs.empty()) {
+        ASSERT_EQ(replay.grid().costs, cycle.costs);
+      }
+      const ReplayedCycle repeated = replay.run();
+      ASSERT_TRUE(identical(repeated.intent, cycle.intent)) << "seed " << seed << ", cycle " << at;
+      ASSERT_TRUE(identical(repeated.verdict, cycle.verdict)) << "seed " << seed << ", cycle " << at;
+      ASSERT_TRUE(repeated.identical);
+      ++outcomes[static_cast<std::size_t>(cycle.verdict.outcome)];
+      ++states[static_cast<std::size_t>(cycle.intent.state)];
+      ++at;
+    }
+  }
+  for (std::size_t i = 0; i < outcomes.size(); ++i) EXPECT_GT(outcomes[i], 20) << "outcome " << i;
+  for (std::size_t i = 0; i < states.size(); ++i) EXPECT_GT(states[i], 20) << "state " << i;
+}
+
+// Each alone: neither the cycle before it nor the order matters, only the map that patches lead to.
+TEST(CycleReplay, ACycleIsRepeatedAloneAndAgain) {
+  const std::vector<RecordedDrive::Cycle> cycles = drive(4);
+  Random random(1);
+  CycleReplay replay;
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
+    ASSERT_EQ(replay.take(cycles[k].record), Reading::ready);
+    if (random.chance(0.7)) continue;
+    EXPECT_TRUE(replay.run().identical);
+    EXPECT_TRUE(replay.run().identical);  // what the first left behind does not matter
+  }
+}
+
+// Without the recorded states some cycles come out differently: the records need them.
+TEST(CycleReplay, TheRecordedStatesDecide) {
+  int planner_matters = 0, machine_matters = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    CycleReplay replay;
+    for (const RecordedDrive::Cycle& cycle : drive(seed)) {
+      CycleRecord record;
+      ASSERT_EQ(decode(cycle.record, record), "");
+      CycleRecord forgetful = record;
+      if (forgetful.planned) {
+        Planner fresh;
+        fresh.configure(Parameters());
+        forgetful.planned->state.clear();
+        fresh.save(forgetful.planned->state);
+      }
+      Bytes bytes;
+      encode(forgetful, bytes);
+      ASSERT_EQ(replay.take(bytes), Reading::ready);
+      planner_matters += replay.run().identical ? 0 : 1;
+      forgetful = record;
+      forgetful.operator_state.clear();
+      encode(forgetful, bytes);
+      CycleReplay other;
+      if (other.take(bytes) == Reading::ready) machine_matters += other.run().identical ? 0 : 1;
+    }
+  }
+  EXPECT_GT(planner_matters, 10);
+  EXPECT_GT(machine_matters, 0);
+}
+
+TEST(CycleReplay, AfterAGapItWaitsForTheNextKeyRecord) {
+  const std::vector<RecordedDrive::Cycle> cycles = drive(1);
+  CycleReplay replay;
+  int waited = 0, repeated = 0;
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
+    if (k < 10 || k == 120) continue;  // key records are 0, 100 and 200
+    const Reading reading = replay.take(cycles[k].record);
+    waited += reading == Reading::waits_for_key ? 1 : 0;
+    if (reading != Reading::ready) continue;
+    ++repeated;
+    EXPECT_TRUE(replay.run().identical) << k;
+  }
+  EXPECT_EQ(waited, (100 - 10) + (200 - 121));
+  EXPECT_EQ(repeated, (120 - 100) + (250 - 200));
+}
+
+TEST(CycleReplay, ADamagedRecordIsToldAndTheNextKeyRecordGoesOn) {
+  std::vector<RecordedDrive::Cycle> cycles = drive(2);
+  cycles[50].record.resize(40);
+  CycleReplay replay;
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
+    const Reading reading = replay.take(cycles[k].record);
+    EXPECT_EQ(reading, k == 50 ? Reading::damaged : k > 50 && k < 100 ? Reading::waits_for_key : Reading::ready) << k;
+    EXPECT_EQ(replay.fault(), k == 50 ? "the record is damaged" : "");
+  }
+}
+
+TEST(CycleReplay, NewParametersAreInForceFromTheirCycleOn) {
+  RecordedDrive drive(7, OperatorMode::joystick);
+  std::vector<RecordedDrive::Cycle> cycles = drive.run(40);
+  Parameters parameters = drive.parameters();
+  parameters.max_vel_x *= 0.5;
+  parameters.delta = 2.0;
+  drive.reconfigure(parameters);
+  for (RecordedDrive::Cycle& cycle : drive.run(40)) cycles.push_back(cycle);
+  CycleReplay replay;
+  for (std::size_t k = 0; k < cycles.size(); ++k) {
+    ASSERT_EQ(replay.take(cycles[k].record), Reading::ready);
+    EXPECT_TRUE(replay.run().identical) << k;
+    EXPECT_EQ(replay.record().setup.has_value(), k == 0 || k == 40);
+    EXPECT_EQ(replay.parameters().delta, k < 40 ? 0.4 : 2.0);
+  }
+}
+
+TEST(CycleReplay, AChangedParameterChangesCyclesAndNoneChangesNone) {
+  const std::vector<RecordedDrive::Cycle> cycles = drive(1);
+  const auto differences = [&cycles](const std::vector<ParameterChange>& changes) {
+    CycleReplay replay;
+    replay.change(changes);
+    int different = 0;
+    for (const RecordedDrive::Cycle& cycle : cycles) {
+      EXPECT_EQ(replay.take(cycle.record), Reading::ready) << replay.fault();
+      different += replay.run().identical ? 0 : 1;
+    }
+    return different;
+  };
+  EXPECT_EQ(differences({}), 0);
+  EXPECT_EQ(differences({{"odom_topic", "elsewhere"}}), 0);  // the core does not read it
+  EXPECT_GT(differences({{"s_omega", "1"}}), 10);
+  EXPECT_GT(differences({{"PathDist_scale", "500"}}), 10);
+  EXPECT_GT(differences({{"vx_samples", "11"}}), 10);
+  EXPECT_GT(differences({{"mode", "off"}}), 10);  // the person's part counts too
+  EXPECT_GT(differences({{"delta", "5"}}), 0);
+}
+
+TEST(CycleReplay, AChangeThatCannotBeIsTold) {
+  const std::vector<RecordedDrive::Cycle> cycles = drive(1, 1);
+  CycleReplay replay;
+  replay.change({{"s_omga", "1"}, {"max_vel_x", "fast"}});
+  EXPECT_EQ(replay.take(cycles[0].record), Reading::damaged);
+  EXPECT_EQ(replay.fault(), "there is no parameter 's_omga', max_vel_x needs a number, not 'fast'");
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::record
