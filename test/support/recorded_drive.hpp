@@ -34,6 +34,8 @@ class RecordedDrive {
     parameters_.mode = mode;
     parameters_.delta = 0.4;
     parameters_.blocked_time = 0.2;
+    parameters_.stop_button = 3;
+    if (random_.chance(0.5)) parameters_.enable_button = 5;
     parameters_.authority = random_.chance(0.3) ? 0.5 : 1.0;
     outline_ = random_convex_outline(random_);
     planner_.configure(parameters_);
@@ -45,6 +47,7 @@ class RecordedDrive {
       for (int c = 0; c < 9; ++c) field_[static_cast<std::size_t>((j + c / 3) * kField + i + c % 3)] = cost::kLethal;
     }
     pose_ = {12.0, 12.0, random_.uniform(-3.0, 3.0)};
+    if (random_.chance(0.3)) wall_in();
   }
 
   std::vector<Cycle> run(int cycles) {
@@ -63,6 +66,15 @@ class RecordedDrive {
   }
 
  private:
+  // A room of 1.5 m around the robot: who wants to go straight on is refused soon.
+  void wall_in() {
+    for (int k = -12; k <= 12; ++k) {
+      for (const auto& [i, j] : {std::pair{k, -12}, {k, 12}, {-12, k}, {12, k}}) {
+        field_[static_cast<std::size_t>((192 + j) * kField + 192 + i)] = cost::kLethal;
+      }
+    }
+  }
+
   // Whatever a stick may do: rest, be held, jump, fall silent, press buttons.
   void touch() {
     if (random_.chance(0.03)) deflection_ = random_.chance(0.5) ? 0.0 : random_.uniform(-1.0, 1.0);
@@ -76,6 +88,7 @@ class RecordedDrive {
     };
     press(parameters_.toggle_button, 0.05);
     press(parameters_.stop_button, 0.01);
+    press(parameters_.enable_button, deflection_ < 0.5 ? 1.0 : 0.0);
     stick.received = time_ - 0.01;
     person_.receive(stick);
   }
@@ -84,6 +97,9 @@ class RecordedDrive {
     // Rolls with the robot, by whole cells.
     const int i0 = static_cast<int>(std::floor(pose_.x / kSceneResolution)) - kWindow / 2;
     const int j0 = static_cast<int>(std::floor(pose_.y / kSceneResolution)) - kWindow / 2;
+    if (!local_.costs.empty() && local_.origin_x == i0 * kSceneResolution && local_.origin_y == j0 * kSceneResolution) {
+      return;  // nothing moves but the robot
+    }
     local_.size_x = local_.size_y = kWindow;
     local_.resolution = kSceneResolution;
     local_.origin_x = i0 * kSceneResolution;
