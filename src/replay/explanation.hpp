@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "hidwa_local_planner/record/cycle_replay.hpp"
+
+namespace hidwa_local_planner {
+namespace replay {
+
+/// What a cycle was, in words: every candidate with every critic's score, who refused what, why this one was chosen.
+/// `replay` has just run it with a thorough planner. `time` [s] since the first record.
+std::string explain(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle);
+
+/// The same as JSON, for the picture: the scene and every candidate.
+std::string explain_as_json(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle);
+
+}  // namespace replay
+}  // namespace hidwa_local_planner
