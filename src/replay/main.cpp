@@ -54,6 +54,7 @@ struct Left {
   long without = 0;  // messages without a record
   long waited = 0;   // before the first key record, or after a gap
   long damaged = 0;
+  double bytes = 0.0;  // of all records
   std::string fault;  // of the last damaged one
 
   std::string in_words() const {
@@ -75,6 +76,7 @@ Left for_each_record(CycleBag& bag, CycleReplay& replay, const Call& call) {
       return true;
     }
     bytes.assign(message.record.begin(), message.record.end());
+    left.bytes += static_cast<double>(bytes.size());
     switch (replay.take(bytes)) {
       case CycleReplay::Reading::ready: return call();
       case CycleReplay::Reading::waits_for_key: ++left.waited; break;
@@ -139,6 +141,7 @@ int replay_all(const Options& options) {
   }
   if (changes) std::printf("%s\n", csv.c_str());
   const double recorded = first ? last - *first : 0.0;
+  if (recorded > 0.0) std::printf("%.0f bytes of records, %.1f kB/s\n", left.bytes, left.bytes / recorded / 1e3);
   std::printf("%.1f s replayed in %.2f s, %.0f times faster than real time\n", recorded, spent.count(),
               recorded / spent.count());
   return conclude(bag, left, cycles, what_if.differences());
@@ -188,7 +191,7 @@ int explain_one(const Options& options) {
     std::printf("%s\n", (options.out + (options.picture && fault.empty() ? "/cycle.png" : "/cycle.json")).c_str());
     return false;
   });
-  return conclude(bag, Left{0, 0, left.damaged, left.fault}, 1, identical ? 0 : 1);
+  return conclude(bag, Left{0, 0, left.damaged, 0.0, left.fault}, 1, identical ? 0 : 1);
 }
 
 int run(const Options& options) {

@@ -32,7 +32,7 @@ class Names(unittest.TestCase):
         self.assertIn('/scan', set(full) - set(short))
         self.assertEqual(len(full), len(set(full)))
         for name in ('/demo_info', '/map', '/ground_truth', '/move_base/goal', '/move_base/NavfnROS/plan',
-                     '/move_base/HIDWAPlannerROS/cycle_record', '/tf', '/tf_static'):
+                     '/move_base/HIDWAPlannerROS/cycle', '/tf', '/tf_static'):
             self.assertIn(name, short)
         other = recording.recorded_topics('GlobalPlanner', 'DWAPlannerROS')
         self.assertIn('/move_base/DWAPlannerROS/global_plan', other)
@@ -92,7 +92,7 @@ class Recording(unittest.TestCase):
                 texts = [m.data for _, m, _ in recorded.read_messages('/robot/record_drive/parameters')]
             self.assertEqual(json.loads(texts[-1])['/robot/move_base']['HIDWAPlannerROS']['s_omega'], 321.0)
             for name in ('/console/twist', '/console/joy', '/robot/scan', '/robot/imu', '/robot/map', '/tf', '/rosout',
-                         '/robot/move_base/HIDWAPlannerROS/cycle_record', '/robot/move_base/local_costmap/costmap_updates'):
+                         '/robot/move_base/HIDWAPlannerROS/cycle', '/robot/move_base/local_costmap/costmap_updates'):
                 self.assertIn(name, asked)
             self.assertNotIn('/robot/joy', asked)
             self.assertNotIn('/robot/cmd_vel', asked)

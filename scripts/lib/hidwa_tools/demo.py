@@ -73,7 +73,7 @@ def launch_arguments(o):
     x, y, yaw = o.start
     # roslaunch takes an empty value for none given: what is not there is left out.
     arguments = {'map': o.map, 'regions': o.regions or 'none', 'x': x, 'y': y, 'yaw': yaw, 'operator': kind, 'mode': o.mode,
-                 'rate': o.rate, 'gui': str(o.gui).lower(), 'base_local_planner': o.planner,
+                 'rate': o.rate, 'gui': str(o.gui).lower(), 'record_cycles': 'true', 'base_local_planner': o.planner,
                  'base_global_planner': o.global_planner}
     if kind == 'script':
         arguments['script'] = o.operator
@@ -120,7 +120,7 @@ def drive(options, env):
         this.wait_until_ready()
         this.describe(host_kind())
         topics = recorded_topics(options.global_planner.split('/')[-1], options.planner.split('/')[-1])
-        recorder = Child(['rosbag', 'record', '--lz4', '-O', os.path.join(folder, 'drive.bag'), *topics,
+        recorder = Child(['rosbag', 'record', '--lz4', '--chunksize=128', '-O', os.path.join(folder, 'drive.bag'), *topics,
                           f'__name:={RECORDER}'], os.path.join(folder, 'recorder.log'), env)
         this.wait_for_recorder('/' + RECORDER, topics)
         say(f'driving to ({options.goal[0]:.2f}, {options.goal[1]:.2f}), operator: {options.operator_name}, mode: {options.mode}')

@@ -8,7 +8,7 @@ HOST = 'move_base/'
 JUDGED = ('map', HOST + 'goal', HOST + 'cancel', HOST + 'result', HOST + 'status', HOST + 'recovery_status',
           'cmd_vel', 'odom', 'amcl_pose', 'joy', 'hand_pose')
 # Of the local planner, below its own name.
-PLANNED = ('cycle', 'cycle_record', 'operator_state', 'mode', 'set_mode', 'take_control', 'stop', 'global_plan', 'local_plan',
+PLANNED = ('cycle', 'operator_state', 'mode', 'set_mode', 'take_control', 'stop', 'global_plan', 'local_plan',
            'parameter_updates')
 SHARED = ('/tf', '/tf_static', '/diagnostics', '/rosout')
 # What the simulated robot says of itself.

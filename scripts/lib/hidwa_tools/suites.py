@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """scripts/test, once everything needed is installed: builds, runs every suite, counts."""
 import argparse
+import collections
 import csv
 import glob
 import json
+import math
 import os
+import re
 import resource
 import shutil
 import signal
@@ -23,6 +26,8 @@ WORK = os.path.join(SPACE, 'build', 'tests')  # what the tests build and write
 JOBS = str(os.cpu_count() or 1)
 LIMIT = 1200.0        # [s], of one command
 FASTEST = 3.0         # simulated seconds a second, of the drives
+CONTROL_RATE = 20.0   # [Hz], of the drives
+RECORD_RATE = 100e3   # [byte/s], of cycle records
 COMPAT = ('nav_core', 'costmap_2d', 'map_server', 'move_base')
 GDC = ('--start', '-7.05,-12.35,3.14', '--goal', '-16.65,32.85,1.57')
 
@@ -204,6 +209,25 @@ def demo(name, rate, *arguments):
         raise Failed(f'scripts/demo wrote no report (exit status {status})\n{tail(output)}') from fault
 
 
+def hidwa_replay(*arguments):
+    """(exit status, output) of hidwa_replay."""
+    program = os.path.join(SPACE, 'install', 'lib', 'hidwa_local_planner', 'hidwa_replay')
+    script = '. "$0"/scripts/env && exec "$@"'
+    return run(['bash', '-c', script, ROOT, program, *arguments], 'replay', check=False)
+
+
+Replayed = collections.namedtuple('Replayed', 'status cycles differences bytes output')
+
+
+def replayed(bag, *arguments):
+    """What became of the cycles of a bag."""
+    status, output = hidwa_replay(bag, *arguments)
+    last = re.search(r'^(\d+) cycles, (\d+) differences$', output, re.MULTILINE)
+    size = re.search(r'^(\d+) bytes of records', output, re.MULTILINE)
+    return Replayed(status, int(last[1]) if last else 0, int(last[2]) if last else -1, int(size[1]) if size else math.inf,
+                    output)
+
+
 def drive(name, *arguments, expect):
     """One demo; each of the expectations on its report is a test, and so are arrival and the simulator's own counts.
 
@@ -215,8 +239,12 @@ def drive(name, *arguments, expect):
         print(f"    rate {rate:g}: {report['longest_gap_s']:.2f} s of simulated time between two commands; again, slower")
         rate = max(1.0, 0.5 * rate)
         status, report, output = demo(name, rate, *arguments)
+    replay = replayed(os.path.join(WORK, name, 'drive.bag'))
     expectations = {
         'arrives without contact (exit status 0)': status == 0,
+        'every recorded cycle is repeated to the bit': replay.status == 0 and replay.differences == 0,
+        'as many cycles as were driven are repeated': replay.cycles > 0.9 * CONTROL_RATE * report['duration_s'],
+        f'cycle records take {RECORD_RATE / 1000:g} kB/s at most': replay.bytes < RECORD_RATE * report['duration_s'],
         'the bag shows what the simulator counted': report['simulator'] == {
             key: report[key] for key in ('contacts', 'regions_crossed')},
         'host is what was built': report['host'] == ('compat' if 'move_base' in host_packages() else 'real'),
@@ -311,8 +339,46 @@ def drive_steer_right():
     return steer('right')
 
 
+def replay():
+    """hidwa_replay on the bag of drive_avoid: what if, a cycle explained, a bag cut short, files that are none."""
+    bag = os.path.join(WORK, 'drive_avoid', 'drive.bag')
+    if not os.path.exists(bag):
+        raise Absent(f'{bag}, which drive_avoid writes')
+    folder = os.path.join(WORK, 'replay')
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    whole = replayed(bag)
+    same = replayed(bag, '--set', 'odom_topic=elsewhere', '--out', folder)
+    other = replayed(bag, '--set', 'PathDist_scale=200', '--out', folder)
+    one = replayed(bag, '--at', '30', '--out', folder)
+    shown = [line for line in one.output.splitlines() if re.match(r' *\d+ +-?\d+\.\d+ ', line)]
+    cut, none = os.path.join(folder, 'cut.bag'), os.path.join(folder, 'none.bag')
+    with open(bag, 'rb') as file, open(cut, 'wb') as half:
+        half.write(file.read(os.path.getsize(bag) * 2 // 3))
+    with open(none, 'wb') as file:
+        file.write(b'no bag at all')
+    intact, foreign, absent = replayed(cut), replayed(none), replayed(os.path.join(folder, 'absent.bag'))
+    expectations = {
+        'nothing changed, nothing differs': whole.status == 0 and whole.differences == 0,
+        'a parameter that the core does not read changes nothing': same.status == 0 and same.differences == 0,
+        'a weight changes cycles': other.status == 1 and 0 < other.differences < other.cycles,
+        'and they are listed': os.path.getsize(os.path.join(folder, 'changes.csv')) > 1000 and 'recorded  ' in other.output,
+        'the changes are drawn': os.path.getsize(os.path.join(folder, 'changes.png')) > 10000,
+        'every candidate of a cycle is shown': len(shown) > 2400 and 'chosen: #' in one.output,
+        'it is that cycle, to the bit': one.status == 0,
+        'and drawn': os.path.getsize(os.path.join(folder, 'cycle.png')) > 10000,
+        'a bag cut short: status 2': intact.status == 2 and 'was cut short' in intact.output,
+        'its intact part is repeated': 0.5 * whole.cycles < intact.cycles < whole.cycles and intact.differences == 0,
+        'no bag: status 2 and the reason': foreign.status == 2 and 'is no bag' in foreign.output,
+        'no file: status 2 and the reason': absent.status == 2 and 'no such file' in absent.output}
+    missed = [text for text, met in expectations.items() if not met]
+    for text in missed:
+        print(f'    not so: {text}')
+    return Counts(passed=len(expectations) - len(missed), failed=len(missed))
+
+
 # In this order; those after `build` need what it built.
-SUITES = (plain, build, package, compat, ros, contract, python, robot, lint, study, drive_avoid, drive_gesture,
+SUITES = (plain, build, package, compat, ros, contract, python, robot, lint, study, drive_avoid, replay, drive_gesture,
           drive_switching, drive_none, drive_real_map, drive_steer_left, drive_steer_right)
 ALONE = (plain, build, lint)
 
