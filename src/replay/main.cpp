@@ -9,9 +9,6 @@
 #include <optional>
 #include <system_error>
 
-#include <ros/console.h>
-#include <xmlrpcpp/XmlRpcValue.h>
-
 #include "cycle_bag.hpp"
 #include "explanation.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
@@ -31,10 +28,7 @@ using record::CycleReplay;
 constexpr double kLongestBag = 1e6;
 
 Planner::SourceFor sources_of(const std::string& critics) {
-  ParameterSet set;
-  int at = 0;
-  if (!critics.empty()) set.content = XmlRpc::XmlRpcValue(critics, &at);
-  return [set](const std::string& critic) { return set.source_for(critic); };
+  return [set = with_foreign_content(critics)](const std::string& critic) { return set.source_for(critic); };
 }
 
 CycleReplay make_replay(const Options& options) {

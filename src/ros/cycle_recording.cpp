@@ -4,28 +4,10 @@
 #include <utility>
 
 #include "hidwa_local_planner/core/parameter_text.hpp"
-#include "hidwa_local_planner/ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
-namespace {
-
-// What the critics of other packages found on the parameter server.
-std::string foreign_parameters(const ParameterSet& set) {
-  const CriticRegistry own = CriticRegistry::with_built_in();
-  XmlRpc::XmlRpcValue foreign;
-  XmlRpc::XmlRpcValue content = set.content;
-  for (const std::string& critic : split_names(set.parameters.critics)) {
-    const std::string name = short_name(critic);
-    const bool there = content.valid() && content.getType() == XmlRpc::XmlRpcValue::TypeStruct && content.hasMember(name);
-    if (there && !own.knows(critic)) foreign[name] = content[name];
-  }
-  return foreign.valid() ? foreign.toXml() : "";
-}
-
-}  // namespace
-
 void CycleRecording::take(const ParameterSet& set) {
-  critics_ = foreign_parameters(set);
+  critics_ = foreign_content(set);
   demand_key();
 }
 

@@ -49,6 +49,25 @@ std::unique_ptr<ParameterSource> ParameterSet::source_for(const std::string& cri
   return std::make_unique<StoredParameters>(name, own);
 }
 
+std::string foreign_content(const ParameterSet& set) {
+  using XmlRpc::XmlRpcValue;
+  if (!set.content.valid() || set.content.getType() != XmlRpcValue::TypeStruct) return "";
+  const CriticRegistry own = CriticRegistry::with_built_in();
+  XmlRpcValue content = set.content, foreign;
+  for (const std::string& critic : split_names(set.parameters.critics)) {
+    const std::string name = short_name(critic);
+    if (!own.knows(critic) && content.hasMember(name)) foreign[name] = content[name];
+  }
+  return foreign.valid() ? foreign.toXml() : "";
+}
+
+ParameterSet with_foreign_content(const std::string& text) {
+  ParameterSet set;
+  int at = 0;
+  if (!text.empty()) set.content.fromXml(text, &at);
+  return set;
+}
+
 XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle) {
   XmlRpc::XmlRpcValue content;
   if (!ros::param::get(handle.getNamespace(), content)) content.clear();

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/record/cycle_replay.hpp"
 
+#include <array>
+#include <cmath>
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "support/recorded_drive.hpp"
@@ -152,6 +156,71 @@ TEST(CycleReplay, AChangedParameterChangesCyclesAndNoneChangesNone) {
   EXPECT_GT(differences({{"vx_samples", "11"}}), 10);
   EXPECT_GT(differences({{"mode", "off"}}), 10);  // the person's part counts too
   EXPECT_GT(differences({{"delta", "0"}}), 0);
+}
+
+// Likes another velocity every cycle, and finds its weight among its own parameters.
+class Moody : public Critic {
+ public:
+  double configure(const Parameters& /*parameters*/, const ParameterSource& own) override {
+    return own.number("scale", 0.0);
+  }
+  void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
+    for (std::size_t c = 0; c < tile.count; ++c) scores.set(c, std::abs(tile.sample(c).v - 0.1 * (mood_ % 5)));
+  }
+  void debrief(const CycleView& /*cycle*/, const Twist2& /*command*/) override { ++mood_; }
+  void save(ArchiveWriter& state) const override { state(mood_); }
+  void load(ArchiveReader& state) override { state(mood_); }
+
+ private:
+  int mood_ = 0;
+};
+
+class Scale : public ParameterSource {
+ public:
+  explicit Scale(double scale) : scale_(scale) {}
+  double number(const std::string& key, double fallback) const override { return key == "scale" ? scale_ : fallback; }
+  bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
+
+ private:
+  double scale_;
+};
+
+CriticRegistry with_moody() {
+  CriticRegistry registry = CriticRegistry::with_built_in();
+  registry.add("Moody", [] { return std::make_shared<Moody>(); });
+  return registry;
+}
+
+TEST(CycleReplay, ACriticOfAnotherPackageRemembersAndFindsItsParameters) {
+  test::Scene scene = test::Scene::empty(81);
+  scene.parameters.critics = "PathDist, Moody";
+  Planner planner(with_moody());
+  ASSERT_TRUE(planner.configure(scene.parameters, [](const std::string&) { return std::make_unique<Scale>(500.0); }).empty());
+  planner.set_footprint(scene.outline);
+  CycleRecorder recorder;
+  input::OperatorStateMachine person;
+  std::set<double> speeds;
+  CycleReplay replay(with_moody(), [](const std::string& critics) -> Planner::SourceFor {
+    const double scale = std::stod(critics);
+    return [scale](const std::string&) { return std::make_unique<Scale>(scale); };
+  });
+  scene.parameters.mode = OperatorMode::off;
+  for (int k = 0; k < 10; ++k) {
+    if (recorder.begin(0.05 * k)) recorder.setup({"", to_lines(scene.parameters), "", "500", scene.outline});
+    Bytes before;
+    ArchiveWriter write(before);
+    person.save(write);
+    recorder.operator_state() = before;
+    const OperatorIntent intent = person.update(0.05 * k);
+    recorder.intent(intent);
+    recorder.plans(planner, scene.situation, scene.grid(), {});
+    const Decision& decision = planner.plan(scene.situation, scene.grid(), intent);
+    speeds.insert(decision.sample.v);
+    const Bytes record = recorder.finish(verdict_of(decision, planner.totals()));
+    ASSERT_EQ(replay.take(record), Reading::ready) << replay.fault();
+    EXPECT_TRUE(replay.run().identical) << k;
+  }
+  EXPECT_GE(speeds.size(), 3u);  // the moods mattered
 }
 
 TEST(CycleReplay, AChangeThatCannotBeIsTold) {

@@ -31,6 +31,28 @@ TEST(StoredParameters, OfACriticByItsShortName) {
   EXPECT_EQ(ParameterSet().source_for("Other")->number("limit", 1.0), 1.0);
 }
 
+// What a record holds: only critics of other packages, and every number to the bit.
+TEST(ParameterSet, ForeignCriticsGoThroughXml) {
+  ParameterSet set;
+  set.parameters.critics = "PathDist, some_package/TurnLimit, Silent";
+  set.content["TurnLimit"]["limit"] = 1.0 / 3.0;
+  set.content["TurnLimit"]["strict"] = true;
+  set.content["PathDist"]["scale"] = 7.0;
+  set.content["sim_time"] = 1.0;
+  const std::string text = foreign_content(set);
+  EXPECT_EQ(text.find("PathDist"), std::string::npos);
+  EXPECT_EQ(text.find("sim_time"), std::string::npos);
+  const ParameterSet read = with_foreign_content(text);
+  EXPECT_EQ(read.source_for("some_package/TurnLimit")->number("limit", 0.0), 1.0 / 3.0);
+  EXPECT_TRUE(read.source_for("some_package/TurnLimit")->flag("strict", false));
+  set.parameters.critics = "PathDist";
+  EXPECT_EQ(foreign_content(set), "");
+  EXPECT_EQ(foreign_content(ParameterSet()), "");
+  for (const char* bad : {"", "no xml", "<value><struct>"}) {
+    EXPECT_EQ(with_foreign_content(bad).source_for("TurnLimit")->number("limit", 4.0), 4.0) << bad;
+  }
+}
+
 TEST(ParameterSet, FaultsNameUnknownCriticsAndWhatThereIs) {
   ParameterSet set;
   set.parameters.critics = "PathDist, NoSuchCritic";
