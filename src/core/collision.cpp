@@ -63,21 +63,21 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
   footprint_ = &footprint;
   unknown_is_obstacle_ = unknown_is_obstacle;
   margin_ = margin;
-  const double resolution = grid.resolution;
-  const double outer = footprint.circumscribed_radius() + margin;
-  const int radius = static_cast<int>(std::ceil((reach + outer) / resolution + kMostRoom)) + 3;
+  Shape shape;
+  shape.outer = footprint.circumscribed_radius() + margin;
+  shape.inscribed = footprint.inscribed_radius();
+  shape.margin = margin;
+  shape.resolution = grid.resolution;
+  shape.circle = footprint.is_circle();
+  shape.radius = static_cast<int>(std::ceil((reach + shape.outer) / grid.resolution + kMostRoom)) + 3;
   const Cell middle = grid.cell_at(centre.x, centre.y);
-  first_ = {middle.i - radius, middle.j - radius};
-  obstacles_.reset(2 * radius + 1, 2 * radius + 1);
-  mark_obstacles();
-  disc_reach(outer, resolution, 1, reach_);
-  rim_ = static_cast<int>(reach_.size());
-  obstacles_.dilate(reach_, near_);
-  disc_reach(footprint.inscribed_radius() - kRounding, resolution, 0, reach_);
-  obstacles_.dilate(reach_, hit_);
-  if (footprint.is_circle()) mark_inscribed(margin);
-  obstacles_.find_edges(edges_);
-  prepare_lists(margin);
+  first_ = {middle.i - shape.radius, middle.j - shape.radius};
+  if (mark_obstacles(shape)) {
+    spread_marks();
+    prepare_lists(margin);
+  } else {
+    lists_.move_to(grid_.origin_x + first_.i * grid_.resolution, grid_.origin_y + first_.j * grid_.resolution);
+  }
 }
 
 // Where its centre lies inside, an outline that touches the midst of obstacles touches their edge too.
@@ -112,23 +112,41 @@ void CollisionChecker::mark(const BitGrid::Values& values, bool edge, BitGrid& m
   }
 }
 
-void CollisionChecker::mark_obstacles() {
+// False where the robot sees around itself what it saw in the cycle before: then all that follows from it still holds.
+bool CollisionChecker::mark_obstacles(const Shape& shape) {
+  const int size = 2 * shape.radius + 1;
   BitGrid::Values values{};
   values[cost::kLethal] = 1;
   values[cost::kUnknown] = unknown_is_obstacle_ ? 1 : 0;
-  mark(values, true, obstacles_);
+  fresh_obstacles_.reset(size, size);
+  mark(values, true, fresh_obstacles_);
+  fresh_inscribed_.reset(shape.circle ? size : 0, shape.circle ? size : 0);
+  if (shape.circle) {
+    values = {};
+    values[cost::kInscribed] = 1;
+    mark(values, false, fresh_inscribed_);
+  }
+  if (shape == shape_ && fresh_obstacles_ == obstacles_ && fresh_inscribed_ == inscribed_) return false;
+  shape_ = shape;
+  obstacles_ = fresh_obstacles_;
+  inscribed_ = fresh_inscribed_;
+  return true;
 }
 
 // Only a circle minds inscribed cells: they are hits, and near is whatever comes within the margin of one.
-void CollisionChecker::mark_inscribed(double margin) {
-  inscribed_.reset(obstacles_.width(), obstacles_.height());
-  BitGrid::Values values{};
-  values[cost::kInscribed] = 1;
-  mark(values, false, inscribed_);
-  disc_reach(margin + kRounding, grid_.resolution, 1, reach_);
-  inscribed_.dilate_into(reach_, near_);
-  reach_.assign(1, 0);
-  inscribed_.dilate_into(reach_, hit_);
+void CollisionChecker::spread_marks() {
+  disc_reach(shape_.outer, shape_.resolution, 1, reach_);
+  rim_ = static_cast<int>(reach_.size());
+  obstacles_.dilate(reach_, near_);
+  disc_reach(shape_.inscribed - kRounding, shape_.resolution, 0, reach_);
+  obstacles_.dilate(reach_, hit_);
+  if (shape_.circle) {
+    disc_reach(shape_.margin + kRounding, shape_.resolution, 1, reach_);
+    inscribed_.dilate_into(reach_, near_);
+    reach_.assign(1, 0);
+    inscribed_.dilate_into(reach_, hit_);
+  }
+  obstacles_.find_edges(edges_);
 }
 
 bool CollisionChecker::clear(double x, double y) const {

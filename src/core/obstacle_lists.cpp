@@ -75,6 +75,13 @@ void ObstacleLists::prepare(const Window& window) {
   y_.reserve(kUsualCells);
 }
 
+void ObstacleLists::move_to(double corner_x, double corner_y) {
+  window_.corner_x = corner_x;
+  window_.corner_y = corner_y;
+  // Lists pile up for as long as nothing changes: anew before they need more room than a usual cycle's.
+  if (x_.size() > kUsualCells / 2) prepare(Window(window_));
+}
+
 const ObstacleLists::Span& ObstacleLists::span_of(int i, int j) {
   Span& span = spans_[static_cast<std::size_t>(j) * static_cast<std::size_t>(window_.solid->width()) +
                       static_cast<std::size_t>(i)];

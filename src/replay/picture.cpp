@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include <ros/package.h>
-
 #include "run_program.hpp"
 
 namespace hidwa_local_planner {
@@ -14,12 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside this program where both are installed, else among the package's scripts.
+// Beside this program where both are installed, else where it was built from.
 std::string find_script() {
   std::error_code none;
   const fs::path beside = fs::read_symlink("/proc/self/exe", none).parent_path() / "replay_picture";
   if (fs::exists(beside, none)) return beside.string();
-  return (fs::path(ros::package::getPath("hidwa_local_planner")) / "scripts" / "replay_picture").string();
+  return (fs::path(HIDWA_SCRIPTS) / "replay_picture").string();
 }
 
 }  // namespace

@@ -22,6 +22,10 @@ class BitGrid {
   /// Sets the bits of row j in [i0, i1) where `cells`, which begin at i0, hold one of the values.
   void set_where(int j, int i0, int i1, const std::uint8_t* cells, const Values& values);
   bool test(int i, int j) const { return (words_[word(i, j)] >> (i & 63)) & 1U; }
+  /// The same size and the same bits.
+  bool operator==(const BitGrid& other) const {
+    return width_ == other.width_ && height_ == other.height_ && words_ == other.words_;
+  }
   /// True when any bit of row j in [i0, i1] is set; the range must lie inside.
   bool any(int j, int i0, int i1) const;
   /// The 64 bits of row j from column i0 on, the first one lowest; 0 beyond the row's words.

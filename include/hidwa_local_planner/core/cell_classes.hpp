@@ -29,7 +29,15 @@ class CellClasses {
   void classify(Tile& tile);
 
  private:
+  // Where the poses of one row of a tile lie, at most [m].
+  struct Box {
+    double lo_x, lo_y, hi_x, hi_y;
+  };
   void fill_row(const CollisionChecker& checker, const GridView& grid, int row);
+  void count_marked();
+  bool unmarked(const Box& box) const;
+  void find_open_rows(const Tile& tile);
+  void classify_rows(const Tile& tile, std::size_t first, std::size_t end);
 
   Cell first_;               // of the table, map cells
   double corner_x_ = 0.0, corner_y_ = 0.0;  // of the table [m]
@@ -38,9 +46,12 @@ class CellClasses {
   std::uint32_t wrap_ = 0;             // index mask
   std::uint8_t blocked_by_cost_[256] = {};
   std::vector<std::uint8_t> table_;
+  std::vector<std::uint32_t> marked_;  // [(width + 1)^2] cells of any class below and to the left of a corner
   std::vector<std::uint8_t> classes_;  // of the tile's poses
   std::vector<std::uint8_t> touched_;  // of the tile's candidates
-  std::vector<std::int32_t> index_;    // one row of a tile
+  std::vector<std::int32_t> index_;    // of the tile's poses
+  std::vector<Box> boxes_;             // of the tile's rows
+  std::vector<std::uint8_t> open_;     // of the tile's rows: no cell within reach of it has a class
 };
 
 }  // namespace hidwa_local_planner

@@ -72,8 +72,18 @@ class CollisionChecker {
 
  private:
   void mark(const BitGrid::Values& values, bool edge, BitGrid& marked) const;
-  void mark_obstacles();
-  void mark_inscribed(double margin);
+  // All that the marks are made by, besides the cells.
+  struct Shape {
+    int radius = 0;  // of the window [cells]
+    double outer = 0.0, inscribed = 0.0, margin = 0.0, resolution = 0.0;  // [m]
+    bool circle = false;
+    bool operator==(const Shape& other) const {
+      return radius == other.radius && outer == other.outer && inscribed == other.inscribed && margin == other.margin &&
+             resolution == other.resolution && circle == other.circle;
+    }
+  };
+  bool mark_obstacles(const Shape& shape);
+  void spread_marks();
   void prepare_lists(double margin);
   bool centre_collides(Cell cell, const Footprint& outline) const;
   // An outline placed at a pose: its box, and where it is convex its sides, each moved by half a cell's reach.
@@ -93,8 +103,10 @@ class CollisionChecker {
   bool unknown_is_obstacle_ = true;
   Cell first_;         // of the window, map cells
   double margin_ = 0.0;  // [m]
+  Shape shape_;
   int rim_ = 0;        // cells at the window's rim that near_ does not answer for
   BitGrid obstacles_;  // in the window
+  BitGrid fresh_obstacles_, fresh_inscribed_;  // this cycle's, before they are taken
   BitGrid edges_;      // obstacles with something else beside them: those in their midst are never nearest
   BitGrid near_;       // centre cells where the robot may overlap an obstacle
   BitGrid hit_;        // centre cells where it surely does
