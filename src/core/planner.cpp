@@ -118,7 +118,7 @@ struct Planner::Impl {
 
   const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
-  void give_up(const Situation& situation, const char* problem);
+  void give_up(const Situation& situation, Problem kind, const char* problem);
   Twist2 bounded_reference(const Situation& situation) const;
   void make_candidates(const Situation& situation, const Sampling& sampling);
   void prepare_checks(const Situation& situation, const GridView& grid);
@@ -215,9 +215,9 @@ const Decision& Planner::plan(const Situation& situation, const GridView& grid, 
   impl_->intent = intent;
   const char* fault = intent.influence != Influence::stop ? impl_->fault_of(situation, grid) : nullptr;
   if (fault != nullptr) {
-    impl_->give_up(situation, fault);
+    impl_->give_up(situation, Problem::input, fault);
   } else if (intent.influence == Influence::stop) {  // whatever is known of the world
-    impl_->give_up(situation, "");
+    impl_->give_up(situation, Problem::none, "");
     impl_->decision.outcome = at_rest(impl_->decision.command) ? Outcome::hold : Outcome::brake;
   } else if (intent.influence == Influence::direct && !intent.guarded) {
     impl_->pass_through(situation);
@@ -280,7 +280,8 @@ void Planner::Impl::clear_decision() {
 }
 
 // The brake command; at rest there is nothing left but to fail.
-void Planner::Impl::give_up(const Situation& situation, const char* problem) {
+void Planner::Impl::give_up(const Situation& situation, Problem kind, const char* problem) {
+  decision.problem_kind = kind;
   decision.problem = problem;
   decision.sample = {};
   const double period = situation.period > 0.0 ? situation.period : Situation().period;
@@ -300,7 +301,7 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   const CycleView cycle = weigh(situation, grid, sampling);
   if (!grids.on_map() && !steered) {
     totals.clear();
-    give_up(situation, "no pose of the plan lies on the local map");
+    give_up(situation, Problem::off_map, "no pose of the plan lies on the local map");
     return decision;
   }
   const bool autonomous = !steered && !situation.goal_latched;
@@ -312,7 +313,7 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   if (best < 0 && !(admissibility.escaping() && turning_out)) best = choose(situation);
   if (best < 0) {
     report.rule = ChoiceReport::Rule::none;
-    give_up(situation, "every candidate was refused");
+    give_up(situation, Problem::refused, "every candidate was refused");
   } else {
     describe(best);
   }
@@ -621,6 +622,7 @@ void Planner::Impl::watch_rest(const Situation& situation, bool autonomous) {
   }
   if (!trapped && way_out.rest(situation.time) > parameters.blocked_time) {
     decision.outcome = Outcome::fail;
+    decision.problem_kind = Problem::stuck;
     decision.problem = "autonomy is stuck: standing still is its best legal candidate";
   }
 }
@@ -636,6 +638,7 @@ void Planner::Impl::watch_last_turn(const Situation& situation) {
   unturned_reset = long_enough;
   if (unturned.time(situation.time) > parameters.blocked_time) {
     decision.outcome = Outcome::fail;
+    decision.problem_kind = Problem::stuck;
     decision.problem = "the last turn to the goal's heading is stuck: standing still is its best legal candidate";
   }
 }

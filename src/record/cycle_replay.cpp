@@ -86,13 +86,15 @@ ReplayedCycle CycleReplay::run() {
   }
   ReplayedCycle cycle;
   cycle.intent = machine_.update(record_.time);
+  OperatorIntent intent = cycle.intent;
+  if (record_.host_stops) intent.influence = Influence::stop;
   if (record_.planned) {
     const PlannerInput& input = *record_.planned;
     Sampling sampling = input.sampling;
     if (changes_samples(changes_, "vx_samples")) sampling.vx_samples = 0;
     if (changes_samples(changes_, "vth_samples")) sampling.vth_samples = 0;
     planner_.load(input.state);
-    decision_ = &planner_.plan(input.situation, grids_.present().view(), cycle.intent, sampling);
+    decision_ = &planner_.plan(input.situation, grids_.present().view(), intent, sampling);
     cycle.verdict = verdict_of(*decision_, planner_.totals());
   } else if (record_.braked) {
     const BrakeInput& input = *record_.braked;
@@ -100,7 +102,7 @@ ReplayedCycle CycleReplay::run() {
     read(fault_brake_);
     const FaultBrake::Answer answer = fault_brake_.answer(record_.time, input.velocity, input.last_command,
                                                           planner_.parameters(), input.period);
-    cycle.verdict = verdict_of(outcome_of(answer, cycle.intent), answer.command);
+    cycle.verdict = verdict_of(outcome_of(answer, intent), answer.command);
   }
   cycle.identical = hidwa_local_planner::record::identical(cycle.intent, record_.intent) &&
                     hidwa_local_planner::record::identical(cycle.verdict, record_.verdict);

@@ -18,9 +18,10 @@ void CycleRecording::begin(double now, bool wanted) {
   before_.state.clear();
 }
 
-void CycleRecording::heard(const OperatorIntent& intent) {
+void CycleRecording::heard(const OperatorIntent& intent, bool host_stops) {
   if (!wanted_) return;
   intent_ = intent;
+  host_stops_ = host_stops;
   if (before_.revision != recorded_revision_) demand_key();
   recorded_revision_ = before_.revision;
 }
@@ -37,7 +38,7 @@ void CycleRecording::open(const Planner& planner, const Polygon& outline) {
     recorder_.setup(std::move(setup));
   }
   recorder_.operator_state() = before_.state;
-  recorder_.intent(intent_);
+  recorder_.intent(intent_, host_stops_);
 }
 
 void CycleRecording::plans(const Planner& planner, const Polygon& outline, const Situation& situation,

@@ -3,22 +3,15 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "hidwa_local_planner/ros/guarded.hpp"
 #include "hidwa_local_planner/ros/shell.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
-/// Runs `call`; where it throws, logs and answers false.
 template <typename Call>
-bool guarded(const char* what, Call call) {
-  try {
-    return call();
-  } catch (const std::exception& error) {
-    ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS: %s failed: %s", what, error.what());
-  } catch (...) {
-    ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS: %s failed", what);
-  }
-  return false;
+bool succeeds(const char* what, Call call) {
+  return guarded("HIDWAPlannerROS", what, false, call);
 }
 
 }  // namespace
@@ -28,7 +21,7 @@ HIDWAPlannerROS::~HIDWAPlannerROS() = default;
 
 void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf,
                                  costmap_2d::Costmap2DROS* costmap_ros) {
-  guarded("initialize", [&] {
+  succeeds("initialize", [&] {
     if (shell_) {
       ROS_WARN("%s is initialized already; the second call is ignored", name.c_str());
     } else if (tf == nullptr || costmap_ros == nullptr) {
@@ -41,7 +34,7 @@ void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf,
 }
 
 bool HIDWAPlannerROS::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
-  return guarded("setPlan", [&] {
+  return succeeds("setPlan", [&] {
     if (shell_) shell_->set_plan(plan);
     return shell_ != nullptr;
   });
@@ -49,15 +42,19 @@ bool HIDWAPlannerROS::setPlan(const std::vector<geometry_msgs::PoseStamped>& pla
 
 bool HIDWAPlannerROS::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
   cmd_vel = geometry_msgs::Twist();
-  return guarded("computeVelocityCommands", [&] {
-    if (shell_) return shell_->cycle(cmd_vel);
-    ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS was not initialized: nothing is driven");
-    return false;
+  return succeeds("computeVelocityCommands", [&] {
+    if (!shell_) {
+      ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS was not initialized: nothing is driven");
+      return false;
+    }
+    const CycleResult result = shell_->cycle();
+    cmd_vel = to_message(result.command);
+    return result.outcome != Outcome::fail;
   });
 }
 
 bool HIDWAPlannerROS::isGoalReached() {
-  return guarded("isGoalReached", [&] { return shell_ && shell_->goal_reached(); });
+  return succeeds("isGoalReached", [&] { return shell_ && shell_->goal_reached(); });
 }
 
 }  // namespace hidwa_local_planner

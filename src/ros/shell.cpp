@@ -62,7 +62,7 @@ void Shell::start_parameters() {
   LoadedParameters loaded = load_parameters(content, completed);
   const ParameterSet set{completed(loaded.parameters), content};
   if (loaded.faults.empty()) loaded.faults = faults_of(set, registry_);
-  if (loaded.faults.empty()) loaded.faults = configure(planner_, set);
+  if (loaded.faults.empty()) loaded.faults = put_in_force(set);
   for (const std::string& warning : loaded.warnings) {
     ROS_WARN("%s: %s", handle_.getNamespace().c_str(), warning.c_str());
   }
@@ -146,13 +146,24 @@ std::string Shell::listen(const Parameters& parameters) {
 void Shell::take_parameters() {
   const std::unique_ptr<ParameterSet> set = pending_.take();
   if (!set) return;
-  const std::vector<std::string> faults = configure(planner_, *set);
+  const std::vector<std::string> faults = put_in_force(*set);
   for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
   if (!faults.empty()) return;
   refused_.clear();
   recording_.take(*set);
   budget_.configure(wanted_samples(planner_.parameters()));
   check_horizon();
+}
+
+std::vector<std::string> Shell::put_in_force(const ParameterSet& set) {
+  ParameterSet wanted = set;
+  if (host_tolerances_) {
+    wanted.parameters.xy_goal_tolerance = host_tolerances_->xy;
+    wanted.parameters.yaw_goal_tolerance = host_tolerances_->yaw;
+  }
+  std::vector<std::string> faults = configure(planner_, wanted);
+  if (faults.empty()) in_force_ = set;
+  return faults;
 }
 
 double Shell::control_period() const {

@@ -19,19 +19,12 @@ bool same_outline(const Polygon& outline, const std::vector<geometry_msgs::Point
   return true;
 }
 
-constexpr const char* kEscapes = "the robot stands in collision: it only moves out of it";
-
-std::string refusals_in_words(const Decision& decision) {
-  std::string text = decision.problem;
-  if (decision.candidates > 0) text += " (of " + std::to_string(decision.candidates) + " candidates";
-  for (const RefusalCount& refusal : decision.refusals) {
-    if (refusal.count == 0) continue;
-    text += ", ";
-    text += refusal.name;
-    text += " refuses " + std::to_string(refusal.count);
+// What a host asks for may lie beyond what a parameter may be.
+double in_range(const char* parameter, double value) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name == parameter) return std::isfinite(value) ? std::clamp(value, info.min, info.max) : info.max;
   }
-  if (decision.candidates > 0) text += ")";
-  return text;
+  return value;
 }
 
 }  // namespace
@@ -47,7 +40,15 @@ void Shell::begin_goal() {
   person_.new_goal();
 }
 
-bool Shell::goal_reached() {
+void Shell::set_goal_tolerances(double xy, double yaw) {
+  const Tolerances wanted{in_range("xy_goal_tolerance", xy), in_range("yaw_goal_tolerance", yaw)};
+  if (host_tolerances_ && host_tolerances_->xy == wanted.xy && host_tolerances_->yaw == wanted.yaw) return;
+  host_tolerances_ = wanted;
+  if (refused_.empty()) put_in_force(in_force_);
+}
+
+bool Shell::goal_reached(bool host_stops) {
+  arriving_ = false;
   const double now = ros::Time::now().toSec();
   if (person_.status(now).manual) return false;
   const Observation observation = observe(now);
@@ -55,12 +56,14 @@ bool Shell::goal_reached() {
   const Pose2 goal = observation.from_plan.apply(plan_.goal());
   if (!goal_checker_.update(observation.pose, *observation.velocity, goal, planner_.parameters()))
     return false;
+  arriving_ = !host_stops && !at_rest_;
+  if (arriving_) return false;
   plan_.finish();
   last_command_ = {};  // the host stops the robot
   return true;
 }
 
-bool Shell::cycle(geometry_msgs::Twist& command) {
+CycleResult Shell::cycle(bool stop) {
   const auto start = std::chrono::steady_clock::now();
   const ros::Time stamp = ros::Time::now();
   const double now = stamp.toSec();
@@ -70,9 +73,11 @@ bool Shell::cycle(geometry_msgs::Twist& command) {
   const bool recorded = planner_.parameters().record_cycles && publishing_.cycle_wanted();
   if (publishing_.new_cycle_subscriber()) recording_.demand_key();
   recording_.begin(now, recorded);
-  const OperatorIntent intent = person_.update(now, recording_.before());
-  recording_.heard(intent);
-  const CycleResult result = work(now, intent, paused);
+  OperatorIntent intent = person_.update(now, recording_.before());
+  const bool host_stops = stop || arriving_;
+  recording_.heard(intent, host_stops);
+  if (host_stops) intent.influence = Influence::stop;
+  CycleResult result = work(now, intent, paused);
   explain(now, result);
 
   feedback_.publish(stamp, planner_.parameters(), result, intent, person_.status(now));
@@ -84,8 +89,7 @@ bool Shell::cycle(geometry_msgs::Twist& command) {
   publishing_.publish_cycle(stamp, result, intent.state, duration.count(), recording_.finish(result, planner_));
   statistics_.add(duration.count(), control_period());
   keep_budget(duration.count(), result);
-  command = to_message(result.command);
-  return result.outcome != Outcome::fail;
+  return result;
 }
 
 CycleResult Shell::work(double now, const OperatorIntent& intent, bool paused) {
@@ -128,18 +132,19 @@ Shell::Observation Shell::observe(double now) {
   Observation observation;
   OdometryInput::Reading odometry = odometry_.read(now, planner_.parameters().odom_timeout);
   observation.velocity = odometry.velocity;
-  if (!refused_.empty()) {
-    observation.fault = refused_;
-  } else if (!plan_.fault().empty()) {
-    observation.fault = plan_.fault();
-  } else if (!observation.velocity) {
-    observation.fault = odometry.fault;
+  const auto lacks = [&observation](Missing what, std::string fault) {
+    if (!fault.empty()) observation.missing = what;
+    observation.fault = std::move(fault);
+    return observation.missing != Missing::nothing;
+  };
+  if (lacks(Missing::parameters, refused_) || lacks(Missing::plan, plan_.fault())) return observation;
+  if (!observation.velocity) {
+    lacks(Missing::odometry, std::move(odometry.fault));
   } else if (!costmap_.isCurrent()) {
-    observation.fault = "the local costmap is not current: a sensor that it waits for is silent";
-  } else {
-    observation.fault = observe_pose(now, observation);
+    lacks(Missing::costmap, "the local costmap is not current: a sensor that it waits for is silent");
+  } else if (!lacks(Missing::transform, observe_pose(now, observation))) {
+    lacks(Missing::footprint, update_footprint());
   }
-  if (observation.fault.empty()) observation.fault = update_footprint();
   return observation;
 }
 
@@ -182,6 +187,7 @@ std::string Shell::update_footprint() {
 
 CycleResult Shell::brake(double now, const Observation& observation, const OperatorIntent& intent) {
   CycleResult result;
+  result.missing = observation.missing;
   result.fault = observation.fault;
   recording_.brakes(planner_, outline_, fault_brake_, {{}, observation.velocity, last_command_, control_period(), observation.fault});
   const FaultBrake::Answer answer =
@@ -230,6 +236,7 @@ void Shell::remember(double now, const CycleResult& result, const Observation& o
                      std::abs(feedback.velocity.omega) <= p.rot_stopped_velocity;
   feedback.own_command_refused = result.decision && !result.decision->operator_refused_by.empty();
   feedback.goal_latched = goal_checker_.latched();
+  at_rest_ = feedback.at_rest;
   person_.debrief(now, feedback);
 }
 

@@ -45,6 +45,15 @@ struct RefusalCount {
   std::size_t count = 0;
 };
 
+/// Why there was nothing to choose from.
+enum class Problem {
+  none = 0,
+  input,     // what was given cannot be planned with
+  off_map,   // no pose of the plan lies on the local map
+  refused,   // every candidate was refused
+  stuck      // standing still is the best legal candidate, for too long
+};
+
 struct CriticTerm {
   std::string_view name;
   double raw = 0.0;
@@ -67,6 +76,7 @@ struct Decision {
   double agreement = 1.0;                // 1: the command is what the person wants, in [0, 1]
   std::string operator_refused_by;       // what refused the operator's own command; empty when it was legal
   bool escaping = false;                 // the robot stands in collision
+  Problem problem_kind = Problem::none;
   std::string problem;                   // why there was nothing to choose from, in words; empty where there was
 };
 

@@ -95,13 +95,14 @@ struct CycleRecord {
   double time = 0.0;           // [s]
   Bytes operator_state;        // of the operator machine before the cycle
   OperatorIntent intent;       // what the machine said
+  bool host_stops = false;     // the host stopped the robot whatever that was, as when it is cancelled
   std::optional<PlannerInput> planned;
   std::optional<BrakeInput> braked;  // this or that
   Verdict verdict;
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.sequence, self.setup, self.time, self.operator_state, self.intent, self.planned, self.braked, self.verdict);
+    io(self.sequence, self.setup, self.time, self.operator_state, self.intent, self.host_stops, self.planned, self.braked, self.verdict);
   }
 };
 

@@ -22,7 +22,11 @@ class CycleRecorder {
   void setup(Setup setup) { record_.setup = std::move(setup); }
   /// Filled by whoever has the operator machine, before its update.
   Bytes& operator_state() { return record_.operator_state; }
-  void intent(const OperatorIntent& intent) { record_.intent = intent; }
+  /// What the machine said, and whether the host stops the robot whatever that is.
+  void intent(const OperatorIntent& intent, bool host_stops = false) {
+    record_.intent = intent;
+    record_.host_stops = host_stops;
+  }
   /// Before Planner::plan() with the same.
   void plans(const Planner& planner, const Situation& situation, const GridView& grid, const Sampling& sampling);
   /// Before FaultBrake::answer() with the same.

@@ -24,7 +24,8 @@ class CycleRecording {
   void begin(double now, bool wanted);
   /// Where the person's part is to be noted; null where it is not wanted.
   OperatorInput::Before* before() { return wanted_ ? &before_ : nullptr; }
-  void heard(const OperatorIntent& intent);
+  /// What the machine said, and whether the host stops the robot whatever that is.
+  void heard(const OperatorIntent& intent, bool host_stops);
   /// Before the planner plans, or the fault brake answers, with the same. `outline`: the planner's, unpadded [m].
   void plans(const Planner& planner, const Polygon& outline, const Situation& situation, const GridView& grid,
              const Sampling& sampling);
@@ -40,6 +41,7 @@ class CycleRecording {
   OperatorInput::Before before_;
   unsigned recorded_revision_ = 0;  // of the operator's parameters, in the last record
   OperatorIntent intent_;
+  bool host_stops_ = false;
   std::string critics_;  // see record::Setup
   double now_ = 0.0;     // [s]
   bool wanted_ = false;

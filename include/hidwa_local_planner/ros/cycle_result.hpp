@@ -7,13 +7,25 @@
 
 namespace hidwa_local_planner {
 
+/// What a cycle went without.
+enum class Missing { nothing = 0, parameters, plan, odometry, costmap, transform, footprint };
+
 /// What a cycle came to.
 struct CycleResult {
   Outcome outcome = Outcome::fail;
   Twist2 command;     // sent, or zero on failure [m/s, rad/s]
-  std::string fault;  // missing input; then there is no decision
+  Missing missing = Missing::nothing;
+  std::string fault;  // the missing input, in words; then there is no decision
   const Decision* decision = nullptr;
   Sampling sampling;  // in force
 };
+
+/// The decision's problem, with how many candidates who refused.
+std::string refusals_in_words(const Decision& decision);
+
+/// What a host is told of a cycle: the fault, the problem, that it escapes; empty where it just drives.
+std::string in_words(const CycleResult& result);
+
+extern const char* const kEscapes;  // what is said while the robot leaves a collision
 
 }  // namespace hidwa_local_planner

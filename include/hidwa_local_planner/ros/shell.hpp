@@ -46,13 +46,21 @@ class Shell {
   ~Shell();
 
   void set_plan(const std::vector<geometry_msgs::PoseStamped>& plan);
-  /// False when there is nothing to send: the host is to stop, replan or recover.
-  bool cycle(geometry_msgs::Twist& command);
-  bool goal_reached();
+  /// One control cycle. Outcome::fail: nothing to send, the host is to stop, replan or recover. The decision
+  /// stays valid until the next cycle. With `stop` the robot brakes to rest and stays, whatever the person wants.
+  CycleResult cycle(bool stop = false);
+  /// True when the goal is reached. A host that does not stop the robot then (`host_stops` false) hears it only
+  /// when cycles have brought it to rest.
+  bool goal_reached(bool host_stops = true);
+  /// Where the goal is reached, instead of what the parameters say [m], [rad]. Brought into the parameters' ranges.
+  void set_goal_tolerances(double xy, double yaw);
+  /// Zero was sent last, and the robot stands.
+  bool at_rest() const { return at_rest_; }
 
  private:
   /// What is known of the robot; a fault names what is missing.
   struct Observation {
+    Missing missing = Missing::nothing;
     std::string fault;
     std::optional<Twist2> velocity;  // [m/s, rad/s]
     Pose2 pose;                      // costmap frame
@@ -65,6 +73,7 @@ class Shell {
   std::vector<std::string> judge(const Parameters& wanted);
   std::string listen(const Parameters& parameters);  // to their topics; the fault in words where that cannot be
   void take_parameters();
+  std::vector<std::string> put_in_force(const ParameterSet& set);
   double control_period() const;  // [s]
   double cycle_budget() const;    // [s]; negative: none
   Diagnostics::Load load() const;
@@ -104,6 +113,13 @@ class Shell {
   Situation situation_;  // kept for its memory
   Polygon outline_;      // what the planner was last given
   Twist2 last_command_;  // [m/s, rad/s]
+  bool at_rest_ = false;
+  bool arriving_ = false;  // at the goal, and not at rest yet
+  ParameterSet in_force_;  // without the host's tolerances
+  struct Tolerances {
+    double xy = 0.0, yaw = 0.0;  // [m], [rad]
+  };
+  std::optional<Tolerances> host_tolerances_;
   std::string refused_;  // why the parameters at start cannot drive; empty once a valid set came
   MessageThrottle explanations_;
   std::vector<std::string> horizon_said_;

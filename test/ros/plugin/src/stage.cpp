@@ -170,22 +170,7 @@ void Stage::clear() {
       10.0);
 }
 
-Host::Host(const std::string& name, Listens listens) : name_(name), next_(ros::Time::now()) {
-  Stage& stage = Stage::get();
-  planner_ = loader().createInstance("hidwa_local_planner/HIDWAPlannerROS");
-  planner_->initialize(name, &stage.tf, stage.costmap.get());
-  if (listens == Listens::no) return;
-  ros::NodeHandle node("~/" + name);
-  subscriber_ = node.subscribe<hidwa_local_planner::Cycle>(
-      "cycle", 10, [this](const hidwa_local_planner::Cycle::ConstPtr& message) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        report_ = *message;
-      });
-}
-
-Host::~Host() { stop(); }
-
-bool Host::plan_ahead(double ahead, const std::string& frame) {
+std::vector<geometry_msgs::PoseStamped> straight_plan(double ahead, const std::string& frame) {
   const Pose start = Stage::get().robot.pose();
   std::vector<geometry_msgs::PoseStamped> plan;
   const int steps = static_cast<int>(std::lround(std::abs(ahead) / 0.05));
@@ -205,7 +190,26 @@ bool Host::plan_ahead(double ahead, const std::string& frame) {
     stamped.pose.orientation = heading(pose.theta);
     plan.push_back(stamped);
   }
-  return planner_->setPlan(plan);
+  return plan;
+}
+
+Host::Host(const std::string& name, Listens listens) : name_(name), next_(ros::Time::now()) {
+  Stage& stage = Stage::get();
+  planner_ = loader().createInstance("hidwa_local_planner/HIDWAPlannerROS");
+  planner_->initialize(name, &stage.tf, stage.costmap.get());
+  if (listens == Listens::no) return;
+  ros::NodeHandle node("~/" + name);
+  subscriber_ = node.subscribe<hidwa_local_planner::Cycle>(
+      "cycle", 10, [this](const hidwa_local_planner::Cycle::ConstPtr& message) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        report_ = *message;
+      });
+}
+
+Host::~Host() { stop(); }
+
+bool Host::plan_ahead(double ahead, const std::string& frame) {
+  return planner_->setPlan(straight_plan(ahead, frame));
 }
 
 Host::Cycle Host::cycle() {

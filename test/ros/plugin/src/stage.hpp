@@ -80,6 +80,9 @@ class Stage {
   ros::AsyncSpinner spinner_;
 };
 
+/// Straight from the robot's pose, `ahead` [m] along its heading (behind it when negative), in `frame`.
+std::vector<geometry_msgs::PoseStamped> straight_plan(double ahead, const std::string& frame = "odom");
+
 /// A planner loaded as a host does it, in a namespace of its own, and the control loop round it.
 class Host {
  public:
@@ -91,8 +94,7 @@ class Host {
   nav_core::BaseLocalPlanner& planner() { return *planner_; }
   const std::string& name() const { return name_; }
 
-  /// A straight plan from the robot's pose, `ahead` [m] along its heading (behind it when negative), in
-  /// `frame`.
+  /// Gives it a straight_plan().
   bool plan_ahead(double ahead, const std::string& frame = "odom");
 
   struct Cycle {

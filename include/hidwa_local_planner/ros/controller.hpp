@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <costmap_2d/costmap_2d_ros.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <tf2_ros/buffer.h>
+
+#include "hidwa_local_planner/ros/cancel_request.hpp"
+#include "hidwa_local_planner/ros/cycle_result.hpp"
+
+namespace hidwa_local_planner {
+
+class Shell;
+
+/// What a controller's cycle came to, in the kinds that Move Base Flex knows (mbf_msgs/ExePath).
+enum class ControllerOutcome {
+  success,           // the command is to be sent: driving, braking or holding
+  canceled,          // as asked for: the robot rests
+  no_valid_command,  // every candidate was refused, or odometry is missing
+  collision,         // the robot stands in collision and finds no way out
+  missed_path,       // no pose of the path is near
+  blocked_path,      // standing still is the best legal candidate, for too long
+  invalid_path,
+  map_error,         // the costmap is not current, or cannot be planned on
+  tf_error,
+  not_initialized,   // nor are valid parameters, nor a footprint
+  internal_error
+};
+
+/// Of a cycle of nobody who cancels.
+ControllerOutcome outcome_of(const CycleResult& result);
+
+/// The planner as a controller that ends by itself: for a host that does not stop the robot at the goal or when it
+/// cancels, as Move Base Flex does not. Knows none of its types. Nothing thrown inside comes out. cancel() may come
+/// from any thread, the rest from the host's control thread.
+class Controller {
+ public:
+  Controller();
+  ~Controller();
+
+  /// `name`: the namespace of parameters and topics below the node's own. Both others must outlive this.
+  void initialize(const std::string& name, const tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap);
+  /// False only before initialize(): of a plan that cannot be used the next cycle tells, and brakes.
+  bool set_plan(const std::vector<geometry_msgs::PoseStamped>& plan);
+  /// One control cycle; `command` is to be sent where it is a success. `message` says what goes wrong or why the
+  /// robot brakes; empty where it just drives.
+  ControllerOutcome compute(geometry_msgs::Twist& command, std::string& message);
+  /// Within `xy` [m] and `yaw` [rad], and at rest. The planner drives to these instead of its own tolerances.
+  bool goal_reached(double xy, double yaw);
+  /// From now on cycles brake, within the limits; once zero was sent and the robot rests one says `canceled`.
+  void cancel();
+
+ private:
+  ControllerOutcome cycle(geometry_msgs::Twist& command, std::string& message);
+
+  std::unique_ptr<Shell> shell_;
+  CancelRequest cancel_;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/cycle_result.hpp"
+
+namespace hidwa_local_planner {
+
+const char* const kEscapes = "the robot stands in collision: it only moves out of it";
+
+std::string refusals_in_words(const Decision& decision) {
+  std::string text = decision.problem;
+  if (decision.candidates > 0) text += " (of " + std::to_string(decision.candidates) + " candidates";
+  for (const RefusalCount& refusal : decision.refusals) {
+    if (refusal.count == 0) continue;
+    text += ", ";
+    text += refusal.name;
+    text += " refuses " + std::to_string(refusal.count);
+  }
+  if (decision.candidates > 0) text += ")";
+  return text;
+}
+
+std::string in_words(const CycleResult& result) {
+  if (result.decision == nullptr) return result.fault;
+  if (!result.decision->problem.empty()) return refusals_in_words(*result.decision);
+  return result.decision->escaping ? kEscapes : "";
+}
+
+}  // namespace hidwa_local_planner
