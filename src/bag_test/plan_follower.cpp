@@ -54,6 +54,8 @@ class PlanFollower {
       tell(false);
     }
     if (!following_) return;
+    // The costmap's own thread may lag behind a bag that is played fast: what was seen by now is to count.
+    costmap_.updateMap();
     geometry_msgs::Twist command;
     if (planner_->isGoalReached()) {
       following_ = false;

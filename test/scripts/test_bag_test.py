@@ -95,8 +95,8 @@ expect: {arrived: true, contacts: 0, failures: 3, deviation: {v: 0.1}, states: [
 
 
 class JudgeTest(unittest.TestCase):
-    def fault(self, command, previous=(0.0, 0.0), measured=(), period=0.05):
-        return judge.limit_fault(command, previous, list(measured), period, LIMITS)
+    def fault(self, command, previous=(0.0, 0.0), measured=(), passed=0.05):
+        return judge.limit_fault(command, previous, list(measured), 0.05, passed, LIMITS)
 
     def test_limits(self):
         # Up by 2.0 x 0.05 = 0.1 m/s and 4.0 x 0.05 = 0.2 rad/s, down by 1.0 x 0.05 = 0.05 m/s.
@@ -110,6 +110,9 @@ class JudgeTest(unittest.TestCase):
         self.assertIn('v = 0.510 m/s is not within -0.100 and 0.500', self.fault((0.51, 0.0), (0.5, 0.0)))
         self.assertIn('omega = -1.100', self.fault((0.0, -1.1), (0.0, -1.0)))
         self.assertNotEqual(self.fault((math.nan, 0.0)), '')
+        # More time, more change; but who is beyond the limits need not brake for longer than a period.
+        self.assertEqual(self.fault((0.12, 0.0), passed=0.06), '')
+        self.assertEqual(self.fault((0.75, 0.0), (0.8, 0.0), passed=0.06), '')
 
     def test_a_robot_beyond_the_limits_may_be_braked_to_them(self):
         self.assertEqual(self.fault((0.75, 0.0), (0.5, 0.0), [(0.8, 0.0)]), '')      # 0.8 - 0.05

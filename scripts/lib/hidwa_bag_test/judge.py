@@ -24,8 +24,9 @@ def allowed(lowest, highest, previous, measured, down, period):
     return min(lowest, min([previous, *measured]) + slower), max(highest, max([previous, *measured]) - slower)
 
 
-def limit_fault(command, previous, measured, period, limits):
-    """What a command (v, omega) violates, in words; empty where it keeps the limits. `measured`: [(v, omega)]."""
+def limit_fault(command, previous, measured, period, passed, limits):
+    """What a command (v, omega) violates, in words; empty where it keeps the limits. `measured`: [(v, omega)]; `passed`
+    [s] since the previous command, `period` [s] or more: by a coarse clock, or where the machine was slow."""
     ranges = {'x': (limits['min_vel_x'], limits['max_vel_x']), 'theta': (-limits['max_vel_theta'], limits['max_vel_theta'])}
     for i, (name, unit, axis) in enumerate((('v', 'm/s', 'x'), ('omega', 'rad/s', 'theta'))):
         up = limits['acc_lim_' + axis]
@@ -34,9 +35,9 @@ def limit_fault(command, previous, measured, period, limits):
         low, high = allowed(*ranges[axis], previous[i], before, down, period)
         if not low - ROUNDING <= command[i] <= high + ROUNDING:
             return f'{name} = {command[i]:.3f} {unit} is not within {low:.3f} and {high:.3f} {unit}'
-        low, high = reachable(previous[i], before, up, down, period)
+        low, high = reachable(previous[i], before, up, down, passed)
         if not low - ROUNDING <= command[i] <= high + ROUNDING:
-            return (f'{name} = {command[i]:.3f} {unit} cannot be reached in {period:.3f} s: '
+            return (f'{name} = {command[i]:.3f} {unit} cannot be reached in {passed:.3f} s: '
                     f'{low:.3f} to {high:.3f} {unit} can')
     return ''
 

@@ -57,21 +57,22 @@ class Verdicts:
     def limits(self):
         faults = []
         for cycle, command, previous, passed, follower in self._driven():
-            fault = judge.limit_fault(command, previous, follower.measured, passed, self._robot.limits)
+            fault = judge.limit_fault(command, previous, follower.measured, self._robot.period, passed,
+                                      self._robot.limits)
             if fault:
                 faults.append(f'after {self._after_start(cycle):.2f} s: {fault}')
         return faults
 
     def collision_free(self):
         faults, robot, looked = [], self._robot, 0
-        for cycle, command, previous, passed, follower in self._driven():
+        for cycle, command, previous, _, follower in self._driven():
             pose = follower.pose()
             if pose is None or follower.scan_time is None:
                 continue
             looked += 1
             met = judge.swept_points(robot.footprint, pose, command, robot.latency + robot.period, robot.decel, follower.points)
             # The bag's robot may be where, and so fast that, nobody could stop it in time.
-            if met and not judge.brakes_fully(command, previous, follower.measured, passed, robot.decel):
+            if met and not judge.brakes_fully(command, previous, follower.measured, robot.period, robot.decel):
                 faults.append(f'after {self._after_start(cycle):.2f} s: {met} points of the scan lie on the way to rest from '
                               f'v = {command[0]:.3f} m/s, omega = {command[1]:.3f} rad/s')
         return faults if looked else ['no cycle could be held against a scan: are scan, frame and base_frame right?']
