@@ -89,6 +89,13 @@ expect: {arrived: true, contacts: 0, failures: 3, deviation: {v: 0.1}, states: [
         with self.assertRaisesRegex(Absent, 'a.bag does not exist: correct bag in'):
             Recording(self.read('{bag: a.bag, plan: {driven: true}}'))
 
+    def test_a_bag_that_lacks_a_topic(self):
+        bag = os.path.join(os.path.dirname(__file__), '..', 'ros', 'bags', 'bags', 'arrival.bag')
+        with self.assertRaisesRegex(BagTestError, 'arrival.bag holds no /hand_pose, /plan: record them, or name'):
+            Recording(self.read('{plan: {topic: /plan}, topics: [/odom, /scan, /tf, /hand_pose], bag: ' + bag + '}'))
+        with self.assertRaisesRegex(BagTestError, 'less than 0.5 s of .* is left from start = 99 on'):
+            Recording(self.read('{plan: {driven: true}, start: 99, bag: ' + bag + '}'))
+
     def test_a_file_that_is_no_bag(self):
         with self.assertRaisesRegex(BagTestError, 'test.yaml'):
             Recording(self.read('{bag: test.yaml, plan: {driven: true}}'))

@@ -181,5 +181,5 @@ def read_description(path, bag=None):
     except ValueError as fault:
         raise BagTestError(f'{path}: {fault}') from fault
     values['expect'] = Expectations(**values.get('expect', {}))
-    values['bag'] = os.path.join(os.path.dirname(os.path.abspath(path)), values['bag'])
+    values['bag'] = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(path)), values['bag']))
     return Description(path=path, **values)

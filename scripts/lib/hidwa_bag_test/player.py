@@ -120,8 +120,9 @@ class Player:
             if not deaf and self._plan.get_num_connections() and self._answers.connected():
                 return now
             if rospy.is_shutdown() or time.monotonic() > deadline:
-                raise BagTestError(f'after {PATIENCE:.0f} s nobody listens to {", ".join(deaf) or "/bag_test/plan"}: does the '
-                                   'test include bag_test.launch, and are the topics and the mode right?')
+                names = ', '.join(deaf) or '/bag_test/plan'
+                raise BagTestError(f'after {PATIENCE:.0f} s nobody listens to {names}: does the test include bag_test.launch, '
+                                   'and are the topics and the mode right?')
             now = self._pass_time(now)
 
     def _pass_time(self, now):

@@ -68,13 +68,15 @@ class Recording:
         except (OSError, rosbag.ROSBagException) as fault:
             raise BagTestError(f'{d.bag}: {fault}') from fault
         held = {topic for _, topic, _ in rows}
-        missing = [name for name in (d.odom, d.scan, '/tf', d.plan.get('topic')) if name and name not in held]
+        needed = {d.odom, d.scan, '/tf', d.plan.get('topic')} | set(d.topics)
+        missing = sorted(needed - held - {None, '/tf_static'})
         if missing:
             raise BagTestError(f'{d.bag} holds no {", ".join(missing)}: record them, or name the right topics in {d.path}')
         self.start = begin + d.start
         self.end = min(end, self.start + (d.duration or np.inf))
         if self.end - self.start < 0.5:
-            raise BagTestError(f'{d.path}: less than 0.5 s of {d.bag} ({end - begin:.1f} s) is left from start = {d.start:g} on')
+            raise BagTestError(f'{d.path}: less than 0.5 s of {d.bag} ({end - begin:.1f} s) is left from start = {d.start:g} '
+                               'on: begin earlier')
         self.events = self._stretch(rows)
         self._description = d
 

@@ -67,14 +67,15 @@ class Verdicts:
         faults, robot, looked = [], self._robot, 0
         for cycle, command, previous, _, follower in self._driven():
             pose = follower.pose()
-            if pose is None or follower.scan_time is None:
+            if pose is None or follower.scan_time is None or not all(map(math.isfinite, command)):
                 continue
             looked += 1
-            met = judge.swept_points(robot.footprint, pose, command, robot.latency + robot.period, robot.decel, follower.points)
+            hold = robot.latency + robot.period
+            met = judge.swept_points(robot.footprint, pose, command, hold, robot.decel, follower.points)
             # The bag's robot may be where, and so fast that, nobody could stop it in time.
             if met and not judge.brakes_fully(command, previous, follower.measured, robot.period, robot.decel):
-                faults.append(f'after {self._after_start(cycle):.2f} s: {met} points of the scan lie on the way to rest from '
-                              f'v = {command[0]:.3f} m/s, omega = {command[1]:.3f} rad/s')
+                faults.append(f'after {self._after_start(cycle):.2f} s: {met} points of the scan lie on the way to rest '
+                              f'from v = {command[0]:.3f} m/s, omega = {command[1]:.3f} rad/s')
         return faults if looked else ['no cycle could be held against a scan: are scan, frame and base_frame right?']
 
     def contacts(self):
