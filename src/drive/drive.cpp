@@ -46,6 +46,7 @@ sim::WorldSetup world_setup(const DriveSetup& setup) {
   if (!(setup.link_delay >= 0.0)) throw std::invalid_argument("the link's delay must not be negative");
   sim::WorldSetup world;
   world.map = setup.ground->map();
+  world.discs = setup.ground->discs();
   world.regions = setup.regions;
   world.footprint = setup.footprint;
   world.limits = setup.limits;
@@ -70,6 +71,12 @@ std::vector<Pose2> poses_along(const sim::Route& route, const sim::Pose& goal) {
   return poses;
 }
 
+// By which a navfn plans on the setup's costmap.
+sim::RouteClearance route_clearance(const DriveSetup& setup) {
+  const double radius = setup.plan_radius > 0.0 ? setup.plan_radius : Footprint(setup.outline).inscribed_radius();
+  return navfn_clearance(radius, setup.costmap.inflation.cost_scaling_factor);
+}
+
 class Run {
  public:
   Run(const DriveSetup& setup, const Observer& observer)
@@ -83,7 +90,8 @@ class Run {
         world_(world_setup(setup)),
         sensing_(setup),
         link_(setup, person_),
-        route_(setup.route ? setup.route : make_route(setup)),
+        clearance_(route_clearance(setup)),
+        route_(setup.explore ? nullptr : setup.route ? setup.route : make_route(setup)),
         recorder_(setup) {
     const std::vector<std::string> faults = planner_.configure(setup.parameters);
     if (!faults.empty()) throw std::invalid_argument(faults.front());
@@ -103,6 +111,7 @@ class Run {
       link_.deliver(now());
       if (control_due_(step)) control();
       if (!ended_) world_.advance(kStep);
+      if (setup_.end_at_contact && world_.contacts() > 0) end(Ending::contact);
     }
     return recorder_.finish(world_, ended_ ? ending_ : Ending::out_of_time);
   }
@@ -141,13 +150,19 @@ class Run {
   // Where there is no new plan the old one stays.
   void replan() {
     plan_wanted_ = false;
-    const sim::Route route = route_->from({world_.pose().x, world_.pose().y});
+    const Eigen::Vector2d here(world_.pose().x, world_.pose().y);
+    if (setup_.explore) route_ = std::make_shared<sim::GridRoute>(sensing_.seen().map(), clearance_, goal_point(), here);
+    const sim::Route route = route_->from(here);
     if (route.empty()) return;
     plan_.set_plan(poses_along(route, setup_.goal));
     if (setup_.person) setup_.person->set_plan(route);
   }
 
+  Eigen::Vector2d goal_point() const { return {setup_.goal.x, setup_.goal.y}; }
+
   bool goal_reached() {
+    const double left = (goal_point() - Eigen::Vector2d(world_.pose().x, world_.pose().y)).norm();
+    if (setup_.goal_radius > 0.0) return left <= setup_.goal_radius;
     if (person_.state() == OperatorStateId::manual) return false;
     return goal_checker_.update(pose(), velocity(), goal(), planner_.parameters());
   }
@@ -226,6 +241,7 @@ class Run {
   Sensing sensing_;
   input::OperatorStateMachine person_;
   OperatorLink link_;
+  const sim::RouteClearance clearance_;
   std::shared_ptr<const sim::GridRoute> route_;
   Planner planner_;
   GoalChecker goal_checker_;
@@ -244,9 +260,7 @@ class Run {
 DriveResult drive(const DriveSetup& setup, const Observer& observer) { return Run(setup, observer).run(); }
 
 std::shared_ptr<const sim::GridRoute> make_route(const DriveSetup& setup) {
-  const sim::RouteClearance clearance = navfn_clearance(Footprint(setup.outline).inscribed_radius(),
-                                                        setup.costmap.inflation.cost_scaling_factor);
-  return std::make_shared<sim::GridRoute>(*setup.ground->map(), clearance,
+  return std::make_shared<sim::GridRoute>(*setup.ground->map(), route_clearance(setup),
                                           Eigen::Vector2d(setup.goal.x, setup.goal.y));
 }
 

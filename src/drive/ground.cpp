@@ -46,10 +46,20 @@ double gap(const sim::Polygon& polygon, const Eigen::Vector2d& low, double size)
 
 }  // namespace
 
-Ground::Ground(std::shared_ptr<const sim::OccupancyMap> map)
-    : map_(required(std::move(map))), caster_(*map_), distance_(sim::DistanceField::to_obstacles(*map_)) {}
+Ground::Ground(std::shared_ptr<const sim::OccupancyMap> map, std::shared_ptr<const sim::DiscField> discs)
+    : map_(required(std::move(map))), discs_(std::move(discs)), caster_(*map_), distance_(sim::DistanceField::to_obstacles(*map_)) {}
+
+double Ground::range(double x, double y, double angle, double range_max) const {
+  const double to_map = caster_.range(x, y, angle, range_max);
+  return discs_ ? std::min(to_map, discs_->range(x, y, angle, range_max)) : to_map;
+}
 
 double Ground::clearance(const sim::Polygon& outline, const sim::Pose& pose, double at_most) const {
+  const double to_map = clearance_of_map(outline, pose, at_most);
+  return discs_ ? discs_->gap(sim::transformed(outline, pose), to_map) : to_map;
+}
+
+double Ground::clearance_of_map(const sim::Polygon& outline, const sim::Pose& pose, double at_most) const {
   const double size = map_->resolution;
   // The field measures between the centres of cells: up to half a diagonal at either end.
   const double surely =

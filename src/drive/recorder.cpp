@@ -74,6 +74,8 @@ const char* to_string(Ending ending) {
       return "no plan";
     case Ending::out_of_time:
       return "out of time";
+    case Ending::contact:
+      return "contact";
   }
   return "unknown";
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "hidwa_local_planner/drive/seen_map.hpp"
 #include "hidwa_local_planner/drive/setup.hpp"
 #include "hidwa_local_planner/sim/random.hpp"
 #include "hidwa_local_planner/sim/world.hpp"
@@ -25,9 +27,13 @@ class Sensing {
 
   GridView costmap() const { return costmap_.view(); }
 
+  /// What was seen so far; only where the setup explores.
+  const SeenMap& seen() const { return *seen_; }
+
  private:
   const DriveSetup& setup_;
   LocalCostmap costmap_;
+  std::optional<SeenMap> seen_;
   sim::Random noise_;
   sim::Pose true_pose_;        // of the robot at the last scan, map frame
   sim::Pose odometry_pose_;    // the same in the odometry's frame

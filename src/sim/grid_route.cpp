@@ -18,6 +18,7 @@ constexpr std::array<int, 8> kColumnStep{1, 1, 0, -1, -1, -1, 0, 1};
 constexpr std::array<int, 8> kRowStep{0, 1, 1, 1, 0, -1, -1, -1};
 constexpr std::uint8_t kGoal = 8;
 constexpr std::uint8_t kNone = 9;
+constexpr std::size_t kNoCell = std::numeric_limits<std::size_t>::max();
 constexpr double kStartTolerance = 0.5;  // [m]
 
 std::uint8_t opposite(std::size_t direction) { return static_cast<std::uint8_t>((direction + 4) % 8); }
@@ -35,11 +36,21 @@ GridRoute::GridRoute(const OccupancyMap& map, const RouteClearance& clearance, c
   map_.cells = {};
   const int column = map.column(goal.x());
   const int row = map.row(goal.y());
-  if (map.inside(column, row)) search(DistanceField::to_obstacles(map), clearance, column, row);
+  if (map.inside(column, row)) search(DistanceField::to_obstacles(map), clearance, column, row, kNoCell);
+}
+
+GridRoute::GridRoute(const OccupancyMap& map, const RouteClearance& clearance, const Eigen::Vector2d& goal,
+                     const Eigen::Vector2d& start)
+    : map_(map), toward_goal_(map.cells.size(), kNone) {
+  map_.cells = {};
+  const int column = map.column(goal.x()), row = map.row(goal.y());
+  const int last_column = map.column(start.x()), last_row = map.row(start.y());
+  const std::size_t last = map.inside(last_column, last_row) ? map.index(last_column, last_row) : kNoCell;
+  if (map.inside(column, row)) search(DistanceField::to_obstacles(map), clearance, column, row, last);
 }
 
 void GridRoute::search(const DistanceField& field, const RouteClearance& clearance, int goal_column,
-                       int goal_row) {
+                       int goal_row, std::size_t last) {
   using Entry = std::pair<float, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
   std::vector<float> cost(toward_goal_.size(), std::numeric_limits<float>::max());
@@ -52,6 +63,7 @@ void GridRoute::search(const DistanceField& field, const RouteClearance& clearan
     const Entry top = open.top();
     open.pop();
     if (top.first > cost[top.second]) continue;
+    if (top.second == last) return;  // all that its way leads through is final
     const int column = static_cast<int>(top.second % width);
     const int row = static_cast<int>(top.second / width);
     for (std::size_t k = 0; k < 8; ++k) {

@@ -31,7 +31,7 @@ World::World(WorldSetup setup)
   if (!is_free(pose_)) {
     throw std::invalid_argument("the start (" + std::to_string(pose_.x) + ", " + std::to_string(pose_.y) +
                                 ", " + std::to_string(pose_.theta) +
-                                ") puts the footprint on an occupied cell of the map: choose a free one");
+                                ") puts the footprint on an obstacle: choose a free one");
   }
   regions_.update(transformed(setup_.footprint, pose_));
 }
@@ -42,7 +42,8 @@ void World::advance(double dt) {
 }
 
 bool World::is_free(const Pose& pose) const {
-  return !overlaps_occupied(*setup_.map, transformed(setup_.footprint, pose));
+  const Polygon placed = transformed(setup_.footprint, pose);
+  return !overlaps_occupied(*setup_.map, placed) && !(setup_.discs && setup_.discs->overlaps(placed));
 }
 
 Motion World::stop_at_obstacle(const Motion& motion) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 
+#include "hidwa_local_planner/study/barn_drive.hpp"
 #include "hidwa_local_planner/study/error.hpp"
 
 namespace hidwa_local_planner {
@@ -54,6 +55,26 @@ std::vector<std::string> conditions(const std::string& text) {
   return names;
 }
 
+std::vector<std::string> modes(const std::string& text) {
+  std::vector<std::string> names;
+  for (const std::string& name : list(text)) {
+    if (name == "SHARED") {
+      names.insert(names.end(), {"HELPFUL", "HOSTILE"});
+    } else if (std::count(barn_modes().begin(), barn_modes().end(), name) > 0) {
+      names.push_back(name);
+    } else {
+      names.clear();
+      break;
+    }
+  }
+  if (names.empty()) {
+    throw UsageError("--mode needs some of AUTONOMY,HELPFUL,HOSTILE (SHARED: the last two), not '" + text + "'");
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
 std::string one_of(const std::string& option, const std::string& text, const std::string& a,
                    const std::string& b) {
   if (text != a && text != b) throw UsageError(option + " is " + a + " or " + b + ", not '" + text + "'");
@@ -89,6 +110,8 @@ std::map<std::string, Reader> readers(Options& o) {
       {"--set", [&o](const std::string& v) { o.sets.push_back(parse_assignment(v)); }},
       {"--grid", [&o](const std::string& v) { o.grid.push_back(v); }},
       {"--vary", [&o](const std::string& v) { o.vary.push_back(v); }},
+      {"--worlds", [&o](const std::string& v) { o.worlds = v; }},
+      {"--mode", [&o](const std::string& v) { o.modes = modes(v); }},
       {"--shard", [&o](const std::string& v) { read_shard(v, o); }},
   };
 }
@@ -100,6 +123,18 @@ std::map<std::string, std::function<void()>> switches(Options& o) {
           {"--no-paths", [&o] { o.paths = false; }}};
 }
 
+// Options that say nothing to a command are refused: whoever gives them expects something else.
+void check_option(const std::string& command, const std::string& name) {
+  const std::vector<std::string> of_barn{"--worlds", "--mode"};
+  const std::vector<std::string> of_people{"--map", "--regions", "--start", "--goal", "--participants", "--conditions",
+                                           "--profile", "--guard"};
+  const bool barn = command == "barn";
+  const std::vector<std::string>& others = barn ? of_people : of_barn;
+  if (std::count(others.begin(), others.end(), name) > 0) {
+    throw UsageError(name + " is for " + (barn ? "run, pilot and sweep" : "barn") + ": see hidwa_study --help");
+  }
+}
+
 void read_arguments(const std::vector<std::string>& arguments, Options& options) {
   const std::map<std::string, Reader> with_value = readers(options);
   const std::map<std::string, std::function<void()>> without = switches(options);
@@ -109,6 +144,7 @@ void read_arguments(const std::vector<std::string>& arguments, Options& options)
       options.command = "help";
       return;
     }
+    check_option(options.command, name);
     const auto reader = with_value.find(name);
     const auto toggle = without.find(name);
     if (reader != with_value.end()) {
@@ -133,8 +169,11 @@ void check(const Options& o) {
   if (o.command == "sweep" && o.grid.empty() == o.vary.empty()) {
     throw UsageError("sweep needs either --grid or --vary name=value,value,...");
   }
-  if (o.command != "sweep" && !o.grid.empty()) throw UsageError("--grid is for sweep; for one value take --set");
-  if (o.command != "sweep" && !o.vary.empty()) throw UsageError("--vary is for sweep; for one value take --set");
+  if (o.command == "barn" && o.worlds.empty()) throw UsageError("--worlds is missing: a file of BARN worlds");
+  if (o.command == "barn" && !o.grid.empty() && !o.vary.empty()) throw UsageError("barn takes --grid or --vary, not both");
+  const bool several = o.command == "sweep" || o.command == "barn";
+  if (!several && !o.grid.empty()) throw UsageError("--grid is for sweep and barn; for one value take --set");
+  if (!several && !o.vary.empty()) throw UsageError("--vary is for sweep and barn; for one value take --set");
   if (o.command == "pilot") {
     for (const Assignment& set : o.sets) {
       if (set.name == "s_v" || set.name == "s_omega" || set.name == "delta") {
@@ -150,15 +189,16 @@ Options parse_options(const std::vector<std::string>& arguments) {
   Options options;
   options.command = arguments.empty() ? "" : arguments.front();
   if (options.command == "--help" || options.command == "-h") options.command = "help";
-  const std::vector<std::string> commands{"run", "pilot", "sweep", "merge", "help"};
+  const std::vector<std::string> commands{"run", "pilot", "sweep", "barn", "merge", "help"};
   if (std::count(commands.begin(), commands.end(), options.command) == 0) {
     throw UsageError((options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
-                     std::string(": hidwa_study run, pilot, sweep or merge; see hidwa_study --help"));
+                     std::string(": hidwa_study run, pilot, sweep, barn or merge; see hidwa_study --help"));
   }
   if (options.command == "pilot" || options.command == "sweep") {
     options.participants = 8;
     options.conditions = {"SJ"};
   }
+  options.modes = barn_modes();
   read_arguments(arguments, options);
   check(options);
   return options;
@@ -173,6 +213,8 @@ std::string help() {
                                 every combination, 8 participants, SJ
   hidwa_study sweep --out DIR --vary NAME=V1,V2,... [--vary ...]
                                 as it is, then each value alone: the sensitivity to it
+  hidwa_study barn --out DIR --worlds FILE
+                                BARN-2D: a Jackal in fields of cylinders, alone and with a person (docs/study.md)
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
 
@@ -182,11 +224,13 @@ std::string help() {
   --goal X,Y,YAW
   --participants N
   --conditions SJ,SG,SW   some of them
+  --mode AUTONOMY,HELPFUL,HOSTILE
+                          barn: some of them; SHARED: HELPFUL and HOSTILE
   --seed N                of everything random; default 1
   --profile default|paper
   --guard none|nearest    SW: the person's own velocity (default, the paper's), or the nearest legal one
   --set NAME=VALUE        a parameter of the planner (see README), participant.TRAIT (see docs/study.md), or
-                          link_delay [s]; may be repeated
+                          link_delay [s]; barn: also costmap.NAME; may be repeated
   --threads N             default: as many as there are cores
   --shard K/N             the K-th of N parts only
   --no-resume             make runs again that are finished; default: keep them

@@ -86,6 +86,26 @@ Plan make_plan(const std::string& experiment, int participants, const std::vecto
   return plan;
 }
 
+Plan make_barn_plan(const std::vector<int>& worlds, const std::vector<std::string>& modes,
+                    const std::vector<Setting>& settings) {
+  Plan plan{"barn", settings, {}};
+  for (const int world : worlds) {
+    for (std::size_t setting = 0; setting < settings.size(); ++setting) {
+      for (const std::string& mode : modes) {
+        Run run;
+        run.participant = world;
+        run.condition = mode;
+        run.order = 1;
+        run.setting = setting;
+        run.id = id_of(plan.experiment, run);
+        plan.runs.push_back(run);
+      }
+    }
+  }
+  std::sort(plan.runs.begin(), plan.runs.end(), [](const Run& a, const Run& b) { return a.id < b.id; });
+  return plan;
+}
+
 std::vector<Setting> pilot_settings() {
   const auto combination = [](const char* s_v, const char* s_omega, const char* delta) {
     return Setting{{"s_v", s_v}, {"s_omega", s_omega}, {"delta", delta}};

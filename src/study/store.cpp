@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "hidwa_local_planner/study/error.hpp"
-#include "hidwa_local_planner/study/summary.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -66,7 +65,7 @@ std::optional<Row> Store::row(const Run& run) const {
   const std::optional<std::string> text = read(fs::path(folder_) / row_name(run.id));
   if (!text || text->empty() || text->back() != '\n') return std::nullopt;
   const Row row = from_line(*text);
-  if (row.size() != columns().size() || row.front() != run.id) return std::nullopt;
+  if (row.size() != tables_.columns.size() || row.front() != run.id) return std::nullopt;
   return row;
 }
 
@@ -80,17 +79,22 @@ std::string Store::path(const Run& run) const {
   return read(fs::path(folder_) / path_name(run.id)).value_or("");
 }
 
-std::size_t Store::finish(const Plan& plan) const {
+std::vector<Row> Store::rows(const Plan& plan) const {
   std::vector<Row> rows;
   for (const Run& run : plan.runs) {
     if (const std::optional<Row> finished = row(run)) rows.push_back(*finished);
   }
-  std::string csv = to_line(columns()) + '\n';
-  for (const Row& row : rows) csv += to_line(row) + '\n';
+  return rows;
+}
+
+std::size_t Store::finish(const Plan& plan) const {
+  const std::vector<Row> finished = rows(plan);
+  std::string csv = to_line(tables_.columns) + '\n';
+  for (const Row& row : finished) csv += to_line(row) + '\n';
   write("runs.csv", csv);
-  if (plan.settings.size() > 1) write("ranking.csv", ranking_csv(plan, rows));
-  write("summary.json", summary_json(plan, rows));
-  return rows.size();
+  if (plan.settings.size() > 1) write("ranking.csv", tables_.ranking(plan, finished));
+  write("summary.json", tables_.summary(plan, finished));
+  return finished.size();
 }
 
 std::string Store::manifest() const { return read_or_fail(fs::path(folder_) / kManifest); }

@@ -98,7 +98,7 @@ bool could_stop(const Scene& scene) {
 
 Course pick_course(Random& random, Ground ground) {
   if (ground == Ground::open) return open_corridor(random);
-  static const std::vector<BarnWorld> worlds = read_barn_worlds(barn_worlds_file());
+  static const std::vector<BarnWorld> worlds = sim::load_barn_worlds(barn_worlds_file());
   return barn_course(
       worlds[static_cast<std::size_t>(random.integer(0, static_cast<int>(worlds.size()) - 1))]);
 }

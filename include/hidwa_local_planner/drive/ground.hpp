@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "hidwa_local_planner/sim/disc_field.hpp"
 #include "hidwa_local_planner/sim/distance_field.hpp"
 #include "hidwa_local_planner/sim/grid_route.hpp"
 #include "hidwa_local_planner/sim/occupancy_map.hpp"
@@ -12,20 +13,26 @@
 namespace hidwa_local_planner {
 namespace drive {
 
-/// A map and what is worked out of it once for all drives on it. Drives in several threads may share it.
+/// A map, where given discs that stand in it and are in no grid, and what is worked out of it once for all drives on it. Drives in several threads may share it.
 class Ground {
  public:
-  explicit Ground(std::shared_ptr<const sim::OccupancyMap> map);
+  explicit Ground(std::shared_ptr<const sim::OccupancyMap> map, std::shared_ptr<const sim::DiscField> discs = nullptr);
 
   const std::shared_ptr<const sim::OccupancyMap>& map() const { return map_; }
-  const sim::RayCaster& caster() const { return caster_; }
+  const std::shared_ptr<const sim::DiscField>& discs() const { return discs_; }  // null: none
 
-  /// Free space between a robot's outline (robot frame) at `pose` (map frame) and the nearest occupied cell
-  /// [m]: exact below `at_most` [m], else `at_most`; 0 where they overlap.
+  /// Distance from (x, y) in direction `angle` [rad] to the first obstacle [m]; infinite if none within `range_max` [m].
+  double range(double x, double y, double angle, double range_max) const;
+
+  /// Free space between a robot's outline (robot frame) at `pose` (map frame) and the nearest obstacle [m]:
+  /// exact below `at_most` [m], else `at_most`; 0 where they overlap.
   double clearance(const sim::Polygon& outline, const sim::Pose& pose, double at_most) const;
 
  private:
+  double clearance_of_map(const sim::Polygon& outline, const sim::Pose& pose, double at_most) const;
+
   std::shared_ptr<const sim::OccupancyMap> map_;
+  std::shared_ptr<const sim::DiscField> discs_;
   sim::RayCaster caster_;
   sim::DistanceField distance_;
 };

@@ -14,7 +14,7 @@ namespace hidwa_local_planner {
 namespace drive {
 
 /// How a drive ended.
-enum class Ending { arrived, given_up, no_plan, out_of_time };
+enum class Ending { arrived, given_up, no_plan, out_of_time, contact };
 const char* to_string(Ending ending);
 
 /// One control cycle of a drive.

@@ -56,6 +56,15 @@ struct DriveSetup {
 
   std::uint64_t odometry_seed = 1;
   std::uint64_t laser_seed = 2;
+  // Where set, the goal is reached as soon as the robot's centre is so near to it [m], whatever its heading and speed.
+  double goal_radius = 0.0;
+  bool end_at_contact = false;
+  // Plan on what the laser has seen so far, on a grid of the map's geometry (what nobody has seen is free), instead of on
+  // the map; `route` does not count then.
+  bool explore = false;
+  // How near to an obstacle the plan may lead [m]; 0: the outline's inscribed radius.
+  double plan_radius = 0.0;
+
   double patience = 15.0;     // [s], of cycles without a command before the goal is given up
   double time_limit = 600.0;  // [s]
   bool keep_samples = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -32,12 +33,18 @@ class GridRoute {
  public:
   GridRoute(const OccupancyMap& map, const RouteClearance& clearance, const Eigen::Vector2d& goal);
 
+  /// The same, for one start: the search ends when its way is found.
+  GridRoute(const OccupancyMap& map, const RouteClearance& clearance, const Eigen::Vector2d& goal,
+            const Eigen::Vector2d& start);
+
   /// From `start` to the goal, one point a cell; empty where there is no way. A start too near to an obstacle
   /// is served from the nearest cell within 0.5 m that has a way.
   Route from(const Eigen::Vector2d& start) const;
 
  private:
-  void search(const DistanceField& field, const RouteClearance& clearance, int goal_column, int goal_row);
+  // Ends early at the cell `last`, where it is one.
+  void search(const DistanceField& field, const RouteClearance& clearance, int goal_column, int goal_row,
+              std::size_t last);
   bool reached(int column, int row) const;
   bool find_start(int& column, int& row) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "hidwa_local_planner/sim/polygon.hpp"
@@ -23,8 +24,12 @@ struct LaserSpec {
   double angle_increment() const;                            // [rad]
 };
 
-/// One scan from `sensor` (map frame). Nothing within range: +infinity; nearer than range_min: -infinity (REP
+/// One scan; `range` tells the true range [m] in a direction [rad, map frame], infinite where there is nothing. Nothing within range: +infinity; nearer than range_min: -infinity (REP
 /// 117).
+void scan(const std::function<double(double angle)>& range, const LaserSpec& spec, double sensor_heading,
+          Random& random, std::vector<float>& ranges);
+
+/// The same in a map, from `sensor` (map frame).
 void scan(const RayCaster& caster, const LaserSpec& spec, const Pose& sensor, Random& random,
           std::vector<float>& ranges);
 

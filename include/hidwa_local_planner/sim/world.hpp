@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "hidwa_local_planner/sim/disc_field.hpp"
 #include "hidwa_local_planner/sim/occupancy_map.hpp"
 #include "hidwa_local_planner/sim/odometry.hpp"
 #include "hidwa_local_planner/sim/regions.hpp"
@@ -16,6 +17,7 @@ namespace sim {
 /// What a simulated drive needs.
 struct WorldSetup {
   std::shared_ptr<const OccupancyMap> map;
+  std::shared_ptr<const DiscField> discs;  // obstacles besides the map's; null: none
   std::vector<Region> regions;
   Polygon footprint;  // [m], unpadded, robot frame
   DriveLimits limits;
@@ -24,7 +26,8 @@ struct WorldSetup {
   std::uint64_t seed = 1;  // of the odometry noise
 };
 
-/// The robot in its true map. Every 10 ms or finer its unpadded footprint is tested against the map. A
+/// The robot in its true map. Every 10 ms or finer its unpadded footprint is tested against the map
+/// and the discs. A
 /// contact is one uninterrupted overlap: the robot is stopped where it first touches, at most a few
 /// micrometres deep, so that the recorded poses show the contact too, and stays until it moves to a pose that
 /// is free.

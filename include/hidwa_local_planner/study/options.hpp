@@ -16,7 +16,7 @@ namespace study {
 
 /// What the command line says.
 struct Options {
-  std::string command;  // run, pilot, sweep, merge or help
+  std::string command;  // run, pilot, sweep, barn, merge or help
   std::string out;
   std::string map;      // empty: the package's office
   std::string regions;  // likewise; none: no regions
@@ -34,6 +34,8 @@ struct Options {
   bool resume = true;
   bool paths = true;
   std::vector<std::string> parts;  // merge
+  std::string worlds;              // barn: the file
+  std::vector<std::string> modes;  // barn
 };
 
 /// Reads the arguments after the program's name. Throws UsageError.

@@ -3,9 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "hidwa_local_planner/study/table.hpp"
+#include "hidwa_local_planner/study/tables.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -16,7 +17,8 @@ namespace study {
 /// write.
 class Store {
  public:
-  explicit Store(std::string folder) : folder_(std::move(folder)) {}
+  explicit Store(std::string folder, Tables tables = people_tables())
+      : folder_(std::move(folder)), tables_(std::move(tables)) {}
 
   /// Begins or goes on. Throws UsageError where the folder holds another study, and with `resume` false
   /// forgets the runs that it holds.
@@ -24,6 +26,9 @@ class Store {
 
   /// The line of a finished run; none where it is not finished or its line is damaged.
   std::optional<Row> row(const Run& run) const;
+
+  /// The lines of all finished runs of a plan.
+  std::vector<Row> rows(const Plan& plan) const;
 
   /// Keeps a finished run; an empty `path` is not kept. May be called from several threads.
   void keep(const Row& row, const std::string& path) const;
@@ -40,6 +45,7 @@ class Store {
 
  private:
   std::string folder_;
+  Tables tables_;
 };
 
 }  // namespace study

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "barn.hpp"
+
+#include <exception>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "execution.hpp"
+#include "hidwa_local_planner/study/barn_drive.hpp"
+#include "hidwa_local_planner/study/barn_table.hpp"
+#include "hidwa_local_planner/study/error.hpp"
+#include "hidwa_local_planner/study/seed.hpp"
+#include "manifest.hpp"
+#include "share.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+namespace {
+
+const char* const kJackal = "launch/params/jackal.yaml";
+const char* const kBarn = "launch/params/barn.yaml";
+
+std::map<int, sim::BarnWorld> load_worlds(const std::string& file) {
+  std::map<int, sim::BarnWorld> worlds;
+  try {
+    for (sim::BarnWorld& world : sim::load_barn_worlds(file)) worlds.emplace(world.index, std::move(world));
+  } catch (const std::exception& e) {
+    throw UsageError(e.what());
+  }
+  return worlds;
+}
+
+BarnSubject subject_of(const Options& options, const BarnSubject& base, const Setting& setting) {
+  BarnSubject subject = base;
+  for (const Assignment& set : options.sets) assign_barn(subject, set);
+  for (const Assignment& set : setting) assign_barn(subject, set);
+  return subject;
+}
+
+std::vector<BarnSubject> subjects_of(const Options& options, const Plan& plan) {
+  const BarnSubject base = barn_subject(share_file(kJackal), share_file(kBarn));
+  std::vector<BarnSubject> subjects;
+  for (const Setting& setting : plan.settings) {
+    subjects.push_back(subject_of(options, base, setting));
+    const std::vector<std::string> faults = validate(subjects.back().subject.parameters);
+    if (!faults.empty()) throw UsageError("setting " + to_string(setting) + ": " + faults.front());
+  }
+  return subjects;
+}
+
+std::string manifest(const Options& o) {
+  return "{\n  \"version\": " + quoted(HIDWA_VERSION) + ",\n  \"experiment\": \"barn\",\n  \"seed\": " +
+         std::to_string(o.seed) + ",\n  \"set\": " + json_of(o.sets) +
+         ",\n  \"worlds\": " + quoted(fingerprint_of_file(o.worlds)) +
+         ",\n  \"parameters\": " + quoted(fingerprint_of_file(share_file(kJackal)) + " " + fingerprint_of_file(share_file(kBarn))) +
+         ",\n  \"paths\": " + (o.paths ? "true" : "false") + "\n}\n";
+}
+
+}  // namespace
+
+int barn(const Options& options, std::ostream& out, std::ostream& errors) {
+  const std::map<int, sim::BarnWorld> worlds = load_worlds(options.worlds);
+  std::vector<int> indices;
+  for (const auto& entry : worlds) indices.push_back(entry.first);
+  const std::vector<Setting> settings =
+      options.vary.empty() ? combinations(options.grid) : variations(options.vary);
+  const Plan plan = make_barn_plan(indices, options.modes, settings);
+  const std::vector<BarnSubject> subjects = subjects_of(options, plan);
+  const auto make = [&](const Run& run) {
+    // A world's noise is the same in all modes and settings.
+    const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;
+    const std::uint64_t person = seed_for(options.seed, run.participant, "person " + run.condition);
+    const sim::BarnWorld& world = worlds.at(run.participant);
+    drive::DriveResult result = drive_barn(world, subjects[run.setting], run.condition, seed, person);
+    Row row = barn_row(plan, run, seed, result, score_barn(world, result));
+    return Made{std::move(row), std::move(result)};
+  };
+  return execute(options, plan, manifest(options), make, out, errors);
+}
+
+}  // namespace study
+}  // namespace hidwa_local_planner

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/study/barn_drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include <yaml-cpp/yaml.h>
+
+#include "hidwa_local_planner/drive/outline.hpp"
+#include "hidwa_local_planner/study/barn_person.hpp"
+#include "hidwa_local_planner/study/error.hpp"
+#include "hidwa_local_planner/study/table.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+namespace {
+
+// BARN's rules (Daffan/the-barn-challenge: run.py, report_test.py).
+constexpr double kGoalRadius = 1.0;     // [m]
+constexpr double kTimeLimit = 100.0;    // [s]
+constexpr double kOptimalSpeed = 2.0;   // [m/s]
+
+// A Jackal: jackal_navigation's footprint; jackal_control's velocity limits, and the accelerations that launch/params
+// /jackal.yaml states; its front laser, of 270 degrees.
+const sim::Polygon kFootprint{{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, -0.165}};  // [m]
+constexpr double kLaserForward = 0.12;  // [m]
+constexpr double kLaserView = 4.7124;   // [rad]
+constexpr int kBeams = 720;
+constexpr double kLaserNoise = 0.01;  // [m]
+constexpr double kSlip = 0.01;        // of the odometry
+constexpr double kLatency = 0.05;     // [s], one cycle
+
+sim::DriveLimits jackal_limits() {
+  sim::DriveLimits limits;
+  limits.max_vel_x = 2.0;
+  limits.max_vel_theta = 4.0;
+  limits.acc_lim_x = limits.decel_lim_x = 10.0;
+  limits.acc_lim_theta = limits.decel_lim_theta = 20.0;
+  limits.latency = kLatency;
+  return limits;
+}
+
+// The field, its start and its goal, with some room around: what the global plan may use.
+sim::OccupancyMap field(double resolution) {
+  constexpr double kLeft = -5.0, kBottom = -0.5, kWidth = 5.5, kHeight = 15.0;  // [m]
+  return sim::make_map(static_cast<int>(std::lround(kWidth / resolution)), static_cast<int>(std::lround(kHeight / resolution)),
+                       resolution, kLeft, kBottom);
+}
+
+struct Entry {
+  std::function<double&(BarnSubject&)> member;
+  double least, greatest;
+};
+
+// What of the costmaps may be set, as it is called in barn.yaml and by --set.
+const std::map<std::string, Entry>& entries() {
+  static const std::map<std::string, Entry> all{
+      {"costmap.width", {[](BarnSubject& s) -> double& { return s.costmap.width; }, 1.0, 50.0}},
+      {"costmap.resolution", {[](BarnSubject& s) -> double& { return s.costmap.resolution; }, 0.01, 0.2}},
+      {"costmap.footprint_padding", {[](BarnSubject& s) -> double& { return s.padding; }, 0.0, 0.5}},
+      {"costmap.inflation_radius",
+       {[](BarnSubject& s) -> double& { return s.costmap.inflation.inflation_radius; }, 0.0, 5.0}},
+      {"costmap.cost_scaling_factor",
+       {[](BarnSubject& s) -> double& { return s.costmap.inflation.cost_scaling_factor; }, 0.1, 100.0}},
+      {"plan.resolution", {[](BarnSubject& s) -> double& { return s.plan_resolution; }, 0.01, 0.2}},
+      {"plan.robot_radius", {[](BarnSubject& s) -> double& { return s.plan_radius; }, 0.0, 1.0}},
+  };
+  return all;
+}
+
+bool is_entry(const std::string& name) { return name.compare(0, 8, "costmap.") == 0 || name.compare(0, 5, "plan.") == 0; }
+
+void assign_entry(BarnSubject& subject, const std::string& name, const std::string& text) {
+  const auto found = entries().find(name);
+  if (found == entries().end()) {
+    std::string known;
+    for (const auto& entry : entries()) known += " " + entry.first;
+    throw UsageError("there is no " + name + ": there are" + known);
+  }
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !(value >= found->second.least && value <= found->second.greatest)) {
+    throw UsageError(name + " needs a number from " + number(found->second.least) + " to " +
+                     number(found->second.greatest) + ", not '" + text + "'");
+  }
+  found->second.member(subject) = value;
+}
+
+// A local costmap must hold what is rolled out, or its edge limits the speed.
+drive::CostmapSettings wide_enough(drive::CostmapSettings costmap, const Parameters& parameters) {
+  const double reach = parameters.max_vel_x * parameters.sim_time + sim::circumscribed_radius(kFootprint);
+  costmap.width = std::max(costmap.width, 2.0 * reach + 0.5);
+  costmap.obstacle_range = std::max(costmap.obstacle_range, 0.75 * costmap.width);  // to its corners
+  costmap.raytrace_range = costmap.obstacle_range + 0.5;
+  return costmap;
+}
+
+std::shared_ptr<sim::Operator> person_of(const std::string& mode, const Parameters& parameters,
+                                         const std::shared_ptr<const sim::DiscField>& discs, std::uint64_t seed) {
+  const FullDeflection full{parameters.max_vel_x, parameters.max_vel_theta, parameters.exponent};
+  if (mode == "HELPFUL") return std::make_shared<HelpfulPerson>(discs, full);
+  if (mode == "HOSTILE") return std::make_shared<HostilePerson>(discs, full, seed);
+  return nullptr;
+}
+
+}  // namespace
+
+const std::vector<std::string>& barn_modes() {
+  static const std::vector<std::string> modes{"AUTONOMY", "HELPFUL", "HOSTILE"};
+  return modes;
+}
+
+BarnSubject barn_subject(const std::string& jackal_file, const std::string& barn_file) {
+  BarnSubject subject;
+  assign_file(subject.subject.parameters, jackal_file);
+  assign_file(subject.subject.parameters, barn_file);
+  try {
+    const YAML::Node file = YAML::LoadFile(barn_file);
+    for (const std::string section : {"costmap", "plan"}) {
+      for (const auto& entry : file[section]) {
+        assign_entry(subject, section + "." + entry.first.as<std::string>(), entry.second.as<std::string>());
+      }
+    }
+  } catch (const YAML::Exception& e) {
+    throw UsageError("'" + barn_file + "' cannot be read: " + e.what());
+  }
+  return subject;
+}
+
+void assign_barn(BarnSubject& subject, const Assignment& assignment) {
+  const std::string& name = assignment.name;
+  if (name == "mode") throw UsageError("mode is what --mode says: AUTONOMY, HELPFUL, HOSTILE");
+  if (name.compare(0, 12, "participant.") == 0) throw UsageError(name + " is for run, pilot and sweep: barn has no participants");
+  if (is_entry(name)) {
+    assign_entry(subject, name, assignment.value);
+  } else {
+    assign(subject.subject, assignment);
+  }
+}
+
+drive::DriveResult drive_barn(const sim::BarnWorld& world, const BarnSubject& subject, const std::string& mode,
+                              std::uint64_t world_seed, std::uint64_t person_seed) {
+  const auto discs = std::make_shared<sim::DiscField>(world.cylinders, sim::kBarnCylinder);
+  drive::DriveSetup setup;
+  setup.ground = std::make_shared<drive::Ground>(std::make_shared<sim::OccupancyMap>(field(subject.plan_resolution)), discs);
+  setup.start = sim::barn_start();
+  setup.goal = sim::barn_goal();
+  setup.explore = true;
+  setup.plan_radius = subject.plan_radius;
+  setup.footprint = kFootprint;
+  setup.outline = drive::padded_outline(kFootprint, subject.padding);
+  setup.limits = jackal_limits();
+  setup.odometry_noise.slip_x = setup.odometry_noise.slip_theta = kSlip;
+  setup.laser.beams = kBeams;
+  setup.laser.field_of_view = kLaserView;
+  setup.laser.noise = kLaserNoise;
+  setup.laser_pose = {kLaserForward, 0.0, 0.0};
+  setup.parameters = subject.subject.parameters;
+  setup.costmap = wide_enough(subject.costmap, setup.parameters);
+  setup.person = person_of(mode, setup.parameters, discs, person_seed);
+  setup.link_delay = subject.subject.link_delay;
+  setup.odometry_seed = world_seed;
+  setup.laser_seed = world_seed + 1;
+  setup.goal_radius = kGoalRadius;
+  setup.end_at_contact = true;
+  setup.patience = setup.time_limit = kTimeLimit;
+  return drive::drive(setup);
+}
+
+BarnScore score_barn(const sim::BarnWorld& world, const drive::DriveResult& result) {
+  BarnScore score;
+  score.success = result.arrived && result.contacts == 0;
+  score.optimal_time = sim::reference_length(world) / kOptimalSpeed;
+  if (score.success) {
+    score.metric = score.optimal_time /
+                   std::clamp(result.duration, 2.0 * score.optimal_time, 8.0 * score.optimal_time);
+  }
+  const sim::DiscField discs(world.cylinders, sim::kBarnCylinder);
+  constexpr double kFar = 5.0;  // [m]
+  for (const Eigen::Vector2d& point : world.path) {
+    score.path_clearance += discs.distance(point, kFar) / static_cast<double>(world.path.size());
+  }
+  return score;
+}
+
+}  // namespace study
+}  // namespace hidwa_local_planner

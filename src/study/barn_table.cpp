@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/study/barn_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <tuple>
+
+#include "hidwa_local_planner/study/summary.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+namespace {
+
+const std::vector<std::string>& names() {
+  static const std::vector<std::string> all{
+      "id",       "world",           "mode",          "setting",  "seed",         "ending",    "success",
+      "collision", "timeout",         "time",          "metric",   "optimal_time", "path_clearance", "length",
+      "contacts", "clearance",       "operator_active", "interventions", "v_change", "omega_change", "agreement",
+      "failures", "brakes"};
+  return all;
+}
+
+const std::string& text_of(const Row& row, const std::string& column) {
+  const auto found = std::find(names().begin(), names().end(), column);
+  if (found == names().end()) throw std::logic_error("no column " + column);
+  return row.at(static_cast<std::size_t>(found - names().begin()));
+}
+
+double number_of(const Row& row, const std::string& column) {
+  return std::strtod(text_of(row, column).c_str(), nullptr);
+}
+
+struct ModeGroup {
+  std::string mode, setting;
+  std::vector<Row> rows;
+
+  double mean(const std::string& column) const {
+    double sum = 0.0;
+    for (const Row& row : rows) sum += number_of(row, column);
+    return rows.empty() ? 0.0 : sum / static_cast<double>(rows.size());
+  }
+  double mean_time_of_successes() const {
+    double sum = 0.0, n = 0.0;
+    for (const Row& row : rows) {
+      if (text_of(row, "success") != "1") continue;
+      sum += number_of(row, "time");
+      n += 1.0;
+    }
+    return n > 0.0 ? sum / n : 0.0;
+  }
+  long count(const std::string& column) const {
+    return std::lround(mean(column) * static_cast<double>(rows.size()));
+  }
+  double least(const std::string& column) const {
+    double value = number_of(rows.front(), column);
+    for (const Row& row : rows) value = std::min(value, number_of(row, column));
+    return value;
+  }
+};
+
+std::vector<ModeGroup> mode_groups(const Plan& plan, const std::vector<Row>& rows) {
+  std::vector<ModeGroup> groups;
+  for (const Setting& setting : plan.settings) {
+    for (const std::string& mode : barn_modes()) {
+      ModeGroup group{mode, to_string(setting), {}};
+      for (const Row& row : rows) {
+        if (text_of(row, "mode") == mode && text_of(row, "setting") == group.setting) group.rows.push_back(row);
+      }
+      if (!group.rows.empty()) groups.push_back(group);
+    }
+  }
+  return groups;
+}
+
+std::string group_json(const ModeGroup& group) {
+  return "    {\"mode\": \"" + group.mode + "\", \"setting\": \"" + group.setting +
+         "\", \"n\": " + std::to_string(group.rows.size()) + ", \"success\": " + number(group.mean("success")) +
+         ", \"collision\": " + number(group.mean("collision")) + ", \"timeout\": " + number(group.mean("timeout")) +
+         ", \"time_of_successes\": " + number(group.mean_time_of_successes()) +
+         ", \"metric\": " + number(group.mean("metric")) + ", \"contacts\": " + std::to_string(group.count("contacts")) +
+         ", \"least_clearance\": " + number(group.least("clearance")) +
+         ", \"operator_active\": " + number(group.mean("operator_active")) + "}";
+}
+
+std::string summary(const Plan& plan, const std::vector<Row>& rows) {
+  std::string json = "{\n  \"experiment\": \"" + plan.experiment +
+                     "\",\n  \"runs_planned\": " + std::to_string(plan.runs.size()) +
+                     ",\n  \"runs\": " + std::to_string(rows.size()) + ",\n  \"groups\": [";
+  const char* before = "\n";
+  for (const ModeGroup& group : mode_groups(plan, rows)) {
+    json += before + group_json(group);
+    before = ",\n";
+  }
+  return json + "\n  ]\n}\n";
+}
+
+// The best first: fewest contacts, then the greatest metric, most successes.
+std::string ranking(const Plan& plan, const std::vector<Row>& rows) {
+  std::vector<ModeGroup> ranked = mode_groups(plan, rows);
+  const auto merit = [](const ModeGroup& group) {
+    return std::make_tuple(group.mean("contacts"), -group.mean("metric"), -group.mean("success"));
+  };
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [&merit](const ModeGroup& a, const ModeGroup& b) { return merit(a) < merit(b); });
+  std::string csv = "rank,mode,setting,n,success,collision,timeout,time_of_successes,metric\n";
+  int rank = 0;
+  for (const ModeGroup& group : ranked) {
+    csv += std::to_string(++rank) + ',' + group.mode + ',' + group.setting + ',' + std::to_string(group.rows.size());
+    for (const double value : {group.mean("success"), group.mean("collision"), group.mean("timeout"),
+                               group.mean_time_of_successes(), group.mean("metric")}) {
+      csv += ',' + number(value);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string digest(const Plan& plan, const std::vector<Row>& rows) {
+  std::string lines;
+  for (const ModeGroup& group : mode_groups(plan, rows)) {
+    char line[200];
+    std::snprintf(line, sizeof line,
+                  "n %zu, success %.3f, collision %.3f, timeout %.3f, %.1f s, metric %.3f, contacts %ld, least clearance %.3f m",
+                  group.rows.size(), group.mean("success"), group.mean("collision"), group.mean("timeout"),
+                  group.mean_time_of_successes(), group.mean("metric"), group.count("contacts"), group.least("clearance"));
+    lines += group.mode + " " + group.setting + ": " + line + "\n";
+  }
+  return lines;
+}
+
+}  // namespace
+
+Tables barn_tables() { return {names(), summary, ranking, digest}; }
+
+Row barn_row(const Plan& plan, const Run& run, std::uint64_t world_seed, const drive::DriveResult& r,
+             const BarnScore& score) {
+  const bool collision = r.contacts > 0;
+  return {run.id,
+          std::to_string(run.participant),
+          run.condition,
+          to_string(plan.settings[run.setting]),
+          std::to_string(world_seed),
+          drive::to_string(r.ending),
+          score.success ? "1" : "0",
+          collision ? "1" : "0",
+          score.success || collision ? "0" : "1",
+          number(r.duration),
+          number(score.metric),
+          number(score.optimal_time),
+          number(score.path_clearance),
+          number(r.length),
+          std::to_string(r.contacts),
+          number(r.clearance),
+          number(r.operator_active),
+          std::to_string(r.interventions),
+          number(r.v_change),
+          number(r.omega_change),
+          number(r.agreement),
+          std::to_string(r.failures),
+          std::to_string(r.brakes)};
+}
+
+}  // namespace study
+}  // namespace hidwa_local_planner

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "execution.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "hidwa_local_planner/study/error.hpp"
+#include "hidwa_local_planner/study/runner.hpp"
+#include "progress.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+namespace {
+
+struct Timing {
+  double simulated = 0.0;  // [s]
+  double planning = 0.0;   // [s]
+  std::size_t cycles = 0;
+};
+
+std::string timing_json(std::size_t threads, std::size_t made, std::size_t kept, double wall,
+                        const Timing& timing) {
+  const double cycle = timing.cycles > 0 ? timing.planning / static_cast<double>(timing.cycles) : 0.0;
+  return "{\n  \"runs_made\": " + std::to_string(made) + ",\n  \"runs_kept\": " + std::to_string(kept) +
+         ",\n  \"threads\": " + std::to_string(threads) + ",\n  \"wall_time\": " + number(wall) +
+         ",\n  \"simulated_time\": " + number(timing.simulated) + ",\n  \"mean_planning_time\": " + number(cycle) +
+         "\n}\n";
+}
+
+// A finished run among the parts.
+struct Found {
+  Row row;
+  const Store* part;
+};
+
+Found find_run(const Run& run, const std::vector<Store>& parts) {
+  Found found{{}, nullptr};
+  for (const Store& part : parts) {
+    const std::optional<Row> row = part.row(run);
+    if (!row) continue;
+    if (found.part != nullptr && found.row != *row) {
+      throw UsageError("run " + run.id + " differs between the parts: they were made by different versions");
+    }
+    found = {*row, &part};
+  }
+  if (found.part == nullptr) {
+    throw UsageError("run " + run.id + " is in none of the parts: make its shard, then merge again");
+  }
+  return found;
+}
+
+}  // namespace
+
+int execute(const Options& options, const Plan& plan, const std::string& manifest,
+            const std::function<Made(const Run&)>& make, std::ostream& out, std::ostream& errors) {
+  const Tables tables = tables_of(plan.experiment);
+  const Store store(options.out, tables);
+  store.begin(manifest, plan, options.resume);
+  std::vector<Run> wanted;
+  std::size_t kept = 0;
+  for (const Run& run : shard(plan.runs, options.shard, options.shards)) {
+    if (store.row(run)) {
+      ++kept;
+    } else {
+      wanted.push_back(run);
+    }
+  }
+  if (kept > 0) errors << kept << " runs are finished already and kept" << std::endl;
+
+  const std::size_t threads =
+      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  Timing timing;
+  std::mutex mutex;
+  Progress progress(errors, wanted.size());
+  const auto make_and_keep = [&](const Run& run) {
+    const Made made = make(run);
+    store.keep(made.row, options.paths ? path_csv(made.result) : "");
+    const std::lock_guard<std::mutex> lock(mutex);
+    timing.simulated += made.result.duration;
+    timing.planning += made.result.planning_time;
+    timing.cycles += made.result.cycles;
+  };
+  make_runs(wanted, threads, make_and_keep, [&progress] { progress.step(); });
+  store.write("timing.json", timing_json(threads, wanted.size(), kept, progress.elapsed(), timing));
+  const std::size_t finished = store.finish(plan);
+  out << tables.digest(plan, store.rows(plan));
+  out << finished << " of " << plan.runs.size() << " runs: " << options.out << "/summary.json" << std::endl;
+  return 0;
+}
+
+int merge(const Options& options, std::ostream& out) {
+  const Plan plan = Store(options.parts.front()).plan();
+  const Tables tables = tables_of(plan.experiment);
+  std::vector<Store> parts;
+  for (const std::string& folder : options.parts) parts.emplace_back(folder, tables);
+  const std::string study = parts.front().manifest();
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (parts[i].manifest() != study || to_csv(parts[i].plan()) != to_csv(plan)) {
+      throw UsageError("'" + options.parts[i] + "' and '" + options.parts.front() +
+                       "' are parts of different studies (their study.json or plan.csv differ)");
+    }
+  }
+  std::vector<Found> found;
+  for (const Run& run : plan.runs) found.push_back(find_run(run, parts));
+  const Store store(options.out, tables);
+  store.begin(study, plan, true);
+  for (std::size_t i = 0; i < found.size(); ++i) store.keep(found[i].row, found[i].part->path(plan.runs[i]));
+  store.finish(plan);
+  out << tables.digest(plan, store.rows(plan));
+  out << plan.runs.size() << " runs: " << options.out << "/summary.json" << std::endl;
+  return 0;
+}
+
+}  // namespace study
+}  // namespace hidwa_local_planner

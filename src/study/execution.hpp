@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include "hidwa_local_planner/drive/result.hpp"
+#include "hidwa_local_planner/study/options.hpp"
+#include "hidwa_local_planner/study/store.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+
+/// A finished run.
+struct Made {
+  Row row;
+  drive::DriveResult result;
+};
+
+/// Makes the runs of this part of a plan that are not finished, on as many threads as asked for, and the tables of all
+/// that are; `make` may be called from several threads. `manifest`: what decides about the results. Returns the
+/// program's exit code.
+int execute(const Options& options, const Plan& plan, const std::string& manifest,
+            const std::function<Made(const Run&)>& make, std::ostream& out, std::ostream& errors);
+
+/// Joins the parts that `options` name.
+int merge(const Options& options, std::ostream& out);
+
+}  // namespace study
+}  // namespace hidwa_local_planner

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/study/tables.hpp"
+
+#include <cstdio>
+
+#include "hidwa_local_planner/study/barn_table.hpp"
+#include "hidwa_local_planner/study/summary.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+namespace {
+
+std::string digest(const Plan& plan, const std::vector<Row>& rows) {
+  std::string lines;
+  for (const Group& group : groups(plan, rows)) {
+    double arrived = 0.0, contacts = 0.0, crossed = 0.0, duration = 0.0;
+    for (const Row& row : group.rows) {
+      arrived += value(row, "arrived");
+      contacts += value(row, "contacts");
+      crossed += value(row, "regions_crossed");
+      duration += value(row, "duration");
+    }
+    const auto n = static_cast<double>(group.rows.size());
+    char line[160];
+    std::snprintf(line, sizeof line, "n %.0f, arrived %.0f, %.2f s, %.3f regions crossed, contacts %.0f in all", n,
+                  arrived, duration / n, crossed / n, contacts);
+    lines += group.condition + " " + group.setting + ": " + line + "\n";
+  }
+  return lines;
+}
+
+}  // namespace
+
+Tables people_tables() { return {columns(), summary_json, ranking_csv, digest}; }
+
+Tables tables_of(const std::string& experiment) { return experiment == "barn" ? barn_tables() : people_tables(); }
+
+}  // namespace study
+}  // namespace hidwa_local_planner
