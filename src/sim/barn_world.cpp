@@ -63,9 +63,14 @@ void check_path(const Cells& path) {
 }
 
 std::vector<std::string> parts_of(const std::string& line) {
-  std::vector<std::string> parts;
-  std::istringstream stream(line);
-  for (std::string part; std::getline(stream, part, '|');) parts.push_back(part);
+  std::vector<std::string> parts(1);
+  for (const char c : line) {
+    if (c == '|') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
   return parts;
 }
 
@@ -75,8 +80,10 @@ BarnWorld read_world(const std::string& line) {
     throw Fault{"it has " + std::to_string(parts.size()) + " parts, not three (index | cells | path)"};
   }
   BarnWorld world;
-  std::string index;
-  std::istringstream(parts[0]) >> index;
+  std::istringstream words(parts[0]);
+  std::string index, more;
+  words >> index >> more;
+  if (!more.empty()) throw Fault{"the index '" + index + " " + more + "' is not one number"};
   world.index = whole(index, "the index");
   const Cells cells = read_cells(parts[1], "the cell");
   const Cells path = read_cells(parts[2], "the path cell");

@@ -90,7 +90,7 @@ double HelpfulPerson::off_plan(const sim::Pose& pose) const {
 }
 
 double HelpfulPerson::decide(const sim::Pose& pose) const {
-  constexpr double kFaces = 0.35;  // [rad]
+  constexpr double kFaces = 0.15;  // [rad]
   const double off = off_plan(pose);
   if (std::abs(off) < kFaces) return 0.0;
   double best = 0.0, most = -std::numeric_limits<double>::infinity();

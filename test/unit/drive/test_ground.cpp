@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,22 @@ TEST(Ground, ClearanceAgreesWithTheNaiveTwin) {
     }
   }
   EXPECT_GT(apart, 30);
+}
+
+TEST(Ground, DiscsStandInTheMap) {
+  // A wall of the map 1 m ahead, a disc before it and one beside.
+  auto map = std::make_shared<sim::OccupancyMap>(sim::make_map(40, 40, 0.1, -2.0, -2.0));
+  for (int row = 0; row < 40; ++row) map->cells[map->index(30, row)] = sim::Cell::kOccupied;
+  const auto discs = std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{{0.6, 0.0}, {0.0, 0.8}}, 0.1);
+  const Ground ground(map, discs);
+  EXPECT_NEAR(ground.range(0.0, 0.0, 0.0, 5.0), 0.5, 1e-9);           // 0.6 - 0.1
+  EXPECT_NEAR(ground.range(0.0, -1.0, 0.0, 5.0), 1.0, 1e-9);          // the wall
+  EXPECT_NEAR(ground.range(0.0, 0.0, 0.5 * M_PI, 5.0), 0.7, 1e-9);    // 0.8 - 0.1
+  EXPECT_TRUE(std::isinf(ground.range(0.0, 0.0, M_PI, 5.0)));
+  const sim::Polygon square{{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}};
+  EXPECT_NEAR(ground.clearance(square, {0.0, 0.0, 0.0}, 1.0), 0.3, 1e-9);   // 0.6 - 0.1 - 0.2
+  EXPECT_NEAR(ground.clearance(square, {0.0, -1.5, 0.0}, 1.0), 0.8, 1e-9);  // 1.0 - 0.2 from the wall
+  EXPECT_EQ(ground.clearance(square, {0.5, 0.0, 0.0}, 1.0), 0.0);
 }
 
 TEST(Ground, NeedsAMap) { EXPECT_THROW(Ground(nullptr), std::invalid_argument); }

@@ -79,6 +79,24 @@ TEST(GridRoute, IsAsCheapAsTheNaiveTwin) {
   EXPECT_GT(found, 500);
 }
 
+TEST(GridRoute, MadeForOneStartGivesTheSameWay) {
+  Random random(6);
+  int found = 0;
+  RouteClearance clearance;
+  clearance.robot_radius = 0.07;
+  for (int scene = 0; scene < 200; ++scene) {
+    const OccupancyMap map = random_map(random, 40, 30, 0.06);
+    const Eigen::Vector2d goal(map.center_x(20), map.center_y(15));
+    const Eigen::Vector2d start(uniform(random, -1.5, 0.9), uniform(random, 0.5, 2.4));  // now and then outside
+    const Route all = GridRoute(map, clearance, goal).from(start);
+    const Route one = GridRoute(map, clearance, goal, start).from(start);
+    ASSERT_EQ(all.size(), one.size()) << scene;
+    for (std::size_t k = 0; k < all.size(); ++k) ASSERT_EQ(all[k], one[k]) << scene;
+    found += all.size() > 5;
+  }
+  EXPECT_GT(found, 50);
+}
+
 TEST(GridRoute, SaysWhenThereIsNoWay) {
   OccupancyMap map = make_map(60, 60, 0.05);
   for (int row = 0; row < 60; ++row) map.cells[map.index(30, row)] = Cell::kOccupied;

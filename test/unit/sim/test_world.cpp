@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,18 @@ TEST(World, TravelStopsAtTheObstacle) {
   EXPECT_EQ(world.contacts(), 1);
   EXPECT_TRUE(overlaps_occupied(world.map(), transformed(world.footprint(), world.pose())));
   EXPECT_NEAR(world.distance(), 1.8, 2e-6);
+}
+
+TEST(World, DiscsAreObstaclesToo) {
+  WorldSetup setup = hall();
+  setup.discs = std::make_shared<DiscField>(std::vector<Eigen::Vector2d>{{3.0, 2.5}}, 0.075);
+  World world(setup);
+  drive(world, {0.5, 0.0}, 7.0);
+  // The front, 0.2 m ahead, stops at 3.000 - 0.075.
+  EXPECT_NEAR(world.pose().x, 3.0 - 0.075 - 0.2, 2e-6);
+  EXPECT_EQ(world.contacts(), 1);
+  setup.start.x = 2.9;
+  EXPECT_THROW(World{setup}, std::invalid_argument);
 }
 
 TEST(World, ContactEndsWithTheOverlapAndMayComeAgain) {

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// BARN-2D in two small worlds of the test's own.
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/study/barn_drive.hpp"
+#include "hidwa_local_planner/study/barn_person.hpp"
+#include "hidwa_local_planner/study/error.hpp"
+#include "hidwa_local_planner/study/program.hpp"
+#include "hidwa_local_planner/study/table.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ended {
+  int code = -1;
+  std::string out, errors;
+};
+
+// Walls left and right, and a wall across with a gap of three cells from column `gap` on. The way goes through its middle.
+std::string world(int index, int gap) {
+  std::string cells, path;
+  for (int row = 20; row < 60; ++row) cells += " 5:" + std::to_string(row) + " 24:" + std::to_string(row);
+  for (int column = 6; column < 24; ++column) {
+    if (column < gap || column >= gap + 4) cells += " " + std::to_string(column) + ":45";
+  }
+  // Column a of the cells lies at x = -0.075 - 0.15 a, column c of the path at 0.15 c - 4.575.
+  const int middle = 30 - gap - 2;
+  for (int row = 0; row < 30; ++row) path += " " + std::to_string(middle) + ":" + std::to_string(row);
+  return std::to_string(index) + " |" + cells + " |" + path + "\n";
+}
+
+class Barn : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / (std::string("hidwa_barn_test_") + info->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "worlds.txt") << "# two\n" << world(3, 9) << world(8, 17);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string read(const std::string& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  // Words that begin with @ are in the test's folder.
+  // Coarse, to be quick.
+  Ended study(const std::string& line) const {
+    const bool drives = line.rfind("barn", 0) == 0 && line.find("--worlds @worlds.txt") != std::string::npos;
+    std::istringstream stream(line + (drives ? " --set plan.resolution=0.05 --set vx_samples=10 --set vth_samples=20" : ""));
+    std::vector<std::string> arguments;
+    for (std::string word; stream >> word;) arguments.push_back(word[0] == '@' ? path(word.substr(1)) : word);
+    std::ostringstream out, errors;
+    Ended ended;
+    ended.code = program(arguments, out, errors);
+    ended.out = out.str();
+    ended.errors = errors.str();
+    return ended;
+  }
+
+  // By the names in the first line.
+  std::vector<std::vector<std::string>> table(const std::string& out, const std::vector<std::string>& names) const {
+    std::istringstream lines(read(out + "/runs.csv"));
+    std::string line;
+    std::getline(lines, line);
+    const Row head = from_line(line);
+    std::vector<std::vector<std::string>> all;
+    while (std::getline(lines, line)) {
+      const Row row = from_line(line);
+      EXPECT_EQ(row.size(), head.size());
+      all.emplace_back();
+      for (const std::string& name : names) {
+        for (std::size_t k = 0; k < head.size(); ++k) {
+          if (head[k] == name) all.back().push_back(row.at(k));
+        }
+      }
+      EXPECT_EQ(all.back().size(), names.size());
+    }
+    return all;
+  }
+
+  void expect_same(const std::string& a, const std::string& b) const {
+    for (const char* name : {"/runs.csv", "/summary.json", "/study.json", "/plan.csv"}) {
+      EXPECT_FALSE(read(a + name).empty()) << name;
+      EXPECT_EQ(read(a + name), read(b + name)) << name;
+    }
+    for (const auto& row : table(a, {"id"})) {
+      const std::string name = "/paths/" + row[0] + ".csv";
+      EXPECT_FALSE(read(a + name).empty()) << name;
+      EXPECT_EQ(read(a + name), read(b + name)) << name;
+    }
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Barn, DrivesInEveryModeWithoutAContact) {
+  const Ended ended = study("barn --worlds @worlds.txt --out @a");
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  EXPECT_NE(ended.out.find("6 of 6 runs"), std::string::npos) << ended.out;
+  const auto rows = table("a", {"world", "mode", "contacts", "collision", "success", "operator_active"});
+  ASSERT_EQ(rows.size(), 6u);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row[2], "0") << row[1] << " in world " << row[0];
+    EXPECT_EQ(row[3], "0");
+    if (row[1] == "AUTONOMY") {
+      EXPECT_EQ(row[4], "1") << "world " << row[0];
+      EXPECT_EQ(std::stod(row[5]), 0.0);
+    } else {
+      EXPECT_GT(std::stod(row[5]), 0.0) << row[1] << " in world " << row[0];
+    }
+  }
+  EXPECT_EQ(read("a/summary.json").find("wall"), std::string::npos);
+  EXPECT_NE(read("a/timing.json").find("wall_time"), std::string::npos);
+}
+
+TEST_F(Barn, TwiceAndInPartsGivesTheSameBytes) {
+  const std::string line = "barn --worlds @worlds.txt --mode AUTONOMY,HOSTILE ";
+  ASSERT_EQ(study(line + "--out @a --threads 1").code, 0);
+  ASSERT_EQ(study(line + "--out @b --threads 3").code, 0);
+  expect_same("a", "b");
+  ASSERT_EQ(study(line + "--out @p1 --shard 1/2").code, 0);
+  ASSERT_EQ(study(line + "--out @p2 --shard 2/2").code, 0);
+  EXPECT_EQ(table("p1", {"id"}).size() + table("p2", {"id"}).size(), 4u);
+  const Ended merged = study("merge --out @m @p2 @p1");
+  ASSERT_EQ(merged.code, 0) << merged.errors;
+  expect_same("a", "m");
+  fs::remove(folder_ / "a/rows/barn-P0003-HOSTILE-S00001.csv");
+  const Ended again = study(line + "--out @a");
+  ASSERT_EQ(again.code, 0) << again.errors;
+  EXPECT_NE(again.errors.find("3 runs are finished already"), std::string::npos) << again.errors;
+  expect_same("a", "b");
+}
+
+TEST_F(Barn, SetReachesPlannerAndCostmap) {
+  const std::string line = "barn --worlds @worlds.txt --mode AUTONOMY ";
+  const Ended ended = study(line + "--out @a --vary max_vel_x=0.4,1.0 --no-paths");
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  const auto rows = table("a", {"world", "setting", "time"});
+  ASSERT_EQ(rows.size(), 6u);
+  for (std::size_t w = 0; w < 2; ++w) {  // as it is (0.5), then 0.4, then 1.0
+    EXPECT_GT(std::stod(rows[3 * w + 1][2]), 1.1 * std::stod(rows[3 * w][2]));
+    EXPECT_LT(std::stod(rows[3 * w + 2][2]), 0.8 * std::stod(rows[3 * w][2]));
+  }
+  EXPECT_NE(read("a/ranking.csv").find("1,AUTONOMY,max_vel_x=1.0"), std::string::npos) << read("a/ranking.csv");
+  const Ended coarse = study(line + "--out @c --set costmap.resolution=0.1");
+  ASSERT_EQ(coarse.code, 0) << coarse.errors;
+  EXPECT_NE(table("c", {"length"})[0], table("a", {"length"})[0]);
+}
+
+TEST_F(Barn, FaultsEndWithTwoAndNameTheRemedy) {
+  const auto expect = [this](const std::string& line, const std::string& part) {
+    const Ended ended = study(line);
+    EXPECT_EQ(ended.code, 2) << line;
+    EXPECT_NE(ended.errors.find(part), std::string::npos) << line << ": " << ended.errors;
+  };
+  const std::string line = "barn --out @a --worlds @worlds.txt ";
+  std::ofstream(folder_ / "cut.txt") << "# head\n3 | 0:0 0:1";
+  expect("barn --out @a --worlds @cut.txt", "cut.txt' line 2: it has 2 parts");
+  expect("barn --out @a --worlds @none.txt", "none.txt' cannot be read");
+  expect("barn --out @a", "--worlds is missing");
+  expect(line + "--mode SWITCHING", "AUTONOMY,HELPFUL,HOSTILE");
+  expect(line + "--participants 3", "--participants is for run, pilot and sweep");
+  expect("run --out @a --worlds @worlds.txt", "--worlds is for barn");
+  expect(line + "--set costmap.colour=1", "there is no costmap.colour");
+  expect(line + "--set costmap.resolution=9", "costmap.resolution needs a number");
+  expect(line + "--set participant.look_ahead=1", "barn has no participants");
+  expect(line + "--set mode=off", "--mode");
+  expect(line + "--set min_vel_x=2", "min_vel_x");
+  expect(line + "--grid sim_time=1,2 --vary vx_samples=5", "not both");
+  EXPECT_FALSE(fs::exists(folder_ / "a"));
+}
+
+TEST(BarnScore, IsBarnsMetric) {
+  sim::BarnWorld world;
+  world.cylinders = {{-1.25, 6.0}};
+  for (int k = 0; k <= 10; ++k) world.path.emplace_back(-2.25, 4.0 + 0.5 * k);
+  // 10 m straight on: OT = 5 s.
+  drive::DriveResult result;
+  result.arrived = true;
+  result.duration = 20.0;
+  EXPECT_NEAR(score_barn(world, result).metric, 5.0 / 20.0, 1e-12);
+  result.duration = 6.0;  // not faster than twice OT counts
+  EXPECT_NEAR(score_barn(world, result).metric, 5.0 / 10.0, 1e-12);
+  result.duration = 70.0;  // nor slower than eight times
+  EXPECT_NEAR(score_barn(world, result).metric, 5.0 / 40.0, 1e-12);
+  result.contacts = 1;
+  EXPECT_FALSE(score_barn(world, result).success);
+  EXPECT_EQ(score_barn(world, result).metric, 0.0);
+  result.contacts = 0;
+  result.arrived = false;
+  EXPECT_EQ(score_barn(world, result).metric, 0.0);
+}
+
+const FullDeflection kFull{0.5, 1.57, 2.0};
+
+TEST(BarnPeople, AHostileOneTurnsToTheNearestCylinderAndFromSideToSide) {
+  for (const double side : {-1.0, 1.0}) {
+    const auto discs = std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{{0.4, 0.4 * side}}, 0.075);
+    HostilePerson person(discs, kFull, 5);
+    int towards = 0, away = 0, changes = 0;
+    double before = 0.0;
+    for (int k = 0; k < 2000; ++k) {
+      const double left = person.update({1.0 + 0.05 * k, {}, {}}).left;
+      towards += left == side;
+      away += left == -side;
+      changes += left * before < 0.0;
+      before = left;
+    }
+    EXPECT_GT(towards, 3 * away / 2) << side;
+    EXPECT_GT(changes, 20) << side;
+    EXPECT_LT(towards + away, 2000) << side;  // it lets go, too
+  }
+}
+
+TEST(BarnPeople, AHelpfulOneTurnsToWhereThePlanLeads) {
+  const auto discs = std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{}, 0.075);
+  for (const double side : {-1.0, 1.0}) {
+    HelpfulPerson person(discs, kFull);
+    EXPECT_EQ(person.update({1.0, {}, {}}).left, 0.0);  // knows no plan
+    person.set_plan({{0.0, 0.0}, {0.0, 0.5 * side}, {0.0, side}});
+    EXPECT_EQ(person.update({1.1, {}, {}}).left, 0.0);  // decides every quarter of a second
+    EXPECT_GT(person.update({1.3, {}, {}}).left * side, 0.0);
+    EXPECT_EQ(person.update({1.6, {0.0, 0.0, 0.5 * M_PI * side}, {}}).left, 0.0);  // faces it
+  }
+}
+
+}  // namespace
+}  // namespace study
+}  // namespace hidwa_local_planner
