@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The report of a study, of hidwa_study's people or of real ones: what is in its folder, as one self-contained page and its
 pictures."""
-import base64
-import csv
 import glob
 import html
 import json
@@ -16,9 +14,11 @@ matplotlib.use('Agg')
 import matplotlib.image as image  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 
-from .drawing import DRIVEN, INK, STEERED, STEERED_COLOUR
+from . import barn_report
+from .drawing import DRIVEN, INK, STEERED_COLOUR
 from .questionnaires import AnswersError, read_answers, statements as answers_statements
 from .statistics import normality, proportion, signed_ranks
+from .study_page import ReportError, embedded, read_table, read_way, write_page
 
 CONDITIONS = ('SJ', 'SG', 'SW')
 NAMES = {'SJ': 'SJ, shared control by joystick', 'SG': 'SG, shared control by gesture', 'SW': 'SW, switching'}
@@ -31,27 +31,9 @@ PAPER = {'SJ': {'duration': 172.37, 'regions_crossed': 0.219, 'contacts': 0},
          'SW': {'duration': 187.17, 'regions_crossed': 0.406, 'contacts': 3}}
 
 
-class ReportError(Exception):
-    """The folder cannot be reported on; the text says why and what to do."""
-
-
 def read_runs(folder):
     """The rows of runs.csv, numbers as such, nan where a cell is empty."""
-    path = os.path.join(folder, 'runs.csv')
-    try:
-        with open(path, encoding='utf-8', newline='') as text:
-            rows = list(csv.DictReader(text))
-    except FileNotFoundError as fault:
-        raise ReportError(f'{path} is missing: give the folder that hidwa_study wrote (--out)') from fault
-    if not rows:
-        raise ReportError(f'{path} holds no runs: let hidwa_study finish first')
-    missing = [name for name in ('condition', 'participant', 'setting', *dict(MEASURES)) if name not in rows[0]]
-    if missing:
-        raise ReportError(f'{path} has no column {missing[0]}: it is not from this version of hidwa_study')
-    for row in rows:
-        for name, _ in MEASURES:
-            row[name] = float(row[name]) if row[name] else np.nan  # empty: not known, of a real robot for one
-    return rows
+    return read_table(os.path.join(folder, 'runs.csv'), tuple(dict(MEASURES)), ('condition', 'participant', 'setting'))
 
 
 def of(rows, condition, setting):
@@ -232,14 +214,6 @@ def picture_of(grid):
     return shades, (x, x + columns * grid.resolution, y, y + rows * grid.resolution)
 
 
-def read_way(path):
-    """(points (n, 2), steered (n,)) of a run."""
-    with open(path, encoding='utf-8', newline='') as text:
-        rows = list(csv.DictReader(text))
-    return (np.array([(float(r['x']), float(r['y'])) for r in rows]).reshape(-1, 2),
-            np.array([r['state'] in STEERED for r in rows], bool))
-
-
 def draw_ways(folder, rows, floor, out):
     """All ways of each condition over the floor, red where the person steered. False where no ways were kept."""
     shown = [c for c in CONDITIONS if any(row['condition'] == c for row in rows)]
@@ -311,14 +285,8 @@ def table(rows):
     return '<table>' + ''.join(lines) + '</table>'
 
 
-def embedded(path):
-    """A PNG as part of the page."""
-    with open(path, 'rb') as data:
-        return f'<img alt="" src="data:image/png;base64,{base64.b64encode(data.read()).decode()}">'
-
-
-def read_about(folder):
-    """study.json, or an empty dict."""
+def about_study(folder):
+    """What study.json says; empty where there is none."""
     path = os.path.join(folder, 'study.json')
     if not os.path.exists(path):
         return {}
@@ -355,19 +323,14 @@ def _items(texts):
 def write_report(folder, map_path=None, floor=None):
     """Writes report.html, distributions.png and, where ways were kept, ways.png into the folder. `floor` is what load_floor
     makes of a map, where there is no map file. Returns the page's path."""
-    rows, about = read_runs(folder), read_about(folder)
+    rows, about = read_runs(folder), about_study(folder)
     answers, (title, simulated) = answers_of(folder, rows, about), who_drove(rows, about)
     distributions, ways = (os.path.join(folder, name) for name in ('distributions.png', 'ways.png'))
     draw_distributions(rows, distributions)
     has_ways = draw_ways(folder, rows, load_floor(map_path) or floor, ways)
     arrived = sum(row.get('arrived') == '1' for row in rows)
     asked = ', '.join(f'{key} {value}' for key, value in about.items() if key in ('experiment', 'participants', 'seed', 'profile', 'guard'))
-    parts = ['<!DOCTYPE html><html lang="en"><meta charset="utf-8">', f'<title>{html.escape(title)}</title><style>',
-             'body{font:15px/1.5 sans-serif;max-width:72em;margin:2em auto;padding:0 1em;color:#22303c}',
-             'table{border-collapse:collapse;font-size:13px}td,th{border:1px solid #d9dee3;padding:.25em .6em;text-align:left}',
-             'img{max-width:100%}</style>',
-             f'<h1>{html.escape(title)}</h1>',
-             f'<p>{len(rows)} runs, {arrived} arrived. {html.escape(asked)}</p>',
+    parts = [f'<p>{len(rows)} runs, {arrived} arrived. {html.escape(asked)}</p>',
              f'<p>{html.escape(verdict(rows))}</p><p>{html.escape(caution(simulated))}</p>']
     if about.get('remarks'):
         parts += ['<h2>Remarks</h2><ul>', _items(about['remarks']), '</ul>']
@@ -383,15 +346,12 @@ def write_report(folder, map_path=None, floor=None):
     parts += ['<h2>Distributions</h2>', embedded(distributions)]
     if has_ways:
         parts += ['<h2>Ways driven</h2>', embedded(ways)]
-    page = os.path.join(folder, 'report.html')
-    with open(page, 'w', encoding='utf-8') as text:
-        text.write('\n'.join(parts) + '\n</html>\n')
-    return page
+    return write_page(os.path.join(folder, 'report.html'), html.escape(title), parts)
 
 
 def say(folder, page):
     """Prints what the page says in words."""
-    rows, about = read_runs(folder), read_about(folder)
+    rows, about = read_runs(folder), about_study(folder)
     _, simulated = who_drove(rows, about)
     answers = answers_of(folder, rows, about)
     lines = [verdict(rows), *(f'{what}: {here} (the paper: {paper})' for what, here, paper in differences(rows)),
@@ -405,13 +365,17 @@ def say(folder, page):
 
 
 def main(arguments=None):
-    """study_report DIR [MAP.yaml]"""
+    """study_report DIR [MAP.yaml], for BARN-2D DIR [WORLDS.txt]"""
     arguments = sys.argv[1:] if arguments is None else arguments
     if not arguments or len(arguments) > 2:
-        print('scripts/study report DIR [MAP.yaml]', file=sys.stderr)
+        print('scripts/study report DIR [MAP.yaml | WORLDS.txt]', file=sys.stderr)
         return 2
     try:
-        say(arguments[0], write_report(*arguments))
+        if about_study(arguments[0]).get('experiment') == 'barn':
+            page = barn_report.write_report(*arguments)
+            print('\n'.join([*filter(None, barn_report.statements(barn_report.read_runs(arguments[0]))), f'==> {page}']))
+        else:
+            say(arguments[0], write_report(*arguments))
     except ReportError as fault:
         print(f'scripts/study: {fault}', file=sys.stderr)
         return 2
