@@ -154,11 +154,11 @@ def draw_difficulty(rows, out):
         colour = (DRIVEN, '#2a9d3a', STEERED_COLOUR)[k]
         room = [np.mean([runs[i]['path_clearance'] for i in c]) for c in classes]
         for ax, measure in zip(axes, ('success', 'metric')):
-            ax.plot(room, [np.mean([runs[i][measure] for i in c]) for c in classes], 'o-', color=colour, ms=4, label=mode)
+            ax.plot(room, [np.mean([runs[i][measure] for i in c]) for c in classes], 'o-', color=colour, ms=4, label=mode, clip_on=False)
     for ax, measure in zip(axes, ('success', 'metric')):
         ax.set_title(measure, fontsize=10, loc='left')
         ax.set_xlabel('mean free space along the reference path [m]; hard worlds to the left')
-        ax.set_ylim(bottom=0.0)
+        ax.set_ylim(0.0, 1.05 if measure == 'success' else 0.55)  # beyond 0.5 no metric goes
         ax.grid(lw=0.4)
         ax.legend(fontsize=8)
     figure.savefig(out, dpi=100)

@@ -28,7 +28,7 @@ TEST_P(ParameterFile, IsKnownAndValid) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ParameterFile,
-                         ::testing::Values("dwa", "hidwa", "jackal", "paper", "pmb2", "telepresence_base",
+                         ::testing::Values("barn", "dwa", "hidwa", "jackal", "paper", "pmb2", "telepresence_base",
                                            "turtlebot3"),
                          [](const auto& file) { return std::string(file.param); });
 
