@@ -31,7 +31,8 @@ int whole(const std::string& text, const std::string& what) {
   char* end = nullptr;
   const long value = std::strtol(text.c_str(), &end, 10);
   if (text.empty() || *end != '\0') throw Fault{what + " '" + text + "' is not a whole number"};
-  if (value < 0 || value > kFarthest) throw Fault{what + " " + text + " is not within 0 to " + std::to_string(kFarthest)};
+  if (value < 0 || value > kFarthest)
+    throw Fault{what + " " + text + " is not within 0 to " + std::to_string(kFarthest)};
   return static_cast<int>(value);
 }
 
@@ -51,14 +52,16 @@ Cells read_cells(const std::string& list, const std::string& what) {
 void check_path(const Cells& path) {
   if (path.empty()) throw Fault{"there is no path"};
   for (std::size_t k = 1; k < path.size(); ++k) {
-    if (std::abs(path[k].first - path[k - 1].first) > 1 || std::abs(path[k].second - path[k - 1].second) > 1) {
-      throw Fault{"the path leaps from " + std::to_string(path[k - 1].first) + ":" + std::to_string(path[k - 1].second) +
-                  " to " + std::to_string(path[k].first) + ":" + std::to_string(path[k].second)};
+    if (std::abs(path[k].first - path[k - 1].first) > 1 ||
+        std::abs(path[k].second - path[k - 1].second) > 1) {
+      throw Fault{"the path leaps from " + std::to_string(path[k - 1].first) + ":" +
+                  std::to_string(path[k - 1].second) + " to " + std::to_string(path[k].first) + ":" +
+                  std::to_string(path[k].second)};
     }
   }
   if (path.back().second != kRows - 1) {
-    throw Fault{"the path ends in row " + std::to_string(path.back().second) + ", not " + std::to_string(kRows - 1) +
-                ": the line is cut off"};
+    throw Fault{"the path ends in row " + std::to_string(path.back().second) + ", not " +
+                std::to_string(kRows - 1) + ": the line is cut off"};
   }
 }
 
@@ -93,7 +96,8 @@ BarnWorld read_world(const std::string& line) {
   for (const auto& [column, row] : cells) {
     world.cylinders.emplace_back(-0.5 * kLattice - kLattice * column, 0.5 * kLattice + kLattice * row);
   }
-  for (const auto& [column, row] : path) world.path.emplace_back(kLattice * column - 4.575, kLattice * row + 5.075);
+  for (const auto& [column, row] : path)
+    world.path.emplace_back(kLattice * column - 4.575, kLattice * row + 5.075);
   return world;
 }
 

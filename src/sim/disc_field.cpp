@@ -30,7 +30,8 @@ double distance_to_border(const Eigen::Vector2d& p, const Polygon& polygon) {
 }
 
 // Along a ray of direction (c, s) from `from` to the disc [m]; infinite where it passes.
-double ray_to_disc(const Eigen::Vector2d& from, double c, double s, const Eigen::Vector2d& centre, double radius) {
+double ray_to_disc(const Eigen::Vector2d& from, double c, double s, const Eigen::Vector2d& centre,
+                   double radius) {
   const Eigen::Vector2d to = centre - from;
   const double along = to.x() * c + to.y() * s;
   const double across = to.y() * c - to.x() * s;
@@ -48,8 +49,9 @@ DiscField::DiscField(std::vector<Eigen::Vector2d> centres, double radius)
     throw std::invalid_argument("the radius of the discs must be positive");
   }
   if (centres_.empty()) return;
-  const bool numbers = std::all_of(centres_.begin(), centres_.end(),
-                                   [](const Eigen::Vector2d& c) { return std::isfinite(c.x()) && std::isfinite(c.y()); });
+  const bool numbers = std::all_of(centres_.begin(), centres_.end(), [](const Eigen::Vector2d& c) {
+    return std::isfinite(c.x()) && std::isfinite(c.y());
+  });
   if (!numbers) throw std::invalid_argument("the centre of a disc is not a number");
   const Box box = bounds(centres_);
   low_ = box.low - Eigen::Vector2d(radius_, radius_);
@@ -61,7 +63,8 @@ DiscField::DiscField(std::vector<Eigen::Vector2d> centres, double radius)
     for (int j = row(c.y() - radius_); j <= std::min(rows_ - 1, row(c.y() + radius_)); ++j) {
       for (int i = column(c.x() - radius_); i <= std::min(columns_ - 1, column(c.x() + radius_)); ++i) {
         if (i < 0 || j < 0) continue;
-        buckets_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)]
+        buckets_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
+                 static_cast<std::size_t>(i)]
             .push_back(static_cast<std::uint32_t>(k));
       }
     }
@@ -74,7 +77,8 @@ int DiscField::row(double y) const { return static_cast<int>(std::floor((y - low
 const std::vector<std::uint32_t>& DiscField::bucket(int column, int row) const {
   static const std::vector<std::uint32_t> none;
   if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return none;
-  return buckets_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+  return buckets_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(column)];
 }
 
 template <typename Visit>
@@ -125,13 +129,15 @@ double DiscField::range(double x, double y, double angle, double range_max) cons
   clip(x, c, low_.x(), low_.x() + columns_ * kBucket);
   clip(y, s, low_.y(), low_.y() + rows_ * kBucket);
   if (enter > leave) return kInfinity;
-  int i = std::clamp(column(x + enter * c), 0, columns_ - 1), j = std::clamp(row(y + enter * s), 0, rows_ - 1);
+  int i = std::clamp(column(x + enter * c), 0, columns_ - 1),
+      j = std::clamp(row(y + enter * s), 0, rows_ - 1);
   while (i >= 0 && j >= 0 && i < columns_ && j < rows_) {
     const double exit_x = c == 0.0 ? kInfinity : (low_.x() + (i + (c > 0.0 ? 1 : 0)) * kBucket - x) / c;
     const double exit_y = s == 0.0 ? kInfinity : (low_.y() + (j + (s > 0.0 ? 1 : 0)) * kBucket - y) / s;
     const double exit = std::min(exit_x, exit_y);
     double nearest = kInfinity;
-    for (const std::uint32_t k : bucket(i, j)) nearest = std::min(nearest, ray_to_disc(from, c, s, centres_[k], radius_));
+    for (const std::uint32_t k : bucket(i, j))
+      nearest = std::min(nearest, ray_to_disc(from, c, s, centres_[k], radius_));
     if (nearest <= exit) return nearest <= range_max ? nearest : kInfinity;
     if (exit > leave) return kInfinity;
     if (exit_x < exit_y) {

@@ -20,15 +20,15 @@ namespace study {
 namespace {
 
 // BARN's rules (Daffan/the-barn-challenge: run.py, report_test.py).
-constexpr double kGoalRadius = 1.0;     // [m]
-constexpr double kTimeLimit = 100.0;    // [s]
-constexpr double kOptimalSpeed = 2.0;   // [m/s]
+constexpr double kGoalRadius = 1.0;    // [m]
+constexpr double kTimeLimit = 100.0;   // [s]
+constexpr double kOptimalSpeed = 2.0;  // [m/s]
 
-// A Jackal: jackal_navigation's footprint; jackal_control's velocity limits, and the accelerations that launch/params
-// /jackal.yaml states; its front laser, of 270 degrees.
+// A Jackal: jackal_navigation's footprint; jackal_control's velocity limits, and the accelerations that
+// launch/params /jackal.yaml states; its front laser, of 270 degrees.
 const sim::Polygon kFootprint{{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, -0.165}};  // [m]
-constexpr double kLaserForward = 0.12;  // [m]
-constexpr double kLaserView = 4.7124;   // [rad]
+constexpr double kLaserForward = 0.12;                                                          // [m]
+constexpr double kLaserView = 4.7124;                                                           // [rad]
 constexpr int kBeams = 720;
 constexpr double kLaserNoise = 0.01;  // [m]
 constexpr double kSlip = 0.01;        // of the odometry
@@ -47,8 +47,8 @@ sim::DriveLimits jackal_limits() {
 // The field, its start and its goal, with some room around: what the global plan may use.
 sim::OccupancyMap field(double resolution) {
   constexpr double kLeft = -5.0, kBottom = -0.5, kWidth = 5.5, kHeight = 15.0;  // [m]
-  return sim::make_map(static_cast<int>(std::lround(kWidth / resolution)), static_cast<int>(std::lround(kHeight / resolution)),
-                       resolution, kLeft, kBottom);
+  return sim::make_map(static_cast<int>(std::lround(kWidth / resolution)),
+                       static_cast<int>(std::lround(kHeight / resolution)), resolution, kLeft, kBottom);
 }
 
 struct Entry {
@@ -72,7 +72,9 @@ const std::map<std::string, Entry>& entries() {
   return all;
 }
 
-bool is_entry(const std::string& name) { return name.compare(0, 8, "costmap.") == 0 || name.compare(0, 5, "plan.") == 0; }
+bool is_entry(const std::string& name) {
+  return name.compare(0, 8, "costmap.") == 0 || name.compare(0, 5, "plan.") == 0;
+}
 
 void assign_entry(BarnSubject& subject, const std::string& name, const std::string& text) {
   const auto found = entries().find(name);
@@ -100,7 +102,8 @@ drive::CostmapSettings wide_enough(drive::CostmapSettings costmap, const Paramet
 }
 
 std::shared_ptr<sim::Operator> person_of(const std::string& mode, const Parameters& parameters,
-                                         const std::shared_ptr<const sim::DiscField>& discs, std::uint64_t seed) {
+                                         const std::shared_ptr<const sim::DiscField>& discs,
+                                         std::uint64_t seed) {
   const FullDeflection full{parameters.max_vel_x, parameters.max_vel_theta, parameters.exponent};
   if (mode == "HELPFUL") return std::make_shared<HelpfulPerson>(discs, full);
   if (mode == "HOSTILE") return std::make_shared<HostilePerson>(discs, full, seed);
@@ -134,7 +137,8 @@ BarnSubject barn_subject(const std::string& jackal_file, const std::string& barn
 void assign_barn(BarnSubject& subject, const Assignment& assignment) {
   const std::string& name = assignment.name;
   if (name == "mode") throw UsageError("mode is what --mode says: AUTONOMY, HELPFUL, HOSTILE");
-  if (name.compare(0, 12, "participant.") == 0) throw UsageError(name + " is for run, pilot and sweep: barn has no participants");
+  if (name.compare(0, 12, "participant.") == 0)
+    throw UsageError(name + " is for run, pilot and sweep: barn has no participants");
   if (is_entry(name)) {
     assign_entry(subject, name, assignment.value);
   } else {
@@ -142,11 +146,12 @@ void assign_barn(BarnSubject& subject, const Assignment& assignment) {
   }
 }
 
-drive::DriveResult drive_barn(const sim::BarnWorld& world, const BarnSubject& subject, const std::string& mode,
-                              std::uint64_t world_seed, std::uint64_t person_seed) {
+drive::DriveResult drive_barn(const sim::BarnWorld& world, const BarnSubject& subject,
+                              const std::string& mode, std::uint64_t world_seed, std::uint64_t person_seed) {
   const auto discs = std::make_shared<sim::DiscField>(world.cylinders, sim::kBarnCylinder);
   drive::DriveSetup setup;
-  setup.ground = std::make_shared<drive::Ground>(std::make_shared<sim::OccupancyMap>(field(subject.plan_resolution)), discs);
+  setup.ground = std::make_shared<drive::Ground>(
+      std::make_shared<sim::OccupancyMap>(field(subject.plan_resolution)), discs);
   setup.start = sim::barn_start();
   setup.goal = sim::barn_goal();
   setup.explore = true;
@@ -176,8 +181,8 @@ BarnScore score_barn(const sim::BarnWorld& world, const drive::DriveResult& resu
   score.success = result.arrived && result.contacts == 0;
   score.optimal_time = sim::reference_length(world) / kOptimalSpeed;
   if (score.success) {
-    score.metric = score.optimal_time /
-                   std::clamp(result.duration, 2.0 * score.optimal_time, 8.0 * score.optimal_time);
+    score.metric =
+        score.optimal_time / std::clamp(result.duration, 2.0 * score.optimal_time, 8.0 * score.optimal_time);
   }
   const sim::DiscField discs(world.cylinders, sim::kBarnCylinder);
   constexpr double kFar = 5.0;  // [m]

@@ -16,10 +16,11 @@ namespace {
 
 const std::vector<std::string>& names() {
   static const std::vector<std::string> all{
-      "id",       "world",           "mode",          "setting",  "seed",         "ending",    "success",
-      "collision", "timeout",         "time",          "metric",   "optimal_time", "path_clearance", "length",
-      "contacts", "clearance",       "operator_active", "interventions", "v_change", "omega_change", "agreement",
-      "failures", "brakes"};
+      "id",        "world",           "mode",           "setting",  "seed",
+      "ending",    "success",         "collision",      "timeout",  "time",
+      "metric",    "optimal_time",    "path_clearance", "length",   "contacts",
+      "clearance", "operator_active", "interventions",  "v_change", "omega_change",
+      "agreement", "failures",        "brakes"};
   return all;
 }
 
@@ -67,7 +68,8 @@ std::vector<ModeGroup> mode_groups(const Plan& plan, const std::vector<Row>& row
     for (const std::string& mode : barn_modes()) {
       ModeGroup group{mode, to_string(setting), {}};
       for (const Row& row : rows) {
-        if (text_of(row, "mode") == mode && text_of(row, "setting") == group.setting) group.rows.push_back(row);
+        if (text_of(row, "mode") == mode && text_of(row, "setting") == group.setting)
+          group.rows.push_back(row);
       }
       if (!group.rows.empty()) groups.push_back(group);
     }
@@ -77,10 +79,13 @@ std::vector<ModeGroup> mode_groups(const Plan& plan, const std::vector<Row>& row
 
 std::string group_json(const ModeGroup& group) {
   return "    {\"mode\": \"" + group.mode + "\", \"setting\": \"" + group.setting +
-         "\", \"n\": " + std::to_string(group.rows.size()) + ", \"success\": " + number(group.mean("success")) +
-         ", \"collision\": " + number(group.mean("collision")) + ", \"timeout\": " + number(group.mean("timeout")) +
+         "\", \"n\": " + std::to_string(group.rows.size()) +
+         ", \"success\": " + number(group.mean("success")) +
+         ", \"collision\": " + number(group.mean("collision")) +
+         ", \"timeout\": " + number(group.mean("timeout")) +
          ", \"time_of_successes\": " + number(group.mean_time_of_successes()) +
-         ", \"metric\": " + number(group.mean("metric")) + ", \"contacts\": " + std::to_string(group.count("contacts")) +
+         ", \"metric\": " + number(group.mean("metric")) +
+         ", \"contacts\": " + std::to_string(group.count("contacts")) +
          ", \"least_clearance\": " + number(group.least("clearance")) +
          ", \"operator_active\": " + number(group.mean("operator_active")) + "}";
 }
@@ -108,7 +113,8 @@ std::string ranking(const Plan& plan, const std::vector<Row>& rows) {
   std::string csv = "rank,mode,setting,n,success,collision,timeout,time_of_successes,metric\n";
   int rank = 0;
   for (const ModeGroup& group : ranked) {
-    csv += std::to_string(++rank) + ',' + group.mode + ',' + group.setting + ',' + std::to_string(group.rows.size());
+    csv += std::to_string(++rank) + ',' + group.mode + ',' + group.setting + ',' +
+           std::to_string(group.rows.size());
     for (const double value : {group.mean("success"), group.mean("collision"), group.mean("timeout"),
                                group.mean_time_of_successes(), group.mean("metric")}) {
       csv += ',' + number(value);
@@ -123,9 +129,11 @@ std::string digest(const Plan& plan, const std::vector<Row>& rows) {
   for (const ModeGroup& group : mode_groups(plan, rows)) {
     char line[200];
     std::snprintf(line, sizeof line,
-                  "n %zu, success %.3f, collision %.3f, timeout %.3f, %.1f s, metric %.3f, contacts %ld, least clearance %.3f m",
+                  "n %zu, success %.3f, collision %.3f, timeout %.3f, %.1f s, metric %.3f, contacts %ld, "
+                  "least clearance %.3f m",
                   group.rows.size(), group.mean("success"), group.mean("collision"), group.mean("timeout"),
-                  group.mean_time_of_successes(), group.mean("metric"), group.count("contacts"), group.least("clearance"));
+                  group.mean_time_of_successes(), group.mean("metric"), group.count("contacts"),
+                  group.least("clearance"));
     lines += group.mode + " " + group.setting + ": " + line + "\n";
   }
   return lines;

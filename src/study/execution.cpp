@@ -27,8 +27,8 @@ std::string timing_json(std::size_t threads, std::size_t made, std::size_t kept,
   const double cycle = timing.cycles > 0 ? timing.planning / static_cast<double>(timing.cycles) : 0.0;
   return "{\n  \"runs_made\": " + std::to_string(made) + ",\n  \"runs_kept\": " + std::to_string(kept) +
          ",\n  \"threads\": " + std::to_string(threads) + ",\n  \"wall_time\": " + number(wall) +
-         ",\n  \"simulated_time\": " + number(timing.simulated) + ",\n  \"mean_planning_time\": " + number(cycle) +
-         "\n}\n";
+         ",\n  \"simulated_time\": " + number(timing.simulated) +
+         ",\n  \"mean_planning_time\": " + number(cycle) + "\n}\n";
 }
 
 // A finished run among the parts.

@@ -18,9 +18,9 @@ struct Made {
   drive::DriveResult result;
 };
 
-/// Makes the runs of this part of a plan that are not finished, on as many threads as asked for, and the tables of all
-/// that are; `make` may be called from several threads. `manifest`: what decides about the results. Returns the
-/// program's exit code.
+/// Makes the runs of this part of a plan that are not finished, on as many threads as asked for, and the
+/// tables of all that are; `make` may be called from several threads. `manifest`: what decides about the
+/// results. Returns the program's exit code.
 int execute(const Options& options, const Plan& plan, const std::string& manifest,
             const std::function<Made(const Run&)>& make, std::ostream& out, std::ostream& errors);
 

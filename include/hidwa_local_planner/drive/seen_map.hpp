@@ -8,11 +8,12 @@
 namespace hidwa_local_planner {
 namespace drive {
 
-/// What a laser has seen so far, in the map's frame: the obstacle layer of a global costmap that has no map. Beams
-/// clear, then mark; what was never seen is free. Localisation is taken to be perfect.
+/// What a laser has seen so far, in the map's frame: the obstacle layer of a global costmap that has no map.
+/// Beams clear, then mark; what was never seen is free. Localisation is taken to be perfect.
 class SeenMap {
  public:
-  /// A grid of this map's geometry; its cells do not count. Beam ends farther away than `range` [m] are not marked.
+  /// A grid of this map's geometry; its cells do not count. Beam ends farther away than `range` [m] are not
+  /// marked.
   SeenMap(const sim::OccupancyMap& geometry, double range);
 
   /// One scan, map frame.

@@ -25,8 +25,8 @@ Pose barn_goal();
 /// Length of start, reference path and goal joined [m], as BARN's own report takes it.
 double reference_length(const BarnWorld& world);
 
-/// Reads one world a line, `index | cells a:b ... | path cells col:row ...`; lines with # are comments. Throws
-/// std::runtime_error naming file, line, fault and remedy.
+/// Reads one world a line, `index | cells a:b ... | path cells col:row ...`; lines with # are comments.
+/// Throws std::runtime_error naming file, line, fault and remedy.
 std::vector<BarnWorld> load_barn_worlds(const std::string& file);
 
 }  // namespace sim

@@ -10,7 +10,8 @@
 namespace hidwa_local_planner {
 namespace study {
 
-/// runs.csv of BARN-2D, a line a world, mode and setting; summary.json by mode and setting; ranking.csv by metric.
+/// runs.csv of BARN-2D, a line a world, mode and setting; summary.json by mode and setting; ranking.csv by
+/// metric.
 Tables barn_tables();
 
 /// The line of one run.

@@ -27,7 +27,8 @@ struct Ended {
   std::string out, errors;
 };
 
-// Walls left and right, and a wall across with a gap of three cells from column `gap` on. The way goes through its middle.
+// Walls left and right, and a wall across with a gap of three cells from column `gap` on. The way goes
+// through its middle.
 std::string world(int index, int gap) {
   std::string cells, path;
   for (int row = 20; row < 60; ++row) cells += " 5:" + std::to_string(row) + " 24:" + std::to_string(row);
@@ -63,7 +64,8 @@ class Barn : public ::testing::Test {
   // Coarse, to be quick.
   Ended study(const std::string& line) const {
     const bool drives = line.rfind("barn", 0) == 0 && line.find("--worlds @worlds.txt") != std::string::npos;
-    std::istringstream stream(line + (drives ? " --set plan.resolution=0.05 --set vx_samples=10 --set vth_samples=20" : ""));
+    std::istringstream stream(
+        line + (drives ? " --set plan.resolution=0.05 --set vx_samples=10 --set vth_samples=20" : ""));
     std::vector<std::string> arguments;
     for (std::string word; stream >> word;) arguments.push_back(word[0] == '@' ? path(word.substr(1)) : word);
     std::ostringstream out, errors;
@@ -75,7 +77,8 @@ class Barn : public ::testing::Test {
   }
 
   // By the names in the first line.
-  std::vector<std::vector<std::string>> table(const std::string& out, const std::vector<std::string>& names) const {
+  std::vector<std::vector<std::string>> table(const std::string& out,
+                                              const std::vector<std::string>& names) const {
     std::istringstream lines(read(out + "/runs.csv"));
     std::string line;
     std::getline(lines, line);
@@ -158,7 +161,8 @@ TEST_F(Barn, SetReachesPlannerAndCostmap) {
     EXPECT_GT(std::stod(rows[3 * w + 1][2]), 1.1 * std::stod(rows[3 * w][2]));
     EXPECT_LT(std::stod(rows[3 * w + 2][2]), 0.8 * std::stod(rows[3 * w][2]));
   }
-  EXPECT_NE(read("a/ranking.csv").find("1,AUTONOMY,max_vel_x=1.0"), std::string::npos) << read("a/ranking.csv");
+  EXPECT_NE(read("a/ranking.csv").find("1,AUTONOMY,max_vel_x=1.0"), std::string::npos)
+      << read("a/ranking.csv");
   const Ended coarse = study(line + "--out @c --set costmap.resolution=0.1");
   ASSERT_EQ(coarse.code, 0) << coarse.errors;
   EXPECT_NE(table("c", {"length"})[0], table("a", {"length"})[0]);
@@ -212,7 +216,8 @@ const FullDeflection kFull{0.5, 1.57, 2.0};
 
 TEST(BarnPeople, AHostileOneTurnsToTheNearestCylinderAndFromSideToSide) {
   for (const double side : {-1.0, 1.0}) {
-    const auto discs = std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{{0.4, 0.4 * side}}, 0.075);
+    const auto discs =
+        std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{{0.4, 0.4 * side}}, 0.075);
     HostilePerson person(discs, kFull, 5);
     int towards = 0, away = 0, changes = 0;
     double before = 0.0;
