@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Chooses among the candidates, and tells what became of the choice.
+#include <algorithm>
+#include <limits>
+
+#include "planner_impl.hpp"
+
+namespace hidwa_local_planner {
+
+int Planner::Impl::choose(const Situation& situation) {
+  const TieRule tie(parameters, situation.last_command);
+  const auto lowest = std::min_element(totals.begin(), totals.end());
+  if (lowest == totals.end() || !std::isfinite(*lowest)) return -1;
+  std::size_t best = static_cast<std::size_t>(lowest - totals.begin());
+  const double equal = *lowest + kEqualTotals;
+  for (std::size_t c = 0; c < totals.size(); ++c) {
+    if (totals[c] <= equal && tie.prefers(sample_at(c), sample_at(best))) best = c;
+  }
+  if (parameters.admissibility != Admissibility::braking) return static_cast<int>(best);
+  return admissibility.can_brake_surely(sample_at(best)) ? static_cast<int>(best) : choose_next(tie, best);
+}
+
+// The same rule for the rest, where the closer look refused the first: cheapest first, without searching all anew.
+int Planner::Impl::choose_next(const TieRule& tie, std::size_t refused) {
+  const auto later = [this](std::uint32_t a, std::uint32_t b) {
+    return totals[a] != totals[b] ? totals[a] > totals[b] : a > b;
+  };
+  refuse_braking(refused);
+  queue.clear();
+  for (std::size_t c = 0; c < totals.size(); ++c) {
+    if (std::isfinite(totals[c])) queue.push_back(static_cast<std::uint32_t>(c));
+  }
+  std::make_heap(queue.begin(), queue.end(), later);
+  while (!queue.empty()) {
+    equals.clear();
+    const double equal = totals[queue.front()] + kEqualTotals;
+    while (!queue.empty() && totals[queue.front()] <= equal) {
+      equals.push_back(queue.front());
+      std::pop_heap(queue.begin(), queue.end(), later);
+      queue.pop_back();
+    }
+    std::uint32_t best = equals.front();
+    std::sort(equals.begin(), equals.end());
+    for (const std::uint32_t c : equals) {
+      if (tie.prefers(sample_at(c), sample_at(best))) best = c;
+    }
+    if (admissibility.can_brake_surely(sample_at(best))) return static_cast<int>(best);
+    refuse_braking(best);
+    for (const std::uint32_t c : equals) {
+      if (c == best) continue;
+      queue.push_back(c);
+      std::push_heap(queue.begin(), queue.end(), later);
+    }
+  }
+  return -1;
+}
+
+void Planner::Impl::refuse_braking(std::size_t candidate) {
+  totals[candidate] = std::numeric_limits<double>::infinity();
+  refused_by[candidate] = kBraking;
+  reasons[candidate] = kCannotBrake;
+}
+
+void Planner::Impl::describe(int best) {
+  const auto index = static_cast<std::size_t>(best);
+  marked.best = best;
+  decision.sample = sample_at(index);
+  decision.command = admissibility.command_for(decision.sample);
+  decision.total = totals[index];
+  list_terms(index, decision.terms);
+  decision.outcome = at_rest(decision.command) && at_rest(decision.sample) ? Outcome::hold : Outcome::drive;
+  const Tile tile = rollout.tile(rollout.tile_of(index));
+  decision.step = tile.dt;
+  for (std::size_t k = 0; k <= tile.steps; ++k) decision.trajectory.push_back(tile.pose(k, index - tile.first));
+}
+
+void Planner::Impl::count_refusals() {
+  counts.assign(kFirstCritic + critics.size(), 0);
+  const auto legal = static_cast<std::size_t>(std::count(refused_by.begin(), refused_by.end(), kLegal));
+  if (legal == refused_by.size()) {
+    counts[kLegal] = legal;
+  } else {
+    for (const std::uint8_t refuser : refused_by) ++counts[refuser];
+  }
+  decision.legal = counts[kLegal];
+  for (std::size_t refuser = kCollision; refuser < counts.size(); ++refuser) {
+    if (counts[refuser] > 0) decision.refusals.push_back({name_of(static_cast<std::uint8_t>(refuser)), counts[refuser]});
+  }
+  double worst = -std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < totals.size(); ++c) {
+    if (std::isfinite(totals[c]) && totals[c] > worst) {
+      worst = totals[c];
+      marked.worst = static_cast<int>(c);
+    }
+  }
+}
+
+// How near the choice comes to the operator's own command, and what became of that: of its own candidate, or of the
+// sample nearest to it.
+void Planner::Impl::judge_operator() {
+  if (intent.influence == Influence::none) return;
+  const double v_span = std::max(limits.x.max - limits.x.min, 1e-6);
+  const double omega_span = std::max(limits.theta.max - limits.theta.min, 1e-6);
+  decision.agreement = std::max(0.0, 1.0 - std::abs(intent.u_h.v - decision.sample.v) / v_span -
+                                         std::abs(intent.u_h.omega - decision.sample.omega) / omega_span);
+  marked.operator_own = find_operator_own();
+  if (marked.operator_own < 0) return;
+  const std::uint8_t refuser = refused_by[static_cast<std::size_t>(marked.operator_own)];
+  if (refuser != kLegal) decision.operator_refused_by = name_of(refuser);
+}
+
+// The person's own candidate, one of the last, or the sample nearest to what the person wants.
+int Planner::Impl::find_operator_own() const {
+  const std::vector<Sample>& samples = sampler.samples();
+  for (std::size_t c = samples.size(); c-- > 0 && samples[c].kind != SampleKind::grid;) {
+    if (samples[c].kind == SampleKind::operator_own) return static_cast<int>(c);
+  }
+  int own = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < samples.size(); ++c) {
+    const double off = std::abs(samples[c].u.v - intent.u_h.v) + std::abs(samples[c].u.omega - intent.u_h.omega);
+    if (off < nearest) {
+      nearest = off;
+      own = static_cast<int>(c);
+    }
+  }
+  return own;
+}
+
+}  // namespace hidwa_local_planner

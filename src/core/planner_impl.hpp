@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// What the planner's own source files share.
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hidwa_local_planner/core/admissibility.hpp"
+#include "hidwa_local_planner/core/cell_classes.hpp"
+#include "hidwa_local_planner/core/choice.hpp"
+#include "hidwa_local_planner/core/collision.hpp"
+#include "hidwa_local_planner/core/lasting.hpp"
+#include "hidwa_local_planner/core/plan_grids.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/rollout.hpp"
+#include "hidwa_local_planner/core/samples.hpp"
+#include "hidwa_local_planner/core/velocity_limits.hpp"
+#include "hidwa_local_planner/core/way_out.hpp"
+
+namespace hidwa_local_planner {
+
+// Who refused a candidate: nobody, the collision check, the braking check, or critic number (value - kFirstCritic).
+inline constexpr std::uint8_t kLegal = 0;
+inline constexpr std::uint8_t kCollision = 1;
+inline constexpr std::uint8_t kBraking = 2;
+inline constexpr std::uint8_t kFirstCritic = 3;
+
+inline constexpr const char* kCannotBrake = "cannot stop in free space";
+
+// Slower than this the robot rests [m/s, rad/s].
+inline constexpr double kAtRest = 1e-3;
+
+inline bool at_rest(const Twist2& u) { return std::abs(u.v) < kAtRest && std::abs(u.omega) < kAtRest; }
+
+struct NamedCritic {
+  std::string name;
+  std::shared_ptr<Critic> critic;
+  double weight = 0.0;
+  std::unique_ptr<ParameterSource> source;
+};
+
+struct Planner::Impl {
+  CriticRegistry registry;
+  Parameters parameters;
+  VelocityLimits limits;
+  std::vector<NamedCritic> critics;
+  Polygon outline;
+  Footprint footprint;
+
+  // One cycle's work, kept for its memory and for evaluation().
+  Sampler sampler;
+  Rollout rollout;
+  CollisionChecker collision;
+  CellClasses classes;
+  AdmissibilityCheck admissibility;
+  PlanGrids grids;
+  std::vector<double> totals;             // [candidates]; infinite where refused
+  std::vector<std::uint8_t> refused_by;   // [candidates]
+  std::vector<const char*> reasons;       // [candidates]
+  std::vector<std::vector<double>> raw;   // [critics][candidates]
+  std::vector<std::uint32_t> queue, equals;  // candidates, see choose_next()
+  double row_omega = 0.0;                 // of the tiles being scored [rad/s]
+  std::size_t row_first = 0;              // the first candidate of that omega
+  double reach = 0.0;                     // of all rollouts and manoeuvres [m]
+  std::vector<std::size_t> counts;        // of refusals, by refuser
+  OperatorIntent intent;                  // of the last cycle
+  bool steered = false;                   // in this pass the deviation from `wish` counts
+  Twist2 wish;                            // u_h, or with authority below 1 what is blended of it and of autonomy
+  Decision decision;
+  Marked marked;
+  WayOut way_out;
+  Lasting unturned;                       // at the goal's position it stands at another heading
+  bool unturned_reset = false;            // the critics were reset for that
+  bool thorough = false;
+  std::vector<CandidateVerdict> verdicts;  // of the last cycle, where thorough
+  ChoiceReport report;
+
+  const char* fault_of(const Situation& situation, const GridView& grid) const;
+  void begin(const Situation& situation);
+  void give_up(const Situation& situation, Problem kind, const char* problem);
+  Twist2 bounded_reference(const Situation& situation) const;
+  void make_candidates(const Situation& situation, const Sampling& sampling);
+  void prepare_checks(const Situation& situation, const GridView& grid);
+  void score_tile(const CycleView& cycle, Tile tile);
+  void refuse_colliding(const Tile& tile);
+  void ask_critics(const CycleView& cycle, const Tile& tile);
+  void sum_up(const Tile& tile);
+  double deviation_of(const Twist2& sample) const;
+  std::uint8_t not_a_number(std::size_t candidate) const;
+  int choose(const Situation& situation);
+  int choose_next(const TieRule& tie, std::size_t refused);
+  void refuse_braking(std::size_t candidate);
+  void watch_rest(const Situation& situation, bool autonomous);
+  void watch_last_turn(const Situation& situation);
+  void reset_critics() {
+    for (NamedCritic& named : critics) named.critic->reset();
+  }
+  void describe(int best);
+  void count_refusals();
+  void judge_operator();
+  int find_operator_own() const;
+  std::string_view name_of(std::uint8_t refuser) const;
+  Twist2 sample_at(std::size_t candidate) const { return sampler.samples()[candidate].u; }
+  void list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const;
+  void clear_decision();
+  const Decision& drive(const Situation& situation, const GridView& grid, const Sampling& sampling);
+  void hear_everybody(const CycleView& cycle);
+  void hear_critics(const CycleView& cycle, const Tile& tile);
+  void aim(const Situation& situation, const GridView& grid, const Sampling& sampling);
+  CycleView weigh(const Situation& situation, const GridView& grid, const Sampling& sampling);
+  void pass_through(const Situation& situation);
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes, checks and scores the candidates of a cycle.
+#include <algorithm>
+#include <limits>
+
+#include "planner_impl.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// Makes room with some to spare: the number of candidates changes by a few from cycle to cycle.
+template <typename T>
+void fit(std::vector<T>& values, std::size_t count) {
+  if (values.capacity() < count) values.reserve(count + count / 8 + 16);
+  values.resize(count);
+}
+
+}  // namespace
+
+// Makes, checks and scores all candidates.
+CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid, const Sampling& sampling) {
+  make_candidates(situation, sampling);
+  prepare_checks(situation, grid);
+  grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
+  grids.expect(situation.pose, reach + std::max(parameters.PathAlign_forward_point_distance,
+                                                parameters.GoalAlign_forward_point_distance));
+  CycleView cycle;
+  cycle.pose = situation.pose;
+  cycle.velocity = situation.velocity;
+  cycle.last_command = situation.last_command;
+  cycle.goal = situation.goal;
+  cycle.time = situation.time;
+  cycle.steered = steered;
+  cycle.plan = &situation.plan;
+  cycle.grid = &grid;
+  cycle.footprint = &footprint;
+  cycle.grids = &grids;
+  if (!grids.on_map() && !steered) return cycle;
+  for (NamedCritic& named : critics) {
+    if (named.weight != 0.0) named.critic->prepare(cycle);
+  }
+  for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, rollout.tile(t));
+  return cycle;
+}
+
+void Planner::Impl::make_candidates(const Situation& situation, const Sampling& sampling) {
+  SampleRequest request;
+  request.reference = decision.reference;
+  request.previous = situation.last_command;
+  request.wanted = steered ? &intent.u_h : nullptr;
+  request.blended = steered && !(wish == intent.u_h) ? &wish : nullptr;
+  request.period = situation.period;
+  request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
+  request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
+  sampler.make(parameters, limits, request);
+  rollout.run(parameters, limits, situation.pose, decision.reference, sampler.samples());
+  const std::size_t n = rollout.candidate_count();
+  decision.candidates = n;
+  fit(totals, n);  // what they hold is set tile by tile
+  fit(refused_by, n);
+  fit(reasons, n);
+  fit(queue, n);
+  fit(equals, n);
+  for (std::vector<double>& scores : raw) fit(scores, n);
+}
+
+void Planner::Impl::prepare_checks(const Situation& situation, const GridView& grid) {
+  double fastest = std::abs(decision.reference.v);
+  for (const Sample& sample : sampler.samples()) fastest = std::max(fastest, std::abs(sample.u.v));
+  const double longest = std::max(parameters.sim_time, parameters.control_latency + situation.period +
+                                                           limits.x.time_to_rest(fastest));
+  reach = fastest * longest;
+  // Half a step: what lies between two clear poses is clear. And enough for an outline that is grown a little.
+  const double margin = std::max(0.5 * rollout.longest_step(), grid.resolution / 16.0);
+  collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin);
+  classes.prepare(collision, grid, parameters.unknown_is_obstacle, situation.pose, reach);
+  admissibility.prepare(parameters, limits, collision, footprint, grid.resolution,
+                        {situation.pose, decision.reference, situation.period, !steered && way_out.active()});
+  decision.escaping = admissibility.escaping();
+}
+
+void Planner::Impl::score_tile(const CycleView& cycle, Tile tile) {
+  classes.classify(tile);
+  std::fill_n(refused_by.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, kLegal);
+  std::fill_n(reasons.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, nullptr);
+  refuse_colliding(tile);
+  ask_critics(cycle, tile);
+  sum_up(tile);
+}
+
+void Planner::Impl::refuse_colliding(const Tile& tile) {
+  const char** reason = reasons.data() + tile.first;
+  std::uint8_t* refuser = refused_by.data() + tile.first;
+  admissibility.check_rollouts(tile, reason);
+  if (tile.first == 0 || tile.omega != row_omega) {
+    row_omega = tile.omega;
+    row_first = tile.first;
+  }
+  const std::size_t column = tile.first - row_first;
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    if (reason[c] != nullptr) {
+      refuser[c] = kCollision;
+    } else if (parameters.admissibility == Admissibility::braking && !admissibility.can_brake(tile.sample(c), column + c)) {
+      refuser[c] = kBraking;
+      reason[c] = kCannotBrake;
+    }
+  }
+}
+
+void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
+  for (std::size_t i = 0; i < critics.size(); ++i) {
+    std::fill_n(raw[i].begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, 0.0);
+    if (critics[i].weight == 0.0) continue;
+    TileScores scores(raw[i].data() + tile.first, reasons.data() + tile.first, tile.count);
+    critics[i].critic->score(cycle, tile, scores);
+    if (!scores.any_refused()) continue;
+    for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
+      if (reasons[c] != nullptr && refused_by[c] == kLegal) refused_by[c] = static_cast<std::uint8_t>(kFirstCritic + i);
+    }
+  }
+}
+
+// Kalliokoski 2022, the cost J in section III: J = s_nv J_nv + gamma (s_v |v_h - v| + s_omega |omega_h - omega|).
+void Planner::Impl::sum_up(const Tile& tile) {
+  const std::size_t n = tile.count;
+  double* total = totals.data() + tile.first;
+  std::fill_n(total, n, 0.0);
+  // Direct control takes the legal candidate nearest to what the person wants, by the same weights.
+  if (intent.influence != Influence::direct) {
+    for (std::size_t i = 0; i < critics.size(); ++i) {
+      const double weight = critics[i].weight;
+      const double* scores = raw[i].data() + tile.first;
+      for (std::size_t c = 0; c < n; ++c) total[c] += weight * scores[c];
+    }
+    for (std::size_t c = 0; c < n; ++c) total[c] *= parameters.s_nv;
+  }
+  if (steered) {
+    for (std::size_t c = 0; c < n; ++c) total[c] += deviation_of(tile.sample(c));
+  }
+  for (std::size_t c = 0; c < n; ++c) {
+    const std::size_t at = tile.first + c;
+    if (refused_by[at] == kLegal && !std::isfinite(total[c])) {
+      // A critic of another package may say anything: what is not a number is no legal candidate.
+      refused_by[at] = not_a_number(at);
+      reasons[at] = "total is not a number";
+    }
+    if (refused_by[at] != kLegal) total[c] = std::numeric_limits<double>::infinity();
+  }
+}
+
+// The paper's J_sh; nothing while the person's input does not count.
+double Planner::Impl::deviation_of(const Twist2& u) const {
+  if (!steered) return 0.0;
+  return parameters.s_v * std::abs(wish.v - u.v) + parameters.s_omega * std::abs(wish.omega - u.omega);
+}
+
+// The critic that spoiled a total.
+std::uint8_t Planner::Impl::not_a_number(std::size_t candidate) const {
+  for (std::size_t i = 0; i < critics.size(); ++i) {
+    if (!std::isfinite(critics[i].weight * raw[i][candidate])) return static_cast<std::uint8_t>(kFirstCritic + i);
+  }
+  return kFirstCritic;
+}
+
+}  // namespace hidwa_local_planner
