@@ -140,7 +140,7 @@ def ros():
         run(sourced(setup, 'cmake', '--build', place, '--target', 'tests', '-j', JOBS), f'ros_{name}_build')
         _, listing = run(['ctest', '--show-only=json-v1'], f'ros_{name}_list', cwd=place)
         if json.loads(listing)['tests']:
-            counts += ctest(place, f'ros_{name}', lambda *command: sourced(setup, *command), jobs='1')
+            counts += ctest(place, f'ros_{name}', lambda *command: sourced(setup, *command))
     return counts if counts.total else Counts(failed=1)
 
 
