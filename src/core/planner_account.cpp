@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the planner says of its candidates, and what it remembers.
+#include <limits>
 #include <utility>
 
 #include "planner_impl.hpp"
@@ -40,7 +41,19 @@ std::vector<CandidateRecord> Planner::evaluation() const {
   return records;
 }
 
-Planner::Marked Planner::marked() const { return impl_->marked; }
+Planner::Marked Planner::marked() const {
+  Marked marked = impl_->marked;
+  double worst = -std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < impl_->totals.size(); ++c) {
+    const double total = impl_->totals[c];
+    if (std::isfinite(total) && total > worst) {
+      worst = total;
+      marked.worst = static_cast<int>(c);
+    }
+  }
+  return marked;
+}
+
 const std::vector<double>& Planner::totals() const { return impl_->totals; }
 const ChoiceReport& Planner::choice() const { return impl_->report; }
 const std::vector<CandidateVerdict>& Planner::verdicts() const { return impl_->verdicts; }

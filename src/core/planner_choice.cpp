@@ -86,13 +86,6 @@ void Planner::Impl::count_refusals() {
   for (std::size_t refuser = kCollision; refuser < counts.size(); ++refuser) {
     if (counts[refuser] > 0) decision.refusals.push_back({name_of(static_cast<std::uint8_t>(refuser)), counts[refuser]});
   }
-  double worst = -std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < totals.size(); ++c) {
-    if (std::isfinite(totals[c]) && totals[c] > worst) {
-      worst = totals[c];
-      marked.worst = static_cast<int>(c);
-    }
-  }
 }
 
 // How near the choice comes to the operator's own command, and what became of that: of its own candidate, or of the

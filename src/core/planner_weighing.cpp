@@ -65,8 +65,7 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
 }
 
 void Planner::Impl::prepare_checks(const Situation& situation, const GridView& grid) {
-  double fastest = std::abs(decision.reference.v);
-  for (const Sample& sample : sampler.samples()) fastest = std::max(fastest, std::abs(sample.u.v));
+  const double fastest = std::max(std::abs(decision.reference.v), rollout.fastest());
   const double longest = std::max(parameters.sim_time, parameters.control_latency + situation.period +
                                                            limits.x.time_to_rest(fastest));
   reach = fastest * longest;

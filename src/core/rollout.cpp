@@ -40,21 +40,22 @@ void Rollout::run(const Parameters& p, const VelocityLimits& limits, const Pose2
   start_cosine_ = std::cos(start.theta);
   start_sine_ = std::sin(start.theta);
   turn_.known = 0;
-  least_v_ = most_v_ = reference.v;
+  double least = samples.empty() ? reference.v : samples.front().u.v, most = least;
   for (const Sample& sample : samples) {
-    least_v_ = std::min(least_v_, sample.u.v);
-    most_v_ = std::max(most_v_, sample.u.v);
+    least = std::min(least, sample.u.v);
+    most = std::max(most, sample.u.v);
   }
+  fastest_ = std::max(-least, most);
+  least_v_ = std::min(least, reference.v);
+  most_v_ = std::max(most, reference.v);
   make_tiles(samples);
 }
 
 void Rollout::make_tiles(const std::vector<Sample>& samples) {
   tiles_.clear();
-  v_.clear();
   if (v_.capacity() < samples.size()) v_.reserve(samples.size() + samples.size() / 8 + 16);
+  v_.resize(samples.size());
   if (tiles_.capacity() < 128) tiles_.reserve(128);
-  double fastest = 0.0;
-  for (const Sample& sample : samples) fastest = std::max(fastest, std::abs(sample.u.v));
   longest_step_ = 0.0;
   const double top_speed = std::max(-least_v_, most_v_);
   std::size_t turns = 0;
@@ -67,9 +68,9 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
     const bool as_before = i > 0 && !brake && !settings_.euler && samples[i - 1].u.omega == sample.u.omega &&
                            samples[i - 1].kind == SampleKind::grid;
     std::size_t steps = as_before ? tiles_.back().steps
-                                  : settings_.steps(settings_.euler ? sample.u.v : fastest, sample.u.omega);
+                                  : settings_.steps(settings_.euler ? sample.u.v : fastest_, sample.u.omega);
     // A brake candidate turns and drives on at first: its steps are those of the fastest.
-    if (brake) steps = std::max(steps, settings_.steps(fastest, 0.0));
+    if (brake) steps = std::max(steps, settings_.steps(fastest_, 0.0));
     const bool same_turn = !tiles_.empty() && tiles_.back().omega == sample.u.omega && tiles_.back().steps == steps &&
                            tiles_.back().ramped == ramped;
     if (!same_turn || tiles_.back().count == kMostColumns) {
@@ -83,8 +84,16 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
       tiles_.push_back(block);
       longest_step_ = std::max(longest_step_, top_speed * block.dt);
     }
-    ++tiles_.back().count;
-    v_.push_back(sample.u.v);
+    Block& block = tiles_.back();
+    ++block.count;
+    v_[i] = sample.u.v;
+    // The rest of the grid's row goes the same way.
+    const bool row = sample.kind == SampleKind::grid && !settings_.euler;
+    for (; row && block.count < kMostColumns && i + 1 < samples.size(); ++i, ++block.count) {
+      const Sample& next = samples[i + 1];
+      if (next.kind != SampleKind::grid || next.u.omega != block.omega) break;
+      v_[i + 1] = next.u.v;
+    }
   }
 }
 

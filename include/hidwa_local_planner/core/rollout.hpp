@@ -30,6 +30,8 @@ class Rollout {
   std::size_t candidate_count() const { return v_.size(); }
   /// No two consecutive poses of a rollout are farther apart than this [m].
   double longest_step() const { return longest_step_; }
+  /// The largest speed of the samples [m/s].
+  double fastest() const { return fastest_; }
 
  private:
   struct Block {
@@ -62,6 +64,7 @@ class Rollout {
   Pose2 start_;
   Twist2 reference_;
   double start_cosine_ = 1.0, start_sine_ = 0.0;
+  double fastest_ = 0.0;  // of the samples [m/s]
   double least_v_ = 0.0, most_v_ = 0.0;
   double longest_step_ = 0.0;
   std::vector<Block> tiles_;
