@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,17 +14,13 @@
 #include "hidwa_local_planner/study/error.hpp"
 #include "hidwa_local_planner/study/program.hpp"
 #include "hidwa_local_planner/study/table.hpp"
+#include "study_folder.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Ended {
-  int code = -1;
-  std::string out, errors;
-};
 
 // Walls left and right, and a wall across with a gap of three cells from column `gap` on. The way goes
 // through its middle.
@@ -41,76 +36,35 @@ std::string world(int index, int gap) {
   return std::to_string(index) + " |" + cells + " |" + path + "\n";
 }
 
-class Barn : public ::testing::Test {
+class Barn : public StudyFolder {
  protected:
   void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / (std::string("hidwa_barn_test_") + info->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "worlds.txt") << "# two\n" << world(3, 9) << world(8, 17);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string read(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
+    StudyFolder::SetUp();
+    write("worlds.txt", "# two\n" + world(3, 9) + world(8, 17));
   }
 
-  // Words that begin with @ are in the test's folder.
   // Coarse, to be quick.
   Ended study(const std::string& line) const {
     const bool drives = line.rfind("barn", 0) == 0 && line.find("--worlds @worlds.txt") != std::string::npos;
-    std::istringstream stream(
-        line + (drives ? " --set plan.resolution=0.05 --set vx_samples=10 --set vth_samples=20" : ""));
-    std::vector<std::string> arguments;
-    for (std::string word; stream >> word;) arguments.push_back(word[0] == '@' ? path(word.substr(1)) : word);
-    std::ostringstream out, errors;
-    Ended ended;
-    ended.code = program(arguments, out, errors);
-    ended.out = out.str();
-    ended.errors = errors.str();
-    return ended;
+    return run(line + (drives ? " --set plan.resolution=0.05 --set vx_samples=10 --set vth_samples=20" : ""));
   }
 
   // By the names in the first line.
   std::vector<std::vector<std::string>> table(const std::string& out,
                                               const std::vector<std::string>& names) const {
-    std::istringstream lines(read(out + "/runs.csv"));
-    std::string line;
-    std::getline(lines, line);
-    const Row head = from_line(line);
+    const std::vector<Row> lines = lines_of(out);
     std::vector<std::vector<std::string>> all;
-    while (std::getline(lines, line)) {
-      const Row row = from_line(line);
-      EXPECT_EQ(row.size(), head.size());
+    for (std::size_t line = 1; line < lines.size(); ++line) {
       all.emplace_back();
       for (const std::string& name : names) {
-        for (std::size_t k = 0; k < head.size(); ++k) {
-          if (head[k] == name) all.back().push_back(row.at(k));
+        for (std::size_t k = 0; k < lines[0].size(); ++k) {
+          if (lines[0][k] == name) all.back().push_back(lines[line].at(k));
         }
       }
       EXPECT_EQ(all.back().size(), names.size());
     }
     return all;
   }
-
-  void expect_same(const std::string& a, const std::string& b) const {
-    for (const char* name : {"/runs.csv", "/summary.json", "/study.json", "/plan.csv"}) {
-      EXPECT_FALSE(read(a + name).empty()) << name;
-      EXPECT_EQ(read(a + name), read(b + name)) << name;
-    }
-    for (const auto& row : table(a, {"id"})) {
-      const std::string name = "/paths/" + row[0] + ".csv";
-      EXPECT_FALSE(read(a + name).empty()) << name;
-      EXPECT_EQ(read(a + name), read(b + name)) << name;
-    }
-  }
-
-  fs::path folder_;
 };
 
 TEST_F(Barn, DrivesInEveryModeWithoutAContact) {

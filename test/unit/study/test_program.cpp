@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/study/table.hpp"
+#include "study_folder.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -19,18 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Ended {
-  int code = -1;
-  std::string out, errors;
-};
-
-class StudyProgram : public ::testing::Test {
+class StudyProgram : public StudyFolder {
  protected:
   void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / (std::string("hidwa_study_test_") + info->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+    StudyFolder::SetUp();
     // 10 m x 6 m, walls all round.
     std::ofstream pgm(folder_ / "hall.pgm", std::ios::binary);
     pgm << "P5\n200 120\n255\n";
@@ -45,61 +37,23 @@ class StudyProgram : public ::testing::Test {
     write("regions.yaml", "start: [1.0, 3.0, 0.0]\ngoal: [8.8, 3.0, 0.0]\nregions:\n"
                           "  - {name: wet, polygon: [[4.5, 2.7], [5.3, 2.7], [5.3, 3.3], [4.5, 3.3]]}\n");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  std::string read(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  // Words that begin with @ are in the test's folder.
   Ended study(const std::string& line, bool in_hall = true) const {
-    std::istringstream stream(line);
-    std::vector<std::string> arguments;
-    for (std::string word; stream >> word;) arguments.push_back(word[0] == '@' ? path(word.substr(1)) : word);
-    if (in_hall) {
-      for (const std::string& word : {std::string("--map"), path("hall.yaml"), std::string("--regions"),
-                                      path("regions.yaml")}) {
-        arguments.push_back(word);
-      }
-    }
-    std::ostringstream out, errors;
-    Ended ended;
-    ended.code = program(arguments, out, errors);
-    ended.out = out.str();
-    ended.errors = errors.str();
-    return ended;
+    if (!in_hall) return run(line);
+    return run(line, {"--map", path("hall.yaml"), "--regions", path("regions.yaml")});
   }
 
   std::vector<Row> rows(const std::string& out) const {
-    std::istringstream lines(read(out + "/runs.csv"));
-    std::vector<Row> all;
-    std::string line;
-    std::getline(lines, line);
-    EXPECT_EQ(from_line(line), columns());
-    while (std::getline(lines, line)) all.push_back(from_line(line));
-    return all;
+    std::vector<Row> lines = lines_of(out);
+    EXPECT_EQ(lines.at(0), columns());
+    lines.erase(lines.begin());
+    return lines;
   }
 
   void expect_same(const std::string& a, const std::string& b) const {
-    for (const char* name : {"/runs.csv", "/summary.json", "/study.json", "/plan.csv"}) {
-      EXPECT_FALSE(read(a + name).empty()) << name;
-      EXPECT_EQ(read(a + name), read(b + name)) << name;
-    }
-    for (const Row& row : rows(a)) {
-      const std::string name = "/paths/" + row.front() + ".csv";
-      EXPECT_FALSE(read(a + name).empty()) << name;
-      EXPECT_EQ(read(a + name), read(b + name)) << name;
-    }
+    rows(a);  // for its first line
+    StudyFolder::expect_same(a, b);
   }
-
-  fs::path folder_;
 };
 
 TEST_F(StudyProgram, EverybodyDrivesInEveryCondition) {
