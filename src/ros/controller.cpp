@@ -49,13 +49,7 @@ Controller::~Controller() = default;
 
 void Controller::initialize(const std::string& name, const tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap) {
   guarded(kName, "initialize", false, [&] {
-    if (shell_) {
-      ROS_WARN("%s is initialized already; the second call is ignored", name.c_str());
-    } else if (tf == nullptr || costmap == nullptr) {
-      ROS_ERROR("%s needs a tf buffer and a costmap", name.c_str());
-    } else {
-      shell_ = std::make_unique<Shell>(name, *tf, *costmap);
-    }
+    start_shell(shell_, name, tf, costmap);
     return true;
   });
 }

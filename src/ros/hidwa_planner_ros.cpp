@@ -22,13 +22,7 @@ HIDWAPlannerROS::~HIDWAPlannerROS() = default;
 void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf,
                                  costmap_2d::Costmap2DROS* costmap_ros) {
   succeeds("initialize", [&] {
-    if (shell_) {
-      ROS_WARN("%s is initialized already; the second call is ignored", name.c_str());
-    } else if (tf == nullptr || costmap_ros == nullptr) {
-      ROS_ERROR("%s needs a tf buffer and a costmap", name.c_str());
-    } else {
-      shell_ = std::make_unique<Shell>(name, *tf, *costmap_ros);
-    }
+    start_shell(shell_, name, tf, costmap_ros);
     return true;
   });
 }

@@ -51,6 +51,17 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
   thread_.start();
 }
 
+void start_shell(std::unique_ptr<Shell>& shell, const std::string& name, const tf2_ros::Buffer* tf,
+                 costmap_2d::Costmap2DROS* costmap) {
+  if (shell) {
+    ROS_WARN("%s is initialized already; the second call is ignored", name.c_str());
+  } else if (tf == nullptr || costmap == nullptr) {
+    ROS_ERROR("%s needs a tf buffer and a costmap", name.c_str());
+  } else {
+    shell = std::make_unique<Shell>(name, *tf, *costmap);
+  }
+}
+
 Shell::~Shell() {
   thread_.stop();
   odometry_thread_.stop();
@@ -74,7 +85,6 @@ void Shell::start_parameters() {
     refused_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
                "): correct them and restart, or set valid ones by dynamic_reconfigure";
   }
-  recording_.take({planner_.parameters(), content});
   budget_.configure(wanted_samples(planner_.parameters()));
   report_start(loaded.found);
 
@@ -150,7 +160,6 @@ void Shell::take_parameters() {
   for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
   if (!faults.empty()) return;
   refused_.clear();
-  recording_.take(*set);
   budget_.configure(wanted_samples(planner_.parameters()));
   check_horizon();
 }
@@ -161,9 +170,11 @@ std::vector<std::string> Shell::put_in_force(const ParameterSet& set) {
     wanted.parameters.xy_goal_tolerance = host_tolerances_->xy;
     wanted.parameters.yaw_goal_tolerance = host_tolerances_->yaw;
   }
-  std::vector<std::string> faults = configure(planner_, wanted);
-  if (faults.empty()) in_force_ = set;
-  return faults;
+  const std::vector<std::string> faults = configure(planner_, wanted);
+  if (!faults.empty()) return faults;
+  recording_.take(wanted);
+  in_force_ = set;
+  return {};
 }
 
 double Shell::control_period() const {

@@ -141,4 +141,8 @@ class Shell {
   std::unique_ptr<Diagnostics> diagnostics_;
 };
 
+/// What every plugin does when its host initializes it: makes the shell, once; says what is missing.
+void start_shell(std::unique_ptr<Shell>& shell, const std::string& name, const tf2_ros::Buffer* tf,
+                 costmap_2d::Costmap2DROS* costmap);
+
 }  // namespace hidwa_local_planner
