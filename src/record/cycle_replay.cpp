@@ -37,6 +37,8 @@ std::string CycleReplay::set_up(const Setup& setup) {
   std::vector<std::string> faults = set_lines(parameters, setup.parameters);
   recorded_operator_ = parameters;
   if (!setup.operator_parameters.empty()) set_lines(recorded_operator_, setup.operator_parameters);
+  changed_operator_ = recorded_operator_;
+  make_changes(changed_operator_, changes_);
   for (const std::string& fault : make_changes(parameters, changes_)) faults.push_back(fault);
   if (faults.empty()) {
     const Planner::SourceFor sources = sources_of_ ? sources_of_(setup.critics) : Planner::SourceFor();
@@ -79,11 +81,7 @@ ReplayedCycle CycleReplay::run() {
   machine_.configure(recorded_operator_);
   ArchiveReader state(record_.operator_state);
   machine_.load(state);
-  if (!changes_.empty()) {
-    Parameters changed = recorded_operator_;
-    make_changes(changed, changes_);
-    machine_.configure(changed);
-  }
+  if (!changes_.empty()) machine_.configure(changed_operator_);
   ReplayedCycle cycle;
   cycle.intent = machine_.update(record_.time);
   OperatorIntent intent = cycle.intent;

@@ -13,17 +13,25 @@ namespace hidwa_local_planner {
 namespace replay {
 namespace {
 
-// Everybody who refuses a candidate, and why.
-std::string refusals_of(const CandidateVerdict& candidate) {
-  std::string text;
-  const auto add = [&text](std::string_view who, const char* why) {
-    text += (text.empty() ? "" : "; ") + std::string(who) + ": " + why;
-  };
-  if (candidate.collision != nullptr) add("Collision", candidate.collision);
-  if (!candidate.can_brake) add("Braking", "cannot stop in free space");
+struct Refusal {
+  std::string who;
+  const char* why;
+};
+
+// Everybody who refuses a candidate.
+std::vector<Refusal> refusals_of(const CandidateVerdict& candidate) {
+  std::vector<Refusal> refusals;
+  if (candidate.collision != nullptr) refusals.push_back({"Collision", candidate.collision});
+  if (!candidate.can_brake) refusals.push_back({"Braking", "cannot stop in free space"});
   for (const CriticVerdict& critic : candidate.critics) {
-    if (critic.reason != nullptr && critic.weight != 0.0) add(critic.name, critic.reason);
+    if (critic.reason != nullptr && critic.weight != 0.0) refusals.push_back({std::string(critic.name), critic.reason});
   }
+  return refusals;
+}
+
+std::string refusals_in_words(const CandidateVerdict& candidate) {
+  std::string text;
+  for (const Refusal& refusal : refusals_of(candidate)) text += (text.empty() ? "" : "; ") + refusal.who + ": " + refusal.why;
   return text;
 }
 
@@ -40,7 +48,7 @@ std::string table(const std::vector<CandidateVerdict>& candidates, int best) {
     for (const CriticVerdict& critic : candidate.critics) {
       text += format(" %*.4f", std::max(10, static_cast<int>(critic.name.size())), critic.raw * critic.weight);
     }
-    text += format(" %10.4f  %s%s%s\n", candidate.sum, refusals_of(candidate).c_str(),
+    text += format(" %10.4f  %s%s%s\n", candidate.sum, refusals_in_words(candidate).c_str(),
                    static_cast<int>(c) == best ? "<== chosen" : "", candidate.operator_own ? "  (u_h)" : "");
   }
   return text;
@@ -51,16 +59,11 @@ std::string count_refusals(const std::vector<CandidateVerdict>& candidates) {
   std::map<std::string, std::pair<int, int>> counts;
   int legal = 0;
   for (const CandidateVerdict& candidate : candidates) {
-    std::vector<std::string> who;
-    if (candidate.collision != nullptr) who.emplace_back("Collision");
-    if (!candidate.can_brake) who.emplace_back("Braking");
-    for (const CriticVerdict& critic : candidate.critics) {
-      if (critic.reason != nullptr && critic.weight != 0.0) who.emplace_back(critic.name);
-    }
-    legal += who.empty() ? 1 : 0;
-    for (const std::string& name : who) {
-      ++counts[name].first;
-      counts[name].second += who.size() == 1 ? 1 : 0;
+    const std::vector<Refusal> refusals = refusals_of(candidate);
+    legal += refusals.empty() ? 1 : 0;
+    for (const Refusal& refusal : refusals) {
+      ++counts[refusal.who].first;
+      counts[refusal.who].second += refusals.size() == 1 ? 1 : 0;
     }
   }
   std::string text = format("%zu candidates, %d legal", candidates.size(), legal);
@@ -122,7 +125,7 @@ std::string about_operator(record::CycleReplay& replay, const record::ReplayedCy
   if (own < 0 || all.empty()) return text + "\n";
   const CandidateVerdict& candidate = all[static_cast<std::size_t>(own)];
   text += format("; its candidate #%d %s is ", own, in_words(candidate.sample).c_str());
-  if (!candidate.legal()) return text + "refused by " + refusals_of(candidate) + "\n";
+  if (!candidate.legal()) return text + "refused by " + refusals_in_words(candidate) + "\n";
   const int best = replay.planner().marked().best;
   if (best == own) return text + "the chosen one\n";
   if (best < 0) return text + "legal\n";
@@ -182,7 +185,7 @@ std::string json_list(const Items& items, const Writer& writer) {
 std::string json_of(const CandidateVerdict& candidate) {
   return "{\"u\":" + json_of(candidate.sample) + ",\"end\":" + json_of(candidate.end) + ",\"sum\":" + json(candidate.sum) +
          ",\"total\":" + json(candidate.legal() ? candidate.total : std::numeric_limits<double>::infinity()) +
-         ",\"refused\":" + json(refusals_of(candidate)) + ",\"terms\":" +
+         ",\"refused\":" + json(refusals_in_words(candidate)) + ",\"terms\":" +
          json_list(candidate.critics, [](const CriticVerdict& critic) { return json(critic.raw * critic.weight); }) + "}";
 }
 

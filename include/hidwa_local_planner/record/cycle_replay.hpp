@@ -65,7 +65,7 @@ class CycleReplay {
   FaultBrake fault_brake_;
   GridChain grids_;
   Setup setup_;
-  Parameters recorded_operator_;  // before changes
+  Parameters recorded_operator_, changed_operator_;  // the machine's, before and after changes
   CycleRecord record_;
   std::string fault_;
   bool following_ = false;  // since a key record nothing was missing
