@@ -10,15 +10,13 @@ import rospy
 import tf2_py
 from std_msgs.msg import Header
 
+from hidwa_tools.geometry import yaw_of
+
 from .errors import BagTestError
 
 
 class Absent(BagTestError):
     """There is no such bag."""
-
-
-def yaw_of(q):
-    return float(np.arctan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z)))
 
 
 def shift(message, seconds):
@@ -144,7 +142,7 @@ class Follower:
             found = self._tf.lookup_transform_core(self._d.frame, source, stamp).transform
         except tf2_py.TransformException:
             return None
-        return found.translation.x, found.translation.y, yaw_of(found.rotation)
+        return found.translation.x, found.translation.y, float(yaw_of(found.rotation))
 
     def _place(self, until):
         """Places the newest scan up to `until` whose transform is there."""

@@ -9,7 +9,7 @@ import numpy as np
 from . import geometry
 from .bagfile import choose, read_messages
 from .errors import BagError
-from .poses import TF, Frames, clean, odometry_rows, with_speed, yaw_of
+from .poses import TF, Frames, clean, odometry_rows, with_speed
 from .seen import Seen
 
 # actionlib_msgs/GoalStatus
@@ -109,7 +109,7 @@ class Drive:
 
 
 def _grid(message):
-    if abs(yaw_of(message.info.origin.orientation)) > 1e-6:
+    if abs(geometry.yaw_of(message.info.origin.orientation)) > 1e-6:
         raise BagError('the map is turned against its frame (origin yaw); give one with yaw 0')
     cells = np.array(message.data, np.int16).reshape(message.info.height, message.info.width)
     # The message holds 0.05 as a float32, 0.0500000007: a thousand cells further that is 1.5e-5 m.
@@ -122,7 +122,7 @@ def _region(marker):
     points = np.array([[p.x, p.y] for p in marker.points])
     if len(points) > 1 and np.allclose(points[0], points[-1]):
         points = points[:-1]
-    return geometry.placed(points, marker.pose.position.x, marker.pose.position.y, yaw_of(marker.pose.orientation))
+    return geometry.placed(points, marker.pose.position.x, marker.pose.position.y, geometry.yaw_of(marker.pose.orientation))
 
 
 def _is_plan(topic, kind):
@@ -228,7 +228,7 @@ class Reader:
         if len(self.odometry) > 1:
             self.lacking.append(f'no tf {fixed} -> {base or "base"}: the way is odometry, which drifts')
             return base, odometry or 'odom', self.topics['odom'], self.odometry
-        amcl = [(time, m.pose.pose.position.x, m.pose.pose.position.y, yaw_of(m.pose.pose.orientation))
+        amcl = [(time, m.pose.pose.position.x, m.pose.pose.position.y, geometry.yaw_of(m.pose.pose.orientation))
                 for time, m in self.messages.get(self.topics['amcl'])]
         if len(amcl) > 1:
             return base, fixed, self.topics['amcl'], with_speed(np.array(amcl, float), self.odometry)
@@ -341,7 +341,7 @@ class Reader:
         after = self.truth[self.truth[:, 0] >= time]
         return {'start': [round(float(v), 3) for v in after[0, 1:4]] if len(after) else None,
                 'goal': None if point is None else [*(round(float(v), 3) for v in point[0]),
-                                                    round(float(yaw_of(target.pose.orientation)), 3)]}
+                                                    round(float(geometry.yaw_of(target.pose.orientation)), 3)]}
 
 
 def read_drives(path, names=None):

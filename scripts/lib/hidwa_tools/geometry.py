@@ -6,6 +6,11 @@ Written apart from both the planner's and the simulator's checks, so that each c
 import numpy as np
 
 
+def yaw_of(q):
+    """Yaw [rad] of a quaternion."""
+    return np.arctan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
+
+
 def placed(polygon, x, y, yaw):
     """The polygon (n, 2) of the robot frame at a pose."""
     c, s = np.cos(yaw), np.sin(yaw)

@@ -79,15 +79,20 @@ def parser():
     return p
 
 
-def parse(arguments):
-    """The options; exits with a message where they make no sense."""
+def join_poses(arguments):
+    """The same words, each option that takes a pose joined with it by =: argparse would take the minus of
+    "--start -7,2,0" for an option's."""
     joined, rest = [], list(arguments)
     while rest:
         word = rest.pop(0)
-        # argparse would take the minus of "--start -7,2,0" for an option's.
         joined.append(f'{word}={rest.pop(0)}' if word in POSES and rest else word)
+    return joined
+
+
+def parse(arguments):
+    """The options; exits with a message where they make no sense."""
     p = parser()
-    options = p.parse_args(joined)
+    options = p.parse_args(join_poses(arguments))
     options.report = os.path.abspath(options.report)
     if options.map and not (options.regions or (options.start and options.goal)):
         p.error('--map needs --start and --goal too')

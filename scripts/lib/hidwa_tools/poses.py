@@ -7,12 +7,9 @@ import tf2_py
 from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from std_msgs.msg import Header
 
+from .geometry import yaw_of
+
 TF = 'tf2_msgs/TFMessage'
-
-
-def yaw_of(q):
-    """Yaw [rad] of a quaternion."""
-    return np.arctan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
 
 
 def clean(frame):

@@ -50,12 +50,8 @@ def parser():
 
 def parse(arguments):
     """(options, further arguments)"""
-    joined, rest = [], list(arguments)
-    while rest:
-        word = rest.pop(0)
-        joined.append(f'{word}={rest.pop(0)}' if word in demo_options.POSES and rest else word)
     p = parser()
-    o, further = p.parse_known_args(joined)
+    o, further = p.parse_known_args(demo_options.join_poses(arguments))
     if o.robot and ':=' in o.robot:  # "--robot map:=floor.yaml": robot.launch, with an argument of its
         o.robot, further = '', [o.robot, *further]
     if o.participant < 1:
