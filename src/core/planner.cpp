@@ -22,6 +22,8 @@ bool plausible(const Pose2& q) {
   return std::abs(q.x) <= kFarthest && std::abs(q.y) <= kFarthest && std::abs(q.theta) <= kFarthest;
 }
 
+double usable_period(const Situation& s) { return s.period > 0.0 ? s.period : Situation().period; }
+
 // Parameters of critics of other packages where nobody supplies any: the fallbacks.
 class NoParameters : public ParameterSource {
  public:
@@ -134,10 +136,11 @@ const char* Planner::Impl::fault_of(const Situation& situation, const GridView& 
 }
 
 // A command that was never a number is none; a reference beyond the limits is brought back by the window.
-Twist2 Planner::Impl::bounded_reference(const Situation& situation) const {
+Twist2 Planner::Impl::bounded_reference(const Situation& situation) {
   const Twist2 last = plausible(situation.last_command) ? situation.last_command : Twist2{};
   const Twist2 measured = plausible(situation.velocity) ? situation.velocity : last;
-  return velocity_reference(parameters, measured, last);
+  commands.observe(situation.time, usable_period(situation), parameters.control_latency, last, limits);
+  return velocity_reference(parameters, measured, commands);
 }
 
 void Planner::Impl::begin(const Situation& situation) {
@@ -173,8 +176,7 @@ void Planner::Impl::give_up(const Situation& situation, Problem kind, const char
   decision.problem_kind = kind;
   decision.problem = problem;
   decision.sample = {};
-  const double period = situation.period > 0.0 ? situation.period : Situation().period;
-  decision.command = limits.brake(decision.reference, period);
+  decision.command = limits.brake(decision.reference, usable_period(situation));
   const bool moving = !at_rest(decision.reference) || !at_rest(situation.velocity);
   decision.outcome = moving ? Outcome::brake : Outcome::fail;
 }

@@ -11,6 +11,7 @@
 #include "hidwa_local_planner/core/cell_classes.hpp"
 #include "hidwa_local_planner/core/choice.hpp"
 #include "hidwa_local_planner/core/collision.hpp"
+#include "hidwa_local_planner/core/command_history.hpp"
 #include "hidwa_local_planner/core/lasting.hpp"
 #include "hidwa_local_planner/core/plan_grids.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
@@ -70,6 +71,7 @@ struct Planner::Impl {
   Twist2 wish;                            // u_h, or with authority below 1 what is blended of it and of autonomy
   Decision decision;
   Marked marked;
+  CommandHistory commands;
   WayOut way_out;
   Lasting unturned;                       // at the goal's position it stands at another heading
   bool unturned_reset = false;            // the critics were reset for that
@@ -80,7 +82,7 @@ struct Planner::Impl {
   const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
   void give_up(const Situation& situation, Problem kind, const char* problem);
-  Twist2 bounded_reference(const Situation& situation) const;
+  Twist2 bounded_reference(const Situation& situation);
   void make_candidates(const Situation& situation, const Sampling& sampling);
   void prepare_checks(const Situation& situation, const GridView& grid);
   void score_tile(const CycleView& cycle, Tile tile);

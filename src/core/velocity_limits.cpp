@@ -86,16 +86,4 @@ Twist2 VelocityLimits::step(const Twist2& reference, const Twist2& target, doubl
   return u;
 }
 
-Twist2 velocity_reference(const Parameters& p, const Twist2& measured, const Twist2& last_command) {
-  if (p.velocity_reference == VelocityReference::odometry) return measured;
-  // Inside the motors' dead band the robot stands while the command already grows: that is no disagreement.
-  const double dead_band = std::abs(last_command.omega) <= std::max(p.min_in_place_vel_theta, p.min_vel_theta)
-                               ? std::abs(last_command.omega)
-                               : 0.0;
-  const bool agrees =
-      std::abs(measured.v - last_command.v) <= p.velocity_reference_tolerance_x &&
-      std::abs(measured.omega - last_command.omega) <= p.velocity_reference_tolerance_theta + dead_band;
-  return agrees ? last_command : measured;
-}
-
 }  // namespace hidwa_local_planner

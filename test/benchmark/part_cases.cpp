@@ -14,6 +14,7 @@
 #include "hidwa_local_planner/core/admissibility.hpp"
 #include "hidwa_local_planner/core/cell_classes.hpp"
 #include "hidwa_local_planner/core/collision.hpp"
+#include "hidwa_local_planner/core/command_history.hpp"
 #include "hidwa_local_planner/core/plan_grids.hpp"
 #include "hidwa_local_planner/core/rollout.hpp"
 #include "hidwa_local_planner/core/samples.hpp"
@@ -32,7 +33,10 @@ class Parts {
   void take(const Scene& scene) {
     scene_ = &scene;
     grid_ = scene.grid();
-    reference_ = velocity_reference(parameters_, scene.situation.velocity, scene.situation.last_command);
+    const Situation& s = scene.situation;
+    commands_.forget();
+    commands_.observe(s.time, s.period, parameters_.control_latency, s.last_command, limits_);
+    reference_ = velocity_reference(parameters_, s.velocity, commands_);
   }
   void sample() {
     SampleRequest request;
@@ -98,6 +102,7 @@ class Parts {
   Footprint footprint_;
   const Scene* scene_ = nullptr;
   GridView grid_;
+  CommandHistory commands_;
   Twist2 reference_;
   double reach_ = 0.0;  // [m]
   Sampler sampler_;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,11 +17,13 @@ namespace hidwa_local_planner {
 namespace {
 
 using test::NaiveCandidate;
+using test::NaiveCycle;
 using test::NaivePlanner;
+using test::Random;
 using test::Scene;
 
 struct Tally {
-  int compared = 0, in_collision = 0, doubtful = 0, tied = 0, braked = 0;
+  int compared = 0, in_collision = 0, doubtful = 0, tied = 0, braked = 0, lagging = 0;
   std::map<std::string, int> refusals;
 };
 
@@ -69,8 +72,19 @@ void compare_choice(const NaivePlanner& naive, const Decision& decision, Tally& 
   ASSERT_NEAR(decision.command.omega, naive.command().omega, 1e-9);
 }
 
-void compare(const Scene& scene, Tally& tally) {
-  const NaivePlanner naive(scene);
+void stop(Planner& planner, const Scene& scene, const std::vector<NaiveCycle>& cycles) {
+  OperatorIntent stopped;
+  stopped.influence = Influence::stop;
+  for (const NaiveCycle& cycle : cycles) {
+    Situation situation = scene.situation;
+    situation.time = cycle.time;
+    situation.last_command = cycle.last_command;
+    planner.plan(situation, scene.grid(), stopped);
+  }
+}
+
+void compare(const Scene& scene, const std::vector<NaiveCycle>& former, Tally& tally) {
+  const NaivePlanner naive(scene, former);
   if (naive.stands_in_collision()) {
     ++tally.in_collision;
     return;
@@ -82,8 +96,12 @@ void compare(const Scene& scene, Tally& tally) {
   Planner planner;
   ASSERT_TRUE(planner.configure(scene.parameters).empty());
   planner.set_footprint(scene.outline);
+  stop(planner, scene, former);
   const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent);
   ++tally.compared;
+  const double lag = std::abs(scene.situation.velocity.v - decision.reference.v);
+  tally.lagging += decision.reference == scene.situation.last_command &&
+                   lag > scene.parameters.velocity_reference_tolerance_x;
   if (naive.gives_up()) {
     ASSERT_NE(decision.outcome, Outcome::drive);
     return;
@@ -92,14 +110,17 @@ void compare(const Scene& scene, Tally& tally) {
   compare_choice(naive, decision, tally);
 }
 
-void compare_all(int scenes, std::uint64_t first_seed, const std::function<void(Scene&)>& adjust,
-                 Tally& tally) {
+using FormerCycles = std::function<std::vector<NaiveCycle>(Scene&)>;
+
+void compare_all(int scenes, std::uint64_t first_seed, const std::function<void(Scene&)>& adjust, Tally& tally,
+                 const FormerCycles& former = {}) {
   for (int k = 0; k < scenes; ++k) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(k);
     SCOPED_TRACE("seed " + std::to_string(seed));
     Scene scene = test::random_scene(seed);
     adjust(scene);
-    compare(scene, tally);
+    const std::vector<NaiveCycle> before = former ? former(scene) : std::vector<NaiveCycle>{};
+    compare(scene, before, tally);
     if (testing::Test::HasFatalFailure()) return;
   }
   std::printf("%d compared, %d in collision, %d doubtful, %d tied, %d braked; refusals:", tally.compared,
@@ -139,6 +160,34 @@ TEST(PlannerTwin, RandomParameters) {
   for (const char* name : {"Collision", "Braking", "BaseObstacle", "RotateToGoal"}) {
     EXPECT_GT(tally.refusals[name], 5) << name;
   }
+}
+
+// The robot's command has changed as fast as it may, and odometry shows one of the last.
+TEST(PlannerTwin, OdometryLagsBehindTheCommand) {
+  Tally tally;
+  Random random(3);
+  const auto former = [&random](Scene& scene) {
+    Situation& s = scene.situation;
+    std::vector<NaiveCycle> cycles(6, test::naive_cycle(s));
+    Twist2 u = s.last_command;
+    const double share = random.pick({-1.0, 1.0});
+    for (std::size_t back = 1; back <= cycles.size(); ++back) {
+      NaiveCycle& cycle = cycles[cycles.size() - back];
+      u.v += share * scene.parameters.acc_lim_x * s.period;
+      u.omega += random.uniform(-1.0, 1.0) * scene.parameters.acc_lim_theta * s.period;
+      cycle.last_command = u;
+      cycle.time -= static_cast<double>(back) * s.period;
+    }
+    s.velocity = cycles[static_cast<std::size_t>(random.integer(0, 5))].last_command;
+    return cycles;
+  };
+  compare_all(
+      300, 3000000, [](Scene& scene) { scene.parameters.velocity_reference = VelocityReference::command; }, tally,
+      former);
+  EXPECT_GE(tally.compared, 250);
+  EXPECT_LE(tally.doubtful, 5);
+  EXPECT_GE(tally.lagging, 50);
+  EXPECT_LE(tally.lagging, 200);
 }
 
 }  // namespace

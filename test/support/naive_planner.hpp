@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A whole cycle, the slow way: the twin of Planner::plan for robots that do not stand in collision, in their
-// first cycle.
+// A whole cycle, the slow way: the twin of Planner::plan for robots that do not stand in collision, in the
+// first cycle that is not stopped.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "support/naive_critics.hpp"
 #include "support/naive_motion.hpp"
+#include "support/naive_reference.hpp"
 
 namespace hidwa_local_planner::test {
 
@@ -45,18 +46,12 @@ inline NaiveBody naive_body(const Scene& scene) {
 
 class NaivePlanner {
  public:
-  explicit NaivePlanner(const Scene& scene)
+  /// `former`: cycles before this one, in which the host stopped the robot.
+  explicit NaivePlanner(const Scene& scene, std::vector<NaiveCycle> former = {})
       : scene_(scene), grid_(scene.grid()), body_(naive_body(scene)), critics_(scene, body_) {
-    const Parameters& p = scene_.parameters;
     const Situation& s = scene_.situation;
-    const bool agrees =
-        std::abs(s.velocity.v - s.last_command.v) <= p.velocity_reference_tolerance_x &&
-        std::abs(s.velocity.omega - s.last_command.omega) <=
-            p.velocity_reference_tolerance_theta +
-                (std::abs(s.last_command.omega) <= std::max(p.min_vel_theta, p.min_in_place_vel_theta)
-                     ? std::abs(s.last_command.omega)
-                     : 0.0);
-    reference_ = p.velocity_reference == VelocityReference::command && agrees ? s.last_command : s.velocity;
+    former.push_back(naive_cycle(s));
+    reference_ = NaiveReference(scene_.parameters, former).of(s.velocity);
     stands_in_collision_ = collides(s.pose, body_);
     if (stands_in_collision_) return;
     candidates_ = naive_candidates(scene_, reference_);

@@ -119,7 +119,8 @@ class RecordedDrive {
   Situation situation() {
     Situation s;
     s.pose = pose_;
-    s.velocity = {last_.v + random_.uniform(-0.02, 0.02), last_.omega + random_.uniform(-0.02, 0.02)};
+    // Odometry shows the command before the last.
+    s.velocity = {before_last_.v + random_.uniform(-0.02, 0.02), before_last_.omega + random_.uniform(-0.02, 0.02)};
     s.last_command = last_;
     s.goal = goal_;
     const double heading = std::atan2(goal_.y - pose_.y, goal_.x - pose_.x);
@@ -134,6 +135,7 @@ class RecordedDrive {
 
   Cycle cycle() {
     time_ += kPeriod;
+    const Twist2 last = last_;
     touch();
     if (distance(pose_, goal_) < 0.3 && random_.chance(0.05)) {
       goal_ = {random_.uniform(5.0, 20.0), random_.uniform(5.0, 20.0), random_.uniform(-3.0, 3.0)};
@@ -156,6 +158,7 @@ class RecordedDrive {
       plan(cycle);
     }
     cycle.record = recorder_.finish(cycle.verdict);
+    before_last_ = last;
     debrief();
     return cycle;
   }
@@ -206,7 +209,7 @@ class RecordedDrive {
   std::vector<std::uint8_t> field_;
   Scene local_;
   Pose2 pose_, goal_{15.0, 15.0, 0.0};
-  Twist2 last_;
+  Twist2 last_, before_last_;
   double time_ = 10.0, deflection_ = 0.0;
   bool silent_ = false, refused_ = false;
 };

@@ -49,7 +49,4 @@ struct VelocityLimits {
   Twist2 brake(const Twist2& reference, double dt) const { return step(reference, Twist2{}, dt); }
 };
 
-/// Where a cycle starts from: the last command while odometry agrees with it within the tolerances, else odometry.
-Twist2 velocity_reference(const Parameters& parameters, const Twist2& measured, const Twist2& last_command);
-
 }  // namespace hidwa_local_planner

@@ -15,7 +15,7 @@ namespace hidwa_local_planner {
 namespace record {
 
 /// Changes whenever older readers would misread a record.
-constexpr std::uint16_t kFormat = 1;
+constexpr std::uint16_t kFormat = 2;
 
 /// What stays the same over many cycles; part of every key record.
 struct Setup {

@@ -173,29 +173,5 @@ TEST(FeasibleStep, FromBeyondTheWheelsItComesBackAsFastAsTheBrakesAllow) {
   }
 }
 
-TEST(VelocityReferenceRule, LastCommandWhileOdometryAgrees) {
-  Parameters p;
-  p.velocity_reference_tolerance_x = 0.2;
-  p.velocity_reference_tolerance_theta = 0.5;
-  const Twist2 last{0.4, 0.3};
-  EXPECT_TRUE(velocity_reference(p, {0.21, 0.3}, last) == last);                 // 0.19 off
-  EXPECT_TRUE(velocity_reference(p, {0.19, 0.3}, last) == (Twist2{0.19, 0.3}));  // 0.21 off
-  EXPECT_TRUE(velocity_reference(p, {0.4, -0.19}, last) == last);                // 0.49 off
-  EXPECT_TRUE(velocity_reference(p, {0.4, -0.21}, last) == (Twist2{0.4, -0.21}));
-  p.velocity_reference = VelocityReference::odometry;
-  EXPECT_TRUE(velocity_reference(p, {0.39, 0.3}, last) == (Twist2{0.39, 0.3}));
-}
-
-TEST(VelocityReferenceRule, AStandingRobotInItsDeadBandAgrees) {
-  Parameters p;
-  p.velocity_reference_tolerance_theta = 0.1;
-  p.min_in_place_vel_theta = 0.4;
-  // Inside the dead band the motors stand: 0 agrees with 0.3. Beyond it the tolerance of 0.1 alone counts.
-  EXPECT_TRUE(velocity_reference(p, {0.0, 0.0}, {0.0, 0.3}) == (Twist2{0.0, 0.3}));
-  EXPECT_TRUE(velocity_reference(p, {0.0, 0.0}, {0.0, 0.5}) == (Twist2{0.0, 0.0}));
-  p.min_in_place_vel_theta = 0.0;
-  EXPECT_TRUE(velocity_reference(p, {0.0, 0.0}, {0.0, 0.3}) == (Twist2{0.0, 0.0}));
-}
-
 }  // namespace
 }  // namespace hidwa_local_planner

@@ -98,6 +98,30 @@ TEST(Drive, EqualSetupsGiveEqualBits) {
   expect_same(first, second);
 }
 
+// A Jackal's accelerations: in a latency and a period its velocity changes by 1 m/s, five times the tolerance. Somebody
+// steers, a wall ends the way, and odometry slips.
+TEST(Drive, OdometryThatLagsIsNoDisagreement) {
+  DriveSetup setup = corridor(1.0);
+  setup.limits.max_vel_x = setup.parameters.max_vel_x = 2.0;
+  setup.limits.max_vel_theta = setup.parameters.max_vel_theta = 4.0;
+  setup.limits.acc_lim_x = setup.limits.decel_lim_x = setup.parameters.acc_lim_x = 10.0;
+  setup.limits.acc_lim_theta = setup.limits.decel_lim_theta = setup.parameters.acc_lim_theta = 20.0;
+  setup.limits.latency = setup.parameters.control_latency = 0.05;
+  setup.odometry_noise = {0.01, 0.01, 0.5};
+  setup.person = steering_left(2.0, 1.0, 1.0);
+  int cycles = 0, lagging = 0;
+  const DriveResult result = drive(setup, [&](const Cycle& cycle) {
+    const Situation& s = cycle.situation;
+    EXPECT_TRUE(cycle.decision.reference == s.last_command) << cycle.time << " s: odometry " << s.velocity.v;
+    ++cycles;
+    lagging += std::abs(s.velocity.v - s.last_command.v) > setup.parameters.velocity_reference_tolerance_x;
+  });
+  EXPECT_TRUE(result.arrived);
+  EXPECT_EQ(result.contacts, 0);
+  EXPECT_GT(cycles, 60);
+  EXPECT_GT(lagging, 5);
+}
+
 TEST(Drive, EachSeedMatters) {
   DriveSetup setup = corridor(1.2);
   setup.laser.noise = 0.02;

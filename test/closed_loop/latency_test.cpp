@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A robot whose odometry shows a command only a latency and a ramp later: the planner goes on from its last command, and
+// notices nonetheless when the robot does something else.
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "support/random.hpp"
+#include "support/scene.hpp"
+
+namespace hidwa_local_planner::test {
+namespace {
+
+struct Base {
+  double v, omega;          // the fastest [m/s, rad/s]
+  double acc_x, acc_theta;  // [m/s^2, rad/s^2]
+  double decel_x;           // [m/s^2]
+  double latency;           // [s]
+};
+void PrintTo(const Base& b, std::ostream* out) { *out << b.acc_x << " m/s^2, " << b.latency << " s"; }
+
+// In free space a person moves it as they like.
+class LaggingRobot {
+ public:
+  explicit LaggingRobot(const Base& base) : drive_(limits(base)) {
+    Parameters& p = scene_.parameters;
+    p = Parameters();
+    p.max_vel_x = base.v;
+    p.min_vel_x = -base.v;
+    p.max_vel_theta = base.omega;
+    p.acc_lim_x = base.acc_x;
+    p.acc_lim_theta = base.acc_theta;
+    p.decel_lim_x = -base.decel_x;
+    p.control_latency = base.latency;
+    EXPECT_TRUE(planner_.configure(p).empty());
+    planner_.set_footprint(scene_.outline);
+    scene_.intent.influence = Influence::direct;
+    scene_.intent.guarded = false;
+  }
+
+  struct Cycle {
+    Twist2 measured, last_command, reference, command;
+    bool goes_on() const { return reference == last_command; }
+    bool takes_odometry() const { return reference == measured; }
+  };
+
+  /// One control period; `held`: the wheels are blocked.
+  Cycle cycle(const Twist2& wanted, bool held = false) {
+    Situation& now = scene_.situation;
+    if (held) drive_.set_velocity({});
+    now.velocity = {drive_.velocity().v, drive_.velocity().omega};
+    scene_.intent.u_h = wanted;
+    const Decision& decision = planner_.plan(now, scene_.grid(), scene_.intent);
+    const Cycle cycle{now.velocity, now.last_command, decision.reference, decision.command};
+    drive_.command({cycle.command.v, cycle.command.omega}, now.time);
+    constexpr int kSteps = 5;
+    for (int k = 0; k < kSteps; ++k) {
+      const double step = now.period / kSteps;
+      drive_.step(now.time + k * step, step);
+      if (held) drive_.set_velocity({});
+    }
+    now.last_command = cycle.command;
+    now.time += now.period;
+    return cycle;
+  }
+  void stop(bool stops) { scene_.intent.influence = stops ? Influence::stop : Influence::direct; }
+  void push(const Twist2& u) { drive_.set_velocity({u.v, u.omega}); }
+  double period() const { return scene_.situation.period; }
+
+ private:
+  static sim::DriveLimits limits(const Base& base) {
+    sim::DriveLimits limits;
+    limits.max_vel_x = 2.0 * base.v;  // as much as somebody may push it to
+    limits.max_vel_theta = 2.0 * base.omega;
+    limits.acc_lim_x = base.acc_x;
+    limits.decel_lim_x = base.decel_x;
+    limits.acc_lim_theta = limits.decel_lim_theta = base.acc_theta;
+    limits.latency = base.latency;
+    return limits;
+  }
+
+  Scene scene_ = Scene::empty();
+  sim::DiffDrive drive_;
+  Planner planner_;
+};
+
+class Latency : public ::testing::TestWithParam<Base> {};
+
+TEST_P(Latency, WhateverThePersonWantsItGoesOnFromTheLastCommand) {
+  const Base base = GetParam();
+  Random random(1);
+  int far_behind = 0;
+  for (int robots = 0; robots < 20; ++robots) {
+    LaggingRobot robot(base);
+    Twist2 wanted;
+    for (int k = 0; k < 400; ++k) {
+      if (random.chance(0.2)) wanted = {random.uniform(-base.v, base.v), random.uniform(-base.omega, base.omega)};
+      robot.stop(random.chance(0.1));
+      const LaggingRobot::Cycle cycle = robot.cycle(wanted);
+      ASSERT_TRUE(cycle.goes_on()) << k << ": " << cycle.measured.v << " " << cycle.last_command.v << ", "
+                                   << cycle.measured.omega << " " << cycle.last_command.omega;
+      far_behind += std::abs(cycle.measured.v - cycle.last_command.v) > 0.2;
+    }
+  }
+  // Where the lag is more than the tolerance, 0.2 m/s, it was.
+  if (base.latency * base.acc_x > 0.2) {
+    EXPECT_GT(far_behind, 100);
+  }
+}
+
+TEST_P(Latency, ItBrakesToRestWithoutAnySpeedingUp) {
+  const Base base = GetParam();
+  LaggingRobot robot(base);
+  for (int k = 0; k < 100; ++k) robot.cycle({base.v, 0.0});
+  double before = base.v;
+  robot.stop(true);
+  while (before > 0.0) {
+    const LaggingRobot::Cycle cycle = robot.cycle({});
+    EXPECT_TRUE(cycle.goes_on()) << before;
+    EXPECT_NEAR(cycle.command.v, std::max(0.0, before - base.decel_x * robot.period()), 1e-9);
+    ASSERT_LT(cycle.command.v, before);
+    before = cycle.command.v;
+  }
+}
+
+TEST_P(Latency, ARobotThatIsHeldIsNoticed) {
+  const Base base = GetParam();
+  LaggingRobot robot(base);
+  for (int k = 0; k < 100; ++k) robot.cycle({base.v, 0.0});
+  EXPECT_TRUE(robot.cycle({base.v, 0.0}, true).takes_odometry());  // at once: its commands were the same for long
+  // From rest: within a latency, a period and a cycle after it had to move by more than the tolerance.
+  LaggingRobot blocked(base);
+  int cycles = 0;
+  LaggingRobot::Cycle cycle;
+  do {
+    cycle = blocked.cycle({base.v, 0.0}, true);
+    cycles += cycle.last_command.v > 0.2;
+  } while (cycle.goes_on() && cycles < 100);
+  EXPECT_LE(cycles, std::ceil(base.latency / blocked.period() - 1e-9) + 2);
+  EXPECT_TRUE(cycle.takes_odometry());
+}
+
+TEST_P(Latency, ARobotThatIsPushedIsNoticedAtOnce) {
+  const Base base = GetParam();
+  LaggingRobot robot(base);
+  for (int k = 0; k < 100; ++k) robot.cycle({0.5 * base.v, 0.0});
+  robot.push({0.5 * base.v + 0.21, 0.0});
+  EXPECT_TRUE(robot.cycle({0.5 * base.v, 0.0}).takes_odometry());
+  LaggingRobot turned(base);
+  for (int k = 0; k < 100; ++k) turned.cycle({0.5 * base.v, 0.0});
+  turned.push({0.5 * base.v, -0.51});
+  EXPECT_TRUE(turned.cycle({0.5 * base.v, 0.0}).takes_odometry());
+  // While it speeds up too, where it is faster than it was ever told.
+  LaggingRobot starting(base);
+  starting.cycle({base.v, 0.0});
+  starting.cycle({base.v, 0.0});
+  starting.push({std::min(base.v, 2.0 * base.acc_x * starting.period()) + 0.21, 0.0});
+  EXPECT_TRUE(starting.cycle({base.v, 0.0}).takes_odometry());
+}
+
+INSTANTIATE_TEST_SUITE_P(Bases, Latency,
+                         ::testing::Values(Base{0.5, 1.0, 2.5, 3.2, 2.5, 0.1}, Base{0.5, 1.0, 2.5, 3.2, 2.5, 0.0},
+                                           Base{2.0, 4.0, 10.0, 20.0, 10.0, 0.05}, Base{2.0, 4.0, 10.0, 20.0, 10.0, 0.1},
+                                           Base{2.0, 4.0, 10.0, 20.0, 10.0, 0.12}, Base{1.0, 2.0, 2.0, 6.0, 5.0, 0.17}));
+
+}  // namespace
+}  // namespace hidwa_local_planner::test
