@@ -12,6 +12,8 @@ namespace {
 // Clearances closer than this are equal [m].
 constexpr double kSameClearance = 1e-6;
 
+constexpr const char* kHits = "rollout hits an obstacle";
+
 // A pose that is free without room [m].
 constexpr double kTouching = 1e-12;
 
@@ -69,9 +71,20 @@ void AdmissibilityCheck::check_rollouts(const Tile& tile, const char** reasons) 
     if (escaping_) {
       if (!rollout_escapes(tile, c)) reasons[c] = "would go deeper into collision, or not out of it";
     } else if (!rollout_free(tile, c)) {
-      reasons[c] = "rollout hits an obstacle";
+      reasons[c] = kHits;
     }
   }
+}
+
+bool AdmissibilityCheck::cells_decide(const Tile& tile, const char** reasons) const {
+  if (escaping_ || tile.touched == nullptr) return false;
+  unsigned undecided = 0;
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    const bool hit = (tile.touched[c] & cell_class::kHit) != 0;
+    if (hit) reasons[c] = kHits;
+    undecided |= hit ? 0U : tile.touched[c] & cell_class::kNear;
+  }
+  return undecided == 0;
 }
 
 bool AdmissibilityCheck::rollout_free(const Tile& tile, std::size_t c) {

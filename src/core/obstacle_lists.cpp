@@ -20,6 +20,9 @@ constexpr std::size_t kPad = 4;
 // Cells in all lists of a usual cycle: room that is taken once.
 constexpr std::size_t kUsualCells = 16384;
 
+// An outline's sides and its box's.
+constexpr std::size_t kUsualPlanes = 64;
+
 struct Planes {
   const double* normal_x;
   const double* normal_y;
@@ -73,6 +76,7 @@ void ObstacleLists::prepare(const Window& window) {
   y_.clear();
   x_.reserve(kUsualCells);
   y_.reserve(kUsualCells);
+  for (std::vector<double>* values : {&normal_x_, &normal_y_, &offset_}) values->reserve(kUsualPlanes);
 }
 
 void ObstacleLists::move_to(double corner_x, double corner_y) {

@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::size_t kMaxCritics = 200;
 
+// More than any problem has characters.
+constexpr std::size_t kLongestProblem = 120;
+
 // A turn on the spot below this share of the fastest creeps.
 constexpr double kCreeps = 0.25;
 
@@ -83,6 +86,7 @@ std::vector<std::string> Planner::configure(const Parameters& parameters, const 
   }
   impl_->critics = std::move(critics);
   impl_->raw.resize(impl_->critics.size());
+  impl_->make_room();
   impl_->parameters = parameters;
   impl_->limits = VelocityLimits::from(parameters);
   set_footprint(impl_->outline);
@@ -152,6 +156,17 @@ void Planner::Impl::begin(const Situation& situation) {
   report = ChoiceReport{};
 }
 
+// For what a cycle may come to say, so that the first one that says it needs none.
+void Planner::Impl::make_room() {
+  decision.terms.reserve(critics.size() + 1);
+  decision.refusals.reserve(critics.size() + kFirstCritic);
+  decision.problem.reserve(kLongestProblem);
+  for (const NamedCritic& named : critics) {
+    decision.operator_refused_by.reserve(std::max(kLongestProblem, named.name.size()));
+  }
+  counts.reserve(critics.size() + kFirstCritic);
+}
+
 // Keeps the memory.
 void Planner::Impl::clear_decision() {
   std::vector<Pose2> trajectory = std::move(decision.trajectory);
@@ -208,11 +223,12 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   } else {
     describe(best);
   }
-  count_refusals();
   judge_operator();
   if (thorough) hear_everybody(cycle);
   watch_rest(situation, autonomous);
   watch_last_turn(situation);
+  if (decision.outcome == Outcome::brake || decision.outcome == Outcome::fail) check_all_tiles();  // it is told why
+  count_refusals();
   for (NamedCritic& named : critics) {
     if (named.weight != 0.0) named.critic->debrief(cycle, decision.command);
   }

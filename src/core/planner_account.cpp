@@ -74,7 +74,8 @@ void Planner::Impl::hear_everybody(const CycleView& cycle) {
       verdict.collision = collides[c];
       verdict.can_brake = parameters.admissibility != Admissibility::braking ||
                           (refused_by[tile.first + c] != kBraking && admissibility.can_brake_surely(verdict.sample));
-      verdict.total = totals[tile.first + c];
+      const bool refused = verdict.collision != nullptr || !verdict.can_brake;
+      verdict.total = refused ? std::numeric_limits<double>::infinity() : totals[tile.first + c];
       verdict.operator_own = sampler.samples()[tile.first + c].kind == SampleKind::operator_own;
     }
     hear_critics(cycle, tile);

@@ -1,64 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Chooses among the candidates, and tells what became of the choice.
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "planner_impl.hpp"
 
 namespace hidwa_local_planner {
+namespace {
+
+void pop(std::vector<Queued>& queue) {
+  std::pop_heap(queue.begin(), queue.end(), std::greater<Queued>());
+  queue.pop_back();
+}
+
+}  // namespace
 
 int Planner::Impl::choose(const Situation& situation) {
   const TieRule tie(parameters, situation.last_command);
   const auto lowest = std::min_element(totals.begin(), totals.end());
   if (lowest == totals.end() || !std::isfinite(*lowest)) return -1;
-  std::size_t best = static_cast<std::size_t>(lowest - totals.begin());
+  const auto first = static_cast<std::size_t>(lowest - totals.begin());
   const double equal = *lowest + kEqualTotals;
+  if (!stays_legal(first)) return choose_next(tie);
+  std::size_t best = first;
   for (std::size_t c = 0; c < totals.size(); ++c) {
-    if (totals[c] <= equal && tie.prefers(sample_at(c), sample_at(best))) best = c;
+    if (totals[c] <= equal && tie.prefers(sample_at(c), sample_at(best)) && stays_legal(c)) best = c;
   }
-  if (parameters.admissibility != Admissibility::braking) return static_cast<int>(best);
-  return admissibility.can_brake_surely(sample_at(best)) ? static_cast<int>(best) : choose_next(tie, best);
+  if (parameters.admissibility != Admissibility::braking || admissibility.can_brake_surely(sample_at(best))) {
+    return static_cast<int>(best);
+  }
+  refuse(best, kBraking, kCannotBrake);
+  return choose_next(tie);
 }
 
-// The same rule for the rest, where the closer look refused the first: cheapest first, without searching all anew.
-int Planner::Impl::choose_next(const TieRule& tie, std::size_t refused) {
-  const auto later = [this](std::uint32_t a, std::uint32_t b) {
-    return totals[a] != totals[b] ? totals[a] > totals[b] : a > b;
-  };
-  refuse_braking(refused);
+// The same rule for the rest, where a closer look refused the first: cheapest first, without searching all anew.
+int Planner::Impl::choose_next(const TieRule& tie) {
   queue.clear();
   for (std::size_t c = 0; c < totals.size(); ++c) {
-    if (std::isfinite(totals[c])) queue.push_back(static_cast<std::uint32_t>(c));
+    if (std::isfinite(totals[c])) queue.emplace_back(totals[c], static_cast<std::uint32_t>(c));
   }
-  std::make_heap(queue.begin(), queue.end(), later);
+  std::make_heap(queue.begin(), queue.end(), std::greater<Queued>());
   while (!queue.empty()) {
-    equals.clear();
-    const double equal = totals[queue.front()] + kEqualTotals;
-    while (!queue.empty() && totals[queue.front()] <= equal) {
-      equals.push_back(queue.front());
-      std::pop_heap(queue.begin(), queue.end(), later);
-      queue.pop_back();
+    if (!stays_legal(queue.front().second)) {
+      pop(queue);
+      continue;
     }
-    std::uint32_t best = equals.front();
-    std::sort(equals.begin(), equals.end());
-    for (const std::uint32_t c : equals) {
-      if (tie.prefers(sample_at(c), sample_at(best))) best = c;
+    const std::uint32_t best = pick_equals(tie);
+    if (parameters.admissibility != Admissibility::braking || admissibility.can_brake_surely(sample_at(best))) {
+      return static_cast<int>(best);
     }
-    if (admissibility.can_brake_surely(sample_at(best))) return static_cast<int>(best);
-    refuse_braking(best);
+    refuse(best, kBraking, kCannotBrake);
     for (const std::uint32_t c : equals) {
       if (c == best) continue;
-      queue.push_back(c);
-      std::push_heap(queue.begin(), queue.end(), later);
+      queue.emplace_back(totals[c], c);
+      std::push_heap(queue.begin(), queue.end(), std::greater<Queued>());
     }
   }
   return -1;
 }
 
-void Planner::Impl::refuse_braking(std::size_t candidate) {
-  totals[candidate] = std::numeric_limits<double>::infinity();
-  refused_by[candidate] = kBraking;
-  reasons[candidate] = kCannotBrake;
+// Takes the cheapest, which is legal, and its equals off the queue; of these the one that the tie rule prefers.
+std::uint32_t Planner::Impl::pick_equals(const TieRule& tie) {
+  std::uint32_t best = queue.front().second;
+  const double equal = queue.front().first + kEqualTotals;
+  equals.clear();
+  while (!queue.empty() && queue.front().first <= equal) {
+    if (stays_legal(queue.front().second)) equals.push_back(queue.front().second);
+    pop(queue);
+  }
+  std::sort(equals.begin(), equals.end());
+  for (const std::uint32_t c : equals) {
+    if (tie.prefers(sample_at(c), sample_at(best))) best = c;
+  }
+  return best;
 }
 
 void Planner::Impl::describe(int best) {
@@ -98,6 +113,7 @@ void Planner::Impl::judge_operator() {
                                          std::abs(intent.u_h.omega - decision.sample.omega) / omega_span);
   marked.operator_own = find_operator_own();
   if (marked.operator_own < 0) return;
+  check_tile(rollout.tile_of(static_cast<std::size_t>(marked.operator_own)));
   const std::uint8_t refuser = refused_by[static_cast<std::size_t>(marked.operator_own)];
   if (refuser != kLegal) decision.operator_refused_by = name_of(refuser);
 }

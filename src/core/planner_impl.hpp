@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hidwa_local_planner/core/admissibility.hpp"
@@ -35,12 +36,28 @@ inline constexpr double kAtRest = 1e-3;
 
 inline bool at_rest(const Twist2& u) { return std::abs(u.v) < kAtRest && std::abs(u.omega) < kAtRest; }
 
+// Makes room with some to spare: the number of candidates changes by a few from cycle to cycle.
+template <typename T>
+void fit(std::vector<T>& values, std::size_t count) {
+  if (values.capacity() < count) values.reserve(count + count / 8 + 16);
+  values.resize(count);
+}
+
 struct NamedCritic {
   std::string name;
   std::shared_ptr<Critic> critic;
   double weight = 0.0;
   std::unique_ptr<ParameterSource> source;
 };
+
+// What is known of a tile's collisions.
+struct TileCheck {
+  std::size_t column = 0;  // of its first candidate among those of the same omega
+  bool done = false;
+};
+
+// A candidate and its total.
+using Queued = std::pair<double, std::uint32_t>;
 
 struct Planner::Impl {
   CriticRegistry registry;
@@ -61,9 +78,10 @@ struct Planner::Impl {
   std::vector<std::uint8_t> refused_by;   // [candidates]
   std::vector<const char*> reasons;       // [candidates]
   std::vector<std::vector<double>> raw;   // [critics][candidates]
-  std::vector<std::uint32_t> queue, equals;  // candidates, see choose_next()
-  double row_omega = 0.0;                 // of the tiles being scored [rad/s]
-  std::size_t row_first = 0;              // the first candidate of that omega
+  std::vector<Queued> queue;              // see choose_next()
+  std::vector<std::uint32_t> equals;      // candidates, see choose_next()
+  std::vector<TileCheck> checks;          // [tiles]
+  std::vector<const char*> found;         // [candidates of a tile] while it is checked
   double reach = 0.0;                     // of all rollouts and manoeuvres [m]
   std::vector<std::size_t> counts;        // of refusals, by refuser
   OperatorIntent intent;                  // of the last cycle
@@ -81,19 +99,26 @@ struct Planner::Impl {
 
   const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
+  void make_room();
   void give_up(const Situation& situation, Problem kind, const char* problem);
   Twist2 bounded_reference(const Situation& situation);
   void make_candidates(const Situation& situation, const Sampling& sampling);
   void prepare_checks(const Situation& situation, const GridView& grid);
-  void score_tile(const CycleView& cycle, Tile tile);
-  void refuse_colliding(const Tile& tile);
+  void score_tile(const CycleView& cycle, std::size_t t, bool check);
+  void list_checks();
+  void check_cells(const Tile& tile, TileCheck& check);
+  void check_closely(const Tile& tile, TileCheck& check);
+  void check_tile(std::size_t t);
+  void check_all_tiles();
+  bool stays_legal(std::size_t candidate);
   void ask_critics(const CycleView& cycle, const Tile& tile);
   void sum_up(const Tile& tile);
   double deviation_of(const Twist2& sample) const;
   std::uint8_t not_a_number(std::size_t candidate) const;
   int choose(const Situation& situation);
-  int choose_next(const TieRule& tie, std::size_t refused);
-  void refuse_braking(std::size_t candidate);
+  int choose_next(const TieRule& tie);
+  std::uint32_t pick_equals(const TieRule& tie);
+  void refuse(std::size_t candidate, std::uint8_t refuser, const char* reason);
   void watch_rest(const Situation& situation, bool autonomous);
   void watch_last_turn(const Situation& situation);
   void reset_critics() {

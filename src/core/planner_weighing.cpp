@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes, checks and scores the candidates of a cycle.
+// Makes and scores the candidates of a cycle.
 #include <algorithm>
 #include <limits>
 
 #include "planner_impl.hpp"
 
 namespace hidwa_local_planner {
-namespace {
-
-// Makes room with some to spare: the number of candidates changes by a few from cycle to cycle.
-template <typename T>
-void fit(std::vector<T>& values, std::size_t count) {
-  if (values.capacity() < count) values.reserve(count + count / 8 + 16);
-  values.resize(count);
-}
-
-}  // namespace
-
 // Makes, checks and scores all candidates.
 CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid, const Sampling& sampling) {
   make_candidates(situation, sampling);
@@ -39,7 +28,10 @@ CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid,
   for (NamedCritic& named : critics) {
     if (named.weight != 0.0) named.critic->prepare(cycle);
   }
-  for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, rollout.tile(t));
+  list_checks();
+  // Out of a collision, or of where it is stuck, the way is chosen among all legal candidates.
+  const bool check = sampling.check_all || admissibility.escaping() || way_out.active();
+  for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, t, check);
   return cycle;
 }
 
@@ -78,32 +70,15 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
   decision.escaping = admissibility.escaping();
 }
 
-void Planner::Impl::score_tile(const CycleView& cycle, Tile tile) {
+void Planner::Impl::score_tile(const CycleView& cycle, std::size_t t, bool check) {
+  Tile tile = rollout.tile(t);
   classes.classify(tile);
   std::fill_n(refused_by.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, kLegal);
   std::fill_n(reasons.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, nullptr);
-  refuse_colliding(tile);
+  check_cells(tile, checks[t]);
+  if (check) check_closely(tile, checks[t]);
   ask_critics(cycle, tile);
   sum_up(tile);
-}
-
-void Planner::Impl::refuse_colliding(const Tile& tile) {
-  const char** reason = reasons.data() + tile.first;
-  std::uint8_t* refuser = refused_by.data() + tile.first;
-  admissibility.check_rollouts(tile, reason);
-  if (tile.first == 0 || tile.omega != row_omega) {
-    row_omega = tile.omega;
-    row_first = tile.first;
-  }
-  const std::size_t column = tile.first - row_first;
-  for (std::size_t c = 0; c < tile.count; ++c) {
-    if (reason[c] != nullptr) {
-      refuser[c] = kCollision;
-    } else if (parameters.admissibility == Admissibility::braking && !admissibility.can_brake(tile.sample(c), column + c)) {
-      refuser[c] = kBraking;
-      reason[c] = kCannotBrake;
-    }
-  }
 }
 
 void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {

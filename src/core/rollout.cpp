@@ -172,9 +172,8 @@ void Rollout::roll_speed(const Block& block) const {
   }
 }
 
-Tile Rollout::tile(std::size_t index) const {
+Tile Rollout::extent(std::size_t index) const {
   const Block& block = tiles_[index];
-  if (turn_.known != block.turn) roll_turn(block);
   Tile tile;
   tile.omega = block.omega;
   tile.dt = block.dt;
@@ -182,6 +181,14 @@ Tile Rollout::tile(std::size_t index) const {
   tile.first = block.first;
   tile.count = block.count;
   tile.stride = padded(block.count);
+  tile.v = v_.data() + block.first;
+  return tile;
+}
+
+Tile Rollout::tile(std::size_t index) const {
+  const Block& block = tiles_[index];
+  if (turn_.known != block.turn) roll_turn(block);
+  Tile tile = extent(index);
   const std::size_t size = (block.steps + 1) * tile.stride;
   if (x_.size() < size) {
     x_.resize(size);
@@ -204,7 +211,6 @@ Tile Rollout::tile(std::size_t index) const {
   request.step_y = turn_.step_y.data();
   kernel::roll(request, x_.data(), y_.data());
 
-  tile.v = v_.data() + block.first;
   tile.x = x_.data();
   tile.y = y_.data();
   tile.heading = turn_.heading.data();

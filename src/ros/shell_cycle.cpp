@@ -83,7 +83,7 @@ CycleResult Shell::cycle(bool stop) {
   feedback_.publish(stamp, planner_.parameters(), result, intent, person_.status(now));
   if (result.decision) {
     publishing_.publish_paths(stamp, situation_.plan, result.decision->trajectory);
-    publishing_.publish_evaluation(stamp, planner_);
+    if (result.sampling.check_all) publishing_.publish_evaluation(stamp, planner_);
   }
   const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
   publishing_.publish_cycle(stamp, result, intent.state, duration.count(), recording_.finish(result, planner_));
@@ -98,8 +98,11 @@ CycleResult Shell::work(double now, const OperatorIntent& intent, bool paused) {
   const Observation observation = observe(now);
   // While the host was in control it sent commands of its own.
   if (paused) last_command_ = observation.velocity.value_or(Twist2{});
-  CycleResult result = observation.fault.empty() ? decide(now, observation, intent) : brake(now, observation, intent);
-  result.sampling = budget_.in_force();
+  Sampling sampling = budget_.in_force();
+  sampling.check_all = publishing_.candidates_wanted();
+  CycleResult result = observation.fault.empty() ? decide(now, observation, intent, sampling)
+                                                 : brake(now, observation, intent);
+  result.sampling = sampling;
   remember(now, result, observation);
   return result;
 }
@@ -197,7 +200,8 @@ CycleResult Shell::brake(double now, const Observation& observation, const Opera
   return result;
 }
 
-CycleResult Shell::decide(double now, const Observation& observation, const OperatorIntent& intent) {
+CycleResult Shell::decide(double now, const Observation& observation, const OperatorIntent& intent,
+                          const Sampling& sampling) {
   fault_brake_.clear();
   const Parameters& p = planner_.parameters();
   const double ahead = p.forward_prune_auto
@@ -217,9 +221,9 @@ CycleResult Shell::decide(double now, const Observation& observation, const Oper
   situation_.goal_latched = goal_checker_.latched();
 
   const GridView grid = view_of(*costmap_.getCostmap());
-  recording_.plans(planner_, outline_, situation_, grid, budget_.in_force());
+  recording_.plans(planner_, outline_, situation_, grid, sampling);
   CycleResult result;
-  result.decision = &planner_.plan(situation_, grid, intent, budget_.in_force());
+  result.decision = &planner_.plan(situation_, grid, intent, sampling);
   result.outcome = result.decision->outcome;
   if (result.outcome != Outcome::fail) result.command = result.decision->command;
   return result;

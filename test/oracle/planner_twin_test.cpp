@@ -97,7 +97,9 @@ void compare(const Scene& scene, const std::vector<NaiveCycle>& former, Tally& t
   ASSERT_TRUE(planner.configure(scene.parameters).empty());
   planner.set_footprint(scene.outline);
   stop(planner, scene, former);
-  const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent);
+  Sampling sampling;
+  sampling.check_all = true;
+  const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent, sampling);
   ++tally.compared;
   const double lag = std::abs(scene.situation.velocity.v - decision.reference.v);
   tally.lagging += decision.reference == scene.situation.last_command &&

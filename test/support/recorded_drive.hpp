@@ -169,7 +169,8 @@ class RecordedDrive {
     brake_.clear();
     look();
     const Situation s = situation();
-    const Sampling sampling = random_.chance(0.1) ? Sampling{3, 5} : Sampling{};
+    Sampling sampling = random_.chance(0.1) ? Sampling{3, 5} : Sampling{};
+    sampling.check_all = random_.chance(0.3);
     recorder_.plans(planner_, s, local_.grid(), sampling);
     const Decision& decision = planner_.plan(s, local_.grid(), cycle.intent, sampling);
     cycle.verdict = record::verdict_of(decision, planner_.totals());

@@ -27,6 +27,10 @@ class AdmissibilityCheck {
   void prepare(const Parameters& parameters, const VelocityLimits& limits, const CollisionChecker& checker,
                const Footprint& footprint, double resolution, const Setup& setup);
 
+  /// Whether a look at the cells is enough for every rollout of a tile; sets the reasons of those that they refuse.
+  bool cells_decide(const Tile& tile, const char** reasons) const;
+  /// No candidate needs to be asked whether it can brake.
+  bool all_can_brake() const { return all_clear_; }
   /// Reasons for the candidates of a tile, nullptr where free: the rollout.
   void check_rollouts(const Tile& tile, const char** reasons);
   /// Whether the manoeuvre of a sample ends at rest in free space. Poses at most half a cell apart.

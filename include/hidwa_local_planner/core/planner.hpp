@@ -30,10 +30,12 @@ struct Situation {
   double time = 0.0;            // [s]
 };
 
-/// Which samples are tried: an input of plan(), so that a recorded cycle can be repeated.
+/// How much work a cycle is: an input of plan(), so that a recorded cycle can be repeated.
 struct Sampling {
-  int vx_samples = 0;   // 0: as in the parameters
-  int vth_samples = 0;  // 0: as in the parameters
+  int vx_samples = 0;      // 0: as in the parameters
+  int vth_samples = 0;     // 0: as in the parameters
+  bool check_all = false;  // look for collisions of all candidates, not only as far as the choice needs it: the command is
+                           // the same, to the bit, and what is said of all candidates is complete
 };
 
 enum class Outcome { drive = 0, brake, fail, hold };
@@ -70,9 +72,10 @@ struct Decision {
   std::vector<Pose2> trajectory;         // its rollout, start pose first; empty when none was chosen
   double step = 0.0;                     // time between two of its poses [s]
   std::vector<CriticTerm> terms;         // of the chosen candidate, in the order of the critics
+  // Collision and braking count those that were looked at: all with Sampling::check_all, and whenever nothing is legal.
   std::vector<RefusalCount> refusals;    // per critic, in order; collision and braking first
   std::size_t candidates = 0;
-  std::size_t legal = 0;
+  std::size_t legal = 0;                 // nobody refused them
   double agreement = 1.0;                // 1: the command is what the person wants, in [0, 1]
   std::string operator_refused_by;       // what refused the operator's own command; empty when it was legal
   bool escaping = false;                 // the robot stands in collision
@@ -162,7 +165,8 @@ class Planner {
   const Decision& plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
                        const Sampling& sampling = {});
 
-  /// Every candidate of the last plan(), in the order of the samples.
+  /// Every candidate of the last plan(), in the order of the samples. Without Sampling::check_all those that the choice
+  /// did not come to were not looked at for collisions.
   std::vector<CandidateRecord> evaluation() const;
   /// Index into evaluation() of the chosen, the worst legal and the operator's own candidate; -1 when there is none.
   struct Marked {
@@ -172,7 +176,7 @@ class Planner {
   };
   Marked marked() const;
 
-  /// J of every candidate of the last plan(), infinite where it was refused; empty where nothing was weighed.
+  /// J of every candidate of the last plan(), infinite where it is known to be refused; empty where nothing was weighed.
   const std::vector<double>& totals() const;
 
   /// From now on plan() also asks every critic about every candidate, whoever has refused it. The decision is the same,

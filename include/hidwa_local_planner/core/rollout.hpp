@@ -25,6 +25,8 @@ class Rollout {
   std::size_t tile_count() const { return tiles_.size(); }
   /// Rolls a tile out. Valid until the next tile() or run(); quickest in ascending order.
   Tile tile(std::size_t index) const;
+  /// Which candidates a tile holds, and their turn: without poses, at no cost.
+  Tile extent(std::size_t index) const;
   /// The tile that holds a candidate.
   std::size_t tile_of(std::size_t candidate) const;
   std::size_t candidate_count() const { return v_.size(); }

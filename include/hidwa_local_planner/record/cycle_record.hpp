@@ -42,7 +42,7 @@ struct PlannerInput {
   static void archive(Self& self, Archive& io) {
     io(self.state, self.situation.pose, self.situation.velocity, self.situation.last_command, self.situation.plan,
        self.situation.goal, self.situation.goal_latched, self.situation.period, self.situation.time,
-       self.sampling.vx_samples, self.sampling.vth_samples, self.grid);
+       self.sampling.vx_samples, self.sampling.vth_samples, self.sampling.check_all, self.grid);
   }
 };
 

@@ -24,6 +24,10 @@ class Publishing {
   Publishing(ros::NodeHandle handle, std::string frame);
 
   bool cycle_wanted() const { return cycle_.getNumSubscribers() > 0; }
+  /// Somebody wants to know what became of all candidates.
+  bool candidates_wanted() const {
+    return cycle_wanted() || evaluation_.getNumSubscribers() > 0 || trajectories_.getNumSubscribers() > 0;
+  }
   /// Somebody subscribed to the cycles since the last call.
   bool new_cycle_subscriber();
   void publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state, double duration,

@@ -86,7 +86,7 @@ class Shell {
   std::string observe_pose(double now, Observation& observation);
   std::string update_footprint();
   CycleResult brake(double now, const Observation& observation, const OperatorIntent& intent);
-  CycleResult decide(double now, const Observation& observation, const OperatorIntent& intent);
+  CycleResult decide(double now, const Observation& observation, const OperatorIntent& intent, const Sampling& sampling);
   void remember(double now, const CycleResult& result, const Observation& observation);
   void explain(double now, const CycleResult& result);
   void keep_budget(double duration, const CycleResult& result);

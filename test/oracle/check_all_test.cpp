@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Looking for the collisions of all candidates, the slow and obvious way, changes nothing that is decided.
+#include <cmath>
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/planner.hpp"
+#include "support/random.hpp"
+#include "support/random_scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::Random;
+using test::Scene;
+
+constexpr int kScenes = 1500;
+constexpr int kCycles = 3;
+
+struct Tally {
+  int cycles = 0, chosen = 0, nothing_legal = 0, fewer_looks = 0, own_refused = 0;
+};
+
+void expect_same(const Decision& brief, const Decision& full) {
+  EXPECT_EQ(brief.outcome, full.outcome);
+  EXPECT_TRUE(brief.command == full.command);
+  EXPECT_TRUE(brief.sample == full.sample);
+  EXPECT_EQ(brief.total, full.total);
+  EXPECT_EQ(brief.trajectory.size(), full.trajectory.size());
+  EXPECT_EQ(brief.agreement, full.agreement);
+  EXPECT_EQ(brief.operator_refused_by, full.operator_refused_by);
+  EXPECT_EQ(brief.escaping, full.escaping);
+  EXPECT_EQ(brief.problem, full.problem);
+  EXPECT_EQ(brief.candidates, full.candidates);
+  ASSERT_EQ(brief.terms.size(), full.terms.size());
+  for (std::size_t i = 0; i < full.terms.size(); ++i) EXPECT_EQ(brief.terms[i].raw, full.terms[i].raw);
+}
+
+void expect_same_refusals(const Decision& brief, const Decision& full) {
+  EXPECT_EQ(brief.legal, full.legal);
+  ASSERT_EQ(brief.refusals.size(), full.refusals.size());
+  for (std::size_t i = 0; i < full.refusals.size(); ++i) {
+    EXPECT_EQ(brief.refusals[i].name, full.refusals[i].name);
+    EXPECT_EQ(brief.refusals[i].count, full.refusals[i].count) << full.refusals[i].name;
+  }
+}
+
+// What is known to be refused is; a refusal that is not known of was none of the choice's business.
+void expect_known_refusals(const Planner& brief, const Planner& full) {
+  ASSERT_EQ(brief.totals().size(), full.totals().size());
+  for (std::size_t c = 0; c < full.totals().size(); ++c) {
+    if (std::isfinite(full.totals()[c])) {
+      EXPECT_EQ(brief.totals()[c], full.totals()[c]) << "candidate " << c;
+    }
+  }
+}
+
+// A few cycles of one robot, so that what critics remember counts.
+void compare(Scene& scene, Random& random, Tally& tally) {
+  Planner brief, full;
+  for (Planner* planner : {&brief, &full}) {
+    ASSERT_TRUE(planner->configure(scene.parameters).empty());
+    planner->set_footprint(scene.outline);
+  }
+  Sampling all;
+  all.check_all = true;
+  for (int k = 0; k < kCycles; ++k) {
+    const Decision& a = brief.plan(scene.situation, scene.grid(), scene.intent);
+    const Decision& b = full.plan(scene.situation, scene.grid(), scene.intent, all);
+    expect_same(a, b);
+    expect_known_refusals(brief, full);
+    const bool chosen = b.outcome == Outcome::drive || b.outcome == Outcome::hold;
+    EXPECT_GE(a.legal, b.legal);
+    if (!chosen) expect_same_refusals(a, b);
+    ++tally.cycles;
+    tally.chosen += chosen;
+    tally.nothing_legal += b.candidates > 0 && b.legal == 0;
+    tally.fewer_looks += a.legal > b.legal;
+    tally.own_refused += !b.operator_refused_by.empty();
+    scene.situation.velocity = scene.situation.last_command = b.command;
+    scene.situation.pose.x += random.uniform(-0.05, 0.05);
+    scene.situation.pose.y += random.uniform(-0.05, 0.05);
+    scene.situation.time += scene.situation.period;
+  }
+}
+
+TEST(CheckAll, DecidesTheSame) {
+  Tally tally;
+  for (int k = 0; k < kScenes && !testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE("seed " + std::to_string(3000000 + k));
+    Scene scene = test::random_scene(3000000 + static_cast<std::uint64_t>(k));
+    Random random(static_cast<std::uint64_t>(k));
+    if (random.chance(0.5)) {
+      const Parameters drawn = scene.parameters;
+      scene.parameters = Parameters();
+      scene.parameters.vx_samples = drawn.vx_samples;
+      scene.parameters.vth_samples = drawn.vth_samples;
+    }
+    // Equal totals all over: the tie rule decides.
+    if (random.chance(0.1)) scene.parameters.critics = "Oscillation";
+    if (random.chance(0.1)) scene.intent.influence = Influence::direct;
+    compare(scene, random, tally);
+  }
+  std::printf("%d cycles: %d chosen, %d nothing legal, %d with fewer looks, %d with the person's own refused\n",
+              tally.cycles, tally.chosen, tally.nothing_legal, tally.fewer_looks, tally.own_refused);
+  EXPECT_GT(tally.chosen, 2000);
+  EXPECT_GT(tally.nothing_legal, 50);
+  EXPECT_GT(tally.fewer_looks, 300);
+  EXPECT_GT(tally.own_refused, 100);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
