@@ -19,7 +19,8 @@ void Planner::Impl::list_checks() {
       omega = tile.omega;
       first = tile.first;
     }
-    checks[t] = {tile.first - first, false};
+    checks[t].column = tile.first - first;
+    checks[t].done = false;
     most = std::max(most, tile.count);
   }
   fit(found, most);

@@ -18,14 +18,20 @@ void pop(std::vector<Queued>& queue) {
 
 int Planner::Impl::choose(const Situation& situation) {
   const TieRule tie(parameters, situation.last_command);
-  const auto lowest = std::min_element(totals.begin(), totals.end());
-  if (lowest == totals.end() || !std::isfinite(*lowest)) return -1;
-  const auto first = static_cast<std::size_t>(lowest - totals.begin());
-  const double equal = *lowest + kEqualTotals;
-  if (!stays_legal(first)) return choose_next(tie);
-  std::size_t best = first;
-  for (std::size_t c = 0; c < totals.size(); ++c) {
-    if (totals[c] <= equal && tie.prefers(sample_at(c), sample_at(best)) && stays_legal(c)) best = c;
+  const auto cheaper = [](const TileCheck& a, const TileCheck& b) { return a.lowest < b.lowest; };
+  const auto cheapest = std::min_element(checks.begin(), checks.end(), cheaper);
+  if (cheapest == checks.end() || !std::isfinite(cheapest->lowest)) return -1;
+  const Tile tile = rollout.extent(static_cast<std::size_t>(cheapest - checks.begin()));
+  std::size_t best = tile.first;
+  while (totals[best] != cheapest->lowest) ++best;
+  const double equal = cheapest->lowest + kEqualTotals;
+  if (!stays_legal(best)) return choose_next(tie);
+  for (std::size_t t = 0; t < checks.size(); ++t) {
+    if (checks[t].lowest > equal) continue;
+    const Tile equals_in = rollout.extent(t);
+    for (std::size_t c = equals_in.first; c < equals_in.first + equals_in.count; ++c) {
+      if (totals[c] <= equal && tie.prefers(sample_at(c), sample_at(best)) && stays_legal(c)) best = c;
+    }
   }
   if (parameters.admissibility != Admissibility::braking || admissibility.can_brake_surely(sample_at(best))) {
     return static_cast<int>(best);

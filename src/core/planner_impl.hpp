@@ -13,6 +13,7 @@
 #include "hidwa_local_planner/core/choice.hpp"
 #include "hidwa_local_planner/core/collision.hpp"
 #include "hidwa_local_planner/core/command_history.hpp"
+#include "hidwa_local_planner/core/end_cells.hpp"
 #include "hidwa_local_planner/core/lasting.hpp"
 #include "hidwa_local_planner/core/plan_grids.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
@@ -50,10 +51,11 @@ struct NamedCritic {
   std::unique_ptr<ParameterSource> source;
 };
 
-// What is known of a tile's collisions.
+// What is known of a tile.
 struct TileCheck {
   std::size_t column = 0;  // of its first candidate among those of the same omega
-  bool done = false;
+  double lowest = 0.0;     // total, at most: candidates that a closer look refuses may have had it
+  bool done = false;       // nobody needs a closer look any more
 };
 
 // A candidate and its total.
@@ -72,6 +74,7 @@ struct Planner::Impl {
   Rollout rollout;
   CollisionChecker collision;
   CellClasses classes;
+  EndCells ends;                          // of the tile that is being scored
   AdmissibilityCheck admissibility;
   PlanGrids grids;
   std::vector<double> totals;             // [candidates]; infinite where refused
@@ -113,6 +116,7 @@ struct Planner::Impl {
   bool stays_legal(std::size_t candidate);
   void ask_critics(const CycleView& cycle, const Tile& tile);
   void sum_up(const Tile& tile);
+  void strike_refused(const Tile& tile);
   double deviation_of(const Twist2& sample) const;
   std::uint8_t not_a_number(std::size_t candidate) const;
   int choose(const Situation& situation);

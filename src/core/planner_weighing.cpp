@@ -6,6 +6,22 @@
 #include "planner_impl.hpp"
 
 namespace hidwa_local_planner {
+namespace {
+
+// Four searches side by side.
+double lowest_of(const double* values, std::size_t count) {
+  double lowest[4];
+  std::fill_n(lowest, 4, std::numeric_limits<double>::infinity());
+  std::size_t c = 0;
+  for (; c + 4 <= count; c += 4) {
+    for (std::size_t lane = 0; lane < 4; ++lane) lowest[lane] = std::min(lowest[lane], values[c + lane]);
+  }
+  for (; c < count; ++c) lowest[0] = std::min(lowest[0], values[c]);
+  return std::min(std::min(lowest[0], lowest[1]), std::min(lowest[2], lowest[3]));
+}
+
+}  // namespace
+
 // Makes, checks and scores all candidates.
 CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid, const Sampling& sampling) {
   make_candidates(situation, sampling);
@@ -73,12 +89,15 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
 void Planner::Impl::score_tile(const CycleView& cycle, std::size_t t, bool check) {
   Tile tile = rollout.tile(t);
   classes.classify(tile);
+  ends.forget();
+  tile.ends = &ends;
   std::fill_n(refused_by.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, kLegal);
   std::fill_n(reasons.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, nullptr);
   check_cells(tile, checks[t]);
   if (check) check_closely(tile, checks[t]);
   ask_critics(cycle, tile);
   sum_up(tile);
+  checks[t].lowest = lowest_of(totals.data() + tile.first, tile.count);
 }
 
 void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
@@ -97,13 +116,13 @@ void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
 // Kalliokoski 2022, the cost J in section III: J = s_nv J_nv + gamma (s_v |v_h - v| + s_omega |omega_h - omega|).
 void Planner::Impl::sum_up(const Tile& tile) {
   const std::size_t n = tile.count;
-  double* total = totals.data() + tile.first;
+  double* __restrict total = totals.data() + tile.first;
   std::fill_n(total, n, 0.0);
   // Direct control takes the legal candidate nearest to what the person wants, by the same weights.
   if (intent.influence != Influence::direct) {
     for (std::size_t i = 0; i < critics.size(); ++i) {
       const double weight = critics[i].weight;
-      const double* scores = raw[i].data() + tile.first;
+      const double* __restrict scores = raw[i].data() + tile.first;
       for (std::size_t c = 0; c < n; ++c) total[c] += weight * scores[c];
     }
     for (std::size_t c = 0; c < n; ++c) total[c] *= parameters.s_nv;
@@ -111,14 +130,24 @@ void Planner::Impl::sum_up(const Tile& tile) {
   if (steered) {
     for (std::size_t c = 0; c < n; ++c) total[c] += deviation_of(tile.sample(c));
   }
-  for (std::size_t c = 0; c < n; ++c) {
-    const std::size_t at = tile.first + c;
-    if (refused_by[at] == kLegal && !std::isfinite(total[c])) {
-      // A critic of another package may say anything: what is not a number is no legal candidate.
-      refused_by[at] = not_a_number(at);
-      reasons[at] = "total is not a number";
-    }
-    if (refused_by[at] != kLegal) total[c] = std::numeric_limits<double>::infinity();
+  strike_refused(tile);
+}
+
+void Planner::Impl::strike_refused(const Tile& tile) {
+  double* __restrict total = totals.data() + tile.first;
+  std::uint8_t* __restrict refuser = refused_by.data() + tile.first;
+  unsigned spoiled = 0;
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    spoiled |= std::abs(total[c]) <= std::numeric_limits<double>::max() ? 0U : 1U;
+  }
+  for (std::size_t c = 0; spoiled != 0 && c < tile.count; ++c) {
+    // A critic of another package may say anything: what is not a number is no legal candidate.
+    if (refuser[c] != kLegal || std::isfinite(total[c])) continue;
+    refuser[c] = not_a_number(tile.first + c);
+    reasons[tile.first + c] = "total is not a number";
+  }
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    total[c] = refuser[c] == kLegal ? total[c] : std::numeric_limits<double>::infinity();
   }
 }
 

@@ -69,11 +69,15 @@ void Sampler::make(const Parameters& p, const VelocityLimits& limits, const Samp
 }
 
 void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
+  const bool wheels = limits.wheel_speed > 0.0;
   for (const double omega : omega_) {
+    // What only a sample that turns on the spot may be excluded for, and what any other may.
+    const bool no_turn = omega == 0.0 || in_dead_band(p, {0.0, omega});
+    const bool no_curve = in_dead_band(p, {kInPlace, omega});
     for (const double v : v_) {
-      const Twist2 u{v, omega};
-      if (is_zero(u) || in_dead_band(p, u) || !limits.wheels_allow(u)) continue;
-      samples_.push_back({u, SampleKind::grid});
+      const bool excluded = std::abs(v) < kInPlace ? no_turn && (omega != 0.0 || v == 0.0) : no_curve;
+      if (excluded || (wheels && !limits.wheels_allow({v, omega}))) continue;
+      samples_.push_back({{v, omega}, SampleKind::grid});
     }
   }
   // A window narrower than the dead band would leave no turn on the spot at all: its edges are always tried.

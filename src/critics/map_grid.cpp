@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "hidwa_local_planner/core/cell_index.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -42,8 +41,11 @@ void MapGridCritic::score(const CycleView& cycle, const Tile& tile, TileScores& 
   if (off_map_) {
     score_bearings(tile, scores);
   } else if (distances_ != nullptr) {
+    ends_.forget();
+    EndCells& ends = tile.ends != nullptr ? *tile.ends : ends_;
+    const EndCells::Cells noses = ends.of(*cycle.grid, distances_->table().box, tile, forward_);
     for (std::size_t first = 0; first < tile.count; first += kernel::kMostPoints) {
-      score_some(cycle, tile, first, std::min(kernel::kMostPoints, tile.count - first), scores);
+      score_some(cycle, tile, noses, first, scores);
     }
   }
 }
@@ -54,34 +56,35 @@ void MapGridCritic::score_bearings(const Tile& tile, TileScores& scores) const {
   }
 }
 
-void MapGridCritic::score_some(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
-                               TileScores& scores) const {
-  const double ahead_x = forward_ * tile.cos_heading[tile.steps], ahead_y = forward_ * tile.sin_heading[tile.steps];
-  const std::size_t row = tile.steps * tile.stride + first;
-  const DistanceGrids::Table table = distances_->table();
+void MapGridCritic::score_some(const CycleView& cycle, const Tile& tile, const EndCells::Cells& noses,
+                               std::size_t first, TileScores& scores) const {
+  const std::size_t count = std::min(kernel::kMostPoints, tile.count - first);
   const double metres_per_unit = distances_->metres_per_unit();
-  std::int32_t i[kernel::kMostPoints], j[kernel::kMostPoints];
-  std::size_t hard[kernel::kMostPoints], hard_count = 0;
-  kernel::find_cells(*cycle.grid, table.box, tile.x + row, tile.y + row, ahead_x, ahead_y, count, i, j);
-  for (std::size_t c = 0; c < count; ++c) {
-    if (scores.refused(first + c)) continue;
-    const std::int32_t units = i[c] >= 0 ? table.free_units(i[c], j[c]) : DistanceGrids::kUnreached;
-    if (units >= 0) {
-      scores.set(first + c, units * metres_per_unit);
-    } else {
-      hard[hard_count++] = c;
-    }
+  std::int32_t units[kernel::kMostPoints];
+  distances_->table().free_units(noses.i + first, noses.j + first, count, units);
+  std::int32_t least = 0;
+  for (std::size_t c = 0; c < count; ++c) least = std::min(least, units[c]);
+  for (std::size_t c = 0; c < count; ++c) scores.set(first + c, units[c] * metres_per_unit);
+  for (std::size_t c = 0; least < 0 && c < count; ++c) {
+    if (units[c] < 0) score_hard(cycle, tile, first + c, scores);
   }
-  for (std::size_t h = 0; h < hard_count; ++h) {
-    const std::size_t c = first + hard[h];
-    const char* reason = nullptr;
-    const Pose2 last = tile.last_pose(c);
-    const double raw = raw_score(*cycle.grid, last, last.x + ahead_x, last.y + ahead_y, &reason);
-    if (reason != nullptr) {
-      scores.refuse(c, reason);
-    } else {
-      scores.set(c, raw);
-    }
+}
+
+// Where the table does not tell.
+void MapGridCritic::score_hard(const CycleView& cycle, const Tile& tile, std::size_t c, TileScores& scores) const {
+  if (scores.refused(c)) {
+    scores.set(c, 0.0);
+    return;
+  }
+  const char* reason = nullptr;
+  const Pose2 last = tile.last_pose(c);
+  const double raw = raw_score(*cycle.grid, last, last.x + forward_ * tile.cos_heading[tile.steps],
+                               last.y + forward_ * tile.sin_heading[tile.steps], &reason);
+  if (reason != nullptr) {
+    scores.set(c, 0.0);
+    scores.refuse(c, reason);
+  } else {
+    scores.set(c, raw);
   }
 }
 

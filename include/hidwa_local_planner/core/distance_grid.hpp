@@ -55,19 +55,9 @@ class DistanceGrids {
     bool single = false;                  // one source only
     Cell source;                          // it, counted from the box's lowest cell
 
-    /// In units; negative for cells that are blocked, not reached, or whose distance takes a closer look: units().
-    std::int32_t free_units(std::int32_t i, std::int32_t j) const {
-      const std::size_t at = static_cast<std::size_t>(j) * stride + static_cast<std::size_t>(i) * DistanceSweep::kLanes;
-      const std::int32_t value = units[at];
-      if (value >= DistanceSweep::kFar || mask[at] != open) return kUnreached;
-      if (value <= sure) return value;
-      return single && value <= sure + unhindered(i, j) ? value : kUnreached;
-    }
-    // Without obstacles, where a diagonal step costs 2 more than a straight one.
-    std::int32_t unhindered(std::int32_t i, std::int32_t j) const {
-      const std::int32_t di = std::abs(i - source.i), dj = std::abs(j - source.j);
-      return 5 * std::max(di, dj) + 2 * std::min(di, dj);
-    }
+    /// Of cells counted from the box's lowest one, whose i is negative outside it: in units; negative for those, and for
+    /// cells that are blocked, not reached, or whose distance takes a closer look: units(). At most kMostPoints.
+    void free_units(const std::int32_t* i, const std::int32_t* j, std::size_t count, std::int32_t* found) const;
   };
   Table table(int set) {
     if (!settled_) settle();

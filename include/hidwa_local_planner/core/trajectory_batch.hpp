@@ -9,6 +9,8 @@
 
 namespace hidwa_local_planner {
 
+class EndCells;
+
 /// Candidates that share the rotational sample and the number of steps, and so every heading: one tile, small enough to
 /// stay in the first cache while everybody looks at it. Positions are rows a step, columns a candidate; row k = 0 is the
 /// start pose. Rows are `stride` apart: what lies beyond `count` is padding.
@@ -28,6 +30,7 @@ struct Tile {
   const double* omega_at = nullptr;     // [steps + 1] rotational velocity reached [rad/s]
   const std::uint8_t* classes = nullptr;  // [(steps + 1) * stride] of the centre's cells, see CellClasses; may be null
   const std::uint8_t* touched = nullptr;  // [count] classes of all poses of a candidate, or-ed; null with `classes`
+  EndCells* ends = nullptr;               // of this tile, shared by its critics; may be null
 
   double x_at(std::size_t k, std::size_t c) const { return x[k * stride + c]; }
   double y_at(std::size_t k, std::size_t c) const { return y[k * stride + c]; }

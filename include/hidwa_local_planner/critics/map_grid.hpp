@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hidwa_local_planner/core/critic.hpp"
+#include "hidwa_local_planner/core/end_cells.hpp"
 #include "hidwa_local_planner/core/plan_grids.hpp"
 
 namespace hidwa_local_planner {
@@ -24,11 +25,13 @@ class MapGridCritic : public Critic {
 
  private:
   void score_bearings(const Tile& tile, TileScores& scores) const;
-  void score_some(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
+  void score_some(const CycleView& cycle, const Tile& tile, const EndCells::Cells& noses, std::size_t first,
                   TileScores& scores) const;
+  void score_hard(const CycleView& cycle, const Tile& tile, std::size_t c, TileScores& scores) const;
   double raw_score(const GridView& grid, const Pose2& last, double nose_x, double nose_y, const char** reason) const;
 
   const DistanceGrid* distances_ = nullptr;
+  EndCells ends_;           // for tiles that bring none
   bool off_map_ = false;
   Pose2 nearest_;           // the plan's pose nearest to the robot, when it is off the map
   double unreached_ = 0.0;  // the score where there is no way [m]
