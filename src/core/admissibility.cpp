@@ -78,6 +78,7 @@ void AdmissibilityCheck::check_rollouts(const Tile& tile, const char** reasons) 
 
 bool AdmissibilityCheck::cells_decide(const Tile& tile, const char** reasons) const {
   if (escaping_ || tile.touched == nullptr) return false;
+  if ((tile.touched_any & (cell_class::kHit | cell_class::kNear)) == 0) return true;
   unsigned undecided = 0;
   for (std::size_t c = 0; c < tile.count; ++c) {
     const bool hit = (tile.touched[c] & cell_class::kHit) != 0;

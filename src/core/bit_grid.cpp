@@ -4,6 +4,20 @@
 #include <algorithm>
 
 namespace hidwa_local_planner {
+namespace {
+
+// The lowest bits of 64 bytes, the first one's lowest. Eight at a time: a factor that brings bit 8 k to bit 56 + k.
+std::uint64_t pack(const std::uint8_t* flags) {
+  std::uint64_t bits = 0;
+  for (int group = 0; group < 8; ++group) {
+    std::uint64_t bytes = 0;
+    for (int k = 0; k < 8; ++k) bytes |= std::uint64_t{flags[8 * group + k]} << (8 * k);
+    bits |= ((bytes * 0x0102040810204080U) >> 56) << (8 * group);
+  }
+  return bits;
+}
+
+}  // namespace
 
 void BitGrid::reset(int width, int height) {
   width_ = width;
@@ -16,13 +30,25 @@ void BitGrid::fill(int j, int i0, int i1) {
   for (int i = i0; i < i1; ++i) set(i, j);
 }
 
-void BitGrid::set_where(int j, int i0, int i1, const std::uint8_t* cells, const Values& values) {
+void BitGrid::set_where(int j, int i0, int i1, const std::uint8_t* cells, std::uint8_t one, std::uint8_t other) {
   for (int i = i0; i < i1;) {
     const int end = std::min(i1, (i | 63) + 1);
-    const std::size_t at = word(i, j);
-    std::uint64_t bits = 0;
-    for (; i < end; ++i) bits |= std::uint64_t{values[cells[i - i0]]} << (i & 63);
-    words_[at] |= bits;
+    const std::uint8_t* from = cells + (i - i0);
+    const int count = end - i;
+    std::uint8_t flags[64] = {};
+    std::uint8_t* flag = flags + (i & 63);
+    for (int k = 0; k < count; ++k) flag[k] = static_cast<std::uint8_t>((from[k] == one) | (from[k] == other));
+    words_[word(i, j)] |= pack(flags);
+    i = end;
+  }
+}
+
+void BitGrid::unpack(std::uint64_t bits, std::uint8_t* flags) {
+  for (int group = 0; group < 8; ++group) {
+    // One bit a byte, then down to the lowest.
+    const std::uint64_t spread = (((bits >> (8 * group)) & 0xFF) * 0x0101010101010101U) & 0x8040201008040201U;
+    const std::uint64_t bytes = ((spread + 0x7F7F7F7F7F7F7F7FU) >> 7) & 0x0101010101010101U;
+    for (int k = 0; k < 8; ++k) flags[8 * group + k] = static_cast<std::uint8_t>(bytes >> (8 * k));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "hidwa_local_planner/core/vector_clones.hpp"
 
@@ -29,6 +30,52 @@ void find_cells(const Table& t, const double* __restrict x, const double* __rest
     const auto i = static_cast<std::int32_t>((x[c] - corner_x) * scale);
     const auto j = static_cast<std::int32_t>((y[c] - corner_y) * scale);
     index[c] = (i + (j << shift)) & wrap;
+  }
+}
+
+typedef double Four __attribute__((vector_size(4 * sizeof(double))));
+
+// Where a tile's poses lie: in every step each candidate is as fast as the slowest one, `a`, the fastest one, `b`, or
+// something between, and so is how far it gets along either axis.
+struct Extremes {
+  const double* x;
+  const double* y;
+  std::size_t stride, a, b;
+};
+
+// The boxes of all rows, then the one of all, as least x, least y, and most x and most y negated: what grows is then
+// always the least of two.
+HIDWA_VECTOR_CLONES
+void bound_rows(const Extremes& tile, std::size_t rows, double* boxes) {
+  const double* x = tile.x;
+  const double* y = tile.y;
+  Four slow = {x[tile.a], y[tile.a], -x[tile.a], -y[tile.a]}, fast = slow;  // all begin at the same pose
+  Four box = slow - kRounding, all = box;
+  std::memcpy(boxes, &box, sizeof(box));
+  for (std::size_t k = 1; k < rows; ++k) {
+    const std::size_t a = k * tile.stride + tile.a, b = k * tile.stride + tile.b;
+    const Four slow_next = {x[a], y[a], -x[a], -y[a]}, fast_next = {x[b], y[b], -x[b], -y[b]};
+    const Four by_slow = slow_next - slow, by_fast = fast_next - fast;
+    box += by_slow < by_fast ? by_slow : by_fast;
+    all = box < all ? box : all;
+    std::memcpy(boxes + 4 * k, &box, sizeof(box));
+    slow = slow_next;
+    fast = fast_next;
+  }
+  std::memcpy(boxes + 4 * rows, &all, sizeof(all));
+}
+
+// The cells of the corners of such boxes, rounded down: the lowest i and j, the highest i and j.
+HIDWA_VECTOR_CLONES
+void find_corners(const Table& t, const double* __restrict boxes, std::size_t count, std::int32_t* __restrict cells) {
+  // What lies below the first cell is far from rounding to it.
+  const double scale[4] = {t.cells_per_metre, t.cells_per_metre, -t.cells_per_metre, -t.cells_per_metre};
+  const double first[4] = {1.0 - t.corner_x * t.cells_per_metre, 1.0 - t.corner_y * t.cells_per_metre,
+                           1.0 - t.corner_x * t.cells_per_metre, 1.0 - t.corner_y * t.cells_per_metre};
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t side = 0; side < 4; ++side) {
+      cells[4 * k + side] = static_cast<std::int32_t>(boxes[4 * k + side] * scale[side] + first[side]) - 1;
+    }
   }
 }
 
@@ -67,9 +114,7 @@ void CellClasses::prepare(const CollisionChecker& checker, const GridView& grid,
   const std::size_t size = std::size_t{1} << (2 * shift_);
   wrap_ = static_cast<std::uint32_t>(size - 1);
   if (table_.size() < size) table_.resize(size);
-  std::fill(std::begin(blocked_by_cost_), std::end(blocked_by_cost_), std::uint8_t{0});
-  blocked_by_cost_[cost::kLethal] = blocked_by_cost_[cost::kInscribed] = cell_class::kBlocked;
-  if (unknown_is_obstacle) blocked_by_cost_[cost::kUnknown] = cell_class::kBlocked;
+  unknown_blocks_ = unknown_is_obstacle;
   for (int row = 0; row < width_; ++row) fill_row(checker, grid, row);
   count_marked();
 }
@@ -92,38 +137,28 @@ void CellClasses::count_marked() {
   }
 }
 
-bool CellClasses::unmarked(const Box& box) const {
-  const double lo_i = (box.lo_x - corner_x_) * cells_per_metre_, hi_i = (box.hi_x - corner_x_) * cells_per_metre_;
-  const double lo_j = (box.lo_y - corner_y_) * cells_per_metre_, hi_j = (box.hi_y - corner_y_) * cells_per_metre_;
-  if (!(lo_i >= 0.0 && lo_j >= 0.0 && hi_i < width_ && hi_j < width_)) return false;
+bool CellClasses::unmarked(const std::int32_t* cells) const {
   const std::size_t n = static_cast<std::size_t>(width_) + 1;
-  const auto i0 = static_cast<std::size_t>(lo_i), i1 = static_cast<std::size_t>(hi_i) + 1;
-  const auto j0 = static_cast<std::size_t>(lo_j) * n, j1 = (static_cast<std::size_t>(hi_j) + 1) * n;
+  const auto i0 = static_cast<std::size_t>(cells[0]), i1 = static_cast<std::size_t>(cells[2]) + 1;
+  const auto j0 = static_cast<std::size_t>(cells[1]) * n, j1 = (static_cast<std::size_t>(cells[3]) + 1) * n;
   return marked_[j1 + i1] - marked_[j0 + i1] - marked_[j1 + i0] + marked_[j0 + i0] == 0;
 }
 
-// All candidates of a tile turn alike, and in every step each is as fast as the slowest, the fastest or something between:
-// so is how far it gets along either axis.
-void CellClasses::find_open_rows(const Tile& tile) {
-  const auto [slow, fast] = std::minmax_element(tile.v, tile.v + tile.count);
-  const auto a = static_cast<std::size_t>(slow - tile.v), b = static_cast<std::size_t>(fast - tile.v);
-  Box box{tile.x[0] - kRounding, tile.y[0] - kRounding, tile.x[0] + kRounding, tile.y[0] + kRounding};
-  Box all = box;
-  boxes_[0] = box;
-  for (std::size_t k = 1; k <= tile.steps; ++k) {
-    const std::size_t now = k * tile.stride, before = now - tile.stride;
-    const double ax = tile.x[now + a] - tile.x[before + a], bx = tile.x[now + b] - tile.x[before + b];
-    const double ay = tile.y[now + a] - tile.y[before + a], by = tile.y[now + b] - tile.y[before + b];
-    box.lo_x += std::min(ax, bx);
-    box.hi_x += std::max(ax, bx);
-    box.lo_y += std::min(ay, by);
-    box.hi_y += std::max(ay, by);
-    boxes_[k] = box;
-    all = {std::min(all.lo_x, box.lo_x), std::min(all.lo_y, box.lo_y), std::max(all.hi_x, box.hi_x),
-           std::max(all.hi_y, box.hi_y)};
+bool CellClasses::find_open_rows(const Tile& tile) {
+  Extremes extremes{tile.x, tile.y, tile.stride, 0, tile.count - 1};
+  if (!tile.ascending) {
+    const auto [slow, fast] = std::minmax_element(tile.v, tile.v + tile.count);
+    extremes.a = static_cast<std::size_t>(slow - tile.v);
+    extremes.b = static_cast<std::size_t>(fast - tile.v);
   }
-  const bool all_open = unmarked(all);
-  for (std::size_t k = 0; k <= tile.steps; ++k) open_[k] = all_open || unmarked(boxes_[k]) ? 1 : 0;
+  bound_rows(extremes, tile.steps + 1, boxes_.data());
+  const std::size_t count = tile.steps + 2;
+  find_corners({corner_x_, corner_y_, cells_per_metre_, 0, 0}, boxes_.data(), count, corners_.data());
+  const std::int32_t* whole = corners_.data() + 4 * (count - 1);
+  const bool inside = whole[0] >= 0 && whole[1] >= 0 && whole[2] < width_ && whole[3] < width_;
+  if (inside && unmarked(whole)) return true;
+  for (std::size_t k = 0; k <= tile.steps; ++k) open_[k] = inside && unmarked(corners_.data() + 4 * k) ? 1 : 0;
+  return false;
 }
 
 void CellClasses::classify_rows(const Tile& tile, std::size_t first, std::size_t end) {
@@ -138,17 +173,29 @@ void CellClasses::fill_row(const CollisionChecker& checker, const GridView& grid
   const int j = first_.j + row;
   for (int i = 0; i < width_; i += 64) {
     const Cell from{first_.i + i, j};
-    const std::uint64_t near = checker.near_bits(from), hit = checker.hit_bits(from);
+    std::uint8_t near[64], hit[64];
+    BitGrid::unpack(checker.near_bits(from), near);
+    BitGrid::unpack(checker.hit_bits(from), hit);
     const int end = std::min(width_ - i, 64);
     for (int b = 0; b < end; ++b) {
-      classes[i + b] = static_cast<std::uint8_t>(((near >> b) & 1U) | (((hit >> b) & 1U) << 1));
+      classes[i + b] = static_cast<std::uint8_t>(near[b] * cell_class::kNear + hit[b] * cell_class::kHit);
     }
   }
+  // Beyond the map everything is blocked.
   const bool on_map = j >= 0 && j < grid.size_y;
-  for (int i = 0; i < width_; ++i) {
-    const Cell cell{first_.i + i, j};
-    const std::uint8_t blocked = on_map && grid.contains(cell) ? blocked_by_cost_[grid.at(cell)] : cell_class::kBlocked;
-    classes[i] = static_cast<std::uint8_t>(classes[i] | blocked);
+  const int begin = on_map ? std::clamp(-first_.i, 0, width_) : width_;
+  const int end = on_map ? std::clamp(grid.size_x - first_.i, begin, width_) : width_;
+  for (int i = 0; i < begin; ++i) classes[i] |= cell_class::kBlocked;
+  for (int i = end; i < width_; ++i) classes[i] |= cell_class::kBlocked;
+  if (begin < end) block_by_cost(grid.costs + grid.index({first_.i + begin, j}), end - begin, classes + begin);
+}
+
+void CellClasses::block_by_cost(const std::uint8_t* __restrict costs, int count,
+                                std::uint8_t* __restrict classes) const {
+  const std::uint8_t third = unknown_blocks_ ? cost::kUnknown : cost::kLethal;
+  for (int i = 0; i < count; ++i) {
+    const bool blocked = (costs[i] == cost::kLethal) | (costs[i] == cost::kInscribed) | (costs[i] == third);
+    classes[i] = static_cast<std::uint8_t>(classes[i] | (blocked ? cell_class::kBlocked : 0));
   }
 }
 
@@ -157,13 +204,19 @@ void CellClasses::classify(Tile& tile) {
   if (classes_.size() < size) {
     classes_.resize(size);
     index_.resize(size);
+    none_.resize(size);
   }
   if (touched_.size() < tile.stride) touched_.resize(tile.stride);
   if (open_.size() <= tile.steps) {
     open_.resize(tile.steps + 1);
-    boxes_.resize(tile.steps + 1);
+    boxes_.resize(4 * (tile.steps + 2));
+    corners_.resize(4 * (tile.steps + 2));
   }
-  find_open_rows(tile);
+  if (find_open_rows(tile)) {
+    tile.classes = tile.touched = none_.data();
+    tile.touched_any = 0;
+    return;
+  }
   std::fill_n(touched_.begin(), tile.stride, std::uint8_t{0});
   for (std::size_t k = 0; k <= tile.steps;) {
     const std::size_t first = k;
@@ -177,6 +230,10 @@ void CellClasses::classify(Tile& tile) {
   }
   tile.classes = classes_.data();
   tile.touched = touched_.data();
+  tile.touched_any = 0;
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    tile.touched_any = static_cast<std::uint8_t>(tile.touched_any | touched_[c]);
+  }
 }
 
 }  // namespace hidwa_local_planner

@@ -94,8 +94,8 @@ void CollisionChecker::prepare_lists(double margin) {
   lists_.prepare(window);
 }
 
-// Marks the window's cells that hold certain costs, and those beyond the map's edge where it counts.
-void CollisionChecker::mark(const BitGrid::Values& values, bool edge, BitGrid& marked) const {
+// Marks the window's cells that hold one cost or the other, and those beyond the map's edge where it counts.
+void CollisionChecker::mark(std::uint8_t one, std::uint8_t other, bool edge, BitGrid& marked) const {
   const int size = marked.width();
   const int begin = std::clamp(-first_.i, 0, size), end = std::clamp(grid_.size_x - first_.i, begin, size);
   for (int j = 0; j < size; ++j) {
@@ -108,24 +108,17 @@ void CollisionChecker::mark(const BitGrid::Values& values, bool edge, BitGrid& m
       marked.fill(j, 0, begin);
       marked.fill(j, end, size);
     }
-    marked.set_where(j, begin, end, grid_.costs + grid_.index({first_.i + begin, row}), values);
+    marked.set_where(j, begin, end, grid_.costs + grid_.index({first_.i + begin, row}), one, other);
   }
 }
 
 // False where the robot sees around itself what it saw in the cycle before: then all that follows from it still holds.
 bool CollisionChecker::mark_obstacles(const Shape& shape) {
   const int size = 2 * shape.radius + 1;
-  BitGrid::Values values{};
-  values[cost::kLethal] = 1;
-  values[cost::kUnknown] = unknown_is_obstacle_ ? 1 : 0;
   fresh_obstacles_.reset(size, size);
-  mark(values, true, fresh_obstacles_);
+  mark(cost::kLethal, unknown_is_obstacle_ ? cost::kUnknown : cost::kLethal, true, fresh_obstacles_);
   fresh_inscribed_.reset(shape.circle ? size : 0, shape.circle ? size : 0);
-  if (shape.circle) {
-    values = {};
-    values[cost::kInscribed] = 1;
-    mark(values, false, fresh_inscribed_);
-  }
+  if (shape.circle) mark(cost::kInscribed, cost::kInscribed, false, fresh_inscribed_);
   if (shape == shape_ && fresh_obstacles_ == obstacles_ && fresh_inscribed_ == inscribed_) return false;
   shape_ = shape;
   obstacles_ = fresh_obstacles_;

@@ -158,13 +158,13 @@ void Planner::Impl::begin(const Situation& situation) {
 
 // For what a cycle may come to say, so that the first one that says it needs none.
 void Planner::Impl::make_room() {
+  scored.resize(critics.size());
   decision.terms.reserve(critics.size() + 1);
   decision.refusals.reserve(critics.size() + kFirstCritic);
   decision.problem.reserve(kLongestProblem);
   for (const NamedCritic& named : critics) {
     decision.operator_refused_by.reserve(std::max(kLongestProblem, named.name.size()));
   }
-  counts.reserve(critics.size() + kFirstCritic);
 }
 
 // Keeps the memory.

@@ -30,7 +30,8 @@ void Planner::Impl::list_checks() {
 void Planner::Impl::check_cells(const Tile& tile, TileCheck& check) {
   const char** reason = reasons.data() + tile.first;
   const bool decided = admissibility.cells_decide(tile, reason);
-  for (std::size_t c = 0; c < tile.count; ++c) {
+  const bool hits = (tile.touched_any & cell_class::kHit) != 0;
+  for (std::size_t c = 0; hits && c < tile.count; ++c) {
     if (reason[c] != nullptr) refused_by[tile.first + c] = kCollision;
   }
   check.done = decided && (parameters.admissibility != Admissibility::braking || admissibility.all_can_brake());

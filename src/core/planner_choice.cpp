@@ -96,16 +96,15 @@ void Planner::Impl::describe(int best) {
 }
 
 void Planner::Impl::count_refusals() {
-  counts.assign(kFirstCritic + critics.size(), 0);
-  const auto legal = static_cast<std::size_t>(std::count(refused_by.begin(), refused_by.end(), kLegal));
-  if (legal == refused_by.size()) {
-    counts[kLegal] = legal;
-  } else {
-    for (const std::uint8_t refuser : refused_by) ++counts[refuser];
-  }
-  decision.legal = counts[kLegal];
-  for (std::size_t refuser = kCollision; refuser < counts.size(); ++refuser) {
-    if (counts[refuser] > 0) decision.refusals.push_back({name_of(static_cast<std::uint8_t>(refuser)), counts[refuser]});
+  const auto count = [this](std::uint8_t refuser) {
+    return static_cast<std::size_t>(std::count(refused_by.begin(), refused_by.end(), refuser));
+  };
+  decision.legal = count(kLegal);
+  std::size_t left = refused_by.size() - decision.legal;
+  for (std::uint8_t refuser = kCollision; left > 0; ++refuser) {
+    const std::size_t refused = count(refuser);
+    if (refused > 0) decision.refusals.push_back({name_of(refuser), refused});
+    left -= refused;
   }
 }
 

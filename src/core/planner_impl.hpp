@@ -21,6 +21,7 @@
 #include "hidwa_local_planner/core/samples.hpp"
 #include "hidwa_local_planner/core/velocity_limits.hpp"
 #include "hidwa_local_planner/core/way_out.hpp"
+#include "sum_kernel.hpp"
 
 namespace hidwa_local_planner {
 
@@ -81,12 +82,13 @@ struct Planner::Impl {
   std::vector<std::uint8_t> refused_by;   // [candidates]
   std::vector<const char*> reasons;       // [candidates]
   std::vector<std::vector<double>> raw;   // [critics][candidates]
+  std::vector<kernel::WeighedScores> scored;  // of the tile, by the critics that have scored any candidate ...
+  std::size_t scored_count = 0;               // ... so many
   std::vector<Queued> queue;              // see choose_next()
   std::vector<std::uint32_t> equals;      // candidates, see choose_next()
   std::vector<TileCheck> checks;          // [tiles]
   std::vector<const char*> found;         // [candidates of a tile] while it is checked
   double reach = 0.0;                     // of all rollouts and manoeuvres [m]
-  std::vector<std::size_t> counts;        // of refusals, by refuser
   OperatorIntent intent;                  // of the last cycle
   bool steered = false;                   // in this pass the deviation from `wish` counts
   Twist2 wish;                            // u_h, or with authority below 1 what is blended of it and of autonomy

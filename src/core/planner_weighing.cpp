@@ -101,11 +101,16 @@ void Planner::Impl::score_tile(const CycleView& cycle, std::size_t t, bool check
 }
 
 void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
+  scored_count = 0;
   for (std::size_t i = 0; i < critics.size(); ++i) {
     std::fill_n(raw[i].begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, 0.0);
     if (critics[i].weight == 0.0) continue;
     TileScores scores(raw[i].data() + tile.first, reasons.data() + tile.first, tile.count);
     critics[i].critic->score(cycle, tile, scores);
+    if (scores.any_set()) {
+      scored[scored_count].raw = raw[i].data() + tile.first;
+      scored[scored_count++].weight = critics[i].weight;
+    }
     if (!scores.any_refused()) continue;
     for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
       if (reasons[c] != nullptr && refused_by[c] == kLegal) refused_by[c] = static_cast<std::uint8_t>(kFirstCritic + i);
@@ -115,21 +120,13 @@ void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
 
 // Kalliokoski 2022, the cost J in section III: J = s_nv J_nv + gamma (s_v |v_h - v| + s_omega |omega_h - omega|).
 void Planner::Impl::sum_up(const Tile& tile) {
-  const std::size_t n = tile.count;
-  double* __restrict total = totals.data() + tile.first;
-  std::fill_n(total, n, 0.0);
-  // Direct control takes the legal candidate nearest to what the person wants, by the same weights.
-  if (intent.influence != Influence::direct) {
-    for (std::size_t i = 0; i < critics.size(); ++i) {
-      const double weight = critics[i].weight;
-      const double* __restrict scores = raw[i].data() + tile.first;
-      for (std::size_t c = 0; c < n; ++c) total[c] += weight * scores[c];
-    }
-    for (std::size_t c = 0; c < n; ++c) total[c] *= parameters.s_nv;
-  }
+  kernel::Deviation deviation;
   if (steered) {
-    for (std::size_t c = 0; c < n; ++c) total[c] += deviation_of(tile.sample(c));
+    deviation = {tile.v, wish.v, parameters.s_v, parameters.s_omega * std::abs(wish.omega - tile.omega)};
   }
+  // Direct control takes the legal candidate nearest to what the person wants, by the same weights.
+  const std::size_t heard = intent.influence != Influence::direct ? scored_count : 0;
+  kernel::sum_up(scored.data(), heard, parameters.s_nv, deviation, tile.count, totals.data() + tile.first);
   strike_refused(tile);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "hidwa_local_planner/core/roll_kernel.hpp"
 #include "hidwa_local_planner/core/rotation.hpp"
@@ -19,6 +20,19 @@ constexpr double kUnbounded = 1e6;
 
 std::size_t padded(std::size_t count) {
   return (count + kernel::kLaneMultiple - 1) / kernel::kLaneMultiple * kernel::kLaneMultiple;
+}
+
+// The least and the largest, where there are any; two searches side by side.
+std::pair<double, double> speeds(const std::vector<Sample>& samples, double where_none) {
+  if (samples.empty()) return {where_none, where_none};
+  double least[2] = {samples.front().u.v, samples.back().u.v}, most[2] = {least[0], least[1]};
+  for (std::size_t i = 0; i + 1 < samples.size(); i += 2) {
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      least[lane] = std::min(least[lane], samples[i + lane].u.v);
+      most[lane] = std::max(most[lane], samples[i + lane].u.v);
+    }
+  }
+  return {std::min(least[0], least[1]), std::max(most[0], most[1])};
 }
 
 }  // namespace
@@ -40,11 +54,8 @@ void Rollout::run(const Parameters& p, const VelocityLimits& limits, const Pose2
   start_cosine_ = std::cos(start.theta);
   start_sine_ = std::sin(start.theta);
   turn_.known = 0;
-  double least = samples.empty() ? reference.v : samples.front().u.v, most = least;
-  for (const Sample& sample : samples) {
-    least = std::min(least, sample.u.v);
-    most = std::max(most, sample.u.v);
-  }
+  const auto [slow, fast] = speeds(samples, reference.v);
+  const double least = slow, most = fast;
   fastest_ = std::max(-least, most);
   least_v_ = std::min(least, reference.v);
   most_v_ = std::max(most, reference.v);
@@ -85,15 +96,20 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
       longest_step_ = std::max(longest_step_, top_speed * block.dt);
     }
     Block& block = tiles_.back();
+    block.ascending = block.ascending && (block.count == 0 || v_[i - 1] <= sample.u.v);
     ++block.count;
     v_[i] = sample.u.v;
     // The rest of the grid's row goes the same way.
     const bool row = sample.kind == SampleKind::grid && !settings_.euler;
-    for (; row && block.count < kMostColumns && i + 1 < samples.size(); ++i, ++block.count) {
-      const Sample& next = samples[i + 1];
-      if (next.kind != SampleKind::grid || next.u.omega != block.omega) break;
-      v_[i + 1] = next.u.v;
+    const std::size_t most = row ? std::min(samples.size(), i + 1 + kMostColumns - block.count) : i + 1;
+    std::size_t end = i + 1;
+    while (end < most && samples[end].kind == SampleKind::grid && samples[end].u.omega == block.omega) ++end;
+    for (std::size_t next = i + 1; next < end; ++next) {
+      v_[next] = samples[next].u.v;
+      block.ascending &= samples[next - 1].u.v <= samples[next].u.v;
     }
+    block.count += end - (i + 1);
+    i = end - 1;
   }
 }
 
@@ -182,6 +198,7 @@ Tile Rollout::extent(std::size_t index) const {
   tile.count = block.count;
   tile.stride = padded(block.count);
   tile.v = v_.data() + block.first;
+  tile.ascending = block.ascending;
   return tile;
 }
 

@@ -61,7 +61,6 @@ void Sampler::make(const Parameters& p, const VelocityLimits& limits, const Samp
   window_ = dynamic_window(p, limits, request.reference, request.period);
   spread(window_.v, request.vx_samples, v_);
   spread(window_.omega, request.vth_samples, omega_);
-  samples_.clear();
   const std::size_t most = (v_.size() + 1) * (omega_.size() + 1) + 8;
   if (samples_.capacity() < most) samples_.reserve(most + most / 8);
   add_grid(p, limits);
@@ -70,6 +69,8 @@ void Sampler::make(const Parameters& p, const VelocityLimits& limits, const Samp
 
 void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
   const bool wheels = limits.wheel_speed > 0.0;
+  samples_.resize(v_.size() * omega_.size());
+  std::size_t count = 0;
   for (const double omega : omega_) {
     // What only a sample that turns on the spot may be excluded for, and what any other may.
     const bool no_turn = omega == 0.0 || in_dead_band(p, {0.0, omega});
@@ -77,9 +78,10 @@ void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
     for (const double v : v_) {
       const bool excluded = std::abs(v) < kInPlace ? no_turn && (omega != 0.0 || v == 0.0) : no_curve;
       if (excluded || (wheels && !limits.wheels_allow({v, omega}))) continue;
-      samples_.push_back({{v, omega}, SampleKind::grid});
+      samples_[count++] = {{v, omega}, SampleKind::grid};
     }
   }
+  samples_.resize(count);
   // A window narrower than the dead band would leave no turn on the spot at all: its edges are always tried.
   const double edge = p.min_in_place_vel_theta;
   if (edge <= 0.0 || window_.v.lo > 0.0 || window_.v.hi < 0.0) return;

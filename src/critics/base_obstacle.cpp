@@ -5,6 +5,8 @@
 
 #include "hidwa_local_planner/core/cell_classes.hpp"
 #include "hidwa_local_planner/core/cell_index.hpp"
+#include "hidwa_local_planner/core/end_cells.hpp"
+#include "hidwa_local_planner/core/plan_grids.hpp"
 
 namespace hidwa_local_planner {
 
@@ -28,28 +30,46 @@ void BaseObstacleCritic::prepare(const CycleView& cycle) {
 
 void BaseObstacleCritic::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   for (std::size_t first = 0; first < tile.count; first += kernel::kMostPoints) {
-    score_some(cycle, tile, first, std::min(kernel::kMostPoints, tile.count - first), scores);
+    const std::size_t count = std::min(kernel::kMostPoints, tile.count - first);
+    double sum[kernel::kMostPoints] = {};
+    if (sum_scores_) {
+      for (std::size_t k = 0; k <= tile.steps; ++k) add_costs(*cycle.grid, tile, k, first, count, sum);
+    } else {
+      add_last_costs(cycle, tile, first, count, sum);
+    }
+    const bool may_hit = refuses_ && (tile.touched_any & cell_class::kBlocked) != 0;
+    for (std::size_t c = 0; c < count; ++c) {
+      if (may_hit && !scores.refused(first + c) && hits(*cycle.grid, tile, first + c)) {
+        scores.refuse(first + c, "centre hits an obstacle or its inscribed cells");
+      } else {
+        scores.set(first + c, sum[c]);
+      }
+    }
   }
 }
 
-void BaseObstacleCritic::score_some(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
-                                    TileScores& scores) const {
-  double sum[kernel::kMostPoints] = {};
+// Of the centres' cells in one step.
+void BaseObstacleCritic::add_costs(const GridView& grid, const Tile& tile, std::size_t k, std::size_t first,
+                                   std::size_t count, double* sum) const {
   std::int32_t i[kernel::kMostPoints], j[kernel::kMostPoints];
-  const GridView& grid = *cycle.grid;
-  for (std::size_t k = sum_scores_ ? 0 : tile.steps; k <= tile.steps; ++k) {
-    const std::size_t row = k * tile.stride + first;
-    kernel::find_cells(grid, {0, 0, grid.size_x, grid.size_y}, tile.x + row, tile.y + row, 0.0, 0.0, count, i, j);
-    for (std::size_t c = 0; c < count; ++c) {
-      if (i[c] >= 0) sum[c] += static_cast<double>(grid.at({i[c], j[c]}));
-    }
+  const std::size_t row = k * tile.stride + first;
+  kernel::find_cells(grid, {0, 0, grid.size_x, grid.size_y}, tile.x + row, tile.y + row, 0.0, 0.0, count, i, j);
+  for (std::size_t c = 0; c < count; ++c) {
+    if (i[c] >= 0) sum[c] += static_cast<double>(grid.at({i[c], j[c]}));
   }
-  for (std::size_t c = first; c < first + count; ++c) {
-    if (scores.refused(c)) continue;
-    if (refuses_ && hits(grid, tile, c)) {
-      scores.refuse(c, "centre hits an obstacle or its inscribed cells");
+}
+
+// Likewise in the last step, where other critics look too.
+void BaseObstacleCritic::add_last_costs(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
+                                        double* sum) const {
+  if (tile.ends == nullptr || cycle.grids == nullptr) return add_costs(*cycle.grid, tile, tile.steps, first, count, sum);
+  const kernel::CellBox& box = cycle.grids->interest();
+  const EndCells::Cells ends = tile.ends->of(*cycle.grid, box, tile, 0.0);
+  for (std::size_t c = 0; c < count; ++c) {
+    if (ends.i[first + c] >= 0) {
+      sum[c] = static_cast<double>(cycle.grid->at({box.i + ends.i[first + c], box.j + ends.j[first + c]}));
     } else {
-      scores.set(c, sum[c - first]);
+      add_costs(*cycle.grid, tile, tile.steps, first + c, 1, sum + c);
     }
   }
 }

@@ -43,9 +43,8 @@ void MapGridCritic::score(const CycleView& cycle, const Tile& tile, TileScores& 
   } else if (distances_ != nullptr) {
     ends_.forget();
     EndCells& ends = tile.ends != nullptr ? *tile.ends : ends_;
-    const EndCells::Cells noses = ends.of(*cycle.grid, distances_->table().box, tile, forward_);
     for (std::size_t first = 0; first < tile.count; first += kernel::kMostPoints) {
-      score_some(cycle, tile, noses, first, scores);
+      score_some(cycle, tile, ends, first, scores);
     }
   }
 }
@@ -56,17 +55,35 @@ void MapGridCritic::score_bearings(const Tile& tile, TileScores& scores) const {
   }
 }
 
-void MapGridCritic::score_some(const CycleView& cycle, const Tile& tile, const EndCells::Cells& noses,
-                               std::size_t first, TileScores& scores) const {
+void MapGridCritic::score_some(const CycleView& cycle, const Tile& tile, EndCells& ends, std::size_t first,
+                               TileScores& scores) const {
+  const DistanceGrids::Table table = distances_->table();
+  const EndCells::Cells noses = ends.of(*cycle.grid, table.box, tile, forward_);
   const std::size_t count = std::min(kernel::kMostPoints, tile.count - first);
   const double metres_per_unit = distances_->metres_per_unit();
   std::int32_t units[kernel::kMostPoints];
-  distances_->table().free_units(noses.i + first, noses.j + first, count, units);
+  table.free_units(noses.i + first, noses.j + first, count, units);
   std::int32_t least = 0;
   for (std::size_t c = 0; c < count; ++c) least = std::min(least, units[c]);
+  if (least < 0 && distance_ == MapGridDistance::geodesic) ask_centres(cycle, tile, ends, first, count, units);
   for (std::size_t c = 0; c < count; ++c) scores.set(first + c, units[c] * metres_per_unit);
   for (std::size_t c = 0; least < 0 && c < count; ++c) {
     if (units[c] < 0) score_hard(cycle, tile, first + c, scores);
+  }
+}
+
+// Where the nose is on a blocked cell the centre counts, see raw_score().
+void MapGridCritic::ask_centres(const CycleView& cycle, const Tile& tile, EndCells& ends, std::size_t first,
+                                std::size_t count, std::int32_t* units) const {
+  const DistanceGrids::Table table = distances_->table();
+  std::int32_t of_centres[kernel::kMostPoints];
+  const EndCells::Cells centres = ends.of(*cycle.grid, table.box, tile, 0.0);
+  table.free_units(centres.i + first, centres.j + first, count, of_centres);
+  const EndCells::Cells noses = ends.of(*cycle.grid, table.box, tile, forward_);
+  for (std::size_t c = 0; c < count; ++c) {
+    const Cell nose{noses.i[first + c], noses.j[first + c]};
+    if (units[c] >= 0 || nose.i < 0) continue;
+    if (blocked(cycle.grid->at({table.box.i + nose.i, table.box.j + nose.j}))) units[c] = of_centres[c];
   }
 }
 

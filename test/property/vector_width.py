@@ -11,12 +11,17 @@ import sys
 
 # What the innermost loops must hold: packed operations, without the v of AVX. In the clone for AVX2 on 256 bits.
 PACKED = {
+    'bound_rows': ('subpd', 'addpd'),
     'find_cells': ('subpd', 'mulpd', 'cvttpd2dq'),         # of CellClasses
+    'find_corners': ('mulpd', 'addpd', 'cvttpd2dq'),
     'gather': ('por',),
     'keep_smaller': ('pminsw',),
+    'keep_sure': ('pcmpeqd',),
+    'keep_sure_of_one': ('paddd', 'pcmpgtd', 'pcmpeqd'),
     'kernel::find_cells': ('subpd', 'mulpd', 'cvttpd2dq'),
     'kernel::ramp_rows': ('mulpd', 'addpd'),
     'kernel::steady_rows': ('mulpd', 'addpd'),
+    'kernel::sum_up': ('mulpd', 'addpd', 'andpd'),
     'least_beyond': ('mulpd', 'addpd'),
     'take_from': ('paddw', 'pminsw'),
 }

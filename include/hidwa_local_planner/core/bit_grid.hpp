@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,10 +16,10 @@ class BitGrid {
   void set(int i, int j) { words_[word(i, j)] |= std::uint64_t{1} << (i & 63); }
   /// Sets the bits of row j in [i0, i1).
   void fill(int j, int i0, int i1);
-  /// 1 for the values that set_where() takes.
-  using Values = std::array<std::uint8_t, 256>;
-  /// Sets the bits of row j in [i0, i1) where `cells`, which begin at i0, hold one of the values.
-  void set_where(int j, int i0, int i1, const std::uint8_t* cells, const Values& values);
+  /// Sets the bits of row j in [i0, i1) where `cells`, which begin at i0, hold one value or the other.
+  void set_where(int j, int i0, int i1, const std::uint8_t* cells, std::uint8_t one, std::uint8_t other);
+  /// 64 bits as 64 bytes of 0 or 1, the lowest first.
+  static void unpack(std::uint64_t bits, std::uint8_t* flags);
   bool test(int i, int j) const { return (words_[word(i, j)] >> (i & 63)) & 1U; }
   /// The same size and the same bits.
   bool operator==(const BitGrid& other) const {

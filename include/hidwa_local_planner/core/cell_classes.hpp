@@ -25,18 +25,15 @@ class CellClasses {
   /// Once a cycle, after the checker; `reach` [m] as there.
   void prepare(const CollisionChecker& checker, const GridView& grid, bool unknown_is_obstacle, const Pose2& centre,
                double reach);
-  /// Sets `classes` and `touched` of a tile. Valid until the next call.
+  /// Sets `classes`, `touched` and `touched_any` of a tile. Valid until the next call.
   void classify(Tile& tile);
 
  private:
-  // Where the poses of one row of a tile lie, at most [m].
-  struct Box {
-    double lo_x, lo_y, hi_x, hi_y;
-  };
   void fill_row(const CollisionChecker& checker, const GridView& grid, int row);
+  void block_by_cost(const std::uint8_t* costs, int count, std::uint8_t* classes) const;
   void count_marked();
-  bool unmarked(const Box& box) const;
-  void find_open_rows(const Tile& tile);
+  bool unmarked(const std::int32_t* cells) const;
+  bool find_open_rows(const Tile& tile);
   void classify_rows(const Tile& tile, std::size_t first, std::size_t end);
 
   Cell first_;               // of the table, map cells
@@ -44,13 +41,15 @@ class CellClasses {
   double cells_per_metre_ = 20.0;
   int width_ = 0, shift_ = 0;          // the table's rows are 2^shift cells long
   std::uint32_t wrap_ = 0;             // index mask
-  std::uint8_t blocked_by_cost_[256] = {};
+  bool unknown_blocks_ = true;
   std::vector<std::uint8_t> table_;
   std::vector<std::uint32_t> marked_;  // [(width + 1)^2] cells of any class below and to the left of a corner
   std::vector<std::uint8_t> classes_;  // of the tile's poses
   std::vector<std::uint8_t> touched_;  // of the tile's candidates
+  std::vector<std::uint8_t> none_;     // zeros, for a tile that comes near nothing
   std::vector<std::int32_t> index_;    // of the tile's poses
-  std::vector<Box> boxes_;             // of the tile's rows
+  std::vector<double> boxes_;          // four a row of the tile, then of the tile [m]
+  std::vector<std::int32_t> corners_;  // their cells
   std::vector<std::uint8_t> open_;     // of the tile's rows: no cell within reach of it has a class
 };
 

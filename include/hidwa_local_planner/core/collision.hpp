@@ -71,7 +71,7 @@ class CollisionChecker {
   std::uint64_t hit_bits(Cell cell) const { return hit_.bits(cell.j - first_.j, cell.i - first_.i); }
 
  private:
-  void mark(const BitGrid::Values& values, bool edge, BitGrid& marked) const;
+  void mark(std::uint8_t one, std::uint8_t other, bool edge, BitGrid& marked) const;
   // All that the marks are made by, besides the cells.
   struct Shape {
     int radius = 0;  // of the window [cells]

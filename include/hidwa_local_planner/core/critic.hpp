@@ -37,7 +37,10 @@ class TileScores {
   std::size_t count() const { return count_; }
   /// A candidate that somebody refused already needs no score.
   bool refused(std::size_t c) const { return reason_[c] != nullptr; }
-  void set(std::size_t c, double raw_score) { raw_[c] = raw_score; }
+  void set(std::size_t c, double raw_score) {
+    raw_[c] = raw_score;
+    any_set_ = true;
+  }
   /// Refuses a candidate; `reason` must outlive the cycle (a string literal).
   void refuse(std::size_t c, const char* reason) {
     reason_[c] = reason;
@@ -45,12 +48,15 @@ class TileScores {
   }
   /// True once somebody was refused through this object.
   bool any_refused() const { return any_refused_; }
+  /// True once a score was set through this object.
+  bool any_set() const { return any_set_; }
 
  private:
   double* raw_;          // [count], zero at the start
   const char** reason_;  // [count], nullptr while legal
   std::size_t count_;
   bool any_refused_ = false;
+  bool any_set_ = false;
 };
 
 /// Where a critic of another package finds its own parameters: `<planner>/<critic>/<key>`.

@@ -25,6 +25,9 @@ class PlanGrids {
   /// The points that will be asked about lie within `reach` [m] of `centre`, mostly: saves looking farther.
   void expect(const Pose2& centre, double reach);
 
+  /// The cells of those points.
+  const kernel::CellBox& interest() const { return distances_.interest(); }
+
   /// False when no pose of the plan lies on the map: the grids then cannot be made.
   bool on_map() const { return !path_cells_.empty(); }
 

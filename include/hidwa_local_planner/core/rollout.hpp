@@ -40,6 +40,7 @@ class Rollout {
     double omega = 0.0, dt = 0.0;
     std::size_t steps = 0, first = 0, count = 0;
     std::size_t turn = 0;  // blocks of the same turn share their headings
+    bool ascending = true;  // in speed
     bool ramped = true;    // velocities ramp from the reference; else they are the sample's from the start
   };
   // One turn's headings and bounds of speed, at each step.

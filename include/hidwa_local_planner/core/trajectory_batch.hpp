@@ -30,6 +30,8 @@ struct Tile {
   const double* omega_at = nullptr;     // [steps + 1] rotational velocity reached [rad/s]
   const std::uint8_t* classes = nullptr;  // [(steps + 1) * stride] of the centre's cells, see CellClasses; may be null
   const std::uint8_t* touched = nullptr;  // [count] classes of all poses of a candidate, or-ed; null with `classes`
+  std::uint8_t touched_any = 0xFF;        // `touched` of all candidates, or-ed; every class where nobody has looked
+  bool ascending = false;                 // no candidate is slower than the one before it
   EndCells* ends = nullptr;               // of this tile, shared by its critics; may be null
 
   double x_at(std::size_t k, std::size_t c) const { return x[k * stride + c]; }
