@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables of cells that are made and read many at a time, against one cell or one pose at a time.
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/bit_grid.hpp"
+#include "hidwa_local_planner/core/cell_classes.hpp"
+#include "hidwa_local_planner/core/collision.hpp"
+#include "hidwa_local_planner/core/end_cells.hpp"
+#include "hidwa_local_planner/core/rollout.hpp"
+#include "hidwa_local_planner/core/samples.hpp"
+#include "support/naive_planner.hpp"
+#include "support/random.hpp"
+#include "support/random_scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::Random;
+using test::Scene;
+
+TEST(BitGrid, MarksTheCellsThatHoldOneOfTwoValues) {
+  Random random(1);
+  for (int round = 0; round < 200; ++round) {
+    const int width = random.integer(1, 200), begin = random.integer(0, width - 1), end = random.integer(begin, width);
+    std::vector<std::uint8_t> cells(static_cast<std::size_t>(width));
+    for (std::uint8_t& cell : cells) cell = static_cast<std::uint8_t>(random.integer(250, 255));
+    BitGrid grid;
+    grid.reset(width, 2);
+    grid.set_where(1, begin, end, cells.data() + begin, 254, 252);
+    for (int i = 0; i < width; ++i) {
+      const std::uint8_t cell = cells[static_cast<std::size_t>(i)];
+      EXPECT_EQ(grid.test(i, 1), i >= begin && i < end && (cell == 254 || cell == 252)) << i << " of " << width;
+      EXPECT_FALSE(grid.test(i, 0));
+    }
+  }
+}
+
+TEST(BitGrid, BitsBecomeBytes) {
+  Random random(2);
+  for (int round = 0; round < 200; ++round) {
+    std::uint64_t bits = 0;
+    for (int b = 0; b < 64; ++b) bits |= std::uint64_t{random.chance(0.5) ? 1U : 0U} << b;
+    std::uint8_t flags[64];
+    BitGrid::unpack(bits, flags);
+    for (int b = 0; b < 64; ++b) ASSERT_EQ(flags[b], (bits >> b) & 1U) << "bit " << b;
+  }
+}
+
+// The candidates of a random scene, and what the tables are made of.
+struct Cycle {
+  explicit Cycle(const Scene& scene)
+      : limits(VelocityLimits::from(scene.parameters)),
+        footprint(Footprint::from_outline(scene.outline, scene.parameters.footprint_padding)),
+        grid(scene.grid()) {
+    const Situation& s = scene.situation;
+    SampleRequest request;
+    request.reference = request.previous = s.last_command;
+    request.period = s.period;
+    request.vx_samples = scene.parameters.vx_samples;
+    request.vth_samples = scene.parameters.vth_samples;
+    sampler.make(scene.parameters, limits, request);
+    rollout.run(scene.parameters, limits, s.pose, s.last_command, sampler.samples());
+    reach = std::max(std::abs(s.last_command.v), rollout.fastest()) * scene.parameters.sim_time;
+  }
+  VelocityLimits limits;
+  Footprint footprint;
+  GridView grid;
+  Sampler sampler;
+  Rollout rollout;
+  double reach = 0.0;  // [m]
+};
+
+std::uint8_t cost_class(const Scene& scene, const GridView& grid, double x, double y) {
+  const Cell cell = grid.cell_at(x, y);
+  const std::uint8_t value = grid.contains(cell) ? grid.at(cell) : cost::kLethal;
+  const bool blocked = value == cost::kLethal || value == cost::kInscribed ||
+                       (value == cost::kUnknown && scene.parameters.unknown_is_obstacle);
+  return blocked ? cell_class::kBlocked : 0;
+}
+
+TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
+  int open = 0, near = 0, hit = 0, blocked = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene = test::random_scene(seed);
+    Cycle cycle(scene);
+    const Pose2& start = scene.situation.pose;
+    const bool unknown = scene.parameters.unknown_is_obstacle;
+    CollisionChecker checker;
+    checker.prepare(cycle.grid, cycle.footprint, unknown, start, cycle.reach, 0.5 * cycle.rollout.longest_step());
+    CellClasses classes;
+    classes.prepare(checker, cycle.grid, unknown, start, cycle.reach);
+    for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
+      Tile tile = cycle.rollout.tile(t);
+      classes.classify(tile);
+      std::uint8_t any = 0;
+      for (std::size_t c = 0; c < tile.count; ++c) {
+        std::uint8_t touched = 0;
+        for (std::size_t k = 0; k <= tile.steps; ++k) {
+          const std::uint8_t found = tile.classes[k * tile.stride + c];
+          const Pose2 pose = tile.pose(k, c);
+          const std::uint8_t by_cost = cost_class(scene, cycle.grid, pose.x, pose.y);
+          ASSERT_EQ(found & cell_class::kBlocked, by_cost);
+          ASSERT_EQ((found & cell_class::kNear) == 0, checker.clear(pose.x, pose.y));
+          if ((found & cell_class::kHit) != 0) {
+            ASSERT_TRUE(checker.collides(pose));
+          }
+          touched = static_cast<std::uint8_t>(touched | (k == 0 ? found & ~cell_class::kHit : found));
+          near += (found & cell_class::kNear) != 0;
+          hit += (found & cell_class::kHit) != 0;
+          blocked += by_cost != 0;
+        }
+        ASSERT_EQ(tile.touched[c], touched) << "tile " << t << ", candidate " << c;
+        any = static_cast<std::uint8_t>(any | touched);
+      }
+      ASSERT_EQ(tile.touched_any, any);
+      open += any == 0;
+    }
+  }
+  std::printf("%d tiles near nothing; poses: %d near, %d hits, %d blocked\n", open, near, hit, blocked);
+  for (const int often : {open, near, hit, blocked}) EXPECT_GT(often, 100);
+}
+
+TEST(EndCells, AreThoseOfThePointsAhead) {
+  Random random(3);
+  int outside = 0, inside = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Scene scene = test::random_scene(seed);
+    Cycle cycle(scene);
+    EndCells ends;
+    const kernel::CellBox box{random.integer(-3, 10), random.integer(-3, 10), random.integer(5, 60), random.integer(5, 60)};
+    for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
+      const Tile tile = cycle.rollout.tile(t);
+      ends.forget();
+      // More distances than are kept, each asked for twice.
+      for (const double forward : {0.0, 0.325, 0.0, 0.1, 0.2, 0.3, 0.4, 0.325, 0.0}) {
+        const EndCells::Cells cells = ends.of(cycle.grid, box, tile, forward);
+        for (std::size_t c = 0; c < tile.count; ++c) {
+          const Pose2 last = tile.last_pose(c);
+          const Cell cell = cycle.grid.cell_at(last.x + forward * tile.cos_heading[tile.steps],
+                                               last.y + forward * tile.sin_heading[tile.steps]);
+          const int i = cell.i - box.i, j = cell.j - box.j;
+          const bool in_box = i >= 0 && i < box.width && j >= 0 && j < box.height;
+          ASSERT_EQ(cells.i[c] >= 0, in_box);
+          ++(in_box ? inside : outside);
+          if (!in_box) continue;
+          ASSERT_EQ(cells.i[c], i);
+          ASSERT_EQ(cells.j[c], j);
+        }
+      }
+    }
+  }
+  EXPECT_GT(inside, 1000);
+  EXPECT_GT(outside, 1000);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
