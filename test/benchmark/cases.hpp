@@ -6,7 +6,8 @@
 namespace hidwa_local_planner::test {
 
 /// cycle/<candidates>/<cells a side>/<body>/<ground>: Planner::plan, another situation every time.
-/// cycle_cached/...: the same situation again and again.
+/// cycle_cached/...: the same situation again and again. cycle_watched/...: as cycle, and all candidates are checked, as
+/// when somebody subscribes to what became of them.
 void register_cycles(const Effort& effort);
 
 /// naive_cycle/...: the same situations by naive_cycle().

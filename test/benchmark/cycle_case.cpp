@@ -43,6 +43,7 @@ CycleCase::Size CycleCase::measure() {
 }
 
 double CycleCase::legal_part() {
+  watch();
   double legal = 0.0, candidates = 0.0;
   for (std::size_t k = 0; k < size(); ++k) {
     const Decision& decision = plan(k);

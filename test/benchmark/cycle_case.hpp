@@ -32,8 +32,10 @@ class CycleCase {
   const Scene& scene(std::size_t k) const { return scenes_[k % scenes_.size()]; }
   const Decision& plan(std::size_t k) {
     const Scene& s = scene(k);
-    return planner_.plan(s.situation, s.grid(), s.intent);
+    return planner_.plan(s.situation, s.grid(), s.intent, sampling_);
   }
+  /// From now on all candidates are checked.
+  void watch() { sampling_.check_all = true; }
 
   struct Size {
     std::size_t candidates = 0;
@@ -47,6 +49,7 @@ class CycleCase {
  private:
   std::vector<Scene> scenes_;
   Planner planner_;
+  Sampling sampling_;
 };
 
 }  // namespace hidwa_local_planner::test

@@ -27,6 +27,11 @@ void run_cycle(benchmark::State& state, const Effort& effort, CycleCase& cycles)
   state.counters["legal"] = cycles.legal_part();
 }
 
+void run_watched_cycle(benchmark::State& state, const Effort& effort, CycleCase& cycles) {
+  cycles.watch();
+  run_cycle(state, effort, cycles);
+}
+
 void run_cached_cycle(benchmark::State& state, const Effort& effort, CycleCase& cycles) {
   CycleTimes times;
   times.measure(state, effort, cycles.size(),
@@ -99,6 +104,7 @@ void register_cycles(const Effort& effort) {
   add_long_rollouts("cycle", run_cycle, effort);
   for (const char* load_name : {"2000", "100000"})
     add_all("cycle_cached", run_cached_cycle, effort, load_name);
+  for (const char* load_name : {"819", "2000"}) add_all("cycle_watched", run_watched_cycle, effort, load_name);
 }
 
 void register_naive_cycles(const Effort& effort) {

@@ -152,7 +152,8 @@ def parse(arguments):
         description='Installs what is missing, builds hidwa_benchmark and shows how long a cycle takes, beside a\n'
         'straightforward cycle that chooses the same (naive_cycle), and which bounds are met.',
         epilog='cases: cycle/CANDIDATES/CELLS/circle|polygon/open|tight, cycle_cached/... (one situation again and again),\n'
-        'naive_cycle/..., part/sampling|rollout|obstacles|classes|admissibility|geodesic|l1/... (parts of those cycles; classes\n'
+        'cycle_watched/... (collisions of all candidates, as for subscribers), naive_cycle/...,\n'
+        ' part/sampling|rollout|obstacles|classes|admissibility|geodesic|l1/... (parts of those cycles; classes\n'
         'and admissibility include the rollout), calibration/pose/CANDIDATES (the least a pose can cost), and whole drives in\n'
         'simulated time: drive/office/alone|steered. samples/VxOMEGA: what so many samples buy.\n'
         'p50 and p99 are of single cycles by the wall clock; "cpu" are the same by the thread\'s own time, which others on\n'

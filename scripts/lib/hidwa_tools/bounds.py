@@ -63,7 +63,7 @@ def judge_kernel(cases):
 def judge_allocations(cases):
     """A cycle allocates nothing."""
     measured = {name: case['allocations'] for name, case in cases.items()
-                if name.startswith(('cycle/', 'cycle_cached/')) and 'allocations' in case}
+                if name.startswith(('cycle/', 'cycle_cached/', 'cycle_watched/')) and 'allocations' in case}
     if not measured:
         return []
     worst = max(measured, key=measured.get)
