@@ -86,6 +86,11 @@ class Counting(unittest.TestCase):
     def test_the_line_it_closes_with(self):
         self.assertEqual(str(Counts(12, 1, 3)), '12 passed, 1 failed, 3 skipped')
 
+    def test_that_line_is_read(self):
+        self.assertEqual(Counts.read('99 passed, 0 failed, 0 skipped\nand on\n12 passed, 1 failed, 3 skipped\n'), Counts(12, 1, 3))
+        self.assertIsNone(Counts.read('12 passed, 1 failed, 3 skipped\nTraceback'))
+        self.assertIsNone(Counts.read(''))
+
 
 if __name__ == '__main__':
     unittest.main()

@@ -24,6 +24,12 @@ class Counts:
     def __str__(self):
         return f'{self.passed} passed, {self.failed} failed, {self.skipped} skipped'
 
+    @staticmethod
+    def read(output):
+        """Those that an output ends with, as str() writes them; None where it does not."""
+        end = re.search(r'^(\d+) passed, (\d+) failed, (\d+) skipped\n*\Z', output, re.MULTILINE)
+        return Counts(*map(int, end.groups())) if end else None
+
 
 def count_xml(path):
     """Counts of one result file of gtest, rosunit or rostest; None where there is none or it is broken."""

@@ -18,6 +18,7 @@ import time
 from .counting import Counts, count_ctest, count_unittest
 from .measure import LONGEST_GAP
 from .processes import end_on_signals
+from .side_by_side import side_by_side
 
 ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
 SPACE = os.environ.get('HIDWA_SPACE', ROOT)
@@ -209,19 +210,19 @@ def demo(name, rate, *arguments):
         raise Failed(f'scripts/demo wrote no report (exit status {status})\n{tail(output)}') from fault
 
 
-def hidwa_replay(*arguments):
+def hidwa_replay(*arguments, log):
     """(exit status, output) of hidwa_replay."""
     program = os.path.join(SPACE, 'install', 'lib', 'hidwa_local_planner', 'hidwa_replay')
     script = '. "$0"/scripts/env && exec "$@"'
-    return run(['bash', '-c', script, ROOT, program, *arguments], 'replay', check=False)
+    return run(['bash', '-c', script, ROOT, program, *arguments], log, check=False)
 
 
 Replayed = collections.namedtuple('Replayed', 'status cycles differences bytes output')
 
 
-def replayed(bag, *arguments):
+def replayed(bag, *arguments, log='replay'):
     """What became of the cycles of a bag."""
-    status, output = hidwa_replay(bag, *arguments)
+    status, output = hidwa_replay(bag, *arguments, log=log)
     last = re.search(r'^(\d+) cycles, (\d+) differences$', output, re.MULTILINE)
     size = re.search(r'^(\d+) bytes of records', output, re.MULTILINE)
     return Replayed(status, int(last[1]) if last else 0, int(last[2]) if last else -1, int(size[1]) if size else math.inf,
@@ -239,7 +240,7 @@ def drive(name, *arguments, expect):
         print(f"    rate {rate:g}: {report['longest_gap_s']:.2f} s of simulated time between two commands; again, slower")
         rate = max(1.0, 0.5 * rate)
         status, report, output = demo(name, rate, *arguments)
-    replay = replayed(os.path.join(WORK, name, 'drive.bag'))
+    replay = replayed(os.path.join(WORK, name, 'drive.bag'), log=f'{name}_replay')
     expectations = {
         'arrives without contact (exit status 0)': status == 0,
         'every recorded cycle is repeated to the bit': replay.status == 0 and replay.differences == 0,
@@ -378,9 +379,13 @@ def replay():
 
 
 # In this order; those after `build` need what it built.
-SUITES = (plain, build, package, compat, ros, contract, python, robot, lint, study, drive_avoid, replay, drive_gesture,
-          drive_switching, drive_none, drive_real_map, drive_steer_left, drive_steer_right)
+SUITES = (plain, build, package, compat, ros, python, robot, lint, study, contract, drive_avoid, drive_gesture,
+          drive_switching, drive_none, drive_real_map, drive_steer_left, drive_steer_right, replay)
 ALONE = (plain, build, lint)
+# They wait for simulated time rather than work: two at once.
+PACED = (contract, drive_avoid, drive_gesture, drive_switching, drive_none, drive_real_map, drive_steer_left,
+         drive_steer_right)
+AT_ONCE = 2
 
 
 def cpu_seconds():
@@ -408,6 +413,22 @@ def run_suite(suite, built):
     return counts
 
 
+def run_paced(suites):
+    """Counts of suites that run side by side, each in a process of its own."""
+    total = Counts()
+    jobs = [(suite.__name__, [sys.executable, '-m', __spec__.name, suite.__name__]) for suite in suites]
+    for name, output in side_by_side(jobs, AT_ONCE, WORK):
+        counts = Counts.read(output)
+        if counts is None:
+            print(f'==> {name}\n{tail(output)}\n    {name}: did not run to its end')
+            counts = Counts(failed=1)
+        else:
+            print('\n'.join(output.splitlines()[:-2]))  # without its own sums
+        total += counts
+        sys.stdout.flush()
+    return total
+
+
 def main(arguments=None):
     """scripts/test"""
     names = [suite.__name__ for suite in SUITES]
@@ -424,11 +445,16 @@ def main(arguments=None):
             parser.error(f"there is no suite '{name}'; there are {', '.join(names)}")
     end_on_signals()
     total, built, begin = Counts(), True, time.monotonic()
-    for suite in SUITES:
-        if not options.suites or suite.__name__ in options.suites:
-            counts = run_suite(suite, built)
-            built = built and not (suite is build and counts.failed)
-            total += counts
+    wanted = [suite for suite in SUITES if not options.suites or suite.__name__ in options.suites]
+    paced = [suite for suite in wanted if suite in PACED]
+    for suite in wanted:
+        if suite in PACED and built and len(paced) > 1:
+            if suite is paced[0]:
+                total += run_paced(paced)
+            continue
+        counts = run_suite(suite, built)
+        built = built and not (suite is build and counts.failed)
+        total += counts
     print(f'==> {time.monotonic() - begin:.0f} s in all; logs in {WORK}')
     print(total, flush=True)
     return 1 if total.failed or not total.passed else 0
