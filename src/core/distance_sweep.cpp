@@ -28,6 +28,22 @@ inline void store(const Lanes& lanes, std::int16_t* to) {
   std::memcpy(to, &bits, sizeof(bits));
 }
 
+// Whether any of eight costs is 253 or more, inscribed, lethal or unknown: its highest bit is set, and adding 3 to the
+// others carries into it.
+inline bool may_block(const std::uint8_t* costs) {
+  static_assert(cost::kInscribed == 253 && cost::kLethal == 254);
+  std::uint64_t eight;
+  std::memcpy(&eight, costs, sizeof(eight));
+  return (((eight & 0x7F7F7F7F7F7F7F7FU) + 0x0303030303030303U) & eight & 0x8080808080808080U) != 0;
+}
+
+inline void block_some(const std::uint8_t* costs, int count, std::int16_t* mask) {
+  for (int i = 0; i < count; ++i) {
+    if (costs[i] != cost::kLethal && costs[i] != cost::kInscribed) continue;
+    std::fill_n(mask + kLanes * static_cast<std::size_t>(i), kLanes, DistanceSweep::kFar);
+  }
+}
+
 inline std::int16_t smaller(std::int16_t a, std::int16_t b) { return a < b ? a : b; }
 
 // What the cells of a row become when each may take from the three next to it in row `from`. True when any changed.
@@ -104,12 +120,12 @@ void DistanceSweep::reset(int width, int height, const Steps& steps) {
 
 void DistanceSweep::block_lethal_and_inscribed(int row, const std::uint8_t* costs) {
   std::int16_t* mask = mask_.data() + at({0, row});
-  const std::uint8_t* const end = costs + width_;
-  // Long stretches of a map are alike: the mask is 0 already.
-  for (const std::uint8_t* cell = costs; cell != end; ++cell) {
-    if (*cell != cost::kLethal && *cell != cost::kInscribed) continue;
-    std::fill_n(mask + kLanes * static_cast<std::size_t>(cell - costs), kLanes, kFar);
+  int i = 0;
+  // The mask is 0 already, and most cells are free.
+  for (; i + 8 <= width_; i += 8) {
+    if (may_block(costs + i)) block_some(costs + i, 8, mask + kLanes * static_cast<std::size_t>(i));
   }
+  block_some(costs + i, width_ - i, mask + kLanes * static_cast<std::size_t>(i));
 }
 
 void DistanceSweep::seed(int lane, Cell cell) {
