@@ -45,8 +45,8 @@ CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid,
     if (named.weight != 0.0) named.critic->prepare(cycle);
   }
   list_checks();
-  // Out of a collision, or of where it is stuck, the way is chosen among all legal candidates.
-  const bool check = sampling.check_all || admissibility.escaping() || way_out.active();
+  // Out of where it is stuck, the way is chosen among all legal candidates.
+  const bool check = sampling.check_all || way_out.active();
   for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, t, check);
   return cycle;
 }

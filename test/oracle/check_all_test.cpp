@@ -100,6 +100,9 @@ TEST(CheckAll, DecidesTheSame) {
     // Equal totals all over: the tie rule decides.
     if (random.chance(0.1)) scene.parameters.critics = "Oscillation";
     if (random.chance(0.1)) scene.intent.influence = Influence::direct;
+    if (random.chance(0.2)) scene.situation.velocity = scene.situation.last_command = {};  // it fails, if at all
+    // Critics refuse many that hit something too: whose refusal is told?
+    if (random.chance(0.3)) scene.situation.goal_latched = true;
     compare(scene, random, tally);
   }
   std::printf("%d cycles: %d chosen, %d nothing legal, %d with fewer looks, %d with the person's own refused\n",
