@@ -86,7 +86,7 @@ std::vector<std::string> Planner::configure(const Parameters& parameters, const 
   }
   impl_->critics = std::move(critics);
   impl_->raw.resize(impl_->critics.size());
-  impl_->make_room();
+  impl_->make_room_for_words();
   impl_->parameters = parameters;
   impl_->limits = VelocityLimits::from(parameters);
   set_footprint(impl_->outline);
@@ -157,7 +157,7 @@ void Planner::Impl::begin(const Situation& situation) {
 }
 
 // For what a cycle may come to say, so that the first one that says it needs none.
-void Planner::Impl::make_room() {
+void Planner::Impl::make_room_for_words() {
   scored.resize(critics.size());
   decision.terms.reserve(critics.size() + 1);
   decision.refusals.reserve(critics.size() + kFirstCritic);

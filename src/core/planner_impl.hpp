@@ -40,8 +40,12 @@ inline bool at_rest(const Twist2& u) { return std::abs(u.v) < kAtRest && std::ab
 
 // Makes room with some to spare: the number of candidates changes by a few from cycle to cycle.
 template <typename T>
-void fit(std::vector<T>& values, std::size_t count) {
+void make_room(std::vector<T>& values, std::size_t count) {
   if (values.capacity() < count) values.reserve(count + count / 8 + 16);
+}
+template <typename T>
+void fit(std::vector<T>& values, std::size_t count) {
+  make_room(values, count);
   values.resize(count);
 }
 
@@ -104,7 +108,7 @@ struct Planner::Impl {
 
   const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
-  void make_room();
+  void make_room_for_words();
   void give_up(const Situation& situation, Problem kind, const char* problem);
   Twist2 bounded_reference(const Situation& situation);
   void make_candidates(const Situation& situation, const Sampling& sampling);

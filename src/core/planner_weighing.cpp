@@ -67,8 +67,8 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
   fit(totals, n);  // what they hold is set tile by tile
   fit(refused_by, n);
   fit(reasons, n);
-  fit(queue, n);
-  fit(equals, n);
+  make_room(queue, n);
+  make_room(equals, n);
   for (std::vector<double>& scores : raw) fit(scores, n);
 }
 
