@@ -50,9 +50,8 @@ std::int32_t DistanceGrids::units(int set, Cell cell) {
   const Table& known = table(set);
   const Cell asked{cell.i - known.box.i, cell.j - known.box.j};
   const bool inside = asked.i >= 0 && asked.i < known.box.width && asked.j >= 0 && asked.j < known.box.height;
-  std::int32_t units = kUnreached;
-  if (inside) known.free_units(&asked.i, &asked.j, 1, &units);
-  if (units >= 0) return units;
+  double units = kUnreached;
+  if (inside && known.free_distances(&asked.i, &asked.j, 1, 1.0, &units)) return static_cast<std::int32_t>(units);
   if (!whole()) sweep_region({0, 0, grid_.size_x, grid_.size_y});
   if (!blocked_settled_ && sweep_.blocked(cell)) settle_blocked();
   const std::int16_t value = sweep_.units(set, cell);

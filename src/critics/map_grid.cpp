@@ -60,30 +60,27 @@ void MapGridCritic::score_some(const CycleView& cycle, const Tile& tile, EndCell
   const DistanceGrids::Table table = distances_->table();
   const EndCells::Cells noses = ends.of(*cycle.grid, table.box, tile, forward_);
   const std::size_t count = std::min(kernel::kMostPoints, tile.count - first);
-  const double metres_per_unit = distances_->metres_per_unit();
-  std::int32_t units[kernel::kMostPoints];
-  table.free_units(noses.i + first, noses.j + first, count, units);
-  std::int32_t least = 0;
-  for (std::size_t c = 0; c < count; ++c) least = std::min(least, units[c]);
-  if (least < 0 && distance_ == MapGridDistance::geodesic) ask_centres(cycle, tile, ends, first, count, units);
-  for (std::size_t c = 0; c < count; ++c) scores.set(first + c, units[c] * metres_per_unit);
-  for (std::size_t c = 0; least < 0 && c < count; ++c) {
-    if (units[c] < 0) score_hard(cycle, tile, first + c, scores);
+  double* raw = scores.set_all() + first;
+  const double metres = distances_->metres_per_unit();
+  if (table.free_distances(noses.i + first, noses.j + first, count, metres, raw)) return;
+  if (distance_ == MapGridDistance::geodesic) ask_centres(cycle, tile, ends, first, count, raw);
+  for (std::size_t c = 0; c < count; ++c) {
+    if (raw[c] < 0.0) score_hard(cycle, tile, first + c, scores);
   }
 }
 
 // Where the nose is on a blocked cell the centre counts, see raw_score().
 void MapGridCritic::ask_centres(const CycleView& cycle, const Tile& tile, EndCells& ends, std::size_t first,
-                                std::size_t count, std::int32_t* units) const {
+                                std::size_t count, double* raw) const {
   const DistanceGrids::Table table = distances_->table();
-  std::int32_t of_centres[kernel::kMostPoints];
+  double of_centres[kernel::kMostPoints];
   const EndCells::Cells centres = ends.of(*cycle.grid, table.box, tile, 0.0);
-  table.free_units(centres.i + first, centres.j + first, count, of_centres);
+  table.free_distances(centres.i + first, centres.j + first, count, distances_->metres_per_unit(), of_centres);
   const EndCells::Cells noses = ends.of(*cycle.grid, table.box, tile, forward_);
   for (std::size_t c = 0; c < count; ++c) {
     const Cell nose{noses.i[first + c], noses.j[first + c]};
-    if (units[c] >= 0 || nose.i < 0) continue;
-    if (blocked(cycle.grid->at({table.box.i + nose.i, table.box.j + nose.j}))) units[c] = of_centres[c];
+    if (raw[c] >= 0.0 || nose.i < 0) continue;
+    if (blocked(cycle.grid->at({table.box.i + nose.i, table.box.j + nose.j}))) raw[c] = of_centres[c];
   }
 }
 

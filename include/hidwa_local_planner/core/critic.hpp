@@ -41,6 +41,11 @@ class TileScores {
     raw_[c] = raw_score;
     any_set_ = true;
   }
+  /// All raw scores [count], for loops that set every one, whoever is refused.
+  double* set_all() {
+    any_set_ = true;
+    return raw_;
+  }
   /// Refuses a candidate; `reason` must outlive the cycle (a string literal).
   void refuse(std::size_t c, const char* reason) {
     reason_[c] = reason;

@@ -56,9 +56,11 @@ class DistanceGrids {
     bool single = false;                  // one source only
     Cell source;                          // it, counted from the box's lowest cell
 
-    /// Of cells counted from the box's lowest one, whose i is negative outside it: in units; negative for those, and for
-    /// cells that are blocked, not reached, or whose distance takes a closer look: units(). At most kMostPoints.
-    void free_units(const std::int32_t* i, const std::int32_t* j, std::size_t count, std::int32_t* found) const;
+    /// Of cells counted from the box's lowest one, whose i is negative outside it, times `factor`. Negative for those, and
+    /// for cells that are blocked, not reached, or whose distance takes a closer look: units(). At most kMostPoints. True
+    /// when none is negative.
+    bool free_distances(const std::int32_t* i, const std::int32_t* j, std::size_t count, double factor,
+                        double* found) const;
   };
   Table table(int set) {
     if (!settled_) settle();

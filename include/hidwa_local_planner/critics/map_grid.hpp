@@ -27,7 +27,7 @@ class MapGridCritic : public Critic {
   void score_bearings(const Tile& tile, TileScores& scores) const;
   void score_some(const CycleView& cycle, const Tile& tile, EndCells& ends, std::size_t first, TileScores& scores) const;
   void ask_centres(const CycleView& cycle, const Tile& tile, EndCells& ends, std::size_t first, std::size_t count,
-                   std::int32_t* units) const;
+                   double* raw) const;
   void score_hard(const CycleView& cycle, const Tile& tile, std::size_t c, TileScores& scores) const;
   double raw_score(const GridView& grid, const Pose2& last, double nose_x, double nose_y, const char** reason) const;
 
