@@ -103,13 +103,14 @@ void Planner::Impl::score_tile(const CycleView& cycle, std::size_t t, bool check
 void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
   scored_count = 0;
   for (std::size_t i = 0; i < critics.size(); ++i) {
-    std::fill_n(raw[i].begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, 0.0);
-    if (critics[i].weight == 0.0) continue;
-    TileScores scores(raw[i].data() + tile.first, reasons.data() + tile.first, tile.count);
-    critics[i].critic->score(cycle, tile, scores);
+    double* own = raw[i].data() + tile.first;
+    TileScores scores(own, reasons.data() + tile.first, tile.count);
+    if (critics[i].weight != 0.0) critics[i].critic->score(cycle, tile, scores);
     if (scores.any_set()) {
-      scored[scored_count].raw = raw[i].data() + tile.first;
+      scored[scored_count].raw = own;
       scored[scored_count++].weight = critics[i].weight;
+    } else {
+      std::fill_n(own, tile.count, 0.0);
     }
     if (!scores.any_refused()) continue;
     for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {

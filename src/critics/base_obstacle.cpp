@@ -29,22 +29,16 @@ void BaseObstacleCritic::prepare(const CycleView& cycle) {
 }
 
 void BaseObstacleCritic::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
+  double* raw = scores.set_all();
+  std::fill_n(raw, tile.count, 0.0);
   for (std::size_t first = 0; first < tile.count; first += kernel::kMostPoints) {
     const std::size_t count = std::min(kernel::kMostPoints, tile.count - first);
-    double sum[kernel::kMostPoints] = {};
-    if (sum_scores_) {
-      for (std::size_t k = 0; k <= tile.steps; ++k) add_costs(*cycle.grid, tile, k, first, count, sum);
-    } else {
-      add_last_costs(cycle, tile, first, count, sum);
-    }
-    const bool may_hit = refuses_ && (tile.touched_any & cell_class::kBlocked) != 0;
-    for (std::size_t c = 0; c < count; ++c) {
-      if (may_hit && !scores.refused(first + c) && hits(*cycle.grid, tile, first + c)) {
-        scores.refuse(first + c, "centre hits an obstacle or its inscribed cells");
-      } else {
-        scores.set(first + c, sum[c]);
-      }
-    }
+    for (std::size_t k = 0; sum_scores_ && k <= tile.steps; ++k) add_costs(*cycle.grid, tile, k, first, count, raw + first);
+    if (!sum_scores_) add_last_costs(cycle, tile, first, count, raw + first);
+  }
+  if (!refuses_ || (tile.touched_any & cell_class::kBlocked) == 0) return;
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    if (!scores.refused(c) && hits(*cycle.grid, tile, c)) scores.refuse(c, "centre hits an obstacle or its inscribed cells");
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -38,8 +40,8 @@ class TileScores {
   /// A candidate that somebody refused already needs no score.
   bool refused(std::size_t c) const { return reason_[c] != nullptr; }
   void set(std::size_t c, double raw_score) {
+    if (!any_set_) std::fill_n(set_all(), count_, 0.0);
     raw_[c] = raw_score;
-    any_set_ = true;
   }
   /// All raw scores [count], for loops that set every one, whoever is refused.
   double* set_all() {
@@ -57,7 +59,7 @@ class TileScores {
   bool any_set() const { return any_set_; }
 
  private:
-  double* raw_;          // [count], zero at the start
+  double* raw_;          // [count], zero where some are set and others are not
   const char** reason_;  // [count], nullptr while legal
   std::size_t count_;
   bool any_refused_ = false;
