@@ -37,6 +37,7 @@ void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLim
   if (memo_.size() < kUsualColumns) memo_.resize(kUsualColumns);
   for (Memo& memo : memo_) memo.known = memo.v_known = false;
   omega_known_ = false;
+  arrival_.known = sure_arrival_.known = false;
   start_ = {setup.start, {std::cos(setup.start.theta), std::sin(setup.start.theta)}};
   escaping_ = parameters.escape && checker.collides(setup.start);
   if (escaping_) stance_ = {checker.penetration(setup.start), checker.clearance(setup.start)};
@@ -214,7 +215,7 @@ bool AdmissibilityCheck::can_brake_surely(const Twist2& sample) {
 }
 
 BrakeManoeuvre AdmissibilityCheck::manoeuvre(const Twist2& command) const {
-  return {setup_.start, setup_.reference, command, parameters_->control_latency, setup_.period};
+  return {setup_.start, *setup_.under_way, command, setup_.period};
 }
 
 // No command reaches farther than the one that speeds up.
@@ -226,25 +227,37 @@ bool AdmissibilityCheck::nothing_in_reach() const {
   return checker_->clear_around(setup_.start.x, setup_.start.y, manoeuvre({fastest, 0.0}).reach(*limits_));
 }
 
-bool AdmissibilityCheck::manoeuvre_free(const Twist2& command) {
-  const double spacing = 0.5 * resolution_;
-  ManoeuvreRoller roller(*limits_, footprint_->circumscribed_radius(), spacing, start_);
+// `look` tells how much room a pose has; what is left of it is enough for the next poses.
+template <typename Look>
+bool AdmissibilityCheck::free_all_along(const BrakeManoeuvre& manoeuvre, double spacing, Arrival& arrival,
+                                        Look&& look) const {
   double room = 0.0;
-  return roller.roll(manoeuvre(command), [&](const TurnedPose& at) {
+  const auto visit = [&](const TurnedPose& at) {
     room -= spacing;  // nothing moved farther since the last pose
-    if (room <= 0.0) room = look(at.pose, at.heading);
+    if (room <= 0.0) room = look(at);
     return room > 0.0;
-  });
+  };
+  const double radius = footprint_->circumscribed_radius();
+  if (!arrival.known) {
+    ManoeuvreRoller roller(*limits_, radius, spacing, start_);
+    arrival.free = roller.roll_on(manoeuvre.under_way, visit);
+    arrival.at = roller.at();
+    arrival.room = room;
+    arrival.known = true;
+  }
+  if (!arrival.free) return false;
+  room = arrival.room;
+  return ManoeuvreRoller(*limits_, radius, spacing, arrival.at).roll_to_rest(manoeuvre, visit);
 }
 
-bool AdmissibilityCheck::manoeuvre_surely_free(const Twist2& command) const {
-  const double spacing = resolution_ / 16.0;
-  ManoeuvreRoller roller(*limits_, footprint_->circumscribed_radius(), spacing, start_);
-  double room = 0.0;
-  return roller.roll(manoeuvre(command), [&](const TurnedPose& at) {
-    room -= spacing;
-    if (room <= 0.0) room = checker_->separation(at.pose, at.heading, *sure_outline_, kRoom * resolution_);
-    return room > 0.0;
+bool AdmissibilityCheck::manoeuvre_free(const Twist2& command) {
+  return free_all_along(manoeuvre(command), 0.5 * resolution_, arrival_,
+                        [this](const TurnedPose& at) { return look(at.pose, at.heading); });
+}
+
+bool AdmissibilityCheck::manoeuvre_surely_free(const Twist2& command) {
+  return free_all_along(manoeuvre(command), resolution_ / 16.0, sure_arrival_, [this](const TurnedPose& at) {
+    return checker_->separation(at.pose, at.heading, *sure_outline_, kRoom * resolution_);
   });
 }
 

@@ -140,16 +140,22 @@ const char* Planner::Impl::fault_of(const Situation& situation, const GridView& 
 }
 
 // A command that was never a number is none; a reference beyond the limits is brought back by the window.
-Twist2 Planner::Impl::bounded_reference(const Situation& situation) {
+void Planner::Impl::find_reference(const Situation& situation) {
   const Twist2 last = plausible(situation.last_command) ? situation.last_command : Twist2{};
   const Twist2 measured = plausible(situation.velocity) ? situation.velocity : last;
   commands.observe(situation.time, usable_period(situation), parameters.control_latency, last, limits);
-  return velocity_reference(parameters, measured, commands);
+  const bool on = goes_on(parameters, measured, commands);
+  decision.reference = on ? commands.last() : measured;
+  if (on) {
+    commands.play(limits, usable_period(situation), parameters.control_latency, under_way);
+  } else {
+    under_way.keep(measured, parameters.control_latency);
+  }
 }
 
 void Planner::Impl::begin(const Situation& situation) {
   clear_decision();
-  decision.reference = bounded_reference(situation);
+  find_reference(situation);
   marked = Marked{};
   totals.clear();
   verdicts.clear();

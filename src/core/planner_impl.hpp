@@ -99,6 +99,7 @@ struct Planner::Impl {
   Decision decision;
   Marked marked;
   CommandHistory commands;
+  UnderWay under_way;                     // until this cycle's command takes effect
   WayOut way_out;
   Lasting unturned;                       // at the goal's position it stands at another heading
   bool unturned_reset = false;            // the critics were reset for that
@@ -110,7 +111,7 @@ struct Planner::Impl {
   void begin(const Situation& situation);
   void make_room_for_words();
   void give_up(const Situation& situation, Problem kind, const char* problem);
-  Twist2 bounded_reference(const Situation& situation);
+  void find_reference(const Situation& situation);
   void make_candidates(const Situation& situation, const Sampling& sampling);
   void prepare_checks(const Situation& situation, const GridView& grid);
   void score_tile(const CycleView& cycle, std::size_t t, bool check);

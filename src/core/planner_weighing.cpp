@@ -73,7 +73,7 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
 }
 
 void Planner::Impl::prepare_checks(const Situation& situation, const GridView& grid) {
-  const double fastest = std::max(std::abs(decision.reference.v), rollout.fastest());
+  const double fastest = std::max(under_way.fastest(), rollout.fastest());
   const double longest = std::max(parameters.sim_time, parameters.control_latency + situation.period +
                                                            limits.x.time_to_rest(fastest));
   reach = fastest * longest;
@@ -82,7 +82,7 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
   collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin);
   classes.prepare(collision, grid, parameters.unknown_is_obstacle, situation.pose, reach);
   admissibility.prepare(parameters, limits, collision, footprint, grid.resolution,
-                        {situation.pose, decision.reference, situation.period, !steered && way_out.active()});
+                        {situation.pose, decision.reference, &under_way, situation.period, !steered && way_out.active()});
   decision.escaping = admissibility.escaping();
 }
 

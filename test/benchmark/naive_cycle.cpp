@@ -57,7 +57,8 @@ class Cycle {
         grid_(scene.grid()),
         body_(body),
         robot_(grid_, body, scene.parameters.unknown_is_obstacle),
-        reference_(scene.situation.last_command) {}
+        reference_(scene.situation.last_command),
+        under_way_(scene.parameters, scene.situation.period, reference_) {}
 
   std::optional<NaiveChoice> choose() {
     judge();
@@ -98,7 +99,7 @@ class Cycle {
   }
   bool can_brake(const Twist2& sample, const NaiveFootprint& robot, double spacing) const {
     const std::vector<Pose2> poses =
-        naive_braking_poses(scene_, reference_, command(sample), robot_.outer_radius(), spacing);
+        naive_braking_poses(scene_, under_way_, command(sample), robot_.outer_radius(), spacing);
     return std::none_of(poses.begin(), poses.end(), [&](const Pose2& q) { return robot.collides(q); });
   }
   double change(const Twist2& u) const {
@@ -116,6 +117,7 @@ class Cycle {
   const NaiveBody& body_;
   NaiveFootprint robot_;
   Twist2 reference_;
+  NaiveEffects under_way_;
   std::vector<Legal> legal_;
 };
 

@@ -37,6 +37,7 @@ class Parts {
     commands_.forget();
     commands_.observe(s.time, s.period, parameters_.control_latency, s.last_command, limits_);
     reference_ = velocity_reference(parameters_, s.velocity, commands_);
+    under_way_.keep(reference_, parameters_.control_latency);
   }
   void sample() {
     SampleRequest request;
@@ -74,7 +75,7 @@ class Parts {
   }
   void judge() {
     admissibility_.prepare(parameters_, limits_, collision_, footprint_, grid_.resolution,
-                           {pose(), reference_, scene_->situation.period});
+                           {pose(), reference_, &under_way_, scene_->situation.period});
     for (std::size_t t = 0; t < rollout_.tile_count(); ++t) {
       Tile tile = rollout_.tile(t);
       classes_.classify(tile);
@@ -104,6 +105,7 @@ class Parts {
   GridView grid_;
   CommandHistory commands_;
   Twist2 reference_;
+  UnderWay under_way_;
   double reach_ = 0.0;  // [m]
   Sampler sampler_;
   Rollout rollout_;

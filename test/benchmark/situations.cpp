@@ -88,8 +88,9 @@ bool could_stop(const Scene& scene) {
   const NaiveBody body = naive_body(scene);
   const Twist2 now = scene.situation.last_command;
   const Twist2 braking = naive_command(scene.parameters, now, {}, scene.situation.period);
+  const NaiveEffects steady(scene.parameters, scene.situation.period, now);
   std::vector<Pose2> poses =
-      naive_braking_poses(scene, now, braking, naive_outer_radius(body), 0.25 * scene.resolution);
+      naive_braking_poses(scene, steady, braking, naive_outer_radius(body), 0.25 * scene.resolution);
   poses.push_back(scene.situation.pose);
   return std::none_of(poses.begin(), poses.end(), [&](const Pose2& q) {
     return naive_overlap(scene.grid(), body, q, true) > 0.0 || naive_centre_inscribed(scene.grid(), body, q);

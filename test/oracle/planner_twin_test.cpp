@@ -23,7 +23,7 @@ using test::Random;
 using test::Scene;
 
 struct Tally {
-  int compared = 0, in_collision = 0, doubtful = 0, tied = 0, braked = 0, lagging = 0;
+  int compared = 0, in_collision = 0, doubtful = 0, tied = 0, braked = 0, lagging = 0, told_apart = 0;
   std::map<std::string, int> refusals;
 };
 
@@ -83,6 +83,17 @@ void stop(Planner& planner, const Scene& scene, const std::vector<NaiveCycle>& c
   }
 }
 
+// Without the former commands something else would have been refused.
+bool former_commands_count(const Scene& scene, const NaivePlanner& with) {
+  Scene steady = scene;
+  steady.situation.velocity = scene.situation.last_command;
+  const NaivePlanner without(steady);
+  for (std::size_t c = 0; c < with.candidates().size(); ++c) {
+    if (with.candidates()[c].refused_by != without.candidates()[c].refused_by) return true;
+  }
+  return false;
+}
+
 void compare(const Scene& scene, const std::vector<NaiveCycle>& former, Tally& tally) {
   const NaivePlanner naive(scene, former);
   if (naive.stands_in_collision()) {
@@ -102,8 +113,9 @@ void compare(const Scene& scene, const std::vector<NaiveCycle>& former, Tally& t
   const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent, sampling);
   ++tally.compared;
   const double lag = std::abs(scene.situation.velocity.v - decision.reference.v);
-  tally.lagging += decision.reference == scene.situation.last_command &&
-                   lag > scene.parameters.velocity_reference_tolerance_x;
+  const bool goes_on = decision.reference == scene.situation.last_command;
+  tally.lagging += goes_on && lag > scene.parameters.velocity_reference_tolerance_x;
+  tally.told_apart += !former.empty() && goes_on && former_commands_count(scene, naive);
   if (naive.gives_up()) {
     ASSERT_NE(decision.outcome, Outcome::drive);
     return;
@@ -190,6 +202,7 @@ TEST(PlannerTwin, OdometryLagsBehindTheCommand) {
   EXPECT_LE(tally.doubtful, 5);
   EXPECT_GE(tally.lagging, 50);
   EXPECT_LE(tally.lagging, 200);
+  EXPECT_GE(tally.told_apart, 5);
 }
 
 }  // namespace

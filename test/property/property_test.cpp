@@ -109,9 +109,9 @@ double braked_overlap(const Scene& scene, const Decision& decision) {
   const Parameters& p = scene.parameters;
   const Footprint footprint = Footprint::from_outline(scene.outline, p.footprint_padding);
   const test::NaiveBody body{footprint.outline(), footprint.radius()};
-  const test::NaiveManoeuvre manoeuvre{scene.situation.pose, decision.reference,      decision.command,
-                                       p.control_latency,    scene.situation.period, p.braking_x(),
-                                       p.braking_theta()};
+  const test::NaiveEffects steady(p, scene.situation.period, decision.reference);
+  const test::NaiveManoeuvre manoeuvre =
+      test::naive_manoeuvre(p, scene.situation.pose, steady, decision.command, scene.situation.period);
   double worst = 0.0;
   for (const Pose2& pose :
        test::naive_poses(manoeuvre, test::naive_outer_radius(body), 0.25 * scene.resolution)) {

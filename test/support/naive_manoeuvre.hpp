@@ -8,28 +8,32 @@
 
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "support/naive_effects.hpp"
 
 namespace hidwa_local_planner::test {
 
 struct NaiveManoeuvre {
   Pose2 start;
-  Twist2 reference, command;                    // [m/s, rad/s]
+  NaiveEffects effects;                         // the command's own, at the latency, is the last
+  Twist2 command;                               // [m/s, rad/s]
   double latency = 0.0, period = 0.05;          // [s]
   double braking_x = 1.0, braking_theta = 1.0;  // [m/s^2, rad/s^2]
 };
+
+/// `under_way`, then `command`.
+inline NaiveManoeuvre naive_manoeuvre(const Parameters& p, const Pose2& start, const NaiveEffects& under_way,
+                                      const Twist2& command, double period) {
+  return {start,  under_way.then(p.control_latency, command), command, p.control_latency, period, p.braking_x(),
+          p.braking_theta()};
+}
 
 inline double naive_towards_zero(double value, double by) {
   return std::abs(value) <= by ? 0.0 : value - std::copysign(by, value);
 }
 
-/// Velocity at `t` [s]: the reference for the latency, evenly to the command within one period, then braking.
+/// Velocity at `t` [s]: what takes effect until the command is reached, then braking.
 inline Twist2 naive_velocity(const NaiveManoeuvre& m, double t) {
-  if (t < m.latency) return m.reference;
-  if (t < m.latency + m.period) {
-    const double part = (t - m.latency) / m.period;
-    return {m.reference.v + part * (m.command.v - m.reference.v),
-            m.reference.omega + part * (m.command.omega - m.reference.omega)};
-  }
+  if (t < m.latency + m.period) return m.effects.velocity(t);
   const double braked = t - m.latency - m.period;
   return {naive_towards_zero(m.command.v, m.braking_x * braked),
           naive_towards_zero(m.command.omega, m.braking_theta * braked)};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/naive_collision.hpp"
+#include "support/naive_effects.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
@@ -188,11 +189,50 @@ inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vec
   }
 }
 
-/// The braking manoeuvre in poses at most `spacing` [m] apart at `radius` [m]: latency, one period, braking
-/// in two parts.
-inline std::vector<Pose2> naive_braking_poses(const Scene& scene, const Twist2& reference,
-                                              const Twist2& command, double radius, double spacing) {
+/// A part of a manoeuvre in which both axes change evenly.
+struct NaiveLeg {
+  Twist2 from, to;
+  double duration;  // [s]
+};
+
+/// Between two times; what is even in a row is one leg.
+inline std::vector<NaiveLeg> naive_legs(const NaiveEffects& effects, double begin, double end) {
+  std::vector<NaiveLeg> legs;
+  const std::vector<double> corners = effects.corners(begin, end);
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    const NaiveLeg leg{effects.velocity(corners[k - 1]), effects.velocity(corners[k]), corners[k] - corners[k - 1]};
+    const auto even = [](const NaiveLeg& one) { return one.from == one.to; };
+    if (!legs.empty() && even(legs.back()) && even(leg)) {
+      legs.back().duration += leg.duration;
+    } else {
+      legs.push_back(leg);
+    }
+  }
+  return legs;
+}
+
+/// How much farther than evenly an axis gets within `period` where it speeds up at its limit.
+inline double naive_ahead(double from, double to, double period, double acc, double braking) {
+  return std::abs(to - from) * (period - naive_needed(from, to, period, acc, braking)) / 2;
+}
+
+/// The braking manoeuvre in poses at most `spacing` [m] apart at `radius` [m]: what is under way for the latency, one
+/// period (evenly where no more than half the spacing depends on it), braking in two parts.
+inline std::vector<Pose2> naive_braking_poses(const Scene& scene, const NaiveEffects& under_way, const Twist2& command,
+                                              double radius, double spacing) {
   const Parameters& p = scene.parameters;
+  const double sent = p.control_latency, reached = sent + scene.situation.period;
+  const NaiveEffects all = under_way.then(sent, command);
+  std::vector<NaiveLeg> legs = naive_legs(all, 0.0, sent);
+  const Twist2 before = all.velocity(sent);
+  const double ahead_v = naive_ahead(before.v, command.v, scene.situation.period, p.acc_lim_x, p.braking_x());
+  const double ahead_omega =
+      naive_ahead(before.omega, command.omega, scene.situation.period, p.acc_lim_theta, p.braking_theta());
+  if (ahead_v + radius * ahead_omega <= spacing / 2) {
+    legs.push_back({before, command, scene.situation.period});
+  } else {
+    for (const NaiveLeg& leg : naive_legs(all, sent, reached)) legs.push_back(leg);
+  }
   const double rest_v = std::abs(command.v) / p.braking_x(),
                rest_omega = std::abs(command.omega) / p.braking_theta();
   const double first = std::min(rest_v, rest_omega);
@@ -200,18 +240,16 @@ inline std::vector<Pose2> naive_braking_poses(const Scene& scene, const Twist2& 
                        naive_ramp_omega(p, command.omega, 0.0, first)};
   const double second =
       std::max(std::abs(between.v) / p.braking_x(), std::abs(between.omega) / p.braking_theta());
-  const std::vector<Twist2> knots{reference, reference, command, between, {}};
-  const std::vector<double> durations{p.control_latency, scene.situation.period, first, second};
+  legs.push_back({command, between, first});
+  legs.push_back({between, {}, second});
   std::vector<Pose2> poses;
   Pose2 q = scene.situation.pose;
-  for (std::size_t part = 0; part < durations.size(); ++part) {
-    const Twist2 a = knots[part], b = knots[part + 1];
+  for (const auto& [a, b, duration] : legs) {
     const double distance =
-        (std::max(std::abs(a.v), std::abs(b.v)) + radius * std::max(std::abs(a.omega), std::abs(b.omega))) *
-        durations[part];
-    if (durations[part] <= 0.0 || distance <= 1e-12) continue;
+        (std::max(std::abs(a.v), std::abs(b.v)) + radius * std::max(std::abs(a.omega), std::abs(b.omega))) * duration;
+    if (duration <= 0.0 || distance <= 1e-12) continue;
     const int n = static_cast<int>(std::ceil(distance / spacing));
-    const double dt = durations[part] / n;
+    const double dt = duration / n;
     for (int k = 0; k < n; ++k) {
       const double t = (k + 0.5) / n;
       const double v = a.v + (b.v - a.v) * t, omega = a.omega + (b.omega - a.omega) * t;

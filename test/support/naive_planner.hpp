@@ -48,10 +48,17 @@ class NaivePlanner {
  public:
   /// `former`: cycles before this one, in which the host stopped the robot.
   explicit NaivePlanner(const Scene& scene, std::vector<NaiveCycle> former = {})
-      : scene_(scene), grid_(scene.grid()), body_(naive_body(scene)), critics_(scene, body_) {
+      : scene_(scene),
+        grid_(scene.grid()),
+        body_(naive_body(scene)),
+        critics_(scene, body_),
+        under_way_(scene.parameters, scene.situation.period, Twist2{}) {
     const Situation& s = scene_.situation;
     former.push_back(naive_cycle(s));
-    reference_ = NaiveReference(scene_.parameters, former).of(s.velocity);
+    const NaiveReference reference(scene_.parameters, former);
+    reference_ = reference.of(s.velocity);
+    under_way_ = {scene_.parameters, s.period,
+                  reference.agrees(s.velocity) ? reference.effects() : std::vector<NaiveEffect>{{0.0, reference_}}};
     stands_in_collision_ = collides(s.pose, body_);
     if (stands_in_collision_) return;
     candidates_ = naive_candidates(scene_, reference_);
@@ -103,7 +110,7 @@ class NaivePlanner {
   bool cannot_brake(const Twist2& sample, double spacing, const NaiveBody& body) {
     const Twist2 command = naive_command(scene_.parameters, reference_, sample, scene_.situation.period);
     for (const Pose2& q :
-         naive_braking_poses(scene_, reference_, command, naive_outer_radius(body_), spacing)) {
+         naive_braking_poses(scene_, under_way_, command, naive_outer_radius(body_), spacing)) {
       if (collides(q, body)) return true;
     }
     return false;
@@ -165,6 +172,7 @@ class NaivePlanner {
   NaiveBody body_;
   NaiveCritics critics_;
   Twist2 reference_;
+  NaiveEffects under_way_;
   std::vector<NaiveCandidate> candidates_;
   int best_ = -1;
   bool stands_in_collision_ = false;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/planner.hpp"
+#include "support/naive_effects.hpp"
 
 namespace hidwa_local_planner::test {
 
@@ -30,13 +31,19 @@ class NaiveReference {
       if (known(i) && sent(i) <= begin + 1e-6) in_force = i;
     }
     for (std::size_t i = in_force; i < cycles_.size(); ++i) {
-      if (known(i)) shown_.push_back(cycles_[i].last_command);
+      if (!known(i)) continue;
+      shown_.push_back(cycles_[i].last_command);
+      effects_.push_back({sent(i) + p_.control_latency - now.time, cycles_[i].last_command});
     }
   }
   const std::vector<Twist2>& shown() const { return shown_; }
 
-  Twist2 of(const Twist2& measured) const {
-    if (p_.velocity_reference == VelocityReference::odometry) return measured;
+  Twist2 of(const Twist2& measured) const { return agrees(measured) ? cycles_.back().last_command : measured; }
+  /// What is under way.
+  const std::vector<NaiveEffect>& effects() const { return effects_; }
+
+  bool agrees(const Twist2& measured) const {
+    if (p_.velocity_reference == VelocityReference::odometry) return false;
     const Twist2 last = cycles_.back().last_command;
     const double dead_band = std::max(p_.min_vel_theta, p_.min_in_place_vel_theta);
     const double still = std::abs(last.omega) <= dead_band ? std::abs(last.omega) : 0.0;
@@ -48,9 +55,8 @@ class NaiveReference {
         least_omega = std::min(least_omega, off(measured.omega, a.omega, b.omega));
       }
     }
-    const bool agrees = least_v <= p_.velocity_reference_tolerance_x &&
-                        least_omega <= p_.velocity_reference_tolerance_theta + still;
-    return agrees ? last : measured;
+    return least_v <= p_.velocity_reference_tolerance_x &&
+           least_omega <= p_.velocity_reference_tolerance_theta + still;
   }
 
  private:
@@ -94,6 +100,7 @@ class NaiveReference {
   Parameters p_;
   std::vector<NaiveCycle> cycles_;
   std::vector<Twist2> shown_;
+  std::vector<NaiveEffect> effects_;
 };
 
 }  // namespace hidwa_local_planner::test

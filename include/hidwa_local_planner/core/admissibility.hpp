@@ -19,8 +19,9 @@ class AdmissibilityCheck {
  public:
   struct Setup {
     Pose2 start;
-    Twist2 reference;  // [m/s, rad/s]
-    double period = 0.05;  // [s]
+    Twist2 reference;                     // [m/s, rad/s]
+    const UnderWay* under_way = nullptr;  // ends at the reference
+    double period = 0.05;                 // [s]
     bool turn_out = false;  // out of a collision that no motion leads out of, by turning first
   };
   /// Once a cycle; `checker` must be prepared and everything must outlive the questions.
@@ -51,10 +52,18 @@ class AdmissibilityCheck {
   bool between_free(const Tile& tile, std::size_t c, std::size_t k, double room_before, double room_after);
   bool rollout_escapes(const Tile& tile, std::size_t c) const;
   bool turns_out(const Tile& tile, std::size_t c) const;
+  // Where what is under way leads to, looked at once a cycle.
+  struct Arrival {
+    bool known = false, free = false;
+    TurnedPose at;
+    double room = 0.0;  // that is left there [m]
+  };
   BrakeManoeuvre manoeuvre(const Twist2& command) const;
   bool nothing_in_reach() const;
   bool manoeuvre_free(const Twist2& command);
-  bool manoeuvre_surely_free(const Twist2& command) const;
+  bool manoeuvre_surely_free(const Twist2& command);
+  template <typename Look>
+  bool free_all_along(const BrakeManoeuvre& manoeuvre, double spacing, Arrival& arrival, Look&& look) const;
   bool manoeuvre_deeper(const Twist2& command);
   void grow_outline();
 
@@ -88,6 +97,7 @@ class AdmissibilityCheck {
     double sample_v = 0.0, command_v = 0.0;  // of the column [m/s]
   };
   std::vector<Memo> memo_;  // the last answer in each column of samples
+  Arrival arrival_, sure_arrival_;
   std::vector<Pose2> poses_;
 };
 

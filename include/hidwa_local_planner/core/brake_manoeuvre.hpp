@@ -5,25 +5,26 @@
 #include <cmath>
 #include <vector>
 
+#include "hidwa_local_planner/core/command_ramp.hpp"
 #include "hidwa_local_planner/core/rotation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/core/under_way.hpp"
 #include "hidwa_local_planner/core/velocity_limits.hpp"
 
 namespace hidwa_local_planner {
 
-/// What happens when a command is sent and the next one already brakes: the reference velocity for the latency, one
-/// period's ramp to the command, then both axes at their braking limits until rest.
+/// What happens when a command is sent and the next one already brakes: what is under way for the latency, one period's
+/// ramp to the command (CommandRamp), then both axes at their braking limits until rest.
 struct BrakeManoeuvre {
-  Pose2 start;           // costmap frame
-  Twist2 reference;      // [m/s, rad/s]
-  Twist2 command;        // [m/s, rad/s]
-  double latency = 0.0;  // [s]
-  double period = 0.05;  // [s]
+  Pose2 start;                // costmap frame
+  const UnderWay& under_way;  // ends where the ramp to the command begins
+  Twist2 command;             // [m/s, rad/s]
+  double period = 0.05;       // [s]
 
   /// How far from its start the robot's centre can get [m].
   double reach(const VelocityLimits& limits) const {
-    const double fastest = std::max(std::abs(reference.v), std::abs(command.v));
-    return std::abs(reference.v) * latency + fastest * period + limits.x.distance_to_rest(command.v);
+    const double fastest = std::max(std::abs(under_way.end().v), std::abs(command.v));
+    return under_way.reach() + fastest * period + limits.x.distance_to_rest(command.v);
   }
 };
 
@@ -44,9 +45,24 @@ class ManoeuvreRoller {
   /// does not move at all. Returns what the last visit did.
   template <typename Visit>
   bool roll(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
-    u_ = manoeuvre.reference;
-    if (!stretch(manoeuvre.reference, manoeuvre.latency, visit)) return false;
-    if (!stretch(manoeuvre.command, manoeuvre.period, visit)) return false;
+    return roll_on(manoeuvre.under_way, visit) && roll_to_rest(manoeuvre, visit);
+  }
+
+  /// Its first part, the same whatever the command is.
+  template <typename Visit>
+  bool roll_on(const UnderWay& under_way, Visit&& visit) {
+    u_ = under_way.begin();
+    for (const UnderWay::Leg& leg : under_way.legs()) {
+      if (!stretch(leg.end, leg.duration, visit)) return false;
+    }
+    return true;
+  }
+
+  /// The rest of it, from where the first part ends.
+  template <typename Visit>
+  bool roll_to_rest(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
+    u_ = manoeuvre.under_way.end();
+    if (!roll_ramp(CommandRamp(limits_, u_, manoeuvre.command, manoeuvre.period), visit)) return false;
     // Both axes to rest, each at its own limit: one of them may rest before the other.
     const double first = std::min(limits_.x.time_to_rest(u_.v), limits_.theta.time_to_rest(u_.omega));
     const Twist2 then{limits_.x.ramp(u_.v, 0.0, first), limits_.theta.ramp(u_.omega, 0.0, first)};
@@ -55,7 +71,22 @@ class ManoeuvreRoller {
     return stretch({}, rest, visit);
   }
 
+  /// The last pose.
+  const TurnedPose& at() const { return at_; }
+
  private:
+  // Evenly where that is no more than half the spacing off.
+  template <typename Visit>
+  bool roll_ramp(const CommandRamp& ramp, Visit&& visit) {
+    const double period = ramp.corners().back();
+    if (ramp.ahead(radius_) <= 0.5 * spacing_) return stretch(ramp.at(period), period, visit);
+    double from = 0.0;
+    for (const double corner : ramp.corners()) {
+      if (!stretch(ramp.at(corner), corner - from, visit)) return false;
+      from = corner;
+    }
+    return true;
+  }
   // One stretch of `duration` [s] in which both axes change evenly from the current velocity to `end`.
   template <typename Visit>
   bool stretch(const Twist2& end, double duration, Visit&& visit) {

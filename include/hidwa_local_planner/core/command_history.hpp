@@ -7,6 +7,7 @@
 
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/core/under_way.hpp"
 #include "hidwa_local_planner/core/velocity_limits.hpp"
 
 namespace hidwa_local_planner {
@@ -30,6 +31,9 @@ class CommandHistory {
   Twist2 last() const { return sent_.empty() ? Twist2{} : sent_.back().command; }
   /// The smallest and the largest of them, by axis.
   Interval range(double Twist2::* axis) const;
+  /// What the robot does from the last cycle on until that cycle's own command takes effect: it reaches each of them
+  /// within `period` [s] after that took effect, before the next one does, see CommandRamp.
+  void play(const VelocityLimits& limits, double period, double latency, UnderWay& under_way) const;
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
@@ -53,8 +57,11 @@ class CommandHistory {
   std::optional<double> seen_;  // the last cycle [s]
 };
 
-/// Where a cycle starts from: the last command while odometry agrees, else odometry. It agrees where on each axis it lies
-/// within the tolerance of a velocity between the commands that it may still show.
+/// Whether a cycle starts from the last command: odometry agrees. It does where on each axis it lies within the tolerance
+/// of a velocity between the commands that it may still show.
+bool goes_on(const Parameters& parameters, const Twist2& measured, const CommandHistory& commands);
+
+/// Where a cycle starts from: the last command while odometry agrees, else odometry.
 Twist2 velocity_reference(const Parameters& parameters, const Twist2& measured, const CommandHistory& commands);
 
 }  // namespace hidwa_local_planner

@@ -14,13 +14,13 @@ using test::Scene;
 // The robot reaches 0.2 m ahead and drives 0.5 m/s; a wall stands `gap` ahead of its front.
 class Corridor {
  public:
-  Corridor(double gap, const Parameters& p) : parameters_(p), limits_(VelocityLimits::from(p)) {
+  Corridor(double gap, const Parameters& p) : parameters_(p), limits_(VelocityLimits::from(p)), under_way_({0.5, 0.0}, p.control_latency) {
     scene_ = Scene::empty(121);
     scene_.fill(1.025, -9.0, 9.0, 9.0);  // cells from x = 1.025 on
     start_ = {1.025 - 0.2 - gap, 0.0, 0.0};
     footprint_ = Footprint(scene_.outline);
     checker_.prepare(scene_.grid(), footprint_, true, start_, 2.0);
-    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05, {start_, {0.5, 0.0}, 0.05});
+    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05, {start_, {0.5, 0.0}, &under_way_, 0.05});
   }
   Corridor(const Corridor&) = delete;
   bool can_brake(const Twist2& sample) { return check_.can_brake(sample, 0); }
@@ -32,6 +32,7 @@ class Corridor {
  private:
   Parameters parameters_;
   VelocityLimits limits_;
+  UnderWay under_way_;
   Scene scene_;
   Pose2 start_;
   Footprint footprint_;
@@ -116,7 +117,8 @@ TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
   CollisionChecker checker;
   checker.prepare(scene.grid(), footprint, true, {-0.3, 0.0, 0.0}, 2.0);
   AdmissibilityCheck check;
-  check.prepare(p, limits, checker, footprint, 0.05, {{-0.3, 0.0, 0.0}, {0.5, 0.0}, 0.05});
+  const UnderWay steady({0.5, 0.0}, p.control_latency);
+  check.prepare(p, limits, checker, footprint, 0.05, {{-0.3, 0.0, 0.0}, {0.5, 0.0}, &steady, 0.05});
   Rollout rollout;
   // From -0.3 to 1.4 at 1.0 m/s: both ends are free, the cell lies between.
   Parameters fast = p;
@@ -146,7 +148,8 @@ TEST(EscapeCheck, NeverDeeperAtAnyPose) {
     CollisionChecker checker;
     checker.prepare(scene.grid(), footprint, true, start, 2.0);
     AdmissibilityCheck check;
-    check.prepare(p, limits, checker, footprint, 0.05, {start, {}, 0.05});
+    const UnderWay rest({}, p.control_latency);
+    check.prepare(p, limits, checker, footprint, 0.05, {start, {}, &rest, 0.05});
     ASSERT_TRUE(check.escaping());
     Rollout rollout;
     rollout.run(p, limits, start, {},

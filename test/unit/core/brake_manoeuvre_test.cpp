@@ -2,10 +2,13 @@
 #include "hidwa_local_planner/core/brake_manoeuvre.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/core/command_history.hpp"
 #include "support/naive_manoeuvre.hpp"
+#include "support/naive_reference.hpp"
 #include "support/random.hpp"
 
 namespace hidwa_local_planner {
@@ -27,31 +30,80 @@ std::vector<Pose2> poses(const BrakeManoeuvre& m, const VelocityLimits& l, doubl
 
 TEST(BrakeManoeuvreDistance, StraightOn) {
   // 0.1 s at 0.5, 0.05 s from 0.5 to 0.4, then 0.4^2 / (2 * 2).
-  const std::vector<Pose2> path =
-      poses({{1.0, 2.0, 0.0}, {0.5, 0.0}, {0.4, 0.0}, 0.1, 0.05}, limits(2.0, 3.0));
+  const UnderWay steady({0.5, 0.0}, 0.1);
+  const std::vector<Pose2> path = poses({{1.0, 2.0, 0.0}, steady, {0.4, 0.0}, 0.05}, limits(2.0, 3.0));
   EXPECT_NEAR(path.back().x - 1.0, 0.05 + 0.0225 + 0.04, 1e-12);
   EXPECT_EQ(path.back().y, 2.0);
 }
 
+TEST(BrakeManoeuvreDistance, WhatIsUnderWayTakesEffectFirst) {
+  // It has begun to brake at 2.5 m/s^2 and the robot does not yet: 0.5^2 / (2 * 2.5) = 0.05 m from here, of which
+  // 0.05 * (0.4375 + 0.3125) = 0.0375 m within the latency. The last command alone would have said 0.1 * 0.25.
+  UnderWay braking;
+  braking.begin({0.5, 0.0});
+  braking.add({0.375, 0.0}, 0.05);
+  braking.add({0.25, 0.0}, 0.05);
+  const BrakeManoeuvre m{{}, braking, {0.125, 0.0}, 0.05};
+  EXPECT_NEAR(poses(m, limits(2.5, 3.0)).back().x, 0.05, 1e-12);
+  // The faster end of each leg: 0.05 * (0.5 + 0.375 + 0.25) + 0.125^2 / 5.
+  EXPECT_NEAR(m.reach(limits(2.5, 3.0)), 0.05625 + 0.003125, 1e-12);
+}
+
+TEST(BrakeManoeuvreDistance, ATurnUnderWayCounts) {
+  // 0.1 s from 1 to 0.68 rad/s, 0.05 s to 0.52, then 0.52^2 / (2 * 3.2): 0.084 + 0.03 + 0.04225 rad.
+  UnderWay straightening;
+  straightening.begin({0.0, 1.0});
+  straightening.add({0.0, 0.68}, 0.1);
+  EXPECT_NEAR(poses({{}, straightening, {0.0, 0.52}, 0.05}, limits(2.0, 3.2)).back().theta, 0.15625, 1e-12);
+}
+
+TEST(BrakeManoeuvreDistance, SpeedingUpIsDoneAtTheLimit) {
+  // From 0.4 to 0.45 at 2.5 m/s^2 in 0.02 s, 0.03 s at 0.45, then 0.45^2 / (2 * 2).
+  const UnderWay steady({0.4, 0.0}, 0.0);
+  EXPECT_NEAR(poses({{}, steady, {0.45, 0.0}, 0.05}, limits(2.0, 3.0), 0.3, 1e-3).back().x, 0.0085 + 0.0135 + 0.050625, 1e-12);
+  // Evenly it is 0.05 * (0.05 - 0.02) / 2 = 0.75 mm less, which is near enough where poses are 25 mm apart.
+  EXPECT_NEAR(poses({{}, steady, {0.45, 0.0}, 0.05}, limits(2.0, 3.0)).back().x, 0.02125 + 0.050625, 1e-12);
+  // Both axes, each in its own time: 0.16 rad/s at 3.2 rad/s^2 take the whole period.
+  const Pose2 end = poses({{}, steady, {0.45, 0.16}, 0.05}, limits(2.0, 3.2), 0.3, 1e-4).back();
+  EXPECT_NEAR(end.theta, 0.05 * 0.08 + 0.16 * 0.16 / 6.4, 1e-12);
+  EXPECT_NEAR(std::hypot(end.x, end.y), 0.072625, 1e-5);
+}
+
+TEST(BrakeManoeuvreDistance, FromOneDirectionToTheOther) {
+  // From -0.05 at 2 m/s^2 to rest in 0.025 s, at 2.5 m/s^2 to 0.05 in 0.02 s, 0.005 s on; evenly in between.
+  const UnderWay steady({-0.05, 0.0}, 0.0);
+  EXPECT_NEAR(poses({{}, steady, {0.05, 0.0}, 0.05}, limits(2.0, 3.0), 0.3, 1e-5).back().x, 0.005 * 0.05 + 0.05 * 0.05 / 4.0, 1e-12);
+}
+
 TEST(BrakeManoeuvreDistance, TurnOnTheSpotStopsAtItsOwnLimit) {
   // 0.1 * 1.0 + 0.05 * 0.9 + 0.8^2 / (2 * 1.6) = 0.1 + 0.045 + 0.2 rad.
-  const std::vector<Pose2> path = poses({{}, {0.0, 1.0}, {0.0, 0.8}, 0.1, 0.05}, limits(2.0, 1.6));
+  const UnderWay steady({0.0, 1.0}, 0.1);
+  const std::vector<Pose2> path = poses({{}, steady, {0.0, 0.8}, 0.05}, limits(2.0, 1.6));
   EXPECT_NEAR(path.back().theta, 0.345, 1e-12);
   EXPECT_EQ(path.back().x, 0.0);
 }
 
 TEST(BrakeManoeuvreDistance, AtRestItDoesNotMove) {
-  EXPECT_TRUE(poses({{1.0, 2.0, 0.3}, {}, {}, 0.5, 0.05}, limits(2.0, 3.0)).empty());
+  const UnderWay rest({}, 0.5);
+  EXPECT_TRUE(poses({{1.0, 2.0, 0.3}, rest, {}, 0.05}, limits(2.0, 3.0)).empty());
+}
+
+Twist2 random_velocity(test::Random& random) { return {random.uniform(-0.3, 1.0), random.uniform(-2.0, 2.0)}; }
+
+UnderWay random_way(test::Random& random) {
+  UnderWay way;
+  way.begin(random_velocity(random));
+  for (int legs = random.integer(0, 3); legs > 0; --legs) {
+    way.add(random.chance(0.3) ? way.end() : random_velocity(random), random.uniform(0.0, 0.1));
+  }
+  return way;
 }
 
 TEST(BrakeManoeuvrePoses, NoPointOfTheRobotMovesFartherThanTheSpacing) {
   test::Random random(7);
   for (int k = 0; k < 300; ++k) {
-    const BrakeManoeuvre m{{0.0, 0.0, random.uniform(-3.0, 3.0)},
-                           {random.uniform(-0.3, 1.0), random.uniform(-2.0, 2.0)},
-                           {random.uniform(-0.3, 1.0), random.uniform(-2.0, 2.0)},
-                           random.uniform(0.0, 0.3),
-                           0.05};
+    const UnderWay way = random_way(random);
+    const BrakeManoeuvre m{{0.0, 0.0, random.uniform(-3.0, 3.0)}, way, random_velocity(random), 0.05};
     const double radius = random.uniform(0.1, 0.6);
     Pose2 before = m.start;
     for (const Pose2& pose : poses(m, limits(1.0, 2.0), radius, 0.02)) {
@@ -63,6 +115,7 @@ TEST(BrakeManoeuvrePoses, NoPointOfTheRobotMovesFartherThanTheSpacing) {
                           radius * std::sin(before.theta + angle);
         ASSERT_LE(std::hypot(dx, dy), 0.02 + 1e-9);
       }
+      ASSERT_LE(std::hypot(pose.x, pose.y), m.reach(limits(1.0, 2.0)) + 1e-9);
       before = pose;
     }
   }
@@ -70,19 +123,37 @@ TEST(BrakeManoeuvrePoses, NoPointOfTheRobotMovesFartherThanTheSpacing) {
 
 TEST(BrakeManoeuvrePoses, EndsWhereAFineIntegrationEnds) {
   test::Random random(8);
+  Parameters p;
+  p.acc_lim_x = 2.5;
+  p.acc_lim_theta = 3.2;
+  p.decel_lim_x = -1.0;
+  p.decel_lim_theta = -2.0;
+  const VelocityLimits l = VelocityLimits::from(p);
+  constexpr double kPeriod = 0.05;
   for (int k = 0; k < 300; ++k) {
-    const BrakeManoeuvre m{{0.3, -0.2, random.uniform(-3.0, 3.0)},
-                           {random.uniform(-0.3, 1.0), random.uniform(-2.0, 2.0)},
-                           {random.uniform(-0.3, 1.0), random.uniform(-2.0, 2.0)},
-                           random.uniform(0.0, 0.3),
-                           0.05};
-    const std::vector<Pose2> path = poses(m, limits(1.0, 2.0), 0.3, 0.005);
-    const Pose2 naive =
-        test::naive_poses({m.start, m.reference, m.command, m.latency, m.period, 1.0, 2.0}, 0.3, 0.005)
-            .back();
-    ASSERT_NEAR(path.back().x, naive.x, 1e-4);
-    ASSERT_NEAR(path.back().y, naive.y, 1e-4);
-    ASSERT_NEAR(path.back().theta, naive.theta, 1e-4);
+    p.control_latency = random.uniform(0.0, 0.3);
+    CommandHistory history;
+    std::vector<test::NaiveCycle> cycles{{0.0, kPeriod, random_velocity(random)}};
+    for (int cycle = 0; cycle < 10; ++cycle) {
+      if (cycle > 0) {
+        const double late = random.chance(0.2) ? random.uniform(-0.02, 0.05) : 0.0;
+        const Twist2 next = l.step(cycles.back().last_command, random_velocity(random), kPeriod);
+        cycles.push_back({cycles.back().time + kPeriod + late, kPeriod, next});
+      }
+      history.observe(cycles.back().time, kPeriod, p.control_latency, cycles.back().last_command, l);
+    }
+    UnderWay under_way;
+    history.play(l, kPeriod, p.control_latency, under_way);
+    const Pose2 start{0.3, -0.2, random.uniform(-3.0, 3.0)};
+    const Twist2 command = l.step(history.last(), random_velocity(random), kPeriod);
+    const Pose2 end = poses({start, under_way, command, kPeriod}, l, 0.3, 1e-4).back();
+    const test::NaiveReference twin(p, cycles);
+    const test::NaiveManoeuvre naive =
+        test::naive_manoeuvre(p, start, {p, kPeriod, twin.effects()}, command, kPeriod);
+    const Pose2 fine = test::naive_poses(naive, 0.3, 0.005).back();
+    ASSERT_NEAR(end.x, fine.x, 1e-4) << k;
+    ASSERT_NEAR(end.y, fine.y, 1e-4) << k;
+    ASSERT_NEAR(end.theta, fine.theta, 1e-4) << k;
   }
 }
 

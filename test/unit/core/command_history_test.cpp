@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -206,6 +207,112 @@ TEST(CommandHistory, KeepsNoMoreThanItHasRoomFor) {
   EXPECT_NEAR(history.range(&Twist2::v).hi, 1e-4 * 999, 1e-12);
 }
 
+// From the last of these commands at 20 Hz on.
+UnderWay played(const std::vector<double>& commands, double latency) {
+  Parameters p = parameters();
+  p.control_latency = latency;
+  Cycles cycles(p);
+  for (const double v : commands) cycles.observe({v, 0.0});
+  UnderWay under_way;
+  cycles.history().play(VelocityLimits::from(p), kPeriod, latency, under_way);
+  return under_way;
+}
+
+void expect_legs(const UnderWay& under_way, double begin, const std::vector<std::pair<double, double>>& legs) {
+  EXPECT_NEAR(under_way.begin().v, begin, 1e-9);
+  ASSERT_EQ(under_way.legs().size(), legs.size());
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    EXPECT_NEAR(under_way.legs()[i].duration, legs[i].first, 1e-9) << i;
+    EXPECT_NEAR(under_way.legs()[i].end.v, legs[i].second, 1e-9) << i;
+  }
+}
+
+TEST(Play, OneCommandForLongIsOneLegOfTheLatency) {
+  const UnderWay steady = played({0.3, 0.3, 0.3, 0.3, 0.3, 0.3}, 0.1);
+  ASSERT_EQ(steady.legs().size(), 1u);
+  EXPECT_EQ(steady.begin().v, 0.3);
+  EXPECT_EQ(steady.legs()[0].end.v, 0.3);
+  EXPECT_EQ(steady.legs()[0].duration, 0.1);
+  EXPECT_EQ(played({0.3}, 0.1).legs()[0].duration, 0.1);
+}
+
+TEST(Play, EachCommandTakesEffectALatencyAfterItWasSent) {
+  // The last but one takes effect now, the last one period later.
+  expect_legs(played({0.5, 0.5, 0.5, 0.375, 0.25}, 0.1), 0.5, {{0.05, 0.375}, {0.05, 0.25}});
+  // Back at the start there are those that have been reached: 0.5 was sent three cycles ago.
+  expect_legs(played({0.125, 0.25, 0.375, 0.5, 0.375, 0.25}, 0.1), 0.5, {{0.05, 0.375}, {0.05, 0.25}});
+  expect_legs(played({0.5, 0.5, 0.375, 0.375}, 0.1), 0.5, {{0.05, 0.375}, {0.05, 0.375}});
+  expect_legs(played({0.5, 0.5, 0.5, 0.375}, 0.0), 0.375, {});
+}
+
+TEST(Play, ALatencyBetweenTwoCycles) {
+  // The command of three cycles ago took effect 0.15 - 0.12 = 0.03 s ago: 3/5 of the way from 0.5 to 0.375.
+  expect_legs(played({0.5, 0.5, 0.375, 0.25, 0.125}, 0.12), 0.425, {{0.02, 0.375}, {0.05, 0.25}, {0.05, 0.125}});
+}
+
+TEST(Play, SpeedingUpTakesAsLongAsTheLimitSays) {
+  // 0.05 m/s at 2.5 m/s^2 take 0.02 s.
+  expect_legs(played({0.3, 0.3, 0.3, 0.35, 0.35}, 0.1), 0.3, {{0.02, 0.35}, {0.08, 0.35}});
+}
+
+TEST(Play, ACycleThatComesEarlyLeavesItsCommandLessTime) {
+  Cycles cycles;
+  for (int k = 0; k < 5; ++k) cycles.observe({0.5, 0.0});
+  cycles.observe({0.375, 0.0});                          // sent 0.08 s before the end
+  cycles.observe_at(cycles.time() + 0.03, {0.25, 0.0});  // sent 0.03 s before
+  UnderWay under_way;
+  cycles.history().play(VelocityLimits::from(parameters()), kPeriod, 0.1, under_way);
+  expect_legs(under_way, 0.5, {{0.02, 0.5}, {0.05, 0.375}, {0.03, 0.25}});
+}
+
+TEST(Play, NothingIsSaidOfNothing) {
+  UnderWay under_way({1.0, 1.0}, 1.0);
+  CommandHistory().play(VelocityLimits::from(parameters()), kPeriod, 0.1, under_way);
+  expect_legs(under_way, 0.0, {{0.1, 0.0}});
+}
+
+TEST(Play, AsManyLegsAsThereMayBeHaveRoom) {
+  const VelocityLimits limits = VelocityLimits::from(parameters());
+  CommandHistory history;
+  UnderWay under_way;
+  const UnderWay::Leg* const memory = under_way.legs().data();
+  // Each command's two axes are reached at times of their own.
+  for (int k = 0; k < 600; ++k) {
+    history.observe(0.005 * k, 0.005, 2.0, {k % 2 > 0 ? 1e-3 : -1e-3, k % 2 > 0 ? 2e-3 : -2e-3}, limits);
+    history.play(limits, 0.005, 2.0, under_way);
+  }
+  EXPECT_GT(under_way.legs().size(), 750u);
+  EXPECT_LE(under_way.legs().size(), UnderWay::kMostLegs);
+  EXPECT_EQ(under_way.legs().data(), memory);
+}
+
+Twist2 velocity_at(const UnderWay& under_way, double t) {
+  Twist2 from = under_way.begin();
+  for (const UnderWay::Leg& leg : under_way.legs()) {
+    if (t <= leg.duration) {
+      const double part = t / leg.duration;
+      return {from.v + part * (leg.end.v - from.v), from.omega + part * (leg.end.omega - from.omega)};
+    }
+    t -= leg.duration;
+    from = leg.end;
+  }
+  return from;
+}
+
+void compare_play(const CommandHistory& history, const NaiveReference& twin, const Parameters& p, double period,
+                  test::Random& random) {
+  UnderWay under_way;
+  history.play(VelocityLimits::from(p), period, p.control_latency, under_way);
+  // By the time the next command takes effect, the last one is reached.
+  const test::NaiveEffects effects = test::NaiveEffects(p, period, twin.effects()).then(p.control_latency, {});
+  for (int m = 0; m < 5; ++m) {
+    const double t = random.uniform(0.0, p.control_latency);
+    ASSERT_NEAR(velocity_at(under_way, t).v, effects.velocity(t).v, 1e-4) << t;
+    ASSERT_NEAR(velocity_at(under_way, t).omega, effects.velocity(t).omega, 1e-4) << t;
+  }
+  ASSERT_TRUE(under_way.end() == history.last());
+}
+
 struct Checked {
   int agreed = 0, lagged = 0, refused = 0, broken = 0;
 };
@@ -237,6 +344,7 @@ void compare_with_twin(std::uint64_t seed, Checked& checked) {
     const NaiveReference twin(p, cycles);
     ASSERT_EQ(history.size(), twin.shown().size()) << k;
     checked.broken += k > 0 && history.size() == 1;
+    compare_play(history, twin, p, period, random);
     for (int m = 0; m < 5; ++m) {
       Twist2 measured = cycles[cycles.size() - 1 - static_cast<std::size_t>(random.integer(0, std::min(k, 6)))].last_command;
       measured.v += random.uniform(-0.3, 0.3);
