@@ -23,6 +23,22 @@ hidwa_clean_path() {
   done
   export PATH=$clean
   unset PYTHONHOME VIRTUAL_ENV PYENV_VERSION
+  hidwa_leave_install
+}
+
+# In a shell that has sourced scripts/env, what was built before would count as part of the host: compat/ would be taken for
+# the real navigation stack.
+hidwa_leave_install() {
+  local name entry entries clean
+  for name in PATH CMAKE_PREFIX_PATH COLCON_PREFIX_PATH ROS_PACKAGE_PATH LD_LIBRARY_PATH PYTHONPATH PKG_CONFIG_PATH; do
+    case ":${!name:-}:" in *":$HIDWA_SPACE/install"[:/]*) ;; *) continue ;; esac
+    IFS=: read -r -a entries <<< "${!name}"
+    clean=
+    for entry in "${entries[@]}"; do
+      case $entry/ in "$HIDWA_SPACE"/install/*) ;; *) clean=$clean:$entry ;; esac
+    done
+    export "$name=${clean#:}"
+  done
 }
 
 # hidwa_source FILE: sources another workspace's setup file; such files know neither `set -e` nor `set -u`.

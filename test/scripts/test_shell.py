@@ -33,6 +33,15 @@ class Shell(unittest.TestCase):
                               stderr=subprocess.STDOUT, text=True)
         return done.returncode, done.stdout
 
+    def test_what_was_built_before_is_no_part_of_the_host(self):
+        install = os.path.join(self.space, 'install')
+        script = 'set -eu; . "$SCRIPTS/lib/common.sh"; hidwa_clean_path; echo "$ROS_PACKAGE_PATH|$CMAKE_PREFIX_PATH|$PYTHONPATH"'
+        status, output = self.bash(script, ROS_PACKAGE_PATH=f'{install}/share:/other/share:/usr/share',
+                                   CMAKE_PREFIX_PATH=f'/other:{install}', PYTHONPATH=f'{install}/lib/python3/dist-packages')
+        self.assertEqual((status, output), (0, '/other/share:/usr/share|/other|\n'))
+        status, output = self.bash(script, ROS_PACKAGE_PATH=f'{install}er/share:/a b', CMAKE_PREFIX_PATH='', PYTHONPATH='x')
+        self.assertEqual((status, output), (0, f'{install}er/share:/a b||x\n'))
+
     def test_env_under_strict_options(self):
         status, output = self.bash('set -eu; . "$SCRIPTS/env"; echo "$SPACE_SOURCED $-"; echo "${NOT_SET}"; echo on')
         self.assertIn('yes', output)
