@@ -33,8 +33,6 @@ void find_cells(const Table& t, const double* __restrict x, const double* __rest
   }
 }
 
-typedef double Four __attribute__((vector_size(4 * sizeof(double))));
-
 // Where a tile's poses lie: in every step each candidate is as fast as the slowest one, `a`, the fastest one, `b`, or
 // something between, and so is how far it gets along either axis.
 struct Extremes {

@@ -60,11 +60,8 @@ std::int32_t DistanceGrids::units(int set, Cell cell) {
 
 // Manhattan distance does not look at the costs.
 bool DistanceGrids::same_content() const {
-  const kernel::CellBox& box = swept_.interest;
   if (swept_.size_x != grid_.size_x || swept_.size_y != grid_.size_y || swept_.distance != distance_) return false;
-  if (box.i != interest_.i || box.j != interest_.j || box.width != interest_.width || box.height != interest_.height) {
-    return false;
-  }
+  if (!(swept_.interest == interest_)) return false;
   if (!std::equal(sources_.begin(), sources_.end(), swept_.sources.begin(), same_cells)) return false;
   return distance_ == MapGridDistance::l1 || std::memcmp(swept_.costs.data(), grid_.costs, grid_.cell_count()) == 0;
 }

@@ -30,8 +30,6 @@ struct Planes {
   std::size_t count;
 };
 
-typedef double Four __attribute__((vector_size(4 * sizeof(double))));
-
 // The smallest over all points of how far it lies beyond the plane that it lies farthest beyond. Two convex shapes share
 // area unless a side of one of them has the other beyond it.
 HIDWA_VECTOR_CLONES

@@ -33,8 +33,6 @@ void ramp_rows(const RollRequest& q, double w0, double w1, double* __restrict x,
   }
 }
 
-typedef double Four __attribute__((vector_size(4 * sizeof(double))));
-
 // A few candidates from row to row, without a look back: their positions stay in registers. Four at a time.
 HIDWA_VECTOR_CLONES
 void steady_rows(const RollRequest& q, double* x, double* y) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hidwa_local_planner/core/cell_index.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -148,14 +148,7 @@ TEST(PlannerTwin, DefaultProfile) {
   Tally tally;
   compare_all(
       1100, 1000000,
-      [](Scene& scene) {
-        const Parameters random = scene.parameters;
-        scene.parameters = Parameters();
-        scene.parameters.vx_samples = random.vx_samples;  // fewer, for time's sake
-        scene.parameters.vth_samples = random.vth_samples;
-        scene.parameters.footprint_padding = random.footprint_padding;
-      },
-      tally);
+      [](Scene& scene) { test::take_default_profile(scene.parameters); }, tally);
   EXPECT_GE(tally.compared, 1000);
   EXPECT_LE(tally.doubtful, 5);
   for (const char* name : {"Collision", "Braking", "BaseObstacle", "RotateToGoal"}) {

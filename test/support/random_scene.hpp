@@ -192,6 +192,15 @@ inline void randomise_motion(Random& random, Scene& scene) {
   }
 }
 
+/// The default parameters, with as few samples as were drawn, for time's sake, and the drawn padding.
+inline void take_default_profile(Parameters& p) {
+  const Parameters drawn = p;
+  p = Parameters();
+  p.vx_samples = drawn.vx_samples;
+  p.vth_samples = drawn.vth_samples;
+  p.footprint_padding = drawn.footprint_padding;
+}
+
 inline Scene random_scene(std::uint64_t seed) {
   Random random(seed);
   Scene scene;

@@ -23,7 +23,8 @@ class EndCells {
 
   /// Another tile comes next.
   void forget() { known_ = 0; }
-  /// Of the points `forward` [m] ahead of the last poses, in a box of the grid. Valid until forget().
+  /// Of the points `forward` [m] ahead of the last poses, in a box of the grid. Valid until the next
+  /// call.
   Cells of(const GridView& grid, const kernel::CellBox& box, const Tile& tile, double forward);
 
  private:

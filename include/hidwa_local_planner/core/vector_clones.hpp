@@ -8,3 +8,10 @@
 #else
 #define HIDWA_VECTOR_CLONES
 #endif
+
+namespace hidwa_local_planner {
+
+/// Four numbers that are computed with as one.
+typedef double Four __attribute__((vector_size(4 * sizeof(double))));
+
+}  // namespace hidwa_local_planner
