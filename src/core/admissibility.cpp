@@ -20,10 +20,32 @@ constexpr double kTouching = 1e-12;
 // Columns of samples that room is made for at once.
 constexpr std::size_t kUsualColumns = 128;
 
+// The robot stands as near to something as it did, up to so much [m].
+constexpr double kSameDistance = 1e-6;
+
+// Poses need not lie nearer to each other [m].
+constexpr double kFinest = 1e-4;
+
+// In periods: a command to brake that may come so much later is as good as one that does not.
+constexpr double kSoon = 0.1;
+
 // How much room around a pose is looked for, in cells: what is found saves looking at its neighbours.
 constexpr double kRoom = 2.0;
 
 }  // namespace
+
+double AdmissibilityCheck::most_growth(const Setup& setup, const VelocityLimits& limits, double radius, double reach) {
+  // One ramp and one tail: no way to them is farther off than half of what the limits allow in a period.
+  const auto of_command = [&setup](const AxisLimits& axis) {
+    return 0.75 * std::max(axis.acc, axis.braking) * setup.period * setup.period;
+  };
+  Twist2 spread;
+  for (std::size_t way = 0; way < setup.pending->size(); ++way) {
+    const Twist2 own = (*setup.pending)[way].spread();
+    spread = {std::max(spread.v, own.v), std::max(spread.omega, own.omega)};
+  }
+  return spread.v + of_command(limits.x) + (radius + reach) * (spread.omega + of_command(limits.theta));
+}
 
 void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLimits& limits,
                                  const CollisionChecker& checker, const Footprint& footprint, double resolution,
@@ -37,27 +59,15 @@ void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLim
   if (memo_.size() < kUsualColumns) memo_.resize(kUsualColumns);
   for (Memo& memo : memo_) memo.known = memo.v_known = false;
   omega_known_ = false;
-  arrival_.known = sure_arrival_.known = false;
+  for (Arrival& arrival : arrivals_) arrival.roller.reset();
+  for (Arrival& arrival : sure_arrivals_) arrival.roller.reset();
   start_ = {setup.start, {std::cos(setup.start.theta), std::sin(setup.start.theta)}};
   escaping_ = parameters.escape && checker.collides(setup.start);
   if (escaping_) stance_ = {checker.penetration(setup.start), checker.clearance(setup.start)};
   margin_ = checker.margin();
   rooms_.clear(footprint.circumscribed_radius(), 0.5 * resolution);
   all_clear_ = !escaping_ && nothing_in_reach();
-  grow_outline();
-  // A robot that stands within the growth of an obstacle would find every manoeuvre refused: it goes without.
-  sure_outline_ = !escaping_ && checker.collides(setup.start, start_.heading, grown_) ? &footprint : &grown_;
-}
-
-// Made anew only when the outline changes.
-void AdmissibilityCheck::grow_outline() {
-  const double by = resolution_ / 32.0;
-  if (grown_by_ == by && grown_from_.radius() == footprint_->radius() && grown_from_.outline() == footprint_->outline()) {
-    return;
-  }
-  grown_from_ = *footprint_;
-  grown_by_ = by;
-  grown_ = footprint_->padded(by);
+  keep_ = all_clear_ ? 0.0 : std::max(0.0, checker.separation(setup.start, start_.heading, checker.room()) - kSameDistance);
 }
 
 Twist2 AdmissibilityCheck::command_for(const Twist2& sample) const {
@@ -130,10 +140,10 @@ double AdmissibilityCheck::room_at(const Tile& tile, std::size_t c, std::size_t 
   return look(tile.pose(k, c), {tile.cos_heading[k], tile.sin_heading[k]});
 }
 
-double AdmissibilityCheck::look(const Pose2& pose, const Rotation& heading) {
+double AdmissibilityCheck::look(const Pose2& pose, const Rotation& heading, double needed) {
   const double left = rooms_.room_at(pose);
-  if (left > 0.0) return left;
-  const double room = checker_->separation(pose, heading, kRoom * resolution_);
+  if (left > needed) return left;
+  const double room = checker_->separation(pose, heading, needed + kRoom * resolution_);
   if (room > 0.0) rooms_.note(pose, room);
   return room;
 }
@@ -214,55 +224,91 @@ bool AdmissibilityCheck::can_brake_surely(const Twist2& sample) {
   return escaping_ || all_clear_ || manoeuvre_surely_free(command_for(sample));
 }
 
-BrakeManoeuvre AdmissibilityCheck::manoeuvre(const Twist2& command) const {
-  return {setup_.start, *setup_.under_way, command, setup_.period};
+BrakeManoeuvre AdmissibilityCheck::manoeuvre(std::size_t way, const Twist2& command, double hold) const {
+  return {setup_.origin, (*setup_.pending)[way], command, setup_.period, hold};
 }
+
+// The next command may be late, and the one after it: as long as each asks for what could be braked since the one before,
+// all of that together delays the braking by no more than the latest of them.
+double AdmissibilityCheck::longest_hold() const { return 2.0 * std::max(0.0, setup_.longest_period - setup_.period); }
 
 // No command reaches farther than the one that speeds up.
 bool AdmissibilityCheck::nothing_in_reach() const {
   const double speed = std::abs(setup_.reference.v) + limits_->x.acc * setup_.period;
-  const double fastest = parameters_->command == CommandPolicy::target
-                             ? std::max({speed, std::abs(limits_->x.min), std::abs(limits_->x.max)})
-                             : speed;
-  return checker_->clear_around(setup_.start.x, setup_.start.y, manoeuvre({fastest, 0.0}).reach(*limits_));
+  const double fastest = std::max(setup_.pending->fastest(), speed);
+  double reach = 0.0;
+  for (std::size_t way = 0; way < setup_.pending->size(); ++way) {
+    reach = std::max(reach, manoeuvre(way, {fastest, 0.0}, longest_hold()).reach(*limits_));
+  }
+  reach += most_growth(setup_, *limits_, footprint_->circumscribed_radius(), reach);
+  return checker_->clear_around(setup_.origin.x, setup_.origin.y, reach);
 }
 
-// `look` tells how much room a pose has; what is left of it is enough for the next poses.
+// A sixteenth of a cell; nearer where the robot hardly moves, since half of it is asked for as distance.
+double AdmissibilityCheck::fine_spacing(double way) const {
+  return std::clamp(way / 8.0, kFinest, resolution_ / 16.0);
+}
+
+// `look` tells how much room a pose has, where more than a distance is asked for; what is left of it is enough for the next
+// poses.
 template <typename Look>
-bool AdmissibilityCheck::free_all_along(const BrakeManoeuvre& manoeuvre, double spacing, Arrival& arrival,
+bool AdmissibilityCheck::free_all_along(const BrakeManoeuvre& manoeuvre, bool surely, Arrival& arrival,
                                         Look&& look) const {
-  double room = 0.0;
-  const auto visit = [&](const TurnedPose& at) {
-    room -= spacing;  // nothing moved farther since the last pose
-    if (room <= 0.0) room = look(at);
-    return room > 0.0;
-  };
   const double radius = footprint_->circumscribed_radius();
-  if (!arrival.known) {
-    ManoeuvreRoller roller(*limits_, radius, spacing, start_);
-    arrival.free = roller.roll_on(manoeuvre.under_way, visit);
-    arrival.at = roller.at();
-    arrival.room = room;
-    arrival.known = true;
+  const auto roll = [&](ManoeuvreRoller& roller, double spacing, double& room, auto&& roll_part) {
+    const double gap = surely ? 0.5 * spacing : 0.0;  // half of what a point moves between two poses
+    roller.set_spacing(spacing);
+    return roll_part(roller, [&](const TurnedPose& at) {
+      room -= spacing;  // nothing moved farther since the last pose
+      const double needed = std::min(roller.growth() + gap, keep_);
+      if (room <= needed) room = look(at, needed);
+      return room > needed;
+    });
+  };
+  if (!arrival.roller) {
+    const Pose2& origin = manoeuvre.start;
+    arrival.roller.emplace(*limits_, radius, resolution_, TurnedPose{origin, {std::cos(origin.theta), std::sin(origin.theta)}});
+    arrival.room = 0.0;
+    const double spacing = surely ? fine_spacing(manoeuvre.under_way.reach(radius)) : 0.5 * resolution_;
+    arrival.free = roll(*arrival.roller, spacing, arrival.room, [&](ManoeuvreRoller& roller, auto&& visit) {
+      return roller.roll_on(manoeuvre.under_way, visit);
+    });
   }
   if (!arrival.free) return false;
-  room = arrival.room;
-  return ManoeuvreRoller(*limits_, radius, spacing, arrival.at).roll_to_rest(manoeuvre, visit);
+  double room = arrival.room;
+  ManoeuvreRoller rest = *arrival.roller;
+  const double spacing = surely ? fine_spacing(manoeuvre.reach(*limits_, radius)) : 0.5 * resolution_;
+  return roll(rest, spacing, room, [&](ManoeuvreRoller& roller, auto&& visit) {
+    return roller.roll_to_rest(manoeuvre, visit);
+  });
+}
+
+// In every way that what is pending may go on, and whether the command to brake comes after a period or as late as it may.
+template <typename Look>
+bool AdmissibilityCheck::free_in_time(const Twist2& command, bool surely, Arrivals& arrivals, Look&& look) const {
+  const double latest = longest_hold();
+  for (std::size_t way = 0; way < setup_.pending->size(); ++way) {
+    if (!free_all_along(manoeuvre(way, command, latest), surely, arrivals[way], look)) return false;
+    if (latest > kSoon * setup_.period && !free_all_along(manoeuvre(way, command, 0.0), surely, arrivals[way], look)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool AdmissibilityCheck::manoeuvre_free(const Twist2& command) {
-  return free_all_along(manoeuvre(command), 0.5 * resolution_, arrival_,
-                        [this](const TurnedPose& at) { return look(at.pose, at.heading); });
+  return free_in_time(command, false, arrivals_,
+                      [this](const TurnedPose& at, double needed) { return look(at.pose, at.heading, needed); });
 }
 
 bool AdmissibilityCheck::manoeuvre_surely_free(const Twist2& command) {
-  return free_all_along(manoeuvre(command), resolution_ / 16.0, sure_arrival_, [this](const TurnedPose& at) {
-    return checker_->separation(at.pose, at.heading, *sure_outline_, kRoom * resolution_);
+  return free_in_time(command, true, sure_arrivals_, [this](const TurnedPose& at, double needed) {
+    return checker_->separation(at.pose, at.heading, needed + kRoom * resolution_);
   });
 }
 
 bool AdmissibilityCheck::manoeuvre_deeper(const Twist2& command) {
-  roll_out(manoeuvre(command), *limits_, footprint_->circumscribed_radius(), 0.5 * resolution_, poses_);
+  roll_out(manoeuvre(0, command, longest_hold()), *limits_, footprint_->circumscribed_radius(), 0.5 * resolution_, poses_);
   int before = stance_.penetration;
   for (const Pose2& pose : poses_) {
     const int now = checker_->penetration(pose);

@@ -11,8 +11,8 @@ namespace {
 // Lengths of this order are rounding [m].
 constexpr double kRounding = 1e-9;
 
-// How much room around a pose is looked for at most, in cells.
-constexpr double kMostRoom = 2.0;
+// How much room around a pose is looked for at least, in cells.
+constexpr double kLeastRoom = 2.0;
 
 // Clips the parameter range [t0, t1] of the segment a + t d to the open slab (lo, hi).
 bool clip(double a, double d, double lo, double hi, double& t0, double& t1) {
@@ -48,7 +48,27 @@ double distance_to_cell(double x, double y, double cell_x, double cell_y, double
   return std::sqrt(dx * dx + dy * dy);
 }
 
+// Between a point and the part of a line from a to b.
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Point d = b - a;
+  const double length2 = d.squaredNorm();
+  const double t = length2 > 0.0 ? std::min(std::max((p - a).dot(d) / length2, 0.0), 1.0) : 0.0;
+  return (p - a - t * d).norm();
+}
+
 }  // namespace
+
+// Nearest to each other are a corner of one and a side of the other.
+double distance_to_square(const Polygon& polygon, double x, double y, double side) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    least = std::min(least, distance_to_cell(polygon[i].x(), polygon[i].y(), x, y, side));
+    for (const Point& corner : {Point(x, y), Point(x + side, y), Point(x, y + side), Point(x + side, y + side)}) {
+      least = std::min(least, distance_to_segment(corner, polygon[j], polygon[i]));
+    }
+  }
+  return least;
+}
 
 bool overlaps_square(const Polygon& polygon, double x, double y, double side) {
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -58,7 +78,7 @@ bool overlaps_square(const Polygon& polygon, double x, double y, double side) {
 }
 
 void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle,
-                               const Pose2& centre, double reach, double margin) {
+                               const Pose2& centre, double reach, double margin, double room) {
   grid_ = grid;
   footprint_ = &footprint;
   unknown_is_obstacle_ = unknown_is_obstacle;
@@ -67,9 +87,12 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
   shape.outer = footprint.circumscribed_radius() + margin;
   shape.inscribed = footprint.inscribed_radius();
   shape.margin = margin;
+  // By whole cells: what was collected for one cycle serves the next.
+  shape.room = std::max(kLeastRoom, std::ceil(room / grid.resolution)) * grid.resolution;
+  room_ = shape.room;
   shape.resolution = grid.resolution;
   shape.circle = footprint.is_circle();
-  shape.radius = static_cast<int>(std::ceil((reach + shape.outer) / grid.resolution + kMostRoom)) + 3;
+  shape.radius = static_cast<int>(std::ceil((reach + shape.outer + shape.room) / grid.resolution)) + 3;
   const Cell middle = grid.cell_at(centre.x, centre.y);
   first_ = {middle.i - shape.radius, middle.j - shape.radius};
   if (mark_obstacles(shape)) {
@@ -82,7 +105,7 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
 
 // Where its centre lies inside, an outline that touches the midst of obstacles touches their edge too.
 void CollisionChecker::prepare_lists(double margin) {
-  const double room = kMostRoom * grid_.resolution;
+  const double room = room_;
   ObstacleLists::Window window;
   window.solid = footprint_->inscribed_radius() > 0.0 ? &edges_ : &obstacles_;
   window.core = footprint_->is_circle() ? &inscribed_ : nullptr;
@@ -182,9 +205,9 @@ double CollisionChecker::separation(const Pose2& pose, const Rotation& heading, 
   if (reached && &outline == footprint_ && hit_.test(i, j)) return 0.0;
   if (centre_collides(cell, outline)) return 0.0;
   const bool listed = reached && (outline.is_circle() || !outline.sides().empty());
-  cap = std::min(std::max(cap, kRounding), kMostRoom * grid_.resolution);
+  cap = std::min(std::max(cap, kRounding), room_);
   const double least = listed ? lists_.smallest_gap(i, j, pose, heading, outline, cap)
-                              : smallest_gap(place(pose, heading, outline));
+                              : smallest_gap(place(pose, heading, outline), cap);
   return least <= 0.0 ? 0.0 : std::max(least - kRounding, kFree);
 }
 
@@ -233,8 +256,8 @@ double CollisionChecker::gap_to(const Placed& placed, double x, double y) const 
   }
   double most = std::max({x - placed.hi_x, placed.lo_x - (x + side), y - placed.hi_y, placed.lo_y - (y + side)});
   if (placed.outline->sides().empty()) {
-    if (most > 0.0) return most;
-    return overlaps_square(corners_, x, y, side) ? 0.0 : kRounding;  // near, who knows how near
+    if (most > room_) return most;
+    return overlaps_square(corners_, x, y, side) ? 0.0 : std::max(distance_to_square(corners_, x, y, side), kRounding);
   }
   const double middle_x = x + 0.5 * side - pose.x, middle_y = y + 0.5 * side - pose.y;
   for (const Footprint::Side& s : sides_) {
@@ -244,20 +267,20 @@ double CollisionChecker::gap_to(const Placed& placed, double x, double y) const 
 }
 
 // To the nearest obstacle that it comes near; not positive where one overlaps. The slow way, for any outline anywhere.
-double CollisionChecker::smallest_gap(const Placed& placed) const {
-  double least = kRounding;
-  visit_obstacles(placed, [&](double gap) {
+double CollisionChecker::smallest_gap(const Placed& placed, double cap) const {
+  double least = cap;
+  visit_obstacles(placed, cap, [&](double gap) {
     least = std::min(least, gap);
     return least > 0.0;
   });
   return least;
 }
 
-// Calls visit(gap to it) for the obstacles in the outline's box until it returns false.
+// Calls visit(gap to it) for the obstacles in the outline's box, and so far `around` it [m], until it returns false.
 template <typename Visit>
-void CollisionChecker::visit_obstacles(const Placed& placed, Visit&& visit) const {
-  const Cell lo = grid_.cell_at(placed.lo_x, placed.lo_y);
-  const Cell hi = grid_.cell_at(placed.hi_x, placed.hi_y);
+void CollisionChecker::visit_obstacles(const Placed& placed, double around, Visit&& visit) const {
+  const Cell lo = grid_.cell_at(placed.lo_x - around, placed.lo_y - around);
+  const Cell hi = grid_.cell_at(placed.hi_x + around, placed.hi_y + around);
   for (int j = lo.j; j <= hi.j; ++j) {
     for (int i = lo.i; i <= hi.i; ++i) {
       if (!obstacle({i, j})) continue;
@@ -269,7 +292,7 @@ void CollisionChecker::visit_obstacles(const Placed& placed, Visit&& visit) cons
 
 int CollisionChecker::penetration(const Pose2& pose) const {
   int cells = 0;
-  visit_obstacles(place(pose, {std::cos(pose.theta), std::sin(pose.theta)}, *footprint_), [&cells](double gap) {
+  visit_obstacles(place(pose, {std::cos(pose.theta), std::sin(pose.theta)}, *footprint_), 0.0, [&cells](double gap) {
     cells += gap <= 0.0 ? 1 : 0;
     return true;
   });

@@ -9,19 +9,14 @@
 namespace hidwa_local_planner {
 namespace {
 
-constexpr double kSameTime = 1e-6;      // [s]; stamps are sums of periods
-constexpr double kSameVelocity = 1e-6;  // [m/s, rad/s]; more than rounding, less than any actuator's step
+constexpr double kSameTime = 1e-6;  // [s]; stamps are sums of periods
 
-bool in_reach(const AxisLimits& axis, double from, double to, double period) {
-  return std::abs(to - from) <= std::max(axis.acc, axis.braking) * period + kSameVelocity;
-}
-
-// Makes legs of a velocity over time, given by its corners; time is counted from now.
+// Makes legs of a velocity over time, given by its corners; time is counted from where the legs begin.
 class Player {
  public:
   Player(const Twist2& u, UnderWay& under_way) : u_(u), under_way_(under_way) { under_way_.begin(u); }
 
-  // The velocity changes evenly to `u` at `time` [s], from the last corner on; before now it has done so already.
+  // The velocity changes evenly to `u` at `time` [s], from the last corner on; before the beginning it has done so already.
   void corner(double time, const Twist2& u) {
     if (time <= kSameTime) {
       at_ = std::min(time, 0.0);
@@ -29,7 +24,7 @@ class Player {
       under_way_.begin(u);
       return;
     }
-    if (at_ < 0.0) pass_now(time, u);
+    if (at_ < 0.0) pass_begin(time, u);
     if (!(u == u_)) {
       leg_to(at_, u_);
       leg_to(time, u);
@@ -37,11 +32,21 @@ class Player {
     at_ = time;
     u_ = u;
   }
+  // From the last corner on the robot may be so far off.
+  void spread(const Twist2& by) {
+    if (by == Twist2{}) return;
+    leg_to(at_, u_);
+    spread_.v += by.v;
+    spread_.omega += by.omega;
+  }
   // What was even up to the end is one leg.
-  void finish() { leg_to(at_, u_); }
+  void finish(double end) {
+    at_ = end;
+    leg_to(at_, u_);
+  }
 
  private:
-  void pass_now(double time, const Twist2& u) {
+  void pass_begin(double time, const Twist2& u) {
     const double gone = -at_ / (time - at_);
     u_ = {u_.v + gone * (u.v - u_.v), u_.omega + gone * (u.omega - u_.omega)};
     at_ = 0.0;
@@ -49,39 +54,37 @@ class Player {
   }
   void leg_to(double time, const Twist2& u) {
     if (time - done_ <= kSameTime) return;
-    under_way_.add(u, time - done_);
+    under_way_.add(u, time - done_, spread_);
+    spread_ = {};
     done_ = time;
   }
 
   double at_ = 0.0, done_ = 0.0;  // [s]: the last corner, the end of the last leg
-  Twist2 u_;
+  Twist2 u_, spread_;
   UnderWay& under_way_;
 };
 
-bool within(double value, const Interval& interval, double tolerance) {
-  return value >= interval.lo - tolerance && value <= interval.hi + tolerance;
-}
-
 }  // namespace
 
-void CommandHistory::observe(double now, double period, double latency, const Twist2& command,
+void CommandHistory::observe(double now, double period, double span, const Twist2& command,
                              const VelocityLimits& limits) {
   if (!seen_ || !(now >= *seen_)) forget();  // also where a time is no number
-  Sent newest{seen_.value_or(now), command};
+  Sent newest{seen_.value_or(now), command, command};
   if (!sent_.empty() && now == *seen_) {
     newest.time = sent_.back().time;
+    newest.from = sent_.back().from;
     sent_.pop_back();
+  } else if (seen_) {
+    elapsed_ = now - *seen_;
   }
   if (!sent_.empty()) {
-    const Twist2& before = sent_.back().command;
-    const bool followed = in_reach(limits.x, before.v, command.v, period) &&
-                          in_reach(limits.theta, before.omega, command.omega, period);
-    if (!followed) sent_.clear();
+    const Sent& before = sent_.back();
+    newest.from = CommandRamp(limits, before.from, before.command, period).at(newest.time - before.time);
   }
   if (sent_.size() == kMost) sent_.erase(sent_.begin());
   sent_.push_back(newest);
   // A command is in force until the next one is sent.
-  const double begin = now - latency - period + kSameTime;
+  const double begin = now - span + kSameTime;
   while (sent_.size() > 1 && sent_[1].time <= begin) sent_.erase(sent_.begin());
   seen_ = now;
 }
@@ -89,43 +92,39 @@ void CommandHistory::observe(double now, double period, double latency, const Tw
 void CommandHistory::forget() {
   sent_.clear();
   seen_.reset();
+  elapsed_ = 0.0;
 }
 
-Interval CommandHistory::range(double Twist2::* axis) const {
+Interval CommandHistory::range(double Twist2::*axis) const {
   Interval all{last().*axis, last().*axis};
   for (const Sent& sent : sent_) {
-    all.lo = std::min(all.lo, sent.command.*axis);
-    all.hi = std::max(all.hi, sent.command.*axis);
+    all.lo = std::min({all.lo, sent.command.*axis, sent.from.*axis});
+    all.hi = std::max({all.hi, sent.command.*axis, sent.from.*axis});
   }
   return all;
 }
 
-void CommandHistory::play(const VelocityLimits& limits, double period, double latency, UnderWay& under_way) const {
-  const double now = seen_.value_or(0.0);
-  const auto effect = [&](std::size_t i) { return i < sent_.size() ? sent_[i].time + latency - now : latency; };
-  Player player(sent_.empty() ? Twist2{} : sent_.front().command, under_way);
-  for (std::size_t i = 1; i < sent_.size(); ++i) {
-    const double begin = effect(i);
-    const CommandRamp ramp(limits, sent_[i - 1].command, sent_[i].command, std::min(period, effect(i + 1) - begin));
-    player.corner(begin, sent_[i - 1].command);
-    for (const double corner : ramp.corners()) player.corner(begin + corner, ramp.at(corner));
+Twist2 CommandHistory::next_start(const VelocityLimits& limits, double period, const Twist2& reached) const {
+  if (sent_.empty()) return reached;
+  const Sent& newest = sent_.back();
+  const CommandRamp ramp(limits, newest.from, newest.command, period);
+  return {ramp.v().in_time() ? newest.command.v : reached.v, ramp.omega().in_time() ? newest.command.omega : reached.omega};
+}
+
+void CommandHistory::play(const VelocityLimits& limits, double period, double latency, double age,
+                          UnderWay& under_way) const {
+  const double begin = seen_.value_or(0.0) - age;  // [s]
+  const double end = latency + age;
+  const auto effect = [&](std::size_t i) { return i < sent_.size() ? sent_[i].time + latency - begin : end; };
+  Player player(sent_.empty() ? Twist2{} : sent_.front().from, under_way);
+  for (std::size_t i = 0; i < sent_.size(); ++i) {
+    const double start = effect(i), length = effect(i + 1) - start;
+    const CommandRamp ramp(limits, sent_[i].from, sent_[i].command, period);
+    player.corner(start, sent_[i].from);
+    if (start + period > 0.0) player.spread(ramp.spread(length));
+    for (const double corner : ramp.corners(length)) player.corner(start + corner, ramp.at(corner));
   }
-  player.corner(latency, last());
-  player.finish();
-}
-
-bool goes_on(const Parameters& p, const Twist2& measured, const CommandHistory& commands) {
-  if (p.velocity_reference == VelocityReference::odometry) return false;
-  const Twist2 last = commands.last();
-  // Inside the motors' dead band the robot stands while the command already grows: that is no disagreement.
-  const double dead_band =
-      std::abs(last.omega) <= std::max(p.min_in_place_vel_theta, p.min_vel_theta) ? std::abs(last.omega) : 0.0;
-  return within(measured.v, commands.range(&Twist2::v), p.velocity_reference_tolerance_x) &&
-         within(measured.omega, commands.range(&Twist2::omega), p.velocity_reference_tolerance_theta + dead_band);
-}
-
-Twist2 velocity_reference(const Parameters& p, const Twist2& measured, const CommandHistory& commands) {
-  return goes_on(p, measured, commands) ? commands.last() : measured;
+  player.finish(end);
 }
 
 }  // namespace hidwa_local_planner

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "hidwa_local_planner/core/safe_values.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -20,12 +22,17 @@ constexpr double kFastest = 20.0;         // [m/s]
 constexpr double kFastestTurn = 50.0;     // [rad/s]
 constexpr double kFarthest = 1e6;         // [m, rad]
 
+constexpr double kOldestPose = 10.0;      // [s]
+
 bool plausible(const Twist2& u) { return std::abs(u.v) <= kFastest && std::abs(u.omega) <= kFastestTurn; }
 bool plausible(const Pose2& q) {
   return std::abs(q.x) <= kFarthest && std::abs(q.y) <= kFarthest && std::abs(q.theta) <= kFarthest;
 }
 
 double usable_period(const Situation& s) { return s.period > 0.0 ? s.period : Situation().period; }
+
+// An old pose is led on in steps of so much [m].
+constexpr double kAdvanceSpacing = 0.01;
 
 // Parameters of critics of other packages where nobody supplies any: the fallbacks.
 class NoParameters : public ParameterSource {
@@ -88,6 +95,7 @@ std::vector<std::string> Planner::configure(const Parameters& parameters, const 
   impl_->raw.resize(impl_->critics.size());
   impl_->make_room_for_words();
   impl_->parameters = parameters;
+  make_safe(impl_->parameters);
   impl_->limits = VelocityLimits::from(parameters);
   set_footprint(impl_->outline);
   return {};
@@ -104,9 +112,20 @@ void Planner::reset() {
   impl_->unturned.reset();
 }
 
-const Decision& Planner::plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
+Twist2 Planner::believed(const Twist2& measured) const {
+  const auto axis = [&](double Twist2::*u, const AxisBelief& belief) {
+    if (!std::isfinite(measured.*u)) return impl_->commands.last().*u;
+    const bool fast = faster_than_explained(measured.*u, impl_->commands.range(u),
+                                            reading_tolerance(impl_->parameters, impl_->commands.last()).*u);
+    return !fast ? measured.*u : belief.sure() ? belief.believed() : impl_->commands.last().*u;
+  };
+  return {axis(&Twist2::v, impl_->odometry.v), axis(&Twist2::omega, impl_->odometry.omega)};
+}
+
+const Decision& Planner::plan(const Situation& measured, const GridView& grid, const OperatorIntent& intent,
                               const Sampling& sampling) {
-  impl_->begin(situation);
+  impl_->begin(measured);
+  const Situation& situation = impl_->advance(measured);
   impl_->intent = intent;
   const char* fault = intent.influence != Influence::stop ? impl_->fault_of(situation, grid) : nullptr;
   if (fault != nullptr) {
@@ -125,6 +144,7 @@ const Decision& Planner::plan(const Situation& situation, const GridView& grid, 
 
 const char* Planner::Impl::fault_of(const Situation& situation, const GridView& grid) const {
   if (!grid.valid()) return "the costmap is empty";
+  if (!(situation.pose_age >= 0.0) || situation.pose_age > kOldestPose) return "the pose is too old: look at tf";
   if (footprint.empty()) return "no footprint is set: give the costmap footprint or robot_radius";
   if (!plausible(situation.pose) || !plausible(situation.velocity) || !plausible(situation.last_command)) {
     return "pose or velocity is not a number, or beyond all bounds: look at odometry and tf";
@@ -139,18 +159,56 @@ const char* Planner::Impl::fault_of(const Situation& situation, const GridView& 
   return nullptr;
 }
 
+// Where this cycle starts from on one axis, what is believed of the reading, and what else the robot may do. A command
+// starts from the last one, or from where odometry is slower; never from a reading that is faster.
+void Planner::Impl::judge_axis(const Situation& situation, double Twist2::*axis, const AxisLimits& axis_limits,
+                               AxisBelief& belief) {
+  const double last = commands.last().*axis;
+  const double measured = plausible(situation.velocity) ? situation.velocity.*axis : last;
+  const double tolerance = reading_tolerance(parameters, commands.last()).*axis;
+  const Reading reading = belief.judge(situation.time, measured, commands.range(axis), tolerance, axis_limits);
+  const bool fast = reading == Reading::doubted || reading == Reading::faster;
+  const bool as_commanded = reading == Reading::agrees && parameters.velocity_reference == VelocityReference::command;
+  const double start = fast || as_commanded ? decision.reference.*axis : measured;
+  decision.reference.*axis = axis_limits.start_from(start, last);
+  decision.velocity.*axis = reading == Reading::doubted  ? last
+                            : reading == Reading::faster ? belief.believed()
+                                                         : measured;
+  decision.odometry_doubted = decision.odometry_doubted || reading == Reading::doubted;
+  decision.odometry_fast = decision.odometry_fast || reading == Reading::faster;
+  if (reading == Reading::slower || reading == Reading::faster) pending.or_else(axis, decision.velocity.*axis);
+}
+
 // A command that was never a number is none; a reference beyond the limits is brought back by the window.
 void Planner::Impl::find_reference(const Situation& situation) {
+  origin = situation.pose;
+  const double period = usable_period(situation);
+  const double latency = parameters.control_latency, age = situation.pose_age;
   const Twist2 last = plausible(situation.last_command) ? situation.last_command : Twist2{};
-  const Twist2 measured = plausible(situation.velocity) ? situation.velocity : last;
-  commands.observe(situation.time, usable_period(situation), parameters.control_latency, last, limits);
-  const bool on = goes_on(parameters, measured, commands);
-  decision.reference = on ? commands.last() : measured;
-  if (on) {
-    commands.play(limits, usable_period(situation), parameters.control_latency, under_way);
-  } else {
-    under_way.keep(measured, parameters.control_latency);
+  if (situation.resumed) {
+    commands.forget();
+    odometry.forget();
   }
+  commands.observe(situation.time, period, latency + period + age, last, limits);
+  UnderWay& as_commanded = pending.first();
+  commands.play(limits, period, latency, age, as_commanded);
+  as_commanded.mark_past(age);
+  decision.reference = commands.next_start(limits, period, as_commanded.end());
+  judge_axis(situation, &Twist2::v, limits.x, odometry.v);
+  judge_axis(situation, &Twist2::omega, limits.theta, odometry.omega);
+}
+
+// The pose of now: from the measured one on as the commands since then say, where odometry is slower as that says.
+const Situation& Planner::Impl::advance(const Situation& situation) {
+  decision.pose = situation.pose;
+  if (situation.pose_age <= 0.0 || !plausible(situation.pose)) return situation;
+  const UnderWay& likely = pending[pending.size() - 1];
+  const Rotation heading{std::cos(situation.pose.theta), std::sin(situation.pose.theta)};
+  ManoeuvreRoller roller(limits, footprint.circumscribed_radius(), kAdvanceSpacing, {situation.pose, heading});
+  roller.roll_past(likely);
+  advanced = situation;
+  advanced.pose = decision.pose = roller.at().pose;
+  return advanced;
 }
 
 void Planner::Impl::begin(const Situation& situation) {
@@ -192,13 +250,18 @@ void Planner::Impl::clear_decision() {
   decision.problem = std::move(problem);
 }
 
+// A late cycle brakes by what could have been braked since the one before: otherwise all late cycles would add way.
+double Planner::Impl::brake_period(const Situation& situation) const {
+  return std::max(usable_period(situation), std::min(commands.elapsed(), longest_period(situation)));
+}
+
 // The brake command; at rest there is nothing left but to fail.
 void Planner::Impl::give_up(const Situation& situation, Problem kind, const char* problem) {
   decision.problem_kind = kind;
   decision.problem = problem;
   decision.sample = {};
-  decision.command = limits.brake(decision.reference, usable_period(situation));
-  const bool moving = !at_rest(decision.reference) || !at_rest(situation.velocity);
+  decision.command = limits.brake(decision.reference, brake_period(situation));
+  const bool moving = !at_rest(decision.reference) || !at_rest(decision.velocity);
   decision.outcome = moving ? Outcome::brake : Outcome::fail;
 }
 

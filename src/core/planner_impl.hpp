@@ -15,6 +15,7 @@
 #include "hidwa_local_planner/core/command_history.hpp"
 #include "hidwa_local_planner/core/end_cells.hpp"
 #include "hidwa_local_planner/core/lasting.hpp"
+#include "hidwa_local_planner/core/odometry_belief.hpp"
 #include "hidwa_local_planner/core/plan_grids.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/rollout.hpp"
@@ -37,6 +38,10 @@ inline constexpr const char* kCannotBrake = "cannot stop in free space";
 inline constexpr double kAtRest = 1e-3;
 
 inline bool at_rest(const Twist2& u) { return std::abs(u.v) < kAtRest && std::abs(u.omega) < kAtRest; }
+
+inline double longest_period(const Situation& s) {  // [s]
+  return s.longest_period > s.period && std::isfinite(s.longest_period) ? s.longest_period : s.period;
+}
 
 // Makes room with some to spare: the number of candidates changes by a few from cycle to cycle.
 template <typename T>
@@ -99,7 +104,10 @@ struct Planner::Impl {
   Decision decision;
   Marked marked;
   CommandHistory commands;
-  UnderWay under_way;                     // until this cycle's command takes effect
+  OdometryBelief odometry;
+  Pose2 origin;                           // of what is pending: the pose as it was measured
+  PendingMotion pending;                  // until this cycle's command takes effect
+  Situation advanced;                     // the cycle's, with the pose of now
   WayOut way_out;
   Lasting unturned;                       // at the goal's position it stands at another heading
   bool unturned_reset = false;            // the critics were reset for that
@@ -110,8 +118,11 @@ struct Planner::Impl {
   const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
   void make_room_for_words();
+  double brake_period(const Situation& situation) const;
   void give_up(const Situation& situation, Problem kind, const char* problem);
+  const Situation& advance(const Situation& situation);
   void find_reference(const Situation& situation);
+  void judge_axis(const Situation& situation, double Twist2::*axis, const AxisLimits& limits, AxisBelief& belief);
   void make_candidates(const Situation& situation, const Sampling& sampling);
   void prepare_checks(const Situation& situation, const GridView& grid);
   void score_tile(const CycleView& cycle, std::size_t t, bool check);

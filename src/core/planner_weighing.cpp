@@ -31,7 +31,7 @@ CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid,
                                                 parameters.GoalAlign_forward_point_distance));
   CycleView cycle;
   cycle.pose = situation.pose;
-  cycle.velocity = situation.velocity;
+  cycle.velocity = decision.velocity;
   cycle.last_command = situation.last_command;
   cycle.goal = situation.goal;
   cycle.time = situation.time;
@@ -73,16 +73,26 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
 }
 
 void Planner::Impl::prepare_checks(const Situation& situation, const GridView& grid) {
-  const double fastest = std::max(under_way.fastest(), rollout.fastest());
-  const double longest = std::max(parameters.sim_time, parameters.control_latency + situation.period +
-                                                           limits.x.time_to_rest(fastest));
-  reach = fastest * longest;
-  // Half a step: what lies between two clear poses is clear. And enough for an outline that is grown a little.
+  const AdmissibilityCheck::Setup setup{situation.pose,   origin,           decision.reference,
+                                        &pending,         situation.period, longest_period(situation),
+                                        !steered && way_out.active()};
+  const double longest = std::max(pending.fastest(), rollout.fastest());
+  double manoeuvres = 0.0;
+  for (std::size_t way = 0; way < pending.size(); ++way) {
+    const double hold = 2.0 * (setup.longest_period - setup.period);
+    manoeuvres = std::max(manoeuvres, BrakeManoeuvre{origin, pending[way], {longest, 0.0}, setup.period, hold}.reach(limits));
+  }
+  const double radius = footprint.circumscribed_radius();
+  const double growth = AdmissibilityCheck::most_growth(setup, limits, radius, manoeuvres);
+  // Nothing lies beyond the map's edge but more of it.
+  const double across = std::hypot(grid.size_x, grid.size_y) * grid.resolution + radius;
+  reach = std::min(std::max(rollout.fastest() * parameters.sim_time, manoeuvres + growth), across);
+  // Half a step: what lies between two clear poses is clear. And enough for the poses of a manoeuvre.
   const double margin = std::max(0.5 * rollout.longest_step(), grid.resolution / 16.0);
-  collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin);
+  const double room = std::min(growth + 2.0 * grid.resolution, across);
+  collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin, room);
   classes.prepare(collision, grid, parameters.unknown_is_obstacle, situation.pose, reach);
-  admissibility.prepare(parameters, limits, collision, footprint, grid.resolution,
-                        {situation.pose, decision.reference, &under_way, situation.period, !steered && way_out.active()});
+  admissibility.prepare(parameters, limits, collision, footprint, grid.resolution, setup);
   decision.escaping = admissibility.escaping();
 }
 

@@ -14,6 +14,10 @@ constexpr double kVelocityEpsilon = 1e-9;
 
 double AxisLimits::clamp(double velocity) const { return std::min(std::max(velocity, min), max); }
 
+double AxisLimits::start_from(double velocity, double last_command) const {
+  return std::min(std::max(velocity, std::min({min, last_command, 0.0})), std::max({max, last_command, 0.0}));
+}
+
 double AxisLimits::ramp(double velocity, double target, double dt) const {
   if (velocity == target) return target;
   const double direction = target > velocity ? 1.0 : -1.0;

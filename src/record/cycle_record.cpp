@@ -66,7 +66,8 @@ Verdict verdict_of(const Decision& d, const std::vector<double>& totals) {
   }
   hash.add(d.operator_refused_by);
   hash.add(d.problem);
-  hash.add(std::uint64_t{d.escaping});
+  for (const double part : {d.pose.x, d.pose.y, d.pose.theta, d.velocity.v, d.velocity.omega}) hash.add(part);
+  for (const bool said : {d.escaping, d.odometry_doubted, d.odometry_fast}) hash.add(std::uint64_t{said});
   verdict.digest = hash.value();
   return verdict;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hidwa_local_planner/core/brake_manoeuvre.hpp"
@@ -18,12 +20,16 @@ namespace hidwa_local_planner {
 class AdmissibilityCheck {
  public:
   struct Setup {
-    Pose2 start;
-    Twist2 reference;                     // [m/s, rad/s]
-    const UnderWay* under_way = nullptr;  // ends at the reference
-    double period = 0.05;                 // [s]
+    Pose2 start;                             // now
+    Pose2 origin;                            // where what is pending begins: the pose as it was measured
+    Twist2 reference;                        // [m/s, rad/s]
+    const PendingMotion* pending = nullptr;  // until a command that is sent now takes effect
+    double period = 0.05;                    // [s]
+    double longest_period = 0.05;            // the next command comes no later [s]
     bool turn_out = false;  // out of a collision that no motion leads out of, by turning first
   };
+  /// How far at most a robot with this reach can be from where a manoeuvre is rolled out [m], see ManoeuvreRoller::growth().
+  static double most_growth(const Setup& setup, const VelocityLimits& limits, double radius, double reach);
   /// Once a cycle; `checker` must be prepared and everything must outlive the questions.
   void prepare(const Parameters& parameters, const VelocityLimits& limits, const CollisionChecker& checker,
                const Footprint& footprint, double resolution, const Setup& setup);
@@ -34,9 +40,11 @@ class AdmissibilityCheck {
   bool all_can_brake() const { return all_clear_; }
   /// Reasons for the candidates of a tile, nullptr where free: the rollout.
   void check_rollouts(const Tile& tile, const char** reasons);
-  /// Whether the manoeuvre of a sample ends at rest in free space. Poses at most half a cell apart.
+  /// Whether the manoeuvre of a sample ends at rest in free space, however the base reaches its commands: at every pose
+  /// the robot keeps the manoeuvre's growth as its distance; where it stands nearer to something, the distance it has now.
+  /// Poses at most half a cell apart.
   bool can_brake(const Twist2& sample, std::size_t column);
-  /// As can_brake, without gaps: poses a sixteenth of a cell apart, the outline grown by half of that.
+  /// As can_brake, without gaps: poses a sixteenth of a cell apart or nearer, and half of that more distance.
   bool can_brake_surely(const Twist2& sample);
   /// The first command towards a sample.
   Twist2 command_for(const Twist2& sample) const;
@@ -54,33 +62,34 @@ class AdmissibilityCheck {
   bool turns_out(const Tile& tile, std::size_t c) const;
   // Where what is under way leads to, looked at once a cycle.
   struct Arrival {
-    bool known = false, free = false;
-    TurnedPose at;
+    std::optional<ManoeuvreRoller> roller;
+    bool free = false;
     double room = 0.0;  // that is left there [m]
   };
-  BrakeManoeuvre manoeuvre(const Twist2& command) const;
+  using Arrivals = std::array<Arrival, PendingMotion::kMost>;
+  BrakeManoeuvre manoeuvre(std::size_t way, const Twist2& command, double hold) const;
   bool nothing_in_reach() const;
   bool manoeuvre_free(const Twist2& command);
   bool manoeuvre_surely_free(const Twist2& command);
+  double longest_hold() const;
+  double fine_spacing(double way) const;
   template <typename Look>
-  bool free_all_along(const BrakeManoeuvre& manoeuvre, double spacing, Arrival& arrival, Look&& look) const;
+  bool free_in_time(const Twist2& command, bool surely, Arrivals& arrivals, Look&& look) const;
+  template <typename Look>
+  bool free_all_along(const BrakeManoeuvre& manoeuvre, bool surely, Arrival& arrival, Look&& look) const;
   bool manoeuvre_deeper(const Twist2& command);
-  void grow_outline();
 
   const Parameters* parameters_ = nullptr;
   const VelocityLimits* limits_ = nullptr;
   const CollisionChecker* checker_ = nullptr;
   const Footprint* footprint_ = nullptr;
-  Footprint grown_;            // the footprint and a thirty-second of a cell
-  Footprint grown_from_;       // what that was made of
-  double grown_by_ = 0.0;      // [m]
-  const Footprint* sure_outline_ = nullptr;
   TurnedPose start_;
   double resolution_ = 0.05;
   Setup setup_;
   bool escaping_ = false;
   Stance stance_;
-  double look(const Pose2& pose, const Rotation& heading);
+  double look(const Pose2& pose, const Rotation& heading, double needed = 0.0);
+  double keep_ = 0.0;  // no more distance than this is asked for: what the robot has now [m]
 
   RoomMemo rooms_;            // of the footprint
   double most_turn_ = 0.0;    // between two poses of the tile, at most [rad]
@@ -97,7 +106,7 @@ class AdmissibilityCheck {
     double sample_v = 0.0, command_v = 0.0;  // of the column [m/s]
   };
   std::vector<Memo> memo_;  // the last answer in each column of samples
-  Arrival arrival_, sure_arrival_;
+  Arrivals arrivals_, sure_arrivals_;
   std::vector<Pose2> poses_;
 };
 

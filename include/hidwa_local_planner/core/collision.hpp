@@ -21,10 +21,10 @@ namespace hidwa_local_planner {
 class CollisionChecker {
  public:
   /// Once a cycle. `reach` [m] is how far from `centre` the robot's centre will be asked about; farther poses are
-  /// answered too, only slower. `margin` [m] is how far around a clear position the robot is free too. `grid` and
-  /// `footprint` must outlive the questions.
+  /// answered too, only slower. `margin` [m] is how far around a clear position the robot is free too; `room` [m] up to
+  /// which separation() answers, two cells at least. `grid` and `footprint` must outlive the questions.
   void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
-               double reach, double margin);
+               double reach, double margin, double room = 0.0);
   /// With a margin of one cell's side.
   void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
                double reach) {
@@ -37,7 +37,7 @@ class CollisionChecker {
   /// As collides(), for an outline that differs from the prepared one by less than the margin.
   bool collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
   /// 0 where the robot collides; else a distance [m] by which every point of it may move without colliding: at most
-  /// `cap`, itself at most two cells, and a lower bound.
+  /// `cap`, itself at most room(), and a lower bound.
   double separation(const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap) const;
   double separation(const Pose2& pose, const Rotation& heading, double cap) const {
     return separation(pose, heading, *footprint_, cap);
@@ -45,6 +45,7 @@ class CollisionChecker {
   /// True when the robot is free at any heading, at this position and everywhere within the margin around it.
   bool clear(double x, double y) const;
   double margin() const { return margin_; }  // of clear() [m]
+  double room() const { return room_; }      // the most that separation() answers [m]
   /// True when all positions within `distance` [m] of a position are clear.
   bool clear_around(double x, double y, double distance) const;
 
@@ -75,11 +76,11 @@ class CollisionChecker {
   // All that the marks are made by, besides the cells.
   struct Shape {
     int radius = 0;  // of the window [cells]
-    double outer = 0.0, inscribed = 0.0, margin = 0.0, resolution = 0.0;  // [m]
+    double outer = 0.0, inscribed = 0.0, margin = 0.0, room = 0.0, resolution = 0.0;  // [m]
     bool circle = false;
     bool operator==(const Shape& other) const {
       return radius == other.radius && outer == other.outer && inscribed == other.inscribed && margin == other.margin &&
-             resolution == other.resolution && circle == other.circle;
+             room == other.room && resolution == other.resolution && circle == other.circle;
     }
   };
   bool mark_obstacles(const Shape& shape);
@@ -94,15 +95,15 @@ class CollisionChecker {
   };
   Placed place(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
   double gap_to(const Placed& placed, double x, double y) const;
-  double smallest_gap(const Placed& placed) const;
+  double smallest_gap(const Placed& placed, double cap) const;
   template <typename Visit>
-  void visit_obstacles(const Placed& placed, Visit&& visit) const;
+  void visit_obstacles(const Placed& placed, double around, Visit&& visit) const;
 
   GridView grid_;
   const Footprint* footprint_ = nullptr;
   bool unknown_is_obstacle_ = true;
   Cell first_;         // of the window, map cells
-  double margin_ = 0.0;  // [m]
+  double margin_ = 0.0, room_ = 0.0;  // [m]
   Shape shape_;
   int rim_ = 0;        // cells at the window's rim that near_ does not answer for
   BitGrid obstacles_;  // in the window
@@ -119,5 +120,8 @@ class CollisionChecker {
 
 /// True when a simple polygon shares area with the axis-parallel square [x, x + side] x [y, y + side].
 bool overlaps_square(const Polygon& polygon, double x, double y, double side);
+
+/// The distance between a simple polygon and that square where they share no area [m].
+double distance_to_square(const Polygon& polygon, double x, double y, double side);
 
 }  // namespace hidwa_local_planner

@@ -20,13 +20,16 @@ namespace hidwa_local_planner {
 
 /// The world as one cycle finds it. Poses are in the costmap frame.
 struct Situation {
-  Pose2 pose;                   // of the robot
+  Pose2 pose;                   // of the robot, as it was measured `pose_age` ago
   Twist2 velocity;              // measured by odometry [m/s, rad/s]
   Twist2 last_command;          // what was sent last [m/s, rad/s]
   std::vector<Pose2> plan;      // the window of the global plan around the robot, see PlanWindow
   Pose2 goal;                   // the last pose of the full plan
   bool goal_latched = false;    // the position of the goal was reached, see GoalChecker
-  double period = 0.05;         // of the control cycle [s]
+  double period = 0.05;         // of the control cycle, as it is meant [s]
+  double longest_period = 0.0;  // of late, see PeriodWatch: the next cycle comes no later [s]; 0: as period
+  double pose_age = 0.0;        // how old the pose is [s]: the commands since then lead on from it
+  bool resumed = false;         // the host paused and others may have driven: last_command is the velocity of now
   double time = 0.0;            // [s]
 };
 
@@ -79,6 +82,10 @@ struct Decision {
   double agreement = 1.0;                // 1: the command is what the person wants, in [0, 1]
   std::string operator_refused_by;       // what refused the operator's own command; empty when it was legal
   bool escaping = false;                 // the robot stands in collision
+  Pose2 pose;                            // where the robot is taken to be, costmap frame
+  Twist2 velocity;                       // what is believed of the measured one [m/s, rad/s]
+  bool odometry_doubted = false;         // a reading was faster than the commands explain, and is not believed
+  bool odometry_fast = false;            // so it was, and is believed: for collisions and the goal
   Problem problem_kind = Problem::none;
   std::string problem;                   // why there was nothing to choose from, in words; empty where there was
 };
@@ -147,6 +154,7 @@ class Planner {
 
   /// Takes a set of parameters whole. Returns every fault (validate() and unknown critics); with any, nothing changes.
   std::vector<std::string> configure(const Parameters& parameters, const SourceFor& source_for = {});
+  /// The parameters in force: as they were given, but with safe values where safe_values() says so.
   const Parameters& parameters() const;
 
   /// The robot's outline without parameters().footprint_padding, which is added here.
@@ -155,6 +163,10 @@ class Planner {
 
   /// A new goal: critics forget what they latched.
   void reset();
+
+  /// What is to be believed of a reading of odometry that comes between two cycles [m/s, rad/s]: one that is faster than
+  /// the commands of the last cycle explain counts as the last command, until plan() has come to believe it.
+  Twist2 believed(const Twist2& measured) const;
 
   /// What is remembered from cycle to cycle, the critics' part included: a planner with the same parameters and outline
   /// that loads it decides the next cycle to the same bits. load() is false where the bytes are none of save()'s.

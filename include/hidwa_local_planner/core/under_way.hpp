@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -14,11 +15,12 @@ namespace hidwa_local_planner {
 /// axes change evenly. Allocates nothing while it has no more than kMostLegs.
 class UnderWay {
  public:
-  static constexpr std::size_t kMostLegs = 768;  // three a command that may be under way
+  static constexpr std::size_t kMostLegs = 1536;  // five a command that may be under way, and some
 
   struct Leg {
     Twist2 end;             // [m/s, rad/s]
     double duration = 0.0;  // [s]
+    Twist2 spread;          // how far apart the ways to a command get that is reached from this leg on, see AxisRamp [m, rad]
   };
 
   UnderWay() { legs_.reserve(kMostLegs); }
@@ -32,8 +34,35 @@ class UnderWay {
   void begin(const Twist2& u) {
     begin_ = u;
     legs_.clear();
+    past_ = 0;
   }
-  void add(const Twist2& end, double duration) { legs_.push_back({end, duration}); }
+  void add(const Twist2& end, double duration, const Twist2& spread = {}) { legs_.push_back({end, duration, spread}); }
+  /// The first `duration` [s] are over: a leg ends there, made by cutting one in two where there is none.
+  void mark_past(double duration) {
+    Twist2 from = begin_;
+    double left = duration;
+    for (past_ = 0; past_ < legs_.size() && left > kSameTime; ++past_) {
+      const Leg leg = legs_[past_];
+      if (leg.duration > left + kSameTime) {
+        const double part = left / leg.duration;
+        const Twist2 cut{from.v + part * (leg.end.v - from.v), from.omega + part * (leg.end.omega - from.omega)};
+        legs_[past_] = {leg.end, leg.duration - left, {}};
+        legs_.insert(legs_.begin() + static_cast<std::ptrdiff_t>(past_), Leg{cut, left, leg.spread});
+      }
+      left -= legs_[past_].duration;
+      from = legs_[past_].end;
+    }
+  }
+  /// So many legs are over.
+  std::size_t past() const { return past_; }
+  /// One axis has this velocity all the time instead.
+  void replace(double Twist2::*axis, double velocity) {
+    begin_.*axis = velocity;
+    for (Leg& leg : legs_) {
+      leg.end.*axis = velocity;
+      leg.spread.*axis = 0.0;
+    }
+  }
 
   const Twist2& begin() const { return begin_; }
   const Twist2& end() const { return legs_.empty() ? begin_ : legs_.back().end; }
@@ -45,19 +74,68 @@ class UnderWay {
     for (const Leg& leg : legs_) v = std::max(v, std::abs(leg.end.v));
     return v;
   }
-  /// How far the robot's centre gets, at most [m].
-  double reach() const {
-    double v = std::abs(begin_.v), way = 0.0;
+  /// How far a point `radius` [m] from the robot's centre gets, at most [m].
+  double reach(double radius = 0.0) const {
+    double u = speed(begin_, radius), way = 0.0;
     for (const Leg& leg : legs_) {
-      way += std::max(v, std::abs(leg.end.v)) * leg.duration;
-      v = std::abs(leg.end.v);
+      way += std::max(u, speed(leg.end, radius)) * leg.duration;
+      u = speed(leg.end, radius);
     }
     return way;
   }
+  /// Of all legs together [m, rad].
+  Twist2 spread() const {
+    Twist2 all;
+    for (const Leg& leg : legs_) {
+      all.v += leg.spread.v;
+      all.omega += leg.spread.omega;
+    }
+    return all;
+  }
 
  private:
+  static constexpr double kSameTime = 1e-6;  // [s]
+  static double speed(const Twist2& u, double radius) { return std::abs(u.v) + radius * std::abs(u.omega); }
+
   Twist2 begin_;
   std::vector<Leg> legs_;
+  std::size_t past_ = 0;
+};
+
+/// All ways in which the robot may go on that have to be reckoned with: where odometry disagrees with the commands, it may
+/// do as they say or as odometry says, each axis on its own.
+class PendingMotion {
+ public:
+  static constexpr std::size_t kMost = 4;
+
+  PendingMotion() = default;
+  explicit PendingMotion(const UnderWay& only) { first() = only; }
+
+  /// The first way, the likeliest; with it the set begins anew.
+  UnderWay& first() {
+    count_ = 1;
+    return ways_[0];
+  }
+  /// Every way so far, and each of them with this velocity on one axis instead.
+  void or_else(double Twist2::*axis, double velocity) {
+    const std::size_t before = count_;
+    for (std::size_t i = 0; i < before && count_ < kMost; ++i) {
+      ways_[count_] = ways_[i];
+      ways_[count_++].replace(axis, velocity);
+    }
+  }
+
+  std::size_t size() const { return count_; }
+  const UnderWay& operator[](std::size_t i) const { return ways_[i]; }
+  double fastest() const {  // [m/s]
+    double v = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) v = std::max(v, ways_[i].fastest());
+    return v;
+  }
+
+ private:
+  std::array<UnderWay, kMost> ways_;
+  std::size_t count_ = 1;
 };
 
 }  // namespace hidwa_local_planner

@@ -14,6 +14,9 @@ struct AxisLimits {
   double braking = 0.0;  // > 0 [unit/s^2]
 
   double clamp(double velocity) const;
+  /// A velocity that a command may start from: in magnitude no larger than the limit or the last command. So no command
+  /// exceeds the larger of the limit and the last command reduced at the braking limit.
+  double start_from(double velocity, double last_command) const;
   /// The velocity after `dt` [s] on the way from `velocity` to `target`, which it never passes.
   double ramp(double velocity, double target, double dt) const;
   /// Time to come to rest from `velocity` [s].

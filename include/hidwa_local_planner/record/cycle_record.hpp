@@ -15,7 +15,7 @@ namespace hidwa_local_planner {
 namespace record {
 
 /// Changes whenever older readers would misread a record.
-constexpr std::uint16_t kFormat = 2;
+constexpr std::uint16_t kFormat = 3;
 
 /// What stays the same over many cycles; part of every key record.
 struct Setup {
@@ -41,7 +41,8 @@ struct PlannerInput {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.state, self.situation.pose, self.situation.velocity, self.situation.last_command, self.situation.plan,
-       self.situation.goal, self.situation.goal_latched, self.situation.period, self.situation.time,
+       self.situation.goal, self.situation.goal_latched, self.situation.period, self.situation.longest_period, self.situation.pose_age,
+       self.situation.resumed, self.situation.time,
        self.sampling.vx_samples, self.sampling.vth_samples, self.sampling.check_all, self.grid);
   }
 };
