@@ -5,6 +5,11 @@
 #include <cmath>
 
 namespace hidwa_local_planner {
+namespace {
+
+constexpr double kSameTime = 1e-6;  // [s]; stamps are sums of periods
+
+}  // namespace
 
 Twist2 reading_tolerance(const Parameters& p, const Twist2& last) {
   // Inside the motors' dead band the robot stands while the command already grows: that is no disagreement.
@@ -29,13 +34,13 @@ Reading AxisBelief::judge(double now, double measured, const Interval& explained
     return std::abs(measured - before) <= change;
   };
   if (!fast_ || now < since_ || !follows(last_, last_time_)) since_ = now;
-  const bool known = sure_ && now >= believed_time_ && now - believed_time_ <= kLongEnough;
+  const bool known = sure_ && now >= believed_time_ && now - believed_time_ <= kLongEnough + kSameTime;
   const bool goes_on = known && follows(believed_, believed_time_);
   fast_ = true;
   last_ = measured;
   last_time_ = now;
   sure_ = known;
-  if (goes_on || now - since_ >= kLongEnough) {
+  if (goes_on || now - since_ >= kLongEnough - kSameTime) {
     sure_ = true;
     believed_ = measured;
     believed_time_ = now;

@@ -176,7 +176,8 @@ void Planner::Impl::judge_axis(const Situation& situation, double Twist2::*axis,
                                                          : measured;
   decision.odometry_doubted = decision.odometry_doubted || reading == Reading::doubted;
   decision.odometry_fast = decision.odometry_fast || reading == Reading::faster;
-  if (reading == Reading::slower || reading == Reading::faster) pending.or_else(axis, decision.velocity.*axis);
+  const bool otherwise = reading == Reading::slower || reading == Reading::faster || (!fast && !as_commanded);
+  if (otherwise) pending.or_else(axis, decision.velocity.*axis);
 }
 
 // A command that was never a number is none; a reference beyond the limits is brought back by the window.

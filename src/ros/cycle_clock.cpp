@@ -16,6 +16,7 @@ constexpr double kTolerance = 0.3;  // of the nominal rate
 CycleClock::Tick CycleClock::tick(double now, double period) {
   Tick tick;
   const double interval = last_ ? now - *last_ : 0.0;
+  tick.interval = interval;
   tick.jumped_back = last_ && interval < 0.0;
   // A slow host still calls in this time; a host that replans, recovers or waits for its costmap does not.
   tick.paused = !last_ || tick.jumped_back || interval > std::max(4.0 * period, 0.3);
@@ -31,6 +32,7 @@ CycleClock::Tick CycleClock::tick(double now, double period) {
   } else {
     sum_ += interval;
     ++count_;
+    watch_.observe(now, interval);
   }
   last_ = now;
   return tick;

@@ -93,6 +93,8 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
 
 void Diagnostics::report_load(diagnostic_updater::DiagnosticStatusWrapper& status, const Load& load) const {
   status.add("control period [ms]", 1e3 * load.period);
+  status.add("control period in force for braking [ms]", 1e3 * load.longest_period);
+  status.add("odometry readings doubted", load.doubted);
   if (load.budget >= 0.0) {
     status.add("cycle budget [ms]", 1e3 * load.budget);
   } else {

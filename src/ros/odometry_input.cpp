@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "hidwa_local_planner/core/odometry_belief.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 
 namespace hidwa_local_planner {
@@ -30,6 +31,35 @@ void OdometryInput::receive(const nav_msgs::Odometry& message, double received) 
   const Newest newest{velocity, message.header.stamp.toSec(), received};
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_ = newest;
+  readings_[count_++ % kReadings] = newest;
+}
+
+std::optional<Twist2> OdometryInput::settled(double now, double timeout, const Parameters& parameters) const {
+  if (!read(now, timeout).velocity) return std::nullopt;
+  std::array<Newest, kReadings> readings;
+  std::size_t count = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    readings = readings_;
+    count = count_;
+  }
+  // As if nothing had been commanded: at rest it agrees, and what moves must have agreed with itself.
+  const Twist2 tolerance = reading_tolerance(parameters, {});
+  const VelocityLimits limits = VelocityLimits::from(parameters);
+  OdometryBelief belief;
+  Twist2 settled;
+  bool agreed = false;
+  for (std::size_t i = count > kReadings ? count - kReadings : 0; i < count; ++i) {
+    const Newest& reading = readings[i % kReadings];
+    const auto judge = [&](double Twist2::*axis, AxisBelief& own, const AxisLimits& axis_limits) {
+      const Reading said = own.judge(reading.received, (*reading.velocity).*axis, {}, tolerance.*axis, axis_limits);
+      settled.*axis = said == Reading::faster ? own.believed() : (*reading.velocity).*axis;
+      return said != Reading::doubted;
+    };
+    const bool v = judge(&Twist2::v, belief.v, limits.x);
+    agreed = judge(&Twist2::omega, belief.omega, limits.theta) && v;
+  }
+  return agreed ? std::optional<Twist2>(settled) : std::nullopt;
 }
 
 OdometryInput::Reading OdometryInput::read(double now, double timeout) const {
@@ -46,6 +76,7 @@ OdometryInput::Reading OdometryInput::read(double now, double timeout) const {
 void OdometryInput::forget() {
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_ = {};
+  count_ = 0;
 }
 
 OdometryInput::Newest OdometryInput::newest() const {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/shell.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
+#include "hidwa_local_planner/core/safe_values.hpp"
 #include "hidwa_local_planner/core/words.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/horizon_check.hpp"
@@ -11,16 +13,6 @@
 
 namespace hidwa_local_planner {
 namespace {
-
-constexpr double kUsualFrequency = 20.0;  // of move_base's control cycle [Hz]
-
-double frequency_of_host() {
-  ros::NodeHandle node("~");
-  std::string key;
-  double frequency = kUsualFrequency;
-  if (node.searchParam("controller_frequency", key)) node.getParam(key, frequency);
-  return frequency > 0.0 ? frequency : kUsualFrequency;
-}
 
 Sampling wanted_samples(const Parameters& parameters) {
   Sampling wanted;
@@ -36,13 +28,13 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
       handle_("~/" + name),
       tf_(tf),
       costmap_(costmap),
-      host_frequency_(frequency_of_host()),
       description_(handle_, costmap.getBaseFrameID()),
       registry_(registry_with_plugins()),
       planner_(registry_),
       publishing_(handle_, costmap.getGlobalFrameID()),
       feedback_(handle_, host_handle_, costmap.getGlobalFrameID(), costmap.getBaseFrameID()) {
   start_parameters();
+  host_frequency_.follow(thread_.serve(ros::NodeHandle("~")));
   diagnostics_ = std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_);
   diagnostics_->set("", load());
   description_.give_outline(costmap_);
@@ -173,13 +165,19 @@ std::vector<std::string> Shell::put_in_force(const ParameterSet& set) {
   const std::vector<std::string> faults = configure(planner_, wanted);
   if (!faults.empty()) return faults;
   recording_.take(wanted);
+  for (const std::string& reason : make_safe(wanted.parameters)) ROS_WARN("%s: %s", name_.c_str(), reason.c_str());
   in_force_ = set;
   return {};
 }
 
 double Shell::control_period() const {
   const double own = planner_.parameters().controller_frequency;
-  return 1.0 / (own > 0.0 ? own : host_frequency_);
+  return 1.0 / (own > 0.0 ? own : host_frequency_.get());
+}
+
+double Shell::brake_period() const {
+  const double period = control_period();
+  return std::clamp(interval_, period, clock_.longest_period(period));
 }
 
 double Shell::cycle_budget() const {
@@ -188,7 +186,8 @@ double Shell::cycle_budget() const {
 }
 
 Diagnostics::Load Shell::load() const {
-  return {control_period(), cycle_budget(), budget_.in_force(), budget_.full()};
+  const double period = control_period();
+  return {period, clock_.longest_period(period), doubted_, cycle_budget(), budget_.in_force(), budget_.full()};
 }
 
 void Shell::check_horizon() {

@@ -54,7 +54,7 @@ bool Shell::goal_reached(bool host_stops) {
   const Observation observation = observe(now);
   if (!observation.fault.empty()) return false;
   const Pose2 goal = observation.from_plan.apply(plan_.goal());
-  if (!goal_checker_.update(observation.pose, *observation.velocity, goal, planner_.parameters()))
+  if (!goal_checker_.update(observation.pose, planner_.believed(*observation.velocity), goal, planner_.parameters()))
     return false;
   arriving_ = !host_stops && !at_rest_;
   if (arriving_) return false;
@@ -96,8 +96,7 @@ CycleResult Shell::work(double now, const OperatorIntent& intent, bool paused) {
   // Most hosts hold this recursive mutex already.
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
   const Observation observation = observe(now);
-  // While the host was in control it sent commands of its own.
-  if (paused) last_command_ = observation.velocity.value_or(Twist2{});
+  if (paused) resume(now);
   Sampling sampling = budget_.in_force();
   sampling.check_all = publishing_.candidates_wanted();
   CycleResult result = observation.fault.empty() ? decide(now, observation, intent, sampling)
@@ -105,6 +104,14 @@ CycleResult Shell::work(double now, const OperatorIntent& intent, bool paused) {
   result.sampling = sampling;
   remember(now, result, observation);
   return result;
+}
+
+// While the host was in control it sent commands of its own, or another node did. What odometry agrees on is where the next
+// command starts from, within the limits.
+void Shell::resume(double now) {
+  const Parameters& p = planner_.parameters();
+  resumed_ = true;
+  last_command_ = VelocityLimits::from(p).clamp(odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{}));
 }
 
 // Where the hand is a tf frame: what cannot be had is silence, and told as such.
@@ -119,6 +126,7 @@ void Shell::watch_hand(double now) {
 
 bool Shell::watch_time(double now) {
   const CycleClock::Tick tick = clock_.tick(now, control_period());
+  interval_ = tick.paused ? 0.0 : tick.interval;
   if (tick.jumped_back) {
     ROS_WARN("%s: time jumped back; starting anew", name_.c_str());
     person_.reset();
@@ -159,6 +167,7 @@ std::string Shell::observe_pose(double now, Observation& observation) {
            costmap_.getBaseFrameID();
   }
   observation.pose = to_pose(pose.pose);
+  if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now - pose.header.stamp.toSec());
   if (!is_finite(observation.pose)) return "the robot's pose in " + frame + " is not a number";
   if (plan_.frame() == frame) return "";
   try {
@@ -192,9 +201,9 @@ CycleResult Shell::brake(double now, const Observation& observation, const Opera
   CycleResult result;
   result.missing = observation.missing;
   result.fault = observation.fault;
-  recording_.brakes(planner_, outline_, fault_brake_, {{}, observation.velocity, last_command_, control_period(), observation.fault});
+  recording_.brakes(planner_, outline_, fault_brake_, {{}, observation.velocity, last_command_, brake_period(), observation.fault});
   const FaultBrake::Answer answer =
-      fault_brake_.answer(now, observation.velocity, last_command_, planner_.parameters(), control_period());
+      fault_brake_.answer(now, observation.velocity, last_command_, planner_.parameters(), brake_period());
   result.outcome = outcome_of(answer, intent);
   result.command = answer.command;
   return result;
@@ -212,6 +221,10 @@ CycleResult Shell::decide(double now, const Observation& observation, const Oper
   situation_.last_command = last_command_;
   situation_.goal = observation.from_plan.apply(plan_.goal());
   situation_.period = control_period();
+  situation_.longest_period = clock_.longest_period(situation_.period);
+  situation_.pose_age = observation.pose_age;
+  situation_.resumed = resumed_;
+  resumed_ = false;
   situation_.time = now;
   plan_.window(observation.from_plan, observation.pose, p.prune_distance, ahead, situation_.plan);
   goal_checker_.update(observation.pose, *observation.velocity, situation_.goal, p);
@@ -225,8 +238,21 @@ CycleResult Shell::decide(double now, const Observation& observation, const Oper
   CycleResult result;
   result.decision = &planner_.plan(situation_, grid, intent, sampling);
   result.outcome = result.decision->outcome;
+  watch_odometry(observation, *result.decision);
   if (result.outcome != Outcome::fail) result.command = result.decision->command;
   return result;
+}
+
+void Shell::watch_odometry(const Observation& observation, const Decision& decision) {
+  if (!decision.odometry_doubted && !decision.odometry_fast) return;
+  if (decision.odometry_doubted) ++doubted_;
+  const Twist2& u = *observation.velocity;
+  ROS_WARN_THROTTLE(2.0,
+                    "%s: odometry says %.2f m/s, %.2f rad/s, faster than the commands explain: %s (%lu readings were "
+                    "doubted so far); look at the odometry, or at who pushes or drives the robot",
+                    name_.c_str(), u.v, u.omega,
+                    decision.odometry_fast ? "believed for collisions, since it lasts" : "not believed",
+                    static_cast<unsigned long>(doubted_));
 }
 
 void Shell::remember(double now, const CycleResult& result, const Observation& observation) {

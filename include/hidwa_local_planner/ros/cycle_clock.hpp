@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "hidwa_local_planner/core/period_watch.hpp"
+
 namespace hidwa_local_planner {
 
 /// Watches when the host calls: pauses, time that jumps back, and a rate that is not the nominal one.
@@ -12,14 +14,18 @@ class CycleClock {
   struct Tick {
     bool jumped_back = false;  // time went backwards
     bool paused = false;       // the host was in control since the last call, or this is the first one
+    double interval = 0.0;     // since the last call [s]; 0 where there is none
   };
   /// A call at `now` [s] with the nominal `period` [s].
   Tick tick(double now, double period);
   /// A sentence with the remedy when the measured rate differs from the nominal one by more than 30 %; said
   /// once.
   std::string complaint();
+  /// The longest control period of late, the nominal one at least [s]; see PeriodWatch.
+  double longest_period(double period) const { return watch_.longest(period); }
 
  private:
+  PeriodWatch watch_;
   std::optional<double> last_;  // [s]
   double period_ = 0.0;         // nominal [s]
   double sum_ = 0.0;            // of the counted intervals [s]

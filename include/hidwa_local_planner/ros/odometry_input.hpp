@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -9,6 +11,7 @@
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
+#include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
@@ -27,6 +30,9 @@ class OdometryInput {
   /// The velocity unless it is older than `timeout` [s] at `now` [s], by receive time or by a stamp that is
   /// set.
   Reading read(double now, double timeout) const;
+  /// The velocity that the readings of the last moments agree on, see AxisBelief: where a host paused and others may have
+  /// driven, one reading alone says nothing. Nothing where they do not agree, or are older than `timeout` [s].
+  std::optional<Twist2> settled(double now, double timeout, const Parameters& parameters) const;
   /// Time jumped back: what was received before counts no more.
   void forget();
 
@@ -36,6 +42,8 @@ class OdometryInput {
     double stamp = 0.0;     // of the header [s]; 0 where the sender leaves it empty
     double received = 0.0;  // [s]
   };
+  // Of about the last second, even at 100 Hz.
+  static constexpr std::size_t kReadings = 128;
   Newest newest() const;
   std::string topic() const;
 
@@ -43,6 +51,8 @@ class OdometryInput {
   mutable std::mutex mutex_;
   std::string topic_;
   Newest newest_;
+  std::array<Newest, kReadings> readings_;  // the last ones, in a ring
+  std::size_t count_ = 0;                   // received
 };
 
 }  // namespace hidwa_local_planner

@@ -22,6 +22,7 @@
 #include "hidwa_local_planner/ros/cycle_statistics.hpp"
 #include "hidwa_local_planner/ros/diagnostics.hpp"
 #include "hidwa_local_planner/ros/handover.hpp"
+#include "hidwa_local_planner/ros/host_frequency.hpp"
 #include "hidwa_local_planner/ros/message_throttle.hpp"
 #include "hidwa_local_planner/ros/odometry_input.hpp"
 #include "hidwa_local_planner/ros/operator_commands.hpp"
@@ -64,6 +65,7 @@ class Shell {
     std::string fault;
     std::optional<Twist2> velocity;  // [m/s, rad/s]
     Pose2 pose;                      // costmap frame
+    double pose_age = 0.0;           // [s]
     FrameTransform from_plan;        // of the plan's frame, in the costmap's
   };
 
@@ -75,6 +77,7 @@ class Shell {
   void take_parameters();
   std::vector<std::string> put_in_force(const ParameterSet& set);
   double control_period() const;  // [s]
+  double brake_period() const;    // by how much a brake command may brake [s]
   double cycle_budget() const;    // [s]; negative: none
   Diagnostics::Load load() const;
 
@@ -88,6 +91,8 @@ class Shell {
   CycleResult brake(double now, const Observation& observation, const OperatorIntent& intent);
   CycleResult decide(double now, const Observation& observation, const OperatorIntent& intent, const Sampling& sampling);
   void remember(double now, const CycleResult& result, const Observation& observation);
+  void resume(double now);
+  void watch_odometry(const Observation& observation, const Decision& decision);
   void explain(double now, const CycleResult& result);
   void keep_budget(double duration, const CycleResult& result);
   void check_horizon();
@@ -98,7 +103,7 @@ class Shell {
   ros::NodeHandle handle_;       // the planner's namespace
   const tf2_ros::Buffer& tf_;
   costmap_2d::Costmap2DROS& costmap_;
-  double host_frequency_ = 0.0;  // [Hz]
+  HostFrequency host_frequency_;
 
   RobotDescription description_;
   CriticRegistry registry_;
@@ -108,6 +113,9 @@ class Shell {
   FaultBrake fault_brake_;
   CycleRecording recording_;
   CycleClock clock_;
+  double interval_ = 0.0;       // since the cycle before [s]
+  bool resumed_ = false;        // the planner has not planned yet since the host paused
+  std::uint64_t doubted_ = 0;   // readings of odometry
   CycleStatistics statistics_;
   SampleBudget budget_;
   Situation situation_;  // kept for its memory
