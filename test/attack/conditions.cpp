@@ -50,6 +50,14 @@ Spec usual(Random& r) {
   return s;
 }
 
+// Commands that use up less than a period's limits, beside obstacles: then it matters how they are reached.
+void half_steps(Spec& s, Random& r) {
+  s.parameters.generator = r.of({Generator::standard, Generator::dwa, Generator::dwa});
+  s.place = r.of({s.place, Place::corridor, Place::walls, Place::posts});
+  s.parameters.max_vel_theta = 2.0;
+  s.parameters.vth_samples = r.of({15, 25});
+}
+
 // Everything that is promised, at random.
 void anything(Spec& s, Random& r) {
   if (r.chance(0.5)) rate(s, r.of({5, 10, 20, 40}));
@@ -91,12 +99,15 @@ const std::vector<Condition>& table() {
       // How commands are reached.
       {"at_limit", true, "the base ramps at its limits", [](Spec& s, Random&) { s.reaching = Reaching::at_limit; }},
       {"at_limit_5hz_2ms", true, "at its limits, 5 Hz and 2 m/s",
-       [](Spec& s, Random&) { s.reaching = Reaching::at_limit; rate(s, 5); fast(s, 2.0); s.parameters.max_vel_theta = 2.0; }},
-      {"at_limit_10hz", true, "at its limits, 10 Hz", [](Spec& s, Random&) { s.reaching = Reaching::at_limit; rate(s, 10); }},
+       [](Spec& s, Random& r) { s.reaching = Reaching::at_limit; rate(s, 5); fast(s, 2.0); half_steps(s, r); }},
+      {"at_limit_10hz", true, "at its limits, 10 Hz",
+       [](Spec& s, Random& r) { s.reaching = Reaching::at_limit; rate(s, 10); fast(s, r.of({0.5, 1.0, 2.0})); half_steps(s, r); }},
       {"at_limit_unequal", true, "at its limits, which differ, also backwards",
-       [](Spec& s, Random& r) { s.reaching = Reaching::at_limit; rate(s, r.of({5, 10})); unequal(s, r); backwards(s, r); }},
+       [](Spec& s, Random& r) { s.reaching = Reaching::at_limit; rate(s, r.of({5, 10})); unequal(s, r); backwards(s, r); half_steps(s, r); }},
+      {"anyhow_5hz_2ms", true, "each command and axis its own way, 5 Hz and 2 m/s",
+       [](Spec& s, Random& r) { s.reaching = Reaching::anyhow; rate(s, 5); fast(s, 2.0); half_steps(s, r); }},
       {"anyhow", true, "at its limits, evenly or between, each command and axis anew",
-       [](Spec& s, Random& r) { s.reaching = Reaching::anyhow; rate(s, r.of({5, 10, 20})); fast(s, r.of({0.5, 1.0, 2.0})); }},
+       [](Spec& s, Random& r) { s.reaching = Reaching::anyhow; rate(s, r.of({5, 10, 20})); fast(s, r.of({0.5, 1.0, 2.0})); half_steps(s, r); }},
       // Late cycles.
       {"late", true, "20 % of the cycles up to two periods late", [](Spec& s, Random&) { late(s, false); }},
       {"late_10hz", true, "the same at 10 Hz", [](Spec& s, Random&) { late(s, false); rate(s, 10); }},

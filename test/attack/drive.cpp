@@ -104,8 +104,9 @@ class Run {
  private:
   Scenery begin() {
     Scenery scenery = build(spec_.place, size_of_world(spec_), spec_.resolution, padded_, random_);
-    if (spec_.start == Start::stray) put_stray_cells(scenery.world, padded_, scenery.start, random_);
     if (spec_.start == Start::grazing) scenery.start = grazing_pose(scenery.world, padded_, scenery.start, random_);
+    if (spec_.start == Start::stray) put_stray_cells(scenery.world, padded_, scenery.start, random_);
+    if (spec_.start == Start::stray) put_cells_around(scenery.world, padded_, scenery.start, random_);
     return scenery;
   }
   // As the costmap computes it, of the corners that it is told.

@@ -30,24 +30,28 @@ OperatorIntent Person::want(int now, const Pose2& robot, const Parameters& limit
   intent.influence = manual_ ? Influence::direct : Influence::shared;
   intent.state = manual_ ? OperatorStateId::manual : OperatorStateId::shared;
   intent.guarded = true;
-  intent.u_h = steer(robot, limits);
+  intent.u_h = steer(now, robot, limits);
   return intent;
 }
 
 void Person::change_mind(int now, const Pose2& robot, const Parameters& limits) {
-  way_ = random_.of({Way::nearest, Way::nearest, Way::chosen, Way::chosen, Way::chosen, Way::chosen, Way::at_random,
-                     Way::frozen, Way::alternating, Way::none, Way::none, Way::stop});
+  way_ = random_.of({Way::nearest, Way::chosen, Way::chosen, Way::beside, Way::beside, Way::beside, Way::slalom, Way::slalom,
+                     Way::at_random, Way::frozen, Way::alternating, Way::none, Way::none, Way::stop});
   manual_ = random_.chance(0.5);
   turns_first_ = random_.chance(0.5);
   until_ = now + (way_ == Way::stop ? random_.whole(200, 800) : random_.whole(1000, 4000));
+  beside_ = random_.in(-0.6, 0.6);
+  gain_ = random_.in(1.0, 6.0);
   held_ = full(limits);
   target_ = ahead(robot);
 }
 
-Twist2 Person::steer(const Pose2& robot, const Parameters& limits) {
+Twist2 Person::steer(int now, const Pose2& robot, const Parameters& limits) {
   switch (way_) {
-    case Way::nearest: return aim(robot, nearest(robot), limits);
-    case Way::chosen: return aim(robot, target_, limits);
+    case Way::nearest: return aim(robot, nearest(robot), 0.0, limits);
+    case Way::chosen: return aim(robot, target_, 0.0, limits);
+    case Way::beside: return aim(robot, target_, beside_, limits);
+    case Way::slalom: return wind(now, limits);
     case Way::at_random: return any(limits);
     case Way::alternating: held_.omega = -held_.omega; return held_;
     default: return held_;
@@ -55,15 +59,23 @@ Twist2 Person::steer(const Pose2& robot, const Parameters& limits) {
 }
 
 // At full speed, also backwards where that is possible and the shorter way.
-Twist2 Person::aim(const Pose2& robot, const Spot& target, const Parameters& limits) const {
-  double off = bearing(robot, target);
+Twist2 Person::aim(const Pose2& robot, const Spot& target, double beside, const Parameters& limits) const {
+  double off = bearing(robot, target) + std::atan2(beside, std::hypot(target.x - robot.x, target.y - robot.y));
   double speed = limits.max_vel_x;
   if (limits.min_vel_x < 0.0 && std::abs(off) > 0.5 * M_PI) {
     off = std::remainder(off + M_PI, 2.0 * M_PI);
     speed = limits.min_vel_x;
   }
   if (turns_first_ && std::abs(off) > 0.7) speed = 0.0;
-  return {speed, std::clamp(3.0 * off, -limits.max_vel_theta, limits.max_vel_theta)};
+  return {speed, std::clamp(gain_ * off, -limits.max_vel_theta, limits.max_vel_theta)};
+}
+
+Twist2 Person::wind(int now, const Parameters& limits) {
+  if (now >= winds_until_) {
+    winds_until_ = now + random_.whole(100, 700);
+    held_ = {limits.max_vel_x * random_.of({1.0, 1.0, 0.6}), random_.in(-1.0, 1.0) * limits.max_vel_theta};
+  }
+  return held_;
 }
 
 Twist2 Person::any(const Parameters& limits) {
