@@ -44,8 +44,9 @@ EscapeWatch::Set EscapeWatch::overlapped(const Pose2& pose) const {
 void EscapeWatch::decide(int now, const Pose2& pose, const Twist2& velocity) {
   Decided decided{now, overlapped(pose), 0.0};
   for (const In& cell : decided.set) decided.deepest = std::max(decided.deepest, cell.depth);
-  if (decided.set.empty()) in_since_ = -1;
-  if (!decided.set.empty() && in_since_ < 0) in_since_ = now;
+  const bool in = decided.deepest > kTouch;
+  if (!in) in_since_ = -1;
+  if (in && in_since_ < 0) in_since_ = now;
   if (in_since_ >= 0 && now - in_since_ >= settling_ && judging(now)) fastest_ = std::max(fastest_, std::abs(velocity.v));
   decided_.push_back(std::move(decided));
   // What was decided up to that time is what the base does now.
