@@ -25,6 +25,7 @@ HIDWA_DEBIAN_RUN="python3-roslaunch rosout python3-rosparam python3-rostopic pyt
 HIDWA_DEBIAN_TEST="librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev
   catkin-lint python3-visualization-msgs"
 HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev zlib1g-dev libbenchmark-dev"
+HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev libgtest-dev"
 HIDWA_DEBIAN_GUI="rviz libgl1-mesa-dri ros-robot-state-publisher"
 
 # Ubuntu 20.04 with ROS Noetic in /opt/ros/noetic: the real navigation stack is packaged there.
@@ -36,9 +37,10 @@ HIDWA_NOETIC_RUN="ros-noetic-roslaunch ros-noetic-rosbash ros-noetic-actionlib r
   python3-yaml python3-numpy python3-scipy python3-matplotlib"
 HIDWA_NOETIC_TEST="libgtest-dev libgmock-dev libbenchmark-dev ros-noetic-rostest ros-noetic-rosunit python3-catkin-lint"
 HIDWA_NOETIC_BENCH=$HIDWA_DEBIAN_BENCH
+HIDWA_NOETIC_ATTACK=$HIDWA_DEBIAN_ATTACK
 HIDWA_NOETIC_GUI="ros-noetic-rviz ros-noetic-robot-state-publisher"
 
-# hidwa_packages PURPOSE...: the names, for build, run, test, bench and gui.
+# hidwa_packages PURPOSE...: the names, for build, run, test, bench, attack and gui.
 hidwa_packages() {
   local family=DEBIAN purpose list
   if [ -d "$HIDWA_NOETIC" ]; then family=NOETIC; fi

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The short form of the campaign: few drives under each promised condition. scripts/attack runs the long one.
+#include <algorithm>
+#include <cstdio>
+#include <cstdint>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "campaign.hpp"
+#include "drive.hpp"
+#include "report.hpp"
+
+namespace hidwa_attack {
+
+// How gtest names a condition in its output.
+void PrintTo(const Condition& condition, std::ostream* out) { *out << condition.name; }
+
+namespace {
+
+constexpr int kSeconds = 20;
+
+std::vector<Condition> promised() {
+  std::vector<Condition> conditions;
+  for (const Condition& condition : all_conditions()) {
+    if (condition.promised) conditions.push_back(condition);
+  }
+  return conditions;
+}
+
+class Attack : public testing::TestWithParam<Condition> {};
+
+TEST_P(Attack, Holds) {
+  Extent extent;
+  extent.drives = 12;
+  extent.seconds = kSeconds;
+  const Summary summary(GetParam(), run(GetParam(), extent));
+  std::printf("%s", table_line(summary).c_str());
+  EXPECT_EQ(summary.contacts, 0) << "drives that touched, worst by " << 1e3 * summary.worst_depth << " mm; alone:\n"
+                                 << how_to_repeat(summary, kSeconds);
+  EXPECT_EQ(summary.beyond, 0) << "commands beyond the bound; alone:\n" << how_to_repeat(summary, kSeconds);
+  // Who stands still touches nothing; of those that begin in collision some have no way out.
+  EXPECT_GT(summary.moving, summary.stood_in > 0 ? 0.05 : 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Conditions, Attack, testing::ValuesIn(promised()),
+                         [](const testing::TestParamInfo<Condition>& tested) { return std::string(tested.param.name); });
+
+TEST(Campaign, MeetsObstaclesAtSpeed) {
+  const Condition& condition = *find_condition("speed_1");
+  Extent extent;
+  extent.drives = 6;
+  extent.seconds = kSeconds;
+  const Summary summary(condition, run(condition, extent));
+  EXPECT_GE(summary.meetings.size(), 6u);
+  EXPECT_GE(summary.meeting(1.0), 0.8) << "of 1 m/s";
+  EXPECT_GT(summary.threatened, summary.cycles / 20);
+}
+
+TEST(Campaign, SeesAContactWhereTheBrakesAreWorseThanTold) {
+  const Condition& condition = *find_condition("out_latency_more");
+  Extent extent;
+  extent.drives = 6;
+  extent.seconds = kSeconds;
+  EXPECT_GT(Summary(condition, run(condition, extent)).contacts, 0);
+}
+
+TEST(Campaign, TheSameSeedIsTheSameDrive) {
+  const Condition& condition = *find_condition("anything");
+  Extent one, two;
+  one.drives = two.drives = 4;
+  one.seconds = two.seconds = 5;
+  two.threads = 3;
+  const Summary a(condition, run(condition, one)), b(condition, run(condition, two));
+  EXPECT_EQ(as_json({a}, 5), as_json({b}, 5));
+}
+
+}  // namespace
+}  // namespace hidwa_attack

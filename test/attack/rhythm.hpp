@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <deque>
+
+#include "random.hpp"
+#include "spec.hpp"
+
+namespace hidwa_attack {
+
+/// When the control cycles are, and what a host measures of that.
+class Rhythm {
+ public:
+  Rhythm(const Spec& spec, std::uint64_t seed)
+      : period_(spec.period), share_(spec.late_share), most_(spec.late_most), catches_up_(spec.catches_up), random_(seed) {}
+
+  bool due(int now) const { return now >= next_; }
+  /// A cycle takes place at `now` [ms]. A host that catches up keeps to its grid until it is a whole period behind.
+  void tick(int now) {
+    cycles_.push_back(now);
+    while (cycles_.front() < now - kMemory) cycles_.pop_front();
+    const bool keeps = catches_up_ && now - grid_ <= period_;
+    grid_ = (keeps ? grid_ : now) + period_;
+    next_ = std::max(grid_ + lateness(), now + 1);
+  }
+  /// The larger of the period and the longest interval of the last 3 s, which counts up to three periods [s].
+  double longest() const {
+    int most = period_;
+    for (std::size_t k = 1; k < cycles_.size(); ++k) most = std::max(most, cycles_[k] - cycles_[k - 1]);
+    return 1e-3 * std::min(most, 3 * period_);
+  }
+
+ private:
+  static constexpr int kMemory = 3000;  // [ms]
+  int lateness() {
+    return random_.chance(share_) ? static_cast<int>(random_.in(0.0, most_) * period_) : 0;
+  }
+
+  int period_;  // [ms]
+  double share_, most_;
+  bool catches_up_;
+  Random random_;
+  int grid_ = 0, next_ = 0;  // when the cycle should be, and when it is [ms]
+  std::deque<int> cycles_;   // [ms]
+};
+
+}  // namespace hidwa_attack

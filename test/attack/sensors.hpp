@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "random.hpp"
+#include "spec.hpp"
+
+namespace hidwa_attack {
+
+/// What a robot knows of its own motion: everything that was true, and what a faulty sensor makes of it.
+class Sensors {
+ public:
+  Sensors(const Spec& spec, std::uint64_t seed) : spec_(spec), random_(seed) {}
+
+  /// The truth, each millisecond.
+  void record(const Pose2& pose, const Twist2& velocity) { truth_.push_back({pose, velocity}); }
+  /// The pose of `age` [ms] ago.
+  const Pose2& pose(int age) const { return at(age).pose; }
+  /// One reading of odometry at `now` [ms]; none while it is silent.
+  std::optional<Twist2> odometry(int now);
+
+ private:
+  struct Moment {
+    Pose2 pose;
+    Twist2 velocity;
+  };
+  const Moment& at(int age) const {
+    const auto back = static_cast<std::size_t>(age) + 1;
+    return back <= truth_.size() ? truth_[truth_.size() - back] : truth_.front();
+  }
+  Twist2 noisy(const Twist2& true_one);
+  Twist2 outlier(const Twist2& true_one);
+  bool silent(int now);
+
+  const Spec& spec_;
+  Random random_;
+  std::vector<Moment> truth_;
+  int silent_until_ = 0, dead_from_ = 0;  // [ms]
+};
+
+}  // namespace hidwa_attack

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "shape.hpp"
+#include "world_building.hpp"
+
+namespace hidwa_attack {
+
+using hidwa_local_planner::Parameters;
+
+enum class Odometry {
+  exact,
+  noisy,     // some per cent off
+  outliers,  // 1 % of the readings are up to 10 m/s and 20 rad/s
+  delayed,   // by the base's latency
+  silent,    // for 0.3 to 1.5 s, now and then
+  dead       // 0, now and then for good
+};
+
+enum class Start {
+  free,
+  stray,     // with cells under the outline
+  grazing,   // in the edge of an obstacle
+  appearing  // free; later the map adds cells under the outline
+};
+
+/// What one drive is. Times of the host and of the base in whole milliseconds.
+struct Spec {
+  Outline outline = Outline::octagon;
+  Parameters parameters;
+  int period = 50;  // of the control cycle [ms]
+  int seconds = 20;  // [s]
+
+  Place place = Place::posts;
+  double resolution = 0.05;  // [m]
+  Start start = Start::free;
+
+  int latency = 100;  // the base's own; the planner is told parameters.control_latency [ms]
+  Reaching reaching = Reaching::evenly;
+  double brakes = 1.0;  // the base's deceleration limits, as a share of those told
+
+  double late_share = 0.0;  // of the cycles
+  double late_most = 0.0;   // [periods]
+  bool catches_up = false;  // after a late cycle, as ros::Rate does
+
+  Odometry odometry = Odometry::exact;
+  int pose_age = 0;       // [ms]
+  bool age_told = true;   // the pose's stamp is known
+  int map_delay = -1;     // of what is seen [ms]; negative: the whole window is known
+  bool limits_change = false;
+};
+
+}  // namespace hidwa_attack
