@@ -40,7 +40,7 @@ double AdmissibilityCheck::most_growth(const Setup& setup, const VelocityLimits&
     return 0.75 * std::max(axis.acc, axis.braking) * setup.period * setup.period;
   };
   Twist2 spread;
-  for (std::size_t way = 0; way < setup.pending->size(); ++way) {
+  for (std::size_t way = 0; way < setup.pending->all(); ++way) {
     const Twist2 own = (*setup.pending)[way].spread();
     spread = {std::max(spread.v, own.v), std::max(spread.omega, own.omega)};
   }
@@ -237,7 +237,7 @@ bool AdmissibilityCheck::nothing_in_reach() const {
   const double speed = std::abs(setup_.reference.v) + limits_->x.acc * setup_.period;
   const double fastest = std::max(setup_.pending->fastest(), speed);
   double reach = 0.0;
-  for (std::size_t way = 0; way < setup_.pending->size(); ++way) {
+  for (std::size_t way = 0; way < setup_.pending->all(); ++way) {
     reach = std::max(reach, manoeuvre(way, {fastest, 0.0}, longest_hold()).reach(*limits_));
   }
   reach += most_growth(setup_, *limits_, footprint_->circumscribed_radius(), reach);
@@ -287,7 +287,8 @@ bool AdmissibilityCheck::free_all_along(const BrakeManoeuvre& manoeuvre, bool su
 template <typename Look>
 bool AdmissibilityCheck::free_in_time(const Twist2& command, bool surely, Arrivals& arrivals, Look&& look) const {
   const double latest = longest_hold();
-  for (std::size_t way = 0; way < setup_.pending->size(); ++way) {
+  const std::size_t ways = surely ? setup_.pending->all() : setup_.pending->size();
+  for (std::size_t way = 0; way < ways; ++way) {
     if (!free_all_along(manoeuvre(way, command, latest), surely, arrivals[way], look)) return false;
     if (latest > kSoon * setup_.period && !free_all_along(manoeuvre(way, command, 0.0), surely, arrivals[way], look)) {
       return false;

@@ -197,6 +197,11 @@ void Planner::Impl::find_reference(const Situation& situation) {
   decision.reference = commands.next_start(limits, period, as_commanded.end());
   judge_axis(situation, &Twist2::v, limits.x, odometry.v);
   judge_axis(situation, &Twist2::omega, limits.theta, odometry.omega);
+  // A base may be quicker than control_latency says.
+  if (latency <= 0.0 || as_commanded.steady()) return;
+  UnderWay& prompt = pending.add_unlikely();
+  commands.play(limits, period, 0.0, age, prompt);
+  prompt.mark_past(age);
 }
 
 // The pose of now: from the measured one on as the commands since then say, where odometry is slower as that says.
@@ -256,12 +261,22 @@ double Planner::Impl::brake_period(const Situation& situation) const {
   return std::max(usable_period(situation), std::min(commands.elapsed(), longest_period(situation)));
 }
 
+// What braking starts from: odometry may lag behind a command that brakes already, and must not take that back.
+Twist2 Planner::Impl::brake_start() const {
+  const auto slower = [](double reference, double last) {
+    return reference * last > 0.0 && std::abs(reference) < std::abs(last) ? reference : last;
+  };
+  const Twist2 last = commands.last();
+  return {limits.x.start_from(slower(decision.reference.v, last.v), last.v),
+          limits.theta.start_from(slower(decision.reference.omega, last.omega), last.omega)};
+}
+
 // The brake command; at rest there is nothing left but to fail.
 void Planner::Impl::give_up(const Situation& situation, Problem kind, const char* problem) {
   decision.problem_kind = kind;
   decision.problem = problem;
   decision.sample = {};
-  decision.command = limits.brake(decision.reference, brake_period(situation));
+  decision.command = limits.brake(brake_start(), brake_period(situation));
   const bool moving = !at_rest(decision.reference) || !at_rest(decision.velocity);
   decision.outcome = moving ? Outcome::brake : Outcome::fail;
 }

@@ -118,6 +118,7 @@ struct Planner::Impl {
   const char* fault_of(const Situation& situation, const GridView& grid) const;
   void begin(const Situation& situation);
   void make_room_for_words();
+  Twist2 brake_start() const;
   double brake_period(const Situation& situation) const;
   void give_up(const Situation& situation, Problem kind, const char* problem);
   const Situation& advance(const Situation& situation);

@@ -78,7 +78,7 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
                                         !steered && way_out.active()};
   const double longest = std::max(pending.fastest(), rollout.fastest());
   double manoeuvres = 0.0;
-  for (std::size_t way = 0; way < pending.size(); ++way) {
+  for (std::size_t way = 0; way < pending.all(); ++way) {
     const double hold = 2.0 * (setup.longest_period - setup.period);
     manoeuvres = std::max(manoeuvres, BrakeManoeuvre{origin, pending[way], {longest, 0.0}, setup.period, hold}.reach(limits));
   }

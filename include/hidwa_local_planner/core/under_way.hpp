@@ -64,6 +64,10 @@ class UnderWay {
     }
   }
 
+  /// One velocity all the time.
+  bool steady() const {
+    return std::all_of(legs_.begin(), legs_.end(), [this](const Leg& leg) { return leg.end == begin_; });
+  }
   const Twist2& begin() const { return begin_; }
   const Twist2& end() const { return legs_.empty() ? begin_ : legs_.back().end; }
   const std::vector<Leg>& legs() const { return legs_; }
@@ -106,7 +110,7 @@ class UnderWay {
 /// do as they say or as odometry says, each axis on its own.
 class PendingMotion {
  public:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMost = 5;
 
   PendingMotion() = default;
   explicit PendingMotion(const UnderWay& only) { first() = only; }
@@ -114,28 +118,40 @@ class PendingMotion {
   /// The first way, the likeliest; with it the set begins anew.
   UnderWay& first() {
     count_ = 1;
+    unlikely_ = false;
     return ways_[0];
   }
   /// Every way so far, and each of them with this velocity on one axis instead.
+  /// Once an axis.
   void or_else(double Twist2::*axis, double velocity) {
     const std::size_t before = count_;
-    for (std::size_t i = 0; i < before && count_ < kMost; ++i) {
+    for (std::size_t i = 0; i < before; ++i) {
       ways_[count_] = ways_[i];
       ways_[count_++].replace(axis, velocity);
     }
   }
 
+  /// One more way, which only a thorough look reckons with: the last one.
+  UnderWay& add_unlikely() {
+    unlikely_ = true;
+    return ways_[count_];
+  }
+  void drop_unlikely() { unlikely_ = false; }
+
+  /// The likely ones; all() counts the unlikely one too.
   std::size_t size() const { return count_; }
+  std::size_t all() const { return count_ + (unlikely_ ? 1 : 0); }
   const UnderWay& operator[](std::size_t i) const { return ways_[i]; }
   double fastest() const {  // [m/s]
     double v = 0.0;
-    for (std::size_t i = 0; i < count_; ++i) v = std::max(v, ways_[i].fastest());
+    for (std::size_t i = 0; i < all(); ++i) v = std::max(v, ways_[i].fastest());
     return v;
   }
 
  private:
   std::array<UnderWay, kMost> ways_;
   std::size_t count_ = 1;
+  bool unlikely_ = false;
 };
 
 }  // namespace hidwa_local_planner
