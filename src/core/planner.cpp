@@ -199,9 +199,11 @@ void Planner::Impl::find_reference(const Situation& situation) {
   judge_axis(situation, &Twist2::omega, limits.theta, odometry.omega);
   // A base may be quicker than control_latency says.
   if (latency <= 0.0 || as_commanded.steady()) return;
-  UnderWay& prompt = pending.add_unlikely();
-  commands.play(limits, period, 0.0, age, prompt);
-  prompt.mark_past(age);
+  for (const double shorter : {0.0, 0.5 * latency}) {
+    UnderWay& prompt = pending.add_unlikely();
+    commands.play(limits, period, shorter, age, prompt);
+    prompt.mark_past(age);
+  }
 }
 
 // The pose of now: from the measured one on as the commands since then say, where odometry is slower as that says.

@@ -110,7 +110,7 @@ class UnderWay {
 /// do as they say or as odometry says, each axis on its own.
 class PendingMotion {
  public:
-  static constexpr std::size_t kMost = 5;
+  static constexpr std::size_t kMost = 6;
 
   PendingMotion() = default;
   explicit PendingMotion(const UnderWay& only) { first() = only; }
@@ -118,7 +118,7 @@ class PendingMotion {
   /// The first way, the likeliest; with it the set begins anew.
   UnderWay& first() {
     count_ = 1;
-    unlikely_ = false;
+    unlikely_ = 0;
     return ways_[0];
   }
   /// Every way so far, and each of them with this velocity on one axis instead.
@@ -131,16 +131,12 @@ class PendingMotion {
     }
   }
 
-  /// One more way, which only a thorough look reckons with: the last one.
-  UnderWay& add_unlikely() {
-    unlikely_ = true;
-    return ways_[count_];
-  }
-  void drop_unlikely() { unlikely_ = false; }
+  /// One more way, which only a thorough look reckons with. Two at most, after the likely ones.
+  UnderWay& add_unlikely() { return ways_[count_ + unlikely_++]; }
 
-  /// The likely ones; all() counts the unlikely one too.
+  /// The likely ones, in front; all() counts the unlikely ones too.
   std::size_t size() const { return count_; }
-  std::size_t all() const { return count_ + (unlikely_ ? 1 : 0); }
+  std::size_t all() const { return count_ + unlikely_; }
   const UnderWay& operator[](std::size_t i) const { return ways_[i]; }
   double fastest() const {  // [m/s]
     double v = 0.0;
@@ -151,7 +147,7 @@ class PendingMotion {
  private:
   std::array<UnderWay, kMost> ways_;
   std::size_t count_ = 1;
-  bool unlikely_ = false;
+  std::size_t unlikely_ = 0;
 };
 
 }  // namespace hidwa_local_planner
