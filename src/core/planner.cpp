@@ -199,9 +199,10 @@ void Planner::Impl::find_reference(const Situation& situation) {
   judge_axis(situation, &Twist2::omega, limits.theta, odometry.omega);
   // A base may be quicker than control_latency says.
   if (latency <= 0.0 || as_commanded.steady()) return;
-  for (const double shorter : {0.0, 0.5 * latency}) {
+  const auto ways = std::min(std::ceil(latency / period), static_cast<double>(PendingMotion::kMostUnlikely));
+  for (double way = 0.0; way < ways; way += 1.0) {
     UnderWay& prompt = pending.add_unlikely();
-    commands.play(limits, period, shorter, age, prompt);
+    commands.play(limits, period, latency * way / ways, age, prompt);
     prompt.mark_past(age);
   }
 }

@@ -110,7 +110,8 @@ class UnderWay {
 /// do as they say or as odometry says, each axis on its own.
 class PendingMotion {
  public:
-  static constexpr std::size_t kMost = 6;
+  static constexpr std::size_t kMostUnlikely = 6;
+  static constexpr std::size_t kMost = 4 + kMostUnlikely;
 
   PendingMotion() = default;
   explicit PendingMotion(const UnderWay& only) { first() = only; }
@@ -131,7 +132,7 @@ class PendingMotion {
     }
   }
 
-  /// One more way, which only a thorough look reckons with. Two at most, after the likely ones.
+  /// One more way, which only a thorough look reckons with: kMostUnlikely at most, after the likely ones.
   UnderWay& add_unlikely() { return ways_[count_ + unlikely_++]; }
 
   /// The likely ones, in front; all() counts the unlikely ones too.
