@@ -61,7 +61,7 @@ class Configured:
     def built_by_all(self):
         """Targets that a plain `make` builds."""
         rules = self.read('CMakeFiles', 'Makefile2')
-        return set(re.findall(r'^\S*all: \S*CMakeFiles/(\w+)\.dir/all$', rules, re.MULTILINE))
+        return set(re.findall(r'^(?:[\w/]+/)?all: \S*CMakeFiles/(\w+)\.dir/all$', rules, re.MULTILINE))
 
 
 class BuildFiles(unittest.TestCase):
