@@ -19,15 +19,8 @@ catkin_package(
   INCLUDE_DIRS include
   LIBRARIES hidwa_core hidwa_input hidwa_record hidwa_robot hidwa_local_planner
   CATKIN_DEPENDS message_runtime ${HIDWA_CATKIN_DEPENDS}
-  DEPENDS EIGEN3)
-
-# Move Base Flex is no dependency: where it is found its users get the planner as a controller.
-find_package(mbf_costmap_core QUIET)
-find_package(mbf_msgs QUIET)
-set(HIDWA_MBF ${mbf_costmap_core_FOUND})
-if(NOT mbf_msgs_FOUND)
-  set(HIDWA_MBF OFF)
-endif()
+  DEPENDS EIGEN3
+  CFG_EXTRAS hidwa_local_planner-extras.cmake)
 
 set(HIDWA_LIB_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 set(HIDWA_BIN_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
@@ -35,4 +28,5 @@ set(HIDWA_INCLUDE_DESTINATION ${CATKIN_GLOBAL_INCLUDE_DESTINATION})
 set(HIDWA_SHARE_DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 
 install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
-install(FILES plugins.xml mbf_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(FILES plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+include(cmake/mbf.cmake)

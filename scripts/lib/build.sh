@@ -11,12 +11,16 @@ hidwa_jobs() {
   printf '%s\n' "${HIDWA_JOBS:-$jobs}"
 }
 
-# Libraries built against one host must not meet another: a change of host starts from nothing.
-hidwa_keep_or_clean() {
-  local host=$1 stamp=$HIDWA_SPACE/build/host
+# hidwa_take_host HOST: libraries built against one host must not meet another. What compat/ gave and what was installed goes,
+# and so do packages built upon it. The planner's own build folder stays, but looks for every package anew: what sees other
+# headers then is compiled again, and nothing else.
+hidwa_take_host() {
+  local host=$1 stamp=$HIDWA_SPACE/build/host own=$HIDWA_SPACE/build/hidwa_local_planner part
   if [ -f "$stamp" ] && [ "$(cat "$stamp")" != "$host" ]; then
-    say "the host changed: building from nothing"
-    rm -rf "$HIDWA_SPACE/build" "$HIDWA_SPACE/install"
+    say "the host changed: building anew what depends on it"
+    for part in nav_core costmap_2d map_server move_base tests/ros tests/robot; do rm -rf "$HIDWA_SPACE/build/$part"; done
+    rm -rf "$HIDWA_SPACE/install" "$own/cmake_args.last"  # without the latter colcon configures
+    if [ -f "$own/CMakeCache.txt" ]; then sed -i -E 's/^([^:]*_DIR):PATH=.*/\1:PATH=\1-NOTFOUND/' "$own/CMakeCache.txt"; fi
   fi
   mkdir -p "$HIDWA_SPACE/build"
   printf '%s\n' "$host" > "$stamp"
@@ -24,11 +28,12 @@ hidwa_keep_or_clean() {
 
 # hidwa_build [CMAKE_ARGUMENT...]
 hidwa_build() {
-  local missing bases=("$HIDWA_ROOT") package tests=()
-  missing=$(hidwa_missing_host)
+  local host missing bases=("$HIDWA_ROOT") package tests=()
+  host=$(hidwa_host)
+  missing=$(sed -n 's/ compat$//p' <<< "$host")
   for package in $missing; do bases+=("$HIDWA_ROOT/compat/$package"); done
   say "host: ${missing:+compat for ${missing//$'\n'/, }; }underlay ${HIDWA_UNDERLAY:-none}"
-  hidwa_keep_or_clean "compat: ${missing//$'\n'/ }; underlay: ${HIDWA_UNDERLAY:-}"
+  hidwa_take_host "$host"
   # Tests stay out of a user's build; a build that has them keeps them.
   if ! grep -q 'HIDWA_TESTS:[A-Z]*=ON' "$HIDWA_SPACE/build/hidwa_local_planner/CMakeCache.txt" 2>/dev/null; then
     tests=(-DHIDWA_TESTS=OFF -DCOMPAT_TESTS=OFF)

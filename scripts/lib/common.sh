@@ -41,18 +41,20 @@ hidwa_leave_install() {
   done
 }
 
-# hidwa_source FILE: sources another workspace's setup file; such files know neither `set -e` nor `set -u`.
+# hidwa_source FILE: sources another workspace's setup file; such files know neither `set -e` nor `set -u`. Without --extend
+# catkin's would take the workspaces away that were sourced before: the user's own.
 hidwa_source() {
   local options=$- status=0
   set +eu
   # shellcheck disable=SC1090
-  . "$1" || status=$?
+  . "$1" --extend || status=$?
   case $options in *e*) set -e ;; esac
   case $options in *u*) set -u ;; esac
   return "$status"
 }
 
-# The workspace below ours: ROS Noetic where it is installed, then HIDWA_UNDERLAY (an install or devel space).
+# What is below ours, on top of what the user has sourced: ROS Noetic where it is installed, then HIDWA_UNDERLAY (an
+# install or devel space).
 hidwa_underlay() {
   local setup
   if [ -f "$HIDWA_NOETIC/setup.bash" ]; then
@@ -68,10 +70,15 @@ hidwa_underlay() {
   hidwa_source "$setup"
 }
 
-# The packages of the host that neither the system nor the underlay has; compat/ fills in for them.
-hidwa_missing_host() {
+# The packages of the host, each with its folder, or with `compat` where neither the system nor the underlay has it.
+hidwa_host() {
   local package
   for package in nav_core costmap_2d map_server move_base; do
-    rospack find "$package" >/dev/null 2>&1 || printf '%s\n' "$package"
+    printf '%s %s\n' "$package" "$(rospack find "$package" 2>/dev/null || printf compat)"
   done
+}
+
+# Warnings are errors where this is developed and tried; GCC 9 of Ubuntu 20.04 warns differently. HIDWA_WERROR says otherwise.
+hidwa_werror() {
+  if [ -d "$HIDWA_NOETIC" ]; then printf '%s\n' "${HIDWA_WERROR:-OFF}"; else printf '%s\n' "${HIDWA_WERROR:-ON}"; fi
 }

@@ -123,8 +123,9 @@ void RobotDescription::say(const std::vector<robot::Remark>& remarks) {
   said_ = std::move(subjects);
 }
 
-void RobotDescription::give_outline(costmap_2d::Costmap2DROS& costmap) const {
+void RobotDescription::give_outline(costmap_2d::Costmap2DROS& costmap, bool wanted) const {
   if (!outline_) return;
+  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap.getCostmap()->getMutex());
   const std::string name = costmap.getName();
   const bool empty = costmap.getUnpaddedRobotFootprint().size() < 3;
   if (!empty && has_own_footprint(ros::NodeHandle("~/" + name))) return;
@@ -140,12 +141,14 @@ void RobotDescription::give_outline(costmap_2d::Costmap2DROS& costmap) const {
              handle_.getNamespace().c_str(), situation.c_str(), reason.c_str());
     return;
   }
+  if (!wanted) {
+    ROS_WARN("%s: %s: set footprint or robot_radius, or footprint_from_urdf for the URDF's collision geometry",
+             handle_.getNamespace().c_str(), situation.c_str());
+    return;
+  }
   double reach = 0.0;  // [m]
   for (const Point& corner : outline_->corners) reach = std::max(reach, corner.norm());
-  {
-    const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap.getCostmap()->getMutex());
-    costmap.setUnpaddedRobotFootprint(points_of(outline_->corners));
-  }
+  costmap.setUnpaddedRobotFootprint(points_of(outline_->corners));
   ROS_WARN("%s: %s: the URDF's collision geometry is taken, %zu corners up to %.3f m from %s",
            handle_.getNamespace().c_str(), situation.c_str(), outline_->corners.size(), reach,
            base_frame_.c_str());

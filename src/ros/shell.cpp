@@ -37,7 +37,7 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
   host_frequency_.follow(thread_.serve(ros::NodeHandle("~")));
   diagnostics_ = std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_);
   diagnostics_->set("", load());
-  description_.give_outline(costmap_);
+  description_.give_outline(costmap_, accepted_.footprint_from_urdf);
   update_footprint();
   odometry_thread_.start();
   thread_.start();

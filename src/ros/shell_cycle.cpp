@@ -187,6 +187,8 @@ std::string Shell::observe_pose(double now, Observation& observation) {
 }
 
 std::string Shell::update_footprint() {
+  // Others may set it meanwhile. In a cycle the lock is held already; at start it is not.
+  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
   const auto& points = costmap_.getRobotFootprint();
   if (points.size() < 3) return "the local costmap has no footprint: set robot_radius or footprint";
   if (same_outline(outline_, points)) return "";

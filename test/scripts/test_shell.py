@@ -8,6 +8,8 @@ import unittest
 SCRIPTS = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', 'scripts'))
 # What colcon's and catkin's setup files do: read variables that are not set, run commands that fail.
 SETUP = 'false\n: $THIS_IS_NOT_SET\nfalse\nexport {name}=yes\n'
+# What catkin's do, too: without --extend they take what was sourced before out of the environment.
+CATKIN_SETUP = 'case " $* " in *" --extend "*) ;; *) export ROS_PACKAGE_PATH=/opt/ros/noetic/share ;; esac\n'
 
 
 class Shell(unittest.TestCase):
@@ -24,6 +26,12 @@ class Shell(unittest.TestCase):
         with open(os.path.join(path, install, 'setup.bash'), 'w', encoding='utf-8') as out:
             out.write(SETUP.format(name=variable))
         return path
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, 'w', encoding='utf-8') as out:
+            out.write(text)
 
     def bash(self, script, **variables):
         """(exit status, output) of a script run far from the source tree."""
@@ -93,15 +101,46 @@ class Shell(unittest.TestCase):
         self.assertIn('no-such-package-here', output)
         self.assertNotIn(' bash ', output)
 
-    def test_a_change_of_host_starts_from_nothing(self):
+    def test_another_host_takes_what_depends_on_it_and_leaves_the_rest(self):
+        cache = 'costmap_2d_DIR:PATH=/real/share\nHIDWA_TESTS:BOOL=ON\nhidwa_BINARY_DIR:STATIC=/b\n'
+        self.write('space/build/hidwa_local_planner/CMakeCache.txt', cache)
+        for name in ('hidwa_local_planner/core.o', 'hidwa_local_planner/cmake_args.last', 'costmap_2d/made.o', 'tests/ros/made.o',
+                     'tests/plain/made.o', 'bench/made.o'):
+            self.write(f'space/build/{name}', '')
         script = ('set -eu; . "$SCRIPTS/lib/common.sh"; . "$SCRIPTS/lib/packages.sh"; . "$SCRIPTS/lib/build.sh"; '
-                  'hidwa_keep_or_clean one; touch "$HIDWA_SPACE/build/made"; hidwa_keep_or_clean one; '
-                  'ls "$HIDWA_SPACE/build"; hidwa_keep_or_clean two; ls "$HIDWA_SPACE/build" "$HIDWA_SPACE"')
-        _, output = self.bash(script)
-        before, after = output.split('==> the host changed: building from nothing\n')
-        self.assertIn('made', before)
-        self.assertNotIn('made', after)
-        self.assertNotIn('install', after)
+                  'hidwa_take_host one; hidwa_take_host one; cd "$HIDWA_SPACE"; find . -type f | sort; hidwa_take_host two; '
+                  'find . -type f | sort; cat build/hidwa_local_planner/CMakeCache.txt')
+        status, output = self.bash(script)
+        self.assertEqual(status, 0, output)
+        before, after = output.split('==> the host changed: building anew what depends on it\n')
+        self.assertIn('./build/costmap_2d/made.o', before)
+        self.assertEqual(after.splitlines(), [
+            './build/bench/made.o', './build/hidwa_local_planner/CMakeCache.txt', './build/hidwa_local_planner/core.o',
+            './build/host', './build/tests/plain/made.o', 'costmap_2d_DIR:PATH=costmap_2d_DIR-NOTFOUND', 'HIDWA_TESTS:BOOL=ON',
+            'hidwa_BINARY_DIR:STATIC=/b'])
+
+    def test_the_host_is_known_by_where_its_packages_lie(self):
+        self.write('tools/rospack', '#!/bin/sh\n[ "$2" = move_base ] && echo /mine/share/move_base\n')
+        os.chmod(os.path.join(self.folder, 'tools', 'rospack'), 0o755)
+        _, output = self.bash('. "$SCRIPTS/lib/common.sh"; hidwa_host', PATH=f'{self.folder}/tools:{os.environ["PATH"]}')
+        self.assertEqual(output, 'nav_core compat\ncostmap_2d compat\nmap_server compat\nmove_base /mine/share/move_base\n')
+
+    def test_warnings_are_errors_but_with_noetic(self):
+        script = '. "$SCRIPTS/lib/common.sh"; hidwa_werror'
+        self.assertEqual(self.bash(script)[1], 'ON\n')
+        self.assertEqual(self.bash(script, HIDWA_NOETIC=self.folder)[1], 'OFF\n')
+        self.assertEqual(self.bash(script, HIDWA_NOETIC=self.folder, HIDWA_WERROR='ON')[1], 'ON\n')
+        self.assertEqual(self.bash(script, HIDWA_WERROR='OFF')[1], 'OFF\n')
+
+    def test_workspaces_that_were_sourced_before_stay(self):
+        for setup in ('noetic/setup.bash', 'underlay/setup.bash', 'space/install/setup.bash'):
+            self.write(setup, CATKIN_SETUP)
+        script = 'set -eu; . "$SCRIPTS/{}"; echo "$ROS_PACKAGE_PATH $EDITOR"'
+        overlay = {'ROS_PACKAGE_PATH': '/home/me/catkin_ws/src', 'EDITOR': 'mine'}
+        for file, more in (('env', {}), ('env', {'HIDWA_UNDERLAY': self.underlay}),
+                           ('lib/common.sh"; hidwa_clean_path; hidwa_underlay; : "', {'HIDWA_UNDERLAY': self.underlay})):
+            _, output = self.bash(script.format(file), HIDWA_NOETIC=os.path.join(self.folder, 'noetic'), **overlay, **more)
+            self.assertEqual(output, '/home/me/catkin_ws/src mine\n', file)
 
 
 if __name__ == '__main__':

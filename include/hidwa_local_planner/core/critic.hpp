@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#if __cplusplus < 201703L
+#error "hidwa_local_planner needs C++17: set(CMAKE_CXX_STANDARD 17) in the package that includes this"
+#endif
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

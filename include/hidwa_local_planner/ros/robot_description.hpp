@@ -28,10 +28,10 @@ class RobotDescription {
   /// of the parameters that name it or its joints has changed.
   Parameters limited(const Parameters& wanted);
 
-  /// Gives the costmap the outline of the URDF's collision geometry where neither footprint nor robot_radius
-  /// was set for it, or its footprint is empty. An outline that leaves out meshes may be too small and is not
-  /// given.
-  void give_outline(costmap_2d::Costmap2DROS& costmap) const;
+  /// Where neither footprint nor robot_radius was set for the costmap, or its footprint is empty: gives it the
+  /// outline of the URDF's collision geometry if that is `wanted`, else says that it could. An outline that
+  /// leaves out meshes may be too small and is not given.
+  void give_outline(costmap_2d::Costmap2DROS& costmap, bool wanted) const;
 
  private:
   using Names = std::array<std::string, 3>;  // of the parameter and of both joints

@@ -23,7 +23,8 @@ def build():
     """Builds hidwa_benchmark into FOLDER, a Release without ROS."""
     os.makedirs(FOLDER, exist_ok=True)
     log = os.path.join(FOLDER, 'bench.log')
-    commands = (['cmake', '-S', ROOT, '-B', FOLDER, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=OFF', '-DCMAKE_BUILD_TYPE=Release'],
+    commands = (['cmake', '-S', ROOT, '-B', FOLDER, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=OFF', '-DHIDWA_BENCHMARKS=ON',
+                 '-DCMAKE_BUILD_TYPE=Release'],
                 ['cmake', '--build', FOLDER, '--target', 'hidwa_benchmark', '-j', str(os.cpu_count() or 1)])
     with open(log, 'w', encoding='utf-8') as out:
         for command in commands:

@@ -87,6 +87,12 @@ def ctest(folder, log, wrap=lambda *command: list(command), jobs=JOBS):
     return counts
 
 
+def werror():
+    """Whether warnings are errors, ON or OFF, as scripts/build has it."""
+    script = '. "$0"/scripts/lib/common.sh && hidwa_werror'
+    return subprocess.run(['bash', '-c', script, ROOT], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+
+
 def host_packages():
     """Those of the host's packages that come from compat/ in this build."""
     return [name for name in COMPAT if os.path.isdir(os.path.join(SPACE, 'build', name))]
@@ -97,7 +103,7 @@ def plain():
     folder = os.path.join(WORK, 'plain')
     # The list of test folders anew: a build folder of an older version remembers that version's.
     run(['cmake', '-S', ROOT, '-B', folder, '-UHIDWA_TEST_SUITES', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON',
-         '-DCMAKE_BUILD_TYPE=Release'], 'plain_configure')
+         '-DHIDWA_BENCHMARKS=ON', f'-DHIDWA_WERROR={werror()}', '-DCMAKE_BUILD_TYPE=Release'], 'plain_configure')
     run(['cmake', '--build', folder, '-j', JOBS], 'plain_build')
     return ctest(folder, 'plain')
 
@@ -130,8 +136,9 @@ def ros():
     folder = os.path.join(WORK, 'ros')
     os.makedirs(folder, exist_ok=True)
     paths = [os.path.dirname(path) for path in sorted(glob.glob(os.path.join(ROOT, 'test', 'ros', '*', 'package.xml')))]
+    # C++14, the default of GCC 9: a package with critics is lifted from it by this one.
     run(in_install('colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', *paths, '--cmake-args',
-                   '-DCMAKE_BUILD_TYPE=Release', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
+                   '-DCMAKE_CXX_FLAGS=-std=gnu++14', '-DCMAKE_BUILD_TYPE=Release', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
                    '-DPython3_EXECUTABLE=/usr/bin/python3', '--no-warn-unused-cli'), 'ros_build', cwd=folder)
     counts = Counts()
     setup = os.path.join(folder, 'install', 'setup.bash')
@@ -168,8 +175,8 @@ def robot():
     folder = os.path.join(WORK, 'robot')
     os.makedirs(folder, exist_ok=True)
     run(in_install('colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', ROOT, '--packages-select',
-                   'hidwa_local_planner', '--cmake-args', '-DHIDWA_TOOLS=OFF',
-                   '-DHIDWA_TESTS=OFF', '-DCMAKE_BUILD_TYPE=Release', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
+                   'hidwa_local_planner', '--cmake-args', '-DHIDWA_TOOLS=OFF', '-DHIDWA_TESTS=OFF',
+                   f'-DHIDWA_WERROR={werror()}', '-DCMAKE_BUILD_TYPE=Release', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
                    '-DPython3_EXECUTABLE=/usr/bin/python3'), 'robot_build', cwd=folder)
     place = os.path.join(folder, 'install', 'lib')
     library = os.path.join(place, 'libhidwa_local_planner.so')

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Limits and outline out of the URDF on the parameter server.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <future>
 
 #include <gtest/gtest.h>
 #include <hidwa_local_planner/Evaluation.h>
@@ -196,6 +198,7 @@ TEST(RobotDescription, ItsGeometryIsTheOutlineOfACostmapThatHasNone) {
   std::string text;
   ASSERT_TRUE(ros::param::get("~demo_urdf", text));
   describe("Outlined", text);
+  ros::param::set(ns("Outlined") + "footprint_from_urdf", true);
   planner->initialize("Outlined", &stage.tf, &bare);
   // A body of 0.275 m, corners 0.5 % farther out: 0.275 / cos(pi / 32) = 0.2763 m.
   const auto points = bare.getUnpaddedRobotFootprint();
@@ -210,6 +213,38 @@ TEST(RobotDescription, ItsGeometryIsTheOutlineOfACostmapThatHasNone) {
   EXPECT_NEAR(std::hypot(before[0].x, before[0].y), 0.25, 1e-9);
 }
 
+TEST(RobotDescription, ItsGeometryIsLeftAloneUnlessItIsAskedFor) {
+  const LogListener log;
+  Stage& stage = Stage::get();
+  costmap_2d::Costmap2DROS bare("bare_costmap", stage.tf);
+  pluginlib::ClassLoader<nav_core::BaseLocalPlanner> loader("nav_core", "nav_core::BaseLocalPlanner");
+  const auto planner = loader.createInstance("hidwa_local_planner/HIDWAPlannerROS");
+  std::string text;
+  ASSERT_TRUE(ros::param::get("~demo_urdf", text));
+  describe("Unasked", text);
+  planner->initialize("Unasked", &stage.tf, &bare);
+  // costmap_2d's own circle where nothing is set.
+  for (const geometry_msgs::Point& point : bare.getUnpaddedRobotFootprint()) {
+    EXPECT_NEAR(std::hypot(point.x, point.y), 0.46, 1e-3);
+  }
+  EXPECT_TRUE(wait_for([&] { return log.said("footprint_from_urdf for the URDF's collision geometry"); }, 5.0));
+}
+
+TEST(RobotDescription, TheOutlineIsReadUnderTheCostmapsLock) {
+  Stage& stage = Stage::get();
+  costmap_2d::Costmap2DROS bare("bare_costmap", stage.tf);
+  pluginlib::ClassLoader<nav_core::BaseLocalPlanner> loader("nav_core", "nav_core::BaseLocalPlanner");
+  const auto planner = loader.createInstance("hidwa_local_planner/HIDWAPlannerROS");
+  std::future<void> made;
+  {
+    const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*bare.getCostmap()->getMutex());
+    made = std::async(std::launch::async, [&] { planner->initialize("Waiting", &stage.tf, &bare); });
+    // Long enough for one that does not wait.
+    EXPECT_EQ(made.wait_for(std::chrono::seconds(5)), std::future_status::timeout);
+  }
+  made.get();
+}
+
 TEST(RobotDescription, AnOutlineWithoutItsMeshesIsNotTaken) {
   const LogListener log;
   Stage& stage = Stage::get();
@@ -217,6 +252,7 @@ TEST(RobotDescription, AnOutlineWithoutItsMeshesIsNotTaken) {
   const auto before = bare.getUnpaddedRobotFootprint();
   pluginlib::ClassLoader<nav_core::BaseLocalPlanner> loader("nav_core", "nav_core::BaseLocalPlanner");
   const auto planner = loader.createInstance("hidwa_local_planner/HIDWAPlannerROS");
+  ros::param::set(ns("Meshed") + "footprint_from_urdf", true);
   describe("Meshed", urdf("2", "<mesh filename='package://r/tyre.stl'/>"));
   planner->initialize("Meshed", &stage.tf, &bare);
   EXPECT_EQ(bare.getUnpaddedRobotFootprint().size(), before.size());

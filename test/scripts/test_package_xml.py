@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""package.xml against what the package includes, finds, imports and launches."""
+import ast
+import glob
+import importlib.util
+import os
+import re
+import subprocess
+import sysconfig
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
+NAME = 'hidwa_local_planner'
+# What a header, a CMake package or a Python module is called as a dependency, where that is something else.
+# roscpp hands on what it is made of; Boost comes with it; costmap_2d's package tells of threads.
+OTHER_NAMES = {
+    'Eigen': 'eigen', 'Eigen3': 'eigen', 'ZLIB': 'zlib', 'zlib.h': 'zlib', 'ros': 'roscpp', 'xmlrpcpp': 'roscpp', 'boost': 'roscpp',
+    'rosbag.h': 'rosbag_storage', 'urdf_parser': 'liburdfdom-dev', 'urdfdom': 'liburdfdom-dev', 'urdfdom_headers': 'liburdfdom-dev',
+    'console_bridge': 'libconsole-bridge-dev', 'GTest': 'gtest', 'numpy': 'python3-numpy', 'yaml': 'python3-yaml',
+    'matplotlib': 'python3-matplotlib', 'scipy': 'python3-scipy'}
+SYSTEM = {'sys', 'Threads'}       # of the compiler and of CMake
+OWN = {NAME, 'hidwa_tools', 'hidwa_bag_test', 'joy_reader', 'quest2ros_joy'}
+OPTIONAL = {'rviz', 'robot_state_publisher', 'benchmark'}  # to look at, and to measure: a robot needs neither
+
+
+def read(path):
+    with open(os.path.join(ROOT, path), encoding='utf-8') as text:
+        return text.read()
+
+
+def files(*patterns):
+    return sorted(path for pattern in patterns for path in glob.glob(os.path.join(ROOT, pattern), recursive=True)
+                  if os.path.isfile(path))
+
+
+def headers(*folders):
+    """Folders of what is included in angle brackets; of a header in no folder its own name, if it is no system header."""
+    found = set()
+    for path in files(*(f'{folder}/**/*.[ch]pp' for folder in folders)):
+        for name in re.findall(r'^#include <([\w.-]+/|zlib\.h)', read(path), re.MULTILINE):
+            found.add(name.rstrip('/'))
+    if 'rosbag' in found:
+        found = found - {'rosbag'} | {'rosbag.h'}  # the library; the tool has another name
+    return found
+
+
+def cmake_packages():
+    """What CMake is asked to find, components of catkin included."""
+    found = set()
+    for path in files('CMakeLists.txt', 'cmake/*.cmake', 'src/*/CMakeLists.txt'):
+        text = re.sub(r'#.*', '', read(path))
+        found.update(re.findall(r'find_package\((\S+?)[\s)]', text))
+        for names in re.findall(r'set\(HIDWA_CATKIN_DEPENDS([^)]*)\)', text) + re.findall(r'COMPONENTS ([^)]*)\)', text):
+            found.update(re.findall(r'[a-z]\w+', re.sub(r'\$\{.*?\}', '', names)))
+    return found
+
+
+def is_standard(module):
+    """Whether a module comes with Python itself."""
+    spec = importlib.util.find_spec(module)
+    origin = spec.origin if spec else ''
+    if origin in ('built-in', 'frozen'):
+        return True
+    inside = bool(origin) and origin.startswith(sysconfig.get_paths()['stdlib'] + os.sep)
+    return inside and not re.search(r'(dist|site)-packages', origin)
+
+
+def modules(path):
+    """What a Python file imports, wherever in it."""
+    for node in ast.walk(ast.parse(read(path))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.split('.')[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            yield node.module.split('.')[0]
+
+
+def imports(*patterns):
+    """Imported modules that neither come with Python nor lie beside the file."""
+    found = set()
+    for path in files(*patterns):
+        if not path.endswith('.py') and 'python3' not in read(path).split('\n', 1)[0]:
+            continue
+        beside = {os.path.basename(other)[:-3] for other in glob.glob(os.path.join(os.path.dirname(path), '*.py'))}
+        found.update(name for name in modules(path) if name not in beside | OWN and not is_standard(name))
+    return found
+
+
+def launched():
+    """Packages of nodes and files that the launch files name."""
+    text = '\n'.join(read(path) for path in files('launch/**/*.launch'))
+    return set(re.findall(r'pkg="(\w+)"', text)) | set(re.findall(r'\$\(find (\w+)\)', text))
+
+
+def named(names):
+    return {OTHER_NAMES.get(name, name) for name in names} - SYSTEM - OWN - OPTIONAL
+
+
+class PackageXml(unittest.TestCase):
+    def setUp(self):
+        self.package = xml.parse(os.path.join(ROOT, 'package.xml')).getroot()
+
+    def depends(self, *kinds):
+        return {tag.text for kind in kinds for tag in self.package.findall(kind)}
+
+    def test_what_is_compiled_is_a_build_dependency(self):
+        needed = named(headers('src', 'include') | cmake_packages()) - {'gtest'}
+        self.assertIn('rosgraph_msgs', needed)
+        self.assertIn('mbf_msgs', needed)
+        self.assertEqual(needed - self.depends('depend', 'build_depend', 'buildtool_depend'), set())
+
+    def test_what_is_run_is_an_execution_dependency(self):
+        needed = named(imports('scripts/*', 'scripts/lib/**/*.py') | launched())
+        self.assertLessEqual({'python3-yaml', 'genpy', 'map_server'}, needed)
+        self.assertEqual(needed - self.depends('depend', 'exec_depend'), set())
+
+    def test_what_tests_need_is_a_dependency(self):
+        needed = named(imports('test/scripts/*.py', 'test/unit/*.py', 'test/property/*.py', 'cfg/*.cfg') | headers('test/unit', 'test/oracle'))
+        self.assertIn('gtest', needed)
+        self.assertEqual(needed - self.depends('depend', 'exec_depend', 'build_depend', 'test_depend'), set())
+
+    def test_nothing_is_named_that_nothing_needs(self):
+        by_name = {'catkin', 'message_generation', 'message_runtime', 'roslaunch'}  # used as programs and by CMake's macros
+        needed = named(headers('src', 'include', 'test/unit') | cmake_packages() | launched()
+                       | imports('scripts/*', 'scripts/lib/**/*.py', 'test/scripts/*.py', 'cfg/*.cfg'))
+        named_here = self.depends('depend', 'build_depend', 'buildtool_depend', 'exec_depend', 'test_depend')
+        self.assertEqual(named_here - needed - by_name, set())
+
+    def test_move_base_flex_is_optional(self):
+        self.assertEqual(self.package.get('format'), '3')
+        conditions = {tag.text: tag.get('condition') for tag in self.package if tag.tag.endswith('depend')}
+        for name, condition in conditions.items():
+            self.assertEqual(condition, '$HIDWA_WITH_MBF == 1' if name.startswith('mbf_') else None, name)
+
+    def test_it_says_who_and_where(self):
+        for tag in ('author', 'maintainer', 'url', 'license'):
+            self.assertTrue(self.package.find(tag).text, tag)
+
+
+class Installed(unittest.TestCase):
+    """What was installed, where that is in the environment."""
+
+    def setUp(self):
+        self.share = next((path for path in os.environ.get('ROS_PACKAGE_PATH', '').split(':')
+                           if os.path.exists(os.path.join(path, NAME, 'plugins.xml'))), None)
+        if not self.share:
+            self.skipTest('nothing is installed in this environment (. scripts/env)')
+
+    def exported(self):
+        """What pluginlib is told when it asks for controllers of Move Base Flex."""
+        with tempfile.TemporaryDirectory() as folder:
+            mbf = os.path.join(folder, 'mbf_costmap_core')
+            os.mkdir(mbf)
+            with open(os.path.join(mbf, 'package.xml'), 'w', encoding='utf-8') as out:
+                out.write('<package format="2"><name>mbf_costmap_core</name><version>0.0.0</version><description>x</description>'
+                          '<maintainer email="x@x.org">x</maintainer><license>x</license></package>')
+            found = subprocess.run(['rospack', 'plugins', '--attrib=plugin', 'mbf_costmap_core'], check=True, text=True,
+                                   stdout=subprocess.PIPE, env={**os.environ, 'ROS_PACKAGE_PATH': f'{folder}:{self.share}'}).stdout
+        return [line.split(' ', 1)[1] for line in found.splitlines() if line.startswith(NAME + ' ')]
+
+    def test_the_controller_is_exported_where_it_was_built(self):
+        built = os.path.exists(os.path.join(self.share, os.pardir, 'lib', 'libhidwa_mbf_controller.so'))
+        self.assertEqual([os.path.exists(path) for path in self.exported()], [True] if built else [])
+        self.assertEqual(os.path.exists(os.path.join(self.share, NAME, 'mbf_plugins.xml')), built)
+
+
+if __name__ == '__main__':
+    unittest.main()
