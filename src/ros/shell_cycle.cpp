@@ -179,13 +179,15 @@ std::string Shell::observe_pose(double now, Observation& observation) {
 
 std::string Shell::update_footprint() {
   const auto& points = costmap_.getRobotFootprint();
-  if (points.size() < 3) return "the local costmap has no footprint: set robot_radius or footprint";
-  if (same_outline(outline_, points)) return "";
-  outline_ = to_polygon(points);
-  recording_.demand_key();
-  planner_.set_footprint(outline_);
-  check_horizon();
-  return "";
+  if (points.empty()) return "the local costmap has no footprint: set robot_radius or footprint";
+  if (!same_outline(outline_, points)) {
+    outline_ = to_polygon(points);
+    recording_.demand_key();
+    planner_.set_footprint(outline_);
+    if (planner_.footprint().fault() == nullptr) check_horizon();
+  }
+  const char* fault = planner_.footprint().fault();
+  return fault != nullptr ? fault : "";
 }
 
 CycleResult Shell::brake(double now, const Observation& observation, const OperatorIntent& intent) {
