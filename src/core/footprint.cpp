@@ -160,6 +160,7 @@ Footprint::Footprint(Polygon outline, double radius) : outline_(std::move(outlin
 
 Footprint Footprint::from_outline(const Polygon& outline, double padding) {
   const Polygon corners = without_repeats(outline);
+  if (!std::all_of(corners.begin(), corners.end(), is_finite_point)) return Footprint(corners);
   double smallest = std::numeric_limits<double>::infinity();
   double largest = 0.0;
   for (const Point& corner : corners) {

@@ -245,6 +245,9 @@ TEST(FootprintFault, NamesTheThingAndTheRemedy) {
   EXPECT_NE(fault({}, 0.1).find("robot_radius"), std::string::npos);
   EXPECT_NE(fault({{0.3, 0.2}, {nan, 0.2}, {0.0, -0.2}}, 0.1).find("not a number"), std::string::npos);
   EXPECT_NE(fault({{0.3, 0.2}, {-inf, 0.2}, {0.0, -0.2}}, 0.1).find("not a number"), std::string::npos);
+  Polygon round = round_outline(16, 0.3);
+  round[5].x() = nan;
+  EXPECT_NE(fault(round, 0.0).find("not a number"), std::string::npos);
   for (const double far : {21.0, 100.0, 1e300}) {
     EXPECT_NE(fault({{far, 0.0}, {0.0, far}, {0.0, 0.0}}, 0.1).find("20 m"), std::string::npos) << far;
     EXPECT_NE(fault(round_outline(16, far), 0.1).find("20 m"), std::string::npos) << far;
