@@ -19,11 +19,13 @@ HIDWA_DEBIAN_BUILD="build-essential cmake catkin python3-setuptools
   python3-colcon-metadata python3-colcon-output python3-colcon-package-information
   python3-colcon-package-selection python3-colcon-pkg-config python3-colcon-recursive-crawl
   python3-colcon-test-result python3-colcon-parallel-executor"
+# A message's Python package is what rostopic echo needs to show it.
 HIDWA_DEBIAN_RUN="python3-roslaunch rosout python3-rosparam python3-rostopic python3-rosnode rospack-tools rosbash
-  python3-tf2-ros python3-actionlib python3-move-base-msgs python3-nav-msgs python3-sensor-msgs python3-numpy
-  python3-rosbag python3-yaml python3-scipy python3-matplotlib"
+  python3-tf2-ros python3-actionlib python3-dynamic-reconfigure python3-diagnostic-msgs
+  python3-geometry-msgs python3-map-msgs python3-move-base-msgs python3-nav-msgs python3-rosgraph-msgs python3-sensor-msgs
+  python3-std-msgs python3-visualization-msgs python3-numpy python3-rosbag python3-yaml python3-scipy python3-matplotlib"
 HIDWA_DEBIAN_TEST="librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev
-  catkin-lint python3-visualization-msgs"
+  catkin-lint"
 HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev zlib1g-dev libbenchmark-dev"
 HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev libgtest-dev"
 HIDWA_DEBIAN_GUI="rviz libgl1-mesa-dri ros-robot-state-publisher"

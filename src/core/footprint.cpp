@@ -2,11 +2,19 @@
 #include "hidwa_local_planner/core/footprint.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "hidwa_local_planner/core/convex_hull.hpp"
+
 namespace hidwa_local_planner {
 namespace {
+
+// Farther from the robot's centre no corner is believed [m].
+constexpr double kFarthestCorner = 20.0;
+
+bool is_finite_point(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 
 double distance_to_segment(const Point& a, const Point& b) {
   const Point d = b - a;
@@ -25,6 +33,8 @@ double signed_area(const Polygon& outline) {
   return 0.5 * twice;
 }
 
+bool has_area(const Polygon& outline) { return std::abs(signed_area(outline)) > 1e-9; }
+
 bool contains_origin(const Polygon& outline) {
   bool inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -42,19 +52,67 @@ Point left_normal(const Point& from, const Point& to) {
   return {-d.y(), d.x()};
 }
 
-// Moves every side outwards; a corner goes where its two moved sides meet, at most twice the padding away.
-Polygon offset(const Polygon& outline, double padding) {
-  const std::size_t n = outline.size();
-  const double outward = signed_area(outline) > 0.0 ? -padding : padding;  // the left of a side is inside or outside
-  Polygon moved(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point& here = outline[i];
-    const Point before = left_normal(outline[(i + n - 1) % n], here);
-    const Point after = left_normal(here, outline[(i + 1) % n]);
-    const double denominator = std::max(0.25, 1.0 + before.dot(after));
-    moved[i] = here + outward * (before + after) / denominator;
+double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Where two sides through `corner` meet, once each has moved by `padding` along its normal, of length 1.
+Point meeting(const Point& corner, const Point& one, const Point& other, double padding) {
+  return corner + padding * (one + other) / (1.0 + one.dot(other));
+}
+
+// The corner moved, of an outline that goes left around itself (around = 1) or right (-1). Where it is sharper than 60
+// degrees its sides would meet more than twice the padding away: a third side across it, that far from it as the others
+// from theirs, cuts the tip off.
+void append_moved(const Point& before, const Point& here, const Point& after, double around, double padding, Polygon& moved) {
+  constexpr double kSharpest = -0.5;  // the normals' scalar product where the sides are 60 degrees apart
+  const Point in = (here - before).normalized(), out = (after - here).normalized();
+  const Point one = -around * Point(-in.y(), in.x()), other = -around * Point(-out.y(), out.x());
+  const bool dent = around * cross(in, out) < -1e-12;
+  if (dent || one.dot(other) >= kSharpest) {
+    moved.push_back(meeting(here, one, other, padding));
+    return;
   }
-  return moved;
+  const Point across = (in - out).normalized();
+  moved.push_back(meeting(here, one, across, padding));
+  moved.push_back(meeting(here, across, other, padding));
+}
+
+// Moves every side outwards by `padding`. False where one that lies in a dent has no length left.
+bool move_sides(const Polygon& outline, double padding, Polygon& moved) {
+  const std::size_t n = outline.size();
+  const double around = signed_area(outline) > 0.0 ? 1.0 : -1.0;
+  std::vector<std::size_t> first;  // in `moved`, of what each corner became
+  for (std::size_t i = 0; i < n; ++i) {
+    first.push_back(moved.size());
+    append_moved(outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n], around, padding, moved);
+  }
+  first.push_back(moved.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    const Point side = moved[first[next]] - moved[first[i + 1] - 1];
+    if (!(side.dot(outline[next] - outline[i]) > 0.0)) return false;
+  }
+  return true;
+}
+
+// Whether two segments share a point, unless they lie on one line.
+bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
+  return c_side * d_side <= 0.0 && a_side * b_side <= 0.0 && (c_side != 0.0 || d_side != 0.0);
+}
+
+bool crosses_itself(const Polygon& outline) {
+  const std::size_t n = outline.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n - (i == 0 ? 1 : 0); ++j) {
+      if (meet(outline[i], outline[i + 1], outline[j], outline[(j + 1) % n])) return true;
+    }
+  }
+  return false;
+}
+
+Polygon square_around(const Point& p, double half) {
+  return {p + Point(half, half), p + Point(-half, half), p + Point(-half, -half), p + Point(half, -half)};
 }
 
 // Empty where a corner bends the other way.
@@ -74,10 +132,11 @@ std::vector<Footprint::Side> convex_sides(const Polygon& outline) {
   return sides;
 }
 
+// What is not a number repeats nothing.
 Polygon without_repeats(const Polygon& outline) {
   Polygon kept;
   for (const Point& p : outline) {
-    if (kept.empty() || (p - kept.back()).norm() > 1e-9) kept.push_back(p);
+    if (kept.empty() || !((p - kept.back()).norm() <= 1e-9)) kept.push_back(p);
   }
   while (kept.size() > 1 && (kept.front() - kept.back()).norm() <= 1e-9) kept.pop_back();
   return kept;
@@ -101,6 +160,7 @@ Footprint::Footprint(Polygon outline, double radius) : outline_(std::move(outlin
 
 Footprint Footprint::from_outline(const Polygon& outline, double padding) {
   const Polygon corners = without_repeats(outline);
+  if (!std::all_of(corners.begin(), corners.end(), is_finite_point)) return Footprint(corners);
   double smallest = std::numeric_limits<double>::infinity();
   double largest = 0.0;
   for (const Point& corner : corners) {
@@ -115,9 +175,32 @@ Footprint Footprint::from_outline(const Polygon& outline, double padding) {
 }
 
 Footprint Footprint::padded(double padding) const {
-  if (padding == 0.0 || empty()) return *this;
+  if (padding == 0.0 || empty() || fault_of_corners() != nullptr) return *this;
   if (is_circle()) return Footprint({}, radius_ + padding);
-  return Footprint(offset(outline_, padding));
+  Polygon moved;
+  if (has_area(outline_) && move_sides(outline_, padding, moved) && (!sides_.empty() || !crosses_itself(moved))) {
+    return Footprint(std::move(moved));
+  }
+  moved.clear();
+  const Polygon around = convex_hull(outline_);
+  if (around.size() < 2) return Footprint(square_around(outline_.front(), padding));
+  move_sides(around, padding, moved);
+  return Footprint(std::move(moved));
+}
+
+const char* Footprint::fault_of_corners() const {
+  if (!std::all_of(outline_.begin(), outline_.end(), is_finite_point)) return "a corner of the footprint is not a number";
+  if (circumscribed_ > kFarthestCorner) return "the footprint reaches more than 20 m from the robot's centre: give it in metres";
+  return nullptr;
+}
+
+const char* Footprint::fault() const {
+  if (empty()) return "no footprint is set: give the costmap footprint or robot_radius";
+  if (const char* fault = fault_of_corners()) return fault;
+  if (!is_circle() && !has_area(outline_)) {
+    return "the footprint is a line or a point: give the corners of an area, or footprint_padding";
+  }
+  return nullptr;
 }
 
 }  // namespace hidwa_local_planner

@@ -145,7 +145,10 @@ const Decision& Planner::plan(const Situation& measured, const GridView& grid, c
 const char* Planner::Impl::fault_of(const Situation& situation, const GridView& grid) const {
   if (!grid.valid()) return "the costmap is empty";
   if (!(situation.pose_age >= 0.0) || situation.pose_age > kOldestPose) return "the pose is too old: look at tf";
-  if (footprint.empty()) return "no footprint is set: give the costmap footprint or robot_radius";
+  if (const char* fault = footprint.fault()) return fault;
+  if (footprint.circumscribed_radius() > grid.resolution * std::hypot(grid.size_x, grid.size_y)) {
+    return "the footprint is larger than the local map: give it in metres, or a larger map";
+  }
   if (!plausible(situation.pose) || !plausible(situation.velocity) || !plausible(situation.last_command)) {
     return "pose or velocity is not a number, or beyond all bounds: look at odometry and tf";
   }

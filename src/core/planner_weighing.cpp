@@ -36,6 +36,7 @@ CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid,
   cycle.goal = situation.goal;
   cycle.time = situation.time;
   cycle.steered = steered;
+  cycle.person_decides = steered && (intent.influence == Influence::direct || situation.goal_latched);
   cycle.plan = &situation.plan;
   cycle.grid = &grid;
   cycle.footprint = &footprint;

@@ -33,6 +33,7 @@ bool blocked(std::uint8_t value) { return value == cost::kLethal || value == cos
 
 void MapGridCritic::prepare(const CycleView& cycle) {
   off_map_ = !cycle.grids->on_map();
+  refuses_ = distance_ == MapGridDistance::l1 && !cycle.person_decides;
   distances_ = off_map_ ? nullptr : choose(cycle);
   unreached_ = cycle.grid->resolution * (cycle.grid->size_x + cycle.grid->size_y);
   if (off_map_) nearest_ = nearest_pose(*cycle.plan, cycle.pose);
@@ -108,8 +109,8 @@ double MapGridCritic::raw_score(const GridView& grid, const Pose2& last, double 
   const Cell nose = grid.cell_at(nose_x, nose_y);
   if (distance_ == MapGridDistance::l1) {  // Nav2: every point must lie on a reached cell
     const double raw = PlanGrids::at(*distances_, grid, nose_x, nose_y);
-    if (raw < 0.0) *reason = "trajectory leaves the map or the plan cannot be reached";
-    return raw;
+    if (raw < 0.0 && refuses_) *reason = "trajectory leaves the map or the plan cannot be reached";
+    return raw < 0.0 ? unreached_ : raw;
   }
   if (grid.contains(nose) && !blocked(grid.at(nose))) {
     const double raw = PlanGrids::at(*distances_, grid, nose_x, nose_y);

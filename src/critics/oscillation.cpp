@@ -14,7 +14,9 @@ double OscillationCritic::configure(const Parameters& parameters, const Paramete
   return parameters.Oscillation_scale;
 }
 
-void OscillationCritic::prepare(const CycleView& cycle) { silent_ = cycle.steered && !while_steering_; }
+void OscillationCritic::prepare(const CycleView& cycle) {
+  silent_ = cycle.person_decides || (cycle.steered && !while_steering_);
+}
 
 void OscillationCritic::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
   if (silent_ || (x_.only == 0 && theta_.only == 0)) return;

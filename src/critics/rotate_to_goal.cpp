@@ -24,6 +24,7 @@ void RotateToGoalCritic::prepare(const CycleView& cycle) {
   if (distance(cycle.pose, cycle.goal) <= xy_goal_tolerance_) in_window_ = true;
   if (in_window_ && std::abs(cycle.velocity.v) <= trans_stopped_velocity_) rotating_ = true;
   speed2_ = cycle.velocity.v * cycle.velocity.v;
+  refuses_ = !cycle.steered;
 }
 
 double RotateToGoalCritic::heading_error(const Tile& tile, double goal_heading) const {
@@ -42,9 +43,9 @@ void RotateToGoalCritic::score(const CycleView& cycle, const Tile& tile, TileSco
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (scores.refused(c)) continue;
     const double speed2 = tile.v[c] * tile.v[c];
-    if (rotating_ && std::abs(tile.v[c]) > kStill) {
+    if (refuses_ && rotating_ && std::abs(tile.v[c]) > kStill) {
       scores.refuse(c, "drives on although the goal's position is reached");
-    } else if (!rotating_ && speed2 >= speed2_) {
+    } else if (refuses_ && !rotating_ && speed2 >= speed2_) {
       scores.refuse(c, "does not slow down at the goal");
     } else {
       scores.set(c, rotating_ ? error : speed2 * slowing_factor_ + error);

@@ -24,9 +24,6 @@ namespace {
 
 using record::CycleReplay;
 
-// Later than this it is a ROS time, not a time since the first record [s].
-constexpr double kLongestBag = 1e6;
-
 Planner::SourceFor sources_of(const std::string& critics) {
   return [set = with_foreign_content(critics)](const std::string& critic) { return set.source_for(critic); };
 }
@@ -141,31 +138,23 @@ int replay_all(const Options& options) {
   return conclude(bag, left, cycles, what_if.differences());
 }
 
-// The time of the record nearest to the one asked for, ROS time [s].
-double find_time(const Options& options, double wanted) {
+// Of the record that is asked for, ROS time [s].
+double find_time(const Options& options) {
   CycleBag bag(options.bag, options.topic);
   CycleReplay replay = make_replay(options);
-  std::optional<double> first, nearest;
-  double last = 0.0;
+  MomentSearch search(*options.at);
   for_each_record(bag, replay, [&] {
-    last = replay.record().time;
-    if (!first) {
-      first = last;
-      if (wanted < kLongestBag) wanted += *first;
-    }
-    if (!nearest || std::abs(last - wanted) < std::abs(*nearest - wanted)) nearest = last;
+    search.see(replay.record().time);
     return true;
   });
-  if (!nearest) throw UsageError(options.bag + ": no cycle can be repeated: record with record_cycles: true");
-  if (std::abs(*nearest - wanted) > 1.0) {
-    throw UsageError(format("there is no cycle at %.3f s; they go from 0 to %.3f s, with gaps where input was missing",
-                            wanted - *first, last - *first));
-  }
-  return *nearest;
+  const std::optional<double> time = search.found();
+  if (!time) throw UsageError(options.bag + ": " + search.remark());
+  if (!search.remark().empty()) std::printf("%s\n", search.remark().c_str());
+  return *time;
 }
 
 int explain_one(const Options& options) {
-  const double time = find_time(options, *options.at);
+  const double time = find_time(options);
   CycleBag bag(options.bag, options.topic);
   CycleReplay replay = make_replay(options);
   replay.planner().set_thorough(true);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.hpp"
 
-#include <cmath>
-#include <cstdlib>
-
 #include "hidwa_local_planner/core/parameter_text.hpp"
 
 namespace hidwa_local_planner {
@@ -20,11 +17,10 @@ record::ParameterChange change(const std::string& text) {
   return change;
 }
 
-double seconds(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value)) throw UsageError("--at needs seconds, not '" + text + "'");
-  return value;
+Moment moment(const std::string& text) {
+  const std::optional<Moment> moment = moment_of(text);
+  if (!moment) throw UsageError("--at needs seconds or ros:SECONDS, not '" + text + "'");
+  return *moment;
 }
 
 std::string default_folder(const std::string& bag) {
@@ -48,7 +44,7 @@ Options parse(const std::vector<std::string>& arguments) {
     } else if (argument == "--set") {
       options.changes.push_back(change(value()));
     } else if (argument == "--at") {
-      options.at = seconds(value());
+      options.at = moment(value());
     } else if (argument == "--topic") {
       options.topic = value();
     } else if (argument == "--out") {
@@ -78,9 +74,10 @@ const char* help() {
          "  --set NAME=VALUE  what would each cycle have decided with this parameter? Repeatable. Every cycle starts\n"
          "                    from its recorded state (open loop): the robot's way, the window of the plan and the\n"
          "                    latches stay the recorded ones. Writes changes.csv and changes.png.\n"
-         "  --at SECONDS      explains the cycle at that time since the first record (or at that ROS time): every\n"
-         "                    candidate, scored by every critic to the end. Writes cycle.json and cycle.png.\n"
-         "                    With --set as it would be then.\n"
+         "  --at SECONDS      explains the cycle at that time since the first record, or at that ROS time where no record is\n"
+         "                    so late; --at ros:SECONDS is surely the ROS time, as logs print it: the last number in\n"
+         "                    [1606014000.123, 71.250]. Every candidate, scored by every critic to the end. Writes\n"
+         "                    cycle.json and cycle.png. With --set as it would be then.\n"
          "  --topic TOPIC     which, where several planners were recorded\n"
          "  --out DIR         where files go; default: the bag's name with _replay, in the present folder\n"
          "  --no-picture      no PNG (needs python3-matplotlib)\n"

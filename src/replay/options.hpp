@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/record/cycle_replay.hpp"
+#include "moment.hpp"
 
 namespace hidwa_local_planner {
 namespace replay {
@@ -21,7 +22,7 @@ struct Options {
   std::string bag;
   std::string topic;  // empty: the only one there is
   std::vector<record::ParameterChange> changes;
-  std::optional<double> at;  // [s], since the first record, or ROS time
+  std::optional<Moment> at;
   std::string out;           // folder; empty: the bag's name and _replay, where the program runs
   bool picture = true;
   bool help = false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hidwa_local_planner/core/convex_hull.hpp"
 #include "hidwa_local_planner/core/words.hpp"
 
 namespace hidwa_local_planner::robot {
@@ -51,31 +52,7 @@ void add_projection(const Shape& shape, std::vector<Point>& points) {
   }
 }
 
-double cross(const Point& a, const Point& b, const Point& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
 }  // namespace
-
-Polygon convex_hull(std::vector<Point> points) {
-  constexpr double kStraight = 1e-9;  // twice the area of a corner that is none [m^2]
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  Polygon hull;
-  // The lower side from left to right, then the upper one back (monotone chain).
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t begin = hull.size();
-    for (const Point& point : points) {
-      while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= kStraight)
-        hull.pop_back();
-      hull.push_back(point);
-    }
-    if (!hull.empty()) hull.pop_back();  // where the other side begins
-    std::reverse(points.begin(), points.end());
-  }
-  return hull.size() < 3 ? Polygon() : hull;
-}
 
 Outline outline_of(const Model& model) {
   Outline outline;
@@ -99,8 +76,10 @@ Outline outline_of(const Model& model) {
     }
   }
   outline.corners = convex_hull(std::move(points));
-  if (outline.corners.empty())
+  if (outline.corners.size() < 3) {
+    outline.corners.clear();
     outline.fault = "no link has a box, a cylinder or a sphere as collision geometry";
+  }
   return outline;
 }
 

@@ -190,13 +190,15 @@ std::string Shell::update_footprint() {
   // Others may set it meanwhile. In a cycle the lock is held already; at start it is not.
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
   const auto& points = costmap_.getRobotFootprint();
-  if (points.size() < 3) return "the local costmap has no footprint: set robot_radius or footprint";
-  if (same_outline(outline_, points)) return "";
-  outline_ = to_polygon(points);
-  recording_.demand_key();
-  planner_.set_footprint(outline_);
-  check_horizon();
-  return "";
+  if (points.empty()) return "the local costmap has no footprint: set robot_radius or footprint";
+  if (!same_outline(outline_, points)) {
+    outline_ = to_polygon(points);
+    recording_.demand_key();
+    planner_.set_footprint(outline_);
+    if (planner_.footprint().fault() == nullptr) check_horizon();
+  }
+  const char* fault = planner_.footprint().fault();
+  return fault != nullptr ? fault : "";
 }
 
 CycleResult Shell::brake(double now, const Observation& observation, const OperatorIntent& intent) {

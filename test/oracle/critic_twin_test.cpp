@@ -24,7 +24,9 @@ struct Tally {
 
 void compare_scene(const std::string& name, std::uint64_t seed, Tally& tally) {
   SCOPED_TRACE(name + ", seed " + std::to_string(seed));
-  const Scene scene = test::random_scene(seed);
+  Scene scene = test::random_scene(seed);
+  if (seed % 2 == 0) scene.intent = OperatorIntent();
+  if (seed % 3 == 0) test::arrive(scene);
   const test::NaiveBody body = test::naive_body(scene);
   const NaiveCritics naive(scene, body);
   CriticBench bench(name, scene);
@@ -48,7 +50,7 @@ class CriticTwin : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CriticTwin, RandomScenes) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 150 && !HasFatalFailure(); ++seed)
+  for (std::uint64_t seed = 0; seed < 400 && !HasFatalFailure(); ++seed)
     compare_scene(GetParam(), 4000000 + seed, tally);
   std::printf("%s: %d legal, %d refused\n", GetParam(), tally.legal, tally.refused);
   EXPECT_GT(tally.legal, 1000);

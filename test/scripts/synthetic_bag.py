@@ -141,12 +141,15 @@ class RealDrive:
         self.goals, self.namespace, self.base, self.odom = goals, namespace, base, odom
         self.footprint = None        # of the local costmap's parameter_updates, as text
         self.leave_out = set()       # names of topics without the namespace
+        self.fixed = []              # (parent, child) of more static transforms
 
     def write(self, path):
         """Writes the bag and returns its path."""
         with rosbag.Bag(path, 'w') as bag:
             self._bag = bag
-            self._put('/tf_static', 0.0, TFMessage([self._link(0.0, self.base, 'laser', self.MOUNTED, 0.0, 0.0)]))
+            self._put('/tf_static', 0.0, TFMessage(
+                [self._link(0.0, self.base, 'laser', self.MOUNTED, 0.0, 0.0),
+                 *(self._link(0.0, parent, child, 0.0, 0.0, 0.0) for parent, child in self.fixed)]))
             if self.footprint:
                 self._put('move_base/local_costmap/parameter_updates', 0.0, Config(strs=[StrParameter('footprint', self.footprint)]))
             for i in range(self.goals):

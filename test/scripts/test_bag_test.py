@@ -12,6 +12,7 @@ from hidwa_bag_test.description import read_description
 from hidwa_bag_test.errors import BagTestError
 from hidwa_bag_test.recording import Absent, Recording, placed_points, shift
 from hidwa_bag_test.robot import footprint_of
+from synthetic_bag import RealDrive
 
 LIMITS = {'max_vel_x': 0.5, 'min_vel_x': -0.1, 'max_vel_theta': 1.0, 'acc_lim_x': 2.0, 'acc_lim_theta': 4.0,
           'decel_lim_x': -1.0, 'decel_lim_theta': 0.0}
@@ -95,6 +96,26 @@ expect: {arrived: true, contacts: 0, failures: 3, deviation: {v: 0.1}, states: [
             Recording(self.read('{plan: {topic: /plan}, topics: [/odom, /scan, /tf, /hand_pose], bag: ' + bag + '}'))
         with self.assertRaisesRegex(BagTestError, 'less than 0.5 s of .* is left from start = 99 on'):
             Recording(self.read('{plan: {driven: true}, start: 99, bag: ' + bag + '}'))
+
+    def test_a_frame_with_two_parents_is_named_with_both(self):
+        bag = os.path.join(os.path.dirname(self.path), 'two.bag')
+
+        def recording(drive, more=''):
+            drive.write(bag)
+            return Recording(self.read('{plan: {driven: true}, ' + more + 'bag: two.bag}'))
+        self.assertTrue(recording(RealDrive()).events)
+        drive = RealDrive()
+        drive.fixed = [('base_footprint', 'base_link')]
+        with self.assertRaisesRegex(BagTestError, r'two.bag: frame base_link has 2 parents, base_footprint \(in /tf_static\) and odom '
+                                    r'\(in /tf\): .*leave /tf_static out of topics in .*test.yaml'):
+            recording(drive)
+        # The remedy works, and what does not concern the robot is nobody's fault.
+        self.assertTrue(recording(drive, 'topics: [/odom, /scan, /tf], ').of('/tf'))
+        drive.fixed = [('world', 'odom'), ('table', 'cup'), ('gripper', 'cup')]
+        self.assertTrue(recording(drive).events)  # odom, in which the robot is followed, is looked no further up from
+        drive.fixed = [('mast', 'laser')]
+        with self.assertRaisesRegex(BagTestError, 'frame laser has 2 parents, base_link .* and mast'):
+            recording(drive)
 
     def test_a_file_that_is_no_bag(self):
         with self.assertRaisesRegex(BagTestError, 'test.yaml'):

@@ -6,7 +6,10 @@ import sys
 import tempfile
 import time
 import unittest
+from unittest import mock
 
+from hidwa_tools import demo
+from hidwa_tools.errors import DemoError
 from hidwa_tools.processes import Child, free_port
 
 
@@ -63,6 +66,35 @@ class Processes(unittest.TestCase):
         parent.send_signal(signal.SIGKILL)
         parent.wait()
         self.wait_for(lambda: not running(pids[0]))
+
+    def ended(self, script):
+        child = Child(['bash', '-c', script], self.log, dict(os.environ))
+        self.addCleanup(child.stop)
+        self.wait_for(lambda: not child.running)
+        return child
+
+    def test_the_cause_of_a_failure_is_told(self):
+        self.assertEqual(self.ended('echo hello; echo "[ERROR] [1.0]: no such map"; echo "a node died"; echo bye').complaint(),
+                         '[ERROR] [1.0]: no such map')
+        os.remove(self.log)
+        self.assertEqual(self.ended('echo "ImportError: No module named rospkg"; echo').complaint(),
+                         'ImportError: No module named rospkg')
+        os.remove(self.log)
+        self.assertEqual(self.ended('echo one; echo two; echo').complaint(), 'two')
+        os.remove(self.log)
+        self.assertEqual(self.ended('exit 3').complaint(), 'it said nothing, exit status 3')
+
+    def test_a_launch_that_fails_says_why(self):
+        with mock.patch.dict(os.environ, ROS_MASTER_URI=f'http://localhost:{free_port()}'):  # where no master is
+            with self.assertRaisesRegex(DemoError, 'roslaunch ended before anything ran: RLException: no such file'):
+                demo.wait_for_master(self.ended('echo checking; echo "RLException: no such file"'))
+            os.remove(self.log)
+            slow = Child(['bash', '-c', 'echo checking log usage; exec sleep 300'], self.log, dict(os.environ))
+            self.addCleanup(slow.stop)
+            with open(self.log, encoding='utf-8') as text:
+                self.wait_for(lambda: 'usage' in text.read())
+            with self.assertRaisesRegex(DemoError, 'has not started the nodes after 0 s: checking log usage; .*machine is too busy'):
+                demo.wait_for_master(slow, patience=0.2)
 
     def test_free_port(self):
         self.assertGreater(free_port(), 1023)

@@ -85,6 +85,15 @@ class RealBags(unittest.TestCase):
         status, _, complaint = self.reported('--base-frame', 'torso')
         self.assertIn('--base-frame torso is in no transform', complaint)
 
+    def test_a_frame_with_two_parents_is_named(self):
+        drive = RealDrive()
+        drive.fixed = [('base_footprint', 'base_link')]
+        drive.write(self.bag)
+        _, figures, _ = self.reported()
+        self.assertTrue(any('frame base_link has 2 parents, odom (in /tf) and base_footprint (in /tf_static)' in text
+                            for text in figures['lacking']), figures['lacking'])
+        self.assertAlmostEqual(figures['path_length_m'], 5.0, delta=0.03)  # odometry's
+
     def test_a_section_for_each_goal(self):
         RealDrive(goals=2).write(self.bag)
         _, figures, _ = self.reported()

@@ -38,6 +38,15 @@ class Names(unittest.TestCase):
         self.assertIn('/move_base/DWAPlannerROS/global_plan', other)
         self.assertIn('/move_base/GlobalPlanner/plan', other)
 
+    def test_a_plugin_is_known_by_what_comes_after_the_last_slash_or_colons(self):
+        for lookup, name in (('hidwa_local_planner/HIDWAPlannerROS', 'HIDWAPlannerROS'), ('navfn::NavfnROS', 'NavfnROS'),
+                             ('nav_core_adapter::LocalPlannerAdapter', 'LocalPlannerAdapter'), ('a/b::C', 'C'), ('Bare', 'Bare')):
+            self.assertEqual(recording.plugin_name(lookup), name)
+        adapted = recording.recorded_topics('global::GlobalPlanner', 'nav_core_adapter::LocalPlannerAdapter')
+        self.assertEqual([topic for topic in adapted if ':' in topic], [])
+        self.assertIn('/move_base/LocalPlannerAdapter/global_plan', adapted)
+        self.assertIn('/move_base/GlobalPlanner/plan', adapted)
+
     def test_what_a_costmap_watches(self):
         costmap = {'width': 4.0, 'obstacles': {'observation_sources': 'a b', 'a': {'topic': 'scan', 'data_type': 'LaserScan'},
                                                'b': {'topic': 'cloud', 'data_type': 'PointCloud2'}}, 'inflation': {}}

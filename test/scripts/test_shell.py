@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """scripts/env and what the shell scripts share, with workspaces made up for the purpose."""
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -100,6 +101,20 @@ class Shell(unittest.TestCase):
         self.assertEqual(status, 2)
         self.assertIn('no-such-package-here', output)
         self.assertNotIn(' bash ', output)
+
+    def test_every_message_that_a_node_speaks_can_be_echoed_on_debian(self):
+        spoken, root = set(), os.path.dirname(SCRIPTS)
+        for folder in ('src', 'include', 'compat'):
+            for place, _, names in os.walk(os.path.join(root, folder)):
+                for name in names:
+                    with open(os.path.join(place, name), encoding='utf-8', errors='replace') as text:
+                        spoken.update(re.findall(r'#include [<"](\w+_msgs|diagnostic_updater|dynamic_reconfigure)/', text.read()))
+        self.assertGreater(len(spoken), 8)
+        spoken -= {'mbf_msgs', 'tf2_geometry_msgs'}  # no Debian package; no messages
+        spoken = {'diagnostic_msgs' if name == 'diagnostic_updater' else name for name in spoken}
+        script = '. "$SCRIPTS/lib/common.sh"; . "$SCRIPTS/lib/packages.sh"; hidwa_packages run'
+        installed = self.bash(script)[1].split()
+        self.assertEqual([name for name in sorted(spoken) if 'python3-' + name.replace('_', '-') not in installed], [])
 
     def test_another_host_takes_what_depends_on_it_and_leaves_the_rest(self):
         cache = 'costmap_2d_DIR:PATH=/real/share\nHIDWA_TESTS:BOOL=ON\nhidwa_BINARY_DIR:STATIC=/b\n'

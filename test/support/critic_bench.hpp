@@ -97,6 +97,8 @@ class CriticBench {
     cycle.goal = scene_.situation.goal;
     cycle.time = scene_.situation.time;
     cycle.steered = scene_.intent.influence != Influence::none;
+    cycle.person_decides = cycle.steered &&
+                           (scene_.intent.influence == Influence::direct || scene_.situation.goal_latched);
     cycle.plan = &scene_.situation.plan;
     cycle.grid = &grid_;
     cycle.footprint = &footprint_;

@@ -56,6 +56,12 @@ class NaiveCritics {
     return 1.0;  // Oscillation
   }
 
+  bool steered() const { return scene_.intent.influence != Influence::none; }
+  /// Then no critic refuses for the sake of autonomy.
+  bool person_decides() const {
+    return scene_.intent.influence == Influence::direct || (steered() && scene_.situation.goal_latched);
+  }
+
   /// The raw score; sets `refuses` where the critic refuses.
   double raw(const std::string& critic, const NaiveCandidate& c, bool& refuses) const {
     const Parameters& p = scene_.parameters;
@@ -134,13 +140,15 @@ class NaiveCritics {
     const double x = q.x + forward * std::cos(q.theta), y = q.y + forward * std::sin(q.theta);
     const double nose = look_up(d, x, y);
     if (scene_.parameters.map_grid == MapGridDistance::l1) {
-      refuses = nose < 0.0;
-      return nose;
+      refuses = nose < 0.0 && !person_decides();
+      return nose < 0.0 ? unreached() : nose;
     }
     if (nose >= 0.0 && !naive_blocks(grid_.at(naive_cell(grid_, x, y)))) return nose;
     const double centre = look_up(d, q.x, q.y);
-    return centre >= 0.0 ? centre : grid_.resolution * (grid_.size_x + grid_.size_y);
+    return centre >= 0.0 ? centre : unreached();
   }
+
+  double unreached() const { return grid_.resolution * (grid_.size_x + grid_.size_y); }
 
   bool bad_centre(double x, double y) const {
     const Cell cell = naive_cell(grid_, x, y);
@@ -223,10 +231,10 @@ class NaiveCritics {
     if (std::hypot(s.goal.x - s.pose.x, s.goal.y - s.pose.y) > p.xy_goal_tolerance) return 0.0;
     const double error = naive_angle(s.goal.theta - heading_at(c, p.RotateToGoal_lookahead_time));
     if (std::abs(s.velocity.v) <= p.trans_stopped_velocity) {
-      refuses = std::abs(c.u.v) > 1e-5;
+      refuses = !steered() && std::abs(c.u.v) > 1e-5;
       return error;
     }
-    refuses = c.u.v * c.u.v >= s.velocity.v * s.velocity.v;
+    refuses = !steered() && c.u.v * c.u.v >= s.velocity.v * s.velocity.v;
     return c.u.v * c.u.v * p.RotateToGoal_slowing_factor + error;
   }
 

@@ -10,6 +10,7 @@
 
 #include "support/naive_critics.hpp"
 #include "support/naive_motion.hpp"
+#include "support/naive_padding.hpp"
 #include "support/naive_reference.hpp"
 
 namespace hidwa_local_planner::test {
@@ -17,25 +18,6 @@ namespace hidwa_local_planner::test {
 /// Overlaps smaller than this may be rounding: scenes with such a pose are left out.
 constexpr double kDoubtfulOverlap = 1e-6;
 
-inline NaiveBody naive_padded(const NaiveBody& body, double padding) {
-  NaiveBody out{{}, body.radius > 0.0 ? body.radius + padding : 0.0};
-  double twice = 0.0;
-  const std::size_t n = body.corners.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point &a = body.corners[i], &b = body.corners[(i + 1) % n];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  const auto outwards = [&](const Point& a, const Point& b) {  // the outer normal of a side
-    const Point d = (b - a) / (b - a).norm();
-    return twice > 0.0 ? Point(d.y(), -d.x()) : Point(-d.y(), d.x());
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point one = outwards(body.corners[(i + n - 1) % n], body.corners[i]);
-    const Point two = outwards(body.corners[i], body.corners[(i + 1) % n]);
-    out.corners.push_back(body.corners[i] + padding * (one + two) / std::max(0.25, 1.0 + one.dot(two)));
-  }
-  return out;
-}
 
 /// The outline that the planner was given: 16 corners are a circle in these scenes.
 inline NaiveBody naive_body(const Scene& scene) {

@@ -192,6 +192,13 @@ inline void randomise_motion(Random& random, Scene& scene) {
   }
 }
 
+/// The goal is where the robot is, at the heading drawn: then critics refuse the person nothing for autonomy's sake.
+inline void arrive(Scene& scene) {
+  scene.situation.goal.x = scene.situation.pose.x + kSceneResolution;
+  scene.situation.goal.y = scene.situation.pose.y;
+  scene.situation.goal_latched = true;
+}
+
 /// The default parameters, with as few samples as were drawn, for time's sake, and the drawn padding.
 inline void take_default_profile(Parameters& p) {
   const Parameters drawn = p;

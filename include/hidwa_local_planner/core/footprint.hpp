@@ -9,12 +9,15 @@ namespace hidwa_local_planner {
 class Footprint {
  public:
   Footprint() = default;
-  /// Corners [m] in order, either way round; at least 3 unless `radius` > 0. `radius` > 0 makes it a circle.
+  /// Corners [m] in order, either way round. `radius` > 0 [m] makes it a circle.
   explicit Footprint(Polygon outline, double radius = 0.0);
 
   /// A circle where 12 or more corners lie at one distance from the origin (costmap_2d makes 16 of `robot_radius`),
-  /// else the polygon; every side moved outwards by `padding` [m].
+  /// else the polygon; padded by `padding` [m].
   static Footprint from_outline(const Polygon& outline, double padding);
+
+  /// Why nothing can be planned with it, and the remedy; null where all is well.
+  const char* fault() const;
 
   bool empty() const { return outline_.empty() && radius_ <= 0.0; }
   bool is_circle() const { return radius_ > 0.0; }
@@ -29,10 +32,15 @@ class Footprint {
   };
   /// Empty where the outline is not convex, or a circle.
   const std::vector<Side>& sides() const { return sides_; }
-  /// The same outline, every side moved outwards by `padding` [m].
+  /// The same outline, every side moved outwards by `padding` [m], so that everything within `padding` of it lies inside. No
+  /// corner goes farther than twice the padding: the tip of one sharper than 60 degrees is cut off, `padding` away from
+  /// it, and a line becomes a rectangle. Where the padding closes a dent, or the outline crosses itself, it is the convex
+  /// hull that is padded. An outline with a corner that is not a number or farther than 20 m stays as it is, see fault().
   Footprint padded(double padding) const;
 
  private:
+  const char* fault_of_corners() const;
+
   Polygon outline_;
   std::vector<Side> sides_;
   double radius_ = 0.0;

@@ -11,6 +11,7 @@ namespace hidwa_local_planner {
 /// to the plan or the local goal; it weighs scale/2 per metre, as Nav2's resolution * scale / 2 per cell.
 /// Where no pose of the plan lies on the map, the score is how far the last pose's heading is off the bearing to the
 /// nearest plan pose [rad], so that a steered robot can be led back.
+/// `map_grid: l1` refuses candidates whose point has no way to the plan, as Nav2 does, unless the person decides.
 class MapGridCritic : public Critic {
  public:
   void prepare(const CycleView& cycle) final;
@@ -34,6 +35,7 @@ class MapGridCritic : public Critic {
   const DistanceGrid* distances_ = nullptr;
   EndCells ends_;           // for tiles that bring none
   bool off_map_ = false;
+  bool refuses_ = false;    // what has no way to the plan
   Pose2 nearest_;           // the plan's pose nearest to the robot, when it is off the map
   double unreached_ = 0.0;  // the score where there is no way [m]
 };

@@ -7,7 +7,7 @@ namespace hidwa_local_planner {
 
 /// Ends driving or turning back and forth: after a commanded change of sign only the new direction is legal, until the
 /// robot has moved, turned or waited enough. Turning counts only while the robot hardly drives. Scores 0. While the
-/// person steers it does not refuse, unless `oscillation_while_steering`.
+/// person steers it does not refuse, unless `oscillation_while_steering`; where the person decides it never does.
 class OscillationCritic : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;

@@ -8,6 +8,7 @@ namespace hidwa_local_planner {
 /// Turns the robot to the goal's heading once it is there. Outside the position tolerance it scores 0. Inside, latched
 /// until a new goal: while still driving it refuses what does not slow down and scores speed^2 * slowing_factor plus the
 /// heading error; once stopped, also latched, it refuses driving and scores the heading error [rad].
+/// While the person steers it scores likewise and refuses nothing.
 class RotateToGoalCritic : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;
@@ -26,6 +27,7 @@ class RotateToGoalCritic : public Critic {
   double lookahead_time_ = -1.0;          // [s]; negative: the end of the rollout
   bool in_window_ = false;
   bool rotating_ = false;
+  bool refuses_ = true;
   double speed2_ = 0.0;                   // squared current speed [m^2/s^2]
 };
 

@@ -19,7 +19,4 @@ struct Outline {
 /// positions. It contains them: round ones are taken 0.5 % larger.
 Outline outline_of(const Model& model);
 
-/// The corners of the convex hull, counter-clockwise, without those on a straight side.
-Polygon convex_hull(std::vector<Point> points);
-
 }  // namespace hidwa_local_planner::robot

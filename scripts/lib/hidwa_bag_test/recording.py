@@ -11,6 +11,7 @@ import tf2_py
 from std_msgs.msg import Header
 
 from hidwa_tools.geometry import yaw_of
+from hidwa_tools.poses import Parents, clean
 
 from .errors import BagTestError
 
@@ -77,6 +78,7 @@ class Recording:
                                'on: begin earlier')
         self.events = self._stretch(rows)
         self._description = d
+        self._require_one_parent()
 
     def _stretch(self, rows):
         """What lies in the stretch; static transforms and the newest plan of before it at its start."""
@@ -91,6 +93,20 @@ class Recording:
         early = [(self.start, topic, message) for topic, messages in latched.items()
                  for message in (messages if topic == '/tf_static' else messages[-1:])]
         return early + events
+
+    def _require_one_parent(self):
+        """Where a frame that is needed has two, the costmap waits for its transform for ever."""
+        d, parents, needed = self._description, Parents(), [self._description.base_frame]
+        for _, topic, message in self.events:
+            if topic in ('/tf', '/tf_static'):
+                for transform in message.transforms:
+                    parents.add(topic, transform)
+            elif topic in (d.scan, d.plan.get('topic')):
+                needed.append(message.header.frame_id)
+        conflict = parents.conflict(dict.fromkeys(map(clean, needed)), clean(d.frame))
+        if conflict:
+            raise BagTestError(f'{d.bag}: {conflict}: play what only one node published; leave /tf_static out of topics in '
+                               f'{d.path}, or take the wrong one out of the bag (rosbag filter)')
 
     def of(self, topic):
         """[(time, message)] of a topic."""

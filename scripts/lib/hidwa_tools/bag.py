@@ -10,6 +10,7 @@ from . import geometry
 from .bagfile import choose, read_messages
 from .errors import BagError
 from .poses import TF, Frames, clean, odometry_rows, with_speed
+from .recording import plugin_name
 from .seen import Seen
 
 # actionlib_msgs/GoalStatus
@@ -212,6 +213,9 @@ class Reader:
             return 'base_link', frame, 'ground truth', odometry_rows(self.messages, self.topics['truth'], by_stamp=True)
         of_odometry = self._last('odom')
         base = self._base(clean(of_odometry.child_frame_id) if of_odometry else '')
+        conflict = self.frames.conflict(base)
+        if conflict:
+            self.lacking.append(f'no way by tf that can be relied on: {conflict}; only one node may publish it')
         odometry = clean(of_odometry.header.frame_id) if of_odometry else ''
         if base and not (odometry and self.frames.connected(base, odometry)):
             link = self.frames.moving(base)
@@ -302,7 +306,7 @@ class Reader:
         states, mode = m.get(topics['state']), self._last('mode')
         info = dict(self.info) if self.demo else {
             'map': None, 'host': None, 'operator': None, 'rate': None, 'start': None, 'goal': None,
-            'planner': str(self.parameters.get('base_local_planner', '')).split('/')[-1] or None, **self.info,
+            'planner': plugin_name(str(self.parameters.get('base_local_planner', ''))) or None, **self.info,
             'mode': states[-1][1].mode_name if states else mode.data if mode else None, 'footprint': outline}
         info.setdefault('stick', {'axis': planner.get('axis_angular', 0), 'sign': planner.get('axis_angular_sign', 1),
                                   'dead_zone': planner.get('dead_zone', 0.1)})

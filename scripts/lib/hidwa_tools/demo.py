@@ -22,6 +22,7 @@ from .report import write_report
 
 PACKAGE = 'hidwa_local_planner'
 RECORDER = 'demo_recorder'
+LAUNCH_PATIENCE = 180.0  # [s], wall time: a machine that does much else starts Python slowly
 FILES = ('drive.bag', 'drive.bag.active', 'report.json', 'report.png', 'demo.log', 'recorder.log')
 
 
@@ -119,10 +120,10 @@ def drive(options, env):
         this = Drive(options, lambda: launched.running and not _could_not_launch(log))
         this.wait_until_ready()
         this.describe(host_kind())
-        topics = recorded_topics(options.global_planner.split('/')[-1], options.planner.split('/')[-1])
+        topics = recorded_topics(options.global_planner, options.planner)
         recorder = Child(['rosbag', 'record', '--lz4', '--chunksize=128', '-O', os.path.join(folder, 'drive.bag'), *topics,
                           f'__name:={RECORDER}'], os.path.join(folder, 'recorder.log'), env)
-        this.wait_for_recorder('/' + RECORDER, topics)
+        this.wait_for_recorder('/' + RECORDER, topics, recorder)
         say(f'driving to ({options.goal[0]:.2f}, {options.goal[1]:.2f}), operator: {options.operator_name}, mode: {options.mode}')
         return this.go()
     finally:
@@ -140,12 +141,15 @@ def _could_not_launch(log):
         return 'cannot launch node' in text.read()
 
 
-def wait_for_master(launched):
-    """Until the launched master holds the launch file's parameters."""
-    deadline = time.monotonic() + 30.0
+def wait_for_master(launched, patience=LAUNCH_PATIENCE):
+    """Until the launched master holds the launch file's parameters, at most `patience` [s]."""
+    deadline = time.monotonic() + patience
     while not rosgraph.is_master_online() or not rosgraph.Master('/demo').hasParam('/use_sim_time'):
-        if not launched.running or time.monotonic() > deadline:
-            raise DemoError('roslaunch did not start')
+        if not launched.running:
+            raise DemoError(f'roslaunch ended before anything ran: {launched.complaint()}')
+        if time.monotonic() > deadline:
+            raise DemoError(f'roslaunch has not started the nodes after {patience:.0f} s: {launched.complaint()}; if it says '
+                            'nothing of a fault, the machine is too busy')
         time.sleep(0.1)
 
 

@@ -19,6 +19,7 @@ from .bag import INFO_TOPIC, SUCCEEDED
 from .drawing import STATE_NAMES
 from .errors import DemoError
 from .geometry import circle
+from .recording import plugin_name
 from .wheels import Wheels
 
 READY_PATIENCE = 90.0  # [s], wall time
@@ -86,7 +87,7 @@ class Drive:
         self._contacts = Latest('/contacts', UInt32)
         self._stick = Latest('/joy', Joy)
         self._host = Latest('/move_base/status', GoalStatusArray)
-        self._plan = Latest(f'/move_base/{options.global_planner.split("/")[-1]}/plan', Path)
+        self._plan = Latest(f'/move_base/{plugin_name(options.global_planner)}/plan', Path)
         self._state = None
         self._watch_operator()
         self._wheels = Wheels() if options.gui else None
@@ -127,7 +128,7 @@ class Drive:
     def describe(self, host):
         """Publishes what a report has to know and no other topic says."""
         o = self._options
-        name = o.planner.split('/')[-1]
+        name = plugin_name(o.planner)
         parameters = rospy.get_param('/move_base/' + name, {})
         self._info.publish(json.dumps({
             'map': o.map_name, 'mode': parameters.get('mode', 'off'), 'host': host, 'planner': name,
@@ -136,14 +137,17 @@ class Drive:
             'stick': {'axis': parameters.get('axis_angular', 0), 'sign': parameters.get('axis_angular_sign', 1),
                       'dead_zone': parameters.get('dead_zone', 0.1)}}))
 
-    def wait_for_recorder(self, node, topics):
-        """Until `node` is connected to every publisher of the topics: what is said before that would be lost."""
+    def wait_for_recorder(self, node, topics, recorder):
+        """Until `node`, run by the Child `recorder`, is connected to every publisher of the topics: what is said before that
+        would be lost."""
         deadline = time.monotonic() + READY_PATIENCE
         while True:
             missing = unconnected(node, topics)
             if not missing:
                 return
             self._require_alive()
+            if not recorder.running:
+                raise DemoError(f'rosbag record ended: {recorder.complaint()}')
             if time.monotonic() > deadline:
                 raise DemoError(f'rosbag record does not get {", ".join(missing)}; recorder.log may say why')
             time.sleep(0.1)

@@ -72,9 +72,10 @@ def parser():
                    help='give up after so many simulated seconds (default: %(default).0f)')
     p.add_argument('--params', type=existing, metavar='FILE.yaml',
                    help="parameters over the demo's own, in move_base's namespace ({HIDWAPlannerROS: {...}})")
-    p.add_argument('--planner', default='hidwa_local_planner/HIDWAPlannerROS', metavar='PACKAGE/CLASS',
-                   help='another local planner, for comparison (default: %(default)s)')
-    p.add_argument('--global-planner', default='navfn/NavfnROS', metavar='PACKAGE/CLASS', help='(default: %(default)s)')
+    p.add_argument('--planner', default='hidwa_local_planner/HIDWAPlannerROS', metavar='NAME',
+                   help='another local planner, for comparison: PACKAGE/CLASS or PACKAGE::CLASS, as its package declares it '
+                   '(default: %(default)s)')
+    p.add_argument('--global-planner', default='navfn/NavfnROS', metavar='NAME', help='(default: %(default)s)')
     p.add_argument('--no-build', action='store_true', help='drive what is built already')
     return p
 

@@ -17,17 +17,47 @@ def clean(frame):
     return frame.lstrip('/')
 
 
+class Parents:
+    """Who is said to be whose parent. A frame has one; with two, tf takes now the one and now the other, and what lies below
+    is nowhere."""
+
+    def __init__(self):
+        self._topics = {}  # {child: {parent: topic}}
+
+    def add(self, topic, transform):
+        parent, child = clean(transform.header.frame_id), clean(transform.child_frame_id)
+        if parent and parent != child:
+            self._topics.setdefault(child, {}).setdefault(parent, topic)
+
+    def conflict(self, frames, root=None):
+        """In words the first frame with several parents among `frames` and what they hang on, up to `root`; '' where each
+        has one."""
+        waiting, seen = list(frames), {root}
+        while waiting:
+            frame = waiting.pop(0)
+            if frame in seen:
+                continue
+            seen.add(frame)
+            parents = self._topics.get(frame, {})
+            if len(parents) > 1:
+                return f'frame {frame} has {len(parents)} parents, ' + ' and '.join(
+                    f'{parent} (in {topic})' for parent, topic in parents.items())
+            waiting += parents
+        return ''
+
+
 class Frames:
     """All transforms of a bag."""
 
     def __init__(self, messages):
         self._buffer = tf2_py.BufferCore(genpy.Duration(1000000000))
-        self._stamps, self._parents = {}, {}
+        self._stamps, self._parents, self._said = {}, {}, Parents()
         self._recorded, self._static = [], []  # (time, transform), transforms
         for topic in sorted(t for t, kind in messages.kinds.items() if kind == TF):
             static = topic.endswith('tf_static')
             for time, message in messages.get(topic):
                 for transform in message.transforms:
+                    self._said.add(topic, transform)
                     self._take(time, transform, static)
 
     def _take(self, time, recorded, static):
@@ -62,6 +92,10 @@ class Frames:
     def connected(self, one, other):
         """Whether a way of transforms leads from one frame to the other."""
         return one == other or (one in self and other in self and self.chain(one)[-1] == self.chain(other)[-1])
+
+    def conflict(self, frame):
+        """See Parents.conflict, of the frame and what it hangs on."""
+        return self._said.conflict([frame])
 
     def moving(self, frame):
         """The first link from the frame upwards that is not static, as its child's name, or None."""

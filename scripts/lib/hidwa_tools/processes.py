@@ -2,12 +2,14 @@
 """Child processes that end with their parent, and with them everything they started themselves."""
 import ctypes
 import os
+import re
 import signal
 import socket
 import subprocess
 import time
 
 PR_SET_PDEATHSIG = 1
+FAULT = re.compile(r'RLException|FATAL|ERROR|[A-Za-z]*Error\b|has died|cannot launch')
 
 
 def free_port():
@@ -34,6 +36,7 @@ class Child:
     """A command in a session of its own, so that whatever it starts can be found and ended."""
 
     def __init__(self, command, log_path, environment):
+        self._log_path = log_path
         self._log = open(log_path, 'ab') if log_path else None  # None: where the parent writes
         self._process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=self._log, stderr=subprocess.STDOUT,
                                          env=environment, start_new_session=True, preexec_fn=_end_with_parent)
@@ -41,6 +44,16 @@ class Child:
     @property
     def running(self):
         return self._process.poll() is None
+
+    def complaint(self):
+        """The first line in its log that tells of a fault, or the last line; where there is none, its exit status."""
+        lines = []
+        if self._log_path:
+            with open(self._log_path, encoding='utf-8', errors='replace') as text:
+                lines = [line.strip() for line in text if line.strip()]
+        status = self._process.poll()
+        silence = 'it said nothing' if status is None else f'it said nothing, exit status {status}'
+        return next((line for line in lines if FAULT.search(line)), lines[-1] if lines else silence)
 
     def stop(self, patience=20.0):
         """Asks the command to end; whatever of its session is left after `patience` [s] is killed."""

@@ -2,6 +2,7 @@
 """What a drive's bag holds, for scripts/demo and for the launch files' argument record. Standard library only, so that
 a robot can have it."""
 import os
+import re
 
 # About the drive to one goal, by names below move_base's namespace. Topics that nobody publishes cost nothing.
 HOST = 'move_base/'
@@ -20,10 +21,18 @@ SEEN = ('scan', HOST + 'local_costmap/costmap', HOST + 'local_costmap/costmap_up
 DEFAULT_PLANNER = 'HIDWAPlannerROS'
 
 
+def plugin_name(lookup):
+    """The name by which a host knows a plugin, and below which the plugin's topics and parameters lie: what comes after the
+    last / or :: (pluginlib, ClassLoader::getName)."""
+    return re.split('[/:]', lookup)[-1]
+
+
 def recorded_topics(global_planner, planner=DEFAULT_PLANNER, seen=False, resolve=lambda name: '/' + name.lstrip('/')):
-    """Names of the topics to record, without doublets; `resolve` makes a name relative to move_base's namespace a full
-    one. The demo's are without what was seen: that can be computed again and would fill the bag."""
-    names = [*SIMULATED, *JUDGED, f'{HOST}{global_planner}/plan', *(f'{HOST}{planner}/{name}' for name in PLANNED), *SHARED]
+    """Names of the topics to record, without doublets; the planners are given by their lookup names. `resolve` makes a name
+    relative to move_base's namespace a full one. The demo's are without what was seen: that can be computed again and
+    would fill the bag."""
+    names = [*SIMULATED, *JUDGED, f'{HOST}{plugin_name(global_planner)}/plan',
+             *(f'{HOST}{plugin_name(planner)}/{name}' for name in PLANNED), *SHARED]
     return list(dict.fromkeys(resolve(name) for name in [*names, *(SEEN if seen else ())]))
 
 

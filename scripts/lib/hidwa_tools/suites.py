@@ -359,6 +359,8 @@ def replay():
     same = replayed(bag, '--set', 'odom_topic=elsewhere', '--out', folder)
     other = replayed(bag, '--set', 'PathDist_scale=200', '--out', folder)
     one = replayed(bag, '--at', '30', '--out', folder)
+    clock = re.search(r'cycle at (\S+) s \(ROS time (\S+)\)', one.output)
+    by_clock = replayed(bag, '--at', 'ros:' + clock.group(2), '--no-picture', '--out', folder) if clock else one
     shown = [line for line in one.output.splitlines() if re.match(r' *\d+ +-?\d+\.\d+ ', line)]
     cut, none = os.path.join(folder, 'cut.bag'), os.path.join(folder, 'none.bag')
     with open(bag, 'rb') as file, open(cut, 'wb') as half:
@@ -374,6 +376,7 @@ def replay():
         'the changes are drawn': os.path.getsize(os.path.join(folder, 'changes.png')) > 10000,
         'every candidate of a cycle is shown': len(shown) > 2400 and 'chosen: #' in one.output,
         'it is that cycle, to the bit': one.status == 0,
+        'its ROS time means the same cycle': clock and by_clock.status == 0 and clock.group(0) in by_clock.output,
         'and drawn': os.path.getsize(os.path.join(folder, 'cycle.png')) > 10000,
         'a bag cut short: status 2': intact.status == 2 and 'was cut short' in intact.output,
         'its intact part is repeated': 0.5 * whole.cycles < intact.cycles < whole.cycles and intact.differences == 0,

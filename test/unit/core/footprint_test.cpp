@@ -2,8 +2,13 @@
 #include "hidwa_local_planner/core/footprint.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/convex_hull.hpp"
+#include "support/naive_padding.hpp"
+#include "support/random_scene.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -104,6 +109,164 @@ TEST(FootprintPadding, NoneChangesNothing) {
   const Polygon outline{{0.3, 0.2}, {-0.4, 0.2}, {-0.4, -0.2}};
   const Footprint f = Footprint(outline).padded(0.0);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(f.outline()[i], outline[i]);
+}
+
+// Counts how often the outline winds around the point.
+bool inside(const Polygon& outline, const Point& p) {
+  double turned = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point a = outline[i] - p, b = outline[(i + 1) % outline.size()] - p;
+    turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+  return std::abs(turned) > M_PI;
+}
+
+// Everything within `padding` of the outline, seen at 50 points of each side in 32 directions.
+void expect_all_within(const Polygon& outline, double padding, const Polygon& padded) {
+  const double reach = padding * (1.0 - 1e-6);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    for (int k = 0; k < 50; ++k) {
+      for (int direction = 0; direction < 32; ++direction) {
+        const double angle = 2.0 * M_PI * direction / 32;
+        const Point p = a + k / 50.0 * (b - a) + reach * Point(std::cos(angle), std::sin(angle));
+        ASSERT_TRUE(inside(padded, p)) << "side " << i << ", " << p.transpose();
+      }
+    }
+  }
+}
+
+Polygon padded(const Polygon& outline, double padding) {
+  return Footprint::from_outline(outline, padding).outline();
+}
+
+TEST(FootprintPadding, SharpCornersGetItInFull) {
+  for (const double half : {1.0, 5.0, 10.0, 20.0, 29.0}) {  // half the angle at the tip (1, 0) [degrees]
+    const double slope = std::tan(half * M_PI / 180.0);
+    const Polygon outline{{1.0, 0.0}, {0.0, slope}, {0.0, -slope}};
+    const Polygon result = padded(outline, 0.05);
+    expect_all_within(outline, 0.05, result);
+    for (const Point& corner : result) {
+      EXPECT_LE(corner.x(), 1.05 + 1e-12) << half;  // the tip is cut off 0.05 m away
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Point& old : outline) nearest = std::min(nearest, (corner - old).norm());
+      EXPECT_LE(nearest, 0.1 + 1e-12);
+    }
+  }
+}
+
+TEST(FootprintPadding, TwoPointsBecomeARectangle) {
+  const Footprint f = Footprint::from_outline({{-0.3, 0.0}, {0.2, 0.0}}, 0.05);
+  ASSERT_EQ(f.outline().size(), 4u);
+  for (const Point& corner : {Point(-0.35, -0.05), Point(-0.35, 0.05), Point(0.25, 0.05), Point(0.25, -0.05)}) {
+    EXPECT_TRUE(std::any_of(f.outline().begin(), f.outline().end(),
+                            [&](const Point& found) { return (found - corner).norm() < 1e-12; }))
+        << corner.transpose();
+  }
+  EXPECT_NEAR(f.inscribed_radius(), 0.05, 1e-12);
+  EXPECT_EQ(f.sides().size(), 4u);  // convex
+  EXPECT_EQ(f.fault(), nullptr);
+  // Aslant, more points on the line, back and forth: the same.
+  for (const Polygon& line : {Polygon{{-0.3, -0.3}, {0.2, 0.2}}, Polygon{{-0.3, -0.3}, {0.2, 0.2}, {0.0, 0.0}},
+                              Polygon{{0.0, 0.0}, {0.1, 0.1}, {-0.3, -0.3}, {0.05, 0.05}, {0.2, 0.2}}}) {
+    expect_all_within({{-0.3, -0.3}, {0.2, 0.2}}, 0.05, padded(line, 0.05));
+    EXPECT_EQ(padded(line, 0.05).size(), 4u);
+    // Half of 0.5 sqrt(2) + 2 * 0.05 along, 2 * 0.05 across: the farthest corner from (-0.05, -0.05).
+    for (const Point& corner : padded(line, 0.05)) {
+      EXPECT_NEAR((corner - Point(-0.05, -0.05)).norm(), std::hypot(0.25 * std::sqrt(2.0) + 0.05, 0.05), 1e-12);
+    }
+  }
+}
+
+TEST(FootprintPadding, OnePointBecomesASquare) {
+  const Polygon square = padded({{0.1, 0.2}}, 0.05);
+  ASSERT_EQ(square.size(), 4u);
+  expect_all_within({{0.1, 0.2}}, 0.05, square);
+}
+
+// A slot 0.06 m wide from the front: open with 0.02 m on each side, filled with 0.04 m.
+TEST(FootprintPadding, ADentThatItClosesIsFilled) {
+  const Polygon slotted{{0.3, 0.3},   {-0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3},
+                        {0.3, -0.03}, {0.0, -0.03}, {0.0, 0.03},  {0.3, 0.03}};
+  const Polygon open = padded(slotted, 0.02);
+  EXPECT_EQ(open.size(), 8u);
+  EXPECT_FALSE(inside(open, {0.25, 0.0}));
+  const Polygon filled = padded(slotted, 0.04);
+  EXPECT_EQ(filled.size(), 4u);  // of the convex hull
+  expect_all_within(slotted, 0.04, filled);
+  EXPECT_NEAR(Footprint(filled).circumscribed_radius(), 0.34 * std::sqrt(2.0), 1e-12);
+  // A bottle: no side vanishes, but its neck of 0.04 m closes.
+  const Polygon bottle{{0.3, 0.3},   {-0.3, 0.3},  {-0.3, -0.3}, {0.3, -0.3}, {0.3, -0.02},
+                       {0.1, -0.02}, {0.1, -0.15}, {-0.2, -0.15}, {-0.2, 0.15}, {0.1, 0.15},
+                       {0.1, 0.02},  {0.3, 0.02}};
+  EXPECT_EQ(padded(bottle, 0.01).size(), 12u);
+  EXPECT_EQ(padded(bottle, 0.03).size(), 4u);
+  // A sharp dent, whose sides meet far outside once moved.
+  const Polygon cut{{0.3, 0.3}, {-0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3}, {0.3, -0.01}, {-0.2, 0.0}, {0.3, 0.01}};
+  expect_all_within(cut, 0.02, padded(cut, 0.02));
+  EXPECT_EQ(padded(cut, 0.02).size(), 4u);
+  EXPECT_EQ(padded({{0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}}, 0.02).size(), 4u);  // a bow tie
+}
+
+// Random outlines, sharp and dented: nothing within the padding is left out, and the slow twin makes the same of them.
+TEST(FootprintPadding, RandomOutlines) {
+  test::Random random(11);
+  int sharp = 0, filled = 0;
+  for (int k = 0; k < 600; ++k) {
+    const bool dented = random.chance(0.5);
+    Polygon outline = dented ? test::random_star_outline(random) : test::random_convex_outline(random);
+    for (std::size_t i = 0; dented && i < outline.size(); i += 2) outline[i] *= random.uniform(0.1, 0.5);
+    const double padding = random.uniform(0.005, 0.3);
+    const Polygon result = Footprint(outline).padded(padding).outline();
+    SCOPED_TRACE(k);
+    expect_all_within(outline, padding, result);
+    if (testing::Test::HasFatalFailure()) return;
+    sharp += result.size() > outline.size();
+    filled += result.size() < outline.size();
+    const Polygon twin = test::naive_padded({outline, 0.0}, padding).corners;
+    ASSERT_EQ(result.size(), twin.size());
+    for (const Point& corner : result) {
+      EXPECT_TRUE(std::any_of(twin.begin(), twin.end(),
+                              [&](const Point& found) { return (found - corner).norm() < 1e-9; }));
+    }
+  }
+  EXPECT_GE(sharp, 50);
+  EXPECT_GE(filled, 5);
+}
+
+TEST(FootprintFault, NamesTheThingAndTheRemedy) {
+  const auto fault = [](const Polygon& outline, double padding) {
+    const char* text = Footprint::from_outline(outline, padding).fault();
+    return std::string(text != nullptr ? text : "");
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(fault({{0.3, 0.2}, {-0.3, 0.2}, {0.0, -0.2}}, 0.0), "");
+  EXPECT_EQ(fault(round_outline(16, 0.3), 0.1), "");
+  EXPECT_NE(fault({}, 0.1).find("robot_radius"), std::string::npos);
+  EXPECT_NE(fault({{0.3, 0.2}, {nan, 0.2}, {0.0, -0.2}}, 0.1).find("not a number"), std::string::npos);
+  EXPECT_NE(fault({{0.3, 0.2}, {-inf, 0.2}, {0.0, -0.2}}, 0.1).find("not a number"), std::string::npos);
+  Polygon round = round_outline(16, 0.3);
+  round[5].x() = nan;
+  EXPECT_NE(fault(round, 0.0).find("not a number"), std::string::npos);
+  for (const double far : {21.0, 100.0, 1e300}) {
+    EXPECT_NE(fault({{far, 0.0}, {0.0, far}, {0.0, 0.0}}, 0.1).find("20 m"), std::string::npos) << far;
+    EXPECT_NE(fault(round_outline(16, far), 0.1).find("20 m"), std::string::npos) << far;
+  }
+  EXPECT_NE(fault({{0.3, 0.0}, {-0.3, 0.0}}, 0.0).find("footprint_padding"), std::string::npos);
+  EXPECT_EQ(fault({{0.3, 0.0}, {-0.3, 0.0}}, 0.01), "");
+}
+
+TEST(ConvexHull, CounterClockwiseWithoutStraightCorners) {
+  const Polygon hull =
+      convex_hull({{0, 0}, {1, 0}, {0.5, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0, 0.5}, {0, 0}, {1, 1}});
+  const Polygon expected{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(hull, expected);
+}
+
+TEST(ConvexHull, OfALineItsEndsOfAPointThePoint) {
+  EXPECT_TRUE(convex_hull({}).empty());
+  EXPECT_EQ(convex_hull({{1, 2}, {1, 2}, {1, 2}}), (Polygon{{1, 2}}));
+  EXPECT_EQ(convex_hull({{0, 0}, {1, 1}, {2, 2}}), (Polygon{{0, 0}, {2, 2}}));
 }
 
 }  // namespace

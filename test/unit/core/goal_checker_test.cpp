@@ -35,6 +35,16 @@ TEST(GoalChecker, HeadingsCountAcrossPi) {
   EXPECT_TRUE(checker.update({2.0, 1.0, -3.1}, {}, kGoal, kDefaults));
 }
 
+TEST(GoalChecker, AnyHeadingIsRightWithAToleranceOfAFullTurn) {
+  Parameters p = kDefaults;
+  p.yaw_goal_tolerance = 2.0 * M_PI;
+  EXPECT_TRUE(validate(p).empty());
+  GoalChecker checker;
+  for (const double heading : {3.1, -3.1, 0.0, 3.1 - M_PI}) EXPECT_TRUE(checker.update({2.0, 1.0, heading}, {}, kGoal, p));
+  p.yaw_goal_tolerance = 6.5;
+  EXPECT_EQ(validate(p).size(), 1u);
+}
+
 TEST(GoalChecker, PositionIsLatchedUntilReset) {
   GoalChecker checker;
   checker.update({2.0, 1.0, 0.0}, {}, kGoal, kDefaults);

@@ -90,6 +90,18 @@ TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueUnderL1ItRefuses) {
   EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.5, 1.2, M_PI / 2}}).refused());
 }
 
+TEST(L1LookUp, WhereThePersonDecidesItRefusesNothing) {
+  Scene scene = Scene::empty();  // ends at 1.525 m
+  scene.parameters.PathAlign_forward_point_distance = 0.3;
+  scene.parameters.map_grid = MapGridDistance::l1;
+  scene.intent.influence = Influence::direct;
+  // As far as nothing on the map is: 61 + 61 cells.
+  EXPECT_NEAR(raw("PathAlign", scene, {0.5, 1.3, M_PI / 2}), 0.05 * (61 + 61), 1e-12);
+  scene.intent.influence = Influence::shared;
+  scene.situation.goal_latched = true;
+  EXPECT_NEAR(raw("PathAlign", scene, {0.5, 1.3, M_PI / 2}), 0.05 * (61 + 61), 1e-12);
+}
+
 TEST(GeodesicLookUp, UnreachedIsFarButLegal) {
   Scene scene = Scene::empty();
   for (int j = 0; j < 61; ++j) scene.at({34, j}) = cost::kLethal;

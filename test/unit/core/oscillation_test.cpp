@@ -133,6 +133,21 @@ TEST_F(OscillationTest, SilentWhileThePersonSteersButItKeepsCount) {
   EXPECT_TRUE(strict.score({0.0, 0.5}, {{}, {}}).refused());
 }
 
+TEST(OscillationPerson, WhereThePersonDecidesNoSwitchMakesItRefuse) {
+  for (const Influence influence : {Influence::direct, Influence::shared}) {
+    Scene scene = Scene::empty();
+    scene.parameters.oscillation_while_steering = true;
+    scene.steer({0.5, 1.0});
+    scene.intent.influence = influence;
+    scene.situation.goal_latched = influence == Influence::shared;
+    CriticBench bench("Oscillation", scene);
+    bench.prepare();
+    bench.debrief({0.0, 0.5});
+    bench.debrief({0.0, -0.5});
+    EXPECT_FALSE(bench.score({0.0, 0.5}, {{}, {}}).refused());
+  }
+}
+
 TEST(OscillationWeight, ZeroTurnsItOff) {
   Scene scene = Scene::empty();
   scene.parameters.Oscillation_scale = 0.0;

@@ -107,6 +107,25 @@ TEST(BadInput, MapAndFootprint) {
   EXPECT_NE(no_body.problem.find("robot_radius"), std::string::npos);
 }
 
+TEST(BadInput, AFootprintThatIsNoRobots) {
+  PlannerBench bench(driving());
+  const auto fault = [&bench](const Polygon& outline) {
+    bench.planner().set_footprint(outline);
+    const Decision& decision = bench.cycle();
+    EXPECT_EQ(decision.outcome, Outcome::brake);
+    EXPECT_EQ(decision.problem_kind, Problem::input);
+    EXPECT_EQ(decision.candidates, 0u);  // nothing was made for it
+    return decision.problem;
+  };
+  EXPECT_NE(fault({{100.0, 100.0}, {-100.0, 100.0}, {-100.0, -100.0}, {100.0, -100.0}}).find("20 m"), std::string::npos);
+  EXPECT_NE(fault({{kNan, 0.1}, {-0.1, 0.1}, {0.0, -0.1}}).find("not a number"), std::string::npos);
+  EXPECT_NE(fault({{0.2, 0.0}, {-0.2, 0.0}}).find("footprint_padding"), std::string::npos);
+  // 61 cells of 0.05 m: the diagonal is 3.05 sqrt(2) = 4.31 m, and no place on the map has this corner on it too.
+  EXPECT_NE(fault({{4.4, 0.0}, {-0.1, 0.1}, {-0.1, -0.1}}).find("larger than the local map"), std::string::npos);
+  bench.planner().set_footprint(bench.scene().outline);
+  EXPECT_EQ(bench.cycle().outcome, Outcome::drive);
+}
+
 TEST(BadInput, AtRestItIsAFailure) {
   Scene scene = driving(0.0);
   scene.situation.plan.clear();

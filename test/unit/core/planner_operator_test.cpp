@@ -93,6 +93,60 @@ TEST(Direct, GuardedTakesTheNearestLegalControl) {
   EXPECT_NEAR(wall.scene().situation.last_command.v, 0.0, 0.05);
 }
 
+// At the goal's position, with the critics and samples of the default parameters.
+Scene at_the_goal(double v) {
+  Scene scene = driving(v);
+  scene.parameters = Parameters();
+  scene.situation.goal = {0.1, 0.0, 1.0};
+  scene.situation.goal_latched = true;
+  return scene;
+}
+
+TEST(Direct, AtTheGoalNoCriticRefusesThePerson) {
+  for (const double v : {0.0, 0.3}) {
+    for (const Twist2& wanted : {Twist2{0.5, 0.0}, Twist2{0.4, -0.8}}) {
+      Scene scene = at_the_goal(v);
+      scene.intent.state = OperatorStateId::manual;
+      scene.intent.influence = Influence::direct;
+      scene.intent.u_h = wanted;
+      PlannerBench bench(scene);
+      const Decision& decision = bench.cycle();
+      EXPECT_EQ(test::refusals_by(decision, "RotateToGoal"), 0u);
+      EXPECT_EQ(decision.legal, decision.candidates);
+      EXPECT_TRUE(decision.sample == wanted) << decision.sample.v << " " << decision.sample.omega;
+      EXPECT_TRUE(decision.operator_refused_by.empty()) << decision.operator_refused_by;
+    }
+  }
+}
+
+TEST(Shared, InTheGoalWindowThePersonMayDriveAsWellAsTurn) {
+  for (const MapGridDistance map_grid : {MapGridDistance::geodesic, MapGridDistance::l1}) {
+    Scene scene = at_the_goal(0.0);
+    scene.parameters.operator_in_goal_window = true;
+    scene.parameters.map_grid = map_grid;
+    scene.steer({0.5, 0.2});
+    PlannerBench bench(scene);
+    const Decision& decision = bench.cycle();
+    EXPECT_EQ(decision.legal, decision.candidates);
+    EXPECT_TRUE(decision.sample == (Twist2{0.5, 0.2})) << decision.sample.v << " " << decision.sample.omega;
+  }
+}
+
+// Back and forth on the spot, as long as the person wants it, whatever the switch says.
+TEST(Direct, ThePersonMayGoBackAndForth) {
+  Scene scene = driving(0.0);
+  scene.parameters.oscillation_while_steering = true;
+  scene.intent.state = OperatorStateId::manual;
+  scene.intent.influence = Influence::direct;
+  PlannerBench bench(scene);
+  for (int k = 0; k < 12; ++k) {
+    bench.scene().intent.u_h = {0.0, k % 2 == 0 ? 0.1 : -0.1};
+    const Decision& decision = bench.drive();
+    EXPECT_EQ(test::refusals_by(decision, "Oscillation"), 0u) << k;
+    EXPECT_TRUE(decision.sample == bench.scene().intent.u_h) << k;
+  }
+}
+
 TEST(Direct, UnguardedPassesWithinLimitsAndAccelerations) {
   Scene scene = driving(0.3);
   scene.fill(0.3, -9.0, 9.0, 9.0);

@@ -50,6 +50,24 @@ TEST(RotateToGoal, StoppedItOnlyTurns) {
   EXPECT_NEAR(turning.raw, 0.6, 1e-12);
 }
 
+TEST(RotateToGoal, ItRefusesThePersonNothing) {
+  for (const Influence influence : {Influence::shared, Influence::direct}) {
+    for (const double v : {0.4, 0.1}) {  // still driving; stopped
+      CriticBench bench = bench_at(0.24, v);
+      bench.scene().intent.influence = influence;
+      bench.prepare();
+      const Verdict forwards = bench.score({0.5, 0.0}, kEndsAtPointFour);
+      EXPECT_FALSE(forwards.refused()) << forwards.reason;
+      EXPECT_FALSE(bench.score({-0.5, 0.5}, kEndsAtPointFour).refused());
+      // The heading error |1.0 - 0.4|, and v^2 * 5 = 0.25 * 5 while still driving: only the refusal is gone.
+      EXPECT_NEAR(forwards.raw, v > 0.1 ? 1.25 + 0.6 : 0.6, 1e-12);
+      bench.scene().intent = OperatorIntent();
+      bench.prepare();
+      EXPECT_TRUE(bench.score({0.5, 0.0}, kEndsAtPointFour).refused());  // autonomy again
+    }
+  }
+}
+
 TEST(RotateToGoal, TheHeadingErrorIsTheShortWayRound) {
   CriticBench bench = bench_at(0.0, 0.0);
   bench.scene().situation.goal.theta = 3.0;

@@ -94,6 +94,29 @@ TEST(ThirdPartyCritic, RefusingEverythingBrakesThenFails) {
   EXPECT_EQ(bench.drive().outcome, Outcome::fail);
 }
 
+TEST(ThirdPartyCritic, IsToldWhereThePersonDecides) {
+  // Refuses left turns for the sake of autonomy.
+  struct Considerate : Opinion {
+    Considerate() : Opinion(0.0, true) {}
+    void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override {
+      if (!cycle.person_decides) Opinion::score(cycle, tile, scores);
+    }
+  };
+  struct Case {
+    Influence influence;
+    bool goal_latched, decides;
+  };
+  for (const Case& c : {Case{Influence::none, false, false}, Case{Influence::none, true, false},
+                        Case{Influence::shared, false, false}, Case{Influence::shared, true, true},
+                        Case{Influence::direct, false, true}, Case{Influence::direct, true, true}}) {
+    Scene scene = asking();
+    scene.intent.influence = c.influence;
+    scene.situation.goal_latched = c.goal_latched;
+    PlannerBench bench(scene, with([] { return std::make_shared<Considerate>(); }));
+    EXPECT_EQ(refusals_by(bench.cycle(), "Opinion") == 0, c.decides);
+  }
+}
+
 TEST(ThirdPartyCritic, NotANumberIsARefusalOfTheOneThatSaidIt) {
   for (const double value :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),

@@ -19,19 +19,6 @@ Outline outline(const std::string& inside) {
   return reading.model ? outline_of(*reading.model) : Outline();
 }
 
-TEST(ConvexHull, CounterClockwiseWithoutStraightCorners) {
-  const Polygon hull =
-      convex_hull({{0, 0}, {1, 0}, {0.5, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0, 0.5}, {0, 0}, {1, 1}});
-  const Polygon expected{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  EXPECT_EQ(hull, expected);
-}
-
-TEST(ConvexHull, EmptyWhereThereIsNoArea) {
-  EXPECT_TRUE(convex_hull({}).empty());
-  EXPECT_TRUE(convex_hull({{1, 2}, {1, 2}, {1, 2}}).empty());
-  EXPECT_TRUE(convex_hull({{0, 0}, {1, 1}, {2, 2}}).empty());
-}
-
 TEST(Outline, OfABoxOffTheBase) {
   // Turned by a quarter about z at (0.1, 0): 0.4 m long across, 0.2 m wide along.
   const Outline result =

@@ -118,6 +118,23 @@ TEST_F(MissingInput, CostmapThatIsNotCurrent) {
   expect_driving_again();
 }
 
+geometry_msgs::Point point(double x, double y) {
+  geometry_msgs::Point p;
+  p.x = x;
+  p.y = y;
+  return p;
+}
+
+TEST_F(MissingInput, AFootprintThatIsNoRobots) {
+  drive();
+  costmap_2d::Costmap2DROS& costmap = *Stage::get().costmap;
+  const std::vector<geometry_msgs::Point> robots = costmap.getUnpaddedRobotFootprint();
+  costmap.setUnpaddedRobotFootprint({point(100.0, 100.0), point(-100.0, 100.0), point(-100.0, -100.0), point(100.0, -100.0)});
+  expect_braking_then_failure("more than 20 m");
+  costmap.setUnpaddedRobotFootprint(robots);
+  expect_driving_again();
+}
+
 }  // namespace
 }  // namespace hidwa_plugin_tests
 
