@@ -165,6 +165,7 @@ void OperatorStateMachine::listens(double now) {
 OperatorIntent OperatorStateMachine::update(double now) {
   if (now < std::max(now_, received_) - kClockJitter) set_back(now);
   live(now);
+  behind_ = false;
   if (said_control_ && now - now_ < kDriving) control_.say(*said_control_);
   said_control_.reset();
   now_ = std::max(now_, now);
@@ -281,6 +282,7 @@ void OperatorStateMachine::set_back(double now) {
 void OperatorStateMachine::live(double now) {
   const double pause = life_.observe(now);
   if (pause == 0.0) return;
+  behind_ = true;
   channel_.excuse(pause);
   stick_.excuse(pause);
   hand_.excuse(pause);

@@ -66,8 +66,8 @@ class OperatorStateMachine {
   /// The thread that takes messages is at work. Told at least every 0.1 s, the machine tells a pause of the whole
   /// planner from a silence of the device. Never told, it knows no pauses.
   void listens(double now);
-  /// Nothing of the planner has been at work lately: what arrived meanwhile is still to be taken.
-  bool stood_still(double now) const { return life_.still_for(now) > 0.0; }
+  /// The planner stood still since the last cycle: what arrived meanwhile should be taken before the next.
+  bool behind(double now) const { return behind_ || life_.still_for(now) > 0.0; }
   /// What the person wants now. Call once a cycle, before plan(). Where `now` went back, steering and holding end, a
   /// stop goes on, and whoever has control keeps it but must be heard anew: until then the robot brakes.
   OperatorIntent update(double now);
@@ -141,6 +141,7 @@ class OperatorStateMachine {
   std::optional<bool> said_control_;   // in words, since the last cycle
   bool catching_up_ = false;           // the newest stick message may have been held back
   SignsOfLife life_;                   // of cycles and of the thread that takes messages
+  bool behind_ = false;                // a pause ended since the last cycle
   // Newest times [s]: of a cycle, any message, the stick's that ended its last silence.
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
   double now_ = kNever;

@@ -36,10 +36,11 @@ TEST(Pause, IsNoSilenceWhoWakesUpFirst) {
     Planner planner;
     ASSERT_EQ(planner.run(1.0, 1.0F), State::shared);
     planner.now += 0.62;  // more than input_timeout
-    EXPECT_TRUE(planner.machine.stood_still(planner.now));
+    EXPECT_TRUE(planner.machine.behind(planner.now));
     if (message_first) planner.stick(planner.now, 1.0F);
+    EXPECT_TRUE(planner.machine.behind(planner.now));
     expect_intent(planner.cycle(planner.now), State::shared, Influence::shared, 0.5, 1.0);
-    EXPECT_FALSE(planner.machine.stood_still(planner.now));
+    EXPECT_FALSE(planner.machine.behind(planner.now));
     EXPECT_EQ(planner.run(0.5, 1.0F), State::shared);
   }
 }
