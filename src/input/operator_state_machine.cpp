@@ -217,6 +217,7 @@ void OperatorStateMachine::reset() {
   said_control_.reset();
   catching_up_ = false;
   life_ = {};
+  behind_ = false;
   now_ = received_ = stick_back_ = paused_at_ = kNever;
   stick_ = hand_ = {};
   pause_ = 0.0;
