@@ -243,7 +243,7 @@ std::string OperatorStateMachine::advice() const {
   const double now = std::max(now_, received_);
   if (pause_ > 0.0 && now - paused_at_ < kToldFor) {
     add("The planner itself stood still for " + worded(pause_, 2) +
-        " s and heard nobody meanwhile: its machine is too busy, or the process was suspended. Lighten the load.");
+        " s and heard nobody meanwhile: its machine is too busy, the process was suspended, or the clock was set forward. Lighten the load.");
   }
   if (timeout > 0.0) add(stop_.advice(now, std::max(kGone, timeout)));
   add(rhythm_.advice(timeout));

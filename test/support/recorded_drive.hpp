@@ -82,7 +82,7 @@ class RecordedDrive {
     time_ += kPeriod;
     if (random_.chance(0.02)) time_ += random_.uniform(0.2, 0.8);
     if (random_.chance(0.9)) person_.listens(time_ - 0.02);
-    if (random_.chance(0.02)) person_.stop(random_.chance(0.2));
+    if (random_.chance(0.05)) person_.stop(random_.chance(0.05));
   }
 
   // Whatever a stick may do: rest, be held, jump, fall silent, press buttons.
@@ -100,7 +100,7 @@ class RecordedDrive {
     press(parameters_.stop_button, 0.01);
     press(parameters_.enable_button, deflection_ < 0.5 ? 1.0 : 0.0);
     stick.received = time_ - 0.01;
-    stick.sender = random_.chance(0.98) ? "/joy" : "/other";
+    stick.sender = random_.chance(0.997) ? "/joy" : "/other";
     person_.receive(stick);
   }
 
