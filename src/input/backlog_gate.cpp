@@ -2,7 +2,7 @@
 #include "hidwa_local_planner/input/backlog_gate.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace hidwa_local_planner::input {
 namespace {
@@ -13,49 +13,86 @@ constexpr double kClockDrift = 2e-4;  // [s/s]
 // after a step back of their stamps or by more than a link can hold back, say that a clock was set.
 constexpr double kSteadyTime = 5.0;       // [s]
 constexpr double kLongestBacklog = 60.0;  // [s]
+// A link that became slower: its lag may grow no more, and jitter is not growth.
+constexpr double kSettledTime = 2.0;    // [s]
+constexpr double kSettledSpread = 0.1;  // [s]
+
+constexpr double kAnyGap = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-BacklogGate::Verdict BacklogGate::judge(double stamp, double received, double limit) {
+double SteadyLag::observe(double lag, double received, double spread, double gap) {
+  const double least = std::min(least_, lag);
+  const double most = std::max(most_, lag);
+  if (!begun_ || most - least > spread || received - last_ > gap) {
+    begun_ = true;
+    least_ = most_ = lag;
+    since_ = received;
+  } else {
+    least_ = least;
+    most_ = most;
+  }
+  last_ = received;
+  return received - since_;
+}
+
+BacklogGate::Verdict BacklogGate::judge(double stamp, double received, const Limits& limits) {
   excess_ = 0.0;
   if (stamp <= 0.0) return Verdict::live;
-  if (known_ && stamp == stamp_) return repeated_;
+  if (known_ && stamp == stamp_) {
+    link_lag_.heard(received);
+    return repeated_;
+  }
   if (!known_) {
     learn(stamp, received);
     return Verdict::live;
   }
-  const bool back = stamp < stamp_ - limit;
+  const bool back = stamp < stamp_ - limits.late;
   const double lag = received - stamp;
-  smallest_lag_ = std::min(lag, smallest_lag_ + kClockDrift * (received - received_));
+  const double drift = kClockDrift * (received - received_);
+  smallest_lag_ = std::min(lag, smallest_lag_ + drift);
+  usual_lag_ = std::min(lag, usual_lag_ + drift);
   received_ = received;
   stamp_ = back ? stamp : std::max(stamp_, stamp);
   excess_ = lag - smallest_lag_;
-  if (excess_ <= limit) {
-    steady_ = false;
+  if (lag - usual_lag_ <= limits.late && excess_ <= std::max(limits.late, limits.lag_max)) {
+    backlog_lag_.forget();
+    link_lag_.forget();
     went_back_ = false;
     return repeated_ = Verdict::live;
   }
   went_back_ = went_back_ || back;
-  if (!clock_was_set(lag, received, limit)) return repeated_ = Verdict::backlog;
+  const bool new_clock = clock_was_set(lag, received, limits.late);
+  if (is_slower(lag, received, limits)) {
+    usual_lag_ = link_lag_.least();
+    link_lag_.forget();
+    backlog_lag_.forget();
+    went_back_ = false;
+    repeated_ = Verdict::live;
+    return Verdict::slower_link;
+  }
+  if (!new_clock) return repeated_ = Verdict::backlog;
   learn(stamp, received);
   return Verdict::new_clock;
 }
 
 bool BacklogGate::clock_was_set(double lag, double received, double limit) {
-  if (!steady_ || std::abs(lag - steady_lag_) > limit) {
-    steady_ = true;
-    steady_lag_ = lag;
-    steady_since_ = received;
-  }
-  return (went_back_ || excess_ > kLongestBacklog) && received - steady_since_ >= kSteadyTime;
+  const double steady = backlog_lag_.observe(lag, received, limit, kAnyGap);
+  return (went_back_ || excess_ > kLongestBacklog) && steady >= kSteadyTime;
+}
+
+bool BacklogGate::is_slower(double lag, double received, const Limits& limits) {
+  const double steady = link_lag_.observe(lag, received, kSettledSpread, limits.late);
+  return steady >= kSettledTime && link_lag_.most() - smallest_lag_ <= limits.lag_max;
 }
 
 void BacklogGate::learn(double stamp, double received) {
   known_ = true;
   stamp_ = stamp;
-  smallest_lag_ = received - stamp;
+  smallest_lag_ = usual_lag_ = received - stamp;
   received_ = received;
-  steady_ = false;
+  backlog_lag_.forget();
+  link_lag_.forget();
   went_back_ = false;
   repeated_ = Verdict::live;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/input/input_channel.hpp"
 
+#include <algorithm>
+
 namespace hidwa_local_planner::input {
 
 void InputChannel::configure(double timeout, bool require_neutral) {
@@ -10,7 +12,9 @@ void InputChannel::configure(double timeout, bool require_neutral) {
 
 void InputChannel::accept(const Wish& wish, double received) {
   check(received);
-  if (!wish.active || !require_neutral_) armed_ = true;
+  if (!wish.active || !require_neutral_ || lost_by_pauses(received)) armed_ = true;
+  fell_silent_ = false;
+  longest_pause_ = pauses_ = 0.0;
   if (armed_) lost_ = false;
   heard_ = true;
   time_ = received;
@@ -22,8 +26,15 @@ void InputChannel::accept(const Wish& wish, double received) {
   }
 }
 
+void InputChannel::excuse(double pause) {
+  longest_pause_ = std::max(longest_pause_, pause);
+  pauses_ += pause;
+}
+
 void InputChannel::check(double now) {
-  if (timeout_ > 0.0 && now - time_ > timeout_) lose();
+  if (!active_ || timeout_ <= 0.0 || now - time_ - longest_pause_ <= timeout_) return;
+  lose();
+  fell_silent_ = true;
 }
 
 void InputChannel::lose() {
@@ -43,6 +54,7 @@ void InputChannel::remap(const Wish& wish) {
 void InputChannel::demand_neutral() {
   active_ = false;
   armed_ = false;
+  fell_silent_ = false;
 }
 
 void InputChannel::reset() {

@@ -1,22 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/input/message_stream.hpp"
 
-namespace hidwa_local_planner::input {
+#include "hidwa_local_planner/core/words.hpp"
 
-MessageStream::Verdict MessageStream::judge(const Envelope& envelope, double timeout) {
+namespace hidwa_local_planner::input {
+namespace {
+
+constexpr double kWorthSaying = 0.1;  // [s], of a delay
+
+}  // namespace
+
+MessageStream::Verdict MessageStream::judge(const Envelope& envelope, const BacklogGate::Limits& limits) {
   const bool other = device_.changed(envelope.sender, envelope.axes, envelope.buttons);
   if (other) backlog_.reset();
-  if (timeout > 0.0) {
-    const BacklogGate::Verdict verdict = backlog_.judge(envelope.stamp, envelope.received, timeout);
-    if (verdict == BacklogGate::Verdict::backlog) return Verdict::late;
-    if (verdict == BacklogGate::Verdict::new_clock) return Verdict::new_clock;
+  if (limits.late > 0.0) {
+    switch (backlog_.judge(envelope.stamp, envelope.received, limits)) {
+      case BacklogGate::Verdict::backlog: return Verdict::late;
+      case BacklogGate::Verdict::slower_link: return Verdict::slower_link;
+      case BacklogGate::Verdict::new_clock: return Verdict::new_clock;
+      case BacklogGate::Verdict::live: break;
+    }
   }
   return other ? Verdict::new_device : Verdict::live;
 }
 
 std::string MessageStream::advice(const std::string& topic) const {
-  if (!device_.contested()) return {};
-  return "Two nodes take turns on " + topic + ", " + device_.rival() + " and " + device_.sender() +
+  std::string text;
+  if (backlog_.slowness() > kWorthSaying) {
+    text = "What comes on " + topic + " arrives " + worded(backlog_.slowness(), 2) +
+           " s later than at best: the robot answers the person so much later. Look at the link.";
+  }
+  if (!device_.contested()) return text;
+  if (!text.empty()) text += ' ';
+  return text + "Two nodes take turns on " + topic + ", " + device_.rival() + " and " + device_.sender() +
          ": each counts as a new device after the other. Let only one of them send.";
 }
 

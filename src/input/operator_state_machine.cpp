@@ -20,6 +20,13 @@ constexpr double kDriving = 1.0;  // [s]
 // is an old one. The message that ends the silence is none of these: a stick may send only changes.
 constexpr double kCatchingUp = 0.2;  // [s]
 
+// Repeating devices are heard more often. A stop that nobody sent for so long may be let go by others.
+constexpr double kGone = 1.0;  // [s]
+
+// Pauses of the planner's own that a person may notice, and how long they are told.
+constexpr double kWorthTelling = 0.3;  // [s]
+constexpr double kToldFor = 10.0;      // [s]
+
 bool same_mapping(const Parameters& a, const Parameters& b) {
   return a.axis_angular == b.axis_angular && a.axis_linear == b.axis_linear &&
          a.axis_angular_sign == b.axis_angular_sign && a.axis_linear_sign == b.axis_linear_sign &&
@@ -35,11 +42,20 @@ bool same_topics(const Parameters& a, const Parameters& b) {
          a.gesture_frame == b.gesture_frame && a.gesture_parent_frame == b.gesture_parent_frame;
 }
 
-std::string late(double excess, double limit) {
-  return "it arrived " + worded(excess, 3) + " s later than the link needs at best, more than input_timeout (" +
-         worded(limit, 3) +
-         " s): the link holds messages back, or the sender's clock runs differently (synchronise the " +
-         "clocks, or leave the stamps empty)";
+std::string late(double excess, const BacklogGate::Limits& limits) {
+  const bool may_settle = excess <= limits.lag_max;
+  const bool beyond_settling = !may_settle && limits.lag_max > limits.late;
+  std::string text = "it arrived " + worded(excess, 3) + " s later than the link needs at best, more than ";
+  text += beyond_settling ? "input_lag_max (" + worded(limits.lag_max, 3) : "input_timeout (" + worded(limits.late, 3);
+  text += " s): the link holds messages back";
+  if (may_settle) text += " (a delay that is steady within 0.1 s for 2 s is taken as it is)";
+  return text + ", or the sender's clock runs differently (synchronise the clocks, or leave the stamps empty)";
+}
+
+template <typename Message>
+std::string fault_of_times(const Message& message) {
+  if (std::isfinite(message.stamp) && std::isfinite(message.received)) return {};
+  return "its time is not a finite number: look at the sender";
 }
 
 template <typename Message>
@@ -64,13 +80,17 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
   channel_.configure(parameters_.input_timeout, parameters_.require_neutral);
   if (other_mode) {
     const StopRequest stop = stop_;  // who stopped the robot did not let go of it
+    const SignsOfLife life = life_;
     reset();
     stop_ = stop;
+    stop_.dismiss();  // but whoever is gone cannot
+    life_ = life;
   } else if (other_device) {
     sticks_.forget_lag();
     twists_.forget_lag();
     hands_.forget_lag();
     new_device();
+    stop_.demand_neutral();
   } else if (other_mapping) {
     channel_.demand_neutral();
     stop_.demand_neutral();
@@ -83,14 +103,10 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
 
 std::string OperatorStateMachine::receive(const StickMessage& message) {
   if (parameters_.mode == OperatorMode::off) return {};
-  std::string fault = begin(message.stamp, message.received);
+  begin(message.received);
   StickReading reading;
-  if (fault.empty()) fault = read_stick(message, parameters_, reading);
-  if (!fault.empty()) return drop(fault, stick_fault_);
-  Envelope envelope = envelope_of(message, received_);
-  envelope.axes = message.axes.size();
-  envelope.buttons = message.buttons.size();
-  fault = admit(sticks_, envelope);
+  const std::string fault = judge(message, reading);
+  stop_.hear(message.sender, read_stop(message, parameters_), fault.empty(), parameters_, received_);
   if (!fault.empty()) return drop(fault, stick_fault_);
   reading_ = reading;
   hear_stick();
@@ -102,7 +118,8 @@ std::string OperatorStateMachine::receive(const StickMessage& message) {
 
 std::string OperatorStateMachine::receive(const TwistMessage& message) {
   if (parameters_.mode == OperatorMode::off || !steered_by_twist(parameters_)) return {};
-  std::string fault = begin(message.stamp, message.received);
+  begin(message.received);
+  std::string fault = fault_of_times(message);
   if (fault.empty()) fault = fault_of(message);
   if (fault.empty()) fault = admit(twists_, envelope_of(message, received_));
   if (!fault.empty()) return drop(fault, twist_fault_);
@@ -114,7 +131,8 @@ std::string OperatorStateMachine::receive(const TwistMessage& message) {
 
 std::string OperatorStateMachine::receive(const HandMessage& message) {
   if (parameters_.mode != OperatorMode::gesture) return {};
-  std::string fault = begin(message.stamp, message.received);
+  begin(message.received);
+  std::string fault = fault_of_times(message);
   if (fault.empty()) fault = admit(hands_, envelope_of(message, received_));
   if (!fault.empty()) return drop(fault, hand_fault_);
   watch_hand(received_);
@@ -123,7 +141,7 @@ std::string OperatorStateMachine::receive(const HandMessage& message) {
     channel_.lose();
     return drop(fault, hand_fault_);
   }
-  hand_time_ = received_;
+  hand_.hear(received_);
   // A clutch that is still held after a loss says nothing: the loss lasts until it is let go.
   if (!gesture_.waits_for_release()) feed(gesture_.wish(parameters_));
   hand_fault_.clear();
@@ -134,14 +152,27 @@ void OperatorStateMachine::take_control(bool manual) {
   if (parameters_.mode == OperatorMode::switching) said_control_ = manual;
 }
 
+void OperatorStateMachine::stop(bool stop) {
+  stop_.say(stop);
+  if (!stop) stop_.dismiss();
+}
+
+void OperatorStateMachine::listens(double now) {
+  life_.expect();
+  live(now);
+}
+
 OperatorIntent OperatorStateMachine::update(double now) {
-  if (now < std::max(now_, received_) - kClockJitter) reset();
+  if (now < std::max(now_, received_) - kClockJitter) set_back(now);
+  live(now);
+  behind_ = false;
   if (said_control_ && now - now_ < kDriving) control_.say(*said_control_);
   said_control_.reset();
   now_ = std::max(now_, now);
   channel_.check(now_);
   rhythm_.check(now_, parameters_.input_timeout);
   watch_hand(now_);
+  tell(stop_.check(now_, std::max(kGone, parameters_.input_timeout)));
   if (is_steering(state_) && !channel_.active()) begin_hold();
   const Facts present = facts();
   state_ = next_state(state_, present);
@@ -185,7 +216,11 @@ void OperatorStateMachine::reset() {
   own_v_ = 0.0;
   said_control_.reset();
   catching_up_ = false;
-  now_ = received_ = stick_time_ = stick_back_ = hand_time_ = kNever;
+  life_ = {};
+  behind_ = false;
+  now_ = received_ = stick_back_ = paused_at_ = kNever;
+  stick_ = hand_ = {};
+  pause_ = 0.0;
   stick_fault_.clear();
   twist_fault_.clear();
   hand_fault_.clear();
@@ -204,7 +239,14 @@ std::string OperatorStateMachine::advice() const {
   for (const std::string* fault : {&stick_fault_, &twist_fault_, &hand_fault_}) {
     if (!fault->empty()) add("The last message was dropped: " + *fault + ".");
   }
-  add(rhythm_.advice(parameters_.input_timeout));
+  const double timeout = parameters_.input_timeout;
+  const double now = std::max(now_, received_);
+  if (pause_ > 0.0 && now - paused_at_ < kToldFor) {
+    add("The planner itself stood still for " + worded(pause_, 2) +
+        " s and heard nobody meanwhile: its machine is too busy, the process was suspended, or the clock was set forward. Lighten the load.");
+  }
+  if (timeout > 0.0) add(stop_.advice(now, std::max(kGone, timeout)));
+  add(rhythm_.advice(timeout));
   add(sticks_.advice("joy_topic"));
   add(twists_.advice("twist_topic"));
   add(hands_.advice("gesture_topic"));
@@ -224,20 +266,68 @@ bool OperatorStateMachine::steered_by_stick() const {
 
 bool OperatorStateMachine::cycles_run() const { return std::abs(received_ - now_) < kDriving; }
 
-// The time of a message: whether it is one, and whether it went back.
-std::string OperatorStateMachine::begin(double stamp, double received) {
-  if (!std::isfinite(stamp) || !std::isfinite(received)) {
-    return "its time is not a finite number: look at the sender";
-  }
-  if (received < received_ - kClockJitter) reset();
+// Who stopped the robot or took control did so in words or by a button, and sees no clock.
+void OperatorStateMachine::set_back(double now) {
+  StopRequest stop = stop_;
+  stop.set_back(now);
+  ControlSwitch control = control_;
+  control.forget_button();
+  SignsOfLife life = life_;
+  life.forget_time();
+  reset();
+  stop_ = stop;
+  control_ = control;
+  life_ = life;
+}
+
+void OperatorStateMachine::live(double now) {
+  const double pause = life_.observe(now);
+  if (pause == 0.0) return;
+  behind_ = true;
+  channel_.excuse(pause);
+  stick_.excuse(pause);
+  hand_.excuse(pause);
+  rhythm_.excuse(pause);
+  if (pause < kWorthTelling || !(channel_.active() || channel_.lost())) return;
+  pause_ = pause;
+  paused_at_ = now;
+}
+
+void OperatorStateMachine::tell(const std::string& sentence) {
+  if (!news_.empty() && !sentence.empty()) news_ += ' ';
+  news_ += sentence;
+}
+
+std::string OperatorStateMachine::take_news() {
+  std::string news;
+  news.swap(news_);
+  return news;
+}
+
+void OperatorStateMachine::begin(double received) {
+  if (!std::isfinite(received)) return;
+  if (received < received_ - kClockJitter) set_back(received);
   received_ = std::max(received_, received);
-  return {};
+  live(received);
+}
+
+// Whether a stick's message is well-formed and live; the fault in words, else empty.
+std::string OperatorStateMachine::judge(const StickMessage& message, StickReading& reading) {
+  std::string fault = fault_of_times(message);
+  if (fault.empty()) fault = read_stick(message, parameters_, reading);
+  if (!fault.empty()) return fault;
+  Envelope envelope = envelope_of(message, received_);
+  envelope.axes = message.axes.size();
+  envelope.buttons = message.buttons.size();
+  return admit(sticks_, envelope);
 }
 
 std::string OperatorStateMachine::admit(MessageStream& stream, const Envelope& envelope) {
-  switch (stream.judge(envelope, parameters_.input_timeout)) {
-    case MessageStream::Verdict::late: return late(stream.excess(), parameters_.input_timeout);
+  const BacklogGate::Limits limits{parameters_.input_timeout, parameters_.input_lag_max};
+  switch (stream.judge(envelope, limits)) {
+    case MessageStream::Verdict::late: return late(stream.excess(), limits);
     case MessageStream::Verdict::new_device: new_device(); break;
+    case MessageStream::Verdict::slower_link:
     case MessageStream::Verdict::new_clock: channel_.demand_neutral(); break;
     case MessageStream::Verdict::live: break;
   }
@@ -246,14 +336,13 @@ std::string OperatorStateMachine::admit(MessageStream& stream, const Envelope& e
 
 void OperatorStateMachine::hear_stick() {
   const double timeout = parameters_.input_timeout;
-  const bool back = timeout > 0.0 && received_ - stick_time_ > timeout;
+  const bool back = timeout > 0.0 && received_ - stick_.time() > timeout;
   if (back) stick_back_ = received_;
   catching_up_ = timeout > 0.0 && !back && received_ - stick_back_ < kCatchingUp;
-  stick_time_ = received_;
+  stick_.hear(received_);
 }
 
 void OperatorStateMachine::read_buttons() {
-  stop_.take(reading_, parameters_);
   const bool counts = cycles_run() && !catching_up_;
   if (parameters_.mode == OperatorMode::switching) control_.take(reading_.toggle, counts);
   if (parameters_.mode != OperatorMode::gesture) return;
@@ -275,7 +364,6 @@ std::string OperatorStateMachine::drop(const std::string& fault, std::string& la
 
 void OperatorStateMachine::new_device() {
   channel_.demand_neutral();
-  stop_.demand_neutral();
   control_.forget_button();
   gesture_.lose();
   rhythm_.reset();
@@ -285,8 +373,8 @@ void OperatorStateMachine::new_device() {
 void OperatorStateMachine::watch_hand(double now) {
   if (parameters_.mode != OperatorMode::gesture || !gesture_.clutch()) return;
   const double timeout = parameters_.input_timeout;
-  const bool no_clutch = now - stick_time_ > timeout;
-  const bool no_hand = gesture_.engaged() && now - hand_time_ > timeout;
+  const bool no_clutch = stick_.silence(now) > timeout;
+  const bool no_hand = gesture_.engaged() && hand_.silence(now) > timeout;
   if (timeout > 0.0 && (no_clutch || no_hand)) {
     channel_.lose();
     gesture_.lose();

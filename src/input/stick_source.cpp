@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "hidwa_local_planner/core/words.hpp"
 #include "hidwa_local_planner/input/joystick_map.hpp"
@@ -18,22 +19,24 @@ std::string has_only(std::size_t count, const std::string& things) {
   return "the message has only " + things + " 0 to " + std::to_string(count - 1);
 }
 
-std::string check_numbers(const StickMessage& message) {
-  for (std::size_t i = 0; i < message.axes.size(); ++i) {
-    if (std::isfinite(message.axes[i])) continue;
-    return "axes[" + std::to_string(i) + "] is not a finite number: look at the sender";
-  }
-  return {};
+bool has(const std::vector<float>& axes, int index) {
+  return index >= 0 && static_cast<std::size_t>(index) < axes.size();
 }
 
+bool in_range(float value) { return std::abs(value) <= 1.0F + kRangeTolerance; }  // not a number is not
+
 std::string check_axis(const StickMessage& message, const std::string& parameter, int index) {
-  const auto i = static_cast<std::size_t>(index);
-  if (index < 0 || i >= message.axes.size()) {
+  if (!has(message.axes, index)) {
     return parameter + " = " + std::to_string(index) + ", but " + has_only(message.axes.size(), "axes") +
            ": set " + parameter + " to one that the device has";
   }
-  if (std::abs(message.axes[i]) <= 1.0F + kRangeTolerance) return {};
-  return "axes[" + std::to_string(i) + "] = " + worded(static_cast<double>(message.axes[i]), 3) +
+  const auto i = static_cast<std::size_t>(index);
+  if (in_range(message.axes[i])) return {};
+  const std::string name = "axes[" + std::to_string(i) + "]";
+  if (!std::isfinite(message.axes[i])) {
+    return name + " is not a finite number: look at the sender, or set " + parameter + " to another axis";
+  }
+  return name + " = " + worded(static_cast<double>(message.axes[i]), 3) +
          " is outside [-1, 1]: scale it at the sender, or set " + parameter + " to another axis";
 }
 
@@ -70,10 +73,10 @@ std::string check(const StickMessage& message, const Parameters& parameters) {
   const bool by_stick = !by_hand && !steered_by_twist(parameters);
   const bool needs_linear =
       by_stick && (parameters.linear == LinearPolicy::axis || parameters.mode == OperatorMode::switching);
-  std::string fault = check_numbers(message);
-  if (fault.empty() && by_stick) fault = check_axis(message, "axis_angular", parameters.axis_angular);
-  const bool has_linear = static_cast<std::size_t>(parameters.axis_linear) < message.axes.size();
-  const bool reads_linear = needs_linear || (has_linear && pull_stops(parameters));
+  std::string fault;
+  if (by_stick) fault = check_axis(message, "axis_angular", parameters.axis_angular);
+  const bool reads_linear =
+      needs_linear || (has(message.axes, parameters.axis_linear) && pull_stops(parameters));
   if (fault.empty() && reads_linear) fault = check_axis(message, "axis_linear", parameters.axis_linear);
   if (fault.empty() && by_stick) fault = check_button(message, "enable_button", parameters.enable_button);
   if (fault.empty()) fault = check_button(message, "stop_button", parameters.stop_button);
@@ -84,10 +87,11 @@ std::string check(const StickMessage& message, const Parameters& parameters) {
   return fault;
 }
 
-// The value of an axis, 0 where the device does not have it.
+// The value of an axis, 0 where the device does not have it or says nothing that an axis can be.
 float axis(const StickMessage& message, int index, int sign) {
-  const auto i = static_cast<std::size_t>(index);
-  return i < message.axes.size() ? message.axes[i] * static_cast<float>(sign) : 0.0F;
+  if (!has(message.axes, index)) return 0.0F;
+  const float value = message.axes[static_cast<std::size_t>(index)];
+  return in_range(value) ? value * static_cast<float>(sign) : 0.0F;
 }
 
 // Axes are floats: a dead zone of 0.1 must hold the float 0.1 too, which as a double is a little more.
@@ -117,10 +121,21 @@ std::string read_stick(const StickMessage& message, const Parameters& parameters
   reading.linear = axis(message, parameters.axis_linear, parameters.axis_linear_sign);
   const bool by_hand = parameters.mode == OperatorMode::gesture;
   if (!by_hand && !steered_by_twist(parameters)) reading.enabled = held(message, parameters.enable_button);
-  reading.stop = held(message, parameters.stop_button);
   if (parameters.mode == OperatorMode::switching) reading.toggle = held(message, parameters.toggle_button);
   if (by_hand) reading.clutch = clutch_held(message, parameters);
   return {};
+}
+
+StopReading read_stop(const StickMessage& message, const Parameters& parameters) {
+  StopReading reading;
+  reading.axes = static_cast<std::uint32_t>(message.axes.size());
+  reading.buttons = static_cast<std::uint32_t>(message.buttons.size());
+  const bool has_button = parameters.stop_button < static_cast<int>(message.buttons.size());
+  reading.button = has_button && held(message, parameters.stop_button);
+  if (!pull_stops(parameters) || !has(message.axes, parameters.axis_linear)) return reading;
+  const auto value = static_cast<double>(message.axes[static_cast<std::size_t>(parameters.axis_linear)]);
+  if (std::isfinite(value)) reading.back = -value * parameters.axis_linear_sign;
+  return reading;
 }
 
 Wish wish_of(const StickReading& reading, const Parameters& parameters) {

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/operator_input.hpp"
 
+#include <chrono>
+#include <thread>
+
 #include <geometry_msgs/Twist.h>
 #include <geometry_msgs/TwistStamped.h>
 
 namespace hidwa_local_planner {
 namespace {
+
+// The thread that takes messages says so often that it is at work: three of these missed are a pause.
+const ros::WallDuration kHeartbeat(0.05);
+
+// After a pause messages may still be on their way from the sockets. So long the control thread waits for them.
+constexpr std::chrono::microseconds kPatience(1000);
+constexpr int kTries = 5;
 
 bool by_hand(const Parameters& p) { return p.mode == OperatorMode::gesture; }
 
@@ -59,6 +69,14 @@ void OperatorInput::configure(const ros::NodeHandle& handle, const Parameters& p
     const std::string clutch = by_hand(parameters) ? parameters.joy_topic : "";
     if (topic != device_.topic || clutch != device_.clutch_topic) device_ = {topic, "", 0, clutch, 0};
     stick_steers_ = topic == parameters.joy_topic;
+  }
+  if (!heartbeat_) {
+    heartbeat_ = thread_.serve(handle).createSteadyTimer(kHeartbeat, [this](const ros::SteadyTimerEvent&) {
+      const ros::Time now = ros::Time::now();
+      if (now.isZero()) return;
+      const std::lock_guard<std::mutex> lock(mutex_);
+      machine_.listens(now.toSec());
+    });
   }
   const bool off = parameters.mode == OperatorMode::off;
   const bool pose = by_hand(parameters) && parameters.gesture_frame.empty();
@@ -156,11 +174,27 @@ void OperatorInput::take(const Message& message, const char* kind, bool steers) 
       ++device_.clutch_messages;
     }
   }
+  ++taken_;
   if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "%s message dropped: %s", kind, fault.c_str());
 }
 
+// The callbacks need the mutex, so it is not held here.
+void OperatorInput::catch_up(double now) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!machine_.behind(now)) return;
+  }
+  const std::uint64_t taken = taken_;
+  const auto end = std::chrono::steady_clock::now() + kTries * kPatience;
+  while (taken_ == taken && std::chrono::steady_clock::now() < end) {
+    thread_.catch_up(kPatience);
+    std::this_thread::sleep_for(kPatience / 10);
+  }
+}
+
 OperatorIntent OperatorInput::update(double now, Before* before) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  catch_up(now);
+  std::unique_lock<std::mutex> lock(mutex_);
   if (before != nullptr) {
     before->state.clear();
     ArchiveWriter write(before->state);
@@ -168,7 +202,11 @@ OperatorIntent OperatorInput::update(double now, Before* before) {
     if (before->revision != revision_) before->parameters = parameters_;
     before->revision = revision_;
   }
-  return machine_.update(now);
+  const OperatorIntent intent = machine_.update(now);
+  const std::string news = machine_.take_news();
+  lock.unlock();
+  if (!news.empty()) ROS_WARN("%s", news.c_str());
+  return intent;
 }
 
 void OperatorInput::debrief(double now, const input::CycleFeedback& feedback) {
@@ -179,11 +217,6 @@ void OperatorInput::debrief(double now, const input::CycleFeedback& feedback) {
 void OperatorInput::new_goal() {
   const std::lock_guard<std::mutex> lock(mutex_);
   machine_.new_goal();
-}
-
-void OperatorInput::reset() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  machine_.reset();
 }
 
 void OperatorInput::take_control(bool manual) {
@@ -198,7 +231,14 @@ void OperatorInput::stop(bool stop) {
 
 OperatorInput::Status OperatorInput::status(double now) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return {machine_.state(), mode_, machine_.manual(), machine_.input_age(now), machine_.dropped()};
+  Status status;
+  status.state = machine_.state();
+  status.mode = mode_;
+  status.manual = machine_.manual();
+  status.age = machine_.input_age(now);
+  status.dropped = machine_.dropped();
+  status.own_pause = machine_.lost_by_pauses(now);
+  return status;
 }
 
 OperatorInput::Device OperatorInput::device() const {

@@ -128,8 +128,8 @@ bool Shell::watch_time(double now) {
   const CycleClock::Tick tick = clock_.tick(now, control_period());
   interval_ = tick.paused ? 0.0 : tick.interval;
   if (tick.jumped_back) {
+    // The person's machine notices by itself: a stop goes on, and whoever has control keeps it.
     ROS_WARN("%s: time jumped back; starting anew", name_.c_str());
-    person_.reset();
     odometry_.forget();
     fault_brake_.clear();
     explanations_.end();

@@ -77,6 +77,14 @@ class RecordedDrive {
     }
   }
 
+  // Everything stands still now and then, and somebody says stop or not.
+  void pass_time() {
+    time_ += kPeriod;
+    if (random_.chance(0.02)) time_ += random_.uniform(0.2, 0.8);
+    if (random_.chance(0.9)) person_.listens(time_ - 0.02);
+    if (random_.chance(0.05)) person_.stop(random_.chance(0.05));
+  }
+
   // Whatever a stick may do: rest, be held, jump, fall silent, press buttons.
   void touch() {
     if (random_.chance(0.03)) deflection_ = random_.chance(0.5) ? 0.0 : random_.uniform(-1.0, 1.0);
@@ -92,6 +100,7 @@ class RecordedDrive {
     press(parameters_.stop_button, 0.01);
     press(parameters_.enable_button, deflection_ < 0.5 ? 1.0 : 0.0);
     stick.received = time_ - 0.01;
+    stick.sender = random_.chance(0.997) ? "/joy" : "/other";
     person_.receive(stick);
   }
 
@@ -136,7 +145,7 @@ class RecordedDrive {
   }
 
   Cycle cycle() {
-    time_ += kPeriod;
+    pass_time();
     const Twist2 last = last_;
     touch();
     if (distance(pose_, goal_) < 0.3 && random_.chance(0.05)) {

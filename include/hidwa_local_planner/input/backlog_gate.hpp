@@ -3,42 +3,73 @@
 
 namespace hidwa_local_planner::input {
 
+/// For how long lags stay within a spread.
+class SteadyLag {
+ public:
+  /// One more lag [s], of a message `received` [s]. A spread beyond `spread` [s], or nothing received for longer than
+  /// `gap` [s], begins anew. Returns for how long it is steady [s].
+  double observe(double lag, double received, double spread, double gap);
+  /// Something was received [s] that says nothing about the lag.
+  void heard(double received) { last_ = received; }
+  void forget() { begun_ = false; }
+  double least() const { return least_; }  // since it began [s]
+  double most() const { return most_; }    // since it began [s]
+
+ private:
+  bool begun_ = false;
+  double least_ = 0.0;  // [s]
+  double most_ = 0.0;   // [s]
+  double since_ = 0.0;  // [s]
+  double last_ = 0.0;   // [s]
+};
+
 /// Tells messages that a link held back from live ones, by their stamps.
 ///
 /// The clocks of sender and receiver need not agree: what counts is by how much a message's lag (received -
 /// stamp) exceeds the smallest lag seen. Empty stamps (0) say nothing: such messages pass. A repeated stamp
 /// (joy_node's autorepeat did not always refresh it) is judged as it was the first time. The smallest lag is
 /// forgotten as slowly as two free-running clocks part.
+///
+/// A link may become slower for good. A lag that is steady within 0.1 s for 2 s is taken as the link's present one, up
+/// to `lag_max` more than the smallest; what comes later than that is live too. A smaller lag is the link's at once.
 class BacklogGate {
  public:
+  struct Limits {
+    double late = 0.5;     // a live message is at most so much later than the link's present lag [s], > 0
+    double lag_max = 0.0;  // the most by which a link may become slower [s]
+  };
   enum class Verdict {
     live,
-    backlog,   // held back for longer than the limit: to be dropped
-    new_clock  // the sender's or the receiver's clock was set: the lag is learnt again from this message
+    backlog,      // held back for longer than the limit: to be dropped
+    slower_link,  // live: from this message on the link's lag is a larger one
+    new_clock     // the sender's or the receiver's clock was set: the lag is learnt again from this message
   };
 
-  /// Judges one message; `stamp`, `received`, `limit` in [s], `received` never decreasing, limit > 0.
-  Verdict judge(double stamp, double received, double limit);
+  /// Judges one message; `stamp`, `received` in [s], `received` never decreasing.
+  Verdict judge(double stamp, double received, const Limits& limits);
 
   /// By how much the last judged message exceeded the smallest lag [s].
   double excess() const { return excess_; }
+  /// By how much the link's present lag exceeds the smallest [s]; 0 where it never became slower.
+  double slowness() const { return known_ ? usual_lag_ - smallest_lag_ : 0.0; }
 
   void reset() { *this = BacklogGate(); }
 
  private:
   bool clock_was_set(double lag, double received, double limit);
+  bool is_slower(double lag, double received, const Limits& limits);
   void learn(double stamp, double received);
 
   bool known_ = false;
   double stamp_ = 0.0;                // newest seen [s]
   double smallest_lag_ = 0.0;         // [s], as of received_
+  double usual_lag_ = 0.0;            // the link's present one [s], as of received_
   double received_ = 0.0;             // [s]
   double excess_ = 0.0;               // [s]
   Verdict repeated_ = Verdict::live;  // on the newest stamp
   bool went_back_ = false;            // the stamps, within the present backlog
-  bool steady_ = false;               // the present backlog has had a lag
-  double steady_lag_ = 0.0;           // that it still has [s]
-  double steady_since_ = 0.0;         // [s]
+  SteadyLag backlog_lag_;             // of the present backlog, for a clock that was set
+  SteadyLag link_lag_;                // of the present backlog, for a link that became slower
 };
 
 }  // namespace hidwa_local_planner::input

@@ -10,12 +10,18 @@ namespace hidwa_local_planner::input {
 /// While the person gives input, silence longer than the timeout is a loss. While the stick is centred
 /// silence means nothing. After a start, a loss and on demand the input counts only once it was seen inactive
 /// (centred, or the enable button released), unless that is not required.
+///
+/// While the planner itself stood still nothing could be heard, so the longest pause since the last message is no
+/// silence. Only the longest: input that is really gone is lost at most one pause later. A loss that all the pauses
+/// since the last message explain was none of the person's doing: the next message ends it, without a neutral.
 class InputChannel {
  public:
   /// timeout 0: a silent stick is still where it was, it is never lost.
   void configure(double timeout, bool require_neutral);  // [s]
   /// A usable message arrived; `received` [s] never decreasing.
   void accept(const Wish& wish, double received);
+  /// The planner stood still for `pause` [s], until now.
+  void excuse(double pause);
   /// Notices a loss up to `now` [s].
   void check(double now);
   /// What steers is known to be gone, without waiting for silence to last.
@@ -32,6 +38,8 @@ class InputChannel {
   bool active() const { return active_; }     // input that counts
   const Twist2& u_h() const { return u_h_; }  // of the newest input that counted
   bool lost() const { return lost_; }         // active input fell silent and has not come back
+  /// The input is lost at `now` [s], and it is the planner that did not listen.
+  bool lost_by_pauses(double now) const { return fell_silent_ && now - time_ - pauses_ <= timeout_; }
   bool waits_for_neutral() const { return deflected_ && !armed_; }
   /// When the input that counted last ended [s]. A sender that repeats itself: its last active message. One
   /// that sends only changes (timeout 0) was active until the message that ended it.
@@ -39,7 +47,8 @@ class InputChannel {
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.heard_, self.armed_, self.deflected_, self.active_, self.lost_, self.time_, self.active_time_, self.u_h_);
+    io(self.heard_, self.armed_, self.deflected_, self.active_, self.lost_, self.fell_silent_, self.time_,
+       self.active_time_, self.longest_pause_, self.pauses_, self.u_h_);
   }
 
  private:
@@ -50,8 +59,11 @@ class InputChannel {
   bool deflected_ = false;  // the last message was active, whether it counted or not
   bool active_ = false;
   bool lost_ = false;
-  double time_ = 0.0;         // [s]
-  double active_time_ = 0.0;  // of the last message that counted as active [s]
+  bool fell_silent_ = false;    // lost by silence, and nothing was heard since
+  double time_ = 0.0;           // [s]
+  double active_time_ = 0.0;    // of the last message that counted as active [s]
+  double longest_pause_ = 0.0;  // of the planner's own since the last message [s]
+  double pauses_ = 0.0;         // all of them [s]
   Twist2 u_h_;
 };
 

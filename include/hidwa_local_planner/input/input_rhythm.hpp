@@ -13,6 +13,8 @@ class InputRhythm {
   void heard(double now, bool deflected, double timeout);
   /// Nothing arrived until `now` [s]; counts a silence longer than `timeout` [s] once. timeout 0: never.
   void check(double now, double timeout);
+  /// The planner itself did not listen for `pause` [s].
+  void excuse(double pause) { time_ += pause; }
   /// Silences while deflected, since the stick last sent steadily for long.
   int silences() const { return silences_; }
   /// A sentence with the remedy; empty where nothing is to be said.

@@ -23,16 +23,17 @@ class MessageStream {
  public:
   enum class Verdict {
     live,
-    late,        // held back: to be dropped
-    new_device,  // live, and the first of another device
-    new_clock    // live, and the first since a clock was set
+    late,         // held back: to be dropped
+    new_device,   // live, and the first of another device
+    slower_link,  // live, and the first since the link is known to be slower
+    new_clock     // live, and the first since a clock was set
   };
 
-  /// Judges a message; received never decreasing; timeout 0: none is too late [s].
-  Verdict judge(const Envelope& envelope, double timeout);
-  /// By how much the last message was later than the link needs at best [s].
+  /// Judges a message; received never decreasing; limits.late 0: none is too late.
+  Verdict judge(const Envelope& envelope, const BacklogGate::Limits& limits);
+  /// By how much the last message was later than the link was at best [s].
   double excess() const { return backlog_.excess(); }
-  /// Two nodes that take turns, in words, with the remedy; empty where there is one.
+  /// Two nodes that take turns, and a link that became slower, in words, with the remedy; else empty.
   std::string advice(const std::string& topic) const;
   void forget_lag() { backlog_.reset(); }
   void reset();

@@ -16,7 +16,9 @@
 #include "hidwa_local_planner/input/hold.hpp"
 #include "hidwa_local_planner/input/input_channel.hpp"
 #include "hidwa_local_planner/input/input_rhythm.hpp"
+#include "hidwa_local_planner/input/last_heard.hpp"
 #include "hidwa_local_planner/input/message_stream.hpp"
+#include "hidwa_local_planner/input/signs_of_life.hpp"
 #include "hidwa_local_planner/input/stick_message.hpp"
 #include "hidwa_local_planner/input/stick_source.hpp"
 #include "hidwa_local_planner/input/stop_request.hpp"
@@ -59,16 +61,22 @@ class OperatorStateMachine {
   /// In words instead of by a button: hand control over (mode switching), or stop for as long as it is true.
   /// As with the button, control is handed over only while cycles run, and by the next of them.
   void take_control(bool manual);
-  void stop(bool stop) { stop_.say(stop); }
-  /// What the person wants now. Call once a cycle, before plan(). A `now` that jumps back resets.
+  /// False also lets go of the stops of devices that are gone.
+  void stop(bool stop);
+  /// The thread that takes messages is at work. Told at least every 0.1 s, the machine tells a pause of the whole
+  /// planner from a silence of the device. Never told, it knows no pauses.
+  void listens(double now);
+  /// The planner stood still since the last cycle: what arrived meanwhile should be taken before the next.
+  bool behind(double now) const { return behind_ || life_.still_for(now) > 0.0; }
+  /// What the person wants now. Call once a cycle, before plan(). Where `now` went back, steering and holding end, a
+  /// stop goes on, and whoever has control keeps it but must be heard anew: until then the robot brakes.
   OperatorIntent update(double now);
   /// What became of it. Call once a cycle, after plan().
   void debrief(double now, const CycleFeedback& feedback);
   /// A new goal: the old one's latch no longer keeps the person from steering, and a blockage is measured
   /// anew. Steering, holding and a loss go on: the goal changed, the hand on the stick did not.
   void new_goal();
-  /// As at the start, except for dropped(): AUTONOMY, and the stick must be seen centred. For time that
-  /// jumped back; update() and receive() notice that by themselves.
+  /// As at the start, except for dropped(): AUTONOMY, and the stick must be seen centred.
   void reset();
 
   OperatorStateId state() const { return state_; }
@@ -77,6 +85,10 @@ class OperatorStateMachine {
   bool manual() const { return parameters_.mode == OperatorMode::switching && control_.manual(); }
   double input_age(double now) const;                 // [s]; negative when none was accepted yet
   std::uint32_t dropped() const { return dropped_; }  // messages dropped since the start
+  /// The planner stood still, and that is why the input is lost at `now` [s].
+  bool lost_by_pauses(double now) const { return channel_.lost_by_pauses(now); }
+  /// What a log should tell, since the last call; mostly empty.
+  std::string take_news();
   /// A sentence with the remedy where something about the input needs attention; empty where nothing does.
   std::string advice() const;
 
@@ -90,11 +102,15 @@ class OperatorStateMachine {
   static void archive(Self& self, Archive& io) {
     io(self.reading_, self.twist_.u, self.gesture_, self.stop_, self.control_, self.channel_, self.hold_,
        self.blocked_, self.state_, self.goal_latched_, self.commanded_, self.own_v_, self.said_control_,
-       self.catching_up_, self.now_, self.received_, self.stick_time_, self.stick_back_, self.hand_time_);
+       self.catching_up_, self.life_, self.now_, self.received_, self.stick_, self.stick_back_, self.hand_);
   }
+  void set_back(double now);
+  void live(double now);
+  void tell(const std::string& sentence);
   bool steered_by_stick() const;
   bool cycles_run() const;
-  std::string begin(double stamp, double received);
+  void begin(double received);
+  std::string judge(const StickMessage& message, StickReading& reading);
   std::string admit(MessageStream& stream, const Envelope& envelope);
   void hear_stick();
   void read_buttons();
@@ -124,13 +140,17 @@ class OperatorStateMachine {
   double own_v_ = 0.0;                 // the robot's: what was commanded last [m/s]
   std::optional<bool> said_control_;   // in words, since the last cycle
   bool catching_up_ = false;           // the newest stick message may have been held back
-  // Newest times [s]: of a cycle, any message, a stick's, the stick's that ended its last silence, a hand's.
+  SignsOfLife life_;                   // of cycles and of the thread that takes messages
+  bool behind_ = false;                // a pause ended since the last cycle
+  // Newest times [s]: of a cycle, any message, the stick's that ended its last silence.
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
   double now_ = kNever;
   double received_ = kNever;
-  double stick_time_ = kNever;
   double stick_back_ = kNever;
-  double hand_time_ = kNever;
+  LastHeard stick_, hand_;
+  double pause_ = 0.0;  // the newest one worth telling [s]; 0: none lately
+  double paused_at_ = kNever;
+  std::string news_;
   std::uint32_t dropped_ = 0;
   std::string stick_fault_, twist_fault_, hand_fault_;  // of the last one; empty where it was taken
 };

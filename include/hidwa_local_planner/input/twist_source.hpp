@@ -17,7 +17,8 @@ struct TwistMessage {
   std::string sender = {};  // who sent it, where known
 };
 
-/// The fault in words where the message cannot be used; empty where it can.
+/// The fault in words where the message cannot be used, since a part is no number or beyond 100 m/s or 100 rad/s;
+/// empty where it can.
 std::string fault_of(const TwistMessage& message);
 
 /// The message itself is u_h, whatever the linear policy; but in shared control `current` leaves v to the

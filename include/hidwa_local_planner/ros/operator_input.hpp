@@ -10,6 +10,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/message_event.h>
 #include <ros/node_handle.h>
+#include <ros/steady_timer.h>
 #include <ros/subscriber.h>
 #include <sensor_msgs/Joy.h>
 #include <topic_tools/shape_shifter.h>
@@ -21,7 +22,8 @@
 namespace hidwa_local_planner {
 
 /// The person: the topics of stick, Twist and hand with their own queue and thread, and the state machine
-/// behind them. Thread-safe; the control thread waits at most for one message to be taken.
+/// behind them. Thread-safe; the control thread waits at most for one message to be taken, and for a few milliseconds
+/// after a pause of the whole process, so that what arrived meanwhile is taken first.
 class OperatorInput {
  public:
   OperatorInput();
@@ -45,8 +47,6 @@ class OperatorInput {
   OperatorIntent update(double now, Before* before = nullptr);
   void debrief(double now, const input::CycleFeedback& feedback);
   void new_goal();
-  /// Time jumped back.
-  void reset();
   /// In words: see OperatorStateMachine.
   void take_control(bool manual);
   void stop(bool stop);
@@ -57,6 +57,7 @@ class OperatorInput {
     bool manual = false;  // SW: the person has taken control and not given it back
     double age = -1.0;    // of the last accepted message of what steers [s]; negative when none came yet
     std::uint32_t dropped = 0;
+    bool own_pause = false;  // the input is lost since the planner itself stood still
   };
   Status status(double now) const;
 
@@ -79,6 +80,7 @@ class OperatorInput {
               const std::string& topic, Receive<Message> taker);
   template <typename Message>
   void take(const Message& message, const char* kind, bool steers);
+  void catch_up(double now);
   void receive_twist(const topic_tools::ShapeShifter& message, const std::string& sender, double received);
   void receive_hand(const geometry_msgs::PoseStamped& message, const std::string& sender, double received);
 
@@ -90,7 +92,9 @@ class OperatorInput {
   Device device_;
   std::atomic<bool> stick_steers_{false};
   ros::Time hand_stamp_;   // of the newest transform
-  CallbackThread thread_;  // outlives the subscribers that it serves
+  std::atomic<std::uint64_t> taken_{0};  // messages, dropped ones too
+  CallbackThread thread_;                // outlives the subscribers and the timer that it serves
+  ros::SteadyTimer heartbeat_;           // of that thread
   std::string joy_topic_, twist_topic_, hand_topic_;
   ros::Subscriber joy_, twist_, hand_;
 };

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/input/backlog_gate.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace hidwa_local_planner::input {
 namespace {
 
 using Verdict = BacklogGate::Verdict;
-constexpr double kLimit = 0.5;
+constexpr BacklogGate::Limits kLimit{0.5, 1.0};
 
 TEST(BacklogGate, EmptyStampsAlwaysPass) {
   BacklogGate gate;
@@ -128,6 +131,68 @@ TEST(BacklogGate, SteadilyLateStaysDropped) {
   for (int i = 0; i < 1200; ++i) {
     ASSERT_EQ(gate.judge(6.0 + 0.05 * i, 9.0 + 0.05 * i, kLimit), Verdict::backlog) << i;
   }
+}
+
+/// A link whose lag is 0.02 s until 10 s, from then on what `lag` says of the time since [s], at 20 Hz. Returns when it
+/// is taken to be slower [s after 10]; negative where it is not within 20 s.
+template <typename Lag>
+double slower_after(Lag lag) {
+  BacklogGate gate;
+  for (int i = 0; i < 20; ++i) gate.judge(9.0 + 0.05 * i, 9.02 + 0.05 * i, kLimit);
+  double received = 10.0;
+  for (int i = 0; i < 400; ++i) {
+    const double sent = 10.0 + 0.05 * i;
+    received = std::max(received, sent + lag(0.05 * i));
+    const Verdict verdict = gate.judge(sent, received, kLimit);
+    if (verdict == Verdict::slower_link) return 0.05 * i;
+    EXPECT_NE(verdict, Verdict::new_clock);
+  }
+  return -1.0;
+}
+
+// A lag that is steady within 0.1 s for 2 s is the link's, up to 1 s more than at best.
+TEST(BacklogGate, ALinkThatBecameSlowerIsTakenAsItIs) {
+  EXPECT_NEAR(slower_after([](double) { return 0.62; }), 2.0, 0.051);
+  EXPECT_NEAR(slower_after([](double time) { return 0.62 + 0.045 * std::sin(9.0 * time); }), 2.0, 0.051);
+  EXPECT_NEAR(slower_after([](double) { return 1.01; }), 2.0, 0.051);  // 0.99 s more
+  EXPECT_LT(slower_after([](double) { return 1.04; }), 0.0);           // 1.02 s more
+}
+
+TEST(BacklogGate, ALagThatGrowsIsNotTakenAsItIs) {
+  EXPECT_LT(slower_after([](double time) { return 0.55 + 0.06 * time; }), 0.0);  // 0.12 s in 2 s
+  EXPECT_LT(slower_after([](double time) { return 0.6 + 0.1 * std::sin(9.0 * time); }), 0.0);
+  // Grows for 3 s, then stays: 2 s after that, a message more or less.
+  EXPECT_NEAR(slower_after([](double time) { return 0.55 + 0.1 * std::min(time, 3.0); }), 4.5, 0.55);
+}
+
+// 0.6 s more for good, then quick again: what is 0.6 s late then was held back.
+TEST(BacklogGate, ALinkThatIsQuickAgainIsMeasuredByThat) {
+  BacklogGate gate;
+  gate.judge(9.0, 9.0, kLimit);
+  for (int i = 0; i < 100; ++i) gate.judge(10.0 + 0.05 * i, 10.6 + 0.05 * i, kLimit);
+  EXPECT_NEAR(gate.slowness(), 0.6, 2e-3);
+  EXPECT_EQ(gate.judge(15.0, 15.99, kLimit), Verdict::live);     // 0.39 s later than the link, 0.99 s in all
+  EXPECT_EQ(gate.judge(15.05, 16.1, kLimit), Verdict::backlog);  // 1.05 s in all
+  EXPECT_EQ(gate.judge(16.2, 16.2, kLimit), Verdict::live);
+  EXPECT_EQ(gate.slowness(), 0.0);
+  EXPECT_EQ(gate.judge(16.25, 16.85, kLimit), Verdict::backlog);
+}
+
+// Late once before a silence and once after it, by the same time: nobody knows what it was meanwhile.
+TEST(BacklogGate, AGapIsNoSteadyLag) {
+  BacklogGate gate;
+  gate.judge(9.0, 9.0, kLimit);
+  EXPECT_EQ(gate.judge(10.0, 10.6, kLimit), Verdict::backlog);
+  EXPECT_EQ(gate.judge(13.0, 13.6, kLimit), Verdict::backlog);
+  EXPECT_EQ(gate.judge(13.05, 13.65, kLimit), Verdict::backlog);
+}
+
+// A sender that does not refresh its stamps is still heard of.
+TEST(BacklogGate, RepeatedStampsAreNoGap) {
+  BacklogGate gate;
+  gate.judge(9.0, 9.0, kLimit);
+  for (int i = 0; i < 40; ++i) EXPECT_EQ(gate.judge(10.0, 10.6 + 0.05 * i, kLimit), Verdict::backlog);
+  EXPECT_EQ(gate.judge(12.05, 12.65, kLimit), Verdict::slower_link);  // 2.05 s after the first
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 TEST(BadMessages, AreDroppedCountedAndNamed) {
   Person person;
   person.steer(1.0);
-  EXPECT_EQ(person.stick(1.1, kNan), "axes[0] is not a finite number: look at the sender");
+  EXPECT_EQ(person.stick(1.1, kNan), "axes[0] is not a finite number: look at the sender, or set axis_angular to another axis");
   EXPECT_NE(person.stick(1.1, 1.5F).find("outside [-1, 1]"), std::string::npos);
   StickMessage empty;
   empty.received = 1.1;

@@ -145,7 +145,7 @@ TEST(StickSource, FaultsNameTheThingAndTheRemedy) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinite = std::numeric_limits<float>::infinity();
   EXPECT_EQ(read_stick(message_of({0.0F, nan}), p, reading),
-            "axes[1] is not a finite number: look at the sender");
+            "axes[1] is not a finite number: look at the sender, or set axis_linear to another axis");
   EXPECT_NE(read_stick(message_of({-infinite, 0.0F}), p, reading), "");
   EXPECT_EQ(reading.angular, 0.75F);  // untouched by all of them
 }
@@ -157,6 +157,37 @@ TEST(StickSource, WhatIsNotReadMayBeMissingOrOutOfRange) {
   p.linear = LinearPolicy::axis;
   StickReading reading;
   EXPECT_NE(read_stick(message_of({1.0F}), p, reading), "");
+}
+
+// Triggers that are not mapped may say anything; where nothing is read of the second axis, that too counts as 0.
+TEST(StickSource, WhatIsNotReadMayBeNoNumber) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Parameters p;
+  EXPECT_DOUBLE_EQ(wish_from(message_of({1.0F, 0.0F, nan}), p).u_h.omega, 1.0);
+  p.stop_pull = 0.0;
+  for (const float value : {nan, 1.2F, -std::numeric_limits<float>::infinity()}) {
+    StickReading reading;
+    EXPECT_EQ(read_stick(message_of({1.0F, value}), p, reading), "");
+    EXPECT_EQ(reading.linear, 0.0F);
+    EXPECT_EQ(reading.angular, 1.0F);
+  }
+}
+
+TEST(StickSource, AStopIsReadFromWhateverCanBeRead) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Parameters p;
+  p.stop_button = 1;
+  const StopReading both = read_stop(message_of({nan, -0.5F}, {7, 1}), p);
+  EXPECT_TRUE(both.button);
+  ASSERT_TRUE(both.back);
+  EXPECT_DOUBLE_EQ(*both.back, 0.5);
+  EXPECT_FALSE(read_stop(message_of({}, {1}), p).button);
+  EXPECT_FALSE(read_stop(message_of({0.0F}, {}), p).back);
+  EXPECT_FALSE(read_stop(message_of({0.0F, nan}, {}), p).back);
+  p.stop_pull = 0.0;
+  p.stop_button = -1;
+  EXPECT_FALSE(read_stop(message_of({0.0F, -1.0F}, {1, 1}), p).back);
+  EXPECT_FALSE(read_stop(message_of({0.0F, -1.0F}, {1, 1}), p).button);
 }
 
 TEST(StickSource, DriversOvershootByRounding) {

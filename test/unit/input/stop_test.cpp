@@ -226,13 +226,15 @@ TEST(Stop, PullsOnlyWhereTheyAskForNothingElse) {
   EXPECT_EQ(state_when_pulled(p), State::shared);
 }
 
-TEST(Stop, AnAxisThatIsPulledMustBeInRange) {
+TEST(Stop, AnAxisOutOfRangeIsDroppedButAPullAllTheSame) {
   Person person;
   person.stick(1.0, 0.0F);
-  EXPECT_EQ(person.stick(1.05, 0.0F, -1.5F),
-            "axes[1] = -1.5 is outside [-1, 1]: scale it at the sender, or set axis_linear to another axis");
+  EXPECT_EQ(person.stick(1.05, 0.0F, 1.5F),
+            "axes[1] = 1.5 is outside [-1, 1]: scale it at the sender, or set axis_linear to another axis");
   EXPECT_EQ(person.cycle(1.05).state, State::autonomy);
-  EXPECT_EQ(person.machine.dropped(), 1U);
+  EXPECT_NE(person.stick(1.1, 0.0F, -1.5F), "");
+  expect_stopped(person.cycle(1.1));
+  EXPECT_EQ(person.machine.dropped(), 2U);
   Parameters p;
   p.stop_pull = 0.0;  // then nobody reads it
   Person other(p);
@@ -365,12 +367,195 @@ TEST(Stop, AnotherDeviceThatLiesPulledDoesNotStop) {
   expect_stopped(person.cycle(1.15));
 }
 
-TEST(Stop, TimeThatJumpsBackForgetsTheButton) {
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+StickMessage from(const std::string& sender, double time, bool stop) {
+  StickMessage message = stick_at(time, 0.0F);
+  message.sender = sender;
+  message.buttons[kStop] = stop ? 1 : 0;
+  return message;
+}
+
+// Whatever else the message holds: what is wrong with it drops its steering, not its stop.
+TEST(Stop, FromAMessageThatIsFaultyElsewhere) {
+  const auto stops = [](const auto& spoil) {
+    Person person(with_button());
+    person.stick(1.0, 0.0F);
+    EXPECT_EQ(person.cycle(1.0).state, State::autonomy);
+    StickMessage message = stick_at(1.05, 0.0F);
+    spoil(message);
+    EXPECT_NE(person.machine.receive(message), "");
+    EXPECT_EQ(person.machine.dropped(), 1U);
+    const bool stopped = person.cycle(1.05).state == State::stopped;
+    person.stick(1.1, 0.0F);  // one in order lets go
+    EXPECT_EQ(person.cycle(1.1).state, State::autonomy);
+    return stopped;
+  };
+  const auto press = [](StickMessage& m) { m.buttons[kStop] = 1; };
+  const auto pull = [](StickMessage& m) { m.axes[1] = -1.0F; };
+  EXPECT_TRUE(stops([&](StickMessage& m) { press(m), m.axes[0] = kNan; }));
+  EXPECT_TRUE(stops([&](StickMessage& m) { press(m), m.axes[1] = kNan; }));
+  EXPECT_TRUE(stops([&](StickMessage& m) { press(m), m.axes[0] = 1.2F; }));
+  EXPECT_TRUE(stops([&](StickMessage& m) { press(m), m.axes.clear(); }));
+  EXPECT_TRUE(stops([&](StickMessage& m) { press(m), m.stamp = std::numeric_limits<double>::quiet_NaN(); }));
+  EXPECT_TRUE(stops([&](StickMessage& m) { m.buttons[kStop] = 2; }));
+  EXPECT_TRUE(stops([&](StickMessage& m) { pull(m), m.axes[0] = kNan; }));
+  EXPECT_TRUE(stops([&](StickMessage& m) { pull(m), m.buttons.clear(); }));
+  EXPECT_TRUE(stops([&](StickMessage& m) { m.axes[1] = -1.2F; }));
+  // Nothing of these is a stop.
+  EXPECT_FALSE(stops([&](StickMessage& m) { m.axes[1] = kNan; }));
+  EXPECT_FALSE(stops([&](StickMessage& m) { m.axes[1] = std::numeric_limits<float>::infinity(); }));
+  EXPECT_FALSE(stops([&](StickMessage& m) { m.buttons.clear(); }));
+}
+
+TEST(Stop, GoesOnWhileOnlyFaultyMessagesTakeItBack) {
+  Person person(with_button());
+  person.stick(1.0, 0.0F);
+  person.button(1.05, kStop, kNan);
+  for (double time = 1.1; time < 5.0; time += 0.05) {
+    person.stick(time, kNan);  // the button is up, but who knows
+    expect_stopped(person.cycle(time));
+  }
+  person.stick(5.0, 0.0F);
+  EXPECT_EQ(person.cycle(5.0).state, State::autonomy);
+}
+
+// A link that became 0.6 s slower for good: the first message with the stop in it counts.
+TEST(Stop, FromALateMessageAtOnce) {
+  Person person(with_button());
+  const auto send = [&](double sent, double received, bool stop) {
+    StickMessage message = from("/joy", received, stop);
+    message.stamp = sent;
+    return person.machine.receive(message);
+  };
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(send(1.0 + 0.05 * i, 1.0 + 0.05 * i, false), "");
+  EXPECT_NE(send(2.0, 2.6, true), "");
+  expect_stopped(person.cycle(2.6));
+  // Late messages do not let go. After 2 s the link is known to be so slow, and then they are not late any more.
+  for (int i = 1; i <= 45; ++i) {
+    const bool late = !send(2.0 + 0.05 * i, 2.6 + 0.05 * i, false).empty();
+    if (i != 40) {
+      EXPECT_EQ(late, i < 40) << i;
+    }
+    EXPECT_EQ(person.cycle(2.6 + 0.05 * i).state, late ? State::stopped : State::autonomy) << i;
+  }
+}
+
+TEST(Stop, BesideATwistAndAHandToo) {
   Parameters p = with_button();
   p.twist_topic = "operator_twist";
-  Person person(p);
-  person.button(100.0, kStop);
-  EXPECT_EQ(person.cycle(1.0).state, State::autonomy);
+  Person by_twist(p);
+  by_twist.twist(1.0, 0.0, 0.0);
+  by_twist.twist(1.05, 0.3, 0.3);
+  EXPECT_EQ(by_twist.cycle(1.05).state, State::shared);
+  StickMessage message = from("/joy", 1.1, true);
+  message.stamp = std::numeric_limits<double>::infinity();
+  EXPECT_NE(by_twist.machine.receive(message), "");
+  expect_stopped(by_twist.cycle(1.1));
+  by_twist.twist(1.15, 0.3, 0.3);  // another sender's message
+  expect_stopped(by_twist.cycle(1.15));
+
+  p = with_button();
+  p.mode = OperatorMode::gesture;
+  p.clutch_axis = 3;  // the device does not have it
+  Person by_hand(p);
+  by_hand.hand(1.0, 0.0);
+  EXPECT_NE(by_hand.machine.receive(from("/joy", 1.05, true)), "");
+  expect_stopped(by_hand.cycle(1.05));
+  by_hand.hand(1.1, 0.0);
+  expect_stopped(by_hand.cycle(1.1));
+}
+
+TEST(Stop, EverySenderHasItsOwn) {
+  Person person(with_button());
+  person.machine.receive(from("/first", 1.0, false));
+  person.machine.receive(from("/second", 1.05, true));
+  expect_stopped(person.cycle(1.05));
+  for (int i = 0; i < 40; ++i) {
+    person.machine.receive(from("/first", 1.1 + 0.05 * i, false));
+    expect_stopped(person.cycle(1.1 + 0.05 * i));
+  }
+  person.machine.receive(from("/first", 3.1, true));
+  person.machine.receive(from("/second", 3.15, false));
+  expect_stopped(person.cycle(3.15));
+  person.machine.receive(from("/first", 3.2, false));
+  EXPECT_EQ(person.cycle(3.2).state, State::autonomy);
+}
+
+// Two that take turns are new devices after each other, and each of them stops at once.
+TEST(Stop, ByAPullOfOneOfTwoThatTakeTurns) {
+  Person person;
+  const auto send = [&](const std::string& sender, double time, float along) {
+    StickMessage message = stick_at(time, 0.0F, along);
+    message.sender = sender;
+    person.machine.receive(message);
+    return person.cycle(time).state;
+  };
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(send("/first", 1.0 + 0.05 * i, 0.0F), State::autonomy);
+    EXPECT_EQ(send("/second", 1.02 + 0.05 * i, 0.0F), State::autonomy);
+  }
+  EXPECT_EQ(send("/first", 1.5, -1.0F), State::stopped);
+  EXPECT_EQ(send("/second", 1.52, 0.0F), State::stopped);
+  EXPECT_EQ(send("/first", 1.55, 0.0F), State::autonomy);
+}
+
+TEST(Stop, OfADeviceThatDiedEndsInWords) {
+  Person person(with_button());
+  person.machine.receive(from("/joy_1", 1.0, true));
+  expect_stopped(person.cycle(1.0));
+  for (double time = 1.05; time < 5.0; time += 0.05) {
+    person.machine.receive(from("/joy_2", time, false));  // its successor
+    expect_stopped(person.cycle(time));
+  }
+  EXPECT_NE(person.machine.advice().find("The stop of /joy_1 goes on"), std::string::npos) << person.machine.advice();
+  EXPECT_EQ(person.machine.take_news(), "");
+  person.machine.stop(false);
+  EXPECT_EQ(person.cycle(5.0).state, State::autonomy);
+  EXPECT_EQ(person.machine.take_news(),
+            "The stop of /joy_1, which asked for it last 4 s ago, has ended: it was let go by the topic stop or by a "
+            "change of mode.");
+  EXPECT_EQ(person.machine.take_news(), "");
+  EXPECT_EQ(person.machine.advice().find("/joy_1 goes on"), std::string::npos);
+}
+
+// Who still holds the button has not let go, whatever others say; once they fall silent, the words count.
+TEST(Stop, OfADeviceThatLivesDoesNotEndInWords) {
+  Person person(with_button());
+  person.machine.receive(from("/joy", 1.0, true));
+  person.machine.stop(false);
+  expect_stopped(person.cycle(1.9));
+  person.machine.receive(from("/joy", 1.95, true));
+  expect_stopped(person.cycle(10.0));
+  person.machine.stop(false);
+  EXPECT_EQ(person.cycle(10.05).state, State::autonomy);
+}
+
+TEST(Stop, OfADeviceThatDiedEndsWithTheMode) {
+  Person person(with_button());
+  person.machine.receive(from("/joy", 1.0, true));
+  expect_stopped(person.cycle(5.0));
+  person.p.mode = OperatorMode::switching;
+  person.machine.configure(person.p);
+  EXPECT_EQ(person.cycle(5.05).state, State::autonomy);
+  EXPECT_NE(person.machine.take_news().find("/joy"), std::string::npos);
+}
+
+TEST(Stop, NamesWithoutNumberDoNotPileUp) {
+  Person person(with_button());
+  person.machine.receive(from("/holds", 1.0, true));
+  Bytes few, many;
+  const auto visit = [&](int first, int last) {
+    for (int i = first; i < last; ++i) person.machine.receive(from("/joy_" + std::to_string(100 + i), 1.0 + 0.01 * i, false));
+  };
+  visit(0, 100);
+  ArchiveWriter write_few(few);
+  person.machine.save(write_few);
+  visit(100, 800);
+  ArchiveWriter write_many(many);
+  person.machine.save(write_many);
+  EXPECT_EQ(many.size(), few.size());
+  expect_stopped(person.cycle(9.0));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "twin.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,6 +23,8 @@ double mapped(float axis, const Parameters& p, double maximum) {
 
 Twin::Twin(std::vector<Event> history, const Parameters& parameters)
     : history_(std::move(history)), p_(parameters) {
+  judge_lags();
+  find_pauses();
   for (std::size_t e = 0; e < history_.size(); ++e) {
     if (!usable(e)) continue;
     const StickMessage& m = history_[e].message;
@@ -34,14 +37,13 @@ Twin::Twin(std::vector<Event> history, const Parameters& parameters)
     heard.deflected = omega != 0.0 || (both && v != 0.0);
     heard.u_h = {both ? v : p_.max_vel_x, omega};
     heard.toggle = m.buttons[0] == 1;
-    heard.stop = m.buttons[1] == 1;
-    heard.pulled = -static_cast<double>(m.axes[1]);
     heard_.push_back(heard);
   }
+  follow_stops();
 }
 
 bool Twin::readable(const StickMessage& m) const {
-  if (m.axes.size() != 2 || !std::isfinite(m.axes[0]) || !std::isfinite(m.axes[1])) return false;
+  if (m.axes.size() != 2) return false;
   if (m.buttons.size() != 2 || m.buttons[1] < 0 || m.buttons[1] > 1) return false;
   if (switching() && (m.buttons[0] < 0 || m.buttons[0] > 1)) return false;
   const bool linear_is_read = p_.linear == LinearPolicy::axis || switching() || pull_counts();
@@ -49,23 +51,85 @@ bool Twin::readable(const StickMessage& m) const {
 }
 
 bool Twin::usable(std::size_t e) const {
-  return history_[e].kind == Event::Kind::message && readable(history_[e].message) && !held_back(e);
+  return is_message(e) && readable(history_[e].message) && !late_[e];
 }
 
-bool Twin::held_back(std::size_t e) const {
-  const double stamp = history_[e].message.stamp;
-  if (stamp == 0.0 || p_.input_timeout == 0.0) return false;
-  double least = 1e300;
-  for (std::size_t i = 0; i <= e; ++i) {
-    if (history_[i].kind != Event::Kind::message || !readable(history_[i].message)) continue;
-    if (history_[i].message.stamp == 0.0) continue;
-    const double lag = history_[i].time - history_[i].message.stamp;
+// A message is late by what its lag exceeds the link's present one. That is the smallest lag since the link was last
+// taken to be slower, that is since lags beyond the limit had stayed within 0.1 s for 2 s.
+void Twin::judge_lags() {
+  struct Lag {
+    std::size_t event;
+    double time, lag;
+  };
+  std::vector<Lag> all, usual, refused;  // of every stamp; of the present link; refused in a row and steady
+  late_.assign(history_.size(), false);
+  double heard = 0.0;  // when the newest readable stamp arrived [s]
+  for (std::size_t e = 0; e < history_.size(); ++e) {
+    const double time = history_[e].time, stamp = history_[e].message.stamp;
+    if (!is_message(e) || !readable(history_[e].message) || stamp == 0.0 || p_.input_timeout == 0.0) continue;
+    const double gap = time - heard;
+    heard = time;
+    if (!all.empty() && history_[all.back().event].message.stamp == stamp) {  // a repeated stamp: as the first time
+      late_[e] = late_[all.back().event];
+      continue;
+    }
+    const Lag lag{e, time, time - stamp};
+    all.push_back(lag);
+    usual.push_back(lag);
     // Clocks part by at most 2e-4, so an old lag may have grown by so much.
-    least = std::min(least, lag + 2e-4 * (history_[e].time - history_[i].time));
-    if (i < e && history_[i].message.stamp == stamp)
-      return held_back(i);  // a repeated stamp: as the first time
+    const auto least = [time](const std::vector<Lag>& lags) {
+      double value = 1e300;
+      for (const Lag& old : lags) value = std::min(value, old.lag + 2e-4 * (time - old.time));
+      return value;
+    };
+    const double excess = lag.lag - least(all);
+    late_[e] = lag.lag - least(usual) > p_.input_timeout || excess > std::max(p_.input_timeout, p_.input_lag_max);
+    if (!late_[e]) {
+      refused.clear();
+      continue;
+    }
+    refused.push_back(lag);
+    const auto by_lag = [](const Lag& a, const Lag& b) { return a.lag < b.lag; };
+    const auto range = std::minmax_element(refused.begin(), refused.end(), by_lag);
+    if (range.second->lag - range.first->lag > 0.1 || gap > p_.input_timeout) refused.assign(1, lag);
+    const double steady_least = std::min_element(refused.begin(), refused.end(), by_lag)->lag;
+    const double steady_most = std::max_element(refused.begin(), refused.end(), by_lag)->lag;
+    if (time - refused.front().time < 2.0 || steady_most - least(all) > p_.input_lag_max) continue;
+    late_[e] = false;
+    slower_.push_back(e);
+    usual.assign(1, Lag{e, time, steady_least});
+    refused.clear();
   }
-  return history_[e].time - stamp - least > p_.input_timeout;
+}
+
+// Signs of life are cycles, messages and the words of the thread that takes them, which must have been heard once.
+void Twin::find_pauses() {
+  bool expected = false;
+  std::optional<double> last;
+  for (std::size_t e = 0; e < history_.size(); ++e) {
+    const Event& event = history_[e];
+    const bool listens = event.kind == Event::Kind::listens;
+    expected = expected || listens;
+    if (!listens && event.kind != Event::Kind::cycle && !is_message(e)) continue;
+    if (expected && last && event.time - *last > 0.15) pauses_.push_back({e, event.time - *last});
+    last = event.time;
+  }
+}
+
+double Twin::longest_pause(std::size_t after, std::size_t upto) const {
+  double longest = 0.0;
+  for (const Pause& pause : pauses_) {
+    if (pause.event > after && pause.event <= upto) longest = std::max(longest, pause.length);
+  }
+  return longest;
+}
+
+double Twin::all_pauses(std::size_t after, std::size_t upto) const {
+  double sum = 0.0;
+  for (const Pause& pause : pauses_) {
+    if (pause.event > after && pause.event <= upto) sum += pause.length;
+  }
+  return sum;
 }
 
 std::optional<std::size_t> Twin::last_heard(std::size_t before_event) const {
@@ -76,11 +140,12 @@ std::optional<std::size_t> Twin::last_heard(std::size_t before_event) const {
   return last;
 }
 
-// A silence longer than the timeout somewhere between two messages.
+// A silence longer than the timeout somewhere between two messages, other than by the planner's own pauses.
 bool Twin::broken(std::size_t first, std::size_t last) const {
   if (p_.input_timeout == 0.0) return false;
   for (std::size_t i = first; i < last; ++i) {
-    if (heard_[i + 1].time - heard_[i].time > p_.input_timeout) return true;
+    const double silence = heard_[i + 1].time - heard_[i].time;
+    if (silence - all_pauses(heard_[i].event, heard_[i + 1].event) > p_.input_timeout) return true;
   }
   return false;
 }
@@ -92,21 +157,42 @@ std::optional<std::size_t> Twin::centred_before(std::size_t heard) const {
   return std::nullopt;
 }
 
-// Deflected, and without a loss since the stick was last seen centred.
+// Deflected, and since the stick was last seen centred without a loss and by the same link.
 bool Twin::counts(std::size_t heard) const {
   if (!heard_[heard].deflected) return false;
   if (!p_.require_neutral) return true;
   const std::optional<std::size_t> centred = centred_before(heard);
-  return centred && !broken(*centred + 1, heard);
+  return centred && !broken(*centred + 1, heard) && !slower_between(*centred, heard);
 }
 
-Twin::Device Twin::device(std::size_t event, double now) const {
+bool Twin::slower_between(std::size_t first, std::size_t last) const {
+  return std::any_of(slower_.begin(), slower_.end(), [&](std::size_t event) {
+    return event > heard_[first].event && event <= heard_[last].event;
+  });
+}
+
+// In some cycle since the message it had been silent for too long, not counting the longest pause until then.
+bool Twin::silent(std::size_t heard, std::size_t event) const {
+  if (p_.input_timeout == 0.0) return false;
+  for (std::size_t e = heard_[heard].event; e <= event; ++e) {
+    if (history_[e].kind != Event::Kind::cycle) continue;
+    const double silence = history_[e].time - heard_[heard].time;
+    if (silence - longest_pause(heard_[heard].event, e) > p_.input_timeout) return true;
+  }
+  return false;
+}
+
+Twin::Device Twin::device(std::size_t event) const {
   const std::optional<std::size_t> last = last_heard(event);
   if (!last || !heard_[*last].deflected) return Device::quiet;
-  const bool silent = p_.input_timeout > 0.0 && now - heard_[*last].time > p_.input_timeout;
-  if (counts(*last)) return silent ? Device::lost : Device::active;
-  return centred_before(*last) ? Device::lost
-                               : Device::quiet;  // deflected again after a loss, or since the start
+  if (counts(*last)) return silent(*last, event) ? Device::lost : Device::active;
+  // Deflected again after a loss, by a slower link, or since the start.
+  for (std::size_t i = *last; i > 0 && heard_[i].deflected; --i) {
+    if (!counts(i)) continue;
+    const bool lost = !slower_between(i, i + 1) || silent(i, heard_[i + 1].event);
+    return lost ? Device::lost : Device::quiet;
+  }
+  return Device::quiet;
 }
 
 bool Twin::pull_counts() const {
@@ -114,28 +200,39 @@ bool Twin::pull_counts() const {
   return p_.stop_pull > 0.0 && !switching() && !reverse;
 }
 
-// Since the stick was last back by a quarter of the threshold it was once beyond it, and before that it was
-// seen not to be.
-bool Twin::pulled(std::size_t heard) const {
-  if (!pull_counts()) return false;
-  for (std::size_t i = heard + 1; i-- > 0 && heard_[i].pulled >= 0.75 * p_.stop_pull;) {
-    if (heard_[i].pulled < p_.stop_pull) continue;
-    if (!p_.require_neutral) return true;
-    for (std::size_t k = 0; k < i; ++k) {
-      if (heard_[k].pulled < p_.stop_pull) return true;
+// Any message stops; one that is usable lets go. A word lets go as well, of what no message asked for in the last
+// second.
+void Twin::follow_stops() {
+  bool said = false, button = false, pulled = false, seen_otherwise = false, dismissed = false;
+  double asked = 0.0;  // [s]
+  for (std::size_t e = 0; e < history_.size(); ++e) {
+    const Event& event = history_[e];
+    stopped_.push_back(said || button || pulled);
+    if (event.kind == Event::Kind::say_stop) {
+      said = event.said;
+      dismissed = dismissed || !event.said;
     }
+    if (event.kind == Event::Kind::cycle && dismissed && event.time - asked > 1.0) {
+      button = pulled = dismissed = false;
+      stopped_.back() = said;
+    }
+    dismissed = dismissed && (button || pulled);
+    if (!is_message(e)) continue;
+    const StickMessage& m = event.message;
+    const bool lets_go = usable(e);
+    const bool presses = m.buttons.size() > 1 && m.buttons[1] == 1;
+    const bool has_pull = pull_counts() && m.axes.size() > 1 && std::isfinite(m.axes[1]);
+    const double back = has_pull ? -static_cast<double>(m.axes[1]) : 0.0;
+    const bool pulls = has_pull && back >= (pulled ? 0.75 : 1.0) * p_.stop_pull;
+    seen_otherwise = seen_otherwise || (has_pull && !pulls) || !p_.require_neutral;
+    const bool pull_stops_it = pulls && seen_otherwise;
+    if (presses || pull_stops_it) {
+      asked = event.time;
+      dismissed = false;
+    }
+    button = presses || (button && !lets_go);
+    pulled = pull_stops_it || (pulled && !lets_go);
   }
-  return false;
-}
-
-bool Twin::stopped(std::size_t event) const {
-  for (std::size_t e = event; e-- > 0;) {
-    if (history_[e].kind != Event::Kind::say_stop) continue;
-    if (history_[e].said) return true;
-    break;
-  }
-  const std::optional<std::size_t> last = last_heard(event);
-  return last && (heard_[*last].stop || pulled(*last));
 }
 
 // Shortly after a message that ended a silence.
@@ -212,8 +309,7 @@ std::optional<double> Twin::held_velocity(const std::vector<Cycle>& past, std::s
   if (last == 0) return std::nullopt;
   const bool first_after = last == past.size();
   const std::size_t begin_event = first_after ? event : past[last].event;
-  const double begin_time = first_after ? now : past[last].time;
-  if (device(begin_event, begin_time) == Device::lost && p_.on_input_lost != OnInputLost::hold)
+  if (device(begin_event) == Device::lost && p_.on_input_lost != OnInputLost::hold)
     return std::nullopt;
   for (std::size_t i = last; i < past.size(); ++i) {
     const std::vector<Cycle> before(past.begin(), past.begin() + static_cast<std::ptrdiff_t>(i));
@@ -237,7 +333,7 @@ std::vector<OperatorIntent> Twin::intents() const {
     if (history_[e].kind != Event::Kind::cycle) continue;
     const double now = history_[e].time;
     const State before = past.empty() ? State::autonomy : past.back().state;
-    const Device now_device = device(e, now);
+    const Device now_device = device(e);
     const bool goal = latched(past, e);
     OperatorIntent intent;
     const bool in_control = manual(e);
@@ -246,7 +342,7 @@ std::vector<OperatorIntent> Twin::intents() const {
     const bool loses = now_device == Device::lost && matters && (in_control || !switching());
     const bool shares = now_device == Device::active && !goal && !switching();
     const std::optional<double> hold = shares || switching() ? std::nullopt : held_velocity(past, e, now);
-    if (stopped(e)) {
+    if (stopped_[e]) {
       intent.state = State::stopped;
       intent.influence = Influence::stop;
     } else if (loses) {

@@ -42,12 +42,18 @@ class Story {
 
   std::vector<Event> events(int count) {
     stamps_ = chance(0.6);
+    listens_ = chance(0.5);
+    steady_ = chance(0.5);
+    faulty_stop_ = chance(0.5);
     std::vector<Event> history;
     for (int i = 0; i < count; ++i) {
       now_ += chance(0.03) ? uniform(0.3, 3.0) : uniform(0.001, 0.06);
       Event event;
       event.time = now_;
-      if (chance(0.5)) {
+      if (chance(0.02)) cut_ = chance(0.3);
+      if (listens_ && chance(0.2)) {
+        event.kind = Event::Kind::listens;
+      } else if (chance(0.5) && !cut_) {
         event.kind = Event::Kind::message;
         event.message = message();
       } else if (chance(0.02)) {
@@ -75,7 +81,7 @@ class Story {
 
   StickMessage message() {
     if (chance(0.1)) deflected_ = !deflected_;
-    if (chance(0.05)) late_ = chance(0.5) ? uniform(0.0, 2.0) : 0.0;
+    if (chance(steady_ ? 0.02 : 0.03)) late_ = chance(0.5) ? 0.0 : steady_ ? uniform(0.5, 1.0) : uniform(0.0, 1.4);
     StickMessage m;
     m.received = now_;
     m.axes = {deflected_ ? value() : 0.0F, deflected_ ? value() : 0.0F};
@@ -87,11 +93,11 @@ class Story {
     if (chance(0.01)) m.buttons.pop_back();
     if (chance(0.01)) m.buttons[0] = 2;
     if (chance(0.01)) m.axes[1] = 1.5F;
-    if (chance(0.03)) m.axes[0] = std::numeric_limits<float>::quiet_NaN();
+    if (chance(faulty_stop_ && (stops_ || pulled_) ? 0.8 : 0.03)) m.axes[0] = std::numeric_limits<float>::quiet_NaN();
     if (chance(0.03)) m.axes[0] = -1.5F;
     if (chance(0.03)) m.axes.clear();
     if (stamps_ && !chance(0.1)) {
-      if (!chance(0.2)) stamp_ = std::max(stamp_, now_ - 3.0 - late_);  // the sender's clock is 3 s behind
+      if (!chance(0.1)) stamp_ = std::max(stamp_, now_ - 3.0 - late_);  // the sender's clock is 3 s behind
       m.stamp = stamp_;
     }
     return m;
@@ -113,6 +119,10 @@ class Story {
   double stamp_ = 1.0;
   double late_ = 0.0;
   bool stamps_ = false;
+  bool steady_ = false;       // the link's delay seldom changes
+  bool listens_ = false;      // the thread that takes messages says so
+  bool cut_ = false;          // no message arrives
+  bool faulty_stop_ = false;  // a stop comes with faults elsewhere
   bool deflected_ = false;
   bool toggles_ = false;
   bool stops_ = false;
@@ -125,7 +135,8 @@ class Story {
 TEST(OperatorTwin, EveryCycleOfRandomStories) {
   std::array<std::array<int, 7>, 7> changes{};
   std::uint32_t dropped = 0;
-  for (unsigned seed = 1; seed <= 2000; ++seed) {
+  std::size_t slower_links = 0, pauses = 0;
+  for (unsigned seed = 1; seed <= 4000; ++seed) {
     Story story(seed);
     const Parameters p = story.parameters();
     const std::vector<Event> history = story.events(240);
@@ -138,6 +149,10 @@ TEST(OperatorTwin, EveryCycleOfRandomStories) {
     for (const Event& event : history) {
       if (event.kind == Event::Kind::message) {
         machine.receive(event.message);
+        continue;
+      }
+      if (event.kind == Event::Kind::listens) {
+        machine.listens(event.time);
         continue;
       }
       if (event.kind == Event::Kind::new_goal) {
@@ -168,6 +183,8 @@ TEST(OperatorTwin, EveryCycleOfRandomStories) {
     ASSERT_EQ(cycle, expected.size());
     ASSERT_EQ(machine.dropped(), twin.dropped()) << "seed " << seed;
     dropped += machine.dropped();
+    slower_links += twin.slower_links();
+    pauses += twin.pauses();
   }
 
   // The stories went through every change that there is.
@@ -199,6 +216,9 @@ TEST(OperatorTwin, EveryCycleOfRandomStories) {
   }
   std::printf("dropped: %u\n", dropped);
   EXPECT_GT(dropped, 1000U);
+  std::printf("slower links: %zu, pauses: %zu\n", slower_links, pauses);
+  EXPECT_GT(slower_links, 100U);
+  EXPECT_GT(pauses, 1000U);
 }
 
 }  // namespace

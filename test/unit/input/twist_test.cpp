@@ -139,6 +139,20 @@ TEST(Twist, NotANumberIsDroppedCountedAndNamed) {
   EXPECT_EQ(person.cycle(1.6).state, State::lost);  // nor do they keep it alive: 1.6 - 1.05 > 0.5
 }
 
+// 100 m/s and 100 rad/s are ten times what a limit may be.
+TEST(Twist, BeyondEveryRobotIsDroppedCountedAndNamed) {
+  Person person(by_twist());
+  person.twist(1.0, 0.0, 0.0);
+  EXPECT_EQ(person.twist(1.05, 1e300, 0.0),
+            "linear.x = 1e+300 is outside [-100, 100] m/s: look at the sender and its units");
+  EXPECT_EQ(person.twist(1.1, 0.0, -101.0),
+            "angular.z = -101 is outside [-100, 100] rad/s: look at the sender and its units");
+  EXPECT_EQ(person.machine.dropped(), 2U);
+  EXPECT_EQ(person.cycle(1.1).state, State::autonomy);
+  EXPECT_EQ(person.twist(1.15, 100.0, -100.0), "");
+  expect_intent(person.cycle(1.15), State::shared, Influence::shared, 100.0, -100.0);
+}
+
 // The good messages of one sender do not hide what is wrong with another's.
 TEST(Twist, AFaultIsToldWhileOtherMessagesAreGood) {
   Person person(by_twist());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The person stops the robot: by a button, by the stick, in words.
+#include <limits>
+
 #include <std_msgs/Bool.h>
 
 #include "person.hpp"
@@ -65,6 +67,30 @@ TEST_F(Stop, ByTheStickPulledBack) {
   expect_stops();
   person().ahead = 0.0f;
   expect_goes_on();
+}
+
+// The message is dropped for its steering, not for its stop.
+TEST_F(Stop, ByTheButtonOfAFaultyDevice) {
+  start_driving();
+  person().left = std::numeric_limits<float>::quiet_NaN();
+  person().second_button = true;
+  expect_stops();
+  person().second_button = false;
+  EXPECT_TRUE(all_cycles(at_rest, 0.3));  // faulty messages do not let go
+  person().left = 0.0f;
+  expect_goes_on();
+}
+
+TEST_F(Stop, OfADeviceThatDiedEndsInWords) {
+  const LogListener log;
+  start_driving();
+  person().second_button = true;
+  expect_stops();
+  person().vanish();
+  EXPECT_TRUE(all_cycles(at_rest, 1.1));
+  ASSERT_TRUE(say<std_msgs::Bool>("stop", false));
+  expect_goes_on();
+  EXPECT_TRUE(wait_for([&] { return log.said("The stop of " + ros::this_node::getName()); }, 5.0));
 }
 
 TEST_F(Stop, InWords) {

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The planner itself stands still, while the person goes on: what was not heard is not held against the device.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "person.hpp"
+
+namespace hidwa_local_planner::input {
+namespace {
+
+using State = OperatorStateId;
+constexpr double kPeriod = 0.05;  // of cycles, messages and the listener's words [s]
+
+/// Cycles, a listener and a stick, all at 20 Hz, but where one is cut.
+struct Planner : Person {
+  explicit Planner(const Parameters& parameters = Parameters()) : Person(parameters) {
+    machine.listens(now);
+    run(0.5, 0.0F);
+  }
+  State run(double seconds, float angular, bool sends = true, bool cycles = true) {
+    const int count = static_cast<int>(seconds / kPeriod + 0.5);
+    for (int i = 0; i < count; ++i) {
+      now += kPeriod;
+      machine.listens(now);
+      if (sends) stick(now, angular, 0.0F);
+      if (cycles) cycle(now);
+    }
+    return machine.state();
+  }
+  double now = 100.0;  // [s]
+};
+
+TEST(Pause, IsNoSilenceWhoWakesUpFirst) {
+  for (const bool message_first : {true, false}) {
+    Planner planner;
+    ASSERT_EQ(planner.run(1.0, 1.0F), State::shared);
+    planner.now += 0.62;  // more than input_timeout
+    EXPECT_TRUE(planner.machine.behind(planner.now));
+    if (message_first) planner.stick(planner.now, 1.0F);
+    EXPECT_TRUE(planner.machine.behind(planner.now));
+    expect_intent(planner.cycle(planner.now), State::shared, Influence::shared, 0.5, 1.0);
+    EXPECT_FALSE(planner.machine.behind(planner.now));
+    EXPECT_EQ(planner.run(0.5, 1.0F), State::shared);
+  }
+}
+
+TEST(Pause, OfAMinuteTooInEveryModeWithAStick) {
+  for (const OperatorMode mode : {OperatorMode::joystick, OperatorMode::switching}) {
+    Parameters p;
+    p.mode = mode;
+    Planner planner(p);
+    planner.machine.take_control(true);
+    const State before = planner.run(1.0, 1.0F);
+    EXPECT_EQ(before, mode == OperatorMode::switching ? State::manual : State::shared);
+    planner.now += 52.0;
+    EXPECT_EQ(planner.cycle(planner.now).state, before);
+    EXPECT_EQ(planner.run(0.5, 1.0F), before);
+  }
+}
+
+// Who is silent after it is lost after input_timeout of cycles.
+TEST(Pause, DoesNotKeepADeadDeviceAlive) {
+  Planner planner;
+  planner.run(1.0, 1.0F);
+  planner.now += 2.0;
+  planner.cycle(planner.now);
+  EXPECT_EQ(planner.run(0.45, 1.0F, false), State::shared);  // 0.45 s
+  EXPECT_EQ(planner.run(0.1, 1.0F, false), State::lost);     // 0.55 s
+  EXPECT_FALSE(planner.machine.lost_by_pauses(planner.now));
+  EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);  // that was no doing of the planner: to be seen centred
+}
+
+// Only the longest pause since the last message is excused, so that pauses without end keep nothing alive.
+TEST(Pause, AfterPauseWithoutAMessageIsALossButOfOurOwn) {
+  Planner planner;
+  planner.run(1.0, 1.0F);
+  planner.now += 0.3;
+  EXPECT_EQ(planner.cycle(planner.now).state, State::shared);
+  planner.now += 0.4;
+  EXPECT_EQ(planner.cycle(planner.now).state, State::shared);  // 0.7 - 0.4 = 0.3 s of silence
+  planner.now += 0.4;
+  EXPECT_EQ(planner.cycle(planner.now).state, State::lost);  // 1.1 - 0.4 = 0.7 s
+  EXPECT_TRUE(planner.machine.lost_by_pauses(planner.now));
+  EXPECT_EQ(planner.run(kPeriod, 1.0F), State::shared);  // no neutral
+  EXPECT_FALSE(planner.machine.lost_by_pauses(planner.now));
+}
+
+TEST(Pause, AndALossOfTheLinkAfterItNeedsANeutral) {
+  Planner planner;
+  planner.run(1.0, 1.0F);
+  planner.now += 0.4;
+  planner.cycle(planner.now);
+  EXPECT_EQ(planner.run(0.6, 1.0F, false), State::lost);
+  EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);
+  planner.now += 0.4;  // another one, while it is waited for the neutral
+  planner.cycle(planner.now);
+  EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);
+  planner.run(kPeriod, 0.0F);
+  EXPECT_EQ(planner.run(kPeriod, 1.0F), State::shared);
+}
+
+// The host drove by itself, or nobody had a goal: messages could be heard all the time, and none came.
+TEST(Pause, OfTheCyclesAloneIsNone) {
+  Planner planner;
+  planner.run(1.0, 1.0F);
+  planner.run(1.0, 1.0F, false, false);
+  EXPECT_EQ(planner.cycle(planner.now).state, State::lost);
+  EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);
+}
+
+TEST(Pause, OfTheListenerAloneIsNone) {
+  Planner planner;
+  planner.run(1.0, 1.0F);
+  for (int i = 0; i < 20; ++i) planner.cycle(planner.now += kPeriod);
+  EXPECT_EQ(planner.machine.state(), State::lost);
+}
+
+// A listener that hangs for ever, and a host so slow that each of its cycles looks like a pause.
+TEST(Pause, OfAListenerThatHangsKeepsNothingAlive) {
+  Planner planner;
+  planner.run(1.0, 1.0F);
+  const double heard = planner.now;
+  State state = State::shared;
+  while (state == State::shared && planner.now < heard + 10.0) state = planner.cycle(planner.now += 0.2).state;
+  EXPECT_EQ(state, State::lost);
+  EXPECT_LE(planner.now - heard, 0.5 + 0.2 + 0.2 + 1e-9);  // input_timeout, a pause, a cycle
+}
+
+TEST(Pause, IsNamedInsteadOfTheLink) {
+  Planner planner;
+  planner.run(1.0, 1.0F);
+  planner.now += 0.62;
+  planner.cycle(planner.now);
+  const std::string advice = planner.machine.advice();
+  EXPECT_NE(advice.find("The planner itself stood still for 0.62 s"), std::string::npos) << advice;
+  EXPECT_EQ(advice.find("link"), std::string::npos) << advice;
+  EXPECT_EQ(advice.find("fell silent"), std::string::npos) << advice;
+  planner.run(11.0, 1.0F);
+  EXPECT_EQ(planner.machine.advice(), "");
+}
+
+TEST(Pause, OfAHandAndItsClutch) {
+  Parameters p;
+  p.mode = OperatorMode::gesture;
+  p.gesture_jump = 0.5;
+  Person person(p);
+  double now = 100.0;
+  const auto step = [&](double seconds, bool held, double y) {
+    now += seconds;
+    person.machine.listens(now);
+    held ? person.button(now, 0) : person.stick(now, 0.0F);
+    person.hand(now, y);
+    return person.cycle(now).state;
+  };
+  step(kPeriod, false, 0.0);
+  step(kPeriod, true, 0.0);
+  ASSERT_EQ(step(kPeriod, true, 0.3), State::shared);
+  EXPECT_EQ(person.cycle(now += 0.8).state, State::shared);
+  EXPECT_EQ(step(kPeriod, true, 0.3), State::shared);  // the origin is still the same
+}
+
+TEST(Pause, IsKeptByAnArchive) {
+  Planner planner;
+  planner.run(1.0, 1.0F);
+  planner.now += 0.3;
+  planner.cycle(planner.now);
+  Bytes bytes;
+  ArchiveWriter write(bytes);
+  planner.machine.save(write);
+  OperatorStateMachine other;
+  other.configure(planner.p);
+  ArchiveReader read(bytes);
+  other.load(read);
+  EXPECT_TRUE(read.complete());
+  for (const double later : {0.4, 0.8}) {
+    EXPECT_EQ(other.update(planner.now + later).state, planner.machine.update(planner.now + later).state) << later;
+    EXPECT_EQ(other.lost_by_pauses(planner.now + later), planner.machine.lost_by_pauses(planner.now + later));
+  }
+  EXPECT_EQ(other.state(), State::lost);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::input
