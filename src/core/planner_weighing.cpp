@@ -24,6 +24,7 @@ double lowest_of(const double* values, std::size_t count) {
 
 // Makes, checks and scores all candidates.
 CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid, const Sampling& sampling) {
+  escape.look(parameters, limits, grid, footprint, {situation.pose, decision.reference, situation.period});
   make_candidates(situation, sampling);
   prepare_checks(situation, grid);
   grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
@@ -60,7 +61,8 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
   request.period = situation.period;
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
   request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
-  sampler.make(parameters, limits, request);
+  // In collision all of them are slow: of the usual window hardly any sample would be slow enough.
+  sampler.make(parameters, escape.overlaps() ? escape.slowed() : limits, request);
   rollout.run(parameters, limits, situation.pose, decision.reference, sampler.samples());
   const std::size_t n = rollout.candidate_count();
   decision.candidates = n;
@@ -81,8 +83,10 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
   const double margin = std::max(0.5 * rollout.longest_step(), grid.resolution / 16.0);
   collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin);
   classes.prepare(collision, grid, parameters.unknown_is_obstacle, situation.pose, reach);
-  admissibility.prepare(parameters, limits, collision, footprint, grid.resolution,
-                        {situation.pose, decision.reference, &under_way, situation.period, !steered && way_out.active()});
+  if (escape.applies()) escape.prepare(reach, margin);
+  admissibility.prepare(parameters, limits, escape.applies() ? escape.rest() : collision, footprint, grid.resolution,
+                        {situation.pose, decision.reference, &under_way, situation.period, !steered && way_out.active(),
+                         steered, escape.applies() ? &escape : nullptr});
   decision.escaping = admissibility.escaping();
 }
 

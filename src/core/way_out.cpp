@@ -29,9 +29,6 @@ constexpr int kParts = 8;
 // A way leads nearer to the goal by at least so many cells.
 constexpr double kNearer = 0.4;
 
-// Farther from an obstacle, and not by rounding [m].
-constexpr double kClearly = 0.01;
-
 double to_goal(const WayOut::Scene& scene, double x, double y) {
   return PlanGrids::at(scene.grids.to_goal(), scene.grid, x, y);
 }
@@ -114,6 +111,7 @@ int WayOut::out_of_collision(const Scene& scene) const {
     const Tile tile = scene.rollout.tile(t);
     for (std::size_t c = 0; c < tile.count; ++c) {
       if (tile.v[c] == 0.0 || !(scene.totals[tile.first + c] < least)) continue;
+      if (!scene.admissibility.can_brake_surely(tile.sample(c))) continue;
       least = scene.totals[tile.first + c];
       best = static_cast<int>(tile.first + c);
     }
@@ -130,13 +128,12 @@ int WayOut::towards_free_heading(const Scene& scene) {
   }
   // The turn itself must be free, to either side.
   const double first = heading_off_plan(scene.situation) < 0.0 ? -1.0 : 1.0;
-  const int depth = scene.collision.penetration(pose);
   bool open[2] = {true, true};
   for (double angle = kHeadingStep; angle < M_PI; angle += kHeadingStep) {
     for (int side = 0; side < 2; ++side) {
       const double turn = (side == 0 ? first : -first) * angle;
       const double heading = pose.theta + turn;
-      open[side] = open[side] && scene.collision.penetration({pose.x, pose.y, heading}) <= depth;
+      open[side] = open[side] && may_face(scene, heading);
       if (!open[side] || !leads_on(scene, heading)) continue;
       const int best = turn_by(scene, turn);
       if (best < 0) continue;
@@ -166,12 +163,18 @@ int WayOut::turn_by(const Scene& scene, double angle) const {
   return best;
 }
 
+bool WayOut::may_face(const Scene& scene, double heading) const {
+  if (scene.escape.applies()) return scene.escape.may_face(heading);
+  const Pose2& pose = scene.situation.pose;
+  return !scene.collision.collides({pose.x, pose.y, heading});
+}
+
 // Some room beside the way is asked for: what just fits is refused once a cell of the map changes.
 bool WayOut::leads_on(const Scene& scene, double heading) const {
-  if (scene.admissibility.escaping()) return leads_out(scene, heading);
+  const double length = kShortWay * scene.grid.resolution;
+  if (scene.escape.overlaps()) return scene.escape.leads_out(heading, length);
   const Pose2& pose = scene.situation.pose;
   const double here = to_goal(scene, pose.x, pose.y);
-  const double length = kShortWay * scene.grid.resolution;
   const Rotation rotation{std::cos(heading), std::sin(heading)};
   const Pose2 end{pose.x + length * rotation.c, pose.y + length * rotation.s, heading};
   const double there = to_goal(scene, end.x, end.y);
@@ -182,23 +185,6 @@ bool WayOut::leads_on(const Scene& scene, double heading) const {
     if (scene.collision.separation(on_way, rotation, scene.grid.resolution) < scene.grid.resolution / 16.0) return false;
   }
   return true;
-}
-
-// Straight on it goes no deeper, and ends less deep or farther from what it overlaps.
-bool WayOut::leads_out(const Scene& scene, double heading) const {
-  const Pose2& pose = scene.situation.pose;
-  const double length = kShortWay * scene.grid.resolution;
-  int depth = scene.collision.penetration(pose);
-  const int before = depth;
-  Pose2 on_way = pose;
-  for (int part = 1; part <= kParts; ++part) {
-    const double way = length * part / kParts;
-    on_way = {pose.x + way * std::cos(heading), pose.y + way * std::sin(heading), heading};
-    const int now = scene.collision.penetration(on_way);
-    if (now > depth) return false;
-    depth = now;
-  }
-  return depth < before || scene.collision.clearance(on_way) > scene.collision.clearance(pose) + kClearly;
 }
 
 }  // namespace hidwa_local_planner

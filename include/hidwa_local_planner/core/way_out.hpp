@@ -31,6 +31,7 @@ class WayOut {
     const std::vector<double>& totals;
     const CollisionChecker& collision;
     AdmissibilityCheck& admissibility;
+    EscapeRule& escape;
     PlanGrids& grids;
   };
 
@@ -62,7 +63,7 @@ class WayOut {
   int out_of_collision(const Scene& scene) const;
   int turn_by(const Scene& scene, double angle) const;
   bool leads_on(const Scene& scene, double heading) const;
-  bool leads_out(const Scene& scene, double heading) const;
+  bool may_face(const Scene& scene, double heading) const;
 
   Lasting stands_, rests_;  // it stands; it stands or creeps
   bool active_ = false;
