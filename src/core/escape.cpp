@@ -43,6 +43,7 @@ void EscapeRule::look(const Parameters& parameters, const VelocityLimits& limits
   overlaps_.clear();
   centre_inscribed_ = false;
   if (!parameters.escape) return;
+  depth_.prepare(footprint, grid.resolution);
   find_overlaps();
   const Cell centre = grid.cell_at(start.pose.x, start.pose.y);
   centre_inscribed_ = footprint.is_circle() && grid.contains(centre) && grid.at(centre) == cost::kInscribed;
@@ -74,7 +75,6 @@ void EscapeRule::find_overlaps() {
     }
   }
   if (overlaps_.empty()) return;
-  depth_.prepare(*footprint_, grid_.resolution);
   for (std::vector<double>* values : {&x_, &y_, &depths_}) values->resize(OutlineDepth::padded(overlaps_.size()));
   depth_.of({0.0, 0.0, pose.theta}, {std::cos(pose.theta), std::sin(pose.theta)}, x_.data(), y_.data(),
             overlaps_.size(), depths_.data());
@@ -166,6 +166,12 @@ bool EscapeRule::descends(const Tile& tile, std::size_t c, Descent& descent) {
     if (!descends(at, Ahead::rollout, descent)) return false;
     if (k == tile.steps) return true;
   }
+}
+
+double EscapeRule::depth_at_end(const Tile& tile, std::size_t c) {
+  Descent descent{std::numeric_limits<double>::infinity(), 0.0};
+  descends({tile.last_pose(c), {tile.cos_heading[tile.steps], tile.sin_heading[tile.steps]}}, Ahead::rollout, descent);
+  return descent.total;
 }
 
 bool EscapeRule::ends_better(const Pose2& end, const Descent& descent) const {

@@ -224,7 +224,8 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   const bool autonomous = !steered && !situation.goal_latched;
   if (!autonomous) way_out.reset();
   const bool turning_out = way_out.active();
-  int best = way_out.choose({situation, grid, rollout, totals, collision, admissibility, escape, grids});
+  int best = !autonomous ? -1
+                         : way_out.choose({situation, grid, rollout, totals, collision, admissibility, escape, grids});
   report = {best >= 0 ? ChoiceReport::Rule::way_out : ChoiceReport::Rule::cheapest, wish, steered};
   // In a collision only the way out is worth turning for.
   if (best < 0 && !(admissibility.escaping() && turning_out)) best = choose(situation);

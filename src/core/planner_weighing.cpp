@@ -46,8 +46,8 @@ CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid,
     if (named.weight != 0.0) named.critic->prepare(cycle);
   }
   list_checks();
-  // Out of where it is stuck, the way is chosen among all legal candidates.
-  const bool check = sampling.check_all || way_out.active();
+  // Out of where it is stuck or stands in collision, the way is chosen among all legal candidates.
+  const bool check = sampling.check_all || way_out.active() || (escape.overlaps() && !steered);
   for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, t, check);
   return cycle;
 }

