@@ -281,8 +281,11 @@ bool AdmissibilityCheck::manoeuvre_deeper(const Twist2& command, double spacing,
     arrival.at = roller.at();
   }
   if (arrival.deeper) return true;
-  EscapeRule::Descent descent = arrival.descent;
-  return !ManoeuvreRoller(*limits_, radius, spacing * resolution_, arrival.at).roll_to_rest(all, visit_into(descent));
+  // However the base reaches the command: at its limits, or evenly.
+  EscapeRule::Descent ramped = arrival.descent, even = arrival.descent;
+  const ManoeuvreRoller roller(*limits_, radius, spacing * resolution_, arrival.at);
+  return !ManoeuvreRoller(roller).roll_to_rest(all, visit_into(ramped)) ||
+         !ManoeuvreRoller(roller).roll_evenly_to_rest(all, visit_into(even));
 }
 
 }  // namespace hidwa_local_planner

@@ -124,7 +124,7 @@ void OutlineDepth::turn_planes(const Pose2& pose, const Rotation& heading) {
   }
 }
 
-// What only the hull overlaps.
+// What only the hull overlaps is not touched: who knows how far away it is.
 void OutlineDepth::drop_untouched(const Pose2& pose, const Rotation& heading, const double* x, const double* y,
                                   std::size_t count, double* depth) {
   corners_.resize(footprint_->outline().size());
@@ -133,7 +133,7 @@ void OutlineDepth::drop_untouched(const Pose2& pose, const Rotation& heading, co
     corners_[k] = {pose.x + heading.c * p.x() - heading.s * p.y(), pose.y + heading.s * p.x() + heading.c * p.y()};
   }
   for (std::size_t k = 0; k < count; ++k) {
-    if (depth[k] > 0.0 && !overlaps_square(corners_, x[k] - half_, y[k] - half_, 2.0 * half_)) depth[k] = 0.0;
+    if (depth[k] > 0.0 && !overlaps_square(corners_, x[k] - half_, y[k] - half_, 2.0 * half_)) depth[k] = -half_;
   }
 }
 

@@ -129,6 +129,17 @@ class NaiveEscape {
     return nearest;
   }
 
+  /// Never deeper along a way than before, nor in any cell deeper than allowed.
+  bool descends(const std::vector<Pose2>& poses, bool next_cycle) const {
+    constexpr double kSame = 1e-7;  // [m]
+    double least = start_total();
+    for (const Pose2& pose : poses) {
+      if (excess(pose, next_cycle) > kSame || total(pose) > least + kSame) return false;
+      least = std::min(least, total(pose));
+    }
+    return true;
+  }
+
  private:
   double corner_x(int i) const { return grid_.origin_x + i * grid_.resolution; }
   double corner_y(int j) const { return grid_.origin_y + j * grid_.resolution; }

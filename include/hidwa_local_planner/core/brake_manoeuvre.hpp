@@ -62,7 +62,22 @@ class ManoeuvreRoller {
   template <typename Visit>
   bool roll_to_rest(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
     u_ = manoeuvre.under_way.end();
-    if (!roll_ramp(CommandRamp(limits_, u_, manoeuvre.command, manoeuvre.period), visit)) return false;
+    return roll_ramp(CommandRamp(limits_, u_, manoeuvre.command, manoeuvre.period), visit) && brake(visit);
+  }
+
+  /// Likewise with a base that reaches the command evenly over the period.
+  template <typename Visit>
+  bool roll_evenly_to_rest(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
+    u_ = manoeuvre.under_way.end();
+    return stretch(manoeuvre.command, manoeuvre.period, visit) && brake(visit);
+  }
+
+  /// The last pose.
+  const TurnedPose& at() const { return at_; }
+
+ private:
+  template <typename Visit>
+  bool brake(Visit&& visit) {
     // Both axes to rest, each at its own limit: one of them may rest before the other.
     const double first = std::min(limits_.x.time_to_rest(u_.v), limits_.theta.time_to_rest(u_.omega));
     const Twist2 then{limits_.x.ramp(u_.v, 0.0, first), limits_.theta.ramp(u_.omega, 0.0, first)};
@@ -71,10 +86,6 @@ class ManoeuvreRoller {
     return stretch({}, rest, visit);
   }
 
-  /// The last pose.
-  const TurnedPose& at() const { return at_; }
-
- private:
   // Evenly where that is no more than half the spacing off.
   template <typename Visit>
   bool roll_ramp(const CommandRamp& ramp, Visit&& visit) {

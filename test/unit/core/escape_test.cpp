@@ -87,7 +87,7 @@ TEST(OutlineDepth, OfACircle) {
 // A fork that is open to the front: what lies between its prongs is not touched; in a prong the hull counts.
 TEST(OutlineDepth, OfAnOutlineThatIsNotConvex) {
   const Footprint fork(Polygon{{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}, {0.3, -0.1}, {0.0, -0.1}, {0.0, 0.1}, {0.3, 0.1}});
-  EXPECT_EQ(depth_of(fork, {0.0, 0.0, 0.0}, 0.2, 0.0), 0.0);
+  EXPECT_LT(depth_of(fork, {0.0, 0.0, 0.0}, 0.2, 0.0), 0.0);
   EXPECT_NEAR(depth_of(fork, {0.0, 0.0, 0.0}, 0.2, 0.15), 0.075, 1e-12);  // 0.2 - 0.125
 }
 

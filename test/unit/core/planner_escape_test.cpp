@@ -55,6 +55,8 @@ test::NaiveEscape contact(const Scene& scene) {
   return {scene.grid(), {scene.outline, 0.0}, true, scene.situation.pose, kSteps};
 }
 
+// The bench reaches every command evenly, braking included, which the planner expects at the limits: that is where the
+// 0.2 mm come from.
 TEST(Escape, ThePersonCannotPushItDeeper) {
   test::Random random(11);
   for (int scene_number = 0; scene_number < 25; ++scene_number) {
@@ -66,8 +68,8 @@ TEST(Escape, ThePersonCannotPushItDeeper) {
       const test::NaiveEscape before = contact(bench.scene());
       bench.drive();
       const Pose2 now = bench.scene().situation.pose;
-      ASSERT_LE(before.total(now), before.start_total() + 1e-4) << scene_number;
-      ASSERT_LE(before.excess(now, true), 1e-4) << scene_number;
+      ASSERT_LE(before.total(now), before.start_total() + 2e-4) << scene_number;
+      ASSERT_LE(before.excess(now, true), 2e-4) << scene_number;
     }
   }
 }
