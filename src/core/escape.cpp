@@ -59,6 +59,21 @@ TurnedPose EscapeRule::relative(const Pose2& pose, const Rotation& heading) cons
 void EscapeRule::find_overlaps() {
   window_.map = grid_;
   window_.unknown_is_obstacle = unknown_is_obstacle_;
+  list_near_cells();
+  if (overlaps_.empty()) return;
+  for (std::vector<double>* values : {&x_, &y_, &depths_}) values->resize(OutlineDepth::padded(overlaps_.size()));
+  const double theta = start_.pose.theta;
+  depth_.of({0.0, 0.0, theta}, {std::cos(theta), std::sin(theta)}, x_.data(), y_.data(), overlaps_.size(),
+            depths_.data());
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < overlaps_.size(); ++k) {
+    if (depths_[k] >= -kRounding) overlaps_[kept++] = {overlaps_[k].cell, depths_[k]};
+  }
+  overlaps_.resize(kept);
+}
+
+// The obstacle cells around the robot, whether it overlaps them or not.
+void EscapeRule::list_near_cells() {
   const double reach = footprint_->circumscribed_radius() + kRounding;
   const Pose2& pose = start_.pose;
   const Cell lo = grid_.cell_at(pose.x - reach, pose.y - reach), hi = grid_.cell_at(pose.x + reach, pose.y + reach);
@@ -74,15 +89,6 @@ void EscapeRule::find_overlaps() {
       y_.push_back(grid_.centre({i, j}).y() - pose.y);
     }
   }
-  if (overlaps_.empty()) return;
-  for (std::vector<double>* values : {&x_, &y_, &depths_}) values->resize(OutlineDepth::padded(overlaps_.size()));
-  depth_.of({0.0, 0.0, pose.theta}, {std::cos(pose.theta), std::sin(pose.theta)}, x_.data(), y_.data(),
-            overlaps_.size(), depths_.data());
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < overlaps_.size(); ++k) {
-    if (depths_[k] >= -kRounding) overlaps_[kept++] = {overlaps_[k].cell, depths_[k]};
-  }
-  overlaps_.resize(kept);
 }
 
 void EscapeRule::prepare(double reach, double margin) {

@@ -47,17 +47,21 @@ void ObstacleHeaps::gather(const Window& window, const std::vector<Overlap>& ove
     add_ring(ring, step == 0);
     ring = next;
   }
-  // The depths have been handed on: now what the robot may do in the overlapped cells themselves.
-  for (const Overlap& overlap : overlaps) {
-    visit_neighbours(overlap.cell, [&](Cell beside) {
+  raise_overlapped(overlaps);
+  number_heaps();
+}
+
+// The depths have been handed on: now what the robot may do in the overlapped cells themselves.
+void ObstacleHeaps::raise_overlapped(const std::vector<Overlap>& overlaps) {
+  for (std::size_t k = 0; k < overlaps.size(); ++k) {
+    Member& member = members_[k];
+    visit_neighbours(member.cell, [&](Cell beside) {
       if (!inside(beside) || !holds(beside)) return;
       const auto from = static_cast<std::size_t>(marks_[index(beside)]);
-      if (from >= overlaps.size()) return;
-      Member& member = members_[static_cast<std::size_t>(marks_[index(overlap.cell)])];
-      member.limit = member.near_limit = std::max(member.limit, std::min(half_, overlaps[from].depth));
+      if (from < overlaps.size()) member.limit = std::max(member.limit, std::min(half_, overlaps[from].depth));
     });
+    member.near_limit = member.limit;
   }
-  number_heaps();
 }
 
 void ObstacleHeaps::add(const Member& member) {

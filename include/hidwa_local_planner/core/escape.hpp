@@ -63,14 +63,15 @@ class EscapeRule {
   /// False where the robot goes deeper than it may. Poses in order.
   bool descends(const TurnedPose& at, Ahead ahead, Descent& descent);
 
-  /// 5.
+  /// The fifth of the rules above.
   bool slow_enough(const Twist2& sample) const { return speed_.allows(sample, start_.reference, start_.period); }
-  /// 2 and 3 for a rollout.
+  /// The second and the third of them, for a rollout.
   bool descends(const Tile& tile, std::size_t c, Descent& descent);
-  /// 4.
+  /// The fourth, but for what it grazes.
   bool ends_better(const Pose2& end, const Descent& descent) const;
   /// Total depth at the end of a rollout that descends [m].
   double depth_at_end(const Tile& tile, std::size_t c);
+  /// It stands at most half a cell deep.
   bool grazes() const { return start_total_ <= 0.5 * grid_.resolution; }
 
   /// Whether a turn on the spot, so far as to `heading` [rad], may pass there.
@@ -80,6 +81,7 @@ class EscapeRule {
 
  private:
   void find_overlaps();
+  void list_near_cells();
   void make_rest();
   void list_members();
   TurnedPose relative(const Pose2& pose, const Rotation& heading) const;

@@ -52,6 +52,7 @@ class ObstacleHeaps {
   bool edge(Cell cell) const;
   void add(const Member& member);
   void add_overlapped(const std::vector<Overlap>& overlaps);
+  void raise_overlapped(const std::vector<Overlap>& overlaps);
   void add_ring(std::size_t begin, bool first);
   void reach(Cell cell, std::size_t ring, double limit, double near_limit);
   void number_heaps();

@@ -74,6 +74,20 @@ TEST(Escape, ThePersonCannotPushItDeeper) {
   }
 }
 
+// The samples are spread over what is slow enough.
+TEST(Escape, ThereAreManySlowCandidates) {
+  Scene scene = Scene::empty(81);
+  scene.parameters = Parameters();
+  scene.at({36, 40}) = cost::kLethal;  // up to x = -0.175: 25 mm in its rear
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_TRUE(decision.escaping);
+  EXPECT_GE(decision.candidates, 2400u);
+  EXPECT_GE(decision.legal, 300u);
+  EXPECT_GT(decision.sample.v, 0.1);
+  EXPECT_LE(decision.sample.v, 0.1404);  // 0.15 v + v^2 / 5 = 0.025
+}
+
 TEST(Escape, OffThereIsNoWayOut) {
   Scene scene = against_the_wall();
   scene.parameters.escape = false;
