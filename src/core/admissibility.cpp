@@ -9,10 +9,13 @@
 namespace hidwa_local_planner {
 namespace {
 
-// Clearances closer than this are equal [m].
-constexpr double kSameClearance = 1e-6;
-
 constexpr const char* kHits = "rollout hits an obstacle";
+constexpr const char* kDeeper = "would go deeper into collision, or not out of it";
+constexpr const char* kTooFast = "too fast in collision: could not stop within half a cell";
+
+// Poses that are looked at for depth, in cells: of a candidate, and of the one that is chosen.
+constexpr double kDepthSpacing = 1.0 / 8.0;
+constexpr double kSureDepthSpacing = 1.0 / 128.0;
 
 // A pose that is free without room [m].
 constexpr double kTouching = 1e-12;
@@ -61,12 +64,12 @@ void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLim
   omega_known_ = false;
   for (Arrival& arrival : arrivals_) arrival.roller.reset();
   for (Arrival& arrival : sure_arrivals_) arrival.roller.reset();
+  for (Sinking& sinking : sinkings_) sinking.roller.reset();
+  for (Sinking& sinking : sure_sinkings_) sinking.roller.reset();
   start_ = {setup.start, {std::cos(setup.start.theta), std::sin(setup.start.theta)}};
-  escaping_ = parameters.escape && checker.collides(setup.start);
-  if (escaping_) stance_ = {checker.penetration(setup.start), checker.clearance(setup.start)};
   margin_ = checker.margin();
   rooms_.clear(footprint.circumscribed_radius(), 0.5 * resolution);
-  all_clear_ = !escaping_ && nothing_in_reach();
+  all_clear_ = nothing_in_reach();
   keep_ = all_clear_ ? 0.0 : std::max(0.0, checker.separation(setup.start, start_.heading, checker.room()) - kSameDistance);
 }
 
@@ -78,17 +81,21 @@ Twist2 AdmissibilityCheck::command_for(const Twist2& sample) const {
 void AdmissibilityCheck::check_rollouts(const Tile& tile, const char** reasons) {
   last_hit_ = 0;
   most_turn_ = std::max(std::abs(tile.omega), std::abs(setup_.reference.omega)) * tile.dt;
+  Tile seen = tile;
+  if (setup_.escape != nullptr) seen.classes = seen.touched = nullptr;  // they count what it may overlap, too
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (escaping_) {
-      if (!rollout_escapes(tile, c)) reasons[c] = "would go deeper into collision, or not out of it";
-    } else if (!rollout_free(tile, c)) {
-      reasons[c] = kHits;
-    }
+    if (const char* fault = fault_of_rollout(seen, c)) reasons[c] = fault;
   }
 }
 
+const char* AdmissibilityCheck::fault_of_rollout(const Tile& tile, std::size_t c) {
+  if (escaping() && !setup_.escape->slow_enough(tile.sample(c))) return kTooFast;
+  if (escaping() && !rollout_escapes(tile, c)) return kDeeper;
+  return rollout_free(tile, c) ? nullptr : kHits;
+}
+
 bool AdmissibilityCheck::cells_decide(const Tile& tile, const char** reasons) const {
-  if (escaping_ || tile.touched == nullptr) return false;
+  if (setup_.escape != nullptr || tile.touched == nullptr) return false;
   if ((tile.touched_any & (cell_class::kHit | cell_class::kNear)) == 0) return true;
   unsigned undecided = 0;
   for (std::size_t c = 0; c < tile.count; ++c) {
@@ -167,25 +174,20 @@ bool AdmissibilityCheck::between_free(const Tile& tile, std::size_t c, std::size
 }
 
 bool AdmissibilityCheck::rollout_escapes(const Tile& tile, std::size_t c) const {
-  const bool circle = footprint_->radius() > 0.0;
-  int before = stance_.penetration;
-  for (std::size_t k = 1; k <= tile.steps; ++k) {
-    const int now = checker_->penetration(tile.pose(k, c));
-    if (now > before) return false;
-    // Cells say little of how deep it is in each of them; of a circle more is known.
-    if (circle && now > 0 && checker_->clearance(tile.pose(k, c)) < stance_.clearance - kSameClearance) return false;
-    before = now;
-  }
-  if (before < stance_.penetration || turns_out(tile, c)) return true;
-  return checker_->clearance(tile.last_pose(c)) > stance_.clearance + kSameClearance;
+  EscapeRule& rule = *setup_.escape;
+  EscapeRule::Descent descent = rule.start();
+  if (!rule.descends(tile, c, descent)) return false;
+  const bool drives_on = rule.grazes() && !(tile.sample(c) == Twist2{});
+  return drives_on || may_stay(tile, c) || rule.ends_better(tile.last_pose(c), descent);
 }
 
-bool AdmissibilityCheck::turns_out(const Tile& tile, std::size_t c) const {
-  return setup_.turn_out && tile.omega != 0.0 && tile.v[c] == 0.0 && setup_.reference.v == 0.0;
+bool AdmissibilityCheck::may_stay(const Tile& tile, std::size_t c) const {
+  if (tile.v[c] != 0.0) return false;
+  return setup_.steered || (setup_.turn_out && tile.omega != 0.0 && setup_.reference.v == 0.0);
 }
 
 bool AdmissibilityCheck::can_brake(const Twist2& sample, std::size_t column) {
-  if (all_clear_) return true;
+  if (all_can_brake()) return true;
   if (memo_.size() <= column) memo_.resize(column + 1);
   Memo& memo = memo_[column];
   const Twist2 command = brief_command_for(sample, column);
@@ -199,7 +201,8 @@ bool AdmissibilityCheck::can_brake(const Twist2& sample, std::size_t column) {
   }
   memo.command = command;
   memo.known = true;
-  memo.free = escaping_ ? !manoeuvre_deeper(command) : manoeuvre_free(command);
+  memo.free = (all_clear_ || manoeuvre_free(command)) &&
+              !(escaping() && manoeuvre_deeper(command, kDepthSpacing, sinkings_));
   return memo.free;
 }
 
@@ -221,7 +224,9 @@ Twist2 AdmissibilityCheck::brief_command_for(const Twist2& sample, std::size_t c
 }
 
 bool AdmissibilityCheck::can_brake_surely(const Twist2& sample) {
-  return escaping_ || all_clear_ || manoeuvre_surely_free(command_for(sample));
+  const Twist2 command = command_for(sample);
+  return (all_clear_ || manoeuvre_surely_free(command)) &&
+         !(escaping() && manoeuvre_deeper(command, kSureDepthSpacing, sure_sinkings_));
 }
 
 BrakeManoeuvre AdmissibilityCheck::manoeuvre(std::size_t way, const Twist2& command, double hold) const {
@@ -308,15 +313,31 @@ bool AdmissibilityCheck::manoeuvre_surely_free(const Twist2& command) {
   });
 }
 
-bool AdmissibilityCheck::manoeuvre_deeper(const Twist2& command) {
-  roll_out(manoeuvre(0, command, longest_hold()), *limits_, footprint_->circumscribed_radius(), 0.5 * resolution_, poses_);
-  int before = stance_.penetration;
-  for (const Pose2& pose : poses_) {
-    const int now = checker_->penetration(pose);
-    if (now > before) return true;
-    before = now;
+bool AdmissibilityCheck::manoeuvre_deeper(const Twist2& command, double spacing, Sinkings& sinkings) const {
+  for (std::size_t way = 0; way < setup_.pending->size(); ++way) {
+    if (goes_deeper(manoeuvre(way, command, longest_hold()), spacing, sinkings[way])) return true;
   }
   return false;
+}
+
+bool AdmissibilityCheck::goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, Sinking& sinking) const {
+  const auto visit_into = [this](EscapeRule::Descent& descent) {
+    return [this, &descent](const TurnedPose& at) {
+      return setup_.escape->descends(at, EscapeRule::Ahead::next_cycle, descent);
+    };
+  };
+  if (!sinking.roller) {
+    const Pose2& origin = manoeuvre.start;
+    sinking.descent = setup_.escape->start();
+    sinking.roller.emplace(*limits_, footprint_->circumscribed_radius(), spacing * resolution_,
+                           TurnedPose{origin, {std::cos(origin.theta), std::sin(origin.theta)}});
+    sinking.deeper = !sinking.roller->roll_on(manoeuvre.under_way, visit_into(sinking.descent));
+  }
+  if (sinking.deeper) return true;
+  // However the base reaches the command: at its limits, or evenly.
+  EscapeRule::Descent ramped = sinking.descent, even = sinking.descent;
+  return !ManoeuvreRoller(*sinking.roller).roll_to_rest(manoeuvre, visit_into(ramped)) ||
+         !ManoeuvreRoller(*sinking.roller).roll_evenly_to_rest(manoeuvre, visit_into(even));
 }
 
 }  // namespace hidwa_local_planner

@@ -290,28 +290,4 @@ void CollisionChecker::visit_obstacles(const Placed& placed, double around, Visi
   }
 }
 
-int CollisionChecker::penetration(const Pose2& pose) const {
-  int cells = 0;
-  visit_obstacles(place(pose, {std::cos(pose.theta), std::sin(pose.theta)}, *footprint_), 0.0, [&cells](double gap) {
-    cells += gap <= 0.0 ? 1 : 0;
-    return true;
-  });
-  return cells;
-}
-
-double CollisionChecker::clearance(const Pose2& pose) const {
-  double nearest2 = std::numeric_limits<double>::infinity();
-  for (int j = 0; j < obstacles_.height(); ++j) {
-    if (!obstacles_.any(j, 0, obstacles_.width() - 1)) continue;
-    for (int i = 0; i < obstacles_.width(); ++i) {
-      if (!obstacles_.test(i, j)) continue;
-      const double x = grid_.origin_x + (first_.i + i) * grid_.resolution;
-      const double y = grid_.origin_y + (first_.j + j) * grid_.resolution;
-      const double dx = gap(pose.x, x, x + grid_.resolution), dy = gap(pose.y, y, y + grid_.resolution);
-      nearest2 = std::min(nearest2, dx * dx + dy * dy);
-    }
-  }
-  return std::sqrt(nearest2);
-}
-
 }  // namespace hidwa_local_planner

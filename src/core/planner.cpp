@@ -14,6 +14,9 @@ constexpr std::size_t kMaxCritics = 200;
 // More than any problem has characters.
 constexpr std::size_t kLongestProblem = 120;
 
+// A robot in collision that no motion has led out of for longer is caught [s].
+constexpr double kCaught = 1.0;
+
 // A turn on the spot below this share of the fastest creeps.
 constexpr double kCreeps = 0.25;
 
@@ -109,6 +112,7 @@ void Planner::set_footprint(const Polygon& outline) {
 void Planner::reset() {
   impl_->reset_critics();
   impl_->way_out.reset();
+  impl_->caught.reset();
   impl_->unturned.reset();
 }
 
@@ -139,6 +143,7 @@ const Decision& Planner::plan(const Situation& measured, const GridView& grid, c
     return impl_->drive(situation, grid, sampling);
   }
   impl_->way_out.reset();  // autonomy did not choose to stand
+  impl_->caught.reset();
   return impl_->decision;
 }
 
@@ -304,7 +309,8 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   const bool autonomous = !steered && !situation.goal_latched;
   if (!autonomous) way_out.reset();
   const bool turning_out = way_out.active();
-  int best = way_out.choose({situation, grid, rollout, totals, collision, admissibility, grids});
+  int best = !autonomous ? -1
+                         : way_out.choose({situation, grid, rollout, totals, collision, admissibility, escape, grids});
   report = {best >= 0 ? ChoiceReport::Rule::way_out : ChoiceReport::Rule::cheapest, wish, steered};
   // In a collision only the way out is worth turning for.
   if (best < 0 && !(admissibility.escaping() && turning_out)) best = choose(situation);
@@ -316,6 +322,7 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   }
   judge_operator();
   if (thorough) hear_everybody(cycle);
+  watch_collision(situation);
   watch_rest(situation, autonomous);
   watch_last_turn(situation);
   if (decision.outcome == Outcome::brake || decision.outcome == Outcome::fail) check_all_tiles();  // it is told why
@@ -341,10 +348,35 @@ void Planner::Impl::aim(const Situation& situation, const GridView& grid, const 
   steered = true;
 }
 
+// Whether a legal motion leads out of the collision that the robot stands in.
+bool Planner::Impl::moves_out() {
+  if (report.rule == ChoiceReport::Rule::none) return false;
+  if (!(decision.sample == Twist2{})) return true;
+  check_all_tiles();  // a person had it stand
+  for (std::size_t c = 0; c < totals.size(); ++c) {
+    if (std::isfinite(totals[c]) && !(sample_at(c) == Twist2{})) return true;
+  }
+  return false;
+}
+
+// A new scan may take away at once what one has put under the robot: it waits a little before the host is called.
+void Planner::Impl::watch_collision(const Situation& situation) {
+  caught.observe(situation.time, decision.escaping && !moves_out());
+  if (!caught.holds()) return;
+  const bool moving = !at_rest(decision.reference) || !at_rest(situation.velocity);
+  if (moving || !caught.for_at_least(kCaught, situation.time)) {
+    if (decision.outcome == Outcome::fail) decision.outcome = Outcome::brake;
+    return;
+  }
+  decision.outcome = Outcome::fail;
+  decision.problem_kind = Problem::refused;
+  decision.problem = "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared";
+}
+
 // Autonomy that prefers standing still to every legal move is stuck. It looks for a way out; where there is none it
 // fails, so that the host replans or recovers.
 void Planner::Impl::watch_rest(const Situation& situation, bool autonomous) {
-  const bool trapped = decision.outcome == Outcome::fail && decision.escaping;
+  const bool trapped = caught.holds();
   WayOut::Rest rest;
   rest.stands = autonomous && (decision.outcome == Outcome::hold || trapped);
   rest.creeps = autonomous && decision.outcome == Outcome::drive && decision.sample.v == 0.0 &&

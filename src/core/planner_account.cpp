@@ -101,7 +101,8 @@ void Planner::Impl::hear_critics(const CycleView& cycle, const Tile& tile) {
 
 void Planner::save(Bytes& state) const {
   ArchiveWriter write(state);
-  write(impl_->commands, impl_->odometry, impl_->way_out, impl_->unturned, impl_->unturned_reset, static_cast<std::uint32_t>(impl_->critics.size()));
+  write(impl_->commands, impl_->odometry, impl_->way_out, impl_->caught, impl_->unturned, impl_->unturned_reset,
+        static_cast<std::uint32_t>(impl_->critics.size()));
   for (const NamedCritic& named : impl_->critics) {
     Bytes own;
     ArchiveWriter write_own(own);
@@ -114,7 +115,7 @@ bool Planner::load(const Bytes& state) {
   ArchiveReader read(state);
   std::uint32_t count = 0;
   reset();
-  read(impl_->commands, impl_->odometry, impl_->way_out, impl_->unturned, impl_->unturned_reset, count);
+  read(impl_->commands, impl_->odometry, impl_->way_out, impl_->caught, impl_->unturned, impl_->unturned_reset, count);
   for (std::uint32_t i = 0; i < count && !read.failed(); ++i) {
     std::string name;
     Bytes own;

@@ -14,6 +14,7 @@
 #include "hidwa_local_planner/core/collision.hpp"
 #include "hidwa_local_planner/core/command_history.hpp"
 #include "hidwa_local_planner/core/end_cells.hpp"
+#include "hidwa_local_planner/core/escape.hpp"
 #include "hidwa_local_planner/core/lasting.hpp"
 #include "hidwa_local_planner/core/odometry_belief.hpp"
 #include "hidwa_local_planner/core/plan_grids.hpp"
@@ -85,6 +86,7 @@ struct Planner::Impl {
   CollisionChecker collision;
   CellClasses classes;
   EndCells ends;                          // of the tile that is being scored
+  EscapeRule escape;
   AdmissibilityCheck admissibility;
   PlanGrids grids;
   std::vector<double> totals;             // [candidates]; infinite where refused
@@ -109,6 +111,7 @@ struct Planner::Impl {
   PendingMotion pending;                  // until this cycle's command takes effect
   Situation advanced;                     // the cycle's, with the pose of now
   WayOut way_out;
+  Lasting caught;                         // in collision, and no motion leads out
   Lasting unturned;                       // at the goal's position it stands at another heading
   bool unturned_reset = false;            // the critics were reset for that
   bool thorough = false;
@@ -142,6 +145,8 @@ struct Planner::Impl {
   int choose_next(const TieRule& tie);
   std::uint32_t pick_equals(const TieRule& tie);
   void refuse(std::size_t candidate, std::uint8_t refuser, const char* reason);
+  bool moves_out();
+  void watch_collision(const Situation& situation);
   void watch_rest(const Situation& situation, bool autonomous);
   void watch_last_turn(const Situation& situation);
   void reset_critics() {

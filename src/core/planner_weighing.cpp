@@ -24,6 +24,8 @@ double lowest_of(const double* values, std::size_t count) {
 
 // Makes, checks and scores all candidates.
 CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid, const Sampling& sampling) {
+  escape.look(parameters, limits, grid, footprint, {situation.pose, decision.reference, situation.period,
+                                                     2.0 * (longest_period(situation) - situation.period)});
   make_candidates(situation, sampling);
   prepare_checks(situation, grid);
   grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
@@ -46,8 +48,8 @@ CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid,
     if (named.weight != 0.0) named.critic->prepare(cycle);
   }
   list_checks();
-  // Out of where it is stuck, the way is chosen among all legal candidates.
-  const bool check = sampling.check_all || way_out.active();
+  // Out of where it is stuck or stands in collision, the way is chosen among all legal candidates.
+  const bool check = sampling.check_all || way_out.active() || (escape.overlaps() && !steered);
   for (std::size_t t = 0; t < rollout.tile_count(); ++t) score_tile(cycle, t, check);
   return cycle;
 }
@@ -61,7 +63,8 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
   request.period = situation.period;
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
   request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
-  sampler.make(parameters, limits, request);
+  // In collision all of them are slow: of the usual window hardly any sample would be slow enough.
+  sampler.make(parameters, escape.overlaps() ? escape.slowed() : limits, request);
   rollout.run(parameters, limits, situation.pose, decision.reference, sampler.samples());
   const std::size_t n = rollout.candidate_count();
   decision.candidates = n;
@@ -76,7 +79,8 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
 void Planner::Impl::prepare_checks(const Situation& situation, const GridView& grid) {
   const AdmissibilityCheck::Setup setup{situation.pose,   origin,           decision.reference,
                                         &pending,         situation.period, longest_period(situation),
-                                        !steered && way_out.active()};
+                                        !steered && way_out.active(), steered,
+                                        escape.applies() ? &escape : nullptr};
   const double longest = std::max(pending.fastest(), rollout.fastest());
   double manoeuvres = 0.0;
   for (std::size_t way = 0; way < pending.all(); ++way) {
@@ -93,7 +97,8 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
   const double room = std::min(growth + 2.0 * grid.resolution, across);
   collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin, room);
   classes.prepare(collision, grid, parameters.unknown_is_obstacle, situation.pose, reach);
-  admissibility.prepare(parameters, limits, collision, footprint, grid.resolution, setup);
+  if (escape.applies()) escape.prepare(reach, margin);
+  admissibility.prepare(parameters, limits, escape.applies() ? escape.rest() : collision, footprint, grid.resolution, setup);
   decision.escaping = admissibility.escaping();
 }
 

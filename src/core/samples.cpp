@@ -54,7 +54,9 @@ Twist2 into_window(const Parameters& p, const VelocityLimits& limits, const Dyna
   const double band = dead_band(p, u.v);
   if (!in_dead_band(p, u)) return u;
   u.omega = std::abs(u.omega) < 0.5 * band ? 0.0 : std::copysign(band, u.omega);
-  return limits.clamp(u);  // a turn raised to the band's edge may be too much for the wheels
+  u = limits.clamp(u);  // a turn raised to the band's edge may be too much for the wheels, or too fast
+  if (in_dead_band(p, u)) u.omega = 0.0;
+  return u;
 }
 
 void Sampler::make(const Parameters& p, const VelocityLimits& limits, const SampleRequest& request) {

@@ -26,11 +26,11 @@ constexpr double kHeadingReached = 0.05;
 constexpr double kShortWay = 2.0;
 constexpr int kParts = 8;
 
+// Depths in collision that count as one [m].
+constexpr double kSameDepth = 0.001;
+
 // A way leads nearer to the goal by at least so many cells.
 constexpr double kNearer = 0.4;
-
-// Farther from an obstacle, and not by rounding [m].
-constexpr double kClearly = 0.01;
 
 double to_goal(const WayOut::Scene& scene, double x, double y) {
   return PlanGrids::at(scene.grids.to_goal(), scene.grid, x, y);
@@ -63,12 +63,13 @@ bool WayOut::watch(const Situation& situation, const Rest& rest, double patience
 }
 
 int WayOut::choose(const Scene& scene) {
-  if (!active_) return -1;
+  const bool trapped = scene.escape.overlaps();
+  const int out = trapped ? out_of_collision(scene) : -1;
+  if (out >= 0 || !active_) return out;
   const double now = scene.situation.time;
   active_ = distance(scene.situation.pose, stood_) < kOut && now >= begun_ && now - begun_ < kLongest;
   if (!active_) return -1;
-  const bool trapped = scene.admissibility.escaping();
-  int best = trapped ? out_of_collision(scene) : towards_plan(scene);
+  int best = trapped ? -1 : towards_plan(scene);
   if (best < 0 && !trapped) best = towards_goal(scene);
   return best < 0 ? towards_free_heading(scene) : best;
 }
@@ -106,15 +107,20 @@ int WayOut::towards_goal(const Scene& scene) const {
   return best;
 }
 
-// The cheapest of those that drive: what is legal here leads out.
+// Of the legal ones that drive: what ends least deep, by whole millimetres, and of these the cheapest.
 int WayOut::out_of_collision(const Scene& scene) const {
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity(), cost = least;
   int best = -1;
   for (std::size_t t = 0; t < scene.rollout.tile_count(); ++t) {
     const Tile tile = scene.rollout.tile(t);
     for (std::size_t c = 0; c < tile.count; ++c) {
-      if (tile.v[c] == 0.0 || !(scene.totals[tile.first + c] < least)) continue;
-      least = scene.totals[tile.first + c];
+      const double total = scene.totals[tile.first + c];
+      if (tile.v[c] == 0.0 || !std::isfinite(total)) continue;
+      const double depth = std::floor(scene.escape.depth_at_end(tile, c) / kSameDepth);
+      if (depth > least || (depth == least && total >= cost)) continue;
+      if (!scene.admissibility.can_brake_surely(tile.sample(c))) continue;
+      least = depth;
+      cost = total;
       best = static_cast<int>(tile.first + c);
     }
   }
@@ -130,13 +136,12 @@ int WayOut::towards_free_heading(const Scene& scene) {
   }
   // The turn itself must be free, to either side.
   const double first = heading_off_plan(scene.situation) < 0.0 ? -1.0 : 1.0;
-  const int depth = scene.collision.penetration(pose);
   bool open[2] = {true, true};
   for (double angle = kHeadingStep; angle < M_PI; angle += kHeadingStep) {
     for (int side = 0; side < 2; ++side) {
       const double turn = (side == 0 ? first : -first) * angle;
       const double heading = pose.theta + turn;
-      open[side] = open[side] && scene.collision.penetration({pose.x, pose.y, heading}) <= depth;
+      open[side] = open[side] && may_face(scene, heading);
       if (!open[side] || !leads_on(scene, heading)) continue;
       const int best = turn_by(scene, turn);
       if (best < 0) continue;
@@ -166,12 +171,18 @@ int WayOut::turn_by(const Scene& scene, double angle) const {
   return best;
 }
 
+bool WayOut::may_face(const Scene& scene, double heading) const {
+  if (scene.escape.applies()) return scene.escape.may_face(heading);
+  const Pose2& pose = scene.situation.pose;
+  return !scene.collision.collides({pose.x, pose.y, heading});
+}
+
 // Some room beside the way is asked for: what just fits is refused once a cell of the map changes.
 bool WayOut::leads_on(const Scene& scene, double heading) const {
-  if (scene.admissibility.escaping()) return leads_out(scene, heading);
+  const double length = kShortWay * scene.grid.resolution;
+  if (scene.escape.overlaps()) return scene.escape.leads_out(heading, length);
   const Pose2& pose = scene.situation.pose;
   const double here = to_goal(scene, pose.x, pose.y);
-  const double length = kShortWay * scene.grid.resolution;
   const Rotation rotation{std::cos(heading), std::sin(heading)};
   const Pose2 end{pose.x + length * rotation.c, pose.y + length * rotation.s, heading};
   const double there = to_goal(scene, end.x, end.y);
@@ -182,23 +193,6 @@ bool WayOut::leads_on(const Scene& scene, double heading) const {
     if (scene.collision.separation(on_way, rotation, scene.grid.resolution) < scene.grid.resolution / 16.0) return false;
   }
   return true;
-}
-
-// Straight on it goes no deeper, and ends less deep or farther from what it overlaps.
-bool WayOut::leads_out(const Scene& scene, double heading) const {
-  const Pose2& pose = scene.situation.pose;
-  const double length = kShortWay * scene.grid.resolution;
-  int depth = scene.collision.penetration(pose);
-  const int before = depth;
-  Pose2 on_way = pose;
-  for (int part = 1; part <= kParts; ++part) {
-    const double way = length * part / kParts;
-    on_way = {pose.x + way * std::cos(heading), pose.y + way * std::sin(heading), heading};
-    const int now = scene.collision.penetration(on_way);
-    if (now > depth) return false;
-    depth = now;
-  }
-  return depth < before || scene.collision.clearance(on_way) > scene.collision.clearance(pose) + kClearly;
 }
 
 }  // namespace hidwa_local_planner

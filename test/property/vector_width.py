@@ -23,6 +23,7 @@ PACKED = {
     'kernel::steady_rows': ('mulpd', 'addpd'),
     'kernel::sum_up': ('mulpd', 'addpd', 'andpd'),
     'least_beyond': ('mulpd', 'addpd'),
+    'least_inside': ('mulpd', 'subpd'),
     'take_from': ('paddw', 'pminsw'),
 }
 CLONES = {'avx2': ('v', '%ymm'), 'default': ('', '%xmm')}

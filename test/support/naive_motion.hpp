@@ -114,7 +114,9 @@ inline Twist2 naive_into_window(const Parameters& p, const NaiveWindow& w, const
   const double band = naive_dead_band(p, u.v);
   if (u.omega == 0.0 || std::abs(u.omega) >= band) return u;
   u.omega = std::abs(u.omega) < band / 2 ? 0.0 : u.omega > 0.0 ? band : -band;
-  return naive_inside_limits(p, u);
+  u = naive_inside_limits(p, u);
+  if (std::abs(u.omega) < naive_dead_band(p, u.v)) u.omega = 0.0;
+  return u;
 }
 
 struct NaiveCandidate {
@@ -217,9 +219,9 @@ inline double naive_ahead(double from, double to, double period, double acc, dou
 }
 
 /// The braking manoeuvre in poses at most `spacing` [m] apart at `radius` [m]: what is under way for the latency, one
-/// period (evenly where no more than half the spacing depends on it), braking in two parts.
+/// period (evenly where no more than half the spacing depends on it, or always), braking in two parts.
 inline std::vector<Pose2> naive_braking_poses(const Scene& scene, const NaiveEffects& under_way, const Twist2& command,
-                                              double radius, double spacing) {
+                                              double radius, double spacing, bool always_evenly = false) {
   const Parameters& p = scene.parameters;
   const double sent = p.control_latency, reached = sent + scene.situation.period;
   const NaiveEffects all = under_way.then(sent, command);
@@ -228,7 +230,7 @@ inline std::vector<Pose2> naive_braking_poses(const Scene& scene, const NaiveEff
   const double ahead_v = naive_ahead(before.v, command.v, scene.situation.period, p.acc_lim_x, p.braking_x());
   const double ahead_omega =
       naive_ahead(before.omega, command.omega, scene.situation.period, p.acc_lim_theta, p.braking_theta());
-  if (ahead_v + radius * ahead_omega <= spacing / 2) {
+  if (always_evenly || ahead_v + radius * ahead_omega <= spacing / 2) {
     legs.push_back({before, command, scene.situation.period});
   } else {
     for (const NaiveLeg& leg : naive_legs(all, sent, reached)) legs.push_back(leg);

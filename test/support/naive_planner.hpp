@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A whole cycle, the slow way: the twin of Planner::plan for robots that do not stand in collision, in the
-// first cycle that is not stopped.
+// A whole cycle, the slow way: the twin of Planner::plan, in the first cycle that is not stopped.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "support/naive_critics.hpp"
+#include "support/naive_escape.hpp"
 #include "support/naive_motion.hpp"
 #include "support/naive_padding.hpp"
 #include "support/naive_reference.hpp"
@@ -42,13 +43,22 @@ class NaivePlanner {
     under_way_ = {scene_.parameters, s.period,
                   reference.agrees(s.velocity) ? reference.effects() : std::vector<NaiveEffect>{{0.0, reference_}}};
     stands_in_collision_ = collides(s.pose, body_);
-    if (stands_in_collision_) return;
-    candidates_ = naive_candidates(scene_, reference_);
+    Scene slow = scene_;
+    if (stands_in_collision_) {
+      if (!scene_.parameters.escape) return;
+      slow_down(slow.parameters);
+      find_heaps(slow.parameters);
+      if (!heaps_->overlaps()) slow = scene_;  // only its centre's cell is inscribed
+    }
+    candidates_ = naive_candidates(slow, reference_);
     naive_roll_out(scene_, reference_, candidates_);
     for (NaiveCandidate& c : candidates_) judge(c);
     choose();
   }
+  /// Its centre's cell included.
   bool stands_in_collision() const { return stands_in_collision_; }
+  /// It chooses what leads out of a collision, not what is cheapest.
+  bool gets_out() const { return escapes() && scene_.intent.influence == Influence::none; }
   bool doubtful() const { return doubtful_; }
   bool gives_up() const { return scene_.intent.influence == Influence::none && !critics_.on_map(); }
   const std::vector<NaiveCandidate>& candidates() const { return candidates_; }
@@ -69,6 +79,85 @@ class NaivePlanner {
   }
 
  private:
+  bool escapes() const { return heaps_ != nullptr && heaps_->overlaps(); }
+
+  // How far the outline's farthest point moves with a command that is braked in the next cycle [m].
+  double way(const Twist2& u) const {
+    const Parameters& p = scene_.parameters;
+    const double arm = body_.radius > 0.0 ? 0.0 : naive_outer_radius(body_);
+    const double v = std::abs(u.v), omega = std::abs(u.omega);
+    const double delay = p.control_latency + scene_.situation.period;
+    return v * delay + v * v / 2.0 / p.braking_x() + arm * (omega * delay + omega * omega / 2.0 / p.braking_theta());
+  }
+  double fastest(const Twist2& axis) const {  // within half a cell, by bisection
+    double lo = 0.0, hi = 100.0;
+    while (hi - lo > 1e-13) {
+      const double middle = (lo + hi) / 2.0;
+      (way({axis.v * middle, axis.omega * middle}) <= grid_.resolution / 2.0 ? lo : hi) = middle;
+    }
+    return lo;
+  }
+  void slow_down(Parameters& p) const {
+    const double v = fastest({1.0, 0.0});
+    if (p.min_vel_x > v || p.max_vel_x < -v) {
+      p.min_vel_x = p.max_vel_x = 0.0;
+    } else {
+      p.min_vel_x = std::max(p.min_vel_x, -v);
+      p.max_vel_x = std::min(p.max_vel_x, v);
+    }
+    p.max_vel_theta = std::min(p.max_vel_theta, fastest({0.0, 1.0}));
+  }
+  // And a map without the heaps, in which a disc minds no inscribed cells.
+  void find_heaps(const Parameters& slow) {
+    const double longest = std::max(std::abs(slow.min_vel_x), std::abs(slow.max_vel_x)) * slow.sim_time;
+    const int steps = 1 + static_cast<int>(std::ceil(longest / grid_.resolution));
+    heaps_ = std::make_unique<NaiveEscape>(grid_, body_, slow.unknown_is_obstacle, scene_.situation.pose, steps);
+    rest_ = scene_.costs;
+    for (int j = 0; j < grid_.size_y; ++j) {
+      for (int i = 0; i < grid_.size_x; ++i) {
+        std::uint8_t& cost = rest_[grid_.index({i, j})];
+        if (cost == cost::kInscribed || heaps_->in_heap(i, j)) cost = cost::kFree;
+      }
+    }
+    grid_.costs = rest_.data();
+  }
+  // So many poses of a rollout at once that the outline moves no more than a quarter of a cell.
+  std::vector<Pose2> looked_at(const NaiveCandidate& c) const {
+    const double arm = body_.radius > 0.0 ? 0.0 : naive_outer_radius(body_);
+    const double step = (std::max(std::abs(c.u.v), std::abs(reference_.v)) +
+                         arm * std::max(std::abs(c.u.omega), std::abs(reference_.omega))) * c.dt;
+    const std::size_t last = c.poses.size() - 1;
+    const double most = grid_.resolution / 4.0;
+    const bool all_at_once = step * static_cast<double>(last) <= most;
+    const std::size_t every = all_at_once ? last : static_cast<std::size_t>(std::max(1.0, std::floor(most / step)));
+    std::vector<Pose2> poses;
+    for (std::size_t k = every; k < last; k += every) poses.push_back(c.poses[k]);
+    poses.push_back(c.poses.back());
+    return poses;
+  }
+  bool slow_enough(const Twist2& u) const {
+    const Twist2 braked = naive_command(scene_.parameters, reference_, {}, scene_.situation.period);
+    const bool brakes = std::abs(u.v) <= std::abs(braked.v) + 1e-9 && std::abs(u.omega) <= std::abs(braked.omega) + 1e-9;
+    return brakes || way(u) <= grid_.resolution / 2.0 + 1e-9;
+  }
+  bool leads_out(const NaiveCandidate& c) const {
+    if (!heaps_->descends(looked_at(c), false)) return false;
+    const Pose2& end = c.poses.back();
+    if (scene_.intent.influence != Influence::none && c.u.v == 0.0) return true;
+    if (heaps_->start_total() <= grid_.resolution / 2.0 && (c.u.v != 0.0 || c.u.omega != 0.0)) return true;
+    return heaps_->total(end) < heaps_->start_total() - 1e-6 ||
+           heaps_->clearance(end) > heaps_->clearance(scene_.situation.pose) + 1e-6;
+  }
+  bool sinks(const Twist2& sample, double spacing) const {
+    const Twist2 command = naive_command(scene_.parameters, reference_, sample, scene_.situation.period);
+    for (const bool evenly : {false, true}) {
+      const std::vector<Pose2> poses =
+          naive_braking_poses(scene_, under_way_, command, naive_outer_radius(body_), spacing, evenly);
+      if (!heaps_->descends(poses, true)) return true;
+    }
+    return false;
+  }
+
   bool collides(const Pose2& q, const NaiveBody& body) {
     const double overlap = naive_overlap(grid_, body, q, scene_.parameters.unknown_is_obstacle);
     if (overlap > 0.0 && overlap < kDoubtfulOverlap) doubtful_ = true;
@@ -100,9 +189,9 @@ class NaivePlanner {
 
   void judge(NaiveCandidate& c) {
     const Parameters& p = scene_.parameters;
-    if (rollout_collides(c)) {
+    if ((escapes() && (!slow_enough(c.u) || !leads_out(c))) || rollout_collides(c)) {
       c.refused_by = "Collision";
-    } else if (cannot_brake(c.u, grid_.resolution / 2, body_)) {
+    } else if (cannot_brake(c.u, grid_.resolution / 2, body_) || (escapes() && sinks(c.u, grid_.resolution / 8))) {
       c.refused_by = "Braking";
     }
     double autonomy = 0.0;
@@ -119,7 +208,17 @@ class NaivePlanner {
     if (scene_.intent.influence == Influence::direct) c.total = deviation;
   }
 
+  // Autonomy in collision: what drives and ends least deep, by whole millimetres.
+  double depth_class(const NaiveCandidate& c) const {
+    if (c.u.v == 0.0) return INFINITY;
+    return std::floor(heaps_->total(c.poses.back()) / 0.001);
+  }
   bool preferred(const NaiveCandidate& a, const NaiveCandidate& b) const {
+    if (gets_out()) {
+      const double da = depth_class(a), db = depth_class(b);
+      if (da != db) return da < db;
+      if (std::isfinite(da)) return a.total < b.total;
+    }
     if (std::abs(a.total - b.total) > 1e-9) return a.total < b.total;
     const Parameters& p = scene_.parameters;
     const Twist2& last = scene_.situation.last_command;
@@ -144,7 +243,8 @@ class NaivePlanner {
       }
       if (best_ < 0) return;
       NaiveCandidate& chosen = candidates_[static_cast<std::size_t>(best_)];
-      if (!cannot_brake(chosen.u, grid_.resolution / 16, grown)) return;
+      const bool deeper = escapes() && sinks(chosen.u, grid_.resolution / 128);
+      if (!cannot_brake(chosen.u, grid_.resolution / 16, grown) && !deeper) return;
       chosen.refused_by = "Braking";
     }
   }
@@ -158,6 +258,8 @@ class NaivePlanner {
   std::vector<NaiveCandidate> candidates_;
   int best_ = -1;
   bool stands_in_collision_ = false;
+  std::unique_ptr<NaiveEscape> heaps_;
+  std::vector<std::uint8_t> rest_;
   bool doubtful_ = false;
 };
 

@@ -8,15 +8,16 @@
 
 #include "hidwa_local_planner/core/brake_manoeuvre.hpp"
 #include "hidwa_local_planner/core/collision.hpp"
+#include "hidwa_local_planner/core/escape.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/room_memo.hpp"
 #include "hidwa_local_planner/core/trajectory_batch.hpp"
 
 namespace hidwa_local_planner {
 
-/// Which candidates are free of collision, and which of them can still stop in free space. A robot that already stands
-/// in collision may move where its penetration never grows and ends smaller, or equal with more clearance; and when that
-/// is not to be had, turn on the spot where its penetration never grows.
+/// Which candidates are free of collision, and which of them can still stop in free space. For a robot that already stands
+/// in collision EscapeRule holds besides. Where no motion leads out of that, it may turn on the spot as far as it goes no
+/// deeper; a person may always do so, and stand.
 class AdmissibilityCheck {
  public:
   struct Setup {
@@ -27,17 +28,20 @@ class AdmissibilityCheck {
     double period = 0.05;                    // [s]
     double longest_period = 0.05;            // the next command comes no later [s]
     bool turn_out = false;  // out of a collision that no motion leads out of, by turning first
+    bool steered = false;   // by a person
+    EscapeRule* escape = nullptr;  // where it applies
   };
   /// How far at most a robot with this reach can be from where a manoeuvre is rolled out [m], see ManoeuvreRoller::growth().
   static double most_growth(const Setup& setup, const VelocityLimits& limits, double radius, double reach);
-  /// Once a cycle; `checker` must be prepared and everything must outlive the questions.
+  /// Once a cycle; `checker` must be prepared (EscapeRule::rest() where that applies) and everything must outlive the
+  /// questions.
   void prepare(const Parameters& parameters, const VelocityLimits& limits, const CollisionChecker& checker,
                const Footprint& footprint, double resolution, const Setup& setup);
 
   /// Whether a look at the cells is enough for every rollout of a tile; sets the reasons of those that they refuse.
   bool cells_decide(const Tile& tile, const char** reasons) const;
   /// No candidate needs to be asked whether it can brake.
-  bool all_can_brake() const { return all_clear_; }
+  bool all_can_brake() const { return all_clear_ && !escaping(); }
   /// Reasons for the candidates of a tile, nullptr where free: the rollout.
   void check_rollouts(const Tile& tile, const char** reasons);
   /// Whether the manoeuvre of a sample ends at rest in free space, however the base reaches its commands: at every pose
@@ -48,18 +52,16 @@ class AdmissibilityCheck {
   bool can_brake_surely(const Twist2& sample);
   /// The first command towards a sample.
   Twist2 command_for(const Twist2& sample) const;
-  bool escaping() const { return escaping_; }
+  /// The robot overlaps something.
+  bool escaping() const { return setup_.escape != nullptr && setup_.escape->overlaps(); }
 
  private:
-  struct Stance {
-    int penetration = 0;
-    double clearance = 0.0;  // [m]
-  };
+  const char* fault_of_rollout(const Tile& tile, std::size_t c);
   bool rollout_free(const Tile& tile, std::size_t c);
   double room_at(const Tile& tile, std::size_t c, std::size_t k);
   bool between_free(const Tile& tile, std::size_t c, std::size_t k, double room_before, double room_after);
   bool rollout_escapes(const Tile& tile, std::size_t c) const;
-  bool turns_out(const Tile& tile, std::size_t c) const;
+  bool may_stay(const Tile& tile, std::size_t c) const;
   // Where what is under way leads to, looked at once a cycle.
   struct Arrival {
     std::optional<ManoeuvreRoller> roller;
@@ -77,7 +79,15 @@ class AdmissibilityCheck {
   bool free_in_time(const Twist2& command, bool surely, Arrivals& arrivals, Look&& look) const;
   template <typename Look>
   bool free_all_along(const BrakeManoeuvre& manoeuvre, bool surely, Arrival& arrival, Look&& look) const;
-  bool manoeuvre_deeper(const Twist2& command);
+  // Likewise, for the heaps that it stands in.
+  struct Sinking {
+    std::optional<ManoeuvreRoller> roller;
+    bool deeper = false;
+    EscapeRule::Descent descent;
+  };
+  using Sinkings = std::array<Sinking, PendingMotion::kMost>;
+  bool manoeuvre_deeper(const Twist2& command, double spacing, Sinkings& sinkings) const;
+  bool goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, Sinking& sinking) const;
 
   const Parameters* parameters_ = nullptr;
   const VelocityLimits* limits_ = nullptr;
@@ -86,8 +96,6 @@ class AdmissibilityCheck {
   TurnedPose start_;
   double resolution_ = 0.05;
   Setup setup_;
-  bool escaping_ = false;
-  Stance stance_;
   double look(const Pose2& pose, const Rotation& heading, double needed = 0.0);
   double keep_ = 0.0;  // no more distance than this is asked for: what the robot has now [m]
 
@@ -107,7 +115,7 @@ class AdmissibilityCheck {
   };
   std::vector<Memo> memo_;  // the last answer in each column of samples
   Arrivals arrivals_, sure_arrivals_;
-  std::vector<Pose2> poses_;
+  Sinkings sinkings_, sure_sinkings_;
 };
 
 }  // namespace hidwa_local_planner

@@ -114,6 +114,16 @@ class ManoeuvreRoller {
     return roll_brake(manoeuvre.period, visit);
   }
 
+  /// Likewise with a base that reaches the command evenly over the period, where its limits allow that.
+  template <typename Visit>
+  bool roll_evenly_to_rest(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
+    u_ = manoeuvre.under_way.end();
+    const CommandRamp ramp(*limits_, u_, manoeuvre.command, manoeuvre.period);
+    return stretch(ramp.at(manoeuvre.period), manoeuvre.period, visit) &&
+           stretch(ramp.at(manoeuvre.period + manoeuvre.hold), manoeuvre.hold, visit) &&
+           roll_brake(manoeuvre.period, visit);
+  }
+
   /// The last pose.
   const TurnedPose& at() const { return at_; }
   /// How far a point within the radius may be from where some pose so far has it [m].

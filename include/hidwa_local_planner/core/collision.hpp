@@ -49,11 +49,6 @@ class CollisionChecker {
   /// True when all positions within `distance` [m] of a position are clear.
   bool clear_around(double x, double y, double distance) const;
 
-  /// Obstacle cells that the robot overlaps at a pose.
-  int penetration(const Pose2& pose) const;
-  /// Distance from the robot's centre to the nearest obstacle cell within the window [m]; 0 inside one.
-  double clearance(const Pose2& pose) const;
-
   /// Obstacle in the sense above; cells beyond the edge are.
   bool obstacle(Cell cell) const {
     if (!grid_.contains(cell)) return true;

@@ -19,8 +19,8 @@ namespace hidwa_local_planner {
 ///
 /// Then, in this order: turn towards the plan on the spot; take the legal candidate that comes nearest to the local
 /// goal; turn to the nearest heading from which a short way straight on is free and leads nearer to it. Once begun that
-/// goes on until the robot has come some way from where it stood. A robot that stands in collision takes what leads
-/// out of it, or turns to where that is straight on. Only legal candidates are taken.
+/// goes on until the robot has come some way from where it stood. A robot that stands in collision takes at once what leads
+/// farthest out of it; where nothing does, it turns to where that is straight on. Only legal candidates are taken.
 class WayOut {
  public:
   /// One cycle, as it was weighed. `totals`: of each candidate, infinite where it was refused.
@@ -31,6 +31,7 @@ class WayOut {
     const std::vector<double>& totals;
     const CollisionChecker& collision;
     AdmissibilityCheck& admissibility;
+    EscapeRule& escape;
     PlanGrids& grids;
   };
 
@@ -62,7 +63,7 @@ class WayOut {
   int out_of_collision(const Scene& scene) const;
   int turn_by(const Scene& scene, double angle) const;
   bool leads_on(const Scene& scene, double heading) const;
-  bool leads_out(const Scene& scene, double heading) const;
+  bool may_face(const Scene& scene, double heading) const;
 
   Lasting stands_, rests_;  // it stands; it stands or creeps
   bool active_ = false;

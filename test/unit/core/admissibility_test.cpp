@@ -133,32 +133,5 @@ TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
   EXPECT_NE(reason, nullptr);
 }
 
-// Standing 0.02 m in an obstacle behind it, and one cell of another ahead: what leaves the first and drives
-// over the second ends free, but goes deeper on the way.
-TEST(EscapeCheck, NeverDeeperAtAnyPose) {
-  Parameters p;
-  p.generator = Generator::dwa;
-  for (const bool cell_ahead : {false, true}) {
-    Scene scene = Scene::empty(121);
-    scene.fill(-9.0, -9.0, -0.15, 9.0);                  // cells up to x = -0.175
-    if (cell_ahead) scene.at({68, 60}) = cost::kLethal;  // from x = 0.375 to 0.425
-    const Pose2 start{0.005, 0.0, 0.0};                  // from x = -0.195 to 0.205
-    const Footprint footprint(scene.outline);
-    const VelocityLimits limits = VelocityLimits::from(p);
-    CollisionChecker checker;
-    checker.prepare(scene.grid(), footprint, true, start, 2.0);
-    AdmissibilityCheck check;
-    const UnderWay rest({}, p.control_latency);
-    check.prepare(p, limits, checker, footprint, 0.05, {start, {}, &rest, 0.05});
-    ASSERT_TRUE(check.escaping());
-    Rollout rollout;
-    rollout.run(p, limits, start, {},
-                {{{0.5, 0.0}, SampleKind::grid}});  // 0.85 m: past the cell with its rear
-    const char* reason = nullptr;
-    check.check_rollouts(rollout.tile(0), &reason);
-    EXPECT_EQ(reason != nullptr, cell_ahead);
-  }
-}
-
 }  // namespace
 }  // namespace hidwa_local_planner

@@ -50,8 +50,6 @@ TEST(Collision, ARectangleBesideACell) {
   EXPECT_TRUE(checker.collides({0.2751, 0.0, 0.0}));
   EXPECT_FALSE(checker.collides({0.37, 0.0, M_PI / 2}));  // front at 0.37 + 0.1
   EXPECT_TRUE(checker.collides({0.38, 0.0, M_PI / 2}));
-  EXPECT_EQ(checker.penetration({0.2749, 0.0, 0.0}), 0);
-  EXPECT_EQ(checker.penetration({0.3, 0.0, 0.0}), 1);
 }
 
 TEST(Collision, ADiscIsExactAndMindsInscribedCells) {
@@ -98,18 +96,6 @@ TEST(Collision, APolygonAroundNothingOfTheOrigin) {
   const Footprint footprint(Polygon{{0.5, 0.1}, {0.3, 0.1}, {0.3, -0.1}, {0.5, -0.1}});
   EXPECT_FALSE(prepared(scene, footprint).collides({0.0, 0.0, 0.0}));
   EXPECT_TRUE(prepared(scene, footprint).collides({-0.4, 0.0, 0.0}));
-}
-
-TEST(Clearance, DistanceToTheNearestObstacle) {
-  Scene scene = Scene::empty(61);
-  scene.at({36, 38}) = cost::kLethal;  // from (0.275, 0.375) on
-  scene.at({30, 45}) = cost::kLethal;  // from y = 0.725 on
-  const Footprint footprint(Polygon{{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}});
-  EXPECT_NEAR(prepared(scene, footprint).clearance({0.0, 0.0, 0.0}), std::hypot(0.275, 0.375), 1e-12);
-  EXPECT_NEAR(prepared(scene, footprint).clearance({0.0, 0.6, 0.0}), 0.125, 1e-12);
-  // Inside there is none, wherever in the cell: standing in the midst of obstacles nothing looks like a way
-  // out.
-  EXPECT_EQ(prepared(scene, footprint).clearance({0.31, 0.39, 0.0}), 0.0);
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A robot that already stands in collision.
+#include <algorithm>
+#include <string>
+
 #include <gtest/gtest.h>
 
-#include "support/naive_collision.hpp"
+#include "support/naive_escape.hpp"
 #include "support/planner_bench.hpp"
 #include "support/random.hpp"
 
@@ -47,6 +50,13 @@ TEST(Escape, GetsOutAndNeverDeeper) {
   EXPECT_FALSE(bench.cycle().escaping);
 }
 
+test::NaiveEscape contact(const Scene& scene) {
+  constexpr int kSteps = 8;  // as far as it may get [cells]
+  return {scene.grid(), {scene.outline, 0.0}, true, scene.situation.pose, kSteps};
+}
+
+// The bench reaches every command evenly, braking included, which the planner expects at the limits: that is where the
+// 0.2 mm come from.
 TEST(Escape, ThePersonCannotPushItDeeper) {
   test::Random random(11);
   for (int scene_number = 0; scene_number < 25; ++scene_number) {
@@ -54,19 +64,28 @@ TEST(Escape, ThePersonCannotPushItDeeper) {
     scene.situation.pose = {random.uniform(-0.1, 0.1), random.uniform(-0.3, 0.3), random.uniform(-3.0, 3.0)};
     scene.steer({0.5, random.uniform(-1.0, 1.0)});
     PlannerBench bench(scene);
-    const int first = cells_under(bench.scene());
-    int before = first;
     for (int k = 0; k < 40; ++k) {
-      const bool chosen = bench.drive().outcome == Outcome::drive;
-      const int now = cells_under(bench.scene());
-      if (chosen) {
-        ASSERT_LE(now, before) << scene_number;
-      }
-      // Where nothing is legal the robot brakes, and its last millimetres may touch one cell more.
-      ASSERT_LE(now, first + 1) << scene_number;
-      before = now;
+      const test::NaiveEscape before = contact(bench.scene());
+      bench.drive();
+      const Pose2 now = bench.scene().situation.pose;
+      ASSERT_LE(before.total(now), before.start_total() + 2e-4) << scene_number;
+      ASSERT_LE(before.excess(now, true), 2e-4) << scene_number;
     }
   }
+}
+
+// The samples are spread over what is slow enough.
+TEST(Escape, ThereAreManySlowCandidates) {
+  Scene scene = Scene::empty(81);
+  scene.parameters = Parameters();
+  scene.at({36, 40}) = cost::kLethal;  // up to x = -0.175: 25 mm in its rear
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_TRUE(decision.escaping);
+  EXPECT_GE(decision.candidates, 2400u);
+  EXPECT_GE(decision.legal, 300u);
+  EXPECT_GT(decision.sample.v, 0.1);
+  EXPECT_LE(decision.sample.v, 0.1404);  // 0.15 v + v^2 / 5 = 0.025
 }
 
 TEST(Escape, OffThereIsNoWayOut) {
@@ -79,14 +98,75 @@ TEST(Escape, OffThereIsNoWayOut) {
   EXPECT_EQ(decision.legal, 0u);
 }
 
-TEST(Escape, WithoutReverseItTurnsOutOrSaysSo) {
-  // Straight against the wall and no reverse: turning the square's corner goes deeper, driving too.
+// Straight against the wall and no reverse: turning the square's corner goes deeper, driving too. It waits for a new scan
+// to take the wall away, and after 1 s it says so.
+TEST(Escape, WithoutAWayOutItFailsAfterASecond) {
+  for (const bool steered : {false, true}) {
+    Scene scene = against_the_wall();
+    scene.parameters.min_vel_x = 0.0;
+    if (steered) scene.steer({0.5, 0.0});
+    PlannerBench bench(scene);
+    for (int k = 0; k < 30; ++k) {
+      const Decision& decision = bench.drive();
+      const bool says_so = decision.problem.find("no way out") != std::string::npos;
+      EXPECT_EQ(decision.outcome == Outcome::fail, k >= 20) << k;  // 20 periods of 0.05 s
+      EXPECT_EQ(says_so, k >= 20) << k;
+      EXPECT_TRUE(decision.command == Twist2{});
+    }
+    // The host clears: nothing is left of it.
+    for (std::uint8_t& cost : bench.scene().costs) cost = cost::kFree;
+    EXPECT_EQ(bench.drive().outcome, Outcome::drive);
+  }
+}
+
+// Nobody drives it away from where a person has it stand.
+TEST(Escape, APersonMayHaveItStand) {
   Scene scene = against_the_wall();
-  scene.parameters.min_vel_x = 0.0;
+  scene.steer({0.0, 0.0});
+  scene.intent.influence = Influence::direct;
   PlannerBench bench(scene);
-  const Decision& decision = bench.cycle();
-  EXPECT_EQ(decision.outcome, Outcome::fail);
-  EXPECT_FALSE(decision.problem.empty());
+  for (int k = 0; k < 30; ++k) EXPECT_EQ(bench.drive().outcome, Outcome::hold);
+}
+
+// A scan puts a cell into its side while it drives 0.5 m/s: it brakes to what stops within half a cell, and drives on.
+TEST(Escape, WhoIsFasterBrakesAndDrivesOn) {
+  Scene scene = Scene::empty(121);
+  scene.parameters.control_latency = 0.0;
+  scene.situation.velocity = scene.situation.last_command = {0.5, 0.0};
+  scene.at({62, 64}) = cost::kLethal;  // from y = 0.175 on, 25 mm deep beside its front half
+  PlannerBench bench(scene);
+  double v = 0.5;
+  for (int k = 0; k < 40; ++k) {
+    const Decision& decision = bench.drive();
+    if (!decision.escaping) continue;
+    ASSERT_EQ(decision.outcome, Outcome::drive) << k;
+    // 2.5 * 0.05 slower each time, until 0.05 v + v^2 / 5 = 0.025: v = 0.25 m/s.
+    EXPECT_LE(decision.command.v, std::max(v - 0.125, 0.25) + 1e-9) << k;
+    v = decision.command.v;
+  }
+  EXPECT_GT(bench.scene().situation.pose.x, 0.4);
+  EXPECT_FALSE(bench.cycle().escaping);
+}
+
+// A corridor whose left wall a scan has moved 4 mm into it: along it and out where it ends, forward.
+TEST(Escape, AlongAGrazedWallInACorridor) {
+  Scene scene = Scene::empty(121);
+  scene.parameters.control_latency = 0.0;
+  scene.situation.pose = {-1.0, 0.029, 0.0};  // its side at 0.229
+  scene.fill(-9.0, 0.2, 0.3, 0.4);            // from y = 0.225 on
+  scene.fill(-9.0, -0.4, 9.0, -0.3);          // up to y = -0.275
+  PlannerBench bench(scene);
+  bool grazed = false;
+  for (int k = 0; k < 400 && bench.scene().situation.pose.x < 0.8; ++k) {
+    const test::NaiveEscape before = contact(bench.scene());
+    grazed = grazed || before.overlaps();
+    bench.drive();
+    const Pose2 now = bench.scene().situation.pose;
+    ASSERT_LE(before.total(now), before.start_total() + 1e-4) << k;
+    ASSERT_LE(before.excess(now, true), 1e-4) << k;
+  }
+  EXPECT_TRUE(grazed);
+  EXPECT_GE(bench.scene().situation.pose.x, 0.8);
 }
 
 TEST(Escape, AStandingRobotInFreeSpaceIsNotEscaping) {

@@ -212,5 +212,17 @@ TEST(IntoWindow, TheWheelsHoldAfterTheDeadBandToo) {
   EXPECT_DOUBLE_EQ(u.v, 0.46);  // 0.5 - 0.2 * 0.2
 }
 
+// As in collision: what the motors cannot turn so slowly is no turn.
+TEST(IntoWindow, LimitsBelowTheDeadBandLeaveNoTurn) {
+  Parameters p;
+  p.min_vel_theta = 0.4;
+  VelocityLimits limits = VelocityLimits::from(p);
+  limits.theta.min = -0.3;
+  limits.theta.max = 0.3;
+  const Twist2 u = into_window(p, limits, {{0.0, 0.5}, {-0.3, 0.3}}, {0.1, 0.3});
+  EXPECT_EQ(u.omega, 0.0);
+  EXPECT_EQ(u.v, 0.1);
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner

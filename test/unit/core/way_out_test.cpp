@@ -84,9 +84,10 @@ TEST(WayOut, TurnsFromAWallToThePlan) {
 // A cell that a new scan put into the robot's right side; a wall on the left leaves no room for an arc out of it.
 TEST(WayOut, OutOfACollisionByTurningFirst) {
   Scene scene = round_robot();
-  scene.situation.pose = {0.0, 0.012, -0.5};
-  scene.fill(-0.05, -0.325, 0.05, -0.275);  // its upper edge at -0.275: 0.31 - 0.287 = 23 mm deep
-  scene.fill(-1.0, 0.375, 1.0, 0.425);      // 0.375 - 0.012 - 0.31 = 53 mm beside it
+  scene.situation.pose = {0.0, 0.006, -0.5};
+  // Its upper edge at -0.275: 0.31 - 0.281 = 29 mm deep, more than the half cell that it could drive along.
+  scene.fill(-0.05, -0.325, 0.05, -0.275);
+  scene.fill(-1.0, 0.375, 1.0, 0.425);  // 0.375 - 0.006 - 0.31 = 59 mm beside it
   Scene stays = scene;
   stays.parameters.turn_when_stuck = false;
   PlannerBench bench(scene), without(stays);

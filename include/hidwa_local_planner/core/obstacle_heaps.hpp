@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "hidwa_local_planner/core/grid_view.hpp"
+
+namespace hidwa_local_planner {
+
+/// The obstacle cells that the robot overlaps, with those on the obstacles' edges that hang together with them
+/// (8-neighbourhood) so near that it may come upon them. What hangs together is one heap.
+class ObstacleHeaps {
+ public:
+  /// A square part of a map; what lies beyond the map's edge is an obstacle.
+  struct Window {
+    GridView map;
+    bool unknown_is_obstacle = true;
+    Cell first;    // in the map
+    int size = 0;  // rows and columns [cells]
+
+    bool obstacle(Cell cell) const {
+      if (!map.contains(cell)) return true;
+      const std::uint8_t value = map.at(cell);
+      return value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle);
+    }
+  };
+  struct Overlap {
+    Cell cell;
+    double depth = 0.0;  // of the robot in it [m]
+  };
+  /// How deep the robot may come into a cell [m]: where it stands already, as deep as it does there or, up to half a cell,
+  /// in a neighbour; into any other up to half a cell and no deeper than it stands in the nearest overlapped ones.
+  struct Member {
+    Cell cell;
+    double limit = 0.0;
+    double near_limit = 0.0;  // likewise until the next cycle: of the others, neighbours of overlapped ones only
+    int heap = 0;             // number
+  };
+
+  /// All of `overlaps` must lie in the window; others are looked for up to so many `steps` away from them [cells].
+  void gather(const Window& window, const std::vector<Overlap>& overlaps, int steps);
+
+  /// In the order of their heaps.
+  const std::vector<Member>& members() const { return members_; }
+  /// A cell of the window.
+  bool holds(Cell cell) const { return marks_[index(cell)] >= 0; }
+
+ private:
+  bool inside(Cell cell) const;
+  std::size_t index(Cell cell) const;
+  bool edge(Cell cell) const;
+  void add(const Member& member);
+  void add_overlapped(const std::vector<Overlap>& overlaps);
+  void raise_overlapped(const std::vector<Overlap>& overlaps);
+  void add_ring(std::size_t begin, bool first);
+  void reach(Cell cell, std::size_t ring, double limit, double near_limit);
+  void number_heaps();
+  void spread_number(std::size_t from, int number);
+
+  Window window_;
+  double half_ = 0.0;       // of a cell's side [m]
+  std::vector<int> marks_;  // of the window's cells: which member; negative: none
+  std::vector<Member> members_;
+  std::vector<std::size_t> open_;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a robot may do that stands in collision.
+#include "hidwa_local_planner/core/escape.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/admissibility.hpp"
+#include "hidwa_local_planner/core/rollout.hpp"
+#include "support/scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::Scene;
+
+constexpr double kDelay = 0.15;  // 0.1 s of latency and a period
+
+VelocityLimits limits_of(double min_x, double max_x) {
+  VelocityLimits limits;
+  limits.x = {min_x, max_x, 2.5, 2.5};
+  limits.theta = {-1.0, 1.0, 3.2, 3.2};
+  return limits;
+}
+
+TEST(EscapeSpeed, StopsWithinHalfACell) {
+  const EscapeSpeed speed(limits_of(-0.5, 0.5), 0.3, 0.05, kDelay);
+  // 0.15 v + v^2 / 5 = 0.025: v = 2.5 (sqrt(0.15^2 + 2 * 0.025 / 2.5) - 0.15) = 0.14039 m/s.
+  EXPECT_NEAR(speed.slowed().x.max, 0.14039, 1e-5);
+  EXPECT_NEAR(speed.slowed().x.min, -0.14039, 1e-5);
+  EXPECT_NEAR(speed.way({0.14039, 0.0}), 0.025, 1e-5);
+  // 0.3 (0.15 w + w^2 / 6.4) = 0.025: w = 3.2 (sqrt(0.15^2 + 2 * 0.0833 / 3.2) - 0.15) = 0.3939 rad/s.
+  EXPECT_NEAR(speed.slowed().theta.max, 0.3939, 1e-4);
+  EXPECT_TRUE(speed.allows({0.14, 0.0}, {}, 0.05));
+  EXPECT_FALSE(speed.allows({0.142, 0.0}, {}, 0.05));
+  EXPECT_FALSE(speed.allows({0.1, 0.3}, {}, 0.05));  // 0.017 + 0.018 m
+}
+
+TEST(EscapeSpeed, ACircleMayTurnAsEver) {
+  const EscapeSpeed speed(limits_of(-0.5, 0.5), 0.0, 0.05, kDelay);
+  EXPECT_EQ(speed.slowed().theta.max, 1.0);
+  EXPECT_TRUE(speed.allows({0.14, 1.0}, {}, 0.05));
+}
+
+TEST(EscapeSpeed, WhoIsFasterBrakes) {
+  const EscapeSpeed speed(limits_of(0.0, 0.5), 0.3, 0.05, kDelay);
+  // 0.5 - 2.5 * 0.05 = 0.375 m/s after a period.
+  EXPECT_TRUE(speed.allows({0.375, 0.0}, {0.5, 0.0}, 0.05));
+  EXPECT_FALSE(speed.allows({0.4, 0.0}, {0.5, 0.0}, 0.05));
+  EXPECT_FALSE(speed.allows({0.375, 0.2}, {0.5, 0.0}, 0.05));
+}
+
+TEST(EscapeSpeed, ABaseThatCannotGoSoSlowlyDoesNotDrive) {
+  const EscapeSpeed speed(limits_of(0.2, 0.5), 0.3, 0.05, kDelay);
+  EXPECT_EQ(speed.slowed().x.min, 0.0);
+  EXPECT_EQ(speed.slowed().x.max, 0.0);
+}
+
+double depth_of(const Footprint& footprint, const Pose2& pose, double x, double y) {
+  OutlineDepth depth;
+  depth.prepare(footprint, 0.05);
+  const double xs[4] = {x}, ys[4] = {y};
+  double depths[4];
+  depth.of(pose, {std::cos(pose.theta), std::sin(pose.theta)}, xs, ys, 1, depths);
+  return depths[0];
+}
+
+// Cells of 0.05 m with the centre given.
+TEST(OutlineDepth, TheShortestWayOut) {
+  const Footprint square(Polygon{{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
+  EXPECT_NEAR(depth_of(square, {0.0, 0.0, 0.0}, 0.215, 0.0), 0.01, 1e-12);   // 0.2 - (0.215 - 0.025)
+  EXPECT_NEAR(depth_of(square, {0.0, 0.0, 0.0}, 0.0, 0.0), 0.225, 1e-12);    // out at any side
+  EXPECT_LT(depth_of(square, {0.0, 0.0, 0.0}, 0.23, 0.0), 0.0);              // beside it
+  // Turned by 45 degrees its corner is 0.2828 ahead; the cell's side at 0.25 is 0.0328 m behind that.
+  EXPECT_NEAR(depth_of(square, {0.0, 0.0, M_PI / 4}, 0.275, 0.0), 0.2 * std::sqrt(2.0) - 0.25, 1e-12);
+}
+
+TEST(OutlineDepth, OfACircle) {
+  const Footprint circle({}, 0.3);
+  EXPECT_NEAR(depth_of(circle, {0.0, 0.0, 1.0}, 0.315, 0.0), 0.01, 1e-12);  // 0.3 - 0.29
+  // The cell's corner at (0.2, 0.2): 0.3 - 0.2828.
+  EXPECT_NEAR(depth_of(circle, {0.0, 0.0, 1.0}, 0.225, 0.225), 0.3 - 0.2 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(depth_of(circle, {0.0, 0.0, 1.0}, 0.005, 0.0), 0.32, 1e-12);  // from within: 0.3 + 0.025 - 0.005
+}
+
+// A fork that is open to the front: what lies between its prongs is not touched; in a prong the hull counts.
+TEST(OutlineDepth, OfAnOutlineThatIsNotConvex) {
+  const Footprint fork(Polygon{{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}, {0.3, -0.1}, {0.0, -0.1}, {0.0, 0.1}, {0.3, 0.1}});
+  EXPECT_LT(depth_of(fork, {0.0, 0.0, 0.0}, 0.2, 0.0), 0.0);
+  EXPECT_NEAR(depth_of(fork, {0.0, 0.0, 0.0}, 0.2, 0.15), 0.075, 1e-12);  // 0.2 - 0.125
+}
+
+// One robot in one scene, at rest.
+class Caught {
+ public:
+  Caught(const Scene& scene, const Pose2& start, bool steered = false)
+      : scene_(scene), start_(start), limits_(VelocityLimits::from(scene.parameters)), under_way_({}, scene.parameters.control_latency) {
+    footprint_ = Footprint::from_outline(scene_.outline, 0.0);
+    rule_.look(scene_.parameters, limits_, scene_.grid(), footprint_, {start, {}, 0.05});
+    if (!rule_.applies()) return;
+    rule_.prepare(1.0, 0.05);
+    AdmissibilityCheck::Setup setup;
+    setup.start = start;
+    setup.under_way = &under_way_;
+    setup.steered = steered;
+    setup.escape = &rule_;
+    check_.prepare(scene_.parameters, limits_, rule_.rest(), footprint_, 0.05, setup);
+  }
+  Caught(const Caught&) = delete;
+  EscapeRule& rule() { return rule_; }
+  /// Why it may not; empty where it may.
+  std::string refusal(const Twist2& sample) {
+    Rollout rollout;
+    rollout.run(scene_.parameters, limits_, start_, {}, {{sample, SampleKind::grid}});
+    const char* reason = nullptr;
+    check_.check_rollouts(rollout.tile(0), &reason);
+    if (reason != nullptr) return reason;
+    return check_.can_brake(sample, 0) && check_.can_brake_surely(sample) ? "" : "cannot brake";
+  }
+  bool may(const Twist2& sample) { return refusal(sample).empty(); }
+
+ private:
+  Scene scene_;
+  Pose2 start_;
+  VelocityLimits limits_;
+  UnderWay under_way_;
+  Footprint footprint_;
+  EscapeRule rule_;
+  AdmissibilityCheck check_;
+};
+
+// The square of 0.4 m; cells (i, j) span (i - 60.5) * 0.05 on.
+Scene square() {
+  Scene scene = Scene::empty(121);
+  scene.parameters = Parameters();
+  scene.parameters.min_vel_x = -0.5;
+  return scene;
+}
+
+TEST(EscapeRule, InFreeSpaceItDoesNotApply) {
+  Scene scene = square();
+  scene.fill(0.2, -9.0, 9.0, 9.0);  // from x = 0.225 on
+  EXPECT_FALSE(Caught(scene, {0.02, 0.0, 0.0}).rule().applies());
+  EXPECT_TRUE(Caught(scene, {0.03, 0.0, 0.0}).rule().overlaps());
+  scene.parameters.escape = false;
+  EXPECT_FALSE(Caught(scene, {0.03, 0.0, 0.0}).rule().applies());
+}
+
+TEST(EscapeRule, OutAndNeverDeeper) {
+  Scene scene = square();
+  scene.fill(0.2, -9.0, 9.0, 9.0);
+  Caught robot(scene, {0.035, 0.0, 0.0});  // 0.235 - 0.225 = 10 mm deep
+  EXPECT_NEAR(robot.rule().start().total, 0.01, 1e-9);
+  EXPECT_TRUE(robot.may({-0.14, 0.0}));
+  EXPECT_NE(robot.refusal({0.02, 0.0}).find("deeper"), std::string::npos);
+  EXPECT_NE(robot.refusal({-0.2, 0.0}).find("too fast"), std::string::npos);
+  EXPECT_NE(robot.refusal({0.0, 0.2}).find("deeper"), std::string::npos);  // its corners would
+  EXPECT_NE(robot.refusal({}).find("not out"), std::string::npos);
+}
+
+// It leaves what is behind it and would come upon a post that it does not overlap, though no deeper than now.
+TEST(EscapeRule, LeavingOneObstacleDoesNotPayForAnother) {
+  for (const bool post : {false, true}) {
+    Scene scene = square();
+    scene.at({56, 60}) = cost::kLethal;            // from x = -0.225 to -0.175
+    if (post) scene.at({68, 60}) = cost::kLethal;  // from x = 0.375 on: 0.175 m ahead
+    Caught robot(scene, {0.0, 0.0, 0.0});          // 25 mm deep
+    EXPECT_NEAR(robot.rule().start().total, 0.025, 1e-9);
+    EXPECT_EQ(robot.may({0.14, 0.0}), !post);  // 1.85 s * 0.14 = 0.26 m
+    EXPECT_TRUE(robot.may({0.08, 0.0}));       // 0.15 m
+  }
+}
+
+// The wall beside it is 5 mm in its left side: straight on is allowed, though it comes upon further cells of the wall.
+TEST(EscapeRule, AlongAWallThatItGrazes) {
+  Scene scene = square();
+  scene.fill(-9.0, 0.2, 9.0, 9.0);  // from y = 0.225 on
+  for (const double x : {0.0, 0.01, 0.02, 0.03, 0.04}) {  // wherever its cells begin
+    Caught robot(scene, {x, 0.03, 0.0});
+    EXPECT_NEAR(robot.rule().start().total, 0.005, 1e-9);
+    EXPECT_TRUE(robot.may({0.14, 0.0}));
+    EXPECT_TRUE(robot.may({-0.14, 0.0}));
+    EXPECT_FALSE(robot.may({0.1, 0.05}));
+  }
+  // Deeper than half a cell it may not.
+  EXPECT_FALSE(Caught(scene, {0.0, 0.055, 0.0}).may({0.14, 0.0}));  // 30 mm
+}
+
+// A cell juts out of the wall ahead, 20 mm farther than the robot stands in it.
+TEST(EscapeRule, NotDeeperIntoANeighbour) {
+  Scene scene = square();
+  scene.fill(-9.0, 0.2, 9.0, 9.0);
+  scene.at({66, 64}) = cost::kLethal;  // from (0.275, 0.175) on
+  Caught robot(scene, {0.0, 0.03, 0.0});
+  EXPECT_FALSE(robot.may({0.14, 0.0}));
+  EXPECT_TRUE(robot.may({0.03, 0.0}));  // 0.2 + 1.85 * 0.03 = 0.2555
+  EXPECT_TRUE(robot.may({-0.14, 0.0}));
+}
+
+// Two posts, one behind it and one on its left: they are no one heap, and their depths add up.
+TEST(EscapeRule, DepthsOfSeparateObstaclesAddUp) {
+  Scene scene = square();
+  scene.at({56, 60}) = cost::kLethal;  // from x = -0.225 to -0.175
+  scene.at({60, 64}) = cost::kLethal;  // from y = 0.175 to 0.225
+  Caught robot(scene, {0.0, -0.01, 0.0});
+  EXPECT_NEAR(robot.rule().start().total, 0.025 + 0.015, 1e-9);  // 0.2 - 0.175 and 0.19 - 0.175
+}
+
+// A person may have it stand, and turn where that is no deeper; autonomy gets out.
+TEST(EscapeRule, APersonMayHaveItStandAndTurn) {
+  Scene scene = square();
+  scene.outline.clear();
+  for (int i = 0; i < 16; ++i) scene.outline.push_back({0.2 * std::cos(i * M_PI / 8), 0.2 * std::sin(i * M_PI / 8)});
+  scene.fill(0.1, -9.0, 9.0, 9.0);  // from x = 0.125 on: 75 mm deep
+  Caught person(scene, {0.0, 0.0, 0.0}, true), autonomy(scene, {0.0, 0.0, 0.0});
+  EXPECT_TRUE(person.may({}));
+  EXPECT_TRUE(person.may({0.0, 0.5}));
+  EXPECT_FALSE(person.may({0.1, 0.0}));
+  EXPECT_FALSE(autonomy.may({}));
+  EXPECT_FALSE(autonomy.may({0.0, 0.5}));
+  EXPECT_TRUE(autonomy.may({-0.1, 0.0}));
+}
+
+// A disc whose outline is free, its centre's cell inscribed by rounding: it drives as ever, but touches nothing.
+TEST(EscapeRule, AnInscribedCentreIsNoOverlap) {
+  Scene scene = square();
+  scene.outline.clear();
+  for (int i = 0; i < 16; ++i) scene.outline.push_back({0.2 * std::cos(i * M_PI / 8), 0.2 * std::sin(i * M_PI / 8)});
+  scene.fill(-9.0, 0.2, 9.0, 9.0);
+  scene.at({60, 60}) = cost::kInscribed;
+  Caught robot(scene, {0.0, 0.024, 0.0});  // 1 mm beside the wall
+  EXPECT_TRUE(robot.rule().applies());
+  EXPECT_FALSE(robot.rule().overlaps());
+  EXPECT_TRUE(robot.may({0.5, 0.0}));
+  EXPECT_FALSE(robot.may({0.5, 0.1}));
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
