@@ -20,6 +20,9 @@ namespace {
 
 constexpr int kSeconds = 20;
 
+// Seeds from here on found most of what the long form did when it was first run.
+constexpr std::uint64_t kFirst = 78;
+
 std::vector<Condition> promised() {
   std::vector<Condition> conditions;
   for (const Condition& condition : all_conditions()) {
@@ -32,7 +35,8 @@ class Attack : public testing::TestWithParam<Condition> {};
 
 TEST_P(Attack, Holds) {
   Extent extent;
-  extent.drives = 12;
+  extent.drives = 16;
+  extent.first_seed = kFirst;
   extent.seconds = kSeconds;
   const Summary summary(GetParam(), run(GetParam(), extent));
   std::printf("%s", table_line(summary).c_str());
