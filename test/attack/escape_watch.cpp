@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "contact_watch.hpp"
 
@@ -30,6 +32,7 @@ EscapeWatch::EscapeWatch(const World& world, const Shape& padded_shape, const Sp
   const double dec = p.decel_lim_x != 0.0 ? std::abs(p.decel_lim_x) : p.acc_lim_x;
   bound_ = speed_that_stops_in(half_cell_, p.control_latency + 1e-3 * spec.period, dec);
   memory_ = static_cast<int>(1000.0 * p.control_latency) + spec.period + 2;
+  find_heaps();
   settling_ = memory_ + spec.period + static_cast<int>(1000.0 * p.max_vel_x / dec);
 }
 
@@ -60,7 +63,7 @@ void EscapeWatch::observe(int now, const Pose2& pose, const Twist2& velocity) {
   Set now_in = overlapped(pose);
   if (judging(now)) {
     judge_cells(now_in);
-    judge_sum(now_in);
+    judge_total(now_in);
   }
   now_in_ = std::move(now_in);
 }
@@ -70,6 +73,24 @@ void EscapeWatch::world_changed(int now) {
   floor_ = 1e9;
   in_since_ = -1;
   decided_.clear();
+  find_heaps();
+}
+
+void EscapeWatch::find_heaps() {
+  heap_.assign(static_cast<std::size_t>(world_.columns()) * static_cast<std::size_t>(world_.rows()), -1);
+  std::vector<std::pair<int, int>> open;
+  for (int seed = 0, heap = 0; seed < static_cast<int>(heap_.size()); ++seed, ++heap) {
+    open.assign(1, {seed % world_.columns(), seed / world_.columns()});
+    while (!open.empty()) {
+      const auto [i, j] = open.back();
+      open.pop_back();
+      if (!world_.lethal(i, j) || heap_[world_.index(i, j)] >= 0) continue;
+      heap_[world_.index(i, j)] = heap;
+      for (int dj = -1; dj <= 1; ++dj) {
+        for (int di = -1; di <= 1; ++di) open.emplace_back(i + di, j + dj);
+      }
+    }
+  }
 }
 
 bool EscapeWatch::was_in(const In& cell) const {
@@ -101,11 +122,16 @@ void EscapeWatch::judge_cells(Set& now_in) {
   }
 }
 
-void EscapeWatch::judge_sum(const Set& now_in) {
-  double sum = 0.0;
-  for (const In& cell : now_in) sum += cell.depth;
-  floor_ = std::min(floor_, sum);
-  growth_ = std::max(growth_, sum - floor_);
+void EscapeWatch::judge_total(const Set& now_in) {
+  std::map<int, double> depths;
+  for (const In& cell : now_in) {
+    double& depth = depths[heap_[world_.index(cell.i, cell.j)]];
+    depth = std::max(depth, cell.depth);
+  }
+  double total = 0.0;
+  for (const auto& [heap, depth] : depths) total += depth;
+  floor_ = std::min(floor_, total);
+  growth_ = std::max(growth_, total - floor_);
 }
 
 bool EscapeWatch::broken() const {

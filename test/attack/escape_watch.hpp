@@ -10,8 +10,9 @@
 namespace hidwa_attack {
 
 /// Watches a robot that stands in obstacle cells. It may enter a cell only where that is a neighbour of one that it
-/// overlapped when what it does now was decided, no deeper than it stood in then and at most half a cell; the sum of its
-/// depths never grows; and it is no faster than what stops within half a cell.
+/// overlapped when what it does now was decided, no deeper than it stood in then and at most half a cell; its total depth
+/// never grows: the depth in the deepest cell of each heap, cells that hang together, summed over the heaps (along a wall
+/// the number of cells under the robot comes and goes, the depth in the wall does not); and it is no faster than what stops within half a cell.
 class EscapeWatch {
  public:
   EscapeWatch(const World& world, const Shape& padded_shape, const Spec& spec);
@@ -26,7 +27,7 @@ class EscapeWatch {
   int entered() const { return entered_; }                    // cells that it must not enter
   double entered_depth() const { return entered_depth_; }     // [m]
   double neighbour_excess() const { return excess_; }         // deeper in a neighbour than allowed, by so much [m]
-  double growth() const { return growth_; }                   // of the sum of depths [m]
+  double growth() const { return growth_; }                   // of the total depth [m]
   double fastest() const { return fastest_; }                 // |v| while it stands in collision [m/s]
   double speed_bound() const { return bound_; }               // [m/s]
   bool out() const { return now_in_.empty(); }
@@ -47,11 +48,13 @@ class EscapeWatch {
   Set overlapped(const Pose2& pose) const;
   bool judging(int now) const { return now >= judged_from_; }
   void judge_cells(Set& now_in);
-  void judge_sum(const Set& now_in);
+  void judge_total(const Set& now_in);
+  void find_heaps();
   bool may_neighbour(const In& cell) const;
   bool was_in(const In& cell) const;
 
   const World& world_;
+  std::vector<int> heap_;  // of each cell of the world
   Shape shape_;
   double outermost_, half_cell_, bound_;  // [m], [m], [m/s]
   int memory_, settling_;                 // [ms]

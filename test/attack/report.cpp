@@ -23,7 +23,7 @@ std::string verdict(const Summary& s) {
 
 std::string in_collision(const Summary& s) {
   if (s.stood_in == 0) return "";
-  return text("   in collision: %d came out of %d; %d entered cells, %d too fast, sum grew %.2f mm, neighbour %.2f mm too deep", s.came_out,
+  return text("   in collision: %d came out of %d; %d entered cells, %d too fast, total depth grew %.2f mm, neighbour %.2f mm too deep", s.came_out,
               s.stood_in, s.entered, s.too_fast, 1e3 * s.worst_growth, 1e3 * s.worst_excess);
 }
 

@@ -25,7 +25,7 @@ struct DriveResult {
   bool came_out = false;
   int entered = 0;              // cells that it must not enter
   double excess = 0.0;          // deeper in a neighbour than allowed [m]
-  double growth = 0.0;          // of the sum of depths [m]
+  double growth = 0.0;          // of the total depth [m]
   double fastest_inside = 0.0;  // [m/s]
   double speed_bound = 0.0;     // [m/s]
 };
