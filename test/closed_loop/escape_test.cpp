@@ -154,17 +154,28 @@ void aim_at(Scene& scene, double angle) {
 }
 
 // One stray cell under the rear, a post ahead: leaving the one does not pay for the other.
-TEST(Escape, LeavingOneObstacleDoesNotPayForAnother) {
+Scene stray_cell_and_post(double post) {
   Scene scene = at_rest_in(rectangle(-0.25, 0.25, 0.2));
-  scene.at(scene.grid().cell_at(-0.2, 0.1)) = cost::kLethal;
-  const Cell post = scene.grid().cell_at(0.7, 0.0);
-  scene.at(post) = cost::kLethal;
+  scene.at({55, 62}) = cost::kLethal;  // up to x = -0.225: 25 mm in its rear
+  scene.at(scene.grid().cell_at(post, 0.0)) = cost::kLethal;
   aim_at(scene, 0.0);
-  Robot robot(scene);
+  return scene;
+}
+
+TEST(Escape, LeavingOneObstacleDoesNotPayForAnother) {
+  Robot robot(stray_cell_and_post(0.3));  // from x = 0.275 on: it comes upon the one where it leaves the other
   const Found found = watch(robot, 160);
   EXPECT_LE(found.entered, kTouches);
   EXPECT_LE(found.deepened, kSameDepth);
   EXPECT_LE(found.fastest, 0.1405);  // 0.15 v + 0.2 v^2 = 0.025
+}
+
+TEST(Escape, OutAndRoundAPostFartherAhead) {
+  Robot robot(stray_cell_and_post(0.7));
+  const Found found = watch(robot, 160);
+  EXPECT_LE(found.entered, kTouches);
+  EXPECT_LE(found.deepened, kSameDepth);
+  EXPECT_LE(found.fastest, 0.1405);
   EXPECT_TRUE(found.out);
 }
 
