@@ -33,7 +33,8 @@ EscapeWatch::EscapeWatch(const World& world, const Shape& padded_shape, const Sp
   bound_ = speed_that_stops_in(half_cell_, p.control_latency + 1e-3 * spec.period, dec);
   memory_ = static_cast<int>(1000.0 * p.control_latency) + spec.period + 2;
   find_heaps();
-  settling_ = memory_ + spec.period + static_cast<int>(1000.0 * p.max_vel_x / dec);
+  const double dec_theta = p.decel_lim_theta != 0.0 ? std::abs(p.decel_lim_theta) : p.acc_lim_theta;
+  settling_ = memory_ + 2 * spec.period + static_cast<int>(1000.0 * std::max(p.max_vel_x / dec, p.max_vel_theta / dec_theta));
 }
 
 EscapeWatch::Set EscapeWatch::overlapped(const Pose2& pose) const {
