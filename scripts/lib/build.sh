@@ -33,7 +33,7 @@ hidwa_build() {
   missing=$(sed -n 's/ compat$//p' <<< "$host")
   for package in $missing; do bases+=("$HIDWA_ROOT/compat/$package"); done
   say "host: ${missing:+compat for ${missing//$'\n'/, }; }underlay ${HIDWA_UNDERLAY:-none}"
-  hidwa_take_host "$host"
+  hidwa_take_host "$host"$'\n'"underlay ${HIDWA_UNDERLAY:-none}"
   # Tests stay out of a user's build; a build that has them keeps them.
   if ! grep -q 'HIDWA_TESTS:[A-Z]*=ON' "$HIDWA_SPACE/build/hidwa_local_planner/CMakeCache.txt" 2>/dev/null; then
     tests=(-DHIDWA_TESTS=OFF -DCOMPAT_TESTS=OFF)

@@ -28,11 +28,12 @@ add_library(other STATIC other.cpp)
 class Configured:
     """A build folder that CMake has made, and what is to be built in it."""
 
-    def __init__(self, source, *arguments):
+    def __init__(self, source, *arguments, environment=None):
         self._folder = tempfile.TemporaryDirectory()
         self.path = self._folder.name
         done = subprocess.run(['cmake', '-S', source, '-B', self.path, '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON', *arguments],
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
+                              env={**os.environ, **(environment or {})})
         self.status, self.output = done.returncode, done.stdout
 
     def close(self):
@@ -122,6 +123,26 @@ class UnderCatkin(unittest.TestCase):
         built = build.built_by_all()
         self.assertIn('hidwa_local_planner', built)
         self.assertNotIn('hidwa_unit_input', built)
+
+    def test_the_controller_for_move_base_flex_waits_for_generated_headers_and_is_installed_with_its_export(self):
+        with tempfile.TemporaryDirectory() as folder:
+            # Found, as from a workspace that makes the messages in the same build.
+            for name, more in (('mbf_costmap_core', ''), ('mbf_msgs', 'add_custom_target(mbf_msgs_made)\n'
+                                                         'set(mbf_msgs_EXPORTED_TARGETS mbf_msgs_made)\n')):
+                with open(os.path.join(folder, f'{name}Config.cmake'), 'w', encoding='utf-8') as out:
+                    out.write(f'set({name}_INCLUDE_DIRS /usr/include)\n{more}')
+            build = self.configured('-DHIDWA_TESTS=OFF', f'-Dmbf_costmap_core_DIR={folder}', f'-Dmbf_msgs_DIR={folder}')
+        self.assertIn('hidwa_mbf_controller', build.built_by_all())
+        rules = build.read('CMakeFiles', 'Makefile2')
+        self.assertRegex(rules, r'hidwa_mbf_controller\.dir/all: CMakeFiles/mbf_msgs_made\.dir/all')
+        self.assertIn('/mbf_plugins.xml', build.read('cmake_install.cmake'))
+
+    def test_move_base_flex_that_is_demanded_and_absent_is_an_error(self):
+        build = Configured(ROOT, '-DPYTHON_EXECUTABLE=/usr/bin/python3', '-DHIDWA_TESTS=OFF',
+                           '-DCMAKE_DISABLE_FIND_PACKAGE_mbf_msgs=ON', environment={'HIDWA_WITH_MBF': '1'})
+        self.addCleanup(build.close)
+        self.assertNotEqual(build.status, 0)
+        self.assertIn('HIDWA_WITH_MBF=1, but', build.output)
 
     def test_they_follow_catkins_own_switch(self):
         self.assertEqual(self.configured('-DCATKIN_ENABLE_TESTING=OFF').tests(), [])

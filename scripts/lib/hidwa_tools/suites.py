@@ -138,8 +138,8 @@ def ros():
     paths = [os.path.dirname(path) for path in sorted(glob.glob(os.path.join(ROOT, 'test', 'ros', '*', 'package.xml')))]
     # C++14, the default of GCC 9: a package with critics is lifted from it by this one.
     run(in_install('colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', *paths, '--cmake-args',
-                   '-DCMAKE_CXX_FLAGS=-std=gnu++14', '-DCMAKE_BUILD_TYPE=Release', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
-                   '-DPython3_EXECUTABLE=/usr/bin/python3', '--no-warn-unused-cli'), 'ros_build', cwd=folder)
+                   '-DCMAKE_CXX_FLAGS=-std=gnu++14', f'-DHIDWA_WERROR={werror()}', '-DCMAKE_BUILD_TYPE=Release',
+                   '-DPYTHON_EXECUTABLE=/usr/bin/python3', '-DPython3_EXECUTABLE=/usr/bin/python3', '--no-warn-unused-cli'), 'ros_build', cwd=folder)
     counts = Counts()
     setup = os.path.join(folder, 'install', 'setup.bash')
     for path in sorted(glob.glob(os.path.join(folder, 'build', '*', 'CTestTestfile.cmake'))):
