@@ -75,7 +75,8 @@ TEST(GoalChecker, APlanAfterAPauseEndsTheLatch) {
     GoalChecker checker;
     checker.cycle(100.0);
     checker.update(kGoal, {}, kGoal, kDefaults);
-    EXPECT_NE(checker.plan_arrives(100.0 + silence, period), checker.latched());
+    const bool paused = checker.plan_arrives(100.0 + silence, period);
+    EXPECT_NE(paused, checker.latched());
     return checker.latched();
   };
   EXPECT_TRUE(lasts(0.29, 0.05));
