@@ -129,14 +129,15 @@ TEST_F(RecoveryTest, WaitsWhileSomebodyStopsTheRobot) {
 
 TEST_F(RecoveryTest, WaitsWhileSomebodySteers) {
   start();
-  host().plan_ahead(2.0);
-  ASSERT_TRUE(cycle_until([this](const Host::Cycle&) { return state().input_age >= 0.0; }));
-  const Commands commands;
+  drive();
   person().left = 1.0f;
   ASSERT_TRUE(reaches("SHARED"));
-  host().stop();
-  Running running(recovery("Steered", 20.0));
+  const Commands commands;
+  const auto behavior = recovery("Steered", 20.0);
+  commands.expect_connected();
+  Running running(behavior);
   EXPECT_FALSE(running.ends(1.5));
+  EXPECT_EQ(commands.all().back().angular.z, 0.0);  // what the person wants is not done meanwhile
   person().left = 0.0f;
   EXPECT_TRUE(running.ends(5.0));
 }
