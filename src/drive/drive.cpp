@@ -164,7 +164,15 @@ class Run {
     const double left = (goal_point() - Eigen::Vector2d(world_.pose().x, world_.pose().y)).norm();
     if (setup_.goal_radius > 0.0) return left <= setup_.goal_radius;
     if (person_.state() == OperatorStateId::manual) return false;
-    return goal_checker_.update(pose(), velocity(), goal(), planner_.parameters());
+    return check_goal(pose(), velocity(), goal());
+  }
+
+  // Where the robot was carried or driven away from the goal, what was latched there is true no more.
+  bool check_goal(const Pose2& robot, const Twist2& velocity, const Pose2& goal) {
+    const bool latched = goal_checker_.latched();
+    const bool reached = goal_checker_.update(robot, velocity, goal, planner_.parameters());
+    if (latched && !goal_checker_.latched()) begin_goal();
+    return reached;
   }
 
   // The plugin's cycle; false when there is nothing to send.
@@ -188,7 +196,6 @@ class Run {
   }
 
   void observe(double time) {
-    const Parameters& p = planner_.parameters();
     situation_.pose = pose();
     situation_.velocity = velocity();
     situation_.last_command = last_command_;
@@ -196,9 +203,7 @@ class Run {
     situation_.period = control_due_.period();
     situation_.time = time;
     take_plan_window();
-    goal_checker_.update(situation_.pose, situation_.velocity, situation_.goal, p);
-    if (goal_checker_.latched() && distance(situation_.pose, situation_.goal) > 2.0 * p.xy_goal_tolerance)
-      begin_goal();
+    check_goal(situation_.pose, situation_.velocity, situation_.goal);
     situation_.goal_latched = goal_checker_.latched();
   }
 
@@ -214,7 +219,6 @@ class Run {
     }
   }
 
-  // The robot was carried or driven away from the goal: what was latched is true no more.
   void begin_goal() {
     planner_.reset();
     goal_checker_.reset();

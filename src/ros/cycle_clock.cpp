@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/cycle_clock.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "hidwa_local_planner/core/pause.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -18,8 +19,7 @@ CycleClock::Tick CycleClock::tick(double now, double period) {
   const double interval = last_ ? now - *last_ : 0.0;
   tick.interval = interval;
   tick.jumped_back = last_ && interval < 0.0;
-  // A slow host still calls in this time; a host that replans, recovers or waits for its costmap does not.
-  tick.paused = !last_ || tick.jumped_back || interval > std::max(4.0 * period, 0.3);
+  tick.paused = !last_ || tick.jumped_back || is_pause(interval, period);
   if (period != period_) {
     period_ = period;
     complained_ = false;

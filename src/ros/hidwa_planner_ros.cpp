@@ -3,6 +3,7 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "hidwa_local_planner/input/yielding.hpp"
 #include "hidwa_local_planner/ros/guarded.hpp"
 #include "hidwa_local_planner/ros/shell.hpp"
 
@@ -23,12 +24,16 @@ void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf,
                                  costmap_2d::Costmap2DROS* costmap_ros) {
   succeeds("initialize", [&] {
     start_shell(shell_, name, tf, costmap_ros);
+    if (!shell_ || entry_) return true;
+    host_goal_ = std::make_unique<HostGoal>();
+    entry_ = std::make_unique<RobotKeepers::Entry>(RobotKeepers::of_process(), [this] { return keep(); });
     return true;
   });
 }
 
 bool HIDWAPlannerROS::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   return succeeds("setPlan", [&] {
+    if (!plan.empty()) end_ = plan.back();
     if (shell_) shell_->set_plan(plan);
     return shell_ != nullptr;
   });
@@ -41,14 +46,31 @@ bool HIDWAPlannerROS::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
       ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS was not initialized: nothing is driven");
       return false;
     }
-    const CycleResult result = shell_->cycle();
-    cmd_vel = to_message(result.command);
-    return result.outcome != Outcome::fail;
+    return cycle(cmd_vel);
   });
 }
 
+// A plan to a goal that the host no longer pursues is not followed; at rest the cycle fails, so that it plans anew.
+bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
+  const bool over = plan_is_over();
+  const CycleResult result = shell_->cycle(over);
+  command = to_message(result.command);
+  if (!over) return result.outcome != Outcome::fail;
+  ROS_WARN_THROTTLE(1.0, "the plan leads to an earlier goal, (%.2f, %.2f) in %s, and none to the present one has come yet",
+                    end_.pose.position.x, end_.pose.position.y, end_.header.frame_id.c_str());
+  return !(result.command == Twist2{});
+}
+
+bool HIDWAPlannerROS::plan_is_over() const { return host_goal_ && host_goal_->is_over(end_); }
+
+Kept HIDWAPlannerROS::keep() {
+  const CycleResult result = shell_->cycle(true);
+  const OperatorInput::Status person = shell_->person();
+  return {result.command, shell_->at_rest(), input::attends(person.state, person.manual), shell_->period()};
+}
+
 bool HIDWAPlannerROS::isGoalReached() {
-  return succeeds("isGoalReached", [&] { return shell_ && shell_->goal_reached(); });
+  return succeeds("isGoalReached", [&] { return shell_ && !plan_is_over() && shell_->goal_reached(); });
 }
 
 }  // namespace hidwa_local_planner

@@ -54,6 +54,8 @@ void start_shell(std::unique_ptr<Shell>& shell, const std::string& name, const t
   }
 }
 
+OperatorInput::Status Shell::person() const { return person_.status(ros::Time::now().toSec()); }
+
 Shell::~Shell() {
   thread_.stop();
   odometry_thread_.stop();

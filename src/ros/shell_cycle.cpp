@@ -30,7 +30,8 @@ double in_range(const char* parameter, double value) {
 }  // namespace
 
 void Shell::set_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
-  if (plan_.set(plan)) begin_goal();
+  const bool paused = goal_checker_.plan_arrives(ros::Time::now().toSec(), control_period());
+  if (plan_.set(plan) || paused) begin_goal();
   situation_.plan.reserve(plan.size());  // what no window of it outgrows
 }
 
@@ -38,6 +39,14 @@ void Shell::begin_goal() {
   planner_.reset();
   goal_checker_.reset();
   person_.new_goal();
+}
+
+// Where the robot was carried or driven away from the goal, what was latched there is true no more.
+bool Shell::check_goal(const Observation& observation, const Pose2& goal) {
+  const bool latched = goal_checker_.latched();
+  const bool reached = goal_checker_.update(observation.pose, planner_.believed(*observation.velocity), goal, planner_.parameters());
+  if (latched && !goal_checker_.latched()) begin_goal();
+  return reached;
 }
 
 void Shell::set_goal_tolerances(double xy, double yaw) {
@@ -53,9 +62,7 @@ bool Shell::goal_reached(bool host_stops) {
   if (person_.status(now).manual) return false;
   const Observation observation = observe(now);
   if (!observation.fault.empty()) return false;
-  const Pose2 goal = observation.from_plan.apply(plan_.goal());
-  if (!goal_checker_.update(observation.pose, planner_.believed(*observation.velocity), goal, planner_.parameters()))
-    return false;
+  if (!check_goal(observation, observation.from_plan.apply(plan_.goal()))) return false;
   arriving_ = !host_stops && !at_rest_;
   if (arriving_) return false;
   plan_.finish();
@@ -69,6 +76,7 @@ CycleResult Shell::cycle(bool stop) {
   const double now = stamp.toSec();
   take_parameters();
   const bool paused = watch_time(now);
+  goal_checker_.cycle(now);
   watch_hand(now);
   const bool recorded = planner_.parameters().record_cycles && publishing_.cycle_wanted();
   if (publishing_.new_cycle_subscriber()) recording_.demand_key();
@@ -231,10 +239,7 @@ CycleResult Shell::decide(double now, const Observation& observation, const Oper
   resumed_ = false;
   situation_.time = now;
   plan_.window(observation.from_plan, observation.pose, p.prune_distance, ahead, situation_.plan);
-  goal_checker_.update(observation.pose, *observation.velocity, situation_.goal, p);
-  // Somebody carried or drove the robot away meanwhile: what was latched is true no more.
-  if (goal_checker_.latched() && distance(observation.pose, situation_.goal) > 2.0 * p.xy_goal_tolerance)
-    begin_goal();
+  check_goal(observation, situation_.goal);
   situation_.goal_latched = goal_checker_.latched();
 
   const GridView grid = view_of(*costmap_.getCostmap());

@@ -16,7 +16,7 @@ void ObstacleLayer::onInitialize() {
   max_obstacle_height_ = nh.param("max_obstacle_height", 2.0);
   overwrite_ = nh.param("combination_method", 1) == 0;
   const bool track_unknown = nh.param("track_unknown_space", layered_costmap_->isTrackingUnknown());
-  grid_.setDefaultValue(track_unknown ? NO_INFORMATION : FREE_SPACE);
+  setDefaultValue(track_unknown ? NO_INFORMATION : FREE_SPACE);
   matchSize();
 
   const double transform_tolerance = nh.param("transform_tolerance", 0.2);
@@ -27,12 +27,6 @@ void ObstacleLayer::onInitialize() {
   }
   if (sources_.empty())
     ROS_WARN("%s: observation_sources is empty; no obstacle will be seen.", name_.c_str());
-}
-
-void ObstacleLayer::matchSize() {
-  const Costmap2D& master = *layered_costmap_->getCostmap();
-  grid_.resizeMap(master.getSizeInCellsX(), master.getSizeInCellsY(), master.getResolution(),
-                  master.getOriginX(), master.getOriginY());
 }
 
 void ObstacleLayer::activate() {
@@ -57,7 +51,8 @@ void ObstacleLayer::reset() {
 void ObstacleLayer::updateBounds(double robot_x, double robot_y, double robot_yaw, double* min_x,
                                  double* min_y, double* max_x, double* max_y) {
   const Costmap2D& master = *layered_costmap_->getCostmap();
-  grid_.updateOrigin(master.getOriginX(), master.getOriginY());
+  updateOrigin(master.getOriginX(), master.getOriginY());
+  useExtraBounds(min_x, min_y, max_x, max_y);
   const TouchedArea touched{min_x, min_y, max_x, max_y};
 
   current_ =
@@ -66,7 +61,7 @@ void ObstacleLayer::updateBounds(double robot_x, double robot_y, double robot_ya
   // All clearing before all marking: no beam erases what another one of this update has seen.
   for (const auto& source : sources_) {
     const auto seen = source->latest();
-    if (source->clearing() && seen && !clearBeams(grid_, *seen, touched)) {
+    if (source->clearing() && seen && !clearBeams(*this, *seen, touched)) {
       ROS_WARN_THROTTLE(1.0,
                         "%s: the sensor at (%.2f, %.2f) lies outside the costmap; its beams clear nothing.",
                         name_.c_str(), seen->origin.x, seen->origin.y);
@@ -74,7 +69,7 @@ void ObstacleLayer::updateBounds(double robot_x, double robot_y, double robot_ya
   }
   for (const auto& source : sources_) {
     const auto seen = source->latest();
-    if (source->marking() && seen) markPoints(grid_, *seen, max_obstacle_height_, touched);
+    if (source->marking() && seen) markPoints(*this, *seen, max_obstacle_height_, touched);
   }
   if (footprint_clearing_) {
     transformFootprint(robot_x, robot_y, robot_yaw, getFootprint(), footprint_now_);
@@ -83,8 +78,8 @@ void ObstacleLayer::updateBounds(double robot_x, double robot_y, double robot_ya
 }
 
 void ObstacleLayer::updateCosts(Costmap2D& master_grid, int min_i, int min_j, int max_i, int max_j) {
-  if (footprint_clearing_) grid_.setConvexPolygonCost(footprint_now_, FREE_SPACE);
-  (overwrite_ ? mergeOverwrite : mergeMaximum)(master_grid, grid_, min_i, min_j, max_i, max_j);
+  if (footprint_clearing_) setConvexPolygonCost(footprint_now_, FREE_SPACE);
+  (overwrite_ ? mergeOverwrite : mergeMaximum)(master_grid, *this, min_i, min_j, max_i, max_j);
 }
 
 }  // namespace costmap_2d

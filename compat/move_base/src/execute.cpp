@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The action server's thread: one goal from start to end.
 #include <move_base/move_base.h>
+#include <move_base_msgs/RecoveryStatus.h>
 #include <tf2/LinearMath/Quaternion.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <cmath>
+#include <cstdint>
 
 namespace move_base {
 namespace {
+
+typedef Recoveries::Trigger Trigger;
 
 // A rotation that leaves the z axis upright: finite, not of zero length.
 bool isPlanarRotation(const geometry_msgs::Quaternion& q) {
@@ -17,6 +21,15 @@ bool isPlanarRotation(const geometry_msgs::Quaternion& q) {
   rotation.normalize();
   const tf2::Vector3 up = tf2::quatRotate(rotation, tf2::Vector3(0.0, 0.0, 1.0));
   return std::abs(up.z() - 1.0) <= 1e-3;
+}
+
+std::string reason(Trigger trigger) {
+  switch (trigger) {
+    case Trigger::kPlanning: return "No global plan was found.";
+    case Trigger::kControlling: return "The local planner found no valid command.";
+    case Trigger::kOscillation: break;
+  }
+  return "The robot is oscillating.";
 }
 
 double planarDistance(const geometry_msgs::Point& a, const geometry_msgs::Point& b) {
@@ -56,7 +69,7 @@ bool MoveBase::adopt(const geometry_msgs::PoseStamped& goal) {
   }
   goal_ = toGlobalFrame(goal);
   state_ = State::kPlanning;
-  abort_next_.clear();
+  recoveries_.reset();
   last_valid_control_ = last_oscillation_reset_ = ros::Time::now();
   planning_->begin(goal_);
   current_goal_publisher_.publish(goal_);
@@ -81,6 +94,7 @@ bool MoveBase::cycle() {
     if (planarDistance(pose.pose.position, oscillation_position_) >= oscillation_distance_) {
       last_oscillation_reset_ = ros::Time::now();
       oscillation_position_ = pose.pose.position;
+      recoveries_.helped(Trigger::kOscillation);
     }
   }
   if (!local_costmap_->isCurrent()) {
@@ -89,11 +103,10 @@ bool MoveBase::cycle() {
     return false;
   }
   if (!takeNewPlan()) return abort("The local planner refused the global plan.");
-  if (!abort_next_.empty()) return abort(abort_next_);
   if (state_ == State::kControlling) return control();
+  if (state_ == State::kClearing) return clear();
   if (planning_->gaveUp()) {
-    publishZero();
-    abort_next_ = "No global plan was found.";
+    clearFor(Trigger::kPlanning);
     return false;
   }
   planning_->keepPlanning();
@@ -106,6 +119,7 @@ bool MoveBase::takeNewPlan() {
   if (!planning_->takePlan(plan)) return true;
   if (!local_planner_->setPlan(plan)) return false;
   state_ = State::kControlling;
+  recoveries_.helped(Trigger::kPlanning);
   return true;
 }
 
@@ -115,22 +129,41 @@ bool MoveBase::control() {
     server_->setSucceeded(move_base_msgs::MoveBaseResult(), "Goal reached.");
     return true;
   }
-  if (oscillates()) {
-    publishZero();
-    abort_next_ = "The robot is oscillating.";
-  }
+  if (oscillates()) clearFor(Trigger::kOscillation);
   geometry_msgs::Twist command;
   if (compute(command)) {
     last_valid_control_ = ros::Time::now();
     velocity_publisher_.publish(command);
+    recoveries_.helped(Trigger::kControlling);
   } else if (ros::Time::now() > last_valid_control_ + ros::Duration(controller_patience_)) {
-    publishZero();
-    abort_next_ = "The local planner found no valid command.";
+    clearFor(Trigger::kControlling);
   } else {
     state_ = State::kPlanning;
     publishZero();
     planning_->replan();
   }
+  return false;
+}
+
+void MoveBase::clearFor(Trigger trigger) {
+  publishZero();
+  state_ = State::kClearing;
+  recoveries_.askedBy(trigger);
+}
+
+// Tries the next recovery behaviour, then plans again; true, with the goal aborted, when none is left.
+bool MoveBase::clear() {
+  if (!recovery_behavior_enabled_ || !recoveries_.left()) return abort(reason(recoveries_.trigger()));
+  move_base_msgs::RecoveryStatus status;
+  robotPose(*global_costmap_, status.pose_stamped);
+  status.current_recovery_number = static_cast<std::uint16_t>(recoveries_.nextNumber());
+  status.total_number_of_recoveries = static_cast<std::uint16_t>(recoveries_.size());
+  status.recovery_behavior_name = recoveries_.nextName();
+  recovery_status_publisher_.publish(status);
+  recoveries_.runNext();
+  last_oscillation_reset_ = ros::Time::now();
+  state_ = State::kPlanning;
+  planning_->replan();
   return false;
 }
 
@@ -154,7 +187,7 @@ bool MoveBase::abort(const std::string& reason) {
 void MoveBase::rest() {
   planning_->halt();
   state_ = State::kPlanning;
-  abort_next_.clear();
+  recoveries_.reset();
   publishZero();
   if (shutdown_costmaps_) {
     global_costmap_->stop();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <move_base/move_base.h>
+#include <move_base_msgs/RecoveryStatus.h>
 
 #include <stdexcept>
 
@@ -13,6 +14,7 @@ MoveBase::MoveBase(tf2_ros::Buffer& tf) : tf_(tf) {
   advertise();
   global_costmap_->start();
   local_costmap_->start();
+  makeRecoveries();
   if (shutdown_costmaps_) {
     global_costmap_->stop();
     local_costmap_->stop();
@@ -38,6 +40,7 @@ void MoveBase::readParams() {
   controller_patience_ = private_nh_.param("controller_patience", controller_patience_);
   oscillation_timeout_ = private_nh_.param("oscillation_timeout", oscillation_timeout_);
   oscillation_distance_ = private_nh_.param("oscillation_distance", oscillation_distance_);
+  recovery_behavior_enabled_ = private_nh_.param("recovery_behavior_enabled", recovery_behavior_enabled_);
   shutdown_costmaps_ = private_nh_.param("shutdown_costmaps", shutdown_costmaps_);
   planning_settings_.frequency = private_nh_.param("planner_frequency", planning_settings_.frequency);
   planning_settings_.patience = private_nh_.param("planner_patience", planning_settings_.patience);
@@ -55,10 +58,10 @@ void MoveBase::announceLimits() const {
   }
   ROS_INFO("This move_base is the compat one: for %s its own grid planner plans.",
            global_planner_type_.c_str());
-  if (private_nh_.param("recovery_behavior_enabled", true)) {
+  if (recovery_behavior_enabled_ && !private_nh_.hasParam("recovery_behaviors")) {
     ROS_INFO(
-        "There are no recovery behaviours here: a goal is given up where the navigation stack would "
-        "recover.");
+        "The navigation stack's default recovery behaviours are not here: without a list recovery_behaviors a goal is "
+        "given up where the stack would recover.");
   }
 }
 
@@ -77,12 +80,15 @@ void MoveBase::makeLocalPlanner() {
   local_planner_->initialize(loader_.getName(local_planner_type_), &tf_, local_costmap_.get());
 }
 
+void MoveBase::makeRecoveries() { recoveries_.load(private_nh_, tf_, *global_costmap_, *local_costmap_); }
+
 void MoveBase::advertise() {
   ros::NodeHandle action_nh("move_base");
   ros::NodeHandle simple_nh("move_base_simple");
   velocity_publisher_ = nh_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
   current_goal_publisher_ = private_nh_.advertise<geometry_msgs::PoseStamped>("current_goal", 0);
   action_goal_publisher_ = action_nh.advertise<move_base_msgs::MoveBaseActionGoal>("goal", 1);
+  recovery_status_publisher_ = action_nh.advertise<move_base_msgs::RecoveryStatus>("recovery_status", 1);
   simple_goal_subscriber_ = simple_nh.subscribe("goal", 1, &MoveBase::onSimpleGoal, this);
   make_plan_service_ = private_nh_.advertiseService("make_plan", &MoveBase::onMakePlan, this);
   clear_costmaps_service_ = private_nh_.advertiseService("clear_costmaps", &MoveBase::onClearCostmaps, this);

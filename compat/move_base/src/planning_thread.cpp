@@ -37,6 +37,7 @@ void PlanningThread::begin(const geometry_msgs::PoseStamped& goal) {
 
 void PlanningThread::replan() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  gave_up_ = false;
   failures_ = 0;
   last_success_ = ros::Time::now();
   wake(true);

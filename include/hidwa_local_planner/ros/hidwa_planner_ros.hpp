@@ -7,6 +7,9 @@
 
 #include <nav_core/base_local_planner.h>
 
+#include "hidwa_local_planner/ros/host_goal.hpp"
+#include "hidwa_local_planner/ros/robot_keepers.hpp"
+
 namespace hidwa_local_planner {
 
 class Shell;
@@ -30,7 +33,14 @@ class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
   bool isGoalReached() override;
 
  private:
+  bool plan_is_over() const;
+  bool cycle(geometry_msgs::Twist& command);
+  Kept keep();
+
   std::unique_ptr<Shell> shell_;
+  std::unique_ptr<HostGoal> host_goal_;
+  geometry_msgs::PoseStamped end_;  // of the plan
+  std::unique_ptr<RobotKeepers::Entry> entry_;  // goes before what it asks
 };
 
 }  // namespace hidwa_local_planner

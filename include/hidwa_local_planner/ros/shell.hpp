@@ -57,6 +57,8 @@ class Shell {
   void set_goal_tolerances(double xy, double yaw);
   /// Zero was sent last, and the robot stands.
   bool at_rest() const { return at_rest_; }
+  OperatorInput::Status person() const;
+  double period() const { return control_period(); }  // nominal, of a control cycle [s]
 
  private:
   /// What is known of the robot; a fault names what is missing.
@@ -97,6 +99,7 @@ class Shell {
   void keep_budget(double duration, const CycleResult& result);
   void check_horizon();
   void begin_goal();
+  bool check_goal(const Observation& observation, const Pose2& goal);  // costmap frame
 
   const std::string name_;
   ros::NodeHandle host_handle_;  // topics by the host's names

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every element of the host's API that a local planner uses, in one file that compiles against the navigation
+// Every element of the host's API that a local planner or a recovery uses, in one file that compiles against the navigation
 // stack's own nav_core and costmap_2d and against compat's alike.
 #include <costmap_2d/cost_values.h>
 #include <costmap_2d/costmap_2d.h>
 #include <costmap_2d/costmap_2d_ros.h>
+#include <costmap_2d/costmap_layer.h>
 #include <costmap_2d/footprint.h>
 #include <costmap_2d/layered_costmap.h>
+#include <costmap_2d/obstacle_layer.h>
 #include <nav_core/base_global_planner.h>
 #include <nav_core/base_local_planner.h>
 #include <nav_core/recovery_behavior.h>
@@ -160,9 +162,41 @@ class UsingPlanner : public BaseLocalPlanner {
 
 static_assert(!std::is_abstract<UsingPlanner>::value, "");
 
+class UsingRecovery : public nav_core::RecoveryBehavior {
+ public:
+  void initialize(std::string name, tf2_ros::Buffer*, Costmap2DROS* global_costmap, Costmap2DROS* local_costmap) override {
+    name_ = name;
+    costmaps_ = {global_costmap, local_costmap};
+  }
+
+  void runBehavior() override {
+    for (Costmap2DROS* costmap : costmaps_) {
+      for (const auto& layer : *costmap->getLayeredCostmap()->getPlugins()) {
+        if (dynamic_cast<costmap_2d::ObstacleLayer*>(layer.get()) == nullptr) name_ += layer->getName();
+        if (auto* grid = dynamic_cast<costmap_2d::CostmapLayer*>(layer.get())) clear(*grid);
+      }
+    }
+  }
+
+ private:
+  static void clear(costmap_2d::CostmapLayer& layer) {
+    int x = 0, y = 0;
+    layer.worldToMapNoBounds(0.0, 0.0, x, y);
+    layer.clearArea(x, y, x + 10, y + 10);
+    layer.addExtraBounds(layer.getOriginX(), layer.getOriginY(), layer.getSizeInMetersX(), layer.getSizeInMetersY());
+  }
+
+  std::string name_;
+  std::vector<Costmap2DROS*> costmaps_;
+};
+
+static_assert(!std::is_abstract<UsingRecovery>::value, "");
+
 }  // namespace
 
-// Emits the class with all that it uses.
+// These emit the classes with all that they use.
+nav_core::RecoveryBehavior* makeUsingRecovery() { return new UsingRecovery; }
+
 BaseLocalPlanner* makeUsingPlanner(const Points& points, bool manage) {
   auto* planner = new UsingPlanner;
   if (manage) planner->manage(points);

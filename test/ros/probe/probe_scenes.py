@@ -224,7 +224,29 @@ def oscillation(world):
     return scene.finish(A=world.send(*A))
 
 
+def start_up_with_recoveries(world):
+    scene = Scene(world, "the host starts, with two recovery behaviours")
+    scene.expect("both recoveries", lambda: world.count("initialize") == 3)
+    scene.answer("drive")
+    return scene.lines + ["call: " + event for event in world.take()[0]]
+
+
+def recover_and_drive(world):
+    scene = Scene(world, "false until controller_patience has passed; a recovery helps")
+    scene.answer("fail")
+    goal = world.send(*A)
+    scene.expect("the first recovery", lambda: world.count("runBehavior") >= 1)
+    scene.answer("drive")
+    scene.cycles()
+    scene.answer("fail")  # what helped counts no more: the first one again
+    scene.expect("the first recovery again", lambda: world.count("runBehavior") >= 2)
+    scene.answer("reached")
+    return scene.finish(A=goal)
+
+
 # Parameters of a host, and what is asked of it.
+RECOVERIES = {"recovery_behavior_enabled": True,
+              "recovery_behaviors": [{"name": name, "type": "hidwa_probe_planner/ProbeRecovery"} for name in ("first", "second")]}
 OSCILLATION = {"planner_frequency": 0.0, "oscillation_timeout": 1.0, "shutdown_costmaps": False}
 RUNS = [
     ("planner_frequency 0", {"planner_frequency": 0.0, "oscillation_timeout": 0.0},
@@ -235,4 +257,8 @@ RUNS = [
     ("shutdown_costmaps", {"planner_frequency": 0.0, "oscillation_timeout": 0.0, "shutdown_costmaps": True},
      [start_up, drive_and_arrive, drive_and_arrive]),
     ("oscillation_timeout 1", OSCILLATION, [start_up, oscillation]),
+    ("two recovery behaviours", dict(RECOVERIES, planner_frequency=0.0, oscillation_timeout=0.0),
+     [start_up_with_recoveries, blocked_goal, fail_for_ever, recover_and_drive]),
+    ("two recovery behaviours, oscillation_timeout 1", dict(RECOVERIES, **OSCILLATION),
+     [start_up_with_recoveries, oscillation]),
 ]

@@ -48,10 +48,68 @@ TEST(GoalChecker, AnyHeadingIsRightWithAToleranceOfAFullTurn) {
 TEST(GoalChecker, PositionIsLatchedUntilReset) {
   GoalChecker checker;
   checker.update({2.0, 1.0, 0.0}, {}, kGoal, kDefaults);
-  EXPECT_TRUE(checker.update({2.6, 1.0, 3.1}, {}, kGoal, kDefaults));  // drifted 0.6 m while turning
+  EXPECT_TRUE(checker.update({2.45, 1.0, 3.1}, {}, kGoal, kDefaults));  // drifted 0.45 m while turning
   checker.reset();
   EXPECT_FALSE(checker.latched());
-  EXPECT_FALSE(checker.update({2.6, 1.0, 3.1}, {}, kGoal, kDefaults));
+  EXPECT_FALSE(checker.update({2.45, 1.0, 3.1}, {}, kGoal, kDefaults));
+}
+
+// Somebody drove it from the goal to 1.81 m away, turned it back and stopped it there.
+TEST(GoalChecker, WhoeverAsksFarFromTheGoalHearsNo) {
+  GoalChecker checker;
+  EXPECT_TRUE(checker.update(kGoal, {}, kGoal, kDefaults));
+  EXPECT_FALSE(checker.update({3.81, 1.0, 3.1}, {}, kGoal, kDefaults));
+  EXPECT_FALSE(checker.latched());
+}
+
+TEST(GoalChecker, TheLatchEndsBeyondToleranceAndMargin) {
+  Parameters p = kDefaults;
+  const auto lasts_at = [&p](double away) {
+    GoalChecker checker;
+    checker.update(kGoal, {}, kGoal, p);
+    return checker.update({kGoal.x + away, kGoal.y, kGoal.theta}, {}, kGoal, p);
+  };
+  EXPECT_TRUE(lasts_at(0.499));  // 0.25 + 0.25 m
+  EXPECT_FALSE(lasts_at(0.501));
+  p.xy_goal_tolerance = 0.01;  // the margin is 0.05 m at the least
+  EXPECT_TRUE(lasts_at(0.059));
+  EXPECT_FALSE(lasts_at(0.061));
+  p.xy_goal_tolerance = 2.0;  // and 0.25 m at the most
+  EXPECT_TRUE(lasts_at(2.249));
+  EXPECT_FALSE(lasts_at(2.251));
+}
+
+// At 20 Hz a pause is longer than max(4 x 0.05, 0.3) = 0.3 s, at 5 Hz than 4 x 0.2 = 0.8 s.
+TEST(GoalChecker, APlanAfterAPauseEndsTheLatch) {
+  const auto lasts = [](double silence, double period) {
+    GoalChecker checker;
+    checker.cycle(100.0);
+    checker.update(kGoal, {}, kGoal, kDefaults);
+    const bool paused = checker.plan_arrives(100.0 + silence, period);
+    EXPECT_NE(paused, checker.latched());
+    return checker.latched();
+  };
+  EXPECT_TRUE(lasts(0.29, 0.05));
+  EXPECT_FALSE(lasts(0.31, 0.05));
+  EXPECT_TRUE(lasts(0.79, 0.2));
+  EXPECT_FALSE(lasts(0.81, 0.2));
+  EXPECT_FALSE(lasts(-0.1, 0.05));  // time went back
+}
+
+// 0.4 m from the goal a latch lasts; moved there by others during a pause the robot is not at the goal.
+TEST(GoalChecker, AfterAPauseTheToleranceItselfCounts) {
+  GoalChecker checker;
+  checker.cycle(100.0);
+  checker.update(kGoal, {}, kGoal, kDefaults);
+  const Pose2 beside{kGoal.x + 0.4, kGoal.y, kGoal.theta};
+  EXPECT_TRUE(checker.update(beside, {}, kGoal, kDefaults));
+  checker.plan_arrives(110.0, 0.05);
+  EXPECT_FALSE(checker.update(beside, {}, kGoal, kDefaults));
+}
+
+TEST(GoalChecker, APlanBeforeTheFirstCycleFollowsNoPause) {
+  GoalChecker checker;
+  EXPECT_FALSE(checker.plan_arrives(100.0, 0.05));
 }
 
 }  // namespace

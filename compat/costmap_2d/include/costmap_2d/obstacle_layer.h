@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <costmap_2d/layer.h>
+#include <costmap_2d/costmap_layer.h>
 #include <costmap_2d/scan_source.h>
 
 #include <memory>
@@ -10,7 +10,7 @@
 namespace costmap_2d {
 
 /// Obstacles seen by lasers: marks where beams end, clears where they pass, and under the robot itself.
-class ObstacleLayer : public Layer {
+class ObstacleLayer : public CostmapLayer {
  public:
   void updateBounds(double robot_x, double robot_y, double robot_yaw, double* min_x, double* min_y,
                     double* max_x, double* max_y) override;
@@ -18,14 +18,12 @@ class ObstacleLayer : public Layer {
   void activate() override;
   void deactivate() override;
   void reset() override;
-  void matchSize() override;
 
  protected:
   /// Throws std::runtime_error when the parameters ask for what is not supported.
   void onInitialize() override;
 
  private:
-  Costmap2D grid_;
   std::vector<std::unique_ptr<ScanSource>> sources_;
   std::vector<geometry_msgs::Point> footprint_now_;  // [m] global frame
   double max_obstacle_height_ = 2.0;                 // [m]

@@ -7,6 +7,7 @@
 #include <geometry_msgs/Twist.h>
 #include <move_base/grid_planner.h>
 #include <move_base/planning_thread.h>
+#include <move_base/recoveries.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <nav_core/base_local_planner.h>
 #include <nav_msgs/GetPlan.h>
@@ -34,12 +35,13 @@ class MoveBase {
   ~MoveBase();
 
  private:
-  enum class State { kPlanning, kControlling };
+  enum class State { kPlanning, kControlling, kClearing };
 
   void readParams();
   void announceLimits() const;
   void makeGlobalPlanner();
   void makeLocalPlanner();
+  void makeRecoveries();
   void advertise();
 
   // The action server's thread (execute.cpp).
@@ -49,6 +51,8 @@ class MoveBase {
   bool cycle();
   bool takeNewPlan();
   bool control();
+  void clearFor(Recoveries::Trigger trigger);
+  bool clear();
   bool compute(geometry_msgs::Twist& command);
   bool oscillates();
   bool abort(const std::string& reason);
@@ -74,6 +78,7 @@ class MoveBase {
   double oscillation_timeout_ = 0.0;    // [s] 0: never
   double oscillation_distance_ = 0.5;   // [m]
   bool shutdown_costmaps_ = false;
+  bool recovery_behavior_enabled_ = true;
   PlanningThread::Settings planning_settings_;
 
   std::unique_ptr<costmap_2d::Costmap2DROS> global_costmap_;
@@ -81,12 +86,12 @@ class MoveBase {
   GridPlanner global_planner_;
   pluginlib::ClassLoader<nav_core::BaseLocalPlanner> loader_{"nav_core", "nav_core::BaseLocalPlanner"};
   boost::shared_ptr<nav_core::BaseLocalPlanner> local_planner_;
+  Recoveries recoveries_;
   std::unique_ptr<PlanningThread> planning_;
 
   // Of the goal in hand; the action server's thread only.
   State state_ = State::kPlanning;
   geometry_msgs::PoseStamped goal_;
-  std::string abort_next_;  // why the next cycle gives the goal up, empty: it does not
   ros::Time last_valid_control_;
   ros::Time last_oscillation_reset_;
   geometry_msgs::Point oscillation_position_;
@@ -94,6 +99,7 @@ class MoveBase {
   ros::Publisher velocity_publisher_;
   ros::Publisher current_goal_publisher_;
   ros::Publisher action_goal_publisher_;
+  ros::Publisher recovery_status_publisher_;
   ros::Subscriber simple_goal_subscriber_;
   ros::ServiceServer make_plan_service_;
   ros::ServiceServer clear_costmaps_service_;

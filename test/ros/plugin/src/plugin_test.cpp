@@ -47,6 +47,72 @@ TEST(Plugin, ArrivesAndTheSameGoalAgainIsANewOne) {
   EXPECT_TRUE(drives(host));
 }
 
+/// Somebody else drives the robot straight on, then turns it, while the host does not call.
+void drive_away(double metres, double turn) {
+  constexpr double kSpeed = 1.0;  // [m/s, rad/s]
+  Robot& robot = Stage::get().robot;
+  const Pose start = robot.pose();
+  geometry_msgs::Twist twist;
+  twist.linear.x = kSpeed;
+  robot.command(twist);
+  ASSERT_TRUE(wait_for(
+      [&] { return std::hypot(robot.pose().x - start.x, robot.pose().y - start.y) >= metres; }, 10.0));
+  twist.linear.x = 0.0;
+  twist.angular.z = std::copysign(kSpeed, turn);
+  robot.command(twist);
+  ASSERT_TRUE(wait_for(
+      [&] { return std::abs(std::remainder(robot.pose().theta - start.theta - turn, 2.0 * M_PI)) < 0.05; }, 10.0));
+  robot.command(geometry_msgs::Twist());
+}
+
+// At the goal but not in its heading yet, cancelled, moved by somebody else into that heading far away: move_base asks
+// for the goal before it asks for a command.
+TEST(Plugin, ReachedIsJudgedWhereTheRobotIs) {
+  Host host("Judged");
+  Stage::get().clear();
+  std::vector<geometry_msgs::PoseStamped> plan = straight_plan(0.2);  // within xy_goal_tolerance at once
+  const double heading = std::remainder(Stage::get().robot.pose().theta + 1.5, 2.0 * M_PI);
+  plan.back().pose.orientation.z = std::sin(0.5 * heading);
+  plan.back().pose.orientation.w = std::cos(0.5 * heading);
+  ASSERT_TRUE(host.planner().setPlan(plan));
+  EXPECT_FALSE(host.planner().isGoalReached());  // 1.5 rad off
+  ASSERT_TRUE(host.cycle().success);
+  host.stop();
+  const double turned = Stage::get().robot.pose().theta;
+  drive_away(1.8, std::remainder(heading - turned, 2.0 * M_PI));
+  ASSERT_TRUE(host.planner().setPlan(plan));
+  EXPECT_FALSE(host.planner().isGoalReached()) << "1.8 m away";
+  EXPECT_FALSE(wait_for([&] { return host.planner().isGoalReached(); }, 0.5));
+}
+
+// move_base hands over the plan that it was making when a new goal came; where it finds none to the new one, that plan
+// stays.
+TEST(Plugin, APlanToAnEarlierGoalIsNeitherFollowedNorReached) {
+  Host host("Earlier");
+  Stage::get().clear();
+  ros::NodeHandle node("~");
+  const ros::Publisher goals = node.advertise<geometry_msgs::PoseStamped>("current_goal", 2);
+  ASSERT_TRUE(wait_for([&] { return goals.getNumSubscribers() > 0; }, 5.0));
+  const std::vector<geometry_msgs::PoseStamped> plan = straight_plan(1.5, "map");
+  goals.publish(plan.back());
+  ASSERT_TRUE(host.planner().setPlan(plan));
+  ASSERT_TRUE(drives(host));
+  geometry_msgs::PoseStamped wall = plan.back();
+  wall.pose.position.x += 5.0;
+  goals.publish(wall);
+  ASSERT_TRUE(host.planner().setPlan(plan));  // late
+  const Pose before = Stage::get().robot.pose();
+  ASSERT_TRUE(host.cycle_until([](const Host::Cycle& c) { return !c.success; }, 5.0));
+  EXPECT_FALSE(host.planner().isGoalReached());
+  EXPECT_LE(host.largest_change().linear.x, 2.5 * kPeriod + 1e-9);  // it braked
+  const Pose after = Stage::get().robot.pose();
+  EXPECT_LT(std::hypot(after.x - before.x, after.y - before.y), 0.5);
+  // The plan to the present goal is followed.
+  goals.publish(plan.back());
+  EXPECT_TRUE(drives(host));
+  ASSERT_TRUE(host.cycle_until([&](const Host::Cycle&) { return host.planner().isGoalReached(); }, 20.0));
+}
+
 TEST(Plugin, CommandsStayWithinTheAccelerationLimit) {
   Host host("Limits");
   ASSERT_TRUE(host.plan_ahead(3.0));

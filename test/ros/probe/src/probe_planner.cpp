@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A local planner that reports each call of its host on ~/<name>/event and answers as ~/<name>/answer tells
-// it.
+// it, and a recovery behaviour that reports its calls there too.
 #include <costmap_2d/costmap_2d_ros.h>
 #include <nav_core/base_local_planner.h>
+#include <nav_core/recovery_behavior.h>
 #include <pthread.h>
 #include <ros/ros.h>
 #include <std_msgs/String.h>
@@ -19,9 +20,15 @@
 
 namespace hidwa_probe_planner {
 
+class ProbePlannerROS;
+ProbePlannerROS* the_planner = nullptr;  // of this process: the host loads the library once
+
 class ProbePlannerROS : public nav_core::BaseLocalPlanner {
  public:
+  ~ProbePlannerROS() override { the_planner = nullptr; }
+
   void initialize(std::string name, tf2_ros::Buffer* /*tf*/, costmap_2d::Costmap2DROS* costmap_ros) override {
+    the_planner = this;
     costmap_ros_ = costmap_ros;
     main_thread_ = std::this_thread::get_id();
     ros::NodeHandle nh("~/" + name);
@@ -62,6 +69,11 @@ class ProbePlannerROS : public nav_core::BaseLocalPlanner {
     return reached;
   }
 
+  void report(const std::string& call, const std::string& detail) {
+    publish(call + " [" + threadName() + " thread, costmap mutex " +
+            (callerHoldsMutex() ? "held" : "not held") + "] " + detail);
+  }
+
  private:
   void onAnswer(const std_msgs::String& message) {
     setAnswer(message.data);
@@ -95,11 +107,6 @@ class ProbePlannerROS : public nav_core::BaseLocalPlanner {
     return mutex->__data.__owner == static_cast<int>(syscall(SYS_gettid));
   }
 
-  void report(const std::string& call, const std::string& detail) {
-    publish(call + " [" + threadName() + " thread, costmap mutex " +
-            (callerHoldsMutex() ? "held" : "not held") + "] " + detail);
-  }
-
   void publish(const std::string& text) {
     std_msgs::String event;
     event.data = text;
@@ -115,6 +122,23 @@ class ProbePlannerROS : public nav_core::BaseLocalPlanner {
   std::thread::id control_thread_;
 };
 
+class ProbeRecovery : public nav_core::RecoveryBehavior {
+ public:
+  void initialize(std::string name, tf2_ros::Buffer* /*tf*/, costmap_2d::Costmap2DROS* global_costmap,
+                  costmap_2d::Costmap2DROS* local_costmap) override {
+    name_ = name;
+    report("initialize", "recovery " + name + " with " + global_costmap->getName() + " and " + local_costmap->getName());
+  }
+  void runBehavior() override { report("runBehavior", "of " + name_); }
+
+ private:
+  static void report(const std::string& call, const std::string& detail) {
+    if (the_planner != nullptr) the_planner->report(call, detail);
+  }
+  std::string name_;
+};
+
 }  // namespace hidwa_probe_planner
 
+PLUGINLIB_EXPORT_CLASS(hidwa_probe_planner::ProbeRecovery, nav_core::RecoveryBehavior)
 PLUGINLIB_EXPORT_CLASS(hidwa_probe_planner::ProbePlannerROS, nav_core::BaseLocalPlanner)

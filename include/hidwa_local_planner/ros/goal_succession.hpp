@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// A goal in its frame [m, rad].
+struct FramedGoal {
+  std::string frame;
+  Pose2 pose;
+};
+
+/// The goals that a host was given one after the other, and whether a plan still leads to one of the earlier ones.
+/// move_base makes plans on another thread: the one that it was making when a new goal came still goes to the local
+/// planner, and where none to the new goal is found it stays there.
+class GoalSuccession {
+ public:
+  /// The host pursues `goal` from now on.
+  void take(const FramedGoal& goal);
+  /// True where a plan that ends at `end` leads to an earlier goal and not to the present one.
+  bool is_over(const FramedGoal& end) const;
+
+ private:
+  static constexpr std::size_t kKept = 4;  // a plan in the making is one goal old, seldom more
+  std::optional<FramedGoal> present_;
+  std::array<std::optional<FramedGoal>, kKept> earlier_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/input/yielding.hpp"
+
+#include <algorithm>
+
+#include "hidwa_local_planner/input/transition.hpp"
+
+namespace hidwa_local_planner::input {
+
+bool attends(OperatorStateId state, bool manual) {
+  return manual || is_steering(state) || state == OperatorStateId::manual || state == OperatorStateId::stopped;
+}
+
+Yielding::Phase Yielding::step(double now, bool at_rest, bool attended) {
+  const double passed = last_ ? std::max(0.0, now - *last_) : 0.0;
+  last_ = now;
+  spent_ += passed;
+  quiet_ = attended ? 0.0 : quiet_ + passed;
+  if (at_rest && quiet_ >= settings_.quiet_time) return Phase::quiet;
+  if (spent_ >= settings_.patience) return Phase::out_of_patience;
+  return at_rest ? Phase::yielding : Phase::braking;
+}
+
+}  // namespace hidwa_local_planner::input

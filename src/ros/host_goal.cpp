@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/host_goal.hpp"
+
+#include "hidwa_local_planner/ros/conversions.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+constexpr unsigned kQueue = 10;  // goals that may come between two looks
+
+FramedGoal to_goal(const geometry_msgs::PoseStamped& pose) {
+  const std::string& frame = pose.header.frame_id;
+  return {!frame.empty() && frame.front() == '/' ? frame.substr(1) : frame, to_pose(pose.pose)};
+}
+
+}  // namespace
+
+HostGoal::HostGoal() {
+  ros::NodeHandle host("~");
+  if (host.hasParam("controllers")) return;  // Move Base Flex's list: a client of it may plan for one goal and follow another
+  subscriber_ = thread_.serve(host).subscribe("current_goal", kQueue, &HostGoal::hear, this);
+  thread_.start();
+}
+
+HostGoal::~HostGoal() { thread_.stop(); }
+
+void HostGoal::hear(const geometry_msgs::PoseStamped& goal) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  goals_.take(to_goal(goal));
+}
+
+bool HostGoal::is_over(const geometry_msgs::PoseStamped& end) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return goals_.is_over(to_goal(end));
+}
+
+}  // namespace hidwa_local_planner

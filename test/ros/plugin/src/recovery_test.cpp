@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The recovery behaviour, loaded as a host does it beside the planner: brakes, yields to the person, clears.
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <actionlib_msgs/GoalID.h>
+#include <costmap_2d/cost_values.h>
+#include <costmap_2d/obstacle_layer.h>
+#include <gtest/gtest.h>
+#include <nav_core/recovery_behavior.h>
+#include <std_msgs/Bool.h>
+
+#include "person.hpp"
+
+namespace hidwa_plugin_tests {
+namespace {
+
+pluginlib::ClassLoader<nav_core::RecoveryBehavior>& loader() {
+  static pluginlib::ClassLoader<nav_core::RecoveryBehavior> instance("nav_core", "nav_core::RecoveryBehavior");
+  return instance;
+}
+
+/// What is sent on cmd_vel, and the robot that hears it.
+class Commands {
+ public:
+  Commands() {
+    subscriber_ = ros::NodeHandle().subscribe<geometry_msgs::Twist>(
+        "cmd_vel", 100, [this](const geometry_msgs::Twist::ConstPtr& twist) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          Stage::get().robot.command(*twist);
+          all_.push_back(*twist);
+        });
+  }
+  std::vector<geometry_msgs::Twist> all() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return all_;
+  }
+  bool any() const { return !all().empty(); }
+  /// Waits until what is sent from now on arrives.
+  void expect_connected() const {
+    EXPECT_TRUE(wait_for([this] { return subscriber_.getNumPublishers() > 0; }, 5.0));
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<geometry_msgs::Twist> all_;
+  ros::Subscriber subscriber_;
+};
+
+/// A recovery with the stage's costmap in both places.
+boost::shared_ptr<nav_core::RecoveryBehavior> recovery(const std::string& name, double patience,
+                                                       double reset_distance = 3.0) {
+  ros::param::set(ros::this_node::getName() + "/" + name + "/patience", patience);
+  ros::param::set(ros::this_node::getName() + "/" + name + "/reset_distance", reset_distance);
+  const auto behavior = loader().createInstance("hidwa_local_planner/YieldingRecovery");
+  Stage& stage = Stage::get();
+  behavior->initialize(name, &stage.tf, stage.costmap.get(), stage.costmap.get());
+  return behavior;
+}
+
+/// A behaviour that runs on a thread of its own, as in the host's control thread.
+class Running {
+ public:
+  explicit Running(boost::shared_ptr<nav_core::RecoveryBehavior> behavior)
+      : behavior_(behavior), thread_([this] {
+          behavior_->runBehavior();
+          ended_ = true;
+        }) {}
+  ~Running() { thread_.join(); }
+  bool ends(double seconds) {
+    return wait_for([this] { return ended_.load(); }, seconds);
+  }
+
+ private:
+  boost::shared_ptr<nav_core::RecoveryBehavior> behavior_;
+  std::atomic<bool> ended_{false};
+  std::thread thread_;
+};
+
+class RecoveryTest : public Operated {
+ protected:
+  static void expect_rest(const Commands& commands) {
+    for (const geometry_msgs::Twist& twist : commands.all()) {
+      EXPECT_EQ(twist.linear.x, 0.0);
+      EXPECT_EQ(twist.angular.z, 0.0);
+    }
+  }
+};
+
+TEST_F(RecoveryTest, BrakesWithinTheLimitsAndNeverTurns) {
+  start();
+  drive();
+  const Commands commands;
+  const auto behavior = recovery("Brakes", 10.0);
+  commands.expect_connected();
+  behavior->runBehavior();
+  ASSERT_TRUE(wait_for([&] { return commands.any() && commands.all().back().linear.x == 0.0; }, 2.0));
+  double last = 0.5;  // [m/s]
+  for (const geometry_msgs::Twist& twist : commands.all()) {
+    EXPECT_GE(twist.linear.x, last - 2.5 * kPeriod - 1e-3);
+    EXPECT_LE(twist.linear.x, last + 1e-9);
+    EXPECT_EQ(twist.angular.z, 0.0);
+    last = twist.linear.x;
+  }
+  // 0.5 m/s at 2.5 m/s2 and 20 Hz are 4 cycles.
+  EXPECT_GE(commands.all().size(), 4u);
+}
+
+TEST_F(RecoveryTest, WaitsWhileSomebodyStopsTheRobot) {
+  start();
+  host().plan_ahead(2.0);
+  ASSERT_TRUE(say<std_msgs::Bool>("stop", true));
+  ASSERT_TRUE(reaches("STOPPED"));
+  const Commands commands;
+  const auto behavior = recovery("Stopped", 20.0);
+  commands.expect_connected();
+  Running running(behavior);
+  EXPECT_FALSE(running.ends(1.5));
+  EXPECT_EQ(state().state_name, "STOPPED");
+  ASSERT_TRUE(say<std_msgs::Bool>("stop", false));
+  EXPECT_TRUE(running.ends(5.0));
+  expect_rest(commands);
+  EXPECT_GT(commands.all().size(), 20u);  // 1.5 s at 20 Hz, told all the time
+}
+
+TEST_F(RecoveryTest, WaitsWhileSomebodySteers) {
+  start();
+  drive();
+  person().left = 1.0f;
+  ASSERT_TRUE(reaches("SHARED"));
+  const Commands commands;
+  const auto behavior = recovery("Steered", 20.0);
+  commands.expect_connected();
+  Running running(behavior);
+  EXPECT_FALSE(running.ends(1.5));
+  EXPECT_EQ(commands.all().back().angular.z, 0.0);  // what the person wants is not done meanwhile
+  person().left = 0.0f;
+  EXPECT_TRUE(running.ends(5.0));
+}
+
+TEST_F(RecoveryTest, ItsPatienceEnds) {
+  start();
+  host().plan_ahead(2.0);
+  ASSERT_TRUE(say<std_msgs::Bool>("stop", true));
+  ASSERT_TRUE(reaches("STOPPED"));
+  const ros::Time before = ros::Time::now();
+  recovery("Patience", 1.0)->runBehavior();
+  EXPECT_GE(ros::Time::now() - before, ros::Duration(1.0));
+  EXPECT_LE(ros::Time::now() - before, ros::Duration(4.0));
+  EXPECT_EQ(state().state_name, "STOPPED");
+}
+
+// The host looks at a cancel only after the recovery.
+TEST_F(RecoveryTest, ACancelEndsTheWait) {
+  start();
+  host().plan_ahead(2.0);
+  ASSERT_TRUE(say<std_msgs::Bool>("stop", true));
+  ASSERT_TRUE(reaches("STOPPED"));
+  Running running(recovery("Cancelled", 20.0));
+  const ros::Publisher cancel = ros::NodeHandle().advertise<actionlib_msgs::GoalID>("move_base/cancel", 1);
+  ASSERT_TRUE(wait_for([&] { return cancel.getNumSubscribers() > 0; }, 5.0));
+  EXPECT_FALSE(running.ends(0.5));
+  cancel.publish(actionlib_msgs::GoalID());
+  EXPECT_TRUE(running.ends(3.0));
+}
+
+TEST(Recovery, WithoutAPlannerItDoesNotWait) {
+  Stage::get().clear();
+  const ros::Time before = ros::Time::now();
+  recovery("Alone", 20.0)->runBehavior();
+  EXPECT_LE(ros::Time::now() - before, ros::Duration(2.0));
+}
+
+int lethal_cells() {
+  costmap_2d::Costmap2DROS& costmap = *Stage::get().costmap;
+  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap.getCostmap()->getMutex());
+  const costmap_2d::Costmap2D& map = *costmap.getCostmap();
+  int count = 0;
+  for (unsigned int y = 0; y < map.getSizeInCellsY(); ++y) {
+    for (unsigned int x = 0; x < map.getSizeInCellsX(); ++x) count += map.getCost(x, y) == costmap_2d::LETHAL_OBSTACLE;
+  }
+  return count;
+}
+
+/// Marks the cell `behind` [m] behind the robot, where no beam clears it.
+void mark_behind(double behind) {
+  costmap_2d::Costmap2DROS& costmap = *Stage::get().costmap;
+  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap.getCostmap()->getMutex());
+  const Pose robot = Stage::get().robot.pose();
+  for (const auto& layer : *costmap.getLayeredCostmap()->getPlugins()) {
+    auto* obstacles = dynamic_cast<costmap_2d::ObstacleLayer*>(layer.get());
+    if (obstacles == nullptr) continue;
+    const double x = robot.x - behind * std::cos(robot.theta);
+    const double y = robot.y - behind * std::sin(robot.theta);
+    unsigned int mx = 0, my = 0;
+    ASSERT_TRUE(obstacles->worldToMap(x, y, mx, my));
+    obstacles->setCost(mx, my, costmap_2d::LETHAL_OBSTACLE);
+    obstacles->addExtraBounds(x - 0.1, y - 0.1, x + 0.1, y + 0.1);
+  }
+}
+
+// Remembered 0.7 m and 1.5 m behind the robot: a square of 3.6 m, 1.8 m to each side, keeps both; one of 2 m the near
+// one; none is kept by one of no width.
+TEST(Recovery, ForgetsWhatLiesFarFromTheRobot) {
+  Stage::get().clear();
+  mark_behind(0.7);
+  mark_behind(1.5);
+  const auto lethal_are = [](int count) { return wait_for([count] { return lethal_cells() == count; }, 2.0); };
+  ASSERT_TRUE(lethal_are(2));
+  recovery("KeepsBoth", 1.0, 3.6)->runBehavior();
+  EXPECT_FALSE(wait_for([] { return lethal_cells() != 2; }, 0.5));
+  recovery("KeepsOne", 1.0, 2.0)->runBehavior();
+  EXPECT_TRUE(lethal_are(1));
+  EXPECT_FALSE(wait_for([] { return lethal_cells() != 1; }, 0.5));
+  recovery("KeepsNone", 1.0, 0.0)->runBehavior();
+  EXPECT_TRUE(lethal_are(0));
+}
+
+}  // namespace
+}  // namespace hidwa_plugin_tests
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "recovery_test");
+  ros::NodeHandle node;
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
