@@ -6,16 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/naive_critics.hpp"
+#include "support/naive_gap.hpp"
 #include "support/naive_motion.hpp"
 #include "support/naive_reference.hpp"
+#include "support/naive_trail.hpp"
 
 namespace hidwa_local_planner::test {
 
 /// Overlaps smaller than this may be rounding: scenes with such a pose are left out.
 constexpr double kDoubtfulOverlap = 1e-6;
+/// So are gaps that are so near to what is asked for [m].
+constexpr double kDoubtfulGap = 1e-7;
 
 inline NaiveBody naive_padded(const NaiveBody& body, double padding) {
   NaiveBody out{{}, body.radius > 0.0 ? body.radius + padding : 0.0};
@@ -44,25 +49,31 @@ inline NaiveBody naive_body(const Scene& scene) {
   return naive_padded(body, scene.parameters.footprint_padding);
 }
 
+/// The scene of now: the measured pose led on as the commands since then say, or odometry; of the measured velocity what is
+/// believed.
+inline Scene naive_led_on(Scene scene, const NaiveReference& reference) {
+  NaiveTrail trail(scene.situation.pose, naive_outer_radius(naive_body(scene)));
+  trail.follow(reference.ways().back().past, 0.01);
+  scene.situation.pose = trail.pose();
+  scene.situation.velocity = reference.believed();
+  return scene;
+}
+
 class NaivePlanner {
  public:
   /// `former`: cycles before this one, in which the host stopped the robot.
   explicit NaivePlanner(const Scene& scene, std::vector<NaiveCycle> former = {})
-      : scene_(scene),
-        grid_(scene.grid()),
-        body_(naive_body(scene)),
-        critics_(scene, body_),
-        under_way_(scene.parameters, scene.situation.period, Twist2{}) {
-    const Situation& s = scene_.situation;
-    former.push_back(naive_cycle(s));
-    const NaiveReference reference(scene_.parameters, former);
-    reference_ = reference.of(s.velocity);
-    under_way_ = {scene_.parameters, s.period,
-                  reference.agrees(s.velocity) ? reference.effects() : std::vector<NaiveEffect>{{0.0, reference_}}};
-    stands_in_collision_ = collides(s.pose, body_);
+      : origin_(scene.situation.pose),
+        reference_(scene.parameters, with(std::move(former), naive_cycle(scene.situation))),
+        scene_(naive_led_on(scene, reference_)),
+        grid_(scene_.grid()),
+        body_(naive_body(scene_)),
+        critics_(scene_, body_) {
+    stands_in_collision_ = collides(scene_.situation.pose);
     if (stands_in_collision_) return;
-    candidates_ = naive_candidates(scene_, reference_);
-    naive_roll_out(scene_, reference_, candidates_);
+    keep_ = std::max(0.0, gap(scene_.situation.pose, 1.0) - 1e-6);
+    candidates_ = naive_candidates(scene_, reference_.reference());
+    naive_roll_out(scene_, reference_.reference(), candidates_);
     for (NaiveCandidate& c : candidates_) judge(c);
     choose();
   }
@@ -73,9 +84,8 @@ class NaivePlanner {
   const NaiveCandidate* best() const {
     return best_ < 0 ? nullptr : &candidates_[static_cast<std::size_t>(best_)];
   }
-  Twist2 command() const {
-    return naive_command(scene_.parameters, reference_, best()->u, scene_.situation.period);
-  }
+  Twist2 command() const { return command_for(best()->u); }
+  const NaiveReference& reference() const { return reference_; }
   /// The best total of another velocity than the chosen one's.
   double runner_up() const {
     double total = INFINITY;
@@ -87,10 +97,27 @@ class NaivePlanner {
   }
 
  private:
-  bool collides(const Pose2& q, const NaiveBody& body) {
-    const double overlap = naive_overlap(grid_, body, q, scene_.parameters.unknown_is_obstacle);
+  static std::vector<NaiveCycle> with(std::vector<NaiveCycle> cycles, const NaiveCycle& last) {
+    cycles.push_back(last);
+    return cycles;
+  }
+  bool collides(const Pose2& q) {
+    const double overlap = naive_overlap(grid_, body_, q, scene_.parameters.unknown_is_obstacle);
     if (overlap > 0.0 && overlap < kDoubtfulOverlap) doubtful_ = true;
-    return overlap > 0.0 || naive_centre_inscribed(grid_, body, q);
+    return overlap > 0.0 || naive_centre_inscribed(grid_, body_, q);
+  }
+  double gap(const Pose2& q, double most) const {
+    return naive_gap(grid_, body_, q, scene_.parameters.unknown_is_obstacle, most);
+  }
+  // The robot has more room than `needed` [m].
+  bool keeps(const Pose2& q, double needed) {
+    if (needed <= 0.0) return !collides(q);
+    const double left = gap(q, needed + 1e-3) - needed;
+    if (std::abs(left) < kDoubtfulGap) doubtful_ = true;
+    return left > 0.0;
+  }
+  Twist2 command_for(const Twist2& sample) const {
+    return naive_command(scene_.parameters, reference_.reference(), sample, scene_.situation.period);
   }
 
   bool rollout_collides(const NaiveCandidate& c) {
@@ -102,16 +129,29 @@ class NaivePlanner {
       for (int part = 1; part <= parts; ++part) {
         const double t = static_cast<double>(part) / parts;
         const Pose2 q{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.theta + t * (b.theta - a.theta)};
-        if (collides(q, body_)) return true;
+        if (collides(q)) return true;
       }
     }
     return false;
   }
-  bool cannot_brake(const Twist2& sample, double spacing, const NaiveBody& body) {
-    const Twist2 command = naive_command(scene_.parameters, reference_, sample, scene_.situation.period);
-    for (const Pose2& q :
-         naive_braking_poses(scene_, under_way_, command, naive_outer_radius(body_), spacing)) {
-      if (collides(q, body)) return true;
+  // Whether a command is braked on time or as late as it may be, and however the robot goes on until it takes effect.
+  bool cannot_brake(const Twist2& sample, bool surely) {
+    const Situation& s = scene_.situation;
+    const double latest = 2 * std::max(0.0, s.longest_period - s.period);
+    std::vector<NaiveOutlook> ways = reference_.ways();
+    if (surely) ways.insert(ways.end(), reference_.unlikely_ways().begin(), reference_.unlikely_ways().end());
+    for (const NaiveOutlook& way : ways) {
+      for (const double hold : {latest, 0.0}) {
+        if (hold < latest && latest <= 0.1 * s.period) continue;  // hardly later
+        if (hits({origin_, way, command_for(sample), s.period, hold}, surely)) return true;
+      }
+    }
+    return false;
+  }
+  bool hits(const NaiveBraking& manoeuvre, bool surely) {
+    const double radius = naive_outer_radius(body_);
+    for (const NaiveTrailPose& q : naive_braking_poses(scene_.parameters, manoeuvre, radius, grid_.resolution, surely)) {
+      if (!keeps(q.pose, std::min(q.growth, keep_))) return true;
     }
     return false;
   }
@@ -120,7 +160,7 @@ class NaivePlanner {
     const Parameters& p = scene_.parameters;
     if (rollout_collides(c)) {
       c.refused_by = "Collision";
-    } else if (cannot_brake(c.u, grid_.resolution / 2, body_)) {
+    } else if (cannot_brake(c.u, false)) {
       c.refused_by = "Braking";
     }
     double autonomy = 0.0;
@@ -151,8 +191,6 @@ class NaivePlanner {
     return a.u.omega > b.u.omega;
   }
   void choose() {
-    NaiveBody grown = naive_padded(body_, grid_.resolution / 32);
-    if (collides(scene_.situation.pose, grown)) grown = body_;
     while (true) {
       best_ = -1;
       for (std::size_t i = 0; i < candidates_.size(); ++i) {
@@ -162,17 +200,18 @@ class NaivePlanner {
       }
       if (best_ < 0) return;
       NaiveCandidate& chosen = candidates_[static_cast<std::size_t>(best_)];
-      if (!cannot_brake(chosen.u, grid_.resolution / 16, grown)) return;
+      if (!cannot_brake(chosen.u, true)) return;
       chosen.refused_by = "Braking";
     }
   }
 
-  const Scene& scene_;
+  Pose2 origin_;  // where the pose was measured
+  NaiveReference reference_;
+  Scene scene_;
   GridView grid_;
   NaiveBody body_;
   NaiveCritics critics_;
-  Twist2 reference_;
-  NaiveEffects under_way_;
+  double keep_ = 0.0;  // no more room than this is asked for: what the robot has now [m]
   std::vector<NaiveCandidate> candidates_;
   int best_ = -1;
   bool stands_in_collision_ = false;
