@@ -24,6 +24,7 @@ using test::Scene;
 
 struct Tally {
   int compared = 0, in_collision = 0, doubtful = 0, tied = 0, braked = 0, lagging = 0, told_apart = 0;
+  int odometry_doubted = 0, ways = 0;
   std::map<std::string, int> refusals;
 };
 
@@ -72,6 +73,16 @@ void compare_choice(const NaivePlanner& naive, const Decision& decision, Tally& 
   ASSERT_NEAR(decision.command.omega, naive.command().omega, 1e-9);
 }
 
+void compare_start(const test::NaiveReference& twin, const Decision& decision, Tally& tally) {
+  EXPECT_NEAR(decision.reference.v, twin.reference().v, 1e-9);
+  EXPECT_NEAR(decision.reference.omega, twin.reference().omega, 1e-9);
+  EXPECT_TRUE(decision.velocity == twin.believed());
+  EXPECT_EQ(decision.odometry_doubted, twin.doubted());
+  EXPECT_EQ(decision.odometry_fast, twin.fast());
+  tally.odometry_doubted += decision.odometry_doubted;
+  tally.ways += static_cast<int>(twin.ways().size());
+}
+
 void stop(Planner& planner, const Scene& scene, const std::vector<NaiveCycle>& cycles) {
   OperatorIntent stopped;
   stopped.influence = Influence::stop;
@@ -79,6 +90,7 @@ void stop(Planner& planner, const Scene& scene, const std::vector<NaiveCycle>& c
     Situation situation = scene.situation;
     situation.time = cycle.time;
     situation.last_command = cycle.last_command;
+    situation.velocity = cycle.measured;
     planner.plan(situation, scene.grid(), stopped);
   }
 }
@@ -110,6 +122,7 @@ void compare(const Scene& scene, const std::vector<NaiveCycle>& former, Tally& t
   sampling.check_all = true;
   const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent, sampling);
   ++tally.compared;
+  compare_start(naive.reference(), decision, tally);
   const double lag = std::abs(scene.situation.velocity.v - decision.reference.v);
   const bool goes_on = decision.reference == scene.situation.last_command;
   tally.lagging += goes_on && lag > scene.parameters.velocity_reference_tolerance_x;
@@ -166,6 +179,25 @@ TEST(PlannerTwin, RandomParameters) {
   for (const char* name : {"Collision", "Braking", "BaseObstacle", "RotateToGoal"}) {
     EXPECT_GT(tally.refusals[name], 5) << name;
   }
+  EXPECT_GT(tally.odometry_doubted, 20);
+  EXPECT_GT(tally.ways, tally.compared + 100);
+}
+
+// Late cycles, and poses that are old.
+TEST(PlannerTwin, LateCyclesAndOldPoses) {
+  Tally tally;
+  Random random(4);
+  compare_all(
+      500, 4000000,
+      [&random](Scene& scene) {
+        Situation& s = scene.situation;
+        if (random.chance(0.7)) s.longest_period = random.uniform(0.9, 2.0) * s.period;
+        if (random.chance(0.7)) s.pose_age = random.uniform(0.0, 0.15);
+      },
+      tally);
+  EXPECT_GE(tally.compared, 350);
+  EXPECT_LE(tally.doubtful, 5);
+  EXPECT_GT(tally.refusals["Braking"], 50);
 }
 
 // Random robots in all states of motion with some cells under their outline, as a new scan may have put them there.
@@ -204,7 +236,7 @@ TEST(PlannerTwin, OdometryLagsBehindTheCommand) {
       NaiveCycle& cycle = cycles[cycles.size() - back];
       u.v += share * scene.parameters.acc_lim_x * s.period;
       u.omega += random.uniform(-1.0, 1.0) * scene.parameters.acc_lim_theta * s.period;
-      cycle.last_command = u;
+      cycle.last_command = cycle.measured = u;
       cycle.time -= static_cast<double>(back) * s.period;
     }
     s.velocity = cycles[static_cast<std::size_t>(random.integer(0, 5))].last_command;

@@ -71,13 +71,20 @@ inline bool naive_is_obstacle(std::uint8_t value, bool unknown_is_obstacle) {
   return value == 254 || (value == 255 && unknown_is_obstacle);
 }
 
+/// From a point to a square.
+inline double naive_to_square(const Pose2& pose, double x, double y, double side) {
+  const double nearest_x = std::min(std::max(pose.x, x), x + side);
+  const double nearest_y = std::min(std::max(pose.y, y), y + side);
+  return std::hypot(nearest_x - pose.x, nearest_y - pose.y);
+}
+
 /// How deep the robot reaches into the worst obstacle cell, or over the map's edge: a length [m] for a disc,
 /// the root of an area for a polygon, so that 0 is free and rounding stays near 0.
 inline double naive_overlap(const GridView& grid, const NaiveBody& body, const Pose2& pose,
                             bool unknown_is_obstacle, int* cells = nullptr) {
   const double width = grid.size_x * grid.resolution, height = grid.size_y * grid.resolution;
   const Polygon placed = naive_place(body.corners, pose);
-  const double outer = naive_outer_radius(body) + 2.0 * grid.resolution;
+  const double outer_radius = naive_outer_radius(body), outer = outer_radius + 2.0 * grid.resolution;
   double worst = 0.0;
   for (const Point& p : placed) {
     worst = std::max({worst, grid.origin_x - p.x(), grid.origin_y - p.y(), p.x() - grid.origin_x - width,
@@ -99,10 +106,10 @@ inline double naive_overlap(const GridView& grid, const NaiveBody& body, const P
       if (!naive_is_obstacle(grid.costs[j * grid.size_x + i], unknown_is_obstacle)) continue;
       const double x = grid.origin_x + i * grid.resolution, y = grid.origin_y + j * grid.resolution;
       double depth = 0.0;
+      const double from_centre = naive_to_square(pose, x, y, grid.resolution);
+      if (from_centre >= outer_radius) continue;
       if (body.radius > 0.0) {
-        const double nearest_x = std::min(std::max(pose.x, x), x + grid.resolution);
-        const double nearest_y = std::min(std::max(pose.y, y), y + grid.resolution);
-        depth = std::max(0.0, body.radius - std::hypot(nearest_x - pose.x, nearest_y - pose.y));
+        depth = body.radius - from_centre;
       } else {
         depth = std::sqrt(naive_shared_area(placed, x, y, grid.resolution));
       }

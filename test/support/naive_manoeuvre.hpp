@@ -8,43 +8,35 @@
 
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
-#include "support/naive_effects.hpp"
+#include "support/naive_legs.hpp"
 
 namespace hidwa_local_planner::test {
 
 struct NaiveManoeuvre {
   Pose2 start;
-  NaiveEffects effects;                         // the command's own, at the latency, is the last
-  Twist2 command;                               // [m/s, rad/s]
-  double latency = 0.0, period = 0.05;          // [s]
-  double braking_x = 1.0, braking_theta = 1.0;  // [m/s^2, rad/s^2]
+  NaiveEffects effects;  // the command's own is the last
+  double kept = 0.0;     // until the first command to brake takes effect [s]
 };
 
-/// `under_way`, then `command`.
+/// `under_way`, then `command`; the first command to brake takes effect a period and `hold` [s] after it.
 inline NaiveManoeuvre naive_manoeuvre(const Parameters& p, const Pose2& start, const NaiveEffects& under_way,
-                                      const Twist2& command, double period) {
-  return {start,  under_way.then(p.control_latency, command), command, p.control_latency, period, p.braking_x(),
-          p.braking_theta()};
+                                      const Twist2& command, double period, double hold = 0.0) {
+  return {start, under_way.then(p.control_latency, command), p.control_latency + period + hold};
 }
 
-inline double naive_towards_zero(double value, double by) {
-  return std::abs(value) <= by ? 0.0 : value - std::copysign(by, value);
-}
-
-/// Velocity at `t` [s]: what takes effect until the command is reached, then braking.
+/// Velocity at `t` [s].
 inline Twist2 naive_velocity(const NaiveManoeuvre& m, double t) {
-  if (t < m.latency + m.period) return m.effects.velocity(t);
-  const double braked = t - m.latency - m.period;
-  return {naive_towards_zero(m.command.v, m.braking_x * braked),
-          naive_towards_zero(m.command.omega, m.braking_theta * braked)};
+  if (t < m.kept) return m.effects.velocity(t);
+  const Twist2 begin = m.effects.velocity(m.kept);
+  return {naive_braking(m.effects.x(), begin.v, t - m.kept), naive_braking(m.effects.theta(), begin.omega, t - m.kept)};
 }
 
 /// The poses, start included, whenever a point `radius` [m] from the centre may have moved by `spacing` [m];
 /// the last is the one at rest.
 inline std::vector<Pose2> naive_poses(const NaiveManoeuvre& m, double radius, double spacing) {
+  const Twist2 begin = m.effects.velocity(m.kept);
   const double end =
-      m.latency + m.period +
-      std::max(std::abs(m.command.v) / m.braking_x, std::abs(m.command.omega) / m.braking_theta);
+      m.kept + std::max(naive_rests(m.effects.x(), begin.v), naive_rests(m.effects.theta(), begin.omega));
   const int steps = static_cast<int>(std::ceil(end / 0.001)) + 1;
   const double dt = end / steps;
   std::vector<Pose2> poses{m.start};

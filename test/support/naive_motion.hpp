@@ -8,18 +8,10 @@
 #include <vector>
 
 #include "support/naive_collision.hpp"
-#include "support/naive_effects.hpp"
+#include "support/naive_ramp.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
-
-/// Towards `target` for `dt`: going up, a velocity's "age" is v / braking below 0 and v / acc above, and
-/// grows by dt.
-inline double naive_ramp(double v, double target, double dt, double acc, double braking) {
-  if (target < v) return -naive_ramp(-v, -target, dt, acc, braking);
-  const double age = (v < 0.0 ? v / braking : v / acc) + dt;
-  return std::min(target, age < 0.0 ? age * braking : age * acc);
-}
 
 inline double naive_ramp_v(const Parameters& p, double v, double target, double dt) {
   return naive_ramp(v, target, dt, p.acc_lim_x, p.braking_x());
@@ -189,79 +181,6 @@ inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vec
       now = next;
     }
   }
-}
-
-/// A part of a manoeuvre in which both axes change evenly.
-struct NaiveLeg {
-  Twist2 from, to;
-  double duration;  // [s]
-};
-
-/// Between two times; what is even in a row is one leg.
-inline std::vector<NaiveLeg> naive_legs(const NaiveEffects& effects, double begin, double end) {
-  std::vector<NaiveLeg> legs;
-  const std::vector<double> corners = effects.corners(begin, end);
-  for (std::size_t k = 1; k < corners.size(); ++k) {
-    const NaiveLeg leg{effects.velocity(corners[k - 1]), effects.velocity(corners[k]), corners[k] - corners[k - 1]};
-    const auto even = [](const NaiveLeg& one) { return one.from == one.to; };
-    if (!legs.empty() && even(legs.back()) && even(leg)) {
-      legs.back().duration += leg.duration;
-    } else {
-      legs.push_back(leg);
-    }
-  }
-  return legs;
-}
-
-/// How much farther than evenly an axis gets within `period` where it speeds up at its limit.
-inline double naive_ahead(double from, double to, double period, double acc, double braking) {
-  return std::abs(to - from) * (period - naive_needed(from, to, period, acc, braking)) / 2;
-}
-
-/// The braking manoeuvre in poses at most `spacing` [m] apart at `radius` [m]: what is under way for the latency, one
-/// period (evenly where no more than half the spacing depends on it, or always), braking in two parts.
-inline std::vector<Pose2> naive_braking_poses(const Scene& scene, const NaiveEffects& under_way, const Twist2& command,
-                                              double radius, double spacing, bool always_evenly = false) {
-  const Parameters& p = scene.parameters;
-  const double sent = p.control_latency, reached = sent + scene.situation.period;
-  const NaiveEffects all = under_way.then(sent, command);
-  std::vector<NaiveLeg> legs = naive_legs(all, 0.0, sent);
-  const Twist2 before = all.velocity(sent);
-  const double ahead_v = naive_ahead(before.v, command.v, scene.situation.period, p.acc_lim_x, p.braking_x());
-  const double ahead_omega =
-      naive_ahead(before.omega, command.omega, scene.situation.period, p.acc_lim_theta, p.braking_theta());
-  if (always_evenly || ahead_v + radius * ahead_omega <= spacing / 2) {
-    legs.push_back({before, command, scene.situation.period});
-  } else {
-    for (const NaiveLeg& leg : naive_legs(all, sent, reached)) legs.push_back(leg);
-  }
-  const double rest_v = std::abs(command.v) / p.braking_x(),
-               rest_omega = std::abs(command.omega) / p.braking_theta();
-  const double first = std::min(rest_v, rest_omega);
-  const Twist2 between{naive_ramp_v(p, command.v, 0.0, first),
-                       naive_ramp_omega(p, command.omega, 0.0, first)};
-  const double second =
-      std::max(std::abs(between.v) / p.braking_x(), std::abs(between.omega) / p.braking_theta());
-  legs.push_back({command, between, first});
-  legs.push_back({between, {}, second});
-  std::vector<Pose2> poses;
-  Pose2 q = scene.situation.pose;
-  for (const auto& [a, b, duration] : legs) {
-    const double distance =
-        (std::max(std::abs(a.v), std::abs(b.v)) + radius * std::max(std::abs(a.omega), std::abs(b.omega))) * duration;
-    if (duration <= 0.0 || distance <= 1e-12) continue;
-    const int n = static_cast<int>(std::ceil(distance / spacing));
-    const double dt = duration / n;
-    for (int k = 0; k < n; ++k) {
-      const double t = (k + 0.5) / n;
-      const double v = a.v + (b.v - a.v) * t, omega = a.omega + (b.omega - a.omega) * t;
-      q.x += v * std::cos(q.theta + omega * dt / 2) * dt;
-      q.y += v * std::sin(q.theta + omega * dt / 2) * dt;
-      q.theta += omega * dt;
-      poses.push_back(q);
-    }
-  }
-  return poses;
 }
 
 }  // namespace hidwa_local_planner::test

@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A whole cycle, the slow way: the twin of Planner::plan, in the first cycle that is not stopped.
+// A whole cycle, the slow way: the twin of Planner::plan for robots that do not stand in collision, in the
+// first cycle that is not stopped.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/naive_critics.hpp"
 #include "support/naive_escape.hpp"
+#include "support/naive_gap.hpp"
 #include "support/naive_motion.hpp"
 #include "support/naive_padding.hpp"
 #include "support/naive_reference.hpp"
+#include "support/naive_trail.hpp"
 
 namespace hidwa_local_planner::test {
 
 /// Overlaps smaller than this may be rounding: scenes with such a pose are left out.
 constexpr double kDoubtfulOverlap = 1e-6;
-
+/// So are gaps that are so near to what is asked for [m].
+constexpr double kDoubtfulGap = 1e-7;
 
 /// The outline that the planner was given: 16 corners are a circle in these scenes.
 inline NaiveBody naive_body(const Scene& scene) {
@@ -27,22 +32,27 @@ inline NaiveBody naive_body(const Scene& scene) {
   return naive_padded(body, scene.parameters.footprint_padding);
 }
 
+/// The scene of now: the measured pose led on as the commands since then say, or odometry; of the measured velocity what is
+/// believed.
+inline Scene naive_led_on(Scene scene, const NaiveReference& reference) {
+  NaiveTrail trail(scene.situation.pose, naive_outer_radius(naive_body(scene)));
+  trail.follow(reference.ways().back().past, 0.01);
+  scene.situation.pose = trail.pose();
+  scene.situation.velocity = reference.believed();
+  return scene;
+}
+
 class NaivePlanner {
  public:
   /// `former`: cycles before this one, in which the host stopped the robot.
   explicit NaivePlanner(const Scene& scene, std::vector<NaiveCycle> former = {})
-      : scene_(scene),
-        grid_(scene.grid()),
-        body_(naive_body(scene)),
-        critics_(scene, body_),
-        under_way_(scene.parameters, scene.situation.period, Twist2{}) {
-    const Situation& s = scene_.situation;
-    former.push_back(naive_cycle(s));
-    const NaiveReference reference(scene_.parameters, former);
-    reference_ = reference.of(s.velocity);
-    under_way_ = {scene_.parameters, s.period,
-                  reference.agrees(s.velocity) ? reference.effects() : std::vector<NaiveEffect>{{0.0, reference_}}};
-    stands_in_collision_ = collides(s.pose, body_);
+      : origin_(scene.situation.pose),
+        reference_(scene.parameters, with(std::move(former), naive_cycle(scene.situation))),
+        scene_(naive_led_on(scene, reference_)),
+        grid_(scene_.grid()),
+        body_(naive_body(scene_)),
+        critics_(scene_, body_) {
+    stands_in_collision_ = collides(scene_.situation.pose);
     Scene slow = scene_;
     if (stands_in_collision_) {
       if (!scene_.parameters.escape) return;
@@ -50,12 +60,12 @@ class NaivePlanner {
       find_heaps(slow.parameters);
       if (!heaps_->overlaps()) slow = scene_;  // only its centre's cell is inscribed
     }
-    candidates_ = naive_candidates(slow, reference_);
-    naive_roll_out(scene_, reference_, candidates_);
+    keep_ = std::max(0.0, gap(scene_.situation.pose, 1.0) - 1e-6);
+    candidates_ = naive_candidates(slow, reference_.reference());
+    naive_roll_out(scene_, reference_.reference(), candidates_);
     for (NaiveCandidate& c : candidates_) judge(c);
     choose();
   }
-  /// Its centre's cell included.
   bool stands_in_collision() const { return stands_in_collision_; }
   /// It chooses what leads out of a collision, not what is cheapest.
   bool gets_out() const { return escapes() && scene_.intent.influence == Influence::none; }
@@ -65,9 +75,8 @@ class NaivePlanner {
   const NaiveCandidate* best() const {
     return best_ < 0 ? nullptr : &candidates_[static_cast<std::size_t>(best_)];
   }
-  Twist2 command() const {
-    return naive_command(scene_.parameters, reference_, best()->u, scene_.situation.period);
-  }
+  Twist2 command() const { return command_for(best()->u); }
+  const NaiveReference& reference() const { return reference_; }
   /// The best total of another velocity than the chosen one's.
   double runner_up() const {
     double total = INFINITY;
@@ -79,6 +88,10 @@ class NaivePlanner {
   }
 
  private:
+  static std::vector<NaiveCycle> with(std::vector<NaiveCycle> cycles, const NaiveCycle& last) {
+    cycles.push_back(last);
+    return cycles;
+  }
   bool escapes() const { return heaps_ != nullptr && heaps_->overlaps(); }
 
   // How far the outline's farthest point moves with a command that is braked in the next cycle [m].
@@ -86,7 +99,7 @@ class NaivePlanner {
     const Parameters& p = scene_.parameters;
     const double arm = body_.radius > 0.0 ? 0.0 : naive_outer_radius(body_);
     const double v = std::abs(u.v), omega = std::abs(u.omega);
-    const double delay = p.control_latency + scene_.situation.period;
+    const double delay = p.control_latency + scene_.situation.period + latest();
     return v * delay + v * v / 2.0 / p.braking_x() + arm * (omega * delay + omega * omega / 2.0 / p.braking_theta());
   }
   double fastest(const Twist2& axis) const {  // within half a cell, by bisection
@@ -124,8 +137,8 @@ class NaivePlanner {
   // So many poses of a rollout at once that the outline moves no more than a quarter of a cell.
   std::vector<Pose2> looked_at(const NaiveCandidate& c) const {
     const double arm = body_.radius > 0.0 ? 0.0 : naive_outer_radius(body_);
-    const double step = (std::max(std::abs(c.u.v), std::abs(reference_.v)) +
-                         arm * std::max(std::abs(c.u.omega), std::abs(reference_.omega))) * c.dt;
+    const double step = (std::max(std::abs(c.u.v), std::abs(reference_.reference().v)) +
+                         arm * std::max(std::abs(c.u.omega), std::abs(reference_.reference().omega))) * c.dt;
     const std::size_t last = c.poses.size() - 1;
     const double most = grid_.resolution / 4.0;
     const bool all_at_once = step * static_cast<double>(last) <= most;
@@ -136,7 +149,7 @@ class NaivePlanner {
     return poses;
   }
   bool slow_enough(const Twist2& u) const {
-    const Twist2 braked = naive_command(scene_.parameters, reference_, {}, scene_.situation.period);
+    const Twist2 braked = command_for({});
     const bool brakes = std::abs(u.v) <= std::abs(braked.v) + 1e-9 && std::abs(u.omega) <= std::abs(braked.omega) + 1e-9;
     return brakes || way(u) <= grid_.resolution / 2.0 + 1e-9;
   }
@@ -149,19 +162,40 @@ class NaivePlanner {
            heaps_->clearance(end) > heaps_->clearance(scene_.situation.pose) + 1e-6;
   }
   bool sinks(const Twist2& sample, double spacing) const {
-    const Twist2 command = naive_command(scene_.parameters, reference_, sample, scene_.situation.period);
-    for (const bool evenly : {false, true}) {
-      const std::vector<Pose2> poses =
-          naive_braking_poses(scene_, under_way_, command, naive_outer_radius(body_), spacing, evenly);
-      if (!heaps_->descends(poses, true)) return true;
+    const Situation& s = scene_.situation;
+    for (const NaiveOutlook& way : reference_.ways()) {
+      for (const bool evenly : {false, true}) {
+        NaiveTrail trail(origin_, naive_outer_radius(body_));
+        trail.follow(way.past, spacing);
+        std::vector<Pose2> poses;
+        const auto look = [&](const std::vector<NaiveLeg>& legs) {
+          for (const NaiveTrailPose& at : trail.follow(legs, spacing)) poses.push_back(at.pose);
+        };
+        look(way.pending);
+        look(naive_brake_legs(scene_.parameters, s.period, way.end(), command_for(sample), latest(), evenly));
+        if (!heaps_->descends(poses, true)) return true;
+      }
     }
     return false;
   }
 
-  bool collides(const Pose2& q, const NaiveBody& body) {
-    const double overlap = naive_overlap(grid_, body, q, scene_.parameters.unknown_is_obstacle);
+  bool collides(const Pose2& q) {
+    const double overlap = naive_overlap(grid_, body_, q, scene_.parameters.unknown_is_obstacle);
     if (overlap > 0.0 && overlap < kDoubtfulOverlap) doubtful_ = true;
-    return overlap > 0.0 || naive_centre_inscribed(grid_, body, q);
+    return overlap > 0.0 || naive_centre_inscribed(grid_, body_, q);
+  }
+  double gap(const Pose2& q, double most) const {
+    return naive_gap(grid_, body_, q, scene_.parameters.unknown_is_obstacle, most);
+  }
+  // The robot has more room than `needed` [m].
+  bool keeps(const Pose2& q, double needed) {
+    if (needed <= 0.0) return !collides(q);
+    const double left = gap(q, needed + 1e-3) - needed;
+    if (std::abs(left) < kDoubtfulGap) doubtful_ = true;
+    return left > 0.0;
+  }
+  Twist2 command_for(const Twist2& sample) const {
+    return naive_command(scene_.parameters, reference_.reference(), sample, scene_.situation.period);
   }
 
   bool rollout_collides(const NaiveCandidate& c) {
@@ -173,16 +207,30 @@ class NaivePlanner {
       for (int part = 1; part <= parts; ++part) {
         const double t = static_cast<double>(part) / parts;
         const Pose2 q{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.theta + t * (b.theta - a.theta)};
-        if (collides(q, body_)) return true;
+        if (collides(q)) return true;
       }
     }
     return false;
   }
-  bool cannot_brake(const Twist2& sample, double spacing, const NaiveBody& body) {
-    const Twist2 command = naive_command(scene_.parameters, reference_, sample, scene_.situation.period);
-    for (const Pose2& q :
-         naive_braking_poses(scene_, under_way_, command, naive_outer_radius(body_), spacing)) {
-      if (collides(q, body)) return true;
+  // How much later than a period a command to brake may take effect [s].
+  double latest() const { return 2 * std::max(0.0, scene_.situation.longest_period - scene_.situation.period); }
+  // Whether a command is braked on time or as late as it may be, and however the robot goes on until it takes effect.
+  bool cannot_brake(const Twist2& sample, bool surely) {
+    const Situation& s = scene_.situation;
+    std::vector<NaiveOutlook> ways = reference_.ways();
+    if (surely) ways.insert(ways.end(), reference_.unlikely_ways().begin(), reference_.unlikely_ways().end());
+    for (const NaiveOutlook& way : ways) {
+      for (const double hold : {latest(), 0.0}) {
+        if (hold < latest() && latest() <= 0.1 * s.period) continue;  // hardly later
+        if (hits({origin_, way, command_for(sample), s.period, hold}, surely)) return true;
+      }
+    }
+    return false;
+  }
+  bool hits(const NaiveBraking& manoeuvre, bool surely) {
+    const double radius = naive_outer_radius(body_);
+    for (const NaiveTrailPose& q : naive_braking_poses(scene_.parameters, manoeuvre, radius, grid_.resolution, surely)) {
+      if (!keeps(q.pose, std::min(q.growth, keep_))) return true;
     }
     return false;
   }
@@ -191,7 +239,7 @@ class NaivePlanner {
     const Parameters& p = scene_.parameters;
     if ((escapes() && (!slow_enough(c.u) || !leads_out(c))) || rollout_collides(c)) {
       c.refused_by = "Collision";
-    } else if (cannot_brake(c.u, grid_.resolution / 2, body_) || (escapes() && sinks(c.u, grid_.resolution / 8))) {
+    } else if (cannot_brake(c.u, false) || (escapes() && sinks(c.u, grid_.resolution / 8))) {
       c.refused_by = "Braking";
     }
     double autonomy = 0.0;
@@ -232,8 +280,6 @@ class NaivePlanner {
     return a.u.omega > b.u.omega;
   }
   void choose() {
-    NaiveBody grown = naive_padded(body_, grid_.resolution / 32);
-    if (collides(scene_.situation.pose, grown)) grown = body_;
     while (true) {
       best_ = -1;
       for (std::size_t i = 0; i < candidates_.size(); ++i) {
@@ -244,17 +290,18 @@ class NaivePlanner {
       if (best_ < 0) return;
       NaiveCandidate& chosen = candidates_[static_cast<std::size_t>(best_)];
       const bool deeper = escapes() && sinks(chosen.u, grid_.resolution / 128);
-      if (!cannot_brake(chosen.u, grid_.resolution / 16, grown) && !deeper) return;
+      if (!cannot_brake(chosen.u, true) && !deeper) return;
       chosen.refused_by = "Braking";
     }
   }
 
-  const Scene& scene_;
+  Pose2 origin_;  // where the pose was measured
+  NaiveReference reference_;
+  Scene scene_;
   GridView grid_;
   NaiveBody body_;
   NaiveCritics critics_;
-  Twist2 reference_;
-  NaiveEffects under_way_;
+  double keep_ = 0.0;  // no more room than this is asked for: what the robot has now [m]
   std::vector<NaiveCandidate> candidates_;
   int best_ = -1;
   bool stands_in_collision_ = false;

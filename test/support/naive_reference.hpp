@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a cycle starts from, the slow way: all cycles that ever were are searched every time.
+// Where a cycle starts from and what it believes of odometry, the slow way: all cycles that ever were are searched.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "hidwa_local_planner/core/planner.hpp"
 #include "support/naive_effects.hpp"
+#include "support/naive_trail.hpp"
 
 namespace hidwa_local_planner::test {
 
@@ -15,92 +17,202 @@ namespace hidwa_local_planner::test {
 struct NaiveCycle {
   double time = 0.0, period = 0.0;  // [s]
   Twist2 last_command;
+  Twist2 measured;        // [m/s, rad/s]
+  double pose_age = 0.0;  // [s]
 };
 
-inline NaiveCycle naive_cycle(const Situation& s) { return {s.time, s.period, s.last_command}; }
+inline NaiveCycle naive_cycle(const Situation& s) {
+  return {s.time, s.period, s.last_command, s.velocity, s.pose_age};
+}
 
-/// The twin of CommandHistory and velocity_reference(), for one set of parameters and times that are numbers. The last
-/// cycle is the one that asks.
-class NaiveReference {
- public:
-  NaiveReference(const Parameters& p, const std::vector<NaiveCycle>& cycles) : p_(p), cycles_(cycles) {
-    const NaiveCycle& now = cycles_.back();
-    const double begin = now.time - p_.control_latency - now.period;
-    std::size_t in_force = 0;  // when the window begins: the last one that was sent by then
-    for (std::size_t i = 0; i < cycles_.size(); ++i) {
-      if (known(i) && sent(i) <= begin + 1e-6) in_force = i;
-    }
-    for (std::size_t i = in_force; i < cycles_.size(); ++i) {
-      if (!known(i)) continue;
-      shown_.push_back(cycles_[i].last_command);
-      effects_.push_back({sent(i) + p_.control_latency - now.time, cycles_[i].last_command});
-    }
+/// What odometry may show of one axis.
+struct NaiveExplained {
+  double lo, hi, tolerance;  // [unit/s]
+
+  bool fast(double measured) const {
+    return measured > std::max(hi, 0.0) + tolerance || measured < std::min(lo, 0.0) - tolerance;
   }
-  const std::vector<Twist2>& shown() const { return shown_; }
+  bool agrees(double measured) const { return measured >= lo - tolerance && measured <= hi + tolerance; }
+};
 
-  Twist2 of(const Twist2& measured) const { return agrees(measured) ? cycles_.back().last_command : measured; }
-  /// What is under way.
-  const std::vector<NaiveEffect>& effects() const { return effects_; }
+/// The twin of CommandHistory, for one set of parameters and times that are numbers. The last cycle is the one that asks.
+class NaiveHistory {
+ public:
+  NaiveHistory(const Parameters& p, const std::vector<NaiveCycle>& cycles)
+      : p_(p), now_(cycles.back()), effects_(p, now_.period, {}, {}) {
+    std::size_t first = cycles.size() - 1;  // since time last went back
+    while (first > 0 && cycles[first - 1].time <= cycles[first].time) --first;
+    std::vector<NaiveEffect> list;
+    for (std::size_t i = first; i < cycles.size(); ++i) {
+      if (i + 1 < cycles.size() && cycles[i + 1].time == cycles[i].time) continue;  // told anew
+      std::size_t before = i;  // the last cycle at another time: its command is what this one found
+      while (before > first && cycles[before].time == cycles[i].time) --before;
+      list.push_back({cycles[before].time + p.control_latency - now_.time, cycles[i].last_command});
+    }
+    effects_ = {p, now_.period, cycles[first].last_command, list};
+  }
+  const NaiveEffects& effects() const { return effects_; }
 
-  bool agrees(const Twist2& measured) const {
-    if (p_.velocity_reference == VelocityReference::odometry) return false;
-    const Twist2 last = cycles_.back().last_command;
-    const double dead_band = std::max(p_.min_vel_theta, p_.min_in_place_vel_theta);
-    const double still = std::abs(last.omega) <= dead_band ? std::abs(last.omega) : 0.0;
-    // Between two of them, or near one.
-    double least_v = INFINITY, least_omega = INFINITY;
-    for (const Twist2& a : shown_) {
-      for (const Twist2& b : shown_) {
-        least_v = std::min(least_v, off(measured.v, a.v, b.v));
-        least_omega = std::min(least_omega, off(measured.omega, a.omega, b.omega));
+  /// Which of the effects odometry may still show: from the one on that was in force a latency, a period and the pose's
+  /// age ago.
+  std::size_t first_shown() const {
+    const std::vector<NaiveEffect>& list = effects_.list();
+    const double begin = -now_.period - now_.pose_age + 1e-6;  // it takes effect a latency after it was sent
+    std::size_t first = 0;
+    while (first + 1 < list.size() && list[first + 1].time <= begin) ++first;
+    return first;
+  }
+  std::size_t shown() const { return effects_.list().size() - first_shown(); }
+
+  NaiveExplained explained(double Twist2::*axis) const {
+    const Twist2 last = now_.last_command;
+    NaiveExplained all{last.*axis, last.*axis, p_.velocity_reference_tolerance_x};
+    for (std::size_t i = first_shown(); i < effects_.list().size(); ++i) {
+      for (const double u : {effects_.list()[i].command.*axis, effects_.from(i).*axis}) {
+        all.lo = std::min(all.lo, u);
+        all.hi = std::max(all.hi, u);
       }
     }
-    return least_v <= p_.velocity_reference_tolerance_x &&
-           least_omega <= p_.velocity_reference_tolerance_theta + still;
+    if (axis == &Twist2::v) return all;
+    // Inside its dead band a robot stands though it is told to turn.
+    const double dead_band = std::max(p_.min_vel_theta, p_.min_in_place_vel_theta);
+    all.tolerance = p_.velocity_reference_tolerance_theta +
+                    (std::abs(last.omega) <= dead_band ? std::abs(last.omega) : 0.0);
+    return all;
+  }
+
+  /// The last command; but the velocity that the base has by then where the limits take half a period too long for it.
+  Twist2 next_start() const {
+    const std::size_t last = effects_.list().size() - 1;
+    const Twist2 from = effects_.from(last), to = effects_.list()[last].command;
+    const Twist2 reached = effects_.velocity(p_.control_latency);
+    const auto in_time = [](const NaiveAxis& axis, double a, double b) {
+      return naive_needed(axis, a, b) <= 1.5 * axis.period;
+    };
+    return {in_time(effects_.x(), from.v, to.v) ? to.v : reached.v,
+            in_time(effects_.theta(), from.omega, to.omega) ? to.omega : reached.omega};
   }
 
  private:
-  // How far outside of two values another one lies.
-  static double off(double value, double a, double b) {
-    if ((value - a) * (value - b) <= 0.0) return 0.0;
-    return std::min(std::abs(value - a), std::abs(value - b));
+  Parameters p_;
+  NaiveCycle now_;
+  NaiveEffects effects_;
+};
+
+/// What to make of each reading of one axis: of all readings so far.
+class NaiveBelief {
+ public:
+  /// Within `change` [unit/s] and as much as the limit allows, `fastest_change` [unit/s^2], one reading follows another.
+  struct Reading {
+    double time, measured;
+    bool fast;
+    double change, fastest_change;
+  };
+
+  explicit NaiveBelief(const std::vector<Reading>& readings) : readings_(readings) {
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const int trusted = last_trusted(k);
+      trusted_.push_back(readings_[k].fast && (agrees_for_long(k) || (trusted >= 0 && follows(k, at(trusted)))));
+    }
   }
-  // The last cycle before number i at another time; -1 where there is none.
-  int before(std::size_t i) const {
-    for (int n = static_cast<int>(i) - 1; n >= 0; --n) {
-      if (cycles_[static_cast<std::size_t>(n)].time != cycles_[i].time) return n;
+  /// The last reading is fast and believed, or so is one a moment before it.
+  bool sure() const { return readings_.back().fast && (trusted_.back() || last_trusted(readings_.size() - 1) >= 0); }
+  double believed() const {
+    return trusted_.back() ? readings_.back().measured : readings_[at(last_trusted(readings_.size() - 1))].measured;
+  }
+
+ private:
+  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  bool follows(std::size_t k, std::size_t before) const {
+    const Reading& now = readings_[k];
+    const double passed = std::max(now.time - readings_[before].time, 0.0);
+    return std::abs(now.measured - readings_[before].measured) <= now.change + now.fastest_change * passed;
+  }
+  // Since 0.3 s or more all were fast, and each followed the one before.
+  bool agrees_for_long(std::size_t k) const {
+    std::size_t first = k;
+    while (first > 0 && readings_[first - 1].fast && follows(first, first - 1)) --first;
+    return readings_[k].time - readings_[first].time >= 0.3;
+  }
+  // Before number k, no more than 0.3 s, and none in between that was not fast; -1 where there is none.
+  int last_trusted(std::size_t k) const {
+    for (int j = static_cast<int>(k) - 1; j >= 0 && readings_[at(j)].fast; --j) {
+      if (trusted_[at(j)]) return readings_[k].time - readings_[at(j)].time <= 0.3 ? j : -1;
     }
     return -1;
   }
-  // Nothing could have followed the command of number i from what came before.
-  bool breaks(std::size_t i) const {
-    const int n = before(i);
-    if (n < 0) return false;
-    const NaiveCycle& from = cycles_[static_cast<std::size_t>(n)];
-    const NaiveCycle& to = cycles_[i];
-    const double step = std::max(p_.acc_lim_x, p_.braking_x()) * to.period + 1e-6;
-    const double turn = std::max(p_.acc_lim_theta, p_.braking_theta()) * to.period + 1e-6;
-    return to.time < from.time || std::abs(to.last_command.v - from.last_command.v) > step ||
-           std::abs(to.last_command.omega - from.last_command.omega) > turn;
-  }
-  bool known(std::size_t i) const {
-    if (i + 1 < cycles_.size() && cycles_[i + 1].time == cycles_[i].time) return false;  // told anew
-    for (std::size_t later = i + 1; later < cycles_.size(); ++later) {
-      if (breaks(later)) return false;
+
+  std::vector<Reading> readings_;
+  std::vector<bool> trusted_;
+};
+
+/// Where the last of some cycles starts from, what it believes, and how the robot may go on.
+class NaiveReference {
+ public:
+  NaiveReference(const Parameters& p, const std::vector<NaiveCycle>& cycles)
+      : p_(p), cycles_(cycles), history_(p, cycles), reference_(history_.next_start()), believed_(cycles.back().measured) {
+    const double age = cycles.back().pose_age, latency = p.control_latency;
+    ways_.push_back(naive_outlook(history_.effects(), age, latency));
+    // As many shorter latencies as there are periods in it, six at most, from none on.
+    const double shorter = ways_[0].steady() ? 0.0 : std::min(std::ceil(latency / cycles.back().period), 6.0);
+    for (double n = 0.0; n < shorter; n += 1.0) {
+      const double quick = latency * n / shorter;
+      unlikely_.push_back(naive_outlook(history_.effects().sooner(latency - quick), age, quick));
     }
-    return true;
+    judge(&Twist2::v);
+    judge(&Twist2::omega);
   }
-  double sent(std::size_t i) const {
-    const int n = before(i);
-    return n < 0 || cycles_[static_cast<std::size_t>(n)].time > cycles_[i].time
-               ? cycles_[i].time
-               : cycles_[static_cast<std::size_t>(n)].time;
+  Twist2 reference() const { return reference_; }
+  Twist2 believed() const { return believed_; }
+  bool doubted() const { return doubted_; }
+  bool fast() const { return fast_; }
+  /// The first as the commands say; where odometry says otherwise, also as it says.
+  const std::vector<NaiveOutlook>& ways() const { return ways_; }
+  /// For those who want to be sure: a base that is quicker than the latency says.
+  const std::vector<NaiveOutlook>& unlikely_ways() const { return unlikely_; }
+
+ private:
+  void judge(double Twist2::*axis) {
+    const double measured = cycles_.back().measured.*axis, last = cycles_.back().last_command.*axis;
+    const bool is_v = axis == &Twist2::v;
+    const NaiveExplained explained = history_.explained(axis);
+    const double highest = is_v ? p_.max_vel_x : p_.max_vel_theta, lowest = is_v ? p_.min_vel_x : -p_.max_vel_theta;
+    if (explained.fast(measured)) {
+      const NaiveBelief belief = beliefs(axis);
+      believed_.*axis = belief.sure() ? belief.believed() : last;
+      (belief.sure() ? fast_ : doubted_) = true;
+      if (belief.sure()) go_otherwise(axis);
+    } else if (!explained.agrees(measured) || p_.velocity_reference == VelocityReference::odometry) {
+      reference_.*axis = measured;
+      go_otherwise(axis);
+    }
+    // No start is beyond both the limits and the last command.
+    reference_.*axis = std::min(reference_.*axis, std::max({highest, last, 0.0}));
+    reference_.*axis = std::max(reference_.*axis, std::min({lowest, last, 0.0}));
+  }
+  NaiveBelief beliefs(double Twist2::*axis) const {
+    std::vector<NaiveBelief::Reading> readings;
+    const double fastest_change = axis == &Twist2::v ? std::max(p_.acc_lim_x, p_.braking_x())
+                                                     : std::max(p_.acc_lim_theta, p_.braking_theta());
+    for (std::size_t k = 0; k < cycles_.size(); ++k) {
+      const NaiveHistory then(p_, {cycles_.begin(), cycles_.begin() + static_cast<std::ptrdiff_t>(k) + 1});
+      const NaiveExplained explained = then.explained(axis);
+      const double measured = cycles_[k].measured.*axis;
+      readings.push_back({cycles_[k].time, measured, explained.fast(measured), explained.tolerance, fastest_change});
+    }
+    return NaiveBelief(readings);
+  }
+  void go_otherwise(double Twist2::*axis) {
+    const std::vector<NaiveOutlook> before = ways_;
+    for (const NaiveOutlook& way : before) ways_.push_back(way.with(axis, believed_.*axis));
   }
 
   Parameters p_;
   std::vector<NaiveCycle> cycles_;
-  std::vector<Twist2> shown_;
-  std::vector<NaiveEffect> effects_;
+  NaiveHistory history_;
+  Twist2 reference_, believed_;
+  bool doubted_ = false, fast_ = false;
+  std::vector<NaiveOutlook> ways_, unlikely_;
 };
 
 }  // namespace hidwa_local_planner::test

@@ -14,13 +14,13 @@ using test::Scene;
 // The robot reaches 0.2 m ahead and drives 0.5 m/s; a wall stands `gap` ahead of its front.
 class Corridor {
  public:
-  Corridor(double gap, const Parameters& p) : parameters_(p), limits_(VelocityLimits::from(p)), under_way_({0.5, 0.0}, p.control_latency) {
+  Corridor(double gap, const Parameters& p, double longest_period = 0.05) : parameters_(p), limits_(VelocityLimits::from(p)), pending_(UnderWay({0.5, 0.0}, p.control_latency)) {
     scene_ = Scene::empty(121);
     scene_.fill(1.025, -9.0, 9.0, 9.0);  // cells from x = 1.025 on
     start_ = {1.025 - 0.2 - gap, 0.0, 0.0};
     footprint_ = Footprint(scene_.outline);
     checker_.prepare(scene_.grid(), footprint_, true, start_, 2.0);
-    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05, {start_, {0.5, 0.0}, &under_way_, 0.05});
+    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05, {start_, start_, {0.5, 0.0}, &pending_, 0.05, longest_period});
   }
   Corridor(const Corridor&) = delete;
   bool can_brake(const Twist2& sample) { return check_.can_brake(sample, 0); }
@@ -32,7 +32,7 @@ class Corridor {
  private:
   Parameters parameters_;
   VelocityLimits limits_;
-  UnderWay under_way_;
+  PendingMotion pending_;
   Scene scene_;
   Pose2 start_;
   Footprint footprint_;
@@ -43,10 +43,11 @@ class Corridor {
 TEST(CanBrake, TheBrakingDistanceIsTheLimit) {
   Parameters p;
   p.control_latency = 0.0;
-  // Going on at 0.5 for one period, then braking: 0.5 * 0.05 + 0.5^2 / (2 * 2.5) = 0.075 m.
+  // Going on at 0.5 for one period, then braking: 0.5 * 0.05 + 0.5^2 / (2 * 2.5) = 0.075 m. And the tail: the last 0.0625 m/s
+  // evenly over a period, not in 0.025 s: 0.0625 * (0.05 - 0.025) / 2 = 0.8 mm.
   EXPECT_TRUE(Corridor(0.077, p).can_brake({0.5, 0.0}));
   EXPECT_FALSE(Corridor(0.073, p).can_brake({0.5, 0.0}));
-  // Braking at once: 0.05 * (0.5 + 0.375) / 2 + 0.375^2 / 5 = 0.05 m.
+  // Braking at once: 0.05 * (0.5 + 0.375) / 2 + 0.375^2 / 5 = 0.05 m, and 0.8 mm.
   EXPECT_TRUE(Corridor(0.052, p).can_brake({0.0, 0.0}));
   EXPECT_FALSE(Corridor(0.048, p).can_brake({0.0, 0.0}));
 }
@@ -71,10 +72,63 @@ TEST(CanBrake, WeakerBrakesLengthenIt) {
 TEST(CanBrake, SurelyKeepsAThirtySecondOfACellMore) {
   Parameters p;
   p.control_latency = 0.0;
-  // 0.075 + 0.05 / 32 = 0.0766 m.
+  // 0.0758 + 0.05 / 32 = 0.0773 m.
   EXPECT_TRUE(Corridor(0.078, p).can_brake_surely({0.5, 0.0}));
-  EXPECT_FALSE(Corridor(0.0758, p).can_brake_surely({0.5, 0.0}));
-  EXPECT_TRUE(Corridor(0.0758, p).can_brake({0.5, 0.0}));
+  EXPECT_FALSE(Corridor(0.0767, p).can_brake_surely({0.5, 0.0}));
+  EXPECT_TRUE(Corridor(0.0767, p).can_brake({0.5, 0.0}));
+}
+
+TEST(CanBrake, ALateCommandToBrakeLengthensIt) {
+  Parameters p;
+  p.control_latency = 0.0;
+  // The next command may come 0.03 s late, and again: 0.0758 + 2 * 0.03 * 0.5 = 0.1058 m.
+  EXPECT_TRUE(Corridor(0.108, p, 0.08).can_brake({0.5, 0.0}));
+  EXPECT_FALSE(Corridor(0.104, p, 0.08).can_brake({0.5, 0.0}));
+  EXPECT_TRUE(Corridor(0.104, p, 0.05).can_brake({0.5, 0.0}));
+}
+
+// A turning base may be off to the side of where it is thought to be: 0.3 m on, beside a wall that it stands `gap` away from.
+class Alley {
+ public:
+  Alley(double gap, const Twist2& u, const Twist2& command) {
+    scene_ = Scene::empty(121);
+    scene_.fill(-9.0, 0.525, 9.0, 9.0);  // cells from y = 0.525 on
+    Parameters p;
+    p.control_latency = 0.0;
+    limits_ = VelocityLimits::from(p);
+    parameters_ = p;
+    const Pose2 start{0.0, 0.525 - 0.2 - gap, 0.0};
+    footprint_ = Footprint(scene_.outline);
+    pending_ = PendingMotion(UnderWay(u, 0.0));
+    checker_.prepare(scene_.grid(), footprint_, true, start, 2.0, 0.05, 0.5);
+    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05, {start, start, u, &pending_, 0.1, 0.1});
+    command_ = command;
+  }
+  Alley(const Alley&) = delete;
+  bool can_brake() { return check_.can_brake_surely(command_); }
+
+ private:
+  Scene scene_;
+  Parameters parameters_;
+  VelocityLimits limits_;
+  Footprint footprint_;
+  PendingMotion pending_;
+  CollisionChecker checker_;
+  AdmissibilityCheck check_;
+  Twist2 command_;
+};
+
+TEST(CanBrake, AWallBesideARobotThatDrivesStraightOnIsNothing) {
+  EXPECT_TRUE(Alley(1e-5, {0.5, 0.0}, {0.4, 0.0}).can_brake());
+}
+
+// Rear corners swing out when it turns away; nothing of the growth is asked for beyond the distance it has at the start,
+// but that is.
+TEST(CanBrake, TurningNeedsTheRoomThatTheWaysOfABaseNeed) {
+  // From 0 to -0.1 rad/s within 0.1 s: at 3.2 rad/s^2 in 0.03 s or evenly, and as long to brake.
+  const auto needs = [](double gap) { return !Alley(gap, {0.4, 0.0}, {0.4, 0.1}).can_brake(); };
+  EXPECT_TRUE(needs(0.001));
+  EXPECT_FALSE(needs(0.03));
 }
 
 TEST(CanBrake, TheFirstStepCountsNotTheSampleItself) {
@@ -117,8 +171,8 @@ TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
   CollisionChecker checker;
   checker.prepare(scene.grid(), footprint, true, {-0.3, 0.0, 0.0}, 2.0);
   AdmissibilityCheck check;
-  const UnderWay steady({0.5, 0.0}, p.control_latency);
-  check.prepare(p, limits, checker, footprint, 0.05, {{-0.3, 0.0, 0.0}, {0.5, 0.0}, &steady, 0.05});
+  const PendingMotion steady(UnderWay({0.5, 0.0}, p.control_latency));
+  check.prepare(p, limits, checker, footprint, 0.05, {{-0.3, 0.0, 0.0}, {-0.3, 0.0, 0.0}, {0.5, 0.0}, &steady});
   Rollout rollout;
   // From -0.3 to 1.4 at 1.0 m/s: both ends are free, the cell lies between.
   Parameters fast = p;

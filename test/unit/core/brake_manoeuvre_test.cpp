@@ -28,12 +28,31 @@ std::vector<Pose2> poses(const BrakeManoeuvre& m, const VelocityLimits& l, doubl
   return out;
 }
 
+// The last of braking, what takes half a period at the limit, is done evenly over a period: with a limit b and a period T that
+// is b T / 2 over T instead of T / 2, b T^2 / 8 more.
+double tail(double braking) { return braking * 0.05 * 0.05 / 8.0; }
+
 TEST(BrakeManoeuvreDistance, StraightOn) {
-  // 0.1 s at 0.5, 0.05 s from 0.5 to 0.4, then 0.4^2 / (2 * 2).
+  // 0.1 s at 0.5, 0.05 s from 0.5 to 0.4, then 0.4^2 / (2 * 2) and the tail.
   const UnderWay steady({0.5, 0.0}, 0.1);
   const std::vector<Pose2> path = poses({{1.0, 2.0, 0.0}, steady, {0.4, 0.0}, 0.05}, limits(2.0, 3.0));
-  EXPECT_NEAR(path.back().x - 1.0, 0.05 + 0.0225 + 0.04, 1e-12);
+  EXPECT_NEAR(path.back().x - 1.0, 0.05 + 0.0225 + 0.04 + tail(2.0), 1e-12);
   EXPECT_EQ(path.back().y, 2.0);
+}
+
+TEST(BrakeManoeuvreDistance, ALateCommandToBrakeLetsItGoOn) {
+  // 0.05 s at 0.4, 0.03 s more, then 0.4^2 / (2 * 2).
+  const UnderWay steady({0.4, 0.0}, 0.0);
+  const BrakeManoeuvre late{{}, steady, {0.4, 0.0}, 0.05, 0.03};
+  EXPECT_NEAR(poses(late, limits(2.0, 3.0)).back().x, 0.02 + 0.012 + 0.04 + tail(2.0), 1e-12);
+  // Two periods and the hold at 0.4, and the way to rest.
+  EXPECT_NEAR(late.reach(limits(2.0, 3.0)), 0.4 * 0.13 + 0.04, 1e-12);
+}
+
+TEST(BrakeManoeuvreDistance, TheTailOfASlowRobotIsAllOfIt) {
+  // From 0.03 m/s, less than 2 * 0.05 / 2: 0.05 s at it, and evenly over 0.05 s.
+  const UnderWay steady({0.03, 0.0}, 0.0);
+  EXPECT_NEAR(poses({{}, steady, {0.03, 0.0}, 0.05}, limits(2.0, 3.0)).back().x, 0.0015 + 0.00075, 1e-12);
 }
 
 TEST(BrakeManoeuvreDistance, WhatIsUnderWayTakesEffectFirst) {
@@ -44,9 +63,9 @@ TEST(BrakeManoeuvreDistance, WhatIsUnderWayTakesEffectFirst) {
   braking.add({0.375, 0.0}, 0.05);
   braking.add({0.25, 0.0}, 0.05);
   const BrakeManoeuvre m{{}, braking, {0.125, 0.0}, 0.05};
-  EXPECT_NEAR(poses(m, limits(2.5, 3.0)).back().x, 0.05, 1e-12);
-  // The faster end of each leg: 0.05 * (0.5 + 0.375 + 0.25) + 0.125^2 / 5.
-  EXPECT_NEAR(m.reach(limits(2.5, 3.0)), 0.05625 + 0.003125, 1e-12);
+  EXPECT_NEAR(poses(m, limits(2.5, 3.0)).back().x, 0.05 + tail(2.5), 1e-12);
+  // The faster end of each leg: 0.05 * (0.5 + 0.375); two periods at 0.25, and 0.25^2 / 5.
+  EXPECT_NEAR(m.reach(limits(2.5, 3.0)), 0.04375 + 0.025 + 0.0125, 1e-12);
 }
 
 TEST(BrakeManoeuvreDistance, ATurnUnderWayCounts) {
@@ -54,33 +73,34 @@ TEST(BrakeManoeuvreDistance, ATurnUnderWayCounts) {
   UnderWay straightening;
   straightening.begin({0.0, 1.0});
   straightening.add({0.0, 0.68}, 0.1);
-  EXPECT_NEAR(poses({{}, straightening, {0.0, 0.52}, 0.05}, limits(2.0, 3.2)).back().theta, 0.15625, 1e-12);
+  EXPECT_NEAR(poses({{}, straightening, {0.0, 0.52}, 0.05}, limits(2.0, 3.2)).back().theta, 0.15625 + tail(3.2), 1e-12);
 }
 
 TEST(BrakeManoeuvreDistance, SpeedingUpIsDoneAtTheLimit) {
   // From 0.4 to 0.45 at 2.5 m/s^2 in 0.02 s, 0.03 s at 0.45, then 0.45^2 / (2 * 2).
   const UnderWay steady({0.4, 0.0}, 0.0);
-  EXPECT_NEAR(poses({{}, steady, {0.45, 0.0}, 0.05}, limits(2.0, 3.0), 0.3, 1e-3).back().x, 0.0085 + 0.0135 + 0.050625, 1e-12);
-  // Evenly it is 0.05 * (0.05 - 0.02) / 2 = 0.75 mm less, which is near enough where poses are 25 mm apart.
-  EXPECT_NEAR(poses({{}, steady, {0.45, 0.0}, 0.05}, limits(2.0, 3.0)).back().x, 0.02125 + 0.050625, 1e-12);
+  const double way = 0.0085 + 0.0135 + 0.050625 + tail(2.0);
+  EXPECT_NEAR(poses({{}, steady, {0.45, 0.0}, 0.05}, limits(2.0, 3.0)).back().x, way, 1e-12);
   // Both axes, each in its own time: 0.16 rad/s at 3.2 rad/s^2 take the whole period.
   const Pose2 end = poses({{}, steady, {0.45, 0.16}, 0.05}, limits(2.0, 3.2), 0.3, 1e-4).back();
-  EXPECT_NEAR(end.theta, 0.05 * 0.08 + 0.16 * 0.16 / 6.4, 1e-12);
-  EXPECT_NEAR(std::hypot(end.x, end.y), 0.072625, 1e-5);
+  EXPECT_NEAR(end.theta, 0.05 * 0.08 + 0.16 * 0.16 / 6.4 + tail(3.2), 1e-12);
+  EXPECT_NEAR(std::hypot(end.x, end.y), way, 1e-5);
 }
 
 TEST(BrakeManoeuvreDistance, FromOneDirectionToTheOther) {
-  // From -0.05 at 2 m/s^2 to rest in 0.025 s, at 2.5 m/s^2 to 0.05 in 0.02 s, 0.005 s on; evenly in between.
+  // From -0.05 evenly to 0.05 it gets nowhere; then, all of it tail, evenly to rest: 0.05 * 0.05 / 2.
   const UnderWay steady({-0.05, 0.0}, 0.0);
-  EXPECT_NEAR(poses({{}, steady, {0.05, 0.0}, 0.05}, limits(2.0, 3.0), 0.3, 1e-5).back().x, 0.005 * 0.05 + 0.05 * 0.05 / 4.0, 1e-12);
+  EXPECT_NEAR(poses({{}, steady, {0.05, 0.0}, 0.05}, limits(2.0, 3.0), 0.3, 1e-5).back().x, 0.00125, 1e-12);
 }
 
 TEST(BrakeManoeuvreDistance, TurnOnTheSpotStopsAtItsOwnLimit) {
-  // 0.1 * 1.0 + 0.05 * 0.9 + 0.8^2 / (2 * 1.6) = 0.1 + 0.045 + 0.2 rad.
+  // 0.1 * 1.0, 0.05 s from 1 to 0.92 at 1.6 rad/s^2, 0.92^2 / (2 * 1.6) = 0.2645 rad.
   const UnderWay steady({0.0, 1.0}, 0.1);
-  const std::vector<Pose2> path = poses({{}, steady, {0.0, 0.8}, 0.05}, limits(2.0, 1.6));
-  EXPECT_NEAR(path.back().theta, 0.345, 1e-12);
-  EXPECT_EQ(path.back().x, 0.0);
+  const double turn = 0.1 + 0.048 + 0.2645 + tail(1.6);
+  EXPECT_NEAR(poses({{}, steady, {0.0, 0.92}, 0.05}, limits(2.0, 1.6)).back().theta, turn, 1e-12);
+  // No command brakes it faster: it is on its way to 0.8 yet when the next one takes effect, and that starts from 0.92 too.
+  EXPECT_NEAR(poses({{}, steady, {0.0, 0.8}, 0.05}, limits(2.0, 1.6)).back().theta, turn, 1e-12);
+  EXPECT_EQ(poses({{}, steady, {0.0, 0.8}, 0.05}, limits(2.0, 1.6)).back().x, 0.0);
 }
 
 TEST(BrakeManoeuvreDistance, AtRestItDoesNotMove) {
@@ -133,23 +153,23 @@ TEST(BrakeManoeuvrePoses, EndsWhereAFineIntegrationEnds) {
   for (int k = 0; k < 300; ++k) {
     p.control_latency = random.uniform(0.0, 0.3);
     CommandHistory history;
-    std::vector<test::NaiveCycle> cycles{{0.0, kPeriod, random_velocity(random)}};
+    std::vector<test::NaiveCycle> cycles{{0.0, kPeriod, random_velocity(random), {}, 0.0}};
     for (int cycle = 0; cycle < 10; ++cycle) {
       if (cycle > 0) {
         const double late = random.chance(0.2) ? random.uniform(-0.02, 0.05) : 0.0;
         const Twist2 next = l.step(cycles.back().last_command, random_velocity(random), kPeriod);
-        cycles.push_back({cycles.back().time + kPeriod + late, kPeriod, next});
+        cycles.push_back({cycles.back().time + kPeriod + late, kPeriod, next, {}, 0.0});
       }
-      history.observe(cycles.back().time, kPeriod, p.control_latency, cycles.back().last_command, l);
+      history.observe(cycles.back().time, kPeriod, p.control_latency + kPeriod, cycles.back().last_command, l);
     }
     UnderWay under_way;
-    history.play(l, kPeriod, p.control_latency, under_way);
+    history.play(l, kPeriod, p.control_latency, 0.0, under_way);
     const Pose2 start{0.3, -0.2, random.uniform(-3.0, 3.0)};
+    const double hold = random.chance(0.5) ? 0.0 : random.uniform(0.0, 0.1);
     const Twist2 command = l.step(history.last(), random_velocity(random), kPeriod);
-    const Pose2 end = poses({start, under_way, command, kPeriod}, l, 0.3, 1e-4).back();
-    const test::NaiveReference twin(p, cycles);
-    const test::NaiveManoeuvre naive =
-        test::naive_manoeuvre(p, start, {p, kPeriod, twin.effects()}, command, kPeriod);
+    const Pose2 end = poses({start, under_way, command, kPeriod, hold}, l, 0.3, 1e-4).back();
+    const test::NaiveHistory twin(p, cycles);
+    const test::NaiveManoeuvre naive = test::naive_manoeuvre(p, start, twin.effects(), command, kPeriod, hold);
     const Pose2 fine = test::naive_poses(naive, 0.3, 0.005).back();
     ASSERT_NEAR(end.x, fine.x, 1e-4) << k;
     ASSERT_NEAR(end.y, fine.y, 1e-4) << k;

@@ -16,7 +16,7 @@ namespace hidwa_local_planner {
 namespace {
 
 using test::NaiveCycle;
-using test::NaiveReference;
+using test::NaiveHistory;
 
 constexpr double kPeriod = 0.05;  // [s]
 
@@ -38,19 +38,17 @@ class Cycles {
   void observe(const Twist2& command) { observe_at(time_ + kPeriod, command); }
   void observe_at(double time, const Twist2& command) {
     time_ = time;
-    history_.observe(time, kPeriod, p_.control_latency, command, VelocityLimits::from(p_));
+    history_.observe(time, kPeriod, p_.control_latency + kPeriod, command, limits());
   }
   void ramp(double from, double to, double step) {
     const int steps = static_cast<int>(std::lround((to - from) / step));
     for (int k = 0; k <= steps; ++k) observe({from + k * step, 0.0});
   }
-  // Whether odometry that shows this agrees with the last command.
-  bool agrees(const Twist2& measured) const {
-    const Twist2 reference = velocity_reference(p_, measured, history_);
-    EXPECT_TRUE(reference == history_.last() || reference == measured);
-    return reference == history_.last();
-  }
-  bool agrees(double v) const { return agrees(Twist2{v, history_.last().omega}); }
+  // All that odometry may show, of v [m/s].
+  Interval range() const { return history_.range(&Twist2::v); }
+  // Of v, where the base has come to `reached` [m/s] by the time the next command takes effect.
+  double next_start(double reached) const { return history_.next_start(limits(), kPeriod, {reached, 0.0}).v; }
+  VelocityLimits limits() const { return VelocityLimits::from(p_); }
   double time() const { return time_; }
   CommandHistory& history() { return history_; }
 
@@ -60,127 +58,134 @@ class Cycles {
   double time_ = 100.0;  // [s]
 };
 
-TEST(VelocityReferenceRule, TheOnlyCommandWhileOdometryAgrees) {
-  Parameters p = parameters();
-  const Twist2 last{0.4, 0.3};
-  CommandHistory only;
-  only.observe(0.0, kPeriod, p.control_latency, last, VelocityLimits::from(p));
-  EXPECT_TRUE(velocity_reference(p, {0.21, 0.3}, only) == last);                 // 0.19 off
-  EXPECT_TRUE(velocity_reference(p, {0.19, 0.3}, only) == (Twist2{0.19, 0.3}));  // 0.21 off
-  EXPECT_TRUE(velocity_reference(p, {0.4, -0.19}, only) == last);                // 0.49 off
-  EXPECT_TRUE(velocity_reference(p, {0.4, -0.21}, only) == (Twist2{0.4, -0.21}));
-  p.velocity_reference = VelocityReference::odometry;
-  EXPECT_TRUE(velocity_reference(p, {0.39, 0.3}, only) == (Twist2{0.39, 0.3}));
+void expect_range(const Interval& range, double lo, double hi) {
+  EXPECT_NEAR(range.lo, lo, 1e-9);
+  EXPECT_NEAR(range.hi, hi, 1e-9);
 }
 
-TEST(VelocityReferenceRule, AStandingRobotInItsDeadBandAgrees) {
-  Parameters p = parameters();
-  p.velocity_reference_tolerance_theta = 0.1;
-  p.min_in_place_vel_theta = 0.4;
-  // Inside the dead band the motors stand: 0 agrees with 0.3. Beyond it the tolerance of 0.1 alone counts.
-  for (const double omega : {0.3, 0.5}) {
-    Cycles cycles(p);
-    cycles.observe({0.0, omega});
-    EXPECT_EQ(cycles.agrees({0.0, 0.0}), omega < 0.4);
-  }
-  p.min_in_place_vel_theta = 0.0;
-  Cycles cycles(p);
-  cycles.observe({0.0, 0.3});
-  EXPECT_FALSE(cycles.agrees({0.0, 0.0}));
+TEST(ShownByOdometry, BeforeTheFirstCycleRest) {
+  Cycles cycles;
+  expect_range(cycles.range(), 0.0, 0.0);
+  EXPECT_EQ(cycles.next_start(0.3), 0.3);
+  EXPECT_EQ(cycles.history().elapsed(), 0.0);
 }
 
-TEST(VelocityReferenceRule, LatencyExplainsWhatWasCommandedAMomentAgo) {
+TEST(ShownByOdometry, LatencyExplainsWhatWasCommandedAMomentAgo) {
   Cycles cycles;
   cycles.ramp(0.0, 0.5, 0.125);  // 2.5 * 0.05 a cycle
-  // The last command, 0.5, was sent 0.05 s ago; 0.25 was sent 0.15 s ago, a latency and a period: it is in force then.
-  EXPECT_TRUE(cycles.agrees(0.25));
-  EXPECT_TRUE(cycles.agrees(0.06));   // 0.19 below it
-  EXPECT_FALSE(cycles.agrees(0.04));  // 0.21 below it
-  EXPECT_TRUE(cycles.agrees(0.69));   // nothing explains that it is faster
-  EXPECT_FALSE(cycles.agrees(0.71));
-  // Two cycles later 0.5 was in force all the time.
-  cycles.observe({0.5, 0.0});
-  EXPECT_TRUE(cycles.agrees(0.18));  // 0.375 - 0.195
-  cycles.observe({0.5, 0.0});
-  EXPECT_FALSE(cycles.agrees(0.29));
-  EXPECT_TRUE(cycles.agrees(0.31));
+  // The last command, 0.5, was sent 0.05 s ago; 0.25 was sent 0.15 s ago, a latency and a period, and started from 0.125.
+  expect_range(cycles.range(), 0.125, 0.5);
   EXPECT_EQ(cycles.history().size(), 3u);  // sent 0.15, 0.1 and 0.05 s ago
+  cycles.observe({0.5, 0.0});
+  expect_range(cycles.range(), 0.25, 0.5);
+  cycles.observe({0.5, 0.0});
+  expect_range(cycles.range(), 0.375, 0.5);
+  // Now 0.5 was in force all the time.
+  cycles.observe({0.5, 0.0});
+  expect_range(cycles.range(), 0.5, 0.5);
 }
 
-TEST(VelocityReferenceRule, BrakingAndTurnsThroughZero) {
-  Cycles braking;
-  braking.ramp(0.5, 0.0, -0.125);
-  EXPECT_TRUE(braking.agrees(0.25));
-  EXPECT_TRUE(braking.agrees(0.44));
-  EXPECT_FALSE(braking.agrees(0.46));
-  EXPECT_FALSE(braking.agrees(-0.21));
+TEST(ShownByOdometry, TurnsThroughZero) {
   Cycles turning;
   for (const double omega : {0.32, 0.16, 0.0, -0.16}) turning.observe({0.3, omega});  // 3.2 * 0.05 a cycle
-  EXPECT_TRUE(turning.agrees({0.3, 0.65}));   // 0.16 + 0.49
-  EXPECT_FALSE(turning.agrees({0.3, 0.67}));
-  EXPECT_TRUE(turning.agrees({0.3, -0.65}));  // -0.16 - 0.49
-  EXPECT_FALSE(turning.agrees({0.3, -0.67}));
+  expect_range(turning.history().range(&Twist2::omega), -0.16, 0.32);
+  expect_range(turning.range(), 0.3, 0.3);
 }
 
-TEST(VelocityReferenceRule, AJumpThatNoLimitAllowedIsNoLag) {
-  Cycles stopped;  // the host set zero
-  for (const double v : {0.5, 0.5, 0.0}) stopped.observe({v, 0.0});
-  EXPECT_FALSE(stopped.agrees(0.5));
-  EXPECT_FALSE(stopped.agrees(0.21));
-  EXPECT_TRUE(stopped.agrees(0.19));
-  Cycles turned;
-  for (const double omega : {1.0, 1.0, 0.0}) turned.observe({0.3, omega});
-  EXPECT_FALSE(turned.agrees({0.3, 0.51}));
-  // What comes after it can lag again.
-  for (const double v : {0.125, 0.25, 0.375}) stopped.observe({v, 0.0});
-  EXPECT_TRUE(stopped.agrees(0.0));
+// The host set zero: the base brakes at its limit, 0.125 m/s a cycle.
+TEST(ShownByOdometry, AJumpTakesAsLongAsTheLimitSays) {
+  Cycles stopped;
+  for (const double v : {0.5, 0.5, 0.5, 0.5, 0.0}) stopped.observe({v, 0.0});
+  expect_range(stopped.range(), 0.0, 0.5);
+  for (const double from : {0.375, 0.25, 0.125}) {  // of the commands that were sent 0.05 s ago
+    stopped.observe({0.0, 0.0});
+    EXPECT_NEAR(stopped.range().lo, 0.0, 1e-9) << from;
+  }
+  // The one in force 0.15 s ago started from 0.375; two cycles later, from 0.125; then it stood.
+  expect_range(stopped.range(), 0.0, 0.375);
+  stopped.observe({0.0, 0.0});
+  stopped.observe({0.0, 0.0});
+  expect_range(stopped.range(), 0.0, 0.125);
+  stopped.observe({0.0, 0.0});
+  expect_range(stopped.range(), 0.0, 0.0);
 }
 
-TEST(VelocityReferenceRule, BrakesMayBeStrongerThanTheMotorThatSpeedsUp) {
+TEST(ShownByOdometry, BrakesMayBeStrongerThanTheMotorThatSpeedsUp) {
   Parameters p = parameters();
   p.decel_lim_x = -5.0;
-  Cycles cycles(p);
-  for (const double v : {0.5, 0.25, 0.0}) cycles.observe({v, 0.0});  // 5 * 0.05 a cycle
-  EXPECT_TRUE(cycles.agrees(0.5));
+  Cycles strong(p);
+  for (const double v : {0.5, 0.5, 0.5, 0.25, 0.0}) strong.observe({v, 0.0});  // 5 * 0.05 a cycle
+  strong.observe({0.0, 0.0});
+  strong.observe({0.0, 0.0});
+  expect_range(strong.range(), 0.0, 0.25);
   p.decel_lim_x = -2.5;
   Cycles weak(p);
-  for (const double v : {0.5, 0.25, 0.0}) weak.observe({v, 0.0});
-  EXPECT_FALSE(weak.agrees(0.5));
+  for (const double v : {0.5, 0.5, 0.5, 0.25, 0.0}) weak.observe({v, 0.0});
+  weak.observe({0.0, 0.0});
+  weak.observe({0.0, 0.0});
+  expect_range(weak.range(), 0.0, 0.375);  // 0.125 a cycle
 }
 
-TEST(VelocityReferenceRule, AfterAPauseOnlyTheLastCommandCounts) {
+TEST(NextStart, TheLastCommandWhileTheBaseCanFollow) {
   Cycles cycles;
   cycles.ramp(0.0, 0.5, 0.125);
-  cycles.observe_at(cycles.time() + 0.2, {0.5, 0.0});  // sent in the cycle before it, all the time in force
-  EXPECT_FALSE(cycles.agrees(0.29));
-  EXPECT_EQ(cycles.history().size(), 1u);
+  EXPECT_EQ(cycles.next_start(0.1), 0.5);
 }
 
-TEST(VelocityReferenceRule, TimeThatGoesBackForgets) {
+TEST(NextStart, WhatIsReachedWhereItCannot) {
+  Cycles cycles;
+  for (const double v : {0.5, 0.5, 0.0}) cycles.observe({v, 0.0});
+  EXPECT_EQ(cycles.next_start(0.4), 0.4);  // 0.5 / 2.5 = 0.2 s, more than 0.075
+  cycles.observe({0.0, 0.0});              // from 0.375: 0.15 s
+  EXPECT_EQ(cycles.next_start(0.3), 0.3);
+  cycles.observe({0.0, 0.0});              // from 0.25: 0.1 s
+  EXPECT_EQ(cycles.next_start(0.2), 0.2);
+  cycles.observe({0.0, 0.0});              // from 0.125: 0.05 s
+  EXPECT_EQ(cycles.next_start(0.1), 0.0);
+}
+
+TEST(NextStart, EachAxisOnItsOwn) {
+  Cycles turned;
+  for (const double omega : {1.0, 1.0, 0.0}) turned.observe({0.3, omega});
+  const Twist2 start = turned.history().next_start(turned.limits(), kPeriod, {0.1, 0.8});
+  EXPECT_EQ(start.v, 0.3);
+  EXPECT_EQ(start.omega, 0.8);
+}
+
+TEST(CommandHistory, AfterAPauseOnlyTheLastCommandCounts) {
+  Cycles cycles;
+  cycles.ramp(0.0, 0.5, 0.125);
+  cycles.observe_at(cycles.time() + 0.25, {0.5, 0.0});  // sent in the cycle before it, and reached long ago
+  EXPECT_EQ(cycles.history().size(), 1u);
+  EXPECT_NEAR(cycles.history().elapsed(), 0.25, 1e-9);
+  expect_range(cycles.range(), 0.5, 0.5);
+}
+
+TEST(CommandHistory, TimeThatGoesBackForgets) {
   Cycles cycles;
   cycles.ramp(0.0, 0.5, 0.125);
   cycles.observe_at(10.0, {0.5, 0.0});
   EXPECT_EQ(cycles.history().size(), 1u);
-  EXPECT_FALSE(cycles.agrees(0.29));
+  expect_range(cycles.range(), 0.5, 0.5);
 }
 
-TEST(VelocityReferenceRule, ASecondCycleOfTheSameTimeTakesThePlaceOfTheFirst) {
+TEST(CommandHistory, ASecondCycleOfTheSameTimeTakesThePlaceOfTheFirst) {
   Cycles cycles;
   for (const double v : {0.25, 0.375, 0.5}) cycles.observe({v, 0.0});
   const std::size_t size = cycles.history().size();
   cycles.observe_at(cycles.time(), {0.5, 0.0});
   EXPECT_EQ(cycles.history().size(), size);
-  EXPECT_TRUE(cycles.agrees(0.06));  // 0.25 - 0.19
+  expect_range(cycles.range(), 0.25, 0.5);
   cycles.observe_at(cycles.time(), {0.375, 0.0});
-  EXPECT_FALSE(cycles.agrees(0.6));  // 0.375 + 0.225: 0.5 was never sent
+  expect_range(cycles.range(), 0.25, 0.375);  // 0.5 was never sent
   // A time that stands still: each is the first.
   Cycles still;
   for (const double v : {0.0, 0.125, 0.25, 0.375}) still.observe_at(1.0, {v, 0.0});
   EXPECT_EQ(still.history().size(), 1u);
-  EXPECT_FALSE(still.agrees(0.17));
+  EXPECT_EQ(still.history().last().v, 0.375);
 }
 
-TEST(VelocityReferenceRule, TimesThatAreNoNumbersLeaveTheLastCommandOnly) {
+TEST(CommandHistory, TimesThatAreNoNumbersLeaveTheLastCommandOnly) {
   Cycles cycles;
   cycles.ramp(0.0, 0.5, 0.125);
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
@@ -188,12 +193,11 @@ TEST(VelocityReferenceRule, TimesThatAreNoNumbersLeaveTheLastCommandOnly) {
     Cycles after = cycles;
     after.observe_at(bad, {0.5, 0.0});
     EXPECT_EQ(after.history().size(), 1u) << bad;
-    EXPECT_FALSE(after.agrees(0.29)) << bad;
     after.observe_at(cycles.time() + kPeriod, {0.5, 0.0});
     EXPECT_EQ(after.history().size(), 1u) << bad;
-    EXPECT_TRUE(after.history().last() == (Twist2{0.5, 0.0})) << bad;
+    expect_range(after.range(), 0.5, 0.5);
     for (const double v : {0.375, 0.25, 0.125}) after.observe({v, 0.0});
-    EXPECT_TRUE(after.agrees(0.5)) << bad;
+    expect_range(after.range(), 0.125, 0.5);
   }
 }
 
@@ -201,20 +205,20 @@ TEST(CommandHistory, KeepsNoMoreThanItHasRoomFor) {
   Cycles cycles;
   CommandHistory& history = cycles.history();
   const VelocityLimits limits = VelocityLimits::from(parameters());
-  for (int k = 0; k < 1000; ++k) history.observe(0.001 * k, 0.001, 2.0, {1e-4 * k, 0.0}, limits);
+  for (int k = 0; k < 1000; ++k) history.observe(0.001 * k, 0.001, 2.001, {1e-4 * k, 0.0}, limits);
   EXPECT_EQ(history.size(), 256u);
-  EXPECT_NEAR(history.range(&Twist2::v).lo, 1e-4 * (1000 - 256), 1e-12);
+  EXPECT_NEAR(history.range(&Twist2::v).lo, 1e-4 * (1000 - 257), 1e-12);  // the oldest that is left started from it
   EXPECT_NEAR(history.range(&Twist2::v).hi, 1e-4 * 999, 1e-12);
 }
 
-// From the last of these commands at 20 Hz on.
-UnderWay played(const std::vector<double>& commands, double latency) {
+// From `age` [s] before the last of these commands at 20 Hz on.
+UnderWay played(const std::vector<double>& commands, double latency, double age = 0.0) {
   Parameters p = parameters();
-  p.control_latency = latency;
+  p.control_latency = latency + age;  // for so long they are remembered
   Cycles cycles(p);
   for (const double v : commands) cycles.observe({v, 0.0});
   UnderWay under_way;
-  cycles.history().play(VelocityLimits::from(p), kPeriod, latency, under_way);
+  cycles.history().play(cycles.limits(), kPeriod, latency, age, under_way);
   return under_way;
 }
 
@@ -261,14 +265,36 @@ TEST(Play, ACycleThatComesEarlyLeavesItsCommandLessTime) {
   cycles.observe({0.375, 0.0});                          // sent 0.08 s before the end
   cycles.observe_at(cycles.time() + 0.03, {0.25, 0.0});  // sent 0.03 s before
   UnderWay under_way;
-  cycles.history().play(VelocityLimits::from(parameters()), kPeriod, 0.1, under_way);
-  expect_legs(under_way, 0.5, {{0.02, 0.5}, {0.05, 0.375}, {0.03, 0.25}});
+  cycles.history().play(cycles.limits(), kPeriod, 0.1, 0.0, under_way);
+  expect_legs(under_way, 0.5, {{0.02, 0.5}, {0.05, 0.375}, {0.03, 0.3}});  // 0.375 - 2.5 * 0.03
 }
 
 TEST(Play, NothingIsSaidOfNothing) {
   UnderWay under_way({1.0, 1.0}, 1.0);
-  CommandHistory().play(VelocityLimits::from(parameters()), kPeriod, 0.1, under_way);
+  CommandHistory().play(VelocityLimits::from(parameters()), kPeriod, 0.1, 0.0, under_way);
   expect_legs(under_way, 0.0, {{0.1, 0.0}});
+}
+
+// The base brakes at its limit, whatever the jump.
+TEST(Play, AJumpIsDoneAtTheLimit) {
+  expect_legs(played({0.5, 0.5, 0.5, 0.0}, 0.1), 0.5, {{0.05, 0.5}, {0.05, 0.375}});  // 2.5 * 0.05
+  expect_legs(played({0.5, 0.5, 0.5, 0.0, 0.0}, 0.1), 0.5, {{0.05, 0.375}, {0.05, 0.25}});
+}
+
+TEST(Play, FromThePastOn) {
+  // 0.375 took effect 0.05 s ago, 0.25 takes effect now.
+  const UnderWay under_way = played({0.5, 0.5, 0.5, 0.5, 0.375, 0.25}, 0.05, 0.1);
+  expect_legs(under_way, 0.5, {{0.05, 0.5}, {0.05, 0.375}, {0.05, 0.25}});
+}
+
+TEST(Play, SaysHowFarApartTheWaysGet) {
+  // From 0.3 to 0.35: at 2.5 m/s^2 in 0.02 s, or evenly in 0.05 s: 0.05 * (0.05 - 0.02) / 2 = 0.75 mm apart.
+  const UnderWay faster = played({0.3, 0.3, 0.3, 0.35, 0.35}, 0.1);
+  EXPECT_NEAR(faster.spread().v, 0.00075, 1e-9);
+  EXPECT_NEAR(faster.legs()[0].spread.v, 0.00075, 1e-9);
+  EXPECT_EQ(faster.spread().omega, 0.0);
+  // As fast as it can there is but one way.
+  EXPECT_EQ(played({0.5, 0.5, 0.5, 0.375, 0.25}, 0.1).spread().v, 0.0);
 }
 
 TEST(Play, AsManyLegsAsThereMayBeHaveRoom) {
@@ -276,12 +302,14 @@ TEST(Play, AsManyLegsAsThereMayBeHaveRoom) {
   CommandHistory history;
   UnderWay under_way;
   const UnderWay::Leg* const memory = under_way.legs().data();
-  // Each command's two axes are reached at times of their own.
+  // Each command has both axes stop and turn round at times of their own, the latest 7 ms after it takes effect, and is cut
+  // short by none: 2 * 7.5e-3 / 2.5 = 6 ms, 2 * 11.2e-3 / 3.2 = 7 ms.
   for (int k = 0; k < 600; ++k) {
-    history.observe(0.005 * k, 0.005, 2.0, {k % 2 > 0 ? 1e-3 : -1e-3, k % 2 > 0 ? 2e-3 : -2e-3}, limits);
-    history.play(limits, 0.005, 2.0, under_way);
+    const double sign = k % 2 > 0 ? 1.0 : -1.0;
+    history.observe(0.0078 * k, 0.005, 2.005, {sign * 7.5e-3, sign * 11.2e-3}, limits);
+    history.play(limits, 0.005, 2.0, 0.0, under_way);
   }
-  EXPECT_GT(under_way.legs().size(), 750u);
+  EXPECT_GT(under_way.legs().size(), 5u * 250u);
   EXPECT_LE(under_way.legs().size(), UnderWay::kMostLegs);
   EXPECT_EQ(under_way.legs().data(), memory);
 }
@@ -299,63 +327,69 @@ Twist2 velocity_at(const UnderWay& under_way, double t) {
   return from;
 }
 
-void compare_play(const CommandHistory& history, const NaiveReference& twin, const Parameters& p, double period,
-                  test::Random& random) {
+// Times up to 1e4 s are rounded to 1e-12 s; the twin takes times within 1e-6 s for one.
+constexpr double kRounding = 1e-5;  // [m/s, rad/s, m, rad]
+
+void compare_play(const CommandHistory& history, const NaiveHistory& twin, const Parameters& p, double age,
+                  double period, test::Random& random) {
   UnderWay under_way;
-  history.play(VelocityLimits::from(p), period, p.control_latency, under_way);
-  // By the time the next command takes effect, the last one is reached.
-  const test::NaiveEffects effects = test::NaiveEffects(p, period, twin.effects()).then(p.control_latency, {});
+  history.play(VelocityLimits::from(p), period, p.control_latency, age, under_way);
   for (int m = 0; m < 5; ++m) {
-    const double t = random.uniform(0.0, p.control_latency);
-    ASSERT_NEAR(velocity_at(under_way, t).v, effects.velocity(t).v, 1e-4) << t;
-    ASSERT_NEAR(velocity_at(under_way, t).omega, effects.velocity(t).omega, 1e-4) << t;
+    const double t = random.uniform(-age, p.control_latency);
+    ASSERT_NEAR(velocity_at(under_way, t + age).v, twin.effects().velocity(t).v, 1e-4) << t;
+    ASSERT_NEAR(velocity_at(under_way, t + age).omega, twin.effects().velocity(t).omega, 1e-4) << t;
   }
-  ASSERT_TRUE(under_way.end() == history.last());
+  Twist2 spread;
+  for (const test::NaiveLeg& leg : test::naive_legs(twin.effects(), -age, p.control_latency)) {
+    spread.v += leg.spread.v;
+    spread.omega += leg.spread.omega;
+  }
+  ASSERT_NEAR(under_way.spread().v, spread.v, kRounding);
+  ASSERT_NEAR(under_way.spread().omega, spread.omega, kRounding);
+  const Twist2 start = history.next_start(VelocityLimits::from(p), period, under_way.end());
+  ASSERT_NEAR(start.v, twin.next_start().v, 1e-4);
+  ASSERT_NEAR(start.omega, twin.next_start().omega, 1e-4);
 }
 
 struct Checked {
-  int agreed = 0, lagged = 0, refused = 0, broken = 0;
+  int lagging = 0, jumped = 0, begun_anew = 0, ways = 0;
 };
 
-// Commands that mostly keep the limits and sometimes jump, cycles that are early, late, repeated or back in time, and
-// odometry that shows anything between a former command and nonsense.
+// Commands that mostly keep the limits and sometimes jump, cycles that are early, late, repeated or back in time.
 void compare_with_twin(std::uint64_t seed, Checked& checked) {
   test::Random random(seed);
   Parameters p = parameters();
   p.acc_lim_x = random.uniform(0.5, 10.0);
-  p.decel_lim_x = random.chance(0.5) ? 0.0 : random.uniform(0.5, 10.0);
+  p.decel_lim_x = random.chance(0.5) ? 0.0 : random.uniform(-10.0, -0.5);
   p.acc_lim_theta = random.uniform(0.5, 20.0);
-  p.control_latency = random.chance(0.2) ? 0.0 : random.uniform(0.0, 0.3);
-  p.min_vel_theta = random.chance(0.5) ? 0.0 : random.uniform(0.0, 0.4);
+  p.control_latency = random.chance(0.2) ? 0.0 : random.uniform(0.01, 0.3);
+  const double age = random.chance(0.5) ? 0.0 : random.uniform(0.01, 0.2);
   const VelocityLimits limits = VelocityLimits::from(p);
   const double period = random.pick({0.04, 0.05, 0.1});
   CommandHistory history;
-  std::vector<NaiveCycle> cycles{{random.uniform(0.0, 1e9), period, {}}};
+  std::vector<NaiveCycle> cycles{{random.uniform(0.0, 1e4), period, {}, {}, age}};
   for (int k = 0; k < 80; ++k) {
     NaiveCycle cycle = cycles.back();
     if (k > 0) {
-      cycle.time += random.chance(0.8) ? period : random.pick({0.0, 0.5 * period, 1.7 * period, 6.0 * period});
+      cycle.time += random.chance(0.8) ? period : random.pick({0.0, 0.45 * period, 1.7 * period, 6.0 * period});
       if (random.chance(0.02)) cycle.time -= random.uniform(0.0, 5.0);
       cycle.last_command = limits.step(cycle.last_command, {random.uniform(-2.0, 2.0), random.uniform(-4.0, 4.0)}, period);
       if (random.chance(0.05)) cycle.last_command = {random.uniform(-1.0, 1.0), random.uniform(-2.0, 2.0)};
       cycles.push_back(cycle);
     }
-    history.observe(cycle.time, period, p.control_latency, cycle.last_command, limits);
-    const NaiveReference twin(p, cycles);
-    ASSERT_EQ(history.size(), twin.shown().size()) << k;
-    checked.broken += k > 0 && history.size() == 1;
-    compare_play(history, twin, p, period, random);
-    for (int m = 0; m < 5; ++m) {
-      Twist2 measured = cycles[cycles.size() - 1 - static_cast<std::size_t>(random.integer(0, std::min(k, 6)))].last_command;
-      measured.v += random.uniform(-0.3, 0.3);
-      measured.omega += random.uniform(-0.6, 0.6);
-      const Twist2 reference = velocity_reference(p, measured, history);
-      ASSERT_TRUE(reference == twin.of(measured)) << k;
-      const bool agreed = reference == cycle.last_command;
-      checked.agreed += agreed;
-      checked.refused += !agreed;
-      checked.lagged += agreed && std::abs(measured.v - reference.v) > p.velocity_reference_tolerance_x;
+    history.observe(cycle.time, period, p.control_latency + period + age, cycle.last_command, limits);
+    const NaiveHistory twin(p, cycles);
+    ASSERT_EQ(history.size(), twin.shown()) << k;
+    checked.begun_anew += k > 0 && history.size() == 1;
+    for (double Twist2::*axis : {&Twist2::v, &Twist2::omega}) {
+      ASSERT_NEAR(history.range(axis).lo, twin.explained(axis).lo, kRounding) << k;
+      ASSERT_NEAR(history.range(axis).hi, twin.explained(axis).hi, kRounding) << k;
     }
+    compare_play(history, twin, p, age, period, random);
+    checked.lagging += history.range(&Twist2::v).hi - history.range(&Twist2::v).lo > 0.2;
+    checked.jumped += !(twin.next_start() == cycle.last_command);
+    checked.ways += test::naive_legs(twin.effects(), -age, p.control_latency).size() > 3;
+    if (testing::Test::HasFatalFailure()) return;
   }
 }
 
@@ -366,10 +400,10 @@ TEST(CommandHistory, IsAsTheTwinThatSearchesAllThereEverWas) {
     compare_with_twin(seed, checked);
     if (testing::Test::HasFatalFailure()) return;
   }
-  EXPECT_GT(checked.agreed, 10000);
-  EXPECT_GT(checked.lagged, 5000);
-  EXPECT_GT(checked.refused, 10000);
-  EXPECT_GT(checked.broken, 1000);
+  EXPECT_GT(checked.lagging, 5000);
+  EXPECT_GT(checked.jumped, 500);
+  EXPECT_GT(checked.begun_anew, 500);
+  EXPECT_GT(checked.ways, 5000);
 }
 
 TEST(CommandHistory, SavedAndLoadedItGoesOnToTheSameBits) {
@@ -379,20 +413,19 @@ TEST(CommandHistory, SavedAndLoadedItGoesOnToTheSameBits) {
   ArchiveWriter write(bytes);
   write(cycles.history());
   CommandHistory loaded;
-  loaded.observe(1e9, kPeriod, 0.1, {0.3, 1.0}, VelocityLimits::from(parameters()));  // gone once it is loaded
+  loaded.observe(1e9, kPeriod, 0.15, {0.3, 1.0}, VelocityLimits::from(parameters()));  // gone once it is loaded
   ArchiveReader read(bytes);
   read(loaded);
   EXPECT_TRUE(read.complete());
   EXPECT_EQ(loaded.size(), cycles.history().size());
   cycles.observe({0.5, 0.0});
-  loaded.observe(cycles.time(), kPeriod, 0.1, {0.5, 0.0}, VelocityLimits::from(parameters()));
+  loaded.observe(cycles.time(), kPeriod, 0.15, {0.5, 0.0}, VelocityLimits::from(parameters()));
   Bytes one, two;
   ArchiveWriter write_one(one), write_two(two);
   write_one(cycles.history());
   write_two(loaded);
   EXPECT_EQ(one, two);
-  EXPECT_EQ(loaded.range(&Twist2::v).lo, 0.25);
-  EXPECT_EQ(loaded.range(&Twist2::v).hi, 0.5);
+  expect_range(loaded.range(&Twist2::v), 0.125, 0.5);
 }
 
 }  // namespace

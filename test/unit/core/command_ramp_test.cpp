@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/core/command_ramp.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/naive_ramp.hpp"
+#include "support/random.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+constexpr double kPeriod = 0.05;  // [s]
+
+AxisLimits axis(double acc, double braking) { return {-5.0, 5.0, acc, braking}; }
+
+TEST(AxisRamp, SpeedingUpIsDoneAtTheLimit) {
+  // 0.05 m/s at 2.5 m/s^2 take 0.02 s; evenly 0.05 s.
+  const AxisRamp ramp(axis(2.5, 2.5), 0.3, 0.35, kPeriod);
+  EXPECT_NEAR(ramp.reached(), 0.02, 1e-12);
+  EXPECT_NEAR(ramp.corner(), 0.02, 1e-12);
+  EXPECT_NEAR(ramp.at(0.01), 0.325, 1e-12);
+  EXPECT_EQ(ramp.at(0.02), 0.35);
+  EXPECT_EQ(ramp.at(1.0), 0.35);
+  // The triangle between the two: 0.05 * (0.05 - 0.02) / 2.
+  EXPECT_NEAR(ramp.spread(kPeriod), 0.00075, 1e-12);
+}
+
+TEST(AxisRamp, SlowingDownIsDoneEvenly) {
+  const AxisRamp ramp(axis(2.5, 2.5), 0.35, 0.3, kPeriod);
+  EXPECT_EQ(ramp.reached(), kPeriod);
+  EXPECT_NEAR(ramp.at(0.01), 0.34, 1e-12);
+  EXPECT_NEAR(ramp.spread(kPeriod), 0.00075, 1e-12);
+  // Backward it is the same.
+  EXPECT_NEAR(AxisRamp(axis(2.5, 2.5), -0.35, -0.3, kPeriod).at(0.01), -0.34, 1e-12);
+  EXPECT_NEAR(AxisRamp(axis(2.5, 2.5), -0.3, -0.35, kPeriod).at(0.01), -0.325, 1e-12);
+}
+
+TEST(AxisRamp, WhatTheLimitsDoNotAllowInAPeriodIsDoneAtTheLimit) {
+  const AxisRamp ramp(axis(2.5, 2.0), 0.5, 0.0, kPeriod);
+  EXPECT_NEAR(ramp.reached(), 0.25, 1e-12);  // 0.5 / 2.0
+  EXPECT_NEAR(ramp.at(kPeriod), 0.4, 1e-12);
+  EXPECT_EQ(ramp.spread(1.0), 0.0);  // there is but one way
+  EXPECT_FALSE(ramp.in_time());
+  EXPECT_TRUE(AxisRamp(axis(2.5, 2.0), 0.15, 0.0, kPeriod).in_time());   // 0.075 s
+  EXPECT_FALSE(AxisRamp(axis(2.5, 2.0), 0.152, 0.0, kPeriod).in_time());
+}
+
+TEST(AxisRamp, FromOneDirectionToTheOther) {
+  // At the limits: 0.04 / 2 = 0.02 s to rest and 0.05 / 5 = 0.01 s on. The farthest way is evenly.
+  const AxisRamp ramp(axis(5.0, 2.0), -0.04, 0.05, kPeriod);
+  EXPECT_NEAR(ramp.reached(), kPeriod, 1e-12);
+  EXPECT_NEAR(ramp.at(0.025), 0.005, 1e-12);
+  EXPECT_TRUE(ramp.in_time());
+  // Of the two ways the differences are, after 0.02 s, |0 - (-0.04 + 0.4 * 0.09)| = 0.004; after 0.03 s,
+  // |0.05 - (-0.04 + 0.6 * 0.09)| = 0.036; none at 0 and 0.05 s. Joined by lines: 0.004 * 0.02 / 2 +
+  // (0.004 + 0.036) / 2 * 0.01 + 0.036 * 0.02 / 2 = 0.0006.
+  EXPECT_NEAR(ramp.spread(kPeriod), 0.0006, 1e-12);
+  // Not within a period: 0.2 / 2 = 0.1 s to rest, 0.05 s on.
+  const AxisRamp slow(axis(5.0, 2.0), -0.2, 0.25, kPeriod);
+  EXPECT_NEAR(slow.corner(), 0.1, 1e-12);
+  EXPECT_NEAR(slow.reached(), 0.15, 1e-12);
+  EXPECT_NEAR(slow.at(0.05), -0.1, 1e-12);
+  EXPECT_NEAR(slow.at(0.12), 0.1, 1e-12);
+  EXPECT_EQ(slow.spread(0.2), 0.0);
+}
+
+TEST(AxisRamp, NothingToDo) {
+  const AxisRamp ramp(axis(2.5, 2.5), 0.3, 0.3, kPeriod);
+  EXPECT_EQ(ramp.at(0.0), 0.3);
+  EXPECT_EQ(ramp.at(0.02), 0.3);
+  EXPECT_EQ(ramp.spread(kPeriod), 0.0);
+  EXPECT_EQ(ramp.spread(0.0), 0.0);
+}
+
+// Random velocities that the limits allow within the period, or not.
+struct Ramp {
+  Ramp(test::Random& random)
+      : limits(axis(random.uniform(0.5, 5.0), random.uniform(0.5, 5.0))), from(random.uniform(-1.0, 1.0)) {
+    const double most = 0.1 * random.uniform(0.2, 5.0);
+    to = random.chance(0.3) ? -random.uniform(0.0, 1.0) * from : from + random.uniform(-most, most);
+    if (random.chance(0.3)) from *= 0.05, to *= 0.05;
+    naive = {limits.acc, limits.braking, period};
+  }
+  // A way between the two ends: at each time a share of the one and the rest of the other.
+  double between(double share, double t) const {
+    const double limit = test::naive_at_limit(naive, from, to, t);
+    const bool one = !test::naive_has_time(naive, from, to);
+    return one ? limit : share * limit + (1.0 - share) * test::naive_evenly(naive, from, to, t);
+  }
+  AxisLimits limits;
+  double from, to = 0.0, period = kPeriod;
+  test::NaiveAxis naive{};
+};
+
+TEST(AxisRamp, NoWayBetweenTheTwoEndsIsFartherOffThanTheSpread) {
+  test::Random random(11);
+  double tightest = 1.0;
+  int free = 0, turning = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Ramp r(random);
+    const AxisRamp ramp(r.limits, r.from, r.to, r.period);
+    constexpr int kSteps = 400;
+    const double dt = kPeriod / kSteps;
+    double off = 0.0, share = random.chance(0.5) ? 0.0 : 1.0;
+    for (int step = 0; step < kSteps; ++step) {
+      const double t = (step + 0.5) * dt;
+      if (random.chance(0.01)) share = random.uniform(0.0, 1.0);
+      off += std::abs(ramp.at(t) - r.between(share, t)) * dt;
+      ASSERT_LE(off, ramp.spread((step + 1) * dt) + 1e-6) << k;
+    }
+    ASSERT_NEAR(ramp.at(kPeriod), r.between(share, kPeriod), 1e-9) << k;
+    free += ramp.spread(kPeriod) > 1e-6;
+    turning += r.from * r.to < 0.0 && ramp.spread(kPeriod) > 1e-6;
+    if (ramp.spread(kPeriod) > 1e-4) tightest = std::min(tightest, 1.0 - off / ramp.spread(kPeriod));
+  }
+  EXPECT_GT(free, 500);
+  EXPECT_GT(turning, 50);
+  EXPECT_LT(tightest, 0.01);  // it is no larger than it must be
+}
+
+TEST(AxisRamp, AsTheTwin) {
+  test::Random random(12);
+  for (int k = 0; k < 5000; ++k) {
+    const Ramp r(random);
+    const AxisRamp ramp(r.limits, r.from, r.to, r.period);
+    const double t = random.uniform(0.0, 2.0 * kPeriod);
+    ASSERT_NEAR(ramp.at(t), test::naive_farthest(r.naive, r.from, r.to, t), 1e-8) << k;
+    ASSERT_NEAR(ramp.spread(t), test::naive_spread(r.naive, r.from, r.to, t), 1e-8) << k;
+  }
+}
+
+// No way gets farther than at().
+TEST(AxisRamp, IsTheFarthest) {
+  test::Random random(13);
+  for (int k = 0; k < 2000; ++k) {
+    const Ramp r(random);
+    if (r.from * r.to < 0.0) continue;
+    const AxisRamp ramp(r.limits, r.from, r.to, r.period);
+    for (double t = 0.0; t <= kPeriod; t += 0.001) {
+      ASSERT_GE(std::abs(ramp.at(t)), std::abs(r.between(random.uniform(0.0, 1.0), t)) - 1e-9) << k;
+    }
+  }
+}
+
+// The next command takes effect before this one is reached. Two bases that did it differently differ then, and still on
+// the way to the next one.
+TEST(AxisRamp, CutShortTheSpreadCoversWhatFollows) {
+  test::Random random(14);
+  int cut_short = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Ramp r(random);
+    const AxisRamp ramp(r.limits, r.from, r.to, r.period);
+    const double cut = random.uniform(0.3, 1.0) * kPeriod;
+    if (ramp.spread(cut) < 1e-6) continue;
+    ++cut_short;
+    const double next = ramp.at(cut), share = random.uniform(0.0, 1.0);
+    const double other = r.between(share, cut);
+    constexpr int kSteps = 1000;
+    const double dt = 3.0 * kPeriod / kSteps;
+    double off = 0.0;
+    const Ramp& same = r;
+    for (int step = 0; step < kSteps; ++step) {
+      const double t = (step + 0.5) * dt;
+      const double here = t < cut ? ramp.at(t) : next;  // what it has is the next command
+      const double there = t < cut ? same.between(share, t)
+                                   : test::naive_evenly(r.naive, other, next, t - cut);
+      off += std::abs(here - there) * dt;
+    }
+    ASSERT_LE(off, ramp.spread(cut) + 1e-6) << k;
+  }
+  EXPECT_GT(cut_short, 300);
+}
+
+TEST(CommandRamp, CornersOfBothAxesInOrder) {
+  VelocityLimits limits;
+  limits.x = axis(2.5, 2.5);
+  limits.theta = axis(3.2, 3.2);
+  const CommandRamp ramp(limits, {0.3, 0.0}, {0.35, 0.08}, kPeriod);  // 0.02 s and 0.025 s
+  const auto corners = ramp.corners(0.06);
+  EXPECT_NEAR(corners[0], 0.02, 1e-12);
+  EXPECT_NEAR(corners[1], 0.02, 1e-12);
+  EXPECT_NEAR(corners[2], 0.025, 1e-12);
+  EXPECT_NEAR(corners[3], 0.025, 1e-12);
+  EXPECT_EQ(corners[4], 0.06);
+  EXPECT_EQ(ramp.corners(0.01)[0], 0.01);
+  EXPECT_NEAR(ramp.at(0.0225).omega, 0.072, 1e-12);
+  EXPECT_EQ(ramp.at(0.0225).v, 0.35);
+  EXPECT_NEAR(ramp.spread(kPeriod).v, 0.00075, 1e-12);
+  EXPECT_NEAR(ramp.spread(kPeriod).omega, 0.08 * 0.025 / 2.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
