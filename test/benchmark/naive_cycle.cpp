@@ -9,6 +9,7 @@
 #include "benchmark/naive_terms.hpp"
 #include "support/naive_motion.hpp"
 #include "support/naive_planner.hpp"
+#include "support/naive_trail.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -50,25 +51,27 @@ bool rollout_free(const NaiveFootprint& robot, const std::vector<Pose2>& poses, 
   return true;
 }
 
+// More room than this no manoeuvre asks for [m].
+constexpr double kFarthestRoom = 0.5;
+
 class Cycle {
  public:
   Cycle(const Scene& scene, const NaiveBody& body)
       : scene_(scene),
         grid_(scene.grid()),
-        body_(body),
         robot_(grid_, body, scene.parameters.unknown_is_obstacle),
         reference_(scene.situation.last_command),
-        under_way_(scene.parameters, scene.situation.period, reference_) {}
+        // One velocity for the latency: what is under way is the last command.
+        under_way_(naive_outlook({scene.parameters, scene.situation.period, reference_}, 0.0,
+                                 scene.parameters.control_latency)),
+        keep_(std::max(0.0, robot_.room(scene.situation.pose, kFarthestRoom) - 1e-6)) {}
 
   std::optional<NaiveChoice> choose() {
     judge();
-    const double cell = grid_.resolution;
-    NaiveFootprint grown(grid_, naive_padded(body_, cell / 32), scene_.parameters.unknown_is_obstacle);
-    if (grown.collides(scene_.situation.pose)) grown = robot_;
     while (!legal_.empty()) {
       const auto best = std::min_element(legal_.begin(), legal_.end(),
                                          [this](const Legal& a, const Legal& b) { return preferred(a, b); });
-      if (can_brake(best->sample, grown, cell / 16))
+      if (can_brake(best->sample, true))
         return NaiveChoice{best->sample, command(best->sample), best->total};
       legal_.erase(best);
     }
@@ -90,17 +93,21 @@ class Cycle {
     for (const NaiveCandidate& c : candidates) {
       roll_out(scene_, reference_, fastest, c.u, poses);
       if (!rollout_free(robot_, poses, grid_.resolution / 2)) continue;
-      if (!can_brake(c.u, robot_, grid_.resolution / 2)) continue;
+      if (!can_brake(c.u, false)) continue;
       if (const std::optional<double> total = terms.total(c.u, poses)) legal_.push_back({c.u, *total});
     }
   }
   Twist2 command(const Twist2& sample) const {
     return naive_command(scene_.parameters, reference_, sample, scene_.situation.period);
   }
-  bool can_brake(const Twist2& sample, const NaiveFootprint& robot, double spacing) const {
-    const std::vector<Pose2> poses =
-        naive_braking_poses(scene_, under_way_, command(sample), robot_.outer_radius(), spacing);
-    return std::none_of(poses.begin(), poses.end(), [&](const Pose2& q) { return robot.collides(q); });
+  bool can_brake(const Twist2& sample, bool surely) const {
+    const Situation& s = scene_.situation;
+    const std::vector<NaiveTrailPose> poses =
+        naive_braking_poses(scene_.parameters, {s.pose, under_way_, command(sample), s.period, 0.0}, robot_.outer_radius(),
+                            grid_.resolution, surely);
+    return std::all_of(poses.begin(), poses.end(), [&](const NaiveTrailPose& q) {
+      return robot_.keeps(q.pose, std::min(q.growth, keep_));
+    });
   }
   double change(const Twist2& u) const {
     const Twist2& last = scene_.situation.last_command;
@@ -114,10 +121,10 @@ class Cycle {
 
   const Scene& scene_;
   GridView grid_;
-  const NaiveBody& body_;
   NaiveFootprint robot_;
   Twist2 reference_;
-  NaiveEffects under_way_;
+  NaiveOutlook under_way_;
+  double keep_;  // the room that the robot has now [m]
   std::vector<Legal> legal_;
 };
 

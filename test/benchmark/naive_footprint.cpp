@@ -7,6 +7,9 @@
 namespace hidwa_local_planner::test {
 namespace {
 
+// Beyond what is asked for [m].
+constexpr double kMore = 1e-3;
+
 double gap(double value, double lo, double hi) { return std::max({lo - value, value - hi, 0.0}); }
 
 // The part [enter, leave] of a line a + t d that lies between lo and hi; empty where enter >= leave.
@@ -71,12 +74,49 @@ bool NaiveFootprint::disc_collides(const Pose2& pose) const {
   return false;
 }
 
-bool NaiveFootprint::polygon_collides(const Pose2& pose) const {
+void NaiveFootprint::place(const Pose2& pose) const {
   const double c = std::cos(pose.theta), s = std::sin(pose.theta);
-  Point least(INFINITY, INFINITY), most(-INFINITY, -INFINITY);
   for (std::size_t k = 0; k < placed_.size(); ++k) {
     const Point& p = body_.corners[k];
     placed_[k] = {pose.x + c * p.x() - s * p.y(), pose.y + s * p.x() + c * p.y()};
+  }
+}
+
+bool NaiveFootprint::keeps(const Pose2& pose, double needed) const {
+  if (collides(pose)) return false;
+  return needed <= 0.0 || room(pose, needed + kMore) > needed;
+}
+
+// Cells whose square is farther from the centre cannot be nearer: of two corners the gap is up to sqrt(2) less.
+double NaiveFootprint::room(const Pose2& pose, double most) const {
+  place(pose);
+  axes_.assign({{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}});
+  for (const Point& normal : naive_normals(placed_)) axes_.push_back(normal);
+  const double around = outer_radius_ + 1.5 * most, side = grid_.resolution;
+  const Cell lo = grid_.cell_at(pose.x - around, pose.y - around);
+  const Cell hi = grid_.cell_at(pose.x + around, pose.y + around);
+  double least = most;
+  for (int j = lo.j; j <= hi.j; ++j) {
+    for (int i = lo.i; i <= hi.i; ++i) {
+      const bool inscribed = body_.radius > 0.0 && grid_.contains({i, j}) && grid_.at({i, j}) == cost::kInscribed;
+      if (!inscribed && !obstacle({i, j})) continue;
+      const double x = grid_.origin_x + i * side, y = grid_.origin_y + j * side;
+      const double from_centre = naive_to_square(pose, x, y, side);
+      if (from_centre >= around) continue;
+      if (body_.radius > 0.0) {
+        least = std::min(least, inscribed ? from_centre : from_centre - body_.radius);
+      } else {
+        least = std::min(least, naive_separating_gap(axes_, placed_, naive_square(x, y, side)));
+      }
+    }
+  }
+  return least;
+}
+
+bool NaiveFootprint::polygon_collides(const Pose2& pose) const {
+  place(pose);
+  Point least(INFINITY, INFINITY), most(-INFINITY, -INFINITY);
+  for (std::size_t k = 0; k < placed_.size(); ++k) {
     least = least.cwiseMin(placed_[k]);
     most = most.cwiseMax(placed_[k]);
   }

@@ -35,9 +35,10 @@ class Parts {
     grid_ = scene.grid();
     const Situation& s = scene.situation;
     commands_.forget();
-    commands_.observe(s.time, s.period, parameters_.control_latency, s.last_command, limits_);
-    reference_ = velocity_reference(parameters_, s.velocity, commands_);
-    under_way_.keep(reference_, parameters_.control_latency);
+    const double latency = parameters_.control_latency;
+    commands_.observe(s.time, s.period, latency + s.period, s.last_command, limits_);
+    reference_ = commands_.last();
+    commands_.play(limits_, s.period, latency, 0.0, pending_.first());
   }
   void sample() {
     SampleRequest request;
@@ -58,12 +59,14 @@ class Parts {
   void find_reach() {
     double fastest = std::abs(reference_.v);
     for (const Sample& sample : sampler_.samples()) fastest = std::max(fastest, std::abs(sample.u.v));
-    reach_ = fastest * std::max(parameters_.sim_time, parameters_.control_latency + scene_->situation.period +
-                                                          limits_.x.time_to_rest(fastest));
+    const BrakeManoeuvre stop{pose(), pending_[0], {fastest, 0.0}, scene_->situation.period};
+    growth_ = AdmissibilityCheck::most_growth(setup(), limits_, footprint_.circumscribed_radius(), stop.reach(limits_));
+    reach_ = std::max(fastest * parameters_.sim_time, stop.reach(limits_) + growth_);
   }
   void mark_obstacles() {
     const double margin = std::max(0.5 * rollout_.longest_step(), grid_.resolution / 16.0);
-    collision_.prepare(grid_, footprint_, parameters_.unknown_is_obstacle, pose(), reach_, margin);
+    collision_.prepare(grid_, footprint_, parameters_.unknown_is_obstacle, pose(), reach_, margin,
+                       growth_ + 2.0 * grid_.resolution);
     classes_.prepare(collision_, grid_, parameters_.unknown_is_obstacle, pose(), reach_);
   }
   void classify() {
@@ -74,8 +77,7 @@ class Parts {
     }
   }
   void judge() {
-    admissibility_.prepare(parameters_, limits_, collision_, footprint_, grid_.resolution,
-                           {pose(), reference_, &under_way_, scene_->situation.period});
+    admissibility_.prepare(parameters_, limits_, collision_, footprint_, grid_.resolution, setup());
     for (std::size_t t = 0; t < rollout_.tile_count(); ++t) {
       Tile tile = rollout_.tile(t);
       classes_.classify(tile);
@@ -97,6 +99,10 @@ class Parts {
 
  private:
   const Pose2& pose() const { return scene_->situation.pose; }
+  AdmissibilityCheck::Setup setup() const {
+    const double period = scene_->situation.period;
+    return {pose(), pose(), reference_, &pending_, period, period};
+  }
 
   Parameters parameters_;
   VelocityLimits limits_;
@@ -105,8 +111,8 @@ class Parts {
   GridView grid_;
   CommandHistory commands_;
   Twist2 reference_;
-  UnderWay under_way_;
-  double reach_ = 0.0;  // [m]
+  PendingMotion pending_;
+  double reach_ = 0.0, growth_ = 0.0;  // [m]
   Sampler sampler_;
   Rollout rollout_;
   CollisionChecker collision_;

@@ -10,6 +10,7 @@
 #include "benchmark/course.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "support/naive_inflation.hpp"
+#include "support/naive_manoeuvre.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
 
@@ -89,9 +90,9 @@ bool could_stop(const Scene& scene) {
   const Twist2 now = scene.situation.last_command;
   const Twist2 braking = naive_command(scene.parameters, now, {}, scene.situation.period);
   const NaiveEffects steady(scene.parameters, scene.situation.period, now);
-  std::vector<Pose2> poses =
-      naive_braking_poses(scene, steady, braking, naive_outer_radius(body), 0.25 * scene.resolution);
-  poses.push_back(scene.situation.pose);
+  const NaiveManoeuvre stop =
+      naive_manoeuvre(scene.parameters, scene.situation.pose, steady, braking, scene.situation.period);
+  const std::vector<Pose2> poses = naive_poses(stop, naive_outer_radius(body), 0.25 * scene.resolution);
   return std::none_of(poses.begin(), poses.end(), [&](const Pose2& q) {
     return naive_overlap(scene.grid(), body, q, true) > 0.0 || naive_centre_inscribed(scene.grid(), body, q);
   });

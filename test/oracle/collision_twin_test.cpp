@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The collision check against areas and nearest points: random outlines, random obstacles, random poses.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +24,7 @@ using test::Scene;
 constexpr double kDoubt = 1e-6;
 
 struct Tally {
-  int poses = 0, hits = 0, doubtful = 0;
+  int poses = 0, hits = 0, doubtful = 0, between = 0;
 };
 
 void compare_pose(const Scene& scene, const CollisionChecker& checker, const NaiveBody& body,
@@ -65,6 +67,44 @@ void compare_scene(std::uint64_t seed, Tally& tally) {
     compare_pose(scene, checker, body, pose, tally);
     if (testing::Test::HasFatalFailure()) return;
   }
+}
+
+// The room around a pose, up to what was asked for when it was prepared.
+void compare_room(std::uint64_t seed, Tally& tally) {
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  const Scene scene = test::random_scene(seed);
+  const NaiveBody body = test::naive_body(scene);
+  const bool unknown = scene.parameters.unknown_is_obstacle;
+  const Footprint footprint = Footprint::from_outline(scene.outline, scene.parameters.footprint_padding);
+  CollisionChecker checker;
+  const double room = random.uniform(0.0, 0.6), reach = 1.0;
+  checker.prepare(scene.grid(), footprint, unknown, scene.situation.pose, reach, scene.resolution, room);
+  ASSERT_GE(checker.room(), room);
+  for (int k = 0; k < 40; ++k) {
+    const Pose2& start = scene.situation.pose;
+    const Pose2 pose{start.x + random.uniform(-0.7, 0.7), start.y + random.uniform(-0.7, 0.7), random.uniform(-4.0, 4.0)};
+    const double overlap = test::naive_overlap(scene.grid(), body, pose, unknown);
+    const double cap = random.uniform(0.01, 0.6), most = std::min(cap, checker.room());
+    const double gap = test::naive_gap(scene.grid(), body, pose, unknown, most);
+    const double told = checker.separation(pose, {std::cos(pose.theta), std::sin(pose.theta)}, cap);
+    ++tally.poses;
+    tally.doubtful += overlap > 0.0 && overlap < kDoubt;
+    if (overlap > 0.0 && overlap < kDoubt) continue;
+    const bool hit = overlap > 0.0 || test::naive_centre_inscribed(scene.grid(), body, pose);
+    tally.hits += hit;
+    ASSERT_NEAR(told, hit ? 0.0 : gap, 2e-9) << pose.x << " " << pose.y << " " << pose.theta;
+    tally.between += !hit && gap < most;
+  }
+}
+
+TEST(CollisionTwin, TheRoomAroundAPose) {
+  Tally tally;
+  for (std::uint64_t seed = 0; seed < 400 && !HasFatalFailure(); ++seed) compare_room(3500000 + seed, tally);
+  std::printf("%d poses, %d hits, %d near something, %d doubtful\n", tally.poses, tally.hits, tally.between, tally.doubtful);
+  EXPECT_GT(tally.hits, tally.poses / 20);
+  EXPECT_GT(tally.between, tally.poses / 10);
+  EXPECT_LT(tally.doubtful, tally.poses / 1000);
 }
 
 TEST(CollisionTwin, RandomOutlinesObstaclesAndPoses) {

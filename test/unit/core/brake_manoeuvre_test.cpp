@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/core/brake_manoeuvre.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -175,6 +177,169 @@ TEST(BrakeManoeuvrePoses, EndsWhereAFineIntegrationEnds) {
     ASSERT_NEAR(end.y, fine.y, 1e-4) << k;
     ASSERT_NEAR(end.theta, fine.theta, 1e-4) << k;
   }
+}
+
+// A base that reaches every command in a way of its own between the two ends, which changes at random times.
+class RandomBase {
+ public:
+  RandomBase(const test::NaiveAxis& axis, double velocity, test::Random& random)
+      : axis_(axis), from_(velocity), to_(velocity), random_(&random), share_(random.pick({0.0, 1.0, 0.5})) {
+    restless_ = random.chance(0.5);
+  }
+  void command(double time, double velocity) {
+    from_ = at(time);
+    to_ = velocity;
+    since_ = time;
+  }
+  double at(double time) {
+    if (restless_ && random_->chance(0.05)) share_ = random_->chance(0.5) ? random_->pick({0.0, 1.0}) : random_->uniform(0.0, 1.0);
+    const double t = time - since_, limit = test::naive_at_limit(axis_, from_, to_, t);
+    // A command that asks for all that the limits allow may be reached evenly too.
+    if (test::naive_needed(axis_, from_, to_) > axis_.period + 1e-9) return limit;
+    return share_ * limit + (1.0 - share_) * test::naive_evenly(axis_, from_, to_, t);
+  }
+
+ private:
+  test::NaiveAxis axis_;
+  double from_, to_, since_ = -1e9;
+  test::Random* random_;
+  double share_;
+  bool restless_;
+};
+
+// Commands of the past, one that is sent now, and those that brake after it, 14 of the first kind.
+struct Sending {
+  std::vector<test::NaiveEffect> effects;
+  UnderWay under_way;
+  Twist2 own;
+};
+
+Sending random_sending(const Parameters& p, double period, test::Random& random) {
+  const VelocityLimits l = VelocityLimits::from(p);
+  const double gentle = random.chance(0.5) ? random.uniform(0.0, 1.0) : 1.0;
+  const auto next = [&](const Twist2& u, const Twist2& target) {
+    const Twist2 full = l.step(u, target, period);
+    return Twist2{u.v + gentle * (full.v - u.v), u.omega + gentle * (full.omega - u.omega)};
+  };
+  const auto any = [&] {
+    return Twist2{random.uniform(p.min_vel_x, p.max_vel_x), random.uniform(-p.max_vel_theta, p.max_vel_theta)};
+  };
+  constexpr int kCycles = 14;
+  Sending sending;
+  CommandHistory history;
+  Twist2 u = any(), target = any();
+  for (int k = 0; k < kCycles; ++k) {
+    if (random.chance(0.4)) target = any();
+    if (k > 0) u = next(u, target);
+    history.observe(k * period, period, p.control_latency + period, u, l);
+    sending.effects.push_back({(std::max(k - 1, 0) - kCycles + 1) * period + p.control_latency, u});
+  }
+  history.play(l, period, p.control_latency, 0.0, sending.under_way);
+  sending.own = u = next(u, any());
+  for (int k = 0; k == 0 || !(u == Twist2{}); ++k) {
+    sending.effects.push_back({k * period + p.control_latency, u});
+    u = l.brake(u, period);
+  }
+  sending.effects.push_back({sending.effects.back().time + period, {}});
+  return sending;
+}
+
+// The poses from now on.
+std::vector<Pose2> drive(const Parameters& p, double period, const Sending& sending, test::Random& random) {
+  constexpr double kDt = 5e-4;  // [s]
+  RandomBase v(test::naive_axis_x(p, period), sending.effects[0].command.v, random);
+  RandomBase omega(test::naive_axis_theta(p, period), sending.effects[0].command.omega, random);
+  std::vector<Pose2> poses;
+  Pose2 q;
+  std::size_t next = 0;
+  for (double t = sending.effects[0].time; t < sending.effects.back().time + period; t += kDt) {
+    const double middle = t + 0.5 * kDt;
+    for (; next < sending.effects.size() && sending.effects[next].time <= middle; ++next) {
+      v.command(sending.effects[next].time, sending.effects[next].command.v);
+      omega.command(sending.effects[next].time, sending.effects[next].command.omega);
+    }
+    const Twist2 u{v.at(middle), omega.at(middle)};
+    if (t < 0.0) continue;
+    q.x += u.v * std::cos(q.theta + 0.5 * u.omega * kDt) * kDt;
+    q.y += u.v * std::sin(q.theta + 0.5 * u.omega * kDt) * kDt;
+    q.theta += u.omega * kDt;
+    poses.push_back(q);
+  }
+  return poses;
+}
+
+Parameters random_robot(test::Random& random) {
+  Parameters p;
+  p.acc_lim_x = random.uniform(0.5, 4.0);
+  p.acc_lim_theta = random.uniform(1.0, 6.0);
+  p.decel_lim_x = random.chance(0.5) ? 0.0 : -random.uniform(0.5, 4.0);
+  p.decel_lim_theta = random.chance(0.5) ? 0.0 : random.uniform(1.0, 6.0);
+  p.min_vel_x = -0.3;
+  p.max_vel_x = random.uniform(0.3, 2.0);
+  p.max_vel_theta = random.uniform(0.5, 3.0);
+  p.control_latency = random.chance(0.3) ? 0.0 : random.uniform(0.0, 0.3);
+  return p;
+}
+
+// Of a disc of `radius` [m], the point that moves farthest between two poses.
+double displacement(const Pose2& a, const Pose2& b, double radius) {
+  return std::hypot(a.x - b.x, a.y - b.y) + 2.0 * radius * std::abs(std::sin(0.5 * (a.theta - b.theta)));
+}
+
+// How far beyond the growth the robot is from where the nearest rolled-out pose has it, at most [m].
+double beyond_growth(const std::vector<Pose2>& driven, const std::vector<std::pair<Pose2, double>>& rolled, double radius) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < driven.size(); k += 10) {
+    double least = INFINITY;
+    for (const auto& [pose, growth] : rolled) least = std::min(least, displacement(driven[k], pose, radius) - growth);
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+// No base that keeps between the two ends gets farther from the rolled-out manoeuvre than the growth; and what is rolled out
+// at 1 mm is 0.5 mm away from some pose.
+TEST(BrakeManoeuvreGrowth, NoBaseIsFartherOff) {
+  constexpr double kSpacing = 1e-3, kIntegration = 2e-4;  // [m]
+  int parted = 0;
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    test::Random random(seed);
+    const Parameters p = random_robot(random);
+    const VelocityLimits l = VelocityLimits::from(p);
+    const double period = random.pick({0.04, 0.05, 0.1, 0.2}), radius = random.uniform(0.15, 0.5);
+    const Sending sending = random_sending(p, period, random);
+    ManoeuvreRoller roller(l, radius, kSpacing, {{}, {1.0, 0.0}});
+    std::vector<std::pair<Pose2, double>> rolled{{Pose2{}, 0.0}};
+    roller.roll({{}, sending.under_way, sending.own, period}, [&](const TurnedPose& at) {
+      rolled.push_back({at.pose, roller.growth()});
+      return true;
+    });
+    const std::vector<Pose2> driven = drive(p, period, sending, random);
+    ASSERT_LE(beyond_growth(driven, rolled, radius), 0.5 * kSpacing + kIntegration) << seed;
+    for (auto& pose : rolled) pose.second = 0.0;
+    parted += beyond_growth(driven, rolled, radius) > 2e-3;
+  }
+  EXPECT_GT(parted, 60);  // without the growth many are
+}
+
+TEST(BrakeManoeuvreGrowth, StraightOnAndAtRestThereIsNone) {
+  const VelocityLimits l = limits(2.0, 3.0);
+  ManoeuvreRoller roller(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
+  roller.roll({{}, UnderWay({0.5, 0.0}, 0.1), {0.52, 0.0}, 0.05}, [](const TurnedPose&) { return true; });
+  EXPECT_GT(roller.at().pose.x, 0.1);
+  EXPECT_EQ(roller.growth(), 0.0);
+  ManoeuvreRoller rest(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
+  rest.roll({{}, UnderWay({}, 0.1), {}, 0.05}, [](const TurnedPose&) { return true; });
+  EXPECT_EQ(rest.growth(), 0.0);
+}
+
+TEST(BrakeManoeuvreGrowth, ATurnOnTheSpot) {
+  // From 0.5 to 0.4 rad/s at 3.2 rad/s^2 in 0.03125 s or evenly in 0.05 s: 0.1 * (0.05 - 0.03125) / 2 = 0.9375 mrad. The tail
+  // of 0.08 rad/s in 0.025 s or in 0.05 s: 0.08 * 0.025 / 2 = 1 mrad. At 0.3 m: 0.58 mm.
+  const VelocityLimits l = limits(2.0, 3.2);
+  ManoeuvreRoller roller(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
+  roller.roll({{}, UnderWay({0.0, 0.5}, 0.0), {0.0, 0.4}, 0.05}, [](const TurnedPose&) { return true; });
+  EXPECT_NEAR(roller.growth(), 0.3 * (0.0009375 + 0.001), 1e-9);
 }
 
 }  // namespace

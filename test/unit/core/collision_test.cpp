@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/core/collision.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "support/scene.hpp"
@@ -96,6 +98,36 @@ TEST(Collision, APolygonAroundNothingOfTheOrigin) {
   const Footprint footprint(Polygon{{0.5, 0.1}, {0.3, 0.1}, {0.3, -0.1}, {0.5, -0.1}});
   EXPECT_FALSE(prepared(scene, footprint).collides({0.0, 0.0, 0.0}));
   EXPECT_TRUE(prepared(scene, footprint).collides({-0.4, 0.0, 0.0}));
+}
+
+double separation(const CollisionChecker& checker, const Pose2& pose, double cap) {
+  return checker.separation(pose, {std::cos(pose.theta), std::sin(pose.theta)}, cap);
+}
+
+TEST(Separation, UpToTheRoomThatWasAskedFor) {
+  Scene scene = Scene::empty(61);
+  scene.at({50, 30}) = cost::kLethal;  // x from 0.975 on
+  const Footprint footprint(Polygon{{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}});
+  CollisionChecker checker;
+  checker.prepare(scene.grid(), footprint, true, {}, 1.0, 0.05, 0.42);
+  EXPECT_NEAR(checker.room(), 0.45, 1e-9);  // by whole cells
+  EXPECT_NEAR(separation(checker, {0.575, 0.0, 0.0}, 1.0), 0.2, 1e-8);  // 0.975 - 0.775
+  EXPECT_NEAR(separation(checker, {0.575, 0.0, 0.0}, 0.15), 0.15, 1e-8);
+  EXPECT_NEAR(separation(checker, {0.0, 0.0, 0.0}, 1.0), 0.45, 1e-8);
+  EXPECT_EQ(separation(checker, {0.8, 0.0, 0.0}, 1.0), 0.0);
+  EXPECT_NEAR(prepared(scene, footprint).room(), 0.1, 1e-9);  // two cells at least
+}
+
+TEST(Separation, OfAnOutlineWithADentItIsTheDistance) {
+  Scene scene = Scene::empty(61);
+  scene.at({30, 34}) = cost::kLethal;  // x from -0.025 to 0.025, y from 0.175 to 0.225
+  // A fork: two prongs from y = 0.1 up to 0.3, 0.2 m apart. The cell lies between them.
+  const Footprint fork(Polygon{{0.2, -0.1}, {0.2, 0.3}, {0.1, 0.3}, {0.1, 0.1}, {-0.1, 0.1}, {-0.1, 0.3}, {-0.2, 0.3}, {-0.2, -0.1}});
+  CollisionChecker checker;
+  checker.prepare(scene.grid(), fork, true, {}, 1.0, 0.05, 0.4);
+  EXPECT_NEAR(separation(checker, {0.0, 0.0, 0.0}, 0.4), 0.075, 1e-8);  // 0.1 - 0.025 to either prong, 0.175 - 0.1 below
+  EXPECT_NEAR(separation(checker, {0.03, 0.0, 0.0}, 0.4), 0.045, 1e-8);
+  EXPECT_NEAR(separation(checker, {0.0, 0.05, 0.0}, 0.4), 0.025, 1e-8);
 }
 
 }  // namespace

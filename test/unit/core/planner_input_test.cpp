@@ -43,9 +43,16 @@ TEST(BadInput, NumbersThatAreNone) {
       expect_braked(scene, 0.3, "not a number");
     }
     Scene scene = driving();
-    scene.situation.last_command.omega = bad;  // the measured 0.3 m/s is what is left to brake from
-    scene.parameters.velocity_reference = VelocityReference::odometry;
-    expect_braked(scene, 0.3, "not a number");
+    // Such a command was never sent. No command starts from a reading that no command explains: zero it is, and a failure.
+    scene.situation.last_command.omega = bad;
+    for (const VelocityReference reference : {VelocityReference::odometry, VelocityReference::command}) {
+      scene.parameters.velocity_reference = reference;
+      PlannerBench bench(scene);
+      const Decision& decision = bench.cycle();
+      EXPECT_EQ(decision.outcome, Outcome::fail);
+      EXPECT_TRUE(decision.command == Twist2{});
+      EXPECT_NE(decision.problem.find("not a number"), std::string::npos) << decision.problem;
+    }
   }
 }
 

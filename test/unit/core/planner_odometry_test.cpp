@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Odometry that cannot be true starts no command, one that is slower always counts; old poses are led on; late cycles.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/fault_brake.hpp"
+#include "support/planner_bench.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::PlannerBench;
+using test::Scene;
+
+constexpr double kPeriod = 0.05;       // [s]
+constexpr double kStep = 2.5 * 0.05;   // of v in a period [m/s]
+constexpr double kTurn = 3.2 * 0.05;   // of omega [rad/s]
+
+const Twist2 kImpossible[] = {{5.0, 0.0}, {-3.0, 0.0}, {0.0, 20.0}, {0.0, -20.0}, {9.0, 30.0}};
+
+Scene at_rest_on_a_plan() {
+  Scene scene = Scene::empty(121);
+  scene.situation.velocity = scene.situation.last_command = {};
+  return scene;
+}
+
+// On each axis no larger than what the limit and the last command allow, and what a period may add or must take away.
+void expect_bound(const Twist2& command, const Twist2& last, const Parameters& p, const std::string& what) {
+  const double v = std::max({std::abs(last.v) - kStep, 0.0}), omega = std::max(std::abs(last.omega) - kTurn, 0.0);
+  EXPECT_LE(command.v, std::max(p.max_vel_x, v) + 1e-9) << what;
+  EXPECT_GE(command.v, std::min(p.min_vel_x, -v) - 1e-9) << what;
+  EXPECT_LE(std::abs(command.omega), std::max(p.max_vel_theta, omega) + 1e-9) << what;
+}
+
+TEST(ImpossibleOdometry, AtRestItStartsNoCommand) {
+  for (const Twist2& reading : kImpossible) {
+    PlannerBench bench(at_rest_on_a_plan());
+    bench.drive();
+    bench.scene().situation.velocity = reading;
+    const Twist2 last = bench.scene().situation.last_command;
+    const Decision& decision = bench.cycle();
+    expect_bound(decision.command, last, bench.planner().parameters(), "autonomy");
+    EXPECT_LE(std::abs(decision.command.v - last.v), kStep + 1e-9);
+    EXPECT_LE(std::abs(decision.command.omega - last.omega), kTurn + 1e-9);
+    EXPECT_TRUE(decision.odometry_doubted);
+    // What is not believed counts as the last command.
+    EXPECT_EQ(decision.velocity.v, reading.v != 0.0 ? last.v : 0.0);
+    EXPECT_EQ(decision.velocity.omega, reading.omega != 0.0 ? last.omega : 0.0);
+  }
+}
+
+TEST(ImpossibleOdometry, NorWhileSomebodyStopsTheRobot) {
+  for (const Twist2& reading : kImpossible) {
+    Scene scene = at_rest_on_a_plan();
+    scene.intent.influence = Influence::stop;
+    PlannerBench bench(scene);
+    bench.cycle();
+    bench.scene().situation.time += kPeriod;
+    bench.scene().situation.velocity = reading;
+    const Decision& decision = bench.cycle();
+    EXPECT_TRUE(decision.command == Twist2{}) << decision.command.v << " " << decision.command.omega;
+    // Silence follows: what brakes then starts from what was sent.
+    const FaultBrake::Answer answer =
+        FaultBrake().answer(1.0, reading, decision.command, bench.planner().parameters(), kPeriod);
+    EXPECT_TRUE(answer.command == Twist2{});
+  }
+}
+
+TEST(ImpossibleOdometry, NorWithAPersonWhoSteersAlone) {
+  for (const Twist2& reading : kImpossible) {
+    for (const bool guarded : {true, false}) {
+      Scene scene = at_rest_on_a_plan();
+      scene.steer({0.5, 0.3});
+      scene.intent.influence = Influence::direct;
+      scene.intent.guarded = guarded;
+      scene.situation.velocity = reading;
+      PlannerBench bench(scene);
+      const Decision& decision = bench.cycle();
+      EXPECT_LE(std::abs(decision.command.v), kStep + 1e-9);
+      EXPECT_LE(std::abs(decision.command.omega), kTurn + 1e-9);
+    }
+  }
+}
+
+TEST(ImpossibleOdometry, NorWithOdometryAsTheReference) {
+  for (const Twist2& reading : kImpossible) {
+    Scene scene = at_rest_on_a_plan();
+    scene.parameters.velocity_reference = VelocityReference::odometry;
+    scene.situation.velocity = reading;
+    PlannerBench bench(scene);
+    const Decision& decision = bench.cycle();
+    EXPECT_LE(std::abs(decision.command.v), kStep + 1e-9);
+    EXPECT_LE(std::abs(decision.command.omega), kTurn + 1e-9);
+  }
+}
+
+TEST(ImpossibleOdometry, WhileDrivingItIsAsIfItWereNotThere) {
+  Scene scene = at_rest_on_a_plan();
+  scene.situation.velocity = scene.situation.last_command = {0.3, 0.1};
+  PlannerBench honest(scene);
+  const Twist2 command = honest.cycle().command;
+  scene.situation.velocity = {8.0, 0.1};
+  PlannerBench bench(scene);
+  EXPECT_TRUE(bench.cycle().command == command);
+  EXPECT_TRUE(bench.planner().believed({8.0, 0.1}) == (Twist2{0.3, 0.1}));
+  EXPECT_TRUE(bench.planner().believed({0.0, 0.1}) == (Twist2{0.0, 0.1}));  // slower counts
+  EXPECT_TRUE(bench.planner().believed({std::nan(""), 0.1}) == (Twist2{0.3, 0.1}));
+}
+
+TEST(Limits, LoweredWhileItDrivesTheLastCommandIsReducedAtTheLimit) {
+  Scene scene = at_rest_on_a_plan();
+  scene.situation.velocity = scene.situation.last_command = {0.5, 0.8};
+  PlannerBench bench(scene);
+  bench.drive();
+  Parameters lower = scene.parameters;
+  lower.max_vel_x = 0.1;
+  lower.max_vel_theta = 0.2;
+  ASSERT_TRUE(bench.planner().configure(lower).empty());
+  for (int k = 0; k < 8; ++k) {
+    const Twist2 last = bench.scene().situation.last_command;
+    bench.scene().situation.velocity = k % 2 > 0 ? Twist2{6.0, -9.0} : last;  // and now and then odometry is wrong
+    const Twist2 command = bench.cycle().command;
+    expect_bound(command, last, lower, std::to_string(k));
+    bench.scene().situation.velocity = last;
+    bench.scene().situation.last_command = command;
+    bench.scene().situation.time += kPeriod;
+  }
+  EXPECT_LE(bench.scene().situation.last_command.v, 0.1 + 1e-9);
+}
+
+// A robot with its front `gap` [m] before a wall.
+Scene before_a_wall(double gap) {
+  Scene scene = at_rest_on_a_plan();
+  scene.fill(1.025, -9.0, 9.0, 9.0);  // cells from x = 1.025 on
+  scene.situation.pose = {1.025 - 0.2 - gap, 0.0, 0.0};
+  scene.parameters.control_latency = 0.1;
+  return scene;
+}
+
+// It rolls towards the wall, and nobody told it to.
+TEST(FastOdometry, KeptForThreeTenthsOfASecondItCountsForCollisionsAndStartsNoCommand) {
+  Scene scene = before_a_wall(0.3);
+  scene.steer({0.5, 0.0});
+  PlannerBench bench(scene);
+  for (int k = 0; k < 8; ++k) {
+    bench.scene().situation.velocity = {5.0, 0.0};
+    const Decision& decision = bench.cycle();
+    const bool believed = k * kPeriod >= 0.3 - 1e-9;
+    EXPECT_EQ(decision.odometry_fast, believed) << k;
+    EXPECT_EQ(decision.odometry_doubted, !believed) << k;
+    EXPECT_EQ(decision.velocity.v, believed ? 5.0 : 0.0) << k;
+    EXPECT_LE(decision.command.v, 0.125 + 1e-9) << k;  // the last command is 0
+    // 0.1 s at 5 m/s is beyond the wall: nothing is legal any more.
+    EXPECT_EQ(decision.outcome == Outcome::brake, believed) << k;
+    EXPECT_TRUE(!believed || decision.command == Twist2{}) << k;
+    bench.scene().situation.time += 1.0001 * kPeriod;
+  }
+}
+
+TEST(SlowOdometry, IsTheReferenceAtOnce) {
+  Scene scene = at_rest_on_a_plan();
+  scene.situation.last_command = {0.5, 0.0};
+  scene.situation.velocity = {0.1, 0.0};  // something holds it
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(decision.reference.v, 0.1);
+  EXPECT_LE(decision.command.v, 0.1 + kStep + 1e-9);
+  EXPECT_FALSE(decision.odometry_doubted);
+  EXPECT_EQ(decision.velocity.v, 0.1);
+}
+
+TEST(SlowOdometry, TheCommandsCountBesideIt) {
+  // 0.5 m/s were sent, odometry says 0.1: 0.1 s at 0.5 and braking from it at once need 0.05 + 0.05 m.
+  Scene scene = before_a_wall(0.09);
+  scene.parameters.sim_time = 0.1;  // rollouts are no matter
+  scene.steer({0.5, 0.0});
+  scene.situation.last_command = {0.5, 0.0};
+  scene.situation.velocity = {0.1, 0.0};
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(decision.outcome, Outcome::brake);
+  EXPECT_EQ(test::refusals_by(decision, "Braking"), decision.candidates);
+  Scene slow = scene;
+  slow.situation.last_command = {0.1, 0.0};
+  PlannerBench free(slow);
+  EXPECT_EQ(free.cycle().outcome, Outcome::drive);
+}
+
+// Three commands of `step`, 2 `step` and 3 `step` [m/s] are under way, and odometry shows none of them yet.
+Outcome outcome_near_a_wall(double step, VelocityReference reference) {
+  Scene scene = before_a_wall(0.02);
+  scene.steer({0.5, 0.0});
+  scene.intent.influence = Influence::direct;
+  scene.parameters.sim_time = 0.1;  // rollouts are no matter
+  scene.parameters.velocity_reference = reference;
+  PlannerBench bench(scene);
+  for (int k = 0; k < 3; ++k) {
+    bench.cycle();
+    bench.scene().situation.time += kPeriod;
+    bench.scene().situation.last_command.v += step;
+  }
+  return bench.cycle().outcome;
+}
+
+TEST(OdometryAsTheReference, WhatIsUnderWayIsReckonedWith) {
+  for (const VelocityReference reference : {VelocityReference::odometry, VelocityReference::command}) {
+    // From rest to 0.125 m/s and back: 0.05 * 0.0625 + 0.05 * 0.0625 m and the tail, 7 mm.
+    EXPECT_EQ(outcome_near_a_wall(0.0, reference), Outcome::drive);
+    // From rest to 0.125 and 0.25 m/s in 0.1 s, and back: 0.05 * (0.0625 + 0.1875) + 0.25^2 / 5 = 25 mm.
+    EXPECT_EQ(outcome_near_a_wall(0.125, reference), Outcome::brake);
+  }
+}
+
+TEST(Resumed, WhatWasSentBeforeThePauseIsForgotten) {
+  Scene scene = at_rest_on_a_plan();
+  scene.situation.velocity = scene.situation.last_command = {0.5, 0.0};
+  PlannerBench bench(scene);
+  for (int k = 0; k < 4; ++k) bench.drive();
+  Situation& s = bench.scene().situation;
+  s.time += 2.0;
+  s.resumed = true;
+  s.last_command = s.velocity = {0.2, 0.3};  // another node drove
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(decision.reference.v, 0.2);
+  EXPECT_EQ(decision.reference.omega, 0.3);
+  EXPECT_FALSE(decision.odometry_doubted);
+}
+
+TEST(PoseAge, TheCommandsSinceThenLeadOn) {
+  Scene scene = at_rest_on_a_plan();
+  scene.situation.velocity = scene.situation.last_command = {0.5, 0.0};
+  scene.situation.pose_age = 0.05;
+  PlannerBench bench(scene);
+  EXPECT_NEAR(bench.cycle().pose.x, 0.025, 1e-9);  // 0.5 * 0.05
+  // Round a curve: 1 m/s and 1 rad/s for 0.1 s, sin(0.1) and 1 - cos(0.1).
+  scene.situation.velocity = scene.situation.last_command = {0.5, 0.5};
+  scene.situation.pose_age = 0.2;
+  PlannerBench curve(scene);
+  const Pose2 pose = curve.cycle().pose;
+  EXPECT_NEAR(pose.x, std::sin(0.1), 1e-5);
+  EXPECT_NEAR(pose.y, 1.0 - std::cos(0.1), 1e-5);
+  EXPECT_NEAR(pose.theta, 0.1, 1e-9);
+}
+
+TEST(PoseAge, WhereOdometryIsSlowerItLeadsOnAsThatSays) {
+  Scene scene = at_rest_on_a_plan();
+  scene.situation.last_command = {0.5, 0.0};
+  scene.situation.velocity = {0.0, 0.0};
+  scene.situation.pose_age = 0.05;
+  PlannerBench bench(scene);
+  EXPECT_NEAR(bench.cycle().pose.x, 0.0, 1e-9);
+}
+
+// 0.1 s of latency, a period and braking from 0.5 m/s: 0.05 + 0.025 + 0.05 + 0.8 mm and 1.6 mm to be sure = 0.1274 m.
+double driven_before_a_wall(double gap, double pose_age, double longest_period) {
+  Scene scene = before_a_wall(gap);
+  scene.steer({0.5, 0.0});
+  scene.intent.influence = Influence::direct;
+  scene.parameters.sim_time = 0.1;  // rollouts are no matter
+  scene.situation.velocity = scene.situation.last_command = {0.5, 0.0};
+  scene.situation.pose_age = pose_age;
+  scene.situation.longest_period = longest_period;
+  PlannerBench bench(scene);
+  return bench.cycle().command.v;
+}
+
+TEST(PoseAge, AnOldPoseBrakesEarlier) {
+  EXPECT_NEAR(driven_before_a_wall(0.130, 0.0, 0.0), 0.5, 1e-9);
+  EXPECT_LT(driven_before_a_wall(0.130, 0.05, 0.0), 0.5);   // 25 mm are gone already
+  EXPECT_NEAR(driven_before_a_wall(0.155, 0.05, 0.0), 0.5, 1e-9);
+}
+
+TEST(PoseAge, NoUsableAgeIsAFault) {
+  for (const double age : {-0.1, 20.0, std::nan("")}) {
+    Scene scene = at_rest_on_a_plan();
+    scene.situation.velocity = scene.situation.last_command = {0.3, 0.0};
+    scene.situation.pose_age = age;
+    PlannerBench bench(scene);
+    const Decision& decision = bench.cycle();
+    EXPECT_EQ(decision.outcome, Outcome::brake);
+    EXPECT_NE(decision.problem.find("pose"), std::string::npos) << decision.problem;
+    EXPECT_NEAR(decision.command.v, 0.175, 1e-9);
+  }
+}
+
+TEST(LateCycles, TheLongestPeriodBrakesEarlier) {
+  EXPECT_NEAR(driven_before_a_wall(0.130, 0.0, 0.05), 0.5, 1e-9);
+  // A command to brake that comes 0.03 s late, twice: 0.03 m more.
+  EXPECT_LT(driven_before_a_wall(0.130, 0.0, 0.08), 0.5);
+  EXPECT_NEAR(driven_before_a_wall(0.160, 0.0, 0.08), 0.5, 1e-9);
+}
+
+TEST(LateCycles, ALateBrakeTakesAsMuchAsTwoOnTime) {
+  Scene scene = at_rest_on_a_plan();
+  scene.situation.velocity = scene.situation.last_command = {0.5, 0.0};
+  scene.situation.longest_period = 0.1;
+  scene.intent.influence = Influence::stop;
+  PlannerBench bench(scene);
+  bench.cycle();
+  bench.scene().situation.time += 0.08;
+  EXPECT_NEAR(bench.cycle().command.v, 0.5 - 2.5 * 0.08, 1e-9);
+  bench.scene().situation.time += 0.4;  // no later than the longest period is reckoned with
+  EXPECT_NEAR(bench.cycle().command.v, 0.5 - 2.5 * 0.1, 1e-9);
+}
+
+TEST(CommandTarget, WithTheCheckForBrakingCommandsStayFeasible) {
+  Scene scene = at_rest_on_a_plan();
+  scene.parameters.command = CommandPolicy::target;
+  scene.steer({0.5, 0.0});
+  PlannerBench bench(scene);
+  EXPECT_LE(bench.cycle().command.v, kStep + 1e-9);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
