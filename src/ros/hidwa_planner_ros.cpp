@@ -50,13 +50,17 @@ bool HIDWAPlannerROS::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
   });
 }
 
-// A plan to a goal that the host no longer pursues is not followed; at rest the cycle fails, so that it plans anew.
+// A plan to a goal that the host no longer pursues is not followed; at rest the cycle fails, so that it plans anew. A
+// plan may also come before the topic brings its goal: that takes milliseconds.
 bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
-  const bool over = plan_is_over();
+  constexpr int kLate = 2;  // cycles in which a goal is still on its way
+  cycles_over_ = plan_is_over() ? cycles_over_ + 1 : 0;
+  const bool over = cycles_over_ > kLate;
   const CycleResult result = shell_->cycle(over);
   command = to_message(result.command);
   if (!over) return result.outcome != Outcome::fail;
-  ROS_WARN_THROTTLE(1.0, "the plan leads to an earlier goal, (%.2f, %.2f) in %s, and none to the present one has come yet",
+  ROS_WARN_THROTTLE(1.0,
+                    "the plan leads to an earlier goal, (%.2f, %.2f) in %s, and none to the present one has come yet",
                     end_.pose.position.x, end_.pose.position.y, end_.header.frame_id.c_str());
   return !(result.command == Twist2{});
 }

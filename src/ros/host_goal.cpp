@@ -17,7 +17,7 @@ FramedGoal to_goal(const geometry_msgs::PoseStamped& pose) {
 
 HostGoal::HostGoal() {
   ros::NodeHandle host("~");
-  if (host.hasParam("controllers")) return;  // Move Base Flex's list: a client of it may plan for one goal and follow another
+  if (host.hasParam("controllers")) return;  // Move Base Flex: its clients may plan for one goal and follow another
   subscriber_ = thread_.serve(host).subscribe("current_goal", kQueue, &HostGoal::hear, this);
   thread_.start();
 }

@@ -15,8 +15,8 @@ class GoalChecker {
   void reset() { latched_ = false; }
   /// A control cycle at `now` [s].
   void cycle(double now) { last_cycle_ = now; }
-  /// A plan came at `now` [s]. True where cycles at `period` [s] had paused before it (is_pause), or time went back: then
-  /// somebody else may have moved the robot, and what was latched is forgotten.
+  /// A plan came at `now` [s]. True where cycles at `period` [s] had paused before it (is_pause), or time went back:
+  /// then somebody else may have moved the robot, and what was latched is forgotten.
   bool plan_arrives(double now, double period);
   /// Updates the latch, which ends beyond the tolerance plus goal_margin(); poses in one frame. True when the goal is
   /// reached.

@@ -14,7 +14,7 @@
 namespace hidwa_local_planner {
 
 /// A recovery of move_base that never drives: brakes, waits while a person stops or steers the robot, then forgets
-/// obstacles far from it. Where HI-DWA is not the planner of this process there is nobody to ask, and it clears at once.
+/// obstacles far from it. Where HI-DWA is not the planner of this process there is nobody to ask: it clears at once.
 /// Nothing thrown inside comes out.
 class YieldingRecovery : public nav_core::RecoveryBehavior {
  public:

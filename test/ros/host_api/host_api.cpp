@@ -164,7 +164,8 @@ static_assert(!std::is_abstract<UsingPlanner>::value, "");
 
 class UsingRecovery : public nav_core::RecoveryBehavior {
  public:
-  void initialize(std::string name, tf2_ros::Buffer*, Costmap2DROS* global_costmap, Costmap2DROS* local_costmap) override {
+  void initialize(std::string name, tf2_ros::Buffer*, Costmap2DROS* global_costmap,
+                  Costmap2DROS* local_costmap) override {
     name_ = name;
     costmaps_ = {global_costmap, local_costmap};
   }

@@ -246,7 +246,8 @@ def recover_and_drive(world):
 
 # Parameters of a host, and what is asked of it.
 RECOVERIES = {"recovery_behavior_enabled": True,
-              "recovery_behaviors": [{"name": name, "type": "hidwa_probe_planner/ProbeRecovery"} for name in ("first", "second")]}
+              "recovery_behaviors": [{"name": name, "type": "hidwa_probe_planner/ProbeRecovery"}
+                                     for name in ("first", "second")]}
 OSCILLATION = {"planner_frequency": 0.0, "oscillation_timeout": 1.0, "shutdown_costmaps": False}
 RUNS = [
     ("planner_frequency 0", {"planner_frequency": 0.0, "oscillation_timeout": 0.0},

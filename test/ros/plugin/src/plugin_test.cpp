@@ -113,6 +113,25 @@ TEST(Plugin, APlanToAnEarlierGoalIsNeitherFollowedNorReached) {
   ASSERT_TRUE(host.cycle_until([&](const Host::Cycle&) { return host.planner().isGoalReached(); }, 20.0));
 }
 
+// From goal to goal and back: the plan may come before the topic brings the goal.
+TEST(Plugin, APlanThatIsAheadOfItsGoalIsFollowed) {
+  Host host("Ahead");
+  Stage::get().clear();
+  ros::NodeHandle node("~");
+  const ros::Publisher goals = node.advertise<geometry_msgs::PoseStamped>("current_goal", 2);
+  ASSERT_TRUE(wait_for([&] { return goals.getNumSubscribers() > 0; }, 5.0));
+  const std::vector<geometry_msgs::PoseStamped> plan = straight_plan(3.0, "map");
+  geometry_msgs::PoseStamped other = plan.back();
+  other.pose.position.x += 5.0;
+  goals.publish(plan.back());
+  goals.publish(other);
+  ASSERT_TRUE(host.planner().setPlan(plan));
+  EXPECT_TRUE(host.cycle().success);
+  goals.publish(plan.back());
+  EXPECT_TRUE(host.cycle().success);
+  EXPECT_TRUE(drives(host));
+}
+
 TEST(Plugin, CommandsStayWithinTheAccelerationLimit) {
   Host host("Limits");
   ASSERT_TRUE(host.plan_ahead(3.0));

@@ -127,7 +127,8 @@ class ProbeRecovery : public nav_core::RecoveryBehavior {
   void initialize(std::string name, tf2_ros::Buffer* /*tf*/, costmap_2d::Costmap2DROS* global_costmap,
                   costmap_2d::Costmap2DROS* local_costmap) override {
     name_ = name;
-    report("initialize", "recovery " + name + " with " + global_costmap->getName() + " and " + local_costmap->getName());
+    report("initialize",
+           "recovery " + name + " with " + global_costmap->getName() + " and " + local_costmap->getName());
   }
   void runBehavior() override { report("runBehavior", "of " + name_); }
 
