@@ -9,34 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "support/naive_padding.hpp"
 #include "support/naive_collision.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
-
-/// Corners of the smallest convex polygon around points, counter-clockwise (gift wrapping).
-inline Polygon naive_hull(const Polygon& points) {
-  const auto left_of = [](const Point& a, const Point& b, const Point& p) {
-    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-  };
-  Point first = points.front();
-  for (const Point& p : points) {
-    if (p.x() < first.x() || (p.x() == first.x() && p.y() < first.y())) first = p;
-  }
-  Polygon hull;
-  Point here = first;
-  do {
-    hull.push_back(here);
-    Point next = points.front();
-    for (const Point& p : points) {
-      const double side = left_of(here, next, p);
-      const bool farther = (p - here).norm() > (next - here).norm();
-      if ((next - here).norm() < 1e-12 || side < -1e-15 || (std::abs(side) <= 1e-15 && farther)) next = p;
-    }
-    here = next;
-  } while ((here - first).norm() > 1e-12 && hull.size() <= points.size());
-  return hull;
-}
 
 /// How much the robot shares with a square: the root of an area, or for a disc a length [m].
 inline double naive_overlap_of(const NaiveBody& body, const Pose2& pose, double x, double y, double side) {
