@@ -6,6 +6,7 @@
 
 #include <tf2/exceptions.h>
 
+#include "hidwa_local_planner/core/velocity_limits.hpp"
 #include "hidwa_local_planner/ros/shell.hpp"
 
 namespace hidwa_local_planner {
