@@ -95,14 +95,15 @@ TEST(OutlineDepth, OfAnOutlineThatIsNotConvex) {
 class Caught {
  public:
   Caught(const Scene& scene, const Pose2& start, bool steered = false)
-      : scene_(scene), start_(start), limits_(VelocityLimits::from(scene.parameters)), under_way_({}, scene.parameters.control_latency) {
+      : scene_(scene), start_(start), limits_(VelocityLimits::from(scene.parameters)),
+        pending_(UnderWay({}, scene.parameters.control_latency)) {
     footprint_ = Footprint::from_outline(scene_.outline, 0.0);
     rule_.look(scene_.parameters, limits_, scene_.grid(), footprint_, {start, {}, 0.05});
     if (!rule_.applies()) return;
     rule_.prepare(1.0, 0.05);
     AdmissibilityCheck::Setup setup;
-    setup.start = start;
-    setup.under_way = &under_way_;
+    setup.start = setup.origin = start;
+    setup.pending = &pending_;
     setup.steered = steered;
     setup.escape = &rule_;
     check_.prepare(scene_.parameters, limits_, rule_.rest(), footprint_, 0.05, setup);
@@ -124,7 +125,7 @@ class Caught {
   Scene scene_;
   Pose2 start_;
   VelocityLimits limits_;
-  UnderWay under_way_;
+  PendingMotion pending_;
   Footprint footprint_;
   EscapeRule rule_;
   AdmissibilityCheck check_;
