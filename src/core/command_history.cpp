@@ -68,7 +68,7 @@ class Player {
 
 void CommandHistory::observe(double now, double period, double span, const Twist2& command,
                              const VelocityLimits& limits) {
-  if (!seen_ || !(now >= *seen_)) forget();  // also where a time is no number
+  if (!seen_ || !(now >= *seen_) || !std::isfinite(*seen_)) forget();  // also where a time is no number
   Sent newest{seen_.value_or(now), command, command};
   if (!sent_.empty() && now == *seen_) {
     newest.time = sent_.back().time;

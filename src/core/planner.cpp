@@ -288,7 +288,8 @@ void Planner::Impl::give_up(const Situation& situation, Problem kind, const char
   decision.problem = problem;
   decision.sample = {};
   decision.command = limits.brake(brake_start(), brake_period(situation));
-  const bool moving = !at_rest(decision.reference) || !at_rest(decision.velocity);
+  // A command that is still under way moves it, whatever odometry shows yet.
+  const bool moving = !at_rest(decision.reference) || !at_rest(decision.velocity) || !at_rest(commands.last());
   decision.outcome = moving ? Outcome::brake : Outcome::fail;
 }
 

@@ -38,6 +38,9 @@ TEST(PlannerCycle, TheCommandIsTheFirstFeasibleStep) {
   EXPECT_EQ(decision.sample.v, 0.5);
   Scene scene = driving(0.0);
   scene.parameters.command = CommandPolicy::target;
+  PlannerBench checked(scene);
+  EXPECT_EQ(checked.cycle().command.v, 0.125);  // with the check for braking it is feasible all the same
+  scene.parameters.admissibility = Admissibility::horizon;
   PlannerBench target(scene);
   EXPECT_EQ(target.cycle().command.v, 0.5);
 }
