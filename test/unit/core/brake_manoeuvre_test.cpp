@@ -195,7 +195,7 @@ class RandomBase {
     if (restless_ && random_->chance(0.05)) share_ = random_->chance(0.5) ? random_->pick({0.0, 1.0}) : random_->uniform(0.0, 1.0);
     const double t = time - since_, limit = test::naive_at_limit(axis_, from_, to_, t);
     // A command that asks for all that the limits allow may be reached evenly too.
-    if (test::naive_needed(axis_, from_, to_) > axis_.period + 1e-9) return limit;
+    if (!test::naive_has_time(axis_, from_, to_)) return limit;
     return share_ * limit + (1.0 - share_) * test::naive_evenly(axis_, from_, to_, t);
   }
 
@@ -207,14 +207,14 @@ class RandomBase {
   bool restless_;
 };
 
-// Commands of the past, one that is sent now, and those that brake after it, 14 of the first kind.
+// Commands of the past, one that is sent now, and those that brake after it, the first of them `hold` [s] late.
 struct Sending {
   std::vector<test::NaiveEffect> effects;
   UnderWay under_way;
   Twist2 own;
 };
 
-Sending random_sending(const Parameters& p, double period, test::Random& random) {
+Sending random_sending(const Parameters& p, double period, double hold, test::Random& random) {
   const VelocityLimits l = VelocityLimits::from(p);
   const double gentle = random.chance(0.5) ? random.uniform(0.0, 1.0) : 1.0;
   const auto next = [&](const Twist2& u, const Twist2& target) {
@@ -237,7 +237,7 @@ Sending random_sending(const Parameters& p, double period, test::Random& random)
   history.play(l, period, p.control_latency, 0.0, sending.under_way);
   sending.own = u = next(u, any());
   for (int k = 0; k == 0 || !(u == Twist2{}); ++k) {
-    sending.effects.push_back({k * period + p.control_latency, u});
+    sending.effects.push_back({k * period + (k > 0 ? hold : 0.0) + p.control_latency, u});
     u = l.brake(u, period);
   }
   sending.effects.push_back({sending.effects.back().time + period, {}});
@@ -307,10 +307,11 @@ TEST(BrakeManoeuvreGrowth, NoBaseIsFartherOff) {
     const Parameters p = random_robot(random);
     const VelocityLimits l = VelocityLimits::from(p);
     const double period = random.pick({0.04, 0.05, 0.1, 0.2}), radius = random.uniform(0.15, 0.5);
-    const Sending sending = random_sending(p, period, random);
+    const double hold = random.chance(0.5) ? 0.0 : random.uniform(0.0, 2.0) * period;
+    const Sending sending = random_sending(p, period, hold, random);
     ManoeuvreRoller roller(l, radius, kSpacing, {{}, {1.0, 0.0}});
     std::vector<std::pair<Pose2, double>> rolled{{Pose2{}, 0.0}};
-    roller.roll({{}, sending.under_way, sending.own, period}, [&](const TurnedPose& at) {
+    roller.roll({{}, sending.under_way, sending.own, period, hold}, [&](const TurnedPose& at) {
       rolled.push_back({at.pose, roller.growth()});
       return true;
     });
