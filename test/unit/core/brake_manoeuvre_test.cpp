@@ -207,14 +207,14 @@ class RandomBase {
   bool restless_;
 };
 
-// Commands of the past, one that is sent now, and those that brake after it, the first of them `hold` [s] late.
+// Commands of the past, one that is sent now, and those that brake after it.
 struct Sending {
   std::vector<test::NaiveEffect> effects;
   UnderWay under_way;
   Twist2 own;
 };
 
-Sending random_sending(const Parameters& p, double period, double hold, test::Random& random) {
+Sending random_sending(const Parameters& p, double period, test::Random& random) {
   const VelocityLimits l = VelocityLimits::from(p);
   const double gentle = random.chance(0.5) ? random.uniform(0.0, 1.0) : 1.0;
   const auto next = [&](const Twist2& u, const Twist2& target) {
@@ -237,7 +237,7 @@ Sending random_sending(const Parameters& p, double period, double hold, test::Ra
   history.play(l, period, p.control_latency, 0.0, sending.under_way);
   sending.own = u = next(u, any());
   for (int k = 0; k == 0 || !(u == Twist2{}); ++k) {
-    sending.effects.push_back({k * period + (k > 0 ? hold : 0.0) + p.control_latency, u});
+    sending.effects.push_back({k * period + p.control_latency, u});
     u = l.brake(u, period);
   }
   sending.effects.push_back({sending.effects.back().time + period, {}});
@@ -300,18 +300,17 @@ double beyond_growth(const std::vector<Pose2>& driven, const std::vector<std::pa
 // No base that keeps between the two ends gets farther from the rolled-out manoeuvre than the growth; and what is rolled out
 // at 1 mm is 0.5 mm away from some pose.
 TEST(BrakeManoeuvreGrowth, NoBaseIsFartherOff) {
-  constexpr double kSpacing = 1e-3, kIntegration = 2e-4;  // [m]
+  constexpr double kSpacing = 1e-3, kIntegration = 3e-4;  // [m]
   int parted = 0;
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     test::Random random(seed);
     const Parameters p = random_robot(random);
     const VelocityLimits l = VelocityLimits::from(p);
     const double period = random.pick({0.04, 0.05, 0.1, 0.2}), radius = random.uniform(0.15, 0.5);
-    const double hold = random.chance(0.5) ? 0.0 : random.uniform(0.0, 2.0) * period;
-    const Sending sending = random_sending(p, period, hold, random);
+    const Sending sending = random_sending(p, period, random);
     ManoeuvreRoller roller(l, radius, kSpacing, {{}, {1.0, 0.0}});
     std::vector<std::pair<Pose2, double>> rolled{{Pose2{}, 0.0}};
-    roller.roll({{}, sending.under_way, sending.own, period, hold}, [&](const TurnedPose& at) {
+    roller.roll({{}, sending.under_way, sending.own, period}, [&](const TurnedPose& at) {
       rolled.push_back({at.pose, roller.growth()});
       return true;
     });
