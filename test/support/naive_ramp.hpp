@@ -35,10 +35,10 @@ inline double naive_evenly(const NaiveAxis& axis, double from, double to, double
   return t < axis.period ? from + (to - from) * t / axis.period : to;
 }
 
-/// The limits take less than a period: there is more than one way. A command that asks for all they allow leaves none, but
-/// for rounding.
+/// The limits take no more than a period. Then there may be more than one way; where the direction changes, also if they
+/// take all of it.
 inline bool naive_has_time(const NaiveAxis& axis, double from, double to) {
-  return naive_needed(axis, from, to) < axis.period - 1e-9;
+  return naive_needed(axis, from, to) < axis.period + 1e-9;
 }
 
 /// One of them: the farther one, evenly where the direction changes.

@@ -195,7 +195,7 @@ class RandomBase {
     if (restless_ && random_->chance(0.05)) share_ = random_->chance(0.5) ? random_->pick({0.0, 1.0}) : random_->uniform(0.0, 1.0);
     const double t = time - since_, limit = test::naive_at_limit(axis_, from_, to_, t);
     // A command that asks for all that the limits allow may be reached evenly too.
-    if (test::naive_needed(axis_, from_, to_) > axis_.period + 1e-9) return limit;
+    if (!test::naive_has_time(axis_, from_, to_)) return limit;
     return share_ * limit + (1.0 - share_) * test::naive_evenly(axis_, from_, to_, t);
   }
 
@@ -207,7 +207,7 @@ class RandomBase {
   bool restless_;
 };
 
-// Commands of the past, one that is sent now, and those that brake after it, 14 of the first kind.
+// Commands of the past, one that is sent now, and those that brake after it.
 struct Sending {
   std::vector<test::NaiveEffect> effects;
   UnderWay under_way;
@@ -300,7 +300,7 @@ double beyond_growth(const std::vector<Pose2>& driven, const std::vector<std::pa
 // No base that keeps between the two ends gets farther from the rolled-out manoeuvre than the growth; and what is rolled out
 // at 1 mm is 0.5 mm away from some pose.
 TEST(BrakeManoeuvreGrowth, NoBaseIsFartherOff) {
-  constexpr double kSpacing = 1e-3, kIntegration = 2e-4;  // [m]
+  constexpr double kSpacing = 1e-3, kIntegration = 3e-4;  // [m]
   int parted = 0;
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
     test::Random random(seed);
