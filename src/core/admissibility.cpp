@@ -32,6 +32,9 @@ constexpr double kFinest = 1e-4;
 // In periods: a command to brake that may come so much later is as good as one that does not.
 constexpr double kSoon = 0.1;
 
+// In periods: so far apart are the times at which a late command to brake is looked at.
+constexpr double kHoldsApart = 0.5;
+
 // How much room around a pose is looked for, in cells: what is found saves looking at its neighbours.
 constexpr double kRoom = 2.0;
 
@@ -293,10 +296,13 @@ template <typename Look>
 bool AdmissibilityCheck::free_in_time(const Twist2& command, bool surely, Arrivals& arrivals, Look&& look) const {
   const double latest = longest_hold();
   const std::size_t ways = surely ? setup_.pending->all() : setup_.pending->size();
+  // In a turn, braking at another time leads elsewhere: the ends, and for a thorough look what lies between.
+  const double apart = surely ? kHoldsApart * setup_.period : latest;
+  const double parts = latest > kSoon * setup_.period ? std::ceil(latest / apart) : 0.0;
   for (std::size_t way = 0; way < ways; ++way) {
-    if (!free_all_along(manoeuvre(way, command, latest), surely, arrivals[way], look)) return false;
-    if (latest > kSoon * setup_.period && !free_all_along(manoeuvre(way, command, 0.0), surely, arrivals[way], look)) {
-      return false;
+    for (double part = parts; part >= 0.0; part -= 1.0) {
+      const double hold = parts > 0.0 ? latest * part / parts : latest;
+      if (!free_all_along(manoeuvre(way, command, hold), surely, arrivals[way], look)) return false;
     }
   }
   return true;

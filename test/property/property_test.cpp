@@ -87,7 +87,8 @@ TEST(Property, TheSameInputGivesTheSameBits) {
   }
 }
 
-void expect_within_limits(const Parameters& p, const Decision& decision, double period, std::uint64_t seed) {
+void expect_within_limits(const Parameters& p, const Decision& decision, const Twist2& last, double period,
+                          std::uint64_t seed) {
   const Twist2 u = decision.command, from = decision.reference;
   ASSERT_TRUE(is_finite(u)) << seed;
   // Outside its limits only as far as braking from a reference outside them has not yet brought it back.
@@ -100,8 +101,12 @@ void expect_within_limits(const Parameters& p, const Decision& decision, double 
     EXPECT_LE(std::abs(u.v) + half * std::abs(u.omega), std::max(p.wheel_radius * p.max_wheel_velocity, before) + 1e-8)
         << seed;
   }
-  EXPECT_LE(std::abs(u.v - from.v), std::max(p.acc_lim_x, p.braking_x()) * period + 1e-9) << seed;
-  EXPECT_LE(std::abs(u.omega - from.omega), std::max(p.acc_lim_theta, p.braking_theta()) * period + 1e-9) << seed;
+  // Braking may start from the last command: odometry that lags must not take back what brakes already.
+  const auto step = [](double to, double reference, double before) {
+    return std::min(std::abs(to - reference), std::abs(to - before));
+  };
+  EXPECT_LE(step(u.v, from.v, last.v), std::max(p.acc_lim_x, p.braking_x()) * period + 1e-9) << seed;
+  EXPECT_LE(step(u.omega, from.omega, last.omega), std::max(p.acc_lim_theta, p.braking_theta()) * period + 1e-9) << seed;
 }
 
 // The deepest overlap of the braked trajectory [m], poses a quarter of a cell apart.
@@ -125,7 +130,7 @@ TEST(Property, ChosenCommandsKeepTheLimitsAndCanBeBraked) {
   for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
     const Scene scene = test::random_scene(seed);
     const Decision decision = ask(scene).decision;
-    expect_within_limits(scene.parameters, decision, scene.situation.period, seed);
+    expect_within_limits(scene.parameters, decision, scene.situation.last_command, scene.situation.period, seed);
     if (!chose(decision) || decision.escaping) continue;
     const Footprint footprint = Footprint::from_outline(scene.outline, scene.parameters.footprint_padding);
     const test::NaiveBody body{footprint.outline(), footprint.radius()};

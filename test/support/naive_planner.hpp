@@ -214,14 +214,21 @@ class NaivePlanner {
   }
   // How much later than a period a command to brake may take effect [s].
   double latest() const { return 2 * std::max(0.0, scene_.situation.longest_period - scene_.situation.period); }
+  // From the latest to none, no more than `apart` [s] from each other; the latest alone where it is hardly later.
+  std::vector<double> holds(double apart) const {
+    if (latest() <= 0.1 * scene_.situation.period) return {latest()};
+    std::vector<double> all;
+    const int parts = static_cast<int>(std::ceil(latest() / apart));
+    for (int part = parts; part >= 0; --part) all.push_back(latest() * part / parts);
+    return all;
+  }
   // Whether a command is braked on time or as late as it may be, and however the robot goes on until it takes effect.
   bool cannot_brake(const Twist2& sample, bool surely) {
     const Situation& s = scene_.situation;
     std::vector<NaiveOutlook> ways = reference_.ways();
     if (surely) ways.insert(ways.end(), reference_.unlikely_ways().begin(), reference_.unlikely_ways().end());
     for (const NaiveOutlook& way : ways) {
-      for (const double hold : {latest(), 0.0}) {
-        if (hold < latest() && latest() <= 0.1 * s.period) continue;  // hardly later
+      for (const double hold : holds(surely ? 0.5 * s.period : latest())) {
         if (hits({origin_, way, command_for(sample), s.period, hold}, surely)) return true;
       }
     }

@@ -58,7 +58,7 @@ inline std::vector<double> naive_corners(const NaiveAxis& axis, double from, dou
 }
 
 /// How far apart the two ends get until `t` [s]: their difference, joined by straight lines between the corners of either.
-/// A command that is cut short leaves a difference, which goes down to none within another period.
+/// A command that is cut short leaves a difference, which stays until the next one is reached and then goes down at the limit.
 inline double naive_spread(const NaiveAxis& axis, double from, double to, double t) {
   if (!naive_has_time(axis, from, to)) return 0.0;
   const auto apart = [&](double at) {
@@ -74,7 +74,7 @@ inline double naive_spread(const NaiveAxis& axis, double from, double to, double
   for (std::size_t k = 1; k < times.size(); ++k) {
     area += (apart(times[k - 1]) + apart(times[k])) / 2 * (times[k] - times[k - 1]);
   }
-  return area + apart(t) * axis.period / 2;
+  return area + apart(t) * axis.period * 1.5;
 }
 
 }  // namespace hidwa_local_planner::test

@@ -16,8 +16,8 @@ struct NaiveTrailPose {
   double growth = 0.0;
 };
 
-/// Follows legs. With s the way, phi the turn, ds and dtheta what the ways to the commands differ by, all so far, and r the
-/// robot's radius: growth = (r + s) dtheta + min(ds, (r + s) phi); ds alone where it went forward and backward.
+/// Follows legs. With s the way, ds and dtheta what the ways to the commands differ by, all so far, and r the robot's radius:
+/// growth = ds + (r + s) dtheta; none while it goes straight on in one direction.
 class NaiveTrail {
  public:
   NaiveTrail(const Pose2& start, double radius) : q_(start), radius_(radius) {}
@@ -41,9 +41,8 @@ class NaiveTrail {
   }
   const Pose2& pose() const { return q_; }
   double growth() const {
-    const double lever = radius_ + way_;
-    const bool turned_back = forward_ && backward_;
-    return lever * spread_.omega + (turned_back ? spread_.v : std::min(spread_.v, lever * turn_));
+    const bool off_its_line = turn_ > 0.0 || spread_.omega > 0.0 || (forward_ && backward_);
+    return off_its_line ? spread_.v + (radius_ + way_) * spread_.omega : 0.0;
   }
 
  private:

@@ -8,14 +8,13 @@
 //
 // A base may reach every command in its own way between two ends (AxisRamp). Let p_n, theta_n be the motion that is rolled
 // out and p, theta any other, and let
-//   ds = integral of |v - v_n|,  dtheta = integral of |omega - omega_n|,  s = integral of |v_n|,  phi = that of |omega_n|.
-// Compared at equal times, |p - p_n| <= ds + integral of |v_n| |theta - theta_n| <= ds + s dtheta.
-// Compared at equal lengths of the way, which the other motion reaches later since v_n is the farthest: the headings differ
-// by dtheta and by what is turned in between, at most dtheta + phi; so |p - p_n| <= s (dtheta + phi).
-// A point of the robot at radius r moves by r times the difference of headings more. So no point of it is farther from
-// where some pose of the rolled-out motion has it than
-//   growth = (r + s) dtheta + min(ds, (r + s) phi),
-// the second form of the minimum only where v does not change its sign. At rest it is 0, straight on it is 0 too.
+//   ds = integral of |v - v_n|,  dtheta = integral of |omega - omega_n|,  s = integral of |v_n|.
+// Compared at equal times, |p - p_n| <= ds + integral of |v_n| |theta - theta_n| <= ds + s dtheta. A point of the robot at
+// radius r moves by r times the difference of headings more. So no point of it is farther from where the rolled-out motion
+// has it than
+//   growth = ds + (r + s) dtheta.
+// While nothing has turned and v has not changed its sign, the other motion is on the same line, only behind, since v_n is the
+// farthest: an earlier pose is the same, and the growth is 0. So it is at rest.
 #pragma once
 
 #include <algorithm>
@@ -128,9 +127,8 @@ class ManoeuvreRoller {
   const TurnedPose& at() const { return at_; }
   /// How far a point within the radius may be from where some pose so far has it [m].
   double growth() const {
-    const double lever = radius_ + way_;
-    const double along = forward_ && backward_ ? spread_.v : std::min(spread_.v, lever * turn_);
-    return lever * spread_.omega + along;
+    const bool straight = !turned_ && spread_.omega <= 0.0 && !(forward_ && backward_);
+    return straight ? 0.0 : spread_.v + (radius_ + way_) * spread_.omega;
   }
 
  private:
@@ -194,7 +192,7 @@ class ManoeuvreRoller {
       at_.pose.theta += turn;
       at_.heading = direction.turned(half);
       way_ += std::abs(v) * dt;
-      turn_ += std::abs(turn);
+      turned_ = turned_ || turn != 0.0;
       if (!visit(static_cast<const TurnedPose&>(at_))) return false;
     }
     return true;
@@ -204,9 +202,9 @@ class ManoeuvreRoller {
   double radius_, spacing_;
   TurnedPose at_;
   Twist2 u_;
-  double way_ = 0.0, turn_ = 0.0;           // so far [m, rad]
+  double way_ = 0.0;                        // so far [m]
   Twist2 spread_;                           // so far [m, rad]
-  bool forward_ = false, backward_ = false;  // it moved so
+  bool turned_ = false, forward_ = false, backward_ = false;  // it moved so
 };
 
 /// The poses of a manoeuvre after its start, see ManoeuvreRoller.

@@ -24,7 +24,7 @@ class AxisRamp {
     const double through_zero = std::abs(from) / axis.braking;
     needed_ = turns_round ? through_zero + std::abs(to) / axis.acc
                           : std::abs(to - from) / (speeds_up ? axis.acc : axis.braking);
-    free_ = needed_ < period - kRounding;
+    free_ = needed_ < period + kRounding;
     reached_ = !free_ || speeds_up ? needed_ : period;
     corner_ = turns_round && !free_ ? through_zero : reached_;
   }
@@ -54,7 +54,8 @@ class AxisRamp {
       before = apart;
       last = knot;
     }
-    return area + 0.5 * before * period_;
+    // Cut short: until the next command is reached the two stay so far apart, and then close at the limit.
+    return area + 1.5 * before * period_;
   }
 
  private:

@@ -106,7 +106,6 @@ class Shell {
   ros::NodeHandle handle_;       // the planner's namespace
   const tf2_ros::Buffer& tf_;
   costmap_2d::Costmap2DROS& costmap_;
-  HostFrequency host_frequency_;
 
   RobotDescription description_;
   CriticRegistry registry_;
@@ -141,6 +140,7 @@ class Shell {
   // server or load a library.
   CallbackThread thread_;
   CallbackThread odometry_thread_;
+  HostFrequency host_frequency_;
   OdometryInput odometry_;
   OperatorInput person_;
   std::string odom_topic_;  // listened to
