@@ -177,7 +177,9 @@ void Planner::Impl::judge_axis(const Situation& situation, double Twist2::*axis,
   const Reading reading = belief.judge(situation.time, measured, commands.range(axis), tolerance, axis_limits);
   const bool fast = reading == Reading::doubted || reading == Reading::faster;
   const bool as_commanded = reading == Reading::agrees && parameters.velocity_reference == VelocityReference::command;
-  const double start = fast || as_commanded ? decision.reference.*axis : measured;
+  // What the base is taken to have reached lies between what was sent and what is measured.
+  const double reached = std::clamp(decision.reference.*axis, std::min(last, measured), std::max(last, measured));
+  const double start = fast ? last : as_commanded ? reached : measured;
   decision.reference.*axis = axis_limits.start_from(start, last);
   decision.velocity.*axis = reading == Reading::doubted  ? last
                             : reading == Reading::faster ? belief.believed()
@@ -223,6 +225,7 @@ const Situation& Planner::Impl::advance(const Situation& situation) {
   const Rotation heading{std::cos(situation.pose.theta), std::sin(situation.pose.theta)};
   ManoeuvreRoller roller(limits, footprint.circumscribed_radius(), kAdvanceSpacing, {situation.pose, heading});
   roller.roll_past(likely);
+  advanced.plan.reserve(situation.plan.capacity());
   advanced = situation;
   advanced.pose = decision.pose = roller.at().pose;
   return advanced;

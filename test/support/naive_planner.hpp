@@ -68,7 +68,7 @@ class NaivePlanner {
   }
   bool stands_in_collision() const { return stands_in_collision_; }
   /// It chooses what leads out of a collision, not what is cheapest.
-  bool gets_out() const { return escapes() && scene_.intent.influence == Influence::none; }
+  bool gets_out() const { return escapes() && scene_.intent.influence == Influence::none && !scene_.situation.goal_latched; }
   bool doubtful() const { return doubtful_; }
   bool gives_up() const { return scene_.intent.influence == Influence::none && !critics_.on_map(); }
   const std::vector<NaiveCandidate>& candidates() const { return candidates_; }

@@ -180,11 +180,14 @@ class NaiveReference {
     if (explained.fast(measured)) {
       const NaiveBelief belief = beliefs(axis);
       believed_.*axis = belief.sure() ? belief.believed() : last;
+      reference_.*axis = last;
       (belief.sure() ? fast_ : doubted_) = true;
       if (belief.sure()) go_otherwise(axis);
     } else if (!explained.agrees(measured) || p_.velocity_reference == VelocityReference::odometry) {
       reference_.*axis = measured;
       go_otherwise(axis);
+    } else {  // what it has reached is between what was sent and what is measured
+      reference_.*axis = std::max(std::min(last, measured), std::min(reference_.*axis, std::max(last, measured)));
     }
     // No start is beyond both the limits and the last command.
     reference_.*axis = std::min(reference_.*axis, std::max({highest, last, 0.0}));

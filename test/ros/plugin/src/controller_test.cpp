@@ -32,7 +32,11 @@ class ControllerTest : public ::testing::Test {
     geometry_msgs::Twist command;
     const ControllerOutcome outcome = controller_.compute(command, message_);
     if (outcome == ControllerOutcome::success) {
-      largest_change_ = std::max(largest_change_, std::abs(command.linear.x - sent_.linear.x));
+      // A late cycle may brake by as much as since the one before.
+      const ros::Time now = ros::Time::now();
+      const double late = std::max(1.0, ((now - sent_at_).toSec() + 5e-3) / 0.05);
+      largest_change_ = std::max(largest_change_, std::abs(command.linear.x - sent_.linear.x) / late);
+      sent_at_ = now;
       sent_ = command;
       Stage::get().robot.command(command);
     }
@@ -73,6 +77,7 @@ class ControllerTest : public ::testing::Test {
   Controller controller_;
   ros::Time next_;
   geometry_msgs::Twist sent_;
+  ros::Time sent_at_;
   double largest_change_ = 0.0;  // from one sent command to the next [m/s]
   std::string message_;
 };

@@ -212,20 +212,27 @@ bool Host::plan_ahead(double ahead, const std::string& frame) {
   return planner_->setPlan(straight_plan(ahead, frame));
 }
 
+// Between the time of a cycle here and in the planner [s].
+constexpr double kJitter = 2e-3;
+
 Host::Cycle Host::cycle() {
   Stage& stage = Stage::get();
   Cycle cycle;
+  const ros::Time begun = ros::Time::now();
   {
     const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*stage.costmap->getCostmap()->getMutex());
     cycle.success = planner_->computeVelocityCommands(cycle.command);
   }
   stage.robot.command(cycle.success ? cycle.command : geometry_msgs::Twist());
   if (cycle.success && last_.success) {
-    const auto larger = [](double& largest, double a, double b) { largest = std::max(largest, std::abs(a - b)); };
+    // A late cycle may brake by as much as since the one before.
+    const double late = std::max(1.0, ((begun - begun_).toSec() + kJitter) / kPeriod);
+    const auto larger = [late](double& largest, double a, double b) { largest = std::max(largest, std::abs(a - b) / late); };
     larger(largest_change_.linear.x, cycle.command.linear.x, last_.command.linear.x);
     larger(largest_change_.angular.z, cycle.command.angular.z, last_.command.angular.z);
   }
   last_ = cycle;
+  begun_ = begun;
   next_ = std::max(next_ + ros::Duration(kPeriod), ros::Time::now());
   const ros::Duration rest = next_ - ros::Time::now();
   if (rest > ros::Duration(0)) rest.sleep();

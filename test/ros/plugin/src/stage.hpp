@@ -106,6 +106,7 @@ class Host {
   /// Cycles until `done` says so of one; false after `seconds`.
   bool cycle_until(const std::function<bool(const Cycle&)>& done, double seconds);
   /// The largest change from one command to the next [m/s, rad/s], both of successful cycles, so far.
+  /// From one command to the next; where a cycle was late, in the share of a period.
   geometry_msgs::Twist largest_change() const { return largest_change_; }
   /// The newest message about a cycle.
   hidwa_local_planner::Cycle report() const;
@@ -121,6 +122,7 @@ class Host {
   ros::Time next_;
   Cycle last_;
   geometry_msgs::Twist largest_change_;
+  ros::Time begun_;  // the last cycle
 };
 
 /// Waits until `done`; false after `seconds`.
