@@ -213,7 +213,7 @@ bool Host::plan_ahead(double ahead, const std::string& frame) {
 }
 
 // Between the time of a cycle here and in the planner [s].
-constexpr double kJitter = 2e-3;
+constexpr double kJitter = 15e-3;
 
 Host::Cycle Host::cycle() {
   Stage& stage = Stage::get();
