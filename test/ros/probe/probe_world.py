@@ -8,7 +8,7 @@ import rospy
 import tf2_ros
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
-from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
+from move_base_msgs.msg import MoveBaseAction, MoveBaseActionFeedback, MoveBaseGoal
 from nav_msgs.msg import OccupancyGrid
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import String
@@ -77,6 +77,8 @@ class World:
         rospy.Subscriber(PLANNER + "/event", String, self._event, queue_size=None)
         rospy.Subscriber("cmd_vel", Twist, self._command, queue_size=None)
         rospy.Subscriber("move_base/current_goal", PoseStamped, self._goal, queue_size=None)
+        # Not the client's callback: it says nothing of feedback that arrives after the result.
+        rospy.Subscriber("move_base/feedback", MoveBaseActionFeedback, self._feedback, queue_size=None)
         self.client = None
 
     def connect(self):
@@ -85,7 +87,7 @@ class World:
         return self.client.wait_for_server(rospy.Duration(60.0))
 
     def send(self, x, y, w=1.0):
-        return self.client.send_goal(MoveBaseGoal(target_pose=make_pose(x, y, w)), feedback_cb=self._feedback)
+        return self.client.send_goal(MoveBaseGoal(target_pose=make_pose(x, y, w)))
 
     def answer(self, how):
         """Tells the probe how to answer and waits until it heard."""
@@ -148,7 +150,7 @@ class World:
         with self.lock:
             self.goals.append("(%g, %g) in %s" % (point.x, point.y, pose.header.frame_id))
 
-    def _feedback(self, _handle, _feedback):
+    def _feedback(self, _message):
         with self.lock:
             self.feedback += 1
 
