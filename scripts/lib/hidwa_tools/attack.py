@@ -5,28 +5,10 @@ import os
 import subprocess
 import sys
 
-ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
-SPACE = os.environ.get('HIDWA_SPACE', ROOT)
+from .plain_build import CORES, SPACE, BuildError, build
+
 FOLDER = os.path.join(SPACE, 'build', 'attack')
 PROGRAM = os.path.join(FOLDER, 'test', 'attack', 'hidwa_attack')
-CORES = str(os.cpu_count() or 1)
-
-
-class AttackError(Exception):
-    """It could not be built."""
-
-
-def build():
-    """Builds hidwa_attack into FOLDER, a Release without ROS and without the rest of the tests."""
-    os.makedirs(FOLDER, exist_ok=True)
-    log = os.path.join(FOLDER, 'attack.log')
-    commands = (['cmake', '-S', ROOT, '-B', FOLDER, '-DHIDWA_ROS=OFF', '-DHIDWA_TOOLS=OFF', '-DHIDWA_TESTS=ON',
-                 '-DHIDWA_TEST_SUITES=attack', '-DCMAKE_BUILD_TYPE=Release'],
-                ['cmake', '--build', FOLDER, '--target', 'hidwa_attack', '-j', CORES])
-    with open(log, 'w', encoding='utf-8') as out:
-        for command in commands:
-            if subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, check=False).returncode:
-                raise AttackError(f'the build failed; the whole story is in {log}')
 
 
 def program_arguments(options):
@@ -75,11 +57,11 @@ def main(arguments=None):
     try:
         if not options.no_build:
             print('==> building', flush=True)
-            build()
+            build('hidwa_attack', FOLDER, ['-DHIDWA_TOOLS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_TEST_SUITES=attack'])
         os.makedirs(options.out, exist_ok=True)
         command = ['--list'] if options.list else program_arguments(options)
         return subprocess.run([PROGRAM] + command, check=False).returncode
-    except (AttackError, OSError) as fault:
+    except (BuildError, OSError) as fault:
         print(f'scripts/attack: {fault}', file=sys.stderr)
         return 2
 

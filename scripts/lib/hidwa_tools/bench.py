@@ -7,9 +7,8 @@ import subprocess
 import sys
 
 from .bounds import judge
+from .plain_build import ROOT, SPACE, BuildError, build
 
-ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
-SPACE = os.environ.get('HIDWA_SPACE', ROOT)
 FOLDER = os.path.join(SPACE, 'build', 'bench')
 RATIOS = os.path.join(ROOT, 'test', 'benchmark', 'ratios.json')
 FALL = 0.2  # a ratio that fell by more than this part is shown
@@ -17,19 +16,6 @@ FALL = 0.2  # a ratio that fell by more than this part is shown
 
 class BenchError(Exception):
     """Something did not run."""
-
-
-def build():
-    """Builds hidwa_benchmark into FOLDER, a Release without ROS."""
-    os.makedirs(FOLDER, exist_ok=True)
-    log = os.path.join(FOLDER, 'bench.log')
-    commands = (['cmake', '-S', ROOT, '-B', FOLDER, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=OFF', '-DHIDWA_BENCHMARKS=ON',
-                 '-DCMAKE_BUILD_TYPE=Release'],
-                ['cmake', '--build', FOLDER, '--target', 'hidwa_benchmark', '-j', str(os.cpu_count() or 1)])
-    with open(log, 'w', encoding='utf-8') as out:
-        for command in commands:
-            if subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, check=False).returncode:
-                raise BenchError(f'the build failed; the whole story is in {log}')
 
 
 def measure(pattern, quick, path):
@@ -177,10 +163,10 @@ def main(arguments=None):
     try:
         if not options.no_build:
             print('==> building', flush=True)
-            build()
+            build('hidwa_benchmark', FOLDER, ['-DHIDWA_TESTS=OFF', '-DHIDWA_BENCHMARKS=ON'])
         print('==> measuring', flush=True)
         cases = measure(options.filter, options.quick, os.path.abspath(options.json))
-    except (BenchError, OSError) as fault:
+    except (BenchError, BuildError, OSError) as fault:
         print(f'scripts/bench: {fault}', file=sys.stderr)
         return 2
     found = ratios(cases)
