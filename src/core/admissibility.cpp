@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hidwa_local_planner/core/cell_classes.hpp"
+#include "hidwa_local_planner/core/late_cycles.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -39,6 +40,16 @@ constexpr double kHoldsApart = 0.5;
 constexpr double kRoom = 2.0;
 
 }  // namespace
+
+double AdmissibilityCheck::reach_of_manoeuvres(const Setup& setup, const VelocityLimits& limits, double fastest) {
+  const double hold = latest_hold(setup.period, setup.longest_period);
+  double reach = 0.0;
+  for (std::size_t way = 0; way < setup.pending->all(); ++way) {
+    const BrakeManoeuvre manoeuvre{setup.origin, (*setup.pending)[way], {fastest, 0.0}, setup.period, hold};
+    reach = std::max(reach, manoeuvre.reach(limits));
+  }
+  return reach;
+}
 
 double AdmissibilityCheck::most_growth(const Setup& setup, const VelocityLimits& limits, double radius, double reach) {
   // One ramp and one tail: no way to them is farther off than half of what the limits allow in a period.
@@ -236,18 +247,12 @@ BrakeManoeuvre AdmissibilityCheck::manoeuvre(std::size_t way, const Twist2& comm
   return {setup_.origin, (*setup_.pending)[way], command, setup_.period, hold};
 }
 
-// The next command may be late, and the one after it: as long as each asks for what could be braked since the one before,
-// all of that together delays the braking by no more than the latest of them.
-double AdmissibilityCheck::longest_hold() const { return 2.0 * std::max(0.0, setup_.longest_period - setup_.period); }
+double AdmissibilityCheck::longest_hold() const { return latest_hold(setup_.period, setup_.longest_period); }
 
 // No command reaches farther than the one that speeds up.
 bool AdmissibilityCheck::nothing_in_reach() const {
   const double speed = std::abs(setup_.reference.v) + limits_->x.acc * setup_.period;
-  const double fastest = std::max(setup_.pending->fastest(), speed);
-  double reach = 0.0;
-  for (std::size_t way = 0; way < setup_.pending->all(); ++way) {
-    reach = std::max(reach, manoeuvre(way, {fastest, 0.0}, longest_hold()).reach(*limits_));
-  }
+  double reach = reach_of_manoeuvres(setup_, *limits_, std::max(setup_.pending->fastest(), speed));
   reach += most_growth(setup_, *limits_, footprint_->circumscribed_radius(), reach);
   return checker_->clear_around(setup_.origin.x, setup_.origin.y, reach);
 }

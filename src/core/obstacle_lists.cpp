@@ -20,28 +20,19 @@ constexpr std::size_t kPad = 4;
 // Cells in all lists of a usual cycle: room that is taken once.
 constexpr std::size_t kUsualCells = 16384;
 
-// An outline's sides and its box's.
-constexpr std::size_t kUsualPlanes = 64;
-
-struct Planes {
-  const double* normal_x;
-  const double* normal_y;
-  const double* offset;
-  std::size_t count;
-};
-
-// The smallest over all points of how far it lies beyond the plane that it lies farthest beyond. Two convex shapes share
-// area unless a side of one of them has the other beyond it.
+// The smallest over all points of how far it lies beyond the plane that it lies farthest beyond.
 HIDWA_VECTOR_CLONES
-double least_beyond(const Planes& planes, const double* x, const double* y, std::size_t count, double enough) {
+double least_beyond(const OutlinePlanes& planes, const double* x, const double* y, std::size_t count, double enough) {
+  const double *normal_x = planes.normal_x(), *normal_y = planes.normal_y(), *offset = planes.offset();
+  const std::size_t sides = planes.count();
   Four least = Four{} + enough;
   for (std::size_t first = 0; first < count; first += kPad) {
     Four px, py;
     std::memcpy(&px, x + first, sizeof(px));
     std::memcpy(&py, y + first, sizeof(py));
     Four most = Four{} - std::numeric_limits<double>::infinity();
-    for (std::size_t m = 0; m < planes.count; ++m) {
-      const Four beyond = px * planes.normal_x[m] + py * planes.normal_y[m] - planes.offset[m];
+    for (std::size_t m = 0; m < sides; ++m) {
+      const Four beyond = px * normal_x[m] + py * normal_y[m] - offset[m];
       most = most < beyond ? beyond : most;
     }
     least = most < least ? most : least;
@@ -74,7 +65,7 @@ void ObstacleLists::prepare(const Window& window) {
   y_.clear();
   x_.reserve(kUsualCells);
   y_.reserve(kUsualCells);
-  for (std::vector<double>* values : {&normal_x_, &normal_y_, &offset_}) values->reserve(kUsualPlanes);
+  planes_.reserve();
 }
 
 void ObstacleLists::move_to(double corner_x, double corner_y) {
@@ -129,29 +120,9 @@ double ObstacleLists::smallest_gap(int i, int j, const Pose2& pose, const Rotati
 double ObstacleLists::gap_of_polygon(const Span& span, const Pose2& pose, const Rotation& heading,
                                      const Footprint& outline, double cap) {
   if (span.solid == 0) return cap;
-  double lo_x = std::numeric_limits<double>::infinity(), lo_y = lo_x, hi_x = -lo_x, hi_y = -lo_x;
-  for (const Point& p : outline.outline()) {
-    const double x = heading.c * p.x() - heading.s * p.y(), y = heading.s * p.x() + heading.c * p.y();
-    lo_x = std::min(lo_x, x);
-    hi_x = std::max(hi_x, x);
-    lo_y = std::min(lo_y, y);
-    hi_y = std::max(hi_y, y);
-  }
-  const double half = 0.5 * window_.resolution;
   // Lists count from the window's corner: small numbers, little rounding.
-  const double from_x = pose.x - window_.corner_x, from_y = pose.y - window_.corner_y;
-  normal_x_.assign({1.0, -1.0, 0.0, 0.0});
-  normal_y_.assign({0.0, 0.0, 1.0, -1.0});
-  offset_.assign({from_x + hi_x + half, half - lo_x - from_x, from_y + hi_y + half, half - lo_y - from_y});
-  for (const Footprint::Side& side : outline.sides()) {
-    const double x = heading.c * side.normal.x() - heading.s * side.normal.y();
-    const double y = heading.s * side.normal.x() + heading.c * side.normal.y();
-    normal_x_.push_back(x);
-    normal_y_.push_back(y);
-    offset_.push_back(side.offset + half * (std::abs(x) + std::abs(y)) + x * from_x + y * from_y);
-  }
-  const Planes planes{normal_x_.data(), normal_y_.data(), offset_.data(), offset_.size()};
-  return least_beyond(planes, x_.data() + span.first, y_.data() + span.first, span.solid, cap);
+  planes_.turn(outline, {pose.x - window_.corner_x, pose.y - window_.corner_y, pose.theta}, heading, 0.5 * window_.resolution);
+  return least_beyond(planes_, x_.data() + span.first, y_.data() + span.first, span.solid, cap);
 }
 
 double ObstacleLists::gap_of_circle(const Span& span, const Pose2& pose, double radius, double cap) const {

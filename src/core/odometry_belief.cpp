@@ -22,12 +22,12 @@ bool faster_than_explained(double measured, const Interval& explained, double to
   return measured < std::min(explained.lo, 0.0) - tolerance || measured > std::max(explained.hi, 0.0) + tolerance;
 }
 
-Reading AxisBelief::judge(double now, double measured, const Interval& explained, double tolerance,
+OdometryReading AxisBelief::judge(double now, double measured, const Interval& explained, double tolerance,
                           const AxisLimits& axis) {
   if (!faster_than_explained(measured, explained, tolerance)) {
     forget();
     const bool agrees = measured >= explained.lo - tolerance && measured <= explained.hi + tolerance;
-    return agrees ? Reading::agrees : Reading::slower;
+    return agrees ? OdometryReading::agrees : OdometryReading::slower;
   }
   const auto follows = [&](double before, double time) {
     const double change = tolerance + std::max(axis.acc, axis.braking) * std::max(now - time, 0.0);
@@ -45,7 +45,7 @@ Reading AxisBelief::judge(double now, double measured, const Interval& explained
     believed_ = measured;
     believed_time_ = now;
   }
-  return sure_ ? Reading::faster : Reading::doubted;
+  return sure_ ? OdometryReading::faster : OdometryReading::doubted;
 }
 
 }  // namespace hidwa_local_planner

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hidwa_local_planner/core/late_cycles.hpp"
 #include "hidwa_local_planner/core/safe_values.hpp"
 
 namespace hidwa_local_planner {
@@ -174,19 +175,19 @@ void Planner::Impl::judge_axis(const Situation& situation, double Twist2::*axis,
   const double last = commands.last().*axis;
   const double measured = plausible(situation.velocity) ? situation.velocity.*axis : last;
   const double tolerance = reading_tolerance(parameters, commands.last()).*axis;
-  const Reading reading = belief.judge(situation.time, measured, commands.range(axis), tolerance, axis_limits);
-  const bool fast = reading == Reading::doubted || reading == Reading::faster;
-  const bool as_commanded = reading == Reading::agrees && parameters.velocity_reference == VelocityReference::command;
+  const OdometryReading reading = belief.judge(situation.time, measured, commands.range(axis), tolerance, axis_limits);
+  const bool fast = reading == OdometryReading::doubted || reading == OdometryReading::faster;
+  const bool as_commanded = reading == OdometryReading::agrees && parameters.velocity_reference == VelocityReference::command;
   // What the base is taken to have reached lies between what was sent and what is measured.
   const double reached = std::clamp(decision.reference.*axis, std::min(last, measured), std::max(last, measured));
   const double start = fast ? last : as_commanded ? reached : measured;
   decision.reference.*axis = axis_limits.start_from(start, last);
-  decision.velocity.*axis = reading == Reading::doubted  ? last
-                            : reading == Reading::faster ? belief.believed()
+  decision.velocity.*axis = reading == OdometryReading::doubted  ? last
+                            : reading == OdometryReading::faster ? belief.believed()
                                                          : measured;
-  decision.odometry_doubted = decision.odometry_doubted || reading == Reading::doubted;
-  decision.odometry_fast = decision.odometry_fast || reading == Reading::faster;
-  const bool otherwise = reading == Reading::slower || reading == Reading::faster || (!fast && !as_commanded);
+  decision.odometry_doubted = decision.odometry_doubted || reading == OdometryReading::doubted;
+  decision.odometry_fast = decision.odometry_fast || reading == OdometryReading::faster;
+  const bool otherwise = reading == OdometryReading::slower || reading == OdometryReading::faster || (!fast && !as_commanded);
   if (otherwise) pending.or_else(axis, decision.velocity.*axis);
 }
 
@@ -272,7 +273,7 @@ void Planner::Impl::clear_decision() {
 
 // A late cycle brakes by what could have been braked since the one before: otherwise all late cycles would add way.
 double Planner::Impl::brake_period(const Situation& situation) const {
-  return std::max(usable_period(situation), std::min(commands.elapsed(), longest_period(situation)));
+  return late_brake_period(commands.elapsed(), usable_period(situation), longest_period(situation));
 }
 
 // What braking starts from: odometry may lag behind a command that brakes already, and must not take that back.

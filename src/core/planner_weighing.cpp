@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "hidwa_local_planner/core/late_cycles.hpp"
 #include "planner_impl.hpp"
 
 namespace hidwa_local_planner {
@@ -25,7 +26,7 @@ double lowest_of(const double* values, std::size_t count) {
 // Makes, checks and scores all candidates.
 CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid, const Sampling& sampling) {
   escape.look(parameters, limits, grid, footprint, {situation.pose, decision.reference, situation.period,
-                                                     2.0 * (longest_period(situation) - situation.period)});
+                                                     latest_hold(situation.period, longest_period(situation))});
   make_candidates(situation, sampling);
   prepare_checks(situation, grid);
   grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
@@ -81,12 +82,8 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
                                         &pending,         situation.period, longest_period(situation),
                                         !steered && way_out.active(), steered,
                                         escape.applies() ? &escape : nullptr};
-  const double longest = std::max(pending.fastest(), rollout.fastest());
-  double manoeuvres = 0.0;
-  for (std::size_t way = 0; way < pending.all(); ++way) {
-    const double hold = 2.0 * (setup.longest_period - setup.period);
-    manoeuvres = std::max(manoeuvres, BrakeManoeuvre{origin, pending[way], {longest, 0.0}, setup.period, hold}.reach(limits));
-  }
+  const double fastest = std::max(pending.fastest(), rollout.fastest());
+  const double manoeuvres = AdmissibilityCheck::reach_of_manoeuvres(setup, limits, fastest);
   const double radius = footprint.circumscribed_radius();
   const double growth = AdmissibilityCheck::most_growth(setup, limits, radius, manoeuvres);
   // Nothing lies beyond the map's edge but more of it.

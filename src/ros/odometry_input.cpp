@@ -52,9 +52,10 @@ std::optional<Twist2> OdometryInput::settled(double now, double timeout, const P
   for (std::size_t i = count > kReadings ? count - kReadings : 0; i < count; ++i) {
     const Newest& reading = readings[i % kReadings];
     const auto judge = [&](double Twist2::*axis, AxisBelief& own, const AxisLimits& axis_limits) {
-      const ::hidwa_local_planner::Reading said = own.judge(reading.received, (*reading.velocity).*axis, {}, tolerance.*axis, axis_limits);
-      settled.*axis = said == ::hidwa_local_planner::Reading::faster ? own.believed() : (*reading.velocity).*axis;
-      return said != ::hidwa_local_planner::Reading::doubted;
+      const OdometryReading said =
+          own.judge(reading.received, (*reading.velocity).*axis, {}, tolerance.*axis, axis_limits);
+      settled.*axis = said == OdometryReading::faster ? own.believed() : (*reading.velocity).*axis;
+      return said != OdometryReading::doubted;
     };
     const bool v = judge(&Twist2::v, belief.v, limits.x);
     agreed = judge(&Twist2::omega, belief.omega, limits.theta) && v;

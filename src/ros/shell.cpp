@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/shell.hpp"
 
-#include <algorithm>
 #include <sstream>
 #include <utility>
 
+#include "hidwa_local_planner/core/late_cycles.hpp"
 #include "hidwa_local_planner/core/safe_values.hpp"
 #include "hidwa_local_planner/core/words.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
@@ -179,7 +179,7 @@ double Shell::control_period() const {
 
 double Shell::brake_period() const {
   const double period = control_period();
-  return std::clamp(interval_, period, clock_.longest_period(period));
+  return late_brake_period(interval_, period, clock_.longest_period(period));
 }
 
 double Shell::cycle_budget() const {

@@ -31,6 +31,8 @@ class AdmissibilityCheck {
     bool steered = false;   // by a person
     EscapeRule* escape = nullptr;  // where it applies
   };
+  /// How far the robot's centre gets at most in any manoeuvre of a command up to `fastest` [m/s], without the growth [m].
+  static double reach_of_manoeuvres(const Setup& setup, const VelocityLimits& limits, double fastest);
   /// How far at most a robot with this reach can be from where a manoeuvre is rolled out [m], see ManoeuvreRoller::growth().
   static double most_growth(const Setup& setup, const VelocityLimits& limits, double radius, double reach);
   /// Once a cycle; `checker` must be prepared (EscapeRule::rest() where that applies) and everything must outlive the

@@ -18,8 +18,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
 
 #include "hidwa_local_planner/core/command_ramp.hpp"
 #include "hidwa_local_planner/core/rotation.hpp"
@@ -206,9 +206,5 @@ class ManoeuvreRoller {
   Twist2 spread_;                           // so far [m, rad]
   bool turned_ = false, forward_ = false, backward_ = false;  // it moved so
 };
-
-/// The poses of a manoeuvre after its start, see ManoeuvreRoller.
-void roll_out(const BrakeManoeuvre& manoeuvre, const VelocityLimits& limits, double radius, double spacing,
-              std::vector<Pose2>& poses);
 
 }  // namespace hidwa_local_planner

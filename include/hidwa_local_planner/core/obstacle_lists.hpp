@@ -8,6 +8,7 @@
 #include "hidwa_local_planner/core/bit_grid.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/outline_planes.hpp"
 #include "hidwa_local_planner/core/rotation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
@@ -50,8 +51,7 @@ class ObstacleLists {
   std::vector<int> solid_reach_, core_reach_;  // columns by row, see disc_reach()
   std::vector<Span> spans_;                    // of the window's cells
   std::vector<double> x_, y_;                  // centres of the cells in all lists, from the window's corner [m]
-  // An outline's sides and those of its box, turned: n . p - offset is how far p lies beyond one.
-  std::vector<double> normal_x_, normal_y_, offset_;
+  OutlinePlanes planes_;
 };
 
 /// How many columns away a cell in a row `dy` rows away can be and still be nearer than `radius`, by rows, when each of

@@ -8,7 +8,7 @@
 namespace hidwa_local_planner {
 
 /// What a reading of one axis of odometry is to a cycle.
-enum class Reading {
+enum class OdometryReading {
   agrees,   // with the commands
   slower,   // than they explain: always believed, a wall or a hardware stop may hold the robot
   doubted,  // faster than they explain, or the other way: a fault, until it has agreed with itself for some time
@@ -24,7 +24,7 @@ class AxisBelief {
 
   /// `explained`: what the commands explain; `tolerance` [unit/s] beyond it still agrees. `axis`: how fast a velocity may
   /// change.
-  Reading judge(double now, double measured, const Interval& explained, double tolerance, const AxisLimits& axis);
+  OdometryReading judge(double now, double measured, const Interval& explained, double tolerance, const AxisLimits& axis);
   bool sure() const { return sure_; }
   /// The velocity that is believed where judge() said `faster` [unit/s].
   double believed() const { return believed_; }

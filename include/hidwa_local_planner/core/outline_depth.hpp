@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
+#include <cstddef>
 
 #include "hidwa_local_planner/core/footprint.hpp"
+#include "hidwa_local_planner/core/outline_planes.hpp"
 #include "hidwa_local_planner/core/rotation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
@@ -34,7 +35,6 @@ class OutlineDepth {
 
  private:
   void make_hull();
-  void turn_planes(const Pose2& pose, const Rotation& heading);
   void drop_untouched(const Pose2& pose, const Rotation& heading, const double* x, const double* y, std::size_t count,
                       double* depth);
   double in_circle(double dx, double dy) const;
@@ -44,8 +44,7 @@ class OutlineDepth {
   Footprint hull_;       // of an outline that is not convex
   Polygon hull_from_;    // what it was made of
   const Footprint* convex_ = nullptr;
-  // The sides of outline and cells, turned: n . p - offset is how far a cell's centre p lies beyond one.
-  std::vector<double> normal_x_, normal_y_, offset_;
+  OutlinePlanes planes_;
   Polygon corners_;  // of an outline that is not convex, placed
 };
 

@@ -26,7 +26,11 @@ VelocityLimits limits(double braking_x, double braking_theta) {
 std::vector<Pose2> poses(const BrakeManoeuvre& m, const VelocityLimits& l, double radius = 0.3,
                          double spacing = 0.025) {
   std::vector<Pose2> out;
-  roll_out(m, l, radius, spacing, out);
+  ManoeuvreRoller roller(l, radius, spacing, {m.start, {std::cos(m.start.theta), std::sin(m.start.theta)}});
+  roller.roll(m, [&out](const TurnedPose& at) {
+    out.push_back(at.pose);
+    return true;
+  });
   return out;
 }
 

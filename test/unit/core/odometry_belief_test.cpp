@@ -19,14 +19,14 @@ const AxisLimits kAxis{-0.2, 0.5, 2.5, 2.5};          // [m/s, m/s^2]
 class Axis {
  public:
   explicit Axis(const Interval& explained = {0.0, 0.0}) : explained_(explained) {}
-  Reading read(double measured) {
+  OdometryReading read(double measured) {
     time_ += kPeriod;
     return belief_.judge(time_, measured, explained_, kTolerance, kAxis);
   }
   void pause(double seconds) { time_ += seconds; }
   // So often, and what the last one was taken for.
-  Reading read(double measured, int times) {
-    Reading reading = Reading::agrees;
+  OdometryReading read(double measured, int times) {
+    OdometryReading reading = OdometryReading::agrees;
     for (int k = 0; k < times; ++k) reading = read(measured);
     return reading;
   }
@@ -41,45 +41,45 @@ class Axis {
 
 TEST(OdometryBelief, WithinTheToleranceItAgrees) {
   Axis axis({0.1, 0.4});
-  EXPECT_EQ(axis.read(-0.09), Reading::agrees);
-  EXPECT_EQ(axis.read(0.25), Reading::agrees);
-  EXPECT_EQ(axis.read(0.59), Reading::agrees);
+  EXPECT_EQ(axis.read(-0.09), OdometryReading::agrees);
+  EXPECT_EQ(axis.read(0.25), OdometryReading::agrees);
+  EXPECT_EQ(axis.read(0.59), OdometryReading::agrees);
 }
 
 TEST(OdometryBelief, SlowerIsBelievedAtOnce) {
   Axis forward({0.3, 0.5});
-  EXPECT_EQ(forward.read(0.09), Reading::slower);
-  EXPECT_EQ(forward.read(0.0), Reading::slower);
-  EXPECT_EQ(forward.read(-0.19), Reading::slower);  // at rest, within the tolerance
+  EXPECT_EQ(forward.read(0.09), OdometryReading::slower);
+  EXPECT_EQ(forward.read(0.0), OdometryReading::slower);
+  EXPECT_EQ(forward.read(-0.19), OdometryReading::slower);  // at rest, within the tolerance
   Axis backward({-0.5, -0.3});
-  EXPECT_EQ(backward.read(-0.09), Reading::slower);
-  EXPECT_EQ(backward.read(0.19), Reading::slower);
+  EXPECT_EQ(backward.read(-0.09), OdometryReading::slower);
+  EXPECT_EQ(backward.read(0.19), OdometryReading::slower);
 }
 
 TEST(OdometryBelief, FasterOrTheOtherWayIsDoubted) {
   Axis forward({0.3, 0.5});
-  EXPECT_EQ(forward.read(0.71), Reading::doubted);   // 0.5 + 0.21
-  EXPECT_EQ(Axis({0.3, 0.5}).read(-0.21), Reading::doubted);
-  EXPECT_EQ(Axis({-0.5, -0.3}).read(-0.71), Reading::doubted);
-  EXPECT_EQ(Axis({-0.5, -0.3}).read(0.21), Reading::doubted);
-  EXPECT_EQ(Axis().read(5.0), Reading::doubted);
+  EXPECT_EQ(forward.read(0.71), OdometryReading::doubted);   // 0.5 + 0.21
+  EXPECT_EQ(Axis({0.3, 0.5}).read(-0.21), OdometryReading::doubted);
+  EXPECT_EQ(Axis({-0.5, -0.3}).read(-0.71), OdometryReading::doubted);
+  EXPECT_EQ(Axis({-0.5, -0.3}).read(0.21), OdometryReading::doubted);
+  EXPECT_EQ(Axis().read(5.0), OdometryReading::doubted);
   EXPECT_FALSE(forward.belief().sure());
 }
 
 TEST(OdometryBelief, AnOutlierChangesNothing) {
   Axis axis({0.3, 0.5});
-  EXPECT_EQ(axis.read(0.4), Reading::agrees);
-  EXPECT_EQ(axis.read(5.0), Reading::doubted);
-  EXPECT_EQ(axis.read(0.4), Reading::agrees);
+  EXPECT_EQ(axis.read(0.4), OdometryReading::agrees);
+  EXPECT_EQ(axis.read(5.0), OdometryReading::doubted);
+  EXPECT_EQ(axis.read(0.4), OdometryReading::agrees);
   // Nor do many, one at a time.
-  for (int k = 0; k < 40; ++k) EXPECT_EQ(axis.read(k % 2 > 0 ? 5.0 : 0.4), k % 2 > 0 ? Reading::doubted : Reading::agrees);
+  for (int k = 0; k < 40; ++k) EXPECT_EQ(axis.read(k % 2 > 0 ? 5.0 : 0.4), k % 2 > 0 ? OdometryReading::doubted : OdometryReading::agrees);
 }
 
 TEST(OdometryBelief, WhatAgreesWithItselfForThreeTenthsOfASecondIsBelieved) {
   Axis axis;
-  for (int k = 0; k < 6; ++k) EXPECT_EQ(axis.read(0.8), Reading::doubted) << k;  // 0 to 0.25 s
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(axis.read(0.8), OdometryReading::doubted) << k;  // 0 to 0.25 s
   axis.pause(0.001);                                                             // rounding: 0.3 s and a bit
-  EXPECT_EQ(axis.read(0.8), Reading::faster);
+  EXPECT_EQ(axis.read(0.8), OdometryReading::faster);
   EXPECT_TRUE(axis.belief().sure());
   EXPECT_EQ(axis.belief().believed(), 0.8);
 }
@@ -87,49 +87,49 @@ TEST(OdometryBelief, WhatAgreesWithItselfForThreeTenthsOfASecondIsBelieved) {
 TEST(OdometryBelief, ItMayChangeAsFastAsARobotCan) {
   Axis rolling;  // 0.3 m/s a reading: less than 0.325
   for (int k = 1; k <= 7; ++k) rolling.read(0.3 * k);
-  EXPECT_EQ(rolling.read(2.4), Reading::faster);
+  EXPECT_EQ(rolling.read(2.4), OdometryReading::faster);
   EXPECT_EQ(rolling.belief().believed(), 2.4);
   Axis jumping;  // 0.35 m/s a reading
-  for (int k = 1; k <= 20; ++k) EXPECT_EQ(jumping.read(0.35 * k), Reading::doubted);
+  for (int k = 1; k <= 20; ++k) EXPECT_EQ(jumping.read(0.35 * k), OdometryReading::doubted);
 }
 
 TEST(OdometryBelief, FaultsThatDisagreeAreNeverBelieved) {
   Axis axis;
-  for (int k = 0; k < 40; ++k) EXPECT_EQ(axis.read(k % 2 > 0 ? 5.0 : -3.0), Reading::doubted);
+  for (int k = 0; k < 40; ++k) EXPECT_EQ(axis.read(k % 2 > 0 ? 5.0 : -3.0), OdometryReading::doubted);
 }
 
 TEST(OdometryBelief, AnOutlierAmongBelievedOnesLeavesWhatWasBelieved) {
   Axis axis;
   axis.read(0.8, 8);
-  EXPECT_EQ(axis.read(9.0), Reading::faster);
+  EXPECT_EQ(axis.read(9.0), OdometryReading::faster);
   EXPECT_EQ(axis.belief().believed(), 0.8);
-  EXPECT_EQ(axis.read(0.85), Reading::faster);  // goes on at once
+  EXPECT_EQ(axis.read(0.85), OdometryReading::faster);  // goes on at once
   EXPECT_EQ(axis.belief().believed(), 0.85);
 }
 
 TEST(OdometryBelief, WhatWasBelievedHoldsForThreeTenthsOfASecond) {
   Axis axis;
   axis.read(0.8, 8);
-  for (int k = 1; k <= 5; ++k) EXPECT_EQ(axis.read(k % 2 > 0 ? 9.0 : -9.0), Reading::faster) << k;  // up to 0.25 s
+  for (int k = 1; k <= 5; ++k) EXPECT_EQ(axis.read(k % 2 > 0 ? 9.0 : -9.0), OdometryReading::faster) << k;  // up to 0.25 s
   axis.pause(0.001);
-  EXPECT_EQ(axis.read(9.0), Reading::doubted);
+  EXPECT_EQ(axis.read(9.0), OdometryReading::doubted);
   EXPECT_FALSE(axis.belief().sure());
 }
 
 TEST(OdometryBelief, OneThatAgreesWithTheCommandsEndsIt) {
   Axis axis;
   axis.read(0.8, 8);
-  EXPECT_EQ(axis.read(0.1), Reading::agrees);
+  EXPECT_EQ(axis.read(0.1), OdometryReading::agrees);
   EXPECT_FALSE(axis.belief().sure());
-  EXPECT_EQ(axis.read(0.8), Reading::doubted);
+  EXPECT_EQ(axis.read(0.8), OdometryReading::doubted);
 }
 
 TEST(OdometryBelief, TimeThatGoesBackBeginsAnew) {
   Axis axis;
   axis.read(0.8, 8);
   axis.pause(-50.0);
-  EXPECT_EQ(axis.read(0.8), Reading::doubted);
-  EXPECT_EQ(axis.read(0.8, 6), Reading::faster);
+  EXPECT_EQ(axis.read(0.8), OdometryReading::doubted);
+  EXPECT_EQ(axis.read(0.8, 6), OdometryReading::faster);
 }
 
 TEST(OdometryBelief, SavedAndLoadedItGoesOn) {
@@ -142,8 +142,8 @@ TEST(OdometryBelief, SavedAndLoadedItGoesOn) {
   ArchiveReader read(bytes);
   read(loaded);
   EXPECT_TRUE(read.complete());
-  EXPECT_EQ(loaded.judge(axis.time() + 0.05, 0.8, {}, kTolerance, kAxis), Reading::doubted);
-  EXPECT_EQ(loaded.judge(axis.time() + 0.11, 0.8, {}, kTolerance, kAxis), Reading::faster);  // since 4 * 0.05 + 0.11 s
+  EXPECT_EQ(loaded.judge(axis.time() + 0.05, 0.8, {}, kTolerance, kAxis), OdometryReading::doubted);
+  EXPECT_EQ(loaded.judge(axis.time() + 0.11, 0.8, {}, kTolerance, kAxis), OdometryReading::faster);  // since 4 * 0.05 + 0.11 s
 }
 
 TEST(ReadingTolerance, InsideTheDeadBandARobotStands) {
