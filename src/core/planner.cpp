@@ -209,7 +209,7 @@ void Planner::Impl::find_reference(const Situation& situation) {
   judge_axis(situation, &Twist2::v, limits.x, odometry.v);
   judge_axis(situation, &Twist2::omega, limits.theta, odometry.omega);
   // A base may be quicker than control_latency says.
-  if (latency <= 0.0 || as_commanded.steady()) return;
+  if (latency <= 0.0 || as_commanded.at_rest()) return;
   const auto ways = std::min(std::ceil(latency / period), static_cast<double>(PendingMotion::kMostUnlikely));
   for (double way = 0.0; way < ways; way += 1.0) {
     UnderWay& prompt = pending.add_unlikely();

@@ -105,7 +105,10 @@ inline std::vector<NaiveLeg> naive_brake_legs(const Parameters& p, double period
       return Twist2{naive_braking(sent.x(), fast.v, t), naive_braking(sent.theta(), fast.omega, t)};
     };
     NaiveLeg leg{at(stops[k - 1]), at(stops[k]), stops[k] - stops[k - 1], {}};
-    if (k == 1) leg.spread = {naive_tail_spread(sent.x(), fast.v), naive_tail_spread(sent.theta(), fast.omega)};
+    // The last command to brake comes when a period's worth is left, half a period before the tail.
+    const auto comes = [&](double tail) { return stops[k] > tail - period / 2 && (k == 1 || stops[k - 1] <= tail - period / 2); };
+    if (comes(naive_tail_begins(sent.x(), fast.v))) leg.spread.v = naive_tail_spread(sent.x(), fast.v);
+    if (comes(naive_tail_begins(sent.theta(), fast.omega))) leg.spread.omega = naive_tail_spread(sent.theta(), fast.omega);
     legs.push_back(leg);
   }
   return legs;

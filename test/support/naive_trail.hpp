@@ -16,8 +16,8 @@ struct NaiveTrailPose {
   double growth = 0.0;
 };
 
-/// Follows legs. With s the way, ds and dtheta what the ways to the commands differ by, all so far, and r the robot's radius:
-/// growth = ds + (r + s) dtheta; none while it goes straight on in one direction.
+/// Follows legs. With ds and dtheta what the ways to the commands differ by so far, and r the robot's radius:
+/// growth = ds + r dtheta + the integral of dtheta over the way; none while it goes straight on in one direction.
 class NaiveTrail {
  public:
   NaiveTrail(const Pose2& start, double radius) : q_(start), radius_(radius) {}
@@ -42,7 +42,7 @@ class NaiveTrail {
   const Pose2& pose() const { return q_; }
   double growth() const {
     const bool off_its_line = turn_ > 0.0 || spread_.omega > 0.0 || (forward_ && backward_);
-    return off_its_line ? spread_.v + (radius_ + way_) * spread_.omega : 0.0;
+    return off_its_line ? spread_.v + radius_ * spread_.omega + aside_ : 0.0;
   }
 
  private:
@@ -52,14 +52,14 @@ class NaiveTrail {
     q_.x += v * std::cos(q_.theta + omega * dt / 2) * dt;
     q_.y += v * std::sin(q_.theta + omega * dt / 2) * dt;
     q_.theta += omega * dt;
-    way_ += std::abs(v) * dt;
+    aside_ += spread_.omega * std::abs(v) * dt;
     turn_ += std::abs(omega) * dt;
   }
 
   Pose2 q_;
   double radius_;
   Twist2 spread_;
-  double way_ = 0.0, turn_ = 0.0;  // [m, rad]
+  double aside_ = 0.0, turn_ = 0.0;  // [m, rad]
   bool forward_ = false, backward_ = false;
 };
 
@@ -86,12 +86,9 @@ struct NaiveOutlook {
     }
     return other;
   }
-  /// One velocity all the time.
-  bool steady() const {
-    const Twist2 last = end();
-    const auto same = [&](const Twist2& u) { return std::abs(u.v - last.v) + std::abs(u.omega - last.omega) < 1e-12; };
-    const auto all_same = [&](const NaiveLeg& leg) { return same(leg.from) && same(leg.to); };
-    return std::all_of(past.begin(), past.end(), all_same) && std::all_of(pending.begin(), pending.end(), all_same);
+  bool at_rest() const {
+    const auto rests = [](const NaiveLeg& leg) { return leg.from == Twist2{} && leg.to == Twist2{}; };
+    return end() == Twist2{} && std::all_of(past.begin(), past.end(), rests) && std::all_of(pending.begin(), pending.end(), rests);
   }
   double reach(double radius) const {  // [m]
     double way = 0.0;

@@ -8,11 +8,12 @@
 //
 // A base may reach every command in its own way between two ends (AxisRamp). Let p_n, theta_n be the motion that is rolled
 // out and p, theta any other, and let
-//   ds = integral of |v - v_n|,  dtheta = integral of |omega - omega_n|,  s = integral of |v_n|.
-// Compared at equal times, |p - p_n| <= ds + integral of |v_n| |theta - theta_n| <= ds + s dtheta. A point of the robot at
-// radius r moves by r times the difference of headings more. So no point of it is farther from where the rolled-out motion
-// has it than
-//   growth = ds + (r + s) dtheta.
+//   ds = integral of |v - v_n|,  dtheta = integral of |omega - omega_n|.
+// Compared at equal times, |theta - theta_n| <= dtheta and |p - p_n| <= ds + integral of |v_n| |theta - theta_n|. A point of
+// the robot at radius r moves by r times the difference of headings more. So no point of it is farther from where the
+// rolled-out motion has it than
+//   growth = ds + r dtheta + integral of |v_n| dtheta.
+// The ways to a command part when it takes effect, those to rest when less than a period's worth of braking is left.
 // While nothing has turned and v has not changed its sign, the other motion is on the same line, only behind, since v_n is the
 // farthest: an earlier pose is the same, and the growth is 0. So it is at rest.
 #pragma once
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "hidwa_local_planner/core/command_ramp.hpp"
 #include "hidwa_local_planner/core/rotation.hpp"
@@ -128,7 +130,7 @@ class ManoeuvreRoller {
   /// How far a point within the radius may be from where some pose so far has it [m].
   double growth() const {
     const bool straight = !turned_ && spread_.omega <= 0.0 && !(forward_ && backward_);
-    return straight ? 0.0 : spread_.v + (radius_ + way_) * spread_.omega;
+    return straight ? 0.0 : spread_.v + radius_ * spread_.omega + sideways_;
   }
 
  private:
@@ -153,15 +155,23 @@ class ManoeuvreRoller {
     double steady, rest;    // until when at its limit, and until it rests [s]
   };
 
+  // From `begin` [s] on the last command to brake may be carried out in its own way.
+  struct Tail {
+    double begin, spread;
+    double parts_until(double end) { return end > begin ? std::exchange(spread, 0.0) : 0.0; }
+  };
+
   // Each axis at its own limit: one of them may rest before the other.
   template <typename Visit>
   bool roll_brake(double period, Visit&& visit) {
     const AxisBrake v(limits_->x, u_.v, period), omega(limits_->theta, u_.omega, period);
-    part({tail_spread(limits_->x, u_.v, period), tail_spread(limits_->theta, u_.omega, period)});
+    Tail tail_v{v.steady - 0.5 * period, tail_spread(limits_->x, u_.v, period)};
+    Tail tail_omega{omega.steady - 0.5 * period, tail_spread(limits_->theta, u_.omega, period)};
     std::array<double, 4> corners{v.steady, v.rest, omega.steady, omega.rest};
     std::sort(corners.begin(), corners.end());
     double from = 0.0;
     for (const double corner : corners) {
+      part({tail_v.parts_until(corner), tail_omega.parts_until(corner)});
       if (!stretch({v.at(corner), omega.at(corner)}, corner - from, visit)) return false;
       from = corner;
     }
@@ -191,7 +201,7 @@ class ManoeuvreRoller {
       at_.pose.y += v * direction.s * dt;
       at_.pose.theta += turn;
       at_.heading = direction.turned(half);
-      way_ += std::abs(v) * dt;
+      sideways_ += std::abs(v) * dt * spread_.omega;
       turned_ = turned_ || turn != 0.0;
       if (!visit(static_cast<const TurnedPose&>(at_))) return false;
     }
@@ -202,8 +212,8 @@ class ManoeuvreRoller {
   double radius_, spacing_;
   TurnedPose at_;
   Twist2 u_;
-  double way_ = 0.0;                        // so far [m]
-  Twist2 spread_;                           // so far [m, rad]
+  Twist2 spread_;                                             // so far [m, rad]
+  double sideways_ = 0.0;                                     // what a way in another direction leads off [m]
   bool turned_ = false, forward_ = false, backward_ = false;  // it moved so
 };
 

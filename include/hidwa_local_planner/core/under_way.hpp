@@ -64,9 +64,9 @@ class UnderWay {
     }
   }
 
-  /// One velocity all the time.
-  bool steady() const {
-    return std::all_of(legs_.begin(), legs_.end(), [this](const Leg& leg) { return leg.end == begin_; });
+  /// All the time.
+  bool at_rest() const {
+    return begin_ == Twist2{} && std::all_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.end == Twist2{}; });
   }
   const Twist2& begin() const { return begin_; }
   const Twist2& end() const { return legs_.empty() ? begin_ : legs_.back().end; }
