@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -102,6 +103,8 @@ int attack(const std::vector<const Condition*>& conditions, const Options& optio
   extent.seconds = static_cast<int>(whole(options, "--seconds", 20, 1));
   extent.first_seed = static_cast<std::uint64_t>(whole(options, "--first-seed", 1, 0));
   extent.threads = static_cast<int>(whole(options, "--jobs", 1, 1));
+  const auto out = options.find("--out");
+  if (out != options.end()) std::filesystem::create_directories(out->second);
   std::vector<Summary> summaries;
   std::string drives = drives_head(), repeats;
   int status = 0;
@@ -117,7 +120,6 @@ int attack(const std::vector<const Condition*>& conditions, const Options& optio
     if (summary.promised && !summary.held()) status = 1;
   }
   if (!repeats.empty()) std::printf("\nthe worst of each, alone:\n%s", repeats.c_str());
-  const auto out = options.find("--out");
   if (out == options.end()) return status;
   write(out->second + "/summary.json", as_json(summaries, extent.seconds));
   write(out->second + "/drives.csv", drives);
