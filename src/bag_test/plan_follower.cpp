@@ -25,8 +25,7 @@ namespace {
 
 class PlanFollower {
  public:
-  PlanFollower()
-      : loader_("nav_core", "nav_core::BaseLocalPlanner"), listener_(tf_), costmap_("local_costmap", tf_) {
+  PlanFollower() : loader_("nav_core", "nav_core::BaseLocalPlanner"), listener_(tf_), costmap_("local_costmap", tf_) {
     const auto name = ros::param::param<std::string>("~base_local_planner", "hidwa_local_planner/HIDWAPlannerROS");
     planner_ = loader_.createInstance(name);
     planner_->initialize(loader_.getName(name), &tf_, &costmap_);

@@ -84,7 +84,8 @@ void AdmissibilityCheck::prepare(const Parameters& parameters, const VelocityLim
   margin_ = checker.margin();
   rooms_.clear(footprint.circumscribed_radius(), 0.5 * resolution);
   all_clear_ = nothing_in_reach();
-  keep_ = all_clear_ ? 0.0 : std::max(0.0, checker.separation(setup.start, start_.heading, checker.room()) - kSameDistance);
+  keep_ =
+      all_clear_ ? 0.0 : std::max(0.0, checker.separation(setup.start, start_.heading, checker.room()) - kSameDistance);
 }
 
 Twist2 AdmissibilityCheck::command_for(const Twist2& sample) const {
@@ -133,8 +134,8 @@ bool AdmissibilityCheck::rollout_free(const Tile& tile, std::size_t c) {
   double room = room_at(tile, c, 0);
   const std::uint8_t* classes = tile.classes != nullptr ? tile.classes + c : nullptr;
   for (std::size_t k = 0; k < tile.steps;) {
-    if (classes != nullptr &&
-        ((classes[k * tile.stride] | classes[(k + 1) * tile.stride]) & cell_class::kNear) == 0) {  // so is what lies between, whatever the heading
+    if (classes != nullptr && ((classes[k * tile.stride] | classes[(k + 1) * tile.stride]) & cell_class::kNear) ==
+                                  0) {  // so is what lies between, whatever the heading
       room = margin_;
       ++k;
       continue;
@@ -215,8 +216,8 @@ bool AdmissibilityCheck::can_brake(const Twist2& sample, std::size_t column) {
   }
   memo.command = command;
   memo.known = true;
-  memo.free = (all_clear_ || manoeuvre_free(command)) &&
-              !(escaping() && manoeuvre_deeper(command, kDepthSpacing, sinkings_));
+  memo.free =
+      (all_clear_ || manoeuvre_free(command)) && !(escaping() && manoeuvre_deeper(command, kDepthSpacing, sinkings_));
   return memo.free;
 }
 
@@ -258,12 +259,10 @@ bool AdmissibilityCheck::nothing_in_reach() const {
 }
 
 // A sixteenth of a cell; nearer where the robot hardly moves, since half of it is asked for as distance.
-double AdmissibilityCheck::fine_spacing(double way) const {
-  return std::clamp(way / 8.0, kFinest, resolution_ / 16.0);
-}
+double AdmissibilityCheck::fine_spacing(double way) const { return std::clamp(way / 8.0, kFinest, resolution_ / 16.0); }
 
-// `look` tells how much room a pose has, where more than a distance is asked for; what is left of it is enough for the next
-// poses.
+// `look` tells how much room a pose has, where more than a distance is asked for; what is left of it is enough for the
+// next poses.
 template <typename Look>
 bool AdmissibilityCheck::free_all_along(const BrakeManoeuvre& manoeuvre, bool surely, Arrival& arrival,
                                         Look&& look) const {
@@ -280,7 +279,8 @@ bool AdmissibilityCheck::free_all_along(const BrakeManoeuvre& manoeuvre, bool su
   };
   if (!arrival.roller) {
     const Pose2& origin = manoeuvre.start;
-    arrival.roller.emplace(*limits_, radius, resolution_, TurnedPose{origin, {std::cos(origin.theta), std::sin(origin.theta)}});
+    arrival.roller.emplace(*limits_, radius, resolution_,
+                           TurnedPose{origin, {std::cos(origin.theta), std::sin(origin.theta)}});
     arrival.room = 0.0;
     const double spacing = surely ? fine_spacing(manoeuvre.under_way.reach(radius)) : 0.5 * resolution_;
     arrival.free = roll(*arrival.roller, spacing, arrival.room, [&](ManoeuvreRoller& roller, auto&& visit) {
@@ -291,12 +291,12 @@ bool AdmissibilityCheck::free_all_along(const BrakeManoeuvre& manoeuvre, bool su
   double room = arrival.room;
   ManoeuvreRoller rest = *arrival.roller;
   const double spacing = surely ? fine_spacing(manoeuvre.reach(*limits_, radius)) : 0.5 * resolution_;
-  return roll(rest, spacing, room, [&](ManoeuvreRoller& roller, auto&& visit) {
-    return roller.roll_to_rest(manoeuvre, visit);
-  });
+  return roll(rest, spacing, room,
+              [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_to_rest(manoeuvre, visit); });
 }
 
-// In every way that what is pending may go on, and whether the command to brake comes after a period or as late as it may.
+// In every way that what is pending may go on, and whether the command to brake comes after a period or as late as it
+// may.
 template <typename Look>
 bool AdmissibilityCheck::free_in_time(const Twist2& command, bool surely, Arrivals& arrivals, Look&& look) const {
   const double latest = longest_hold();

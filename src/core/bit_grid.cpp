@@ -55,9 +55,9 @@ void BitGrid::unpack(std::uint64_t bits, std::uint8_t* flags) {
 bool BitGrid::any(int j, int i0, int i1) const {
   for (int i = i0; i <= i1; i = (i | 63) + 1) {
     const int last = std::min(i1, i | 63);
-    const std::uint64_t upto = (last & 63) == 63 ? ~std::uint64_t{0} : (std::uint64_t{1} << ((last & 63) + 1)) - 1;
+    const std::uint64_t up_to = (last & 63) == 63 ? ~std::uint64_t{0} : (std::uint64_t{1} << ((last & 63) + 1)) - 1;
     const std::uint64_t from = ~std::uint64_t{0} << (i & 63);
-    if ((words_[word(i, j)] & upto & from) != 0) return true;
+    if ((words_[word(i, j)] & up_to & from) != 0) return true;
   }
   return false;
 }
@@ -111,8 +111,8 @@ void BitGrid::find_edges(BitGrid& out) const {
       if (j > 0 && j + 1 < height_) {
         const std::uint64_t before = w > first ? words_[w - 1] >> 63 : 0;
         const std::uint64_t after = w + 1 < first + row_words_ ? words_[w + 1] << 63 : 0;
-        surrounded = ((words_[w] << 1) | before) & ((words_[w] >> 1) | after) & words_[w - row_words_] &
-                     words_[w + row_words_];
+        surrounded =
+            ((words_[w] << 1) | before) & ((words_[w] >> 1) | after) & words_[w - row_words_] & words_[w + row_words_];
       }
       out.words_[w] = words_[w] & ~surrounded;
     }

@@ -16,7 +16,8 @@ class Player {
  public:
   Player(const Twist2& u, UnderWay& under_way) : u_(u), under_way_(under_way) { under_way_.begin(u); }
 
-  // The velocity changes evenly to `u` at `time` [s], from the last corner on; before the beginning it has done so already.
+  // The velocity changes evenly to `u` at `time` [s], from the last corner on; before the beginning it has done so
+  // already.
   void corner(double time, const Twist2& u) {
     if (time <= kSameTime) {
       at_ = std::min(time, 0.0);
@@ -108,7 +109,8 @@ Twist2 CommandHistory::next_start(const VelocityLimits& limits, double period, c
   if (sent_.empty()) return reached;
   const Sent& newest = sent_.back();
   const CommandRamp ramp(limits, newest.from, newest.command, period);
-  return {ramp.v().in_time() ? newest.command.v : reached.v, ramp.omega().in_time() ? newest.command.omega : reached.omega};
+  return {ramp.v().in_time() ? newest.command.v : reached.v,
+          ramp.omega().in_time() ? newest.command.omega : reached.omega};
 }
 
 void CommandHistory::play(const VelocityLimits& limits, double period, double latency, double age,

@@ -14,9 +14,8 @@ double cross(const Point& a, const Point& b, const Point& c) {
 
 Polygon convex_hull(Polygon points) {
   constexpr double kStraight = 1e-9;  // twice the area of a corner that is none [m^2]
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
+  std::sort(points.begin(), points.end(),
+            [](const Point& a, const Point& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 2) return points;
   Polygon hull;
@@ -24,8 +23,7 @@ Polygon convex_hull(Polygon points) {
   for (int side = 0; side < 2; ++side) {
     const std::size_t begin = hull.size();
     for (const Point& point : points) {
-      while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= kStraight)
-        hull.pop_back();
+      while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= kStraight) hull.pop_back();
       hull.push_back(point);
     }
     hull.pop_back();  // where the other side begins

@@ -36,7 +36,8 @@ void DistanceGrids::prepare(const GridView& grid, MapGridDistance distance) {
 
 void DistanceGrids::set_interest(const kernel::CellBox& box) {
   const int lo_i = std::clamp(box.i, 0, grid_.size_x - 1), hi_i = std::clamp(box.i + box.width, lo_i + 1, grid_.size_x);
-  const int lo_j = std::clamp(box.j, 0, grid_.size_y - 1), hi_j = std::clamp(box.j + box.height, lo_j + 1, grid_.size_y);
+  const int lo_j = std::clamp(box.j, 0, grid_.size_y - 1),
+            hi_j = std::clamp(box.j + box.height, lo_j + 1, grid_.size_y);
   interest_ = {lo_i, lo_j, hi_i - lo_i, hi_j - lo_j};
   settled_ = false;
 }

@@ -169,8 +169,8 @@ bool DistanceSweep::update(int row, int from, bool anyhow) {
   const bool took = take_from(units_.data() + at({0, from}), mask_.data() + first, units_.data() + first, taken_.data(),
                               count, steps_.straight, steps_.diagonal);
   if (!took && !anyhow) return false;
-  run_along(taken_.data(), mask_.data() + first, rightward_.data(), leftward_.data(),
-            static_cast<std::size_t>(width_), steps_.straight);
+  run_along(taken_.data(), mask_.data() + first, rightward_.data(), leftward_.data(), static_cast<std::size_t>(width_),
+            steps_.straight);
   return keep_smaller(rightward_.data(), leftward_.data(), units_.data() + first, count);
 }
 

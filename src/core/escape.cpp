@@ -130,7 +130,8 @@ void EscapeRule::list_members() {
     x_.push_back(centre.x() - start_.pose.x);
     y_.push_back(centre.y() - start_.pose.y);
   }
-  for (std::vector<double>* values : {&x_, &y_, &depths_}) values->resize(OutlineDepth::padded(heaps_.members().size()));
+  for (std::vector<double>* values : {&x_, &y_, &depths_})
+    values->resize(OutlineDepth::padded(heaps_.members().size()));
   Descent descent{std::numeric_limits<double>::infinity(), 0.0};
   descends({start_.pose, {std::cos(start_.pose.theta), std::sin(start_.pose.theta)}}, Ahead::rollout, descent);
   start_total_ = descent.total;

@@ -18,9 +18,8 @@ Twist2 brake_step(const Twist2& command, const Parameters& parameters, double pe
           towards_zero(command.omega, parameters.braking_theta() * period)};
 }
 
-FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& velocity,
-                                      const Twist2& last_command, const Parameters& parameters,
-                                      double period) {
+FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& velocity, const Twist2& last_command,
+                                      const Parameters& parameters, double period) {
   if (!since_ || now < *since_) since_ = now;
   bool moving = !(last_command == Twist2{});
   if (velocity) {

@@ -62,7 +62,8 @@ Point meeting(const Point& corner, const Point& one, const Point& other, double 
 // The corner moved, of an outline that goes left around itself (around = 1) or right (-1). Where it is sharper than 60
 // degrees its sides would meet more than twice the padding away: a third side across it, that far from it as the others
 // from theirs, cuts the tip off.
-void append_moved(const Point& before, const Point& here, const Point& after, double around, double padding, Polygon& moved) {
+void append_moved(const Point& before, const Point& here, const Point& after, double around, double padding,
+                  Polygon& moved) {
   constexpr double kSharpest = -0.5;  // the normals' scalar product where the sides are 60 degrees apart
   const Point in = (here - before).normalized(), out = (after - here).normalized();
   const Point one = -around * Point(-in.y(), in.x()), other = -around * Point(-out.y(), out.x());
@@ -189,8 +190,10 @@ Footprint Footprint::padded(double padding) const {
 }
 
 const char* Footprint::fault_of_corners() const {
-  if (!std::all_of(outline_.begin(), outline_.end(), is_finite_point)) return "a corner of the footprint is not a number";
-  if (circumscribed_ > kFarthestCorner) return "the footprint reaches more than 20 m from the robot's centre: give it in metres";
+  if (!std::all_of(outline_.begin(), outline_.end(), is_finite_point))
+    return "a corner of the footprint is not a number";
+  if (circumscribed_ > kFarthestCorner)
+    return "the footprint reaches more than 20 m from the robot's centre: give it in metres";
   return nullptr;
 }
 

@@ -16,8 +16,7 @@ bool GoalChecker::plan_arrives(double now, double period) {
   return paused;
 }
 
-bool GoalChecker::update(const Pose2& robot, const Twist2& velocity, const Pose2& goal,
-                         const Parameters& parameters) {
+bool GoalChecker::update(const Pose2& robot, const Twist2& velocity, const Pose2& goal, const Parameters& parameters) {
   const double left = distance(robot, goal);
   const double tolerance = parameters.xy_goal_tolerance;
   latched_ = left <= tolerance || (latched_ && left <= tolerance + goal_margin(parameters));

@@ -60,7 +60,8 @@ void ObstacleLists::prepare(const Window& window) {
   window_ = window;
   disc_reach(window.solid_reach, window.resolution, 1, solid_reach_);
   disc_reach(window.core_reach, window.resolution, 1, core_reach_);
-  spans_.assign(static_cast<std::size_t>(window.solid->width()) * static_cast<std::size_t>(window.solid->height()), Span{});
+  spans_.assign(static_cast<std::size_t>(window.solid->width()) * static_cast<std::size_t>(window.solid->height()),
+                Span{});
   x_.clear();
   y_.clear();
   x_.reserve(kUsualCells);
@@ -121,7 +122,8 @@ double ObstacleLists::gap_of_polygon(const Span& span, const Pose2& pose, const 
                                      const Footprint& outline, double cap) {
   if (span.solid == 0) return cap;
   // Lists count from the window's corner: small numbers, little rounding.
-  planes_.turn(outline, {pose.x - window_.corner_x, pose.y - window_.corner_y, pose.theta}, heading, 0.5 * window_.resolution);
+  planes_.turn(outline, {pose.x - window_.corner_x, pose.y - window_.corner_y, pose.theta}, heading,
+               0.5 * window_.resolution);
   return least_beyond(planes_, x_.data() + span.first, y_.data() + span.first, span.solid, cap);
 }
 

@@ -23,7 +23,7 @@ bool faster_than_explained(double measured, const Interval& explained, double to
 }
 
 OdometryReading AxisBelief::judge(double now, double measured, const Interval& explained, double tolerance,
-                          const AxisLimits& axis) {
+                                  const AxisLimits& axis) {
   if (!faster_than_explained(measured, explained, tolerance)) {
     forget();
     const bool agrees = measured >= explained.lo - tolerance && measured <= explained.hi + tolerance;

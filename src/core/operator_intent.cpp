@@ -5,13 +5,20 @@ namespace hidwa_local_planner {
 
 const char* to_string(OperatorStateId state) {
   switch (state) {
-    case OperatorStateId::autonomy: return "AUTONOMY";
-    case OperatorStateId::shared: return "SHARED";
-    case OperatorStateId::hold: return "HOLD";
-    case OperatorStateId::manual: return "MANUAL";
-    case OperatorStateId::stopped: return "STOPPED";
-    case OperatorStateId::lost: return "LOST";
-    case OperatorStateId::blocked: return "BLOCKED";
+    case OperatorStateId::autonomy:
+      return "AUTONOMY";
+    case OperatorStateId::shared:
+      return "SHARED";
+    case OperatorStateId::hold:
+      return "HOLD";
+    case OperatorStateId::manual:
+      return "MANUAL";
+    case OperatorStateId::stopped:
+      return "STOPPED";
+    case OperatorStateId::lost:
+      return "LOST";
+    case OperatorStateId::blocked:
+      return "BLOCKED";
   }
   return "UNKNOWN";
 }

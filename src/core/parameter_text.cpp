@@ -86,9 +86,9 @@ std::vector<std::string> set_lines(Parameters& parameters, const std::string& li
   std::istringstream stream(lines);
   for (std::string line; std::getline(stream, line);) {
     const std::size_t equals = line.find('=');
-    const std::string fault = equals == std::string::npos
-                                  ? "'" + line + "' is not of the form name=value"
-                                  : set_parameter_text(parameters, line.substr(0, equals), unescaped(line.substr(equals + 1)));
+    const std::string fault = equals == std::string::npos ? "'" + line + "' is not of the form name=value"
+                                                          : set_parameter_text(parameters, line.substr(0, equals),
+                                                                               unescaped(line.substr(equals + 1)));
     if (!fault.empty()) faults.push_back(fault);
   }
   return faults;

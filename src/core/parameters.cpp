@@ -96,7 +96,7 @@ std::vector<ParameterInfo> make_table() {
 #define HIDWA_BOOL(name, value, tab, text) table.push_back({#name, "bool", bool{value}, 0, 0, "", tab, text, {}});
 #define HIDWA_STRING(name, value, tab, text) \
   table.push_back({#name, "str", std::string(value), 0, 0, "", tab, text, {}});
-#define HIDWA_ENUM(Type, name, value, names, tab, text)                                                      \
+#define HIDWA_ENUM(Type, name, value, names, tab, text)                                                         \
   table.push_back({#name, "enum", enum_name(static_cast<std::size_t>(Type::value), names), 0, 0, "", tab, text, \
                    split(names, '|')});
 #include "hidwa_local_planner/core/parameter_list.inc"

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSearchAhead = 2.0;
 
 struct Projection {
-  double arc = 0.0;       // [m]
+  double arc = 0.0;        // [m]
   double distance2 = 0.0;  // [m^2]
 };
 

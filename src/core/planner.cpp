@@ -22,11 +22,11 @@ constexpr double kCaught = 1.0;
 constexpr double kCreeps = 0.25;
 
 // Beyond these a number is no measurement but a fault: no robot this planner serves is so fast or so far away.
-constexpr double kFastest = 20.0;         // [m/s]
-constexpr double kFastestTurn = 50.0;     // [rad/s]
-constexpr double kFarthest = 1e6;         // [m, rad]
+constexpr double kFastest = 20.0;      // [m/s]
+constexpr double kFastestTurn = 50.0;  // [rad/s]
+constexpr double kFarthest = 1e6;      // [m, rad]
 
-constexpr double kOldestPose = 10.0;      // [s]
+constexpr double kOldestPose = 10.0;  // [s]
 
 bool plausible(const Twist2& u) { return std::abs(u.v) <= kFastest && std::abs(u.omega) <= kFastestTurn; }
 bool plausible(const Pose2& q) {
@@ -49,10 +49,14 @@ class NoParameters : public ParameterSource {
 
 const char* to_string(Outcome outcome) {
   switch (outcome) {
-    case Outcome::drive: return "DRIVE";
-    case Outcome::brake: return "BRAKE";
-    case Outcome::fail: return "FAIL";
-    case Outcome::hold: return "HOLD";
+    case Outcome::drive:
+      return "DRIVE";
+    case Outcome::brake:
+      return "BRAKE";
+    case Outcome::fail:
+      return "FAIL";
+    case Outcome::hold:
+      return "HOLD";
   }
   return "UNKNOWN";
 }
@@ -85,7 +89,8 @@ std::vector<std::string> Planner::configure(const Parameters& parameters, const 
   for (const std::string& name : names) {
     const auto kept = std::find_if(impl_->critics.begin(), impl_->critics.end(),
                                    [&](const NamedCritic& c) { return c.name == name; });
-    const bool twice = std::any_of(critics.begin(), critics.end(), [&](const NamedCritic& c) { return c.name == name; });
+    const bool twice =
+        std::any_of(critics.begin(), critics.end(), [&](const NamedCritic& c) { return c.name == name; });
     NamedCritic named;
     named.name = name;
     named.critic = kept != impl_->critics.end() && !twice ? kept->critic : impl_->registry.make(name);
@@ -177,17 +182,19 @@ void Planner::Impl::judge_axis(const Situation& situation, double Twist2::*axis,
   const double tolerance = reading_tolerance(parameters, commands.last()).*axis;
   const OdometryReading reading = belief.judge(situation.time, measured, commands.range(axis), tolerance, axis_limits);
   const bool fast = reading == OdometryReading::doubted || reading == OdometryReading::faster;
-  const bool as_commanded = reading == OdometryReading::agrees && parameters.velocity_reference == VelocityReference::command;
+  const bool as_commanded =
+      reading == OdometryReading::agrees && parameters.velocity_reference == VelocityReference::command;
   // What the base is taken to have reached lies between what was sent and what is measured.
   const double reached = std::clamp(decision.reference.*axis, std::min(last, measured), std::max(last, measured));
   const double start = fast ? last : as_commanded ? reached : measured;
   decision.reference.*axis = axis_limits.start_from(start, last);
   decision.velocity.*axis = reading == OdometryReading::doubted  ? last
                             : reading == OdometryReading::faster ? belief.believed()
-                                                         : measured;
+                                                                 : measured;
   decision.odometry_doubted = decision.odometry_doubted || reading == OdometryReading::doubted;
   decision.odometry_fast = decision.odometry_fast || reading == OdometryReading::faster;
-  const bool otherwise = reading == OdometryReading::slower || reading == OdometryReading::faster || (!fast && !as_commanded);
+  const bool otherwise =
+      reading == OdometryReading::slower || reading == OdometryReading::faster || (!fast && !as_commanded);
   if (otherwise) pending.or_else(axis, decision.velocity.*axis);
 }
 
@@ -314,8 +321,8 @@ const Decision& Planner::Impl::drive(const Situation& situation, const GridView&
   const bool autonomous = !steered && !situation.goal_latched;
   if (!autonomous) way_out.reset();
   const bool turning_out = way_out.active();
-  int best = !autonomous ? -1
-                         : way_out.choose({situation, grid, rollout, totals, collision, admissibility, escape, grids});
+  int best =
+      !autonomous ? -1 : way_out.choose({situation, grid, rollout, totals, collision, admissibility, escape, grids});
   report = {best >= 0 ? ChoiceReport::Rule::way_out : ChoiceReport::Rule::cheapest, wish, steered};
   // In a collision only the way out is worth turning for.
   if (best < 0 && !(admissibility.escaping() && turning_out)) best = choose(situation);
@@ -375,7 +382,8 @@ void Planner::Impl::watch_collision(const Situation& situation) {
   }
   decision.outcome = Outcome::fail;
   decision.problem_kind = Problem::refused;
-  decision.problem = "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared";
+  decision.problem =
+      "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared";
 }
 
 // Autonomy that prefers standing still to every legal move is stuck. It looks for a way out; where there is none it

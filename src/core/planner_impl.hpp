@@ -85,35 +85,35 @@ struct Planner::Impl {
   Rollout rollout;
   CollisionChecker collision;
   CellClasses classes;
-  EndCells ends;                          // of the tile that is being scored
+  EndCells ends;  // of the tile that is being scored
   EscapeRule escape;
   AdmissibilityCheck admissibility;
   PlanGrids grids;
-  std::vector<double> totals;             // [candidates]; infinite where refused
-  std::vector<std::uint8_t> refused_by;   // [candidates]
-  std::vector<const char*> reasons;       // [candidates]
-  std::vector<std::vector<double>> raw;   // [critics][candidates]
+  std::vector<double> totals;                 // [candidates]; infinite where refused
+  std::vector<std::uint8_t> refused_by;       // [candidates]
+  std::vector<const char*> reasons;           // [candidates]
+  std::vector<std::vector<double>> raw;       // [critics][candidates]
   std::vector<kernel::WeighedScores> scored;  // of the tile, by the critics that have scored any candidate ...
   std::size_t scored_count = 0;               // ... so many
-  std::vector<Queued> queue;              // see choose_next()
-  std::vector<std::uint32_t> equals;      // candidates, see choose_next()
-  std::vector<TileCheck> checks;          // [tiles]
-  std::vector<const char*> found;         // [candidates of a tile] while it is checked
-  double reach = 0.0;                     // of all rollouts and manoeuvres [m]
-  OperatorIntent intent;                  // of the last cycle
-  bool steered = false;                   // in this pass the deviation from `wish` counts
-  Twist2 wish;                            // u_h, or with authority below 1 what is blended of it and of autonomy
+  std::vector<Queued> queue;                  // see choose_next()
+  std::vector<std::uint32_t> equals;          // candidates, see choose_next()
+  std::vector<TileCheck> checks;              // [tiles]
+  std::vector<const char*> found;             // [candidates of a tile] while it is checked
+  double reach = 0.0;                         // of all rollouts and manoeuvres [m]
+  OperatorIntent intent;                      // of the last cycle
+  bool steered = false;                       // in this pass the deviation from `wish` counts
+  Twist2 wish;                                // u_h, or with authority below 1 what is blended of it and of autonomy
   Decision decision;
   Marked marked;
   CommandHistory commands;
   OdometryBelief odometry;
-  Pose2 origin;                           // of what is pending: the pose as it was measured
-  PendingMotion pending;                  // until this cycle's command takes effect
-  Situation advanced;                     // the cycle's, with the pose of now
+  Pose2 origin;           // of what is pending: the pose as it was measured
+  PendingMotion pending;  // until this cycle's command takes effect
+  Situation advanced;     // the cycle's, with the pose of now
   WayOut way_out;
-  Lasting caught;                         // in collision, and no motion leads out
-  Lasting unturned;                       // at the goal's position it stands at another heading
-  bool unturned_reset = false;            // the critics were reset for that
+  Lasting caught;               // in collision, and no motion leads out
+  Lasting unturned;             // at the goal's position it stands at another heading
+  bool unturned_reset = false;  // the critics were reset for that
   bool thorough = false;
   std::vector<CandidateVerdict> verdicts;  // of the last cycle, where thorough
   ChoiceReport report;

@@ -25,8 +25,9 @@ double lowest_of(const double* values, std::size_t count) {
 
 // Makes, checks and scores all candidates.
 CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid, const Sampling& sampling) {
-  escape.look(parameters, limits, grid, footprint, {situation.pose, decision.reference, situation.period,
-                                                     latest_hold(situation.period, longest_period(situation))});
+  escape.look(
+      parameters, limits, grid, footprint,
+      {situation.pose, decision.reference, situation.period, latest_hold(situation.period, longest_period(situation))});
   make_candidates(situation, sampling);
   prepare_checks(situation, grid);
   grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
@@ -78,9 +79,14 @@ void Planner::Impl::make_candidates(const Situation& situation, const Sampling& 
 }
 
 void Planner::Impl::prepare_checks(const Situation& situation, const GridView& grid) {
-  const AdmissibilityCheck::Setup setup{situation.pose,   origin,           decision.reference,
-                                        &pending,         situation.period, longest_period(situation),
-                                        !steered && way_out.active(), steered,
+  const AdmissibilityCheck::Setup setup{situation.pose,
+                                        origin,
+                                        decision.reference,
+                                        &pending,
+                                        situation.period,
+                                        longest_period(situation),
+                                        !steered && way_out.active(),
+                                        steered,
                                         escape.applies() ? &escape : nullptr};
   const double fastest = std::max(pending.fastest(), rollout.fastest());
   const double manoeuvres = AdmissibilityCheck::reach_of_manoeuvres(setup, limits, fastest);
@@ -95,7 +101,8 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
   collision.prepare(grid, footprint, parameters.unknown_is_obstacle, situation.pose, reach, margin, room);
   classes.prepare(collision, grid, parameters.unknown_is_obstacle, situation.pose, reach);
   if (escape.applies()) escape.prepare(reach, margin);
-  admissibility.prepare(parameters, limits, escape.applies() ? escape.rest() : collision, footprint, grid.resolution, setup);
+  admissibility.prepare(parameters, limits, escape.applies() ? escape.rest() : collision, footprint, grid.resolution,
+                        setup);
   decision.escaping = admissibility.escaping();
 }
 

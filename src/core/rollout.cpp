@@ -39,8 +39,8 @@ std::pair<double, double> speeds(const std::vector<Sample>& samples, double wher
 
 // Nav2's number: neither the distance nor the turn between two poses exceeds its granularity.
 std::size_t Rollout::Settings::steps(double v, double omega) const {
-  const double number = std::ceil(std::max(std::abs(v) * sim_time / linear_granularity,
-                                           std::abs(omega) * sim_time / angular_granularity));
+  const double number = std::ceil(
+      std::max(std::abs(v) * sim_time / linear_granularity, std::abs(omega) * sim_time / angular_granularity));
   return static_cast<std::size_t>(std::max(1.0, number));
 }
 
@@ -78,8 +78,8 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
     // hardly does, so all candidates of one omega share the largest number.
     const bool as_before = i > 0 && !brake && !settings_.euler && samples[i - 1].u.omega == sample.u.omega &&
                            samples[i - 1].kind == SampleKind::grid;
-    std::size_t steps = as_before ? tiles_.back().steps
-                                  : settings_.steps(settings_.euler ? sample.u.v : fastest_, sample.u.omega);
+    std::size_t steps =
+        as_before ? tiles_.back().steps : settings_.steps(settings_.euler ? sample.u.v : fastest_, sample.u.omega);
     // A brake candidate turns and drives on at first: its steps are those of the fastest.
     if (brake) steps = std::max(steps, settings_.steps(fastest_, 0.0));
     const bool same_turn = !tiles_.empty() && tiles_.back().omega == sample.u.omega && tiles_.back().steps == steps &&

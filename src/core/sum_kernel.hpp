@@ -16,7 +16,7 @@ struct Deviation {
   const double* v = nullptr;  // [count] the samples' [m/s]; null where nobody steers
   double wanted_v = 0.0;      // [m/s]
   double s_v = 0.0;
-  double of_turn = 0.0;       // the tile's omega weighs so much
+  double of_turn = 0.0;  // the tile's omega weighs so much
 };
 
 /// totals[c] = s_nv * (sum of weight * raw[c], critic by critic) + s_v * |wanted_v - v[c]| + of_turn.

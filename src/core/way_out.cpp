@@ -43,7 +43,8 @@ double heading_off_plan(const Situation& situation) {
     if (distance(situation.plan[i], situation.pose) < distance(situation.plan[nearest], situation.pose)) nearest = i;
   }
   std::size_t ahead = nearest;
-  while (ahead + 1 < situation.plan.size() && distance(situation.plan[ahead], situation.pose) < kDirectionAhead) ++ahead;
+  while (ahead + 1 < situation.plan.size() && distance(situation.plan[ahead], situation.pose) < kDirectionAhead)
+    ++ahead;
   const Pose2& target = situation.plan[ahead];
   if (distance(target, situation.pose) < 1e-6) return 0.0;
   return wrap_angle(std::atan2(target.y - situation.pose.y, target.x - situation.pose.x) - situation.pose.theta);
@@ -190,7 +191,8 @@ bool WayOut::leads_on(const Scene& scene, double heading) const {
   for (int part = 1; part <= kParts; ++part) {
     const double way = length * part / kParts;
     const Pose2 on_way{pose.x + way * rotation.c, pose.y + way * rotation.s, heading};
-    if (scene.collision.separation(on_way, rotation, scene.grid.resolution) < scene.grid.resolution / 16.0) return false;
+    if (scene.collision.separation(on_way, rotation, scene.grid.resolution) < scene.grid.resolution / 16.0)
+      return false;
   }
   return true;
 }

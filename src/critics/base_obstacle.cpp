@@ -33,12 +33,14 @@ void BaseObstacleCritic::score(const CycleView& cycle, const Tile& tile, TileSco
   std::fill_n(raw, tile.count, 0.0);
   for (std::size_t first = 0; first < tile.count; first += kernel::kMostPoints) {
     const std::size_t count = std::min(kernel::kMostPoints, tile.count - first);
-    for (std::size_t k = 0; sum_scores_ && k <= tile.steps; ++k) add_costs(*cycle.grid, tile, k, first, count, raw + first);
+    for (std::size_t k = 0; sum_scores_ && k <= tile.steps; ++k)
+      add_costs(*cycle.grid, tile, k, first, count, raw + first);
     if (!sum_scores_) add_last_costs(cycle, tile, first, count, raw + first);
   }
   if (!refuses_ || (tile.touched_any & cell_class::kBlocked) == 0) return;
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (!scores.refused(c) && hits(*cycle.grid, tile, c)) scores.refuse(c, "centre hits an obstacle or its inscribed cells");
+    if (!scores.refused(c) && hits(*cycle.grid, tile, c))
+      scores.refuse(c, "centre hits an obstacle or its inscribed cells");
   }
 }
 
@@ -56,7 +58,8 @@ void BaseObstacleCritic::add_costs(const GridView& grid, const Tile& tile, std::
 // Likewise in the last step, where other critics look too.
 void BaseObstacleCritic::add_last_costs(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
                                         double* sum) const {
-  if (tile.ends == nullptr || cycle.grids == nullptr) return add_costs(*cycle.grid, tile, tile.steps, first, count, sum);
+  if (tile.ends == nullptr || cycle.grids == nullptr)
+    return add_costs(*cycle.grid, tile, tile.steps, first, count, sum);
   const kernel::CellBox& box = cycle.grids->interest();
   const EndCells::Cells ends = tile.ends->of(*cycle.grid, box, tile, 0.0);
   for (std::size_t c = 0; c < count; ++c) {

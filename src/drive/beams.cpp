@@ -44,8 +44,7 @@ void visit_line(Cell from, Cell to, double longest, Visit visit) {
 
 }  // namespace
 
-void project(const std::vector<float>& ranges, const sim::LaserSpec& laser, const sim::Pose& sensor,
-             Beams& beams) {
+void project(const std::vector<float>& ranges, const sim::LaserSpec& laser, const sim::Pose& sensor, Beams& beams) {
   constexpr double kJustInside = 1e-4;  // [m]
   beams.origin = {sensor.x, sensor.y};
   beams.ends.clear();
@@ -72,8 +71,7 @@ void clear_along(const Beams& beams, double range, RollingGrid& grid) {
     const Point last = beams.origin + part * (end - beams.origin);
     const Cell cell = view.cell_at(last.x(), last.y());
     const Cell to{std::clamp(cell.i, 0, grid.cells() - 1), std::clamp(cell.j, 0, grid.cells() - 1)};
-    visit_line(origin, to, range / grid.resolution(),
-               [&grid](int i, int j) { grid.row(j)[i] = cost::kFree; });
+    visit_line(origin, to, range / grid.resolution(), [&grid](int i, int j) { grid.row(j)[i] = cost::kFree; });
   }
 }
 
@@ -103,8 +101,8 @@ void clear_polygon(const Polygon& polygon, RollingGrid& grid) {
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Point& a = polygon[k];
     const Point& b = polygon[(k + 1) % polygon.size()];
-    visit_line(view.cell_at(a.x(), a.y()), view.cell_at(b.x(), b.y()),
-               std::numeric_limits<double>::infinity(), [&](int i, int j) {
+    visit_line(view.cell_at(a.x(), a.y()), view.cell_at(b.x(), b.y()), std::numeric_limits<double>::infinity(),
+               [&](int i, int j) {
                  Span& span = spans[static_cast<std::size_t>(j - low)];
                  span.first = std::min(span.first, i);
                  span.last = std::max(span.last, i);

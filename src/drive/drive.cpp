@@ -30,8 +30,7 @@ sim::Pose planar(const Pose2& pose) { return {pose.x, pose.y, pose.theta}; }
 class Every {
  public:
   explicit Every(double rate, double phase = 0.0)
-      : steps_(std::max(1L, std::lround(1.0 / (rate * kStep)))),
-        phase_(std::lround(phase / kStep) % steps_) {}
+      : steps_(std::max(1L, std::lround(1.0 / (rate * kStep)))), phase_(std::lround(phase / kStep) % steps_) {}
   bool operator()(long step) const { return step % steps_ == phase_; }
   double period() const { return static_cast<double>(steps_) * kStep; }  // [s]
 
@@ -63,8 +62,7 @@ std::vector<Pose2> poses_along(const sim::Route& route, const sim::Pose& goal) {
   std::vector<Pose2> poses;
   poses.reserve(route.size());
   for (std::size_t i = 0; i < route.size(); ++i) {
-    const Eigen::Vector2d along =
-        route[std::min(route.size() - 1, i + kReach)] - route[i - std::min(i, kReach)];
+    const Eigen::Vector2d along = route[std::min(route.size() - 1, i + kReach)] - route[i - std::min(i, kReach)];
     poses.push_back({route[i].x(), route[i].y(), std::atan2(along.y(), along.x())});
   }
   if (!poses.empty()) poses.back() = planar(goal);
@@ -91,7 +89,9 @@ class Run {
         sensing_(setup),
         link_(setup, person_),
         clearance_(route_clearance(setup)),
-        route_(setup.explore ? nullptr : setup.route ? setup.route : make_route(setup)),
+        route_(setup.explore ? nullptr
+               : setup.route ? setup.route
+                             : make_route(setup)),
         recorder_(setup) {
     const std::vector<std::string> faults = planner_.configure(setup.parameters);
     if (!faults.empty()) throw std::invalid_argument(faults.front());
@@ -121,9 +121,7 @@ class Run {
   Pose2 pose() const { return planar(world_.odometry().pose()); }
   Twist2 velocity() const { return {world_.odometry().velocity().v, world_.odometry().velocity().omega}; }
   // Localisation is perfect and takes up the odometry's drift.
-  sim::Pose map_in_odometry() const {
-    return sim::compose(world_.odometry().pose(), sim::inverse(world_.pose()));
-  }
+  sim::Pose map_in_odometry() const { return sim::compose(world_.odometry().pose(), sim::inverse(world_.pose())); }
   Pose2 goal() const { return planar(sim::compose(map_in_odometry(), setup_.goal)); }
 
   void end(Ending ending) {
@@ -151,7 +149,8 @@ class Run {
   void replan() {
     plan_wanted_ = false;
     const Eigen::Vector2d here(world_.pose().x, world_.pose().y);
-    if (setup_.explore) route_ = std::make_shared<sim::GridRoute>(sensing_.seen().map(), clearance_, goal_point(), here);
+    if (setup_.explore)
+      route_ = std::make_shared<sim::GridRoute>(sensing_.seen().map(), clearance_, goal_point(), here);
     const sim::Route route = route_->from(here);
     if (route.empty()) return;
     plan_.set_plan(poses_along(route, setup_.goal));
@@ -230,8 +229,7 @@ class Run {
     input::CycleFeedback feedback;
     feedback.command = last_command_;
     feedback.velocity = situation_.velocity;
-    feedback.at_rest = last_command_ == Twist2{} &&
-                       std::abs(feedback.velocity.v) <= p.trans_stopped_velocity &&
+    feedback.at_rest = last_command_ == Twist2{} && std::abs(feedback.velocity.v) <= p.trans_stopped_velocity &&
                        std::abs(feedback.velocity.omega) <= p.rot_stopped_velocity;
     feedback.own_command_refused = own_command_refused;
     feedback.goal_latched = goal_checker_.latched();

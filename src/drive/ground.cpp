@@ -47,7 +47,10 @@ double gap(const sim::Polygon& polygon, const Eigen::Vector2d& low, double size)
 }  // namespace
 
 Ground::Ground(std::shared_ptr<const sim::OccupancyMap> map, std::shared_ptr<const sim::DiscField> discs)
-    : map_(required(std::move(map))), discs_(std::move(discs)), caster_(*map_), distance_(sim::DistanceField::to_obstacles(*map_)) {}
+    : map_(required(std::move(map))),
+      discs_(std::move(discs)),
+      caster_(*map_),
+      distance_(sim::DistanceField::to_obstacles(*map_)) {}
 
 double Ground::range(double x, double y, double angle, double range_max) const {
   const double to_map = caster_.range(x, y, angle, range_max);
@@ -62,8 +65,7 @@ double Ground::clearance(const sim::Polygon& outline, const sim::Pose& pose, dou
 double Ground::clearance_of_map(const sim::Polygon& outline, const sim::Pose& pose, double at_most) const {
   const double size = map_->resolution;
   // The field measures between the centres of cells: up to half a diagonal at either end.
-  const double surely =
-      distance_.at(pose.x, pose.y) - sim::circumscribed_radius(outline) - std::sqrt(2.0) * size;
+  const double surely = distance_.at(pose.x, pose.y) - sim::circumscribed_radius(outline) - std::sqrt(2.0) * size;
   if (surely >= at_most) return at_most;
   const sim::Polygon placed = sim::transformed(outline, pose);
   if (sim::overlaps_occupied(*map_, placed)) return 0.0;
@@ -74,8 +76,7 @@ double Ground::clearance_of_map(const sim::Polygon& outline, const sim::Pose& po
   for (int row = std::max(map_->row(box.low.y() - at_most), 0); row <= last_row; ++row) {
     for (int column = std::max(map_->column(box.low.x() - at_most), 0); column <= last_column; ++column) {
       if (map_->cells[map_->index(column, row)] != sim::Cell::kOccupied) continue;
-      least =
-          std::min(least, gap(placed, {map_->origin_x + column * size, map_->origin_y + row * size}, size));
+      least = std::min(least, gap(placed, {map_->origin_x + column * size, map_->origin_y + row * size}, size));
     }
   }
   return least;

@@ -14,8 +14,7 @@ namespace drive {
 class OperatorLink {
  public:
   /// Both must outlive it.
-  OperatorLink(const DriveSetup& setup, input::OperatorStateMachine& listener)
-      : setup_(setup), listener_(listener) {}
+  OperatorLink(const DriveSetup& setup, input::OperatorStateMachine& listener) : setup_(setup), listener_(listener) {}
 
   /// The person looks, and their device sends what it reads.
   void send(const sim::Observation& seen);

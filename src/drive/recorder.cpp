@@ -10,8 +10,8 @@ namespace {
 
 // The person gives input now; in HOLD it has ended.
 bool steers(OperatorStateId state) {
-  return state == OperatorStateId::shared || state == OperatorStateId::manual ||
-         state == OperatorStateId::stopped || state == OperatorStateId::blocked;
+  return state == OperatorStateId::shared || state == OperatorStateId::manual || state == OperatorStateId::stopped ||
+         state == OperatorStateId::blocked;
 }
 
 }  // namespace

@@ -36,9 +36,7 @@ void RollingGrid::follow(double x, double y) {
   costs_.swap(moved_);
 }
 
-GridView RollingGrid::view() const {
-  return {costs_.data(), cells_, cells_, resolution_, origin_x(), origin_y()};
-}
+GridView RollingGrid::view() const { return {costs_.data(), cells_, cells_, resolution_, origin_x(), origin_y()}; }
 
 void RollingGrid::take_place_of(const RollingGrid& other) {
   column_ = other.column_;

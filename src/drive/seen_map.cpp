@@ -31,8 +31,8 @@ void SeenMap::add(const Beams& beams) {
 }
 
 sim::OccupancyMap SeenMap::map() const {
-  sim::OccupancyMap map = sim::make_map(geometry_.width, geometry_.height, geometry_.resolution,
-                                        geometry_.origin_x, geometry_.origin_y);
+  sim::OccupancyMap map =
+      sim::make_map(geometry_.width, geometry_.height, geometry_.resolution, geometry_.origin_x, geometry_.origin_y);
   for (int row = 0; row < map.height; ++row) {
     const std::uint8_t* costs = grid_.row(row);
     for (int column = 0; column < map.width; ++column) {

@@ -43,8 +43,8 @@ std::string GestureSource::take(const HandMessage& message, const Parameters& pa
   if (fault.empty() && engaged()) {
     const double jump = (message.position - position_).norm();
     if (jump > parameters.gesture_jump) {
-      fault = "the hand jumped by " + worded(jump, 3) + " m, more than gesture_jump (" + worded(parameters.gesture_jump, 3) +
-              " m): tracking is not to be trusted";
+      fault = "the hand jumped by " + worded(jump, 3) + " m, more than gesture_jump (" +
+              worded(parameters.gesture_jump, 3) + " m): tracking is not to be trusted";
     }
   }
   if (!fault.empty()) {

@@ -6,8 +6,7 @@
 namespace hidwa_local_planner::input {
 namespace {
 
-constexpr double kSteadyEnough =
-    10.0;  // sending deflected for so long without a silence clears the count [s]
+constexpr double kSteadyEnough = 10.0;  // sending deflected for so long without a silence clears the count [s]
 
 }  // namespace
 

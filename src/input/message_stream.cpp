@@ -15,10 +15,14 @@ MessageStream::Verdict MessageStream::judge(const Envelope& envelope, const Back
   if (other) backlog_.reset();
   if (limits.late > 0.0) {
     switch (backlog_.judge(envelope.stamp, envelope.received, limits)) {
-      case BacklogGate::Verdict::backlog: return Verdict::late;
-      case BacklogGate::Verdict::slower_link: return Verdict::slower_link;
-      case BacklogGate::Verdict::new_clock: return Verdict::new_clock;
-      case BacklogGate::Verdict::live: break;
+      case BacklogGate::Verdict::backlog:
+        return Verdict::late;
+      case BacklogGate::Verdict::slower_link:
+        return Verdict::slower_link;
+      case BacklogGate::Verdict::new_clock:
+        return Verdict::new_clock;
+      case BacklogGate::Verdict::live:
+        break;
     }
   }
   return other ? Verdict::new_device : Verdict::live;

@@ -243,7 +243,8 @@ std::string OperatorStateMachine::advice() const {
   const double now = std::max(now_, received_);
   if (pause_ > 0.0 && now - paused_at_ < kToldFor) {
     add("The planner itself stood still for " + worded(pause_, 2) +
-        " s and heard nobody meanwhile: its machine is too busy, the process was suspended, or the clock was set forward. Lighten the load.");
+        " s and heard nobody meanwhile: its machine is too busy, the process was suspended, or the clock was set "
+        "forward. Lighten the load.");
   }
   if (timeout > 0.0) add(stop_.advice(now, std::max(kGone, timeout)));
   add(rhythm_.advice(timeout));
@@ -325,11 +326,17 @@ std::string OperatorStateMachine::judge(const StickMessage& message, StickReadin
 std::string OperatorStateMachine::admit(MessageStream& stream, const Envelope& envelope) {
   const BacklogGate::Limits limits{parameters_.input_timeout, parameters_.input_lag_max};
   switch (stream.judge(envelope, limits)) {
-    case MessageStream::Verdict::late: return late(stream.excess(), limits);
-    case MessageStream::Verdict::new_device: new_device(); break;
+    case MessageStream::Verdict::late:
+      return late(stream.excess(), limits);
+    case MessageStream::Verdict::new_device:
+      new_device();
+      break;
     case MessageStream::Verdict::slower_link:
-    case MessageStream::Verdict::new_clock: channel_.demand_neutral(); break;
-    case MessageStream::Verdict::live: break;
+    case MessageStream::Verdict::new_clock:
+      channel_.demand_neutral();
+      break;
+    case MessageStream::Verdict::live:
+      break;
   }
   return {};
 }
@@ -413,8 +420,8 @@ OperatorIntent OperatorStateMachine::intent(double now) const {
   OperatorIntent wanted;
   wanted.state = state_;
   const bool lost = state_ == OperatorStateId::lost;
-  const bool stops = state_ == OperatorStateId::stopped ||
-                     (lost && (manual() || parameters_.on_input_lost == OnInputLost::stop));
+  const bool stops =
+      state_ == OperatorStateId::stopped || (lost && (manual() || parameters_.on_input_lost == OnInputLost::stop));
   const bool straight_on = state_ == OperatorStateId::hold || (lost && parameters_.on_input_lost == OnInputLost::hold &&
                                                                hold_.running(now, parameters_.delta));
   if (stops) {

@@ -27,8 +27,8 @@ bool in_range(float value) { return std::abs(value) <= 1.0F + kRangeTolerance; }
 
 std::string check_axis(const StickMessage& message, const std::string& parameter, int index) {
   if (!has(message.axes, index)) {
-    return parameter + " = " + std::to_string(index) + ", but " + has_only(message.axes.size(), "axes") +
-           ": set " + parameter + " to one that the device has";
+    return parameter + " = " + std::to_string(index) + ", but " + has_only(message.axes.size(), "axes") + ": set " +
+           parameter + " to one that the device has";
   }
   const auto i = static_cast<std::size_t>(index);
   if (in_range(message.axes[i])) return {};
@@ -63,8 +63,8 @@ std::string check_clutch(const StickMessage& message, const Parameters& paramete
 
 bool clutch_held(const StickMessage& message, const Parameters& parameters) {
   if (parameters.clutch_axis < 0) return held(message, parameters.clutch_button);
-  const float pressed = message.axes[static_cast<std::size_t>(parameters.clutch_axis)] *
-                        static_cast<float>(parameters.clutch_axis_sign);
+  const float pressed =
+      message.axes[static_cast<std::size_t>(parameters.clutch_axis)] * static_cast<float>(parameters.clutch_axis_sign);
   return pressed > static_cast<float>(parameters.clutch_threshold);
 }
 
@@ -75,8 +75,7 @@ std::string check(const StickMessage& message, const Parameters& parameters) {
       by_stick && (parameters.linear == LinearPolicy::axis || parameters.mode == OperatorMode::switching);
   std::string fault;
   if (by_stick) fault = check_axis(message, "axis_angular", parameters.axis_angular);
-  const bool reads_linear =
-      needs_linear || (has(message.axes, parameters.axis_linear) && pull_stops(parameters));
+  const bool reads_linear = needs_linear || (has(message.axes, parameters.axis_linear) && pull_stops(parameters));
   if (fault.empty() && reads_linear) fault = check_axis(message, "axis_linear", parameters.axis_linear);
   if (fault.empty() && by_stick) fault = check_button(message, "enable_button", parameters.enable_button);
   if (fault.empty()) fault = check_button(message, "stop_button", parameters.stop_button);

@@ -48,8 +48,8 @@ std::string StopRequest::check(double now, double silence) {
   std::string ended;
   for (Source& source : sources_) {
     if (!source.dismissed || !source.unasked(now, silence)) continue;
-    ended += (ended.empty() ? "The stop of " : " The stop of ") + named(source.sender) +
-             ", which asked for it last " + worded(now - source.asked_at, 3) +
+    ended += (ended.empty() ? "The stop of " : " The stop of ") + named(source.sender) + ", which asked for it last " +
+             worded(now - source.asked_at, 3) +
              " s ago, has ended: it was let go by the topic stop or by a change of mode.";
     source.button = source.pulled = source.dismissed = false;
   }
@@ -79,7 +79,8 @@ std::string StopRequest::advice(double now, double silence) const {
 }
 
 StopRequest::Source& StopRequest::source_of(const std::string& sender) {
-  const auto known = std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return s.sender == sender; });
+  const auto known =
+      std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return s.sender == sender; });
   if (known != sources_.end()) return *known;
   if (sources_.size() >= kRemembered) {
     const auto idle = std::find_if(sources_.begin(), sources_.end(), [](const Source& s) { return !s.stops(); });

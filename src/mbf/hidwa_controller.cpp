@@ -16,17 +16,28 @@ namespace {
 std::uint32_t code_of(ControllerOutcome outcome) {
   using Result = mbf_msgs::ExePathResult;
   switch (outcome) {
-    case ControllerOutcome::success: return Result::SUCCESS;
-    case ControllerOutcome::canceled: return Result::CANCELED;
-    case ControllerOutcome::no_valid_command: return Result::NO_VALID_CMD;
-    case ControllerOutcome::collision: return Result::COLLISION;
-    case ControllerOutcome::missed_path: return Result::MISSED_PATH;
-    case ControllerOutcome::blocked_path: return Result::BLOCKED_PATH;
-    case ControllerOutcome::invalid_path: return Result::INVALID_PATH;
-    case ControllerOutcome::map_error: return Result::MAP_ERROR;
-    case ControllerOutcome::tf_error: return Result::TF_ERROR;
-    case ControllerOutcome::not_initialized: return Result::NOT_INITIALIZED;
-    case ControllerOutcome::internal_error: break;
+    case ControllerOutcome::success:
+      return Result::SUCCESS;
+    case ControllerOutcome::canceled:
+      return Result::CANCELED;
+    case ControllerOutcome::no_valid_command:
+      return Result::NO_VALID_CMD;
+    case ControllerOutcome::collision:
+      return Result::COLLISION;
+    case ControllerOutcome::missed_path:
+      return Result::MISSED_PATH;
+    case ControllerOutcome::blocked_path:
+      return Result::BLOCKED_PATH;
+    case ControllerOutcome::invalid_path:
+      return Result::INVALID_PATH;
+    case ControllerOutcome::map_error:
+      return Result::MAP_ERROR;
+    case ControllerOutcome::tf_error:
+      return Result::TF_ERROR;
+    case ControllerOutcome::not_initialized:
+      return Result::NOT_INITIALIZED;
+    case ControllerOutcome::internal_error:
+      break;
   }
   return Result::INTERNAL_ERROR;
 }

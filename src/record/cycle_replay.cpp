@@ -98,8 +98,8 @@ ReplayedCycle CycleReplay::run() {
     const BrakeInput& input = *record_.braked;
     ArchiveReader read(input.state);
     read(fault_brake_);
-    const FaultBrake::Answer answer = fault_brake_.answer(record_.time, input.velocity, input.last_command,
-                                                          planner_.parameters(), input.period);
+    const FaultBrake::Answer answer =
+        fault_brake_.answer(record_.time, input.velocity, input.last_command, planner_.parameters(), input.period);
     cycle.verdict = verdict_of(outcome_of(answer, intent), answer.command);
   }
   cycle.identical = hidwa_local_planner::record::identical(cycle.intent, record_.intent) &&

@@ -42,7 +42,8 @@ CycleBag::CycleBag(const std::string& path, const std::string& topic)
     throw UsageError(path + " holds several planners' cycles: choose one by --topic, of" + names);
   }
   if (topic_.empty()) topic_ = *topics.begin();
-  if (topics.count(topic_) == 0) throw UsageError(path + " holds no cycle on " + topic_ + ", but on " + *topics.begin());
+  if (topics.count(topic_) == 0)
+    throw UsageError(path + " holds no cycle on " + topic_ + ", but on " + *topics.begin());
 }
 
 void CycleBag::for_each(const std::function<bool(const Cycle&)>& call) {

@@ -31,7 +31,8 @@ std::vector<Refusal> refusals_of(const CandidateVerdict& candidate) {
 
 std::string refusals_in_words(const CandidateVerdict& candidate) {
   std::string text;
-  for (const Refusal& refusal : refusals_of(candidate)) text += (text.empty() ? "" : "; ") + refusal.who + ": " + refusal.why;
+  for (const Refusal& refusal : refusals_of(candidate))
+    text += (text.empty() ? "" : "; ") + refusal.who + ": " + refusal.why;
   return text;
 }
 
@@ -135,10 +136,14 @@ std::string about_operator(record::CycleReplay& replay, const record::ReplayedCy
 
 const char* name_of(Influence influence) {
   switch (influence) {
-    case Influence::none: return "none";
-    case Influence::shared: return "shared";
-    case Influence::direct: return "direct";
-    case Influence::stop: return "stop";
+    case Influence::none:
+      return "none";
+    case Influence::shared:
+      return "shared";
+    case Influence::direct:
+      return "direct";
+    case Influence::stop:
+      return "stop";
   }
   return "?";
 }
@@ -183,10 +188,12 @@ std::string json_list(const Items& items, const Writer& writer) {
 }
 
 std::string json_of(const CandidateVerdict& candidate) {
-  return "{\"u\":" + json_of(candidate.sample) + ",\"end\":" + json_of(candidate.end) + ",\"sum\":" + json(candidate.sum) +
+  return "{\"u\":" + json_of(candidate.sample) + ",\"end\":" + json_of(candidate.end) +
+         ",\"sum\":" + json(candidate.sum) +
          ",\"total\":" + json(candidate.legal() ? candidate.total : std::numeric_limits<double>::infinity()) +
          ",\"refused\":" + json(refusals_in_words(candidate)) + ",\"terms\":" +
-         json_list(candidate.critics, [](const CriticVerdict& critic) { return json(critic.raw * critic.weight); }) + "}";
+         json_list(candidate.critics, [](const CriticVerdict& critic) { return json(critic.raw * critic.weight); }) +
+         "}";
 }
 
 }  // namespace
@@ -201,24 +208,27 @@ std::string explain_as_json(double time, record::CycleReplay& replay, const reco
   const auto pose = [](const Pose2& q) { return json_of(q); };
   const auto whole = [](int number) { return std::to_string(number); };
   std::string text = "{\"time\":" + json(time) + ",\"state\":" + json(std::string(to_string(cycle.intent.state))) +
-                     ",\"outcome\":" + json(std::string(to_string(cycle.verdict.outcome))) + ",\"command\":" +
-                     json_of(cycle.verdict.command) + ",\"u_h\":" + (steered ? json_of(cycle.intent.u_h) : "null") +
+                     ",\"outcome\":" + json(std::string(to_string(cycle.verdict.outcome))) +
+                     ",\"command\":" + json_of(cycle.verdict.command) +
+                     ",\"u_h\":" + (steered ? json_of(cycle.intent.u_h) : "null") +
                      ",\"reference\":" + json_of(cycle.verdict.reference);
   if (record.planned) {
-    text += ",\"pose\":" + json_of(record.planned->situation.pose) + ",\"goal\":" +
-            json_of(record.planned->situation.goal) + ",\"plan\":" + json_list(record.planned->situation.plan, pose);
+    text += ",\"pose\":" + json_of(record.planned->situation.pose) +
+            ",\"goal\":" + json_of(record.planned->situation.goal) +
+            ",\"plan\":" + json_list(record.planned->situation.plan, pose);
   }
-  text += ",\"outline\":" + json_list(replay.setup().outline, point) + ",\"trajectory\":" +
-          (decision != nullptr ? json_list(decision->trajectory, pose) : "[]") +
+  text += ",\"outline\":" + json_list(replay.setup().outline, point) +
+          ",\"trajectory\":" + (decision != nullptr ? json_list(decision->trajectory, pose) : "[]") +
           ",\"best\":" + whole(replay.planner().marked().best) +
           ",\"operator_own\":" + whole(replay.planner().marked().operator_own);
-  text += ",\"critics\":" + (all.empty() ? std::string("[]") : json_list(all.front().critics, [](const CriticVerdict& critic) {
+  text += ",\"critics\":" +
+          (all.empty() ? std::string("[]") : json_list(all.front().critics, [](const CriticVerdict& critic) {
             return json(std::string(critic.name));
           }));
   text += ",\"candidates\":" + json_list(all, [](const CandidateVerdict& candidate) { return json_of(candidate); });
-  text += ",\"grid\":{\"width\":" + whole(grid.size_x) + ",\"height\":" + whole(grid.size_y) + ",\"resolution\":" +
-          json(grid.resolution) + ",\"origin\":[" + json(grid.origin_x) + "," + json(grid.origin_y) + "],\"costs\":" +
-          json_list(grid.costs, whole) + "}}\n";
+  text += ",\"grid\":{\"width\":" + whole(grid.size_x) + ",\"height\":" + whole(grid.size_y) +
+          ",\"resolution\":" + json(grid.resolution) + ",\"origin\":[" + json(grid.origin_x) + "," +
+          json(grid.origin_y) + "],\"costs\":" + json_list(grid.costs, whole) + "}}\n";
   return text;
 }
 

@@ -46,7 +46,7 @@ struct Left {
   long waited = 0;   // before the first key record, or after a gap
   long damaged = 0;
   double bytes = 0.0;  // of all records
-  std::string fault;  // of the last damaged one
+  std::string fault;   // of the last damaged one
 
   std::string in_words() const {
     std::string text;
@@ -69,8 +69,11 @@ Left for_each_record(CycleBag& bag, CycleReplay& replay, const Call& call) {
     bytes.assign(message.record.begin(), message.record.end());
     left.bytes += static_cast<double>(bytes.size());
     switch (replay.take(bytes)) {
-      case CycleReplay::Reading::ready: return call();
-      case CycleReplay::Reading::waits_for_key: ++left.waited; break;
+      case CycleReplay::Reading::ready:
+        return call();
+      case CycleReplay::Reading::waits_for_key:
+        ++left.waited;
+        break;
       case CycleReplay::Reading::damaged:
         ++left.damaged;
         left.fault = replay.fault();

@@ -52,11 +52,14 @@ std::string MomentSearch::remark() const {
   if (!first_) return "no cycle can be repeated: record with record_cycles: true";
   const std::optional<double> meant = found();
   if (!meant) {
-    return worded("there is no cycle at %.3f s; they go from 0 to %.3f s since the first record, which is ROS time %.3f to %.3f, "
-                  "with gaps where input was missing", wanted_.seconds, last_ - *first_, *first_, last_);
+    return worded(
+        "there is no cycle at %.3f s; they go from 0 to %.3f s since the first record, which is ROS time %.3f to %.3f, "
+        "with gaps where input was missing",
+        wanted_.seconds, last_ - *first_, *first_, last_);
   }
   if (ros_time_.hits(wanted_.seconds) && *ros_time_.time != *meant) {
-    return worded("taken as the time since the first record; there is also a cycle at this ROS time: --at ros:%.3f", wanted_.seconds);
+    return worded("taken as the time since the first record; there is also a cycle at this ROS time: --at ros:%.3f",
+                  wanted_.seconds);
   }
   return "";
 }

@@ -23,7 +23,7 @@ struct Options {
   std::string topic;  // empty: the only one there is
   std::vector<record::ParameterChange> changes;
   std::optional<Moment> at;
-  std::string out;           // folder; empty: the bag's name and _replay, where the program runs
+  std::string out;  // folder; empty: the bag's name and _replay, where the program runs
   bool picture = true;
   bool help = false;
 };

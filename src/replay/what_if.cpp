@@ -64,8 +64,8 @@ std::string WhatIf::summary() const {
   if (differences_ == 0) return sums;
   std::string text = differences_ > kShown ? format("      ...  and %ld more\n", differences_ - kShown) : "";
   const auto count = static_cast<double>(differences_);
-  text += format("where they differ: %ld commands, by %.4f m/s and %.4f rad/s on average, %.4f and %.4f at most; ", commands_,
-                 v_ / count, omega_ / count, most_v_, most_omega_);
+  text += format("where they differ: %ld commands, by %.4f m/s and %.4f rad/s on average, %.4f and %.4f at most; ",
+                 commands_, v_ / count, omega_ / count, most_v_, most_omega_);
   text += format("%ld outcomes, %ld wishes of the person", outcomes_, intents_);
   return text + (sums.empty() ? "" : "\n") + sums;
 }

@@ -31,8 +31,8 @@ class WhatIf {
   bool differs(const record::CycleRecord& recorded, const record::ReplayedCycle& replayed) const;
 
   long differences_ = 0, outcomes_ = 0, intents_ = 0, commands_ = 0;
-  long sums_ = 0;  // cycles that only weigh differently
-  double v_ = 0.0, omega_ = 0.0;          // sums of the commands' changes [m/s, rad/s]
+  long sums_ = 0;                 // cycles that only weigh differently
+  double v_ = 0.0, omega_ = 0.0;  // sums of the commands' changes [m/s, rad/s]
   double most_v_ = 0.0, most_omega_ = 0.0;
 };
 

@@ -12,7 +12,8 @@ namespace replay {
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif
-std::string format(const char* text, ...);
+std::string
+format(const char* text, ...);
 
 /// "DRIVE (0.500 m/s, -0.123 rad/s)"
 std::string in_words(const record::Verdict& verdict);

@@ -60,17 +60,15 @@ Outline outline_of(const Model& model) {
   for (const Link& link : model.links) {
     for (const Shape& shape : link.collisions) {
       if (!has_size(shape)) {
-        if (outline.skipped.empty() || outline.skipped.back() != link.name)
-          outline.skipped.push_back(link.name);
+        if (outline.skipped.empty() || outline.skipped.back() != link.name) outline.skipped.push_back(link.name);
         continue;
       }
       const std::size_t first = points.size();
       add_projection(shape, points);
       for (std::size_t i = first; i < points.size(); ++i) {
         if (points[i].norm() <= kFarthest) continue;
-        outline.fault = link.name + ": its collision geometry reaches " + worded(points[i].norm()) +
-                        " m from " + model.base + ", beyond " + worded(kFarthest) +
-                        " m: correct it in the URDF";
+        outline.fault = link.name + ": its collision geometry reaches " + worded(points[i].norm()) + " m from " +
+                        model.base + ", beyond " + worded(kFarthest) + " m: correct it in the URDF";
         return outline;
       }
     }

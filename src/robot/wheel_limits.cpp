@@ -28,28 +28,27 @@ double largest(const std::string& name) {
 }
 
 bool all_in_range(const Parameters& p) {
-  for (const char* name : {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_radius", "wheel_separation",
-                           "max_wheel_velocity"}) {
+  for (const char* name :
+       {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_radius", "wheel_separation", "max_wheel_velocity"}) {
     if (!in_range(p, name)) return false;
   }
   return true;
 }
 
-void compare(std::vector<Remark>& remarks, const std::string& name, double own, double urdf,
-             const Wheels& wheels) {
+void compare(std::vector<Remark>& remarks, const std::string& name, double own, double urdf, const Wheels& wheels) {
   if (own == 0.0 || urdf == 0.0 || std::abs(own - urdf) <= kSame * urdf) return;
   remarks.push_back({Remark::Level::warning, name + " differs",
-                     name + " = " + worded(own) + " m holds, but the URDF says " + worded(urdf) + " m (" +
-                         wheels.left + ", " + wheels.right + "): correct one of them"});
+                     name + " = " + worded(own) + " m holds, but the URDF says " + worded(urdf) + " m (" + wheels.left +
+                         ", " + wheels.right + "): correct one of them"});
 }
 
 /// Says which of two limits on one thing holds, and returns the tighter one.
-double tighter(std::vector<Remark>& remarks, const std::string& joint, double by_joint,
-               const std::string& name, double own, const std::string& unit) {
+double tighter(std::vector<Remark>& remarks, const std::string& joint, double by_joint, const std::string& name,
+               double own, const std::string& unit) {
   const std::string allows = joint + " allows " + worded(by_joint) + " " + unit;
   if (own <= by_joint) {
-    remarks.push_back({Remark::Level::info, name + " holds",
-                       allows + ", " + name + " " + worded(own) + " " + unit + " holds"});
+    remarks.push_back(
+        {Remark::Level::info, name + " holds", allows + ", " + name + " " + worded(own) + " " + unit + " holds"});
     return own;
   }
   remarks.push_back({Remark::Level::info, joint + " holds against " + name,

@@ -11,9 +11,8 @@
 namespace hidwa_local_planner::robot {
 namespace {
 
-constexpr double kAboutY = 0.9994;  // cosine of 2 degrees: axes farther from y are no wheels'
-constexpr double kAlong =
-    0.9962;  // cosine of 5 degrees: a cylinder farther from the axis does not roll on it
+constexpr double kAboutY = 0.9994;          // cosine of 2 degrees: axes farther from y are no wheels'
+constexpr double kAlong = 0.9962;           // cosine of 5 degrees: a cylinder farther from the axis does not roll on it
 constexpr double kOpposite = 0.005;         // two wheels of a pair may be so far from facing each other [m]
 constexpr double kSmallest = 0.001;         // of a radius or a separation [m]
 constexpr double kLargestRadius = 2.0;      // as wheel_radius [m]
@@ -107,8 +106,8 @@ Rim rim_of(const Joint& joint, const Link& link) {
       } else if (cylinder && std::abs(shape.pose.linear().col(2).dot(joint.axis)) < kAlong) {
         rim.missing = of_link + " has a cylinder that does not lie along the joint's axis";
       } else if (!(shape.radius >= kSmallest && shape.radius <= kLargestRadius)) {
-        rim.fault = of_link + " has a radius of " + worded(shape.radius) + " m, outside [" +
-                    worded(kSmallest) + ", " + worded(kLargestRadius) + "] m: correct it in the URDF";
+        rim.fault = of_link + " has a radius of " + worded(shape.radius) + " m, outside [" + worded(kSmallest) + ", " +
+                    worded(kLargestRadius) + "] m: correct it in the URDF";
       } else {
         rim.radius = std::max(rim.radius, shape.radius);
       }
@@ -136,8 +135,7 @@ std::string add_wheel(Wheels& wheels, const Joint& joint, const Link& link) {
   if (rim.radius <= 0.0) {
     if (wheels.no_radius.empty())
       wheels.no_radius =
-          rim.missing +
-          ": set wheel_radius, or give the link a cylinder along the axis as collision geometry";
+          rim.missing + ": set wheel_radius, or give the link a cylinder along the axis as collision geometry";
   } else {
     wheels.radius = wheels.radius > 0.0 ? std::min(wheels.radius, rim.radius) : rim.radius;
   }
@@ -174,8 +172,7 @@ WheelSearch find_wheels(const Model& model, const std::string& left, const std::
     return search;
   }
   if (left.empty() || right.empty()) {
-    search.fault =
-        "left_wheel_joint and right_wheel_joint belong together: name both, or neither to have them found";
+    search.fault = "left_wheel_joint and right_wheel_joint belong together: name both, or neither to have them found";
     return search;
   }
   search.fault = joint_fault(model, "left_wheel_joint", left);

@@ -16,23 +16,32 @@ double clock_time() { return ros::SteadyTime::now().toSec(); }
 ControllerOutcome outcome_of(Missing missing) {
   switch (missing) {
     case Missing::parameters:
-    case Missing::footprint: return ControllerOutcome::not_initialized;
-    case Missing::plan: return ControllerOutcome::invalid_path;
-    case Missing::costmap: return ControllerOutcome::map_error;
-    case Missing::transform: return ControllerOutcome::tf_error;
+    case Missing::footprint:
+      return ControllerOutcome::not_initialized;
+    case Missing::plan:
+      return ControllerOutcome::invalid_path;
+    case Missing::costmap:
+      return ControllerOutcome::map_error;
+    case Missing::transform:
+      return ControllerOutcome::tf_error;
     case Missing::odometry:
-    case Missing::nothing: break;
+    case Missing::nothing:
+      break;
   }
   return ControllerOutcome::no_valid_command;
 }
 
 ControllerOutcome outcome_of(const Decision& decision) {
   switch (decision.problem_kind) {
-    case Problem::off_map: return ControllerOutcome::missed_path;
-    case Problem::stuck: return ControllerOutcome::blocked_path;
-    case Problem::input: return ControllerOutcome::internal_error;
+    case Problem::off_map:
+      return ControllerOutcome::missed_path;
+    case Problem::stuck:
+      return ControllerOutcome::blocked_path;
+    case Problem::input:
+      return ControllerOutcome::internal_error;
     case Problem::refused:
-    case Problem::none: break;
+    case Problem::none:
+      break;
   }
   return decision.escaping ? ControllerOutcome::collision : ControllerOutcome::no_valid_command;
 }

@@ -25,9 +25,7 @@ double yaw_of(const geometry_msgs::Quaternion& q) {
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z);
 }
 
-Pose2 to_pose(const geometry_msgs::Pose& pose) {
-  return {pose.position.x, pose.position.y, yaw_of(pose.orientation)};
-}
+Pose2 to_pose(const geometry_msgs::Pose& pose) { return {pose.position.x, pose.position.y, yaw_of(pose.orientation)}; }
 
 geometry_msgs::Pose to_message(const Pose2& pose) {
   geometry_msgs::Pose message;

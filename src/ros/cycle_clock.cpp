@@ -46,11 +46,10 @@ std::string CycleClock::complaint() {
   if (mean <= 0.0 || std::abs(period_ / mean - 1.0) <= kTolerance) return "";
   complained_ = true;
   char text[240];
-  std::snprintf(
-      text, sizeof(text),
-      "called at %.1f Hz, but the control period is taken to be %.3f s (%.1f Hz): set controller_frequency "
-      "to the rate that the host reaches, or lighten its load",
-      1.0 / mean, period_, 1.0 / period_);
+  std::snprintf(text, sizeof(text),
+                "called at %.1f Hz, but the control period is taken to be %.3f s (%.1f Hz): set controller_frequency "
+                "to the rate that the host reaches, or lighten its load",
+                1.0 / mean, period_, 1.0 / period_);
   return text;
 }
 

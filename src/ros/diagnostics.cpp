@@ -12,8 +12,8 @@ Diagnostics::Diagnostics(ros::NodeHandle handle, const std::string& name, const 
   updater_.add(name, [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
   updater_.add(name + " operator",
                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report_person(status); });
-  timer_ = handle.createWallTimer(ros::WallDuration(1.0),
-                                  [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  timer_ =
+      handle.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 
 void Diagnostics::set(const std::string& fault, const Load& load) {
@@ -41,8 +41,7 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   const std::string thinned = thinning_complaint(load.in_force, load.full, load.budget);
   if (!thinned.empty()) status.mergeSummary(Status::WARN, thinned);
   if (cycles.p99 > load.period) {
-    status.mergeSummary(Status::WARN,
-                        "cycles take longer than the control period: lower vx_samples or vth_samples");
+    status.mergeSummary(Status::WARN, "cycles take longer than the control period: lower vx_samples or vth_samples");
   }
   const bool idle = cycles.cycles == reported_cycles_;  // what was missing in the last cycle is old
   if (!fault->empty() && !idle) status.mergeSummary(Status::ERROR, *fault);
@@ -77,11 +76,12 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
     status.summary(Status::OK, "nothing came on " + device.clutch_topic +
                                    " yet: the hand counts only while the clutch is held, a button or axis there");
   } else if (person.state == OperatorStateId::lost && person.own_pause) {
-    status.mergeSummary(Status::ERROR, device.topic + " was not heard, since the planner itself stood still: lighten "
-                                                      "its machine's load; nothing is known against the link");
+    status.mergeSummary(Status::ERROR, device.topic +
+                                           " was not heard, since the planner itself stood still: lighten "
+                                           "its machine's load; nothing is known against the link");
   } else if (person.state == OperatorStateId::lost) {
-    status.mergeSummary(Status::ERROR, device.topic + " fell silent while the person steered: look at the link to " +
-                                           device.sender);
+    status.mergeSummary(Status::ERROR,
+                        device.topic + " fell silent while the person steered: look at the link to " + device.sender);
   }
   if (!advice.empty()) status.mergeSummary(Status::WARN, advice);
   status.add("mode", name_of(person.mode));

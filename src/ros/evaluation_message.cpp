@@ -52,8 +52,8 @@ struct Line {
   double height;  // above the ground, so that marked lines lie on top [m]
 };
 
-visualization_msgs::Marker to_line(const CandidateRecord& candidate, const Line& line, int id,
-                                   const std::string& frame, const ros::Time& stamp) {
+visualization_msgs::Marker to_line(const CandidateRecord& candidate, const Line& line, int id, const std::string& frame,
+                                   const ros::Time& stamp) {
   visualization_msgs::Marker marker;
   marker.header.frame_id = frame;
   marker.header.stamp = stamp;

@@ -20,8 +20,7 @@ bool succeeds(const char* what, Call call) {
 HIDWAPlannerROS::HIDWAPlannerROS() = default;
 HIDWAPlannerROS::~HIDWAPlannerROS() = default;
 
-void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf,
-                                 costmap_2d::Costmap2DROS* costmap_ros) {
+void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros) {
   succeeds("initialize", [&] {
     start_shell(shell_, name, tf, costmap_ros);
     if (!shell_ || entry_) return true;

@@ -15,8 +15,7 @@ void OdometryInput::subscribe(ros::NodeHandle handle, const std::string& topic) 
   const auto callback = [this](const nav_msgs::Odometry::ConstPtr& message) {
     receive(*message, ros::Time::now().toSec());
   };
-  subscriber_ =
-      handle.subscribe<nav_msgs::Odometry>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
+  subscriber_ = handle.subscribe<nav_msgs::Odometry>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
   std::string resolved = subscriber_.getTopic();
   const std::lock_guard<std::mutex> lock(mutex_);
   topic_.swap(resolved);

@@ -32,8 +32,8 @@ void OperatorFeedback::publish(const ros::Time& stamp, const Parameters& paramet
   if (parameters.rumble_topic != rumble_topic_) {
     if (rumbling_ != 0.0F) send_rumble(0.0F);  // nobody else ends it there
     rumble_topic_ = parameters.rumble_topic;
-    rumble_ = rumble_topic_.empty() ? ros::Publisher()
-                                    : host_.advertise<sensor_msgs::JoyFeedbackArray>(rumble_topic_, 1);
+    rumble_ =
+        rumble_topic_.empty() ? ros::Publisher() : host_.advertise<sensor_msgs::JoyFeedbackArray>(rumble_topic_, 1);
     rumbling_ = 0.0F;
   }
   fill(stamp, result, intent, status);

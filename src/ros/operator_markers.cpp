@@ -11,10 +11,10 @@ namespace {
 constexpr double kLetters = 0.8;       // height [m]
 constexpr double kSmallLetters = 0.4;  // [m]
 constexpr double kTextHeight = 1.3;    // above the floor [m]
-constexpr double kNose = 0.45;        // from the robot's centre [m]
-constexpr double kShown = 1.6;        // how long the ways shown take [s]
-constexpr int kParts = 16;            // of a way
-constexpr double kStill = 0.02;       // ways shorter than this are none [m]
+constexpr double kNose = 0.45;         // from the robot's centre [m]
+constexpr double kShown = 1.6;         // how long the ways shown take [s]
+constexpr int kParts = 16;             // of a way
+constexpr double kStill = 0.02;        // ways shorter than this are none [m]
 
 std_msgs::ColorRGBA colour(int red, int green, int blue) {
   std_msgs::ColorRGBA c;
@@ -28,13 +28,20 @@ std_msgs::ColorRGBA colour(int red, int green, int blue) {
 // Told apart by people who see few colours too (after Okabe and Ito), and by how dark they are.
 std_msgs::ColorRGBA colour_of(std::uint8_t state) {
   switch (state) {
-    case OperatorState::AUTONOMY: return colour(70, 110, 150);
-    case OperatorState::SHARED: return colour(0, 130, 95);
-    case OperatorState::HOLD: return colour(60, 170, 220);
-    case OperatorState::MANUAL: return colour(190, 100, 0);
-    case OperatorState::STOPPED: return colour(20, 20, 20);
-    case OperatorState::LOST: return colour(150, 70, 150);
-    default: return colour(200, 30, 20);  // BLOCKED
+    case OperatorState::AUTONOMY:
+      return colour(70, 110, 150);
+    case OperatorState::SHARED:
+      return colour(0, 130, 95);
+    case OperatorState::HOLD:
+      return colour(60, 170, 220);
+    case OperatorState::MANUAL:
+      return colour(190, 100, 0);
+    case OperatorState::STOPPED:
+      return colour(20, 20, 20);
+    case OperatorState::LOST:
+      return colour(150, 70, 150);
+    default:
+      return colour(200, 30, 20);  // BLOCKED
   }
 }
 

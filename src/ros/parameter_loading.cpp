@@ -64,13 +64,11 @@ std::string remedy_for(const ParameterInfo& info, const XmlRpcValue& value) {
   if (value.getType() == XmlRpcValue::TypeString && (info.type == "double" || info.type == "int")) {
     return " (YAML takes it for a text: write numbers like 0.001 or 1.0e-3, without quotes)";
   }
-  if (value.getType() == XmlRpcValue::TypeDouble && info.type == "int")
-    return " (write it without a decimal point)";
+  if (value.getType() == XmlRpcValue::TypeDouble && info.type == "int") return " (write it without a decimal point)";
   return "";
 }
 
-void take(LoadedParameters& loaded, const ParameterInfo& info, const std::string& key,
-          const XmlRpcValue& value) {
+void take(LoadedParameters& loaded, const ParameterInfo& info, const std::string& key, const XmlRpcValue& value) {
   std::string fault;
   if (const std::optional<ParameterValue> plain = converted(info, value)) {
     fault = set_parameter(loaded.parameters, info.name, *plain);
@@ -155,8 +153,7 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
     if (is_built_in_group(group)) {
       take_nested(loaded, group, *members);
     } else if (listed.count(group) == 0) {
-      loaded.warnings.push_back("unknown namespace " + group +
-                                ": no critic of that name is listed in critics");
+      loaded.warnings.push_back("unknown namespace " + group + ": no critic of that name is listed in critics");
     }
   }
   const Parameters whole = completed ? completed(loaded.parameters) : loaded.parameters;

@@ -76,8 +76,7 @@ XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle) {
 
 std::vector<std::string> configure(Planner& planner, const ParameterSet& set) {
   try {
-    return planner.configure(set.parameters,
-                             [&set](const std::string& critic) { return set.source_for(critic); });
+    return planner.configure(set.parameters, [&set](const std::string& critic) { return set.source_for(critic); });
   } catch (const std::exception& error) {
     return {std::string("critics: one of them does not take its parameters: ") + error.what()};
   }
@@ -87,8 +86,7 @@ std::vector<std::string> faults_of(const ParameterSet& set, const CriticRegistry
   std::vector<std::string> faults;
   for (const std::string& critic : split_names(set.parameters.critics)) {
     if (registry.knows(critic) && registry.make(critic) == nullptr) {
-      faults.push_back("critics: " + critic +
-                       " is declared, but its library cannot be loaded; rebuild its package");
+      faults.push_back("critics: " + critic + " is declared, but its library cannot be loaded; rebuild its package");
     }
   }
   check_topics(faults, set.parameters);

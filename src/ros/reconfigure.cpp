@@ -22,8 +22,7 @@ HIDWAPlannerConfig to_config(const Parameters& p) {
 #define HIDWA_INT(name, value, min, max, unit, tab, text) config.name = p.name;
 #define HIDWA_BOOL(name, value, tab, text) config.name = p.name;
 #define HIDWA_STRING(name, value, tab, text) config.name = p.name;
-#define HIDWA_ENUM(Type, name, value, names, tab, text) \
-  config.name = std::get<std::string>(get_parameter(p, #name));
+#define HIDWA_ENUM(Type, name, value, names, tab, text) config.name = std::get<std::string>(get_parameter(p, #name));
 #include "hidwa_local_planner/core/parameter_list.inc"
 #undef HIDWA_DOUBLE
 #undef HIDWA_INT

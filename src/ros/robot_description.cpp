@@ -92,8 +92,7 @@ void RobotDescription::find_wheels(const robot::Model& model, const Names& names
   robot::WheelSearch search = robot::find_wheels(model, names[1], names[2]);
   wheels_ = std::move(search.wheels);
   if (search.undecided) {
-    ROS_WARN("%s: %s sets no limit: %s", handle_.getNamespace().c_str(), names[0].c_str(),
-             search.fault.c_str());
+    ROS_WARN("%s: %s sets no limit: %s", handle_.getNamespace().c_str(), names[0].c_str(), search.fault.c_str());
   } else if (!search.fault.empty()) {
     complain(search.fault);
   }
@@ -130,13 +129,12 @@ void RobotDescription::give_outline(costmap_2d::Costmap2DROS& costmap, bool want
   const bool empty = costmap.getUnpaddedRobotFootprint().size() < 3;
   if (!empty && has_own_footprint(ros::NodeHandle("~/" + name))) return;
   const std::string situation =
-      name + (empty ? " has no footprint"
-                    : " has neither footprint nor robot_radius (other than the default of 0.46 m)");
+      name +
+      (empty ? " has no footprint" : " has neither footprint nor robot_radius (other than the default of 0.46 m)");
   if (!outline_->fault.empty() || !outline_->skipped.empty()) {
-    const std::string reason =
-        !outline_->fault.empty()
-            ? outline_->fault
-            : "the collision geometry of " + joined(outline_->skipped) + " is a mesh or has no size";
+    const std::string reason = !outline_->fault.empty() ? outline_->fault
+                                                        : "the collision geometry of " + joined(outline_->skipped) +
+                                                              " is a mesh or has no size";
     ROS_WARN("%s: %s, and the URDF gives no outline (%s): set footprint or robot_radius",
              handle_.getNamespace().c_str(), situation.c_str(), reason.c_str());
     return;
@@ -150,8 +148,7 @@ void RobotDescription::give_outline(costmap_2d::Costmap2DROS& costmap, bool want
   for (const Point& corner : outline_->corners) reach = std::max(reach, corner.norm());
   costmap.setUnpaddedRobotFootprint(points_of(outline_->corners));
   ROS_WARN("%s: %s: the URDF's collision geometry is taken, %zu corners up to %.3f m from %s",
-           handle_.getNamespace().c_str(), situation.c_str(), outline_->corners.size(), reach,
-           base_frame_.c_str());
+           handle_.getNamespace().c_str(), situation.c_str(), outline_->corners.size(), reach, base_frame_.c_str());
 }
 
 }  // namespace hidwa_local_planner

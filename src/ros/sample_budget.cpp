@@ -7,11 +7,10 @@
 namespace hidwa_local_planner {
 namespace {
 
-constexpr double kAim = 0.7;   // of the budget, where thinning leads
-constexpr double kRoom = 0.8;  // of the budget, what samples that come back may lead to
-constexpr double kGrowth =
-    1.25;                      // of the candidates, at most, in one step back (but never less than a level)
-constexpr int kPatience = 40;  // calm cycles
+constexpr double kAim = 0.7;      // of the budget, where thinning leads
+constexpr double kRoom = 0.8;     // of the budget, what samples that come back may lead to
+constexpr double kGrowth = 1.25;  // of the candidates, at most, in one step back (but never less than a level)
+constexpr int kPatience = 40;     // calm cycles
 constexpr int kLongestPatience = 640;
 
 // Fewer samples than these are never left. Odd counts stay odd and even ones even: a window that is symmetric
@@ -109,15 +108,13 @@ SampleBudget::Event SampleBudget::restore(double duration, double budget) {
 
 std::string thinning_complaint(const Sampling& in_force, const Sampling& full, double budget) {
   if (same(in_force, full)) return "";
-  const bool fewest =
-      in_force.vx_samples == least(full.vx_samples) && in_force.vth_samples == least(full.vth_samples);
+  const bool fewest = in_force.vx_samples == least(full.vx_samples) && in_force.vth_samples == least(full.vth_samples);
   char text[320];
-  std::snprintf(
-      text, sizeof(text),
-      "cycles take longer than the budget of %.1f ms: samples thinned from %d x %d to %d x %d%s; lower "
-      "vx_samples or vth_samples, raise cycle_budget, or give the machine less to do",
-      1e3 * budget, full.vx_samples, full.vth_samples, in_force.vx_samples, in_force.vth_samples,
-      fewest ? ", the fewest" : "");
+  std::snprintf(text, sizeof(text),
+                "cycles take longer than the budget of %.1f ms: samples thinned from %d x %d to %d x %d%s; lower "
+                "vx_samples or vth_samples, raise cycle_budget, or give the machine less to do",
+                1e3 * budget, full.vx_samples, full.vth_samples, in_force.vx_samples, in_force.vth_samples,
+                fewest ? ", the fewest" : "");
   return text;
 }
 

@@ -112,8 +112,8 @@ void Shell::report_start(const std::vector<std::string>& found) const {
         value);
     changed.push_back(text);
   }
-  ROS_INFO("%s: %zu values came from the parameter server; not the defaults: %s",
-           handle_.getNamespace().c_str(), found.size(), changed.empty() ? "none" : joined(changed).c_str());
+  ROS_INFO("%s: %zu values came from the parameter server; not the defaults: %s", handle_.getNamespace().c_str(),
+           found.size(), changed.empty() ? "none" : joined(changed).c_str());
   ROS_INFO("%s: critics in order: %s; control period %.3f s", handle_.getNamespace().c_str(),
            joined(split_names(planner_.parameters().critics)).c_str(), control_period());
 }
@@ -195,9 +195,9 @@ Diagnostics::Load Shell::load() const {
 void Shell::check_horizon() {
   const costmap_2d::Costmap2D& map = *costmap_.getCostmap();
   if (map.getSizeInCellsX() == 0 || map.getSizeInCellsY() == 0) return;  // it waits for its map
-  std::vector<std::string> complaints = horizon_complaints(
-      planner_.parameters(), map.getSizeInCellsX() * map.getResolution(),
-      map.getSizeInCellsY() * map.getResolution(), planner_.footprint().circumscribed_radius());
+  std::vector<std::string> complaints =
+      horizon_complaints(planner_.parameters(), map.getSizeInCellsX() * map.getResolution(),
+                         map.getSizeInCellsY() * map.getResolution(), planner_.footprint().circumscribed_radius());
   if (complaints == horizon_said_) return;
   for (const std::string& complaint : complaints) ROS_WARN("%s: %s", name_.c_str(), complaint.c_str());
   horizon_said_ = std::move(complaints);

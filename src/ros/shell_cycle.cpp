@@ -45,7 +45,8 @@ void Shell::begin_goal() {
 // Where the robot was carried or driven away from the goal, what was latched there is true no more.
 bool Shell::check_goal(const Observation& observation, const Pose2& goal) {
   const bool latched = goal_checker_.latched();
-  const bool reached = goal_checker_.update(observation.pose, planner_.believed(*observation.velocity), goal, planner_.parameters());
+  const bool reached =
+      goal_checker_.update(observation.pose, planner_.believed(*observation.velocity), goal, planner_.parameters());
   if (latched && !goal_checker_.latched()) begin_goal();
   return reached;
 }
@@ -108,15 +109,15 @@ CycleResult Shell::work(double now, const OperatorIntent& intent, bool paused) {
   if (paused) resume(now);
   Sampling sampling = budget_.in_force();
   sampling.check_all = publishing_.candidates_wanted();
-  CycleResult result = observation.fault.empty() ? decide(now, observation, intent, sampling)
-                                                 : brake(now, observation, intent);
+  CycleResult result =
+      observation.fault.empty() ? decide(now, observation, intent, sampling) : brake(now, observation, intent);
   result.sampling = sampling;
   remember(now, result, observation);
   return result;
 }
 
-// While the host was in control it sent commands of its own, or another node did. What odometry agrees on is where the next
-// command starts from, within the limits.
+// While the host was in control it sent commands of its own, or another node did. What odometry agrees on is where the
+// next command starts from, within the limits.
 void Shell::resume(double now) {
   const Parameters& p = planner_.parameters();
   resumed_ = true;
@@ -172,8 +173,7 @@ std::string Shell::observe_pose(double now, Observation& observation) {
   const std::string& frame = costmap_.getGlobalFrameID();
   geometry_msgs::PoseStamped pose;
   if (!costmap_.getRobotPose(pose)) {
-    return "the robot's pose in " + frame + " cannot be had: check the transform from " +
-           costmap_.getBaseFrameID();
+    return "the robot's pose in " + frame + " cannot be had: check the transform from " + costmap_.getBaseFrameID();
   }
   observation.pose = to_pose(pose.pose);
   if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now - pose.header.stamp.toSec());
@@ -183,13 +183,11 @@ std::string Shell::observe_pose(double now, Observation& observation) {
     const geometry_msgs::TransformStamped transform = tf_.lookupTransform(frame, plan_.frame(), ros::Time(0));
     const double age = transform.header.stamp.isZero() ? 0.0 : now - transform.header.stamp.toSec();
     if (age > planner_.parameters().transform_tolerance) {
-      return "the transform from the plan's frame " + plan_.frame() + " to " + frame + " is " +
-             std::to_string(age) + " s old (transform_tolerance)";
+      return "the transform from the plan's frame " + plan_.frame() + " to " + frame + " is " + std::to_string(age) +
+             " s old (transform_tolerance)";
     }
     observation.from_plan = to_transform(transform.transform);
-    return is_finite(observation.from_plan.origin)
-               ? ""
-               : "the transform from " + plan_.frame() + " is not a number";
+    return is_finite(observation.from_plan.origin) ? "" : "the transform from " + plan_.frame() + " is not a number";
   } catch (const tf2::TransformException& error) {
     return "no transform from the plan's frame " + plan_.frame() + " to " + frame + ": " + error.what();
   }
@@ -214,7 +212,8 @@ CycleResult Shell::brake(double now, const Observation& observation, const Opera
   CycleResult result;
   result.missing = observation.missing;
   result.fault = observation.fault;
-  recording_.brakes(planner_, outline_, fault_brake_, {{}, observation.velocity, last_command_, brake_period(), observation.fault});
+  recording_.brakes(planner_, outline_, fault_brake_,
+                    {{}, observation.velocity, last_command_, brake_period(), observation.fault});
   const FaultBrake::Answer answer =
       fault_brake_.answer(now, observation.velocity, last_command_, planner_.parameters(), brake_period());
   result.outcome = outcome_of(answer, intent);
@@ -226,9 +225,8 @@ CycleResult Shell::decide(double now, const Observation& observation, const Oper
                           const Sampling& sampling) {
   fault_brake_.clear();
   const Parameters& p = planner_.parameters();
-  const double ahead = p.forward_prune_auto
-                           ? std::max(p.forward_prune_distance, 1.2 * p.max_vel_x * p.sim_time)
-                           : p.forward_prune_distance;
+  const double ahead = p.forward_prune_auto ? std::max(p.forward_prune_distance, 1.2 * p.max_vel_x * p.sim_time)
+                                            : p.forward_prune_distance;
   situation_.pose = observation.pose;
   situation_.velocity = *observation.velocity;
   situation_.last_command = last_command_;
@@ -271,8 +269,7 @@ void Shell::remember(double now, const CycleResult& result, const Observation& o
   input::CycleFeedback feedback;
   feedback.command = result.command;
   feedback.velocity = observation.velocity.value_or(Twist2{});
-  feedback.at_rest = result.command == Twist2{} &&
-                     std::abs(feedback.velocity.v) <= p.trans_stopped_velocity &&
+  feedback.at_rest = result.command == Twist2{} && std::abs(feedback.velocity.v) <= p.trans_stopped_velocity &&
                      std::abs(feedback.velocity.omega) <= p.rot_stopped_velocity;
   feedback.own_command_refused = result.decision && !result.decision->operator_refused_by.empty();
   feedback.goal_latched = goal_checker_.latched();
@@ -281,8 +278,7 @@ void Shell::remember(double now, const CycleResult& result, const Observation& o
 }
 
 void Shell::explain(double now, const CycleResult& result) {
-  const bool refused =
-      result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);
+  const bool refused = result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);
   const bool escaping = result.decision && !refused && result.decision->escaping;
   const std::string_view what = refused    ? std::string_view(result.decision->problem)
                                 : escaping ? kEscapes
@@ -293,8 +289,7 @@ void Shell::explain(double now, const CycleResult& result) {
   }
   if (!explanations_.due(now, what)) return;
   const std::string message = refused ? refusals_in_words(*result.decision) : std::string(what);
-  const char* consequence = result.outcome == Outcome::fail
-                                ? "; the robot stands, the host replans or recovers"
+  const char* consequence = result.outcome == Outcome::fail    ? "; the robot stands, the host replans or recovers"
                             : result.outcome == Outcome::brake ? "; braking"
                                                                : "";
   ROS_WARN("%s: %s%s", name_.c_str(), message.c_str(), consequence);
@@ -305,8 +300,7 @@ void Shell::keep_budget(double duration, const CycleResult& result) {
   if (result.decision && result.decision->candidates > 0) {
     const SampleBudget::Event event = budget_.observe(duration, cycle_budget());
     if (event == SampleBudget::Event::thinning_began) {
-      ROS_WARN("%s: %s", name_.c_str(),
-               thinning_complaint(budget_.in_force(), budget_.full(), cycle_budget()).c_str());
+      ROS_WARN("%s: %s", name_.c_str(), thinning_complaint(budget_.in_force(), budget_.full(), cycle_budget()).c_str());
     } else if (event == SampleBudget::Event::thinning_ended) {
       ROS_INFO("%s: all %d x %d samples are tried again", name_.c_str(), budget_.full().vx_samples,
                budget_.full().vth_samples);

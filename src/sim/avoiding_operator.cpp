@@ -11,8 +11,7 @@ namespace {
 
 // What the person thinks of: a few stick positions, held one after the other for these times. The smallest
 // goes nearly straight yet counts as input, which keeps the robot from returning to its plan.
-constexpr std::array<double, 12> kSticks{0.2, -0.2, 0.4,  -0.4,  0.55, -0.55,
-                                         0.7, -0.7, 0.85, -0.85, 1.0,  -1.0};
+constexpr std::array<double, 12> kSticks{0.2, -0.2, 0.4, -0.4, 0.55, -0.55, 0.7, -0.7, 0.85, -0.85, 1.0, -1.0};
 constexpr std::array<double, 3> kDurations{1.0, 1.5, 2.0};  // [s]
 
 // What the person minds, for each second, metre or radian of it.
@@ -31,9 +30,8 @@ constexpr double kPlanReach = 5.0;    // [m], how much of the plan ahead is look
 
 }  // namespace
 
-AvoidingOperator::AvoidingOperator(const OperatorTraits& traits, const RobotHabits& habits,
-                                   const OccupancyMap& map, const std::vector<Region>& regions,
-                                   std::uint64_t seed)
+AvoidingOperator::AvoidingOperator(const OperatorTraits& traits, const RobotHabits& habits, const OccupancyMap& map,
+                                   const std::vector<Region>& regions, std::uint64_t seed)
     : traits_(traits),
       habits_(habits),
       prediction_(habits, map, regions),

@@ -52,16 +52,15 @@ Cells read_cells(const std::string& list, const std::string& what) {
 void check_path(const Cells& path) {
   if (path.empty()) throw Fault{"there is no path"};
   for (std::size_t k = 1; k < path.size(); ++k) {
-    if (std::abs(path[k].first - path[k - 1].first) > 1 ||
-        std::abs(path[k].second - path[k - 1].second) > 1) {
+    if (std::abs(path[k].first - path[k - 1].first) > 1 || std::abs(path[k].second - path[k - 1].second) > 1) {
       throw Fault{"the path leaps from " + std::to_string(path[k - 1].first) + ":" +
                   std::to_string(path[k - 1].second) + " to " + std::to_string(path[k].first) + ":" +
                   std::to_string(path[k].second)};
     }
   }
   if (path.back().second != kRows - 1) {
-    throw Fault{"the path ends in row " + std::to_string(path.back().second) + ", not " +
-                std::to_string(kRows - 1) + ": the line is cut off"};
+    throw Fault{"the path ends in row " + std::to_string(path.back().second) + ", not " + std::to_string(kRows - 1) +
+                ": the line is cut off"};
   }
 }
 
@@ -96,8 +95,7 @@ BarnWorld read_world(const std::string& line) {
   for (const auto& [column, row] : cells) {
     world.cylinders.emplace_back(-0.5 * kLattice - kLattice * column, 0.5 * kLattice + kLattice * row);
   }
-  for (const auto& [column, row] : path)
-    world.path.emplace_back(kLattice * column - 4.575, kLattice * row + 5.075);
+  for (const auto& [column, row] : path) world.path.emplace_back(kLattice * column - 4.575, kLattice * row + 5.075);
   return world;
 }
 

@@ -33,8 +33,7 @@ void check(const DriveLimits& l) {
 Pose moved(const Pose& pose, const Motion& motion) {
   const double half = 0.5 * motion.angle;
   // The chord of an arc is its length times sin(half)/half; the series keeps that exact near zero.
-  const double chord =
-      motion.distance * (std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : std::sin(half) / half);
+  const double chord = motion.distance * (std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : std::sin(half) / half);
   return {pose.x + chord * std::cos(pose.theta + half), pose.y + chord * std::sin(pose.theta + half),
           normalized(pose.theta + motion.angle)};
 }
@@ -64,8 +63,7 @@ Velocity DiffDrive::limited(Velocity velocity) const {
   if (limits_.max_wheel_velocity > 0.0) {
     // Where a wheel would have to turn faster than it can, the base slows down on the same curve.
     const double fastest = std::abs(velocity.v) + 0.5 * limits_.wheel_separation * std::abs(velocity.omega);
-    const double share =
-        std::min(1.0, limits_.wheel_radius * limits_.max_wheel_velocity / std::max(fastest, 1e-9));
+    const double share = std::min(1.0, limits_.wheel_radius * limits_.max_wheel_velocity / std::max(fastest, 1e-9));
     velocity.v *= share;
     velocity.omega *= share;
   }

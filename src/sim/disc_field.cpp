@@ -30,8 +30,7 @@ double distance_to_border(const Eigen::Vector2d& p, const Polygon& polygon) {
 }
 
 // Along a ray of direction (c, s) from `from` to the disc [m]; infinite where it passes.
-double ray_to_disc(const Eigen::Vector2d& from, double c, double s, const Eigen::Vector2d& centre,
-                   double radius) {
+double ray_to_disc(const Eigen::Vector2d& from, double c, double s, const Eigen::Vector2d& centre, double radius) {
   const Eigen::Vector2d to = centre - from;
   const double along = to.x() * c + to.y() * s;
   const double across = to.y() * c - to.x() * s;
@@ -63,8 +62,7 @@ DiscField::DiscField(std::vector<Eigen::Vector2d> centres, double radius)
     for (int j = row(c.y() - radius_); j <= std::min(rows_ - 1, row(c.y() + radius_)); ++j) {
       for (int i = column(c.x() - radius_); i <= std::min(columns_ - 1, column(c.x() + radius_)); ++i) {
         if (i < 0 || j < 0) continue;
-        buckets_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
-                 static_cast<std::size_t>(i)]
+        buckets_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)]
             .push_back(static_cast<std::uint32_t>(k));
       }
     }
@@ -104,9 +102,8 @@ double DiscField::gap(const Polygon& polygon, double at_most) const {
 
 double DiscField::distance(const Eigen::Vector2d& point, double at_most) const {
   double least = at_most;
-  visit_near({point, point}, at_most, [&](const Eigen::Vector2d& centre) {
-    least = std::min(least, (centre - point).norm() - radius_);
-  });
+  visit_near({point, point}, at_most,
+             [&](const Eigen::Vector2d& centre) { least = std::min(least, (centre - point).norm() - radius_); });
   return least;
 }
 
@@ -129,8 +126,7 @@ double DiscField::range(double x, double y, double angle, double range_max) cons
   clip(x, c, low_.x(), low_.x() + columns_ * kBucket);
   clip(y, s, low_.y(), low_.y() + rows_ * kBucket);
   if (enter > leave) return kInfinity;
-  int i = std::clamp(column(x + enter * c), 0, columns_ - 1),
-      j = std::clamp(row(y + enter * s), 0, rows_ - 1);
+  int i = std::clamp(column(x + enter * c), 0, columns_ - 1), j = std::clamp(row(y + enter * s), 0, rows_ - 1);
   while (i >= 0 && j >= 0 && i < columns_ && j < rows_) {
     const double exit_x = c == 0.0 ? kInfinity : (low_.x() + (i + (c > 0.0 ? 1 : 0)) * kBucket - x) / c;
     const double exit_y = s == 0.0 ? kInfinity : (low_.y() + (j + (s > 0.0 ? 1 : 0)) * kBucket - y) / s;

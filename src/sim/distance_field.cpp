@@ -88,12 +88,10 @@ DistanceField DistanceField::to_regions(const OccupancyMap& map, const std::vect
   std::vector<std::uint8_t> marked(map.cells.size(), 0);
   for (const Region& region : regions) {
     const Box box = bounds(region.polygon);
-    for (int row = std::max(0, map.row(box.low.y())); row <= std::min(map.height - 1, map.row(box.high.y()));
-         ++row) {
+    for (int row = std::max(0, map.row(box.low.y())); row <= std::min(map.height - 1, map.row(box.high.y())); ++row) {
       for (int column = std::max(0, map.column(box.low.x()));
            column <= std::min(map.width - 1, map.column(box.high.x())); ++column) {
-        if (contains(region.polygon, {map.center_x(column), map.center_y(row)}))
-          marked[map.index(column, row)] = 1;
+        if (contains(region.polygon, {map.center_x(column), map.center_y(row)})) marked[map.index(column, row)] = 1;
       }
     }
   }

@@ -13,8 +13,7 @@ double asked_omega(double left, const RobotHabits& habits) {
   return std::copysign(left * left, left) * habits.max_vel_theta;
 }
 
-DrivePrediction::DrivePrediction(const RobotHabits& habits, const OccupancyMap& map,
-                                 const std::vector<Region>& regions)
+DrivePrediction::DrivePrediction(const RobotHabits& habits, const OccupancyMap& map, const std::vector<Region>& regions)
     : habits_(habits),
       regions_(DistanceField::to_regions(map, regions)),
       walls_(DistanceField::to_obstacles(map)),
@@ -26,8 +25,7 @@ DrivePrediction::State DrivePrediction::steered(const State& state, double omega
   return {moved(state.pose, {habits_.max_vel_x * kStep, 0.5 * (state.omega + next) * kStep}), next};
 }
 
-DrivePrediction::State DrivePrediction::following(const State& state, const Route& plan,
-                                                  std::size_t& nearest) const {
+DrivePrediction::State DrivePrediction::following(const State& state, const Route& plan, std::size_t& nearest) const {
   if (plan.empty()) return steered(state, 0.0);
   nearest = nearest_index(plan, nearest, 1.0, state.pose.x, state.pose.y);
   std::size_t aim = nearest;

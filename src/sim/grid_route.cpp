@@ -49,8 +49,8 @@ GridRoute::GridRoute(const OccupancyMap& map, const RouteClearance& clearance, c
   if (map.inside(column, row)) search(DistanceField::to_obstacles(map), clearance, column, row, last);
 }
 
-void GridRoute::search(const DistanceField& field, const RouteClearance& clearance, int goal_column,
-                       int goal_row, std::size_t last) {
+void GridRoute::search(const DistanceField& field, const RouteClearance& clearance, int goal_column, int goal_row,
+                       std::size_t last) {
   using Entry = std::pair<float, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
   std::vector<float> cost(toward_goal_.size(), std::numeric_limits<float>::max());

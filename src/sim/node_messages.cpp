@@ -52,8 +52,8 @@ visualization_msgs::Marker label(const Region& region) {
 
 }  // namespace
 
-nav_msgs::Odometry odometry_message(const ros::Time& stamp, const std::string& frame,
-                                    const std::string& child, const Pose& pose, const Velocity& velocity) {
+nav_msgs::Odometry odometry_message(const ros::Time& stamp, const std::string& frame, const std::string& child,
+                                    const Pose& pose, const Velocity& velocity) {
   nav_msgs::Odometry message;
   message.header.stamp = stamp;
   message.header.frame_id = frame;

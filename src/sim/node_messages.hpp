@@ -19,13 +19,12 @@ namespace hidwa_local_planner {
 namespace sim {
 
 /// A pose in `frame` as an odometry message; the velocity is the robot's own, in `child`.
-nav_msgs::Odometry odometry_message(const ros::Time& stamp, const std::string& frame,
-                                    const std::string& child, const Pose& pose, const Velocity& velocity);
+nav_msgs::Odometry odometry_message(const ros::Time& stamp, const std::string& frame, const std::string& child,
+                                    const Pose& pose, const Velocity& velocity);
 
 /// The transform of `child` in `frame`, `height` [m] above it.
 geometry_msgs::TransformStamped transform_message(const ros::Time& stamp, const std::string& frame,
-                                                  const std::string& child, const Pose& pose,
-                                                  double height = 0.0);
+                                                  const std::string& child, const Pose& pose, double height = 0.0);
 
 /// A scan's head; the ranges are filled in by the caller.
 sensor_msgs::LaserScan scan_message(const LaserSpec& laser, const std::string& frame, double period);

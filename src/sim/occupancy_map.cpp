@@ -62,8 +62,7 @@ OccupancyMap load_map(const std::string& yaml_path) {
   const auto origin = file.as<std::vector<double>>(file.root()["origin"], "origin");
   if (!(resolution > 0.0)) file.fail("'resolution' must be positive [m]");
   if (origin.size() != 3) file.fail("'origin' must be [x, y, yaw]");
-  if (origin[2] != 0.0)
-    file.fail("'origin' has a yaw other than 0, which is not supported: rotate the image instead");
+  if (origin[2] != 0.0) file.fail("'origin' has a yaw other than 0, which is not supported: rotate the image instead");
   const Thresholds thresholds = read_thresholds(file);
   const GreyImage image = read_pgm(image_path(file, yaml_path));
 
@@ -71,8 +70,7 @@ OccupancyMap load_map(const std::string& yaml_path) {
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
       // The image's first row is the top of the map.
-      map.cells[map.index(column, row)] =
-          classify(image.pixels[map.index(column, map.height - 1 - row)], thresholds);
+      map.cells[map.index(column, row)] = classify(image.pixels[map.index(column, map.height - 1 - row)], thresholds);
     }
   }
   return map;

@@ -31,8 +31,7 @@ constexpr double kGestureRange = 0.3;  // [m], the planner's gesture_range
 
 std::string required_path(const ros::NodeHandle& node, const std::string& name) {
   const auto path = node.param<std::string>(name, "");
-  if (path.empty())
-    throw std::runtime_error("parameter ~" + name + " is missing: ~operator avoid needs that file");
+  if (path.empty()) throw std::runtime_error("parameter ~" + name + " is missing: ~operator avoid needs that file");
   return path;
 }
 
@@ -72,10 +71,9 @@ class OperatorNode {
                                    private_node.param("gesture_range", kGestureRange));
     joy_ = node_.advertise<sensor_msgs::Joy>("joy", 10);
     hand_ = node_.advertise<geometry_msgs::PoseStamped>("hand_pose", 10);
-    truth_ = node_.subscribe<nav_msgs::Odometry>(
-        "ground_truth", 1, [this](const nav_msgs::Odometry::ConstPtr& m) { seen_ = m; });
-    timer_ =
-        node_.createTimer(ros::Duration(1.0 / kPublishRate), [this](const ros::TimerEvent&) { publish(); });
+    truth_ = node_.subscribe<nav_msgs::Odometry>("ground_truth", 1,
+                                                 [this](const nav_msgs::Odometry::ConstPtr& m) { seen_ = m; });
+    timer_ = node_.createTimer(ros::Duration(1.0 / kPublishRate), [this](const ros::TimerEvent&) { publish(); });
   }
 
  private:
@@ -84,14 +82,13 @@ class OperatorNode {
     std::vector<std::string> topics{"plan", "/move_base/GlobalPlanner/plan", "/move_base/NavfnROS/plan"};
     private_node.getParam("plan_topics", topics);
     for (const std::string& topic : topics) {
-      plans_.push_back(
-          node_.subscribe<nav_msgs::Path>(topic, 1, [&avoiding](const nav_msgs::Path::ConstPtr& m) {
-            Route route;
-            for (const geometry_msgs::PoseStamped& pose : m->poses) {
-              route.emplace_back(pose.pose.position.x, pose.pose.position.y);
-            }
-            avoiding.set_plan(route);
-          }));
+      plans_.push_back(node_.subscribe<nav_msgs::Path>(topic, 1, [&avoiding](const nav_msgs::Path::ConstPtr& m) {
+        Route route;
+        for (const geometry_msgs::PoseStamped& pose : m->poses) {
+          route.emplace_back(pose.pose.position.x, pose.pose.position.y);
+        }
+        avoiding.set_plan(route);
+      }));
     }
   }
 

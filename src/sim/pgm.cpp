@@ -40,15 +40,13 @@ GreyImage read_pgm(const std::string& path) {
   std::string magic(2, '\0');
   in.read(&magic[0], 2);
   if (magic != "P5" && magic != "P2") {
-    fail(path,
-         "is not a PGM image (P5 or P2); convert it, for example with ImageMagick: convert MAP.png MAP.pgm");
+    fail(path, "is not a PGM image (P5 or P2); convert it, for example with ImageMagick: convert MAP.png MAP.pgm");
   }
   GreyImage image;
   image.width = header_number(in, path);
   image.height = header_number(in, path);
   const int white = header_number(in, path);
-  if (image.width <= 0 || image.height <= 0 || white <= 0 || white > 65535)
-    fail(path, "impossible size or depth");
+  if (image.width <= 0 || image.height <= 0 || white <= 0 || white > 65535) fail(path, "impossible size or depth");
   if (image.width > 100000 || image.height > 100000) fail(path, "is wider or higher than 100000 pixels");
   if (magic == "P5") in.get();  // one white space ends the header
   const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);

@@ -13,8 +13,8 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() 
 
 /// Whether p, known to lie on the line through a and b, lies between them.
 bool between(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
-  return p.x() >= std::min(a.x(), b.x()) && p.x() <= std::max(a.x(), b.x()) &&
-         p.y() >= std::min(a.y(), b.y()) && p.y() <= std::max(a.y(), b.y());
+  return p.x() >= std::min(a.x(), b.x()) && p.x() <= std::max(a.x(), b.x()) && p.y() >= std::min(a.y(), b.y()) &&
+         p.y() <= std::max(a.y(), b.y());
 }
 
 }  // namespace
@@ -73,8 +73,7 @@ bool segments_touch(const Eigen::Vector2d& a0, const Eigen::Vector2d& a1, const 
   const double s1 = cross(a1 - a0, b1 - a0);
   const double t0 = cross(b1 - b0, a0 - b0);
   const double t1 = cross(b1 - b0, a1 - b0);
-  if (((s0 > 0.0 && s1 < 0.0) || (s0 < 0.0 && s1 > 0.0)) &&
-      ((t0 > 0.0 && t1 < 0.0) || (t0 < 0.0 && t1 > 0.0))) {
+  if (((s0 > 0.0 && s1 < 0.0) || (s0 < 0.0 && s1 > 0.0)) && ((t0 > 0.0 && t1 < 0.0) || (t0 < 0.0 && t1 > 0.0))) {
     return true;
   }
   return (s0 == 0.0 && between(a0, a1, b0)) || (s1 == 0.0 && between(a0, a1, b1)) ||
@@ -85,8 +84,7 @@ bool touch(const Polygon& a, const Polygon& b) {
   if (a.empty() || b.empty()) return false;
   const Box box_a = bounds(a);
   const Box box_b = bounds(b);
-  if ((box_a.low.array() > box_b.high.array()).any() || (box_b.low.array() > box_a.high.array()).any())
-    return false;
+  if ((box_a.low.array() > box_b.high.array()).any() || (box_b.low.array() > box_a.high.array()).any()) return false;
   for (std::size_t i = 0, j = a.size() - 1; i < a.size(); j = i++) {
     for (std::size_t k = 0, l = b.size() - 1; k < b.size(); l = k++) {
       if (segments_touch(a[j], a[i], b[l], b[k])) return true;

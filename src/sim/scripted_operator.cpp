@@ -11,8 +11,7 @@ namespace sim {
 namespace {
 
 ScriptEntry read_entry(const YamlFile& file, const YAML::Node& node, const std::string& name) {
-  if (!node.IsMap())
-    file.fail(name + " must be a map such as {after_m: 12.0, for_s: 3.0, stick: [1.0, 0.0]}");
+  if (!node.IsMap()) file.fail(name + " must be a map such as {after_m: 12.0, for_s: 3.0, stick: [1.0, 0.0]}");
   ScriptEntry entry;
   bool triggered = false;
   for (const auto& item : node) {
@@ -38,8 +37,7 @@ ScriptEntry read_entry(const YamlFile& file, const YAML::Node& node, const std::
                 "for_s and stick are");
     }
   }
-  if (!triggered)
-    file.fail(name + " says not when: give after_m, or when_x_below, when_x_above, when_y_below, ...");
+  if (!triggered) file.fail(name + " says not when: give after_m, or when_x_below, when_x_above, when_y_below, ...");
   entry.for_s = file.as<double>(node["for_s"], name + ".for_s");
   if (!(entry.for_s > 0.0)) file.fail("'" + name + ".for_s' must be positive [s]");
   const auto stick = file.as<std::vector<double>>(node["stick"], name + ".stick");
@@ -54,8 +52,7 @@ ScriptEntry read_entry(const YamlFile& file, const YAML::Node& node, const std::
 
 std::vector<ScriptEntry> load_script(const std::string& yaml_path) {
   const YamlFile file(yaml_path);
-  if (!file.root().IsSequence())
-    file.fail("must be a list of entries {after_m: ..., for_s: ..., stick: [left, up]}");
+  if (!file.root().IsSequence()) file.fail("must be a list of entries {after_m: ..., for_s: ..., stick: [left, up]}");
   std::vector<ScriptEntry> script;
   for (std::size_t i = 0; i < file.root().size(); ++i) {
     script.push_back(read_entry(file, file.root()[i], "entry " + std::to_string(i + 1)));

@@ -59,8 +59,7 @@ class SimNode {
           world_.command({m->linear.x, m->angular.z});
         },
         ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
-    static_tf_.sendTransform(
-        transform_message(stamp(), p_.base_frame, p_.laser_frame, p_.laser_pose, p_.laser_height));
+    static_tf_.sendTransform(transform_message(stamp(), p_.base_frame, p_.laser_frame, p_.laser_pose, p_.laser_height));
     publish_counts();
   }
 
@@ -79,9 +78,7 @@ class SimNode {
   }
 
  private:
-  ros::Time stamp() const {
-    return ros::Time(kFirstStamp) + ros::Duration().fromNSec(step_ * kStepNanoseconds);
-  }
+  ros::Time stamp() const { return ros::Time(kFirstStamp) + ros::Duration().fromNSec(step_ * kStepNanoseconds); }
 
   void publish() {
     rosgraph_msgs::Clock clock;
@@ -89,16 +86,14 @@ class SimNode {
     clock_.publish(clock);
     if (odom_due_(step_)) publish_odometry();
     if (truth_due_(step_)) {
-      truth_.publish(
-          odometry_message(stamp(), p_.map_frame, p_.base_frame, world_.pose(), world_.velocity()));
+      truth_.publish(odometry_message(stamp(), p_.map_frame, p_.base_frame, world_.pose(), world_.velocity()));
     }
     if (scan_due_(step_)) publish_scan();
   }
 
   void publish_odometry() {
     const Odometry& odometry = world_.odometry();
-    odom_.publish(
-        odometry_message(stamp(), p_.odom_frame, p_.base_frame, odometry.pose(), odometry.velocity()));
+    odom_.publish(odometry_message(stamp(), p_.odom_frame, p_.base_frame, odometry.pose(), odometry.velocity()));
     // Perfect localisation: map -> odom takes up the whole drift of the odometry.
     const Pose map_to_odom = compose(world_.pose(), inverse(odometry.pose()));
     tf_.sendTransform({transform_message(stamp(), p_.map_frame, p_.odom_frame, map_to_odom),

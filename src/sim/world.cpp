@@ -29,9 +29,8 @@ World::World(WorldSetup setup)
   if (!setup_.map) throw std::invalid_argument("the simulated robot needs a map");
   if (setup_.footprint.size() < 3) throw std::invalid_argument("the footprint needs three corners or more");
   if (!is_free(pose_)) {
-    throw std::invalid_argument("the start (" + std::to_string(pose_.x) + ", " + std::to_string(pose_.y) +
-                                ", " + std::to_string(pose_.theta) +
-                                ") puts the footprint on an obstacle: choose a free one");
+    throw std::invalid_argument("the start (" + std::to_string(pose_.x) + ", " + std::to_string(pose_.y) + ", " +
+                                std::to_string(pose_.theta) + ") puts the footprint on an obstacle: choose a free one");
   }
   regions_.update(transformed(setup_.footprint, pose_));
 }

@@ -24,9 +24,7 @@ class YamlFile {
 
   const YAML::Node& root() const { return root_; }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error("'" + path_ + "': " + what);
-  }
+  [[noreturn]] void fail(const std::string& what) const { throw std::runtime_error("'" + path_ + "': " + what); }
 
   /// `node` as a T; `name` says which one where it cannot be.
   template <typename T>

@@ -52,9 +52,8 @@ std::vector<BarnSubject> subjects_of(const Options& options, const Plan& plan) {
 
 std::string manifest(const Options& o) {
   return "{\n  \"version\": " + quoted(HIDWA_VERSION) +
-         ",\n  \"experiment\": \"barn\",\n  \"seed\": " + std::to_string(o.seed) +
-         ",\n  \"set\": " + json_of(o.sets) + ",\n  \"worlds\": " + quoted(fingerprint_of_file(o.worlds)) +
-         ",\n  \"parameters\": " +
+         ",\n  \"experiment\": \"barn\",\n  \"seed\": " + std::to_string(o.seed) + ",\n  \"set\": " + json_of(o.sets) +
+         ",\n  \"worlds\": " + quoted(fingerprint_of_file(o.worlds)) + ",\n  \"parameters\": " +
          quoted(fingerprint_of_file(share_file(kJackal)) + " " + fingerprint_of_file(share_file(kBarn))) +
          ",\n  \"paths\": " + (o.paths ? "true" : "false") + "\n}\n";
 }
@@ -65,8 +64,7 @@ int barn(const Options& options, std::ostream& out, std::ostream& errors) {
   const std::map<int, sim::BarnWorld> worlds = load_worlds(options.worlds);
   std::vector<int> indices;
   for (const auto& entry : worlds) indices.push_back(entry.first);
-  const std::vector<Setting> settings =
-      options.vary.empty() ? combinations(options.grid) : variations(options.vary);
+  const std::vector<Setting> settings = options.vary.empty() ? combinations(options.grid) : variations(options.vary);
   const Plan plan = make_barn_plan(indices, options.modes, settings);
   const std::vector<BarnSubject> subjects = subjects_of(options, plan);
   const auto make = [&](const Run& run) {

@@ -102,8 +102,7 @@ drive::CostmapSettings wide_enough(drive::CostmapSettings costmap, const Paramet
 }
 
 std::shared_ptr<sim::Operator> person_of(const std::string& mode, const Parameters& parameters,
-                                         const std::shared_ptr<const sim::DiscField>& discs,
-                                         std::uint64_t seed) {
+                                         const std::shared_ptr<const sim::DiscField>& discs, std::uint64_t seed) {
   const FullDeflection full{parameters.max_vel_x, parameters.max_vel_theta, parameters.exponent};
   if (mode == "HELPFUL") return std::make_shared<HelpfulPerson>(discs, full);
   if (mode == "HOSTILE") return std::make_shared<HostilePerson>(discs, full, seed);
@@ -146,12 +145,12 @@ void assign_barn(BarnSubject& subject, const Assignment& assignment) {
   }
 }
 
-drive::DriveResult drive_barn(const sim::BarnWorld& world, const BarnSubject& subject,
-                              const std::string& mode, std::uint64_t world_seed, std::uint64_t person_seed) {
+drive::DriveResult drive_barn(const sim::BarnWorld& world, const BarnSubject& subject, const std::string& mode,
+                              std::uint64_t world_seed, std::uint64_t person_seed) {
   const auto discs = std::make_shared<sim::DiscField>(world.cylinders, sim::kBarnCylinder);
   drive::DriveSetup setup;
-  setup.ground = std::make_shared<drive::Ground>(
-      std::make_shared<sim::OccupancyMap>(field(subject.plan_resolution)), discs);
+  setup.ground =
+      std::make_shared<drive::Ground>(std::make_shared<sim::OccupancyMap>(field(subject.plan_resolution)), discs);
   setup.start = sim::barn_start();
   setup.goal = sim::barn_goal();
   setup.explore = true;
@@ -181,8 +180,7 @@ BarnScore score_barn(const sim::BarnWorld& world, const drive::DriveResult& resu
   score.success = result.arrived && result.contacts == 0;
   score.optimal_time = sim::reference_length(world) / kOptimalSpeed;
   if (score.success) {
-    score.metric =
-        score.optimal_time / std::clamp(result.duration, 2.0 * score.optimal_time, 8.0 * score.optimal_time);
+    score.metric = score.optimal_time / std::clamp(result.duration, 2.0 * score.optimal_time, 8.0 * score.optimal_time);
   }
   const sim::DiscField discs(world.cylinders, sim::kBarnCylinder);
   constexpr double kFar = 5.0;  // [m]

@@ -84,8 +84,7 @@ double HelpfulPerson::off_plan(const sim::Pose& pose) const {
     return (a - here).squaredNorm() < (b - here).squaredNorm();
   });
   auto ahead = nearest;
-  for (double way = 0.0; way < kAhead && ahead + 1 != plan_.end(); ++ahead)
-    way += (*(ahead + 1) - *ahead).norm();
+  for (double way = 0.0; way < kAhead && ahead + 1 != plan_.end(); ++ahead) way += (*(ahead + 1) - *ahead).norm();
   const Eigen::Vector2d to = *ahead - here;
   return sim::normalized(std::atan2(to.y(), to.x()) - pose.theta);
 }

@@ -52,9 +52,7 @@ struct ModeGroup {
     }
     return n > 0.0 ? sum / n : 0.0;
   }
-  long count(const std::string& column) const {
-    return std::lround(mean(column) * static_cast<double>(rows.size()));
-  }
+  long count(const std::string& column) const { return std::lround(mean(column) * static_cast<double>(rows.size())); }
   double least(const std::string& column) const {
     double value = number_of(rows.front(), column);
     for (const Row& row : rows) value = std::min(value, number_of(row, column));
@@ -68,8 +66,7 @@ std::vector<ModeGroup> mode_groups(const Plan& plan, const std::vector<Row>& row
     for (const std::string& mode : barn_modes()) {
       ModeGroup group{mode, to_string(setting), {}};
       for (const Row& row : rows) {
-        if (text_of(row, "mode") == mode && text_of(row, "setting") == group.setting)
-          group.rows.push_back(row);
+        if (text_of(row, "mode") == mode && text_of(row, "setting") == group.setting) group.rows.push_back(row);
       }
       if (!group.rows.empty()) groups.push_back(group);
     }
@@ -79,10 +76,8 @@ std::vector<ModeGroup> mode_groups(const Plan& plan, const std::vector<Row>& row
 
 std::string group_json(const ModeGroup& group) {
   return "    {\"mode\": \"" + group.mode + "\", \"setting\": \"" + group.setting +
-         "\", \"n\": " + std::to_string(group.rows.size()) +
-         ", \"success\": " + number(group.mean("success")) +
-         ", \"collision\": " + number(group.mean("collision")) +
-         ", \"timeout\": " + number(group.mean("timeout")) +
+         "\", \"n\": " + std::to_string(group.rows.size()) + ", \"success\": " + number(group.mean("success")) +
+         ", \"collision\": " + number(group.mean("collision")) + ", \"timeout\": " + number(group.mean("timeout")) +
          ", \"time_of_successes\": " + number(group.mean_time_of_successes()) +
          ", \"metric\": " + number(group.mean("metric")) +
          ", \"contacts\": " + std::to_string(group.count("contacts")) +
@@ -113,8 +108,7 @@ std::string ranking(const Plan& plan, const std::vector<Row>& rows) {
   std::string csv = "rank,mode,setting,n,success,collision,timeout,time_of_successes,metric\n";
   int rank = 0;
   for (const ModeGroup& group : ranked) {
-    csv += std::to_string(++rank) + ',' + group.mode + ',' + group.setting + ',' +
-           std::to_string(group.rows.size());
+    csv += std::to_string(++rank) + ',' + group.mode + ',' + group.setting + ',' + std::to_string(group.rows.size());
     for (const double value : {group.mean("success"), group.mean("collision"), group.mean("timeout"),
                                group.mean_time_of_successes(), group.mean("metric")}) {
       csv += ',' + number(value);

@@ -22,13 +22,12 @@ struct Timing {
   std::size_t cycles = 0;
 };
 
-std::string timing_json(std::size_t threads, std::size_t made, std::size_t kept, double wall,
-                        const Timing& timing) {
+std::string timing_json(std::size_t threads, std::size_t made, std::size_t kept, double wall, const Timing& timing) {
   const double cycle = timing.cycles > 0 ? timing.planning / static_cast<double>(timing.cycles) : 0.0;
   return "{\n  \"runs_made\": " + std::to_string(made) + ",\n  \"runs_kept\": " + std::to_string(kept) +
          ",\n  \"threads\": " + std::to_string(threads) + ",\n  \"wall_time\": " + number(wall) +
-         ",\n  \"simulated_time\": " + number(timing.simulated) +
-         ",\n  \"mean_planning_time\": " + number(cycle) + "\n}\n";
+         ",\n  \"simulated_time\": " + number(timing.simulated) + ",\n  \"mean_planning_time\": " + number(cycle) +
+         "\n}\n";
 }
 
 // A finished run among the parts.
@@ -71,8 +70,7 @@ int execute(const Options& options, const Plan& plan, const std::string& manifes
   }
   if (kept > 0) errors << kept << " runs are finished already and kept" << std::endl;
 
-  const std::size_t threads =
-      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   Timing timing;
   std::mutex mutex;
   Progress progress(errors, wanted.size());

@@ -7,6 +7,5 @@
 #include "hidwa_local_planner/study/program.hpp"
 
 int main(int argc, char** argv) {
-  return hidwa_local_planner::study::program(std::vector<std::string>(argv + 1, argv + argc), std::cout,
-                                             std::cerr);
+  return hidwa_local_planner::study::program(std::vector<std::string>(argv + 1, argv + argc), std::cout, std::cerr);
 }

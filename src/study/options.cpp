@@ -15,8 +15,7 @@ namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-std::uint64_t whole(const std::string& option, const std::string& text, std::uint64_t least,
-                    std::uint64_t greatest) {
+std::uint64_t whole(const std::string& option, const std::string& text, std::uint64_t least, std::uint64_t greatest) {
   const bool digits = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
   const std::uint64_t value = digits ? std::strtoull(text.c_str(), nullptr, 10) : 0;
   if (!digits || value < least || value > greatest) {
@@ -48,9 +47,8 @@ std::vector<std::string> conditions(const std::string& text) {
   std::vector<std::string> names = list(text);
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  const bool known = std::all_of(names.begin(), names.end(), [](const std::string& name) {
-    return name == "SJ" || name == "SG" || name == "SW";
-  });
+  const bool known = std::all_of(names.begin(), names.end(),
+                                 [](const std::string& name) { return name == "SJ" || name == "SG" || name == "SW"; });
   if (names.empty() || !known) throw UsageError("--conditions needs some of SJ,SG,SW, not '" + text + "'");
   return names;
 }
@@ -75,8 +73,7 @@ std::vector<std::string> modes(const std::string& text) {
   return names;
 }
 
-std::string one_of(const std::string& option, const std::string& text, const std::string& a,
-                   const std::string& b) {
+std::string one_of(const std::string& option, const std::string& text, const std::string& a, const std::string& b) {
   if (text != a && text != b) throw UsageError(option + " is " + a + " or " + b + ", not '" + text + "'");
   return text;
 }
@@ -126,8 +123,8 @@ std::map<std::string, std::function<void()>> switches(Options& o) {
 // Options that say nothing to a command are refused: whoever gives them expects something else.
 void check_option(const std::string& command, const std::string& name) {
   const std::vector<std::string> of_barn{"--worlds", "--mode"};
-  const std::vector<std::string> of_people{"--map", "--regions", "--start", "--goal", "--participants", "--conditions",
-                                           "--profile", "--guard"};
+  const std::vector<std::string> of_people{"--map",          "--regions",    "--start",   "--goal",
+                                           "--participants", "--conditions", "--profile", "--guard"};
   const bool barn = command == "barn";
   const std::vector<std::string>& others = barn ? of_people : of_barn;
   if (std::count(others.begin(), others.end(), name) > 0) {
@@ -170,7 +167,8 @@ void check(const Options& o) {
     throw UsageError("sweep needs either --grid or --vary name=value,value,...");
   }
   if (o.command == "barn" && o.worlds.empty()) throw UsageError("--worlds is missing: a file of BARN worlds");
-  if (o.command == "barn" && !o.grid.empty() && !o.vary.empty()) throw UsageError("barn takes --grid or --vary, not both");
+  if (o.command == "barn" && !o.grid.empty() && !o.vary.empty())
+    throw UsageError("barn takes --grid or --vary, not both");
   const bool several = o.command == "sweep" || o.command == "barn";
   if (!several && !o.grid.empty()) throw UsageError("--grid is for sweep and barn; for one value take --set");
   if (!several && !o.vary.empty()) throw UsageError("--vary is for sweep and barn; for one value take --set");

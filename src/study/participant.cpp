@@ -14,9 +14,7 @@ namespace {
 Spread uniform(double low, double high) { return {Spread::Kind::uniform, low, high, 0.0, 0.0}; }
 Spread log_uniform(double low, double high) { return {Spread::Kind::log_uniform, low, high, 0.0, 0.0}; }
 Spread fixed(double value) { return {Spread::Kind::fixed, value, value, 0.0, 0.0}; }
-Spread normal(double mean, double sd, double low, double high) {
-  return {Spread::Kind::normal, low, high, mean, sd};
-}
+Spread normal(double mean, double sd, double low, double high) { return {Spread::Kind::normal, low, high, mean, sd}; }
 
 std::vector<Trait> all() {
   using P = Participant;
@@ -54,7 +52,8 @@ std::vector<Trait> all() {
 
 double drawn(const Spread& spread, sim::Random& random) {
   switch (spread.kind) {
-    case Spread::Kind::uniform: return spread.low + (spread.high - spread.low) * random.uniform();
+    case Spread::Kind::uniform:
+      return spread.low + (spread.high - spread.low) * random.uniform();
     case Spread::Kind::log_uniform:
       return spread.low * std::pow(spread.high / spread.low, random.uniform());
     case Spread::Kind::normal: {
@@ -64,7 +63,8 @@ double drawn(const Spread& spread, sim::Random& random) {
       } while (value < spread.low || value > spread.high);
       return value;
     }
-    case Spread::Kind::fixed: break;
+    case Spread::Kind::fixed:
+      break;
   }
   return spread.low;
 }

@@ -11,12 +11,11 @@ namespace study {
 namespace {
 
 // Which of a participant's conditions it is, from 0.
-int place_of_condition(const std::string& condition, const std::vector<std::string>& conditions,
-                       int participant) {
+int place_of_condition(const std::string& condition, const std::vector<std::string>& conditions, int participant) {
   std::vector<std::string> order;
   const bool sj_first = participant % 2 == 1;
-  for (const std::string& name : {std::string(sj_first ? "SJ" : "SW"), std::string(sj_first ? "SW" : "SJ"),
-                                  std::string("SG")}) {
+  for (const std::string& name :
+       {std::string(sj_first ? "SJ" : "SW"), std::string(sj_first ? "SW" : "SJ"), std::string("SG")}) {
     if (std::count(conditions.begin(), conditions.end(), name) > 0) order.push_back(name);
   }
   return static_cast<int>(std::find(order.begin(), order.end(), condition) - order.begin());
@@ -56,8 +55,7 @@ Run run_of(const std::vector<std::string>& cells) {
 
 std::string id_of(const std::string& experiment, const Run& run) {
   char numbers[64];
-  std::snprintf(numbers, sizeof numbers, "-P%04d-%s-S%05zu", run.participant, run.condition.c_str(),
-                run.setting + 1);
+  std::snprintf(numbers, sizeof numbers, "-P%04d-%s-S%05zu", run.participant, run.condition.c_str(), run.setting + 1);
   return experiment + numbers;
 }
 
@@ -73,10 +71,9 @@ Plan make_plan(const std::string& experiment, int participants, const std::vecto
         run.participant = participant;
         run.condition = condition;
         run.setting = setting;
-        const int turn = balanced ? place_of_setting(setting, settings.size(), participant)
-                                  : static_cast<int>(setting);
-        run.order = turn * static_cast<int>(conditions.size()) +
-                    place_of_condition(condition, conditions, participant) + 1;
+        const int turn = balanced ? place_of_setting(setting, settings.size(), participant) : static_cast<int>(setting);
+        run.order =
+            turn * static_cast<int>(conditions.size()) + place_of_condition(condition, conditions, participant) + 1;
         run.id = id_of(experiment, run);
         plan.runs.push_back(run);
       }
@@ -123,8 +120,8 @@ std::vector<Run> shard(const std::vector<Run>& runs, std::size_t k, std::size_t 
 std::string to_csv(const Plan& plan) {
   std::string csv = std::string(kHeader) + '\n';
   for (const Run& run : plan.runs) {
-    csv += run.id + ',' + std::to_string(run.participant) + ',' + run.condition + ',' +
-           std::to_string(run.order) + ',' + to_string(plan.settings[run.setting]) + '\n';
+    csv += run.id + ',' + std::to_string(run.participant) + ',' + run.condition + ',' + std::to_string(run.order) +
+           ',' + to_string(plan.settings[run.setting]) + '\n';
   }
   return csv;
 }

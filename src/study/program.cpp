@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "barn.hpp"
+#include "execution.hpp"
 #include "hidwa_local_planner/study/error.hpp"
 #include "hidwa_local_planner/study/options.hpp"
 #include "hidwa_local_planner/study/scene.hpp"
 #include "hidwa_local_planner/study/seed.hpp"
-#include "barn.hpp"
-#include "execution.hpp"
 #include "manifest.hpp"
 #include "share.hpp"
 
@@ -60,7 +60,7 @@ Parameters profile(const std::string& name) {
 
 Plan plan_of(const Options& options) {
   const bool pilot = options.command == "pilot";
-  const std::vector<Setting> settings = pilot                   ? pilot_settings()
+  const std::vector<Setting> settings = pilot                  ? pilot_settings()
                                         : options.vary.empty() ? combinations(options.grid)
                                                                : variations(options.vary);
   if (settings.size() > 99999) throw UsageError("there are more than 99999 combinations: take fewer values");
@@ -68,8 +68,8 @@ Plan plan_of(const Options& options) {
 }
 
 /// What a participant is and what they drive, with everything set that the user set.
-Subject subject_of(const Options& options, const Parameters& base, const Setting& setting,
-                   const std::string& condition, int participant) {
+Subject subject_of(const Options& options, const Parameters& base, const Setting& setting, const std::string& condition,
+                   int participant) {
   Subject subject;
   subject.parameters = base;
   subject.participant = draw_participant(options.seed, participant);
@@ -101,8 +101,7 @@ int experiment(Options options, std::ostream& out, std::ostream& errors) {
     // Everybody has the same world in all conditions and settings, and their own luck in each condition.
     const std::uint64_t world = seed_for(options.seed, run.participant, "world") % kSeeds;
     const std::uint64_t person = seed_for(options.seed, run.participant, "person " + run.condition);
-    const Subject subject =
-        subject_of(options, base, plan.settings[run.setting], run.condition, run.participant);
+    const Subject subject = subject_of(options, base, plan.settings[run.setting], run.condition, run.participant);
     Driven driven = drive_once(scene, subject, world, person);
     Row row = row_of(plan, run, world, driven);
     return Made{std::move(row), std::move(driven.result)};

@@ -20,9 +20,7 @@ void Progress::step() {
   stream_ << done_ << " of " << total_ << " runs, " << std::lround(left) << " s left" << std::endl;
 }
 
-double Progress::elapsed() const {
-  return std::chrono::duration<double>(Clock::now() - begin_).count();
-}
+double Progress::elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
 }  // namespace study
 }  // namespace hidwa_local_planner

@@ -48,8 +48,7 @@ sim::RobotHabits learnt_habits(const Subject& subject) {
   habits.refusal_time = p.sim_time;
   // After a release it goes straight on: for delta, or in SW until control is given back.
   const Participant& person = subject.participant;
-  habits.hold_time =
-      p.mode == OperatorMode::switching ? person.give_back_pause + person.button_time : p.delta;
+  habits.hold_time = p.mode == OperatorMode::switching ? person.give_back_pause + person.button_time : p.delta;
   return habits;
 }
 
@@ -84,8 +83,7 @@ Scene load_scene(const std::string& map, const std::string& regions, const std::
   Scene scene;
   sim::RegionsFile file;
   try {
-    scene.ground =
-        std::make_shared<drive::Ground>(std::make_shared<sim::OccupancyMap>(sim::load_map(map)));
+    scene.ground = std::make_shared<drive::Ground>(std::make_shared<sim::OccupancyMap>(sim::load_map(map)));
     if (regions != "none") file = sim::load_regions(regions);
   } catch (const std::exception& e) {
     throw UsageError(e.what());
@@ -108,8 +106,7 @@ Scene load_scene(const std::string& map, const std::string& regions, const std::
   return scene;
 }
 
-Driven drive_once(const Scene& scene, const Subject& subject, std::uint64_t world_seed,
-                  std::uint64_t person_seed) {
+Driven drive_once(const Scene& scene, const Subject& subject, std::uint64_t world_seed, std::uint64_t person_seed) {
   drive::DriveSetup setup = scene.robot;
   setup.ground = scene.ground;
   setup.route = scene.route;
@@ -120,16 +117,15 @@ Driven drive_once(const Scene& scene, const Subject& subject, std::uint64_t worl
   setup.link_delay = subject.link_delay;
   setup.odometry_seed = world_seed;
   setup.laser_seed = world_seed + 1;
-  setup.person = std::make_shared<sim::AvoidingOperator>(
-      steering_traits(subject), learnt_habits(subject), *scene.ground->map(), scene.regions, person_seed);
+  setup.person = std::make_shared<sim::AvoidingOperator>(steering_traits(subject), learnt_habits(subject),
+                                                         *scene.ground->map(), scene.regions, person_seed);
   std::shared_ptr<TakeoverPerson> takeover;
   if (subject.parameters.mode == OperatorMode::switching) {
     takeover = std::make_shared<TakeoverPerson>(subject.participant, person_seed + 1);
     setup.device = takeover;
   } else {
     const bool by_hand = subject.parameters.mode == OperatorMode::gesture;
-    setup.device =
-        sim::make_operator_device(by_hand ? "gesture" : "joystick", subject.parameters.gesture_range);
+    setup.device = sim::make_operator_device(by_hand ? "gesture" : "joystick", subject.parameters.gesture_range);
   }
   Driven driven;
   driven.result = drive::drive(setup);

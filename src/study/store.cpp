@@ -75,9 +75,7 @@ void Store::keep(const Row& row, const std::string& path) const {
   write(row_name(row.front()), to_line(row) + '\n');
 }
 
-std::string Store::path(const Run& run) const {
-  return read(fs::path(folder_) / path_name(run.id)).value_or("");
-}
+std::string Store::path(const Run& run) const { return read(fs::path(folder_) / path_name(run.id)).value_or(""); }
 
 std::vector<Row> Store::rows(const Plan& plan) const {
   std::vector<Row> rows;

@@ -28,8 +28,7 @@ double mean(const Group& group, const std::string& measure) {
 std::string group_json(const Group& group) {
   std::string json = "    {\"condition\": \"" + group.condition + "\", \"setting\": \"" + group.setting +
                      "\", \"n\": " + std::to_string(group.rows.size()) +
-                     ", \"arrived\": " + std::to_string(std::lround(sum(group, "arrived"))) +
-                     ", \"measures\": {\n";
+                     ", \"arrived\": " + std::to_string(std::lround(sum(group, "arrived"))) + ", \"measures\": {\n";
   for (const std::string& measure : measures()) {
     const Statistics s = statistics(values(group, measure));
     json += "      \"" + measure + "\": {\"mean\": " + number(s.mean) + ", \"median\": " + number(s.median) +

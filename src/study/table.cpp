@@ -25,9 +25,10 @@ std::string decimals(const char* format, double value) {
 
 const std::vector<std::string>& columns() {
   static const std::vector<std::string> names{
-      "id", "experiment", "participant", "condition", "order", "setting", "seed", "ending", "arrived",
-      "duration", "length", "regions_crossed", "contacts", "operator_active", "interventions", "v_change",
-      "omega_change", "agreement", "clearance", "mode_errors", "failures", "brakes"};
+      "id",        "experiment",      "participant",   "condition", "order",        "setting",
+      "seed",      "ending",          "arrived",       "duration",  "length",       "regions_crossed",
+      "contacts",  "operator_active", "interventions", "v_change",  "omega_change", "agreement",
+      "clearance", "mode_errors",     "failures",      "brakes"};
   return names;
 }
 
@@ -70,9 +71,7 @@ const std::string& cell(const Row& row, const std::string& column) {
   return row.at(static_cast<std::size_t>(found - columns().begin()));
 }
 
-double value(const Row& row, const std::string& column) {
-  return std::strtod(cell(row, column).c_str(), nullptr);
-}
+double value(const Row& row, const std::string& column) { return std::strtod(cell(row, column).c_str(), nullptr); }
 
 std::string to_line(const Row& row) {
   std::string line;

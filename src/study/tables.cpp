@@ -22,9 +22,8 @@ std::string digest(const Plan& plan, const std::vector<Row>& rows) {
     }
     const auto n = static_cast<double>(group.rows.size());
     char line[160];
-    std::snprintf(line, sizeof line,
-                  "n %.0f, arrived %.0f, %.2f s, %.3f regions crossed, contacts %.0f in all", n, arrived,
-                  duration / n, crossed / n, contacts);
+    std::snprintf(line, sizeof line, "n %.0f, arrived %.0f, %.2f s, %.3f regions crossed, contacts %.0f in all", n,
+                  arrived, duration / n, crossed / n, contacts);
     lines += group.condition + " " + group.setting + ": " + line + "\n";
   }
   return lines;
@@ -34,9 +33,7 @@ std::string digest(const Plan& plan, const std::vector<Row>& rows) {
 
 Tables people_tables() { return {columns(), summary_json, ranking_csv, digest}; }
 
-Tables tables_of(const std::string& experiment) {
-  return experiment == "barn" ? barn_tables() : people_tables();
-}
+Tables tables_of(const std::string& experiment) { return experiment == "barn" ? barn_tables() : people_tables(); }
 
 }  // namespace study
 }  // namespace hidwa_local_planner

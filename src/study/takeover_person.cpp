@@ -18,8 +18,7 @@ sim::Controls TakeoverPerson::update(double time, const sim::Stick& wanted) {
   while (!presses_.empty() && presses_.front().to <= time) presses_.pop_front();
   sim::Controls controls;
   controls.toggle = !presses_.empty() && presses_.front().from <= time;
-  const bool thinks_they_drive =
-      phase_ == Phase::driving || phase_ == Phase::leaving || phase_ == Phase::misled;
+  const bool thinks_they_drive = phase_ == Phase::driving || phase_ == Phase::leaving || phase_ == Phase::misled;
   if (thinks_they_drive) controls.stick = driving_stick(wanted);
   return controls;
 }
@@ -42,7 +41,9 @@ void TakeoverPerson::step(double time, bool wants) {
       next_ = time + participant_.button_time;
       break;
     case Phase::driving:
-    case Phase::leaving: drive_on(time, wants); break;
+    case Phase::leaving:
+      drive_on(time, wants);
+      break;
     case Phase::forgotten:
       if (time < next_) break;
       press(time);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The short form of the campaign: few drives under each promised condition. scripts/attack runs the long one.
 #include <algorithm>
-#include <cstdio>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -48,7 +48,9 @@ TEST_P(Attack, Holds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Conditions, Attack, testing::ValuesIn(promised()),
-                         [](const testing::TestParamInfo<Condition>& tested) { return std::string(tested.param.name); });
+                         [](const testing::TestParamInfo<Condition>& tested) {
+                           return std::string(tested.param.name);
+                         });
 
 TEST(Campaign, MeetsObstaclesAtSpeed) {
   const Condition& condition = *find_condition("speed_1");

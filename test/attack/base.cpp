@@ -30,7 +30,8 @@ void AxisDrive::begin(double to, double period, double share) {
   share_ = share;
 }
 
-// Between the way at the limits and the even one, but never so late that the limits would make it miss the period's end.
+// Between the way at the limits and the even one, but never so late that the limits would make it miss the period's
+// end.
 double AxisDrive::wanted() const {
   if (since_ >= period_) return to_;
   const double even = from_ + (to_ - from_) * since_ / period_;
@@ -46,9 +47,12 @@ void AxisDrive::step(double dt) {
 
 double Base::share() {
   switch (make_.reaching) {
-    case Reaching::evenly: return 1.0;
-    case Reaching::at_limit: return 0.0;
-    case Reaching::anyhow: return random_.chance(0.3) ? random_.of({0.0, 1.0}) : random_.in(0.0, 1.0);
+    case Reaching::evenly:
+      return 1.0;
+    case Reaching::at_limit:
+      return 0.0;
+    case Reaching::anyhow:
+      return random_.chance(0.3) ? random_.of({0.0, 1.0}) : random_.in(0.0, 1.0);
   }
   return 1.0;
 }

@@ -36,7 +36,7 @@ class AxisDrive {
   double wanted() const;
 
   AxisPower power_;
-  double from_ = 0.0, to_ = 0.0, now_ = 0.0;      // [unit/s]
+  double from_ = 0.0, to_ = 0.0, now_ = 0.0;         // [unit/s]
   double since_ = 0.0, period_ = 0.0, share_ = 0.0;  // [s], [s], [0, 1]
 };
 

@@ -9,8 +9,8 @@
 namespace hidwa_attack {
 
 struct Extent {
-  int drives = 300;             // of each condition
-  int seconds = 20;             // of each drive [s]
+  int drives = 300;  // of each condition
+  int seconds = 20;  // of each drive [s]
   std::uint64_t first_seed = 1;
   int threads = 1;
 };

@@ -8,23 +8,23 @@
 
 namespace hidwa_attack {
 
-/// Watches the bound on commands: on each axis, in either direction, at most the larger of the limit in force and the last
-/// command reduced at the deceleration limit.
+/// Watches the bound on commands: on each axis, in either direction, at most the larger of the limit in force and the
+/// last command reduced at the deceleration limit.
 class CommandWatch {
  public:
   void observe(const Parameters& in_force, double period, const Twist2& last, const Twist2& command) {
     const double x = period * braking(in_force.decel_lim_x, in_force.acc_lim_x);
     const double theta = period * braking(in_force.decel_lim_theta, in_force.acc_lim_theta);
-    const double v = std::max(over(in_force.max_vel_x, last.v, x, command.v),
-                              over(-in_force.min_vel_x, -last.v, x, -command.v));
+    const double v =
+        std::max(over(in_force.max_vel_x, last.v, x, command.v), over(-in_force.min_vel_x, -last.v, x, -command.v));
     const double omega = std::max(over(in_force.max_vel_theta, last.omega, theta, command.omega),
                                   over(in_force.max_vel_theta, -last.omega, theta, -command.omega));
     if (v > kRounding || omega > kRounding) ++count_;
     worst_.v = std::max(worst_.v, v);
     worst_.omega = std::max(worst_.omega, omega);
   }
-  int count() const { return count_; }               // of commands beyond the bound
-  const Twist2& worst() const { return worst_; }     // how far beyond it [m/s, rad/s]
+  int count() const { return count_; }            // of commands beyond the bound
+  const Twist2& worst() const { return worst_; }  // how far beyond it [m/s, rad/s]
 
  private:
   static constexpr double kRounding = 1e-6;

@@ -38,7 +38,8 @@ Spec usual(Random& r) {
   Spec s;
   Parameters& p = s.parameters;
   s.outline = r.of({Outline::octagon, Outline::long_rectangle, Outline::off_centre, Outline::circle});
-  s.place = r.of({Place::posts, Place::posts, Place::walls, Place::walls, Place::corridor, Place::dead_ends, Place::clutter});
+  s.place =
+      r.of({Place::posts, Place::posts, Place::walls, Place::walls, Place::corridor, Place::dead_ends, Place::clutter});
   s.resolution = r.of({0.025, 0.05, 0.05, 0.05, 0.1});
   p.max_vel_x = r.of({0.5, 0.5, 1.0});
   p.max_vel_theta = r.of({1.0, 1.0, 2.0});
@@ -68,7 +69,8 @@ void anything(Spec& s, Random& r) {
   if (r.chance(0.2)) s.latency = r.whole(0, s.latency);
   s.reaching = r.of({Reaching::evenly, Reaching::at_limit, Reaching::anyhow, Reaching::anyhow});
   if (r.chance(0.4)) late(s, r.chance(0.3));
-  s.odometry = r.of({Odometry::exact, Odometry::noisy, Odometry::outliers, Odometry::outliers, Odometry::delayed, Odometry::silent});
+  s.odometry = r.of(
+      {Odometry::exact, Odometry::noisy, Odometry::outliers, Odometry::outliers, Odometry::delayed, Odometry::silent});
   if (r.chance(0.4)) s.pose_age = 50;
   if (r.chance(0.3)) s.parameters.velocity_reference = VelocityReference::odometry;
   if (r.chance(0.2)) s.parameters.command = CommandPolicy::target;
@@ -82,40 +84,89 @@ const std::vector<Condition>& table() {
       // Outlines.
       {"octagon", true, "octagon of 0.30 m", [](Spec& s, Random&) { s.outline = Outline::octagon; }},
       {"long_rectangle", true, "0.9 m x 0.4 m", [](Spec& s, Random&) { s.outline = Outline::long_rectangle; }},
-      {"off_centre", true, "0.65 m x 0.40 m, centre near one end", [](Spec& s, Random&) { s.outline = Outline::off_centre; }},
+      {"off_centre", true, "0.65 m x 0.40 m, centre near one end",
+       [](Spec& s, Random&) { s.outline = Outline::off_centre; }},
       {"circle", true, "circle of 0.25 m", [](Spec& s, Random&) { s.outline = Outline::circle; }},
       // Rates, speeds, limits, latencies.
       {"rate_5", true, "5 Hz", [](Spec& s, Random&) { rate(s, 5); }},
       {"rate_10", true, "10 Hz", [](Spec& s, Random&) { rate(s, 10); }},
       {"rate_40", true, "40 Hz", [](Spec& s, Random&) { rate(s, 40); }},
-      {"speed_1", true, "1 m/s, 2 rad/s", [](Spec& s, Random&) { fast(s, 1.0); s.parameters.max_vel_theta = 2.0; }},
+      {"speed_1", true, "1 m/s, 2 rad/s",
+       [](Spec& s, Random&) {
+         fast(s, 1.0);
+         s.parameters.max_vel_theta = 2.0;
+       }},
       {"speed_2", true, "2 m/s", [](Spec& s, Random&) { fast(s, 2.0); }},
       {"reverse", true, "min_vel_x negative", backwards},
-      {"unequal_limits", true, "acceleration and deceleration differ", [](Spec& s, Random& r) { unequal(s, r); backwards(s, r); }},
+      {"unequal_limits", true, "acceleration and deceleration differ",
+       [](Spec& s, Random& r) {
+         unequal(s, r);
+         backwards(s, r);
+       }},
       {"latency_0", true, "no latency", [](Spec& s, Random&) { latency(s, 0); }},
       {"latency_300", true, "0.3 s", [](Spec& s, Random&) { latency(s, 300); }},
       {"latency_700", true, "0.7 s", [](Spec& s, Random&) { latency(s, 700); }},
-      {"latency_less", true, "less than told", [](Spec& s, Random& r) { latency(s, 300); s.latency = r.whole(0, 300); }},
+      {"latency_less", true, "less than told",
+       [](Spec& s, Random& r) {
+         latency(s, 300);
+         s.latency = r.whole(0, 300);
+       }},
       // How commands are reached.
       {"at_limit", true, "the base ramps at its limits", [](Spec& s, Random&) { s.reaching = Reaching::at_limit; }},
       {"at_limit_5hz_2ms", true, "at its limits, 5 Hz and 2 m/s",
-       [](Spec& s, Random& r) { s.reaching = Reaching::at_limit; rate(s, 5); fast(s, 2.0); half_steps(s, r); }},
+       [](Spec& s, Random& r) {
+         s.reaching = Reaching::at_limit;
+         rate(s, 5);
+         fast(s, 2.0);
+         half_steps(s, r);
+       }},
       {"at_limit_10hz", true, "at its limits, 10 Hz",
-       [](Spec& s, Random& r) { s.reaching = Reaching::at_limit; rate(s, 10); fast(s, r.of({0.5, 1.0, 2.0})); half_steps(s, r); }},
+       [](Spec& s, Random& r) {
+         s.reaching = Reaching::at_limit;
+         rate(s, 10);
+         fast(s, r.of({0.5, 1.0, 2.0}));
+         half_steps(s, r);
+       }},
       {"at_limit_unequal", true, "at its limits, which differ, also backwards",
-       [](Spec& s, Random& r) { s.reaching = Reaching::at_limit; rate(s, r.of({5, 10})); unequal(s, r); backwards(s, r); half_steps(s, r); }},
+       [](Spec& s, Random& r) {
+         s.reaching = Reaching::at_limit;
+         rate(s, r.of({5, 10}));
+         unequal(s, r);
+         backwards(s, r);
+         half_steps(s, r);
+       }},
       {"anyhow_5hz_2ms", true, "each command and axis its own way, 5 Hz and 2 m/s",
-       [](Spec& s, Random& r) { s.reaching = Reaching::anyhow; rate(s, 5); fast(s, 2.0); half_steps(s, r); }},
+       [](Spec& s, Random& r) {
+         s.reaching = Reaching::anyhow;
+         rate(s, 5);
+         fast(s, 2.0);
+         half_steps(s, r);
+       }},
       {"anyhow", true, "at its limits, evenly or between, each command and axis anew",
-       [](Spec& s, Random& r) { s.reaching = Reaching::anyhow; rate(s, r.of({5, 10, 20})); fast(s, r.of({0.5, 1.0, 2.0})); half_steps(s, r); }},
+       [](Spec& s, Random& r) {
+         s.reaching = Reaching::anyhow;
+         rate(s, r.of({5, 10, 20}));
+         fast(s, r.of({0.5, 1.0, 2.0}));
+         half_steps(s, r);
+       }},
       // Late cycles.
       {"late", true, "20 % of the cycles up to two periods late", [](Spec& s, Random&) { late(s, false); }},
-      {"late_10hz", true, "the same at 10 Hz", [](Spec& s, Random&) { late(s, false); rate(s, 10); }},
-      {"late_catching_up", true, "the same, and the host catches up as ros::Rate does", [](Spec& s, Random&) { late(s, true); }},
+      {"late_10hz", true, "the same at 10 Hz",
+       [](Spec& s, Random&) {
+         late(s, false);
+         rate(s, 10);
+       }},
+      {"late_catching_up", true, "the same, and the host catches up as ros::Rate does",
+       [](Spec& s, Random&) { late(s, true); }},
       // Odometry and pose.
       {"odometry_noisy", true, "5 % off", [](Spec& s, Random&) { s.odometry = Odometry::noisy; }},
-      {"odometry_outliers", true, "1 % up to 10 m/s and 20 rad/s", [](Spec& s, Random&) { s.odometry = Odometry::outliers; }},
-      {"odometry_delayed", true, "late by the latency", [](Spec& s, Random& r) { latency(s, r.of({100, 300})); s.odometry = Odometry::delayed; }},
+      {"odometry_outliers", true, "1 % up to 10 m/s and 20 rad/s",
+       [](Spec& s, Random&) { s.odometry = Odometry::outliers; }},
+      {"odometry_delayed", true, "late by the latency",
+       [](Spec& s, Random& r) {
+         latency(s, r.of({100, 300}));
+         s.odometry = Odometry::delayed;
+       }},
       {"odometry_silent", true, "0.3 to 1.5 s of silence", [](Spec& s, Random&) { s.odometry = Odometry::silent; }},
       {"pose_50ms", true, "the pose is 50 ms old", [](Spec& s, Random&) { s.pose_age = 50; }},
       // Options for which the claim is made.
@@ -132,31 +183,56 @@ const std::vector<Condition>& table() {
          s.parameters.velocity_reference = VelocityReference::odometry;
          s.odometry = Odometry::outliers;
        }},
-      {"command_target", true, "command: target, the braking check on", [](Spec& s, Random&) { s.parameters.command = CommandPolicy::target; }},
+      {"command_target", true, "command: target, the braking check on",
+       [](Spec& s, Random&) { s.parameters.command = CommandPolicy::target; }},
       {"generator_dwa", true, "generator: dwa", [](Spec& s, Random&) { s.parameters.generator = Generator::dwa; }},
       {"short_sim_time", true, "sim_time 0.2 s: the braking check alone decides",
-       [](Spec& s, Random& r) { s.parameters.sim_time = 0.2; fast(s, r.of({0.5, 1.0, 2.0})); }},
+       [](Spec& s, Random& r) {
+         s.parameters.sim_time = 0.2;
+         fast(s, r.of({0.5, 1.0, 2.0}));
+       }},
       {"lowered_limits", true, "max_vel_x is lowered and raised while it drives",
-       [](Spec& s, Random&) { s.limits_change = true; fast(s, 1.0); }},
+       [](Spec& s, Random&) {
+         s.limits_change = true;
+         fast(s, 1.0);
+       }},
       {"anything", true, "all of these at random", anything},
       // Starts in collision.
       {"stray_cells", true, "starts with cells under the outline", [](Spec& s, Random&) { s.start = Start::stray; }},
       {"grazing", true, "starts in the edge of an obstacle",
-       [](Spec& s, Random& r) { s.start = Start::grazing; if (r.chance(0.3)) backwards(s, r); }},
-      {"appearing", true, "the map adds cells under the robot while it drives", [](Spec& s, Random&) { s.start = Start::appearing; }},
+       [](Spec& s, Random& r) {
+         s.start = Start::grazing;
+         if (r.chance(0.3)) backwards(s, r);
+       }},
+      {"appearing", true, "the map adds cells under the robot while it drives",
+       [](Spec& s, Random&) { s.start = Start::appearing; }},
       // Outside the promise.
       {"out_latency_more", false, "latency 0.1 s more than told", [](Spec& s, Random&) { s.latency += 100; }},
-      {"out_weak_brakes", false, "decelerations half of those told", [](Spec& s, Random&) { s.brakes = 0.5; fast(s, 1.0); }},
+      {"out_weak_brakes", false, "decelerations half of those told",
+       [](Spec& s, Random&) {
+         s.brakes = 0.5;
+         fast(s, 1.0);
+       }},
       {"out_map_late", false, "what comes into sight is mapped 0.3 s late",
        [](Spec& s, Random&) {
          s.map_delay = 300;
          fast(s, 1.0);
          if (s.outline == Outline::circle) s.outline = Outline::octagon;
        }},
-      {"out_very_late", false, "20 % of the cycles up to five periods late", [](Spec& s, Random&) { late(s, false); s.late_most = 5.0; }},
-      {"out_pose_unknown_age", false, "the pose is 0.1 s old and nobody knows", [](Spec& s, Random&) { s.pose_age = 100; s.age_told = false; }},
-      {"out_odometry_dead", false, "odometry says 0 from some moment on", [](Spec& s, Random&) { s.odometry = Odometry::dead; }},
-      {"out_horizon", false, "admissibility: horizon", [](Spec& s, Random&) { s.parameters.admissibility = Admissibility::horizon; }},
+      {"out_very_late", false, "20 % of the cycles up to five periods late",
+       [](Spec& s, Random&) {
+         late(s, false);
+         s.late_most = 5.0;
+       }},
+      {"out_pose_unknown_age", false, "the pose is 0.1 s old and nobody knows",
+       [](Spec& s, Random&) {
+         s.pose_age = 100;
+         s.age_told = false;
+       }},
+      {"out_odometry_dead", false, "odometry says 0 from some moment on",
+       [](Spec& s, Random&) { s.odometry = Odometry::dead; }},
+      {"out_horizon", false, "admissibility: horizon",
+       [](Spec& s, Random&) { s.parameters.admissibility = Admissibility::horizon; }},
   };
   return conditions;
 }

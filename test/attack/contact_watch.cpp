@@ -7,11 +7,11 @@
 namespace hidwa_attack {
 namespace {
 
-constexpr double kNear = 0.10;      // [m]
-constexpr double kAway = 0.15;      // [m]
-constexpr double kSight = 0.30;     // farther is not measured [m]
-constexpr double kFinest = 2e-5;    // between two looks [m]
-constexpr double kCoarse = 0.005;   // where it is about to come near [m]
+constexpr double kNear = 0.10;     // [m]
+constexpr double kAway = 0.15;     // [m]
+constexpr double kSight = 0.30;    // farther is not measured [m]
+constexpr double kFinest = 2e-5;   // between two looks [m]
+constexpr double kCoarse = 0.005;  // where it is about to come near [m]
 
 }  // namespace
 

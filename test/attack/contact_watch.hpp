@@ -32,12 +32,12 @@ class ContactWatch {
 
   const World& world_;
   Shape shape_;
-  double outermost_;      // [m]
-  double moved_ = 1e9;    // of any of its points since the last look, at most [m]
-  double depth_ = -1.0;   // [m]
-  double deepest_ = -1.0;  // [m]
-  int touched_at_ = -1;   // [ms]
-  bool away_ = false;     // it was, since the last approach
+  double outermost_;            // [m]
+  double moved_ = 1e9;          // of any of its points since the last look, at most [m]
+  double depth_ = -1.0;         // [m]
+  double deepest_ = -1.0;       // [m]
+  int touched_at_ = -1;         // [ms]
+  bool away_ = false;           // it was, since the last approach
   std::vector<double> speeds_;  // |v|, each millisecond [m/s]
   std::vector<double> meetings_;
 };

@@ -83,7 +83,9 @@ class Run {
     for (const Spot& corner : told_corners(shape_)) outline.emplace_back(corner.x, corner.y);
     planner_.set_footprint(outline);
     appears_at_ = spec.start == Start::appearing ? random_.whole(2000, 6000) : -1;
-    if (trace_ != nullptr) *trace_ << "t,x,y,theta,v,omega,command_v,command_omega,odometry_v,odometry_omega,influence,u_h_v,u_h_omega,outcome,escaping,cycle,depth\n";
+    if (trace_ != nullptr)
+      *trace_ << "t,x,y,theta,v,omega,command_v,command_omega,odometry_v,odometry_omega,influence,u_h_v,u_h_omega,"
+                 "outcome,escaping,cycle,depth\n";
   }
 
   DriveResult go() {
@@ -113,9 +115,7 @@ class Run {
   double inscribed() const { return innermost({told_corners(shape_), 0.0}); }
 
   bool stands_in() const { return spec_.start != Start::free; }
-  bool over(int now) const {
-    return !stands_in() && contacts_.touched() && now > contacts_.touched_at() + kAfterTouch;
-  }
+  bool over(int now) const { return !stands_in() && contacts_.touched() && now > contacts_.touched_at() + kAfterTouch; }
 
   void put_in_force() {
     const std::vector<std::string> faults = planner_.configure(parameters_);
@@ -168,7 +168,8 @@ class Run {
     outcome_ = Outcome::brake;
     escaping_ = false;
     const double period = 1e-3 * spec_.period;
-    return {towards_rest(last_.v, braking_x(parameters_) * period), towards_rest(last_.omega, braking_theta(parameters_) * period)};
+    return {towards_rest(last_.v, braking_x(parameters_) * period),
+            towards_rest(last_.omega, braking_theta(parameters_) * period)};
   }
 
   // A sensor that sees as far as the robot needs to stop, and 0.3 m.
@@ -196,10 +197,11 @@ class Run {
   void write(int now, bool cycles) {
     const Pose2 q = base_.pose();
     const Twist2 u = base_.velocity(), heard = reading_.value_or(Twist2{});
-    *trace_ << 1e-3 * now << ',' << q.x << ',' << q.y << ',' << q.theta << ',' << u.v << ',' << u.omega << ',' << last_.v
-            << ',' << last_.omega << ',' << heard.v << ',' << heard.omega << ',' << static_cast<int>(intent_.influence)
-            << ',' << intent_.u_h.v << ',' << intent_.u_h.omega << ',' << to_string(outcome_) << ',' << escaping_ << ','
-            << cycles << ',' << deepest(scenery_.world, Placed(padded_, q), 0.3) << '\n';
+    *trace_ << 1e-3 * now << ',' << q.x << ',' << q.y << ',' << q.theta << ',' << u.v << ',' << u.omega << ','
+            << last_.v << ',' << last_.omega << ',' << heard.v << ',' << heard.omega << ','
+            << static_cast<int>(intent_.influence) << ',' << intent_.u_h.v << ',' << intent_.u_h.omega << ','
+            << to_string(outcome_) << ',' << escaping_ << ',' << cycles << ','
+            << deepest(scenery_.world, Placed(padded_, q), 0.3) << '\n';
   }
 
   DriveResult result() {

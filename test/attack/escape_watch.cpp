@@ -21,7 +21,8 @@ double speed_that_stops_in(double way, double delay, double dec) {
 
 template <typename Set, typename Cell>
 auto find(Set& set, const Cell& cell) {
-  return std::find_if(set.begin(), set.end(), [&](const auto& other) { return other.i == cell.i && other.j == cell.j; });
+  return std::find_if(set.begin(), set.end(),
+                      [&](const auto& other) { return other.i == cell.i && other.j == cell.j; });
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ EscapeWatch::EscapeWatch(const World& world, const Shape& padded_shape, const Sp
   memory_ = static_cast<int>(1000.0 * p.control_latency) + spec.period + 2;
   find_heaps();
   const double dec_theta = p.decel_lim_theta != 0.0 ? std::abs(p.decel_lim_theta) : p.acc_lim_theta;
-  settling_ = memory_ + 2 * spec.period + static_cast<int>(1000.0 * std::max(p.max_vel_x / dec, p.max_vel_theta / dec_theta));
+  settling_ =
+      memory_ + 2 * spec.period + static_cast<int>(1000.0 * std::max(p.max_vel_x / dec, p.max_vel_theta / dec_theta));
 }
 
 EscapeWatch::Set EscapeWatch::overlapped(const Pose2& pose) const {
@@ -51,7 +53,8 @@ void EscapeWatch::decide(int now, const Pose2& pose, const Twist2& velocity) {
   const bool in = decided.deepest > kTouch;
   if (!in) in_since_ = -1;
   if (in && in_since_ < 0) in_since_ = now;
-  if (in_since_ >= 0 && now - in_since_ >= settling_ && judging(now)) fastest_ = std::max(fastest_, std::abs(velocity.v));
+  if (in_since_ >= 0 && now - in_since_ >= settling_ && judging(now))
+    fastest_ = std::max(fastest_, std::abs(velocity.v));
   decided_.push_back(std::move(decided));
   // What was decided up to that time is what the base does now.
   while (decided_.size() > 1 && decided_[1].time <= now - memory_) decided_.pop_front();
@@ -95,11 +98,14 @@ void EscapeWatch::find_heaps() {
 }
 
 bool EscapeWatch::was_in(const In& cell) const {
-  return std::any_of(decided_.begin(), decided_.end(), [&](const Decided& d) { return find(d.set, cell) != d.set.end(); });
+  return std::any_of(decided_.begin(), decided_.end(),
+                     [&](const Decided& d) { return find(d.set, cell) != d.set.end(); });
 }
 
 bool EscapeWatch::may_neighbour(const In& cell) const {
-  const auto beside = [&cell](const In& other) { return std::abs(other.i - cell.i) <= 1 && std::abs(other.j - cell.j) <= 1; };
+  const auto beside = [&cell](const In& other) {
+    return std::abs(other.i - cell.i) <= 1 && std::abs(other.j - cell.j) <= 1;
+  };
   return std::any_of(decided_.begin(), decided_.end(),
                      [&](const Decided& d) { return std::any_of(d.set.begin(), d.set.end(), beside); });
 }

@@ -10,9 +10,10 @@
 namespace hidwa_attack {
 
 /// Watches a robot that stands in obstacle cells. It may enter a cell only where that is a neighbour of one that it
-/// overlapped when what it does now was decided, no deeper than it stood in then and at most half a cell; its total depth
-/// never grows: the depth in the deepest cell of each heap, cells that hang together, summed over the heaps (along a wall
-/// the number of cells under the robot comes and goes, the depth in the wall does not); and it is no faster than what stops within half a cell.
+/// overlapped when what it does now was decided, no deeper than it stood in then and at most half a cell; its total
+/// depth never grows: the depth in the deepest cell of each heap, cells that hang together, summed over the heaps
+/// (along a wall the number of cells under the robot comes and goes, the depth in the wall does not); and it is no
+/// faster than what stops within half a cell.
 class EscapeWatch {
  public:
   EscapeWatch(const World& world, const Shape& padded_shape, const Spec& spec);
@@ -24,12 +25,12 @@ class EscapeWatch {
   /// Cells were added to the world: until the robot can have come to rest nothing is judged.
   void world_changed(int now);
 
-  int entered() const { return entered_; }                    // cells that it must not enter
-  double entered_depth() const { return entered_depth_; }     // [m]
-  double neighbour_excess() const { return excess_; }         // deeper in a neighbour than allowed, by so much [m]
-  double growth() const { return growth_; }                   // of the total depth [m]
-  double fastest() const { return fastest_; }                 // |v| while it stands in collision [m/s]
-  double speed_bound() const { return bound_; }               // [m/s]
+  int entered() const { return entered_; }                 // cells that it must not enter
+  double entered_depth() const { return entered_depth_; }  // [m]
+  double neighbour_excess() const { return excess_; }      // deeper in a neighbour than allowed, by so much [m]
+  double growth() const { return growth_; }                // of the total depth [m]
+  double fastest() const { return fastest_; }              // |v| while it stands in collision [m/s]
+  double speed_bound() const { return bound_; }            // [m/s]
   bool out() const { return now_in_.empty(); }
   bool broken() const;
 

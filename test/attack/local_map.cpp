@@ -53,7 +53,8 @@ void LocalMap::renew(const World& world) {
   }
   costs_.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
-    costs_[k] = cost_at(squares[k] == std::numeric_limits<int>::max() ? 1e9 : resolution_ * std::sqrt(squares[k]), inscribed_);
+    costs_[k] =
+        cost_at(squares[k] == std::numeric_limits<int>::max() ? 1e9 : resolution_ * std::sqrt(squares[k]), inscribed_);
   }
 }
 

@@ -11,8 +11,8 @@ namespace hidwa_attack {
 
 using hidwa_local_planner::GridView;
 
-/// The rolling window of costs that the planner is given: 254 lethal, 253 within the inscribed radius of a lethal cell's
-/// middle, falling off beyond, as costmap_2d fills them.
+/// The rolling window of costs that the planner is given: 254 lethal, 253 within the inscribed radius of a lethal
+/// cell's middle, falling off beyond, as costmap_2d fills them.
 class LocalMap {
  public:
   /// `side` of the window and `inscribed` radius [m].

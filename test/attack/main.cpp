@@ -29,7 +29,8 @@ Options read(int count, char** words) {
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     const bool alone = word == "--list" || word == "--help";
-    const char* known[] = {"--condition", "--drives", "--seconds", "--first-seed", "--jobs", "--out", "--seed", "--trace"};
+    const char* known[] = {"--condition", "--drives", "--seconds", "--first-seed",
+                           "--jobs",      "--out",    "--seed",    "--trace"};
     bool takes = false;
     for (const char* name : known) takes = takes || word == name;
     if (!alone && !takes) throw std::invalid_argument("unknown option " + word);
@@ -45,7 +46,8 @@ long whole(const Options& options, const char* name, long fallback, long least) 
   char* end = nullptr;
   const long value = std::strtol(found->second.c_str(), &end, 10);
   if (*end != '\0' || end == found->second.c_str() || value < least) {
-    throw std::invalid_argument(std::string(name) + ": '" + found->second + "' is no whole number of at least " + std::to_string(least));
+    throw std::invalid_argument(std::string(name) + ": '" + found->second + "' is no whole number of at least " +
+                                std::to_string(least));
   }
   return value;
 }
@@ -69,7 +71,8 @@ std::vector<const Condition*> chosen(const Options& options) {
 }
 
 int list() {
-  for (const Condition& c : all_conditions()) std::printf("%-28s %s%s\n", c.name, c.promised ? "" : "(outside the promise) ", c.what);
+  for (const Condition& c : all_conditions())
+    std::printf("%-28s %s%s\n", c.name, c.promised ? "" : "(outside the promise) ", c.what);
   return 0;
 }
 
@@ -83,9 +86,9 @@ int drive_one(const Condition& condition, const Options& options) {
   trace.precision(9);
   const DriveResult result = drive(spec, seed, trace.is_open() ? &trace : nullptr);
   const Summary summary(condition, {result});
-  std::printf("%s %s of %.3f m cells, %.0f Hz, latency %d ms (told %.0f), limits %.2f m/s, %.2f rad/s\n", name_of(spec.outline),
-              name_of(spec.place), spec.resolution, 1000.0 / spec.period, spec.latency, 1e3 * spec.parameters.control_latency,
-              spec.parameters.max_vel_x, spec.parameters.max_vel_theta);
+  std::printf("%s %s of %.3f m cells, %.0f Hz, latency %d ms (told %.0f), limits %.2f m/s, %.2f rad/s\n",
+              name_of(spec.outline), name_of(spec.place), spec.resolution, 1000.0 / spec.period, spec.latency,
+              1e3 * spec.parameters.control_latency, spec.parameters.max_vel_x, spec.parameters.max_vel_theta);
   std::printf("%s%s", table_head().c_str(), table_line(summary).c_str());
   if (result.touched_at >= 0) std::printf("first touch at %.3f s\n", 1e-3 * result.touched_at);
   return summary.promised && !summary.held() ? 1 : 0;

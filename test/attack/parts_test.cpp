@@ -46,13 +46,14 @@ TEST(Shape, DepthAlongASlantedSide) {
   // At 45 degrees the nose's middle is at (0.45, 0.45) / sqrt(2); a cell whose lower left corner lies 3 mm inside of it
   // along the side's normal is entered by 3 mm.
   const double at = (0.45 - 0.003) / std::sqrt(2.0);
-  EXPECT_NEAR(Placed(shape_of(Outline::long_rectangle), {0.0, 0.0, 0.25 * M_PI}).depth_in(at, at, kSquare), 0.003, 1e-12);
+  EXPECT_NEAR(Placed(shape_of(Outline::long_rectangle), {0.0, 0.0, 0.25 * M_PI}).depth_in(at, at, kSquare), 0.003,
+              1e-12);
 }
 
 TEST(Shape, DepthOfACircle) {
   const Placed placed({{}, 0.25}, {0.0, 0.0, 1.0});
   EXPECT_NEAR(placed.depth_in(0.24, -0.02, kSquare), 0.01, 1e-12);
-  EXPECT_NEAR(placed.depth_in(0.15, 0.20, kSquare), 0.0, 1e-12);   // hypot(0.15, 0.20) = 0.25
+  EXPECT_NEAR(placed.depth_in(0.15, 0.20, kSquare), 0.0, 1e-12);        // hypot(0.15, 0.20) = 0.25
   EXPECT_NEAR(placed.depth_in(-0.025, -0.025, kSquare), 0.275, 1e-12);  // 0.25 and 0.025 to the cell's edge
 }
 
@@ -73,9 +74,9 @@ TEST(LocalMap, LethalInscribedAndFallingOff) {
   EXPECT_NEAR(view.origin_x, 1.0, 1e-12);
   const auto cost = [&view](int i, int j) { return static_cast<int>(view.costs[j * 40 + i]); };
   EXPECT_EQ(cost(20, 20), 254);
-  EXPECT_EQ(cost(22, 20), 253);  // 0.10 m away
+  EXPECT_EQ(cost(22, 20), 253);                                        // 0.10 m away
   EXPECT_EQ(cost(23, 20), static_cast<int>(252.0 * std::exp(-0.25)));  // 0.05 m beyond, 5 a metre
-  EXPECT_EQ(cost(35, 20), 0);    // 0.75 m away
+  EXPECT_EQ(cost(35, 20), 0);                                          // 0.75 m away
 }
 
 TEST(AxisDrive, AtOnceEvenlyAndBetween) {
@@ -87,8 +88,8 @@ TEST(AxisDrive, AtOnceEvenlyAndBetween) {
   for (int k = 0; k < 25; ++k) {
     for (AxisDrive* axis : {&at_once, &evenly, &between}) axis->step(1e-3);
   }
-  EXPECT_NEAR(at_once.now(), 0.05, 1e-9);    // 2.0 x 0.025
-  EXPECT_NEAR(evenly.now(), 0.025, 1e-9);    // a quarter of the period
+  EXPECT_NEAR(at_once.now(), 0.05, 1e-9);  // 2.0 x 0.025
+  EXPECT_NEAR(evenly.now(), 0.025, 1e-9);  // a quarter of the period
   EXPECT_NEAR(between.now(), 0.0375, 1e-9);
 }
 
@@ -155,7 +156,7 @@ TEST(Rhythm, LateCyclesAreLateByWhatTheyShould) {
 TEST(CommandWatch, TheLimitOrTheLastCommandReduced) {
   Parameters p;  // 0.5 m/s forwards only, 1 rad/s, 2.5 m/s^2, 3.2 rad/s^2
   CommandWatch watch;
-  watch.observe(p, 0.05, {0.8, 0.0}, {0.675, 1.0});    // 0.8 - 2.5 x 0.05
+  watch.observe(p, 0.05, {0.8, 0.0}, {0.675, 1.0});     // 0.8 - 2.5 x 0.05
   watch.observe(p, 0.05, {-0.2, 1.5}, {-0.075, 1.34});  // 1.5 - 3.2 x 0.05
   EXPECT_EQ(watch.count(), 0);
   watch.observe(p, 0.05, {0.8, 0.0}, {0.70, 0.0});
@@ -209,7 +210,7 @@ TEST(EscapeWatch, AFarCellMustNotBeEntered) {
 
 TEST(EscapeWatch, TheSumOfDepthsMustNotGrow) {
   World world(3.0, 2.0, kSquare);
-  world.set(26, 20, true);  // x from 1.30
+  world.set(26, 20, true);                               // x from 1.30
   const EscapeWatch deeper = pushed(world, 1.06, 1.09);  // from 1 cm to 4 cm
   EXPECT_NEAR(deeper.growth(), 0.03, 3e-4);
   EXPECT_TRUE(deeper.broken());

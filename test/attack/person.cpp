@@ -35,8 +35,8 @@ OperatorIntent Person::want(int now, const Pose2& robot, const Parameters& limit
 }
 
 void Person::change_mind(int now, const Pose2& robot, const Parameters& limits) {
-  way_ = random_.of({Way::nearest, Way::chosen, Way::chosen, Way::beside, Way::beside, Way::beside, Way::slalom, Way::slalom,
-                     Way::at_random, Way::frozen, Way::alternating, Way::none, Way::none, Way::stop});
+  way_ = random_.of({Way::nearest, Way::chosen, Way::chosen, Way::beside, Way::beside, Way::beside, Way::slalom,
+                     Way::slalom, Way::at_random, Way::frozen, Way::alternating, Way::none, Way::none, Way::stop});
   manual_ = random_.chance(0.5);
   turns_first_ = random_.chance(0.5);
   until_ = now + (way_ == Way::stop ? random_.whole(200, 800) : random_.whole(1000, 4000));
@@ -48,13 +48,21 @@ void Person::change_mind(int now, const Pose2& robot, const Parameters& limits) 
 
 Twist2 Person::steer(int now, const Pose2& robot, const Parameters& limits) {
   switch (way_) {
-    case Way::nearest: return aim(robot, nearest(robot), 0.0, limits);
-    case Way::chosen: return aim(robot, target_, 0.0, limits);
-    case Way::beside: return aim(robot, target_, beside_, limits);
-    case Way::slalom: return wind(now, limits);
-    case Way::at_random: return any(limits);
-    case Way::alternating: held_.omega = -held_.omega; return held_;
-    default: return held_;
+    case Way::nearest:
+      return aim(robot, nearest(robot), 0.0, limits);
+    case Way::chosen:
+      return aim(robot, target_, 0.0, limits);
+    case Way::beside:
+      return aim(robot, target_, beside_, limits);
+    case Way::slalom:
+      return wind(now, limits);
+    case Way::at_random:
+      return any(limits);
+    case Way::alternating:
+      held_.omega = -held_.omega;
+      return held_;
+    default:
+      return held_;
   }
 }
 

@@ -49,7 +49,7 @@ class Person {
   double beside_ = 0.0;  // how far from the target, left positive [m]
   double gain_ = 3.0;    // turn by bearing [1/s]
   Spot target_;
-  Twist2 held_;          // [m/s, rad/s]
+  Twist2 held_;  // [m/s, rad/s]
 };
 
 }  // namespace hidwa_attack

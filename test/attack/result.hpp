@@ -12,14 +12,14 @@ namespace hidwa_attack {
 struct DriveResult {
   std::uint64_t seed = 0;
   int cycles = 0;
-  int moving = 0;      // cycles in which it moved
-  int threatened = 0;  // moving cycles with an obstacle inside the stopping distance
-  bool touched = false;           // or broke the rule for robots that stand in collision
-  double depth = 0.0;             // of the deepest touch, or in a cell that it must not enter [m]
-  int touched_at = -1;            // [ms]
-  int beyond = 0;                 // commands beyond the bound
+  int moving = 0;                            // cycles in which it moved
+  int threatened = 0;                        // moving cycles with an obstacle inside the stopping distance
+  bool touched = false;                      // or broke the rule for robots that stand in collision
+  double depth = 0.0;                        // of the deepest touch, or in a cell that it must not enter [m]
+  int touched_at = -1;                       // [ms]
+  int beyond = 0;                            // commands beyond the bound
   hidwa_local_planner::Twist2 beyond_worst;  // by how much [m/s, rad/s]
-  std::vector<double> meetings;   // speeds at which obstacles were met [m/s]
+  std::vector<double> meetings;              // speeds at which obstacles were met [m/s]
   // Of drives that stood in collision.
   bool stood_in = false;
   bool came_out = false;

@@ -13,7 +13,11 @@ namespace hidwa_attack {
 class Rhythm {
  public:
   Rhythm(const Spec& spec, std::uint64_t seed)
-      : period_(spec.period), share_(spec.late_share), most_(spec.late_most), catches_up_(spec.catches_up), random_(seed) {}
+      : period_(spec.period),
+        share_(spec.late_share),
+        most_(spec.late_most),
+        catches_up_(spec.catches_up),
+        random_(seed) {}
 
   bool due(int now) const { return now >= next_; }
   /// A cycle takes place at `now` [ms]. A host that catches up keeps to its grid until it is a whole period behind.
@@ -33,9 +37,7 @@ class Rhythm {
 
  private:
   static constexpr int kMemory = 3000;  // [ms]
-  int lateness() {
-    return random_.chance(share_) ? static_cast<int>(random_.in(0.0, most_) * period_) : 0;
-  }
+  int lateness() { return random_.chance(share_) ? static_cast<int>(random_.in(0.0, most_) * period_) : 0; }
 
   int period_;  // [ms]
   double share_, most_;

@@ -9,8 +9,8 @@
 
 namespace hidwa_attack {
 
-/// The global plan: lines to random places, through walls too, for it may be stale. A new one now and then, and some time
-/// after the goal was reached.
+/// The global plan: lines to random places, through walls too, for it may be stale. A new one now and then, and some
+/// time after the goal was reached.
 class Route {
  public:
   Route(const World& world, std::uint64_t seed) : world_(world), random_(seed) {}

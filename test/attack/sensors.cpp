@@ -6,11 +6,16 @@ namespace hidwa_attack {
 std::optional<Twist2> Sensors::odometry(int now) {
   const Twist2 true_one = at(0).velocity;
   switch (spec_.odometry) {
-    case Odometry::exact: return true_one;
-    case Odometry::noisy: return noisy(true_one);
-    case Odometry::outliers: return outlier(true_one);
-    case Odometry::delayed: return at(spec_.latency).velocity;
-    case Odometry::silent: return silent(now) ? std::nullopt : std::optional<Twist2>(true_one);
+    case Odometry::exact:
+      return true_one;
+    case Odometry::noisy:
+      return noisy(true_one);
+    case Odometry::outliers:
+      return outlier(true_one);
+    case Odometry::delayed:
+      return at(spec_.latency).velocity;
+    case Odometry::silent:
+      return silent(now) ? std::nullopt : std::optional<Twist2>(true_one);
     case Odometry::dead:
       if (dead_from_ == 0) dead_from_ = random_.whole(1000, 8000);
       return now >= dead_from_ ? Twist2{} : true_one;

@@ -43,20 +43,28 @@ double distance_to_side(const Spot& a, const Spot& b) {
 
 const char* name_of(Outline outline) {
   switch (outline) {
-    case Outline::octagon: return "octagon";
-    case Outline::long_rectangle: return "long_rectangle";
-    case Outline::off_centre: return "off_centre";
-    case Outline::circle: return "circle";
+    case Outline::octagon:
+      return "octagon";
+    case Outline::long_rectangle:
+      return "long_rectangle";
+    case Outline::off_centre:
+      return "off_centre";
+    case Outline::circle:
+      return "circle";
   }
   return "";
 }
 
 Shape shape_of(Outline outline) {
   switch (outline) {
-    case Outline::octagon: return regular(8, 0.30);
-    case Outline::long_rectangle: return rectangle(-0.45, 0.45, -0.20, 0.20);
-    case Outline::off_centre: return rectangle(-0.10, 0.55, -0.22, 0.18);
-    case Outline::circle: return {{}, 0.25};
+    case Outline::octagon:
+      return regular(8, 0.30);
+    case Outline::long_rectangle:
+      return rectangle(-0.45, 0.45, -0.20, 0.20);
+    case Outline::off_centre:
+      return rectangle(-0.10, 0.55, -0.22, 0.18);
+    case Outline::circle:
+      return {{}, 0.25};
   }
   return {};
 }
@@ -84,7 +92,8 @@ double innermost(const Shape& shape) {
   if (shape.radius > 0.0) return shape.radius;
   double least = outermost(shape);
   const std::size_t n = shape.corners.size();
-  for (std::size_t k = 0; k < n; ++k) least = std::min(least, distance_to_side(shape.corners[k], shape.corners[(k + 1) % n]));
+  for (std::size_t k = 0; k < n; ++k)
+    least = std::min(least, distance_to_side(shape.corners[k], shape.corners[(k + 1) % n]));
   return least;
 }
 

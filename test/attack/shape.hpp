@@ -47,7 +47,7 @@ class Placed {
   double circle_depth(double x, double y, double side) const;
 
   struct Side {
-    Spot normal;                    // of length 1
+    Spot normal;                     // of length 1
     double least = 0.0, most = 0.0;  // of the corners along it [m]
   };
   double radius_;  // [m]

@@ -30,7 +30,7 @@ enum class Start {
 struct Spec {
   Outline outline = Outline::octagon;
   Parameters parameters;
-  int period = 50;  // of the control cycle [ms]
+  int period = 50;   // of the control cycle [ms]
   int seconds = 20;  // [s]
 
   Place place = Place::posts;
@@ -46,9 +46,9 @@ struct Spec {
   bool catches_up = false;  // after a late cycle, as ros::Rate does
 
   Odometry odometry = Odometry::exact;
-  int pose_age = 0;       // [ms]
-  bool age_told = true;   // the pose's stamp is known
-  int map_delay = -1;     // of what is seen [ms]; negative: the whole window is known
+  int pose_age = 0;      // [ms]
+  bool age_told = true;  // the pose's stamp is known
+  int map_delay = -1;    // of what is seen [ms]; negative: the whole window is known
   bool limits_change = false;
 };
 

@@ -10,7 +10,8 @@ namespace hidwa_attack {
 template <typename Situation, typename = void>
 struct AsksForLongestPeriod : std::false_type {};
 template <typename Situation>
-struct AsksForLongestPeriod<Situation, std::void_t<decltype(std::declval<Situation&>().longest_period)>> : std::true_type {};
+struct AsksForLongestPeriod<Situation, std::void_t<decltype(std::declval<Situation&>().longest_period)>>
+    : std::true_type {};
 
 template <typename Situation, typename = void>
 struct AsksForPoseAge : std::false_type {};

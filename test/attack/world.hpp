@@ -54,7 +54,8 @@ class World {
   std::vector<std::uint8_t> lethal_;
 };
 
-/// The deepest depth in any lethal cell [m], or, where it touches none, minus the distance to the nearest, at most `cap`.
+/// The deepest depth in any lethal cell [m], or, where it touches none, minus the distance to the nearest, at most
+/// `cap`.
 double deepest(const World& world, const Placed& placed, double cap);
 
 }  // namespace hidwa_attack

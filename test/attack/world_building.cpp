@@ -124,11 +124,16 @@ Pose2 find_start(World& world, const Shape& shape, const Pose2& wanted, Random& 
 
 const char* name_of(Place place) {
   switch (place) {
-    case Place::posts: return "posts";
-    case Place::walls: return "walls";
-    case Place::corridor: return "corridor";
-    case Place::dead_ends: return "dead_ends";
-    case Place::clutter: return "clutter";
+    case Place::posts:
+      return "posts";
+    case Place::walls:
+      return "walls";
+    case Place::corridor:
+      return "corridor";
+    case Place::dead_ends:
+      return "dead_ends";
+    case Place::clutter:
+      return "clutter";
   }
   return "";
 }
@@ -137,11 +142,21 @@ Scenery build(Place place, double size, double resolution, const Shape& shape, R
   World world(size, size, resolution);
   Pose2 start{0.5 * size, 0.5 * size, random.in(-M_PI, M_PI)};
   switch (place) {
-    case Place::posts: add_posts(world, random); break;
-    case Place::walls: add_walls(world, random); break;
-    case Place::corridor: start = carve_corridor(world, shape, random); break;
-    case Place::dead_ends: add_dead_ends(world, shape, random); break;
-    case Place::clutter: add_clutter(world, random); break;
+    case Place::posts:
+      add_posts(world, random);
+      break;
+    case Place::walls:
+      add_walls(world, random);
+      break;
+    case Place::corridor:
+      start = carve_corridor(world, shape, random);
+      break;
+    case Place::dead_ends:
+      add_dead_ends(world, shape, random);
+      break;
+    case Place::clutter:
+      add_clutter(world, random);
+      break;
   }
   wall_in(world);
   start = find_start(world, shape, start, random);

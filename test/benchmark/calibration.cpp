@@ -26,8 +26,7 @@ class Calibration {
         at_(x_.size()),
         sums_(x_.size()) {
     for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = static_cast<std::uint8_t>(i * 37 % 253);
-    for (std::size_t c = 0; c < v_.size(); ++c)
-      v_[c] = static_cast<double>(c) / static_cast<double>(v_.size());
+    for (std::size_t c = 0; c < v_.size(); ++c) v_[c] = static_cast<double>(c) / static_cast<double>(v_.size());
   }
 
   std::size_t candidates() const { return omegas_ * v_.size(); }
@@ -83,9 +82,9 @@ void run_calibration(benchmark::State& state, const Effort& effort, const Load& 
 void register_calibration(const Effort& effort) {
   for (const char* name : {"2000", "100000"}) {
     const Load& chosen = load(name);
-    benchmark::RegisterBenchmark((std::string("calibration/pose/") + name).c_str(),
-                                 [=](benchmark::State& state) { run_calibration(state, effort, chosen); })
-        ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark((std::string("calibration/pose/") + name).c_str(), [=](benchmark::State& state) {
+      run_calibration(state, effort, chosen);
+    })->Unit(benchmark::kMicrosecond);
   }
 }
 

@@ -6,8 +6,8 @@
 namespace hidwa_local_planner::test {
 
 /// cycle/<candidates>/<cells a side>/<body>/<ground>: Planner::plan, another situation every time.
-/// cycle_cached/...: the same situation again and again. cycle_watched/...: as cycle, and all candidates are checked, as
-/// when somebody subscribes to what became of them.
+/// cycle_cached/...: the same situation again and again. cycle_watched/...: as cycle, and all candidates are checked,
+/// as when somebody subscribes to what became of them.
 void register_cycles(const Effort& effort);
 
 /// naive_cycle/...: the same situations by naive_cycle().
@@ -23,9 +23,9 @@ void register_parts(const Effort& effort);
 /// counter times_real_time is the simulated time over that by the wall clock.
 void register_drives(const Effort& effort);
 
-/// samples/<v>x<omega>: what so many samples buy in the office. Counters: omega_change, the mean absolute change of omega
-/// from command to command of autonomy [rad/s]; deviation and excess, where the person's own command is refused: the
-/// mean deviation of what is chosen instead, and its J above that with the finest samples.
+/// samples/<v>x<omega>: what so many samples buy in the office. Counters: omega_change, the mean absolute change of
+/// omega from command to command of autonomy [rad/s]; deviation and excess, where the person's own command is refused:
+/// the mean deviation of what is chosen instead, and its J above that with the finest samples.
 void register_samples(const Effort& effort);
 
 /// calibration/pose/<candidates>: the least that a pose can cost.

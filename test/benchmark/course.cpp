@@ -61,12 +61,9 @@ Course barn_course(const BarnWorld& world) {
   }
   corners.push_back({-2.25, 13.0});
   course.path = paced(corners);
-  const auto steps = [](double length) {
-    return static_cast<std::size_t>(std::floor(length / Course::kSpacing));
-  };
+  const auto steps = [](double length) { return static_cast<std::size_t>(std::floor(length / Course::kSpacing)); };
   course.first = steps((corners[1] - corners[0]).norm()) + 1;
-  course.last =
-      course.path.size() - 1 - steps((corners[corners.size() - 1] - corners[corners.size() - 2]).norm());
+  course.last = course.path.size() - 1 - steps((corners[corners.size() - 1] - corners[corners.size() - 2]).norm());
   return course;
 }
 

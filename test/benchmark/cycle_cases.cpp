@@ -21,8 +21,7 @@ void report(benchmark::State& state, const CycleTimes& times, const CycleCase::S
 
 void run_cycle(benchmark::State& state, const Effort& effort, CycleCase& cycles) {
   CycleTimes times;
-  times.measure(state, effort, cycles.size(),
-                [&](std::size_t k) { benchmark::DoNotOptimize(&cycles.plan(k)); });
+  times.measure(state, effort, cycles.size(), [&](std::size_t k) { benchmark::DoNotOptimize(&cycles.plan(k)); });
   report(state, times, cycles.measure());
   state.counters["legal"] = cycles.legal_part();
 }
@@ -34,8 +33,7 @@ void run_watched_cycle(benchmark::State& state, const Effort& effort, CycleCase&
 
 void run_cached_cycle(benchmark::State& state, const Effort& effort, CycleCase& cycles) {
   CycleTimes times;
-  times.measure(state, effort, cycles.size(),
-                [&](std::size_t /*k*/) { benchmark::DoNotOptimize(&cycles.plan(0)); });
+  times.measure(state, effort, cycles.size(), [&](std::size_t /*k*/) { benchmark::DoNotOptimize(&cycles.plan(0)); });
   report(state, times, cycles.measure());
 }
 
@@ -102,14 +100,12 @@ void register_cycles(const Effort& effort) {
     add_all("cycle", run_cycle, effort, load_name);
   }
   add_long_rollouts("cycle", run_cycle, effort);
-  for (const char* load_name : {"2000", "100000"})
-    add_all("cycle_cached", run_cached_cycle, effort, load_name);
+  for (const char* load_name : {"2000", "100000"}) add_all("cycle_cached", run_cached_cycle, effort, load_name);
   for (const char* load_name : {"819", "2000"}) add_all("cycle_watched", run_watched_cycle, effort, load_name);
 }
 
 void register_naive_cycles(const Effort& effort) {
-  for (const char* load_name : {"419", "819", "2000"})
-    add_all("naive_cycle", run_naive_cycle, effort, load_name);
+  for (const char* load_name : {"419", "819", "2000"}) add_all("naive_cycle", run_naive_cycle, effort, load_name);
   add_long_rollouts("naive_cycle", run_naive_cycle, effort);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // hidwa_benchmark: how long a cycle takes, by the candidate, the map, the robot and the room it has, and how
-// much faster than real time whole drives run. Google Benchmark's options, and --quick for a tenth of the cycles. scripts/bench runs it and reads its output.
+// much faster than real time whole drives run. Google Benchmark's options, and --quick for a tenth of the cycles.
+// scripts/bench runs it and reads its output.
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -19,8 +19,8 @@ namespace {
 void roll_out(const Scene& scene, const Twist2& reference, double fastest, const Twist2& sample,
               std::vector<Pose2>& poses) {
   const Parameters& p = scene.parameters;
-  const double steps = std::ceil(std::max({1.0, fastest * p.sim_time / p.linear_granularity,
-                                           std::abs(sample.omega) * p.sim_time / p.angular_granularity}));
+  const double steps = std::ceil(std::max(
+      {1.0, fastest * p.sim_time / p.linear_granularity, std::abs(sample.omega) * p.sim_time / p.angular_granularity}));
   const double dt = p.sim_time / steps;
   Twist2 now = reference;
   Pose2 q = scene.situation.pose;
@@ -39,8 +39,7 @@ void roll_out(const Scene& scene, const Twist2& reference, double fastest, const
 bool rollout_free(const NaiveFootprint& robot, const std::vector<Pose2>& poses, double spacing) {
   for (std::size_t k = 1; k < poses.size(); ++k) {
     const Pose2 &a = poses[k - 1], &b = poses[k];
-    const double moved =
-        std::hypot(b.x - a.x, b.y - a.y) + std::abs(b.theta - a.theta) * robot.outer_radius();
+    const double moved = std::hypot(b.x - a.x, b.y - a.y) + std::abs(b.theta - a.theta) * robot.outer_radius();
     const int parts = std::max(1, static_cast<int>(std::ceil(moved / spacing - 1e-9)));
     for (int part = 1; part <= parts; ++part) {
       const double t = static_cast<double>(part) / parts;
@@ -71,8 +70,7 @@ class Cycle {
     while (!legal_.empty()) {
       const auto best = std::min_element(legal_.begin(), legal_.end(),
                                          [this](const Legal& a, const Legal& b) { return preferred(a, b); });
-      if (can_brake(best->sample, true))
-        return NaiveChoice{best->sample, command(best->sample), best->total};
+      if (can_brake(best->sample, true)) return NaiveChoice{best->sample, command(best->sample), best->total};
       legal_.erase(best);
     }
     return std::nullopt;
@@ -103,11 +101,10 @@ class Cycle {
   bool can_brake(const Twist2& sample, bool surely) const {
     const Situation& s = scene_.situation;
     const std::vector<NaiveTrailPose> poses =
-        naive_braking_poses(scene_.parameters, {s.pose, under_way_, command(sample), s.period, 0.0}, robot_.outer_radius(),
-                            grid_.resolution, surely);
-    return std::all_of(poses.begin(), poses.end(), [&](const NaiveTrailPose& q) {
-      return robot_.keeps(q.pose, std::min(q.growth, keep_));
-    });
+        naive_braking_poses(scene_.parameters, {s.pose, under_way_, command(sample), s.period, 0.0},
+                            robot_.outer_radius(), grid_.resolution, surely);
+    return std::all_of(poses.begin(), poses.end(),
+                       [&](const NaiveTrailPose& q) { return robot_.keeps(q.pose, std::min(q.growth, keep_)); });
   }
   double change(const Twist2& u) const {
     const Twist2& last = scene_.situation.last_command;

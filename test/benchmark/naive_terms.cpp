@@ -30,8 +30,7 @@ Cell moved_end(const GridView& grid, const std::vector<Pose2>& plan, const Point
   const double length = std::hypot(to.x() - from.x, to.y() - from.y);
   const double parts = std::max(1.0, std::ceil(length / (grid.resolution / 2)));
   for (double part = 1.0; part <= parts; part += 1.0) {
-    longer.push_back(
-        {from.x + part / parts * (to.x() - from.x), from.y + part / parts * (to.y() - from.y), 0.0});
+    longer.push_back({from.x + part / parts * (to.x() - from.x), from.y + part / parts * (to.y() - from.y), 0.0});
   }
   return cells_on_map(grid, longer).back();
 }
@@ -64,8 +63,7 @@ std::optional<double> NaiveTerms::total(const Twist2& sample, const std::vector<
   autonomy += p.PathDist_scale / 2 * map_grid(path_, 0.0, last);
   autonomy += p.GoalDist_scale / 2 * map_grid(goal_, 0.0, last);
   const Twist2& wanted = scene_.intent.u_h;
-  return p.s_nv * autonomy + p.s_v * std::abs(wanted.v - sample.v) +
-         p.s_omega * std::abs(wanted.omega - sample.omega);
+  return p.s_nv * autonomy + p.s_v * std::abs(wanted.v - sample.v) + p.s_omega * std::abs(wanted.omega - sample.omega);
 }
 
 double NaiveTerms::distance_at(const std::vector<int>& distances, double x, double y) const {

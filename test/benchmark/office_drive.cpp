@@ -11,8 +11,8 @@ namespace hidwa_local_planner::test {
 drive::DriveSetup office_drive() {
   const std::string folder = HIDWA_MAPS;
   drive::DriveSetup setup;
-  setup.ground = std::make_shared<drive::Ground>(
-      std::make_shared<sim::OccupancyMap>(sim::load_map(folder + "/office.yaml")));
+  setup.ground =
+      std::make_shared<drive::Ground>(std::make_shared<sim::OccupancyMap>(sim::load_map(folder + "/office.yaml")));
   const sim::RegionsFile file = sim::load_regions(folder + "/office_regions.yaml");
   setup.regions = file.regions;
   setup.start = file.start.value();

@@ -164,9 +164,8 @@ void run_part(benchmark::State& state, const Effort& effort, const Part& part, C
 }
 
 void add(const Effort& effort, const Part& part, const char* load_name, const Setting& setting) {
-  const std::string name = std::string("part/") + part.name + "/" + load_name + "/" +
-                           std::to_string(setting.cells) + "/" + to_string(setting.body) + "/" +
-                           to_string(setting.ground);
+  const std::string name = std::string("part/") + part.name + "/" + load_name + "/" + std::to_string(setting.cells) +
+                           "/" + to_string(setting.body) + "/" + to_string(setting.ground);
   const auto body = [=](benchmark::State& state) {
     try {
       CycleCase cycles(load(load_name), setting);

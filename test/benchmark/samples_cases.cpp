@@ -35,7 +35,7 @@ class Pusher : public sim::Operator {
 
  private:
   sim::Random random_;
-  double next_ = 4.0;                                       // [s]
+  double next_ = 4.0;                                        // [s]
   double until_ = -std::numeric_limits<double>::infinity();  // [s]
   double left_ = 0.0;
 };
@@ -103,7 +103,8 @@ void run_samples(benchmark::State& state, const Sampling& sampling, std::uint64_
 
 void register_samples(const Effort& effort) {
   const std::uint64_t drives = effort.cycles >= 1000 ? 3 : 1;
-  for (const Sampling sampling : {Sampling{10, 10}, Sampling{20, 20}, Sampling{20, 40}, Sampling{40, 60}, Sampling{80, 120}}) {
+  for (const Sampling sampling :
+       {Sampling{10, 10}, Sampling{20, 20}, Sampling{20, 40}, Sampling{40, 60}, Sampling{80, 120}}) {
     const std::string name =
         "samples/" + std::to_string(sampling.vx_samples) + "x" + std::to_string(sampling.vth_samples);
     benchmark::RegisterBenchmark(name.c_str(), [sampling, drives](benchmark::State& state) {

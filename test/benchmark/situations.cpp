@@ -27,15 +27,12 @@ constexpr double kAhead = 3.0;            // [m]
 Polygon outline_of(Body body) {
   if (body == Body::polygon) return {{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, -0.165}};
   Polygon corners;  // as costmap_2d makes them of robot_radius
-  for (int i = 0; i < 16; ++i)
-    corners.emplace_back(0.3 * std::cos(M_PI * i / 8.0), 0.3 * std::sin(M_PI * i / 8.0));
+  for (int i = 0; i < 16; ++i) corners.emplace_back(0.3 * std::cos(M_PI * i / 8.0), 0.3 * std::sin(M_PI * i / 8.0));
   return corners;
 }
 
 // The map's corner: a window centred on the robot that moves by whole cells.
-double origin_around(double centre, int cells) {
-  return (std::floor(centre / kResolution) - cells / 2) * kResolution;
-}
+double origin_around(double centre, int cells) { return (std::floor(centre / kResolution) - cells / 2) * kResolution; }
 
 void mark(Scene& scene, const std::vector<Point>& obstacles) {
   scene.costs.assign(scene.grid().cell_count(), cost::kFree);
@@ -101,8 +98,7 @@ bool could_stop(const Scene& scene) {
 Course pick_course(Random& random, Ground ground) {
   if (ground == Ground::open) return open_corridor(random);
   static const std::vector<BarnWorld> worlds = sim::load_barn_worlds(barn_worlds_file());
-  return barn_course(
-      worlds[static_cast<std::size_t>(random.integer(0, static_cast<int>(worlds.size()) - 1))]);
+  return barn_course(worlds[static_cast<std::size_t>(random.integer(0, static_cast<int>(worlds.size()) - 1))]);
 }
 
 std::vector<Scene> make(const Setting& setting) {

@@ -22,8 +22,8 @@ using drive::DriveSetup;
 DriveSetup office() {
   const std::string folder = HIDWA_MAPS;
   DriveSetup setup;
-  setup.ground = std::make_shared<drive::Ground>(
-      std::make_shared<sim::OccupancyMap>(sim::load_map(folder + "/office.yaml")));
+  setup.ground =
+      std::make_shared<drive::Ground>(std::make_shared<sim::OccupancyMap>(sim::load_map(folder + "/office.yaml")));
   const sim::RegionsFile regions = sim::load_regions(folder + "/office_regions.yaml");
   setup.regions = regions.regions;
   setup.start = *regions.start;
@@ -88,8 +88,8 @@ TEST(ClosedLoop, PaperProfileArrives) {
 // Somebody who knows of the regions keeps the robot out of them; it cannot see them itself.
 TEST(ClosedLoop, APersonKeepsItOutOfTheRegions) {
   DriveSetup setup = office();
-  setup.person = std::make_shared<sim::AvoidingOperator>(sim::OperatorTraits(), sim::RobotHabits(), *setup.ground->map(),
-                                                         setup.regions, 1);
+  setup.person = std::make_shared<sim::AvoidingOperator>(sim::OperatorTraits(), sim::RobotHabits(),
+                                                         *setup.ground->map(), setup.regions, 1);
   const DriveResult result = drive::drive(setup);
   EXPECT_TRUE(result.arrived);
   EXPECT_EQ(result.contacts, 0);

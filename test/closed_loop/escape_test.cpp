@@ -69,7 +69,8 @@ class Robot {
     constexpr int kSteps = 50;
     for (int k = 0; k < kSteps; ++k) {
       const double step = now.period / kSteps;
-      const sim::Pose next = sim::moved({now.pose.x, now.pose.y, now.pose.theta}, drive_.step(now.time + k * step, step));
+      const sim::Pose next =
+          sim::moved({now.pose.x, now.pose.y, now.pose.theta}, drive_.step(now.time + k * step, step));
       now.pose = {next.x, next.y, next.theta};
       if (k % 10 == 9) cycle.poses.push_back(now.pose);
     }
@@ -104,7 +105,7 @@ struct Found {
   double deepened = 0.0;  // most that the total depth grew within a cycle [m]
   double fastest = 0.0;   // command in collision [m/s]
   int fails = 0;
-  bool out = false;       // free at the end
+  bool out = false;  // free at the end
 };
 
 double least_excess(const std::deque<NaiveEscape>& contacts, const Pose2& pose) {
@@ -222,7 +223,8 @@ bool straight_out(const NaiveEscape& contact, const Pose2& from, bool reverse) {
     if (side < 0.0 && !reverse) continue;
     double before = contact.start_total() + 1e-6;
     for (double way = 0.01; way < 0.6; way += 0.01) {
-      const Pose2 at{from.x + side * way * std::cos(from.theta), from.y + side * way * std::sin(from.theta), from.theta};
+      const Pose2 at{from.x + side * way * std::cos(from.theta), from.y + side * way * std::sin(from.theta),
+                     from.theta};
       const double total = contact.total(at);
       if (total > before || contact.excess(at, false) > 1e-6) break;
       if (total <= 0.0) return true;
@@ -267,8 +269,9 @@ TEST(Escape, FromRandomStartsNothingIsEnteredThatTheRuleForbids) {
     ways += way;
     ways_found += way && found.out;
   }
-  std::printf("%d starts: %d out, %d say that there is no way; %d of %d plain ways found; touched %.2f, deepened %.2f mm\n",
-              starts, out, said_so, ways_found, ways, 1e3 * deepest, 1e3 * most);
+  std::printf(
+      "%d starts: %d out, %d say that there is no way; %d of %d plain ways found; touched %.2f, deepened %.2f mm\n",
+      starts, out, said_so, ways_found, ways, 1e3 * deepest, 1e3 * most);
   EXPECT_GT(ways, 40);
   EXPECT_GE(ways_found, 0.9 * ways);
 }

@@ -98,8 +98,8 @@ void set_off(Follower& robot) {
 }
 
 struct Errors {
-  double largest = 0.0;      // of omega* against what the acceleration limit lets through of omega_h [rad/s]
-  double unlimited = 0.0;    // of omega* against omega_h where the limit leaves it alone [rad/s]
+  double largest = 0.0;    // of omega* against what the acceleration limit lets through of omega_h [rad/s]
+  double unlimited = 0.0;  // of omega* against omega_h where the limit leaves it alone [rad/s]
   int cycles = 0;
   int limited = 0;
   void add(const Follower::Cycle& cycle) {
@@ -157,8 +157,8 @@ TEST(Following, ASweptSineIsFollowed) {
     errors.add(cycle);
   }
   EXPECT_LE(errors.unlimited, kClose);
-  EXPECT_GT(errors.cycles, 780);                           // of 800
-  EXPECT_GT(errors.cycles - errors.limited, 400);          // and it bites in part of them only
+  EXPECT_GT(errors.cycles, 780);                   // of 800
+  EXPECT_GT(errors.cycles - errors.limited, 400);  // and it bites in part of them only
   RecordProperty("largest_error_1e9_rad_s", static_cast<int>(1e9 * errors.largest));
 }
 

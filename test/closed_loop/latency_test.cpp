@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot whose odometry shows a command only a latency and a ramp later: the planner goes on from its last command, and
-// notices nonetheless when the robot does something else.
+// A robot whose odometry shows a command only a latency and a ramp later: the planner goes on from its last command,
+// and notices nonetheless when the robot does something else.
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -146,8 +146,8 @@ TEST_P(Latency, ARobotThatIsHeldIsNoticed) {
   EXPECT_TRUE(cycle.takes_odometry());
 }
 
-// A velocity that no command explains is doubted at once, and believed once it has agreed with itself for 0.3 s; a command
-// never starts from it.
+// A velocity that no command explains is doubted at once, and believed once it has agreed with itself for 0.3 s; a
+// command never starts from it.
 void expect_noticed(LaggingRobot& robot, const Twist2& wanted, const Twist2& pushed) {
   for (double t = 0.0; t < 0.35; t += robot.period()) {
     robot.push(pushed);
@@ -177,8 +177,10 @@ TEST_P(Latency, ARobotThatIsPushedIsNoticedAtOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Bases, Latency,
                          ::testing::Values(Base{0.5, 1.0, 2.5, 3.2, 2.5, 0.1}, Base{0.5, 1.0, 2.5, 3.2, 2.5, 0.0},
-                                           Base{2.0, 4.0, 10.0, 20.0, 10.0, 0.05}, Base{2.0, 4.0, 10.0, 20.0, 10.0, 0.1},
-                                           Base{2.0, 4.0, 10.0, 20.0, 10.0, 0.12}, Base{1.0, 2.0, 2.0, 6.0, 5.0, 0.17}));
+                                           Base{2.0, 4.0, 10.0, 20.0, 10.0, 0.05},
+                                           Base{2.0, 4.0, 10.0, 20.0, 10.0, 0.1},
+                                           Base{2.0, 4.0, 10.0, 20.0, 10.0, 0.12},
+                                           Base{1.0, 2.0, 2.0, 6.0, 5.0, 0.17}));
 
 }  // namespace
 }  // namespace hidwa_local_planner::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A base with a latency, between walls, with a horizon so short that nothing but the check for braking keeps it off them:
-// whoever steers it and whenever it is stopped, what is still under way never carries it into one.
+// A base with a latency, between walls, with a horizon so short that nothing but the check for braking keeps it off
+// them: whoever steers it and whenever it is stopped, what is still under way never carries it into one.
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -20,7 +20,9 @@ struct Base {
   double acc_x, acc_theta;  // [m/s^2, rad/s^2]
   double latency;           // [s]
 };
-void PrintTo(const Base& b, std::ostream* out) { *out << b.v << " m/s, " << b.acc_x << " m/s^2, " << b.latency << " s"; }
+void PrintTo(const Base& b, std::ostream* out) {
+  *out << b.v << " m/s, " << b.acc_x << " m/s^2, " << b.latency << " s";
+}
 
 constexpr double kWall = 1.975;  // [m] from the middle of the room to each of its walls, an edge of cells
 
@@ -64,7 +66,8 @@ class Room {
     constexpr int kSteps = 5;
     for (int k = 0; k < kSteps; ++k) {
       const double step = now.period / kSteps;
-      const sim::Pose next = sim::moved({now.pose.x, now.pose.y, now.pose.theta}, drive_.step(now.time + k * step, step));
+      const sim::Pose next =
+          sim::moved({now.pose.x, now.pose.y, now.pose.theta}, drive_.step(now.time + k * step, step));
       now.pose = {next.x, next.y, next.theta};
     }
     now.last_command = command;
@@ -82,8 +85,8 @@ class Room {
     const Pose2& q = scene_.situation.pose;
     for (const Point& corner : scene_.outline) {
       const double c = std::cos(q.theta), s = std::sin(q.theta);
-      farthest = std::max({farthest, std::abs(q.x + c * corner.x() - s * corner.y()),
-                           std::abs(q.y + s * corner.x() + c * corner.y())});
+      farthest = std::max(
+          {farthest, std::abs(q.x + c * corner.x() - s * corner.y()), std::abs(q.y + s * corner.x() + c * corner.y())});
     }
     return kWall - farthest;
   }

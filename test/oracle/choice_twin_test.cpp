@@ -38,14 +38,12 @@ double to_border(double value, double origin, double resolution) {
 
 bool at_border(const GridView& grid, const std::vector<Pose2>& poses) {
   return std::any_of(poses.begin(), poses.end(), [&](const Pose2& q) {
-    return std::min(to_border(q.x, grid.origin_x, grid.resolution),
-                    to_border(q.y, grid.origin_y, grid.resolution)) < kAtBorder;
+    return std::min(to_border(q.x, grid.origin_x, grid.resolution), to_border(q.y, grid.origin_y, grid.resolution)) <
+           kAtBorder;
   });
 }
 
-bool same(const Twist2& a, const Twist2& b) {
-  return std::abs(a.v - b.v) < 1e-9 && std::abs(a.omega - b.omega) < 1e-9;
-}
+bool same(const Twist2& a, const Twist2& b) { return std::abs(a.v - b.v) < 1e-9 && std::abs(a.omega - b.omega) < 1e-9; }
 
 // Overlaps of the size of a rounding are poses at a border too.
 bool excused_by_border(const Scene& scene, const NaivePlanner& naive, const Decision& decision) {
@@ -81,12 +79,11 @@ void compare(const Scene& scene, const NaivePlanner& naive, Tally& tally) {
   } else if (excused_by_border(scene, naive, decision)) {
     ++tally.at_border;
   } else {
-    ADD_FAILURE() << "chose (" << decision.sample.v << ", " << decision.sample.omega << "), J "
-                  << decision.total << (chosen ? "" : ": nothing") << "; the twin "
-                  << (twin == nullptr
-                          ? "nothing"
-                          : "(" + std::to_string(twin->u.v) + ", " + std::to_string(twin->u.omega) + "), J " +
-                                std::to_string(twin->total));
+    ADD_FAILURE() << "chose (" << decision.sample.v << ", " << decision.sample.omega << "), J " << decision.total
+                  << (chosen ? "" : ": nothing") << "; the twin "
+                  << (twin == nullptr ? "nothing"
+                                      : "(" + std::to_string(twin->u.v) + ", " + std::to_string(twin->u.omega) +
+                                            "), J " + std::to_string(twin->total));
   }
 }
 
@@ -101,12 +98,10 @@ Tally compare_all(std::uint64_t first_seed, const Adjust& adjust) {
     const NaivePlanner naive(scene);
     if (!naive.stands_in_collision()) compare(scene, naive, tally);
   }
-  std::printf(
-      "%d compared, %d steered, %d with refusals: %d chosen, %d refused all, %d gave up, %d nearly tied\n",
-      tally.compared, tally.steered, tally.near_obstacles, tally.chosen, tally.refused_all, tally.gave_up,
-      tally.nearly_tied);
-  std::printf("differing choices: %d of equal totals, %d at a border between cells\n", tally.tied,
-              tally.at_border);
+  std::printf("%d compared, %d steered, %d with refusals: %d chosen, %d refused all, %d gave up, %d nearly tied\n",
+              tally.compared, tally.steered, tally.near_obstacles, tally.chosen, tally.refused_all, tally.gave_up,
+              tally.nearly_tied);
+  std::printf("differing choices: %d of equal totals, %d at a border between cells\n", tally.tied, tally.at_border);
   return tally;
 }
 

@@ -27,8 +27,8 @@ struct Tally {
   int poses = 0, hits = 0, doubtful = 0, between = 0;
 };
 
-void compare_pose(const Scene& scene, const CollisionChecker& checker, const NaiveBody& body,
-                  const Pose2& pose, Tally& tally) {
+void compare_pose(const Scene& scene, const CollisionChecker& checker, const NaiveBody& body, const Pose2& pose,
+                  Tally& tally) {
   const GridView grid = scene.grid();
   const double overlap = test::naive_overlap(grid, body, pose, scene.parameters.unknown_is_obstacle);
   ++tally.poses;
@@ -38,8 +38,7 @@ void compare_pose(const Scene& scene, const CollisionChecker& checker, const Nai
   }
   const bool hit = overlap > 0.0 || test::naive_centre_inscribed(grid, body, pose);
   tally.hits += hit;
-  ASSERT_EQ(checker.collides(pose), hit)
-      << pose.x << " " << pose.y << " " << pose.theta << " overlap " << overlap;
+  ASSERT_EQ(checker.collides(pose), hit) << pose.x << " " << pose.y << " " << pose.theta << " overlap " << overlap;
   // Within one cell's side of a clear place nothing collides, at any heading.
   if (checker.clear(pose.x, pose.y)) {
     for (int k = 0; k < 8; ++k) {
@@ -83,7 +82,8 @@ void compare_room(std::uint64_t seed, Tally& tally) {
   ASSERT_GE(checker.room(), room);
   for (int k = 0; k < 40; ++k) {
     const Pose2& start = scene.situation.pose;
-    const Pose2 pose{start.x + random.uniform(-0.7, 0.7), start.y + random.uniform(-0.7, 0.7), random.uniform(-4.0, 4.0)};
+    const Pose2 pose{start.x + random.uniform(-0.7, 0.7), start.y + random.uniform(-0.7, 0.7),
+                     random.uniform(-4.0, 4.0)};
     const double overlap = test::naive_overlap(scene.grid(), body, pose, unknown);
     const double cap = random.uniform(0.01, 0.6), most = std::min(cap, checker.room());
     const double gap = test::naive_gap(scene.grid(), body, pose, unknown, most);
@@ -101,7 +101,8 @@ void compare_room(std::uint64_t seed, Tally& tally) {
 TEST(CollisionTwin, TheRoomAroundAPose) {
   Tally tally;
   for (std::uint64_t seed = 0; seed < 400 && !HasFatalFailure(); ++seed) compare_room(3500000 + seed, tally);
-  std::printf("%d poses, %d hits, %d near something, %d doubtful\n", tally.poses, tally.hits, tally.between, tally.doubtful);
+  std::printf("%d poses, %d hits, %d near something, %d doubtful\n", tally.poses, tally.hits, tally.between,
+              tally.doubtful);
   EXPECT_GT(tally.hits, tally.poses / 20);
   EXPECT_GT(tally.between, tally.poses / 10);
   EXPECT_LT(tally.doubtful, tally.poses / 1000);

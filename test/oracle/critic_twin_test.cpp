@@ -80,9 +80,7 @@ class NaiveOscillation {
       events_.clear();
     }
   }
-  bool refuses(const Twist2& u) const {
-    return u.v * ban(&Twist2::v) < 0.0 || u.omega * ban(&Twist2::omega) < 0.0;
-  }
+  bool refuses(const Twist2& u) const { return u.v * ban(&Twist2::v) < 0.0 || u.omega * ban(&Twist2::omega) < 0.0; }
 
  private:
   struct Event {
@@ -140,8 +138,7 @@ TEST(OscillationTwin, RandomHistories) {
       bench.debrief(command);
       naive.note(s.pose, s.time, command);
       bool any = false;
-      for (const Twist2& u :
-           {Twist2{0.2, 0.0}, Twist2{-0.2, 0.0}, Twist2{0.0, 0.4}, Twist2{0.0, -0.4}, Twist2{}}) {
+      for (const Twist2& u : {Twist2{0.2, 0.0}, Twist2{-0.2, 0.0}, Twist2{0.0, 0.4}, Twist2{0.0, -0.4}, Twist2{}}) {
         ASSERT_EQ(bench.score(u, {{}, {}}).refused(), naive.refuses(u)) << history << " " << k;
         any = any || naive.refuses(u);
       }

@@ -36,8 +36,7 @@ void compare_candidates(const Scene& scene, const NaivePlanner& naive, const Pla
     const NaiveCandidate& twin = naive.candidates()[c];
     ASSERT_NEAR(core.sample.v, twin.u.v, 1e-9) << "candidate " << c;
     ASSERT_NEAR(core.sample.omega, twin.u.omega, 1e-9) << "candidate " << c;
-    ASSERT_EQ(core.refused_by, twin.refused_by)
-        << "candidate " << c << " " << twin.u.v << " " << twin.u.omega;
+    ASSERT_EQ(core.refused_by, twin.refused_by) << "candidate " << c << " " << twin.u.v << " " << twin.u.omega;
     ASSERT_EQ(core.poses.size(), twin.poses.size());
     ASSERT_NEAR(core.poses.back().x, twin.poses.back().x, 1e-9);
     ASSERT_NEAR(core.poses.back().y, twin.poses.back().y, 1e-9);
@@ -159,8 +158,7 @@ void compare_all(int scenes, std::uint64_t first_seed, const std::function<void(
 TEST(PlannerTwin, DefaultProfile) {
   Tally tally;
   compare_all(
-      1100, 1000000,
-      [](Scene& scene) { test::take_default_profile(scene.parameters); }, tally);
+      1100, 1000000, [](Scene& scene) { test::take_default_profile(scene.parameters); }, tally);
   EXPECT_GE(tally.compared, 1000);
   EXPECT_LE(tally.doubtful, 5);
   for (const char* name : {"Collision", "Braking", "BaseObstacle", "RotateToGoal"}) {

@@ -38,8 +38,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 Polygon outline_of(Body body) {
   if (body == Body::polygon) return {{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, -0.165}};
   Polygon corners;  // as costmap_2d makes them of robot_radius
-  for (int i = 0; i < 16; ++i)
-    corners.emplace_back(0.2 * std::cos(M_PI * i / 8.0), 0.2 * std::sin(M_PI * i / 8.0));
+  for (int i = 0; i < 16; ++i) corners.emplace_back(0.2 * std::cos(M_PI * i / 8.0), 0.2 * std::sin(M_PI * i / 8.0));
   return corners;
 }
 
@@ -94,8 +93,7 @@ TEST_P(Allocations, NoneAfterTheFirstRound) {
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       // Another order every time: 7 and 250 have no common divisor.
-      const Scene& scene =
-          scenes_[round % 2 == 0 ? k : (7 * k + static_cast<std::size_t>(round)) % scenes_.size()];
+      const Scene& scene = scenes_[round % 2 == 0 ? k : (7 * k + static_cast<std::size_t>(round)) % scenes_.size()];
       const AllocationCounter counter;
       const Decision& decision = planner_.plan(scene.situation, scene.grid(), scene.intent);
       ASSERT_EQ(counter.count(), 0U) << "round " << round << ", call " << k;
@@ -105,8 +103,7 @@ TEST_P(Allocations, NoneAfterTheFirstRound) {
   std::printf("%llu driven, %llu braked, %llu failed, %llu steered, %llu refusing, %llu escaping\n",
               static_cast<unsigned long long>(seen_.driven), static_cast<unsigned long long>(seen_.braked),
               static_cast<unsigned long long>(seen_.failed), static_cast<unsigned long long>(seen_.steered),
-              static_cast<unsigned long long>(seen_.refusing),
-              static_cast<unsigned long long>(seen_.escaping));
+              static_cast<unsigned long long>(seen_.refusing), static_cast<unsigned long long>(seen_.escaping));
   const auto often = {seen_.driven, seen_.steered, seen_.autonomous, seen_.refusing};
   const auto seldom = {seen_.braked, seen_.failed, seen_.escaping};
   for (const std::uint64_t count : often) EXPECT_GT(count, 250U);

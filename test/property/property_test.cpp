@@ -106,7 +106,8 @@ void expect_within_limits(const Parameters& p, const Decision& decision, const T
     return std::min(std::abs(to - reference), std::abs(to - before));
   };
   EXPECT_LE(step(u.v, from.v, last.v), std::max(p.acc_lim_x, p.braking_x()) * period + 1e-9) << seed;
-  EXPECT_LE(step(u.omega, from.omega, last.omega), std::max(p.acc_lim_theta, p.braking_theta()) * period + 1e-9) << seed;
+  EXPECT_LE(step(u.omega, from.omega, last.omega), std::max(p.acc_lim_theta, p.braking_theta()) * period + 1e-9)
+      << seed;
 }
 
 // The deepest overlap of the braked trajectory [m], poses a quarter of a cell apart.
@@ -118,8 +119,7 @@ double braked_overlap(const Scene& scene, const Decision& decision) {
   const test::NaiveManoeuvre manoeuvre =
       test::naive_manoeuvre(p, scene.situation.pose, steady, decision.command, scene.situation.period);
   double worst = 0.0;
-  for (const Pose2& pose :
-       test::naive_poses(manoeuvre, test::naive_outer_radius(body), 0.25 * scene.resolution)) {
+  for (const Pose2& pose : test::naive_poses(manoeuvre, test::naive_outer_radius(body), 0.25 * scene.resolution)) {
     worst = std::max(worst, test::naive_overlap(scene.grid(), body, pose, p.unknown_is_obstacle));
   }
   return worst;

@@ -41,12 +41,10 @@ class Drive {
     EXPECT_TRUE(planner_.configure(p_).empty());
     machine_.configure(p_);
     Polygon outline;
-    for (int i = 0; i < 16; ++i)
-      outline.emplace_back(0.3 * std::cos(M_PI * i / 8), 0.3 * std::sin(M_PI * i / 8));
+    for (int i = 0; i < 16; ++i) outline.emplace_back(0.3 * std::cos(M_PI * i / 8), 0.3 * std::sin(M_PI * i / 8));
     planner_.set_footprint(outline);
     // p^2 max_vel_theta = omega_h.
-    deflection_ =
-        static_cast<float>(std::copysign(std::sqrt(std::abs(c.omega_h) / p_.max_vel_theta), c.omega_h));
+    deflection_ = static_cast<float>(std::copysign(std::sqrt(std::abs(c.omega_h) / p_.max_vel_theta), c.omega_h));
     for (int i = 0; i <= 1200; ++i) plan_.push_back({0.05 * i, 0.0, 0.0});
     window_.set_plan(plan_);
     costs_.assign(kCells * kCells, cost::kFree);
@@ -153,18 +151,17 @@ TEST_P(Release, TheTurnRampsToZeroStaysThereAndNothingJumps) {
   // Autonomy then leads back to the plan.
   double farthest = 0.0;
   for (const Step& step : steps) farthest = std::max(farthest, std::abs(step.pose.y));
-  std::printf("v_max %.2f omega_h %+.4f: %.2f m off, at the end %.3f m\n", GetParam().v_max,
-              GetParam().omega_h, farthest, steps.back().pose.y);
+  std::printf("v_max %.2f omega_h %+.4f: %.2f m off, at the end %.3f m\n", GetParam().v_max, GetParam().omega_h,
+              farthest, steps.back().pose.y);
   EXPECT_LT(std::abs(steps.back().pose.y), 0.1);
 }
 
 // 0.481 and 0.1601 leave a last step of 0.001 and 0.0001 rad/s: it too must go, though it costs next to
 // nothing.
 INSTANTIATE_TEST_SUITE_P(SpeedsAndTurns, Release,
-                         ::testing::Values(Case{0.26, 1.0}, Case{0.26, -0.3}, Case{0.26, 0.481},
-                                           Case{0.5, 1.0}, Case{0.5, -1.0}, Case{0.5, 0.25},
-                                           Case{0.5, -0.481}, Case{0.5, 0.1601}, Case{0.5, 0.05},
-                                           Case{1.0, -1.0}, Case{1.0, 0.6}, Case{1.0, -0.3201}));
+                         ::testing::Values(Case{0.26, 1.0}, Case{0.26, -0.3}, Case{0.26, 0.481}, Case{0.5, 1.0},
+                                           Case{0.5, -1.0}, Case{0.5, 0.25}, Case{0.5, -0.481}, Case{0.5, 0.1601},
+                                           Case{0.5, 0.05}, Case{1.0, -1.0}, Case{1.0, 0.6}, Case{1.0, -0.3201}));
 
 }  // namespace
 }  // namespace hidwa_local_planner

@@ -69,8 +69,7 @@ class CriticBench {
   void prepare() {
     grid_ = scene_.grid();
     footprint_ = Footprint::from_outline(scene_.outline, scene_.parameters.footprint_padding);
-    grids_.prepare(grid_, scene_.situation.plan, scene_.parameters.map_grid,
-                   scene_.parameters.unknown_is_obstacle);
+    grids_.prepare(grid_, scene_.situation.plan, scene_.parameters.map_grid, scene_.parameters.unknown_is_obstacle);
     critic_->prepare(view());
   }
   Verdict score(const Twist2& u, const std::vector<Pose2>& poses, double dt = 0.1) {
@@ -97,8 +96,8 @@ class CriticBench {
     cycle.goal = scene_.situation.goal;
     cycle.time = scene_.situation.time;
     cycle.steered = scene_.intent.influence != Influence::none;
-    cycle.person_decides = cycle.steered &&
-                           (scene_.intent.influence == Influence::direct || scene_.situation.goal_latched);
+    cycle.person_decides =
+        cycle.steered && (scene_.intent.influence == Influence::direct || scene_.situation.goal_latched);
     cycle.plan = &scene_.situation.plan;
     cycle.grid = &grid_;
     cycle.footprint = &footprint_;

@@ -80,8 +80,8 @@ inline double naive_to_square(const Pose2& pose, double x, double y, double side
 
 /// How deep the robot reaches into the worst obstacle cell, or over the map's edge: a length [m] for a disc,
 /// the root of an area for a polygon, so that 0 is free and rounding stays near 0.
-inline double naive_overlap(const GridView& grid, const NaiveBody& body, const Pose2& pose,
-                            bool unknown_is_obstacle, int* cells = nullptr) {
+inline double naive_overlap(const GridView& grid, const NaiveBody& body, const Pose2& pose, bool unknown_is_obstacle,
+                            int* cells = nullptr) {
   const double width = grid.size_x * grid.resolution, height = grid.size_y * grid.resolution;
   const Polygon placed = naive_place(body.corners, pose);
   const double outer_radius = naive_outer_radius(body), outer = outer_radius + 2.0 * grid.resolution;
@@ -92,8 +92,7 @@ inline double naive_overlap(const GridView& grid, const NaiveBody& body, const P
   }
   if (body.radius > 0.0) {
     worst = std::max({worst, grid.origin_x - (pose.x - body.radius), grid.origin_y - (pose.y - body.radius),
-                      pose.x + body.radius - grid.origin_x - width,
-                      pose.y + body.radius - grid.origin_y - height});
+                      pose.x + body.radius - grid.origin_x - width, pose.y + body.radius - grid.origin_y - height});
   }
   // Only cells that can be near enough.
   const auto nearest = [&](double value, double origin, int size) {

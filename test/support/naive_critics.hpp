@@ -34,8 +34,8 @@ class NaiveCritics {
     path_ = distances(path);
     goal_ = distances({path.back()});
     std::vector<Pose2> ahead = scene.situation.plan;
-    const double bearing = std::atan2(scene.situation.goal.y - scene.situation.pose.y,
-                                      scene.situation.goal.x - scene.situation.pose.x);
+    const double bearing =
+        std::atan2(scene.situation.goal.y - scene.situation.pose.y, scene.situation.goal.x - scene.situation.pose.x);
     ahead.back().x += scene.parameters.GoalAlign_forward_point_distance * std::cos(bearing);
     ahead.back().y += scene.parameters.GoalAlign_forward_point_distance * std::sin(bearing);
     const std::vector<Cell> moved = cells(ahead);
@@ -78,10 +78,8 @@ class NaiveCritics {
     if (critic == "ObstacleFootprint") return obstacle_footprint(c, refuses);
     if (critic == "RotateToGoal") return rotate_to_goal(c, refuses);
     if (critic == "PreferForward") {
-      const bool creeps =
-          c.u.v < p.PreferForward_strafe_x && std::abs(c.u.omega) < p.PreferForward_strafe_theta;
-      return c.u.v < 0.0 || creeps ? p.PreferForward_penalty
-                                   : std::abs(c.u.omega) * p.PreferForward_theta_scale;
+      const bool creeps = c.u.v < p.PreferForward_strafe_x && std::abs(c.u.omega) < p.PreferForward_strafe_theta;
+      return c.u.v < 0.0 || creeps ? p.PreferForward_penalty : std::abs(c.u.omega) * p.PreferForward_theta_scale;
     }
     return critic == "Twirling" ? std::abs(c.u.omega) : 0.0;
   }
@@ -97,8 +95,7 @@ class NaiveCritics {
         const bool gap = std::abs(a.i - b.i) > 1 || std::abs(a.j - b.j) > 1;
         const double parts = std::ceil(distance(from, pose) / (grid_.resolution / 2));
         for (double part = 1.0; gap && part < parts; part += 1.0) {
-          dense.push_back(
-              {from.x + part / parts * (pose.x - from.x), from.y + part / parts * (pose.y - from.y), 0.0});
+          dense.push_back({from.x + part / parts * (pose.x - from.x), from.y + part / parts * (pose.y - from.y), 0.0});
         }
       }
       dense.push_back(pose);
@@ -106,8 +103,7 @@ class NaiveCritics {
     return dense;
   }
   std::vector<Cell> cells(const std::vector<Pose2>& plan) const {
-    const bool stops =
-        scene_.parameters.map_grid == MapGridDistance::l1 && scene_.parameters.unknown_is_obstacle;
+    const bool stops = scene_.parameters.map_grid == MapGridDistance::l1 && scene_.parameters.unknown_is_obstacle;
     std::vector<Cell> found;
     for (const Pose2& pose : without_gaps(plan)) {
       const Cell cell = naive_cell(grid_, pose.x, pose.y);
@@ -118,8 +114,7 @@ class NaiveCritics {
     return found;
   }
   NaiveDistances distances(const std::vector<Cell>& sources) const {
-    if (scene_.parameters.map_grid == MapGridDistance::l1)
-      return {naive_l1(grid_, sources), grid_.resolution};
+    if (scene_.parameters.map_grid == MapGridDistance::l1) return {naive_l1(grid_, sources), grid_.resolution};
     return {naive_geodesic(grid_, sources), grid_.resolution / 5};
   }
   double look_up(const NaiveDistances& d, double x, double y) const {
@@ -157,8 +152,7 @@ class NaiveCritics {
     return value == 253 || value == 254 || (value == 255 && scene_.parameters.unknown_is_obstacle);
   }
   double base_obstacle(const NaiveCandidate& c, bool& refuses) const {
-    const bool may_leave =
-        scene_.parameters.escape && bad_centre(scene_.situation.pose.x, scene_.situation.pose.y);
+    const bool may_leave = scene_.parameters.escape && bad_centre(scene_.situation.pose.x, scene_.situation.pose.y);
     double sum = 0.0, last = 0.0;
     for (const Pose2& q : c.poses) {
       if (!may_leave && bad_centre(q.x, q.y)) refuses = true;
@@ -176,8 +170,7 @@ class NaiveCritics {
     if (body_.radius > 0.0) {
       const int n = std::max(8, 4 * static_cast<int>(std::ceil(M_PI / 2 * body_.radius / spacing)));
       for (int k = 0; k < n; ++k) {
-        points.emplace_back(body_.radius * std::cos(2 * M_PI * k / n),
-                            body_.radius * std::sin(2 * M_PI * k / n));
+        points.emplace_back(body_.radius * std::cos(2 * M_PI * k / n), body_.radius * std::sin(2 * M_PI * k / n));
       }
       return points;
     }

@@ -64,8 +64,7 @@ std::vector<int> naive_dijkstra(const GridView& grid, const std::vector<int>& fr
 inline std::vector<int> naive_geodesic(const GridView& grid, const std::vector<Cell>& sources) {
   std::vector<int> seeds(grid.cell_count(), -1);
   for (const Cell& s : sources) seeds[grid.index(s)] = 0;
-  const std::vector<int> reached =
-      naive_dijkstra(grid, seeds, [&](Cell c) { return !naive_blocks(grid.at(c)); });
+  const std::vector<int> reached = naive_dijkstra(grid, seeds, [&](Cell c) { return !naive_blocks(grid.at(c)); });
   return naive_dijkstra(grid, reached, [&](Cell c) { return naive_blocks(grid.at(c)); });
 }
 

@@ -28,10 +28,13 @@ inline NaiveAxis naive_axis_theta(const Parameters& p, double period) {
 
 class NaiveEffects {
  public:
-  /// Each command is reached within `period` [s], or as fast as the limits allow, unless the next one takes effect before.
-  /// `before` is the velocity when the first one does.
+  /// Each command is reached within `period` [s], or as fast as the limits allow, unless the next one takes effect
+  /// before. `before` is the velocity when the first one does.
   NaiveEffects(const Parameters& p, double period, const Twist2& before, std::vector<NaiveEffect> effects)
-      : x_(naive_axis_x(p, period)), theta_(naive_axis_theta(p, period)), before_(before), effects_(std::move(effects)) {}
+      : x_(naive_axis_x(p, period)),
+        theta_(naive_axis_theta(p, period)),
+        before_(before),
+        effects_(std::move(effects)) {}
   /// One velocity for ever.
   NaiveEffects(const Parameters& p, double period, const Twist2& u) : NaiveEffects(p, period, u, {{0.0, u}}) {}
 

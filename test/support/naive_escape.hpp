@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "support/naive_padding.hpp"
 #include "support/naive_collision.hpp"
+#include "support/naive_padding.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the robot is from obstacles, cell by cell. For a convex outline by separating axes: the largest gap between the
-// two shapes over the axes that stand on their sides. That is the distance, or less where two corners are nearest.
+// How far the robot is from obstacles, cell by cell. For a convex outline by separating axes: the largest gap between
+// the two shapes over the axes that stand on their sides. That is the distance, or less where two corners are nearest.
 #pragma once
 
 #include <algorithm>
@@ -72,13 +72,14 @@ inline double naive_polygon_distance(const Polygon& one, const Polygon& other) {
   return least;
 }
 
-/// To the nearest obstacle, or the map's edge [m]; `most` where nothing is nearer. 0 or less where the robot overlaps one.
-/// Of a disc the centre alone minds inscribed cells.
+/// To the nearest obstacle, or the map's edge [m]; `most` where nothing is nearer. 0 or less where the robot overlaps
+/// one. Of a disc the centre alone minds inscribed cells.
 inline double naive_gap(const GridView& grid, const NaiveBody& body, const Pose2& pose, bool unknown_is_obstacle,
                         double most) {
   const Polygon placed = naive_place(body.corners, pose);
   const bool disc = body.radius > 0.0, convex = !disc && naive_convex(body.corners);
-  const double right = grid.origin_x + grid.size_x * grid.resolution, top = grid.origin_y + grid.size_y * grid.resolution;
+  const double right = grid.origin_x + grid.size_x * grid.resolution,
+               top = grid.origin_y + grid.size_y * grid.resolution;
   std::vector<Point> axes{{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}};
   for (const Point& normal : naive_normals(placed)) axes.push_back(normal);
   double least = most;

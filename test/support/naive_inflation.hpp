@@ -23,8 +23,7 @@ inline void inflate(Scene& scene, double inscribed, double radius, double scalin
           if (!grid.contains(to) || before[grid.index(to)] >= cost::kLethal) continue;
           const double d = std::hypot(di, dj) * scene.resolution;
           if (d > radius) continue;
-          const double value =
-              d <= inscribed ? 253.0 : std::floor(252.0 * std::exp(-scaling * (d - inscribed)));
+          const double value = d <= inscribed ? 253.0 : std::floor(252.0 * std::exp(-scaling * (d - inscribed)));
           scene.at(to) = std::max(scene.at(to), static_cast<std::uint8_t>(value));
         }
       }

@@ -60,8 +60,8 @@ inline std::vector<NaiveLeg> naive_legs(const NaiveEffects& effects, double begi
   return legs;
 }
 
-/// An axis that brakes from `begin`, after `t` [s]: at its limit until half a period's worth is left, then evenly over a
-/// period.
+/// An axis that brakes from `begin`, after `t` [s]: at its limit until half a period's worth is left, then evenly over
+/// a period.
 inline double naive_braking(const NaiveAxis& axis, double begin, double t) {
   const double tail = std::min(std::abs(begin), axis.braking * axis.period / 2);
   const double at_limit = (std::abs(begin) - tail) / axis.braking;
@@ -80,10 +80,10 @@ inline double naive_tail_spread(const NaiveAxis& axis, double begin) {
   return naive_spread(axis, std::min(std::abs(begin), axis.braking * axis.period / 2), 0.0, axis.period);
 }
 
-/// From `u` a command, kept until braking begins a period and `hold` [s] after it took effect, then rest. `evenly`: by a
-/// base that reaches the command evenly over the period.
-inline std::vector<NaiveLeg> naive_brake_legs(const Parameters& p, double period, const Twist2& u, const Twist2& command,
-                                              double hold, bool evenly = false) {
+/// From `u` a command, kept until braking begins a period and `hold` [s] after it took effect, then rest. `evenly`: by
+/// a base that reaches the command evenly over the period.
+inline std::vector<NaiveLeg> naive_brake_legs(const Parameters& p, double period, const Twist2& u,
+                                              const Twist2& command, double hold, bool evenly = false) {
   const NaiveEffects sent(p, period, u, {{0.0, command}});
   const double end = period + hold;
   std::vector<NaiveLeg> legs;
@@ -95,7 +95,8 @@ inline std::vector<NaiveLeg> naive_brake_legs(const Parameters& p, double period
   for (std::size_t k = 1; k < cuts.size(); ++k) {
     legs.push_back({sent.velocity(cuts[k - 1]), sent.velocity(cuts[k]), cuts[k] - cuts[k - 1], {}});
   }
-  legs[0].spread = {naive_spread(sent.x(), u.v, command.v, end), naive_spread(sent.theta(), u.omega, command.omega, end)};
+  legs[0].spread = {naive_spread(sent.x(), u.v, command.v, end),
+                    naive_spread(sent.theta(), u.omega, command.omega, end)};
   const Twist2 fast = sent.velocity(end);
   std::vector<double> stops{0.0, naive_tail_begins(sent.x(), fast.v), naive_rests(sent.x(), fast.v),
                             naive_tail_begins(sent.theta(), fast.omega), naive_rests(sent.theta(), fast.omega)};
@@ -106,9 +107,12 @@ inline std::vector<NaiveLeg> naive_brake_legs(const Parameters& p, double period
     };
     NaiveLeg leg{at(stops[k - 1]), at(stops[k]), stops[k] - stops[k - 1], {}};
     // The last command to brake comes when a period's worth is left, half a period before the tail.
-    const auto comes = [&](double tail) { return stops[k] > tail - period / 2 && (k == 1 || stops[k - 1] <= tail - period / 2); };
+    const auto comes = [&](double tail) {
+      return stops[k] > tail - period / 2 && (k == 1 || stops[k - 1] <= tail - period / 2);
+    };
     if (comes(naive_tail_begins(sent.x(), fast.v))) leg.spread.v = naive_tail_spread(sent.x(), fast.v);
-    if (comes(naive_tail_begins(sent.theta(), fast.omega))) leg.spread.omega = naive_tail_spread(sent.theta(), fast.omega);
+    if (comes(naive_tail_begins(sent.theta(), fast.omega)))
+      leg.spread.omega = naive_tail_spread(sent.theta(), fast.omega);
     legs.push_back(leg);
   }
   return legs;

@@ -28,9 +28,7 @@ inline double naive_wheel_room(const Parameters& p,
 inline bool naive_wheels_allow(const Parameters& p, const Twist2& u) {
   return std::abs(u.v) <= naive_wheel_room(p, u.omega) + 1e-9;
 }
-inline double naive_clip(double value, double lo, double hi) {
-  return value < lo ? lo : value > hi ? hi : value;
-}
+inline double naive_clip(double value, double lo, double hi) { return value < lo ? lo : value > hi ? hi : value; }
 
 inline Twist2 naive_inside_limits(const Parameters& p, Twist2 u) {
   u.v = naive_clip(u.v, p.min_vel_x, p.max_vel_x);
@@ -44,10 +42,8 @@ inline Twist2 naive_inside_limits(const Parameters& p, Twist2 u) {
 }
 
 /// One period towards a sample; where the wheels cut it, v gives way as far as braking allows, then omega.
-inline Twist2 naive_command(const Parameters& p, const Twist2& reference, const Twist2& sample,
-                            double period) {
-  Twist2 u{naive_ramp_v(p, reference.v, sample.v, period),
-           naive_ramp_omega(p, reference.omega, sample.omega, period)};
+inline Twist2 naive_command(const Parameters& p, const Twist2& reference, const Twist2& sample, double period) {
+  Twist2 u{naive_ramp_v(p, reference.v, sample.v, period), naive_ramp_omega(p, reference.omega, sample.omega, period)};
   if (naive_wheels_allow(p, u)) return u;
   const double slowest = naive_ramp_v(p, reference.v, 0.0, period);
   const double room = std::max(0.0, naive_wheel_room(p, u.omega));
@@ -56,8 +52,7 @@ inline Twist2 naive_command(const Parameters& p, const Twist2& reference, const 
   const double straightest = naive_ramp_omega(p, reference.omega, 0.0, period);
   const double turn =
       std::max(0.0, (p.wheel_radius * p.max_wheel_velocity - std::abs(u.v)) / (0.5 * p.wheel_separation));
-  u.omega = std::abs(straightest) > std::min(std::abs(u.omega), turn) ? straightest
-                                                                      : naive_clip(u.omega, -turn, turn);
+  u.omega = std::abs(straightest) > std::min(std::abs(u.omega), turn) ? straightest : naive_clip(u.omega, -turn, turn);
   return u;
 }
 
@@ -75,8 +70,8 @@ inline void naive_reach(double lowest, double highest, double min, double max, d
 inline NaiveWindow naive_window(const Parameters& p, const Twist2& reference, double period) {
   const double dt = p.generator == Generator::standard ? p.sim_time : period;
   NaiveWindow w{};
-  naive_reach(naive_ramp_v(p, reference.v, -1e6, dt), naive_ramp_v(p, reference.v, 1e6, dt), p.min_vel_x,
-              p.max_vel_x, w.v_lo, w.v_hi);
+  naive_reach(naive_ramp_v(p, reference.v, -1e6, dt), naive_ramp_v(p, reference.v, 1e6, dt), p.min_vel_x, p.max_vel_x,
+              w.v_lo, w.v_hi);
   naive_reach(naive_ramp_omega(p, reference.omega, -1e6, dt), naive_ramp_omega(p, reference.omega, 1e6, dt),
               -p.max_vel_theta, p.max_vel_theta, w.omega_lo, w.omega_hi);
   return w;
@@ -101,8 +96,8 @@ inline double naive_dead_band(const Parameters& p, double v) {
 }
 
 inline Twist2 naive_into_window(const Parameters& p, const NaiveWindow& w, const Twist2& wanted) {
-  Twist2 u = naive_inside_limits(
-      p, {naive_clip(wanted.v, w.v_lo, w.v_hi), naive_clip(wanted.omega, w.omega_lo, w.omega_hi)});
+  Twist2 u =
+      naive_inside_limits(p, {naive_clip(wanted.v, w.v_lo, w.v_hi), naive_clip(wanted.omega, w.omega_lo, w.omega_hi)});
   const double band = naive_dead_band(p, u.v);
   if (u.omega == 0.0 || std::abs(u.omega) >= band) return u;
   u.omega = std::abs(u.omega) < band / 2 ? 0.0 : u.omega > 0.0 ? band : -band;
@@ -144,8 +139,7 @@ inline std::vector<NaiveCandidate> naive_candidates(const Scene& scene, const Tw
     if (naive_wheels_allow(p, {0.0, edge})) add({0.0, edge});
   }
   add({}, true);  // braking is always tried in these scenes
-  if (p.sample_operator && scene.intent.influence != Influence::none)
-    add(naive_into_window(p, w, scene.intent.u_h));
+  if (p.sample_operator && scene.intent.influence != Influence::none) add(naive_into_window(p, w, scene.intent.u_h));
   const Twist2 previous = naive_into_window(p, w, scene.situation.last_command);
   if (p.sample_previous && (previous.v != 0.0 || previous.omega != 0.0)) add(previous);
   return all;
@@ -160,8 +154,8 @@ inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vec
   for (NaiveCandidate& c : all) {
     const bool euler = p.integration == Integration::euler;
     const double speed = euler && !c.brake ? std::abs(c.u.v) : fastest;
-    const double n = std::max(1.0, std::ceil(std::max(speed * T / p.linear_granularity,
-                                                      std::abs(c.u.omega) * T / p.angular_granularity)));
+    const double n = std::max(
+        1.0, std::ceil(std::max(speed * T / p.linear_granularity, std::abs(c.u.omega) * T / p.angular_granularity)));
     c.dt = T / n;
     const bool ramps = c.brake || p.generator == Generator::standard;
     Twist2 now = ramps ? reference : c.u;
@@ -169,8 +163,7 @@ inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vec
     c.poses = {q};
     for (int k = 0; k < static_cast<int>(n); ++k) {
       Twist2 next = c.u;
-      if (ramps)
-        next = {naive_ramp_v(p, now.v, c.u.v, c.dt), naive_ramp_omega(p, now.omega, c.u.omega, c.dt)};
+      if (ramps) next = {naive_ramp_v(p, now.v, c.u.v, c.dt), naive_ramp_omega(p, now.omega, c.u.omega, c.dt)};
       const double v = euler ? next.v : (now.v + next.v) / 2;
       const double omega = euler ? next.omega : (now.omega + next.omega) / 2;
       const double heading = euler ? q.theta : q.theta + omega * c.dt / 2;

@@ -32,8 +32,8 @@ inline NaiveBody naive_body(const Scene& scene) {
   return naive_padded(body, scene.parameters.footprint_padding);
 }
 
-/// The scene of now: the measured pose led on as the commands since then say, or odometry; of the measured velocity what is
-/// believed.
+/// The scene of now: the measured pose led on as the commands since then say, or odometry; of the measured velocity
+/// what is believed.
 inline Scene naive_led_on(Scene scene, const NaiveReference& reference) {
   NaiveTrail trail(scene.situation.pose, naive_outer_radius(naive_body(scene)));
   trail.follow(reference.ways().back().past, 0.01);
@@ -68,13 +68,13 @@ class NaivePlanner {
   }
   bool stands_in_collision() const { return stands_in_collision_; }
   /// It chooses what leads out of a collision, not what is cheapest.
-  bool gets_out() const { return escapes() && scene_.intent.influence == Influence::none && !scene_.situation.goal_latched; }
+  bool gets_out() const {
+    return escapes() && scene_.intent.influence == Influence::none && !scene_.situation.goal_latched;
+  }
   bool doubtful() const { return doubtful_; }
   bool gives_up() const { return scene_.intent.influence == Influence::none && !critics_.on_map(); }
   const std::vector<NaiveCandidate>& candidates() const { return candidates_; }
-  const NaiveCandidate* best() const {
-    return best_ < 0 ? nullptr : &candidates_[static_cast<std::size_t>(best_)];
-  }
+  const NaiveCandidate* best() const { return best_ < 0 ? nullptr : &candidates_[static_cast<std::size_t>(best_)]; }
   Twist2 command() const { return command_for(best()->u); }
   const NaiveReference& reference() const { return reference_; }
   /// The best total of another velocity than the chosen one's.
@@ -138,7 +138,8 @@ class NaivePlanner {
   std::vector<Pose2> looked_at(const NaiveCandidate& c) const {
     const double arm = body_.radius > 0.0 ? 0.0 : naive_outer_radius(body_);
     const double step = (std::max(std::abs(c.u.v), std::abs(reference_.reference().v)) +
-                         arm * std::max(std::abs(c.u.omega), std::abs(reference_.reference().omega))) * c.dt;
+                         arm * std::max(std::abs(c.u.omega), std::abs(reference_.reference().omega))) *
+                        c.dt;
     const std::size_t last = c.poses.size() - 1;
     const double most = grid_.resolution / 4.0;
     const bool all_at_once = step * static_cast<double>(last) <= most;
@@ -150,7 +151,8 @@ class NaivePlanner {
   }
   bool slow_enough(const Twist2& u) const {
     const Twist2 braked = command_for({});
-    const bool brakes = std::abs(u.v) <= std::abs(braked.v) + 1e-9 && std::abs(u.omega) <= std::abs(braked.omega) + 1e-9;
+    const bool brakes =
+        std::abs(u.v) <= std::abs(braked.v) + 1e-9 && std::abs(u.omega) <= std::abs(braked.omega) + 1e-9;
     return brakes || way(u) <= grid_.resolution / 2.0 + 1e-9;
   }
   bool leads_out(const NaiveCandidate& c) const {
@@ -236,7 +238,8 @@ class NaivePlanner {
   }
   bool hits(const NaiveBraking& manoeuvre, bool surely) {
     const double radius = naive_outer_radius(body_);
-    for (const NaiveTrailPose& q : naive_braking_poses(scene_.parameters, manoeuvre, radius, grid_.resolution, surely)) {
+    for (const NaiveTrailPose& q :
+         naive_braking_poses(scene_.parameters, manoeuvre, radius, grid_.resolution, surely)) {
       if (!keeps(q.pose, std::min(q.growth, keep_))) return true;
     }
     return false;
@@ -256,8 +259,8 @@ class NaivePlanner {
       if (refuses && c.refused_by.empty()) c.refused_by = critic;
       autonomy += NaiveCritics::weight(critic, p) * c.raw.back();
     }
-    const double deviation = p.s_v * std::abs(scene_.intent.u_h.v - c.u.v) +
-                             p.s_omega * std::abs(scene_.intent.u_h.omega - c.u.omega);
+    const double deviation =
+        p.s_v * std::abs(scene_.intent.u_h.v - c.u.v) + p.s_omega * std::abs(scene_.intent.u_h.omega - c.u.omega);
     c.total = p.s_nv * autonomy;
     if (scene_.intent.influence == Influence::shared) c.total += deviation;
     if (scene_.intent.influence == Influence::direct) c.total = deviation;
@@ -281,8 +284,7 @@ class NaivePlanner {
       return std::abs(u.v - last.v) / p.acc_lim_x + std::abs(u.omega - last.omega) / p.acc_lim_theta;
     };
     if (std::abs(change(a.u) - change(b.u)) > 1e-9) return change(a.u) < change(b.u);
-    if (std::abs(std::abs(a.u.omega) - std::abs(b.u.omega)) > 1e-9)
-      return std::abs(a.u.omega) < std::abs(b.u.omega);
+    if (std::abs(std::abs(a.u.omega) - std::abs(b.u.omega)) > 1e-9) return std::abs(a.u.omega) < std::abs(b.u.omega);
     if (last.omega != 0.0) return a.u.omega * last.omega > b.u.omega * last.omega;
     return a.u.omega > b.u.omega;
   }

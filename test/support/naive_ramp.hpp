@@ -35,8 +35,8 @@ inline double naive_evenly(const NaiveAxis& axis, double from, double to, double
   return t < axis.period ? from + (to - from) * t / axis.period : to;
 }
 
-/// The limits take no more than a period. Then there may be more than one way; where the direction changes, also if they
-/// take all of it.
+/// The limits take no more than a period. Then there may be more than one way; where the direction changes, also if
+/// they take all of it.
 inline bool naive_has_time(const NaiveAxis& axis, double from, double to) {
   return naive_needed(axis, from, to) < axis.period + 1e-9;
 }
@@ -57,8 +57,9 @@ inline std::vector<double> naive_corners(const NaiveAxis& axis, double from, dou
   return from * to < 0.0 ? std::vector<double>{std::abs(from) / axis.braking, needed} : std::vector<double>{needed};
 }
 
-/// How far apart the two ends get until `t` [s]: their difference, joined by straight lines between the corners of either.
-/// A command that is cut short leaves a difference, which stays until the next one is reached and then goes down at the limit.
+/// How far apart the two ends get until `t` [s]: their difference, joined by straight lines between the corners of
+/// either. A command that is cut short leaves a difference, which stays until the next one is reached and then goes
+/// down at the limit.
 inline double naive_spread(const NaiveAxis& axis, double from, double to, double t) {
   if (!naive_has_time(axis, from, to)) return 0.0;
   const auto apart = [&](double at) {

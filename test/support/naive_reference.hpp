@@ -21,9 +21,7 @@ struct NaiveCycle {
   double pose_age = 0.0;  // [s]
 };
 
-inline NaiveCycle naive_cycle(const Situation& s) {
-  return {s.time, s.period, s.last_command, s.velocity, s.pose_age};
-}
+inline NaiveCycle naive_cycle(const Situation& s) { return {s.time, s.period, s.last_command, s.velocity, s.pose_age}; }
 
 /// What odometry may show of one axis.
 struct NaiveExplained {
@@ -35,7 +33,8 @@ struct NaiveExplained {
   bool agrees(double measured) const { return measured >= lo - tolerance && measured <= hi + tolerance; }
 };
 
-/// The twin of CommandHistory, for one set of parameters and times that are numbers. The last cycle is the one that asks.
+/// The twin of CommandHistory, for one set of parameters and times that are numbers. The last cycle is the one that
+/// asks.
 class NaiveHistory {
  public:
   NaiveHistory(const Parameters& p, const std::vector<NaiveCycle>& cycles)
@@ -76,8 +75,8 @@ class NaiveHistory {
     if (axis == &Twist2::v) return all;
     // Inside its dead band a robot stands though it is told to turn.
     const double dead_band = std::max(p_.min_vel_theta, p_.min_in_place_vel_theta);
-    all.tolerance = p_.velocity_reference_tolerance_theta +
-                    (std::abs(last.omega) <= dead_band ? std::abs(last.omega) : 0.0);
+    all.tolerance =
+        p_.velocity_reference_tolerance_theta + (std::abs(last.omega) <= dead_band ? std::abs(last.omega) : 0.0);
     return all;
   }
 
@@ -102,7 +101,8 @@ class NaiveHistory {
 /// What to make of each reading of one axis: of all readings so far.
 class NaiveBelief {
  public:
-  /// Within `change` [unit/s] and as much as the limit allows, `fastest_change` [unit/s^2], one reading follows another.
+  /// Within `change` [unit/s] and as much as the limit allows, `fastest_change` [unit/s^2], one reading follows
+  /// another.
   struct Reading {
     double time, measured;
     bool fast;
@@ -150,7 +150,11 @@ class NaiveBelief {
 class NaiveReference {
  public:
   NaiveReference(const Parameters& p, const std::vector<NaiveCycle>& cycles)
-      : p_(p), cycles_(cycles), history_(p, cycles), reference_(history_.next_start()), believed_(cycles.back().measured) {
+      : p_(p),
+        cycles_(cycles),
+        history_(p, cycles),
+        reference_(history_.next_start()),
+        believed_(cycles.back().measured) {
     const double age = cycles.back().pose_age, latency = p.control_latency;
     ways_.push_back(naive_outlook(history_.effects(), age, latency));
     // As many shorter latencies as there are periods in it, six at most, from none on.
@@ -195,8 +199,8 @@ class NaiveReference {
   }
   NaiveBelief beliefs(double Twist2::*axis) const {
     std::vector<NaiveBelief::Reading> readings;
-    const double fastest_change = axis == &Twist2::v ? std::max(p_.acc_lim_x, p_.braking_x())
-                                                     : std::max(p_.acc_lim_theta, p_.braking_theta());
+    const double fastest_change =
+        axis == &Twist2::v ? std::max(p_.acc_lim_x, p_.braking_x()) : std::max(p_.acc_lim_theta, p_.braking_theta());
     for (std::size_t k = 0; k < cycles_.size(); ++k) {
       const NaiveHistory then(p_, {cycles_.begin(), cycles_.begin() + static_cast<std::ptrdiff_t>(k) + 1});
       const NaiveExplained explained = then.explained(axis);

@@ -88,7 +88,8 @@ struct NaiveOutlook {
   }
   bool at_rest() const {
     const auto rests = [](const NaiveLeg& leg) { return leg.from == Twist2{} && leg.to == Twist2{}; };
-    return end() == Twist2{} && std::all_of(past.begin(), past.end(), rests) && std::all_of(pending.begin(), pending.end(), rests);
+    return end() == Twist2{} && std::all_of(past.begin(), past.end(), rests) &&
+           std::all_of(pending.begin(), pending.end(), rests);
   }
   double reach(double radius) const {  // [m]
     double way = 0.0;
@@ -110,8 +111,8 @@ inline NaiveOutlook naive_outlook(const NaiveEffects& effects, double pose_age, 
 struct NaiveBraking {
   Pose2 origin;
   NaiveOutlook outlook;
-  Twist2 command;                      // [m/s, rad/s]
-  double period = 0.05, hold = 0.0;    // [s]
+  Twist2 command;                    // [m/s, rad/s]
+  double period = 0.05, hold = 0.0;  // [s]
 };
 
 inline double naive_braking_reach(const Parameters& p, const NaiveBraking& m, double radius) {
@@ -122,13 +123,11 @@ inline double naive_braking_reach(const Parameters& p, const NaiveBraking& m, do
          radius * omega * omega / p.braking_theta() / 2;
 }
 
-/// The poses to come, at most half a cell apart at `radius` [m]; surely: at most a sixteenth, nearer where the robot hardly
-/// moves, and half of that is added to the growth.
+/// The poses to come, at most half a cell apart at `radius` [m]; surely: at most a sixteenth, nearer where the robot
+/// hardly moves, and half of that is added to the growth.
 inline std::vector<NaiveTrailPose> naive_braking_poses(const Parameters& p, const NaiveBraking& m, double radius,
                                                        double cell, bool surely) {
-  const auto spacing = [&](double reach) {
-    return surely ? std::max(1e-4, std::min(reach / 8, cell / 16)) : cell / 2;
-  };
+  const auto spacing = [&](double reach) { return surely ? std::max(1e-4, std::min(reach / 8, cell / 16)) : cell / 2; };
   NaiveTrail trail(m.origin, radius);
   trail.follow(m.outlook.past, cell);
   const double first = spacing(m.outlook.reach(radius)), second = spacing(naive_braking_reach(p, m, radius));

@@ -38,9 +38,9 @@ inline Parameters paper_parameters() {
   return p;
 }
 
-/// An empty map of 61 x 61 cells of 0.05 m with the robot at the centre of the middle cell, heading +x, driving at v_max
-/// on a straight plan from 1.0 m behind to 1.0 m ahead; the goal is 8 m ahead. At 1.0 m/s the rollouts end 1.7 m ahead,
-/// beyond the 1.525 m of that map: 101 cells then, which changes no distance.
+/// An empty map of 61 x 61 cells of 0.05 m with the robot at the centre of the middle cell, heading +x, driving at
+/// v_max on a straight plan from 1.0 m behind to 1.0 m ahead; the goal is 8 m ahead. At 1.0 m/s the rollouts end 1.7 m
+/// ahead, beyond the 1.525 m of that map: 101 cells then, which changes no distance.
 struct PaperScene {
   std::vector<std::uint8_t> costs;
   GridView grid;

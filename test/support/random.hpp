@@ -19,13 +19,9 @@ class Random {
     return z ^ (z >> 31);
   }
   /// In [lo, hi).
-  double uniform(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-  }
+  double uniform(double lo, double hi) { return lo + (hi - lo) * (static_cast<double>(bits() >> 11) * 0x1p-53); }
   /// Both ends included.
-  int integer(int lo, int hi) {
-    return lo + static_cast<int>(bits() % static_cast<std::uint64_t>(hi - lo + 1));
-  }
+  int integer(int lo, int hi) { return lo + static_cast<int>(bits() % static_cast<std::uint64_t>(hi - lo + 1)); }
   bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
   template <typename T>
   T pick(std::initializer_list<T> values) {

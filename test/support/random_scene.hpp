@@ -97,8 +97,8 @@ inline void add_plan(Random& random, Scene& scene) {
     for (Pose2& pose : scene.situation.plan) pose.x += kSceneResolution * 100.0;
   }
   const double beyond = random.chance(0.5) ? 0.0 : random.uniform(0.5, 3.0);
-  scene.situation.goal = {inside_cell(x + beyond * std::cos(heading)),
-                          inside_cell(y + beyond * std::sin(heading)), heading};
+  scene.situation.goal = {inside_cell(x + beyond * std::cos(heading)), inside_cell(y + beyond * std::sin(heading)),
+                          heading};
 }
 
 inline void randomise_robot(Random& random, Parameters& p) {
@@ -142,8 +142,7 @@ inline void randomise_search(Random& random, Parameters& p) {
 inline void randomise_costs(Random& random, Parameters& p) {
   p.critics = random.pick<const char*>(
       {"RotateToGoal, Oscillation, BaseObstacle, GoalAlign, PathAlign, PathDist, GoalDist",
-       "PathDist, GoalDist, Twirling, BaseObstacle",
-       "ObstacleFootprint, PathAlign, GoalAlign, PathDist, GoalDist",
+       "PathDist, GoalDist, Twirling, BaseObstacle", "ObstacleFootprint, PathAlign, GoalAlign, PathDist, GoalDist",
        "RotateToGoal, Oscillation, ObstacleFootprint, GoalAlign, PathAlign, PathDist, GoalDist, "
        "PreferForward, Twirling"});
   p.map_grid = random.chance(0.6) ? MapGridDistance::geodesic : MapGridDistance::l1;
@@ -223,8 +222,7 @@ inline Scene random_scene(std::uint64_t seed) {
   scene.outline = random_outline(random);
   const double middle_x = scene.origin_x + 0.5 * scene.size_x * scene.resolution;
   const double middle_y = scene.origin_y + 0.5 * scene.size_y * scene.resolution;
-  const double heading =
-      random.chance(0.1) ? 0.5 * M_PI * random.integer(-1, 2) : random.uniform(-M_PI, M_PI);
+  const double heading = random.chance(0.1) ? 0.5 * M_PI * random.integer(-1, 2) : random.uniform(-M_PI, M_PI);
   scene.situation.pose = {inside_cell(middle_x + random.uniform(-0.4, 0.4)),
                           inside_cell(middle_y + random.uniform(-0.4, 0.4)), heading};
   randomise_motion(random, scene);

@@ -42,8 +42,7 @@ inline Scene mirrored(const Scene& scene) {
   }
   move_poses(out, [](const Pose2& q) { return Pose2{q.x, -q.y, -q.theta}; });
   for (Point& p : out.outline) p.y() = -p.y();
-  for (Twist2* u : {&out.situation.velocity, &out.situation.last_command, &out.intent.u_h})
-    u->omega = -u->omega;
+  for (Twist2* u : {&out.situation.velocity, &out.situation.last_command, &out.intent.u_h}) u->omega = -u->omega;
   return out;
 }
 

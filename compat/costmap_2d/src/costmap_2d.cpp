@@ -43,8 +43,8 @@ Costmap2D& Costmap2D::operator=(const Costmap2D& map) {
   return *this;
 }
 
-bool Costmap2D::copyCostmapWindow(const Costmap2D& map, double win_origin_x, double win_origin_y,
-                                  double win_size_x, double win_size_y) {
+bool Costmap2D::copyCostmapWindow(const Costmap2D& map, double win_origin_x, double win_origin_y, double win_size_x,
+                                  double win_size_y) {
   unsigned int x0, y0, x1, y1;
   if (this == &map || !map.worldToMap(win_origin_x, win_origin_y, x0, y0) ||
       !map.worldToMap(win_origin_x + win_size_x, win_origin_y + win_size_y, x1, y1)) {

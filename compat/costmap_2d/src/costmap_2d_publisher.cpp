@@ -20,8 +20,7 @@ Costmap2DPublisher::Costmap2DPublisher(ros::NodeHandle* nh, Costmap2D* costmap, 
                                        const std::string& topic_name, bool always_send_full_costmap)
     : costmap_(costmap), global_frame_(std::move(global_frame)), always_whole_(always_send_full_costmap) {
   grid_publisher_ = nh->advertise<nav_msgs::OccupancyGrid>(
-      topic_name, 1,
-      [this](const ros::SingleSubscriberPublisher& subscriber) { subscriber.publish(wholeGrid()); });
+      topic_name, 1, [this](const ros::SingleSubscriberPublisher& subscriber) { subscriber.publish(wholeGrid()); });
   update_publisher_ = nh->advertise<map_msgs::OccupancyGridUpdate>(topic_name + "_updates", 1);
 }
 
@@ -54,8 +53,7 @@ nav_msgs::OccupancyGrid Costmap2DPublisher::wholeGrid() const {
   grid.info.origin.position.y = costmap_->getOriginY();
   grid.info.origin.orientation.w = 1.0;
   grid.data.resize(std::size_t(grid.info.width) * grid.info.height);
-  std::transform(costmap_->getCharMap(), costmap_->getCharMap() + grid.data.size(), grid.data.begin(),
-                 occupancy);
+  std::transform(costmap_->getCharMap(), costmap_->getCharMap() + grid.data.size(), grid.data.begin(), occupancy);
   return grid;
 }
 

@@ -8,8 +8,7 @@
 
 namespace costmap_2d {
 
-Costmap2DROS::Costmap2DROS(const std::string& name, tf2_ros::Buffer& tf)
-    : name_(name), tf_(tf), nh_("~/" + name) {
+Costmap2DROS::Costmap2DROS(const std::string& name, tf2_ros::Buffer& tf) : name_(name), tf_(tf), nh_("~/" + name) {
   global_frame_ = nh_.param<std::string>("global_frame", "map");
   robot_base_frame_ = nh_.param<std::string>("robot_base_frame", "base_link");
   transform_tolerance_ = nh_.param("transform_tolerance", 0.3);
@@ -26,12 +25,12 @@ Costmap2DROS::Costmap2DROS(const std::string& name, tf2_ros::Buffer& tf)
                              " must be positive lengths in metres, the resolution the least of them");
   }
   layered_costmap_->resizeMap(static_cast<unsigned int>(width / resolution),
-                              static_cast<unsigned int>(height / resolution), resolution,
-                              nh_.param("origin_x", 0.0), nh_.param("origin_y", 0.0));
+                              static_cast<unsigned int>(height / resolution), resolution, nh_.param("origin_x", 0.0),
+                              nh_.param("origin_y", 0.0));
   loadLayers();
   loadFootprint();
-  publisher_ = std::make_unique<Costmap2DPublisher>(&nh_, layered_costmap_->getCostmap(), global_frame_,
-                                                    "costmap", nh_.param("always_send_full_costmap", false));
+  publisher_ = std::make_unique<Costmap2DPublisher>(&nh_, layered_costmap_->getCostmap(), global_frame_, "costmap",
+                                                    nh_.param("always_send_full_costmap", false));
   // In this order: both topics may bear the same name, and roscpp refuses a subscription to its own other
   // type.
   subscribeFootprint();
@@ -86,8 +85,8 @@ void Costmap2DROS::loadFootprint() {
 void Costmap2DROS::subscribeFootprint() {
   std::string key;
   if (!nh_.searchParam("footprint_topic", key)) key = "footprint_topic";
-  footprint_subscriber_ = nh_.subscribe(nh_.param<std::string>(key, "footprint"), 1,
-                                        &Costmap2DROS::setUnpaddedRobotFootprintPolygon, this);
+  footprint_subscriber_ =
+      nh_.subscribe(nh_.param<std::string>(key, "footprint"), 1, &Costmap2DROS::setUnpaddedRobotFootprintPolygon, this);
 }
 
 std::vector<geometry_msgs::Point> Costmap2DROS::getRobotFootprint() const {

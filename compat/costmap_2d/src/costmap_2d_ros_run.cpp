@@ -80,8 +80,7 @@ bool Costmap2DROS::getRobotPose(geometry_msgs::PoseStamped& global_pose) const {
     ROS_WARN_THROTTLE(1.0,
                       "%s: the transform from %s to %s is %.3f s old; at most %.3f s is allowed "
                       "(transform_tolerance).",
-                      name_.c_str(), robot_base_frame_.c_str(), global_frame_.c_str(), age,
-                      transform_tolerance_);
+                      name_.c_str(), robot_base_frame_.c_str(), global_frame_.c_str(), age, transform_tolerance_);
     return false;
   }
   return true;
@@ -108,8 +107,7 @@ void Costmap2DROS::updateLoop(double frequency, double publish_frequency) {
     }
     rate.sleep();
     if (rate.cycleTime() > ros::Duration(1.0 / frequency)) {
-      ROS_WARN_THROTTLE(5.0,
-                        "%s: the update took %.4f s, longer than its period of %.4f s (update_frequency).",
+      ROS_WARN_THROTTLE(5.0, "%s: the update took %.4f s, longer than its period of %.4f s (update_frequency).",
                         name_.c_str(), rate.cycleTime().toSec(), 1.0 / frequency);
     }
   }

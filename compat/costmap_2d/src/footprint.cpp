@@ -49,8 +49,7 @@ std::vector<geometry_msgs::Point> toPointVector(geometry_msgs::Polygon polygon) 
   return points;
 }
 
-void transformFootprint(double x, double y, double theta,
-                        const std::vector<geometry_msgs::Point>& footprint_spec,
+void transformFootprint(double x, double y, double theta, const std::vector<geometry_msgs::Point>& footprint_spec,
                         std::vector<geometry_msgs::Point>& oriented_footprint) {
   const double cosine = std::cos(theta);
   const double sine = std::sin(theta);
@@ -64,8 +63,7 @@ void transformFootprint(double x, double y, double theta,
   oriented_footprint.swap(moved);
 }
 
-void transformFootprint(double x, double y, double theta,
-                        const std::vector<geometry_msgs::Point>& footprint_spec,
+void transformFootprint(double x, double y, double theta, const std::vector<geometry_msgs::Point>& footprint_spec,
                         geometry_msgs::PolygonStamped& oriented_footprint) {
   std::vector<geometry_msgs::Point> moved;
   transformFootprint(x, y, theta, footprint_spec, moved);

@@ -9,8 +9,7 @@
 namespace costmap_2d {
 namespace {
 
-constexpr char kRemedy[] =
-    "it must be a list of three or more pairs of numbers in metres, [[x1, y1], [x2, y2], ...]";
+constexpr char kRemedy[] = "it must be a list of three or more pairs of numbers in metres, [[x1, y1], [x2, y2], ...]";
 
 double number(XmlRpc::XmlRpcValue& value, const std::string& name) {
   if (value.getType() == XmlRpc::XmlRpcValue::TypeInt) return static_cast<int>(value);
@@ -20,21 +19,18 @@ double number(XmlRpc::XmlRpcValue& value, const std::string& name) {
 
 }  // namespace
 
-bool makeFootprintFromString(const std::string& footprint_string,
-                             std::vector<geometry_msgs::Point>& footprint) {
+bool makeFootprintFromString(const std::string& footprint_string, std::vector<geometry_msgs::Point>& footprint) {
   std::vector<geometry_msgs::Point> points;
   try {
     for (const YAML::Node& pair : YAML::Load(footprint_string)) {
-      if (!pair.IsSequence() || pair.size() != 2)
-        throw YAML::Exception(YAML::Mark::null_mark(), "not a pair");
+      if (!pair.IsSequence() || pair.size() != 2) throw YAML::Exception(YAML::Mark::null_mark(), "not a pair");
       geometry_msgs::Point point;
       point.x = pair[0].as<double>();
       point.y = pair[1].as<double>();
       points.push_back(point);
     }
   } catch (const YAML::Exception& fault) {
-    ROS_ERROR("The footprint \"%s\" cannot be read (%s): %s", footprint_string.c_str(), fault.what(),
-              kRemedy);
+    ROS_ERROR("The footprint \"%s\" cannot be read (%s): %s", footprint_string.c_str(), fault.what(), kRemedy);
     return false;
   }
   if (points.size() < 3) {

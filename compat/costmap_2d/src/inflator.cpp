@@ -33,8 +33,7 @@ void Inflator::columnDistances(const Costmap2D& grid, const Window& seen) {
 
   const auto sweep = [&](int y, const int* before) {
     int* row = column_.data() + y * width;
-    const unsigned char* costs =
-        grid.getCharMap() + (seen.y0 + y) * static_cast<int>(grid.getSizeInCellsX()) + seen.x0;
+    const unsigned char* costs = grid.getCharMap() + (seen.y0 + y) * static_cast<int>(grid.getSizeInCellsX()) + seen.x0;
     for (int x = 0; x < width; ++x) {
       row[x] = costs[x] == LETHAL_OBSTACLE ? 0 : std::min(far, before ? before[x] + 1 : far);
     }

@@ -16,11 +16,8 @@ void Layer::initialize(LayeredCostmap* parent, std::string name, tf2_ros::Buffer
 void Layer::updateBounds(double /*robot_x*/, double /*robot_y*/, double /*robot_yaw*/, double* /*min_x*/,
                          double* /*min_y*/, double* /*max_x*/, double* /*max_y*/) {}
 
-void Layer::updateCosts(Costmap2D& /*master_grid*/, int /*min_i*/, int /*min_j*/, int /*max_i*/,
-                        int /*max_j*/) {}
+void Layer::updateCosts(Costmap2D& /*master_grid*/, int /*min_i*/, int /*min_j*/, int /*max_i*/, int /*max_j*/) {}
 
-const std::vector<geometry_msgs::Point>& Layer::getFootprint() const {
-  return layered_costmap_->getFootprint();
-}
+const std::vector<geometry_msgs::Point>& Layer::getFootprint() const { return layered_costmap_->getFootprint(); }
 
 }  // namespace costmap_2d

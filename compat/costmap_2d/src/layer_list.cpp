@@ -11,8 +11,7 @@
 namespace costmap_2d {
 namespace {
 
-constexpr char kSupported[] =
-    "costmap_2d::StaticLayer, costmap_2d::ObstacleLayer and costmap_2d::InflationLayer";
+constexpr char kSupported[] = "costmap_2d::StaticLayer, costmap_2d::ObstacleLayer and costmap_2d::InflationLayer";
 
 std::string textMember(XmlRpc::XmlRpcValue& entry, const char* key, const std::string& list) {
   if (entry.getType() != XmlRpc::XmlRpcValue::TypeStruct || !entry.hasMember(key) ||
@@ -31,8 +30,7 @@ std::vector<LayerEntry> defaultLayers(ros::NodeHandle& nh) {
   std::vector<LayerEntry> layers;
   if (nh.param("static_map", false)) {
     layers.push_back({"static_layer", "costmap_2d::StaticLayer"});
-    for (const char* key :
-         {"map_topic", "unknown_cost_value", "lethal_cost_threshold", "track_unknown_space"}) {
+    for (const char* key : {"map_topic", "unknown_cost_value", "lethal_cost_threshold", "track_unknown_space"}) {
       copyParam(nh, "static_layer", key);
     }
   }
@@ -41,8 +39,8 @@ std::vector<LayerEntry> defaultLayers(ros::NodeHandle& nh) {
   } else {
     layers.push_back({"obstacle_layer", "costmap_2d::ObstacleLayer"});
   }
-  for (const char* key : {"max_obstacle_height", "raytrace_range", "obstacle_range", "track_unknown_space",
-                          "observation_sources"}) {
+  for (const char* key :
+       {"max_obstacle_height", "raytrace_range", "obstacle_range", "track_unknown_space", "observation_sources"}) {
     copyParam(nh, "obstacle_layer", key);
   }
   std::istringstream sources(nh.param<std::string>("observation_sources", ""));

@@ -39,15 +39,13 @@ void LayeredCostmap::updateMap(double robot_x, double robot_y, double robot_yaw)
   WorldBounds world{kFar, kFar, -kFar, -kFar};
   for (const auto& layer : plugins_) {
     if (layer->isEnabled()) {
-      layer->updateBounds(robot_x, robot_y, robot_yaw, &world.min_x, &world.min_y, &world.max_x,
-                          &world.max_y);
+      layer->updateBounds(robot_x, robot_y, robot_yaw, &world.min_x, &world.min_y, &world.max_x, &world.max_y);
     }
   }
   const unsigned int size_x = costmap_.getSizeInCellsX();
   const unsigned int size_y = costmap_.getSizeInCellsY();
   if (rewrite_all_) {
-    world = {costmap_.getOriginX(), costmap_.getOriginY(),
-             costmap_.getOriginX() + costmap_.getSizeInMetersX(),
+    world = {costmap_.getOriginX(), costmap_.getOriginY(), costmap_.getOriginX() + costmap_.getSizeInMetersX(),
              costmap_.getOriginY() + costmap_.getSizeInMetersY()};
   }
   if (world.min_x > world.max_x || world.min_y > world.max_y) return;

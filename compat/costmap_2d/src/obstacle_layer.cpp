@@ -22,11 +22,10 @@ void ObstacleLayer::onInitialize() {
   const double transform_tolerance = nh.param("transform_tolerance", 0.2);
   std::istringstream names(nh.param<std::string>("observation_sources", ""));
   for (std::string name; names >> name;) {
-    sources_.push_back(std::make_unique<ScanSource>(nh, name, *tf_, layered_costmap_->getGlobalFrameID(),
-                                                    transform_tolerance));
+    sources_.push_back(
+        std::make_unique<ScanSource>(nh, name, *tf_, layered_costmap_->getGlobalFrameID(), transform_tolerance));
   }
-  if (sources_.empty())
-    ROS_WARN("%s: observation_sources is empty; no obstacle will be seen.", name_.c_str());
+  if (sources_.empty()) ROS_WARN("%s: observation_sources is empty; no obstacle will be seen.", name_.c_str());
 }
 
 void ObstacleLayer::activate() {
@@ -48,22 +47,20 @@ void ObstacleLayer::reset() {
   matchSize();
 }
 
-void ObstacleLayer::updateBounds(double robot_x, double robot_y, double robot_yaw, double* min_x,
-                                 double* min_y, double* max_x, double* max_y) {
+void ObstacleLayer::updateBounds(double robot_x, double robot_y, double robot_yaw, double* min_x, double* min_y,
+                                 double* max_x, double* max_y) {
   const Costmap2D& master = *layered_costmap_->getCostmap();
   updateOrigin(master.getOriginX(), master.getOriginY());
   useExtraBounds(min_x, min_y, max_x, max_y);
   const TouchedArea touched{min_x, min_y, max_x, max_y};
 
-  current_ =
-      std::all_of(sources_.begin(), sources_.end(), [](const auto& source) { return source->isCurrent(); });
+  current_ = std::all_of(sources_.begin(), sources_.end(), [](const auto& source) { return source->isCurrent(); });
 
   // All clearing before all marking: no beam erases what another one of this update has seen.
   for (const auto& source : sources_) {
     const auto seen = source->latest();
     if (source->clearing() && seen && !clearBeams(*this, *seen, touched)) {
-      ROS_WARN_THROTTLE(1.0,
-                        "%s: the sensor at (%.2f, %.2f) lies outside the costmap; its beams clear nothing.",
+      ROS_WARN_THROTTLE(1.0, "%s: the sensor at (%.2f, %.2f) lies outside the costmap; its beams clear nothing.",
                         name_.c_str(), seen->origin.x, seen->origin.y);
     }
   }

@@ -7,8 +7,7 @@
 
 namespace costmap_2d {
 
-bool Costmap2D::setConvexPolygonCost(const std::vector<geometry_msgs::Point>& polygon,
-                                     unsigned char cost_value) {
+bool Costmap2D::setConvexPolygonCost(const std::vector<geometry_msgs::Point>& polygon, unsigned char cost_value) {
   std::vector<MapLocation> corners;
   for (const geometry_msgs::Point& point : polygon) {
     MapLocation corner;
@@ -26,9 +25,8 @@ void Costmap2D::polygonOutlineCells(const std::vector<MapLocation>& polygon,
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const MapLocation& from = polygon[i];
     const MapLocation& to = polygon[(i + 1) % polygon.size()];
-    visitLine(static_cast<int>(from.x), static_cast<int>(from.y), static_cast<int>(to.x),
-              static_cast<int>(to.y), static_cast<int>(size_x_), std::numeric_limits<double>::infinity(),
-              [&](int index) {
+    visitLine(static_cast<int>(from.x), static_cast<int>(from.y), static_cast<int>(to.x), static_cast<int>(to.y),
+              static_cast<int>(size_x_), std::numeric_limits<double>::infinity(), [&](int index) {
                 MapLocation cell;
                 indexToCells(static_cast<unsigned int>(index), cell.x, cell.y);
                 polygon_cells.push_back(cell);

@@ -35,8 +35,7 @@ void TouchedArea::add(double x, double y) const {
 }
 
 std::vector<geometry_msgs::Point> projectScan(const sensor_msgs::LaserScan& scan,
-                                              const geometry_msgs::Transform& sensor_pose,
-                                              const ScanFilter& filter) {
+                                              const geometry_msgs::Transform& sensor_pose, const ScanFilter& filter) {
   tf2::Transform pose;
   tf2::fromMsg(sensor_pose, pose);
   const tf2::Vector3 ahead = pose.getBasis().getColumn(0);
@@ -50,8 +49,7 @@ std::vector<geometry_msgs::Point> projectScan(const sensor_msgs::LaserScan& scan
     if (filter.inf_is_valid && std::isinf(range) && range > 0.0) range = scan.range_max - kJustInside;
     if (!(range >= scan.range_min && range < scan.range_max)) continue;  // also what is not a number
     const double angle = scan.angle_min + double(i) * scan.angle_increment;
-    const tf2::Vector3 end =
-        pose.getOrigin() + ahead * (range * std::cos(angle)) + left * (range * std::sin(angle));
+    const tf2::Vector3 end = pose.getOrigin() + ahead * (range * std::cos(angle)) + left * (range * std::sin(angle));
     if (end.z() < filter.min_height || end.z() > filter.max_height) continue;
     geometry_msgs::Point point;
     point.x = end.x();
@@ -89,15 +87,13 @@ bool clearBeams(Costmap2D& grid, const Observation& observation, const TouchedAr
               range_in_cells, [cells](int index) { cells[index] = FREE_SPACE; });
     // One cell more than the range, since a line's cells lie up to half a cell beside it.
     const double length = std::hypot(dx, dy);
-    const double reach =
-        std::min(1.0, (observation.raytrace_range + grid.getResolution()) / std::max(length, 1e-9));
+    const double reach = std::min(1.0, (observation.raytrace_range + grid.getResolution()) / std::max(length, 1e-9));
     touched.add(ox + dx * reach, oy + dy * reach);
   }
   return true;
 }
 
-void markPoints(Costmap2D& grid, const Observation& observation, double max_height,
-                const TouchedArea& touched) {
+void markPoints(Costmap2D& grid, const Observation& observation, double max_height, const TouchedArea& touched) {
   const double range_squared = observation.obstacle_range * observation.obstacle_range;
   for (const geometry_msgs::Point& point : observation.points) {
     unsigned int mx, my;

@@ -22,14 +22,13 @@ ScanSource::ScanSource(ros::NodeHandle& layer_nh, const std::string& name, tf2_r
   const ros::NodeHandle nh(layer_nh, name);
   const std::string type = nh.param<std::string>("data_type", "PointCloud");
   if (type != "LaserScan") {
-    throw std::runtime_error(
-        nh.getNamespace() + "/data_type is " + type + (nh.hasParam("data_type") ? "" : " (the default)") +
-        "; this costmap_2d reads LaserScan only: set data_type: LaserScan, or use the navigation "
-        "stack's own costmap_2d");
+    throw std::runtime_error(nh.getNamespace() + "/data_type is " + type +
+                             (nh.hasParam("data_type") ? "" : " (the default)") +
+                             "; this costmap_2d reads LaserScan only: set data_type: LaserScan, or use the navigation "
+                             "stack's own costmap_2d");
   }
   if (nh.param("observation_persistence", 0.0) != 0.0) {
-    ROS_WARN("%s/observation_persistence is taken as 0 here: the last scan counts.",
-             nh.getNamespace().c_str());
+    ROS_WARN("%s/observation_persistence is taken as 0 here: the last scan counts.", nh.getNamespace().c_str());
   }
   topic_ = nh.param("topic", name);
   sensor_frame_ = nh.param<std::string>("sensor_frame", "");
@@ -44,8 +43,8 @@ ScanSource::ScanSource(ros::NodeHandle& layer_nh, const std::string& name, tf2_r
 
   ros::NodeHandle topic_nh;
   subscriber_.subscribe(topic_nh, topic_, 50);
-  waits_for_tf_ = std::make_unique<tf2_ros::MessageFilter<sensor_msgs::LaserScan>>(
-      subscriber_, tf_, global_frame_, 50, topic_nh);
+  waits_for_tf_ =
+      std::make_unique<tf2_ros::MessageFilter<sensor_msgs::LaserScan>>(subscriber_, tf_, global_frame_, 50, topic_nh);
   waits_for_tf_->setTolerance(ros::Duration(std::min(0.05, transform_tolerance)));
   if (!sensor_frame_.empty()) {
     waits_for_tf_->setTargetFrames({global_frame_, sensor_frame_});
@@ -62,8 +61,7 @@ void ScanSource::onScan(const sensor_msgs::LaserScanConstPtr& scan) {
   seen->obstacle_range = obstacle_range_;
   seen->raytrace_range = raytrace_range_;
   try {
-    const auto scan_pose =
-        tf_.lookupTransform(global_frame_, scan->header.frame_id, scan->header.stamp).transform;
+    const auto scan_pose = tf_.lookupTransform(global_frame_, scan->header.frame_id, scan->header.stamp).transform;
     const auto sensor = sensor_frame_.empty() || sensor_frame_ == scan->header.frame_id
                             ? scan_pose
                             : tf_.lookupTransform(global_frame_, sensor_frame_, scan->header.stamp).transform;

@@ -31,16 +31,14 @@ void StaticLayer::onInitialize() {
   if (nh.param("subscribe_to_updates", false)) {
     ROS_WARN("%s: subscribe_to_updates is not supported here; whole maps are.", name_.c_str());
   }
-  subscriber_ =
-      ros::NodeHandle().subscribe(nh.param<std::string>("map_topic", "map"), 1, &StaticLayer::onMap, this);
+  subscriber_ = ros::NodeHandle().subscribe(nh.param<std::string>("map_topic", "map"), 1, &StaticLayer::onMap, this);
   ROS_INFO("%s: waiting for the map on %s", name_.c_str(), subscriber_.getTopic().c_str());
   ros::WallTime next_word = ros::WallTime::now() + ros::WallDuration(5.0);
   while (ros::ok() && !received_) {
     ros::spinOnce();
     ros::WallDuration(0.02).sleep();
     if (ros::WallTime::now() > next_word) {
-      ROS_WARN("%s: still no map on %s; is a map server running?", name_.c_str(),
-               subscriber_.getTopic().c_str());
+      ROS_WARN("%s: still no map on %s; is a map server running?", name_.c_str(), subscriber_.getTopic().c_str());
       next_word += ros::WallDuration(5.0);
     }
   }
@@ -51,16 +49,15 @@ void StaticLayer::onMap(const nav_msgs::OccupancyGrid& message) {
   if (message.data.size() != std::size_t(info.width) * info.height || message.data.empty() ||
       !(info.resolution > 0.0f)) {
     ROS_ERROR("%s: the map on %s is ignored: %zu values do not make %u x %u cells of %g m", name_.c_str(),
-              subscriber_.getTopic().c_str(), message.data.size(), info.width, info.height,
-              double(info.resolution));
+              subscriber_.getTopic().c_str(), message.data.size(), info.width, info.height, double(info.resolution));
     return;
   }
   Costmap2D& master = *layered_costmap_->getCostmap();
   const boost::unique_lock<Costmap2D::mutex_t> lock(*master.getMutex());
   const double resolution = info.resolution;
   if (!layered_costmap_->isRolling()) {
-    layered_costmap_->resizeMap(info.width, info.height, resolution, info.origin.position.x,
-                                info.origin.position.y, true);
+    layered_costmap_->resizeMap(info.width, info.height, resolution, info.origin.position.x, info.origin.position.y,
+                                true);
   }
   map_.resizeMap(info.width, info.height, resolution, info.origin.position.x, info.origin.position.y);
   unsigned char* cells = map_.getCharMap();
@@ -68,8 +65,7 @@ void StaticLayer::onMap(const nav_msgs::OccupancyGrid& message) {
                  [this](signed char value) { return values_.cost(value); });
   map_frame_ = message.header.frame_id;
   received_ = changed_ = true;
-  ROS_INFO("%s: received a map of %u x %u cells of %.3f m", name_.c_str(), info.width, info.height,
-           resolution);
+  ROS_INFO("%s: received a map of %u x %u cells of %.3f m", name_.c_str(), info.width, info.height, resolution);
   if (first_map_only_) subscriber_.shutdown();
 }
 
@@ -100,8 +96,7 @@ void StaticLayer::updateCosts(Costmap2D& master_grid, int min_i, int min_j, int 
 void StaticLayer::copyAligned(Costmap2D& master, int min_i, int min_j, int max_i, int max_j) const {
   const auto count = static_cast<std::size_t>(max_i - min_i);
   for (int j = min_j; j < max_j; ++j) {
-    const unsigned int first =
-        master.getIndex(static_cast<unsigned int>(min_i), static_cast<unsigned int>(j));
+    const unsigned int first = master.getIndex(static_cast<unsigned int>(min_i), static_cast<unsigned int>(j));
     std::memcpy(master.getCharMap() + first, map_.getCharMap() + first, count);
   }
 }

@@ -19,11 +19,9 @@ geometry_msgs::Point point(double x, double y) {
   return p;
 }
 
-Costmap2D randomMap(std::mt19937& random, unsigned int width, unsigned int height,
-                    unsigned char default_value) {
+Costmap2D randomMap(std::mt19937& random, unsigned int width, unsigned int height, unsigned char default_value) {
   Costmap2D map(width, height, 0.05, -1.0, 2.0, default_value);
-  for (unsigned int i = 0; i < width * height; ++i)
-    map.getCharMap()[i] = static_cast<unsigned char>(random() % 256);
+  for (unsigned int i = 0; i < width * height; ++i) map.getCharMap()[i] = static_cast<unsigned char>(random() % 256);
   return map;
 }
 
@@ -61,8 +59,7 @@ TEST(Costmap2D, MovingTheOriginKeepsWhatStaysInView) {
     const int dx = static_cast<int>(random() % 51) - 25;
     const int dy = static_cast<int>(random() % 51) - 25;
     const double part = dx == 0 || dy == 0 ? 0.0 : 0.4;  // part of a cell: dropped
-    map.updateOrigin(-1.0 + 0.05 * (dx + (dx < 0 ? -part : part)),
-                     2.0 + 0.05 * (dy + (dy < 0 ? -part : part)));
+    map.updateOrigin(-1.0 + 0.05 * (dx + (dx < 0 ? -part : part)), 2.0 + 0.05 * (dy + (dy < 0 ? -part : part)));
     EXPECT_NEAR(map.getOriginX(), -1.0 + 0.05 * dx, 1e-12);
     EXPECT_NEAR(map.getOriginY(), 2.0 + 0.05 * dy, 1e-12);
     for (int y = 0; y < 15; ++y) {
@@ -93,8 +90,8 @@ TEST(Costmap2D, ResetOnlyTheWindow) {
 TEST(Costmap2D, FillsAConvexPolygon) {
   Costmap2D map(20, 20, 0.1, 0.0, 0.0);
   // Cells 5 to 10 by 3 to 7: (10 - 5 + 1) x (7 - 3 + 1) = 30.
-  ASSERT_TRUE(map.setConvexPolygonCost(
-      {point(0.55, 0.35), point(1.05, 0.35), point(1.05, 0.75), point(0.55, 0.75)}, 8));
+  ASSERT_TRUE(
+      map.setConvexPolygonCost({point(0.55, 0.35), point(1.05, 0.35), point(1.05, 0.75), point(0.55, 0.75)}, 8));
   int count = 0;
   for (unsigned int y = 0; y < 20; ++y) {
     for (unsigned int x = 0; x < 20; ++x) {
@@ -115,9 +112,7 @@ TEST(Line, ConnectedAndClose) {
     const int x0 = static_cast<int>(random() % 40), y0 = static_cast<int>(random() % 40);
     const int x1 = static_cast<int>(random() % 40), y1 = static_cast<int>(random() % 40);
     std::vector<std::pair<int, int>> cells;
-    visitLine(x0, y0, x1, y1, kWidth, 1e9, [&](int index) {
-      cells.push_back({index % kWidth, index / kWidth});
-    });
+    visitLine(x0, y0, x1, y1, kWidth, 1e9, [&](int index) { cells.push_back({index % kWidth, index / kWidth}); });
     EXPECT_EQ(cells.front(), std::make_pair(x0, y0));
     EXPECT_EQ(cells.back(), std::make_pair(x1, y1));
     EXPECT_EQ(static_cast<int>(cells.size()), 1 + std::max(std::abs(x1 - x0), std::abs(y1 - y0)));

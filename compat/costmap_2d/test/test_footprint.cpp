@@ -46,8 +46,7 @@ TEST(Footprint, TurnedAndMoved) {
 
 TEST(Footprint, RefusesWhatIsNoPolygon) {
   std::vector<geometry_msgs::Point> footprint;
-  for (const char* text :
-       {"", "[]", "[[0, 0], [1, 1]]", "[[0, 0], [1], [2, 2]]", "[[0, 0], [1, a], [2, 2]]", "[["}) {
+  for (const char* text : {"", "[]", "[[0, 0], [1, 1]]", "[[0, 0], [1], [2, 2]]", "[[0, 0], [1, a], [2, 2]]", "[["}) {
     EXPECT_FALSE(makeFootprintFromString(text, footprint)) << text;
   }
   XmlRpc::XmlRpcValue number(1.0);

@@ -23,10 +23,7 @@ Costmap2D randomScene(std::mt19937& random, unsigned int width, unsigned int hei
   Costmap2D map(width, height, 0.05, 0.0, 0.0);
   for (unsigned int i = 0; i < width * height; ++i) {
     const unsigned int kind = static_cast<unsigned int>(random() % 100);
-    map.getCharMap()[i] = kind < 3    ? LETHAL_OBSTACLE
-                          : kind < 8  ? NO_INFORMATION
-                          : kind < 10 ? 30
-                                      : FREE_SPACE;
+    map.getCharMap()[i] = kind < 3 ? LETHAL_OBSTACLE : kind < 8 ? NO_INFORMATION : kind < 10 ? 30 : FREE_SPACE;
   }
   return map;
 }
@@ -34,8 +31,7 @@ Costmap2D randomScene(std::mt19937& random, unsigned int width, unsigned int hei
 // The slow, obvious way: for each cell of the window the nearest lethal cell of the whole map.
 Costmap2D naive(const Costmap2D& before, const Inflator::Settings& s, int x0, int y0, int xn, int yn) {
   Costmap2D after = before;
-  const int width = static_cast<int>(before.getSizeInCellsX()),
-            height = static_cast<int>(before.getSizeInCellsY());
+  const int width = static_cast<int>(before.getSizeInCellsX()), height = static_cast<int>(before.getSizeInCellsY());
   const double reach = std::ceil(s.inflation_radius / s.resolution);  // [cells]
   for (int y = y0; y < yn; ++y) {
     for (int x = x0; x < xn; ++x) {
@@ -53,8 +49,7 @@ Costmap2D naive(const Costmap2D& before, const Inflator::Settings& s, int x0, in
       if (nearest > 0.0) {
         cost = distance <= s.inscribed_radius
                    ? INSCRIBED_INFLATED_OBSTACLE
-                   : static_cast<int>(252.0 *
-                                      std::exp(-s.cost_scaling_factor * (distance - s.inscribed_radius)));
+                   : static_cast<int>(252.0 * std::exp(-s.cost_scaling_factor * (distance - s.inscribed_radius)));
       }
       unsigned char& cell = after.getCharMap()[y * width + x];
       if (cell == NO_INFORMATION) {
@@ -84,8 +79,8 @@ TEST(Inflator, Formula) {
 TEST(Inflator, EqualsTheNaiveTwin) {
   std::mt19937 random(11);
   for (int scene = 0; scene < 60; ++scene) {
-    Inflator::Settings s = settings(0.05 + 0.01 * double(random() % 60), 0.01 * double(random() % 40),
-                                    1.0 + double(random() % 12));
+    Inflator::Settings s =
+        settings(0.05 + 0.01 * double(random() % 60), 0.01 * double(random() % 40), 1.0 + double(random() % 12));
     s.inflate_unknown = scene % 3 == 0;
     Costmap2D map = randomScene(random, 36, 29);
     const int x0 = scene % 2 ? static_cast<int>(random() % 18) : 0,

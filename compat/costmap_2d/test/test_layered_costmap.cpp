@@ -22,11 +22,10 @@ class ScanLayer : public Layer {
 
   void matchSize() override {
     const Costmap2D& master = *layered_costmap_->getCostmap();
-    grid_.resizeMap(master.getSizeInCellsX(), master.getSizeInCellsY(), master.getResolution(),
-                    master.getOriginX(), master.getOriginY());
+    grid_.resizeMap(master.getSizeInCellsX(), master.getSizeInCellsY(), master.getResolution(), master.getOriginX(),
+                    master.getOriginY());
   }
-  void updateBounds(double, double, double, double* min_x, double* min_y, double* max_x,
-                    double* max_y) override {
+  void updateBounds(double, double, double, double* min_x, double* min_y, double* max_x, double* max_y) override {
     const Costmap2D& master = *layered_costmap_->getCostmap();
     grid_.updateOrigin(master.getOriginX(), master.getOriginY());
     const TouchedArea touched{min_x, min_y, max_x, max_y};
@@ -90,8 +89,7 @@ Costmap2D rewritten(const Scene& scene) {
   settings.inflation_radius = 0.55;
   settings.inscribed_radius = scene.costmap.getInscribedRadius();
   inflator.configure(settings);
-  inflator.inflate(whole, 0, 0, static_cast<int>(whole.getSizeInCellsX()),
-                   static_cast<int>(whole.getSizeInCellsY()));
+  inflator.inflate(whole, 0, 0, static_cast<int>(whole.getSizeInCellsX()), static_cast<int>(whole.getSizeInCellsY()));
   return whole;
 }
 
@@ -159,8 +157,7 @@ TEST(LayeredCostmap, AnUpdateOfAFourMetreWindowIsQuick) {
     times.push_back(1e3 * double(std::clock() - begun) / CLOCKS_PER_SEC);
   }
   std::sort(times.begin(), times.end());
-  std::printf("update of 80 x 80 cells, 720 beams: median %.3f ms, greatest %.3f ms\n", times[150],
-              times.back());
+  std::printf("update of 80 x 80 cells, 720 beams: median %.3f ms, greatest %.3f ms\n", times[150], times.back());
   EXPECT_LT(times[150], 5.0);  // several times what it takes: only a change of order fails
 }
 

@@ -71,8 +71,7 @@ TEST(ScanGrid, HeightFilter) {
   geometry_msgs::Transform pose;
   pose.rotation.w = 1.0;
   ScanFilter filter;
-  for (const auto& [z, expected] :
-       {std::pair<double, std::size_t>{-0.01, 0}, {0.0, 1}, {2.0, 1}, {2.01, 0}}) {
+  for (const auto& [z, expected] : {std::pair<double, std::size_t>{-0.01, 0}, {0.0, 1}, {2.0, 1}, {2.01, 0}}) {
     pose.translation.z = z;
     EXPECT_EQ(projectScan(fourBeams(1.0f, 9.0f, 9.0f, 9.0f), pose, filter).size(), expected) << z;
   }
@@ -82,10 +81,8 @@ TEST(ScanGrid, MarksWithinTheObstacleRange) {
   Costmap2D grid(80, 80, 0.05, 0.0, 0.0);
   Area area;
   // The third is beyond 2.5 m, the fourth too high, the fifth outside the map.
-  markPoints(
-      grid,
-      seen({point(2.0, 1.0), point(1.0, 3.0), point(3.6, 1.025), point(1.5, 1.5, 2.1), point(-0.5, 1.0)}),
-      2.0, area.touched());
+  markPoints(grid, seen({point(2.0, 1.0), point(1.0, 3.0), point(3.6, 1.025), point(1.5, 1.5, 2.1), point(-0.5, 1.0)}),
+             2.0, area.touched());
   int count = 0;
   for (unsigned int i = 0; i < 80 * 80; ++i) count += grid.getCharMap()[i] == LETHAL_OBSTACLE;
   EXPECT_EQ(count, 2);
@@ -114,8 +111,7 @@ TEST(ScanGrid, ClearsAlongTheBeamUpToTheRaytraceRange) {
 TEST(ScanGrid, FollowsABeamToTheMapsEdge) {
   Costmap2D grid(40, 40, 0.05, 0.0, 0.0, LETHAL_OBSTACLE);
   Area area;
-  ASSERT_TRUE(
-      clearBeams(grid, seen({point(3.025, 1.025), point(1.025, -4.0), point(-9.0, -9.0)}), area.touched()));
+  ASSERT_TRUE(clearBeams(grid, seen({point(3.025, 1.025), point(1.025, -4.0), point(-9.0, -9.0)}), area.touched()));
   EXPECT_EQ(grid.getCost(39, 20), FREE_SPACE);
   EXPECT_EQ(grid.getCost(20, 0), FREE_SPACE);
   EXPECT_EQ(grid.getCost(0, 0), FREE_SPACE);  // the diagonal
@@ -138,12 +134,10 @@ TEST(ScanGrid, Merging) {
   };
   load();
   mergeMaximum(target, source, 0, 0, 4, 1);
-  EXPECT_EQ(std::vector<int>(target.getCharMap(), target.getCharMap() + 4),
-            (std::vector<int>{100, 200, 0, 5}));
+  EXPECT_EQ(std::vector<int>(target.getCharMap(), target.getCharMap() + 4), (std::vector<int>{100, 200, 0, 5}));
   load();
   mergeOverwrite(target, source, 0, 0, 4, 1);
-  EXPECT_EQ(std::vector<int>(target.getCharMap(), target.getCharMap() + 4),
-            (std::vector<int>{50, 200, 0, 5}));
+  EXPECT_EQ(std::vector<int>(target.getCharMap(), target.getCharMap() + 4), (std::vector<int>{50, 200, 0, 5}));
 }
 
 }  // namespace

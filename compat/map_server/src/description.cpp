@@ -13,8 +13,7 @@ Value required(const YAML::Node& document, const std::string& file, const char* 
   try {
     return document[key].as<Value>();
   } catch (const YAML::Exception&) {
-    throw std::runtime_error("the map description \"" + file + "\": \"" + key +
-                             "\" is not of the right kind");
+    throw std::runtime_error("the map description \"" + file + "\": \"" + key + "\" is not of the right kind");
   }
 }
 
@@ -30,8 +29,7 @@ Mode readMode(const YAML::Node& document, const std::string& file) {
 
 // Relative to the folder of the YAML file.
 std::string imagePath(const std::string& image, const std::string& yaml_file) {
-  if (image.empty())
-    throw std::runtime_error("the map description \"" + yaml_file + "\": \"image\" is empty");
+  if (image.empty()) throw std::runtime_error("the map description \"" + yaml_file + "\": \"image\" is empty");
   const std::size_t slash = yaml_file.rfind('/');
   return image[0] == '/' || slash == std::string::npos ? image : yaml_file.substr(0, slash + 1) + image;
 }
@@ -56,8 +54,7 @@ MapDescription readDescription(const std::string& yaml_file) {
   const auto negate = required<std::string>(document, yaml_file, "negate");
   description.negate = negate == "1" || negate == "true";
   if (!(description.resolution > 0.0)) {
-    throw std::runtime_error("the map description \"" + yaml_file +
-                             "\": resolution must be positive [m/pixel]");
+    throw std::runtime_error("the map description \"" + yaml_file + "\": resolution must be positive [m/pixel]");
   }
   return description;
 }

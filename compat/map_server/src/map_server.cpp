@@ -33,8 +33,8 @@ int main(int argc, char** argv) {
           return true;
         };
     const auto service = nh.advertiseService("static_map", answer);
-    ROS_INFO("Map of %u x %u cells of %.3f m from %s", map.info.width, map.info.height,
-             double(map.info.resolution), description.image.c_str());
+    ROS_INFO("Map of %u x %u cells of %.3f m from %s", map.info.width, map.info.height, double(map.info.resolution),
+             description.image.c_str());
     ros::spin();
   } catch (const std::exception& fault) {
     ROS_FATAL("%s", fault.what());

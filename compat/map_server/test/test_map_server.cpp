@@ -63,8 +63,7 @@ TEST(Occupancy, Raw) {
 }
 
 TEST(Picture, GreyRowsFromTheTopMapRowsFromTheBottom) {
-  const std::string path =
-      file("grey.pgm", std::string("P5\n3 2\n255\n") + std::string("\x00\xfe\xfe\xfe\xcd\x00", 6));
+  const std::string path = file("grey.pgm", std::string("P5\n3 2\n255\n") + std::string("\x00\xfe\xfe\xfe\xcd\x00", 6));
   auto description = described(Mode::kTrinary);
   description.origin = {1.0, 2.0, 0.5};
   const auto map = makeMap(readPicture(path, description.mode), description);

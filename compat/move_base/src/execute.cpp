@@ -25,9 +25,12 @@ bool isPlanarRotation(const geometry_msgs::Quaternion& q) {
 
 std::string reason(Trigger trigger) {
   switch (trigger) {
-    case Trigger::kPlanning: return "No global plan was found.";
-    case Trigger::kControlling: return "The local planner found no valid command.";
-    case Trigger::kOscillation: break;
+    case Trigger::kPlanning:
+      return "No global plan was found.";
+    case Trigger::kControlling:
+      return "The local planner found no valid command.";
+    case Trigger::kOscillation:
+      break;
   }
   return "The robot is oscillating.";
 }
@@ -51,9 +54,8 @@ void MoveBase::execute(const move_base_msgs::MoveBaseGoalConstPtr& goal) {
     if (cycle()) return;
     rate.sleep();
     if (state_ == State::kControlling && rate.cycleTime() > ros::Duration(1.0 / controller_frequency_)) {
-      ROS_WARN_THROTTLE(
-          1.0, "The control cycle took %.4f s, longer than its period of %.4f s (controller_frequency).",
-          rate.cycleTime().toSec(), 1.0 / controller_frequency_);
+      ROS_WARN_THROTTLE(1.0, "The control cycle took %.4f s, longer than its period of %.4f s (controller_frequency).",
+                        rate.cycleTime().toSec(), 1.0 / controller_frequency_);
     }
   }
   planning_->halt();
@@ -173,8 +175,7 @@ bool MoveBase::compute(geometry_msgs::Twist& command) {
 }
 
 bool MoveBase::oscillates() {
-  return oscillation_timeout_ > 0.0 &&
-         last_oscillation_reset_ + ros::Duration(oscillation_timeout_) < ros::Time::now();
+  return oscillation_timeout_ > 0.0 && last_oscillation_reset_ + ros::Duration(oscillation_timeout_) < ros::Time::now();
 }
 
 bool MoveBase::abort(const std::string& reason) {
@@ -197,8 +198,7 @@ void MoveBase::rest() {
 
 void MoveBase::publishZero() { velocity_publisher_.publish(geometry_msgs::Twist()); }
 
-bool MoveBase::planFromRobot(const geometry_msgs::PoseStamped& goal,
-                             std::vector<geometry_msgs::PoseStamped>& plan) {
+bool MoveBase::planFromRobot(const geometry_msgs::PoseStamped& goal, std::vector<geometry_msgs::PoseStamped>& plan) {
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*global_costmap_->getCostmap()->getMutex());
   geometry_msgs::PoseStamped start;
   return robotPose(*global_costmap_, start) && global_planner_.makePlan(start, goal, plan) && !plan.empty();

@@ -74,8 +74,7 @@ bool GridPlanner::makePlan(const geometry_msgs::PoseStamped& start, const geomet
   const costmap_2d::Costmap2D& map = *costmap_ros_->getCostmap();
   unsigned int start_x, start_y, goal_x, goal_y;
   if (!map.worldToMap(start.pose.position.x, start.pose.position.y, start_x, start_y)) {
-    ROS_WARN("The robot at (%.2f, %.2f) is outside the global costmap.", start.pose.position.x,
-             start.pose.position.y);
+    ROS_WARN("The robot at (%.2f, %.2f) is outside the global costmap.", start.pose.position.x, start.pose.position.y);
     return false;
   }
   if (!map.worldToMap(goal.pose.position.x, goal.pose.position.y, goal_x, goal_y)) {
@@ -83,8 +82,8 @@ bool GridPlanner::makePlan(const geometry_msgs::PoseStamped& start, const geomet
                       goal.pose.position.y);
     return false;
   }
-  route_.setCosts(map.getCharMap(), static_cast<int>(map.getSizeInCellsX()),
-                  static_cast<int>(map.getSizeInCellsY()), allow_unknown_);
+  route_.setCosts(map.getCharMap(), static_cast<int>(map.getSizeInCellsX()), static_cast<int>(map.getSizeInCellsY()),
+                  allow_unknown_);
   route_.open(static_cast<int>(start_x), static_cast<int>(start_y));
 
   const GridFrame frame(map);
@@ -98,9 +97,8 @@ bool GridPlanner::makePlan(const geometry_msgs::PoseStamped& start, const geomet
     }
   }
   if (!reached) {
-    ROS_WARN_THROTTLE(
-        1.0, "No plan: the goal (%.2f, %.2f) %s.", goal.pose.position.x, goal.pose.position.y,
-        goal_open ? "cannot be reached" : "lies in an obstacle, or nearer to one than the robot fits");
+    ROS_WARN_THROTTLE(1.0, "No plan: the goal (%.2f, %.2f) %s.", goal.pose.position.x, goal.pose.position.y,
+                      goal_open ? "cannot be reached" : "lies in an obstacle, or nearer to one than the robot fits");
     publish(plan);
     return false;
   }

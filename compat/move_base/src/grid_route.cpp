@@ -46,8 +46,7 @@ void GridRoute::setCosts(const unsigned char* costs, int width, int height, bool
   height_ = height;
   const auto table = travelCosts(allow_unknown);
   travel_.resize(std::size_t(width) * std::size_t(height));
-  std::transform(costs, costs + travel_.size(), travel_.begin(),
-                 [&table](unsigned char cost) { return table[cost]; });
+  std::transform(costs, costs + travel_.size(), travel_.begin(), [&table](unsigned char cost) { return table[cost]; });
   // A closed border: no neighbour of an open cell lies outside.
   std::fill_n(travel_.begin(), width, std::uint8_t(0));
   std::fill_n(travel_.end() - width, width, std::uint8_t(0));
@@ -106,8 +105,7 @@ bool GridRoute::propagate(const GridPoint& start, const GridPoint& goal) {
     bucket.clear();
     // A goal in an earlier bucket is final, and so are the neighbours its gradient needs a few buckets later.
     constexpr std::size_t kMargin = 2 * kHighestCost / std::size_t(kBucketWidth);
-    if (has_goal && cost_to_[goal_cell] < kUnreached && current > bucketOf(cost_to_[goal_cell]) + kMargin)
-      break;
+    if (has_goal && cost_to_[goal_cell] < kUnreached && current > bucketOf(cost_to_[goal_cell]) + kMargin) break;
   }
   return has_goal && cost_to_[goal_cell] < kUnreached;
 }

@@ -78,8 +78,7 @@ std::vector<GridPoint> GridRoute::trace(const GridPoint& goal) const {
     const GridPoint uphill = gradientAt(here);
     const double length = std::hypot(uphill.x, uphill.y);
     GridPoint next{here.x - kStep * uphill.x / length, here.y - kStep * uphill.y / length};
-    if (!(length > 1e-6) || since_least > kPatience || !(costTo(next) < kUnreached))
-      next = lowestNeighbour(here);
+    if (!(length > 1e-6) || since_least > kPatience || !(costTo(next) < kUnreached)) next = lowestNeighbour(here);
     here = next;
     route.push_back(here);
     const float cost = costTo(here);

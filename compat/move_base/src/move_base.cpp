@@ -20,9 +20,7 @@ MoveBase::MoveBase(tf2_ros::Buffer& tf) : tf_(tf) {
     local_costmap_->stop();
   }
   planning_ = std::make_unique<PlanningThread>(
-      [this](const geometry_msgs::PoseStamped& goal, PlanningThread::Plan& plan) {
-        return planFromRobot(goal, plan);
-      },
+      [this](const geometry_msgs::PoseStamped& goal, PlanningThread::Plan& plan) { return planFromRobot(goal, plan); },
       planning_settings_);
   server_->start();
 }
@@ -34,8 +32,7 @@ MoveBase::~MoveBase() {
 
 void MoveBase::readParams() {
   global_planner_type_ = private_nh_.param<std::string>("base_global_planner", "navfn/NavfnROS");
-  local_planner_type_ =
-      private_nh_.param<std::string>("base_local_planner", "base_local_planner/TrajectoryPlannerROS");
+  local_planner_type_ = private_nh_.param<std::string>("base_local_planner", "base_local_planner/TrajectoryPlannerROS");
   controller_frequency_ = private_nh_.param("controller_frequency", controller_frequency_);
   controller_patience_ = private_nh_.param("controller_patience", controller_patience_);
   oscillation_timeout_ = private_nh_.param("oscillation_timeout", oscillation_timeout_);
@@ -45,19 +42,16 @@ void MoveBase::readParams() {
   planning_settings_.frequency = private_nh_.param("planner_frequency", planning_settings_.frequency);
   planning_settings_.patience = private_nh_.param("planner_patience", planning_settings_.patience);
   planning_settings_.max_retries = private_nh_.param("max_planning_retries", planning_settings_.max_retries);
-  if (!(controller_frequency_ > 0.0))
-    throw std::runtime_error("parameter controller_frequency must be above 0 [Hz]");
+  if (!(controller_frequency_ > 0.0)) throw std::runtime_error("parameter controller_frequency must be above 0 [Hz]");
 }
 
 void MoveBase::announceLimits() const {
   if (global_planner_type_ != "navfn/NavfnROS" && global_planner_type_ != "global_planner/GlobalPlanner") {
-    throw std::runtime_error(
-        "base_global_planner is \"" + global_planner_type_ +
-        "\"; this move_base has one grid planner, which answers to navfn/NavfnROS and "
-        "global_planner/GlobalPlanner. Use one of these, or the navigation stack's own move_base");
+    throw std::runtime_error("base_global_planner is \"" + global_planner_type_ +
+                             "\"; this move_base has one grid planner, which answers to navfn/NavfnROS and "
+                             "global_planner/GlobalPlanner. Use one of these, or the navigation stack's own move_base");
   }
-  ROS_INFO("This move_base is the compat one: for %s its own grid planner plans.",
-           global_planner_type_.c_str());
+  ROS_INFO("This move_base is the compat one: for %s its own grid planner plans.", global_planner_type_.c_str());
   if (recovery_behavior_enabled_ && !private_nh_.hasParam("recovery_behaviors")) {
     ROS_INFO(
         "The navigation stack's default recovery behaviours are not here: without a list recovery_behaviors a goal is "
@@ -68,8 +62,7 @@ void MoveBase::announceLimits() const {
 void MoveBase::makeGlobalPlanner() {
   global_costmap_ = std::make_unique<costmap_2d::Costmap2DROS>("global_costmap", tf_);
   global_costmap_->pause();
-  global_planner_.initialize(global_planner_type_.substr(global_planner_type_.find('/') + 1),
-                             global_costmap_.get());
+  global_planner_.initialize(global_planner_type_.substr(global_planner_type_.find('/') + 1), global_costmap_.get());
 }
 
 void MoveBase::makeLocalPlanner() {

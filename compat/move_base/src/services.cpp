@@ -22,15 +22,13 @@ bool MoveBase::onMakePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan
   } else {
     start = toGlobalFrame(request.start);
   }
-  global_planner_.makePlan(start, toGlobalFrame(request.goal), double(request.tolerance),
-                           response.plan.poses);
+  global_planner_.makePlan(start, toGlobalFrame(request.goal), double(request.tolerance), response.plan.poses);
   response.plan.header.frame_id = global_costmap_->getGlobalFrameID();
   response.plan.header.stamp = ros::Time::now();
   return true;
 }
 
-bool MoveBase::onClearCostmaps(std_srvs::Empty::Request& /*request*/,
-                               std_srvs::Empty::Response& /*response*/) {
+bool MoveBase::onClearCostmaps(std_srvs::Empty::Request& /*request*/, std_srvs::Empty::Response& /*response*/) {
   local_costmap_->resetLayers();
   global_costmap_->resetLayers();
   return true;

@@ -25,8 +25,7 @@ using costmap_2d::NO_INFORMATION;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void fill(Costmap2D& map, unsigned int x0, unsigned int y0, unsigned int xn, unsigned int yn,
-          unsigned char cost) {
+void fill(Costmap2D& map, unsigned int x0, unsigned int y0, unsigned int xn, unsigned int yn, unsigned char cost) {
   for (unsigned int y = y0; y < yn; ++y) {
     for (unsigned int x = x0; x < xn; ++x) map.setCost(x, y, cost);
   }
@@ -39,14 +38,13 @@ void inflate(Costmap2D& map, double inflation_radius) {
   settings.inscribed_radius = 0.31;
   settings.cost_scaling_factor = 5.0;
   inflator.configure(settings);
-  inflator.inflate(map, 0, 0, static_cast<int>(map.getSizeInCellsX()),
-                   static_cast<int>(map.getSizeInCellsY()));
+  inflator.inflate(map, 0, 0, static_cast<int>(map.getSizeInCellsX()), static_cast<int>(map.getSizeInCellsY()));
 }
 
 GridRoute routeOn(const Costmap2D& map, bool allow_unknown = true) {
   GridRoute route;
-  route.setCosts(map.getCharMap(), static_cast<int>(map.getSizeInCellsX()),
-                 static_cast<int>(map.getSizeInCellsY()), allow_unknown);
+  route.setCosts(map.getCharMap(), static_cast<int>(map.getSizeInCellsX()), static_cast<int>(map.getSizeInCellsY()),
+                 allow_unknown);
   return route;
 }
 
@@ -132,8 +130,7 @@ TEST(GridRoute, EveryPointOfARouteIsOpenAndStepsAreShort) {
     EXPECT_EQ(points.front().x, start.x);
     EXPECT_EQ(points.back().y, goal.y);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      EXPECT_TRUE(route.isOpen(static_cast<int>(std::lround(points[i].x)),
-                               static_cast<int>(std::lround(points[i].y))));
+      EXPECT_TRUE(route.isOpen(static_cast<int>(std::lround(points[i].x)), static_cast<int>(std::lround(points[i].y))));
       if (i > 0) {
         EXPECT_LT(std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y), 2.2);
       }
@@ -264,8 +261,8 @@ TEST(GridRoute, AnOfficeFloorTakesLittleTime) {
     times.push_back(1e3 * double(std::clock() - begun) / CLOCKS_PER_SEC);
   }
   std::sort(times.begin(), times.end());
-  std::printf("1857 x 1255 cells, route of %.1f m: median %.1f ms, greatest %.1f ms\n",
-              0.05 * lengthOf(points), times[4], times.back());
+  std::printf("1857 x 1255 cells, route of %.1f m: median %.1f ms, greatest %.1f ms\n", 0.05 * lengthOf(points),
+              times[4], times.back());
   EXPECT_LT(times[4], 1000.0);  // several times what it takes: only a change of order fails
 }
 

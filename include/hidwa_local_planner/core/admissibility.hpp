@@ -15,9 +15,9 @@
 
 namespace hidwa_local_planner {
 
-/// Which candidates are free of collision, and which of them can still stop in free space. For a robot that already stands
-/// in collision EscapeRule holds besides. Where no motion leads out of that, it may turn on the spot as far as it goes no
-/// deeper; a person may always do so, and stand.
+/// Which candidates are free of collision, and which of them can still stop in free space. For a robot that already
+/// stands in collision EscapeRule holds besides. Where no motion leads out of that, it may turn on the spot as far as
+/// it goes no deeper; a person may always do so, and stand.
 class AdmissibilityCheck {
  public:
   struct Setup {
@@ -27,13 +27,15 @@ class AdmissibilityCheck {
     const PendingMotion* pending = nullptr;  // until a command that is sent now takes effect
     double period = 0.05;                    // [s]
     double longest_period = 0.05;            // the next command comes no later [s]
-    bool turn_out = false;  // out of a collision that no motion leads out of, by turning first
-    bool steered = false;   // by a person
-    EscapeRule* escape = nullptr;  // where it applies
+    bool turn_out = false;                   // out of a collision that no motion leads out of, by turning first
+    bool steered = false;                    // by a person
+    EscapeRule* escape = nullptr;            // where it applies
   };
-  /// How far the robot's centre gets at most in any manoeuvre of a command up to `fastest` [m/s], without the growth [m].
+  /// How far the robot's centre gets at most in any manoeuvre of a command up to `fastest` [m/s], without the growth
+  /// [m].
   static double reach_of_manoeuvres(const Setup& setup, const VelocityLimits& limits, double fastest);
-  /// How far at most a robot with this reach can be from where a manoeuvre is rolled out [m], see ManoeuvreRoller::growth().
+  /// How far at most a robot with this reach can be from where a manoeuvre is rolled out [m], see
+  /// ManoeuvreRoller::growth().
   static double most_growth(const Setup& setup, const VelocityLimits& limits, double radius, double reach);
   /// Once a cycle; `checker` must be prepared (EscapeRule::rest() where that applies) and everything must outlive the
   /// questions.
@@ -47,8 +49,8 @@ class AdmissibilityCheck {
   /// Reasons for the candidates of a tile, nullptr where free: the rollout.
   void check_rollouts(const Tile& tile, const char** reasons);
   /// Whether the manoeuvre of a sample ends at rest in free space, however the base reaches its commands: at every pose
-  /// the robot keeps the manoeuvre's growth as its distance; where it stands nearer to something, the distance it has now.
-  /// Poses at most half a cell apart.
+  /// the robot keeps the manoeuvre's growth as its distance; where it stands nearer to something, the distance it has
+  /// now. Poses at most half a cell apart.
   bool can_brake(const Twist2& sample, std::size_t column);
   /// As can_brake, without gaps: poses a sixteenth of a cell apart or nearer, and half of that more distance.
   bool can_brake_surely(const Twist2& sample);

@@ -40,7 +40,8 @@ class BitGrid {
   void dilate(const std::vector<int>& reach, BitGrid& out) const;
   /// As dilate(), keeping what is set in `out`, which must have this grid's size.
   void dilate_into(const std::vector<int>& reach, BitGrid& out) const;
-  /// Sets the bits of `out` that are set here with a bit above, below, left or right of them that is not, or at the rim.
+  /// Sets the bits of `out` that are set here with a bit above, below, left or right of them that is not, or at the
+  /// rim.
   void find_edges(BitGrid& out) const;
 
  private:

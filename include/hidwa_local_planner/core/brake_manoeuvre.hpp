@@ -6,16 +6,16 @@
 // 3. Both axes brake at their limits. The last command to brake asks for less than a period's worth, and may be carried
 //    out evenly over a period: the tail.
 //
-// A base may reach every command in its own way between two ends (AxisRamp). Let p_n, theta_n be the motion that is rolled
-// out and p, theta any other, and let
+// A base may reach every command in its own way between two ends (AxisRamp). Let p_n, theta_n be the motion that is
+// rolled out and p, theta any other, and let
 //   ds = integral of |v - v_n|,  dtheta = integral of |omega - omega_n|.
-// Compared at equal times, |theta - theta_n| <= dtheta and |p - p_n| <= ds + integral of |v_n| |theta - theta_n|. A point of
-// the robot at radius r moves by r times the difference of headings more. So no point of it is farther from where the
-// rolled-out motion has it than
+// Compared at equal times, |theta - theta_n| <= dtheta and |p - p_n| <= ds + integral of |v_n| |theta - theta_n|. A
+// point of the robot at radius r moves by r times the difference of headings more. So no point of it is farther from
+// where the rolled-out motion has it than
 //   growth = ds + r dtheta + integral of |v_n| dtheta.
 // The ways to a command part when it takes effect, those to rest when less than a period's worth of braking is left.
-// While nothing has turned and v has not changed its sign, the other motion is on the same line, only behind, since v_n is the
-// farthest: an earlier pose is the same, and the growth is 0. So it is at rest.
+// While nothing has turned and v has not changed its sign, the other motion is on the same line, only behind, since v_n
+// is the farthest: an earlier pose is the same, and the growth is 0. So it is at rest.
 #pragma once
 
 #include <algorithm>
@@ -182,8 +182,8 @@ class ManoeuvreRoller {
   template <typename Visit>
   bool stretch(const Twist2& end, double duration, Visit&& visit) {
     if (duration <= 0.0) return true;
-    const double fastest = std::max(std::abs(u_.v), std::abs(end.v)) +
-                           radius_ * std::max(std::abs(u_.omega), std::abs(end.omega));
+    const double fastest =
+        std::max(std::abs(u_.v), std::abs(end.v)) + radius_ * std::max(std::abs(u_.omega), std::abs(end.omega));
     const Twist2 begin = u_;
     u_ = end;
     if (fastest * duration <= 1e-12) return true;

@@ -18,8 +18,8 @@ constexpr std::uint8_t kHit = 2;      // it overlaps one at any heading
 constexpr std::uint8_t kBlocked = 4;  // lethal, inscribed, unknown where that is an obstacle, or off the map
 }  // namespace cell_class
 
-/// The classes of all cells that a cycle's candidates can reach, in a table small enough for the first cache, and of the
-/// candidates' poses: one look-up a pose answers collision and every critic that asks for the centre's cell.
+/// The classes of all cells that a cycle's candidates can reach, in a table small enough for the first cache, and of
+/// the candidates' poses: one look-up a pose answers collision and every critic that asks for the centre's cell.
 class CellClasses {
  public:
   /// Once a cycle, after the checker; `reach` [m] as there.
@@ -36,11 +36,11 @@ class CellClasses {
   bool find_open_rows(const Tile& tile);
   void classify_rows(const Tile& tile, std::size_t first, std::size_t end);
 
-  Cell first_;               // of the table, map cells
+  Cell first_;                              // of the table, map cells
   double corner_x_ = 0.0, corner_y_ = 0.0;  // of the table [m]
   double cells_per_metre_ = 20.0;
-  int width_ = 0, shift_ = 0;          // the table's rows are 2^shift cells long
-  std::uint32_t wrap_ = 0;             // index mask
+  int width_ = 0, shift_ = 0;  // the table's rows are 2^shift cells long
+  std::uint32_t wrap_ = 0;     // index mask
   bool unknown_blocks_ = true;
   std::vector<std::uint8_t> table_;
   std::vector<std::uint32_t> marked_;  // [(width + 1)^2] cells of any class below and to the left of a corner

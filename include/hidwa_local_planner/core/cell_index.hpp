@@ -16,9 +16,7 @@ struct CellBox {
   std::int32_t i = 0, j = 0;           // its lowest cell
   std::int32_t width = 0, height = 0;  // [cells]
 
-  bool operator==(const CellBox& o) const {
-    return i == o.i && j == o.j && width == o.width && height == o.height;
-  }
+  bool operator==(const CellBox& o) const { return i == o.i && j == o.j && width == o.width && height == o.height; }
 };
 
 /// The cells of `count` points (x[c] + dx, y[c] + dy), counted from the lowest cell of the box; i is negative for those

@@ -13,8 +13,8 @@ constexpr double kEqualTotals = 1e-9;
 class TieRule {
  public:
   TieRule(const Parameters& parameters, const Twist2& last_command);
-  /// True when `a` is to be preferred to `b`. `least_change`: the smallest change from the last command, as the time that
-  /// the acceleration limits need for it, then the smaller |omega|, then the side of the last turn, then left.
+  /// True when `a` is to be preferred to `b`. `least_change`: the smallest change from the last command, as the time
+  /// that the acceleration limits need for it, then the smaller |omega|, then the side of the last turn, then left.
   /// `first`: the lowest v, then the most negative omega.
   bool prefers(const Twist2& a, const Twist2& b) const;
 

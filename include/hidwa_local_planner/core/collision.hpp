@@ -31,7 +31,9 @@ class CollisionChecker {
     prepare(grid, footprint, unknown_is_obstacle, centre, reach, grid.resolution);
   }
 
-  bool collides(const Pose2& pose) const { return collides(pose, Rotation{std::cos(pose.theta), std::sin(pose.theta)}); }
+  bool collides(const Pose2& pose) const {
+    return collides(pose, Rotation{std::cos(pose.theta), std::sin(pose.theta)});
+  }
   /// With the heading's cosine and sine given.
   bool collides(const Pose2& pose, const Rotation& heading) const;
   /// As collides(), for an outline that differs from the prepared one by less than the margin.
@@ -70,7 +72,7 @@ class CollisionChecker {
   void mark(std::uint8_t one, std::uint8_t other, bool edge, BitGrid& marked) const;
   // All that the marks are made by, besides the cells.
   struct Shape {
-    int radius = 0;  // of the window [cells]
+    int radius = 0;                                                                   // of the window [cells]
     double outer = 0.0, inscribed = 0.0, margin = 0.0, room = 0.0, resolution = 0.0;  // [m]
     bool circle = false;
     bool operator==(const Shape& other) const {
@@ -97,11 +99,11 @@ class CollisionChecker {
   GridView grid_;
   const Footprint* footprint_ = nullptr;
   bool unknown_is_obstacle_ = true;
-  Cell first_;         // of the window, map cells
+  Cell first_;                        // of the window, map cells
   double margin_ = 0.0, room_ = 0.0;  // [m]
   Shape shape_;
-  int rim_ = 0;        // cells at the window's rim that near_ does not answer for
-  BitGrid obstacles_;  // in the window
+  int rim_ = 0;                                // cells at the window's rim that near_ does not answer for
+  BitGrid obstacles_;                          // in the window
   BitGrid fresh_obstacles_, fresh_inscribed_;  // this cycle's, before they are taken
   BitGrid edges_;      // obstacles with something else beside them: those in their midst are never nearest
   BitGrid near_;       // centre cells where the robot may overlap an obstacle

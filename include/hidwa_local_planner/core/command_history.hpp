@@ -11,9 +11,9 @@
 
 namespace hidwa_local_planner {
 
-/// The commands that odometry may still show, and what a base that keeps its limits makes of them: a command takes effect
-/// after the latency and is reached within a period, or as fast as the limits allow, see AxisRamp. Allocates nothing after
-/// its construction.
+/// The commands that odometry may still show, and what a base that keeps its limits makes of them: a command takes
+/// effect after the latency and is reached within a period, or as fast as the limits allow, see AxisRamp. Allocates
+/// nothing after its construction.
 class CommandHistory {
  public:
   CommandHistory() { sent_.reserve(kMost); }
@@ -31,8 +31,8 @@ class CommandHistory {
   double elapsed() const { return elapsed_; }
   /// The smallest and the largest velocity that odometry may show, by axis.
   Interval range(double Twist2::*axis) const;
-  /// Where the next command starts from: the last one; on an axis where the base cannot have followed that (the host set
-  /// it to zero, for example) the velocity `reached` that it has by then [m/s, rad/s].
+  /// Where the next command starts from: the last one; on an axis where the base cannot have followed that (the host
+  /// set it to zero, for example) the velocity `reached` that it has by then [m/s, rad/s].
   Twist2 next_start(const VelocityLimits& limits, double period, const Twist2& reached) const;
   /// What the robot does from `age` [s] before the last cycle on until that cycle's own command takes effect.
   void play(const VelocityLimits& limits, double period, double latency, double age, UnderWay& under_way) const;
@@ -49,7 +49,7 @@ class CommandHistory {
   struct Sent {
     double time = 0.0;  // [s]; of the first one, which nobody knows: when it was found
     Twist2 command;
-    Twist2 from;        // the velocity of the base when it takes effect [m/s, rad/s]
+    Twist2 from;  // the velocity of the base when it takes effect [m/s, rad/s]
 
     template <typename Self, typename Archive>
     static void archive(Self& self, Archive& io) {

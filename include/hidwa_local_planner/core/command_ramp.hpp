@@ -11,9 +11,9 @@
 namespace hidwa_local_planner {
 
 /// One axis on its way from a velocity to a commanded one. A base may get there at once at its limit and then keep the
-/// velocity, or evenly over one control period, or in any way between these two. at() is the way that gets farthest: at the
-/// limit where it speeds up, evenly where it slows down; evenly too where the direction changes. What the limit does not
-/// allow within a period is done at the limit.
+/// velocity, or evenly over one control period, or in any way between these two. at() is the way that gets farthest: at
+/// the limit where it speeds up, evenly where it slows down; evenly too where the direction changes. What the limit
+/// does not allow within a period is done at the limit.
 class AxisRamp {
  public:
   AxisRamp() = default;
@@ -71,7 +71,7 @@ class AxisRamp {
   double period_ = 0.0;           // [s]
   double needed_ = 0.0;           // at the limit [s]
   double corner_ = 0.0, reached_ = 0.0;
-  bool free_ = false;             // there is more than one way
+  bool free_ = false;  // there is more than one way
 };
 
 /// Both axes on their way to a command, each on its own.

@@ -24,18 +24,18 @@ class PlanGrids;
 
 /// What all critics may look at in one cycle. Everything is in the costmap frame and lives as long as the cycle.
 struct CycleView {
-  Pose2 pose;                                // of the robot
-  Twist2 velocity;                           // measured [m/s, rad/s]
-  Twist2 last_command;                       // what was sent in the last cycle [m/s, rad/s]
-  Pose2 goal;                                // the last pose of the full plan
-  double time = 0.0;                         // of the cycle [s]
-  bool steered = false;                      // the person's input counts (gamma = 1)
-  bool person_decides = false;               // direct control, or steered where the goal's position is reached: a critic
-                                             // refuses what is unsafe then, and nothing for the sake of autonomy
+  Pose2 pose;                   // of the robot
+  Twist2 velocity;              // measured [m/s, rad/s]
+  Twist2 last_command;          // what was sent in the last cycle [m/s, rad/s]
+  Pose2 goal;                   // the last pose of the full plan
+  double time = 0.0;            // of the cycle [s]
+  bool steered = false;         // the person's input counts (gamma = 1)
+  bool person_decides = false;  // direct control, or steered where the goal's position is reached: a critic
+                                // refuses what is unsafe then, and nothing for the sake of autonomy
   const std::vector<Pose2>* plan = nullptr;  // the window of the plan around the robot
   const GridView* grid = nullptr;
   const Footprint* footprint = nullptr;
-  PlanGrids* grids = nullptr;                // distance grids shared between critics, made on demand
+  PlanGrids* grids = nullptr;  // distance grids shared between critics, made on demand
 };
 
 /// What a critic says of the candidates of one tile. A refusal is a value, never an exception.
@@ -84,8 +84,8 @@ class ParameterSource {
 /// prepare, score for every tile, and debrief; reset on a new goal. With an authority between 0 and 1 a cycle weighs
 /// twice before it is debriefed: once as autonomy, once steered. No verb may throw, wait or log;
 /// after the first cycle prepare and score should not allocate.
-/// A refusal is for what is unsafe. A critic that refuses for the sake of autonomy (it should slow down at the goal, not go
-/// back and forth, keep to the plan) must not do so while CycleView::person_decides.
+/// A refusal is for what is unsafe. A critic that refuses for the sake of autonomy (it should slow down at the goal,
+/// not go back and forth, keep to the plan) must not do so while CycleView::person_decides.
 class Critic {
  public:
   virtual ~Critic() = default;

@@ -17,13 +17,14 @@ namespace hidwa_local_planner {
 /// Distances of every cell to the nearest of a set of cells, for a few sets at once and in whole units, so that
 /// symmetric scenes give equal values.
 ///   l1        cost-blind Manhattan distance, one unit a cell: Nav2's map grid.
-///   geodesic  around obstacles: 8 neighbours, 5 units straight and 7 diagonally (at most 8 % from Euclidean). Lethal and
+///   geodesic  around obstacles: 8 neighbours, 5 units straight and 7 diagonally (at most 8 % from Euclidean). Lethal
+///   and
 ///             inscribed cells block, though a blocked source still seeds. Blocked cells get values too, from the
 ///             reached ones beside them on inwards, so that a robot in one still knows its way; nothing passes through
 ///             them.
 /// Computed when first asked for, around the cells of interest only while that is enough: a way that leaves the region
-/// swept cannot be shorter than a bound, and only where a distance exceeds it the whole map is swept. Kept while map and
-/// sources stay the same.
+/// swept cannot be shorter than a bound, and only where a distance exceeds it the whole map is swept. Kept while map
+/// and sources stay the same.
 class DistanceGrids {
  public:
   static constexpr std::int32_t kUnreached = -1;
@@ -47,18 +48,18 @@ class DistanceGrids {
 
   /// The cells of interest at once, for loops over many.
   struct Table {
-    kernel::CellBox box;  // of the cells of interest; the look-up counts from its lowest cell
+    kernel::CellBox box;                  // of the cells of interest; the look-up counts from its lowest cell
     const std::int16_t* units = nullptr;  // of that cell
     const std::int16_t* mask = nullptr;
-    std::size_t stride = 0;               // values a row
-    std::int16_t open = 0;                // mask of a free cell
-    std::int32_t sure = 0;                // distances up to it, and the one without obstacles more, are exact
-    bool single = false;                  // one source only
-    Cell source;                          // it, counted from the box's lowest cell
+    std::size_t stride = 0;  // values a row
+    std::int16_t open = 0;   // mask of a free cell
+    std::int32_t sure = 0;   // distances up to it, and the one without obstacles more, are exact
+    bool single = false;     // one source only
+    Cell source;             // it, counted from the box's lowest cell
 
-    /// Of cells counted from the box's lowest one, whose i is negative outside it, times `factor`. Negative for those, and
-    /// for cells that are blocked, not reached, or whose distance takes a closer look: units(). At most kMostPoints. True
-    /// when none is negative.
+    /// Of cells counted from the box's lowest one, whose i is negative outside it, times `factor`. Negative for those,
+    /// and for cells that are blocked, not reached, or whose distance takes a closer look: units(). At most
+    /// kMostPoints. True when none is negative.
     bool free_distances(const std::int32_t* i, const std::int32_t* j, std::size_t count, double factor,
                         double* found) const;
   };

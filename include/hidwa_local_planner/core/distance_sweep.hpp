@@ -57,9 +57,9 @@ class DistanceSweep {
   int width_ = 0, height_ = 0;
   std::size_t stride_ = 0;  // [cells]
   Steps steps_;
-  std::int16_t open_ = 0;                // the mask of a free cell: changes when the blocked ones are settled
-  std::vector<std::int16_t> units_;      // [cells][lanes]
-  std::vector<std::int16_t> mask_;       // [cells][lanes] kFar where a cell takes nothing: what it costs more to enter
+  std::int16_t open_ = 0;            // the mask of a free cell: changes when the blocked ones are settled
+  std::vector<std::int16_t> units_;  // [cells][lanes]
+  std::vector<std::int16_t> mask_;   // [cells][lanes] kFar where a cell takes nothing: what it costs more to enter
   std::vector<std::int16_t> taken_, rightward_, leftward_;  // one row each
   std::vector<std::uint8_t> due_down_, due_up_;             // rows whose neighbour changed
 };

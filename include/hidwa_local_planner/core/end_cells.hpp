@@ -12,7 +12,8 @@
 
 namespace hidwa_local_planner {
 
-/// The cells in which the rollouts of a tile end: found when first asked for, then shared by all critics that ask alike.
+/// The cells in which the rollouts of a tile end: found when first asked for, then shared by all critics that ask
+/// alike.
 class EndCells {
  public:
   /// Counted from the lowest cell of a box; i is negative outside it.

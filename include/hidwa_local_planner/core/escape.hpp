@@ -21,8 +21,10 @@ namespace hidwa_local_planner {
 /// cycle's pose, those included that the map has just added.
 ///
 ///   1. All obstacles but S and what hangs together with it (ObstacleHeaps) are as ever: see rest().
-///   2. A cell outside S is entered only where it is a neighbour of one in S, no deeper than the robot stands in that one
-///      and at most half a cell. A rollout looks farther ahead than the next cycle: there, neighbours' neighbours count.
+///   2. A cell outside S is entered only where it is a neighbour of one in S, no deeper than the robot stands in that
+///   one
+///      and at most half a cell. A rollout looks farther ahead than the next cycle: there, neighbours' neighbours
+///      count.
 ///   3. The total depth never grows. Of each heap it is the depth of its deepest cell (OutlineDepth), summed over the
 ///      heaps: the same for a wall wherever its cells begin, so that a robot which grazes one can drive along it.
 ///   4. It ends less deep, or farther from S, or drives on along what it grazes (at most half a cell deep).
@@ -34,13 +36,13 @@ class EscapeRule {
  public:
   struct Start {
     Pose2 pose;
-    Twist2 reference;     // [m/s, rad/s]
+    Twist2 reference;      // [m/s, rad/s]
     double period = 0.05;  // [s]
     double late = 0.0;     // how much later than a period a command to brake may take effect [s]
   };
   /// Once a cycle, before the candidates are made. `grid` and `footprint` must outlive the questions.
-  void look(const Parameters& parameters, const VelocityLimits& limits, const GridView& grid, const Footprint& footprint,
-            const Start& start);
+  void look(const Parameters& parameters, const VelocityLimits& limits, const GridView& grid,
+            const Footprint& footprint, const Start& start);
   /// The robot stands in collision: the ordinary rule would refuse everything.
   bool applies() const { return !overlaps_.empty() || centre_inscribed_; }
   /// It overlaps something.

@@ -12,8 +12,8 @@ namespace hidwa_local_planner {
 /// How fast a robot may go that stands in collision: it stops within half a cell. A command (v, omega) that is sent now
 /// and braked in the next cycle moves the outline's farthest point by at most
 ///   way(v, omega) = (|v| + R |omega|) (control_latency + period) + v^2 / (2 b_x) + R omega^2 / (2 b_theta)   [m]
-/// with the braking limits b and the distance R from the centre to that point; R = 0 for a circle, which covers the same
-/// ground however it turns. way <= half a cell. Straight on with 0.1 s, 0.05 s, 2.5 m/s^2 and cells of 0.05 m:
+/// with the braking limits b and the distance R from the centre to that point; R = 0 for a circle, which covers the
+/// same ground however it turns. way <= half a cell. Straight on with 0.1 s, 0.05 s, 2.5 m/s^2 and cells of 0.05 m:
 ///   0.15 v + 0.2 v^2 = 0.025, so v = 0.140 m/s.
 class EscapeSpeed {
  public:
@@ -34,8 +34,8 @@ class EscapeSpeed {
     const Twist2 braked = limits_.brake(reference, period);
     return std::abs(u.v) <= std::abs(braked.v) + kRounding && std::abs(u.omega) <= std::abs(braked.omega) + kRounding;
   }
-  /// The limits with both axes slowed down to what each of them may have alone. Where min_vel_x is faster than that, the
-  /// robot does not drive.
+  /// The limits with both axes slowed down to what each of them may have alone. Where min_vel_x is faster than that,
+  /// the robot does not drive.
   VelocityLimits slowed() const {
     VelocityLimits slow = limits_;
     slow_down(slow.x, fastest(room_, limits_.x.braking));

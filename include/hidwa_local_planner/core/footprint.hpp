@@ -21,9 +21,9 @@ class Footprint {
 
   bool empty() const { return outline_.empty() && radius_ <= 0.0; }
   bool is_circle() const { return radius_ > 0.0; }
-  double radius() const { return radius_; }                // of the circle [m]; 0 for a polygon
-  const Polygon& outline() const { return outline_; }      // robot frame [m]
-  double inscribed_radius() const { return inscribed_; }   // [m]
+  double radius() const { return radius_; }                       // of the circle [m]; 0 for a polygon
+  const Polygon& outline() const { return outline_; }             // robot frame [m]
+  double inscribed_radius() const { return inscribed_; }          // [m]
   double circumscribed_radius() const { return circumscribed_; }  // [m]
   /// A side of a convex outline: its points p have normal . p = offset, those inside less.
   struct Side {
@@ -32,10 +32,11 @@ class Footprint {
   };
   /// Empty where the outline is not convex, or a circle.
   const std::vector<Side>& sides() const { return sides_; }
-  /// The same outline, every side moved outwards by `padding` [m], so that everything within `padding` of it lies inside. No
-  /// corner goes farther than twice the padding: the tip of one sharper than 60 degrees is cut off, `padding` away from
-  /// it, and a line becomes a rectangle. Where the padding closes a dent, or the outline crosses itself, it is the convex
-  /// hull that is padded. An outline with a corner that is not a number or farther than 20 m stays as it is, see fault().
+  /// The same outline, every side moved outwards by `padding` [m], so that everything within `padding` of it lies
+  /// inside. No corner goes farther than twice the padding: the tip of one sharper than 60 degrees is cut off,
+  /// `padding` away from it, and a line becomes a rectangle. Where the padding closes a dent, or the outline crosses
+  /// itself, it is the convex hull that is padded. An outline with a corner that is not a number or farther than 20 m
+  /// stays as it is, see fault().
   Footprint padded(double padding) const;
 
  private:

@@ -49,9 +49,7 @@ struct GridView {
     const int truncated = static_cast<int>(value);
     return value < truncated ? truncated - 1 : truncated;
   }
-  Point centre(Cell c) const {
-    return {origin_x + (c.i + 0.5) * resolution, origin_y + (c.j + 0.5) * resolution};
-  }
+  Point centre(Cell c) const { return {origin_x + (c.i + 0.5) * resolution, origin_y + (c.j + 0.5) * resolution}; }
   std::size_t cell_count() const { return static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y); }
 };
 

@@ -29,8 +29,9 @@ class ObstacleHeaps {
     Cell cell;
     double depth = 0.0;  // of the robot in it [m]
   };
-  /// How deep the robot may come into a cell [m]: where it stands already, as deep as it does there or, up to half a cell,
-  /// in a neighbour; into any other up to half a cell and no deeper than it stands in the nearest overlapped ones.
+  /// How deep the robot may come into a cell [m]: where it stands already, as deep as it does there or, up to half a
+  /// cell, in a neighbour; into any other up to half a cell and no deeper than it stands in the nearest overlapped
+  /// ones.
   struct Member {
     Cell cell;
     double limit = 0.0;

@@ -14,8 +14,8 @@
 
 namespace hidwa_local_planner {
 
-/// For every cell the robot's centre may be in, the obstacle cells that an outline there comes near: collected when first
-/// asked for, so that many poses in a cell share the search.
+/// For every cell the robot's centre may be in, the obstacle cells that an outline there comes near: collected when
+/// first asked for, so that many poses in a cell share the search.
 class ObstacleLists {
  public:
   /// Marks of the window's cells: `solid` ones no part of the robot may enter, `core` ones only its centre may not.

@@ -18,13 +18,14 @@ enum class OdometryReading {
 /// Judges one axis of odometry, reading by reading.
 class AxisBelief {
  public:
-  /// A fast reading is believed once it has agreed with itself for so long [s]; and then, where readings come that do not,
-  /// the last one that did for as long.
+  /// A fast reading is believed once it has agreed with itself for so long [s]; and then, where readings come that do
+  /// not, the last one that did for as long.
   static constexpr double kLongEnough = 0.3;
 
-  /// `explained`: what the commands explain; `tolerance` [unit/s] beyond it still agrees. `axis`: how fast a velocity may
-  /// change.
-  OdometryReading judge(double now, double measured, const Interval& explained, double tolerance, const AxisLimits& axis);
+  /// `explained`: what the commands explain; `tolerance` [unit/s] beyond it still agrees. `axis`: how fast a velocity
+  /// may change.
+  OdometryReading judge(double now, double measured, const Interval& explained, double tolerance,
+                        const AxisLimits& axis);
   bool sure() const { return sure_; }
   /// The velocity that is believed where judge() said `faster` [unit/s].
   double believed() const { return believed_; }
@@ -36,10 +37,10 @@ class AxisBelief {
   }
 
  private:
-  bool fast_ = false;       // the last reading was
-  double since_ = 0.0;      // they agree with each other [s]
-  double last_ = 0.0, last_time_ = 0.0;  // the last fast one [unit/s], [s]
-  bool sure_ = false;       // one was believed
+  bool fast_ = false;                            // the last reading was
+  double since_ = 0.0;                           // they agree with each other [s]
+  double last_ = 0.0, last_time_ = 0.0;          // the last fast one [unit/s], [s]
+  bool sure_ = false;                            // one was believed
   double believed_ = 0.0, believed_time_ = 0.0;  // [unit/s], [s]
 };
 

@@ -23,8 +23,8 @@ enum class Influence {
 struct OperatorIntent {
   OperatorStateId state = OperatorStateId::autonomy;
   Influence influence = Influence::none;
-  Twist2 u_h;            // wanted velocity, unclipped [m/s, rad/s]
-  bool guarded = true;   // direct only: the legal control nearest to u_h, instead of u_h itself
+  Twist2 u_h;           // wanted velocity, unclipped [m/s, rad/s]
+  bool guarded = true;  // direct only: the legal control nearest to u_h, instead of u_h itself
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {

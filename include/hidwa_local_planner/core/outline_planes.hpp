@@ -10,8 +10,9 @@
 
 namespace hidwa_local_planner {
 
-/// The sides of a convex outline and of its box, turned and each moved outwards by a cell's reach: n . p - offset is how far
-/// a cell with the centre p lies beyond one. Two convex shapes share area unless a side of one has the other beyond it.
+/// The sides of a convex outline and of its box, turned and each moved outwards by a cell's reach: n . p - offset is
+/// how far a cell with the centre p lies beyond one. Two convex shapes share area unless a side of one has the other
+/// beyond it.
 class OutlinePlanes {
  public:
   /// Room for a usual outline.

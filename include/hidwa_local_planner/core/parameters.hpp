@@ -51,10 +51,10 @@ using ParameterValue = std::variant<bool, int, double, std::string>;
 /// What is known of one parameter besides its value.
 struct ParameterInfo {
   std::string name;
-  std::string type;           // "double", "int", "bool", "str" or "enum"
-  ParameterValue value;       // the default
+  std::string type;             // "double", "int", "bool", "str" or "enum"
+  ParameterValue value;         // the default
   double min = 0.0, max = 0.0;  // numbers only
-  std::string unit;           // empty where it has none
+  std::string unit;             // empty where it has none
   std::string tab;
   std::string description;
   std::vector<std::string> choices;  // enumerations only

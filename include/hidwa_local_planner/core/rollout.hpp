@@ -39,17 +39,17 @@ class Rollout {
   struct Block {
     double omega = 0.0, dt = 0.0;
     std::size_t steps = 0, first = 0, count = 0;
-    std::size_t turn = 0;  // blocks of the same turn share their headings
+    std::size_t turn = 0;   // blocks of the same turn share their headings
     bool ascending = true;  // in speed
-    bool ramped = true;    // velocities ramp from the reference; else they are the sample's from the start
+    bool ramped = true;     // velocities ramp from the reference; else they are the sample's from the start
   };
   // One turn's headings and bounds of speed, at each step.
   struct Turn {
     std::vector<double> heading, cosine, sine, omega;
-    std::vector<double> step_x, step_y;     // direction of each step times its length in time
-    std::vector<double> slowest, fastest;   // what the reference can have become
-    std::size_t ramp_steps = 0;             // after so many steps every candidate has its own speed
-    std::size_t known = 0;                  // 1 + number of the turn that is in here
+    std::vector<double> step_x, step_y;    // direction of each step times its length in time
+    std::vector<double> slowest, fastest;  // what the reference can have become
+    std::size_t ramp_steps = 0;            // after so many steps every candidate has its own speed
+    std::size_t known = 0;                 // 1 + number of the turn that is in here
   };
   // What of the parameters counts here; a copy, since a tile may be asked for after they changed.
   struct Settings {
@@ -71,7 +71,7 @@ class Rollout {
   double least_v_ = 0.0, most_v_ = 0.0;
   double longest_step_ = 0.0;
   std::vector<Block> tiles_;
-  std::vector<double> v_;             // [candidates]
+  std::vector<double> v_;  // [candidates]
   mutable Turn turn_;
   mutable std::vector<double> lane_v_;  // [stride] of the tile
   mutable std::vector<double> x_, y_;   // of the tile

@@ -11,7 +11,8 @@
 namespace hidwa_local_planner {
 
 /// Poses that were found free, with the room around them: how far every point of the robot may move from there. A pose
-/// near one of them is free without looking. Kept in fine and in coarse slots; what falls into the same slot is forgotten.
+/// near one of them is free without looking. Kept in fine and in coarse slots; what falls into the same slot is
+/// forgotten.
 class RoomMemo {
  public:
   /// Forgets all. `radius` [m] reaches from the robot's centre to its farthest point; `spacing` [m] between

@@ -8,8 +8,8 @@
 
 namespace hidwa_local_planner {
 
-using Point = Eigen::Vector2d;        // [m]
-using Polygon = std::vector<Point>;   // corners in order, closed implicitly [m]
+using Point = Eigen::Vector2d;       // [m]
+using Polygon = std::vector<Point>;  // corners in order, closed implicitly [m]
 
 /// A planar pose, REP-103: x forward, y left, theta counter-clockwise.
 struct Pose2 {
@@ -26,9 +26,7 @@ struct Twist2 {
 
 inline bool operator==(const Twist2& a, const Twist2& b) { return a.v == b.v && a.omega == b.omega; }
 inline bool is_finite(const Twist2& u) { return std::isfinite(u.v) && std::isfinite(u.omega); }
-inline bool is_finite(const Pose2& q) {
-  return std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.theta);
-}
+inline bool is_finite(const Pose2& q) { return std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.theta); }
 
 /// The angle in (-pi, pi] that equals `angle` [rad] up to whole turns.
 inline double wrap_angle(double angle) {

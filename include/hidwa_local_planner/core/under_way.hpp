@@ -20,7 +20,7 @@ class UnderWay {
   struct Leg {
     Twist2 end;             // [m/s, rad/s]
     double duration = 0.0;  // [s]
-    Twist2 spread;          // how far apart the ways to a command get that is reached from this leg on, see AxisRamp [m, rad]
+    Twist2 spread;  // how far apart the ways to a command get that is reached from this leg on, see AxisRamp [m, rad]
   };
 
   UnderWay() { legs_.reserve(kMostLegs); }
@@ -66,7 +66,8 @@ class UnderWay {
 
   /// All the time.
   bool at_rest() const {
-    return begin_ == Twist2{} && std::all_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.end == Twist2{}; });
+    return begin_ == Twist2{} &&
+           std::all_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.end == Twist2{}; });
   }
   const Twist2& begin() const { return begin_; }
   const Twist2& end() const { return legs_.empty() ? begin_ : legs_.back().end; }
@@ -106,8 +107,8 @@ class UnderWay {
   std::size_t past_ = 0;
 };
 
-/// All ways in which the robot may go on that have to be reckoned with: where odometry disagrees with the commands, it may
-/// do as they say or as odometry says, each axis on its own.
+/// All ways in which the robot may go on that have to be reckoned with: where odometry disagrees with the commands, it
+/// may do as they say or as odometry says, each axis on its own.
 class PendingMotion {
  public:
   static constexpr std::size_t kMostUnlikely = 6;

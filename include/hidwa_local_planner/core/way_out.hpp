@@ -19,8 +19,9 @@ namespace hidwa_local_planner {
 ///
 /// Then, in this order: turn towards the plan on the spot; take the legal candidate that comes nearest to the local
 /// goal; turn to the nearest heading from which a short way straight on is free and leads nearer to it. Once begun that
-/// goes on until the robot has come some way from where it stood. A robot that stands in collision takes at once what leads
-/// farthest out of it; where nothing does, it turns to where that is straight on. Only legal candidates are taken.
+/// goes on until the robot has come some way from where it stood. A robot that stands in collision takes at once what
+/// leads farthest out of it; where nothing does, it turns to where that is straight on. Only legal candidates are
+/// taken.
 class WayOut {
  public:
   /// One cycle, as it was weighed. `totals`: of each candidate, infinite where it was refused.
@@ -67,12 +68,12 @@ class WayOut {
 
   Lasting stands_, rests_;  // it stands; it stands or creeps
   bool active_ = false;
-  Pose2 stood_;         // where it began
-  double begun_ = 0.0;  // [s]
-  bool facing_plan_ = false;      // it does, or has since it began
+  Pose2 stood_;               // where it began
+  double begun_ = 0.0;        // [s]
+  bool facing_plan_ = false;  // it does, or has since it began
   bool turning_to_plan_ = false;
-  bool turning_ = false;   // to a free heading
-  double heading_ = 0.0;   // that one, costmap frame [rad]
+  bool turning_ = false;  // to a free heading
+  double heading_ = 0.0;  // that one, costmap frame [rad]
 };
 
 }  // namespace hidwa_local_planner

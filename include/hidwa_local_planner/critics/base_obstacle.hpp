@@ -18,7 +18,8 @@ class BaseObstacleCritic : public Critic {
   bool obstacle(const GridView& grid, double x, double y) const;
   void add_costs(const GridView& grid, const Tile& tile, std::size_t k, std::size_t first, std::size_t count,
                  double* sum) const;
-  void add_last_costs(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count, double* sum) const;
+  void add_last_costs(const CycleView& cycle, const Tile& tile, std::size_t first, std::size_t count,
+                      double* sum) const;
   bool hits(const GridView& grid, const Tile& tile, std::size_t c) const;
 
   bool sum_scores_ = false;

@@ -26,14 +26,15 @@ class MapGridCritic : public Critic {
 
  private:
   void score_bearings(const Tile& tile, TileScores& scores) const;
-  void score_some(const CycleView& cycle, const Tile& tile, EndCells& ends, std::size_t first, TileScores& scores) const;
+  void score_some(const CycleView& cycle, const Tile& tile, EndCells& ends, std::size_t first,
+                  TileScores& scores) const;
   void ask_centres(const CycleView& cycle, const Tile& tile, EndCells& ends, std::size_t first, std::size_t count,
                    double* raw) const;
   void score_hard(const CycleView& cycle, const Tile& tile, std::size_t c, TileScores& scores) const;
   double raw_score(const GridView& grid, const Pose2& last, double nose_x, double nose_y, const char** reason) const;
 
   const DistanceGrid* distances_ = nullptr;
-  EndCells ends_;           // for tiles that bring none
+  EndCells ends_;  // for tiles that bring none
   bool off_map_ = false;
   bool refuses_ = false;    // what has no way to the plan
   Pose2 nearest_;           // the plan's pose nearest to the robot, when it is off the map

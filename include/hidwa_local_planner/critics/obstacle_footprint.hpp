@@ -7,7 +7,8 @@
 namespace hidwa_local_planner {
 
 /// The largest cost under the footprint's outline at the last pose, or summed over all poses. Refuses candidates whose
-/// outline touches a lethal or (by policy) unknown cell or leaves the map; not where it already does and `escape` is on.
+/// outline touches a lethal or (by policy) unknown cell or leaves the map; not where it already does and `escape` is
+/// on.
 class ObstacleFootprintCritic : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;

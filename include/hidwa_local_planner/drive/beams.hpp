@@ -19,8 +19,7 @@ struct Beams {
 /// Brings a scan of a sensor at `sensor` (costmap frame) into that frame. A beam that meets nothing ends just
 /// inside range_max, so that it clears its whole length (`inf_is_valid`); what is too near or no number says
 /// nothing.
-void project(const std::vector<float>& ranges, const sim::LaserSpec& laser, const sim::Pose& sensor,
-             Beams& beams);
+void project(const std::vector<float>& ranges, const sim::LaserSpec& laser, const sim::Pose& sensor, Beams& beams);
 
 /// Frees the cells on each beam, its end included, at most `range` [m] from the sensor; beyond the grid there
 /// is nothing to free. A sensor outside the grid frees nothing.

@@ -13,7 +13,8 @@
 namespace hidwa_local_planner {
 namespace drive {
 
-/// A map, where given discs that stand in it and are in no grid, and what is worked out of it once for all drives on it. Drives in several threads may share it.
+/// A map, where given discs that stand in it and are in no grid, and what is worked out of it once for all drives on
+/// it. Drives in several threads may share it.
 class Ground {
  public:
   explicit Ground(std::shared_ptr<const sim::OccupancyMap> map, std::shared_ptr<const sim::DiscField> discs = nullptr);
@@ -21,7 +22,8 @@ class Ground {
   const std::shared_ptr<const sim::OccupancyMap>& map() const { return map_; }
   const std::shared_ptr<const sim::DiscField>& discs() const { return discs_; }  // null: none
 
-  /// Distance from (x, y) in direction `angle` [rad] to the first obstacle [m]; infinite if none within `range_max` [m].
+  /// Distance from (x, y) in direction `angle` [rad] to the first obstacle [m]; infinite if none within `range_max`
+  /// [m].
   double range(double x, double y, double angle, double range_max) const;
 
   /// Free space between a robot's outline (robot frame) at `pose` (map frame) and the nearest obstacle [m]:

@@ -33,11 +33,10 @@ class Inflation {
   void measure_columns(const RollingGrid& obstacles);
   void inflate_row(int j, std::uint8_t* costs);
 
-  int radius_;                      // [cells]
-  std::vector<std::uint8_t> cost_;  // by squared distance [cells^2]; the last one is for all beyond
-  int cells_ = 0;                   // along a side
-  std::vector<std::uint16_t>
-      column_;  // distance to the nearest lethal cell of the column, at most radius_ + 1
+  int radius_;                             // [cells]
+  std::vector<std::uint8_t> cost_;         // by squared distance [cells^2]; the last one is for all beyond
+  int cells_ = 0;                          // along a side
+  std::vector<std::uint16_t> column_;      // distance to the nearest lethal cell of the column, at most radius_ + 1
   std::vector<std::uint8_t> row_has_any_;  // some column distance of the row lies within the radius
   std::vector<std::uint16_t> squared_;     // one row's, with radius_ cells of room on both sides
   std::vector<std::uint16_t> nearest_;     // one row's squared distances

@@ -59,8 +59,8 @@ struct DriveSetup {
   // Where set, the goal is reached as soon as the robot's centre is so near to it [m], whatever its heading and speed.
   double goal_radius = 0.0;
   bool end_at_contact = false;
-  // Plan on what the laser has seen so far, on a grid of the map's geometry (what nobody has seen is free), instead of on
-  // the map; `route` does not count then.
+  // Plan on what the laser has seen so far, on a grid of the map's geometry (what nobody has seen is free), instead of
+  // on the map; `route` does not count then.
   bool explore = false;
   // How near to an obstacle the plan may lead [m]; 0: the outline's inscribed radius.
   double plan_radius = 0.0;

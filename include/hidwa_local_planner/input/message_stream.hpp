@@ -11,11 +11,11 @@ namespace hidwa_local_planner::input {
 
 /// What every message has, whatever it says.
 struct Envelope {
-  std::string sender;       // empty where not known
-  std::size_t axes = 0;     // so many of them, where there are any
+  std::string sender;    // empty where not known
+  std::size_t axes = 0;  // so many of them, where there are any
   std::size_t buttons = 0;
-  double stamp = 0.0;       // [s]; 0: none
-  double received = 0.0;    // [s]
+  double stamp = 0.0;     // [s]; 0: none
+  double received = 0.0;  // [s]
 };
 
 /// One topic's messages: who sends them, and whether the link held them back.

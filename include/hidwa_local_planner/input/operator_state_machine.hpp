@@ -100,9 +100,9 @@ class OperatorStateMachine {
  private:
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.reading_, self.twist_.u, self.gesture_, self.stop_, self.control_, self.channel_, self.hold_,
-       self.blocked_, self.state_, self.goal_latched_, self.commanded_, self.own_v_, self.said_control_,
-       self.catching_up_, self.life_, self.now_, self.received_, self.stick_, self.stick_back_, self.hand_);
+    io(self.reading_, self.twist_.u, self.gesture_, self.stop_, self.control_, self.channel_, self.hold_, self.blocked_,
+       self.state_, self.goal_latched_, self.commanded_, self.own_v_, self.said_control_, self.catching_up_, self.life_,
+       self.now_, self.received_, self.stick_, self.stick_back_, self.hand_);
   }
   void set_back(double now);
   void live(double now);
@@ -125,23 +125,23 @@ class OperatorStateMachine {
 
   Parameters parameters_;
   MessageStream sticks_, twists_, hands_;
-  StickReading reading_;      // of the newest stick message
-  TwistMessage twist_;        // the newest
+  StickReading reading_;  // of the newest stick message
+  TwistMessage twist_;    // the newest
   GestureSource gesture_;
   StopRequest stop_;
   ControlSwitch control_;
-  InputChannel channel_;      // of what steers
-  InputRhythm rhythm_;        // of what steers
+  InputChannel channel_;  // of what steers
+  InputRhythm rhythm_;    // of what steers
   Hold hold_;
   Lasting blocked_;  // refusals have held the steered robot at rest
   OperatorStateId state_ = OperatorStateId::autonomy;
   bool goal_latched_ = false;
-  bool commanded_ = false;             // a command is known
-  double own_v_ = 0.0;                 // the robot's: what was commanded last [m/s]
-  std::optional<bool> said_control_;   // in words, since the last cycle
-  bool catching_up_ = false;           // the newest stick message may have been held back
-  SignsOfLife life_;                   // of cycles and of the thread that takes messages
-  bool behind_ = false;                // a pause ended since the last cycle
+  bool commanded_ = false;            // a command is known
+  double own_v_ = 0.0;                // the robot's: what was commanded last [m/s]
+  std::optional<bool> said_control_;  // in words, since the last cycle
+  bool catching_up_ = false;          // the newest stick message may have been held back
+  SignsOfLife life_;                  // of cycles and of the thread that takes messages
+  bool behind_ = false;               // a pause ended since the last cycle
   // Newest times [s]: of a cycle, any message, the stick's that ended its last silence.
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
   double now_ = kNever;

@@ -48,7 +48,7 @@ class StopRequest {
  private:
   struct Source {
     std::string sender;
-    bool armed = false;      // the stick was seen not pulled
+    bool armed = false;  // the stick was seen not pulled
     bool button = false;
     bool pulled = false;
     bool dismissed = false;

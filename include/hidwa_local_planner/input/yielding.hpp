@@ -27,8 +27,8 @@ class Yielding {
 
  private:
   Settings settings_;
-  std::optional<double> last_;  // [s]
-  double spent_ = 0.0;          // since the first step [s]
+  std::optional<double> last_;                              // [s]
+  double spent_ = 0.0;                                      // since the first step [s]
   double quiet_ = std::numeric_limits<double>::infinity();  // since somebody attended last [s]
 };
 

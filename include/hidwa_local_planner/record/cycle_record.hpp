@@ -19,11 +19,12 @@ constexpr std::uint16_t kFormat = 3;
 
 /// What stays the same over many cycles; part of every key record.
 struct Setup {
-  std::string version;              // of the package that recorded
-  std::string parameters;           // of the planner, see to_lines()
-  std::string operator_parameters;  // of the operator machine, where they are not the planner's: it takes new ones earlier
-  std::string critics;              // the parameters of other packages' critics, as XML-RPC; empty where there are none
-  Polygon outline;                  // without padding, robot frame [m]
+  std::string version;     // of the package that recorded
+  std::string parameters;  // of the planner, see to_lines()
+  std::string
+      operator_parameters;  // of the operator machine, where they are not the planner's: it takes new ones earlier
+  std::string critics;      // the parameters of other packages' critics, as XML-RPC; empty where there are none
+  Polygon outline;          // without padding, robot frame [m]
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
@@ -41,9 +42,9 @@ struct PlannerInput {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.state, self.situation.pose, self.situation.velocity, self.situation.last_command, self.situation.plan,
-       self.situation.goal, self.situation.goal_latched, self.situation.period, self.situation.longest_period, self.situation.pose_age,
-       self.situation.resumed, self.situation.time,
-       self.sampling.vx_samples, self.sampling.vth_samples, self.sampling.check_all, self.grid);
+       self.situation.goal, self.situation.goal_latched, self.situation.period, self.situation.longest_period,
+       self.situation.pose_age, self.situation.resumed, self.situation.time, self.sampling.vx_samples,
+       self.sampling.vth_samples, self.sampling.check_all, self.grid);
   }
 };
 
@@ -71,7 +72,8 @@ struct Verdict {
   double agreement = 1.0;
   std::uint32_t candidates = 0;
   std::uint32_t legal = 0;
-  /// A hash (64 bit FNV-1a) of the totals of all candidates, the chosen trajectory, the terms, the refusals and the words.
+  /// A hash (64 bit FNV-1a) of the totals of all candidates, the chosen trajectory, the terms, the refusals and the
+  /// words.
   std::uint64_t digest = 0;
 
   template <typename Self, typename Archive>
@@ -103,7 +105,8 @@ struct CycleRecord {
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.sequence, self.setup, self.time, self.operator_state, self.intent, self.host_stops, self.planned, self.braked, self.verdict);
+    io(self.sequence, self.setup, self.time, self.operator_state, self.intent, self.host_stops, self.planned,
+       self.braked, self.verdict);
   }
 };
 

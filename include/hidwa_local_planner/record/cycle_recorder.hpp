@@ -15,7 +15,8 @@ class CycleRecorder {
  public:
   static constexpr int kKeyEvery = 100;  // cycles
 
-  /// The next record is to stand for itself: somebody new listens, what stays the same changed, or cycles were left out.
+  /// The next record is to stand for itself: somebody new listens, what stays the same changed, or cycles were left
+  /// out.
   void demand_key() { cycles_since_key_ = kKeyEvery; }
   /// True when this cycle's will be a key record: setup() is wanted.
   bool begin(double time);

@@ -41,8 +41,8 @@ struct GridPatch {
 /// compared where the two overlap. Recorder and reader each keep one of these.
 class GridChain {
  public:
-  /// The patch that leads to `grid`, which becomes the present one. `whole`: a patch that needs no other. The patch stays
-  /// valid until the next call.
+  /// The patch that leads to `grid`, which becomes the present one. `whole`: a patch that needs no other. The patch
+  /// stays valid until the next call.
   const GridPatch& advance_to(const GridView& grid, bool whole);
   /// Applies a patch. False, and the present grid is empty, where it does not fit or is damaged.
   bool advance_by(const GridPatch& patch);

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <future>
 
-#include <boost/make_shared.hpp>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
+#include <boost/make_shared.hpp>
 
 namespace hidwa_local_planner {
 

@@ -26,9 +26,9 @@ enum class ControllerOutcome {
   missed_path,       // no pose of the path is near
   blocked_path,      // standing still is the best legal candidate, for too long
   invalid_path,
-  map_error,         // the costmap is not current, or cannot be planned on
+  map_error,  // the costmap is not current, or cannot be planned on
   tf_error,
-  not_initialized,   // nor are valid parameters, nor a footprint
+  not_initialized,  // nor are valid parameters, nor a footprint
   internal_error
 };
 

@@ -29,8 +29,7 @@ class CycleRecording {
   /// Before the planner plans, or the fault brake answers, with the same. `outline`: the planner's, unpadded [m].
   void plans(const Planner& planner, const Polygon& outline, const Situation& situation, const GridView& grid,
              const Sampling& sampling);
-  void brakes(const Planner& planner, const Polygon& outline, const FaultBrake& brake,
-              const record::BrakeInput& input);
+  void brakes(const Planner& planner, const Polygon& outline, const FaultBrake& brake, const record::BrakeInput& input);
   /// The record as bytes, which stay valid until the next cycle; empty where it was not wanted.
   const Bytes& finish(const CycleResult& result, const Planner& planner);
 

@@ -13,7 +13,7 @@ enum class Missing { nothing = 0, parameters, plan, odometry, costmap, transform
 /// What a cycle came to.
 struct CycleResult {
   Outcome outcome = Outcome::fail;
-  Twist2 command;     // sent, or zero on failure [m/s, rad/s]
+  Twist2 command;  // sent, or zero on failure [m/s, rad/s]
   Missing missing = Missing::nothing;
   std::string fault;  // the missing input, in words; then there is no decision
   const Decision* decision = nullptr;

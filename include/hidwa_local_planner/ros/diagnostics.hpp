@@ -26,10 +26,10 @@ class Diagnostics {
               const OperatorInput& person);
   /// How the cycles are doing.
   struct Load {
-    double period = 0.0;  // of the control cycle [s]
+    double period = 0.0;          // of the control cycle [s]
     double longest_period = 0.0;  // of late: what the check for braking reckons with [s]
     std::uint64_t doubted = 0;    // readings of odometry that were faster than anything explains
-    double budget = 0.0;  // [s]; negative: none
+    double budget = 0.0;          // [s]; negative: none
     Sampling in_force;
     Sampling full;
   };

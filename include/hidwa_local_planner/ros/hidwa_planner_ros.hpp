@@ -39,8 +39,8 @@ class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
 
   std::unique_ptr<Shell> shell_;
   std::unique_ptr<HostGoal> host_goal_;
-  geometry_msgs::PoseStamped end_;  // of the plan
-  int cycles_over_ = 0;             // in which the plan led to an earlier goal, up to now
+  geometry_msgs::PoseStamped end_;              // of the plan
+  int cycles_over_ = 0;                         // in which the plan led to an earlier goal, up to now
   std::unique_ptr<RobotKeepers::Entry> entry_;  // goes before what it asks
 };
 

@@ -9,7 +9,8 @@
 
 namespace hidwa_local_planner {
 
-/// The rate of the host's control cycle [Hz]: its parameter controller_frequency, which move_base also takes while it runs.
+/// The rate of the host's control cycle [Hz]: its parameter controller_frequency, which move_base also takes while it
+/// runs.
 class HostFrequency {
  public:
   /// Reads the parameter of this node, or of a namespace above it.

@@ -15,7 +15,8 @@ namespace hidwa_local_planner {
 /// (std_msgs/String), `take_control` and `stop` (std_msgs/Bool).
 class OperatorCommands {
  public:
-  /// The mode is served by the handle's callback queue, the rest by the person's own; person and reconfigure must outlive it.
+  /// The mode is served by the handle's callback queue, the rest by the person's own; person and reconfigure must
+  /// outlive it.
   OperatorCommands(ros::NodeHandle handle, OperatorInput& person, Reconfigure& reconfigure);
 
  private:

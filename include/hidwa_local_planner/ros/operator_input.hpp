@@ -91,7 +91,7 @@ class OperatorInput {
   unsigned revision_ = 0;
   Device device_;
   std::atomic<bool> stick_steers_{false};
-  ros::Time hand_stamp_;   // of the newest transform
+  ros::Time hand_stamp_;                 // of the newest transform
   std::atomic<std::uint64_t> taken_{0};  // messages, dropped ones too
   CallbackThread thread_;                // outlives the subscribers and the timer that it serves
   ros::SteadyTimer heartbeat_;           // of that thread

@@ -13,10 +13,9 @@ namespace hidwa_local_planner {
 
 /// What a namespace of the parameter server says.
 struct LoadedParameters {
-  Parameters parameters;           // defaults where nothing valid was found
-  std::vector<std::string> found;  // "max_vel_x: 0.5" for every value that came from the namespace
-  std::vector<std::string>
-      faults;  // each names the parameter and the remedy; any of them makes the set invalid
+  Parameters parameters;              // defaults where nothing valid was found
+  std::vector<std::string> found;     // "max_vel_x: 0.5" for every value that came from the namespace
+  std::vector<std::string> faults;    // each names the parameter and the remedy; any of them makes the set invalid
   std::vector<std::string> warnings;  // unknown keys, with the likely right one
   std::vector<std::string> aliases;   // nested keys taken over, "PathAlign/scale"
 };

@@ -24,8 +24,8 @@ struct ParameterSet {
   std::unique_ptr<ParameterSource> source_for(const std::string& critic) const;
 };
 
-/// What the critics of other packages find in a set, as XML-RPC: empty where there is nothing. And a set with that content
-/// and the default parameters; a text that is no XML-RPC gives one without content.
+/// What the critics of other packages find in a set, as XML-RPC: empty where there is nothing. And a set with that
+/// content and the default parameters; a text that is no XML-RPC gives one without content.
 std::string foreign_content(const ParameterSet& set);
 ParameterSet with_foreign_content(const std::string& text);
 

@@ -32,8 +32,7 @@ class Publishing {
   bool new_cycle_subscriber();
   void publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state, double duration,
                      const Bytes& record);
-  void publish_paths(const ros::Time& stamp, const std::vector<Pose2>& window,
-                     const std::vector<Pose2>& trajectory);
+  void publish_paths(const ros::Time& stamp, const std::vector<Pose2>& window, const std::vector<Pose2>& trajectory);
   void publish_evaluation(const ros::Time& stamp, const Planner& planner);
 
  private:

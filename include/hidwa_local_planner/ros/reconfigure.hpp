@@ -19,8 +19,7 @@ namespace hidwa_local_planner {
 /// name, instead of being cut to the range without a word.
 struct StrictConfig : HIDWAPlannerConfig {
   StrictConfig() : HIDWAPlannerConfig() {}
-  StrictConfig(const HIDWAPlannerConfig& config)
-      : HIDWAPlannerConfig(config) {}  // NOLINT: the server assigns
+  StrictConfig(const HIDWAPlannerConfig& config) : HIDWAPlannerConfig(config) {}  // NOLINT: the server assigns
   void __clamp__() {}
 };
 

@@ -91,7 +91,8 @@ class Shell {
   std::string observe_pose(double now, Observation& observation);
   std::string update_footprint();
   CycleResult brake(double now, const Observation& observation, const OperatorIntent& intent);
-  CycleResult decide(double now, const Observation& observation, const OperatorIntent& intent, const Sampling& sampling);
+  CycleResult decide(double now, const Observation& observation, const OperatorIntent& intent,
+                     const Sampling& sampling);
   void remember(double now, const CycleResult& result, const Observation& observation);
   void resume(double now);
   void watch_odometry(const Observation& observation, const Decision& decision);
@@ -115,9 +116,9 @@ class Shell {
   FaultBrake fault_brake_;
   CycleRecording recording_;
   CycleClock clock_;
-  double interval_ = 0.0;       // since the cycle before [s]
-  bool resumed_ = false;        // the planner has not planned yet since the host paused
-  std::uint64_t doubted_ = 0;   // readings of odometry
+  double interval_ = 0.0;      // since the cycle before [s]
+  bool resumed_ = false;       // the planner has not planned yet since the host paused
+  std::uint64_t doubted_ = 0;  // readings of odometry
   CycleStatistics statistics_;
   SampleBudget budget_;
   Situation situation_;  // kept for its memory

@@ -24,8 +24,8 @@ struct LaserSpec {
   double angle_increment() const;                            // [rad]
 };
 
-/// One scan; `range` tells the true range [m] in a direction [rad, map frame], infinite where there is nothing. Nothing within range: +infinity; nearer than range_min: -infinity (REP
-/// 117).
+/// One scan; `range` tells the true range [m] in a direction [rad, map frame], infinite where there is nothing. Nothing
+/// within range: +infinity; nearer than range_min: -infinity (REP 117).
 void scan(const std::function<double(double angle)>& range, const LaserSpec& spec, double sensor_heading,
           Random& random, std::vector<float>& ranges);
 

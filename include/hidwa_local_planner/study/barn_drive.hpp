@@ -33,8 +33,8 @@ void assign_barn(BarnSubject& subject, const Assignment& assignment);
 
 /// A drive through a world; it ends 1 m from the goal, at the first contact, or after 100 s. All that is
 /// random depends on the seeds alone.
-drive::DriveResult drive_barn(const sim::BarnWorld& world, const BarnSubject& subject,
-                              const std::string& mode, std::uint64_t world_seed, std::uint64_t person_seed);
+drive::DriveResult drive_barn(const sim::BarnWorld& world, const BarnSubject& subject, const std::string& mode,
+                              std::uint64_t world_seed, std::uint64_t person_seed);
 
 /// What a drive came to by BARN's metric, and how hard its world is.
 struct BarnScore {

@@ -18,8 +18,8 @@ namespace study {
 struct Options {
   std::string command;  // run, pilot, sweep, barn, merge or help
   std::string out;
-  std::string map;      // empty: the package's office
-  std::string regions;  // likewise; none: no regions
+  std::string map;                       // empty: the package's office
+  std::string regions;                   // likewise; none: no regions
   std::optional<sim::Pose> start, goal;  // map frame; none: the regions file's
   int participants = 32;
   std::vector<std::string> conditions{"SJ", "SG", "SW"};

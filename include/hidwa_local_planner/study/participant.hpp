@@ -19,10 +19,10 @@ struct Participant {
   double hand_noise = 0.0;       // [m], standard deviation of a hand's position (SG)
 
   // With a button (SW).
-  double button_time = 0.0;         // [s], from the intention to the press
-  double give_back_pause = 0.0;     // [s], content for so long before control is given back
-  double notice_time = 0.0;         // [s], until an error is seen
-  double forget_probability = 0.0;  // to let go of the stick without giving control back
+  double button_time = 0.0;               // [s], from the intention to the press
+  double give_back_pause = 0.0;           // [s], content for so long before control is given back
+  double notice_time = 0.0;               // [s], until an error is seen
+  double forget_probability = 0.0;        // to let go of the stick without giving control back
   double double_press_probability = 0.0;  // to press twice
   double early_stick_probability = 0.0;   // to deflect the stick without taking control
   double round_gate = 0.0;                // 0: both axes reach 1 together; 1: the stick moves in a circle

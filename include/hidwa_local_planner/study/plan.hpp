@@ -33,8 +33,8 @@ struct Plan {
 Plan make_plan(const std::string& experiment, int participants, const std::vector<std::string>& conditions,
                const std::vector<Setting>& settings, bool balanced);
 
-/// BARN-2D: each of these worlds in every mode with every setting. A run's participant is its world's index, its condition
-/// the mode.
+/// BARN-2D: each of these worlds in every mode with every setting. A run's participant is its world's index, its
+/// condition the mode.
 Plan make_barn_plan(const std::vector<int>& worlds, const std::vector<std::string>& modes,
                     const std::vector<Setting>& settings);
 

@@ -18,8 +18,8 @@ struct Scene {
   std::shared_ptr<const drive::Ground> ground;
   std::shared_ptr<const sim::GridRoute> route;  // to the goal
   std::vector<sim::Region> regions;
-  sim::Pose start;  // map frame
-  sim::Pose goal;   // map frame
+  sim::Pose start;          // map frame
+  sim::Pose goal;           // map frame
   drive::DriveSetup robot;  // its outline, limits, laser and odometry
 };
 
@@ -35,8 +35,7 @@ struct Driven {
 
 /// Drives once. `subject` has mode and guard as the condition says. The noise of laser and odometry depends
 /// on `world_seed` alone, all that the person does at random on `person_seed`.
-Driven drive_once(const Scene& scene, const Subject& subject, std::uint64_t world_seed,
-                  std::uint64_t person_seed);
+Driven drive_once(const Scene& scene, const Subject& subject, std::uint64_t world_seed, std::uint64_t person_seed);
 
 }  // namespace study
 }  // namespace hidwa_local_planner

@@ -18,8 +18,7 @@ namespace study {
 /// robot stands; each lasts until it is noticed.
 class TakeoverPerson : public sim::OperatorDevice {
  public:
-  TakeoverPerson(const Participant& participant, std::uint64_t seed)
-      : participant_(participant), random_(seed) {}
+  TakeoverPerson(const Participant& participant, std::uint64_t seed) : participant_(participant), random_(seed) {}
 
   sim::Controls update(double time, const sim::Stick& wanted) override;
 
@@ -50,7 +49,7 @@ class TakeoverPerson : public sim::OperatorDevice {
   Participant participant_;
   sim::Random random_;
   Phase phase_ = Phase::watching;
-  double next_ = 0.0;                                                 // [s], when the phase ends
+  double next_ = 0.0;                                                // [s], when the phase ends
   double content_since_ = std::numeric_limits<double>::quiet_NaN();  // [s], while driving; NaN: not
   std::deque<Press> presses_;
   int errors_ = 0;

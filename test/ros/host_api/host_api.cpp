@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every element of the host's API that a local planner or a recovery uses, in one file that compiles against the navigation
-// stack's own nav_core and costmap_2d and against compat's alike.
+// Every element of the host's API that a local planner or a recovery uses, in one file that compiles against the
+// navigation stack's own nav_core and costmap_2d and against compat's alike.
 #include <costmap_2d/cost_values.h>
 #include <costmap_2d/costmap_2d.h>
 #include <costmap_2d/costmap_2d_ros.h>
@@ -33,13 +33,11 @@ static_assert(std::has_virtual_destructor<BaseLocalPlanner>::value, "");
 static_assert(std::is_same<decltype(&BaseLocalPlanner::initialize),
                            void (BaseLocalPlanner::*)(std::string, tf2_ros::Buffer*, Costmap2DROS*)>::value,
               "");
-static_assert(
-    std::is_same<decltype(&BaseLocalPlanner::setPlan), bool (BaseLocalPlanner::*)(const Poses&)>::value, "");
+static_assert(std::is_same<decltype(&BaseLocalPlanner::setPlan), bool (BaseLocalPlanner::*)(const Poses&)>::value, "");
 static_assert(std::is_same<decltype(&BaseLocalPlanner::computeVelocityCommands),
                            bool (BaseLocalPlanner::*)(geometry_msgs::Twist&)>::value,
               "");
-static_assert(std::is_same<decltype(&BaseLocalPlanner::isGoalReached), bool (BaseLocalPlanner::*)()>::value,
-              "");
+static_assert(std::is_same<decltype(&BaseLocalPlanner::isGoalReached), bool (BaseLocalPlanner::*)()>::value, "");
 static_assert(std::has_virtual_destructor<nav_core::BaseGlobalPlanner>::value, "");
 static_assert(std::has_virtual_destructor<nav_core::RecoveryBehavior>::value, "");
 

@@ -14,13 +14,15 @@ using test::Scene;
 // The robot reaches 0.2 m ahead and drives 0.5 m/s; a wall stands `gap` ahead of its front.
 class Corridor {
  public:
-  Corridor(double gap, const Parameters& p, double longest_period = 0.05) : parameters_(p), limits_(VelocityLimits::from(p)), pending_(UnderWay({0.5, 0.0}, p.control_latency)) {
+  Corridor(double gap, const Parameters& p, double longest_period = 0.05)
+      : parameters_(p), limits_(VelocityLimits::from(p)), pending_(UnderWay({0.5, 0.0}, p.control_latency)) {
     scene_ = Scene::empty(121);
     scene_.fill(1.025, -9.0, 9.0, 9.0);  // cells from x = 1.025 on
     start_ = {1.025 - 0.2 - gap, 0.0, 0.0};
     footprint_ = Footprint(scene_.outline);
     checker_.prepare(scene_.grid(), footprint_, true, start_, 2.0);
-    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05, {start_, start_, {0.5, 0.0}, &pending_, 0.05, longest_period});
+    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05,
+                   {start_, start_, {0.5, 0.0}, &pending_, 0.05, longest_period});
   }
   Corridor(const Corridor&) = delete;
   bool can_brake(const Twist2& sample) { return check_.can_brake(sample, 0); }
@@ -43,8 +45,8 @@ class Corridor {
 TEST(CanBrake, TheBrakingDistanceIsTheLimit) {
   Parameters p;
   p.control_latency = 0.0;
-  // Going on at 0.5 for one period, then braking: 0.5 * 0.05 + 0.5^2 / (2 * 2.5) = 0.075 m. And the tail: the last 0.0625 m/s
-  // evenly over a period, not in 0.025 s: 0.0625 * (0.05 - 0.025) / 2 = 0.8 mm.
+  // Going on at 0.5 for one period, then braking: 0.5 * 0.05 + 0.5^2 / (2 * 2.5) = 0.075 m. And the tail: the last
+  // 0.0625 m/s evenly over a period, not in 0.025 s: 0.0625 * (0.05 - 0.025) / 2 = 0.8 mm.
   EXPECT_TRUE(Corridor(0.077, p).can_brake({0.5, 0.0}));
   EXPECT_FALSE(Corridor(0.073, p).can_brake({0.5, 0.0}));
   // Braking at once: 0.05 * (0.5 + 0.375) / 2 + 0.375^2 / 5 = 0.05 m, and 0.8 mm.
@@ -87,7 +89,8 @@ TEST(CanBrake, ALateCommandToBrakeLengthensIt) {
   EXPECT_TRUE(Corridor(0.104, p, 0.05).can_brake({0.5, 0.0}));
 }
 
-// A turning base may be off to the side of where it is thought to be: 0.3 m on, beside a wall that it stands `gap` away from.
+// A turning base may be off to the side of where it is thought to be: 0.3 m on, beside a wall that it stands `gap` away
+// from.
 class Alley {
  public:
   Alley(double gap, const Twist2& u, const Twist2& command) {
@@ -122,8 +125,8 @@ TEST(CanBrake, AWallBesideARobotThatDrivesStraightOnIsNothing) {
   EXPECT_TRUE(Alley(1e-5, {0.5, 0.0}, {0.4, 0.0}).can_brake());
 }
 
-// Rear corners swing out when it turns away; nothing of the growth is asked for beyond the distance it has at the start,
-// but that is.
+// Rear corners swing out when it turns away; nothing of the growth is asked for beyond the distance it has at the
+// start, but that is.
 TEST(CanBrake, TurningNeedsTheRoomThatTheWaysOfABaseNeed) {
   // From 0 to -0.1 rad/s within 0.1 s: at 3.2 rad/s^2 in 0.03 s or evenly, and as long to brake.
   const auto needs = [](double gap) { return !Alley(gap, {0.4, 0.0}, {0.4, 0.1}).can_brake(); };

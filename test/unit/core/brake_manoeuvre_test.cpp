@@ -34,8 +34,8 @@ std::vector<Pose2> poses(const BrakeManoeuvre& m, const VelocityLimits& l, doubl
   return out;
 }
 
-// The last of braking, what takes half a period at the limit, is done evenly over a period: with a limit b and a period T that
-// is b T / 2 over T instead of T / 2, b T^2 / 8 more.
+// The last of braking, what takes half a period at the limit, is done evenly over a period: with a limit b and a period
+// T that is b T / 2 over T instead of T / 2, b T^2 / 8 more.
 double tail(double braking) { return braking * 0.05 * 0.05 / 8.0; }
 
 TEST(BrakeManoeuvreDistance, StraightOn) {
@@ -104,7 +104,8 @@ TEST(BrakeManoeuvreDistance, TurnOnTheSpotStopsAtItsOwnLimit) {
   const UnderWay steady({0.0, 1.0}, 0.1);
   const double turn = 0.1 + 0.048 + 0.2645 + tail(1.6);
   EXPECT_NEAR(poses({{}, steady, {0.0, 0.92}, 0.05}, limits(2.0, 1.6)).back().theta, turn, 1e-12);
-  // No command brakes it faster: it is on its way to 0.8 yet when the next one takes effect, and that starts from 0.92 too.
+  // No command brakes it faster: it is on its way to 0.8 yet when the next one takes effect, and that starts from 0.92
+  // too.
   EXPECT_NEAR(poses({{}, steady, {0.0, 0.8}, 0.05}, limits(2.0, 1.6)).back().theta, turn, 1e-12);
   EXPECT_EQ(poses({{}, steady, {0.0, 0.8}, 0.05}, limits(2.0, 1.6)).back().x, 0.0);
 }
@@ -135,10 +136,10 @@ TEST(BrakeManoeuvrePoses, NoPointOfTheRobotMovesFartherThanTheSpacing) {
     for (const Pose2& pose : poses(m, limits(1.0, 2.0), radius, 0.02)) {
       for (int a = 0; a < 8; ++a) {  // points on the outer circle
         const double angle = M_PI / 4 * a;
-        const double dx = pose.x + radius * std::cos(pose.theta + angle) - before.x -
-                          radius * std::cos(before.theta + angle);
-        const double dy = pose.y + radius * std::sin(pose.theta + angle) - before.y -
-                          radius * std::sin(before.theta + angle);
+        const double dx =
+            pose.x + radius * std::cos(pose.theta + angle) - before.x - radius * std::cos(before.theta + angle);
+        const double dy =
+            pose.y + radius * std::sin(pose.theta + angle) - before.y - radius * std::sin(before.theta + angle);
         ASSERT_LE(std::hypot(dx, dy), 0.02 + 1e-9);
       }
       ASSERT_LE(std::hypot(pose.x, pose.y), m.reach(limits(1.0, 2.0)) + 1e-9);
@@ -196,7 +197,8 @@ class RandomBase {
     since_ = time;
   }
   double at(double time) {
-    if (restless_ && random_->chance(0.05)) share_ = random_->chance(0.5) ? random_->pick({0.0, 1.0}) : random_->uniform(0.0, 1.0);
+    if (restless_ && random_->chance(0.05))
+      share_ = random_->chance(0.5) ? random_->pick({0.0, 1.0}) : random_->uniform(0.0, 1.0);
     const double t = time - since_, limit = test::naive_at_limit(axis_, from_, to_, t);
     // A command that asks for all that the limits allow may be reached evenly too.
     if (!test::naive_has_time(axis_, from_, to_)) return limit;
@@ -291,7 +293,8 @@ double displacement(const Pose2& a, const Pose2& b, double radius) {
 }
 
 // How far beyond the growth the robot is from where the nearest rolled-out pose has it, at most [m].
-double beyond_growth(const std::vector<Pose2>& driven, const std::vector<std::pair<Pose2, double>>& rolled, double radius) {
+double beyond_growth(const std::vector<Pose2>& driven, const std::vector<std::pair<Pose2, double>>& rolled,
+                     double radius) {
   double most = 0.0;
   for (std::size_t k = 0; k < driven.size(); k += 10) {
     double least = INFINITY;
@@ -301,8 +304,8 @@ double beyond_growth(const std::vector<Pose2>& driven, const std::vector<std::pa
   return most;
 }
 
-// No base that keeps between the two ends gets farther from the rolled-out manoeuvre than the growth; and what is rolled out
-// at 1 mm is 0.5 mm away from some pose.
+// No base that keeps between the two ends gets farther from the rolled-out manoeuvre than the growth; and what is
+// rolled out at 1 mm is 0.5 mm away from some pose.
 TEST(BrakeManoeuvreGrowth, NoBaseIsFartherOff) {
   constexpr double kSpacing = 1e-3, kIntegration = 3e-4;  // [m]
   int parted = 0;
@@ -338,8 +341,8 @@ TEST(BrakeManoeuvreGrowth, StraightOnAndAtRestThereIsNone) {
 }
 
 TEST(BrakeManoeuvreGrowth, ATurnOnTheSpot) {
-  // From 0.5 to 0.4 rad/s at 3.2 rad/s^2 in 0.03125 s or evenly in 0.05 s: 0.1 * (0.05 - 0.03125) / 2 = 0.9375 mrad. The tail
-  // of 0.08 rad/s in 0.025 s or in 0.05 s: 0.08 * 0.025 / 2 = 1 mrad. At 0.3 m: 0.58 mm.
+  // From 0.5 to 0.4 rad/s at 3.2 rad/s^2 in 0.03125 s or evenly in 0.05 s: 0.1 * (0.05 - 0.03125) / 2 = 0.9375 mrad.
+  // The tail of 0.08 rad/s in 0.025 s or in 0.05 s: 0.08 * 0.025 / 2 = 1 mrad. At 0.3 m: 0.58 mm.
   const VelocityLimits l = limits(2.0, 3.2);
   ManoeuvreRoller roller(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
   roller.roll({{}, UnderWay({0.0, 0.5}, 0.0), {0.0, 0.4}, 0.05}, [](const TurnedPose&) { return true; });

@@ -132,7 +132,8 @@ TEST(EndCells, AreThoseOfThePointsAhead) {
     const Scene scene = test::random_scene(seed);
     Cycle cycle(scene);
     EndCells ends;
-    const kernel::CellBox box{random.integer(-3, 10), random.integer(-3, 10), random.integer(5, 60), random.integer(5, 60)};
+    const kernel::CellBox box{random.integer(-3, 10), random.integer(-3, 10), random.integer(5, 60),
+                              random.integer(5, 60)};
     for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
       const Tile tile = cycle.rollout.tile(t);
       ends.forget();

@@ -30,8 +30,7 @@ TEST(OverlapsSquare, AnEdgeThatCutsACornerOff) {
 }
 
 TEST(OverlapsSquare, ADentIsFree) {
-  const Polygon u{{0.0, 0.0}, {3.0, 0.0}, {3.0, 3.0}, {2.0, 3.0},
-                  {2.0, 1.0}, {1.0, 1.0}, {1.0, 3.0}, {0.0, 3.0}};
+  const Polygon u{{0.0, 0.0}, {3.0, 0.0}, {3.0, 3.0}, {2.0, 3.0}, {2.0, 1.0}, {1.0, 1.0}, {1.0, 3.0}, {0.0, 3.0}};
   EXPECT_FALSE(overlaps_square(u, 1.25, 1.5, 0.5));
   EXPECT_TRUE(overlaps_square(u, 1.25, 0.75, 0.5));
 }
@@ -110,7 +109,7 @@ TEST(Separation, UpToTheRoomThatWasAskedFor) {
   const Footprint footprint(Polygon{{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}});
   CollisionChecker checker;
   checker.prepare(scene.grid(), footprint, true, {}, 1.0, 0.05, 0.42);
-  EXPECT_NEAR(checker.room(), 0.45, 1e-9);  // by whole cells
+  EXPECT_NEAR(checker.room(), 0.45, 1e-9);                              // by whole cells
   EXPECT_NEAR(separation(checker, {0.575, 0.0, 0.0}, 1.0), 0.2, 1e-8);  // 0.975 - 0.775
   EXPECT_NEAR(separation(checker, {0.575, 0.0, 0.0}, 0.15), 0.15, 1e-8);
   EXPECT_NEAR(separation(checker, {0.0, 0.0, 0.0}, 1.0), 0.45, 1e-8);
@@ -122,10 +121,12 @@ TEST(Separation, OfAnOutlineWithADentItIsTheDistance) {
   Scene scene = Scene::empty(61);
   scene.at({30, 34}) = cost::kLethal;  // x from -0.025 to 0.025, y from 0.175 to 0.225
   // A fork: two prongs from y = 0.1 up to 0.3, 0.2 m apart. The cell lies between them.
-  const Footprint fork(Polygon{{0.2, -0.1}, {0.2, 0.3}, {0.1, 0.3}, {0.1, 0.1}, {-0.1, 0.1}, {-0.1, 0.3}, {-0.2, 0.3}, {-0.2, -0.1}});
+  const Footprint fork(
+      Polygon{{0.2, -0.1}, {0.2, 0.3}, {0.1, 0.3}, {0.1, 0.1}, {-0.1, 0.1}, {-0.1, 0.3}, {-0.2, 0.3}, {-0.2, -0.1}});
   CollisionChecker checker;
   checker.prepare(scene.grid(), fork, true, {}, 1.0, 0.05, 0.4);
-  EXPECT_NEAR(separation(checker, {0.0, 0.0, 0.0}, 0.4), 0.075, 1e-8);  // 0.1 - 0.025 to either prong, 0.175 - 0.1 below
+  EXPECT_NEAR(separation(checker, {0.0, 0.0, 0.0}, 0.4), 0.075,
+              1e-8);  // 0.1 - 0.025 to either prong, 0.175 - 0.1 below
   EXPECT_NEAR(separation(checker, {0.03, 0.0, 0.0}, 0.4), 0.045, 1e-8);
   EXPECT_NEAR(separation(checker, {0.0, 0.05, 0.0}, 0.4), 0.025, 1e-8);
 }

@@ -73,7 +73,8 @@ TEST(ShownByOdometry, BeforeTheFirstCycleRest) {
 TEST(ShownByOdometry, LatencyExplainsWhatWasCommandedAMomentAgo) {
   Cycles cycles;
   cycles.ramp(0.0, 0.5, 0.125);  // 2.5 * 0.05 a cycle
-  // The last command, 0.5, was sent 0.05 s ago; 0.25 was sent 0.15 s ago, a latency and a period, and started from 0.125.
+  // The last command, 0.5, was sent 0.05 s ago; 0.25 was sent 0.15 s ago, a latency and a period, and started from
+  // 0.125.
   expect_range(cycles.range(), 0.125, 0.5);
   EXPECT_EQ(cycles.history().size(), 3u);  // sent 0.15, 0.1 and 0.05 s ago
   cycles.observe({0.5, 0.0});
@@ -138,9 +139,9 @@ TEST(NextStart, WhatIsReachedWhereItCannot) {
   EXPECT_EQ(cycles.next_start(0.4), 0.4);  // 0.5 / 2.5 = 0.2 s, more than 0.075
   cycles.observe({0.0, 0.0});              // from 0.375: 0.15 s
   EXPECT_EQ(cycles.next_start(0.3), 0.3);
-  cycles.observe({0.0, 0.0});              // from 0.25: 0.1 s
+  cycles.observe({0.0, 0.0});  // from 0.25: 0.1 s
   EXPECT_EQ(cycles.next_start(0.2), 0.2);
-  cycles.observe({0.0, 0.0});              // from 0.125: 0.05 s
+  cycles.observe({0.0, 0.0});  // from 0.125: 0.05 s
   EXPECT_EQ(cycles.next_start(0.1), 0.0);
 }
 
@@ -302,8 +303,8 @@ TEST(Play, AsManyLegsAsThereMayBeHaveRoom) {
   CommandHistory history;
   UnderWay under_way;
   const UnderWay::Leg* const memory = under_way.legs().data();
-  // Each command has both axes stop and turn round at times of their own, the latest 7 ms after it takes effect, and is cut
-  // short by none: 2 * 7.5e-3 / 2.5 = 6 ms, 2 * 11.2e-3 / 3.2 = 7 ms.
+  // Each command has both axes stop and turn round at times of their own, the latest 7 ms after it takes effect, and is
+  // cut short by none: 2 * 7.5e-3 / 2.5 = 6 ms, 2 * 11.2e-3 / 3.2 = 7 ms.
   for (int k = 0; k < 600; ++k) {
     const double sign = k % 2 > 0 ? 1.0 : -1.0;
     history.observe(0.0078 * k, 0.005, 2.005, {sign * 7.5e-3, sign * 11.2e-3}, limits);

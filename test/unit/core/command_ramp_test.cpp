@@ -43,7 +43,7 @@ TEST(AxisRamp, WhatTheLimitsDoNotAllowInAPeriodIsDoneAtTheLimit) {
   EXPECT_NEAR(ramp.at(kPeriod), 0.4, 1e-12);
   EXPECT_EQ(ramp.spread(1.0), 0.0);  // there is but one way
   EXPECT_FALSE(ramp.in_time());
-  EXPECT_TRUE(AxisRamp(axis(2.5, 2.0), 0.15, 0.0, kPeriod).in_time());   // 0.075 s
+  EXPECT_TRUE(AxisRamp(axis(2.5, 2.0), 0.15, 0.0, kPeriod).in_time());  // 0.075 s
   EXPECT_FALSE(AxisRamp(axis(2.5, 2.0), 0.152, 0.0, kPeriod).in_time());
 }
 
@@ -164,8 +164,7 @@ TEST(AxisRamp, CutShortTheSpreadCoversWhatFollows) {
     for (int step = 0; step < kSteps; ++step) {
       const double t = (step + 0.5) * dt;
       const double here = t < cut ? ramp.at(t) : next;  // what it has is the next command
-      const double there = t < cut ? same.between(share, t)
-                                   : test::naive_evenly(r.naive, other, next, t - cut);
+      const double there = t < cut ? same.between(share, t) : test::naive_evenly(r.naive, other, next, t - cut);
       off += std::abs(here - there) * dt;
     }
     ASSERT_LE(off, ramp.spread(cut) + 1e-6) << k;

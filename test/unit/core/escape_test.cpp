@@ -69,9 +69,9 @@ double depth_of(const Footprint& footprint, const Pose2& pose, double x, double 
 // Cells of 0.05 m with the centre given.
 TEST(OutlineDepth, TheShortestWayOut) {
   const Footprint square(Polygon{{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
-  EXPECT_NEAR(depth_of(square, {0.0, 0.0, 0.0}, 0.215, 0.0), 0.01, 1e-12);   // 0.2 - (0.215 - 0.025)
-  EXPECT_NEAR(depth_of(square, {0.0, 0.0, 0.0}, 0.0, 0.0), 0.225, 1e-12);    // out at any side
-  EXPECT_LT(depth_of(square, {0.0, 0.0, 0.0}, 0.23, 0.0), 0.0);              // beside it
+  EXPECT_NEAR(depth_of(square, {0.0, 0.0, 0.0}, 0.215, 0.0), 0.01, 1e-12);  // 0.2 - (0.215 - 0.025)
+  EXPECT_NEAR(depth_of(square, {0.0, 0.0, 0.0}, 0.0, 0.0), 0.225, 1e-12);   // out at any side
+  EXPECT_LT(depth_of(square, {0.0, 0.0, 0.0}, 0.23, 0.0), 0.0);             // beside it
   // Turned by 45 degrees its corner is 0.2828 ahead; the cell's side at 0.25 is 0.0328 m behind that.
   EXPECT_NEAR(depth_of(square, {0.0, 0.0, M_PI / 4}, 0.275, 0.0), 0.2 * std::sqrt(2.0) - 0.25, 1e-12);
 }
@@ -86,7 +86,8 @@ TEST(OutlineDepth, OfACircle) {
 
 // A fork that is open to the front: what lies between its prongs is not touched; in a prong the hull counts.
 TEST(OutlineDepth, OfAnOutlineThatIsNotConvex) {
-  const Footprint fork(Polygon{{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}, {0.3, -0.1}, {0.0, -0.1}, {0.0, 0.1}, {0.3, 0.1}});
+  const Footprint fork(
+      Polygon{{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}, {0.3, -0.1}, {0.0, -0.1}, {0.0, 0.1}, {0.3, 0.1}});
   EXPECT_LT(depth_of(fork, {0.0, 0.0, 0.0}, 0.2, 0.0), 0.0);
   EXPECT_NEAR(depth_of(fork, {0.0, 0.0, 0.0}, 0.2, 0.15), 0.075, 1e-12);  // 0.2 - 0.125
 }
@@ -95,7 +96,9 @@ TEST(OutlineDepth, OfAnOutlineThatIsNotConvex) {
 class Caught {
  public:
   Caught(const Scene& scene, const Pose2& start, bool steered = false)
-      : scene_(scene), start_(start), limits_(VelocityLimits::from(scene.parameters)),
+      : scene_(scene),
+        start_(start),
+        limits_(VelocityLimits::from(scene.parameters)),
         pending_(UnderWay({}, scene.parameters.control_latency)) {
     footprint_ = Footprint::from_outline(scene_.outline, 0.0);
     rule_.look(scene_.parameters, limits_, scene_.grid(), footprint_, {start, {}, 0.05});
@@ -176,7 +179,7 @@ TEST(EscapeRule, LeavingOneObstacleDoesNotPayForAnother) {
 // The wall beside it is 5 mm in its left side: straight on is allowed, though it comes upon further cells of the wall.
 TEST(EscapeRule, AlongAWallThatItGrazes) {
   Scene scene = square();
-  scene.fill(-9.0, 0.2, 9.0, 9.0);  // from y = 0.225 on
+  scene.fill(-9.0, 0.2, 9.0, 9.0);                        // from y = 0.225 on
   for (const double x : {0.0, 0.01, 0.02, 0.03, 0.04}) {  // wherever its cells begin
     Caught robot(scene, {x, 0.03, 0.0});
     EXPECT_NEAR(robot.rule().start().total, 0.005, 1e-9);

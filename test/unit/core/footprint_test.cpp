@@ -16,8 +16,7 @@ namespace {
 Polygon round_outline(int corners, double radius) {
   Polygon outline;
   for (int i = 0; i < corners; ++i) {
-    outline.emplace_back(radius * std::cos(2.0 * M_PI * i / corners),
-                         radius * std::sin(2.0 * M_PI * i / corners));
+    outline.emplace_back(radius * std::cos(2.0 * M_PI * i / corners), radius * std::sin(2.0 * M_PI * i / corners));
   }
   return outline;
 }
@@ -99,8 +98,8 @@ TEST(FootprintPadding, ADentMovesOutwardsToo) {
 }
 
 TEST(FootprintPadding, RepeatedCornersDoNoHarm) {
-  const Footprint f = Footprint::from_outline(
-      {{0.3, 0.2}, {0.3, 0.2}, {-0.4, 0.2}, {-0.4, -0.2}, {0.3, -0.2}, {0.3, 0.2}}, 0.1);
+  const Footprint f =
+      Footprint::from_outline({{0.3, 0.2}, {0.3, 0.2}, {-0.4, 0.2}, {-0.4, -0.2}, {0.3, -0.2}, {0.3, 0.2}}, 0.1);
   ASSERT_EQ(f.outline().size(), 4u);
   EXPECT_NEAR(f.inscribed_radius(), 0.3, 1e-12);
 }
@@ -136,9 +135,7 @@ void expect_all_within(const Polygon& outline, double padding, const Polygon& pa
   }
 }
 
-Polygon padded(const Polygon& outline, double padding) {
-  return Footprint::from_outline(outline, padding).outline();
-}
+Polygon padded(const Polygon& outline, double padding) { return Footprint::from_outline(outline, padding).outline(); }
 
 TEST(FootprintPadding, SharpCornersGetItInFull) {
   for (const double half : {1.0, 5.0, 10.0, 20.0, 29.0}) {  // half the angle at the tip (1, 0) [degrees]
@@ -159,9 +156,9 @@ TEST(FootprintPadding, TwoPointsBecomeARectangle) {
   const Footprint f = Footprint::from_outline({{-0.3, 0.0}, {0.2, 0.0}}, 0.05);
   ASSERT_EQ(f.outline().size(), 4u);
   for (const Point& corner : {Point(-0.35, -0.05), Point(-0.35, 0.05), Point(0.25, 0.05), Point(0.25, -0.05)}) {
-    EXPECT_TRUE(std::any_of(f.outline().begin(), f.outline().end(),
-                            [&](const Point& found) { return (found - corner).norm() < 1e-12; }))
-        << corner.transpose();
+    EXPECT_TRUE(std::any_of(f.outline().begin(), f.outline().end(), [&](const Point& found) {
+      return (found - corner).norm() < 1e-12;
+    })) << corner.transpose();
   }
   EXPECT_NEAR(f.inscribed_radius(), 0.05, 1e-12);
   EXPECT_EQ(f.sides().size(), 4u);  // convex
@@ -186,7 +183,7 @@ TEST(FootprintPadding, OnePointBecomesASquare) {
 
 // A slot 0.06 m wide from the front: open with 0.02 m on each side, filled with 0.04 m.
 TEST(FootprintPadding, ADentThatItClosesIsFilled) {
-  const Polygon slotted{{0.3, 0.3},   {-0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3},
+  const Polygon slotted{{0.3, 0.3},   {-0.3, 0.3},  {-0.3, -0.3}, {0.3, -0.3},
                         {0.3, -0.03}, {0.0, -0.03}, {0.0, 0.03},  {0.3, 0.03}};
   const Polygon open = padded(slotted, 0.02);
   EXPECT_EQ(open.size(), 8u);
@@ -196,9 +193,8 @@ TEST(FootprintPadding, ADentThatItClosesIsFilled) {
   expect_all_within(slotted, 0.04, filled);
   EXPECT_NEAR(Footprint(filled).circumscribed_radius(), 0.34 * std::sqrt(2.0), 1e-12);
   // A bottle: no side vanishes, but its neck of 0.04 m closes.
-  const Polygon bottle{{0.3, 0.3},   {-0.3, 0.3},  {-0.3, -0.3}, {0.3, -0.3}, {0.3, -0.02},
-                       {0.1, -0.02}, {0.1, -0.15}, {-0.2, -0.15}, {-0.2, 0.15}, {0.1, 0.15},
-                       {0.1, 0.02},  {0.3, 0.02}};
+  const Polygon bottle{{0.3, 0.3},   {-0.3, 0.3},   {-0.3, -0.3}, {0.3, -0.3}, {0.3, -0.02}, {0.1, -0.02},
+                       {0.1, -0.15}, {-0.2, -0.15}, {-0.2, 0.15}, {0.1, 0.15}, {0.1, 0.02},  {0.3, 0.02}};
   EXPECT_EQ(padded(bottle, 0.01).size(), 12u);
   EXPECT_EQ(padded(bottle, 0.03).size(), 4u);
   // A sharp dent, whose sides meet far outside once moved.
@@ -226,8 +222,8 @@ TEST(FootprintPadding, RandomOutlines) {
     const Polygon twin = test::naive_padded({outline, 0.0}, padding).corners;
     ASSERT_EQ(result.size(), twin.size());
     for (const Point& corner : result) {
-      EXPECT_TRUE(std::any_of(twin.begin(), twin.end(),
-                              [&](const Point& found) { return (found - corner).norm() < 1e-9; }));
+      EXPECT_TRUE(
+          std::any_of(twin.begin(), twin.end(), [&](const Point& found) { return (found - corner).norm() < 1e-9; }));
     }
   }
   EXPECT_GE(sharp, 50);
@@ -257,8 +253,7 @@ TEST(FootprintFault, NamesTheThingAndTheRemedy) {
 }
 
 TEST(ConvexHull, CounterClockwiseWithoutStraightCorners) {
-  const Polygon hull =
-      convex_hull({{0, 0}, {1, 0}, {0.5, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0, 0.5}, {0, 0}, {1, 1}});
+  const Polygon hull = convex_hull({{0, 0}, {1, 0}, {0.5, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0, 0.5}, {0, 0}, {1, 1}});
   const Polygon expected{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   EXPECT_EQ(hull, expected);
 }

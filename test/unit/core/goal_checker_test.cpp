@@ -40,7 +40,8 @@ TEST(GoalChecker, AnyHeadingIsRightWithAToleranceOfAFullTurn) {
   p.yaw_goal_tolerance = 2.0 * M_PI;
   EXPECT_TRUE(validate(p).empty());
   GoalChecker checker;
-  for (const double heading : {3.1, -3.1, 0.0, 3.1 - M_PI}) EXPECT_TRUE(checker.update({2.0, 1.0, heading}, {}, kGoal, p));
+  for (const double heading : {3.1, -3.1, 0.0, 3.1 - M_PI})
+    EXPECT_TRUE(checker.update({2.0, 1.0, heading}, {}, kGoal, p));
   p.yaw_goal_tolerance = 6.5;
   EXPECT_EQ(validate(p).size(), 1u);
 }

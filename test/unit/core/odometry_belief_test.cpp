@@ -10,12 +10,12 @@
 namespace hidwa_local_planner {
 namespace {
 
-constexpr double kPeriod = 0.05;                      // [s]
-constexpr double kTolerance = 0.2;                    // [m/s]
-const AxisLimits kAxis{-0.2, 0.5, 2.5, 2.5};          // [m/s, m/s^2]
+constexpr double kPeriod = 0.05;              // [s]
+constexpr double kTolerance = 0.2;            // [m/s]
+const AxisLimits kAxis{-0.2, 0.5, 2.5, 2.5};  // [m/s, m/s^2]
 
-// One axis whose commands explain `explained`, read at 20 Hz. From one reading to the next a velocity follows if it changes
-// by no more than 0.2 + 2.5 * 0.05 = 0.325 m/s.
+// One axis whose commands explain `explained`, read at 20 Hz. From one reading to the next a velocity follows if it
+// changes by no more than 0.2 + 2.5 * 0.05 = 0.325 m/s.
 class Axis {
  public:
   explicit Axis(const Interval& explained = {0.0, 0.0}) : explained_(explained) {}
@@ -58,7 +58,7 @@ TEST(OdometryBelief, SlowerIsBelievedAtOnce) {
 
 TEST(OdometryBelief, FasterOrTheOtherWayIsDoubted) {
   Axis forward({0.3, 0.5});
-  EXPECT_EQ(forward.read(0.71), OdometryReading::doubted);   // 0.5 + 0.21
+  EXPECT_EQ(forward.read(0.71), OdometryReading::doubted);  // 0.5 + 0.21
   EXPECT_EQ(Axis({0.3, 0.5}).read(-0.21), OdometryReading::doubted);
   EXPECT_EQ(Axis({-0.5, -0.3}).read(-0.71), OdometryReading::doubted);
   EXPECT_EQ(Axis({-0.5, -0.3}).read(0.21), OdometryReading::doubted);
@@ -72,13 +72,14 @@ TEST(OdometryBelief, AnOutlierChangesNothing) {
   EXPECT_EQ(axis.read(5.0), OdometryReading::doubted);
   EXPECT_EQ(axis.read(0.4), OdometryReading::agrees);
   // Nor do many, one at a time.
-  for (int k = 0; k < 40; ++k) EXPECT_EQ(axis.read(k % 2 > 0 ? 5.0 : 0.4), k % 2 > 0 ? OdometryReading::doubted : OdometryReading::agrees);
+  for (int k = 0; k < 40; ++k)
+    EXPECT_EQ(axis.read(k % 2 > 0 ? 5.0 : 0.4), k % 2 > 0 ? OdometryReading::doubted : OdometryReading::agrees);
 }
 
 TEST(OdometryBelief, WhatAgreesWithItselfForThreeTenthsOfASecondIsBelieved) {
   Axis axis;
   for (int k = 0; k < 6; ++k) EXPECT_EQ(axis.read(0.8), OdometryReading::doubted) << k;  // 0 to 0.25 s
-  axis.pause(0.001);                                                             // rounding: 0.3 s and a bit
+  axis.pause(0.001);                                                                     // rounding: 0.3 s and a bit
   EXPECT_EQ(axis.read(0.8), OdometryReading::faster);
   EXPECT_TRUE(axis.belief().sure());
   EXPECT_EQ(axis.belief().believed(), 0.8);
@@ -110,7 +111,8 @@ TEST(OdometryBelief, AnOutlierAmongBelievedOnesLeavesWhatWasBelieved) {
 TEST(OdometryBelief, WhatWasBelievedHoldsForThreeTenthsOfASecond) {
   Axis axis;
   axis.read(0.8, 8);
-  for (int k = 1; k <= 5; ++k) EXPECT_EQ(axis.read(k % 2 > 0 ? 9.0 : -9.0), OdometryReading::faster) << k;  // up to 0.25 s
+  for (int k = 1; k <= 5; ++k)
+    EXPECT_EQ(axis.read(k % 2 > 0 ? 9.0 : -9.0), OdometryReading::faster) << k;  // up to 0.25 s
   axis.pause(0.001);
   EXPECT_EQ(axis.read(9.0), OdometryReading::doubted);
   EXPECT_FALSE(axis.belief().sure());
@@ -143,7 +145,8 @@ TEST(OdometryBelief, SavedAndLoadedItGoesOn) {
   read(loaded);
   EXPECT_TRUE(read.complete());
   EXPECT_EQ(loaded.judge(axis.time() + 0.05, 0.8, {}, kTolerance, kAxis), OdometryReading::doubted);
-  EXPECT_EQ(loaded.judge(axis.time() + 0.11, 0.8, {}, kTolerance, kAxis), OdometryReading::faster);  // since 4 * 0.05 + 0.11 s
+  EXPECT_EQ(loaded.judge(axis.time() + 0.11, 0.8, {}, kTolerance, kAxis),
+            OdometryReading::faster);  // since 4 * 0.05 + 0.11 s
 }
 
 TEST(ReadingTolerance, InsideTheDeadBandARobotStands) {
@@ -152,9 +155,9 @@ TEST(ReadingTolerance, InsideTheDeadBandARobotStands) {
   p.velocity_reference_tolerance_theta = 0.1;
   p.min_in_place_vel_theta = 0.4;
   EXPECT_EQ(reading_tolerance(p, {0.5, 0.3}).v, 0.2);
-  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.3}).omega, 0.4);   // 0.1 + 0.3
+  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.3}).omega, 0.4);  // 0.1 + 0.3
   EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, -0.3}).omega, 0.4);
-  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.5}).omega, 0.1);   // beyond the dead band
+  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.5}).omega, 0.1);  // beyond the dead band
   p.min_in_place_vel_theta = 0.0;
   p.min_vel_theta = 0.35;
   EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.3}).omega, 0.4);

@@ -62,15 +62,13 @@ TEST(ParameterAccess, EnumerationsByName) {
   EXPECT_EQ(p.generator, Generator::dwa);
   EXPECT_EQ(std::get<std::string>(get_parameter(p, "generator")), "dwa");
   const std::string fault = set_parameter(p, "generator", std::string("nonsense"));
-  for (const char* word : {"generator", "standard", "dwa"})
-    EXPECT_NE(fault.find(word), std::string::npos) << fault;
+  for (const char* word : {"generator", "standard", "dwa"}) EXPECT_NE(fault.find(word), std::string::npos) << fault;
   EXPECT_EQ(p.generator, Generator::dwa);
 }
 
 TEST(ParameterAccess, FaultsNameTheParameterAndWhatItWants) {
   Parameters p;
-  EXPECT_NE(set_parameter(p, "max_vel_x", std::string("fast")).find("max_vel_x: expected a number"),
-            std::string::npos);
+  EXPECT_NE(set_parameter(p, "max_vel_x", std::string("fast")).find("max_vel_x: expected a number"), std::string::npos);
   EXPECT_NE(set_parameter(p, "escape", 1).find("true or false"), std::string::npos);
   EXPECT_NE(set_parameter(p, "vx_samples", true).find("a whole number"), std::string::npos);
   EXPECT_NE(set_parameter(p, "odom_topic", 3).find("a text"), std::string::npos);
@@ -130,8 +128,8 @@ TEST(BrakingLimits, EitherSignAndZeroForTheAcceleration) {
 
 TEST(SplitNames, CommasBracketsAndQuotes) {
   const std::vector<std::string> expected{"PathDist", "GoalDist"};
-  for (const char* text : {"PathDist, GoalDist", "[PathDist, GoalDist]", "['PathDist','GoalDist']",
-                           "PathDist GoalDist", "\"PathDist\";\"GoalDist\",", "\tPathDist\n GoalDist"}) {
+  for (const char* text : {"PathDist, GoalDist", "[PathDist, GoalDist]", "['PathDist','GoalDist']", "PathDist GoalDist",
+                           "\"PathDist\";\"GoalDist\",", "\tPathDist\n GoalDist"}) {
     EXPECT_EQ(split_names(text), expected) << text;
   }
   EXPECT_TRUE(split_names("").empty());

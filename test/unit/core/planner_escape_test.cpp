@@ -98,8 +98,8 @@ TEST(Escape, OffThereIsNoWayOut) {
   EXPECT_EQ(decision.legal, 0u);
 }
 
-// Straight against the wall and no reverse: turning the square's corner goes deeper, driving too. It waits for a new scan
-// to take the wall away, and after 1 s it says so.
+// Straight against the wall and no reverse: turning the square's corner goes deeper, driving too. It waits for a new
+// scan to take the wall away, and after 1 s it says so.
 TEST(Escape, WithoutAWayOutItFailsAfterASecond) {
   for (const bool steered : {false, true}) {
     Scene scene = against_the_wall();

@@ -43,7 +43,8 @@ TEST(BadInput, NumbersThatAreNone) {
       expect_braked(scene, 0.3, "not a number");
     }
     Scene scene = driving();
-    // Such a command was never sent. No command starts from a reading that no command explains: zero it is, and a failure.
+    // Such a command was never sent. No command starts from a reading that no command explains: zero it is, and a
+    // failure.
     scene.situation.last_command.omega = bad;
     for (const VelocityReference reference : {VelocityReference::odometry, VelocityReference::command}) {
       scene.parameters.velocity_reference = reference;
@@ -124,7 +125,8 @@ TEST(BadInput, AFootprintThatIsNoRobots) {
     EXPECT_EQ(decision.candidates, 0u);  // nothing was made for it
     return decision.problem;
   };
-  EXPECT_NE(fault({{100.0, 100.0}, {-100.0, 100.0}, {-100.0, -100.0}, {100.0, -100.0}}).find("20 m"), std::string::npos);
+  EXPECT_NE(fault({{100.0, 100.0}, {-100.0, 100.0}, {-100.0, -100.0}, {100.0, -100.0}}).find("20 m"),
+            std::string::npos);
   EXPECT_NE(fault({{kNan, 0.1}, {-0.1, 0.1}, {0.0, -0.1}}).find("not a number"), std::string::npos);
   EXPECT_NE(fault({{0.2, 0.0}, {-0.2, 0.0}}).find("footprint_padding"), std::string::npos);
   // 61 cells of 0.05 m: the diagonal is 3.05 sqrt(2) = 4.31 m, and no place on the map has this corner on it too.

@@ -15,9 +15,9 @@ namespace {
 using test::PlannerBench;
 using test::Scene;
 
-constexpr double kPeriod = 0.05;       // [s]
-constexpr double kStep = 2.5 * 0.05;   // of v in a period [m/s]
-constexpr double kTurn = 3.2 * 0.05;   // of omega [rad/s]
+constexpr double kPeriod = 0.05;      // [s]
+constexpr double kStep = 2.5 * 0.05;  // of v in a period [m/s]
+constexpr double kTurn = 3.2 * 0.05;  // of omega [rad/s]
 
 const Twist2 kImpossible[] = {{5.0, 0.0}, {-3.0, 0.0}, {0.0, 20.0}, {0.0, -20.0}, {9.0, 30.0}};
 
@@ -269,7 +269,7 @@ double driven_before_a_wall(double gap, double pose_age, double longest_period) 
 
 TEST(PoseAge, AnOldPoseBrakesEarlier) {
   EXPECT_NEAR(driven_before_a_wall(0.130, 0.0, 0.0), 0.5, 1e-9);
-  EXPECT_LT(driven_before_a_wall(0.130, 0.05, 0.0), 0.5);   // 25 mm are gone already
+  EXPECT_LT(driven_before_a_wall(0.130, 0.05, 0.0), 0.5);  // 25 mm are gone already
   EXPECT_NEAR(driven_before_a_wall(0.155, 0.05, 0.0), 0.5, 1e-9);
 }
 

@@ -47,8 +47,8 @@ TEST(Shared, InFrontOfAWallItStopsAndDoesNotTurnAway) {
   for (int k = 0; k < 200; ++k) {
     const Decision& decision = bench.drive();
     ASSERT_NE(decision.outcome, Outcome::fail);
-    const double overlap = test::naive_overlap(bench.scene().grid(), {bench.scene().outline, 0.0},
-                                               bench.scene().situation.pose, true);
+    const double overlap =
+        test::naive_overlap(bench.scene().grid(), {bench.scene().outline, 0.0}, bench.scene().situation.pose, true);
     ASSERT_LT(overlap, 1e-9);
     // Beyond v_max / 2 = 0.25 rad/s a turn costs more than stopping: 800 * 0.25 = 400 * 0.5.
     ASSERT_LE(std::abs(decision.sample.omega), 0.25);
@@ -86,8 +86,7 @@ TEST(Direct, GuardedTakesTheNearestLegalControl) {
   PlannerBench wall(scene);
   for (int k = 0; k < 200; ++k) {
     wall.drive();
-    ASSERT_LT(test::naive_overlap(wall.scene().grid(), {wall.scene().outline, 0.0},
-                                  wall.scene().situation.pose, true),
+    ASSERT_LT(test::naive_overlap(wall.scene().grid(), {wall.scene().outline, 0.0}, wall.scene().situation.pose, true),
               1e-9);
   }
   EXPECT_NEAR(wall.scene().situation.last_command.v, 0.0, 0.05);

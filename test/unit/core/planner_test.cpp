@@ -83,8 +83,7 @@ TEST(PlannerCost, WithoutAutonomyOnlyTheDeviationIsLeft) {
   EXPECT_EQ(decision.total, 0.0);
   const std::vector<CandidateRecord> records = bench.planner().evaluation();
   for (const CandidateRecord& record : records) {
-    EXPECT_NEAR(record.total,
-                400.0 * std::abs(0.3 - record.sample.v) + 800.0 * std::abs(-0.35 - record.sample.omega),
+    EXPECT_NEAR(record.total, 400.0 * std::abs(0.3 - record.sample.v) + 800.0 * std::abs(-0.35 - record.sample.omega),
                 1e-9);
   }
 }
@@ -130,8 +129,7 @@ TEST(PlannerRefusals, AddUpAndAreNamedInOrder) {
   for (int j = 0; j < scene.size_y; ++j) {
     for (int i = 0; i < scene.size_x; ++i) {
       const Point c = scene.grid().centre({i, j});
-      if (scene.at({i, j}) == cost::kFree && c.x() > 0.1 && c.y() > -0.55)
-        scene.at({i, j}) = cost::kInscribed;
+      if (scene.at({i, j}) == cost::kFree && c.x() > 0.1 && c.y() > -0.55) scene.at({i, j}) = cost::kInscribed;
     }
   }
   PlannerBench bench(scene);

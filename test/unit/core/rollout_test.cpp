@@ -18,8 +18,7 @@ Parameters coarse(Integration integration) {
   return p;
 }
 
-Rollout run(const Parameters& p, const Pose2& start, const Twist2& reference,
-            const std::vector<Sample>& samples) {
+Rollout run(const Parameters& p, const Pose2& start, const Twist2& reference, const std::vector<Sample>& samples) {
   Rollout rollout;
   rollout.run(p, VelocityLimits::from(p), start, reference, samples);
   return rollout;
@@ -85,8 +84,8 @@ TEST(RolloutArithmetic, MidpointEndsOnTheArc) {
   p.generator = Generator::dwa;
   const Rollout rollout = run(p, {}, {}, {{{0.5, 1.0}, SampleKind::grid}});
   const Pose2 end = rollout.tile(0).last_pose(0);
-  // Radius 0.5 m, angle 1.7 rad. Steps at the middle's heading of 0.1 rad are long by 0.1^2 / 24 = 4.2e-4: 0.2 mm of the
-  // radius, 0.4 mm at the far side of the circle.
+  // Radius 0.5 m, angle 1.7 rad. Steps at the middle's heading of 0.1 rad are long by 0.1^2 / 24 = 4.2e-4: 0.2 mm of
+  // the radius, 0.4 mm at the far side of the circle.
   EXPECT_NEAR(end.x, 0.5 * std::sin(1.7), 4e-4);
   EXPECT_NEAR(end.y, 0.5 * (1.0 - std::cos(1.7)), 4e-4);
   EXPECT_NEAR(end.theta, 1.7, 1e-12);
@@ -137,8 +136,7 @@ TEST(RolloutRamp, DwaDrivesTheSampleFromTheStartButBrakesWithARamp) {
   Parameters p = coarse(Integration::midpoint);
   p.acc_lim_x = 1.0;  // and brakes at it
   p.linear_granularity = 0.1;
-  const Rollout rollout =
-      run(p, {}, {0.4, 0.0}, {{{0.4, 0.0}, SampleKind::grid}, {{0.0, 0.0}, SampleKind::brake}});
+  const Rollout rollout = run(p, {}, {0.4, 0.0}, {{{0.4, 0.0}, SampleKind::grid}, {{0.0, 0.0}, SampleKind::brake}});
   ASSERT_EQ(rollout.tile_count(), 2u);
   EXPECT_DOUBLE_EQ(rollout.tile(0).x_at(4, 0), 0.4);
   // 0.4 -> 0.15 -> 0 by 0.25 a step: means 0.275, 0.075, 0, 0 over 0.25 s each.

@@ -33,8 +33,7 @@ SampleRequest driving(double v, double omega, int vx = 20, int vth = 20) {
 }
 
 bool contains(const std::vector<Sample>& samples, const Twist2& u, SampleKind kind) {
-  return std::any_of(samples.begin(), samples.end(),
-                     [&](const Sample& s) { return s.u == u && s.kind == kind; });
+  return std::any_of(samples.begin(), samples.end(), [&](const Sample& s) { return s.u == u && s.kind == kind; });
 }
 
 TEST(Spread, EvenlyWithBothEndsAndAnExactZero) {
@@ -153,8 +152,7 @@ TEST(DeadBand, OnTheSpotHasItsOwnAndItsEdgesAreAlwaysTried) {
   const std::vector<Sample> samples = make(p, driving(0.0, 0.0, 2, 2));
   EXPECT_TRUE(contains(samples, {0.0, 0.4}, SampleKind::grid));
   EXPECT_TRUE(contains(samples, {0.0, -0.4}, SampleKind::grid));
-  EXPECT_TRUE(
-      contains(samples, {2.5 * 0.05, 3.2 * 0.05}, SampleKind::grid));  // while driving there is no band
+  EXPECT_TRUE(contains(samples, {2.5 * 0.05, 3.2 * 0.05}, SampleKind::grid));  // while driving there is no band
   for (const Sample& sample : samples) {
     const bool turns_on_the_spot = std::abs(sample.u.v) < 0.01 && sample.u.omega != 0.0;
     EXPECT_TRUE(!turns_on_the_spot || std::abs(sample.u.omega) >= 0.4) << sample.u.omega;

@@ -136,8 +136,7 @@ TEST(ObstacleFootprint, FromWithinAnObstacleItLetsOutWhereEscapeIsOn) {
 TEST(ObstacleFootprint, ACircleHasAnOutlineToo) {
   Scene scene = Scene::empty();
   scene.outline.clear();
-  for (int i = 0; i < 16; ++i)
-    scene.outline.emplace_back(0.2 * std::cos(M_PI * i / 8), 0.2 * std::sin(M_PI * i / 8));
+  for (int i = 0; i < 16; ++i) scene.outline.emplace_back(0.2 * std::cos(M_PI * i / 8), 0.2 * std::sin(M_PI * i / 8));
   scene.at({30, 38}) = cost::kLethal;  // from y = 0.375 on
   CriticBench bench("ObstacleFootprint", scene);
   bench.prepare();

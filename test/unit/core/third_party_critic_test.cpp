@@ -61,9 +61,7 @@ TEST(ThirdPartyCritic, IsWeighedAndListed) {
 
 TEST(ThirdPartyCritic, ReadsItsOwnParameters) {
   struct Source : ParameterSource {
-    double number(const std::string& key, double fallback) const override {
-      return key == "scale" ? 5.0 : fallback;
-    }
+    double number(const std::string& key, double fallback) const override { return key == "scale" ? 5.0 : fallback; }
     bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
   };
   Planner planner(with([] { return std::make_shared<Opinion>(3.0); }));
@@ -118,9 +116,8 @@ TEST(ThirdPartyCritic, IsToldWhereThePersonDecides) {
 }
 
 TEST(ThirdPartyCritic, NotANumberIsARefusalOfTheOneThatSaidIt) {
-  for (const double value :
-       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-        -std::numeric_limits<double>::infinity()}) {
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity()}) {
     PlannerBench bench(asking(0.2), with([value] { return std::make_shared<Opinion>(value); }));
     const Decision& decision = bench.cycle();
     EXPECT_EQ(decision.outcome, Outcome::brake);
@@ -133,9 +130,7 @@ TEST(ThirdPartyCritic, NotANumberIsARefusalOfTheOneThatSaidIt) {
 TEST(ThirdPartyCritic, WeightZeroTurnsItOffRefusalsIncluded) {
   struct Off : Opinion {
     Off() : Opinion(0.0, false, true) {}
-    double configure(const Parameters& /*parameters*/, const ParameterSource& /*own*/) override {
-      return 0.0;
-    }
+    double configure(const Parameters& /*parameters*/, const ParameterSource& /*own*/) override { return 0.0; }
   };
   PlannerBench bench(asking(), with([] { return std::make_shared<Off>(); }));
   const Decision& decision = bench.cycle();

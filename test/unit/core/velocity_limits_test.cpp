@@ -161,8 +161,7 @@ TEST(FeasibleStep, FromBeyondTheWheelsItComesBackAsFastAsTheBrakesAllow) {
   test::Random random(3);
   for (int k = 0; k < 20000; ++k) {
     const Twist2 reference{random.uniform(-0.6, 1.0), random.uniform(-4.0, 4.0)};
-    const Twist2 u =
-        limits.step(reference, limits.clamp({random.uniform(-0.5, 0.7), random.uniform(-3.0, 3.0)}), 0.05);
+    const Twist2 u = limits.step(reference, limits.clamp({random.uniform(-0.5, 0.7), random.uniform(-3.0, 3.0)}), 0.05);
     ASSERT_LE(std::abs(u.v - reference.v), 2.5 * 0.05 + 1e-12);
     ASSERT_LE(std::abs(u.omega - reference.omega), 3.2 * 0.05 + 1e-12);
     if (limits.wheels_allow(u)) continue;

@@ -56,11 +56,9 @@ class NaiveCostmap {
   std::uint8_t cost(int column, int row) const {
     double nearest = 1e9;  // [m]
     for (const CellNumbers& lethal : lethal_) {
-      nearest =
-          std::min(nearest, settings_.resolution * std::hypot(lethal.first - column, lethal.second - row));
+      nearest = std::min(nearest, settings_.resolution * std::hypot(lethal.first - column, lethal.second - row));
     }
-    const double reach =
-        std::ceil(settings_.inflation.inflation_radius / settings_.resolution) * settings_.resolution;
+    const double reach = std::ceil(settings_.inflation.inflation_radius / settings_.resolution) * settings_.resolution;
     if (nearest > reach + 1e-9) return 0;
     if (nearest == 0.0) return 254;
     const double beyond = nearest - Footprint(outline_).inscribed_radius();
@@ -122,8 +120,7 @@ class NaiveCostmap {
 
   void clear_under(const sim::Pose& robot) {
     std::vector<CellNumbers> corners;
-    for (const Point& corner : sim::transformed(outline_, robot))
-      corners.push_back(cell(corner.x(), corner.y()));
+    for (const Point& corner : sim::transformed(outline_, robot)) corners.push_back(cell(corner.x(), corner.y()));
     std::map<int, std::pair<int, int>> rows;  // first and last column
     for (std::size_t k = 0; k < corners.size(); ++k) {
       if (!inside(corners[k])) return;

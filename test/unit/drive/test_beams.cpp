@@ -97,8 +97,7 @@ TEST(ClearAlong, ABeamThatLeavesTheGridIsFollowedToItsEdge) {
   beams.origin = {1.0, 1.01};
   beams.ends = {{9.0, 1.01}};
   clear_along(beams, 20.0, grid);
-  for (int i = 0; i < grid.cells(); ++i)
-    EXPECT_EQ(grid.row(20)[i], i < 20 ? cost::kLethal : cost::kFree) << i;
+  for (int i = 0; i < grid.cells(); ++i) EXPECT_EQ(grid.row(20)[i], i < 20 ? cost::kLethal : cost::kFree) << i;
 }
 
 TEST(ClearAlong, ASensorOutsideFreesNothing) {

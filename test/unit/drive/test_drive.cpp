@@ -145,9 +145,9 @@ TEST(Drive, EachSeedMatters) {
 TEST(Drive, AGroundAndARouteMayBeSharedBetweenDrives) {
   DriveSetup setup = corridor(1.2);
   const DriveResult own = drive(setup);
-  setup.route = std::make_shared<sim::GridRoute>(
-      *setup.ground->map(), navfn_clearance(Footprint(setup.outline).inscribed_radius(), 3.0),
-      Eigen::Vector2d(9.0, 0.0));
+  setup.route = std::make_shared<sim::GridRoute>(*setup.ground->map(),
+                                                 navfn_clearance(Footprint(setup.outline).inscribed_radius(), 3.0),
+                                                 Eigen::Vector2d(9.0, 0.0));
   expect_same(own, drive(setup));
 }
 

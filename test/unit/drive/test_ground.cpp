@@ -54,8 +54,7 @@ TEST(Ground, ClearanceAgreesWithTheNaiveTwin) {
       const sim::Pose pose{uniform(random, -1.5, 1.9), uniform(random, 0.5, 3.4), uniform(random, -4.0, 4.0)};
       const double at_most = uniform(random, 0.05, 1.0);
       const double expected = naive_clearance(*map, pose, at_most);
-      ASSERT_NEAR(ground.clearance(kOutline, pose, at_most), expected, 1e-3)
-          << "scene " << scene << " pose " << k;
+      ASSERT_NEAR(ground.clearance(kOutline, pose, at_most), expected, 1e-3) << "scene " << scene << " pose " << k;
       apart += expected > 0.0 && expected < at_most;
     }
   }
@@ -68,9 +67,9 @@ TEST(Ground, DiscsStandInTheMap) {
   for (int row = 0; row < 40; ++row) map->cells[map->index(30, row)] = sim::Cell::kOccupied;
   const auto discs = std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{{0.6, 0.0}, {0.0, 0.8}}, 0.1);
   const Ground ground(map, discs);
-  EXPECT_NEAR(ground.range(0.0, 0.0, 0.0, 5.0), 0.5, 1e-9);           // 0.6 - 0.1
-  EXPECT_NEAR(ground.range(0.0, -1.0, 0.0, 5.0), 1.0, 1e-9);          // the wall
-  EXPECT_NEAR(ground.range(0.0, 0.0, 0.5 * M_PI, 5.0), 0.7, 1e-9);    // 0.8 - 0.1
+  EXPECT_NEAR(ground.range(0.0, 0.0, 0.0, 5.0), 0.5, 1e-9);         // 0.6 - 0.1
+  EXPECT_NEAR(ground.range(0.0, -1.0, 0.0, 5.0), 1.0, 1e-9);        // the wall
+  EXPECT_NEAR(ground.range(0.0, 0.0, 0.5 * M_PI, 5.0), 0.7, 1e-9);  // 0.8 - 0.1
   EXPECT_TRUE(std::isinf(ground.range(0.0, 0.0, M_PI, 5.0)));
   const sim::Polygon square{{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}};
   EXPECT_NEAR(ground.clearance(square, {0.0, 0.0, 0.0}, 1.0), 0.3, 1e-9);   // 0.6 - 0.1 - 0.2

@@ -41,15 +41,14 @@ TEST(Inflation, AgreesWithTheNaiveTwin) {
     }
     Inflation inflation(settings, inscribed, resolution);
     inflation.inflate(obstacles, costs);
-    inflation.inflate(obstacles, costs);  // what was there before does not matter
+    inflation.inflate(obstacles, costs);                                     // what was there before does not matter
     const double reach = std::ceil(settings.inflation_radius / resolution);  // [cells]
     for (int j = 0; j < costs.cells(); ++j) {
       for (int i = 0; i < costs.cells(); ++i) {
         double nearest = 1e9;  // [cells]
         for (const Cell& cell : lethal) nearest = std::min(nearest, std::hypot(cell.i - i, cell.j - j));
         const int expected =
-            nearest <= reach ? inflated_cost(nearest * resolution, inscribed, settings.cost_scaling_factor)
-                             : 0;
+            nearest <= reach ? inflated_cost(nearest * resolution, inscribed, settings.cost_scaling_factor) : 0;
         ASSERT_EQ(costs.row(j)[i], expected) << "scene " << scene << " cell " << i << " " << j;
       }
     }

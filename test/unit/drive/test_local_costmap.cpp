@@ -34,16 +34,14 @@ TEST(LocalCostmap, AgreesWithTheNaiveTwinOnRandomScans) {
     settings.raytrace_range = scene < 3 ? 1.1 : 3.5;
     settings.footprint_clearing = scene != 4;
     settings.inflation = {0.4, 3.0};
-    const Polygon outline =
-        scene == 5 ? Polygon{{0.4, 0.1}, {-0.1, 0.2}, {-0.2, -0.15}} : circle_outline(0.15, 0.01);
+    const Polygon outline = scene == 5 ? Polygon{{0.4, 0.1}, {-0.1, 0.2}, {-0.2, -0.15}} : circle_outline(0.15, 0.01);
     LocalCostmap costmap(settings, outline);
     test::NaiveCostmap naive(settings, outline);
     sim::Pose pose{1.0, 2.0, 0.0};
     std::vector<float> ranges;
     Beams beams;
     for (int step = 0; step < 12; ++step) {
-      pose = {pose.x + uniform(random, -0.1, 0.3), pose.y + uniform(random, -0.2, 0.2),
-              uniform(random, -4.0, 4.0)};
+      pose = {pose.x + uniform(random, -0.1, 0.3), pose.y + uniform(random, -0.2, 0.2), uniform(random, -4.0, 4.0)};
       const sim::Pose sensor = sim::compose(pose, {0.1, 0.0, 0.0});
       sim::scan(caster, laser, sensor, random, ranges);
       project(ranges, laser, sensor, beams);

@@ -68,8 +68,7 @@ TEST(RollingGrid, KeepsWhatStaysAndForgetsWhatLeaves) {
       }
     }
     for (int k = 0; k < 20; ++k) {
-      const int i = static_cast<int>(uniform(random, 0.0, 20.0)),
-                j = static_cast<int>(uniform(random, 0.0, 20.0));
+      const int i = static_cast<int>(uniform(random, 0.0, 20.0)), j = static_cast<int>(uniform(random, 0.0, 20.0));
       const auto value = static_cast<std::uint8_t>(uniform(random, 1.0, 255.0));
       grid.row(j)[i] = value;
       known[{i0 + i, j0 + j}] = value;

@@ -16,7 +16,8 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 TEST(BadMessages, AreDroppedCountedAndNamed) {
   Person person;
   person.steer(1.0);
-  EXPECT_EQ(person.stick(1.1, kNan), "axes[0] is not a finite number: look at the sender, or set axis_angular to another axis");
+  EXPECT_EQ(person.stick(1.1, kNan),
+            "axes[0] is not a finite number: look at the sender, or set axis_angular to another axis");
   EXPECT_NE(person.stick(1.1, 1.5F).find("outside [-1, 1]"), std::string::npos);
   StickMessage empty;
   empty.received = 1.1;
@@ -36,8 +37,7 @@ TEST(BadMessages, DoNotKeepInputAlive) {
   for (int i = 1; i < 40; ++i) {
     const double now = 1.05 + 0.05 * i;
     person.stick(now, kNan);
-    EXPECT_EQ(person.cycle(now + 1e-3).state, now <= 1.52 ? State::shared : State::lost)
-        << now;  // 0.5 s from 1.05
+    EXPECT_EQ(person.cycle(now + 1e-3).state, now <= 1.52 ? State::shared : State::lost) << now;  // 0.5 s from 1.05
   }
 }
 
@@ -70,8 +70,8 @@ TEST(BadMessages, TheCountOutlivesAReset) {
 
 // Whatever arrives: never an exception, and every command is finite and within the maxima.
 TEST(BadMessages, RandomOnesNeverMakeACommand) {
-  const float values[] = {
-      kNan, std::numeric_limits<float>::infinity(), -1e30F, -1.01F, -1.0F, -0.1F, 0.0F, 0.3F, 1.0F, 2.0F};
+  const float values[] = {kNan, std::numeric_limits<float>::infinity(), -1e30F, -1.01F, -1.0F, -0.1F, 0.0F, 0.3F, 1.0F,
+                          2.0F};
   std::mt19937 random(20220731);
   const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   for (int run = 0; run < 200; ++run) {
@@ -106,13 +106,8 @@ TEST(BadMessages, RandomOnesNeverMakeACommand) {
 
 // The same for everything that can steer, in every mode, with words in between.
 TEST(BadMessages, RandomOnesOfEveryKindNeverMakeACommand) {
-  const double values[] = {std::numeric_limits<double>::quiet_NaN(),
-                           -std::numeric_limits<double>::infinity(),
-                           -1e30,
-                           -0.5,
-                           0.0,
-                           0.2,
-                           1.0};
+  const double values[] = {
+      std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity(), -1e30, -0.5, 0.0, 0.2, 1.0};
   const float axes[] = {kNan, -1.5F, -1.0F, 0.0F, 0.4F, 1.0F};
   std::mt19937 random(20220801);
   const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };

@@ -114,8 +114,7 @@ Cut cut_link(const Steerer& s, OnInputLost policy, double phase) {
     const double now = 1.0 + kPeriod * i + phase;
     s.after_cut(person, now - phase);
     result.last = person.cycle(now);
-    const bool counts =
-        result.last.influence == Influence::shared || result.last.influence == Influence::direct;
+    const bool counts = result.last.influence == Influence::shared || result.last.influence == Influence::direct;
     // A command counts until the next cycle replaces it.
     if (counts && result.last.u_h.omega != 0.0) result.omega = now - cut + kPeriod;
     if (counts && result.last.u_h.v != 0.0) result.v = now - cut + kPeriod;
@@ -209,9 +208,7 @@ std::vector<Burst> bursts() {
 // `spread` [s]: between two messages of the burst, with a cycle after each; 0: none.
 void expect_no_effect(const Burst& burst, bool stamps, double spread) {
   Person person(burst.p);
-  const auto send = [&](double sent, double received) {
-    burst.send(person, sent, received, stamps ? sent : 0.0);
-  };
+  const auto send = [&](double sent, double received) { burst.send(person, sent, received, stamps ? sent : 0.0); };
   for (int i = 0; i <= 20; ++i) {
     const double time = 1.0 + 0.05 * i;
     send(time, time);

@@ -97,8 +97,7 @@ struct Device : Person {
 
 /// The stick with the axes `angular` and `linear`, steered, stopped and released. `left` and `up`: what the
 /// device sends for them. `stop`: its button, if it has so many.
-void steer_and_stop(Device& device, std::size_t angular, std::size_t linear, float left, float up,
-                    std::size_t stop) {
+void steer_and_stop(Device& device, std::size_t angular, std::size_t linear, float left, float up, std::size_t stop) {
   std::vector<float>& axes = device.message.axes;
   expect_intent(device.play(0.2), State::autonomy, Influence::none, 0.0, 0.0);
   axes[angular] = left;
@@ -226,8 +225,7 @@ void steer_by_hand(Device& device, const Eigen::Vector3d& left, Press press, Rel
 TEST(Devices, Quest2Ros) {
   Device device("quest2ros", {0, 0, 0, 0}, 2, 72.0);
   steer_by_hand(
-      device, {0.0, 0.3, 0.0}, [&] { device.message.axes[3] = 0.8F; },
-      [&] { device.message.axes[3] = 0.0F; });
+      device, {0.0, 0.3, 0.0}, [&] { device.message.axes[3] = 0.8F; }, [&] { device.message.axes[3] = 0.0F; });
   device.message.axes[2] = 1.0F;  // the other trigger is no clutch
   EXPECT_EQ(device.play(0.2).state, State::autonomy);
   device.message.axes[1] = -1.0F;

@@ -151,8 +151,7 @@ TEST(Gesture, TheFirstPoseAfterThePressIsTheOrigin) {
 
 TEST(Gesture, AClutchHeldAtTheStartMustBeLetGo) {
   Person person(by_hand());
-  for (const double time : {1.0, 1.05, 1.1})
-    EXPECT_EQ(move(person, time, 3.0 * (time - 1.0)).state, State::autonomy);
+  for (const double time : {1.0, 1.05, 1.1}) EXPECT_EQ(move(person, time, 3.0 * (time - 1.0)).state, State::autonomy);
   EXPECT_NE(person.machine.advice().find("clutch"), std::string::npos);
   steer(person);
   EXPECT_EQ(person.machine.advice(), "");
@@ -162,8 +161,7 @@ TEST(Gesture, AClutchHeldAtTheStartMustBeLetGoWithoutNeutralToo) {
   Parameters p = by_hand();
   p.require_neutral = false;
   Person person(p);
-  for (const double time : {1.0, 1.05, 1.1})
-    EXPECT_EQ(move(person, time, 3.0 * (time - 1.0)).state, State::autonomy);
+  for (const double time : {1.0, 1.05, 1.1}) EXPECT_EQ(move(person, time, 3.0 * (time - 1.0)).state, State::autonomy);
   steer(person);
 }
 
@@ -197,14 +195,12 @@ TEST(Gesture, TheStickSteersNothing) {
 TEST(Gesture, AClutchThatTheDeviceLacksIsNamedWithTheRemedy) {
   Parameters p = by_hand();
   p.clutch_button = 5;
-  EXPECT_EQ(
-      Person(p).stick(1.0, 0.0F),
-      "clutch_button = 5, but the message has only buttons 0 to 1: set clutch_button to one that the device "
-      "has, or to -1 for none");
+  EXPECT_EQ(Person(p).stick(1.0, 0.0F),
+            "clutch_button = 5, but the message has only buttons 0 to 1: set clutch_button to one that the device "
+            "has, or to -1 for none");
   p.clutch_axis = 6;
-  EXPECT_EQ(
-      Person(p).stick(1.0, 0.0F),
-      "clutch_axis = 6, but the message has only axes 0 to 1: set clutch_axis to one that the device has");
+  EXPECT_EQ(Person(p).stick(1.0, 0.0F),
+            "clutch_axis = 6, but the message has only axes 0 to 1: set clutch_axis to one that the device has");
   p.clutch_axis = 1;
   p.stop_pull = 0.0;
   EXPECT_EQ(Person(p).stick(1.0, 0.0F, -2.0F),

@@ -388,15 +388,13 @@ TEST(Manual, EnableButton) {
 TEST(Manual, WhatTheDeviceLacksIsNamedWithTheRemedy) {
   Parameters p = switching();
   p.axis_linear = 4;
-  EXPECT_EQ(
-      Person(p).stick(1.0, 0.0F),
-      "axis_linear = 4, but the message has only axes 0 to 1: set axis_linear to one that the device has");
+  EXPECT_EQ(Person(p).stick(1.0, 0.0F),
+            "axis_linear = 4, but the message has only axes 0 to 1: set axis_linear to one that the device has");
   p = switching();
   p.toggle_button = 7;
-  EXPECT_EQ(
-      Person(p).stick(1.0, 0.0F),
-      "toggle_button = 7, but the message has only buttons 0 to 1: set toggle_button to one that the device "
-      "has, or to -1 for none");
+  EXPECT_EQ(Person(p).stick(1.0, 0.0F),
+            "toggle_button = 7, but the message has only buttons 0 to 1: set toggle_button to one that the device "
+            "has, or to -1 for none");
   Person person(switching());
   EXPECT_EQ(person.stick(1.0, 0.0F, 1.5F),
             "axes[1] = 1.5 is outside [-1, 1]: scale it at the sender, or set axis_linear to another axis");

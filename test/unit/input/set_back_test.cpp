@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The clock is set back, by as little as 0.25 s: steering and holding end, a stop goes on, whoever has control keeps it.
+// The clock is set back, by as little as 0.25 s: steering and holding end, a stop goes on, whoever has control keeps
+// it.
 #include <gtest/gtest.h>
 
 #include "person.hpp"

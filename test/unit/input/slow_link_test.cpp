@@ -46,7 +46,8 @@ TEST(SlowLink, IsTakenAsItIsAfterTwoSecondsAndANeutral) {
   EXPECT_EQ(remote.play(1.0, 1.0F, 0.62), State::lost);  // 2.9 s of it: heard, but to be seen centred once
   EXPECT_EQ(remote.fault, "");
   EXPECT_NE(remote.machine.advice().find("require_neutral"), std::string::npos) << remote.machine.advice();
-  EXPECT_NE(remote.machine.advice().find("What comes on joy_topic arrives 0.6 s later than at best"), std::string::npos);
+  EXPECT_NE(remote.machine.advice().find("What comes on joy_topic arrives 0.6 s later than at best"),
+            std::string::npos);
   EXPECT_NE(remote.play(0.1, 0.0F, 0.62), State::shared);
   EXPECT_EQ(remote.play(10.0, 1.0F, 0.62), State::shared);
   EXPECT_NEAR(remote.machine.dropped(), 40, 1);  // 2 s at 20 Hz

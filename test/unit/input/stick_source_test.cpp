@@ -78,9 +78,7 @@ TEST(StickSource, SwitchingAtItsEdges) {
     p.linear = linear;
     p.max_vel_x = 0.7;
     p.max_vel_theta = 1.5;
-    const auto wish = [&p](float angular, float along) {
-      return wish_from(message_of({angular, along}, {0}), p);
-    };
+    const auto wish = [&p](float angular, float along) { return wish_from(message_of({angular, along}, {0}), p); };
     const float above = std::nextafter(0.1F, 1.0F);
     for (const float none : {0.0F, 0.1F, -0.1F}) {
       EXPECT_FALSE(wish(none, none).active);
@@ -125,9 +123,8 @@ TEST(StickSource, FaultsNameTheThingAndTheRemedy) {
   StickReading reading;
   reading.angular = 0.75F;
   p.axis_angular = 3;
-  EXPECT_EQ(
-      read_stick(message_of({0.0F, 0.0F}), p, reading),
-      "axis_angular = 3, but the message has only axes 0 to 1: set axis_angular to one that the device has");
+  EXPECT_EQ(read_stick(message_of({0.0F, 0.0F}), p, reading),
+            "axis_angular = 3, but the message has only axes 0 to 1: set axis_angular to one that the device has");
   EXPECT_EQ(read_stick(message_of({}), p, reading),
             "axis_angular = 3, but the message has no axes: set axis_angular to one that the device has");
   p.axis_angular = 0;

@@ -18,9 +18,7 @@ Parameters with_button() {
   return p;
 }
 
-void expect_stopped(const OperatorIntent& intent) {
-  expect_intent(intent, State::stopped, Influence::stop, 0.0, 0.0);
-}
+void expect_stopped(const OperatorIntent& intent) { expect_intent(intent, State::stopped, Influence::stop, 0.0, 0.0); }
 
 CycleFeedback at_goal() {
   CycleFeedback feedback;
@@ -135,10 +133,9 @@ TEST(Stop, AButtonThatTheDeviceLacksIsNamed) {
   Parameters p;
   p.stop_button = 2;
   Person person(p);
-  EXPECT_EQ(
-      person.stick(1.0, 0.0F),
-      "stop_button = 2, but the message has only buttons 0 to 1: set stop_button to one that the device "
-      "has, or to -1 for none");
+  EXPECT_EQ(person.stick(1.0, 0.0F),
+            "stop_button = 2, but the message has only buttons 0 to 1: set stop_button to one that the device "
+            "has, or to -1 for none");
 }
 
 TEST(Stop, PulledBackWithHysteresis) {
@@ -546,7 +543,8 @@ TEST(Stop, NamesWithoutNumberDoNotPileUp) {
   person.machine.receive(from("/holds", 1.0, true));
   Bytes few, many;
   const auto visit = [&](int first, int last) {
-    for (int i = first; i < last; ++i) person.machine.receive(from("/joy_" + std::to_string(100 + i), 1.0 + 0.01 * i, false));
+    for (int i = first; i < last; ++i)
+      person.machine.receive(from("/joy_" + std::to_string(100 + i), 1.0 + 0.01 * i, false));
   };
   visit(0, 100);
   ArchiveWriter write_few(few);

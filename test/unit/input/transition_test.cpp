@@ -54,9 +54,8 @@ bool matches(char wanted, bool value) { return wanted == 'x' || (wanted == '1') 
 
 bool matches(const Row& row, State from, const Facts& f) {
   return row.from == from && matches(row.facts[0], f.stop) && matches(row.facts[2], f.manual) &&
-         matches(row.facts[4], f.lost) && matches(row.facts[6], f.active) &&
-         matches(row.facts[8], f.blocked) && matches(row.facts[10], f.holding) &&
-         matches(row.facts[12], f.at_goal);
+         matches(row.facts[4], f.lost) && matches(row.facts[6], f.active) && matches(row.facts[8], f.blocked) &&
+         matches(row.facts[10], f.holding) && matches(row.facts[12], f.at_goal);
 }
 
 bool reachable(State from, const Facts& f) {
@@ -73,8 +72,8 @@ bool reachable(State from, const Facts& f) {
 // Every reachable combination is in the table, and every row that matches says the same.
 TEST(Transition, Table) {
   std::array<int, std::size(kTable)> used{};
-  for (const State from : {State::autonomy, State::shared, State::hold, State::manual, State::stopped,
-                           State::lost, State::blocked}) {
+  for (const State from :
+       {State::autonomy, State::shared, State::hold, State::manual, State::stopped, State::lost, State::blocked}) {
     for (unsigned bits = 0; bits < 128; ++bits) {
       Facts f;
       f.enabled = true;
@@ -92,8 +91,7 @@ TEST(Transition, Table) {
         if (!matches(row, from, f)) continue;
         ++rows;
         ++used[i];
-        EXPECT_STREQ(to_string(next_state(from, f)), to_string(row.to))
-            << to_string(from) << " bits " << bits;
+        EXPECT_STREQ(to_string(next_state(from, f)), to_string(row.to)) << to_string(from) << " bits " << bits;
       }
       EXPECT_GE(rows, 1) << to_string(from) << " bits " << bits;
       f.enabled = false;

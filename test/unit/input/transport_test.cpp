@@ -91,8 +91,7 @@ TEST(Transport, BacklogDoesNotKeepInputAlive) {
   for (int i = 0; i < 40; ++i) {
     const double now = 1.1 + 0.05 * i;
     EXPECT_NE(person.machine.receive(stamped(now - 1.0 + 0.06, now, 1.0F)), "");
-    EXPECT_EQ(person.cycle(now + 1e-3).state == State::shared, now <= 1.52)
-        << now;  // at most 0.5 s from 1.05
+    EXPECT_EQ(person.cycle(now + 1e-3).state == State::shared, now <= 1.52) << now;  // at most 0.5 s from 1.05
   }
   EXPECT_EQ(person.machine.dropped(), 40U);
   EXPECT_NE(person.machine.advice().find("synchronise the clocks"), std::string::npos);
@@ -146,8 +145,7 @@ TEST(Transport, ASendersClockThatWasSetBackIsLearntAndTheStickMustBeSeenCentred)
 
 TEST(Transport, ASendersClockThatWasSetBackMakesANewDevice) {
   Person person;
-  person.machine.receive(
-      stamped(100.0, 1.0, 0.0F));  // centred: nothing is lost while its messages are dropped
+  person.machine.receive(stamped(100.0, 1.0, 0.0F));  // centred: nothing is lost while its messages are dropped
   for (int i = 0; i <= 120; ++i) {
     const double now = 1.1 + 0.05 * i;
     person.machine.receive(stamped(3.0 + 0.05 * i, now, 1.0F));

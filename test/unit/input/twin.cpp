@@ -21,8 +21,7 @@ double mapped(float axis, const Parameters& p, double maximum) {
 
 }  // namespace
 
-Twin::Twin(std::vector<Event> history, const Parameters& parameters)
-    : history_(std::move(history)), p_(parameters) {
+Twin::Twin(std::vector<Event> history, const Parameters& parameters) : history_(std::move(history)), p_(parameters) {
   judge_lags();
   find_pauses();
   for (std::size_t e = 0; e < history_.size(); ++e) {
@@ -50,9 +49,7 @@ bool Twin::readable(const StickMessage& m) const {
   return std::abs(m.axes[0]) <= 1.01F && (!linear_is_read || std::abs(m.axes[1]) <= 1.01F);
 }
 
-bool Twin::usable(std::size_t e) const {
-  return is_message(e) && readable(history_[e].message) && !late_[e];
-}
+bool Twin::usable(std::size_t e) const { return is_message(e) && readable(history_[e].message) && !late_[e]; }
 
 // A message is late by what its lag exceeds the link's present one. That is the smallest lag since the link was last
 // taken to be slower, that is since lags beyond the limit had stayed within 0.1 s for 2 s.
@@ -116,18 +113,18 @@ void Twin::find_pauses() {
   }
 }
 
-double Twin::longest_pause(std::size_t after, std::size_t upto) const {
+double Twin::longest_pause(std::size_t after, std::size_t up_to) const {
   double longest = 0.0;
   for (const Pause& pause : pauses_) {
-    if (pause.event > after && pause.event <= upto) longest = std::max(longest, pause.length);
+    if (pause.event > after && pause.event <= up_to) longest = std::max(longest, pause.length);
   }
   return longest;
 }
 
-double Twin::all_pauses(std::size_t after, std::size_t upto) const {
+double Twin::all_pauses(std::size_t after, std::size_t up_to) const {
   double sum = 0.0;
   for (const Pause& pause : pauses_) {
-    if (pause.event > after && pause.event <= upto) sum += pause.length;
+    if (pause.event > after && pause.event <= up_to) sum += pause.length;
   }
   return sum;
 }
@@ -166,9 +163,8 @@ bool Twin::counts(std::size_t heard) const {
 }
 
 bool Twin::slower_between(std::size_t first, std::size_t last) const {
-  return std::any_of(slower_.begin(), slower_.end(), [&](std::size_t event) {
-    return event > heard_[first].event && event <= heard_[last].event;
-  });
+  return std::any_of(slower_.begin(), slower_.end(),
+                     [&](std::size_t event) { return event > heard_[first].event && event <= heard_[last].event; });
 }
 
 // In some cycle since the message it had been silent for too long, not counting the longest pause until then.
@@ -292,8 +288,7 @@ bool Twin::blocked(const std::vector<Cycle>& past, std::size_t event, double now
     if (history_[e].kind != Event::Kind::cycle) continue;
     for (const Cycle& cycle : past) {
       if (cycle.event != e) continue;
-      if (!steers(cycle.state) || !cycle.feedback.own_command_refused || !cycle.feedback.at_rest)
-        return false;
+      if (!steers(cycle.state) || !cycle.feedback.own_command_refused || !cycle.feedback.at_rest) return false;
       if (now - cycle.time >= p_.blocked_time) return true;
     }
   }
@@ -301,16 +296,14 @@ bool Twin::blocked(const std::vector<Cycle>& past, std::size_t event, double now
 }
 
 // v_h of the hold that runs in a cycle, if one does.
-std::optional<double> Twin::held_velocity(const std::vector<Cycle>& past, std::size_t event,
-                                          double now) const {
+std::optional<double> Twin::held_velocity(const std::vector<Cycle>& past, std::size_t event, double now) const {
   // The last cycle that steered; the one after it began the hold.
   std::size_t last = past.size();
   while (last > 0 && !steers(past[last - 1].state)) --last;
   if (last == 0) return std::nullopt;
   const bool first_after = last == past.size();
   const std::size_t begin_event = first_after ? event : past[last].event;
-  if (device(begin_event) == Device::lost && p_.on_input_lost != OnInputLost::hold)
-    return std::nullopt;
+  if (device(begin_event) == Device::lost && p_.on_input_lost != OnInputLost::hold) return std::nullopt;
   for (std::size_t i = last; i < past.size(); ++i) {
     const std::vector<Cycle> before(past.begin(), past.begin() + static_cast<std::ptrdiff_t>(i));
     if (past[i].state == State::stopped || latched(before, past[i].event)) return std::nullopt;
@@ -337,8 +330,7 @@ std::vector<OperatorIntent> Twin::intents() const {
     const bool goal = latched(past, e);
     OperatorIntent intent;
     const bool in_control = manual(e);
-    const bool matters =
-        steers(before) || before == State::manual || before == State::lost || before == State::stopped;
+    const bool matters = steers(before) || before == State::manual || before == State::lost || before == State::stopped;
     const bool loses = now_device == Device::lost && matters && (in_control || !switching());
     const bool shares = now_device == Device::active && !goal && !switching();
     const std::optional<double> hold = shares || switching() ? std::nullopt : held_velocity(past, e, now);
@@ -357,8 +349,7 @@ std::vector<OperatorIntent> Twin::intents() const {
       intent.state = blocked(past, e, now) ? State::blocked : State::shared;
       intent.influence = Influence::shared;
       intent.u_h = heard_[last_heard(e).value()].u_h;
-      if (p_.linear == LinearPolicy::current)
-        intent.u_h.v = past.empty() ? 0.0 : past.back().feedback.command.v;
+      if (p_.linear == LinearPolicy::current) intent.u_h.v = past.empty() ? 0.0 : past.back().feedback.command.v;
     } else if (hold) {
       intent.state = State::hold;
     }

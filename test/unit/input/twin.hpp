@@ -60,8 +60,8 @@ class Twin {
   void judge_lags();
   void find_pauses();
   void follow_stops();
-  double longest_pause(std::size_t after, std::size_t upto) const;
-  double all_pauses(std::size_t after, std::size_t upto) const;
+  double longest_pause(std::size_t after, std::size_t up_to) const;
+  double all_pauses(std::size_t after, std::size_t up_to) const;
   std::optional<std::size_t> last_heard(std::size_t before_event) const;
   bool broken(std::size_t first, std::size_t last) const;
   std::optional<std::size_t> centred_before(std::size_t heard) const;
@@ -85,7 +85,7 @@ class Twin {
   std::vector<bool> late_;           // of every event: a message that was held back
   std::vector<std::size_t> slower_;  // messages from which on the link was slower
   std::vector<Pause> pauses_;
-  std::vector<bool> stopped_;        // before every event
+  std::vector<bool> stopped_;  // before every event
 };
 
 }  // namespace hidwa_local_planner::input

@@ -74,9 +74,7 @@ class Story {
 
  private:
   bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
-  }
+  double uniform(double low, double high) { return low + (high - low) * static_cast<double>(random_()) / 4294967296.0; }
   float value() { return chance(0.3) ? 0.05F : static_cast<float>(uniform(-1.0, 1.0)); }
 
   StickMessage message() {

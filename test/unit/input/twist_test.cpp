@@ -41,7 +41,7 @@ TEST(Twist, IsTheWishItself) {
     expect_intent(person.cycle(1.2), State::shared, Influence::shared, 0.3, 0.0);
     person.twist(1.25, 0.0, 0.0);
     expect_intent(person.cycle(1.25), State::hold, Influence::shared, 0.3, 0.0);  // v_h at release
-    EXPECT_EQ(person.cycle(3.19).state, State::hold);  // 3.19 - 1.2 = 1.99 < delta = 2
+    EXPECT_EQ(person.cycle(3.19).state, State::hold);                             // 3.19 - 1.2 = 1.99 < delta = 2
     EXPECT_EQ(person.cycle(3.21).state, State::autonomy);
   }
 }

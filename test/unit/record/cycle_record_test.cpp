@@ -71,8 +71,7 @@ TEST(CycleRecord, OfAnotherFormatOrDamagedIsToldInWords) {
   CycleRecord record;
   Bytes other = bytes;
   other[0] = 99;
-  EXPECT_EQ(decode(other, record),
-            "the record's format is 99, this program reads 3: use the release that recorded it");
+  EXPECT_EQ(decode(other, record), "the record's format is 99, this program reads 3: use the release that recorded it");
   EXPECT_EQ(decode({}, record), "the record is empty");
   for (std::size_t n = 2; n < bytes.size(); ++n) {
     EXPECT_EQ(decode(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(n)), record),

@@ -195,7 +195,8 @@ TEST(CycleReplay, ACriticOfAnotherPackageRemembersAndFindsItsParameters) {
   test::Scene scene = test::Scene::empty(81);
   scene.parameters.critics = "PathDist, Moody";
   Planner planner(with_moody());
-  ASSERT_TRUE(planner.configure(scene.parameters, [](const std::string&) { return std::make_unique<Scale>(500.0); }).empty());
+  ASSERT_TRUE(
+      planner.configure(scene.parameters, [](const std::string&) { return std::make_unique<Scale>(500.0); }).empty());
   planner.set_footprint(scene.outline);
   CycleRecorder recorder;
   input::OperatorStateMachine person;

@@ -24,7 +24,8 @@ TEST(Moment, OfANumberWithOrWithoutRos) {
   EXPECT_FALSE(moment_of("71.25")->ros_time);
   EXPECT_EQ(moment_of("ros:71.25")->seconds, 71.25);
   EXPECT_TRUE(moment_of("ros:71.25")->ros_time);
-  for (const char* text : {"", "ros:", "noon", "71.2s", "nan", "inf", "ros:nan", "sim:3"}) EXPECT_FALSE(moment_of(text)) << text;
+  for (const char* text : {"", "ros:", "noon", "71.2s", "nan", "inf", "ros:nan", "sim:3"})
+    EXPECT_FALSE(moment_of(text)) << text;
 }
 
 TEST(Moment, SinceTheFirstRecordOrTheWallClock) {
@@ -53,7 +54,8 @@ TEST(Moment, WhereThereIsNoRecordTheTimesThatThereAreAreNamed) {
   for (const char* text : {"25", "ros:25000", "99", "-5"}) {
     const MomentSearch none = search(text, 1000.0);
     EXPECT_FALSE(none.found()) << text;
-    EXPECT_NE(none.remark().find("0 to 60.000 s since the first record, which is ROS time 1000.000 to 1060.000"), std::string::npos)
+    EXPECT_NE(none.remark().find("0 to 60.000 s since the first record, which is ROS time 1000.000 to 1060.000"),
+              std::string::npos)
         << none.remark();
   }
   EXPECT_NE(MomentSearch(*moment_of("1")).remark().find("record_cycles"), std::string::npos);

@@ -21,10 +21,9 @@ Outline outline(const std::string& inside) {
 
 TEST(Outline, OfABoxOffTheBase) {
   // Turned by a quarter about z at (0.1, 0): 0.4 m long across, 0.2 m wide along.
-  const Outline result =
-      outline("<link name='base_link'/>" +
-              joint_text("j", "fixed", "base_link", "body", "0.1 0 0.3", "0 0 1.5707963268") +
-              link_text("body", "<box size='0.4 0.2 0.1'/>"));
+  const Outline result = outline("<link name='base_link'/>" +
+                                 joint_text("j", "fixed", "base_link", "body", "0.1 0 0.3", "0 0 1.5707963268") +
+                                 link_text("body", "<box size='0.4 0.2 0.1'/>"));
   ASSERT_EQ(result.corners.size(), 4u);
   const Polygon expected{{0.0, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {0.0, 0.2}};
   for (const Point& corner : expected) {
@@ -56,10 +55,9 @@ TEST(Outline, ARoundRobotIsACircleThatContainsIt) {
 }
 
 TEST(Outline, CoversEveryLinkWhateverItsHeight) {
-  const Outline result =
-      outline(link_text("base_link", "<sphere radius='0.1'/>") +
-              joint_text("j", "continuous", "base_link", "screen", "0.2 0 1.2", "0 0 0", kAxisY) +
-              link_text("screen", "<box size='0.02 0.36 0.24'/>"));
+  const Outline result = outline(link_text("base_link", "<sphere radius='0.1'/>") +
+                                 joint_text("j", "continuous", "base_link", "screen", "0.2 0 1.2", "0 0 0", kAxisY) +
+                                 link_text("screen", "<box size='0.02 0.36 0.24'/>"));
   double widest = 0.0, longest = 0.0;
   for (const Point& corner : result.corners) {
     longest = std::max(longest, corner.x());
@@ -70,11 +68,10 @@ TEST(Outline, CoversEveryLinkWhateverItsHeight) {
 }
 
 TEST(Outline, MeshesAndShapesWithoutSizeAreSkippedAndNamed) {
-  const Outline result = outline(link_text("base_link", "<sphere radius='0.1'/>") +
-                                 joint_text("a", "fixed", "base_link", "body", "0 0 0") +
-                                 link_text("body", "<mesh filename='package://r/body.stl'/>") +
-                                 joint_text("b", "fixed", "base_link", "flat", "0 0 0") +
-                                 link_text("flat", "<cylinder radius='0' length='1'/>"));
+  const Outline result = outline(
+      link_text("base_link", "<sphere radius='0.1'/>") + joint_text("a", "fixed", "base_link", "body", "0 0 0") +
+      link_text("body", "<mesh filename='package://r/body.stl'/>") +
+      joint_text("b", "fixed", "base_link", "flat", "0 0 0") + link_text("flat", "<cylinder radius='0' length='1'/>"));
   const std::vector<std::string> expected{"body", "flat"};
   EXPECT_EQ(result.skipped, expected);
   EXPECT_FALSE(result.corners.empty());

@@ -14,8 +14,7 @@ namespace {
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 const Joint& joint_of(const Model& model, const std::string& name) {
-  return *std::find_if(model.joints.begin(), model.joints.end(),
-                       [&](const Joint& j) { return j.name == name; });
+  return *std::find_if(model.joints.begin(), model.joints.end(), [&](const Joint& j) { return j.name == name; });
 }
 
 TEST(UrdfReading, JointsLieInTheBaseFrame) {
@@ -35,8 +34,8 @@ TEST(UrdfReading, OriginsAreComposedAlongTheTree) {
   // The carrier is turned by a quarter about z: its x is the base's y. The joint is turned by another quarter
   // about x.
   const std::string text =
-      "<robot name='r'><link name='root'/>" +
-      joint_text("base_joint", "fixed", "root", "base_link", "0 0 0.1") + "<link name='base_link'/>" +
+      "<robot name='r'><link name='root'/>" + joint_text("base_joint", "fixed", "root", "base_link", "0 0 0.1") +
+      "<link name='base_link'/>" +
       joint_text("carrier_joint", "fixed", "base_link", "carrier", "0.05 0.1 0", "0 0 1.5707963268") +
       "<link name='carrier'/>" +
       joint_text("arm_joint", "revolute", "carrier", "arm", "0.1 0 0", "1.5707963268 0 0",
@@ -95,15 +94,12 @@ TEST(UrdfReading, EveryBeginningOfAGoodTextIsReadOrRefused) {
 }
 
 TEST(UrdfReading, FaultsNameTheJoint) {
-  EXPECT_TRUE(has(read_urdf(base_text("<limit effort='6' velocity='fast'/>"), "base_link").fault,
-                  "wheel_left_joint"));
+  EXPECT_TRUE(has(read_urdf(base_text("<limit effort='6' velocity='fast'/>"), "base_link").fault, "wheel_left_joint"));
   EXPECT_TRUE(has(read_urdf(base_text("<limit effort='6'/>"), "base_link").fault, "wheel_left_joint"));
-  EXPECT_TRUE(
-      has(read_urdf(base_text("<limit effort='6' velocity='nan'/>"), "base_link").fault, "wheel_left_joint"));
+  EXPECT_TRUE(has(read_urdf(base_text("<limit effort='6' velocity='nan'/>"), "base_link").fault, "wheel_left_joint"));
   const std::string orphan =
       base_text(limit_text("10"), tyre("0.1"), joint_text("lost_joint", "fixed", "nowhere", "x", "0 0 0"));
-  EXPECT_TRUE(has(read_urdf(orphan, "base_link").fault, "lost_joint"))
-      << read_urdf(orphan, "base_link").fault;
+  EXPECT_TRUE(has(read_urdf(orphan, "base_link").fault, "lost_joint")) << read_urdf(orphan, "base_link").fault;
 }
 
 TEST(UrdfReading, LinksInACircleEnd) {

@@ -21,8 +21,7 @@ Wheels wheels(double velocity) {
   return w;
 }
 
-bool says(const LimitedParameters& result, const std::string& part,
-          Remark::Level level = Remark::Level::info) {
+bool says(const LimitedParameters& result, const std::string& part, Remark::Level level = Remark::Level::info) {
   for (const Remark& remark : result.remarks) {
     if (remark.level == level && remark.text.find(part) != std::string::npos) return true;
   }
@@ -98,8 +97,7 @@ TEST(WheelLimits, LengthsOfTheParametersCountAndADifferenceIsSaid) {
   wanted.wheel_separation = 0.3;
   result = limited(wanted, wheels(1.0));
   EXPECT_TRUE(says(result, "wheel_radius = 0.103 m holds, but the URDF says 0.1 m", Remark::Level::warning));
-  EXPECT_TRUE(
-      says(result, "wheel_separation = 0.3 m holds, but the URDF says 0.4 m", Remark::Level::warning));
+  EXPECT_TRUE(says(result, "wheel_separation = 0.3 m holds, but the URDF says 0.4 m", Remark::Level::warning));
   EXPECT_NEAR(result.parameters.max_vel_x, 0.103, 1e-12);
 }
 
@@ -118,8 +116,8 @@ TEST(WheelLimits, AMissingRadiusIsAFaultUntilTheParametersHaveIt) {
 }
 
 TEST(WheelLimits, FaultyParametersStayForTheValidationToName) {
-  for (const char* name : {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_radius", "wheel_separation",
-                           "max_wheel_velocity"}) {
+  for (const char* name :
+       {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_radius", "wheel_separation", "max_wheel_velocity"}) {
     for (const double value : {-99.0, 999.0, std::nan("")}) {
       Parameters wanted;
       set_parameter(wanted, name, value);

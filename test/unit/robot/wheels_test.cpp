@@ -17,8 +17,7 @@ WheelSearch search(const std::string& urdf, const std::string& left = "", const 
 
 void expect_fault(const WheelSearch& found, std::initializer_list<const char*> parts) {
   EXPECT_FALSE(found.wheels);
-  for (const char* part : parts)
-    EXPECT_NE(found.fault.find(part), std::string::npos) << part << " in " << found.fault;
+  for (const char* part : parts) EXPECT_NE(found.fault.find(part), std::string::npos) << part << " in " << found.fault;
 }
 
 TEST(Wheels, LimitPresent) {
@@ -34,16 +33,15 @@ TEST(Wheels, LimitPresent) {
 TEST(Wheels, LimitAbsent) {
   // As TurtleBot3: wheels 0.16 m apart, turned origins, cylinders along the joints' z, no <limit>.
   const auto wheel = [](const std::string& side, const std::string& y) {
-    return joint_text("wheel_" + side + "_joint", "continuous", "base_link", "wheel_" + side,
-                      "0.0 " + y + " 0.023", "-1.57 0 0", "<axis xyz='0 0 1'/>") +
+    return joint_text("wheel_" + side + "_joint", "continuous", "base_link", "wheel_" + side, "0.0 " + y + " 0.023",
+                      "-1.57 0 0", "<axis xyz='0 0 1'/>") +
            link_text("wheel_" + side, "<cylinder length='0.018' radius='0.033'/>");
   };
-  const WheelSearch found =
-      search("<robot name='burger'><link name='base_footprint'/>" +
-             joint_text("base_joint", "fixed", "base_footprint", "base_link", "0 0 0.01") +
-             "<link name='base_link'/>" + wheel("left", "0.08") + wheel("right", "-0.080") +
-             joint_text("caster_back_joint", "fixed", "base_link", "caster", "-0.081 0 -0.004") +
-             link_text("caster", "<box size='0.03 0.009 0.02'/>") + "</robot>");
+  const WheelSearch found = search("<robot name='burger'><link name='base_footprint'/>" +
+                                   joint_text("base_joint", "fixed", "base_footprint", "base_link", "0 0 0.01") +
+                                   "<link name='base_link'/>" + wheel("left", "0.08") + wheel("right", "-0.080") +
+                                   joint_text("caster_back_joint", "fixed", "base_link", "caster", "-0.081 0 -0.004") +
+                                   link_text("caster", "<box size='0.03 0.009 0.02'/>") + "</robot>");
   ASSERT_TRUE(found.wheels) << found.fault;
   EXPECT_NEAR(found.wheels->separation, 0.16, 1e-12);
   EXPECT_EQ(found.wheels->radius, 0.033);
@@ -52,8 +50,7 @@ TEST(Wheels, LimitAbsent) {
 
 TEST(Wheels, TheTighterOfTwoDifferentOnesCounts) {
   const WheelSearch found =
-      search("<robot name='r'><link name='base_link'/>" +
-             wheel_text("left", "0", "0.2", limit_text("9"), tyre("0.1")) +
+      search("<robot name='r'><link name='base_link'/>" + wheel_text("left", "0", "0.2", limit_text("9"), tyre("0.1")) +
              wheel_text("right", "0", "-0.2", limit_text("7"), tyre("0.09")) + "</robot>");
   ASSERT_TRUE(found.wheels) << found.fault;
   EXPECT_EQ(found.wheels->max_velocity, 7.0);
@@ -71,8 +68,7 @@ TEST(Wheels, OneJointsLimitWillDo) {
 
 TEST(Wheels, OriginsOfFixedJointsBetweenAreAdded) {
   const auto side = [](const std::string& name, const std::string& y, const std::string& turned) {
-    return joint_text(name + "_mount_joint", "fixed", "base_link", name + "_mount", "0.05 " + y + " 0.06",
-                      turned) +
+    return joint_text(name + "_mount_joint", "fixed", "base_link", name + "_mount", "0.05 " + y + " 0.06", turned) +
            "<link name='" + name + "_mount'/>" +
            joint_text(name + "_joint", "continuous", name + "_mount", name, "0 0.05 0", "0 0 0",
                       kAxisY + limit_text("5")) +
@@ -80,9 +76,8 @@ TEST(Wheels, OriginsOfFixedJointsBetweenAreAdded) {
   };
   // Left at 0.15 + 0.05; the right mount is turned by half a turn, so that its +0.05 goes the other way:
   // -0.15 - 0.05.
-  const WheelSearch found =
-      search("<robot name='r'><link name='base_link'/>" + side("left", "0.15", "0 0 0") +
-             side("right", "-0.15", "0 0 3.14159265359") + "</robot>");
+  const WheelSearch found = search("<robot name='r'><link name='base_link'/>" + side("left", "0.15", "0 0 0") +
+                                   side("right", "-0.15", "0 0 3.14159265359") + "</robot>");
   ASSERT_TRUE(found.wheels) << found.fault;
   EXPECT_NEAR(found.wheels->separation, 0.4, 1e-9);
   EXPECT_EQ(found.wheels->left, "left_joint");
@@ -96,8 +91,8 @@ TEST(Wheels, SphereOrVisualGeometryWillDo) {
            "</geometry></visual><collision><geometry><mesh "
            "filename='package://r/tyre.stl'/></geometry></collision></link>";
   };
-  const WheelSearch found = search("<robot name='r'><link name='base_link'/>" + visual("l", "0.2") +
-                                   visual("r", "-0.2") + "</robot>");
+  const WheelSearch found =
+      search("<robot name='r'><link name='base_link'/>" + visual("l", "0.2") + visual("r", "-0.2") + "</robot>");
   ASSERT_TRUE(found.wheels) << found.fault;
   EXPECT_EQ(found.wheels->radius, 0.06);
 }
@@ -111,11 +106,10 @@ TEST(Wheels, AMeshHasNoRadius) {
 }
 
 TEST(Wheels, ACylinderAcrossTheAxisDoesNotRoll) {
-  const std::string upright =
-      joint_text("l", "continuous", "base_link", "l_link", "0 0.2 0.1", "0 0 0", kAxisY) +
-      link_text("l_link", tyre("0.06")) +
-      joint_text("r", "continuous", "base_link", "r_link", "0 -0.2 0.1", "0 0 0", kAxisY) +
-      link_text("r_link", tyre("0.06"));
+  const std::string upright = joint_text("l", "continuous", "base_link", "l_link", "0 0.2 0.1", "0 0 0", kAxisY) +
+                              link_text("l_link", tyre("0.06")) +
+                              joint_text("r", "continuous", "base_link", "r_link", "0 -0.2 0.1", "0 0 0", kAxisY) +
+                              link_text("r_link", tyre("0.06"));
   const WheelSearch found = search("<robot name='r'><link name='base_link'/>" + upright + "</robot>");
   ASSERT_TRUE(found.wheels) << found.fault;
   EXPECT_EQ(found.wheels->radius, 0.0);
@@ -123,20 +117,17 @@ TEST(Wheels, ACylinderAcrossTheAxisDoesNotRoll) {
 }
 
 TEST(Wheels, NonsenseIsAFaultThatNamesTheJoint) {
-  expect_fault(search(base_text(limit_text("5"), tyre("0"))),
-               {"wheel_left_joint", "radius of 0 m", "correct it"});
+  expect_fault(search(base_text(limit_text("5"), tyre("0"))), {"wheel_left_joint", "radius of 0 m", "correct it"});
   expect_fault(search(base_text(limit_text("5"), tyre("-0.1"))), {"wheel_left_joint", "radius of -0.1 m"});
   expect_fault(search(base_text(limit_text("5"), tyre("98.5"))), {"wheel_left_joint", "radius of 98.5 m"});
-  expect_fault(search(base_text(limit_text("0"))),
-               {"wheel_left_joint", "velocity> is 0 rad/s", "remove <limit>"});
+  expect_fault(search(base_text(limit_text("0"))), {"wheel_left_joint", "velocity> is 0 rad/s", "remove <limit>"});
   expect_fault(search(base_text(limit_text("-3"))), {"wheel_left_joint", "velocity> is -3 rad/s"});
 }
 
 TEST(Wheels, MissingJointsAreNamedWithWhatThereIs) {
   expect_fault(search(base_text(), "left", "wheel_right_joint"),
                {"left: there is no such joint (left_wheel_joint)", "wheel_left_joint, wheel_right_joint"});
-  expect_fault(search(base_text(), "wheel_left_joint", "right"),
-               {"right: there is no such joint (right_wheel_joint)"});
+  expect_fault(search(base_text(), "wheel_left_joint", "right"), {"right: there is no such joint (right_wheel_joint)"});
   expect_fault(search(base_text(), "wheel_left_joint", ""), {"belong together"});
   expect_fault(search(base_text(), "wheel_left_joint", "wheel_left_joint"), {"0 m apart"});
   expect_fault(search("<robot name='r'><link name='base_link'/></robot>", "l", "r"),
@@ -150,16 +141,14 @@ TEST(Wheels, NamedJointsMustTurnAboutY) {
       "<link name='b'/>";
   const std::string urdf = base_text(limit_text("5"), tyre("0.1"), more);
   expect_fault(search(urdf, "fixed_joint", "wheel_right_joint"), {"fixed_joint: it does not turn"});
-  expect_fault(search(urdf, "yaw_joint", "wheel_right_joint"),
-               {"yaw_joint: it turns about (0, 0, 1) of base_link"});
+  expect_fault(search(urdf, "yaw_joint", "wheel_right_joint"), {"yaw_joint: it turns about (0, 0, 1) of base_link"});
 }
 
 std::string four_wheels() {
   std::string text = "<robot name='skid'><link name='base_link'/>";
   for (const char* x : {"0.2", "-0.2"}) {
     for (const char* y : {"0.25", "-0.25"}) {
-      const std::string name =
-          std::string(x[0] == '-' ? "rear" : "front") + (y[0] == '-' ? "_right" : "_left");
+      const std::string name = std::string(x[0] == '-' ? "rear" : "front") + (y[0] == '-' ? "_right" : "_left");
       text += wheel_text(name, x, y, limit_text("6"), tyre("0.1"));
     }
   }
@@ -180,11 +169,10 @@ TEST(Wheels, CastersOnSwivelsAreNoDrivingWheels) {
   std::string casters;
   for (const char* side : {"1", "-1"}) {
     const std::string name = std::string("caster") + side;
-    casters += joint_text(name + "_swivel", "continuous", "base_link", name,
-                          "0.2 " + std::string(side[0] == '-' ? "-" : "") + "0.15 0.1", "0 0 0",
-                          "<axis xyz='0 0 1'/>") +
-               "<link name='" + name + "'/>" +
-               wheel_text(name + "_wheel", "-0.02", "0", "", tyre("0.03"), name);
+    casters +=
+        joint_text(name + "_swivel", "continuous", "base_link", name,
+                   "0.2 " + std::string(side[0] == '-' ? "-" : "") + "0.15 0.1", "0 0 0", "<axis xyz='0 0 1'/>") +
+        "<link name='" + name + "'/>" + wheel_text(name + "_wheel", "-0.02", "0", "", tyre("0.03"), name);
   }
   const WheelSearch found = search(base_text(limit_text("5"), tyre("0.1"), casters));
   ASSERT_TRUE(found.wheels) << found.fault;

@@ -48,9 +48,7 @@ TEST(Conversions, ATransformByHand) {
   EXPECT_NEAR(moved.theta, M_PI / 2, 1e-12);
 }
 
-TEST(Conversions, TwistsThereAndBack) {
-  EXPECT_EQ(to_twist(to_message(Twist2{0.3, -0.7})), (Twist2{0.3, -0.7}));
-}
+TEST(Conversions, TwistsThereAndBack) { EXPECT_EQ(to_twist(to_message(Twist2{0.3, -0.7})), (Twist2{0.3, -0.7})); }
 
 TEST(Conversions, TheGridSeesTheCostmapsCells) {
   costmap_2d::Costmap2D costmap(30, 20, 0.1, -1.0, 2.0);

@@ -76,7 +76,8 @@ TEST(OperatorMarkers, TheStateIsWrittenInAColourOfItsOwn) {
     other.state_name = state.state_name;
     other.refused_by = "Collision";
     EXPECT_EQ(colour_of(group(to_operator_markers(other, "base_link"), "state").front()), colour_of(text));
-    for (const auto& [name, colour] : colours) EXPECT_GT(apart(colour, colour_of(text)), 0.2) << name << ", " << state.state_name;
+    for (const auto& [name, colour] : colours)
+      EXPECT_GT(apart(colour, colour_of(text)), 0.2) << name << ", " << state.state_name;
     colours[state.state_name] = colour_of(text);
   }
   EXPECT_EQ(colours.size(), kStates);

@@ -16,9 +16,7 @@ inline OccupancyMap random_map(Random& random, int width, int height, double den
   return map;
 }
 
-inline double uniform(Random& random, double low, double high) {
-  return low + (high - low) * random.uniform();
-}
+inline double uniform(Random& random, double low, double high) { return low + (high - low) * random.uniform(); }
 
 }  // namespace sim
 }  // namespace hidwa_local_planner

@@ -23,8 +23,7 @@ namespace sim {
 /// seconds; arcs that would hit something within 1.7 s are refused.
 class StandIn {
  public:
-  StandIn(const OccupancyMap& map, const Polygon& footprint, const GridRoute& routes,
-          const RobotHabits& habits)
+  StandIn(const OccupancyMap& map, const Polygon& footprint, const GridRoute& routes, const RobotHabits& habits)
       : map_(map), footprint_(footprint), routes_(routes), habits_(habits) {}
 
   const Route& plan() const { return plan_; }
@@ -76,9 +75,7 @@ class StandIn {
     if (plan_.empty()) return Velocity();
     position_ = nearest_index(plan_, position_, 2.0, pose.x, pose.y);
     std::size_t aim = position_;
-    const auto distance = [&](std::size_t i) {
-      return std::hypot(plan_[i].x() - pose.x, plan_[i].y() - pose.y);
-    };
+    const auto distance = [&](std::size_t i) { return std::hypot(plan_[i].x() - pose.x, plan_[i].y() - pose.y); };
     while (aim + 1 < plan_.size() && distance(aim) < habits_.pursuit) ++aim;
     const double turn = normalized(std::atan2(plan_[aim].y() - pose.y, plan_[aim].x() - pose.x) - pose.theta);
     if (std::abs(turn) > 0.9) return {0.0, std::copysign(habits_.max_vel_theta, turn)};
@@ -105,9 +102,8 @@ struct DriveResult {
 
 /// Drives the stand-in at 20 Hz, a scan each time included, until the goal is 0.3 m away or `patience` [s]
 /// are over. `on_plan` is told each new plan.
-inline DriveResult drive(World& world, const GridRoute& routes, const Eigen::Vector2d& goal,
-                         const RobotHabits& habits, Operator& person,
-                         const std::function<void(const Route&)>& on_plan, double patience) {
+inline DriveResult drive(World& world, const GridRoute& routes, const Eigen::Vector2d& goal, const RobotHabits& habits,
+                         Operator& person, const std::function<void(const Route&)>& on_plan, double patience) {
   StandIn planner(world.map(), world.footprint(), routes, habits);
   DriveResult result;
   const RayCaster caster(world.map());

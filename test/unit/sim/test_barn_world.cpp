@@ -65,8 +65,7 @@ TEST(BarnWorld, FaultsNameTheLineAndTheRemedy) {
   expect("1 | 0:0 |" + straight_path(), "world 1 is there twice");
   EXPECT_EQ(fault(good), "");
   EXPECT_NE(fault("# nothing\n").find("holds no world"), std::string::npos);
-  EXPECT_NE(error_of([] { load_barn_worlds("/nowhere/worlds.txt"); }).find("cannot be read"),
-            std::string::npos);
+  EXPECT_NE(error_of([] { load_barn_worlds("/nowhere/worlds.txt"); }).find("cannot be read"), std::string::npos);
 }
 
 }  // namespace

@@ -33,8 +33,7 @@ double naive_gap(const std::vector<Eigen::Vector2d>& centres, const Polygon& pol
       const Eigen::Vector2d side = polygon[(i + 1) % polygon.size()] - polygon[i];
       const int parts = static_cast<int>(std::ceil(side.norm() / 0.001));
       for (int k = 0; k < parts; ++k) {
-        least =
-            std::min(least, (polygon[i] + side * (static_cast<double>(k) / parts) - centre).norm() - kRadius);
+        least = std::min(least, (polygon[i] + side * (static_cast<double>(k) / parts) - centre).norm() - kRadius);
       }
     }
   }

@@ -26,8 +26,8 @@ double price(const Route& route, const DistanceField& field, const RouteClearanc
 }
 
 /// The slow and obvious way: prices are lowered over the whole grid until none changes.
-std::vector<double> naive_prices(const OccupancyMap& map, const DistanceField& field,
-                                 const RouteClearance& clearance, std::size_t goal) {
+std::vector<double> naive_prices(const OccupancyMap& map, const DistanceField& field, const RouteClearance& clearance,
+                                 std::size_t goal) {
   std::vector<double> prices(map.cells.size(), std::numeric_limits<double>::infinity());
   prices[goal] = 0.0;
   for (bool changed = true; changed;) {
@@ -70,8 +70,7 @@ TEST(GridRoute, IsAsCheapAsTheNaiveTwin) {
         if (!std::isfinite(prices[map.index(c, r)])) continue;
         const Route route = routes.from({map.center_x(c), map.center_y(r)});
         ASSERT_FALSE(route.empty());
-        ASSERT_NEAR(price(route, field, clearance), prices[map.index(c, r)], 1e-4)
-            << scene << " " << c << " " << r;
+        ASSERT_NEAR(price(route, field, clearance), prices[map.index(c, r)], 1e-4) << scene << " " << c << " " << r;
         ++found;
       }
     }
@@ -138,8 +137,7 @@ TEST(Office, DirectRouteIsLongEnoughAndRunsThroughRegions) {
     EXPECT_GE(length(route), 60.0) << weight;
     EXPECT_LE(length(route), 100.0) << weight;
     RegionCounter counter(file.regions);
-    for (const Eigen::Vector2d& p : route)
-      counter.update(transformed(circle_polygon(0.3), {p.x(), p.y(), 0.0}));
+    for (const Eigen::Vector2d& p : route) counter.update(transformed(circle_polygon(0.3), {p.x(), p.y(), 0.0}));
     EXPECT_GE(counter.crossed(), 3) << weight;
   }
 }

@@ -11,8 +11,7 @@ namespace hidwa_local_planner {
 namespace sim {
 namespace {
 
-std::string yaml(const std::string& image, const std::string& origin = "[1.0, 2.0, 0.0]",
-                 const char* negate = "0") {
+std::string yaml(const std::string& image, const std::string& origin = "[1.0, 2.0, 0.0]", const char* negate = "0") {
   return "image: " + image + "\nresolution: 0.5\norigin: " + origin + "\nnegate: " + negate +
          "\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
 }

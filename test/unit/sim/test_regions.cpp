@@ -31,14 +31,12 @@ TEST(Regions, FaultsAreNamed) {
   };
   EXPECT_NE(fault("start: [1, 2, 0]\n").find("'regions'"), std::string::npos);
   EXPECT_NE(fault("regions: [{name: a, polygon: [[0, 0], [1, 0]]}]\n").find("regions[0]"), std::string::npos);
-  EXPECT_NE(fault("regions: [{polygon: [[0, 0], [1, 0], [1, 1]]}]\n").find("regions[0].name"),
-            std::string::npos);
+  EXPECT_NE(fault("regions: [{polygon: [[0, 0], [1, 0], [1, 1]]}]\n").find("regions[0].name"), std::string::npos);
   EXPECT_NE(fault("regions: []\ngoal: [1, 2]\n").find("goal"), std::string::npos);
 }
 
 TEST(RegionCounter, EachRegionCountsOnce) {
-  RegionCounter counter(
-      {{"a", {{1, -1}, {2, -1}, {2, 1}, {1, 1}}}, {"b", {{4, -1}, {5, -1}, {5, 1}, {4, 1}}}});
+  RegionCounter counter({{"a", {{1, -1}, {2, -1}, {2, 1}, {1, 1}}}, {"b", {{4, -1}, {5, -1}, {5, 1}, {4, 1}}}});
   const Polygon disc = circle_polygon(0.3);
   int announced = 0;
   // There and back along the x axis: each region is met twice.

@@ -48,8 +48,8 @@ TEST(ScriptedOperator, DistanceAndPlaceBeginEntriesInOrder) {
 
 TEST(ScriptedOperator, AllConditionsGivenMustHold) {
   TemporaryFolder folder;
-  ScriptedOperator person(load_script(
-      folder.write("s.yaml", "- {after_m: 1.0, when_y_above: 1.0, for_s: 1.0, stick: [1, 0]}\n")));
+  ScriptedOperator person(
+      load_script(folder.write("s.yaml", "- {after_m: 1.0, when_y_above: 1.0, for_s: 1.0, stick: [1, 0]}\n")));
   EXPECT_TRUE(changes(person, 10.0).empty());
   EXPECT_EQ(person.update({20.0, {5.0, 2.0, 0.0}, {}}).left, 1.0);
 }

@@ -50,8 +50,7 @@ class Barn : public StudyFolder {
   }
 
   // By the names in the first line.
-  std::vector<std::vector<std::string>> table(const std::string& out,
-                                              const std::vector<std::string>& names) const {
+  std::vector<std::vector<std::string>> table(const std::string& out, const std::vector<std::string>& names) const {
     const std::vector<Row> lines = lines_of(out);
     std::vector<std::vector<std::string>> all;
     for (std::size_t line = 1; line < lines.size(); ++line) {
@@ -115,8 +114,7 @@ TEST_F(Barn, SetReachesPlannerAndCostmap) {
     EXPECT_GT(std::stod(rows[3 * w + 1][2]), 1.1 * std::stod(rows[3 * w][2]));
     EXPECT_LT(std::stod(rows[3 * w + 2][2]), 0.8 * std::stod(rows[3 * w][2]));
   }
-  EXPECT_NE(read("a/ranking.csv").find("1,AUTONOMY,max_vel_x=1.0"), std::string::npos)
-      << read("a/ranking.csv");
+  EXPECT_NE(read("a/ranking.csv").find("1,AUTONOMY,max_vel_x=1.0"), std::string::npos) << read("a/ranking.csv");
   const Ended coarse = study(line + "--out @c --set costmap.resolution=0.1");
   ASSERT_EQ(coarse.code, 0) << coarse.errors;
   EXPECT_NE(table("c", {"length"})[0], table("a", {"length"})[0]);
@@ -170,8 +168,7 @@ const FullDeflection kFull{0.5, 1.57, 2.0};
 
 TEST(BarnPeople, AHostileOneTurnsToTheNearestCylinderAndFromSideToSide) {
   for (const double side : {-1.0, 1.0}) {
-    const auto discs =
-        std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{{0.4, 0.4 * side}}, 0.075);
+    const auto discs = std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{{0.4, 0.4 * side}}, 0.075);
     HostilePerson person(discs, kFull, 5);
     int towards = 0, away = 0, changes = 0;
     double before = 0.0;

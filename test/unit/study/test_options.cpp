@@ -70,9 +70,10 @@ TEST(Options, FaultsNameTheOption) {
   EXPECT_NE(fault_of("run --out").find("needs a value"), std::string::npos);
   EXPECT_NE(fault_of("run --out a --speed 3").find("'--speed'"), std::string::npos);
   EXPECT_NE(fault_of("run --out a stray").find("'stray'"), std::string::npos);
-  for (const char* bad : {"--participants 0", "--participants 2.5", "--seed -1", "--threads 0", "--conditions SJ,SX",
-                          "--conditions ,", "--start 1,2", "--goal 1,2,x", "--profile best", "--guard some",
-                          "--shard 0/2", "--shard 3/2", "--shard 2", "--set delta", "--grid s_v=1,2", "--vary s_v=1,2"}) {
+  for (const char* bad :
+       {"--participants 0", "--participants 2.5", "--seed -1", "--threads 0", "--conditions SJ,SX", "--conditions ,",
+        "--start 1,2", "--goal 1,2,x", "--profile best", "--guard some", "--shard 0/2", "--shard 3/2", "--shard 2",
+        "--set delta", "--grid s_v=1,2", "--vary s_v=1,2"}) {
     const std::string option = std::string(bad).substr(0, std::string(bad).find(' '));
     const std::string fault = fault_of(std::string("run --out a ") + bad);
     EXPECT_NE(fault, "") << bad;

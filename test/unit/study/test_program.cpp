@@ -32,10 +32,12 @@ class StudyProgram : public StudyFolder {
         pgm.put(wall ? '\0' : static_cast<char>(0xfe));
       }
     }
-    write("hall.yaml", "image: hall.pgm\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
-                       "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
-    write("regions.yaml", "start: [1.0, 3.0, 0.0]\ngoal: [8.8, 3.0, 0.0]\nregions:\n"
-                          "  - {name: wet, polygon: [[4.5, 2.7], [5.3, 2.7], [5.3, 3.3], [4.5, 3.3]]}\n");
+    write("hall.yaml",
+          "image: hall.pgm\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
+          "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    write("regions.yaml",
+          "start: [1.0, 3.0, 0.0]\ngoal: [8.8, 3.0, 0.0]\nregions:\n"
+          "  - {name: wet, polygon: [[4.5, 2.7], [5.3, 2.7], [5.3, 3.3], [4.5, 3.3]]}\n");
   }
 
   Ended study(const std::string& line, bool in_hall = true) const {

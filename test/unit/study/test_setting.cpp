@@ -21,8 +21,8 @@ std::string fault_of(const std::string& text) {
 
 TEST(Setting, SetsEveryKindOfValue) {
   Subject subject;
-  for (const char* text : {"s_v=123.5", "vx_samples=7", "sample_zero=false", "generator=dwa", "participant.look_ahead=2",
-                           "link_delay=0.2", "critics=PathDist, GoalDist"}) {
+  for (const char* text : {"s_v=123.5", "vx_samples=7", "sample_zero=false", "generator=dwa",
+                           "participant.look_ahead=2", "link_delay=0.2", "critics=PathDist, GoalDist"}) {
     assign(subject, parse_assignment(text));
   }
   EXPECT_EQ(subject.parameters.s_v, 123.5);

@@ -48,9 +48,8 @@ std::vector<double> presses(const std::vector<Seen>& seen) {
 }
 
 double driven(const std::vector<Seen>& seen) {
-  return kStep * static_cast<double>(std::count_if(seen.begin(), seen.end(), [](const Seen& s) {
-           return s.controls.stick.up > 0.0;
-         }));
+  return kStep * static_cast<double>(
+                     std::count_if(seen.begin(), seen.end(), [](const Seen& s) { return s.controls.stick.up > 0.0; }));
 }
 
 TEST(TakeoverPerson, TakesControlDrivesAndGivesItBack) {

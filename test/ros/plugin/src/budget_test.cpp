@@ -57,8 +57,7 @@ TEST(Budget, TooManySamplesAreThinnedAndFewerAreAllThereAgain) {
   const Warning warning("Many");
   ASSERT_TRUE(host.plan_ahead(20.0));
   ASSERT_TRUE(host.cycle_until(
-      [&](const Host::Cycle&) { return host.report().vx_samples > 0 && host.report().vx_samples < 400; },
-      60.0));
+      [&](const Host::Cycle&) { return host.report().vx_samples > 0 && host.report().vx_samples < 400; }, 60.0));
   EXPECT_TRUE(wait_for([&] { return log.said("samples thinned from 400 x 400 to"); }, 5.0));
   EXPECT_TRUE(host.cycle_until([&](const Host::Cycle& c) { return warning.on() && c.success; }, 10.0));
   // Fewer samples are all there at once, though thinned ones need 40 cycles a step; with room they stay.

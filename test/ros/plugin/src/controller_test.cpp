@@ -21,7 +21,8 @@ constexpr double kWide = 3.0;                   // a heading tolerance that ever
 class ControllerTest : public ::testing::Test {
  protected:
   ControllerTest() : next_(ros::Time::now()) {
-    const std::string name = "Controller_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name());
+    const std::string name =
+        "Controller_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name());
     Stage& stage = Stage::get();
     stage.clear();
     controller_.initialize(name, &stage.tf, stage.costmap.get());

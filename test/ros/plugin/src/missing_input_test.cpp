@@ -14,8 +14,7 @@ constexpr double kStep = 2.5 * kPeriod + 1e-6;  // acc_lim_x of the launch file 
 
 class MissingInput : public ::testing::Test {
  protected:
-  MissingInput()
-      : host_("Planner_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+  MissingInput() : host_("Planner_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name())) {
     Robot& robot = Stage::get().robot;
     robot.odometry = robot.laser = robot.base_transform = robot.map_transform = true;
   }
@@ -55,8 +54,7 @@ class MissingInput : public ::testing::Test {
   }
 
   void expect_driving_again() {
-    EXPECT_TRUE(
-        host_.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
+    EXPECT_TRUE(host_.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
         << host_.report().fault;
   }
 
@@ -135,7 +133,8 @@ TEST_F(MissingInput, AFootprintThatIsNoRobots) {
   drive();
   costmap_2d::Costmap2DROS& costmap = *Stage::get().costmap;
   const std::vector<geometry_msgs::Point> robots = costmap.getUnpaddedRobotFootprint();
-  costmap.setUnpaddedRobotFootprint({point(100.0, 100.0), point(-100.0, 100.0), point(-100.0, -100.0), point(100.0, -100.0)});
+  costmap.setUnpaddedRobotFootprint(
+      {point(100.0, 100.0), point(-100.0, 100.0), point(-100.0, -100.0), point(100.0, -100.0)});
   expect_braking_then_failure("more than 20 m");
   costmap.setUnpaddedRobotFootprint(robots);
   expect_driving_again();

@@ -127,9 +127,10 @@ TEST_F(Commands, AModeWhoseTopicCannotBeHadIsRefused) {
   const LogListener log;
   start();
   drive();
-  for (const auto& [topic, why] : {std::pair<std::string, std::string>{"a hand", "gesture_topic = a hand is no name of a topic"},
-                                   {"joy", "joy_topic and gesture_topic are both joy"},
-                                   {"scan", "a topic cannot be listened to"}}) {
+  for (const auto& [topic, why] :
+       {std::pair<std::string, std::string>{"a hand", "gesture_topic = a hand is no name of a topic"},
+        {"joy", "joy_topic and gesture_topic are both joy"},
+        {"scan", "a topic cannot be listened to"}}) {
     Change change;
     ASSERT_TRUE(change.set("gesture_topic", topic).set("mode", "gesture").send(host()));
     EXPECT_EQ(change.text("mode"), "joystick") << topic;

@@ -15,7 +15,8 @@ class OperatorDiagnostics : public Operated {
   OperatorDiagnostics() {
     subscriber_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
         "/diagnostics", 50, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& message) {
-          const std::string name = std::string(": ") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + " operator";
+          const std::string name =
+              std::string(": ") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + " operator";
           const std::lock_guard<std::mutex> lock(mutex_);
           for (const DiagnosticStatus& status : message->status) {
             if (status.name.size() < name.size()) continue;

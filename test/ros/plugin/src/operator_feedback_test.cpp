@@ -42,7 +42,8 @@ class Feedback : public Operated {
     person().left = 0.15f;
     ASSERT_TRUE(reaches("SHARED"));
     ASSERT_TRUE(cycle_until(
-        [this](const Host::Cycle& c) { return !state().refused_by.empty() && std::abs(c.command.linear.x) < 0.05; }, 12.0));
+        [this](const Host::Cycle& c) { return !state().refused_by.empty() && std::abs(c.command.linear.x) < 0.05; },
+        12.0));
   }
 
   ros::NodeHandle node_;
@@ -58,7 +59,8 @@ TEST_F(Feedback, TheStateTellsEverything) {
   ASSERT_TRUE(reaches("SHARED"));
   const double wanted = std::pow(static_cast<double>(0.8f), 2);
   Host::Cycle last;
-  ASSERT_TRUE(cycle_until([&](const Host::Cycle& c) { return last = c, std::abs(c.command.angular.z - wanted) < 0.01; }));
+  ASSERT_TRUE(
+      cycle_until([&](const Host::Cycle& c) { return last = c, std::abs(c.command.angular.z - wanted) < 0.01; }));
   ASSERT_TRUE(wait_for([&] { return state().command.angular.z == last.command.angular.z; }, 2.0));
   const OperatorState steered = state();
   EXPECT_EQ(steered.mode, OperatorState::MODE_JOYSTICK);
@@ -96,7 +98,8 @@ TEST_F(Feedback, TheStickRumblesTheMoreTheLessIsDone) {
   drive();
   EXPECT_TRUE(felt().empty());
   person().left = 0.3f;
-  ASSERT_TRUE(cycle_until([this](const Host::Cycle&) { return state().active && state().agreement > 0.98 && silent(); }));
+  ASSERT_TRUE(
+      cycle_until([this](const Host::Cycle&) { return state().active && state().agreement > 0.98 && silent(); }));
   forget();
   EXPECT_TRUE(all_cycles([](const Host::Cycle& c) { return c.success; }, 0.5));
   EXPECT_TRUE(felt().empty());  // silent where the robot does what is wanted

@@ -19,11 +19,10 @@ class Person : public ::testing::Test {
     publisher_ = node_.advertise<sensor_msgs::Joy>("joy", 1);
     timer_ = node_.createWallTimer(ros::WallDuration(0.05), [this](const ros::WallTimerEvent&) { send(); });
     ros::NodeHandle topics("~/" + host_.name());
-    state_subscriber_ =
-        topics.subscribe<OperatorState>("operator_state", 10, [this](const OperatorState::ConstPtr& m) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          state_ = *m;
-        });
+    state_subscriber_ = topics.subscribe<OperatorState>("operator_state", 10, [this](const OperatorState::ConstPtr& m) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      state_ = *m;
+    });
     // Listening sockets take a moment: a stick that nobody hears steers nothing.
     wait_for([this] { return publisher_.getNumSubscribers() > 0; }, 5.0);
   }
@@ -83,8 +82,7 @@ TEST_F(Person, SteersLetsGoAndTheRobotTakesOver) {
   EXPECT_DOUBLE_EQ(state().wanted.linear.x, 0.5);
   EXPECT_DOUBLE_EQ(state().wanted.angular.z, 0.0);
   EXPECT_TRUE(host_.cycle_until(
-      [this](const Host::Cycle& c) { return c.command.angular.z == 0.0 && state().state_name == "HOLD"; },
-      2.0));
+      [this](const Host::Cycle& c) { return c.command.angular.z == 0.0 && state().state_name == "HOLD"; }, 2.0));
   EXPECT_TRUE(reaches("AUTONOMY"));
   EXPECT_FALSE(state().active);
 }
@@ -117,8 +115,7 @@ TEST_F(Person, MessagesThatMakeNoSenseAreCounted) {
   drive();
   sensor_msgs::Joy none;  // no axes
   publisher_.publish(none);
-  EXPECT_TRUE(
-      host_.cycle_until([this](const Host::Cycle& c) { return c.success && state().dropped > 0; }, 5.0));
+  EXPECT_TRUE(host_.cycle_until([this](const Host::Cycle& c) { return c.success && state().dropped > 0; }, 5.0));
 }
 
 }  // namespace

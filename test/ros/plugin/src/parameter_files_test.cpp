@@ -14,8 +14,7 @@ class ParameterFile : public ::testing::TestWithParam<const char*> {
  protected:
   LoadedParameters load() const {
     XmlRpc::XmlRpcValue content;
-    EXPECT_TRUE(ros::param::get("/files/" + std::string(GetParam()) + "/HIDWAPlannerROS", content))
-        << GetParam();
+    EXPECT_TRUE(ros::param::get("/files/" + std::string(GetParam()) + "/HIDWAPlannerROS", content)) << GetParam();
     return load_parameters(content);
   }
 };

@@ -44,9 +44,7 @@ std::vector<OperatorState> Person::states() const {
   return states_;
 }
 
-Operated::Operated() : name_(::testing::UnitTest::GetInstance()->current_test_info()->name()) {
-  Stage::get().clear();
-}
+Operated::Operated() : name_(::testing::UnitTest::GetInstance()->current_test_info()->name()) { Stage::get().clear(); }
 
 Operated::~Operated() {
   person_.reset();

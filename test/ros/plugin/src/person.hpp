@@ -27,7 +27,7 @@ class Person {
   ~Person();
 
   std::atomic<float> left{0.0f}, ahead{0.0f}, trigger{0.0f};  // axes 0, 1 and 2
-  std::atomic<bool> button{false}, second_button{false};       // buttons 0 and 1
+  std::atomic<bool> button{false}, second_button{false};      // buttons 0 and 1
   std::atomic<bool> sends{true};
   /// Sends once, now.
   void send();

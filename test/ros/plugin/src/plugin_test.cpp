@@ -55,8 +55,7 @@ void drive_away(double metres, double turn) {
   geometry_msgs::Twist twist;
   twist.linear.x = kSpeed;
   robot.command(twist);
-  ASSERT_TRUE(wait_for(
-      [&] { return std::hypot(robot.pose().x - start.x, robot.pose().y - start.y) >= metres; }, 10.0));
+  ASSERT_TRUE(wait_for([&] { return std::hypot(robot.pose().x - start.x, robot.pose().y - start.y) >= metres; }, 10.0));
   twist.linear.x = 0.0;
   twist.angular.z = std::copysign(kSpeed, turn);
   robot.command(twist);
@@ -150,11 +149,10 @@ template <typename Message>
 class Newest {
  public:
   explicit Newest(const std::string& topic) {
-    subscriber_ =
-        ros::NodeHandle().subscribe<Message>(topic, 1, [this](const boost::shared_ptr<const Message>& m) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          message_ = m;
-        });
+    subscriber_ = ros::NodeHandle().subscribe<Message>(topic, 1, [this](const boost::shared_ptr<const Message>& m) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      message_ = m;
+    });
   }
   boost::shared_ptr<const Message> get() const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -217,8 +215,7 @@ TEST(Plugin, ReverseWhereAllowed) {
   ros::param::set(ns("Reverse") + "critics", "PathDist, GoalDist, BaseObstacle");
   Host host("Reverse");
   ASSERT_TRUE(host.plan_ahead(-2.0));
-  EXPECT_TRUE(
-      host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x < -0.25; }, 5.0));
+  EXPECT_TRUE(host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x < -0.25; }, 5.0));
   EXPECT_GE(host.cycle().command.linear.x, -0.3 - 1e-9);
 }
 
@@ -250,8 +247,7 @@ TEST(Plugin, SaysUnknownKeysWithTheLikelyOne) {
   const LogListener log;
   ros::param::set(ns("Unknown") + "max_vel_xx", 0.2);
   Host host("Unknown");
-  EXPECT_TRUE(
-      wait_for([&] { return log.said("max_vel_xx: it has no effect; do you mean max_vel_x?"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("max_vel_xx: it has no effect; do you mean max_vel_x?"); }, 5.0));
 }
 
 TEST(Plugin, SaysASmallMapAndAShortHorizon) {
@@ -296,17 +292,16 @@ TEST(Plugin, TakesCriticsOfOtherPackages) {
       ++refused;
       continue;
     }
-    const auto term = std::find_if(twist.scores.begin(), twist.scores.end(), [](const auto& score) {
-      return score.name == "hidwa_example_critics/TurnLimit";
-    });
+    const auto term = std::find_if(twist.scores.begin(), twist.scores.end(),
+                                   [](const auto& score) { return score.name == "hidwa_example_critics/TurnLimit"; });
     ASSERT_NE(term, twist.scores.end());
     EXPECT_DOUBLE_EQ(term->raw_score, omega);
     EXPECT_DOUBLE_EQ(term->scale, 3.0);
   }
   EXPECT_GT(refused, 0);
   const hidwa_local_planner::Cycle report = host.report();
-  const auto name = std::find(report.rejection_names.begin(), report.rejection_names.end(),
-                              "hidwa_example_critics/TurnLimit");
+  const auto name =
+      std::find(report.rejection_names.begin(), report.rejection_names.end(), "hidwa_example_critics/TurnLimit");
   ASSERT_NE(name, report.rejection_names.end());
   EXPECT_GT(report.rejection_counts[static_cast<std::size_t>(name - report.rejection_names.begin())], 0u);
 }
@@ -358,14 +353,14 @@ TEST_P(ABrokenCritic, IsSaidAndNothingDrives) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ABrokenCritic,
-    ::testing::Values(
-        BrokenCritic{"NotInTheLibrary", "the critic hidwa_broken_critics/NotInTheLibrary cannot be loaded",
-                     "critics: hidwa_broken_critics/NotInTheLibrary is declared, but"},
-        BrokenCritic{"NoLibrary", "the critic hidwa_broken_critics/NoLibrary cannot be loaded",
-                     "critics: hidwa_broken_critics/NoLibrary is declared, but"},
-        BrokenCritic{"CannotBeMade", "no memory of its own",
-                     "critics: hidwa_broken_critics/CannotBeMade is declared, but"},
-        BrokenCritic{"CannotBeConfigured", "its table is missing", "does not take its parameters"}),
+    ::testing::Values(BrokenCritic{"NotInTheLibrary",
+                                   "the critic hidwa_broken_critics/NotInTheLibrary cannot be loaded",
+                                   "critics: hidwa_broken_critics/NotInTheLibrary is declared, but"},
+                      BrokenCritic{"NoLibrary", "the critic hidwa_broken_critics/NoLibrary cannot be loaded",
+                                   "critics: hidwa_broken_critics/NoLibrary is declared, but"},
+                      BrokenCritic{"CannotBeMade", "no memory of its own",
+                                   "critics: hidwa_broken_critics/CannotBeMade is declared, but"},
+                      BrokenCritic{"CannotBeConfigured", "its table is missing", "does not take its parameters"}),
     [](const auto& critic) { return std::string(critic.param.name); });
 
 }  // namespace

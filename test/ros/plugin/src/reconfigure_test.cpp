@@ -25,8 +25,7 @@ TEST(Reconfigure, AChangeCountsInTheNextCycle) {
   EXPECT_EQ(change.number("max_vel_x"), 0.2);
   // 0.5 - 2.5 x 0.05 = 0.375 m/s: the first step down to 0.2.
   EXPECT_NEAR(host.cycle().command.linear.x, 0.375, 1e-6);
-  EXPECT_TRUE(
-      host.cycle_until([](const Host::Cycle& c) { return std::abs(c.command.linear.x - 0.2) < 1e-6; }, 2.0));
+  EXPECT_TRUE(host.cycle_until([](const Host::Cycle& c) { return std::abs(c.command.linear.x - 0.2) < 1e-6; }, 2.0));
 }
 
 TEST(Reconfigure, ASetWithOneFaultIsRefusedWhole) {
@@ -65,8 +64,7 @@ TEST(Reconfigure, NamesOfChoicesAndCriticsAreChecked) {
   EXPECT_EQ(right.text("generator"), "dwa");
   EXPECT_EQ(right.text("critics"), "PathDist, GoalDist, TurnLimit");
   ASSERT_TRUE(host.plan_ahead(2.0));
-  EXPECT_TRUE(
-      host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
+  EXPECT_TRUE(host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
       << host.report().fault;
 }
 
@@ -97,8 +95,7 @@ TEST(Reconfigure, ABadStartRefusesToDriveUntilAValidSetComes) {
   EXPECT_FALSE(host.cycle().success);
   Change change;
   ASSERT_TRUE(change.set("max_vel_x", 0.4).send(host));
-  EXPECT_TRUE(
-      host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.39; }, 5.0))
+  EXPECT_TRUE(host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.39; }, 5.0))
       << host.report().fault;
 }
 
@@ -111,8 +108,7 @@ TEST(Reconfigure, AnotherOdometryTopicIsListenedTo) {
   EXPECT_NE(host.report().fault.find("nobody_speaks_here"), std::string::npos);
   Change back;
   ASSERT_TRUE(back.set("odom_topic", "odom").send(host));
-  EXPECT_TRUE(
-      host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
+  EXPECT_TRUE(host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
       << host.report().fault;
 }
 

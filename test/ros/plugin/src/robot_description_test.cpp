@@ -16,17 +16,14 @@ namespace {
 
 std::string ns(const std::string& name) { return ros::this_node::getName() + "/" + name + "/"; }
 
-std::string wheel(const std::string& side, const std::string& y, const std::string& limit,
-                  const std::string& tyre) {
-  return "<joint name='" + side + "_wheel_joint' type='continuous'><parent link='base_link'/><child link='" +
-         side + "_wheel'/><origin xyz='0 " + y + " 0.1'/><axis xyz='0 1 0'/>" + limit +
-         "</joint><link name='" + side + "_wheel'><collision><origin rpy='1.5707963 0 0'/><geometry>" + tyre +
-         "</geometry></collision></link>";
+std::string wheel(const std::string& side, const std::string& y, const std::string& limit, const std::string& tyre) {
+  return "<joint name='" + side + "_wheel_joint' type='continuous'><parent link='base_link'/><child link='" + side +
+         "_wheel'/><origin xyz='0 " + y + " 0.1'/><axis xyz='0 1 0'/>" + limit + "</joint><link name='" + side +
+         "_wheel'><collision><origin rpy='1.5707963 0 0'/><geometry>" + tyre + "</geometry></collision></link>";
 }
 
 /// Wheels of 0.1 m, 0.4 m apart, at most `velocity` [rad/s]; as many digits as an XML file has.
-std::string urdf(const std::string& velocity,
-                 const std::string& tyre = "<cylinder radius='0.1' length='0.04'/>") {
+std::string urdf(const std::string& velocity, const std::string& tyre = "<cylinder radius='0.1' length='0.04'/>") {
   const std::string limit = velocity.empty() ? "" : "<limit effort='6' velocity='" + velocity + "'/>";
   return "<robot name='r'><link name='base_link'/>" + wheel("left", "0.2", limit, tyre) +
          wheel("right", "-0.2", limit, tyre) + "</robot>";
@@ -39,8 +36,7 @@ void describe(const std::string& name, const std::string& text) {
 }
 
 bool reaches(Host& host, double speed) {
-  return host.cycle_until([&](const Host::Cycle& c) { return std::abs(c.command.linear.x - speed) < 1e-6; },
-                          5.0);
+  return host.cycle_until([&](const Host::Cycle& c) { return std::abs(c.command.linear.x - speed) < 1e-6; }, 5.0);
 }
 
 TEST(RobotDescription, ATighterUrdfHoldsInEverySampleAndCommand) {
@@ -76,8 +72,8 @@ TEST(RobotDescription, ATighterUrdfHoldsInEverySampleAndCommand) {
   }
   EXPECT_NEAR(fastest, 0.2, 1e-6);
   EXPECT_NEAR(turn, 1.0, 0.05);  // 2 x 0.2 / 0.4 = 1 rad/s
-  EXPECT_TRUE(wait_for(
-      [&] { return log.said("_wheel_joint allows 0.2 m/s and holds: max_vel_x 0.5 m/s is more"); }, 5.0));
+  EXPECT_TRUE(
+      wait_for([&] { return log.said("_wheel_joint allows 0.2 m/s and holds: max_vel_x 0.5 m/s is more"); }, 5.0));
   // What the parameters say stays theirs.
   EXPECT_EQ(ros::param::param(ns("Tight") + "max_vel_x", 0.0), 0.5);
   EXPECT_EQ(ros::param::param(ns("Tight") + "wheel_radius", -1.0), 0.0);
@@ -97,8 +93,7 @@ TEST(RobotDescription, WithoutALimitTheParametersHold) {
   Host host("Unlimited");
   ASSERT_TRUE(host.plan_ahead(6.0));
   EXPECT_TRUE(reaches(host, 0.5)) << host.report().fault;
-  EXPECT_TRUE(
-      wait_for([&] { return log.said("have no <limit velocity>: the parameters' limits hold"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("have no <limit velocity>: the parameters' limits hold"); }, 5.0));
 }
 
 TEST(RobotDescription, AnAbsurdLimitIsHeldByTheParametersAndSaidOnce) {
@@ -107,8 +102,7 @@ TEST(RobotDescription, AnAbsurdLimitIsHeldByTheParametersAndSaidOnce) {
   Host host("Absurd");
   ASSERT_TRUE(host.plan_ahead(6.0));
   EXPECT_TRUE(reaches(host, 0.5)) << host.report().fault;
-  EXPECT_TRUE(
-      wait_for([&] { return log.said("left_wheel_joint allows 10 m/s, max_vel_x 0.5 m/s holds"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("left_wheel_joint allows 10 m/s, max_vel_x 0.5 m/s holds"); }, 5.0));
   EXPECT_EQ(log.times("max_vel_x 0.5 m/s holds"), 1);
 }
 
@@ -141,8 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BrokenUrdf{"ZeroVelocity", urdf("0"), "left_wheel_joint: <limit velocity> is 0 rad/s"},
                       BrokenUrdf{"ZeroRadius", urdf("2", "<cylinder radius='0' length='0.04'/>"),
                                  "left_wheel_joint: its link left_wheel has a radius of 0 m"},
-                      BrokenUrdf{"Mesh", urdf("2", "<mesh filename='package://r/tyre.stl'/>"),
-                                 "set wheel_radius"}),
+                      BrokenUrdf{"Mesh", urdf("2", "<mesh filename='package://r/tyre.stl'/>"), "set wheel_radius"}),
     [](const auto& broken) { return std::string(broken.param.name); });
 
 TEST(RobotDescription, MissingJointsAndParametersAreNamed) {
@@ -161,8 +154,7 @@ TEST(RobotDescription, MissingJointsAndParametersAreNamed) {
   ros::param::set(ns("Nowhere") + "robot_description_param", "no_such_urdf");
   Host nowhere("Nowhere");
   EXPECT_TRUE(wait_for(
-      [&] { return log.said("no_such_urdf: there is no such parameter: correct robot_description_param"); },
-      5.0));
+      [&] { return log.said("no_such_urdf: there is no such parameter: correct robot_description_param"); }, 5.0));
   ros::param::set("/number_urdf", 5);
   ros::param::set(ns("Number") + "robot_description_param", "number_urdf");
   Host number("Number");

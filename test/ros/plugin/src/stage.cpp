@@ -24,8 +24,7 @@ geometry_msgs::Quaternion heading(double theta) {
 const Pose kOdomInMap{3.0, -2.0, 0.5};
 
 pluginlib::ClassLoader<nav_core::BaseLocalPlanner>& loader() {
-  static pluginlib::ClassLoader<nav_core::BaseLocalPlanner> instance("nav_core",
-                                                                     "nav_core::BaseLocalPlanner");
+  static pluginlib::ClassLoader<nav_core::BaseLocalPlanner> instance("nav_core", "nav_core::BaseLocalPlanner");
   return instance;
 }
 
@@ -199,18 +198,16 @@ Host::Host(const std::string& name, Listens listens) : name_(name), next_(ros::T
   planner_->initialize(name, &stage.tf, stage.costmap.get());
   if (listens == Listens::no) return;
   ros::NodeHandle node("~/" + name);
-  subscriber_ = node.subscribe<hidwa_local_planner::Cycle>(
-      "cycle", 10, [this](const hidwa_local_planner::Cycle::ConstPtr& message) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        report_ = *message;
-      });
+  subscriber_ = node.subscribe<hidwa_local_planner::Cycle>("cycle", 10,
+                                                           [this](const hidwa_local_planner::Cycle::ConstPtr& message) {
+                                                             const std::lock_guard<std::mutex> lock(mutex_);
+                                                             report_ = *message;
+                                                           });
 }
 
 Host::~Host() { stop(); }
 
-bool Host::plan_ahead(double ahead, const std::string& frame) {
-  return planner_->setPlan(straight_plan(ahead, frame));
-}
+bool Host::plan_ahead(double ahead, const std::string& frame) { return planner_->setPlan(straight_plan(ahead, frame)); }
 
 // Between the time of a cycle here and in the planner [s].
 constexpr double kJitter = 15e-3;
@@ -227,7 +224,9 @@ Host::Cycle Host::cycle() {
   if (cycle.success && last_.success) {
     // A late cycle may brake by as much as since the one before.
     const double late = std::max(1.0, ((begun - begun_).toSec() + kJitter) / kPeriod);
-    const auto larger = [late](double& largest, double a, double b) { largest = std::max(largest, std::abs(a - b) / late); };
+    const auto larger = [late](double& largest, double a, double b) {
+      largest = std::max(largest, std::abs(a - b) / late);
+    };
     larger(largest_change_.linear.x, cycle.command.linear.x, last_.command.linear.x);
     larger(largest_change_.angular.z, cycle.command.angular.z, last_.command.angular.z);
   }
@@ -265,11 +264,10 @@ bool wait_for(const std::function<bool()>& done, double seconds) {
 
 LogListener::LogListener() {
   ros::NodeHandle node;
-  subscriber_ =
-      node.subscribe<rosgraph_msgs::Log>("/rosout", 1000, [this](const rosgraph_msgs::Log::ConstPtr& line) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        lines_.push_back(line->msg);
-      });
+  subscriber_ = node.subscribe<rosgraph_msgs::Log>("/rosout", 1000, [this](const rosgraph_msgs::Log::ConstPtr& line) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    lines_.push_back(line->msg);
+  });
 }
 
 int LogListener::times(const std::string& part) const {

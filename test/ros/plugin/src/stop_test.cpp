@@ -21,7 +21,8 @@ class Stop : public Operated {
     ASSERT_TRUE(reaches("STOPPED"));
     int cycles = 0;
     bool success = true;
-    EXPECT_TRUE(cycle_until([&](const Host::Cycle& c) { return ++cycles, success = success && c.success, at_rest(c); }));
+    EXPECT_TRUE(
+        cycle_until([&](const Host::Cycle& c) { return ++cycles, success = success && c.success, at_rest(c); }));
     EXPECT_TRUE(success);
     EXPECT_LE(cycles, 5);  // 0.5 m/s at 2.5 m/s^2 are four periods
     EXPECT_TRUE(all_cycles(at_rest, 0.6));

@@ -85,7 +85,8 @@ TEST_F(ByTwist, BeyondTheLimitsInManualControl) {
   ASSERT_EQ(state().state_name, "MANUAL");
   v_ = 7.0;
   omega_ = -9.0;
-  EXPECT_TRUE(cycle_until([](const Host::Cycle& c) { return c.command.linear.x == 0.5 && c.command.angular.z == -1.0; }));
+  EXPECT_TRUE(
+      cycle_until([](const Host::Cycle& c) { return c.command.linear.x == 0.5 && c.command.angular.z == -1.0; }));
   EXPECT_DOUBLE_EQ(state().wanted.linear.x, 7.0);
   expect_within_limits();
 }

@@ -70,8 +70,8 @@ class ProbePlannerROS : public nav_core::BaseLocalPlanner {
   }
 
   void report(const std::string& call, const std::string& detail) {
-    publish(call + " [" + threadName() + " thread, costmap mutex " +
-            (callerHoldsMutex() ? "held" : "not held") + "] " + detail);
+    publish(call + " [" + threadName() + " thread, costmap mutex " + (callerHoldsMutex() ? "held" : "not held") + "] " +
+            detail);
   }
 
  private:
