@@ -9,7 +9,7 @@ import unittest
 from unittest import mock
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'scripts', 'lib'))
-from hidwa_tools import attack  # noqa: E402  pylint: disable=wrong-import-position
+from hidwa_tools import attack
 
 
 class Run(unittest.TestCase):

@@ -11,7 +11,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir, 'scripts', 'lib'))
 
-from hidwa_tools import study_report  # noqa: E402
+from hidwa_tools import study_report
 
 COLUMNS = ['id', 'world', 'mode', 'setting', 'success', 'collision', 'timeout', 'time', 'metric', 'path_clearance', 'contacts',
            'clearance', 'operator_active']

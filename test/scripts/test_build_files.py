@@ -127,8 +127,8 @@ class UnderCatkin(unittest.TestCase):
     def test_the_controller_for_move_base_flex_waits_for_generated_headers_and_is_installed_with_its_export(self):
         with tempfile.TemporaryDirectory() as folder:
             # Found, as from a workspace that makes the messages in the same build.
-            for name, more in (('mbf_costmap_core', ''), ('mbf_msgs', 'add_custom_target(mbf_msgs_made)\n'
-                                                         'set(mbf_msgs_EXPORTED_TARGETS mbf_msgs_made)\n')):
+            target = 'add_custom_target(mbf_msgs_made)\nset(mbf_msgs_EXPORTED_TARGETS mbf_msgs_made)\n'
+            for name, more in (('mbf_costmap_core', ''), ('mbf_msgs', target)):
                 with open(os.path.join(folder, f'{name}Config.cmake'), 'w', encoding='utf-8') as out:
                     out.write(f'set({name}_INCLUDE_DIRS /usr/include)\n{more}')
             build = self.configured('-DHIDWA_TESTS=OFF', f'-Dmbf_costmap_core_DIR={folder}', f'-Dmbf_msgs_DIR={folder}')

@@ -116,7 +116,8 @@ class PackageXml(unittest.TestCase):
         self.assertEqual(needed - self.depends('depend', 'exec_depend'), set())
 
     def test_what_tests_need_is_a_dependency(self):
-        needed = named(imports('test/scripts/*.py', 'test/unit/*.py', 'test/property/*.py', 'cfg/*.cfg') | headers('test/unit', 'test/oracle'))
+        needed = named(imports('test/scripts/*.py', 'test/unit/*.py', 'test/property/*.py', 'cfg/*.cfg') |
+                       headers('test/unit', 'test/oracle'))
         self.assertIn('gtest', needed)
         self.assertEqual(needed - self.depends('depend', 'exec_depend', 'build_depend', 'test_depend'), set())
 

@@ -9,7 +9,7 @@ import unittest
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
 sys.path.insert(0, os.path.join(ROOT, 'scripts', 'lib'))
 
-from hidwa_tools.counting import Counts, count_xml  # noqa: E402
+from hidwa_tools.counting import Counts, count_xml
 
 
 class ProgramTest(unittest.TestCase):

@@ -12,7 +12,6 @@ import numpy as np
 
 from hidwa_tools import geometry, measure, report
 from hidwa_tools.bag import read_drive
-from hidwa_tools.errors import BagError
 from synthetic_bag import FOOTPRINT, SyntheticDrive
 from test_geometry import clipped_area
 

@@ -9,7 +9,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir, 'scripts', 'lib'))
 
-from hidwa_tools.statistics import normality, proportion, signed_ranks  # noqa: E402
+from hidwa_tools.statistics import normality, proportion, signed_ranks
 
 
 class TestSignedRanks(unittest.TestCase):

@@ -10,7 +10,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir, 'scripts', 'lib'))
 
-from hidwa_tools import study_report  # noqa: E402
+from hidwa_tools import study_report
 
 COLUMNS = ['id', 'experiment', 'participant', 'condition', 'order', 'setting', 'seed', 'ending', 'arrived', 'duration',
            'length', 'regions_crossed', 'contacts', 'operator_active', 'interventions', 'v_change', 'omega_change',

@@ -7,9 +7,9 @@ import os
 import numpy as np
 import matplotlib
 matplotlib.use('Agg')
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.collections import PatchCollection  # noqa: E402
-from matplotlib.patches import Circle  # noqa: E402
+import matplotlib.pyplot as plt
+from matplotlib.collections import PatchCollection
+from matplotlib.patches import Circle
 
 from .drawing import DRIVEN, INK, STEERED_COLOUR
 from .study_page import ReportError, embedded, read_table, read_way, write_page

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 import yaml
 
-from . import geometry, measure
+from . import measure
 from .bag import read_drives
 from .conditions import MODES, course, driven
 from .drawing import STATE_NAMES, STEERED

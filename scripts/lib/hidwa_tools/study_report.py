@@ -11,8 +11,8 @@ import numpy as np
 import yaml
 import matplotlib
 matplotlib.use('Agg')
-import matplotlib.image as image  # noqa: E402
-import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.image as image
+import matplotlib.pyplot as plt
 
 from . import barn_report
 from .drawing import DRIVEN, INK, STEERED_COLOUR
@@ -173,12 +173,14 @@ def reasons(rows, simulated):
                     'way or pauses it does not say.')
     steering = [known(group, 'operator_active') for group in (joystick, switching)]
     if all(steering):
-        said.append(f'In SJ the person steers for {np.mean(steering[0]):.1f} s, in SW they are in control for {np.mean(steering[1]):.1f} s.')
+        said.append(f'In SJ the person steers for {np.mean(steering[0]):.1f} s, '
+                    f'in SW they are in control for {np.mean(steering[1]):.1f} s.')
     crossed = [known(group, 'regions_crossed') for group in (joystick, switching)]
     if all(crossed):
         contacts = [known(group, 'contacts') for group in (joystick, switching)]
         touched = f'; {sum(contacts[0]):.0f} and {sum(contacts[1]):.0f} contacts' if all(contacts) else ''
-        said.append(f'{sum(map(bool, crossed[0]))} of {len(crossed[0])} runs in SJ and {sum(map(bool, crossed[1]))} of {len(crossed[1])} in SW '
+        said.append(f'{sum(map(bool, crossed[0]))} of {len(crossed[0])} runs in SJ '
+                    f'and {sum(map(bool, crossed[1]))} of {len(crossed[1])} in SW '
                     f'crossed a region{touched}.')
     errors = [float(row['mode_errors']) for row in switching.values() if row.get('mode_errors')]
     if errors:
@@ -342,7 +344,8 @@ def write_report(folder, map_path=None, floor=None):
               '<h2>Tests</h2><ul>', _items(statements(rows)), '</ul>']
     if answers:
         parts += ['<h2>What people answered</h2>',
-                  '<p>Of real people alone; the tests are not corrected for their number, as in the paper.</p>', '<ul>', _items(answers_statements(answers)), '</ul><ul>', _items(answers.remarks), '</ul>']
+                  '<p>Of real people alone; the tests are not corrected for their number, as in the paper.</p>', '<ul>',
+                  _items(answers_statements(answers)), '</ul><ul>', _items(answers.remarks), '</ul>']
     parts += ['<h2>Distributions</h2>', embedded(distributions)]
     if has_ways:
         parts += ['<h2>Ways driven</h2>', embedded(ways)]

@@ -139,7 +139,8 @@ def ros():
     # C++14, the default of GCC 9: a package with critics is lifted from it by this one.
     run(in_install('colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', *paths, '--cmake-args',
                    '-DCMAKE_CXX_FLAGS=-std=gnu++14', f'-DHIDWA_WERROR={werror()}', '-DCMAKE_BUILD_TYPE=Release',
-                   '-DPYTHON_EXECUTABLE=/usr/bin/python3', '-DPython3_EXECUTABLE=/usr/bin/python3', '--no-warn-unused-cli'), 'ros_build', cwd=folder)
+                   '-DPYTHON_EXECUTABLE=/usr/bin/python3', '-DPython3_EXECUTABLE=/usr/bin/python3', '--no-warn-unused-cli'),
+        'ros_build', cwd=folder)
     counts = Counts()
     setup = os.path.join(folder, 'install', 'setup.bash')
     for path in sorted(glob.glob(os.path.join(folder, 'build', '*', 'CTestTestfile.cmake'))):
@@ -162,7 +163,8 @@ def contract():
 
 def python():
     """The scripts' own tests."""
-    _, output = run(in_install('/usr/bin/python3', '-W', 'ignore::ResourceWarning', '-m', 'unittest', 'discover', '-s', os.path.join(ROOT, 'test', 'scripts')),
+    _, output = run(in_install('/usr/bin/python3', '-W', 'ignore::ResourceWarning', '-m', 'unittest', 'discover', '-s',
+                               os.path.join(ROOT, 'test', 'scripts')),
                     'python', check=False)
     counts = count_unittest(output)
     if counts.failed:
@@ -198,11 +200,13 @@ def robot():
 
 
 def lint():
-    """catkin_lint's errors."""
-    if not shutil.which('catkin_lint'):
-        raise Absent('catkin_lint')
-    run(['catkin_lint', '--offline', '-W0', ROOT, *(os.path.join(ROOT, 'compat', name) for name in COMPAT)], 'lint')
-    return Counts(passed=1)
+    """The tools that hold the style, as scripts/lint."""
+    _, output = run(['/usr/bin/python3', '-m', 'hidwa_tools.lint'], 'lint', check=False)
+    said = [line.rpartition(': ')[2] for line in output.splitlines() if line.endswith((': ok', ': found something'))]
+    absent = sum(': left out: ' in line for line in output.splitlines())
+    if 'found something' in said:
+        print(tail(output, 80))
+    return Counts(passed=said.count('ok'), failed=said.count('found something') + (not said and not absent), skipped=absent)
 
 
 def demo(name, rate, *arguments):

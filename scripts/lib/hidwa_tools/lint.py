@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/lint, once everything needed is installed: holds the style and looks for slips, a line a tool."""
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
+FORMATTER = 14    # the version of clang-format that the style was made with; others break lines elsewhere
+WORDS = 'ot,fro,expcet,kinf'  # codespell takes these for misspelt: optimal time, to and fro, a misspelt key in a test
+COMPAT = ('nav_core', 'costmap_2d', 'map_server', 'move_base')
+
+
+def files(*patterns):
+    """The project's files with these names; without a repository all that there are."""
+    listed = subprocess.run(['git', '-C', ROOT, 'ls-files', '--', *patterns], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                            text=True, check=False)
+    return sorted(path for path in listed.stdout.splitlines() if os.path.isfile(os.path.join(ROOT, path)))
+
+
+def shell_scripts():
+    """Those that begin with bash's line; what they source is looked at with them."""
+    found = []
+    for path in files('scripts/*', 'test/*', '.ci/*'):
+        with open(os.path.join(ROOT, path), 'rb') as script:
+            first = script.readline()
+        if first.startswith(b'#!') and b'bash' in first:
+            found.append(path)
+    return found
+
+
+def formatter_version():
+    """Of clang-format; None where it says nothing of the kind."""
+    said = subprocess.run(['clang-format', '--version'], stdout=subprocess.PIPE, text=True, check=False).stdout
+    version = re.search(r'version (\d+)', said)
+    return int(version.group(1)) if version else None
+
+
+def tools():
+    """(name, command) of each tool."""
+    cpp = files('*.cpp', '*.hpp')
+    return [
+        ('clang-format', ['clang-format', '--dry-run', '-Werror', *cpp]),
+        ('cppcheck', ['cppcheck', '--enable=warning,performance,portability', '--suppress=duplicateAssignExpression',
+                      '--suppress=useInitializationList',
+                      '--inline-suppr', '--quiet', '--error-exitcode=1', '--std=c++17', '-I', 'include', '-j', str(os.cpu_count() or 1),
+                      'src', *(f'compat/{name}/src' for name in COMPAT if os.path.isdir(os.path.join(ROOT, 'compat', name, 'src')))]),
+        ('flake8', ['flake8', 'scripts', 'test']),
+        ('shellcheck', ['shellcheck', '-x', '-e', 'SC1091', *shell_scripts()]),
+        ('codespell', ['codespell', '-L', WORDS, *files('*.md', '*.rst', '*.hpp', '*.cpp', '*.py', '*.yaml', '*.launch', '*.msg')]),
+        ('catkin_lint', ['catkin_lint', '--offline', '-W0', '.', *(os.path.join('compat', name) for name in COMPAT)]),
+    ]
+
+
+def left_out(name):
+    """Why a tool cannot be run; empty where it can."""
+    if not shutil.which(name):
+        return 'not installed'
+    if name == 'clang-format' and formatter_version() != FORMATTER:
+        return f'version {FORMATTER} is wanted, this one breaks lines elsewhere'
+    return ''
+
+
+def lint(only=()):
+    """Runs the tools: (ran well, found something, left out), each a list of names; what they found is printed."""
+    well, found, out = [], [], []
+    for name, command in tools():
+        if only and name not in only:
+            continue
+        reason = left_out(name)
+        if reason:
+            print(f'{name}: left out: {reason}')
+            out.append(name)
+            continue
+        run = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        print(f'{name}: {"ok" if run.returncode == 0 else "found something"}', flush=True)
+        if run.returncode:
+            print('\n'.join(run.stdout.splitlines()[:60]))
+        (found if run.returncode else well).append(name)
+    return well, found, out
+
+
+def main(arguments=None):
+    """scripts/lint"""
+    names = [name for name, _ in tools()]
+    parser = argparse.ArgumentParser(
+        prog='scripts/lint', description='Installs what is missing and runs the tools that hold the style: ' + ', '.join(names) + '.',
+        epilog='exit status: 0 nothing found; 1 something was; scripts/lint --format mends what clang-format finds')
+    parser.add_argument('tools', nargs='*', metavar='TOOL', help='only these')
+    parser.add_argument('--format', action='store_true', help='run clang-format over all C++ and nothing else')
+    options = parser.parse_args(arguments)
+    for name in options.tools:
+        if name not in names:
+            parser.error(f"there is no '{name}'; there are {', '.join(names)}")
+    if options.format:
+        if left_out('clang-format'):
+            print(f"scripts/lint: clang-format: {left_out('clang-format')}", file=sys.stderr)
+            return 1
+        return subprocess.run(['clang-format', '-i', *files('*.cpp', '*.hpp')], cwd=ROOT, check=False).returncode
+    _, found, _ = lint(options.tools)
+    return 1 if found else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
