@@ -85,7 +85,7 @@ void take(LoadedParameters& loaded, const ParameterInfo& info, const std::string
 std::string unknown(const std::string& key) {
   const std::string near = suggestion_for(key);
   return "unknown parameter " + key +
-         (near.empty() ? ": it has no effect; remove it, or look for its name in the README's table"
+         (near.empty() ? ": it has no effect; remove it, or look for its name in docs/parameters.md"
                        : ": it has no effect; do you mean " + near + "?");
 }
 

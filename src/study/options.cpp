@@ -227,7 +227,7 @@ std::string help() {
   --seed N                of everything random; default 1
   --profile default|paper
   --guard none|nearest    SW: the person's own velocity (default, the paper's), or the nearest legal one
-  --set NAME=VALUE        a parameter of the planner (see README), participant.TRAIT (see docs/study.md), or
+  --set NAME=VALUE        a parameter of the planner (docs/parameters.md), participant.TRAIT (see docs/study.md), or
                           link_delay [s]; barn: also costmap.NAME; may be repeated
   --threads N             default: as many as there are cores
   --shard K/N             the K-th of N parts only

@@ -29,7 +29,7 @@ void assign_parameter(Parameters& parameters, const Assignment& assignment) {
   const std::string fault = set_parameter_text(parameters, assignment.name, assignment.value);
   if (fault.empty()) return;
   const bool unknown = fault.find("there is no parameter") == 0;
-  throw UsageError(fault + (unknown ? ": the README lists the planner's; besides there are participant.TRAIT "
+  throw UsageError(fault + (unknown ? ": docs/parameters.md lists the planner's; besides there are participant.TRAIT "
                                       "(docs/study.md) and link_delay"
                                     : ""));
 }
