@@ -8,10 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
-#include "hidwa_local_planner/core/goal_checker.hpp"
-#include "hidwa_local_planner/core/plan_window.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "operator_link.hpp"
 #include "recorder.hpp"
 #include "sensing.hpp"
@@ -24,7 +22,6 @@ constexpr double kStep = 0.01;       // [s], of the simulation
 constexpr double kFirstStamp = 1.0;  // [s]; 0 would mean "no time" to those who read stamps
 
 Pose2 planar(const sim::Pose& pose) { return {pose.x, pose.y, pose.theta}; }
-sim::Pose planar(const Pose2& pose) { return {pose.x, pose.y, pose.theta}; }
 
 /// True every 1/rate seconds, rounded to whole steps.
 class Every {
@@ -87,16 +84,16 @@ class Run {
         stick_due_(setup.rates.stick),
         world_(world_setup(setup)),
         sensing_(setup),
-        link_(setup, person_),
+        loop_(CriticRegistry::with_built_in(), person_),
+        link_(setup, person_.machine()),
         clearance_(route_clearance(setup)),
         route_(setup.explore ? nullptr
                : setup.route ? setup.route
                              : make_route(setup)),
         recorder_(setup) {
-    const std::vector<std::string> faults = planner_.configure(setup.parameters);
+    const std::vector<std::string> faults = loop_.configure(setup.parameters);
     if (!faults.empty()) throw std::invalid_argument(faults.front());
-    planner_.set_footprint(setup.outline);
-    person_.configure(setup.parameters);
+    loop_.set_footprint(setup.outline);
   }
 
   DriveResult run() {
@@ -122,7 +119,6 @@ class Run {
   Twist2 velocity() const { return {world_.odometry().velocity().v, world_.odometry().velocity().omega}; }
   // Localisation is perfect and takes up the odometry's drift.
   sim::Pose map_in_odometry() const { return sim::compose(world_.odometry().pose(), sim::inverse(world_.pose())); }
-  Pose2 goal() const { return planar(sim::compose(map_in_odometry(), setup_.goal)); }
 
   void end(Ending ending) {
     ending_ = ending;
@@ -132,7 +128,7 @@ class Run {
   // The host's control cycle.
   void control() {
     if (plan_wanted_) replan();
-    if (plan_.empty()) {
+    if (!loop_.has_plan()) {
       end(Ending::no_plan);
     } else if (goal_reached()) {
       end(Ending::arrived);
@@ -153,7 +149,7 @@ class Run {
       route_ = std::make_shared<sim::GridRoute>(sensing_.seen().map(), clearance_, goal_point(), here);
     const sim::Route route = route_->from(here);
     if (route.empty()) return;
-    plan_.set_plan(poses_along(route, setup_.goal));
+    loop_.set_plan(poses_along(route, setup_.goal), "map", now(), control_due_.period());
     if (setup_.person) setup_.person->set_plan(route);
   }
 
@@ -162,78 +158,33 @@ class Run {
   bool goal_reached() {
     const double left = (goal_point() - Eigen::Vector2d(world_.pose().x, world_.pose().y)).norm();
     if (setup_.goal_radius > 0.0) return left <= setup_.goal_radius;
-    if (person_.state() == OperatorStateId::manual) return false;
-    return check_goal(pose(), velocity(), goal());
-  }
-
-  // Where the robot was carried or driven away from the goal, what was latched there is true no more.
-  bool check_goal(const Pose2& robot, const Twist2& velocity, const Pose2& goal) {
-    const bool latched = goal_checker_.latched();
-    const bool reached = goal_checker_.update(robot, velocity, goal, planner_.parameters());
-    if (latched && !goal_checker_.latched()) begin_goal();
-    return reached;
+    return loop_.goal_reached(observe());
   }
 
   // The plugin's cycle; false when there is nothing to send.
   bool cycle() {
-    const double time = now();
-    const OperatorIntent intent = person_.update(time);
-    observe(time);
-    const GridView grid = sensing_.costmap();
+    const control::Observation observation = observe();
     const auto begin = std::chrono::steady_clock::now();
-    const Decision& decision = planner_.plan(situation_, grid, intent);
+    const control::Result result = loop_.step(observation);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-    const bool failed = decision.outcome == Outcome::fail;
-    const Twist2 sent = failed ? Twist2{} : decision.command;  // the host stops the robot
-    const Cycle seen{world_.time(), situation_, grid, intent, decision, planner_, world_};
-    recorder_.add(seen, sent, control_due_.period(), spent.count());
+    const Cycle seen{world_.time(), loop_.situation(), observation.costmap,
+                     result.intent, *result.decision,  loop_.planner(),
+                     world_};
+    recorder_.add(seen, result.command, control_due_.period(), spent.count());
     if (observer_) observer_(seen);
-    world_.command({sent.v, sent.omega});
-    last_command_ = sent;
-    debrief(time, !decision.operator_refused_by.empty());
-    return !failed;
+    world_.command({result.command.v, result.command.omega});
+    return result.outcome != Outcome::fail;
   }
 
-  void observe(double time) {
-    situation_.pose = pose();
-    situation_.velocity = velocity();
-    situation_.last_command = last_command_;
-    situation_.goal = goal();
-    situation_.period = control_due_.period();
-    situation_.time = time;
-    take_plan_window();
-    check_goal(situation_.pose, situation_.velocity, situation_.goal);
-    situation_.goal_latched = goal_checker_.latched();
-  }
-
-  void take_plan_window() {
-    const Parameters& p = planner_.parameters();
-    const double least = p.forward_prune_auto ? 1.2 * p.max_vel_x * p.sim_time : 0.0;
-    const double ahead = std::max(p.forward_prune_distance, least);
-    const PlanWindow::Range range = plan_.around(planar(world_.pose()), p.prune_distance, ahead);
-    const sim::Pose map = map_in_odometry();
-    situation_.plan.clear();
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      situation_.plan.push_back(planar(sim::compose(map, planar(plan_.plan()[i]))));
-    }
-  }
-
-  void begin_goal() {
-    planner_.reset();
-    goal_checker_.reset();
-    person_.new_goal();
-  }
-
-  void debrief(double time, bool own_command_refused) {
-    const Parameters& p = planner_.parameters();
-    input::CycleFeedback feedback;
-    feedback.command = last_command_;
-    feedback.velocity = situation_.velocity;
-    feedback.at_rest = last_command_ == Twist2{} && std::abs(feedback.velocity.v) <= p.trans_stopped_velocity &&
-                       std::abs(feedback.velocity.omega) <= p.rot_stopped_velocity;
-    feedback.own_command_refused = own_command_refused;
-    feedback.goal_latched = goal_checker_.latched();
-    person_.debrief(time, feedback);
+  control::Observation observe() const {
+    control::Observation observation;
+    observation.timing.now = now();
+    observation.timing.period = control_due_.period();
+    observation.pose = pose();
+    observation.velocity = velocity();
+    observation.from_plan.origin = planar(map_in_odometry());
+    observation.costmap = sensing_.costmap();
+    return observation;
   }
 
   const DriveSetup& setup_;
@@ -241,15 +192,11 @@ class Run {
   const Every control_due_, scan_due_, costmap_due_, plan_due_, stick_due_;
   sim::World world_;
   Sensing sensing_;
-  input::OperatorStateMachine person_;
+  control::LoneOperator person_;
+  control::ControlLoop loop_;
   OperatorLink link_;
   const sim::RouteClearance clearance_;
   std::shared_ptr<const sim::GridRoute> route_;
-  Planner planner_;
-  GoalChecker goal_checker_;
-  PlanWindow plan_;            // map frame
-  Situation situation_;        // kept for its memory
-  Twist2 last_command_;        // [m/s, rad/s]
   double last_success_ = 0.0;  // [s], since the start
   bool plan_wanted_ = true;
   bool ended_ = false;

@@ -5,21 +5,6 @@
 
 namespace hidwa_local_planner {
 
-Pose2 FrameTransform::apply(const Pose2& inner) const {
-  const double c = std::cos(origin.theta);
-  const double s = std::sin(origin.theta);
-  return {origin.x + c * inner.x - s * inner.y, origin.y + s * inner.x + c * inner.y,
-          wrap_angle(origin.theta + inner.theta)};
-}
-
-Pose2 FrameTransform::apply_inverse(const Pose2& outer) const {
-  const double c = std::cos(origin.theta);
-  const double s = std::sin(origin.theta);
-  const double dx = outer.x - origin.x;
-  const double dy = outer.y - origin.y;
-  return {c * dx + s * dy, -s * dx + c * dy, wrap_angle(outer.theta - origin.theta)};
-}
-
 double yaw_of(const geometry_msgs::Quaternion& q) {
   // Homogeneous in the quaternion: its length cancels.
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z);

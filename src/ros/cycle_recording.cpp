@@ -11,48 +11,47 @@ void CycleRecording::take(const ParameterSet& set) {
   demand_key();
 }
 
+void CycleRecording::take(const Polygon& outline) {
+  outline_ = outline;
+  demand_key();
+}
+
 void CycleRecording::begin(double now, bool wanted) {
   if (!wanted) demand_key();  // one is left out
   wanted_ = wanted;
   now_ = now;
-  before_.state.clear();
+  before_.clear();
 }
 
 void CycleRecording::heard(const OperatorIntent& intent, bool host_stops) {
-  if (!wanted_) return;
   intent_ = intent;
   host_stops_ = host_stops;
-  if (before_.revision != recorded_revision_) demand_key();
-  recorded_revision_ = before_.revision;
 }
 
-void CycleRecording::open(const Planner& planner, const Polygon& outline) {
+void CycleRecording::open(const Planner& planner) {
   if (recorder_.begin(now_)) {
     record::Setup setup;
     setup.version = HIDWA_VERSION;
     setup.parameters = to_lines(planner.parameters());
-    setup.operator_parameters = to_lines(before_.parameters);
-    if (setup.operator_parameters == setup.parameters) setup.operator_parameters.clear();
     setup.critics = critics_;
-    setup.outline = outline;
+    setup.outline = outline_;
     recorder_.setup(std::move(setup));
   }
-  recorder_.operator_state() = before_.state;
+  recorder_.operator_state() = before_;
   recorder_.intent(intent_, host_stops_);
 }
 
-void CycleRecording::plans(const Planner& planner, const Polygon& outline, const Situation& situation,
-                           const GridView& grid, const Sampling& sampling) {
+void CycleRecording::plans(const Planner& planner, const Situation& situation, const GridView& costmap,
+                           const Sampling& sampling) {
   if (!wanted_) return;
-  open(planner, outline);
-  recorder_.plans(planner, situation, grid, sampling);
+  open(planner);
+  recorder_.plans(planner, situation, costmap, sampling);
 }
 
-void CycleRecording::brakes(const Planner& planner, const Polygon& outline, const FaultBrake& brake,
-                            const record::BrakeInput& input) {
+void CycleRecording::brakes(const Planner& planner, const FaultBrake& brake, const control::BrakeSituation& situation) {
   if (!wanted_) return;
-  open(planner, outline);
-  recorder_.brakes(brake, input);
+  open(planner);
+  recorder_.brakes(brake, {{}, situation.velocity, situation.last_command, situation.period, situation.fault});
 }
 
 const Bytes& CycleRecording::finish(const CycleResult& result, const Planner& planner) {

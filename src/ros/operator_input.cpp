@@ -58,13 +58,15 @@ OperatorInput::OperatorInput() { thread_.start(); }
 
 OperatorInput::~OperatorInput() { thread_.stop(); }
 
-void OperatorInput::configure(const ros::NodeHandle& handle, const Parameters& parameters) {
+void OperatorInput::configure(const Parameters& parameters) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  machine_.configure(parameters);
+  mode_ = parameters.mode;
+}
+
+void OperatorInput::listen(const ros::NodeHandle& handle, const Parameters& parameters) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    machine_.configure(parameters);
-    mode_ = parameters.mode;
-    parameters_ = parameters;
-    ++revision_;
     const std::string topic = steering_topic(parameters);
     const std::string clutch = by_hand(parameters) ? parameters.joy_topic : "";
     if (topic != device_.topic || clutch != device_.clutch_topic) device_ = {topic, "", 0, clutch, 0};
@@ -192,15 +194,13 @@ void OperatorInput::catch_up(double now) {
   }
 }
 
-OperatorIntent OperatorInput::update(double now, Before* before) {
+OperatorIntent OperatorInput::update(double now) {
   catch_up(now);
   std::unique_lock<std::mutex> lock(mutex_);
-  if (before != nullptr) {
-    before->state.clear();
-    ArchiveWriter write(before->state);
+  if (before_ != nullptr) {
+    before_->clear();
+    ArchiveWriter write(*before_);
     machine_.save(write);
-    if (before->revision != revision_) before->parameters = parameters_;
-    before->revision = revision_;
   }
   const OperatorIntent intent = machine_.update(now);
   const std::string news = machine_.take_news();
@@ -217,6 +217,11 @@ void OperatorInput::debrief(double now, const input::CycleFeedback& feedback) {
 void OperatorInput::new_goal() {
   const std::lock_guard<std::mutex> lock(mutex_);
   machine_.new_goal();
+}
+
+bool OperatorInput::manual() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return machine_.manual();
 }
 
 void OperatorInput::take_control(bool manual) {

@@ -38,6 +38,15 @@ void check_topics(std::vector<std::string>& faults, const Parameters& p) {
   }
 }
 
+template <typename Configurable>
+std::vector<std::string> configure_any(Configurable& one, const ParameterSet& set) {
+  try {
+    return one.configure(set.parameters, [&set](const std::string& critic) { return set.source_for(critic); });
+  } catch (const std::exception& error) {
+    return {std::string("critics: one of them does not take its parameters: ") + error.what()};
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<ParameterSource> ParameterSet::source_for(const std::string& critic) const {
@@ -74,12 +83,9 @@ XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle) {
   return content;
 }
 
-std::vector<std::string> configure(Planner& planner, const ParameterSet& set) {
-  try {
-    return planner.configure(set.parameters, [&set](const std::string& critic) { return set.source_for(critic); });
-  } catch (const std::exception& error) {
-    return {std::string("critics: one of them does not take its parameters: ") + error.what()};
-  }
+std::vector<std::string> configure(Planner& planner, const ParameterSet& set) { return configure_any(planner, set); }
+std::vector<std::string> configure(control::ControlLoop& loop, const ParameterSet& set) {
+  return configure_any(loop, set);
 }
 
 std::vector<std::string> faults_of(const ParameterSet& set, const CriticRegistry& registry) {

@@ -4,7 +4,6 @@
 #include <sstream>
 #include <utility>
 
-#include "hidwa_local_planner/core/late_cycles.hpp"
 #include "hidwa_local_planner/core/safe_values.hpp"
 #include "hidwa_local_planner/core/words.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
@@ -30,7 +29,7 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
       costmap_(costmap),
       description_(handle_, costmap.getBaseFrameID()),
       registry_(registry_with_plugins()),
-      planner_(registry_),
+      loop_(registry_, person_),
       publishing_(handle_, costmap.getGlobalFrameID()),
       feedback_(handle_, host_handle_, costmap.getGlobalFrameID(), costmap.getBaseFrameID()) {
   start_parameters();
@@ -75,14 +74,14 @@ void Shell::start_parameters() {
     ROS_ERROR("%s: %s", handle_.getNamespace().c_str(), fault.c_str());
   }
   if (!loaded.faults.empty()) {
-    planner_.configure(Parameters());
+    loop_.configure(Parameters());
     refused_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
                "): correct them and restart, or set valid ones by dynamic_reconfigure";
   }
-  budget_.configure(wanted_samples(planner_.parameters()));
+  budget_.configure(wanted_samples(loop_.parameters()));
   report_start(loaded.found);
 
-  const std::string fault = listen(planner_.parameters());
+  const std::string fault = listen(loop_.parameters());
   if (!fault.empty()) {
     ROS_ERROR("%s: %s", handle_.getNamespace().c_str(), fault.c_str());
     refused_ = fault;
@@ -93,14 +92,14 @@ void Shell::start_parameters() {
   reconfigure_ = std::make_unique<Reconfigure>(thread_.serve(handle_), loaded.parameters,
                                                [this](const Parameters& wanted) { return judge(wanted); });
   commands_ = std::make_unique<OperatorCommands>(thread_.serve(handle_), person_, *reconfigure_);
-  accepted_ = planner_.parameters();
+  accepted_ = loop_.parameters();
   feedback_.show_mode(accepted_.mode);
 }
 
 void Shell::report_start(const std::vector<std::string>& found) const {
   std::vector<std::string> changed;
   for (const ParameterInfo& info : parameter_table()) {
-    const ParameterValue value = get_parameter(planner_.parameters(), info.name);
+    const ParameterValue value = get_parameter(loop_.parameters(), info.name);
     if (value == info.value) continue;
     std::string text = info.name + ": ";
     std::visit(
@@ -115,7 +114,7 @@ void Shell::report_start(const std::vector<std::string>& found) const {
   ROS_INFO("%s: %zu values came from the parameter server; not the defaults: %s", handle_.getNamespace().c_str(),
            found.size(), changed.empty() ? "none" : joined(changed).c_str());
   ROS_INFO("%s: critics in order: %s; control period %.3f s", handle_.getNamespace().c_str(),
-           joined(split_names(planner_.parameters().critics)).c_str(), control_period());
+           joined(split_names(loop_.parameters().critics)).c_str(), control_period());
 }
 
 std::vector<std::string> Shell::judge(const Parameters& wanted) {
@@ -140,7 +139,7 @@ std::string Shell::listen(const Parameters& parameters) {
       odometry_.subscribe(odometry_thread_.serve(host_handle_), parameters.odom_topic);
       odom_topic_ = parameters.odom_topic;
     }
-    person_.configure(host_handle_, parameters);
+    person_.listen(host_handle_, parameters);
   } catch (const ros::Exception& error) {
     return std::string("a topic cannot be listened to: ") + error.what();
   }
@@ -154,7 +153,7 @@ void Shell::take_parameters() {
   for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
   if (!faults.empty()) return;
   refused_.clear();
-  budget_.configure(wanted_samples(planner_.parameters()));
+  budget_.configure(wanted_samples(loop_.parameters()));
   check_horizon();
 }
 
@@ -164,7 +163,7 @@ std::vector<std::string> Shell::put_in_force(const ParameterSet& set) {
     wanted.parameters.xy_goal_tolerance = host_tolerances_->xy;
     wanted.parameters.yaw_goal_tolerance = host_tolerances_->yaw;
   }
-  const std::vector<std::string> faults = configure(planner_, wanted);
+  const std::vector<std::string> faults = configure(loop_, wanted);
   if (!faults.empty()) return faults;
   recording_.take(wanted);
   for (const std::string& reason : make_safe(wanted.parameters)) ROS_WARN("%s: %s", name_.c_str(), reason.c_str());
@@ -173,17 +172,12 @@ std::vector<std::string> Shell::put_in_force(const ParameterSet& set) {
 }
 
 double Shell::control_period() const {
-  const double own = planner_.parameters().controller_frequency;
+  const double own = loop_.parameters().controller_frequency;
   return 1.0 / (own > 0.0 ? own : host_frequency_.get());
 }
 
-double Shell::brake_period() const {
-  const double period = control_period();
-  return late_brake_period(interval_, period, clock_.longest_period(period));
-}
-
 double Shell::cycle_budget() const {
-  const double own = planner_.parameters().cycle_budget;
+  const double own = loop_.parameters().cycle_budget;
   return own == 0.0 ? 0.5 * control_period() : own;
 }
 
@@ -195,9 +189,9 @@ Diagnostics::Load Shell::load() const {
 void Shell::check_horizon() {
   const costmap_2d::Costmap2D& map = *costmap_.getCostmap();
   if (map.getSizeInCellsX() == 0 || map.getSizeInCellsY() == 0) return;  // it waits for its map
-  std::vector<std::string> complaints =
-      horizon_complaints(planner_.parameters(), map.getSizeInCellsX() * map.getResolution(),
-                         map.getSizeInCellsY() * map.getResolution(), planner_.footprint().circumscribed_radius());
+  std::vector<std::string> complaints = horizon_complaints(
+      loop_.parameters(), map.getSizeInCellsX() * map.getResolution(), map.getSizeInCellsY() * map.getResolution(),
+      loop_.planner().footprint().circumscribed_radius());
   if (complaints == horizon_said_) return;
   for (const std::string& complaint : complaints) ROS_WARN("%s: %s", name_.c_str(), complaint.c_str());
   horizon_said_ = std::move(complaints);

@@ -3,10 +3,10 @@
 #include <chrono>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <tf2/exceptions.h>
 
-#include "hidwa_local_planner/core/velocity_limits.hpp"
 #include "hidwa_local_planner/ros/shell.hpp"
 
 namespace hidwa_local_planner {
@@ -31,24 +31,10 @@ double in_range(const char* parameter, double value) {
 }  // namespace
 
 void Shell::set_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
-  const bool paused = goal_checker_.plan_arrives(ros::Time::now().toSec(), control_period());
-  if (plan_.set(plan) || paused) begin_goal();
-  situation_.plan.reserve(plan.size());  // what no window of it outgrows
-}
-
-void Shell::begin_goal() {
-  planner_.reset();
-  goal_checker_.reset();
-  person_.new_goal();
-}
-
-// Where the robot was carried or driven away from the goal, what was latched there is true no more.
-bool Shell::check_goal(const Observation& observation, const Pose2& goal) {
-  const bool latched = goal_checker_.latched();
-  const bool reached =
-      goal_checker_.update(observation.pose, planner_.believed(*observation.velocity), goal, planner_.parameters());
-  if (latched && !goal_checker_.latched()) begin_goal();
-  return reached;
+  PlanMessage read = read_plan(plan);
+  plan_fault_ = read.fault;
+  if (!read.fault.empty()) return loop_.drop_plan(ros::Time::now().toSec(), control_period());
+  loop_.set_plan(std::move(read.poses), read.frame, ros::Time::now().toSec(), control_period());
 }
 
 void Shell::set_goal_tolerances(double xy, double yaw) {
@@ -60,15 +46,10 @@ void Shell::set_goal_tolerances(double xy, double yaw) {
 
 bool Shell::goal_reached(bool host_stops) {
   arriving_ = false;
-  const double now = ros::Time::now().toSec();
-  if (person_.status(now).manual) return false;
-  const Observation observation = observe(now);
-  if (!observation.fault.empty()) return false;
-  if (!check_goal(observation, observation.from_plan.apply(plan_.goal()))) return false;
-  arriving_ = !host_stops && !at_rest_;
+  if (!loop_.goal_reached(observe(ros::Time::now().toSec()))) return false;
+  arriving_ = !host_stops && !loop_.at_rest();
   if (arriving_) return false;
-  plan_.finish();
-  last_command_ = {};  // the host stops the robot
+  loop_.finish_goal();
   return true;
 }
 
@@ -77,56 +58,57 @@ CycleResult Shell::cycle(bool stop) {
   const ros::Time stamp = ros::Time::now();
   const double now = stamp.toSec();
   take_parameters();
-  const bool paused = watch_time(now);
-  goal_checker_.cycle(now);
+  const CycleClock::Tick tick = watch_time(now);
   watch_hand(now);
-  const bool recorded = planner_.parameters().record_cycles && publishing_.cycle_wanted();
+  const bool recorded = loop_.parameters().record_cycles && publishing_.cycle_wanted();
   if (publishing_.new_cycle_subscriber()) recording_.demand_key();
   recording_.begin(now, recorded);
-  OperatorIntent intent = person_.update(now, recording_.before());
-  const bool host_stops = stop || arriving_;
-  recording_.heard(intent, host_stops);
-  if (host_stops) intent.influence = Influence::stop;
-  CycleResult result = work(now, intent, paused);
+  person_.save_to(recording_.before());
+  const CycleResult result = work(now, tick, stop || arriving_);
   explain(now, result);
 
-  feedback_.publish(stamp, planner_.parameters(), result, intent, person_.status(now));
+  feedback_.publish(stamp, loop_.parameters(), result, result.intent, person_.status(now));
   if (result.decision) {
-    publishing_.publish_paths(stamp, situation_.plan, result.decision->trajectory);
-    if (result.sampling.check_all) publishing_.publish_evaluation(stamp, planner_);
+    publishing_.publish_paths(stamp, loop_.situation().plan, result.decision->trajectory);
+    if (result.sampling.check_all) publishing_.publish_evaluation(stamp, loop_.planner());
   }
   const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
-  publishing_.publish_cycle(stamp, result, intent.state, duration.count(), recording_.finish(result, planner_));
+  publishing_.publish_cycle(stamp, result, result.intent.state, duration.count(),
+                            recording_.finish(result, loop_.planner()));
   statistics_.add(duration.count(), control_period());
   keep_budget(duration.count(), result);
   return result;
 }
 
-CycleResult Shell::work(double now, const OperatorIntent& intent, bool paused) {
+CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stops) {
   // Most hosts hold this recursive mutex already.
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
-  const Observation observation = observe(now);
-  if (paused) resume(now);
-  Sampling sampling = budget_.in_force();
-  sampling.check_all = publishing_.candidates_wanted();
-  CycleResult result =
-      observation.fault.empty() ? decide(now, observation, intent, sampling) : brake(now, observation, intent);
-  result.sampling = sampling;
-  remember(now, result, observation);
+  Observation observation = observe(now);
+  const Parameters& p = loop_.parameters();
+  observation.timing.jumped_back = tick.jumped_back;
+  observation.timing.interval = tick.paused ? 0.0 : tick.interval;
+  // While the host was in control it sent commands of its own, or another node did.
+  if (tick.paused) observation.resumed = odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{});
+  observation.host_stops = host_stops;
+  observation.costmap = view_of(*costmap_.getCostmap());
+  CycleResult result;
+  result.sampling = sampling();
+  static_cast<control::Result&>(result) = loop_.step(observation, result.sampling, &recording_);
+  result.missing = observation.missing;
+  result.fault = observation.fault;
+  if (result.decision) watch_odometry(observation, *result.decision);
   return result;
 }
 
-// While the host was in control it sent commands of its own, or another node did. What odometry agrees on is where the
-// next command starts from, within the limits.
-void Shell::resume(double now) {
-  const Parameters& p = planner_.parameters();
-  resumed_ = true;
-  last_command_ = VelocityLimits::from(p).clamp(odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{}));
+Sampling Shell::sampling() const {
+  Sampling sampling = budget_.in_force();
+  sampling.check_all = publishing_.candidates_wanted();
+  return sampling;
 }
 
 // Where the hand is a tf frame: what cannot be had is silence, and told as such.
 void Shell::watch_hand(double now) {
-  const Parameters& p = planner_.parameters();
+  const Parameters& p = loop_.parameters();
   if (p.mode != OperatorMode::gesture || p.gesture_frame.empty()) return;
   try {
     person_.receive(tf_.lookupTransform(p.gesture_parent_frame, p.gesture_frame, ros::Time(0)), now);
@@ -134,31 +116,32 @@ void Shell::watch_hand(double now) {
   }
 }
 
-bool Shell::watch_time(double now) {
+CycleClock::Tick Shell::watch_time(double now) {
   const CycleClock::Tick tick = clock_.tick(now, control_period());
-  interval_ = tick.paused ? 0.0 : tick.interval;
   if (tick.jumped_back) {
     // The person's machine notices by itself: a stop goes on, and whoever has control keeps it.
     ROS_WARN("%s: time jumped back; starting anew", name_.c_str());
     odometry_.forget();
-    fault_brake_.clear();
     explanations_.end();
   }
   const std::string complaint = clock_.complaint();
   if (!complaint.empty()) ROS_WARN("%s: %s", name_.c_str(), complaint.c_str());
-  return tick.paused;
+  return tick;
 }
 
 Shell::Observation Shell::observe(double now) {
   Observation observation;
-  OdometryInput::Reading odometry = odometry_.read(now, planner_.parameters().odom_timeout);
+  observation.timing.now = now;
+  observation.timing.period = control_period();
+  observation.timing.longest_period = clock_.longest_period(observation.timing.period);
+  OdometryInput::Reading odometry = odometry_.read(now, loop_.parameters().odom_timeout);
   observation.velocity = odometry.velocity;
   const auto lacks = [&observation](Missing what, std::string fault) {
     if (!fault.empty()) observation.missing = what;
     observation.fault = std::move(fault);
     return observation.missing != Missing::nothing;
   };
-  if (lacks(Missing::parameters, refused_) || lacks(Missing::plan, plan_.fault())) return observation;
+  if (lacks(Missing::parameters, refused_) || lacks(Missing::plan, plan_fault_)) return observation;
   if (!observation.velocity) {
     lacks(Missing::odometry, std::move(odometry.fault));
   } else if (!costmap_.isCurrent()) {
@@ -178,18 +161,19 @@ std::string Shell::observe_pose(double now, Observation& observation) {
   observation.pose = to_pose(pose.pose);
   if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now - pose.header.stamp.toSec());
   if (!is_finite(observation.pose)) return "the robot's pose in " + frame + " is not a number";
-  if (plan_.frame() == frame) return "";
+  if (loop_.plan_frame() == frame) return "";
   try {
-    const geometry_msgs::TransformStamped transform = tf_.lookupTransform(frame, plan_.frame(), ros::Time(0));
+    const geometry_msgs::TransformStamped transform = tf_.lookupTransform(frame, loop_.plan_frame(), ros::Time(0));
     const double age = transform.header.stamp.isZero() ? 0.0 : now - transform.header.stamp.toSec();
-    if (age > planner_.parameters().transform_tolerance) {
-      return "the transform from the plan's frame " + plan_.frame() + " to " + frame + " is " + std::to_string(age) +
-             " s old (transform_tolerance)";
+    if (age > loop_.parameters().transform_tolerance) {
+      return "the transform from the plan's frame " + loop_.plan_frame() + " to " + frame + " is " +
+             std::to_string(age) + " s old (transform_tolerance)";
     }
     observation.from_plan = to_transform(transform.transform);
-    return is_finite(observation.from_plan.origin) ? "" : "the transform from " + plan_.frame() + " is not a number";
+    return is_finite(observation.from_plan.origin) ? ""
+                                                   : "the transform from " + loop_.plan_frame() + " is not a number";
   } catch (const tf2::TransformException& error) {
-    return "no transform from the plan's frame " + plan_.frame() + " to " + frame + ": " + error.what();
+    return "no transform from the plan's frame " + loop_.plan_frame() + " to " + frame + ": " + error.what();
   }
 }
 
@@ -200,55 +184,12 @@ std::string Shell::update_footprint() {
   if (points.empty()) return "the local costmap has no footprint: set robot_radius or footprint";
   if (!same_outline(outline_, points)) {
     outline_ = to_polygon(points);
-    recording_.demand_key();
-    planner_.set_footprint(outline_);
-    if (planner_.footprint().fault() == nullptr) check_horizon();
+    recording_.take(outline_);
+    loop_.set_footprint(outline_);
+    if (loop_.planner().footprint().fault() == nullptr) check_horizon();
   }
-  const char* fault = planner_.footprint().fault();
+  const char* fault = loop_.planner().footprint().fault();
   return fault != nullptr ? fault : "";
-}
-
-CycleResult Shell::brake(double now, const Observation& observation, const OperatorIntent& intent) {
-  CycleResult result;
-  result.missing = observation.missing;
-  result.fault = observation.fault;
-  recording_.brakes(planner_, outline_, fault_brake_,
-                    {{}, observation.velocity, last_command_, brake_period(), observation.fault});
-  const FaultBrake::Answer answer =
-      fault_brake_.answer(now, observation.velocity, last_command_, planner_.parameters(), brake_period());
-  result.outcome = outcome_of(answer, intent);
-  result.command = answer.command;
-  return result;
-}
-
-CycleResult Shell::decide(double now, const Observation& observation, const OperatorIntent& intent,
-                          const Sampling& sampling) {
-  fault_brake_.clear();
-  const Parameters& p = planner_.parameters();
-  const double ahead = p.forward_prune_auto ? std::max(p.forward_prune_distance, 1.2 * p.max_vel_x * p.sim_time)
-                                            : p.forward_prune_distance;
-  situation_.pose = observation.pose;
-  situation_.velocity = *observation.velocity;
-  situation_.last_command = last_command_;
-  situation_.goal = observation.from_plan.apply(plan_.goal());
-  situation_.period = control_period();
-  situation_.longest_period = clock_.longest_period(situation_.period);
-  situation_.pose_age = observation.pose_age;
-  situation_.resumed = resumed_;
-  resumed_ = false;
-  situation_.time = now;
-  plan_.window(observation.from_plan, observation.pose, p.prune_distance, ahead, situation_.plan);
-  check_goal(observation, situation_.goal);
-  situation_.goal_latched = goal_checker_.latched();
-
-  const GridView grid = view_of(*costmap_.getCostmap());
-  recording_.plans(planner_, outline_, situation_, grid, sampling);
-  CycleResult result;
-  result.decision = &planner_.plan(situation_, grid, intent, sampling);
-  result.outcome = result.decision->outcome;
-  watch_odometry(observation, *result.decision);
-  if (result.outcome != Outcome::fail) result.command = result.decision->command;
-  return result;
 }
 
 void Shell::watch_odometry(const Observation& observation, const Decision& decision) {
@@ -261,20 +202,6 @@ void Shell::watch_odometry(const Observation& observation, const Decision& decis
                     name_.c_str(), u.v, u.omega,
                     decision.odometry_fast ? "believed for collisions, since it lasts" : "not believed",
                     static_cast<unsigned long>(doubted_));
-}
-
-void Shell::remember(double now, const CycleResult& result, const Observation& observation) {
-  last_command_ = result.command;  // zero on failure: so the host does
-  const Parameters& p = planner_.parameters();
-  input::CycleFeedback feedback;
-  feedback.command = result.command;
-  feedback.velocity = observation.velocity.value_or(Twist2{});
-  feedback.at_rest = result.command == Twist2{} && std::abs(feedback.velocity.v) <= p.trans_stopped_velocity &&
-                     std::abs(feedback.velocity.omega) <= p.rot_stopped_velocity;
-  feedback.own_command_refused = result.decision && !result.decision->operator_refused_by.empty();
-  feedback.goal_latched = goal_checker_.latched();
-  at_rest_ = feedback.at_rest;
-  person_.debrief(now, feedback);
 }
 
 void Shell::explain(double now, const CycleResult& result) {

@@ -21,10 +21,10 @@ constexpr std::uint16_t kFormat = 3;
 struct Setup {
   std::string version;     // of the package that recorded
   std::string parameters;  // of the planner, see to_lines()
-  std::string
-      operator_parameters;  // of the operator machine, where they are not the planner's: it takes new ones earlier
-  std::string critics;      // the parameters of other packages' critics, as XML-RPC; empty where there are none
-  Polygon outline;          // without padding, robot frame [m]
+  /// The operator machine's, where they were not the planner's: older releases gave it new ones a cycle earlier.
+  std::string operator_parameters;
+  std::string critics;  // the parameters of other packages' critics, as XML-RPC; empty where there are none
+  Polygon outline;      // without padding, robot frame [m]
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {

@@ -9,19 +9,11 @@
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/Twist.h>
 
+#include "hidwa_local_planner/core/frame_transform.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
-
-/// Where one planar frame lies in another: its origin and its heading there.
-struct FrameTransform {
-  Pose2 origin;
-  /// A pose of the inner frame, in the outer one.
-  Pose2 apply(const Pose2& inner) const;
-  /// A pose of the outer frame, in the inner one.
-  Pose2 apply_inverse(const Pose2& outer) const;
-};
 
 /// The heading of a quaternion of any length; 0 for an all-zero one, as some global planners leave it.
 double yaw_of(const geometry_msgs::Quaternion& q);

@@ -3,42 +3,42 @@
 
 #include <string>
 
+#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/record/cycle_recorder.hpp"
 #include "hidwa_local_planner/ros/cycle_result.hpp"
-#include "hidwa_local_planner/ros/operator_input.hpp"
 #include "hidwa_local_planner/ros/parameter_set.hpp"
 
 namespace hidwa_local_planner {
 
 /// The records of the shell's cycles, for `~cycle`. While nobody wants them every call returns at once.
-class CycleRecording {
+class CycleRecording : public control::Witness {
  public:
   /// Parameters are in force from now on.
   void take(const ParameterSet& set);
-  /// Somebody new listens, or the outline changed.
+  /// The costmap's outline, without padding [m].
+  void take(const Polygon& outline);
+  /// Somebody new listens.
   void demand_key() { recorder_.demand_key(); }
 
   /// A cycle begins; `wanted`: it is to be recorded.
   void begin(double now, bool wanted);
-  /// Where the person's part is to be noted; null where it is not wanted.
-  OperatorInput::Before* before() { return wanted_ ? &before_ : nullptr; }
-  /// What the machine said, and whether the host stops the robot whatever that is.
-  void heard(const OperatorIntent& intent, bool host_stops);
-  /// Before the planner plans, or the fault brake answers, with the same. `outline`: the planner's, unpadded [m].
-  void plans(const Planner& planner, const Polygon& outline, const Situation& situation, const GridView& grid,
-             const Sampling& sampling);
-  void brakes(const Planner& planner, const Polygon& outline, const FaultBrake& brake, const record::BrakeInput& input);
+  /// Where the operator's machine is to be saved before it is asked; null where that is not wanted.
+  Bytes* before() { return wanted_ ? &before_ : nullptr; }
+  void heard(const OperatorIntent& intent, bool host_stops) override;
+  void plans(const Planner& planner, const Situation& situation, const GridView& costmap,
+             const Sampling& sampling) override;
+  void brakes(const Planner& planner, const FaultBrake& brake, const control::BrakeSituation& situation) override;
   /// The record as bytes, which stay valid until the next cycle; empty where it was not wanted.
   const Bytes& finish(const CycleResult& result, const Planner& planner);
 
  private:
-  void open(const Planner& planner, const Polygon& outline);
+  void open(const Planner& planner);
 
   record::CycleRecorder recorder_;
-  OperatorInput::Before before_;
-  unsigned recorded_revision_ = 0;  // of the operator's parameters, in the last record
+  Bytes before_;  // the operator's machine
+  Polygon outline_;
   OperatorIntent intent_;
   bool host_stops_ = false;
   std::string critics_;  // see record::Setup

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/control/control_loop.hpp"
 
 namespace hidwa_local_planner {
 
@@ -11,12 +11,9 @@ namespace hidwa_local_planner {
 enum class Missing { nothing = 0, parameters, plan, odometry, costmap, transform, footprint };
 
 /// What a cycle came to.
-struct CycleResult {
-  Outcome outcome = Outcome::fail;
-  Twist2 command;  // sent, or zero on failure [m/s, rad/s]
+struct CycleResult : control::Result {
   Missing missing = Missing::nothing;
   std::string fault;  // the missing input, in words; then there is no decision
-  const Decision* decision = nullptr;
   Sampling sampling;  // in force
 };
 

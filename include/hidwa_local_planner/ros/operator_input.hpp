@@ -15,6 +15,7 @@
 #include <sensor_msgs/Joy.h>
 #include <topic_tools/shape_shifter.h>
 
+#include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "hidwa_local_planner/ros/callback_thread.hpp"
@@ -24,12 +25,14 @@ namespace hidwa_local_planner {
 /// The person: the topics of stick, Twist and hand with their own queue and thread, and the state machine
 /// behind them. Thread-safe; the control thread waits at most for one message to be taken, and for a few milliseconds
 /// after a pause of the whole process, so that what arrived meanwhile is taken first.
-class OperatorInput {
+class OperatorInput : public control::Operator {
  public:
   OperatorInput();
-  ~OperatorInput();
-  /// Resubscribes where a topic changed. `handle` decides the namespace.
-  void configure(const ros::NodeHandle& handle, const Parameters& parameters);
+  ~OperatorInput() override;
+  /// Resubscribes where a topic changed, at any time. `handle` decides the namespace.
+  void listen(const ros::NodeHandle& handle, const Parameters& parameters);
+  /// What messages mean and what follows from them, from the next cycle on.
+  void configure(const Parameters& parameters) override;
   /// The same handle, its callbacks served by the thread that takes the person's messages.
   ros::NodeHandle serve(const ros::NodeHandle& handle) { return thread_.serve(handle); }
   /// `sender`: the publishing node; `received` [s].
@@ -37,16 +40,14 @@ class OperatorInput {
   /// The hand as tf has it; the same transform again is no news.
   void receive(const geometry_msgs::TransformStamped& hand, double received);
 
-  /// The machine as it was before an update, for a record.
-  struct Before {
-    Bytes state;            // see OperatorStateMachine::save()
-    unsigned revision = 0;  // counts configure()
-    Parameters parameters;  // as of that revision
-  };
-  /// What the person wants now. `before`, where it is given, is brought up to date.
-  OperatorIntent update(double now, Before* before = nullptr);
-  void debrief(double now, const input::CycleFeedback& feedback);
-  void new_goal();
+  /// From now on each update() writes there what the machine was before it (OperatorStateMachine::save()); null:
+  /// nowhere.
+  void save_to(Bytes* before) { before_ = before; }
+  /// What the person wants now.
+  OperatorIntent update(double now) override;
+  void debrief(double now, const input::CycleFeedback& feedback) override;
+  void new_goal() override;
+  bool manual() const override;
   /// In words: see OperatorStateMachine.
   void take_control(bool manual);
   void stop(bool stop);
@@ -87,8 +88,7 @@ class OperatorInput {
   mutable std::mutex mutex_;
   input::OperatorStateMachine machine_;
   OperatorMode mode_ = OperatorMode::off;
-  Parameters parameters_;  // the machine's
-  unsigned revision_ = 0;
+  Bytes* before_ = nullptr;
   Device device_;
   std::atomic<bool> stick_steers_{false};
   ros::Time hand_stamp_;                 // of the newest transform

@@ -8,6 +8,7 @@
 #include <ros/node_handle.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/core/critic_registry.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
@@ -32,9 +33,10 @@ ParameterSet with_foreign_content(const std::string& text);
 /// All that the parameter server holds below the handle's namespace.
 XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle);
 
-/// Configures a planner with this set. Returns every fault; with any, nothing changes. A critic that throws
-/// is one.
+/// Configures a planner, or a control loop, with this set. Returns every fault; with any, nothing changes. A critic
+/// that throws is one.
 std::vector<std::string> configure(Planner& planner, const ParameterSet& set);
+std::vector<std::string> configure(control::ControlLoop& loop, const ParameterSet& set);
 
 /// Every fault that configuring a planner with this set would meet; critics of other packages are loaded on
 /// the way.

@@ -12,9 +12,7 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/buffer.h>
 
-#include "hidwa_local_planner/core/fault_brake.hpp"
-#include "hidwa_local_planner/core/goal_checker.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/ros/callback_thread.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 #include "hidwa_local_planner/ros/cycle_clock.hpp"
@@ -29,7 +27,7 @@
 #include "hidwa_local_planner/ros/operator_feedback.hpp"
 #include "hidwa_local_planner/ros/operator_input.hpp"
 #include "hidwa_local_planner/ros/parameter_set.hpp"
-#include "hidwa_local_planner/ros/plan_tracker.hpp"
+#include "hidwa_local_planner/ros/plan_message.hpp"
 #include "hidwa_local_planner/ros/publishing.hpp"
 #include "hidwa_local_planner/ros/reconfigure.hpp"
 #include "hidwa_local_planner/ros/robot_description.hpp"
@@ -56,19 +54,14 @@ class Shell {
   /// Where the goal is reached, instead of what the parameters say [m], [rad]. Brought into the parameters' ranges.
   void set_goal_tolerances(double xy, double yaw);
   /// Zero was sent last, and the robot stands.
-  bool at_rest() const { return at_rest_; }
+  bool at_rest() const { return loop_.at_rest(); }
   OperatorInput::Status person() const;
   double period() const { return control_period(); }  // nominal, of a control cycle [s]
 
  private:
-  /// What is known of the robot; a fault names what is missing.
-  struct Observation {
+  /// What is known of the robot, and the kind of what is missing.
+  struct Observation : control::Observation {
     Missing missing = Missing::nothing;
-    std::string fault;
-    std::optional<Twist2> velocity;  // [m/s, rad/s]
-    Pose2 pose;                      // costmap frame
-    double pose_age = 0.0;           // [s]
-    FrameTransform from_plan;        // of the plan's frame, in the costmap's
   };
 
   // Parameters.
@@ -79,28 +72,21 @@ class Shell {
   void take_parameters();
   std::vector<std::string> put_in_force(const ParameterSet& set);
   double control_period() const;  // [s]
-  double brake_period() const;    // by how much a brake command may brake [s]
   double cycle_budget() const;    // [s]; negative: none
   Diagnostics::Load load() const;
 
   // One cycle.
   void watch_hand(double now);
-  bool watch_time(double now);  // true when the host was in control meanwhile
-  CycleResult work(double now, const OperatorIntent& intent, bool paused);
+  CycleClock::Tick watch_time(double now);
+  CycleResult work(double now, const CycleClock::Tick& tick, bool host_stops);
   Observation observe(double now);
   std::string observe_pose(double now, Observation& observation);
   std::string update_footprint();
-  CycleResult brake(double now, const Observation& observation, const OperatorIntent& intent);
-  CycleResult decide(double now, const Observation& observation, const OperatorIntent& intent,
-                     const Sampling& sampling);
-  void remember(double now, const CycleResult& result, const Observation& observation);
-  void resume(double now);
+  Sampling sampling() const;
   void watch_odometry(const Observation& observation, const Decision& decision);
   void explain(double now, const CycleResult& result);
   void keep_budget(double duration, const CycleResult& result);
   void check_horizon();
-  void begin_goal();
-  bool check_goal(const Observation& observation, const Pose2& goal);  // costmap frame
 
   const std::string name_;
   ros::NodeHandle host_handle_;  // topics by the host's names
@@ -110,21 +96,13 @@ class Shell {
 
   RobotDescription description_;
   CriticRegistry registry_;
-  Planner planner_;
-  GoalChecker goal_checker_;
-  PlanTracker plan_;
-  FaultBrake fault_brake_;
+  std::string plan_fault_ = "no plan was given yet";  // empty when there is a plan to follow
   CycleRecording recording_;
   CycleClock clock_;
-  double interval_ = 0.0;      // since the cycle before [s]
-  bool resumed_ = false;       // the planner has not planned yet since the host paused
   std::uint64_t doubted_ = 0;  // readings of odometry
   CycleStatistics statistics_;
   SampleBudget budget_;
-  Situation situation_;  // kept for its memory
-  Polygon outline_;      // what the planner was last given
-  Twist2 last_command_;  // [m/s, rad/s]
-  bool at_rest_ = false;
+  Polygon outline_;        // what the planner was last given
   bool arriving_ = false;  // at the goal, and not at rest yet
   ParameterSet in_force_;  // without the host's tolerances
   struct Tolerances {
@@ -144,6 +122,7 @@ class Shell {
   HostFrequency host_frequency_;
   OdometryInput odometry_;
   OperatorInput person_;
+  control::ControlLoop loop_;
   std::string odom_topic_;  // listened to
   Parameters accepted_;     // the last valid set, in force or about to be
   Publishing publishing_;

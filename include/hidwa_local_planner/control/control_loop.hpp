@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The control cycle of a robot, without ROS: what the plugin, the drives without ROS and the tests run.
+//
+// A cycle, step():
+// 1. the person says what they want (Operator), unless the host stops the robot;
+// 2. where something is missing, the robot brakes (FaultBrake);
+// 3. else the part of the plan that matters now is taken, the goal's latch is judged, and the planner decides;
+// 4. what was sent is remembered, and the person is told what became of their wish.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hidwa_local_planner/control/operator.hpp"
+#include "hidwa_local_planner/core/fault_brake.hpp"
+#include "hidwa_local_planner/core/frame_transform.hpp"
+#include "hidwa_local_planner/core/goal_checker.hpp"
+#include "hidwa_local_planner/core/plan_window.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+
+namespace hidwa_local_planner::control {
+
+/// When a cycle runs [s].
+struct Timing {
+  double now = 0.0;
+  double period = 0.05;         // nominal, of a control cycle
+  double longest_period = 0.0;  // of late, see PeriodWatch; smaller than the period: the period
+  double interval = 0.0;        // since the cycle before; 0 where there is none
+  bool jumped_back = false;     // time did
+};
+
+/// What is known of the robot in a cycle.
+struct Observation {
+  Timing timing;
+  std::string fault;               // what is missing, in words; empty where nothing is
+  std::optional<Twist2> velocity;  // measured; there where nothing is missing [m/s, rad/s]
+  Pose2 pose;                      // costmap frame
+  double pose_age = 0.0;           // [s]
+  FrameTransform from_plan;        // of the plan's frame, in the costmap's
+  GridView costmap;
+  /// Where the host was in control since the last cycle: the velocity that the robot has, as far as it is known.
+  std::optional<Twist2> resumed;
+  bool host_stops = false;  // the robot is to brake to rest whatever the person wants
+};
+
+/// What a cycle came to.
+struct Result {
+  Outcome outcome = Outcome::fail;
+  Twist2 command;                      // sent, or zero on failure [m/s, rad/s]
+  const Decision* decision = nullptr;  // null where something was missing; valid until the next cycle
+  OperatorIntent intent;               // what the person wants, though the host may stop the robot
+};
+
+/// What a cycle that could only brake was decided from.
+struct BrakeSituation {
+  double time = 0.0;               // [s]
+  std::optional<Twist2> velocity;  // measured, where odometry was at hand [m/s, rad/s]
+  Twist2 last_command;             // [m/s, rad/s]
+  double period = 0.0;             // by how much a command may brake [s]
+  std::string fault;
+};
+
+/// Sees what a cycle is decided from, just before that: for records.
+class Witness {
+ public:
+  virtual ~Witness() = default;
+  virtual void heard(const OperatorIntent& intent, bool host_stops) = 0;
+  virtual void plans(const Planner& planner, const Situation& situation, const GridView& costmap,
+                     const Sampling& sampling) = 0;
+  virtual void brakes(const Planner& planner, const FaultBrake& brake, const BrakeSituation& situation) = 0;
+};
+
+class ControlLoop {
+ public:
+  /// `person` must outlive the loop.
+  ControlLoop(CriticRegistry registry, Operator& person) : person_(person), planner_(std::move(registry)) {}
+
+  /// Planner and person take one set, between two cycles; a set with faults changes nothing. May throw what a critic of
+  /// another package throws.
+  std::vector<std::string> configure(const Parameters& parameters, const Planner::SourceFor& sources = {});
+  void set_footprint(const Polygon& outline) { planner_.set_footprint(outline); }
+
+  /// A plan in `frame`, not empty; its last pose is the goal. A new goal, or a plan after a pause, begins afresh: `now`
+  /// and the control period [s].
+  void set_plan(std::vector<Pose2> plan, const std::string& frame, double now, double period);
+  /// There is no plan to follow.
+  void drop_plan(double now, double period);
+  bool has_plan() const { return !plan_.empty(); }
+  const std::string& plan_frame() const { return frame_; }
+  const Pose2& goal() const { return goal_; }  // in the plan's frame
+
+  /// One control cycle.
+  Result step(const Observation& observation, const Sampling& sampling = {}, Witness* witness = nullptr);
+  /// Whether the goal is reached, where nothing is missing and the person has not taken control.
+  bool goal_reached(const Observation& observation);
+  /// The goal is over, and the host stops the robot: whatever plan comes next has a new goal.
+  void finish_goal();
+
+  const Planner& planner() const { return planner_; }
+  const Parameters& parameters() const { return planner_.parameters(); }
+  const Situation& situation() const { return situation_; }  // of the last cycle that planned
+  const Twist2& last_command() const { return last_command_; }
+  /// Zero was sent last, and the robot stands.
+  bool at_rest() const { return at_rest_; }
+
+ private:
+  void begin_goal();
+  bool check_goal(const Observation& observation, const Pose2& goal);
+  void brake(const Observation& observation, const OperatorIntent& intent, Witness* witness, Result& result);
+  void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Witness* witness,
+              Result& result);
+  void take_situation(const Observation& observation);
+  void take_plan_window(const Observation& observation);
+  void remember(const Observation& observation, const Result& result);
+
+  Operator& person_;
+  Planner planner_;
+  GoalChecker goal_checker_;
+  FaultBrake fault_brake_;
+  PlanWindow plan_;    // in its own frame
+  std::string frame_;  // the plan's
+  Pose2 goal_;         // in the plan's frame
+  bool has_goal_ = false;
+  Situation situation_;  // kept for its memory
+  Twist2 last_command_;  // [m/s, rad/s]
+  bool at_rest_ = false;
+  bool resumed_ = false;  // nothing was planned yet since the host was in control
+};
+
+}  // namespace hidwa_local_planner::control

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/control/control_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hidwa_local_planner/core/late_cycles.hpp"
+#include "hidwa_local_planner/core/velocity_limits.hpp"
+
+namespace hidwa_local_planner::control {
+namespace {
+
+// What a transform to and fro may change of a goal.
+constexpr double kSamePosition = 1e-3;  // [m]
+constexpr double kSameHeading = 1e-3;   // [rad]
+
+bool same_goal(const Pose2& a, const Pose2& b) {
+  return distance(a, b) <= kSamePosition && std::abs(wrap_angle(a.theta - b.theta)) <= kSameHeading;
+}
+
+// So much of the plan that it never caps the speed, where that is wanted [m].
+double length_ahead(const Parameters& p) {
+  const double least = p.forward_prune_auto ? 1.2 * p.max_vel_x * p.sim_time : 0.0;
+  return std::max(p.forward_prune_distance, least);
+}
+
+}  // namespace
+
+std::vector<std::string> ControlLoop::configure(const Parameters& parameters, const Planner::SourceFor& sources) {
+  std::vector<std::string> faults = planner_.configure(parameters, sources);
+  if (faults.empty()) person_.configure(parameters);
+  return faults;
+}
+
+void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, double now, double period) {
+  const bool paused = goal_checker_.plan_arrives(now, period);
+  const Pose2 goal = plan.back();
+  const bool is_new = !has_goal_ || frame != frame_ || !same_goal(goal, goal_);
+  situation_.plan.reserve(plan.size());  // what no window of it outgrows
+  plan_.set_plan(std::move(plan));
+  frame_ = frame;
+  // The goal that the latches belong to stays the reference: a sum of tiny changes is a change.
+  if (is_new) goal_ = goal;
+  has_goal_ = true;
+  if (is_new || paused) begin_goal();
+}
+
+void ControlLoop::drop_plan(double now, double period) {
+  plan_.set_plan({});
+  if (goal_checker_.plan_arrives(now, period)) begin_goal();
+}
+
+void ControlLoop::begin_goal() {
+  planner_.reset();
+  goal_checker_.reset();
+  person_.new_goal();
+}
+
+void ControlLoop::finish_goal() {
+  has_goal_ = false;
+  last_command_ = {};
+}
+
+bool ControlLoop::goal_reached(const Observation& observation) {
+  if (person_.manual() || !observation.fault.empty()) return false;
+  return check_goal(observation, observation.from_plan.apply(goal_));
+}
+
+// Where the robot was carried or driven away from the goal, what was latched there is true no more.
+bool ControlLoop::check_goal(const Observation& observation, const Pose2& goal) {
+  const bool latched = goal_checker_.latched();
+  const bool reached =
+      goal_checker_.update(observation.pose, planner_.believed(*observation.velocity), goal, parameters());
+  if (latched && !goal_checker_.latched()) begin_goal();
+  return reached;
+}
+
+Result ControlLoop::step(const Observation& observation, const Sampling& sampling, Witness* witness) {
+  goal_checker_.cycle(observation.timing.now);
+  if (observation.timing.jumped_back) fault_brake_.clear();
+  if (observation.resumed) {
+    // Somebody else sent commands meanwhile: the next one starts from what the robot does, within the limits.
+    resumed_ = true;
+    last_command_ = VelocityLimits::from(parameters()).clamp(*observation.resumed);
+  }
+  Result result;
+  result.intent = person_.update(observation.timing.now);
+  if (witness != nullptr) witness->heard(result.intent, observation.host_stops);
+  OperatorIntent intent = result.intent;
+  if (observation.host_stops) intent.influence = Influence::stop;
+  if (observation.fault.empty()) {
+    decide(observation, intent, sampling, witness, result);
+  } else {
+    brake(observation, intent, witness, result);
+  }
+  remember(observation, result);
+  return result;
+}
+
+void ControlLoop::brake(const Observation& observation, const OperatorIntent& intent, Witness* witness,
+                        Result& result) {
+  const Timing& timing = observation.timing;
+  const double longest = std::max(timing.period, timing.longest_period);
+  const double period = late_brake_period(timing.interval, timing.period, longest);
+  if (witness != nullptr) {
+    witness->brakes(planner_, fault_brake_,
+                    {timing.now, observation.velocity, last_command_, period, observation.fault});
+  }
+  const FaultBrake::Answer answer =
+      fault_brake_.answer(timing.now, observation.velocity, last_command_, parameters(), period);
+  result.outcome = outcome_of(answer, intent);
+  result.command = answer.command;
+}
+
+void ControlLoop::decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling,
+                         Witness* witness, Result& result) {
+  fault_brake_.clear();
+  take_situation(observation);
+  if (witness != nullptr) witness->plans(planner_, situation_, observation.costmap, sampling);
+  result.decision = &planner_.plan(situation_, observation.costmap, intent, sampling);
+  result.outcome = result.decision->outcome;
+  if (result.outcome != Outcome::fail) result.command = result.decision->command;
+}
+
+void ControlLoop::take_situation(const Observation& observation) {
+  situation_.pose = observation.pose;
+  situation_.velocity = *observation.velocity;
+  situation_.last_command = last_command_;
+  situation_.goal = observation.from_plan.apply(goal_);
+  situation_.period = observation.timing.period;
+  situation_.longest_period = observation.timing.longest_period;
+  situation_.pose_age = observation.pose_age;
+  situation_.resumed = std::exchange(resumed_, false);
+  situation_.time = observation.timing.now;
+  take_plan_window(observation);
+  check_goal(observation, situation_.goal);
+  situation_.goal_latched = goal_checker_.latched();
+}
+
+void ControlLoop::take_plan_window(const Observation& observation) {
+  const FrameTransform& from_plan = observation.from_plan;
+  const PlanWindow::Range range =
+      plan_.around(from_plan.apply_inverse(observation.pose), parameters().prune_distance, length_ahead(parameters()));
+  situation_.plan.clear();
+  for (std::size_t i = range.begin; i < range.end; ++i) situation_.plan.push_back(from_plan.apply(plan_.plan()[i]));
+}
+
+void ControlLoop::remember(const Observation& observation, const Result& result) {
+  last_command_ = result.command;  // zero on failure: so the host does
+  const Parameters& p = parameters();
+  input::CycleFeedback feedback;
+  feedback.command = result.command;
+  feedback.velocity = observation.velocity.value_or(Twist2{});
+  feedback.at_rest = result.command == Twist2{} && std::abs(feedback.velocity.v) <= p.trans_stopped_velocity &&
+                     std::abs(feedback.velocity.omega) <= p.rot_stopped_velocity;
+  feedback.own_command_refused = result.decision != nullptr && !result.decision->operator_refused_by.empty();
+  feedback.goal_latched = goal_checker_.latched();
+  at_rest_ = feedback.at_rest;
+  person_.debrief(observation.timing.now, feedback);
+}
+
+}  // namespace hidwa_local_planner::control

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/control/control_loop.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/scene.hpp"
+
+namespace hidwa_local_planner::control {
+namespace {
+
+constexpr double kPeriod = 0.05;  // [s]
+
+/// From x = 0 to `length` [m] along x, a pose every 0.1 m.
+std::vector<Pose2> straight(double length, double goal_yaw = 0.0) {
+  std::vector<Pose2> plan;
+  const int steps = static_cast<int>(std::lround(length / 0.1));
+  for (int i = 0; i <= steps; ++i) plan.push_back({0.1 * i, 0.0, i == steps ? goal_yaw : 0.0});
+  return plan;
+}
+
+/// A person who says what the test wants and notes what they are told.
+class Person : public Operator {
+ public:
+  void configure(const Parameters& parameters) override { s_omega = parameters.s_omega; }
+  OperatorIntent update(double) override {
+    ++updates;
+    return intent;
+  }
+  void debrief(double, const input::CycleFeedback& said) override { feedback = said; }
+  void new_goal() override { ++new_goals; }
+  bool manual() const override { return in_control; }
+
+  OperatorIntent intent;
+  input::CycleFeedback feedback;
+  double s_omega = 0.0;
+  int updates = 0, new_goals = 0;
+  bool in_control = false;
+};
+
+/// A loop in an empty map whose robot does what it is told.
+class Bench : public Witness {
+ public:
+  Bench() : scene_(test::Scene::empty(121)), loop_(CriticRegistry::with_built_in(), person_) {
+    EXPECT_TRUE(loop_.configure(scene_.parameters).empty());
+    loop_.set_footprint(scene_.outline);
+    seen_.timing = {10.0, kPeriod, kPeriod, kPeriod, false};
+    seen_.velocity = Twist2{};
+    seen_.costmap = scene_.grid();
+  }
+  void plan(std::vector<Pose2> poses, const std::string& frame = "map") {
+    loop_.set_plan(std::move(poses), frame, seen_.timing.now, kPeriod);
+  }
+  Result step() {
+    witnessed_.clear();
+    const Result result = loop_.step(seen_, {}, this);
+    seen_.timing.now += kPeriod;
+    seen_.velocity = result.command;
+    seen_.resumed.reset();
+    return result;
+  }
+  void heard(const OperatorIntent&, bool host_stops) override { witnessed_ += host_stops ? "stopped " : "heard "; }
+  void plans(const Planner&, const Situation&, const GridView&, const Sampling&) override { witnessed_ += "plans"; }
+  void brakes(const Planner&, const FaultBrake&, const BrakeSituation& situation) override {
+    witnessed_ += "brakes: " + situation.fault;
+  }
+
+  Person& person() { return person_; }
+  ControlLoop& loop() { return loop_; }
+  Observation& seen() { return seen_; }
+  const Parameters& parameters() const { return scene_.parameters; }
+  const std::string& witnessed() const { return witnessed_; }
+
+ private:
+  test::Scene scene_;
+  Person person_;
+  ControlLoop loop_;
+  Observation seen_;
+  std::string witnessed_;
+};
+
+TEST(ControlLoop, DrivesAlongItsPlanAndTellsThePerson) {
+  Bench bench;
+  EXPECT_FALSE(bench.loop().has_plan());
+  bench.plan(straight(2.5));
+  EXPECT_TRUE(bench.loop().has_plan());
+  for (int k = 0; k < 5; ++k) bench.step();
+  const Result result = bench.step();
+  EXPECT_EQ(bench.witnessed(), "heard plans");
+  EXPECT_EQ(result.outcome, Outcome::drive);
+  EXPECT_NEAR(result.command.v, 0.5, 1e-9);  // 6 periods of 2.5 m/s^2 are 0.75 m/s
+  EXPECT_EQ(bench.person().updates, 6);
+  EXPECT_EQ(bench.person().feedback.command, result.command);
+  EXPECT_EQ(bench.loop().last_command(), result.command);
+  EXPECT_FALSE(bench.loop().at_rest());
+}
+
+TEST(ControlLoop, PlannerAndPersonTakeOneSetAtOnce) {
+  Bench bench;
+  Parameters wanted = bench.parameters();
+  wanted.s_omega = 123.0;
+  EXPECT_TRUE(bench.loop().configure(wanted).empty());
+  EXPECT_EQ(bench.person().s_omega, 123.0);
+  EXPECT_EQ(bench.loop().parameters().s_omega, 123.0);
+  wanted.s_omega = 77.0;
+  wanted.critics = "NoSuchCritic";
+  EXPECT_FALSE(bench.loop().configure(wanted).empty());
+  EXPECT_EQ(bench.person().s_omega, 123.0);
+  EXPECT_EQ(bench.loop().parameters().s_omega, 123.0);
+}
+
+TEST(ControlLoop, OnlyAChangedLastPoseIsANewGoal) {
+  Bench bench;
+  const auto begins = [&bench](std::vector<Pose2> plan, const std::string& frame = "map") {
+    const int before = bench.person().new_goals;
+    bench.plan(std::move(plan), frame);
+    return bench.person().new_goals > before;
+  };
+  EXPECT_TRUE(begins(straight(3.0)));
+  EXPECT_FALSE(begins(straight(3.0)));
+  std::vector<Pose2> shorter = straight(3.0);
+  shorter.erase(shorter.begin(), shorter.begin() + 10);  // a plan made anew from further on
+  EXPECT_FALSE(begins(shorter));
+  EXPECT_TRUE(begins(straight(3.1)));
+  EXPECT_TRUE(begins(straight(3.1, 0.5)));
+  EXPECT_TRUE(begins(straight(3.1, 0.5), "odom"));
+  bench.loop().finish_goal();
+  EXPECT_TRUE(begins(straight(3.1, 0.5), "odom"));
+  bench.loop().drop_plan(bench.seen().timing.now, kPeriod);
+  EXPECT_FALSE(bench.loop().has_plan());
+  EXPECT_FALSE(begins(straight(3.1, 0.5), "odom"));  // the same goal as before
+  bench.step();
+  bench.seen().timing.now += 1.0;  // a pause: somebody else may have moved the robot
+  EXPECT_TRUE(begins(straight(3.1, 0.5), "odom"));
+}
+
+TEST(ControlLoop, TheWindowOfThePlanIsInTheCostmapsFrame) {
+  Bench bench;
+  bench.plan(straight(2.5));
+  // The plan's frame lies at (1, -2) in the costmap's, turned left by 90 degrees: plan x is costmap y.
+  bench.seen().from_plan = {{1.0, -2.0, M_PI / 2}};
+  bench.seen().pose = {1.0, -1.0, M_PI / 2};  // at 1 m of the plan
+  bench.step();
+  const Situation& situation = bench.loop().situation();
+  ASSERT_FALSE(situation.plan.empty());
+  EXPECT_NEAR(situation.plan.front().x, 1.0, 1e-9);
+  EXPECT_NEAR(situation.plan.front().y, -2.0, 0.1 + 1e-9);  // prune_distance 1 m behind
+  EXPECT_NEAR(situation.plan.back().y, 0.5, 1e-9);
+  EXPECT_NEAR(situation.plan.back().theta, M_PI / 2, 1e-9);
+  EXPECT_NEAR(situation.goal.y, 0.5, 1e-9);
+}
+
+TEST(ControlLoop, WhereSomethingIsMissingItBrakes) {
+  Bench bench;
+  bench.plan(straight(2.5));
+  for (int k = 0; k < 6; ++k) bench.step();
+  bench.seen().fault = "no scan";
+  Result result = bench.step();
+  EXPECT_EQ(bench.witnessed(), "heard brakes: no scan");
+  EXPECT_EQ(result.decision, nullptr);
+  EXPECT_EQ(result.outcome, Outcome::brake);
+  EXPECT_NEAR(result.command.v, 0.5 - 2.5 * kPeriod, 1e-9);
+  // Four periods to rest; a late cycle brakes for the time since the one before.
+  bench.seen().timing.interval = bench.seen().timing.longest_period = 2.0 * kPeriod;
+  EXPECT_NEAR(bench.step().command.v, 0.5 - 3.0 * 2.5 * kPeriod, 1e-9);
+  bench.step();
+  result = bench.step();
+  EXPECT_EQ(result.outcome, Outcome::fail);
+  EXPECT_EQ(result.command, Twist2{});
+  EXPECT_TRUE(bench.loop().at_rest());
+}
+
+TEST(ControlLoop, TheHostStopsTheRobotWhateverThePersonWants) {
+  Bench bench;
+  bench.plan(straight(2.5));
+  for (int k = 0; k < 6; ++k) bench.step();
+  bench.person().intent.state = OperatorStateId::shared;
+  bench.person().intent.influence = Influence::shared;
+  bench.person().intent.u_h = {0.5, 0.3};
+  bench.seen().host_stops = true;
+  const Result result = bench.step();
+  EXPECT_EQ(bench.witnessed(), "stopped plans");
+  EXPECT_NEAR(result.command.v, 0.5 - 2.5 * kPeriod, 1e-9);
+  EXPECT_EQ(result.intent.influence, Influence::shared);  // what the person said stays what they said
+}
+
+TEST(ControlLoop, AfterThePauseOfAHostItStartsFromWhatTheRobotDoes) {
+  Bench bench;
+  bench.plan(straight(2.5));
+  bench.seen().velocity = Twist2{0.3, 0.0};
+  bench.seen().resumed = Twist2{0.3, 0.0};
+  EXPECT_NEAR(bench.step().command.v, 0.3 + 2.5 * kPeriod, 1e-9);
+  EXPECT_TRUE(bench.loop().situation().resumed);
+  bench.step();
+  EXPECT_FALSE(bench.loop().situation().resumed);
+  bench.seen().resumed = Twist2{5.0, 0.0};  // beyond the limit
+  bench.step();
+  EXPECT_EQ(bench.loop().situation().last_command.v, bench.parameters().max_vel_x);
+}
+
+TEST(ControlLoop, TheGoalIsReachedWhereTheRobotStandsAtIt) {
+  Bench bench;
+  bench.plan(straight(1.0));
+  EXPECT_FALSE(bench.loop().goal_reached(bench.seen()));
+  bench.seen().pose = {0.9, 0.0, 0.0};
+  EXPECT_TRUE(bench.loop().goal_reached(bench.seen()));
+  bench.person().in_control = true;
+  EXPECT_FALSE(bench.loop().goal_reached(bench.seen()));
+  bench.person().in_control = false;
+  bench.seen().fault = "no odometry";
+  bench.seen().velocity.reset();
+  EXPECT_FALSE(bench.loop().goal_reached(bench.seen()));
+}
+
+TEST(ControlLoop, WhoeverIsCarriedAwayFromTheGoalBeginsAfresh) {
+  Bench bench;
+  bench.plan(straight(1.0));
+  bench.seen().pose = {0.9, 0.0, 0.0};
+  bench.step();
+  EXPECT_TRUE(bench.person().feedback.goal_latched);
+  const int before = bench.person().new_goals;
+  bench.seen().pose = {0.0, 0.5, 0.0};
+  bench.step();
+  EXPECT_FALSE(bench.person().feedback.goal_latched);
+  EXPECT_EQ(bench.person().new_goals, before + 1);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::control
