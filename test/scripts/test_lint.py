@@ -47,6 +47,12 @@ class Lint(unittest.TestCase):
         self.assertEqual(names[2], [])
         return said if names[1] else ''
 
+    def test_without_a_repository_all_files_count_but_what_was_made(self):
+        os.makedirs(os.path.join(self.folder, 'build'))
+        self.write('build/made.cpp', '')
+        self.assertEqual(lint.files('*.cpp', 'scripts/*'), ['good.cpp', 'scripts/good'])
+        self.assertEqual(lint.shell_scripts(), ['scripts/good'])
+
     def test_a_line_that_is_not_formatted(self):
         self.assertEqual(self.found_by('clang-format'), '')
         self.write('bad.cpp', 'int  g( ){return 2;}\n')

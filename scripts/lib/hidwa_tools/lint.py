@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """scripts/lint, once everything needed is installed: holds the style and looks for slips, a line a tool."""
 import argparse
+import fnmatch
 import os
 import re
 import shutil
@@ -10,14 +11,25 @@ import sys
 ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
 FORMATTER = 14    # the version of clang-format that the style was made with; others break lines elsewhere
 WORDS = 'ot,fro,expcet,kinf'  # codespell takes these for misspelt: optimal time, to and fro, a misspelt key in a test
+MADE = ('.git', 'build', 'install', 'log', 'report')  # by whoever works here
 COMPAT = ('nav_core', 'costmap_2d', 'map_server', 'move_base')
 
 
+def all_files():
+    """The project's files; where git knows of none (no repository, or somebody else's), all that lie there."""
+    listed = subprocess.run(['git', '-C', ROOT, 'ls-files'], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False)
+    paths = listed.stdout.splitlines()
+    if not paths:
+        for folder, inner, names in os.walk(ROOT):
+            if folder == ROOT:
+                inner[:] = [name for name in inner if name not in MADE]
+            paths += [os.path.relpath(os.path.join(folder, name), ROOT) for name in names]
+    return sorted(path for path in paths if os.path.isfile(os.path.join(ROOT, path)))
+
+
 def files(*patterns):
-    """The project's files with these names; without a repository all that there are."""
-    listed = subprocess.run(['git', '-C', ROOT, 'ls-files', '--', *patterns], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                            text=True, check=False)
-    return sorted(path for path in listed.stdout.splitlines() if os.path.isfile(os.path.join(ROOT, path)))
+    """Those with these names; a folder counts with all that it holds."""
+    return [path for path in all_files() if any(fnmatch.fnmatch(path, pattern) for pattern in patterns)]
 
 
 def shell_scripts():
