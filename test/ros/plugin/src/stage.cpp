@@ -209,9 +209,6 @@ Host::~Host() { stop(); }
 
 bool Host::plan_ahead(double ahead, const std::string& frame) { return planner_->setPlan(straight_plan(ahead, frame)); }
 
-// Between the time of a cycle here and in the planner [s].
-constexpr double kJitter = 15e-3;
-
 Host::Cycle Host::cycle() {
   Stage& stage = Stage::get();
   Cycle cycle;
@@ -221,11 +218,11 @@ Host::Cycle Host::cycle() {
     cycle.success = planner_->computeVelocityCommands(cycle.command);
   }
   stage.robot.command(cycle.success ? cycle.command : geometry_msgs::Twist());
+  // From before the last call to after this one: the planner reads its clock somewhere within them.
+  cycle.late = std::max(1.0, (ros::Time::now() - begun_).toSec() / kPeriod);
   if (cycle.success && last_.success) {
-    // A late cycle may brake by as much as since the one before.
-    const double late = std::max(1.0, ((begun - begun_).toSec() + kJitter) / kPeriod);
-    const auto larger = [late](double& largest, double a, double b) {
-      largest = std::max(largest, std::abs(a - b) / late);
+    const auto larger = [&cycle](double& largest, double a, double b) {
+      largest = std::max(largest, std::abs(a - b) / cycle.late);
     };
     larger(largest_change_.linear.x, cycle.command.linear.x, last_.command.linear.x);
     larger(largest_change_.angular.z, cycle.command.angular.z, last_.command.angular.z);

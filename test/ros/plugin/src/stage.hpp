@@ -100,6 +100,9 @@ class Host {
   struct Cycle {
     bool success = false;
     geometry_msgs::Twist command;
+    /// In periods, one at least: no more than this lies between what the planner takes for the time of the cycle before
+    /// and of this one. A late cycle may brake by as much as could have been braked since the one before.
+    double late = 1.0;
   };
   /// One control cycle: computes, drives (stops on failure, as move_base does), waits for the next period.
   Cycle cycle();
