@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hidwa_local_planner/core/late_cycles.hpp"
+#include "hidwa_local_planner/core/standing.hpp"
 #include "hidwa_local_planner/core/velocity_limits.hpp"
 
 namespace hidwa_local_planner::control {
@@ -101,8 +102,7 @@ Result ControlLoop::step(const Observation& observation, const Sampling& samplin
 void ControlLoop::brake(const Observation& observation, const OperatorIntent& intent, Witness* witness,
                         Result& result) {
   const Timing& timing = observation.timing;
-  const double longest = std::max(timing.period, timing.longest_period);
-  const double period = late_brake_period(timing.interval, timing.period, longest);
+  const double period = late_brake_period(timing.interval, timing.period, timing.longest_period);
   if (witness != nullptr) {
     witness->brakes(planner_, fault_brake_,
                     {timing.now, observation.velocity, last_command_, period, observation.fault});
@@ -148,12 +148,10 @@ void ControlLoop::take_plan_window(const Observation& observation) {
 
 void ControlLoop::remember(const Observation& observation, const Result& result) {
   last_command_ = result.command;  // zero on failure: so the host does
-  const Parameters& p = parameters();
   input::CycleFeedback feedback;
   feedback.command = result.command;
   feedback.velocity = observation.velocity.value_or(Twist2{});
-  feedback.at_rest = result.command == Twist2{} && std::abs(feedback.velocity.v) <= p.trans_stopped_velocity &&
-                     std::abs(feedback.velocity.omega) <= p.rot_stopped_velocity;
+  feedback.at_rest = result.command == Twist2{} && stands(feedback.velocity, parameters());
   feedback.own_command_refused = result.decision != nullptr && !result.decision->operator_refused_by.empty();
   feedback.goal_latched = goal_checker_.latched();
   at_rest_ = feedback.at_rest;

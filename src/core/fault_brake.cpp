@@ -2,7 +2,8 @@
 #include "hidwa_local_planner/core/fault_brake.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "hidwa_local_planner/core/standing.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -23,8 +24,7 @@ FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& v
   if (!since_ || now < *since_) since_ = now;
   bool moving = !(last_command == Twist2{});
   if (velocity) {
-    moving = moving || std::abs(velocity->v) > parameters.trans_stopped_velocity ||
-             std::abs(velocity->omega) > parameters.rot_stopped_velocity;
+    moving = moving || !stands(*velocity, parameters);
   } else {
     const double fastest = std::max(parameters.max_vel_x, -parameters.min_vel_x);
     moving = moving || now - *since_ <= fastest / parameters.braking_x() + period;

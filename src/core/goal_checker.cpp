@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hidwa_local_planner/core/pause.hpp"
+#include "hidwa_local_planner/core/standing.hpp"
 
 namespace hidwa_local_planner {
 
@@ -21,9 +22,7 @@ bool GoalChecker::update(const Pose2& robot, const Twist2& velocity, const Pose2
   const double tolerance = parameters.xy_goal_tolerance;
   latched_ = left <= tolerance || (latched_ && left <= tolerance + goal_margin(parameters));
   const bool aligned = std::abs(wrap_angle(goal.theta - robot.theta)) <= parameters.yaw_goal_tolerance;
-  const bool stopped = std::abs(velocity.v) <= parameters.trans_stopped_velocity &&
-                       std::abs(velocity.omega) <= parameters.rot_stopped_velocity;
-  return latched_ && aligned && stopped;
+  return latched_ && aligned && stands(velocity, parameters);
 }
 
 }  // namespace hidwa_local_planner

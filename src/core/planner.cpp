@@ -110,6 +110,8 @@ std::vector<std::string> Planner::configure(const Parameters& parameters, const 
   return {};
 }
 
+const Polygon& Planner::outline() const { return impl_->outline; }
+
 void Planner::set_footprint(const Polygon& outline) {
   if (&impl_->outline != &outline) impl_->outline = outline;
   impl_->footprint = Footprint::from_outline(outline, impl_->parameters.footprint_padding);

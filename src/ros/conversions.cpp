@@ -5,6 +5,10 @@
 
 namespace hidwa_local_planner {
 
+std::string plain_frame(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
 double yaw_of(const geometry_msgs::Quaternion& q) {
   // Homogeneous in the quaternion: its length cancels.
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z);

@@ -11,11 +11,6 @@ void CycleRecording::take(const ParameterSet& set) {
   demand_key();
 }
 
-void CycleRecording::take(const Polygon& outline) {
-  outline_ = outline;
-  demand_key();
-}
-
 void CycleRecording::begin(double now, bool wanted) {
   if (!wanted) demand_key();  // one is left out
   wanted_ = wanted;
@@ -34,7 +29,7 @@ void CycleRecording::open(const Planner& planner) {
     setup.version = HIDWA_VERSION;
     setup.parameters = to_lines(planner.parameters());
     setup.critics = critics_;
-    setup.outline = outline_;
+    setup.outline = planner.outline();
     recorder_.setup(std::move(setup));
   }
   recorder_.operator_state() = before_;

@@ -9,8 +9,7 @@ namespace {
 constexpr unsigned kQueue = 10;  // goals that may come between two looks
 
 FramedGoal to_goal(const geometry_msgs::PoseStamped& pose) {
-  const std::string& frame = pose.header.frame_id;
-  return {!frame.empty() && frame.front() == '/' ? frame.substr(1) : frame, to_pose(pose.pose)};
+  return {plain_frame(pose.header.frame_id), to_pose(pose.pose)};
 }
 
 }  // namespace

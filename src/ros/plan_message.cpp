@@ -23,8 +23,7 @@ std::string fault_of(const std::vector<geometry_msgs::PoseStamped>& plan) {
 PlanMessage read_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   PlanMessage read{fault_of(plan), "", {}};
   if (!read.fault.empty()) return read;
-  read.frame = plan.front().header.frame_id;
-  if (read.frame.front() == '/') read.frame.erase(0, 1);  // tf2 knows no leading slash
+  read.frame = plain_frame(plan.front().header.frame_id);
   read.poses.reserve(plan.size());
   for (const geometry_msgs::PoseStamped& pose : plan) read.poses.push_back(to_pose(pose.pose));
   return read;

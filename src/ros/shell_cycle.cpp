@@ -182,10 +182,9 @@ std::string Shell::update_footprint() {
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
   const auto& points = costmap_.getRobotFootprint();
   if (points.empty()) return "the local costmap has no footprint: set robot_radius or footprint";
-  if (!same_outline(outline_, points)) {
-    outline_ = to_polygon(points);
-    recording_.take(outline_);
-    loop_.set_footprint(outline_);
+  if (!same_outline(loop_.planner().outline(), points)) {
+    recording_.demand_key();
+    loop_.set_footprint(to_polygon(points));
     if (loop_.planner().footprint().fault() == nullptr) check_horizon();
   }
   const char* fault = loop_.planner().footprint().fault();

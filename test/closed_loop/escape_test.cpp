@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/sim/diff_drive.hpp"
 #include "support/naive_escape.hpp"
@@ -64,18 +65,9 @@ class Robot {
     now.velocity = {drive_.velocity().v, drive_.velocity().omega};
     Cycle cycle;
     cycle.decision = planner_.plan(now, scene_.grid(), scene_.intent);
-    const Twist2 command = cycle.decision.outcome == Outcome::fail ? Twist2{} : cycle.decision.command;
-    drive_.command({command.v, command.omega}, now.time);
-    constexpr int kSteps = 50;
-    for (int k = 0; k < kSteps; ++k) {
-      const double step = now.period / kSteps;
-      const sim::Pose next =
-          sim::moved({now.pose.x, now.pose.y, now.pose.theta}, drive_.step(now.time + k * step, step));
-      now.pose = {next.x, next.y, next.theta};
-      if (k % 10 == 9) cycle.poses.push_back(now.pose);
-    }
-    now.last_command = command;
-    now.time += now.period;
+    drive_on(now, drive_, cycle.decision, 50, [&](int step) {
+      if (step % 10 == 9) cycle.poses.push_back(now.pose);
+    });
     return cycle;
   }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/sim/diff_drive.hpp"
 #include "support/naive_planner.hpp"
@@ -61,17 +62,7 @@ class Room {
     scene_.intent.u_h = wanted;
     scene_.intent.influence = stop ? Influence::stop : Influence::direct;
     const Decision decision = planner_.plan(now, scene_.grid(), scene_.intent);
-    const Twist2 command = decision.outcome == Outcome::fail ? Twist2{} : decision.command;
-    drive_.command({command.v, command.omega}, now.time);
-    constexpr int kSteps = 5;
-    for (int k = 0; k < kSteps; ++k) {
-      const double step = now.period / kSteps;
-      const sim::Pose next =
-          sim::moved({now.pose.x, now.pose.y, now.pose.theta}, drive_.step(now.time + k * step, step));
-      now.pose = {next.x, next.y, next.theta};
-    }
-    now.last_command = command;
-    now.time += now.period;
+    drive_on(now, drive_, decision, 5, [](int) {});
     return decision;
   }
   /// How far into an obstacle it reaches [m].

@@ -159,6 +159,7 @@ class Planner {
 
   /// The robot's outline without parameters().footprint_padding, which is added here.
   void set_footprint(const Polygon& outline);
+  const Polygon& outline() const;  // as it was given
   const Footprint& footprint() const;
 
   /// A new goal: critics forget what they latched.

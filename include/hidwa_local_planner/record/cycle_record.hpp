@@ -21,7 +21,7 @@ constexpr std::uint16_t kFormat = 3;
 struct Setup {
   std::string version;     // of the package that recorded
   std::string parameters;  // of the planner, see to_lines()
-  /// The operator machine's, where they were not the planner's: older releases gave it new ones a cycle earlier.
+  /// The operator machine's, where they are not the planner's: in older recordings it had new ones a cycle earlier.
   std::string operator_parameters;
   std::string critics;  // the parameters of other packages' critics, as XML-RPC; empty where there are none
   Polygon outline;      // without padding, robot frame [m]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <costmap_2d/costmap_2d.h>
@@ -14,6 +15,9 @@
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
+
+/// A frame's name as tf2 knows it: without a leading slash.
+std::string plain_frame(const std::string& frame);
 
 /// The heading of a quaternion of any length; 0 for an all-zero one, as some global planners leave it.
 double yaw_of(const geometry_msgs::Quaternion& q);

@@ -17,9 +17,7 @@ class CycleRecording : public control::Witness {
  public:
   /// Parameters are in force from now on.
   void take(const ParameterSet& set);
-  /// The costmap's outline, without padding [m].
-  void take(const Polygon& outline);
-  /// Somebody new listens.
+  /// Somebody new listens, or the outline changed.
   void demand_key() { recorder_.demand_key(); }
 
   /// A cycle begins; `wanted`: it is to be recorded.
@@ -38,7 +36,6 @@ class CycleRecording : public control::Witness {
 
   record::CycleRecorder recorder_;
   Bytes before_;  // the operator's machine
-  Polygon outline_;
   OperatorIntent intent_;
   bool host_stops_ = false;
   std::string critics_;  // see record::Setup

@@ -102,7 +102,6 @@ class Shell {
   std::uint64_t doubted_ = 0;  // readings of odometry
   CycleStatistics statistics_;
   SampleBudget budget_;
-  Polygon outline_;        // what the planner was last given
   bool arriving_ = false;  // at the goal, and not at rest yet
   ParameterSet in_force_;  // without the host's tolerances
   struct Tolerances {

@@ -50,20 +50,18 @@ def formatter_version():
     return int(version.group(1)) if version else None
 
 
-def tools():
-    """(name, command) of each tool."""
-    cpp = files('*.cpp', '*.hpp')
-    return [
-        ('clang-format', ['clang-format', '--dry-run', '-Werror', *cpp]),
-        ('cppcheck', ['cppcheck', '--enable=warning,performance,portability', '--suppress=duplicateAssignExpression',
-                      '--suppress=useInitializationList',
-                      '--inline-suppr', '--quiet', '--error-exitcode=1', '--std=c++17', '-I', 'include', '-j', str(os.cpu_count() or 1),
-                      'src', *(f'compat/{name}/src' for name in COMPAT if os.path.isdir(os.path.join(ROOT, 'compat', name, 'src')))]),
-        ('flake8', ['flake8', 'scripts', 'test']),
-        ('shellcheck', ['shellcheck', '-x', '-e', 'SC1091', *shell_scripts()]),
-        ('codespell', ['codespell', '-L', WORDS, *files('*.md', '*.rst', '*.hpp', '*.cpp', '*.py', '*.yaml', '*.launch', '*.msg')]),
-        ('catkin_lint', ['catkin_lint', '--offline', '-W0', '.', *(os.path.join('compat', name) for name in COMPAT)]),
-    ]
+# What each tool is called with, made when it runs.
+TOOLS = {
+    'clang-format': lambda: ['--dry-run', '-Werror', *files('*.cpp', '*.hpp')],
+    'cppcheck': lambda: ['--enable=warning,performance,portability', '--suppress=duplicateAssignExpression',
+                         '--suppress=useInitializationList', '--inline-suppr', '--quiet', '--error-exitcode=1', '--std=c++17',
+                         '-I', 'include', '-j', str(os.cpu_count() or 1), 'src',
+                         *(path for path in (f'compat/{name}/src' for name in COMPAT) if os.path.isdir(os.path.join(ROOT, path)))],
+    'flake8': lambda: ['scripts', 'test'],
+    'shellcheck': lambda: ['-x', '-e', 'SC1091', *shell_scripts()],
+    'codespell': lambda: ['-L', WORDS, *files('*.md', '*.rst', '*.hpp', '*.cpp', '*.py', '*.yaml', '*.launch', '*.msg')],
+    'catkin_lint': lambda: ['--offline', '-W0', '.', *(os.path.join('compat', name) for name in COMPAT)],
+}
 
 
 def left_out(name):
@@ -78,7 +76,7 @@ def left_out(name):
 def lint(only=()):
     """Runs the tools: (ran well, found something, left out), each a list of names; what they found is printed."""
     well, found, out = [], [], []
-    for name, command in tools():
+    for name, arguments in TOOLS.items():
         if only and name not in only:
             continue
         reason = left_out(name)
@@ -86,7 +84,7 @@ def lint(only=()):
             print(f'{name}: left out: {reason}')
             out.append(name)
             continue
-        run = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        run = subprocess.run([name, *arguments()], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         print(f'{name}: {"ok" if run.returncode == 0 else "found something"}', flush=True)
         if run.returncode:
             print('\n'.join(run.stdout.splitlines()[:60]))
@@ -96,16 +94,15 @@ def lint(only=()):
 
 def main(arguments=None):
     """scripts/lint"""
-    names = [name for name, _ in tools()]
     parser = argparse.ArgumentParser(
-        prog='scripts/lint', description='Installs what is missing and runs the tools that hold the style: ' + ', '.join(names) + '.',
+        prog='scripts/lint', description='Installs what is missing and runs the tools that hold the style: ' + ', '.join(TOOLS) + '.',
         epilog='exit status: 0 nothing found; 1 something was; scripts/lint --format mends what clang-format finds')
     parser.add_argument('tools', nargs='*', metavar='TOOL', help='only these')
     parser.add_argument('--format', action='store_true', help='run clang-format over all C++ and nothing else')
     options = parser.parse_args(arguments)
     for name in options.tools:
-        if name not in names:
-            parser.error(f"there is no '{name}'; there are {', '.join(names)}")
+        if name not in TOOLS:
+            parser.error(f"there is no '{name}'; there are {', '.join(TOOLS)}")
     if options.format:
         if left_out('clang-format'):
             print(f"scripts/lint: clang-format: {left_out('clang-format')}", file=sys.stderr)

@@ -2,8 +2,10 @@
 """scripts/test, once everything needed is installed: builds, runs every suite, counts."""
 import argparse
 import collections
+import contextlib
 import csv
 import glob
+import io
 import json
 import math
 import os
@@ -16,6 +18,7 @@ import sys
 import time
 
 from .counting import Counts, count_ctest, count_unittest
+from .lint import lint as run_tools
 from .measure import LONGEST_GAP
 from .processes import end_on_signals
 from .side_by_side import side_by_side
@@ -201,12 +204,14 @@ def robot():
 
 def lint():
     """The tools that hold the style, as scripts/lint."""
-    _, output = run(['/usr/bin/python3', '-m', 'hidwa_tools.lint'], 'lint', check=False)
-    said = [line.rpartition(': ')[2] for line in output.splitlines() if line.endswith((': ok', ': found something'))]
-    absent = sum(': left out: ' in line for line in output.splitlines())
-    if 'found something' in said:
-        print(tail(output, 80))
-    return Counts(passed=said.count('ok'), failed=said.count('found something') + (not said and not absent), skipped=absent)
+    with contextlib.redirect_stdout(io.StringIO()) as said:
+        well, found, absent = run_tools()
+    os.makedirs(WORK, exist_ok=True)
+    with open(os.path.join(WORK, 'lint.log'), 'w', encoding='utf-8') as log:
+        log.write(said.getvalue())
+    if found:
+        print(tail(said.getvalue(), 80))
+    return Counts(passed=len(well), failed=len(found), skipped=len(absent))
 
 
 def demo(name, rate, *arguments):

@@ -76,13 +76,19 @@ TEST(ClockSetBack, AStopCanStillBeLetGo) {
   EXPECT_EQ(person.cycle(2.1).state, State::autonomy);  // 1.1 s after the jump
 }
 
-TEST(ClockSetBack, ManualBrakesUntilTheStickIsHeardAndCentred) {
+// Mode switching, and the button that hands over control was pressed at 99.5 s; no cycle has seen that yet.
+Person who_takes_control() {
   Parameters p;
   p.mode = OperatorMode::switching;
   Person person(p);
   person.stick(99.0, 0.0F);
   person.cycle(99.0);
   person.button(99.5, kToggle);
+  return person;
+}
+
+TEST(ClockSetBack, ManualBrakesUntilTheStickIsHeardAndCentred) {
+  Person person = who_takes_control();
   person.stick(99.55, 1.0F, 1.0F);
   expect_intent(person.cycle(99.55), State::manual, Influence::direct, 0.5, 1.0);
   expect_intent(person.cycle(99.55 - kBack), State::manual, Influence::direct, 0.0, 0.0);
@@ -97,12 +103,7 @@ TEST(ClockSetBack, ManualBrakesUntilTheStickIsHeardAndCentred) {
 
 // A button that is held all the time is no press, and one that follows is.
 TEST(ClockSetBack, ControlIsHandedOverByThePressesThatFollow) {
-  Parameters p;
-  p.mode = OperatorMode::switching;
-  Person person(p);
-  person.stick(99.0, 0.0F);
-  person.cycle(99.0);
-  person.button(99.5, kToggle);
+  Person person = who_takes_control();
   EXPECT_EQ(person.cycle(99.5).state, State::manual);
   EXPECT_EQ(person.cycle(99.5 - kBack).state, State::manual);
   person.button(99.3, kToggle);
