@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "hidwa_local_planner/core/late_cycles.hpp"
-#include "hidwa_local_planner/core/standing.hpp"
-#include "hidwa_local_planner/core/velocity_limits.hpp"
+#include "core/motion/late_cycles.hpp"
+#include "core/motion/velocity_limits.hpp"
+#include "hidwa_local_planner/control/standing.hpp"
 
 namespace hidwa_local_planner::control {
 namespace {

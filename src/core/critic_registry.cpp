@@ -3,16 +3,16 @@
 
 #include <utility>
 
-#include "hidwa_local_planner/critics/base_obstacle.hpp"
-#include "hidwa_local_planner/critics/goal_align.hpp"
-#include "hidwa_local_planner/critics/goal_dist.hpp"
-#include "hidwa_local_planner/critics/obstacle_footprint.hpp"
-#include "hidwa_local_planner/critics/oscillation.hpp"
-#include "hidwa_local_planner/critics/path_align.hpp"
-#include "hidwa_local_planner/critics/path_dist.hpp"
-#include "hidwa_local_planner/critics/prefer_forward.hpp"
-#include "hidwa_local_planner/critics/rotate_to_goal.hpp"
-#include "hidwa_local_planner/critics/twirling.hpp"
+#include "critics/base_obstacle.hpp"
+#include "critics/goal_align.hpp"
+#include "critics/goal_dist.hpp"
+#include "critics/obstacle_footprint.hpp"
+#include "critics/oscillation.hpp"
+#include "critics/path_align.hpp"
+#include "critics/path_dist.hpp"
+#include "critics/prefer_forward.hpp"
+#include "critics/rotate_to_goal.hpp"
+#include "critics/twirling.hpp"
 
 namespace hidwa_local_planner {
 

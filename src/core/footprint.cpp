@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "hidwa_local_planner/core/convex_hull.hpp"
+#include "core/util/convex_hull.hpp"
 
 namespace hidwa_local_planner {
 namespace {

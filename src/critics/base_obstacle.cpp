@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/base_obstacle.hpp"
+#include "critics/base_obstacle.hpp"
 
 #include <algorithm>
 
-#include "hidwa_local_planner/core/cell_classes.hpp"
-#include "hidwa_local_planner/core/cell_index.hpp"
-#include "hidwa_local_planner/core/end_cells.hpp"
-#include "hidwa_local_planner/core/plan_grids.hpp"
+#include "core/collision/cell_classes.hpp"
+#include "core/distance/cell_index.hpp"
+#include "core/distance/end_cells.hpp"
+#include "core/distance/plan_grids.hpp"
 
 namespace hidwa_local_planner {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/goal_dist.hpp"
+#include "critics/goal_dist.hpp"
 
 namespace hidwa_local_planner {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/map_grid.hpp"
+#include "critics/map_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "hidwa_local_planner/core/cell_index.hpp"
+#include "core/distance/cell_index.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/obstacle_footprint.hpp"
+#include "critics/obstacle_footprint.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/oscillation.hpp"
+#include "critics/oscillation.hpp"
 
 #include <cmath>
 

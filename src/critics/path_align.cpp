@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/path_align.hpp"
+#include "critics/path_align.hpp"
 
 namespace hidwa_local_planner {
 

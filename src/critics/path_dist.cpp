@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/path_dist.hpp"
+#include "critics/path_dist.hpp"
 
 namespace hidwa_local_planner {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/prefer_forward.hpp"
+#include "critics/prefer_forward.hpp"
 
 #include <cmath>
 

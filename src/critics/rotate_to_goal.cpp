@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/rotate_to_goal.hpp"
+#include "critics/rotate_to_goal.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/critics/twirling.hpp"
+#include "critics/twirling.hpp"
 
 #include <cmath>
 

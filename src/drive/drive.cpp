@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/drive.hpp"
+#include "drive/drive.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/ground.hpp"
+#include "drive/ground.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "hidwa_local_planner/sim/contact.hpp"
+#include "sim/contact.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/inflation.hpp"
+#include "drive/inflation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/local_costmap.hpp"
+#include "drive/local_costmap.hpp"
 
 #include <utility>
 

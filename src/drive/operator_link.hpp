@@ -3,7 +3,7 @@
 
 #include <deque>
 
-#include "hidwa_local_planner/drive/setup.hpp"
+#include "drive/setup.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
 
 namespace hidwa_local_planner {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/outline.hpp"
+#include "drive/outline.hpp"
 
 #include <cmath>
 #include <utility>

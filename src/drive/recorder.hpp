@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "hidwa_local_planner/drive/drive.hpp"
+#include "drive/drive.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {

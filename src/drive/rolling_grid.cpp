@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/rolling_grid.hpp"
+#include "drive/rolling_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

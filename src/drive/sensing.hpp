@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "hidwa_local_planner/drive/seen_map.hpp"
-#include "hidwa_local_planner/drive/setup.hpp"
-#include "hidwa_local_planner/sim/random.hpp"
-#include "hidwa_local_planner/sim/world.hpp"
+#include "drive/seen_map.hpp"
+#include "drive/setup.hpp"
+#include "sim/random.hpp"
+#include "sim/world.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/input/stick_source.hpp"
 
 namespace hidwa_local_planner::input {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/input/message_stream.hpp"
 
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {

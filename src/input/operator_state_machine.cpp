@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/input/joystick_map.hpp"
 
 namespace hidwa_local_planner::input {

@@ -3,8 +3,8 @@
 
 #include <exception>
 
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
-#include "hidwa_local_planner/core/words.hpp"
 
 namespace hidwa_local_planner {
 namespace record {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hidwa_local_planner/core/convex_hull.hpp"
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/util/convex_hull.hpp"
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner::robot {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner::robot {
 namespace {

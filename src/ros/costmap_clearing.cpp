@@ -6,7 +6,7 @@
 #include <costmap_2d/costmap_layer.h>
 #include <costmap_2d/obstacle_layer.h>
 
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace {

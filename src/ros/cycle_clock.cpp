@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "hidwa_local_planner/core/pause.hpp"
+#include "hidwa_local_planner/control/pause.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "hidwa_local_planner/core/odometry_belief.hpp"
+#include "core/motion/odometry_belief.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 
 namespace hidwa_local_planner {

@@ -6,7 +6,7 @@
 
 #include <ros/console.h>
 
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/robot/urdf_reading.hpp"
 
 namespace hidwa_local_planner {

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <utility>
 
-#include "hidwa_local_planner/core/safe_values.hpp"
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/planner/safe_values.hpp"
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/horizon_check.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"

@@ -5,7 +5,7 @@
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "hidwa_local_planner/core/words.hpp"
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 #include "hidwa_local_planner/ros/costmap_clearing.hpp"
 #include "hidwa_local_planner/ros/guarded.hpp"

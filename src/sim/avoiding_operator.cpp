@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/avoiding_operator.hpp"
+#include "sim/avoiding_operator.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/barn_world.hpp"
+#include "sim/barn_world.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "hidwa_local_planner/sim/grid_route.hpp"
+#include "sim/grid_route.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {

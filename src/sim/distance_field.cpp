@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/distance_field.hpp"
+#include "sim/distance_field.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/drive_prediction.hpp"
+#include "sim/drive_prediction.hpp"
 
 #include <algorithm>
 #include <cmath>

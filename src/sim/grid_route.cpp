@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/grid_route.hpp"
+#include "sim/grid_route.hpp"
 
 #include <algorithm>
 #include <array>

@@ -10,10 +10,10 @@
 #include <sensor_msgs/LaserScan.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "hidwa_local_planner/sim/diff_drive.hpp"
-#include "hidwa_local_planner/sim/laser.hpp"
-#include "hidwa_local_planner/sim/polygon.hpp"
-#include "hidwa_local_planner/sim/regions.hpp"
+#include "sim/diff_drive.hpp"
+#include "sim/laser.hpp"
+#include "sim/polygon.hpp"
+#include "sim/regions.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {

@@ -5,9 +5,9 @@
 
 #include <ros/node_handle.h>
 
-#include "hidwa_local_planner/sim/laser.hpp"
-#include "hidwa_local_planner/sim/polygon.hpp"
-#include "hidwa_local_planner/sim/world.hpp"
+#include "sim/laser.hpp"
+#include "sim/polygon.hpp"
+#include "sim/world.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/occupancy_map.hpp"
+#include "sim/occupancy_map.hpp"
 
 #include <vector>
 
-#include "hidwa_local_planner/sim/pgm.hpp"
+#include "sim/pgm.hpp"
 #include "yaml_file.hpp"
 
 namespace hidwa_local_planner {

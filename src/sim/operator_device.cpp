@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/operator_device.hpp"
+#include "sim/operator_device.hpp"
 
 #include <algorithm>
 #include <cmath>

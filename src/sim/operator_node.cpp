@@ -14,11 +14,11 @@
 #include <ros/ros.h>
 #include <sensor_msgs/Joy.h>
 
-#include "hidwa_local_planner/sim/avoiding_operator.hpp"
-#include "hidwa_local_planner/sim/operator_device.hpp"
-#include "hidwa_local_planner/sim/scripted_operator.hpp"
 #include "node_messages.hpp"
 #include "node_parameters.hpp"
+#include "sim/avoiding_operator.hpp"
+#include "sim/operator_device.hpp"
+#include "sim/scripted_operator.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/pgm.hpp"
+#include "sim/pgm.hpp"
 
 #include <cstddef>
 #include <fstream>

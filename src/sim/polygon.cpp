@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/polygon.hpp"
+#include "sim/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/ray_caster.hpp"
+#include "sim/ray_caster.hpp"
 
 #include <algorithm>
 #include <cmath>

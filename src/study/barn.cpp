@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "execution.hpp"
-#include "hidwa_local_planner/study/barn_drive.hpp"
-#include "hidwa_local_planner/study/barn_table.hpp"
-#include "hidwa_local_planner/study/error.hpp"
-#include "hidwa_local_planner/study/seed.hpp"
 #include "manifest.hpp"
 #include "share.hpp"
+#include "study/barn_drive.hpp"
+#include "study/barn_table.hpp"
+#include "study/error.hpp"
+#include "study/seed.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "hidwa_local_planner/study/options.hpp"
+#include "study/options.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/barn_drive.hpp"
+#include "study/barn_drive.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "hidwa_local_planner/drive/outline.hpp"
-#include "hidwa_local_planner/study/barn_person.hpp"
-#include "hidwa_local_planner/study/error.hpp"
-#include "hidwa_local_planner/study/table.hpp"
+#include "drive/outline.hpp"
+#include "study/barn_person.hpp"
+#include "study/error.hpp"
+#include "study/table.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/barn_table.hpp"
+#include "study/barn_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "hidwa_local_planner/study/summary.hpp"
+#include "study/summary.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

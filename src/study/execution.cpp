@@ -8,9 +8,9 @@
 #include <thread>
 #include <vector>
 
-#include "hidwa_local_planner/study/error.hpp"
-#include "hidwa_local_planner/study/runner.hpp"
 #include "progress.hpp"
+#include "study/error.hpp"
+#include "study/runner.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

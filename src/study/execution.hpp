@@ -5,9 +5,9 @@
 #include <ostream>
 #include <string>
 
-#include "hidwa_local_planner/drive/result.hpp"
-#include "hidwa_local_planner/study/options.hpp"
-#include "hidwa_local_planner/study/store.hpp"
+#include "drive/result.hpp"
+#include "study/options.hpp"
+#include "study/store.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

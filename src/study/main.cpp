@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hidwa_local_planner/study/program.hpp"
+#include "study/program.hpp"
 
 int main(int argc, char** argv) {
   return hidwa_local_planner::study::program(std::vector<std::string>(argv + 1, argv + argc), std::cout, std::cerr);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hidwa_local_planner/study/setting.hpp"
+#include "study/setting.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/options.hpp"
+#include "study/options.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <map>
 #include <sstream>
 
-#include "hidwa_local_planner/study/barn_drive.hpp"
-#include "hidwa_local_planner/study/error.hpp"
+#include "study/barn_drive.hpp"
+#include "study/error.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

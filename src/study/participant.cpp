@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/participant.hpp"
+#include "study/participant.hpp"
 
 #include <cmath>
 #include <cstdio>
 
-#include "hidwa_local_planner/sim/random.hpp"
-#include "hidwa_local_planner/study/seed.hpp"
+#include "sim/random.hpp"
+#include "study/seed.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

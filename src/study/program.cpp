@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/program.hpp"
+#include "study/program.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 #include "barn.hpp"
 #include "execution.hpp"
-#include "hidwa_local_planner/study/error.hpp"
-#include "hidwa_local_planner/study/options.hpp"
-#include "hidwa_local_planner/study/scene.hpp"
-#include "hidwa_local_planner/study/seed.hpp"
 #include "manifest.hpp"
 #include "share.hpp"
+#include "study/error.hpp"
+#include "study/options.hpp"
+#include "study/scene.hpp"
+#include "study/seed.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/runner.hpp"
+#include "study/runner.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/scene.hpp"
+#include "study/scene.hpp"
 
 #include <exception>
 
-#include "hidwa_local_planner/drive/outline.hpp"
-#include "hidwa_local_planner/sim/avoiding_operator.hpp"
-#include "hidwa_local_planner/sim/contact.hpp"
-#include "hidwa_local_planner/study/error.hpp"
-#include "hidwa_local_planner/study/takeover_person.hpp"
+#include "drive/outline.hpp"
+#include "sim/avoiding_operator.hpp"
+#include "sim/contact.hpp"
+#include "study/error.hpp"
+#include "study/takeover_person.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

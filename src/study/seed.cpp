@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/seed.hpp"
+#include "study/seed.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/setting.hpp"
+#include "study/setting.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -8,7 +8,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "hidwa_local_planner/core/parameter_text.hpp"
-#include "hidwa_local_planner/study/error.hpp"
+#include "study/error.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

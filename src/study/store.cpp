@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/store.hpp"
+#include "study/store.hpp"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "hidwa_local_planner/study/error.hpp"
+#include "study/error.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/summary.hpp"
+#include "study/summary.hpp"
 
 #include <algorithm>
 #include <cmath>

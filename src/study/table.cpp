@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/table.hpp"
+#include "study/table.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/tables.hpp"
+#include "study/tables.hpp"
 
 #include <cstdio>
 
-#include "hidwa_local_planner/study/barn_table.hpp"
-#include "hidwa_local_planner/study/summary.hpp"
+#include "study/barn_table.hpp"
+#include "study/summary.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

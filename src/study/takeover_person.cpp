@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/takeover_person.hpp"
+#include "study/takeover_person.hpp"
 
 #include <algorithm>
 #include <cmath>

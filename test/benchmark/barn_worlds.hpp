@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hidwa_local_planner/sim/barn_world.hpp"
+#include "sim/barn_world.hpp"
 
 namespace hidwa_local_planner::test {
 

@@ -10,7 +10,7 @@
 
 #include "benchmark/cases.hpp"
 #include "benchmark/office_drive.hpp"
-#include "hidwa_local_planner/sim/avoiding_operator.hpp"
+#include "sim/avoiding_operator.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "hidwa_local_planner/drive/outline.hpp"
+#include "drive/outline.hpp"
 
 namespace hidwa_local_planner::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "hidwa_local_planner/drive/drive.hpp"
+#include "drive/drive.hpp"
 
 namespace hidwa_local_planner::test {
 

@@ -11,14 +11,14 @@
 #include "benchmark/cases.hpp"
 #include "benchmark/cycle_case.hpp"
 #include "benchmark/cycle_times.hpp"
-#include "hidwa_local_planner/core/admissibility.hpp"
-#include "hidwa_local_planner/core/cell_classes.hpp"
-#include "hidwa_local_planner/core/collision.hpp"
-#include "hidwa_local_planner/core/command_history.hpp"
-#include "hidwa_local_planner/core/plan_grids.hpp"
-#include "hidwa_local_planner/core/rollout.hpp"
-#include "hidwa_local_planner/core/samples.hpp"
-#include "hidwa_local_planner/core/velocity_limits.hpp"
+#include "core/collision/admissibility.hpp"
+#include "core/collision/cell_classes.hpp"
+#include "core/collision/collision.hpp"
+#include "core/distance/plan_grids.hpp"
+#include "core/motion/command_history.hpp"
+#include "core/motion/rollout.hpp"
+#include "core/motion/samples.hpp"
+#include "core/motion/velocity_limits.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "benchmark/cases.hpp"
 #include "benchmark/office_drive.hpp"
-#include "hidwa_local_planner/sim/random.hpp"
+#include "sim/random.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hidwa_local_planner/core/planner.hpp"
-#include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "sim/diff_drive.hpp"
 
 namespace hidwa_local_planner::test {
 

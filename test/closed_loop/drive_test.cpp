@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/drive/drive.hpp"
-#include "hidwa_local_planner/drive/outline.hpp"
-#include "hidwa_local_planner/sim/avoiding_operator.hpp"
-#include "hidwa_local_planner/sim/scripted_operator.hpp"
+#include "drive/drive.hpp"
+#include "drive/outline.hpp"
+#include "sim/avoiding_operator.hpp"
+#include "sim/scripted_operator.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {

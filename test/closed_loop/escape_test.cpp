@@ -12,7 +12,7 @@
 
 #include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
-#include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "sim/diff_drive.hpp"
 #include "support/naive_escape.hpp"
 #include "support/naive_inflation.hpp"
 #include "support/naive_planner.hpp"

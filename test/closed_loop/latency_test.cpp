@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/core/planner.hpp"
-#include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "sim/diff_drive.hpp"
 #include "support/random.hpp"
 #include "support/scene.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
-#include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "sim/diff_drive.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
 

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/collision.hpp"
-#include "hidwa_local_planner/core/outline_depth.hpp"
+#include "core/collision/collision.hpp"
+#include "core/collision/outline_depth.hpp"
 #include "support/naive_escape.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random_scene.hpp"

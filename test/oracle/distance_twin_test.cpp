@@ -2,7 +2,7 @@
 // Distance grids against every pair of cells and against Dijkstra with a priority queue.
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/distance_grid.hpp"
+#include "core/distance/distance_grid.hpp"
 #include "support/naive_distance.hpp"
 #include "support/random.hpp"
 #include "support/scene.hpp"

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/velocity_limits.hpp"
+#include "core/motion/velocity_limits.hpp"
 #include "support/naive_collision.hpp"
 #include "support/naive_manoeuvre.hpp"
 #include "support/random_scene.hpp"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/plan_window.hpp"
+#include "hidwa_local_planner/control/plan_window.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
 

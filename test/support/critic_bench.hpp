@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "core/distance/plan_grids.hpp"
 #include "hidwa_local_planner/core/critic.hpp"
 #include "hidwa_local_planner/core/critic_registry.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
-#include "hidwa_local_planner/core/plan_grids.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {

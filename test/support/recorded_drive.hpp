@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hidwa_local_planner/core/fault_brake.hpp"
+#include "hidwa_local_planner/control/fault_brake.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "hidwa_local_planner/record/cycle_recorder.hpp"

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "hidwa_local_planner/control/fault_brake.hpp"
+#include "hidwa_local_planner/control/frame_transform.hpp"
+#include "hidwa_local_planner/control/goal_checker.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
-#include "hidwa_local_planner/core/fault_brake.hpp"
-#include "hidwa_local_planner/core/frame_transform.hpp"
-#include "hidwa_local_planner/core/goal_checker.hpp"
-#include "hidwa_local_planner/core/plan_window.hpp"
+#include "hidwa_local_planner/control/plan_window.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 
 namespace hidwa_local_planner::control {

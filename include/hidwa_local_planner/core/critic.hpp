@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "hidwa_local_planner/core/archive.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
-#include "hidwa_local_planner/core/trajectory_batch.hpp"
+#include "hidwa_local_planner/core/tile.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
 
 namespace hidwa_local_planner {
 

@@ -1,44 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Moved; this file goes with the next release.
 #pragma once
 
-#include <optional>
-
-#include "hidwa_local_planner/core/operator_intent.hpp"
-#include "hidwa_local_planner/core/parameters.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
-#include "hidwa_local_planner/core/types.hpp"
-
-namespace hidwa_local_planner {
-
-/// One control period of braking: each axis of `command` falls towards 0 by its deceleration limit x period
-/// [s].
-Twist2 brake_step(const Twist2& command, const Parameters& parameters, double period);
-
-/// What to do while a cycle's input is missing (no transform, plan, odometry or costmap): brake from the last
-/// command while the robot moves, which counts as success; fail at rest, so that the host replans or
-/// recovers. Without odometry the robot counts as moving until v_max / deceleration plus one period have
-/// passed and the command has reached 0.
-class FaultBrake {
- public:
-  struct Answer {
-    bool success = false;
-    Twist2 command;  // [m/s, rad/s]
-  };
-  /// `velocity`: measured, where odometry is at hand. `now` and `period` [s].
-  Answer answer(double now, const std::optional<Twist2>& velocity, const Twist2& last_command,
-                const Parameters& parameters, double period);
-  /// The input is complete again.
-  void clear() { since_.reset(); }
-  template <typename Self, typename Archive>
-  static void archive(Self& self, Archive& io) {
-    io(self.since_);
-  }
-
- private:
-  std::optional<double> since_;  // when the input went missing [s]
-};
-
-/// What an answer means to the host. Who stopped the robot did not ask the host to recover it: then it holds.
-Outcome outcome_of(const FaultBrake::Answer& answer, const OperatorIntent& intent);
-
-}  // namespace hidwa_local_planner
+#pragma message("hidwa_local_planner/core/fault_brake.hpp is now hidwa_local_planner/control/fault_brake.hpp")
+#include "hidwa_local_planner/control/fault_brake.hpp"

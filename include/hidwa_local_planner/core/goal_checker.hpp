@@ -1,35 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Moved; this file goes with the next release.
 #pragma once
 
-#include <optional>
-
-#include "hidwa_local_planner/core/parameters.hpp"
-#include "hidwa_local_planner/core/types.hpp"
-
-namespace hidwa_local_planner {
-
-/// Goal reached: within the position tolerance once (latched while the robot stays about there), within the heading
-/// tolerance, and stopped. Decided from the pose that it is given, whoever asks.
-class GoalChecker {
- public:
-  void reset() { latched_ = false; }
-  /// A control cycle at `now` [s].
-  void cycle(double now) { last_cycle_ = now; }
-  /// A plan came at `now` [s]. True where cycles at `period` [s] had paused before it (is_pause), or time went back:
-  /// then somebody else may have moved the robot, and what was latched is forgotten.
-  bool plan_arrives(double now, double period);
-  /// Updates the latch, which ends beyond the tolerance plus goal_margin(); poses in one frame. True when the goal is
-  /// reached.
-  bool update(const Pose2& robot, const Twist2& velocity, const Pose2& goal, const Parameters& parameters);
-  bool latched() const { return latched_; }
-
- private:
-  bool latched_ = false;
-  std::optional<double> last_cycle_;  // [s]
-};
-
-/// How far beyond xy_goal_tolerance a latch lasts [m]: as much again, for the drift while the robot turns to its
-/// heading, within 0.05 m (jitter of a pose) and 0.25 m.
-double goal_margin(const Parameters& parameters);
-
-}  // namespace hidwa_local_planner
+#pragma message("hidwa_local_planner/core/goal_checker.hpp is now hidwa_local_planner/control/goal_checker.hpp")
+#include "hidwa_local_planner/control/goal_checker.hpp"

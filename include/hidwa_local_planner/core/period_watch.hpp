@@ -1,51 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Moved; this file goes with the next release.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-
-namespace hidwa_local_planner {
-
-/// The longest control period of late, which the braking check reckons with: late cycles add way. Knows no clock.
-class PeriodWatch {
- public:
-  /// Intervals count for so long [s].
-  static constexpr double kMemory = 3.0;
-  /// Up to so many control periods: a host that is later breaks an assumption, and a pause of the host is none.
-  static constexpr double kMost = 3.0;
-
-  /// A cycle came `interval` [s] after the one before.
-  void observe(double now, double interval) {
-    const double slot = std::floor(now / kSlot);
-    if (slot < newest_) reset();
-    for (double s = std::max(newest_ + 1.0, slot - kSlots + 1.0); s <= slot; s += 1.0) at(s) = 0.0;
-    newest_ = slot;
-    at(slot) = std::max(at(slot), interval);
-  }
-  void reset() {
-    slots_.fill(0.0);
-    newest_ = -std::numeric_limits<double>::infinity();
-  }
-  /// The larger of `period` and the longest interval, at most kMost periods [s].
-  double longest(double period) const {
-    double most = period;
-    for (const double interval : slots_) most = std::max(most, interval);
-    return std::min(most, kMost * period);
-  }
-
- private:
-  static constexpr double kSlot = 0.25;  // [s]
-  static constexpr std::size_t kSlots = 12;
-  static_assert(kSlots * kSlot == kMemory, "the slots cover the memory");
-  double& at(double slot) {
-    const double left = std::fmod(slot, static_cast<double>(kSlots));
-    return slots_[static_cast<std::size_t>(left < 0.0 ? left + kSlots : left)];
-  }
-
-  std::array<double, kSlots> slots_{};  // the longest interval of each quarter of a second [s]
-  double newest_ = -std::numeric_limits<double>::infinity();
-};
-
-}  // namespace hidwa_local_planner
+#pragma message("hidwa_local_planner/core/period_watch.hpp is now hidwa_local_planner/control/period_watch.hpp")
+#include "hidwa_local_planner/control/period_watch.hpp"

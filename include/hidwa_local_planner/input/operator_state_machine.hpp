@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "hidwa_local_planner/core/archive.hpp"
-#include "hidwa_local_planner/core/lasting.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
+#include "hidwa_local_planner/core/util/lasting.hpp"
 #include "hidwa_local_planner/input/control_switch.hpp"
 #include "hidwa_local_planner/input/gesture_source.hpp"
 #include "hidwa_local_planner/input/hold.hpp"

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "hidwa_local_planner/core/archive.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
 #include "hidwa_local_planner/record/grid_chain.hpp"
 
 namespace hidwa_local_planner {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "hidwa_local_planner/core/fault_brake.hpp"
+#include "hidwa_local_planner/control/fault_brake.hpp"
 #include "hidwa_local_planner/record/cycle_record.hpp"
 
 namespace hidwa_local_planner {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "hidwa_local_planner/core/archive.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
 
 namespace hidwa_local_planner {
 namespace record {

@@ -10,7 +10,7 @@
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/Twist.h>
 
-#include "hidwa_local_planner/core/frame_transform.hpp"
+#include "hidwa_local_planner/control/frame_transform.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "hidwa_local_planner/core/period_watch.hpp"
+#include "hidwa_local_planner/control/period_watch.hpp"
 
 namespace hidwa_local_planner {
 

@@ -10,9 +10,9 @@
 #include <ros/publisher.h>
 
 #include "hidwa_local_planner/Cycle.h"
-#include "hidwa_local_planner/core/archive.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
 #include "hidwa_local_planner/ros/cycle_result.hpp"
 
 namespace hidwa_local_planner {

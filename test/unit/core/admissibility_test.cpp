@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/admissibility.hpp"
+#include "core/collision/admissibility.hpp"
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/rollout.hpp"
+#include "core/motion/rollout.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner {

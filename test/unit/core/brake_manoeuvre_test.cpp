@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/brake_manoeuvre.hpp"
+#include "core/motion/brake_manoeuvre.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/command_history.hpp"
+#include "core/motion/command_history.hpp"
 #include "support/naive_manoeuvre.hpp"
 #include "support/naive_reference.hpp"
 #include "support/random.hpp"

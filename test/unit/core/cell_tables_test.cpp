@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/bit_grid.hpp"
-#include "hidwa_local_planner/core/cell_classes.hpp"
-#include "hidwa_local_planner/core/collision.hpp"
-#include "hidwa_local_planner/core/end_cells.hpp"
-#include "hidwa_local_planner/core/rollout.hpp"
-#include "hidwa_local_planner/core/samples.hpp"
+#include "core/collision/bit_grid.hpp"
+#include "core/collision/cell_classes.hpp"
+#include "core/collision/collision.hpp"
+#include "core/distance/end_cells.hpp"
+#include "core/motion/rollout.hpp"
+#include "core/motion/samples.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"

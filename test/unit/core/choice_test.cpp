@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/choice.hpp"
+#include "core/planner/choice.hpp"
 
 #include <gtest/gtest.h>
 

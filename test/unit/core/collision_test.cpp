@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/collision.hpp"
+#include "core/collision/collision.hpp"
 
 #include <cmath>
 

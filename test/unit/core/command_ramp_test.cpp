@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/command_ramp.hpp"
+#include "core/motion/command_ramp.hpp"
 
 #include <cmath>
 

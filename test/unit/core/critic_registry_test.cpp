@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/critics/twirling.hpp"
+#include "critics/twirling.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/distance_grid.hpp"
+#include "core/distance/distance_grid.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/plan_grids.hpp"
+#include "core/distance/plan_grids.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a robot may do that stands in collision.
-#include "hidwa_local_planner/core/escape.hpp"
+#include "core/collision/escape.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/admissibility.hpp"
-#include "hidwa_local_planner/core/rollout.hpp"
+#include "core/collision/admissibility.hpp"
+#include "core/motion/rollout.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/convex_hull.hpp"
+#include "core/util/convex_hull.hpp"
 #include "support/naive_padding.hpp"
 #include "support/random_scene.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/odometry_belief.hpp"
+#include "core/motion/odometry_belief.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/archive.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
 
 namespace hidwa_local_planner {
 namespace {

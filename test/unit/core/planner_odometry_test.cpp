@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/fault_brake.hpp"
+#include "hidwa_local_planner/control/fault_brake.hpp"
 #include "support/planner_bench.hpp"
 
 namespace hidwa_local_planner {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/safe_values.hpp"
+#include "core/planner/safe_values.hpp"
 
 #include <gtest/gtest.h>
 

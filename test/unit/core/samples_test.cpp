@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/samples.hpp"
+#include "core/motion/samples.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/velocity_limits.hpp"
+#include "core/motion/velocity_limits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "drive/local_costmap.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
-#include "hidwa_local_planner/drive/local_costmap.hpp"
 
 namespace hidwa_local_planner::test {
 

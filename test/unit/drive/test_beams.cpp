@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/beams.hpp"
+#include "drive/beams.hpp"
 
 #include <cmath>
 #include <limits>

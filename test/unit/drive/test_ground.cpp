@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/ground.hpp"
+#include "drive/ground.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/sim/contact.hpp"
+#include "sim/contact.hpp"
 #include "unit/sim/random_scene.hpp"
 
 namespace hidwa_local_planner {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/local_costmap.hpp"
+#include "drive/local_costmap.hpp"
 
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/drive/outline.hpp"
-#include "hidwa_local_planner/sim/laser.hpp"
+#include "drive/outline.hpp"
+#include "sim/laser.hpp"
 #include "unit/drive/naive_costmap.hpp"
 #include "unit/sim/random_scene.hpp"
 

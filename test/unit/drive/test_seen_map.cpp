@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/drive/seen_map.hpp"
+#include "drive/seen_map.hpp"
 
 #include <gtest/gtest.h>
 

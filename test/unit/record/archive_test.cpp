@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/archive.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
 
 #include <cmath>
 #include <limits>

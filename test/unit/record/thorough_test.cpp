@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/choice.hpp"
+#include "core/planner/choice.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/record/cycle_record.hpp"
 #include "support/random_scene.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/velocity_limits.hpp"
+#include "core/motion/velocity_limits.hpp"
 
 namespace hidwa_local_planner::robot {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "hidwa_local_planner/sim/occupancy_map.hpp"
-#include "hidwa_local_planner/sim/random.hpp"
+#include "sim/occupancy_map.hpp"
+#include "sim/random.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {

@@ -8,12 +8,12 @@
 #include <limits>
 #include <vector>
 
-#include "hidwa_local_planner/sim/contact.hpp"
-#include "hidwa_local_planner/sim/drive_prediction.hpp"
-#include "hidwa_local_planner/sim/grid_route.hpp"
-#include "hidwa_local_planner/sim/laser.hpp"
-#include "hidwa_local_planner/sim/operator.hpp"
-#include "hidwa_local_planner/sim/world.hpp"
+#include "sim/contact.hpp"
+#include "sim/drive_prediction.hpp"
+#include "sim/grid_route.hpp"
+#include "sim/laser.hpp"
+#include "sim/operator.hpp"
+#include "sim/world.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {

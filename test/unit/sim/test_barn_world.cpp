@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/barn_world.hpp"
+#include "sim/barn_world.hpp"
 
 #include <cmath>
 #include <string>

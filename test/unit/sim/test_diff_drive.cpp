@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/diff_drive.hpp"
+#include "sim/diff_drive.hpp"
 
 #include <cmath>
 #include <limits>

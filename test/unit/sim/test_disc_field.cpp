@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/disc_field.hpp"
+#include "sim/disc_field.hpp"
 
 #include <algorithm>
 #include <cmath>

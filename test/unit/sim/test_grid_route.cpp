@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/grid_route.hpp"
+#include "sim/grid_route.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/sim/regions.hpp"
 #include "random_scene.hpp"
+#include "sim/regions.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {

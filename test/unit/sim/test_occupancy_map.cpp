@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/occupancy_map.hpp"
+#include "sim/occupancy_map.hpp"
 
 #include <string>
 

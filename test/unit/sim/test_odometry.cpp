@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/odometry.hpp"
+#include "sim/odometry.hpp"
 
 #include <cmath>
 #include <stdexcept>

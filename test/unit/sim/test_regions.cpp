@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/regions.hpp"
+#include "sim/regions.hpp"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/scripted_operator.hpp"
+#include "sim/scripted_operator.hpp"
 
 #include <string>
 #include <vector>

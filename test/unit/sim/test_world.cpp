@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/sim/world.hpp"
+#include "sim/world.hpp"
 
 #include <cmath>
 #include <memory>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/sim/contact.hpp"
+#include "sim/contact.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/study/program.hpp"
-#include "hidwa_local_planner/study/table.hpp"
+#include "study/program.hpp"
+#include "study/table.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

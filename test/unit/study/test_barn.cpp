@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/study/barn_drive.hpp"
-#include "hidwa_local_planner/study/barn_person.hpp"
-#include "hidwa_local_planner/study/error.hpp"
-#include "hidwa_local_planner/study/program.hpp"
-#include "hidwa_local_planner/study/table.hpp"
+#include "study/barn_drive.hpp"
+#include "study/barn_person.hpp"
+#include "study/error.hpp"
+#include "study/program.hpp"
+#include "study/table.hpp"
 #include "study_folder.hpp"
 
 namespace hidwa_local_planner {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/options.hpp"
+#include "study/options.hpp"
 
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/study/error.hpp"
+#include "study/error.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/participant.hpp"
+#include "study/participant.hpp"
 
 #include <cmath>
 #include <vector>

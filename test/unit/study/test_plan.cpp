@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/plan.hpp"
+#include "study/plan.hpp"
 
 #include <map>
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Small studies in a hall with a region to avoid in the middle.
-#include "hidwa_local_planner/study/program.hpp"
+#include "study/program.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/study/table.hpp"
+#include "study/table.hpp"
 #include "study_folder.hpp"
 
 namespace hidwa_local_planner {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/study/setting.hpp"
+#include "study/setting.hpp"
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/study/error.hpp"
+#include "study/error.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

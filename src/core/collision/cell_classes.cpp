@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/collision/cell_classes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/util/vector_clones.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// More than a position's rounding over a rollout [m].
+constexpr double kRounding = 1e-9;
+
+struct Table {
+  double corner_x, corner_y, cells_per_metre;
+  int shift;
+  std::uint32_t wrap;
+};
+
+// Indices into the table. Its corner lies below all poses, so that truncating is rounding down.
+HIDWA_VECTOR_CLONES
+void find_cells(const Table& t, const double* __restrict x, const double* __restrict y, std::int32_t* __restrict index,
+                std::size_t count) {
+  const double corner_x = t.corner_x, corner_y = t.corner_y, scale = t.cells_per_metre;
+  const int shift = t.shift;
+  const auto wrap = static_cast<std::int32_t>(t.wrap);
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto i = static_cast<std::int32_t>((x[c] - corner_x) * scale);
+    const auto j = static_cast<std::int32_t>((y[c] - corner_y) * scale);
+    index[c] = (i + (j << shift)) & wrap;
+  }
+}
+
+// Where a tile's poses lie: in every step each candidate is as fast as the slowest one, `a`, the fastest one, `b`, or
+// something between, and so is how far it gets along either axis.
+struct Extremes {
+  const double* x;
+  const double* y;
+  std::size_t stride, a, b;
+};
+
+// The boxes of all rows, then the one of all, as least x, least y, and most x and most y negated: what grows is then
+// always the least of two.
+HIDWA_VECTOR_CLONES
+void bound_rows(const Extremes& tile, std::size_t rows, double* boxes) {
+  const double* x = tile.x;
+  const double* y = tile.y;
+  Four slow = {x[tile.a], y[tile.a], -x[tile.a], -y[tile.a]}, fast = slow;  // all begin at the same pose
+  Four box = slow - kRounding, all = box;
+  std::memcpy(boxes, &box, sizeof(box));
+  for (std::size_t k = 1; k < rows; ++k) {
+    const std::size_t a = k * tile.stride + tile.a, b = k * tile.stride + tile.b;
+    const Four slow_next = {x[a], y[a], -x[a], -y[a]}, fast_next = {x[b], y[b], -x[b], -y[b]};
+    const Four by_slow = slow_next - slow, by_fast = fast_next - fast;
+    box += by_slow < by_fast ? by_slow : by_fast;
+    all = box < all ? box : all;
+    std::memcpy(boxes + 4 * k, &box, sizeof(box));
+    slow = slow_next;
+    fast = fast_next;
+  }
+  std::memcpy(boxes + 4 * rows, &all, sizeof(all));
+}
+
+// The cells of the corners of such boxes, rounded down: the lowest i and j, the highest i and j.
+HIDWA_VECTOR_CLONES
+void find_corners(const Table& t, const double* __restrict boxes, std::size_t count, std::int32_t* __restrict cells) {
+  // What lies below the first cell is far from rounding to it.
+  const double scale[4] = {t.cells_per_metre, t.cells_per_metre, -t.cells_per_metre, -t.cells_per_metre};
+  const double first[4] = {1.0 - t.corner_x * t.cells_per_metre, 1.0 - t.corner_y * t.cells_per_metre,
+                           1.0 - t.corner_x * t.cells_per_metre, 1.0 - t.corner_y * t.cells_per_metre};
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t side = 0; side < 4; ++side) {
+      cells[4 * k + side] = static_cast<std::int32_t>(boxes[4 * k + side] * scale[side] + first[side]) - 1;
+    }
+  }
+}
+
+void look_up(const std::uint8_t* __restrict table, const std::int32_t* __restrict index,
+             std::uint8_t* __restrict classes, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) classes[k] = table[index[k]];
+}
+
+// Adds the classes of some rows to what was touched. The start is no news: a robot that stands in collision is another
+// matter.
+HIDWA_VECTOR_CLONES
+void gather(const std::uint8_t* __restrict classes, std::size_t rows, std::size_t stride, bool from_start,
+            std::uint8_t* __restrict touched) {
+  for (std::size_t c = 0; from_start && c < stride; ++c) {
+    touched[c] = static_cast<std::uint8_t>(classes[c] & ~static_cast<unsigned>(cell_class::kHit));
+  }
+  for (std::size_t k = from_start ? 1 : 0; k < rows; ++k) {
+    const std::uint8_t* __restrict row = classes + k * stride;
+    for (std::size_t c = 0; c < stride; ++c) touched[c] = static_cast<std::uint8_t>(touched[c] | row[c]);
+  }
+}
+
+}  // namespace
+
+void CellClasses::prepare(const CollisionChecker& checker, const GridView& grid, bool unknown_is_obstacle,
+                          const Pose2& centre, double reach) {
+  const int radius = static_cast<int>(std::ceil(reach / grid.resolution)) + 1;
+  const Cell middle = grid.cell_at(centre.x, centre.y);
+  first_ = {middle.i - radius, middle.j - radius};
+  corner_x_ = grid.origin_x + first_.i * grid.resolution;
+  corner_y_ = grid.origin_y + first_.j * grid.resolution;
+  cells_per_metre_ = 1.0 / grid.resolution;
+  width_ = 2 * radius + 1;
+  shift_ = 0;
+  while ((1 << shift_) < width_) ++shift_;
+  const std::size_t size = std::size_t{1} << (2 * shift_);
+  wrap_ = static_cast<std::uint32_t>(size - 1);
+  if (table_.size() < size) table_.resize(size);
+  unknown_blocks_ = unknown_is_obstacle;
+  for (int row = 0; row < width_; ++row) fill_row(checker, grid, row);
+  count_marked();
+}
+
+// Crow 1984, summed-area tables: how many cells of a box have a class is then four look-ups.
+void CellClasses::count_marked() {
+  const std::size_t n = static_cast<std::size_t>(width_) + 1;
+  if (marked_.size() < n * n) marked_.resize(n * n);
+  std::fill_n(marked_.begin(), n, 0U);
+  for (std::size_t j = 1; j < n; ++j) {
+    const std::uint8_t* classes = table_.data() + ((j - 1) << shift_);
+    const std::uint32_t* below = marked_.data() + (j - 1) * n;
+    std::uint32_t* sums = marked_.data() + j * n;
+    std::uint32_t in_row = 0;
+    sums[0] = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+      in_row += classes[i - 1] != 0 ? 1U : 0U;
+      sums[i] = below[i] + in_row;
+    }
+  }
+}
+
+bool CellClasses::unmarked(const std::int32_t* cells) const {
+  const std::size_t n = static_cast<std::size_t>(width_) + 1;
+  const auto i0 = static_cast<std::size_t>(cells[0]), i1 = static_cast<std::size_t>(cells[2]) + 1;
+  const auto j0 = static_cast<std::size_t>(cells[1]) * n, j1 = (static_cast<std::size_t>(cells[3]) + 1) * n;
+  return marked_[j1 + i1] - marked_[j0 + i1] - marked_[j1 + i0] + marked_[j0 + i0] == 0;
+}
+
+bool CellClasses::find_open_rows(const Tile& tile) {
+  Extremes extremes{tile.x, tile.y, tile.stride, 0, tile.count - 1};
+  if (!tile.ascending) {
+    const auto [slow, fast] = std::minmax_element(tile.v, tile.v + tile.count);
+    extremes.a = static_cast<std::size_t>(slow - tile.v);
+    extremes.b = static_cast<std::size_t>(fast - tile.v);
+  }
+  bound_rows(extremes, tile.steps + 1, boxes_.data());
+  const std::size_t count = tile.steps + 2;
+  find_corners({corner_x_, corner_y_, cells_per_metre_, 0, 0}, boxes_.data(), count, corners_.data());
+  const std::int32_t* whole = corners_.data() + 4 * (count - 1);
+  const bool inside = whole[0] >= 0 && whole[1] >= 0 && whole[2] < width_ && whole[3] < width_;
+  if (inside && unmarked(whole)) return true;
+  for (std::size_t k = 0; k <= tile.steps; ++k) open_[k] = inside && unmarked(corners_.data() + 4 * k) ? 1 : 0;
+  return false;
+}
+
+void CellClasses::classify_rows(const Tile& tile, std::size_t first, std::size_t end) {
+  const std::size_t at = first * tile.stride, size = (end - first) * tile.stride;
+  find_cells({corner_x_, corner_y_, cells_per_metre_, shift_, wrap_}, tile.x + at, tile.y + at, index_.data(), size);
+  look_up(table_.data(), index_.data(), classes_.data() + at, size);
+  gather(classes_.data() + at, end - first, tile.stride, first == 0, touched_.data());
+}
+
+void CellClasses::fill_row(const CollisionChecker& checker, const GridView& grid, int row) {
+  std::uint8_t* classes = table_.data() + (static_cast<std::size_t>(row) << shift_);
+  const int j = first_.j + row;
+  for (int i = 0; i < width_; i += 64) {
+    const Cell from{first_.i + i, j};
+    std::uint8_t near[64], hit[64];
+    BitGrid::unpack(checker.near_bits(from), near);
+    BitGrid::unpack(checker.hit_bits(from), hit);
+    const int end = std::min(width_ - i, 64);
+    for (int b = 0; b < end; ++b) {
+      classes[i + b] = static_cast<std::uint8_t>(near[b] * cell_class::kNear + hit[b] * cell_class::kHit);
+    }
+  }
+  // Beyond the map everything is blocked.
+  const bool on_map = j >= 0 && j < grid.size_y;
+  const int begin = on_map ? std::clamp(-first_.i, 0, width_) : width_;
+  const int end = on_map ? std::clamp(grid.size_x - first_.i, begin, width_) : width_;
+  for (int i = 0; i < begin; ++i) classes[i] |= cell_class::kBlocked;
+  for (int i = end; i < width_; ++i) classes[i] |= cell_class::kBlocked;
+  if (begin < end) block_by_cost(grid.costs + grid.index({first_.i + begin, j}), end - begin, classes + begin);
+}
+
+void CellClasses::block_by_cost(const std::uint8_t* __restrict costs, int count,
+                                std::uint8_t* __restrict classes) const {
+  const std::uint8_t third = unknown_blocks_ ? cost::kUnknown : cost::kLethal;
+  for (int i = 0; i < count; ++i) {
+    const bool blocked = (costs[i] == cost::kLethal) | (costs[i] == cost::kInscribed) | (costs[i] == third);
+    classes[i] = static_cast<std::uint8_t>(classes[i] | (blocked ? cell_class::kBlocked : 0));
+  }
+}
+
+void CellClasses::classify(Tile& tile) {
+  const std::size_t size = (tile.steps + 1) * tile.stride;
+  if (classes_.size() < size) {
+    classes_.resize(size);
+    index_.resize(size);
+    none_.resize(size);
+  }
+  if (touched_.size() < tile.stride) touched_.resize(tile.stride);
+  if (open_.size() <= tile.steps) {
+    open_.resize(tile.steps + 1);
+    boxes_.resize(4 * (tile.steps + 2));
+    corners_.resize(4 * (tile.steps + 2));
+  }
+  if (find_open_rows(tile)) {
+    tile.classes = tile.touched = none_.data();
+    tile.touched_any = 0;
+    return;
+  }
+  std::fill_n(touched_.begin(), tile.stride, std::uint8_t{0});
+  for (std::size_t k = 0; k <= tile.steps;) {
+    const std::size_t first = k;
+    while (k <= tile.steps && open_[k] == open_[first]) ++k;
+    if (open_[first] != 0) {
+      std::fill_n(classes_.begin() + static_cast<std::ptrdiff_t>(first * tile.stride), (k - first) * tile.stride,
+                  std::uint8_t{0});
+    } else {
+      classify_rows(tile, first, k);
+    }
+  }
+  tile.classes = classes_.data();
+  tile.touched = touched_.data();
+  tile.touched_any = 0;
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    tile.touched_any = static_cast<std::uint8_t>(tile.touched_any | touched_[c]);
+  }
+}
+
+}  // namespace hidwa_local_planner

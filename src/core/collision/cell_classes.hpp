@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/collision/collision.hpp"
+#include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/tile.hpp"
+
+namespace hidwa_local_planner {
+
+/// What a cell means to a robot whose centre is in it.
+namespace cell_class {
+constexpr std::uint8_t kNear = 1;     // it may overlap an obstacle: its outline decides
+constexpr std::uint8_t kHit = 2;      // it overlaps one at any heading
+constexpr std::uint8_t kBlocked = 4;  // lethal, inscribed, unknown where that is an obstacle, or off the map
+}  // namespace cell_class
+
+/// The classes of all cells that a cycle's candidates can reach, in a table small enough for the first cache, and of
+/// the candidates' poses: one look-up a pose answers collision and every critic that asks for the centre's cell.
+class CellClasses {
+ public:
+  /// Once a cycle, after the checker; `reach` [m] as there.
+  void prepare(const CollisionChecker& checker, const GridView& grid, bool unknown_is_obstacle, const Pose2& centre,
+               double reach);
+  /// Sets `classes`, `touched` and `touched_any` of a tile. Valid until the next call.
+  void classify(Tile& tile);
+
+ private:
+  void fill_row(const CollisionChecker& checker, const GridView& grid, int row);
+  void block_by_cost(const std::uint8_t* costs, int count, std::uint8_t* classes) const;
+  void count_marked();
+  bool unmarked(const std::int32_t* cells) const;
+  bool find_open_rows(const Tile& tile);
+  void classify_rows(const Tile& tile, std::size_t first, std::size_t end);
+
+  Cell first_;                              // of the table, map cells
+  double corner_x_ = 0.0, corner_y_ = 0.0;  // of the table [m]
+  double cells_per_metre_ = 20.0;
+  int width_ = 0, shift_ = 0;  // the table's rows are 2^shift cells long
+  std::uint32_t wrap_ = 0;     // index mask
+  bool unknown_blocks_ = true;
+  std::vector<std::uint8_t> table_;
+  std::vector<std::uint32_t> marked_;  // [(width + 1)^2] cells of any class below and to the left of a corner
+  std::vector<std::uint8_t> classes_;  // of the tile's poses
+  std::vector<std::uint8_t> touched_;  // of the tile's candidates
+  std::vector<std::uint8_t> none_;     // zeros, for a tile that comes near nothing
+  std::vector<std::int32_t> index_;    // of the tile's poses
+  std::vector<double> boxes_;          // four a row of the tile, then of the tile [m]
+  std::vector<std::int32_t> corners_;  // their cells
+  std::vector<std::uint8_t> open_;     // of the tile's rows: no cell within reach of it has a class
+};
+
+}  // namespace hidwa_local_planner

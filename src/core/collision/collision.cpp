@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/collision/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hidwa_local_planner {
+namespace {
+
+// Lengths of this order are rounding [m].
+constexpr double kRounding = 1e-9;
+
+// How much room around a pose is looked for at least, in cells.
+constexpr double kLeastRoom = 2.0;
+
+// Clips the parameter range [t0, t1] of the segment a + t d to the open slab (lo, hi).
+bool clip(double a, double d, double lo, double hi, double& t0, double& t1) {
+  if (d == 0.0) return a > lo && a < hi;
+  double enter = (lo - a) / d;
+  double leave = (hi - a) / d;
+  if (enter > leave) std::swap(enter, leave);
+  t0 = std::max(t0, enter);
+  t1 = std::min(t1, leave);
+  return t0 < t1;
+}
+
+bool segment_enters(const Point& a, const Point& b, double x, double y, double side) {
+  double t0 = 0.0, t1 = 1.0;
+  return clip(a.x(), b.x() - a.x(), x, x + side, t0, t1) && clip(a.y(), b.y() - a.y(), y, y + side, t0, t1);
+}
+
+bool contains(const Polygon& polygon, double x, double y) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[j];
+    if ((a.y() > y) != (b.y() > y) && x < a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y())) inside = !inside;
+  }
+  return inside;
+}
+
+double gap(double value, double lo, double hi) { return std::max({lo - value, value - hi, 0.0}); }
+
+double distance_to_cell(double x, double y, double cell_x, double cell_y, double side) {
+  const double dx = gap(x, cell_x, cell_x + side);
+  const double dy = gap(y, cell_y, cell_y + side);
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+// Between a point and the part of a line from a to b.
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
+  const Point d = b - a;
+  const double length2 = d.squaredNorm();
+  const double t = length2 > 0.0 ? std::min(std::max((p - a).dot(d) / length2, 0.0), 1.0) : 0.0;
+  return (p - a - t * d).norm();
+}
+
+}  // namespace
+
+// Nearest to each other are a corner of one and a side of the other.
+double distance_to_square(const Polygon& polygon, double x, double y, double side) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    least = std::min(least, distance_to_cell(polygon[i].x(), polygon[i].y(), x, y, side));
+    for (const Point& corner : {Point(x, y), Point(x + side, y), Point(x, y + side), Point(x + side, y + side)}) {
+      least = std::min(least, distance_to_segment(corner, polygon[j], polygon[i]));
+    }
+  }
+  return least;
+}
+
+bool overlaps_square(const Polygon& polygon, double x, double y, double side) {
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    if (segment_enters(polygon[j], polygon[i], x, y, side)) return true;
+  }
+  return contains(polygon, x + 0.5 * side, y + 0.5 * side);
+}
+
+void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle,
+                               const Pose2& centre, double reach, double margin, double room) {
+  grid_ = grid;
+  footprint_ = &footprint;
+  unknown_is_obstacle_ = unknown_is_obstacle;
+  margin_ = margin;
+  Shape shape;
+  shape.outer = footprint.circumscribed_radius() + margin;
+  shape.inscribed = footprint.inscribed_radius();
+  shape.margin = margin;
+  // By whole cells: what was collected for one cycle serves the next.
+  shape.room = std::max(kLeastRoom, std::ceil(room / grid.resolution)) * grid.resolution;
+  room_ = shape.room;
+  shape.resolution = grid.resolution;
+  shape.circle = footprint.is_circle();
+  shape.radius = static_cast<int>(std::ceil((reach + shape.outer + shape.room) / grid.resolution)) + 3;
+  const Cell middle = grid.cell_at(centre.x, centre.y);
+  first_ = {middle.i - shape.radius, middle.j - shape.radius};
+  if (mark_obstacles(shape)) {
+    spread_marks();
+    prepare_lists(margin);
+  } else {
+    lists_.move_to(grid_.origin_x + first_.i * grid_.resolution, grid_.origin_y + first_.j * grid_.resolution);
+  }
+}
+
+// Where its centre lies inside, an outline that touches the midst of obstacles touches their edge too.
+void CollisionChecker::prepare_lists(double margin) {
+  const double room = room_;
+  ObstacleLists::Window window;
+  window.solid = footprint_->inscribed_radius() > 0.0 ? &edges_ : &obstacles_;
+  window.core = footprint_->is_circle() ? &inscribed_ : nullptr;
+  window.solid_reach = footprint_->circumscribed_radius() + margin + room;
+  window.core_reach = room + kRounding;
+  window.corner_x = grid_.origin_x + first_.i * grid_.resolution;
+  window.corner_y = grid_.origin_y + first_.j * grid_.resolution;
+  window.resolution = grid_.resolution;
+  lists_.prepare(window);
+}
+
+// Marks the window's cells that hold one cost or the other, and those beyond the map's edge where it counts.
+void CollisionChecker::mark(std::uint8_t one, std::uint8_t other, bool edge, BitGrid& marked) const {
+  const int size = marked.width();
+  const int begin = std::clamp(-first_.i, 0, size), end = std::clamp(grid_.size_x - first_.i, begin, size);
+  for (int j = 0; j < size; ++j) {
+    const int row = first_.j + j;
+    if (row < 0 || row >= grid_.size_y || begin == end) {
+      if (edge) marked.fill(j, 0, size);
+      continue;
+    }
+    if (edge) {
+      marked.fill(j, 0, begin);
+      marked.fill(j, end, size);
+    }
+    marked.set_where(j, begin, end, grid_.costs + grid_.index({first_.i + begin, row}), one, other);
+  }
+}
+
+// False where the robot sees around itself what it saw in the cycle before: then all that follows from it still holds.
+bool CollisionChecker::mark_obstacles(const Shape& shape) {
+  const int size = 2 * shape.radius + 1;
+  fresh_obstacles_.reset(size, size);
+  mark(cost::kLethal, unknown_is_obstacle_ ? cost::kUnknown : cost::kLethal, true, fresh_obstacles_);
+  fresh_inscribed_.reset(shape.circle ? size : 0, shape.circle ? size : 0);
+  if (shape.circle) mark(cost::kInscribed, cost::kInscribed, false, fresh_inscribed_);
+  if (shape == shape_ && fresh_obstacles_ == obstacles_ && fresh_inscribed_ == inscribed_) return false;
+  shape_ = shape;
+  obstacles_ = fresh_obstacles_;
+  inscribed_ = fresh_inscribed_;
+  return true;
+}
+
+// Only a circle minds inscribed cells: they are hits, and near is whatever comes within the margin of one.
+void CollisionChecker::spread_marks() {
+  disc_reach(shape_.outer, shape_.resolution, 1, reach_);
+  rim_ = static_cast<int>(reach_.size());
+  obstacles_.dilate(reach_, near_);
+  disc_reach(shape_.inscribed - kRounding, shape_.resolution, 0, reach_);
+  obstacles_.dilate(reach_, hit_);
+  if (shape_.circle) {
+    disc_reach(shape_.margin + kRounding, shape_.resolution, 1, reach_);
+    inscribed_.dilate_into(reach_, near_);
+    reach_.assign(1, 0);
+    inscribed_.dilate_into(reach_, hit_);
+  }
+  obstacles_.find_edges(edges_);
+}
+
+bool CollisionChecker::clear(double x, double y) const {
+  const Cell cell = grid_.cell_at(x, y);
+  return in_reach(cell) && !near_.test(cell.i - first_.i, cell.j - first_.j);
+}
+
+bool CollisionChecker::clear_around(double x, double y, double distance) const {
+  const Cell lo = grid_.cell_at(x - distance, y - distance);
+  const Cell hi = grid_.cell_at(x + distance, y + distance);
+  if (!in_reach(lo) || !in_reach(hi)) return false;
+  for (int j = lo.j; j <= hi.j; ++j) {
+    if (near_.any(j - first_.j, lo.i - first_.i, hi.i - first_.i)) return false;
+  }
+  return true;
+}
+
+// An outline need not contain the robot's centre: only where it does, the centre's cell alone can decide.
+bool CollisionChecker::centre_collides(Cell cell, const Footprint& outline) const {
+  if (outline.inscribed_radius() <= 0.0) return false;
+  if (obstacle(cell)) return true;
+  return outline.is_circle() && grid_.at(cell) == cost::kInscribed;
+}
+
+bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading) const {
+  return separation(pose, heading, *footprint_, 0.0) <= 0.0;
+}
+
+bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const {
+  return separation(pose, heading, outline, 0.0) <= 0.0;
+}
+
+double CollisionChecker::separation(const Pose2& pose, const Rotation& heading, const Footprint& outline,
+                                    double cap) const {
+  constexpr double kFree = std::numeric_limits<double>::min();
+  const Cell cell = grid_.cell_at(pose.x, pose.y);
+  const bool reached = in_reach(cell);
+  const int i = cell.i - first_.i, j = cell.j - first_.j;
+  if (reached && cap <= 0.0 && !near_.test(i, j)) return kFree;
+  if (reached && &outline == footprint_ && hit_.test(i, j)) return 0.0;
+  if (centre_collides(cell, outline)) return 0.0;
+  const bool listed = reached && (outline.is_circle() || !outline.sides().empty());
+  cap = std::min(std::max(cap, kRounding), room_);
+  const double least = listed ? lists_.smallest_gap(i, j, pose, heading, outline, cap)
+                              : smallest_gap(place(pose, heading, outline), cap);
+  return least <= 0.0 ? 0.0 : std::max(least - kRounding, kFree);
+}
+
+CollisionChecker::Placed CollisionChecker::place(const Pose2& pose, const Rotation& heading,
+                                                 const Footprint& outline) const {
+  Placed placed{&outline, pose, 0.0, 0.0, 0.0, 0.0};
+  if (outline.is_circle()) {
+    const double r = outline.radius();
+    placed.lo_x = pose.x - r;
+    placed.hi_x = pose.x + r;
+    placed.lo_y = pose.y - r;
+    placed.hi_y = pose.y + r;
+    return placed;
+  }
+  placed.lo_x = placed.lo_y = std::numeric_limits<double>::infinity();
+  placed.hi_x = placed.hi_y = -placed.lo_x;
+  corners_.resize(outline.outline().size());
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const Point& p = outline.outline()[k];
+    const double x = pose.x + heading.c * p.x() - heading.s * p.y();
+    const double y = pose.y + heading.s * p.x() + heading.c * p.y();
+    corners_[k] = {x, y};
+    placed.lo_x = std::min(placed.lo_x, x);
+    placed.hi_x = std::max(placed.hi_x, x);
+    placed.lo_y = std::min(placed.lo_y, y);
+    placed.hi_y = std::max(placed.hi_y, y);
+  }
+  sides_.resize(outline.sides().size());
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const Footprint::Side& side = outline.sides()[k];
+    const double x = heading.c * side.normal.x() - heading.s * side.normal.y();
+    const double y = heading.s * side.normal.x() + heading.c * side.normal.y();
+    sides_[k].normal = {x, y};
+    sides_[k].offset = side.offset + 0.5 * grid_.resolution * (std::abs(x) + std::abs(y));
+  }
+  return placed;
+}
+
+// How far the outline is from a cell with this lower left corner, at least; not positive where they overlap. Two
+// convex shapes share area unless a side of one of them has the other beyond it.
+double CollisionChecker::gap_to(const Placed& placed, double x, double y) const {
+  const double side = grid_.resolution;
+  const Pose2& pose = placed.pose;
+  if (placed.outline->is_circle()) {
+    return distance_to_cell(pose.x, pose.y, x, y, side) - (placed.outline->radius() - kRounding);
+  }
+  double most = std::max({x - placed.hi_x, placed.lo_x - (x + side), y - placed.hi_y, placed.lo_y - (y + side)});
+  if (placed.outline->sides().empty()) {
+    if (most > room_) return most;
+    return overlaps_square(corners_, x, y, side) ? 0.0 : std::max(distance_to_square(corners_, x, y, side), kRounding);
+  }
+  const double middle_x = x + 0.5 * side - pose.x, middle_y = y + 0.5 * side - pose.y;
+  for (const Footprint::Side& s : sides_) {
+    most = std::max(most, s.normal.x() * middle_x + s.normal.y() * middle_y - s.offset);
+  }
+  return most;
+}
+
+// To the nearest obstacle that it comes near; not positive where one overlaps. The slow way, for any outline anywhere.
+double CollisionChecker::smallest_gap(const Placed& placed, double cap) const {
+  double least = cap;
+  visit_obstacles(placed, cap, [&](double gap) {
+    least = std::min(least, gap);
+    return least > 0.0;
+  });
+  return least;
+}
+
+// Calls visit(gap to it) for the obstacles in the outline's box, and so far `around` it [m], until it returns false.
+template <typename Visit>
+void CollisionChecker::visit_obstacles(const Placed& placed, double around, Visit&& visit) const {
+  const Cell lo = grid_.cell_at(placed.lo_x - around, placed.lo_y - around);
+  const Cell hi = grid_.cell_at(placed.hi_x + around, placed.hi_y + around);
+  for (int j = lo.j; j <= hi.j; ++j) {
+    for (int i = lo.i; i <= hi.i; ++i) {
+      if (!obstacle({i, j})) continue;
+      const double x = grid_.origin_x + i * grid_.resolution, y = grid_.origin_y + j * grid_.resolution;
+      if (!visit(gap_to(placed, x, y))) return;
+    }
+  }
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/collision/bit_grid.hpp"
+#include "core/collision/obstacle_lists.hpp"
+#include "core/util/rotation.hpp"
+#include "hidwa_local_planner/core/footprint.hpp"
+#include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// Tells whether the robot at a pose overlaps an obstacle. Lethal cells, unknown ones by policy, and everything beyond
+/// the map's edge are obstacles. A polygon is tested exactly: it collides when it shares area with an obstacle's cell.
+/// A circle collides when its centre's cell is inscribed or worse, or when the disc itself overlaps an obstacle's cell:
+/// the inscribed cost is quantised to cells and alone would let it overlap by up to a cell's diagonal.
+class CollisionChecker {
+ public:
+  /// Once a cycle. `reach` [m] is how far from `centre` the robot's centre will be asked about; farther poses are
+  /// answered too, only slower. `margin` [m] is how far around a clear position the robot is free too; `room` [m] up to
+  /// which separation() answers, two cells at least. `grid` and `footprint` must outlive the questions.
+  void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
+               double reach, double margin, double room = 0.0);
+  /// With a margin of one cell's side.
+  void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
+               double reach) {
+    prepare(grid, footprint, unknown_is_obstacle, centre, reach, grid.resolution);
+  }
+
+  bool collides(const Pose2& pose) const {
+    return collides(pose, Rotation{std::cos(pose.theta), std::sin(pose.theta)});
+  }
+  /// With the heading's cosine and sine given.
+  bool collides(const Pose2& pose, const Rotation& heading) const;
+  /// As collides(), for an outline that differs from the prepared one by less than the margin.
+  bool collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
+  /// 0 where the robot collides; else a distance [m] by which every point of it may move without colliding: at most
+  /// `cap`, itself at most room(), and a lower bound.
+  double separation(const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap) const;
+  double separation(const Pose2& pose, const Rotation& heading, double cap) const {
+    return separation(pose, heading, *footprint_, cap);
+  }
+  /// True when the robot is free at any heading, at this position and everywhere within the margin around it.
+  bool clear(double x, double y) const;
+  double margin() const { return margin_; }  // of clear() [m]
+  double room() const { return room_; }      // the most that separation() answers [m]
+  /// True when all positions within `distance` [m] of a position are clear.
+  bool clear_around(double x, double y, double distance) const;
+
+  /// Obstacle in the sense above; cells beyond the edge are.
+  bool obstacle(Cell cell) const {
+    if (!grid_.contains(cell)) return true;
+    const std::uint8_t value = grid_.at(cell);
+    return value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle_);
+  }
+
+  /// Where the next two answer.
+  bool in_reach(Cell cell) const {
+    return static_cast<unsigned>(cell.i - first_.i - rim_) < static_cast<unsigned>(near_.width() - 2 * rim_) &&
+           static_cast<unsigned>(cell.j - first_.j - rim_) < static_cast<unsigned>(near_.height() - 2 * rim_);
+  }
+  /// For 64 cells of a row from `cell` on, the first one lowest: not clear.
+  std::uint64_t near_bits(Cell cell) const { return near_.bits(cell.j - first_.j, cell.i - first_.i); }
+  /// Likewise: colliding at any heading, wherever in the cell the robot's centre is.
+  std::uint64_t hit_bits(Cell cell) const { return hit_.bits(cell.j - first_.j, cell.i - first_.i); }
+
+ private:
+  void mark(std::uint8_t one, std::uint8_t other, bool edge, BitGrid& marked) const;
+  // All that the marks are made by, besides the cells.
+  struct Shape {
+    int radius = 0;                                                                   // of the window [cells]
+    double outer = 0.0, inscribed = 0.0, margin = 0.0, room = 0.0, resolution = 0.0;  // [m]
+    bool circle = false;
+    bool operator==(const Shape& other) const {
+      return radius == other.radius && outer == other.outer && inscribed == other.inscribed && margin == other.margin &&
+             room == other.room && resolution == other.resolution && circle == other.circle;
+    }
+  };
+  bool mark_obstacles(const Shape& shape);
+  void spread_marks();
+  void prepare_lists(double margin);
+  bool centre_collides(Cell cell, const Footprint& outline) const;
+  // An outline placed at a pose: its box, and where it is convex its sides, each moved by half a cell's reach.
+  struct Placed {
+    const Footprint* outline = nullptr;
+    Pose2 pose;
+    double lo_x = 0.0, lo_y = 0.0, hi_x = 0.0, hi_y = 0.0;
+  };
+  Placed place(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
+  double gap_to(const Placed& placed, double x, double y) const;
+  double smallest_gap(const Placed& placed, double cap) const;
+  template <typename Visit>
+  void visit_obstacles(const Placed& placed, double around, Visit&& visit) const;
+
+  GridView grid_;
+  const Footprint* footprint_ = nullptr;
+  bool unknown_is_obstacle_ = true;
+  Cell first_;                        // of the window, map cells
+  double margin_ = 0.0, room_ = 0.0;  // [m]
+  Shape shape_;
+  int rim_ = 0;                                // cells at the window's rim that near_ does not answer for
+  BitGrid obstacles_;                          // in the window
+  BitGrid fresh_obstacles_, fresh_inscribed_;  // this cycle's, before they are taken
+  BitGrid edges_;      // obstacles with something else beside them: those in their midst are never nearest
+  BitGrid near_;       // centre cells where the robot may overlap an obstacle
+  BitGrid hit_;        // centre cells where it surely does
+  BitGrid inscribed_;  // in the window; for circles only
+  std::vector<int> reach_;
+  mutable ObstacleLists lists_;
+  mutable Polygon corners_;
+  mutable std::vector<Footprint::Side> sides_;
+};
+
+/// True when a simple polygon shares area with the axis-parallel square [x, x + side] x [y, y + side].
+bool overlaps_square(const Polygon& polygon, double x, double y, double side);
+
+/// The distance between a simple polygon and that square where they share no area [m].
+double distance_to_square(const Polygon& polygon, double x, double y, double side);
+
+}  // namespace hidwa_local_planner

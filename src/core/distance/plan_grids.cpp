@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/distance/plan_grids.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace hidwa_local_planner {
+
+PlanGrids::PlanGrids() : path_(distances_, kPath), goal_(distances_, kGoal), goal_ahead_(distances_, kGoalAhead) {
+  // Plans differ in length from cycle to cycle: room for any usual one.
+  path_cells_.reserve(DistanceGrids::kUsualSources);
+  moved_cells_.reserve(DistanceGrids::kUsualSources);
+  moved_plan_.reserve(DistanceGrids::kUsualSources);
+}
+
+void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
+                        bool unknown_is_obstacle) {
+  grid_ = grid;
+  plan_ = &plan;
+  stops_at_unknown_ = distance == MapGridDistance::l1 && unknown_is_obstacle;  // Nav2's rule
+  ahead_set_ = false;
+  find_cells_on_map(plan, path_cells_);
+  distances_.prepare(grid, distance);
+  if (!on_map()) return;
+  distances_.set_sources(kPath, path_cells_);
+  last_cell_.assign(1, path_cells_.back());
+  distances_.set_sources(kGoal, last_cell_);
+}
+
+void PlanGrids::expect(const Pose2& centre, double reach) {
+  const Cell lo = grid_.cell_at(centre.x - reach, centre.y - reach);
+  const Cell hi = grid_.cell_at(centre.x + reach, centre.y + reach);
+  distances_.set_interest({lo.i, lo.j, hi.i - lo.i + 1, hi.j - lo.j + 1});
+}
+
+// The cells of the plan's first stretch on the map. Poses in the same or neighbouring cells need nothing between them;
+// wider gaps are filled at half a cell's spacing.
+void PlanGrids::find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Cell>& cells) const {
+  cells.clear();
+  const auto usable = [this](Cell cell) {
+    return grid_.contains(cell) && !(stops_at_unknown_ && grid_.at(cell) == cost::kUnknown);
+  };
+  for (std::size_t k = 0; k < plan.size(); ++k) {
+    const Cell cell = grid_.cell_at(plan[k].x, plan[k].y);
+    if (k > 0) {
+      const Cell before = grid_.cell_at(plan[k - 1].x, plan[k - 1].y);
+      if (std::max(std::abs(cell.i - before.i), std::abs(cell.j - before.j)) > 1) {
+        const double gap = distance(plan[k - 1], plan[k]);
+        const int parts = static_cast<int>(std::ceil(gap / (0.5 * grid_.resolution)));
+        for (int part = 1; part < parts; ++part) {
+          const double t = static_cast<double>(part) / parts;
+          const Cell between = grid_.cell_at(plan[k - 1].x + t * (plan[k].x - plan[k - 1].x),
+                                             plan[k - 1].y + t * (plan[k].y - plan[k - 1].y));
+          if (usable(between)) {
+            cells.push_back(between);
+          } else if (!cells.empty()) {
+            return;
+          }
+        }
+      }
+    }
+    if (usable(cell)) {
+      cells.push_back(cell);
+    } else if (!cells.empty()) {
+      return;
+    }
+  }
+}
+
+const DistanceGrid& PlanGrids::to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal) {
+  if (!on_map() || (ahead_set_ && ahead_distance_ == ahead)) return goal_ahead_;
+  moved_plan_ = *plan_;
+  const double bearing = std::atan2(goal.y - from.y, goal.x - from.x);
+  moved_plan_.back().x += ahead * std::cos(bearing);
+  moved_plan_.back().y += ahead * std::sin(bearing);
+  find_cells_on_map(moved_plan_, moved_cells_);
+  last_cell_.assign(1, moved_cells_.empty() ? path_cells_.back() : moved_cells_.back());
+  distances_.set_sources(kGoalAhead, last_cell_);
+  ahead_set_ = true;
+  ahead_distance_ = ahead;
+  return goal_ahead_;
+}
+
+double PlanGrids::at(const DistanceGrid& distances, const GridView& grid, double x, double y) {
+  const Cell cell = grid.cell_at(x, y);
+  if (!grid.contains(cell)) return -1.0;
+  const std::int32_t units = distances.units(cell);
+  return units == DistanceGrid::kUnreached ? -1.0 : units * distances.metres_per_unit();
+}
+
+}  // namespace hidwa_local_planner

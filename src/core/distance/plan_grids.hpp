@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "core/distance/distance_grid.hpp"
+#include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// The distance grids of one cycle, shared by all critics and made when the first distance is asked for: to the plan's
+/// window, to its local goal, and to the local goal moved ahead.
+class PlanGrids {
+ public:
+  PlanGrids();
+  PlanGrids(const PlanGrids&) = delete;
+  PlanGrids& operator=(const PlanGrids&) = delete;
+
+  /// Once a cycle; `grid` and `plan` must outlive the cycle.
+  void prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
+               bool unknown_is_obstacle);
+
+  /// The points that will be asked about lie within `reach` [m] of `centre`, mostly: saves looking farther.
+  void expect(const Pose2& centre, double reach);
+
+  /// The cells of those points.
+  const kernel::CellBox& interest() const { return distances_.interest(); }
+
+  /// False when no pose of the plan lies on the map: the grids then cannot be made.
+  bool on_map() const { return !path_cells_.empty(); }
+
+  /// Distance to the nearest cell of the plan's first stretch on the map.
+  const DistanceGrid& to_path() { return path_; }
+  /// Distance to the last cell of that stretch: the local goal.
+  const DistanceGrid& to_goal() { return goal_; }
+  /// Distance to the local goal after the plan's last pose was moved by `ahead` [m] along the bearing `from` -> `goal`.
+  const DistanceGrid& to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal);
+
+  /// The distance at a point [m], or a negative number where there is none: off the map or unreached.
+  static double at(const DistanceGrid& distances, const GridView& grid, double x, double y);
+
+ private:
+  enum Set { kPath = 0, kGoal = 1, kGoalAhead = 2 };
+
+  void find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Cell>& cells) const;
+
+  GridView grid_;
+  const std::vector<Pose2>* plan_ = nullptr;
+  bool stops_at_unknown_ = false;
+  std::vector<Cell> path_cells_, moved_cells_, last_cell_;
+  std::vector<Pose2> moved_plan_;
+  DistanceGrids distances_;
+  DistanceGrid path_, goal_, goal_ahead_;
+  bool ahead_set_ = false;
+  double ahead_distance_ = 0.0;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/motion/under_way.hpp"
+#include "core/motion/velocity_limits.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// The commands that odometry may still show, and what a base that keeps its limits makes of them: a command takes
+/// effect after the latency and is reached within a period, or as fast as the limits allow, see AxisRamp. Allocates
+/// nothing after its construction.
+class CommandHistory {
+ public:
+  CommandHistory() { sent_.reserve(kMost); }
+
+  /// A cycle of `period` [s] at `now` [s] finds that `command` was sent last: in the cycle before, as far as is known.
+  /// What was sent longer ago than `span` [s] is forgotten, except what was in force then. All that was sent before is
+  /// forgotten where time goes back. A second cycle of the same time takes the place of the first.
+  void observe(double now, double period, double span, const Twist2& command, const VelocityLimits& limits);
+  void forget();
+
+  std::size_t size() const { return sent_.size(); }
+  /// The last command; zero before the first cycle.
+  Twist2 last() const { return sent_.empty() ? Twist2{} : sent_.back().command; }
+  /// Between the last two cycles [s]; 0 where there are no two.
+  double elapsed() const { return elapsed_; }
+  /// The smallest and the largest velocity that odometry may show, by axis.
+  Interval range(double Twist2::*axis) const;
+  /// Where the next command starts from: the last one; on an axis where the base cannot have followed that (the host
+  /// set it to zero, for example) the velocity `reached` that it has by then [m/s, rad/s].
+  Twist2 next_start(const VelocityLimits& limits, double period, const Twist2& reached) const;
+  /// What the robot does from `age` [s] before the last cycle on until that cycle's own command takes effect.
+  void play(const VelocityLimits& limits, double period, double latency, double age, UnderWay& under_way) const;
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.sent_, self.seen_, self.elapsed_);
+  }
+
+ private:
+  // As many cycles as the longest latency has at 100 Hz, and some. Beyond them the oldest is forgotten.
+  static constexpr std::size_t kMost = 256;
+
+  struct Sent {
+    double time = 0.0;  // [s]; of the first one, which nobody knows: when it was found
+    Twist2 command;
+    Twist2 from;  // the velocity of the base when it takes effect [m/s, rad/s]
+
+    template <typename Self, typename Archive>
+    static void archive(Self& self, Archive& io) {
+      io(self.time, self.command, self.from);
+    }
+  };
+  std::vector<Sent> sent_;      // oldest first
+  std::optional<double> seen_;  // the last cycle [s]
+  double elapsed_ = 0.0;        // [s]
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/motion/velocity_limits.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// One axis on its way from a velocity to a commanded one. A base may get there at once at its limit and then keep the
+/// velocity, or evenly over one control period, or in any way between these two. at() is the way that gets farthest: at
+/// the limit where it speeds up, evenly where it slows down; evenly too where the direction changes. What the limit
+/// does not allow within a period is done at the limit.
+class AxisRamp {
+ public:
+  AxisRamp() = default;
+  AxisRamp(const AxisLimits& axis, double from, double to, double period)
+      : axis_(axis), from_(from), to_(to), period_(period) {
+    const bool turns_round = from * to < 0.0;
+    const bool speeds_up = !turns_round && std::abs(to) > std::abs(from);
+    const double through_zero = std::abs(from) / axis.braking;
+    needed_ = turns_round ? through_zero + std::abs(to) / axis.acc
+                          : std::abs(to - from) / (speeds_up ? axis.acc : axis.braking);
+    free_ = needed_ < period + kRounding;
+    reached_ = !free_ || speeds_up ? needed_ : period;
+    corner_ = turns_round && !free_ ? through_zero : reached_;
+  }
+
+  /// The velocity after `t` [s].
+  double at(double t) const {
+    if (t >= reached_ - kRounding) return to_;
+    if (corner_ == reached_) return from_ + t / reached_ * (to_ - from_);
+    return t < corner_ ? from_ * (1.0 - t / corner_) : to_ * (t - corner_) / (reached_ - corner_);
+  }
+  /// Times between which it changes evenly [s]: the change of direction, and when the command is reached.
+  double corner() const { return corner_; }
+  double reached() const { return reached_; }
+  /// The limits allow it within a period, or nearly: cycles come a little early too.
+  bool in_time() const { return needed_ <= 1.5 * period_; }
+
+  /// How far apart two ways can get until `t` [s], at most: the integral of the difference of their velocities
+  /// [unit], what follows from a command that is cut short by the next one included.
+  double spread(double t) const {
+    if (!free_ || t <= 0.0) return 0.0;
+    const double corner = from_ * to_ < 0.0 ? std::abs(from_) / axis_.braking : needed_;
+    const double knots[] = {std::min(corner, t), std::min(needed_, t), std::min(period_, t)};
+    double area = 0.0, before = 0.0, last = 0.0;
+    for (const double knot : knots) {
+      const double apart = between(knot);
+      area += 0.5 * (before + apart) * (knot - last);
+      before = apart;
+      last = knot;
+    }
+    // Cut short: until the next command is reached the two stay so far apart, and then close at the limit.
+    return area + 1.5 * before * period_;
+  }
+
+ private:
+  static constexpr double kRounding = 1e-9;  // [s]
+  // Between the two ways at the ends of what is possible.
+  double between(double t) const {
+    if (t >= period_ - kRounding) return 0.0;
+    return std::abs(axis_.ramp(from_, to_, t) - (from_ + t / period_ * (to_ - from_)));
+  }
+
+  AxisLimits axis_;
+  double from_ = 0.0, to_ = 0.0;  // [unit/s]
+  double period_ = 0.0;           // [s]
+  double needed_ = 0.0;           // at the limit [s]
+  double corner_ = 0.0, reached_ = 0.0;
+  bool free_ = false;  // there is more than one way
+};
+
+/// Both axes on their way to a command, each on its own.
+class CommandRamp {
+ public:
+  CommandRamp(const VelocityLimits& limits, const Twist2& from, const Twist2& to, double period)
+      : v_(limits.x, from.v, to.v, period), omega_(limits.theta, from.omega, to.omega, period) {}
+
+  Twist2 at(double t) const { return {v_.at(t), omega_.at(t)}; }
+  const AxisRamp& v() const { return v_; }
+  const AxisRamp& omega() const { return omega_; }
+  /// [m, rad]
+  Twist2 spread(double t) const { return {v_.spread(t), omega_.spread(t)}; }
+  /// Until when both change evenly, in order, none later than `end` [s], which is the last.
+  std::array<double, 5> corners(double end) const {
+    std::array<double, 5> all{std::min(v_.corner(), end), std::min(v_.reached(), end), std::min(omega_.corner(), end),
+                              std::min(omega_.reached(), end), end};
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+ private:
+  AxisRamp v_, omega_;
+};
+
+}  // namespace hidwa_local_planner

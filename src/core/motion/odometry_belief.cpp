@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/odometry_belief.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidwa_local_planner {
+namespace {
+
+constexpr double kSameTime = 1e-6;  // [s]; stamps are sums of periods
+
+}  // namespace
+
+Twist2 reading_tolerance(const Parameters& p, const Twist2& last) {
+  // Inside the motors' dead band the robot stands while the command already grows: that is no disagreement.
+  const double omega = std::abs(last.omega);
+  const double standing = omega <= std::max(p.min_in_place_vel_theta, p.min_vel_theta) ? omega : 0.0;
+  return {p.velocity_reference_tolerance_x, p.velocity_reference_tolerance_theta + standing};
+}
+
+bool faster_than_explained(double measured, const Interval& explained, double tolerance) {
+  return measured < std::min(explained.lo, 0.0) - tolerance || measured > std::max(explained.hi, 0.0) + tolerance;
+}
+
+OdometryReading AxisBelief::judge(double now, double measured, const Interval& explained, double tolerance,
+                                  const AxisLimits& axis) {
+  if (!faster_than_explained(measured, explained, tolerance)) {
+    forget();
+    const bool agrees = measured >= explained.lo - tolerance && measured <= explained.hi + tolerance;
+    return agrees ? OdometryReading::agrees : OdometryReading::slower;
+  }
+  const auto follows = [&](double before, double time) {
+    const double change = tolerance + std::max(axis.acc, axis.braking) * std::max(now - time, 0.0);
+    return std::abs(measured - before) <= change;
+  };
+  if (!fast_ || now < since_ || !follows(last_, last_time_)) since_ = now;
+  const bool known = sure_ && now >= believed_time_ && now - believed_time_ <= kLongEnough + kSameTime;
+  const bool goes_on = known && follows(believed_, believed_time_);
+  fast_ = true;
+  last_ = measured;
+  last_time_ = now;
+  sure_ = known;
+  if (goes_on || now - since_ >= kLongEnough - kSameTime) {
+    sure_ = true;
+    believed_ = measured;
+    believed_time_ = now;
+  }
+  return sure_ ? OdometryReading::faster : OdometryReading::doubted;
+}
+
+}  // namespace hidwa_local_planner

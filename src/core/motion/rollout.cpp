@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/rollout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/motion/roll_kernel.hpp"
+#include "core/util/rotation.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// Columns of a tile: 64 candidates of 20 poses take 21 kB, half a first cache.
+constexpr std::size_t kMostColumns = 64;
+
+// Faster than any robot, so that only the accelerations bind.
+constexpr double kUnbounded = 1e6;
+
+std::size_t padded(std::size_t count) {
+  return (count + kernel::kLaneMultiple - 1) / kernel::kLaneMultiple * kernel::kLaneMultiple;
+}
+
+// The least and the largest, where there are any; two searches side by side.
+std::pair<double, double> speeds(const std::vector<Sample>& samples, double where_none) {
+  if (samples.empty()) return {where_none, where_none};
+  double least[2] = {samples.front().u.v, samples.back().u.v}, most[2] = {least[0], least[1]};
+  for (std::size_t i = 0; i + 1 < samples.size(); i += 2) {
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      least[lane] = std::min(least[lane], samples[i + lane].u.v);
+      most[lane] = std::max(most[lane], samples[i + lane].u.v);
+    }
+  }
+  return {std::min(least[0], least[1]), std::max(most[0], most[1])};
+}
+
+}  // namespace
+
+// Nav2's number: neither the distance nor the turn between two poses exceeds its granularity.
+std::size_t Rollout::Settings::steps(double v, double omega) const {
+  const double number = std::ceil(
+      std::max(std::abs(v) * sim_time / linear_granularity, std::abs(omega) * sim_time / angular_granularity));
+  return static_cast<std::size_t>(std::max(1.0, number));
+}
+
+void Rollout::run(const Parameters& p, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
+                  const std::vector<Sample>& samples) {
+  settings_ = {p.sim_time, p.linear_granularity, p.angular_granularity, p.integration == Integration::euler,
+               p.generator == Generator::standard};
+  limits_ = limits;
+  start_ = start;
+  reference_ = reference;
+  start_cosine_ = std::cos(start.theta);
+  start_sine_ = std::sin(start.theta);
+  turn_.known = 0;
+  const auto [slow, fast] = speeds(samples, reference.v);
+  const double least = slow, most = fast;
+  fastest_ = std::max(-least, most);
+  least_v_ = std::min(least, reference.v);
+  most_v_ = std::max(most, reference.v);
+  make_tiles(samples);
+}
+
+void Rollout::make_tiles(const std::vector<Sample>& samples) {
+  tiles_.clear();
+  if (v_.capacity() < samples.size()) v_.reserve(samples.size() + samples.size() / 8 + 16);
+  v_.resize(samples.size());
+  if (tiles_.capacity() < 128) tiles_.reserve(128);
+  longest_step_ = 0.0;
+  const double top_speed = std::max(-least_v_, most_v_);
+  std::size_t turns = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Sample& sample = samples[i];
+    const bool brake = sample.kind == SampleKind::brake;
+    const bool ramped = brake || settings_.standard;
+    // An Euler rollout's end depends on its number of steps, so each candidate has Nav2's own; a midpoint rollout's
+    // hardly does, so all candidates of one omega share the largest number.
+    const bool as_before = i > 0 && !brake && !settings_.euler && samples[i - 1].u.omega == sample.u.omega &&
+                           samples[i - 1].kind == SampleKind::grid;
+    std::size_t steps =
+        as_before ? tiles_.back().steps : settings_.steps(settings_.euler ? sample.u.v : fastest_, sample.u.omega);
+    // A brake candidate turns and drives on at first: its steps are those of the fastest.
+    if (brake) steps = std::max(steps, settings_.steps(fastest_, 0.0));
+    const bool same_turn = !tiles_.empty() && tiles_.back().omega == sample.u.omega && tiles_.back().steps == steps &&
+                           tiles_.back().ramped == ramped;
+    if (!same_turn || tiles_.back().count == kMostColumns) {
+      Block block;
+      block.omega = sample.u.omega;
+      block.steps = steps;
+      block.dt = settings_.sim_time / static_cast<double>(steps);
+      block.first = i;
+      block.turn = same_turn ? turns : ++turns;
+      block.ramped = ramped;
+      tiles_.push_back(block);
+      longest_step_ = std::max(longest_step_, top_speed * block.dt);
+    }
+    Block& block = tiles_.back();
+    block.ascending = block.ascending && (block.count == 0 || v_[i - 1] <= sample.u.v);
+    ++block.count;
+    v_[i] = sample.u.v;
+    // The rest of the grid's row goes the same way.
+    const bool row = sample.kind == SampleKind::grid && !settings_.euler;
+    const std::size_t most = row ? std::min(samples.size(), i + 1 + kMostColumns - block.count) : i + 1;
+    std::size_t end = i + 1;
+    while (end < most && samples[end].kind == SampleKind::grid && samples[end].u.omega == block.omega) ++end;
+    for (std::size_t next = i + 1; next < end; ++next) {
+      v_[next] = samples[next].u.v;
+      block.ascending &= samples[next - 1].u.v <= samples[next].u.v;
+    }
+    block.count += end - (i + 1);
+    i = end - 1;
+  }
+}
+
+void Rollout::roll_turn(const Block& block) const {
+  Turn& t = turn_;
+  t.known = block.turn;
+  for (std::vector<double>* table : {&t.heading, &t.cosine, &t.sine, &t.omega, &t.step_x, &t.step_y}) {
+    if (table->size() <= block.steps) table->resize(block.steps + 1);
+  }
+  const bool euler = settings_.euler;
+  double turn = 0.0;  // since the start: what rotated scenes share to the last bit
+  double omega = block.ramped ? reference_.omega : block.omega;
+  Rotation direction{start_cosine_, start_sine_};
+  std::size_t k = 0;
+  for (; k < block.steps && omega != block.omega; ++k) {
+    const double next = limits_.theta.ramp(omega, block.omega, block.dt);
+    const double by = euler ? next * block.dt : 0.5 * (omega + next) * block.dt;
+    const Rotation half = Rotation::of(0.5 * by);
+    const Rotation middle = direction.turned(half);
+    t.heading[k] = start_.theta + turn;
+    t.omega[k] = omega;
+    t.cosine[k] = direction.c;
+    t.sine[k] = direction.s;
+    t.step_x[k] = (euler ? direction.c : middle.c) * block.dt;
+    t.step_y[k] = (euler ? direction.s : middle.s) * block.dt;
+    direction = middle.turned(half);
+    turn += by;
+    omega = next;
+  }
+  roll_steady_turn(block, k, turn, direction);
+  t.omega[k] = omega;  // the ramp may be longer than the rollout
+  roll_speed(block);
+}
+
+// From step `first` on the turn is the same in every step: every second direction follows from the one two before, so
+// that four chains run side by side.
+void Rollout::roll_steady_turn(const Block& block, std::size_t first, double turn, const Rotation& direction) const {
+  Turn& t = turn_;
+  const double by = block.omega * block.dt;
+  const Rotation half = Rotation::of(0.5 * by), whole = half.turned(half), twice = whole.turned(whole);
+  Rotation here[2] = {direction, direction.turned(whole)};
+  Rotation middle[2] = {here[0].turned(half), here[1].turned(half)};
+  for (std::size_t k = first; k <= block.steps; ++k) {
+    const std::size_t side = (k - first) % 2;
+    const Rotation& step = settings_.euler ? here[side] : middle[side];
+    t.cosine[k] = here[side].c;
+    t.sine[k] = here[side].s;
+    t.step_x[k] = step.c * block.dt;
+    t.step_y[k] = step.s * block.dt;
+    here[side] = here[side].turned(twice);
+    middle[side] = middle[side].turned(twice);
+  }
+  for (std::size_t k = first; k <= block.steps; ++k) {
+    t.heading[k] = start_.theta + (turn + static_cast<double>(k - first) * by);
+    t.omega[k] = block.omega;
+  }
+}
+
+// A candidate's speed is its sample, as far as the ramp from the reference allows: all share the two ramps that go on
+// for ever.
+void Rollout::roll_speed(const Block& block) const {
+  Turn& t = turn_;
+  t.ramp_steps = 0;
+  if (!block.ramped) return;
+  for (std::vector<double>* table : {&t.slowest, &t.fastest}) {
+    if (table->size() <= block.steps) table->resize(block.steps + 1);
+  }
+  double slowest = reference_.v, fastest = reference_.v;
+  for (std::size_t k = 0; k <= block.steps; ++k) {
+    t.slowest[k] = slowest;
+    t.fastest[k] = fastest;
+    t.ramp_steps = k;
+    if (slowest <= least_v_ && fastest >= most_v_) return;
+    slowest = limits_.x.ramp(slowest, -kUnbounded, block.dt);
+    fastest = limits_.x.ramp(fastest, kUnbounded, block.dt);
+  }
+}
+
+Tile Rollout::extent(std::size_t index) const {
+  const Block& block = tiles_[index];
+  Tile tile;
+  tile.omega = block.omega;
+  tile.dt = block.dt;
+  tile.steps = block.steps;
+  tile.first = block.first;
+  tile.count = block.count;
+  tile.stride = padded(block.count);
+  tile.v = v_.data() + block.first;
+  tile.ascending = block.ascending;
+  return tile;
+}
+
+Tile Rollout::tile(std::size_t index) const {
+  const Block& block = tiles_[index];
+  if (turn_.known != block.turn) roll_turn(block);
+  Tile tile = extent(index);
+  const std::size_t size = (block.steps + 1) * tile.stride;
+  if (x_.size() < size) {
+    x_.resize(size);
+    y_.resize(size);
+  }
+  lane_v_.assign(tile.stride, v_[block.first]);  // padding repeats the first candidate
+  std::copy_n(v_.begin() + static_cast<std::ptrdiff_t>(block.first), block.count, lane_v_.begin());
+  std::fill_n(x_.begin(), tile.stride, start_.x);
+  std::fill_n(y_.begin(), tile.stride, start_.y);
+
+  kernel::RollRequest request;
+  request.steps = block.steps;
+  request.ramp_steps = std::min(turn_.ramp_steps, block.steps);
+  request.stride = tile.stride;
+  request.euler = settings_.euler;
+  request.v = lane_v_.data();
+  request.slowest = turn_.slowest.data();
+  request.fastest = turn_.fastest.data();
+  request.step_x = turn_.step_x.data();
+  request.step_y = turn_.step_y.data();
+  kernel::roll(request, x_.data(), y_.data());
+
+  tile.x = x_.data();
+  tile.y = y_.data();
+  tile.heading = turn_.heading.data();
+  tile.cos_heading = turn_.cosine.data();
+  tile.sin_heading = turn_.sine.data();
+  tile.omega_at = turn_.omega.data();
+  return tile;
+}
+
+std::size_t Rollout::tile_of(std::size_t candidate) const {
+  const auto next = std::upper_bound(tiles_.begin(), tiles_.end(), candidate,
+                                     [](std::size_t c, const Block& block) { return c < block.first; });
+  return static_cast<std::size_t>(next - tiles_.begin()) - 1;
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidwa_local_planner {
+namespace {
+
+// A robot slower than this turns on the spot as far as its motors are concerned [m/s].
+constexpr double kInPlace = 0.01;
+
+double dead_band(const Parameters& p, double v) {
+  return std::abs(v) < kInPlace ? p.min_in_place_vel_theta : p.min_vel_theta;
+}
+
+bool in_dead_band(const Parameters& p, const Twist2& u) {
+  return u.omega != 0.0 && std::abs(u.omega) < dead_band(p, u.v);
+}
+
+bool is_zero(const Twist2& u) { return u.v == 0.0 && u.omega == 0.0; }
+
+double into(const Interval& interval, double value) { return std::min(std::max(value, interval.lo), interval.hi); }
+
+}  // namespace
+
+DynamicWindow dynamic_window(const Parameters& p, const VelocityLimits& limits, const Twist2& reference,
+                             double period) {
+  const double dt = p.generator == Generator::standard ? p.sim_time : period;
+  return {reachable(limits.x, reference.v, dt), reachable(limits.theta, reference.omega, dt)};
+}
+
+void spread(const Interval& interval, int count, std::vector<double>& values) {
+  values.clear();
+  if (interval.hi <= interval.lo || count < 2) {
+    values.push_back(interval.lo);
+    return;
+  }
+  const int last = count - 1;
+  bool zero_due = interval.lo < 0.0 && interval.hi > 0.0;
+  for (int i = 0; i <= last; ++i) {
+    const double value = i == 0      ? interval.lo
+                         : i == last ? interval.hi
+                                     : (interval.lo * (last - i) + interval.hi * i) / last;
+    if (zero_due && value > 0.0) values.push_back(0.0);
+    if (value >= 0.0) zero_due = false;
+    values.push_back(value);
+  }
+}
+
+Twist2 into_window(const Parameters& p, const VelocityLimits& limits, const DynamicWindow& window,
+                   const Twist2& wanted) {
+  Twist2 u = limits.clamp({into(window.v, wanted.v), into(window.omega, wanted.omega)});
+  const double band = dead_band(p, u.v);
+  if (!in_dead_band(p, u)) return u;
+  u.omega = std::abs(u.omega) < 0.5 * band ? 0.0 : std::copysign(band, u.omega);
+  u = limits.clamp(u);  // a turn raised to the band's edge may be too much for the wheels, or too fast
+  if (in_dead_band(p, u)) u.omega = 0.0;
+  return u;
+}
+
+void Sampler::make(const Parameters& p, const VelocityLimits& limits, const SampleRequest& request) {
+  window_ = dynamic_window(p, limits, request.reference, request.period);
+  spread(window_.v, request.vx_samples, v_);
+  spread(window_.omega, request.vth_samples, omega_);
+  const std::size_t most = (v_.size() + 1) * (omega_.size() + 1) + 8;
+  if (samples_.capacity() < most) samples_.reserve(most + most / 8);
+  add_grid(p, limits);
+  add_extra(p, limits, request);
+}
+
+void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
+  const bool wheels = limits.wheel_speed > 0.0;
+  samples_.resize(v_.size() * omega_.size());
+  std::size_t count = 0;
+  for (const double omega : omega_) {
+    // What only a sample that turns on the spot may be excluded for, and what any other may.
+    const bool no_turn = omega == 0.0 || in_dead_band(p, {0.0, omega});
+    const bool no_curve = in_dead_band(p, {kInPlace, omega});
+    for (const double v : v_) {
+      const bool excluded = std::abs(v) < kInPlace ? no_turn && (omega != 0.0 || v == 0.0) : no_curve;
+      if (excluded || (wheels && !limits.wheels_allow({v, omega}))) continue;
+      samples_[count++] = {{v, omega}, SampleKind::grid};
+    }
+  }
+  samples_.resize(count);
+  // A window narrower than the dead band would leave no turn on the spot at all: its edges are always tried.
+  const double edge = p.min_in_place_vel_theta;
+  if (edge <= 0.0 || window_.v.lo > 0.0 || window_.v.hi < 0.0) return;
+  for (const double omega : {-edge, edge}) {
+    if (limits.wheels_allow({0.0, omega})) samples_.push_back({{0.0, omega}, SampleKind::grid});
+  }
+}
+
+void Sampler::add_extra(const Parameters& p, const VelocityLimits& limits, const SampleRequest& request) {
+  if (p.sample_zero || p.admissibility == Admissibility::braking) samples_.push_back({{}, SampleKind::brake});
+  if (p.sample_operator && request.wanted != nullptr) {
+    samples_.push_back({into_window(p, limits, window_, *request.wanted), SampleKind::operator_own});
+  }
+  if (p.sample_operator && request.blended != nullptr) {
+    samples_.push_back({into_window(p, limits, window_, *request.blended), SampleKind::blended});
+  }
+  if (p.sample_previous) {
+    const Twist2 u = into_window(p, limits, window_, request.previous);
+    if (!is_zero(u)) samples_.push_back({u, SampleKind::previous});
+  }
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "critics/map_grid.hpp"
+
+namespace hidwa_local_planner {
+
+/// How far from the plan a candidate ends.
+class PathDistCritic : public MapGridCritic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+
+ protected:
+  const DistanceGrid* choose(const CycleView& cycle) override;
+};
+
+}  // namespace hidwa_local_planner

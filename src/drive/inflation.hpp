@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "drive/rolling_grid.hpp"
+
+namespace hidwa_local_planner {
+namespace drive {
+
+/// How costs fall off round obstacles, in the words of costmap_2d's inflation layer.
+struct InflationSettings {
+  double inflation_radius = 0.8;     // [m], no cost beyond
+  double cost_scaling_factor = 3.0;  // [1/m]
+};
+
+/// The cost at a distance [m] between cell centres: lethal at 0, inscribed up to `inscribed_radius` [m], then
+/// falling off exponentially.
+std::uint8_t inflated_cost(double distance, double inscribed_radius, double cost_scaling_factor);
+
+/// Spreads costs round lethal cells, by the exact distance between cell centres.
+class Inflation {
+ public:
+  /// `inscribed_radius` and `resolution` in [m].
+  Inflation(const InflationSettings& settings, double inscribed_radius, double resolution);
+
+  /// Fills `costs` from the lethal cells of `obstacles`, a grid of the same geometry; other costs of it do
+  /// not count.
+  void inflate(const RollingGrid& obstacles, RollingGrid& costs);
+
+ private:
+  void measure_columns(const RollingGrid& obstacles);
+  void inflate_row(int j, std::uint8_t* costs);
+
+  int radius_;                             // [cells]
+  std::vector<std::uint8_t> cost_;         // by squared distance [cells^2]; the last one is for all beyond
+  int cells_ = 0;                          // along a side
+  std::vector<std::uint16_t> column_;      // distance to the nearest lethal cell of the column, at most radius_ + 1
+  std::vector<std::uint8_t> row_has_any_;  // some column distance of the row lies within the radius
+  std::vector<std::uint16_t> squared_;     // one row's, with radius_ cells of room on both sides
+  std::vector<std::uint16_t> nearest_;     // one row's squared distances
+};
+
+}  // namespace drive
+}  // namespace hidwa_local_planner

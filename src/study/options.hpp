@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "sim/polygon.hpp"
+#include "study/setting.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+
+/// What the command line says.
+struct Options {
+  std::string command;  // run, pilot, sweep, barn, merge or help
+  std::string out;
+  std::string map;                       // empty: the package's office
+  std::string regions;                   // likewise; none: no regions
+  std::optional<sim::Pose> start, goal;  // map frame; none: the regions file's
+  int participants = 32;
+  std::vector<std::string> conditions{"SJ", "SG", "SW"};
+  std::uint64_t seed = 1;
+  std::size_t threads = 0;  // 0: as many as the computer has cores
+  std::string profile = "default";
+  Guard guard = Guard::none;  // SW
+  std::vector<Assignment> sets;
+  std::vector<std::string> grid;  // sweep: name=value,value,...; all combinations
+  std::vector<std::string> vary;  // sweep: likewise; one at a time
+  std::size_t shard = 1, shards = 1;
+  bool resume = true;
+  bool paths = true;
+  std::vector<std::string> parts;  // merge
+  std::string worlds;              // barn: the file
+  std::vector<std::string> modes;  // barn
+};
+
+/// Reads the arguments after the program's name. Throws UsageError.
+Options parse_options(const std::vector<std::string>& arguments);
+
+/// What there is to be said by --help.
+std::string help();
+
+}  // namespace study
+}  // namespace hidwa_local_planner

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/control/fault_brake.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hidwa_local_planner {
+namespace {
+
+constexpr double kPeriod = 0.05;
+
+Parameters braking(double x, double theta) {
+  Parameters p;
+  p.max_vel_x = 0.5;
+  p.acc_lim_x = x;
+  p.acc_lim_theta = theta;
+  return p;
+}
+
+TEST(FaultBrake, OneStepTakesTheLimitTimesThePeriod) {
+  const Parameters p = braking(2.0, 4.0);
+  // 2.0 x 0.05 = 0.1 m/s, 4.0 x 0.05 = 0.2 rad/s.
+  EXPECT_DOUBLE_EQ(brake_step({0.5, -1.0}, p, kPeriod).v, 0.4);
+  EXPECT_DOUBLE_EQ(brake_step({0.5, -1.0}, p, kPeriod).omega, -0.8);
+  EXPECT_DOUBLE_EQ(brake_step({-0.3, 0.05}, p, kPeriod).v, -0.2);
+  EXPECT_EQ(brake_step({0.05, 0.05}, p, kPeriod), Twist2{});
+}
+
+TEST(FaultBrake, ADecelerationLimitOfItsOwnCounts) {
+  Parameters p = braking(2.0, 4.0);
+  p.decel_lim_x = -1.0;  // either sign
+  EXPECT_DOUBLE_EQ(brake_step({0.5, 0.0}, p, kPeriod).v, 0.45);
+}
+
+TEST(FaultBrake, AtRestItFails) {
+  FaultBrake brake;
+  EXPECT_FALSE(brake.answer(10.0, Twist2{}, Twist2{}, Parameters(), kPeriod).success);
+}
+
+TEST(FaultBrake, BrakesToRestAndThenFails) {
+  FaultBrake brake;
+  const Parameters p = braking(2.0, 4.0);
+  Twist2 command{0.25, 0.5};
+  int cycles = 0;
+  for (double now = 10.0; cycles < 20; now += kPeriod, ++cycles) {
+    const FaultBrake::Answer answer = brake.answer(now, command, command, p, kPeriod);
+    if (!answer.success) break;
+    command = answer.command;
+  }
+  // v: 0.25, 0.15, 0.05, 0; omega: 0.5, 0.3, 0.1, 0: three commands, then failure.
+  EXPECT_EQ(cycles, 3);
+  EXPECT_EQ(command, Twist2{});
+}
+
+TEST(FaultBrake, ARobotThatRollsOnIsStillBraked) {
+  FaultBrake brake;
+  const FaultBrake::Answer answer = brake.answer(10.0, Twist2{0.4, 0.0}, Twist2{}, Parameters(), kPeriod);
+  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(answer.command, Twist2{});
+}
+
+TEST(FaultBrake, WithoutOdometryTimeDecides) {
+  FaultBrake brake;
+  const Parameters p = braking(2.0, 4.0);
+  // 0.5 / 2.0 + 0.05 = 0.30 s
+  EXPECT_TRUE(brake.answer(10.0, std::nullopt, Twist2{}, p, kPeriod).success);
+  EXPECT_TRUE(brake.answer(10.29, std::nullopt, Twist2{}, p, kPeriod).success);
+  EXPECT_FALSE(brake.answer(10.31, std::nullopt, Twist2{}, p, kPeriod).success);
+  // But never in the middle of a braking turn.
+  EXPECT_TRUE(brake.answer(10.36, std::nullopt, Twist2{0.0, 0.1}, p, kPeriod).success);
+  brake.clear();
+  EXPECT_TRUE(brake.answer(10.40, std::nullopt, Twist2{}, p, kPeriod).success);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
