@@ -29,3 +29,8 @@ function(compat_gtest name)
   add_test(NAME ${target} COMMAND ${target} --gtest_output=xml:${PROJECT_BINARY_DIR}/test_results/${target}.xml)
   set_tests_properties(${target} PROPERTIES TIMEOUT 60)
 endfunction()
+
+option(HIDWA_UNITY "Compile several sources of a library at once" OFF)
+function(compat_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${HIDWA_UNITY})
+endfunction()

@@ -26,22 +26,27 @@ hidwa_take_host() {
   printf '%s\n' "$host" > "$stamp"
 }
 
+# hidwa_built_with NAME: whether the build that stands has this option ON.
+hidwa_built_with() {
+  grep -q "^$1:[A-Z]*=ON" "$HIDWA_SPACE/build/hidwa_local_planner/CMakeCache.txt" 2>/dev/null
+}
+
 # hidwa_build [CMAKE_ARGUMENT...]
 hidwa_build() {
-  local host missing bases=("$HIDWA_ROOT") package tests=()
+  local host missing bases=("$HIDWA_ROOT") package parts=()
   host=$(hidwa_host)
   missing=$(sed -n 's/ compat$//p' <<< "$host")
   for package in $missing; do bases+=("$HIDWA_ROOT/compat/$package"); done
   say "host: ${missing:+compat for ${missing//$'\n'/, }; }underlay ${HIDWA_UNDERLAY:-none}"
   hidwa_take_host "$host"$'\n'"underlay ${HIDWA_UNDERLAY:-none}"
-  # Tests stay out of a user's build; a build that has them keeps them.
-  if ! grep -q 'HIDWA_TESTS:[A-Z]*=ON' "$HIDWA_SPACE/build/hidwa_local_planner/CMakeCache.txt" 2>/dev/null; then
-    tests=(-DHIDWA_TESTS=OFF -DCOMPAT_TESTS=OFF)
-  fi
+  # Tests, study and replay stay out of a first build; a build that has them keeps them.
+  hidwa_built_with HIDWA_TESTS || parts+=(-DHIDWA_TESTS=OFF -DCOMPAT_TESTS=OFF)
+  hidwa_built_with HIDWA_TOOLS || parts+=(-DHIDWA_TOOLS=demo)
+  [ -d "$HIDWA_SPACE/build/hidwa_local_planner" ] || parts+=(-DHIDWA_UNITY=ON)
   export MAKEFLAGS="-j$(hidwa_jobs)"
   (cd "$HIDWA_SPACE" && colcon build --merge-install --executor sequential --base-paths "${bases[@]}" \
-    --build-base build --install-base install --event-handlers console_cohesion- console_start_end+ \
+    --build-base build --install-base install --event-handlers console_cohesion- console_start_end+ console_direct+ console_stderr- \
     --cmake-args -DCMAKE_BUILD_TYPE=Release -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-    -DPython3_EXECUTABLE=/usr/bin/python3 --no-warn-unused-cli ${tests[@]+"${tests[@]}"} "$@") ||
+    -DPython3_EXECUTABLE=/usr/bin/python3 --no-warn-unused-cli ${parts[@]+"${parts[@]}"} "$@" | /usr/bin/python3 "$HIDWA_LIB/hidwa_tools/build_progress.py") ||
     fail "the build failed; the whole story is in $HIDWA_SPACE/log/latest_build"
 }

@@ -134,6 +134,21 @@ class Shell(unittest.TestCase):
             './build/host', './build/tests/plain/made.o', 'costmap_2d_DIR:PATH=costmap_2d_DIR-NOTFOUND', 'HIDWA_TESTS:BOOL=ON',
             'hidwa_BINARY_DIR:STATIC=/b'])
 
+    def test_a_first_build_leaves_study_replay_and_tests_out_and_a_later_one_keeps_them(self):
+        self.write('tools/colcon', '#!/bin/sh\necho "$@" > "$HIDWA_SPACE/arguments"\n')
+        os.chmod(os.path.join(self.folder, 'tools', 'colcon'), 0o755)
+        script = ('set -euo pipefail; . "$SCRIPTS/lib/common.sh"; . "$SCRIPTS/lib/packages.sh"; . "$SCRIPTS/lib/build.sh"; '
+                  'hidwa_build; cat "$HIDWA_SPACE/arguments"')
+        path = f'{self.folder}/tools:{os.environ["PATH"]}'
+        _, first = self.bash(script, PATH=path)
+        self.assertIn('-DHIDWA_TESTS=OFF -DCOMPAT_TESTS=OFF -DHIDWA_TOOLS=demo', first)
+        self.write('space/build/hidwa_local_planner/CMakeCache.txt', 'HIDWA_TESTS:BOOL=ON\nHIDWA_TOOLS:STRING=demo\n')
+        _, tested = self.bash(script, PATH=path)
+        self.assertNotIn('HIDWA_TESTS', tested)
+        self.assertIn('-DHIDWA_TOOLS=demo', tested)
+        self.write('space/build/hidwa_local_planner/CMakeCache.txt', 'HIDWA_TESTS:BOOL=OFF\nHIDWA_TOOLS:BOOL=ON\n')
+        self.assertNotIn('HIDWA_TOOLS', self.bash(script, PATH=path)[1])
+
     def test_the_host_is_known_by_where_its_packages_lie(self):
         self.write('tools/rospack', '#!/bin/sh\n[ "$2" = move_base ] && echo /mine/share/move_base\n')
         os.chmod(os.path.join(self.folder, 'tools', 'rospack'), 0o755)

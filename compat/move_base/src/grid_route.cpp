@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace move_base {
 namespace {
@@ -15,7 +14,6 @@ constexpr double kCostFactor = 0.8;
 constexpr std::uint8_t kHighestCost = 253;
 // Less than kNeutralCost / sqrt(2), the least increment from a neighbour: a cell leaves its bucket final.
 constexpr float kBucketWidth = 32.0f;
-constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 std::array<std::uint8_t, 256> travelCosts(bool allow_unknown) {
   std::array<std::uint8_t, 256> table{};

@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace move_base {
 namespace {
 
-constexpr float kUnreached = std::numeric_limits<float>::infinity();
 constexpr double kStep = 0.5;  // [cells]
 
 // The slope between two neighbours of a cell, from what of the three was reached.

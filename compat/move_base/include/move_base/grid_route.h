@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 namespace move_base {
+
+/// The travel cost of a cell to which no way leads.
+inline constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 /// A point of the grid's plane in cells; cell (i, j) is centred on (i, j).
 struct GridPoint {
