@@ -17,7 +17,8 @@ std::uint8_t inflated_cost(double distance, double inscribed_radius, double cost
 
 Inflation::Inflation(const InflationSettings& settings, double inscribed_radius, double resolution)
     : radius_(std::max(0, static_cast<int>(std::ceil(settings.inflation_radius / resolution)))) {
-  const std::size_t beyond = static_cast<std::size_t>(radius_ * radius_ + 1);
+  const auto cells = static_cast<std::size_t>(radius_);
+  const std::size_t beyond = cells * cells + 1;
   cost_.assign(beyond + 1, cost::kFree);
   for (std::size_t squared = 0; squared < beyond; ++squared) {
     const double distance = std::sqrt(static_cast<double>(squared)) * resolution;

@@ -75,11 +75,11 @@ class Lint(unittest.TestCase):
         self.assertEqual(said, 'flake8: left out: not installed\n')
 
     def test_another_version_of_the_formatter_is_left_out(self):
-        with mock.patch.object(lint, 'formatter_version', return_value=10), \
+        with mock.patch.object(lint, 'version_of', return_value=10), \
                 mock.patch.object(lint.shutil, 'which', return_value='/usr/bin/clang-format'):
             names, said = self.run_lint('clang-format')
         self.assertEqual(names, ([], [], ['clang-format']))
-        self.assertIn('version 14 is wanted', said)
+        self.assertIn('version 14 is needed', said)
 
 
 if __name__ == '__main__':

@@ -9,7 +9,8 @@ import subprocess
 import sys
 
 ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
-FORMATTER = 14    # the version of clang-format that the style was made with; others break lines elsewhere
+CLANG = 14        # the version of clang-format and clang-tidy that the style was made with; others find other things
+SPACE = os.environ.get('HIDWA_SPACE', ROOT)
 WORDS = 'ot,fro,expcet,kinf'  # codespell takes these for misspelt: optimal time, to and fro, a misspelt key in a test
 MADE = ('.git', 'build', 'install', 'log', 'report')  # by whoever works here
 COMPAT = ('nav_core', 'costmap_2d', 'map_server', 'move_base')
@@ -43,24 +44,36 @@ def shell_scripts():
     return found
 
 
-def formatter_version():
-    """Of clang-format; None where it says nothing of the kind."""
-    said = subprocess.run(['clang-format', '--version'], stdout=subprocess.PIPE, text=True, check=False).stdout
+def version_of(name):
+    """The main version of a tool of clang's; None where it says nothing of the kind."""
+    said = subprocess.run([name, '--version'], stdout=subprocess.PIPE, text=True, check=False).stdout
     version = re.search(r'version (\d+)', said)
     return int(version.group(1)) if version else None
 
 
-# What each tool is called with, made when it runs.
+def tidy():
+    """run-clang-tidy over the libraries that need no ROS. Several sources at a time, as their common headers take longest."""
+    folder = os.path.join(SPACE, 'build', 'lint')
+    made = subprocess.run(['cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=OFF', '-DHIDWA_UNITY=ON',
+                           '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    if made.returncode:
+        return ['sh', '-c', 'printf "%s\\n" "$0"; exit 1', made.stdout]
+    shutil.copy(os.path.join(ROOT, '.clang-tidy'), folder)  # it is looked for above the files, which lie in this folder
+    return ['run-clang-tidy', '-p', folder, '-quiet', '-j', str(os.cpu_count() or 1)]
+
+
+# How each tool is called, made when it runs.
 TOOLS = {
-    'clang-format': lambda: ['--dry-run', '-Werror', *files('*.cpp', '*.hpp')],
-    'cppcheck': lambda: ['--enable=warning,performance,portability', '--suppress=duplicateAssignExpression',
+    'clang-format': lambda: ['clang-format', '--dry-run', '-Werror', *files('*.cpp', '*.hpp')],
+    'clang-tidy': tidy,
+    'cppcheck': lambda: ['cppcheck', '--enable=warning,performance,portability', '--suppress=duplicateAssignExpression',
                          '--suppress=useInitializationList', '--inline-suppr', '--quiet', '--error-exitcode=1', '--std=c++17',
                          '-I', 'include', '-j', str(os.cpu_count() or 1), 'src',
                          *(path for path in (f'compat/{name}/src' for name in COMPAT) if os.path.isdir(os.path.join(ROOT, path)))],
-    'flake8': lambda: ['scripts', 'test'],
-    'shellcheck': lambda: ['-x', '-e', 'SC1091', *shell_scripts()],
-    'codespell': lambda: ['-L', WORDS, *files('*.md', '*.rst', '*.hpp', '*.cpp', '*.py', '*.yaml', '*.launch', '*.msg')],
-    'catkin_lint': lambda: ['--offline', '-W0', '.', *(os.path.join('compat', name) for name in COMPAT)],
+    'flake8': lambda: ['flake8', 'scripts', 'test'],
+    'shellcheck': lambda: ['shellcheck', '-x', '-e', 'SC1091', *shell_scripts()],
+    'codespell': lambda: ['codespell', '-L', WORDS, *files('*.md', '*.rst', '*.hpp', '*.cpp', '*.py', '*.yaml', '*.launch', '*.msg')],
+    'catkin_lint': lambda: ['catkin_lint', '--offline', '-W0', '.', *(os.path.join('compat', name) for name in COMPAT)],
 }
 
 
@@ -68,15 +81,17 @@ def left_out(name):
     """Why a tool cannot be run; empty where it can."""
     if not shutil.which(name):
         return 'not installed'
-    if name == 'clang-format' and formatter_version() != FORMATTER:
-        return f'version {FORMATTER} is wanted, this one breaks lines elsewhere'
+    if name.startswith('clang-') and version_of(name) != CLANG:
+        return f'version {CLANG} is needed, this one finds other things'
+    if name == 'clang-tidy' and not shutil.which('cmake'):
+        return 'cmake is not installed'
     return ''
 
 
 def lint(only=()):
     """Runs the tools: (ran well, found something, left out), each a list of names; what they found is printed."""
     well, found, out = [], [], []
-    for name, arguments in TOOLS.items():
+    for name, command in TOOLS.items():
         if only and name not in only:
             continue
         reason = left_out(name)
@@ -84,7 +99,7 @@ def lint(only=()):
             print(f'{name}: left out: {reason}')
             out.append(name)
             continue
-        run = subprocess.run([name, *arguments()], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        run = subprocess.run(command(), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         print(f'{name}: {"ok" if run.returncode == 0 else "found something"}', flush=True)
         if run.returncode:
             print('\n'.join(run.stdout.splitlines()[:60]))
