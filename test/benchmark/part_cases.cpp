@@ -111,7 +111,7 @@ class Parts {
   GridView grid_;
   CommandHistory commands_;
   Twist2 reference_;
-  PendingMotion pending_;
+  PendingMotionSet pending_;
   double reach_ = 0.0, growth_ = 0.0;  // [m]
   Sampler sampler_;
   Rollout rollout_;

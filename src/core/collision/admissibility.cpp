@@ -282,9 +282,9 @@ bool AdmissibilityCheck::free_all_along(const BrakeManoeuvre& manoeuvre, bool su
     arrival.roller.emplace(*limits_, radius, resolution_,
                            TurnedPose{origin, {std::cos(origin.theta), std::sin(origin.theta)}});
     arrival.room = 0.0;
-    const double spacing = surely ? fine_spacing(manoeuvre.under_way.reach(radius)) : 0.5 * resolution_;
+    const double spacing = surely ? fine_spacing(manoeuvre.pending.reach(radius)) : 0.5 * resolution_;
     arrival.free = roll(*arrival.roller, spacing, arrival.room, [&](ManoeuvreRoller& roller, auto&& visit) {
-      return roller.roll_on(manoeuvre.under_way, visit);
+      return roller.roll_on(manoeuvre.pending, visit);
     });
   }
   if (!arrival.free) return false;
@@ -300,7 +300,7 @@ bool AdmissibilityCheck::free_all_along(const BrakeManoeuvre& manoeuvre, bool su
 template <typename Look>
 bool AdmissibilityCheck::free_in_time(const Twist2& command, bool surely, Arrivals& arrivals, Look&& look) const {
   const double latest = longest_hold();
-  const std::size_t ways = surely ? setup_.pending->all() : setup_.pending->size();
+  const std::size_t ways = surely ? setup_.pending->all() : setup_.pending->likely();
   // In a turn, braking at another time leads elsewhere: the ends, and for a thorough look what lies between.
   const double apart = surely ? kHoldsApart * setup_.period : latest;
   const double parts = latest > kSoon * setup_.period ? std::ceil(latest / apart) : 0.0;
@@ -325,7 +325,7 @@ bool AdmissibilityCheck::manoeuvre_surely_free(const Twist2& command) {
 }
 
 bool AdmissibilityCheck::manoeuvre_deeper(const Twist2& command, double spacing, Sinkings& sinkings) const {
-  for (std::size_t way = 0; way < setup_.pending->size(); ++way) {
+  for (std::size_t way = 0; way < setup_.pending->likely(); ++way) {
     if (goes_deeper(manoeuvre(way, command, longest_hold()), spacing, sinkings[way])) return true;
   }
   return false;
@@ -342,7 +342,7 @@ bool AdmissibilityCheck::goes_deeper(const BrakeManoeuvre& manoeuvre, double spa
     sinking.descent = setup_.escape->start();
     sinking.roller.emplace(*limits_, footprint_->circumscribed_radius(), spacing * resolution_,
                            TurnedPose{origin, {std::cos(origin.theta), std::sin(origin.theta)}});
-    sinking.deeper = !sinking.roller->roll_on(manoeuvre.under_way, visit_into(sinking.descent));
+    sinking.deeper = !sinking.roller->roll_on(manoeuvre.pending, visit_into(sinking.descent));
   }
   if (sinking.deeper) return true;
   // However the base reaches the command: at its limits, or evenly.

@@ -10,6 +10,7 @@
 #include "core/collision/escape.hpp"
 #include "core/collision/room_memo.hpp"
 #include "core/motion/brake_manoeuvre.hpp"
+#include "core/motion/pending_motion_set.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/tile.hpp"
 
@@ -21,15 +22,15 @@ namespace hidwa_local_planner {
 class AdmissibilityCheck {
  public:
   struct Setup {
-    Pose2 start;                             // now
-    Pose2 origin;                            // where what is pending begins: the pose as it was measured
-    Twist2 reference;                        // [m/s, rad/s]
-    const PendingMotion* pending = nullptr;  // until a command that is sent now takes effect
-    double period = 0.05;                    // [s]
-    double longest_period = 0.05;            // the next command comes no later [s]
-    bool turn_out = false;                   // out of a collision that no motion leads out of, by turning first
-    bool steered = false;                    // by a person
-    EscapeRule* escape = nullptr;            // where it applies
+    Pose2 start;                                // now
+    Pose2 origin;                               // where what is pending begins: the pose as it was measured
+    Twist2 reference;                           // [m/s, rad/s]
+    const PendingMotionSet* pending = nullptr;  // until a command that is sent now takes effect
+    double period = 0.05;                       // [s]
+    double longest_period = 0.05;               // the next command comes no later [s]
+    bool turn_out = false;                      // out of a collision that no motion leads out of, by turning first
+    bool steered = false;                       // by a person
+    EscapeRule* escape = nullptr;               // where it applies
   };
   /// How far the robot's centre gets at most in any manoeuvre of a command up to `fastest` [m/s], without the growth
   /// [m].
@@ -72,7 +73,7 @@ class AdmissibilityCheck {
     bool free = false;
     double room = 0.0;  // that is left there [m]
   };
-  using Arrivals = std::array<Arrival, PendingMotion::kMost>;
+  using Arrivals = std::array<Arrival, PendingMotionSet::kMost>;
   BrakeManoeuvre manoeuvre(std::size_t way, const Twist2& command, double hold) const;
   bool nothing_in_reach() const;
   bool manoeuvre_free(const Twist2& command);
@@ -89,7 +90,7 @@ class AdmissibilityCheck {
     bool deeper = false;
     EscapeRule::Descent descent;
   };
-  using Sinkings = std::array<Sinking, PendingMotion::kMost>;
+  using Sinkings = std::array<Sinking, PendingMotionSet::kMost>;
   bool manoeuvre_deeper(const Twist2& command, double spacing, Sinkings& sinkings) const;
   bool goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, Sinking& sinking) const;
 

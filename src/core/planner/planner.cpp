@@ -197,7 +197,7 @@ void Planner::Impl::judge_axis(const Situation& situation, double Twist2::*axis,
   decision.odometry_fast = decision.odometry_fast || reading == OdometryReading::faster;
   const bool otherwise =
       reading == OdometryReading::slower || reading == OdometryReading::faster || (!fast && !as_commanded);
-  if (otherwise) pending.or_else(axis, decision.velocity.*axis);
+  if (otherwise) pending.add_alternative(axis, decision.velocity.*axis);
 }
 
 // A command that was never a number is none; a reference beyond the limits is brought back by the window.
@@ -211,7 +211,7 @@ void Planner::Impl::find_reference(const Situation& situation) {
     odometry.forget();
   }
   commands.observe(situation.time, period, latency + period + age, last, limits);
-  UnderWay& as_commanded = pending.first();
+  PendingMotion& as_commanded = pending.first();
   commands.play(limits, period, latency, age, as_commanded);
   as_commanded.mark_past(age);
   decision.reference = commands.next_start(limits, period, as_commanded.end());
@@ -219,9 +219,9 @@ void Planner::Impl::find_reference(const Situation& situation) {
   judge_axis(situation, &Twist2::omega, limits.theta, odometry.omega);
   // A base may be quicker than control_latency says.
   if (latency <= 0.0 || as_commanded.at_rest()) return;
-  const auto ways = std::min(std::ceil(latency / period), static_cast<double>(PendingMotion::kMostUnlikely));
+  const auto ways = std::min(std::ceil(latency / period), static_cast<double>(PendingMotionSet::kMostUnlikely));
   for (double way = 0.0; way < ways; way += 1.0) {
-    UnderWay& prompt = pending.add_unlikely();
+    PendingMotion& prompt = pending.add_unlikely();
     commands.play(limits, period, latency * way / ways, age, prompt);
     prompt.mark_past(age);
   }
@@ -231,7 +231,7 @@ void Planner::Impl::find_reference(const Situation& situation) {
 const Situation& Planner::Impl::advance(const Situation& situation) {
   decision.pose = situation.pose;
   if (situation.pose_age <= 0.0 || !plausible(situation.pose)) return situation;
-  const UnderWay& likely = pending[pending.size() - 1];
+  const PendingMotion& likely = pending[pending.likely() - 1];
   const Rotation heading{std::cos(situation.pose.theta), std::sin(situation.pose.theta)};
   ManoeuvreRoller roller(limits, footprint.circumscribed_radius(), kAdvanceSpacing, {situation.pose, heading});
   roller.roll_past(likely);

@@ -107,9 +107,9 @@ struct Planner::Impl {
   Marked marked;
   CommandHistory commands;
   OdometryBelief odometry;
-  Pose2 origin;           // of what is pending: the pose as it was measured
-  PendingMotion pending;  // until this cycle's command takes effect
-  Situation advanced;     // the cycle's, with the pose of now
+  Pose2 origin;              // of what is pending: the pose as it was measured
+  PendingMotionSet pending;  // until this cycle's command takes effect
+  Situation advanced;        // the cycle's, with the pose of now
   WayOut way_out;
   Lasting caught;               // in collision, and no motion leads out
   Lasting unturned;             // at the goal's position it stands at another heading
