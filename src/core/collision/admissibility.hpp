@@ -45,6 +45,8 @@ class AdmissibilityCheck {
 
   /// Whether a look at the cells is enough for every rollout of a tile; sets the reasons of those that they refuse.
   bool cells_decide(const Tile& tile, const char** reasons) const;
+  /// Candidates must be able to brake.
+  bool checks_braking() const { return parameters_->admissibility == Admissibility::braking; }
   /// No candidate needs to be asked whether it can brake.
   bool all_can_brake() const { return all_clear_ && !escaping(); }
   /// Reasons for the candidates of a tile, nullptr where free: the rollout.
