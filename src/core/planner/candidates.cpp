@@ -23,7 +23,7 @@ void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, c
 }
 
 bool Candidates::is_operator_command(std::size_t candidate) const {
-  return sampler_.samples()[candidate].kind == SampleKind::operator_own;
+  return sampler_.samples()[candidate].kind == SampleKind::operator_command;
 }
 
 // It is one of the last: those of the grid come first.

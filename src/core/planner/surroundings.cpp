@@ -20,9 +20,9 @@ Surroundings::Reach Surroundings::reach_of(const Cycle& cycle, const Rollout& ro
                                            const AdmissibilityCheck::Setup& setup) const {
   const GridView& grid = cycle.grid;
   const double fastest = std::max(setup.pending->fastest(), rollout.fastest());
-  const double manoeuvres = AdmissibilityCheck::reach_of_manoeuvres(setup, cycle.limits, fastest);
+  const double manoeuvres = BrakingCheck::reach_of_manoeuvres(setup, cycle.limits, fastest);
   const double radius = cycle.footprint.circumscribed_radius();
-  const double growth = AdmissibilityCheck::most_growth(setup, cycle.limits, radius, manoeuvres);
+  const double growth = BrakingCheck::most_growth(setup, cycle.limits, radius, manoeuvres);
   // Nothing lies beyond the map's edge but more of it.
   const double across = std::hypot(grid.size_x, grid.size_y) * grid.resolution + radius;
   Reach reach;
