@@ -40,8 +40,8 @@ class AdmissibilityCheck {
   /// Whether the robot can come to rest in free space after the first command towards a sample, however the base
   /// reaches its commands: poses at most half a cell apart. `column`: of the sample among those of its omega.
   bool can_brake(const Twist2& sample, std::size_t column) { return braking_.can_brake(sample, column); }
-  /// As can_brake, without gaps between the poses.
-  bool can_brake_surely(const Twist2& sample) { return braking_.can_brake_surely(sample); }
+  /// As can_brake(), without gaps between the poses: for the candidate that is chosen.
+  bool confirm_braking(const Twist2& sample) { return braking_.confirm_braking(sample); }
   /// The first command towards a sample [m/s, rad/s].
   Twist2 command_for(const Twist2& sample) const { return braking_.command_for(sample); }
   /// The robot overlaps something.

@@ -11,7 +11,7 @@ namespace {
 
 // Poses that are looked at for depth in collision, in cells: of a candidate, and of the one that is chosen.
 constexpr double kDepthSpacing = 1.0 / 8.0;
-constexpr double kSureDepthSpacing = 1.0 / 128.0;
+constexpr double kFineDepthSpacing = 1.0 / 128.0;
 
 // Columns of samples that room is made for at once.
 constexpr std::size_t kUsualColumns = 128;
@@ -71,11 +71,11 @@ void BrakingCheck::prepare(const Parameters& parameters, const VelocityLimits& l
   if (answers_.size() < kUsualColumns) answers_.resize(kUsualColumns);
   for (Answer& answer : answers_) answer.known = answer.v_known = false;
   turn_.known = false;
-  usual_.forget();
-  usual_.depth_spacing = kDepthSpacing;
-  sure_.forget();
-  sure_.surely = true;
-  sure_.depth_spacing = kSureDepthSpacing;
+  coarse_.forget();
+  coarse_.depth_spacing = kDepthSpacing;
+  fine_.forget();
+  fine_.fine = true;
+  fine_.depth_spacing = kFineDepthSpacing;
   all_clear_ = nothing_in_reach();
   clearance_now_ = 0.0;
   if (all_clear_) return;
@@ -109,7 +109,7 @@ bool BrakingCheck::can_brake(const Twist2& sample, std::size_t column) {
     answer.free = before->free;
   } else {
     answer.free =
-        (all_clear_ || stops_freely(command, usual_)) && !(setup_->escaping() && goes_deeper(command, usual_));
+        (all_clear_ || stops_freely(command, coarse_)) && !(setup_->escaping() && goes_deeper(command, coarse_));
   }
   return answer.free;
 }
@@ -128,9 +128,9 @@ Twist2 BrakingCheck::quick_command_for(const Twist2& sample, Answer& answer) {
   return {answer.command_v, turn_.command};
 }
 
-bool BrakingCheck::can_brake_surely(const Twist2& sample) {
+bool BrakingCheck::confirm_braking(const Twist2& sample) {
   const Twist2 command = command_for(sample);
-  return (all_clear_ || stops_freely(command, sure_)) && !(setup_->escaping() && goes_deeper(command, sure_));
+  return (all_clear_ || stops_freely(command, fine_)) && !(setup_->escaping() && goes_deeper(command, fine_));
 }
 
 BrakeManoeuvre BrakingCheck::manoeuvre(std::size_t motion, const Twist2& command, double hold) const {
@@ -147,8 +147,8 @@ ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) cons
 // braking at another time leads elsewhere: the ends, and to be sure what lies between.
 bool BrakingCheck::stops_freely(const Twist2& command, Look& look) {
   const double latest = longest_hold();
-  const std::size_t motions = look.surely ? setup_->pending->all() : setup_->pending->likely();
-  const double apart = look.surely ? kHoldsApart * setup_->period : latest;
+  const std::size_t motions = look.fine ? setup_->pending->all() : setup_->pending->likely();
+  const double apart = look.fine ? kHoldsApart * setup_->period : latest;
   const double parts = latest > kSoon * setup_->period ? std::ceil(latest / apart) : 0.0;
   for (std::size_t motion = 0; motion < motions; ++motion) {
     for (double part = parts; part >= 0.0; part -= 1.0) {
@@ -164,7 +164,7 @@ bool BrakingCheck::free_all_along(const BrakeManoeuvre& manoeuvre, const Look& l
   if (!lead.free) return false;
   double clearance = lead.clearance;
   ManoeuvreRoller rest = *lead.roller;
-  return free_along(look, look.surely ? manoeuvre.reach(*limits_, radius_) : 0.0, clearance, rest,
+  return free_along(look, look.fine ? manoeuvre.reach(*limits_, radius_) : 0.0, clearance, rest,
                     [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_to_rest(manoeuvre, visit); });
 }
 
@@ -172,7 +172,7 @@ void BrakingCheck::roll_lead(const BrakeManoeuvre& manoeuvre, const Look& look, 
   lead.roller = roller_at(manoeuvre.start, resolution_);
   lead.clearance = 0.0;
   lead.free =
-      free_along(look, look.surely ? manoeuvre.pending.reach(radius_) : 0.0, lead.clearance, *lead.roller,
+      free_along(look, look.fine ? manoeuvre.pending.reach(radius_) : 0.0, lead.clearance, *lead.roller,
                  [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_on(manoeuvre.pending, visit); });
 }
 
@@ -182,15 +182,15 @@ template <typename RollPart>
 bool BrakingCheck::free_along(const Look& look, double way, double& clearance, ManoeuvreRoller& roller,
                               RollPart&& part) {
   // A sixteenth of a cell; nearer where the robot hardly moves, since half of it is asked for as clearance.
-  const double spacing = look.surely ? std::clamp(way / 8.0, kFinest, resolution_ / 16.0) : 0.5 * resolution_;
-  const double gap = look.surely ? 0.5 * spacing : 0.0;
+  const double spacing = look.fine ? std::clamp(way / 8.0, kFinest, resolution_ / 16.0) : 0.5 * resolution_;
+  const double gap = look.fine ? 0.5 * spacing : 0.0;
   roller.set_spacing(spacing);
   return part(roller, [&](const TurnedPose& at) {
     clearance -= spacing;
     const double needed = std::min(roller.growth() + gap, clearance_now_);
     if (clearance <= needed) {
-      clearance = look.surely ? clearances_->measure(at.pose, at.heading, needed)
-                              : clearances_->at(at.pose, at.heading, needed);
+      clearance =
+          look.fine ? clearances_->measure(at.pose, at.heading, needed) : clearances_->at(at.pose, at.heading, needed);
     }
     return clearance > needed;
   });

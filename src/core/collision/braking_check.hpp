@@ -11,11 +11,13 @@
 // 5. For a robot that stands in collision, the manoeuvre must go no deeper either (EscapeRule).
 //
 // can_brake() looks at poses at most half a cell apart, at the likely pending motions, and at commands to brake that
-// come as early or as late as they may. can_brake_surely() leaves no gap: poses a sixteenth of a cell apart or nearer
+// come as early or as late as they may. confirm_braking() leaves no gap: poses a sixteenth of a cell apart or nearer
 // with half of that as more clearance, all pending motions, and commands to brake at times in between.
 //
-// Why it is right: the head of brake_manoeuvre.hpp derives the growth. Every robot that is at rest after one manoeuvre
-// has braked; as the chosen command passes can_brake_surely() in every cycle, braking stays possible in the next one.
+// Why it is right: however the base reaches its commands, the robot is never farther from a rolled-out pose than the
+// growth (the head of brake_manoeuvre.hpp derives it), and no point of it moves farther than the spacing from one pose
+// to the next. A clearance of both all along is a free way to rest. Only commands that confirm_braking() passes are
+// sent, so in the next cycle the robot can still brake as it was checked in this one, whatever else is rejected there.
 #pragma once
 
 #include <array>
@@ -49,7 +51,7 @@ class BrakingCheck {
   bool all_can_brake() const { return all_clear_ && !setup_->escaping(); }
   /// `column`: of the sample among those of its omega.
   bool can_brake(const Twist2& sample, std::size_t column);
-  bool can_brake_surely(const Twist2& sample);
+  bool confirm_braking(const Twist2& sample);
   /// The first command towards a sample [m/s, rad/s].
   Twist2 command_for(const Twist2& sample) const;
 
@@ -70,7 +72,7 @@ class BrakingCheck {
   using EscapeLeads = std::array<EscapeLead, PendingMotionSet::kMost>;
   // What one kind of look has found so far.
   struct Look {
-    bool surely = false;
+    bool fine = false;
     double depth_spacing = 0.0;  // of poses that are looked at for depth in collision, in cells
     Leads leads;
     EscapeLeads escape_leads;
@@ -112,7 +114,7 @@ class BrakingCheck {
   bool all_clear_ = false;            // no manoeuvre can hit anything
   Turn turn_;
   std::vector<Answer> answers_;  // [columns]
-  Look usual_, sure_;
+  Look coarse_, fine_;
 };
 
 }  // namespace hidwa_local_planner

@@ -36,4 +36,17 @@ void clear(Decision& decision) {
   decision = std::move(empty);
 }
 
+void write(const CycleStart& start, const Conclusion& conclusion, Decision& decision) {
+  decision.outcome = conclusion.outcome;
+  decision.command = conclusion.command;
+  decision.sample = conclusion.sample;
+  decision.problem_kind = conclusion.problem_kind;
+  decision.problem = conclusion.problem;
+  decision.reference = start.reference;
+  decision.pose = start.situation->pose;
+  decision.velocity = start.velocity;
+  decision.odometry_doubted = start.odometry_doubted;
+  decision.odometry_fast = start.odometry_fast;
+}
+
 }  // namespace hidwa_local_planner

@@ -129,7 +129,7 @@ void Explanation::check_everyone(const Tile& tile) {
   for (std::size_t c = 0; c < tile.count; ++c) {
     CandidateReport& report = full_[tile.first + c];
     const bool brakes = !admissibility.checks_braking() || (of_.scores.rejected_by()[tile.first + c] != kBraking &&
-                                                            admissibility.can_brake_surely(report.sample));
+                                                            admissibility.confirm_braking(report.sample));
     std::vector<Rejection> rejections;
     if (collides[c] != nullptr) rejections.push_back({of_.critics.name_of(kCollision), collides[c]});
     if (!brakes) rejections.push_back({of_.critics.name_of(kBraking), kCannotBrake});

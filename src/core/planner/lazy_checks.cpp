@@ -67,7 +67,7 @@ bool LazyChecks::legal(std::size_t candidate) {
 
 bool LazyChecks::confirm(std::size_t candidate) {
   AdmissibilityCheck& admissibility = surroundings_.admissibility();
-  if (!admissibility.checks_braking() || admissibility.can_brake_surely(candidates_.sample(candidate))) return true;
+  if (!admissibility.checks_braking() || admissibility.confirm_braking(candidates_.sample(candidate))) return true;
   scores_.reject(candidate, kBraking, kCannotBrake);
   return false;
 }

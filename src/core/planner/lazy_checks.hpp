@@ -5,8 +5,8 @@
 //    at next to no cost.
 // 2. All candidates are scored, also those that nobody has checked exactly yet.
 // 3. When the choice wants a candidate, its tile is checked exactly (legal()): the outline along the rollouts, and the
-//    brake manoeuvres. A whole tile at once, since the next candidate that is wanted mostly belongs to it and shares
-//    what was found.
+//    brake manoeuvres. A whole tile at once, since the next candidate mostly belongs to it and shares what was
+//    found.
 // 4. The one candidate that is chosen at last passes the braking check without gaps between the poses (confirm()).
 //
 // Why the choice is the same as if all candidates were checked first: a check can only reject, and a rejection only

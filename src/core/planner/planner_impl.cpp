@@ -44,17 +44,7 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
   clear(decision);
   evaluation.clear();
   explanation.clear();
-  const Conclusion conclusion = conclude(cycle);
-  decision.outcome = conclusion.outcome;
-  decision.command = conclusion.command;
-  decision.sample = conclusion.sample;
-  decision.problem_kind = conclusion.problem_kind;
-  decision.problem = conclusion.problem;
-  decision.reference = start.reference;
-  decision.pose = cycle.situation.pose;
-  decision.velocity = start.velocity;
-  decision.odometry_doubted = start.odometry_doubted;
-  decision.odometry_fast = start.odometry_fast;
+  write(start, conclude(cycle), decision);
   return decision;
 }
 

@@ -99,7 +99,7 @@ int RecoveryMotion::towards_goal(const Scene& scene) const {
       const Pose2 end = tile.last_pose(c);
       const double left = to_goal(scene, end.x, end.y);
       if (left < 0.0 || left > least || (left == least && total >= cost)) continue;
-      if (!scene.admissibility.can_brake_surely(tile.sample(c))) continue;
+      if (!scene.admissibility.confirm_braking(tile.sample(c))) continue;
       least = left;
       cost = total;
       best = static_cast<int>(tile.first + c);
@@ -119,7 +119,7 @@ int RecoveryMotion::out_of_collision(const Scene& scene) const {
       if (tile.v[c] == 0.0 || !std::isfinite(total)) continue;
       const double depth = std::floor(scene.escape.depth_at_end(tile, c) / kSameDepth);
       if (depth > least || (depth == least && total >= cost)) continue;
-      if (!scene.admissibility.can_brake_surely(tile.sample(c))) continue;
+      if (!scene.admissibility.confirm_braking(tile.sample(c))) continue;
       least = depth;
       cost = total;
       best = static_cast<int>(tile.first + c);
@@ -164,7 +164,7 @@ int RecoveryMotion::turn_by(const Scene& scene, double angle) const {
     for (std::size_t c = 0; c < tile.count; ++c) {
       if (tile.v[c] != 0.0 || tile.omega == 0.0 || left >= least) continue;
       if (!std::isfinite(scene.totals[tile.first + c])) continue;
-      if (!scene.admissibility.can_brake_surely(tile.sample(c))) continue;
+      if (!scene.admissibility.confirm_braking(tile.sample(c))) continue;
       best = static_cast<int>(tile.first + c);
       least = left;
     }
@@ -178,7 +178,7 @@ bool RecoveryMotion::may_face(const Scene& scene, double heading) const {
   return !scene.collision.collides({pose.x, pose.y, heading});
 }
 
-// Some room beside the way is asked for: what just fits is refused once a cell of the map changes.
+// It asks for some clearance: where the robot just fits, a cell of the map that changes would block it.
 bool RecoveryMotion::leads_on(const Scene& scene, double heading) const {
   const double length = kShortWay * scene.grid.resolution;
   if (scene.escape.overlaps()) return scene.escape.leads_out(heading, length);

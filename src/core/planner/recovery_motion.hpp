@@ -11,7 +11,7 @@
 //    In collision: to a heading from which straight on leads out.
 //
 // Why it is safe: it takes legal candidates only, and each of them passes the braking check without gaps. It must see
-// all of them, so every candidate is checked before (Planner::Impl::evaluate()).
+// all of them, so every candidate is checked before (Evaluation::evaluate()).
 #pragma once
 
 #include <vector>

@@ -26,7 +26,7 @@ class Corridor {
   }
   Corridor(const Corridor&) = delete;
   bool can_brake(const Twist2& sample) { return check_.can_brake(sample, 0); }
-  bool can_brake_surely(const Twist2& sample) { return check_.can_brake_surely(sample); }
+  bool confirm_braking(const Twist2& sample) { return check_.confirm_braking(sample); }
   AdmissibilityCheck& check() { return check_; }
   const Pose2& start() const { return start_; }
   const VelocityLimits& limits() const { return limits_; }
@@ -75,8 +75,8 @@ TEST(CanBrake, SurelyKeepsAThirtySecondOfACellMore) {
   Parameters p;
   p.control_latency = 0.0;
   // 0.0758 + 0.05 / 32 = 0.0773 m.
-  EXPECT_TRUE(Corridor(0.078, p).can_brake_surely({0.5, 0.0}));
-  EXPECT_FALSE(Corridor(0.0767, p).can_brake_surely({0.5, 0.0}));
+  EXPECT_TRUE(Corridor(0.078, p).confirm_braking({0.5, 0.0}));
+  EXPECT_FALSE(Corridor(0.0767, p).confirm_braking({0.5, 0.0}));
   EXPECT_TRUE(Corridor(0.0767, p).can_brake({0.5, 0.0}));
 }
 
@@ -108,7 +108,7 @@ class Alley {
     command_ = command;
   }
   Alley(const Alley&) = delete;
-  bool can_brake() { return check_.can_brake_surely(command_); }
+  bool can_brake() { return check_.confirm_braking(command_); }
 
  private:
   Scene scene_;

@@ -120,7 +120,7 @@ class Caught {
     const char* reason = nullptr;
     check_.check_rollouts(rollout.tile(0), &reason);
     if (reason != nullptr) return reason;
-    return check_.can_brake(sample, 0) && check_.can_brake_surely(sample) ? "" : "cannot brake";
+    return check_.can_brake(sample, 0) && check_.confirm_braking(sample) ? "" : "cannot brake";
   }
   bool may(const Twist2& sample) { return refusal(sample).empty(); }
 
