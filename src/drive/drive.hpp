@@ -21,7 +21,7 @@ struct Cycle {
   const GridView& grid;
   const OperatorIntent& intent;
   const Decision& decision;
-  const Planner& planner;  // for its evaluation()
+  const Planner& planner;  // for its candidates()
   const sim::World& world;
 };
 using Observer = std::function<void(const Cycle&)>;

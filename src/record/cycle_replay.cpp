@@ -76,7 +76,7 @@ CycleReplay::Reading CycleReplay::take(const Bytes& bytes) {
   return Reading::ready;
 }
 
-ReplayedCycle CycleReplay::run() {
+ReplayedCycle CycleReplay::run(bool explain) {
   decision_ = nullptr;
   machine_.configure(recorded_operator_);
   ArchiveReader state(record_.operator_state);
@@ -91,9 +91,15 @@ ReplayedCycle CycleReplay::run() {
     Sampling sampling = input.sampling;
     if (changes_samples(changes_, "vx_samples")) sampling.vx_samples = 0;
     if (changes_samples(changes_, "vth_samples")) sampling.vth_samples = 0;
-    planner_.load(input.state);
-    decision_ = &planner_.plan(input.situation, grids_.present().view(), intent, sampling);
+    const auto plan = [&](Report report) -> const Decision& {
+      sampling.report = report;
+      planner_.load(input.state);
+      return planner_.plan(input.situation, grids_.present().view(), intent, sampling);
+    };
+    decision_ = &plan(input.sampling.report);
     cycle.verdict = verdict_of(*decision_, planner_.totals());
+    // Not at once: more is known of who rejects what, and so the digest is another.
+    if (explain) decision_ = &plan(Report::full);
   } else if (record_.braked) {
     const BrakeInput& input = *record_.braked;
     ArchiveReader read(input.state);

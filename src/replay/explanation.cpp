@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <vector>
 
@@ -13,58 +12,43 @@ namespace hidwa_local_planner {
 namespace replay {
 namespace {
 
-struct Refusal {
-  std::string who;
-  const char* why;
-};
-
-// Everybody who refuses a candidate.
-std::vector<Refusal> refusals_of(const CandidateVerdict& candidate) {
-  std::vector<Refusal> refusals;
-  if (candidate.collision != nullptr) refusals.push_back({"Collision", candidate.collision});
-  if (!candidate.can_brake) refusals.push_back({"Braking", "cannot stop in free space"});
-  for (const CriticVerdict& critic : candidate.critics) {
-    if (critic.reason != nullptr && critic.weight != 0.0) refusals.push_back({std::string(critic.name), critic.reason});
-  }
-  return refusals;
-}
-
-std::string refusals_in_words(const CandidateVerdict& candidate) {
+std::string refusals_in_words(const CandidateReport& candidate) {
   std::string text;
-  for (const Refusal& refusal : refusals_of(candidate))
-    text += (text.empty() ? "" : "; ") + refusal.who + ": " + refusal.why;
+  for (const Rejection& rejection : candidate.rejections) {
+    text += (text.empty() ? "" : "; ") + std::string(rejection.name) + ": " + rejection.reason;
+  }
   return text;
 }
 
-std::string table(const std::vector<CandidateVerdict>& candidates, int best) {
+std::string table(const std::vector<CandidateReport>& candidates, int best) {
   if (candidates.empty()) return "";
   std::string text = format("%6s %8s %8s", "#", "v", "omega");
-  for (const CriticVerdict& critic : candidates.front().critics) {
+  for (const CriticTerm& critic : candidates.front().terms) {
     text += format(" %*s", std::max(10, static_cast<int>(critic.name.size())), std::string(critic.name).c_str());
   }
   text += format(" %10s  refused by\n", "J");
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    const CandidateVerdict& candidate = candidates[c];
+    const CandidateReport& candidate = candidates[c];
     text += format("%6zu %8.4f %8.4f", c, candidate.sample.v, candidate.sample.omega);
-    for (const CriticVerdict& critic : candidate.critics) {
+    for (const CriticTerm& critic : candidate.terms) {
       text += format(" %*.4f", std::max(10, static_cast<int>(critic.name.size())), critic.raw * critic.weight);
     }
-    text += format(" %10.4f  %s%s%s\n", candidate.sum, refusals_in_words(candidate).c_str(),
-                   static_cast<int>(c) == best ? "<== chosen" : "", candidate.operator_own ? "  (u_h)" : "");
+    text += format(" %10.4f  %s%s%s\n", candidate.sum(), refusals_in_words(candidate).c_str(),
+                   static_cast<int>(c) == best ? "<== chosen" : "", candidate.operator_command ? "  (u_h)" : "");
   }
   return text;
 }
 
 // How many each one refuses, whoever else does, and how many only that one does.
-std::string count_refusals(const std::vector<CandidateVerdict>& candidates) {
+std::string count_refusals(const std::vector<CandidateReport>& candidates) {
   std::map<std::string, std::pair<int, int>> counts;
   int legal = 0;
-  for (const CandidateVerdict& candidate : candidates) {
-    const std::vector<Refusal> refusals = refusals_of(candidate);
-    legal += refusals.empty() ? 1 : 0;
-    for (const Refusal& refusal : refusals) {
-      ++counts[refusal.who].first;
-      counts[refusal.who].second += refusals.size() == 1 ? 1 : 0;
+  for (const CandidateReport& candidate : candidates) {
+    legal += candidate.legal() ? 1 : 0;
+    for (const Rejection& rejection : candidate.rejections) {
+      auto& [all, alone] = counts[std::string(rejection.name)];
+      ++all;
+      alone += candidate.rejections.size() == 1 ? 1 : 0;
     }
   }
   std::string text = format("%zu candidates, %d legal", candidates.size(), legal);
@@ -75,7 +59,7 @@ std::string count_refusals(const std::vector<CandidateVerdict>& candidates) {
 }
 
 // The cheapest legal candidate but one.
-int runner_up(const std::vector<CandidateVerdict>& candidates, int best) {
+int runner_up(const std::vector<CandidateReport>& candidates, int best) {
   int second = -1;
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     if (static_cast<int>(c) == best || !candidates[c].legal()) continue;
@@ -87,28 +71,28 @@ int runner_up(const std::vector<CandidateVerdict>& candidates, int best) {
 }
 
 // Where one candidate is cheaper than another, critic by critic.
-std::string compare(const CandidateVerdict& a, const CandidateVerdict& b) {
+std::string compare(const CandidateReport& a, const CandidateReport& b) {
   std::string text;
-  for (std::size_t i = 0; i < a.critics.size(); ++i) {
-    const double gain = b.critics[i].raw * b.critics[i].weight - a.critics[i].raw * a.critics[i].weight;
+  for (std::size_t i = 0; i < a.terms.size(); ++i) {
+    const double gain = b.terms[i].raw * b.terms[i].weight - a.terms[i].raw * a.terms[i].weight;
     if (std::abs(gain) < 5e-5) continue;
-    text += format("%s%s %+.4f", text.empty() ? "" : ", ", std::string(a.critics[i].name).c_str(), gain);
+    text += format("%s%s %+.4f", text.empty() ? "" : ", ", std::string(a.terms[i].name).c_str(), gain);
   }
   return text.empty() ? "no critic tells them apart" : text;
 }
 
 std::string why_chosen(record::CycleReplay& replay) {
-  const std::vector<CandidateVerdict>& all = replay.planner().verdicts();
+  const std::vector<CandidateReport> all = replay.planner().candidates();
   const int best = replay.planner().marked().best;
   if (best < 0 || all.empty()) return "";
-  const CandidateVerdict& chosen = all[static_cast<std::size_t>(best)];
+  const CandidateReport& chosen = all[static_cast<std::size_t>(best)];
   std::string text = format("chosen: #%d %s, J = %.4f", best, in_words(chosen.sample).c_str(), chosen.total);
-  if (replay.planner().choice().rule == ChoiceReport::Rule::way_out) {
+  if (replay.planner().choice().rule == ChoiceReport::Rule::recovery) {
     return text + ": not the cheapest, but the way out for a robot that stood still (turn_when_stuck)\n";
   }
   const int second = runner_up(all, best);
   if (second < 0) return text + ": the only legal one\n";
-  const CandidateVerdict& next = all[static_cast<std::size_t>(second)];
+  const CandidateReport& next = all[static_cast<std::size_t>(second)];
   text += next.total - chosen.total > 1e-9 ? ": the smallest J of all legal ones\n"
                                            : ": of those with the smallest J the one that tie_break prefers\n";
   return text + format("next best: #%d %s, J = %.4f; the chosen one gains: %s\n", second, in_words(next.sample).c_str(),
@@ -121,10 +105,10 @@ std::string about_operator(record::CycleReplay& replay, const record::ReplayedCy
   const Decision* decision = replay.decision();
   if (decision == nullptr) return text + "\n";
   text += format(", agreement %.3f", decision->agreement);
-  const std::vector<CandidateVerdict>& all = replay.planner().verdicts();
-  const int own = replay.planner().marked().operator_own;
+  const std::vector<CandidateReport> all = replay.planner().candidates();
+  const int own = replay.planner().marked().operator_command;
   if (own < 0 || all.empty()) return text + "\n";
-  const CandidateVerdict& candidate = all[static_cast<std::size_t>(own)];
+  const CandidateReport& candidate = all[static_cast<std::size_t>(own)];
   text += format("; its candidate #%d %s is ", own, in_words(candidate.sample).c_str());
   if (!candidate.legal()) return text + "refused by " + refusals_in_words(candidate) + "\n";
   const int best = replay.planner().marked().best;
@@ -155,12 +139,12 @@ std::string explain(double time, record::CycleReplay& replay, const record::Repl
   std::string text;
   if (record.planned) {
     const Situation& s = record.planned->situation;
-    text += table(replay.planner().verdicts(), replay.planner().marked().best) + "\n";
+    text += table(replay.planner().candidates(), replay.planner().marked().best) + "\n";
     text += format("cycle at %.3f s (ROS time %.3f): %s, influence %s\n", time, record.time,
                    to_string(cycle.intent.state), name_of(cycle.intent.influence));
     text += format("robot at (%.3f m, %.3f m, %.3f rad), measured %s, last command %s\n", s.pose.x, s.pose.y,
                    s.pose.theta, in_words(s.velocity).c_str(), in_words(s.last_command).c_str());
-    text += count_refusals(replay.planner().verdicts());
+    text += count_refusals(replay.planner().candidates());
   } else {
     text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time,
                    record.braked ? record.braked->fault.c_str() : "?");
@@ -187,13 +171,11 @@ std::string json_list(const Items& items, const Writer& writer) {
   return text + "]";
 }
 
-std::string json_of(const CandidateVerdict& candidate) {
-  return "{\"u\":" + json_of(candidate.sample) + ",\"end\":" + json_of(candidate.end) +
-         ",\"sum\":" + json(candidate.sum) +
-         ",\"total\":" + json(candidate.legal() ? candidate.total : std::numeric_limits<double>::infinity()) +
+std::string json_of(const CandidateReport& candidate) {
+  return "{\"u\":" + json_of(candidate.sample) + ",\"end\":" + json_of(candidate.poses.back()) +
+         ",\"sum\":" + json(candidate.sum()) + ",\"total\":" + json(candidate.total) +
          ",\"refused\":" + json(refusals_in_words(candidate)) + ",\"terms\":" +
-         json_list(candidate.critics, [](const CriticVerdict& critic) { return json(critic.raw * critic.weight); }) +
-         "}";
+         json_list(candidate.terms, [](const CriticTerm& critic) { return json(critic.raw * critic.weight); }) + "}";
 }
 
 }  // namespace
@@ -202,7 +184,7 @@ std::string explain_as_json(double time, record::CycleReplay& replay, const reco
   const record::CycleRecord& record = replay.record();
   const record::StoredGrid& grid = replay.grid();
   const Decision* decision = replay.decision();
-  const std::vector<CandidateVerdict>& all = replay.planner().verdicts();
+  const std::vector<CandidateReport> all = replay.planner().candidates();
   const bool steered = cycle.intent.influence != Influence::none;
   const auto point = [](const Point& p) { return "[" + json(p.x()) + "," + json(p.y()) + "]"; };
   const auto pose = [](const Pose2& q) { return json_of(q); };
@@ -220,12 +202,12 @@ std::string explain_as_json(double time, record::CycleReplay& replay, const reco
   text += ",\"outline\":" + json_list(replay.setup().outline, point) +
           ",\"trajectory\":" + (decision != nullptr ? json_list(decision->trajectory, pose) : "[]") +
           ",\"best\":" + whole(replay.planner().marked().best) +
-          ",\"operator_own\":" + whole(replay.planner().marked().operator_own);
-  text += ",\"critics\":" +
-          (all.empty() ? std::string("[]") : json_list(all.front().critics, [](const CriticVerdict& critic) {
-            return json(std::string(critic.name));
-          }));
-  text += ",\"candidates\":" + json_list(all, [](const CandidateVerdict& candidate) { return json_of(candidate); });
+          ",\"operator_own\":" + whole(replay.planner().marked().operator_command);
+  text +=
+      ",\"critics\":" + (all.empty() ? std::string("[]") : json_list(all.front().terms, [](const CriticTerm& critic) {
+        return json(std::string(critic.name));
+      }));
+  text += ",\"candidates\":" + json_list(all, [](const CandidateReport& candidate) { return json_of(candidate); });
   text += ",\"grid\":{\"width\":" + whole(grid.size_x) + ",\"height\":" + whole(grid.size_y) +
           ",\"resolution\":" + json(grid.resolution) + ",\"origin\":[" + json(grid.origin_x) + "," +
           json(grid.origin_y) + "],\"costs\":" + json_list(grid.costs, whole) + "}}\n";

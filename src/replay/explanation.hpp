@@ -9,7 +9,7 @@ namespace hidwa_local_planner {
 namespace replay {
 
 /// What a cycle was, in words: every candidate with every critic's score, who refused what, why this one was chosen.
-/// `replay` has just run it with a thorough planner. `time` [s] since the first record.
+/// `replay` has just run and explained it. `time` [s] since the first record.
 std::string explain(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle);
 
 /// The same as JSON, for the picture: the scene and every candidate.

@@ -160,13 +160,12 @@ int explain_one(const Options& options) {
   const double time = find_time(options);
   CycleBag bag(options.bag, options.topic);
   CycleReplay replay = make_replay(options);
-  replay.planner().set_thorough(true);
   std::optional<double> first;
   bool identical = false;
   const Left left = for_each_record(bag, replay, [&] {
     if (!first) first = replay.record().time;
     if (replay.record().time != time) return true;
-    const record::ReplayedCycle cycle = replay.run();
+    const record::ReplayedCycle cycle = replay.run(true);
     identical = cycle.identical;
     std::fputs(explain(time - *first, replay, cycle).c_str(), stdout);
     make_folder(options.out);

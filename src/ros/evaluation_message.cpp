@@ -10,7 +10,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-TrajectoryScore to_score(const CandidateRecord& candidate) {
+TrajectoryScore to_score(const CandidateReport& candidate) {
   TrajectoryScore score;
   score.traj.velocity = to_message(candidate.sample);
   score.traj.poses.reserve(candidate.poses.size());
@@ -30,9 +30,11 @@ TrajectoryScore to_score(const CandidateRecord& candidate) {
     critic.scale = term.weight;
     score.scores.push_back(std::move(critic));
   }
-  score.total = candidate.total;
-  score.refused_by = candidate.refused_by;
-  score.reason = candidate.reason;
+  score.total = candidate.legal() ? candidate.total : -1.0;
+  if (!candidate.legal()) {
+    score.refused_by = candidate.rejections.front().name;
+    score.reason = candidate.rejections.front().reason;
+  }
   return score;
 }
 
@@ -52,7 +54,7 @@ struct Line {
   double height;  // above the ground, so that marked lines lie on top [m]
 };
 
-visualization_msgs::Marker to_line(const CandidateRecord& candidate, const Line& line, int id, const std::string& frame,
+visualization_msgs::Marker to_line(const CandidateReport& candidate, const Line& line, int id, const std::string& frame,
                                    const ros::Time& stamp) {
   visualization_msgs::Marker marker;
   marker.header.frame_id = frame;
@@ -84,35 +86,35 @@ struct Range {
   double share(double total) const { return high > low ? (total - low) / (high - low) : 0.0; }
 };
 
-Range range_of(const std::vector<CandidateRecord>& candidates) {
+Range range_of(const std::vector<CandidateReport>& candidates) {
   Range range;
-  for (const CandidateRecord& candidate : candidates) {
-    if (!candidate.refused_by.empty()) continue;
+  for (const CandidateReport& candidate : candidates) {
+    if (!candidate.legal()) continue;
     range.low = std::min(range.low, candidate.total);
     range.high = std::max(range.high, candidate.total);
   }
   return range;
 }
 
-bool exists(int index, const std::vector<CandidateRecord>& candidates) {
+bool exists(int index, const std::vector<CandidateReport>& candidates) {
   return index >= 0 && static_cast<std::size_t>(index) < candidates.size();
 }
 
 }  // namespace
 
-Evaluation to_evaluation(const std::vector<CandidateRecord>& candidates, const Planner::Marked& marked,
+Evaluation to_evaluation(const std::vector<CandidateReport>& candidates, const Planner::Marked& marked,
                          const std::string& frame, const ros::Time& stamp) {
   Evaluation message;
   message.header.frame_id = frame;
   message.header.stamp = stamp;
   message.twists.reserve(candidates.size());
-  for (const CandidateRecord& candidate : candidates) message.twists.push_back(to_score(candidate));
+  for (const CandidateReport& candidate : candidates) message.twists.push_back(to_score(candidate));
   message.best_index = marked.best >= 0 ? static_cast<std::uint32_t>(marked.best) : Evaluation::NONE;
   message.worst_index = marked.worst >= 0 ? static_cast<std::uint32_t>(marked.worst) : Evaluation::NONE;
   return message;
 }
 
-visualization_msgs::MarkerArray to_markers(const std::vector<CandidateRecord>& candidates,
+visualization_msgs::MarkerArray to_markers(const std::vector<CandidateReport>& candidates,
                                            const Planner::Marked& marked, const std::string& frame,
                                            const ros::Time& stamp) {
   visualization_msgs::MarkerArray message;
@@ -122,7 +124,7 @@ visualization_msgs::MarkerArray to_markers(const std::vector<CandidateRecord>& c
   message.markers[0].action = visualization_msgs::Marker::DELETEALL;
   const Range range = range_of(candidates);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const bool legal = candidates[i].refused_by.empty();
+    const bool legal = candidates[i].legal();
     const double share = legal ? range.share(candidates[i].total) : 0.0;
     const Line line = legal ? Line{"legal", colour(share, 1.0 - share, 0.0, 0.6), 0.01, 0.01}
                             : Line{"refused", colour(0.5, 0.5, 0.5, 0.25), 0.005, 0.0};
@@ -132,7 +134,7 @@ visualization_msgs::MarkerArray to_markers(const std::vector<CandidateRecord>& c
     if (!exists(index, candidates)) return;
     message.markers.push_back(to_line(candidates[static_cast<std::size_t>(index)], line, 0, frame, stamp));
   };
-  mark(marked.operator_own, {"operator", colour(0.1, 0.4, 1.0, 1.0), 0.03, 0.02});
+  mark(marked.operator_command, {"operator", colour(0.1, 0.4, 1.0, 1.0), 0.03, 0.02});
   mark(marked.best, {"chosen", colour(1.0, 1.0, 1.0, 1.0), 0.03, 0.03});
   return message;
 }

@@ -78,7 +78,7 @@ void Publishing::publish_evaluation(const ros::Time& stamp, const Planner& plann
   const bool scores = evaluation_.getNumSubscribers() > 0;
   const bool lines = trajectories_.getNumSubscribers() > 0;
   if (!scores && !lines) return;
-  const std::vector<CandidateRecord> candidates = planner.evaluation();
+  const std::vector<CandidateReport> candidates = planner.candidates();
   if (scores) evaluation_.publish(to_evaluation(candidates, planner.marked(), frame_, stamp));
   if (lines) trajectories_.publish(to_markers(candidates, planner.marked(), frame_, stamp));
 }

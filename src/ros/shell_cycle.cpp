@@ -70,7 +70,7 @@ CycleResult Shell::cycle(bool stop) {
   feedback_.publish(stamp, loop_.parameters(), result, result.intent, person_.status(now));
   if (result.decision) {
     publishing_.publish_paths(stamp, loop_.situation().plan, result.decision->trajectory);
-    if (result.sampling.check_all) publishing_.publish_evaluation(stamp, loop_.planner());
+    if (result.sampling.report != Report::chosen) publishing_.publish_evaluation(stamp, loop_.planner());
   }
   const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
   publishing_.publish_cycle(stamp, result, result.intent.state, duration.count(),
@@ -102,7 +102,7 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
 
 Sampling Shell::sampling() const {
   Sampling sampling = budget_.in_force();
-  sampling.check_all = publishing_.candidates_wanted();
+  if (publishing_.candidates_wanted()) sampling.report = Report::legality;
   return sampling;
 }
 

@@ -35,7 +35,7 @@ CycleCase::CycleCase(const Load& load, const Setting& setting) : scenes_(situati
 CycleCase::Size CycleCase::measure() {
   plan(0);
   Size size;
-  for (const CandidateRecord& record : planner_.evaluation()) {
+  for (const CandidateReport& record : planner_.candidates()) {
     ++size.candidates;
     size.poses += record.poses.size() - 1;
   }

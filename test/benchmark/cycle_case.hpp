@@ -35,7 +35,7 @@ class CycleCase {
     return planner_.plan(s.situation, s.grid(), s.intent, sampling_);
   }
   /// From now on all candidates are checked.
-  void watch() { sampling_.check_all = true; }
+  void watch() { sampling_.report = Report::legality; }
 
   struct Size {
     std::size_t candidates = 0;

@@ -60,7 +60,7 @@ class Parts {
     double fastest = std::abs(reference_.v);
     for (const Sample& sample : sampler_.samples()) fastest = std::max(fastest, std::abs(sample.u.v));
     const BrakeManoeuvre stop{pose(), pending_[0], {fastest, 0.0}, scene_->situation.period};
-    growth_ = AdmissibilityCheck::most_growth(setup(), limits_, footprint_.circumscribed_radius(), stop.reach(limits_));
+    growth_ = BrakingCheck::most_growth(setup(), limits_, footprint_.circumscribed_radius(), stop.reach(limits_));
     reach_ = std::max(fastest * parameters_.sim_time, stop.reach(limits_) + growth_);
   }
   void mark_obstacles() {
@@ -111,7 +111,7 @@ class Parts {
   GridView grid_;
   CommandHistory commands_;
   Twist2 reference_;
-  PendingMotion pending_;
+  PendingMotionSet pending_;
   double reach_ = 0.0, growth_ = 0.0;  // [m]
   Sampler sampler_;
   Rollout rollout_;

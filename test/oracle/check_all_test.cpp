@@ -64,7 +64,7 @@ void compare(Scene& scene, Random& random, Tally& tally) {
     planner->set_footprint(scene.outline);
   }
   Sampling all;
-  all.check_all = true;
+  all.report = Report::legality;
   for (int k = 0; k < kCycles; ++k) {
     const Decision& a = brief.plan(scene.situation, scene.grid(), scene.intent);
     const Decision& b = full.plan(scene.situation, scene.grid(), scene.intent, all);

@@ -38,7 +38,7 @@ Summary run(double v_max, const Twist2* wanted, double s_v, double s_omega) {
   }
   const Decision& decision = planner.plan(scene.situation, scene.grid, intent);
   std::vector<double> totals;
-  for (const CandidateRecord& record : planner.evaluation()) totals.push_back(record.total);
+  for (const CandidateReport& record : planner.candidates()) totals.push_back(record.total);
   std::sort(totals.begin(), totals.end());
   EXPECT_EQ(decision.legal, decision.candidates);
   return {totals.size(), totals.at(0), totals.at(1), totals.back(), decision.command};

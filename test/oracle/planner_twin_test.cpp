@@ -29,14 +29,15 @@ struct Tally {
 };
 
 void compare_candidates(const Scene& scene, const NaivePlanner& naive, const Planner& planner, Tally& tally) {
-  const std::vector<CandidateRecord> records = planner.evaluation();
+  const std::vector<CandidateReport> records = planner.candidates();
   ASSERT_EQ(records.size(), naive.candidates().size());
   for (std::size_t c = 0; c < records.size(); ++c) {
-    const CandidateRecord& core = records[c];
+    const CandidateReport& core = records[c];
     const NaiveCandidate& twin = naive.candidates()[c];
     ASSERT_NEAR(core.sample.v, twin.u.v, 1e-9) << "candidate " << c;
     ASSERT_NEAR(core.sample.omega, twin.u.omega, 1e-9) << "candidate " << c;
-    ASSERT_EQ(core.refused_by, twin.refused_by) << "candidate " << c << " " << twin.u.v << " " << twin.u.omega;
+    ASSERT_EQ(core.legal() ? "" : core.rejections.front().name, twin.refused_by)
+        << "candidate " << c << " " << twin.u.v << " " << twin.u.omega;
     ASSERT_EQ(core.poses.size(), twin.poses.size());
     ASSERT_NEAR(core.poses.back().x, twin.poses.back().x, 1e-9);
     ASSERT_NEAR(core.poses.back().y, twin.poses.back().y, 1e-9);
@@ -118,7 +119,7 @@ void compare(const Scene& scene, const std::vector<NaiveCycle>& former, Tally& t
   planner.set_footprint(scene.outline);
   stop(planner, scene, former);
   Sampling sampling;
-  sampling.check_all = true;
+  sampling.report = Report::legality;
   const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent, sampling);
   ++tally.compared;
   compare_start(naive.reference(), decision, tally);

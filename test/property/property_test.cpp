@@ -36,8 +36,8 @@ Answer ask(const Scene& scene) {
   Answer answer;
   answer.decision = planner.plan(scene.situation, scene.grid(), scene.intent);
   const Twist2 chosen = answer.decision.sample;
-  for (const CandidateRecord& record : planner.evaluation()) {
-    if (!record.refused_by.empty()) continue;
+  for (const CandidateReport& record : planner.candidates()) {
+    if (!record.legal()) continue;
     const bool other = std::abs(record.sample.v - chosen.v) + std::abs(record.sample.omega - chosen.omega) > 1e-9;
     if (other && std::abs(record.total - answer.decision.total) <= kNearlyTied) answer.tied = true;
   }

@@ -18,10 +18,10 @@ struct NaiveManoeuvre {
   double kept = 0.0;     // until the first command to brake takes effect [s]
 };
 
-/// `under_way`, then `command`; the first command to brake takes effect a period and `hold` [s] after it.
-inline NaiveManoeuvre naive_manoeuvre(const Parameters& p, const Pose2& start, const NaiveEffects& under_way,
+/// `pending`, then `command`; the first command to brake takes effect a period and `hold` [s] after it.
+inline NaiveManoeuvre naive_manoeuvre(const Parameters& p, const Pose2& start, const NaiveEffects& pending,
                                       const Twist2& command, double period, double hold = 0.0) {
-  return {start, under_way.then(p.control_latency, command), p.control_latency + period + hold};
+  return {start, pending.then(p.control_latency, command), p.control_latency + period + hold};
 }
 
 /// Velocity at `t` [s].

@@ -179,7 +179,7 @@ class RecordedDrive {
     look();
     const Situation s = situation();
     Sampling sampling = random_.chance(0.1) ? Sampling{3, 5} : Sampling{};
-    sampling.check_all = random_.chance(0.3);
+    if (random_.chance(0.3)) sampling.report = Report::legality;
     recorder_.plans(planner_, s, local_.grid(), sampling);
     const Decision& decision = planner_.plan(s, local_.grid(), cycle.intent, sampling);
     cycle.verdict = record::verdict_of(decision, planner_.totals());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -33,12 +34,20 @@ struct Situation {
   double time = 0.0;            // [s]
 };
 
+/// How much a cycle finds out about its candidates. Each level includes the one before. The command is the same with
+/// all of them, to the bit.
+enum class Report : std::uint8_t {
+  chosen = 0,  // collision and braking are checked only as far as the choice needs it
+  legality,    // they are checked for every candidate: what is said of who rejects it is complete
+  full         // every critic is asked about every candidate, whoever has rejected it; takes several times as long, and
+               // allocates
+};
+
 /// How much work a cycle is: an input of plan(), so that a recorded cycle can be repeated.
 struct Sampling {
-  int vx_samples = 0;      // 0: as in the parameters
-  int vth_samples = 0;     // 0: as in the parameters
-  bool check_all = false;  // look for collisions of all candidates, not only as far as the choice needs it: the command
-                           // is the same, to the bit, and what is said of all candidates is complete
+  int vx_samples = 0;   // 0: as in the parameters
+  int vth_samples = 0;  // 0: as in the parameters
+  Report report = Report::chosen;
 };
 
 enum class Outcome { drive = 0, brake, fail, hold };
@@ -75,7 +84,7 @@ struct Decision {
   std::vector<Pose2> trajectory;  // its rollout, start pose first; empty when none was chosen
   double step = 0.0;              // time between two of its poses [s]
   std::vector<CriticTerm> terms;  // of the chosen candidate, in the order of the critics
-  // Collision and braking count those that were looked at: all with Sampling::check_all, and whenever nothing is legal.
+  // Collision and braking count those that were looked at: all with Report::legality, and whenever nothing is legal.
   std::vector<RefusalCount> refusals;  // per critic, in order; collision and braking first
   std::size_t candidates = 0;
   std::size_t legal = 0;            // nobody refused them
@@ -90,41 +99,28 @@ struct Decision {
   std::string problem;  // why there was nothing to choose from, in words; empty where there was
 };
 
-/// One candidate as the evaluation topic shows it.
-struct CandidateRecord {
-  Twist2 sample;                  // [m/s, rad/s]
-  std::vector<Pose2> poses;       // start pose first, costmap frame
-  double step = 0.0;              // [s]
-  std::vector<CriticTerm> terms;  // what was scored before a refusal
-  double total = -1.0;            // -1 where it was refused
-  std::string refused_by;         // empty where it is legal
-  std::string reason;
+/// Who rejects a candidate, and why. Names stay valid until the planner is configured anew.
+struct Rejection {
+  std::string_view name;  // "Collision", "Braking" or a critic
+  const char* reason = "";
 };
 
-/// What one critic says of one candidate.
-struct CriticVerdict {
-  std::string_view name;
-  double raw = 0.0;
-  double weight = 0.0;           // adds raw * weight to the total
-  const char* reason = nullptr;  // why it refuses the candidate; null where it does not
-};
-
-/// What everybody says of one candidate, also of one that was refused before they were asked.
-struct CandidateVerdict {
-  Twist2 sample;                       // [m/s, rad/s]
-  Pose2 end;                           // of its rollout, costmap frame
-  const char* collision = nullptr;     // why the collision check refuses it; null where it does not
-  bool can_brake = true;               // true too where admissibility is not `braking`
-  std::vector<CriticVerdict> critics;  // in their order; the deviation from the person's wish last
-  double sum = 0.0;                    // of all raw * weight, refused or not
-  double total = 0.0;                  // J, infinite where it was refused: the choice is the smallest
-  bool operator_own = false;           // u_h itself, brought into the window
-  bool legal() const { return collision == nullptr && can_brake && !refused_by_critic(); }
-  bool refused_by_critic() const {
-    for (const CriticVerdict& critic : critics) {
-      if (critic.reason != nullptr && critic.weight != 0.0) return true;
-    }
-    return false;
+/// One candidate of a cycle, and what was found out about it.
+struct CandidateReport {
+  Twist2 sample;                      // [m/s, rad/s]
+  bool operator_command = false;      // it is u_h itself, brought into the dynamic window
+  std::vector<Pose2> poses;           // of its rollout, start pose first, costmap frame
+  double step = 0.0;                  // time between two poses [s]
+  std::vector<CriticTerm> terms;      // in the order of the critics, the deviation from the operator command last; of a
+                                      // rejected candidate, without Report::full, what was scored before
+  double total = 0.0;                 // J, infinite where it is rejected: the choice is the smallest
+  std::vector<Rejection> rejections;  // the first one; with Report::full all of them: collision, braking, then critics
+  bool legal() const { return rejections.empty(); }
+  /// Of all terms, whether it is rejected or not.
+  double sum() const {
+    double sum = 0.0;
+    for (const CriticTerm& term : terms) sum += term.raw * term.weight;
+    return sum;
   }
 };
 
@@ -133,14 +129,14 @@ struct ChoiceReport {
   enum class Rule {
     none,      // nothing was chosen: a fault, a stop, no legal candidate, or u_h was passed through
     cheapest,  // the smallest total, ties by tie_break
-    way_out    // what gets stuck autonomy going again, see WayOut
+    recovery   // what gets stuck autonomy going again
   };
   Rule rule = Rule::none;
-  Twist2 wish;           // what the deviation was measured from [m/s, rad/s]
+  Twist2 target;         // what the deviation was measured from: u_h, or its blend with autonomy's choice [m/s, rad/s]
   bool steered = false;  // it counted
 };
 
-/// HI-DWA without ROS: samples, rolls out, refuses, scores and chooses. Deterministic: the same input gives the
+/// HI-DWA without ROS: samples, rolls out, rejects, scores and selects. Deterministic: the same input gives the
 /// same bits. Not thread-safe; one call at a time. plan() never throws.
 class Planner {
  public:
@@ -178,27 +174,23 @@ class Planner {
   const Decision& plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
                        const Sampling& sampling = {});
 
-  /// Every candidate of the last plan(), in the order of the samples. Without Sampling::check_all those that the choice
-  /// did not come to were not looked at for collisions.
-  std::vector<CandidateRecord> evaluation() const;
-  /// Index into evaluation() of the chosen, the worst legal and the operator's own candidate; -1 when there is none.
+  /// Every candidate of the last plan(), in the order of the samples; empty where nothing was scored. Sampling::report
+  /// says how much is known of each: with Report::chosen nobody has looked for the collisions of those that the choice
+  /// did not come to.
+  std::vector<CandidateReport> candidates() const;
+  /// Index into candidates() of the chosen one, the worst legal one, and the operator command's own or the one nearest
+  /// to it; -1 when there is none.
   struct Marked {
     int best = -1;
     int worst = -1;
-    int operator_own = -1;
+    int operator_command = -1;
   };
   Marked marked() const;
 
-  /// J of every candidate of the last plan(), infinite where it is known to be refused; empty where nothing was
-  /// weighed.
+  /// J of every candidate of the last plan(), infinite where it is known to be rejected; empty where nothing was
+  /// scored.
   const std::vector<double>& totals() const;
 
-  /// From now on plan() also asks every critic about every candidate, whoever has refused it. The decision is the same,
-  /// to the bit; it takes several times as long and allocates.
-  void set_thorough(bool thorough);
-  /// What was said of every candidate of the last plan(), in the order of the samples; empty where nothing was weighed
-  /// or the planner is not thorough.
-  const std::vector<CandidateVerdict>& verdicts() const;
   /// How the last choice was made.
   const ChoiceReport& choice() const;
 

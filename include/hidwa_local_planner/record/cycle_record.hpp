@@ -44,7 +44,7 @@ struct PlannerInput {
     io(self.state, self.situation.pose, self.situation.velocity, self.situation.last_command, self.situation.plan,
        self.situation.goal, self.situation.goal_latched, self.situation.period, self.situation.longest_period,
        self.situation.pose_age, self.situation.resumed, self.situation.time, self.sampling.vx_samples,
-       self.sampling.vth_samples, self.sampling.check_all, self.grid);
+       self.sampling.vth_samples, self.sampling.report, self.grid);
   }
 };
 

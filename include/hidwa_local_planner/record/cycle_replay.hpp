@@ -49,8 +49,8 @@ class CycleReplay {
   const Parameters& parameters() const { return planner_.parameters(); }
   const Setup& setup() const { return setup_; }
 
-  /// Repeats the record taken.
-  ReplayedCycle run();
+  /// Repeats the record taken. `explain`: repeats it once more with Report::full, for planner().candidates().
+  ReplayedCycle run(bool explain = false);
   /// With what the last run() left in it.
   Planner& planner() { return planner_; }
   const Decision* decision() const { return decision_; }

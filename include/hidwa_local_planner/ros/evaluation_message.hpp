@@ -13,12 +13,12 @@
 namespace hidwa_local_planner {
 
 /// All candidates of a cycle with their critics' scores. `frame`: the costmap's.
-Evaluation to_evaluation(const std::vector<CandidateRecord>& candidates, const Planner::Marked& marked,
+Evaluation to_evaluation(const std::vector<CandidateReport>& candidates, const Planner::Marked& marked,
                          const std::string& frame, const ros::Time& stamp);
 
 /// The same as lines: legal candidates from green (cheapest) to red, refused ones grey, the chosen one thick
 /// and white, the operator's own thick and blue.
-visualization_msgs::MarkerArray to_markers(const std::vector<CandidateRecord>& candidates,
+visualization_msgs::MarkerArray to_markers(const std::vector<CandidateReport>& candidates,
                                            const Planner::Marked& marked, const std::string& frame,
                                            const ros::Time& stamp);
 

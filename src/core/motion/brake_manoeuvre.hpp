@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What happens when a command is sent and the next ones brake, and how far off a real base may be.
 //
-// 1. What is under way takes effect first.
+// 1. The pending motion comes first.
 // 2. The command is reached within a period (AxisRamp) and then held until the first command to brake takes effect.
 // 3. Both axes brake at their limits. The last command to brake asks for less than a period's worth, and may be carried
 //    out evenly over a period: the tail.
@@ -24,7 +24,7 @@
 #include <utility>
 
 #include "core/motion/command_ramp.hpp"
-#include "core/motion/under_way.hpp"
+#include "core/motion/pending_motion.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "core/util/rotation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -32,17 +32,17 @@
 namespace hidwa_local_planner {
 
 struct BrakeManoeuvre {
-  Pose2 start;                // where `under_way` begins, costmap frame
-  const UnderWay& under_way;  // until the command takes effect
-  Twist2 command;             // [m/s, rad/s]
-  double period = 0.05;       // of the control cycle [s]
-  double hold = 0.0;          // longer than a period until the first command to brake takes effect [s]
+  Pose2 start;                   // where `pending` begins, costmap frame
+  const PendingMotion& pending;  // until the command takes effect
+  Twist2 command;                // [m/s, rad/s]
+  double period = 0.05;          // of the control cycle [s]
+  double hold = 0.0;             // longer than a period until the first command to brake takes effect [s]
 
   /// How far from its start a point `radius` [m] from the robot's centre can get [m], without the growth.
   double reach(const VelocityLimits& limits, double radius = 0.0) const {
-    const double v = std::max(std::abs(under_way.end().v), std::abs(command.v));
-    const double omega = radius > 0.0 ? std::max(std::abs(under_way.end().omega), std::abs(command.omega)) : 0.0;
-    return under_way.reach(radius) + (v + radius * omega) * (2.0 * period + hold) + limits.x.distance_to_rest(v) +
+    const double v = std::max(std::abs(pending.end().v), std::abs(command.v));
+    const double omega = radius > 0.0 ? std::max(std::abs(pending.end().omega), std::abs(command.omega)) : 0.0;
+    return pending.reach(radius) + (v + radius * omega) * (2.0 * period + hold) + limits.x.distance_to_rest(v) +
            radius * limits.theta.distance_to_rest(omega);
   }
 };
@@ -75,24 +75,24 @@ class ManoeuvreRoller {
   /// does not move at all. Returns what the last visit did.
   template <typename Visit>
   bool roll(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
-    return roll_on(manoeuvre.under_way, visit) && roll_to_rest(manoeuvre, visit);
+    return roll_on(manoeuvre.pending, visit) && roll_to_rest(manoeuvre, visit);
   }
 
   /// Its first part, the same whatever the command is. What is past is not visited.
   template <typename Visit>
-  bool roll_on(const UnderWay& under_way, Visit&& visit) {
-    roll_past(under_way);
-    for (std::size_t i = under_way.past(); i < under_way.legs().size(); ++i) {
-      const UnderWay::Leg& leg = under_way.legs()[i];
+  bool roll_on(const PendingMotion& pending, Visit&& visit) {
+    roll_past(pending);
+    for (std::size_t i = pending.past(); i < pending.legs().size(); ++i) {
+      const PendingMotion::Leg& leg = pending.legs()[i];
       part(leg.spread);
       if (!stretch(leg.end, leg.duration, visit)) return false;
     }
     return true;
   }
-  void roll_past(const UnderWay& under_way) {
-    u_ = under_way.begin();
-    for (std::size_t i = 0; i < under_way.past(); ++i) {
-      const UnderWay::Leg& leg = under_way.legs()[i];
+  void roll_past(const PendingMotion& pending) {
+    u_ = pending.begin();
+    for (std::size_t i = 0; i < pending.past(); ++i) {
+      const PendingMotion::Leg& leg = pending.legs()[i];
       part(leg.spread);
       stretch(leg.end, leg.duration, [](const TurnedPose&) { return true; });
     }
@@ -103,7 +103,7 @@ class ManoeuvreRoller {
   /// The rest of it, from where the first part ends.
   template <typename Visit>
   bool roll_to_rest(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
-    u_ = manoeuvre.under_way.end();
+    u_ = manoeuvre.pending.end();
     const CommandRamp ramp(*limits_, u_, manoeuvre.command, manoeuvre.period);
     const double length = manoeuvre.period + manoeuvre.hold;
     part(ramp.spread(length));
@@ -118,7 +118,7 @@ class ManoeuvreRoller {
   /// Likewise with a base that reaches the command evenly over the period, where its limits allow that.
   template <typename Visit>
   bool roll_evenly_to_rest(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
-    u_ = manoeuvre.under_way.end();
+    u_ = manoeuvre.pending.end();
     const CommandRamp ramp(*limits_, u_, manoeuvre.command, manoeuvre.period);
     return stretch(ramp.at(manoeuvre.period), manoeuvre.period, visit) &&
            stretch(ramp.at(manoeuvre.period + manoeuvre.hold), manoeuvre.hold, visit) &&

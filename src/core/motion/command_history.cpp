@@ -14,7 +14,7 @@ constexpr double kSameTime = 1e-6;  // [s]; stamps are sums of periods
 // Makes legs of a velocity over time, given by its corners; time is counted from where the legs begin.
 class Player {
  public:
-  Player(const Twist2& u, UnderWay& under_way) : u_(u), under_way_(under_way) { under_way_.begin(u); }
+  Player(const Twist2& u, PendingMotion& pending) : u_(u), pending_(pending) { pending_.begin(u); }
 
   // The velocity changes evenly to `u` at `time` [s], from the last corner on; before the beginning it has done so
   // already.
@@ -22,7 +22,7 @@ class Player {
     if (time <= kSameTime) {
       at_ = std::min(time, 0.0);
       u_ = u;
-      under_way_.begin(u);
+      pending_.begin(u);
       return;
     }
     if (at_ < 0.0) pass_begin(time, u);
@@ -51,18 +51,18 @@ class Player {
     const double gone = -at_ / (time - at_);
     u_ = {u_.v + gone * (u.v - u_.v), u_.omega + gone * (u.omega - u_.omega)};
     at_ = 0.0;
-    under_way_.begin(u_);
+    pending_.begin(u_);
   }
   void leg_to(double time, const Twist2& u) {
     if (time - done_ <= kSameTime) return;
-    under_way_.add(u, time - done_, spread_);
+    pending_.add(u, time - done_, spread_);
     spread_ = {};
     done_ = time;
   }
 
   double at_ = 0.0, done_ = 0.0;  // [s]: the last corner, the end of the last leg
   Twist2 u_, spread_;
-  UnderWay& under_way_;
+  PendingMotion& pending_;
 };
 
 }  // namespace
@@ -114,11 +114,11 @@ Twist2 CommandHistory::next_start(const VelocityLimits& limits, double period, c
 }
 
 void CommandHistory::play(const VelocityLimits& limits, double period, double latency, double age,
-                          UnderWay& under_way) const {
+                          PendingMotion& pending) const {
   const double begin = seen_.value_or(0.0) - age;  // [s]
   const double end = latency + age;
   const auto effect = [&](std::size_t i) { return i < sent_.size() ? sent_[i].time + latency - begin : end; };
-  Player player(sent_.empty() ? Twist2{} : sent_.front().from, under_way);
+  Player player(sent_.empty() ? Twist2{} : sent_.front().from, pending);
   for (std::size_t i = 0; i < sent_.size(); ++i) {
     const double start = effect(i), length = effect(i + 1) - start;
     const CommandRamp ramp(limits, sent_[i].from, sent_[i].command, period);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/motion/under_way.hpp"
+#include "core/motion/pending_motion.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
@@ -35,7 +35,7 @@ class CommandHistory {
   /// set it to zero, for example) the velocity `reached` that it has by then [m/s, rad/s].
   Twist2 next_start(const VelocityLimits& limits, double period, const Twist2& reached) const;
   /// What the robot does from `age` [s] before the last cycle on until that cycle's own command takes effect.
-  void play(const VelocityLimits& limits, double period, double latency, double age, UnderWay& under_way) const;
+  void play(const VelocityLimits& limits, double period, double latency, double age, PendingMotion& pending) const;
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {

@@ -95,7 +95,7 @@ void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
 void Sampler::add_extra(const Parameters& p, const VelocityLimits& limits, const SampleRequest& request) {
   if (p.sample_zero || p.admissibility == Admissibility::braking) samples_.push_back({{}, SampleKind::brake});
   if (p.sample_operator && request.wanted != nullptr) {
-    samples_.push_back({into_window(p, limits, window_, *request.wanted), SampleKind::operator_own});
+    samples_.push_back({into_window(p, limits, window_, *request.wanted), SampleKind::operator_command});
   }
   if (p.sample_operator && request.blended != nullptr) {
     samples_.push_back({into_window(p, limits, window_, *request.blended), SampleKind::blended});

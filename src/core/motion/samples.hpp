@@ -10,7 +10,7 @@
 namespace hidwa_local_planner {
 
 /// Where a candidate comes from.
-enum class SampleKind { grid, brake, operator_own, blended, previous };
+enum class SampleKind { grid, brake, operator_command, blended, previous };
 
 struct Sample {
   Twist2 u;  // [m/s, rad/s]

@@ -5,22 +5,22 @@
 
 namespace hidwa_local_planner::kernel {
 
-/// A critic's scores of a tile, and what they weigh.
-struct WeighedScores {
+/// A critic's raw scores of a tile, and its weight.
+struct WeightedScores {
   const double* raw = nullptr;  // [count]
   double weight = 0.0;
 };
 
-/// What the person wants, against a tile's samples.
+/// What the deviation of a tile's samples is measured against.
 struct Deviation {
-  const double* v = nullptr;  // [count] the samples' [m/s]; null where nobody steers
-  double wanted_v = 0.0;      // [m/s]
+  const double* v = nullptr;  // [count] the samples' [m/s]; null where the deviation does not count
+  double target_v = 0.0;      // [m/s]
   double s_v = 0.0;
-  double of_turn = 0.0;  // the tile's omega weighs so much
+  double of_turn = 0.0;  // the part of the tile's omega
 };
 
-/// totals[c] = s_nv * (sum of weight * raw[c], critic by critic) + s_v * |wanted_v - v[c]| + of_turn.
-void sum_up(const WeighedScores* scores, std::size_t critics, double s_nv, const Deviation& deviation,
+/// totals[c] = s_nv * (sum of weight * raw[c], critic by critic) + s_v * |target_v - v[c]| + of_turn.
+void sum_up(const WeightedScores* scores, std::size_t critics, double s_nv, const Deviation& deviation,
             std::size_t count, double* totals);
 
 }  // namespace hidwa_local_planner::kernel

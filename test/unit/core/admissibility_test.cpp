@@ -15,7 +15,7 @@ using test::Scene;
 class Corridor {
  public:
   Corridor(double gap, const Parameters& p, double longest_period = 0.05)
-      : parameters_(p), limits_(VelocityLimits::from(p)), pending_(UnderWay({0.5, 0.0}, p.control_latency)) {
+      : parameters_(p), limits_(VelocityLimits::from(p)), pending_(PendingMotion({0.5, 0.0}, p.control_latency)) {
     scene_ = Scene::empty(121);
     scene_.fill(1.025, -9.0, 9.0, 9.0);  // cells from x = 1.025 on
     start_ = {1.025 - 0.2 - gap, 0.0, 0.0};
@@ -26,7 +26,7 @@ class Corridor {
   }
   Corridor(const Corridor&) = delete;
   bool can_brake(const Twist2& sample) { return check_.can_brake(sample, 0); }
-  bool can_brake_surely(const Twist2& sample) { return check_.can_brake_surely(sample); }
+  bool confirm_braking(const Twist2& sample) { return check_.confirm_braking(sample); }
   AdmissibilityCheck& check() { return check_; }
   const Pose2& start() const { return start_; }
   const VelocityLimits& limits() const { return limits_; }
@@ -34,7 +34,7 @@ class Corridor {
  private:
   Parameters parameters_;
   VelocityLimits limits_;
-  PendingMotion pending_;
+  PendingMotionSet pending_;
   Scene scene_;
   Pose2 start_;
   Footprint footprint_;
@@ -75,8 +75,8 @@ TEST(CanBrake, SurelyKeepsAThirtySecondOfACellMore) {
   Parameters p;
   p.control_latency = 0.0;
   // 0.0758 + 0.05 / 32 = 0.0773 m.
-  EXPECT_TRUE(Corridor(0.078, p).can_brake_surely({0.5, 0.0}));
-  EXPECT_FALSE(Corridor(0.0767, p).can_brake_surely({0.5, 0.0}));
+  EXPECT_TRUE(Corridor(0.078, p).confirm_braking({0.5, 0.0}));
+  EXPECT_FALSE(Corridor(0.0767, p).confirm_braking({0.5, 0.0}));
   EXPECT_TRUE(Corridor(0.0767, p).can_brake({0.5, 0.0}));
 }
 
@@ -102,20 +102,20 @@ class Alley {
     parameters_ = p;
     const Pose2 start{0.0, 0.525 - 0.2 - gap, 0.0};
     footprint_ = Footprint(scene_.outline);
-    pending_ = PendingMotion(UnderWay(u, 0.0));
+    pending_ = PendingMotionSet(PendingMotion(u, 0.0));
     checker_.prepare(scene_.grid(), footprint_, true, start, 2.0, 0.05, 0.5);
     check_.prepare(parameters_, limits_, checker_, footprint_, 0.05, {start, start, u, &pending_, 0.1, 0.1});
     command_ = command;
   }
   Alley(const Alley&) = delete;
-  bool can_brake() { return check_.can_brake_surely(command_); }
+  bool can_brake() { return check_.confirm_braking(command_); }
 
  private:
   Scene scene_;
   Parameters parameters_;
   VelocityLimits limits_;
   Footprint footprint_;
-  PendingMotion pending_;
+  PendingMotionSet pending_;
   CollisionChecker checker_;
   AdmissibilityCheck check_;
   Twist2 command_;
@@ -174,7 +174,7 @@ TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
   CollisionChecker checker;
   checker.prepare(scene.grid(), footprint, true, {-0.3, 0.0, 0.0}, 2.0);
   AdmissibilityCheck check;
-  const PendingMotion steady(UnderWay({0.5, 0.0}, p.control_latency));
+  const PendingMotionSet steady(PendingMotion({0.5, 0.0}, p.control_latency));
   check.prepare(p, limits, checker, footprint, 0.05, {{-0.3, 0.0, 0.0}, {-0.3, 0.0, 0.0}, {0.5, 0.0}, &steady});
   Rollout rollout;
   // From -0.3 to 1.4 at 1.0 m/s: both ends are free, the cell lies between.

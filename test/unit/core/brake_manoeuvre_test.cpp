@@ -40,7 +40,7 @@ double tail(double braking) { return braking * 0.05 * 0.05 / 8.0; }
 
 TEST(BrakeManoeuvreDistance, StraightOn) {
   // 0.1 s at 0.5, 0.05 s from 0.5 to 0.4, then 0.4^2 / (2 * 2) and the tail.
-  const UnderWay steady({0.5, 0.0}, 0.1);
+  const PendingMotion steady({0.5, 0.0}, 0.1);
   const std::vector<Pose2> path = poses({{1.0, 2.0, 0.0}, steady, {0.4, 0.0}, 0.05}, limits(2.0, 3.0));
   EXPECT_NEAR(path.back().x - 1.0, 0.05 + 0.0225 + 0.04 + tail(2.0), 1e-12);
   EXPECT_EQ(path.back().y, 2.0);
@@ -48,7 +48,7 @@ TEST(BrakeManoeuvreDistance, StraightOn) {
 
 TEST(BrakeManoeuvreDistance, ALateCommandToBrakeLetsItGoOn) {
   // 0.05 s at 0.4, 0.03 s more, then 0.4^2 / (2 * 2).
-  const UnderWay steady({0.4, 0.0}, 0.0);
+  const PendingMotion steady({0.4, 0.0}, 0.0);
   const BrakeManoeuvre late{{}, steady, {0.4, 0.0}, 0.05, 0.03};
   EXPECT_NEAR(poses(late, limits(2.0, 3.0)).back().x, 0.02 + 0.012 + 0.04 + tail(2.0), 1e-12);
   // Two periods and the hold at 0.4, and the way to rest.
@@ -57,14 +57,14 @@ TEST(BrakeManoeuvreDistance, ALateCommandToBrakeLetsItGoOn) {
 
 TEST(BrakeManoeuvreDistance, TheTailOfASlowRobotIsAllOfIt) {
   // From 0.03 m/s, less than 2 * 0.05 / 2: 0.05 s at it, and evenly over 0.05 s.
-  const UnderWay steady({0.03, 0.0}, 0.0);
+  const PendingMotion steady({0.03, 0.0}, 0.0);
   EXPECT_NEAR(poses({{}, steady, {0.03, 0.0}, 0.05}, limits(2.0, 3.0)).back().x, 0.0015 + 0.00075, 1e-12);
 }
 
-TEST(BrakeManoeuvreDistance, WhatIsUnderWayTakesEffectFirst) {
+TEST(BrakeManoeuvreDistance, ThePendingMotionComesFirst) {
   // It has begun to brake at 2.5 m/s^2 and the robot does not yet: 0.5^2 / (2 * 2.5) = 0.05 m from here, of which
   // 0.05 * (0.4375 + 0.3125) = 0.0375 m within the latency. The last command alone would have said 0.1 * 0.25.
-  UnderWay braking;
+  PendingMotion braking;
   braking.begin({0.5, 0.0});
   braking.add({0.375, 0.0}, 0.05);
   braking.add({0.25, 0.0}, 0.05);
@@ -74,9 +74,9 @@ TEST(BrakeManoeuvreDistance, WhatIsUnderWayTakesEffectFirst) {
   EXPECT_NEAR(m.reach(limits(2.5, 3.0)), 0.04375 + 0.025 + 0.0125, 1e-12);
 }
 
-TEST(BrakeManoeuvreDistance, ATurnUnderWayCounts) {
+TEST(BrakeManoeuvreDistance, APendingTurnCounts) {
   // 0.1 s from 1 to 0.68 rad/s, 0.05 s to 0.52, then 0.52^2 / (2 * 3.2): 0.084 + 0.03 + 0.04225 rad.
-  UnderWay straightening;
+  PendingMotion straightening;
   straightening.begin({0.0, 1.0});
   straightening.add({0.0, 0.68}, 0.1);
   EXPECT_NEAR(poses({{}, straightening, {0.0, 0.52}, 0.05}, limits(2.0, 3.2)).back().theta, 0.15625 + tail(3.2), 1e-12);
@@ -84,7 +84,7 @@ TEST(BrakeManoeuvreDistance, ATurnUnderWayCounts) {
 
 TEST(BrakeManoeuvreDistance, SpeedingUpIsDoneAtTheLimit) {
   // From 0.4 to 0.45 at 2.5 m/s^2 in 0.02 s, 0.03 s at 0.45, then 0.45^2 / (2 * 2).
-  const UnderWay steady({0.4, 0.0}, 0.0);
+  const PendingMotion steady({0.4, 0.0}, 0.0);
   const double way = 0.0085 + 0.0135 + 0.050625 + tail(2.0);
   EXPECT_NEAR(poses({{}, steady, {0.45, 0.0}, 0.05}, limits(2.0, 3.0)).back().x, way, 1e-12);
   // Both axes, each in its own time: 0.16 rad/s at 3.2 rad/s^2 take the whole period.
@@ -95,13 +95,13 @@ TEST(BrakeManoeuvreDistance, SpeedingUpIsDoneAtTheLimit) {
 
 TEST(BrakeManoeuvreDistance, FromOneDirectionToTheOther) {
   // From -0.05 evenly to 0.05 it gets nowhere; then, all of it tail, evenly to rest: 0.05 * 0.05 / 2.
-  const UnderWay steady({-0.05, 0.0}, 0.0);
+  const PendingMotion steady({-0.05, 0.0}, 0.0);
   EXPECT_NEAR(poses({{}, steady, {0.05, 0.0}, 0.05}, limits(2.0, 3.0), 0.3, 1e-5).back().x, 0.00125, 1e-12);
 }
 
 TEST(BrakeManoeuvreDistance, TurnOnTheSpotStopsAtItsOwnLimit) {
   // 0.1 * 1.0, 0.05 s from 1 to 0.92 at 1.6 rad/s^2, 0.92^2 / (2 * 1.6) = 0.2645 rad.
-  const UnderWay steady({0.0, 1.0}, 0.1);
+  const PendingMotion steady({0.0, 1.0}, 0.1);
   const double turn = 0.1 + 0.048 + 0.2645 + tail(1.6);
   EXPECT_NEAR(poses({{}, steady, {0.0, 0.92}, 0.05}, limits(2.0, 1.6)).back().theta, turn, 1e-12);
   // No command brakes it faster: it is on its way to 0.8 yet when the next one takes effect, and that starts from 0.92
@@ -111,14 +111,14 @@ TEST(BrakeManoeuvreDistance, TurnOnTheSpotStopsAtItsOwnLimit) {
 }
 
 TEST(BrakeManoeuvreDistance, AtRestItDoesNotMove) {
-  const UnderWay rest({}, 0.5);
+  const PendingMotion rest({}, 0.5);
   EXPECT_TRUE(poses({{1.0, 2.0, 0.3}, rest, {}, 0.05}, limits(2.0, 3.0)).empty());
 }
 
 Twist2 random_velocity(test::Random& random) { return {random.uniform(-0.3, 1.0), random.uniform(-2.0, 2.0)}; }
 
-UnderWay random_way(test::Random& random) {
-  UnderWay way;
+PendingMotion random_way(test::Random& random) {
+  PendingMotion way;
   way.begin(random_velocity(random));
   for (int legs = random.integer(0, 3); legs > 0; --legs) {
     way.add(random.chance(0.3) ? way.end() : random_velocity(random), random.uniform(0.0, 0.1));
@@ -129,7 +129,7 @@ UnderWay random_way(test::Random& random) {
 TEST(BrakeManoeuvrePoses, NoPointOfTheRobotMovesFartherThanTheSpacing) {
   test::Random random(7);
   for (int k = 0; k < 300; ++k) {
-    const UnderWay way = random_way(random);
+    const PendingMotion way = random_way(random);
     const BrakeManoeuvre m{{0.0, 0.0, random.uniform(-3.0, 3.0)}, way, random_velocity(random), 0.05};
     const double radius = random.uniform(0.1, 0.6);
     Pose2 before = m.start;
@@ -169,12 +169,12 @@ TEST(BrakeManoeuvrePoses, EndsWhereAFineIntegrationEnds) {
       }
       history.observe(cycles.back().time, kPeriod, p.control_latency + kPeriod, cycles.back().last_command, l);
     }
-    UnderWay under_way;
-    history.play(l, kPeriod, p.control_latency, 0.0, under_way);
+    PendingMotion pending;
+    history.play(l, kPeriod, p.control_latency, 0.0, pending);
     const Pose2 start{0.3, -0.2, random.uniform(-3.0, 3.0)};
     const double hold = random.chance(0.5) ? 0.0 : random.uniform(0.0, 0.1);
     const Twist2 command = l.step(history.last(), random_velocity(random), kPeriod);
-    const Pose2 end = poses({start, under_way, command, kPeriod, hold}, l, 0.3, 1e-4).back();
+    const Pose2 end = poses({start, pending, command, kPeriod, hold}, l, 0.3, 1e-4).back();
     const test::NaiveHistory twin(p, cycles);
     const test::NaiveManoeuvre naive = test::naive_manoeuvre(p, start, twin.effects(), command, kPeriod, hold);
     const Pose2 fine = test::naive_poses(naive, 0.3, 0.005).back();
@@ -216,7 +216,7 @@ class RandomBase {
 // Commands of the past, one that is sent now, and those that brake after it.
 struct Sending {
   std::vector<test::NaiveEffect> effects;
-  UnderWay under_way;
+  PendingMotion pending;
   Twist2 own;
 };
 
@@ -240,7 +240,7 @@ Sending random_sending(const Parameters& p, double period, test::Random& random)
     history.observe(k * period, period, p.control_latency + period, u, l);
     sending.effects.push_back({(std::max(k - 1, 0) - kCycles + 1) * period + p.control_latency, u});
   }
-  history.play(l, period, p.control_latency, 0.0, sending.under_way);
+  history.play(l, period, p.control_latency, 0.0, sending.pending);
   sending.own = u = next(u, any());
   for (int k = 0; k == 0 || !(u == Twist2{}); ++k) {
     sending.effects.push_back({k * period + p.control_latency, u});
@@ -317,7 +317,7 @@ TEST(BrakeManoeuvreGrowth, NoBaseIsFartherOff) {
     const Sending sending = random_sending(p, period, random);
     ManoeuvreRoller roller(l, radius, kSpacing, {{}, {1.0, 0.0}});
     std::vector<std::pair<Pose2, double>> rolled{{Pose2{}, 0.0}};
-    roller.roll({{}, sending.under_way, sending.own, period}, [&](const TurnedPose& at) {
+    roller.roll({{}, sending.pending, sending.own, period}, [&](const TurnedPose& at) {
       rolled.push_back({at.pose, roller.growth()});
       return true;
     });
@@ -332,11 +332,11 @@ TEST(BrakeManoeuvreGrowth, NoBaseIsFartherOff) {
 TEST(BrakeManoeuvreGrowth, StraightOnAndAtRestThereIsNone) {
   const VelocityLimits l = limits(2.0, 3.0);
   ManoeuvreRoller roller(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
-  roller.roll({{}, UnderWay({0.5, 0.0}, 0.1), {0.52, 0.0}, 0.05}, [](const TurnedPose&) { return true; });
+  roller.roll({{}, PendingMotion({0.5, 0.0}, 0.1), {0.52, 0.0}, 0.05}, [](const TurnedPose&) { return true; });
   EXPECT_GT(roller.at().pose.x, 0.1);
   EXPECT_EQ(roller.growth(), 0.0);
   ManoeuvreRoller rest(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
-  rest.roll({{}, UnderWay({}, 0.1), {}, 0.05}, [](const TurnedPose&) { return true; });
+  rest.roll({{}, PendingMotion({}, 0.1), {}, 0.05}, [](const TurnedPose&) { return true; });
   EXPECT_EQ(rest.growth(), 0.0);
 }
 
@@ -345,7 +345,7 @@ TEST(BrakeManoeuvreGrowth, ATurnOnTheSpot) {
   // The tail of 0.08 rad/s in 0.025 s or in 0.05 s: 0.08 * 0.025 / 2 = 1 mrad. At 0.3 m: 0.58 mm.
   const VelocityLimits l = limits(2.0, 3.2);
   ManoeuvreRoller roller(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
-  roller.roll({{}, UnderWay({0.0, 0.5}, 0.0), {0.0, 0.4}, 0.05}, [](const TurnedPose&) { return true; });
+  roller.roll({{}, PendingMotion({0.0, 0.5}, 0.0), {0.0, 0.4}, 0.05}, [](const TurnedPose&) { return true; });
   EXPECT_NEAR(roller.growth(), 0.3 * (0.0009375 + 0.001), 1e-9);
 }
 

@@ -213,27 +213,27 @@ TEST(CommandHistory, KeepsNoMoreThanItHasRoomFor) {
 }
 
 // From `age` [s] before the last of these commands at 20 Hz on.
-UnderWay played(const std::vector<double>& commands, double latency, double age = 0.0) {
+PendingMotion played(const std::vector<double>& commands, double latency, double age = 0.0) {
   Parameters p = parameters();
   p.control_latency = latency + age;  // for so long they are remembered
   Cycles cycles(p);
   for (const double v : commands) cycles.observe({v, 0.0});
-  UnderWay under_way;
-  cycles.history().play(cycles.limits(), kPeriod, latency, age, under_way);
-  return under_way;
+  PendingMotion pending;
+  cycles.history().play(cycles.limits(), kPeriod, latency, age, pending);
+  return pending;
 }
 
-void expect_legs(const UnderWay& under_way, double begin, const std::vector<std::pair<double, double>>& legs) {
-  EXPECT_NEAR(under_way.begin().v, begin, 1e-9);
-  ASSERT_EQ(under_way.legs().size(), legs.size());
+void expect_legs(const PendingMotion& pending, double begin, const std::vector<std::pair<double, double>>& legs) {
+  EXPECT_NEAR(pending.begin().v, begin, 1e-9);
+  ASSERT_EQ(pending.legs().size(), legs.size());
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    EXPECT_NEAR(under_way.legs()[i].duration, legs[i].first, 1e-9) << i;
-    EXPECT_NEAR(under_way.legs()[i].end.v, legs[i].second, 1e-9) << i;
+    EXPECT_NEAR(pending.legs()[i].duration, legs[i].first, 1e-9) << i;
+    EXPECT_NEAR(pending.legs()[i].end.v, legs[i].second, 1e-9) << i;
   }
 }
 
 TEST(Play, OneCommandForLongIsOneLegOfTheLatency) {
-  const UnderWay steady = played({0.3, 0.3, 0.3, 0.3, 0.3, 0.3}, 0.1);
+  const PendingMotion steady = played({0.3, 0.3, 0.3, 0.3, 0.3, 0.3}, 0.1);
   ASSERT_EQ(steady.legs().size(), 1u);
   EXPECT_EQ(steady.begin().v, 0.3);
   EXPECT_EQ(steady.legs()[0].end.v, 0.3);
@@ -265,15 +265,15 @@ TEST(Play, ACycleThatComesEarlyLeavesItsCommandLessTime) {
   for (int k = 0; k < 5; ++k) cycles.observe({0.5, 0.0});
   cycles.observe({0.375, 0.0});                          // sent 0.08 s before the end
   cycles.observe_at(cycles.time() + 0.03, {0.25, 0.0});  // sent 0.03 s before
-  UnderWay under_way;
-  cycles.history().play(cycles.limits(), kPeriod, 0.1, 0.0, under_way);
-  expect_legs(under_way, 0.5, {{0.02, 0.5}, {0.05, 0.375}, {0.03, 0.3}});  // 0.375 - 2.5 * 0.03
+  PendingMotion pending;
+  cycles.history().play(cycles.limits(), kPeriod, 0.1, 0.0, pending);
+  expect_legs(pending, 0.5, {{0.02, 0.5}, {0.05, 0.375}, {0.03, 0.3}});  // 0.375 - 2.5 * 0.03
 }
 
 TEST(Play, NothingIsSaidOfNothing) {
-  UnderWay under_way({1.0, 1.0}, 1.0);
-  CommandHistory().play(VelocityLimits::from(parameters()), kPeriod, 0.1, 0.0, under_way);
-  expect_legs(under_way, 0.0, {{0.1, 0.0}});
+  PendingMotion pending({1.0, 1.0}, 1.0);
+  CommandHistory().play(VelocityLimits::from(parameters()), kPeriod, 0.1, 0.0, pending);
+  expect_legs(pending, 0.0, {{0.1, 0.0}});
 }
 
 // The base brakes at its limit, whatever the jump.
@@ -284,13 +284,13 @@ TEST(Play, AJumpIsDoneAtTheLimit) {
 
 TEST(Play, FromThePastOn) {
   // 0.375 took effect 0.05 s ago, 0.25 takes effect now.
-  const UnderWay under_way = played({0.5, 0.5, 0.5, 0.5, 0.375, 0.25}, 0.05, 0.1);
-  expect_legs(under_way, 0.5, {{0.05, 0.5}, {0.05, 0.375}, {0.05, 0.25}});
+  const PendingMotion pending = played({0.5, 0.5, 0.5, 0.5, 0.375, 0.25}, 0.05, 0.1);
+  expect_legs(pending, 0.5, {{0.05, 0.5}, {0.05, 0.375}, {0.05, 0.25}});
 }
 
 TEST(Play, SaysHowFarApartTheWaysGet) {
   // From 0.3 to 0.35: at 2.5 m/s^2 in 0.02 s, or evenly in 0.05 s: 0.05 * (0.05 - 0.02) / 2 = 0.75 mm apart.
-  const UnderWay faster = played({0.3, 0.3, 0.3, 0.35, 0.35}, 0.1);
+  const PendingMotion faster = played({0.3, 0.3, 0.3, 0.35, 0.35}, 0.1);
   EXPECT_NEAR(faster.spread().v, 0.00075, 1e-9);
   EXPECT_NEAR(faster.legs()[0].spread.v, 0.00075, 1e-9);
   EXPECT_EQ(faster.spread().omega, 0.0);
@@ -301,23 +301,23 @@ TEST(Play, SaysHowFarApartTheWaysGet) {
 TEST(Play, AsManyLegsAsThereMayBeHaveRoom) {
   const VelocityLimits limits = VelocityLimits::from(parameters());
   CommandHistory history;
-  UnderWay under_way;
-  const UnderWay::Leg* const memory = under_way.legs().data();
+  PendingMotion pending;
+  const PendingMotion::Leg* const memory = pending.legs().data();
   // Each command has both axes stop and turn round at times of their own, the latest 7 ms after it takes effect, and is
   // cut short by none: 2 * 7.5e-3 / 2.5 = 6 ms, 2 * 11.2e-3 / 3.2 = 7 ms.
   for (int k = 0; k < 600; ++k) {
     const double sign = k % 2 > 0 ? 1.0 : -1.0;
     history.observe(0.0078 * k, 0.005, 2.005, {sign * 7.5e-3, sign * 11.2e-3}, limits);
-    history.play(limits, 0.005, 2.0, 0.0, under_way);
+    history.play(limits, 0.005, 2.0, 0.0, pending);
   }
-  EXPECT_GT(under_way.legs().size(), 5u * 250u);
-  EXPECT_LE(under_way.legs().size(), UnderWay::kMostLegs);
-  EXPECT_EQ(under_way.legs().data(), memory);
+  EXPECT_GT(pending.legs().size(), 5u * 250u);
+  EXPECT_LE(pending.legs().size(), PendingMotion::kMostLegs);
+  EXPECT_EQ(pending.legs().data(), memory);
 }
 
-Twist2 velocity_at(const UnderWay& under_way, double t) {
-  Twist2 from = under_way.begin();
-  for (const UnderWay::Leg& leg : under_way.legs()) {
+Twist2 velocity_at(const PendingMotion& pending, double t) {
+  Twist2 from = pending.begin();
+  for (const PendingMotion::Leg& leg : pending.legs()) {
     if (t <= leg.duration) {
       const double part = t / leg.duration;
       return {from.v + part * (leg.end.v - from.v), from.omega + part * (leg.end.omega - from.omega)};
@@ -333,21 +333,21 @@ constexpr double kRounding = 1e-5;  // [m/s, rad/s, m, rad]
 
 void compare_play(const CommandHistory& history, const NaiveHistory& twin, const Parameters& p, double age,
                   double period, test::Random& random) {
-  UnderWay under_way;
-  history.play(VelocityLimits::from(p), period, p.control_latency, age, under_way);
+  PendingMotion pending;
+  history.play(VelocityLimits::from(p), period, p.control_latency, age, pending);
   for (int m = 0; m < 5; ++m) {
     const double t = random.uniform(-age, p.control_latency);
-    ASSERT_NEAR(velocity_at(under_way, t + age).v, twin.effects().velocity(t).v, 1e-4) << t;
-    ASSERT_NEAR(velocity_at(under_way, t + age).omega, twin.effects().velocity(t).omega, 1e-4) << t;
+    ASSERT_NEAR(velocity_at(pending, t + age).v, twin.effects().velocity(t).v, 1e-4) << t;
+    ASSERT_NEAR(velocity_at(pending, t + age).omega, twin.effects().velocity(t).omega, 1e-4) << t;
   }
   Twist2 spread;
   for (const test::NaiveLeg& leg : test::naive_legs(twin.effects(), -age, p.control_latency)) {
     spread.v += leg.spread.v;
     spread.omega += leg.spread.omega;
   }
-  ASSERT_NEAR(under_way.spread().v, spread.v, kRounding);
-  ASSERT_NEAR(under_way.spread().omega, spread.omega, kRounding);
-  const Twist2 start = history.next_start(VelocityLimits::from(p), period, under_way.end());
+  ASSERT_NEAR(pending.spread().v, spread.v, kRounding);
+  ASSERT_NEAR(pending.spread().omega, spread.omega, kRounding);
+  const Twist2 start = history.next_start(VelocityLimits::from(p), period, pending.end());
   ASSERT_NEAR(start.v, twin.next_start().v, 1e-4);
   ASSERT_NEAR(start.omega, twin.next_start().omega, 1e-4);
 }

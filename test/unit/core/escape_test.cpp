@@ -99,7 +99,7 @@ class Caught {
       : scene_(scene),
         start_(start),
         limits_(VelocityLimits::from(scene.parameters)),
-        pending_(UnderWay({}, scene.parameters.control_latency)) {
+        pending_(PendingMotion({}, scene.parameters.control_latency)) {
     footprint_ = Footprint::from_outline(scene_.outline, 0.0);
     rule_.look(scene_.parameters, limits_, scene_.grid(), footprint_, {start, {}, 0.05});
     if (!rule_.applies()) return;
@@ -120,7 +120,7 @@ class Caught {
     const char* reason = nullptr;
     check_.check_rollouts(rollout.tile(0), &reason);
     if (reason != nullptr) return reason;
-    return check_.can_brake(sample, 0) && check_.can_brake_surely(sample) ? "" : "cannot brake";
+    return check_.can_brake(sample, 0) && check_.confirm_braking(sample) ? "" : "cannot brake";
   }
   bool may(const Twist2& sample) { return refusal(sample).empty(); }
 
@@ -128,7 +128,7 @@ class Caught {
   Scene scene_;
   Pose2 start_;
   VelocityLimits limits_;
-  PendingMotion pending_;
+  PendingMotionSet pending_;
   Footprint footprint_;
   EscapeRule rule_;
   AdmissibilityCheck check_;

@@ -30,7 +30,7 @@ void expect_braked(const Scene& scene, double from, const std::string& word) {
   EXPECT_NEAR(decision.command.v, std::max(0.0, from - 0.125), 1e-12) << word;  // 2.5 * 0.05
   EXPECT_EQ(decision.command.omega, 0.0) << word;
   EXPECT_NE(decision.problem.find(word), std::string::npos) << decision.problem;
-  EXPECT_TRUE(bench.planner().evaluation().empty());
+  EXPECT_TRUE(bench.planner().candidates().empty());
 }
 
 TEST(BadInput, NumbersThatAreNone) {

@@ -205,7 +205,7 @@ Outcome outcome_near_a_wall(double step, VelocityReference reference) {
   return bench.cycle().outcome;
 }
 
-TEST(OdometryAsTheReference, WhatIsUnderWayIsReckonedWith) {
+TEST(OdometryAsTheReference, PendingMotionIsReckonedWith) {
   for (const VelocityReference reference : {VelocityReference::odometry, VelocityReference::command}) {
     // From rest to 0.125 m/s and back: 0.05 * 0.0625 + 0.05 * 0.0625 m and the tail, 7 mm.
     EXPECT_EQ(outcome_near_a_wall(0.0, reference), Outcome::drive);

@@ -64,11 +64,11 @@ TEST(PlannerCost, AutonomyIsWeighedByItsScale) {
   scene.situation.pose.y = 0.3;
   PlannerBench one(scene);
   one.cycle();
-  const std::vector<CandidateRecord> single = one.planner().evaluation();
+  const std::vector<CandidateReport> single = one.planner().candidates();
   scene.parameters.s_nv = 3.0;
   PlannerBench three(scene);
   three.cycle();
-  const std::vector<CandidateRecord> triple = three.planner().evaluation();
+  const std::vector<CandidateReport> triple = three.planner().candidates();
   ASSERT_EQ(single.size(), triple.size());
   for (std::size_t c = 0; c < single.size(); ++c) EXPECT_NEAR(triple[c].total, 3.0 * single[c].total, 1e-9);
 }
@@ -81,8 +81,8 @@ TEST(PlannerCost, WithoutAutonomyOnlyTheDeviationIsLeft) {
   const Decision& decision = bench.cycle();
   EXPECT_TRUE(decision.sample == (Twist2{0.3, -0.35}));  // its own sample: no deviation at all
   EXPECT_EQ(decision.total, 0.0);
-  const std::vector<CandidateRecord> records = bench.planner().evaluation();
-  for (const CandidateRecord& record : records) {
+  const std::vector<CandidateReport> records = bench.planner().candidates();
+  for (const CandidateReport& record : records) {
     EXPECT_NEAR(record.total, 400.0 * std::abs(0.3 - record.sample.v) + 800.0 * std::abs(-0.35 - record.sample.omega),
                 1e-9);
   }
@@ -142,10 +142,10 @@ TEST(PlannerRefusals, AddUpAndAreNamedInOrder) {
   EXPECT_GT(decision.legal, 0u);
   EXPECT_EQ(decision.refusals.front().name, "Collision");
   std::size_t refused = 0;
-  for (const CandidateRecord& record : bench.planner().evaluation()) {
-    EXPECT_EQ(record.refused_by.empty(), record.total >= 0.0);
-    EXPECT_EQ(record.refused_by.empty(), record.reason.empty());
-    refused += !record.refused_by.empty();
+  for (const CandidateReport& record : bench.planner().candidates()) {
+    EXPECT_EQ(record.legal(), std::isfinite(record.total));
+    EXPECT_LE(record.rejections.size(), 1u);
+    refused += !record.legal();
   }
   EXPECT_EQ(refused, decision.candidates - decision.legal);
 }
@@ -156,13 +156,15 @@ TEST(PlannerMarks, BestWorstAndTheOperatorsOwn) {
   PlannerBench bench(scene);
   const Decision& decision = bench.cycle();
   const Planner::Marked marked = bench.planner().marked();
-  const std::vector<CandidateRecord> records = bench.planner().evaluation();
+  const std::vector<CandidateReport> records = bench.planner().candidates();
   ASSERT_GE(marked.best, 0);
   EXPECT_TRUE(records[static_cast<std::size_t>(marked.best)].sample == decision.sample);
   EXPECT_EQ(records[static_cast<std::size_t>(marked.best)].total, decision.total);
-  EXPECT_TRUE(records[static_cast<std::size_t>(marked.operator_own)].sample == (Twist2{0.5, 0.33}));
-  for (const CandidateRecord& record : records) {
-    EXPECT_LE(record.total, records[static_cast<std::size_t>(marked.worst)].total);
+  EXPECT_TRUE(records[static_cast<std::size_t>(marked.operator_command)].sample == (Twist2{0.5, 0.33}));
+  for (const CandidateReport& record : records) {
+    if (record.legal()) {
+      EXPECT_LE(record.total, records[static_cast<std::size_t>(marked.worst)].total);
+    }
   }
 }
 

@@ -173,7 +173,7 @@ TEST(ExtraSamples, EachWhereItIsAskedFor) {
   EXPECT_TRUE(contains(make(p, request), {0.0, 0.0}, SampleKind::brake));
   p.admissibility = Admissibility::horizon;
   p.sample_operator = true;
-  EXPECT_TRUE(contains(make(p, request), {0.5, -0.33}, SampleKind::operator_own));
+  EXPECT_TRUE(contains(make(p, request), {0.5, -0.33}, SampleKind::operator_command));
   p.sample_previous = true;
   EXPECT_TRUE(contains(make(p, request), {0.31, 0.07}, SampleKind::previous));
   EXPECT_EQ(make(p, request).size(), grid + 2);

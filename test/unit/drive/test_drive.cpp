@@ -208,7 +208,7 @@ TEST(Drive, TheObserverSeesEveryCycleAsThePlannerDid) {
     EXPECT_TRUE(cycle.situation.last_command == last);
     EXPECT_NEAR(cycle.situation.period, 0.05, 1e-12);
     EXPECT_NEAR(cycle.time, 0.05 * static_cast<double>(seen), 1e-9);
-    EXPECT_EQ(cycle.planner.evaluation().size(), cycle.decision.candidates);
+    EXPECT_EQ(cycle.planner.candidates().size(), cycle.decision.candidates);
     last = cycle.decision.outcome == Outcome::fail ? Twist2{} : cycle.decision.command;
     ++seen;
   });

@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/evaluation_message.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace hidwa_local_planner {
 namespace {
 
-CandidateRecord candidate(double v, double total, const std::string& refused_by = "") {
-  CandidateRecord record;
-  record.sample = {v, 0.1};
-  record.poses = {{0.0, 0.0, 0.0}, {v, 0.0, 0.1}};
-  record.step = 0.5;
-  record.terms = {{"PathDist", 2.0, 3.0}};
-  record.total = total;
-  record.refused_by = refused_by;
-  record.reason = refused_by.empty() ? "" : "hits";
-  return record;
+CandidateReport candidate(double v, double total) {
+  CandidateReport report;
+  report.sample = {v, 0.1};
+  report.poses = {{0.0, 0.0, 0.0}, {v, 0.0, 0.1}};
+  report.step = 0.5;
+  report.terms = {{"PathDist", 2.0, 3.0}};
+  report.total = total;
+  return report;
 }
 
-const std::vector<CandidateRecord> kThree = {candidate(0.1, 6.0), candidate(0.2, 2.0),
-                                             candidate(0.3, -1.0, "Collision")};
+CandidateReport rejected(double v) {
+  CandidateReport report = candidate(v, std::numeric_limits<double>::infinity());
+  report.rejections = {{"Collision", "hits"}, {"Braking", "cannot stop"}};
+  return report;
+}
+
+const std::vector<CandidateReport> kThree = {candidate(0.1, 6.0), candidate(0.2, 2.0), rejected(0.3)};
 
 TEST(EvaluationMessage, HoldsEveryCandidate) {
   Planner::Marked marked;
@@ -38,7 +43,9 @@ TEST(EvaluationMessage, HoldsEveryCandidate) {
   EXPECT_EQ(message.twists[0].scores[0].raw_score, 2.0);
   EXPECT_EQ(message.twists[0].scores[0].scale, 3.0);
   EXPECT_EQ(message.twists[0].total, 6.0);
+  EXPECT_EQ(message.twists[0].refused_by, "");
   EXPECT_EQ(message.twists[2].refused_by, "Collision");
+  EXPECT_EQ(message.twists[2].reason, "hits");
   EXPECT_EQ(message.twists[2].total, -1.0);
 }
 
@@ -49,7 +56,7 @@ TEST(EvaluationMessage, NothingChosen) {
 TEST(EvaluationMessage, MarksTheChosenAndTheOperators) {
   Planner::Marked marked;
   marked.best = 1;
-  marked.operator_own = 2;
+  marked.operator_command = 2;
   const visualization_msgs::MarkerArray message = to_markers(kThree, marked, "odom", ros::Time(7.0));
   // One that deletes what was drawn before, three candidates, two marked ones.
   ASSERT_EQ(message.markers.size(), 6u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/planner/way_out.hpp"
+#include "core/planner/recovery_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ constexpr double kSameDepth = 0.001;
 // A way leads nearer to the goal by at least so many cells.
 constexpr double kNearer = 0.4;
 
-double to_goal(const WayOut::Scene& scene, double x, double y) {
+double to_goal(const RecoveryMotion::Scene& scene, double x, double y) {
   return PlanGrids::at(scene.grids.to_goal(), scene.grid, x, y);
 }
 
@@ -52,7 +52,7 @@ double heading_off_plan(const Situation& situation) {
 
 }  // namespace
 
-bool WayOut::watch(const Situation& situation, const Rest& rest, double patience) {
+bool RecoveryMotion::watch(const Situation& situation, const Rest& rest, double patience) {
   stands_.observe(situation.time, rest.stands);
   rests_.observe(situation.time, rest.stands || rest.creeps);
   if (active_ || patience < 0.0 || !rests_.for_at_least(patience, situation.time)) return false;
@@ -63,7 +63,7 @@ bool WayOut::watch(const Situation& situation, const Rest& rest, double patience
   return true;
 }
 
-int WayOut::choose(const Scene& scene) {
+int RecoveryMotion::choose(const Scene& scene) {
   const bool trapped = scene.escape.overlaps();
   const int out = trapped ? out_of_collision(scene) : -1;
   if (out >= 0 || !active_) return out;
@@ -75,7 +75,7 @@ int WayOut::choose(const Scene& scene) {
   return best < 0 ? towards_free_heading(scene) : best;
 }
 
-int WayOut::towards_plan(const Scene& scene) {
+int RecoveryMotion::towards_plan(const Scene& scene) {
   if (facing_plan_) return -1;
   const double off = heading_off_plan(scene.situation);
   // A small turn is not begun; what is begun is finished.
@@ -85,7 +85,7 @@ int WayOut::towards_plan(const Scene& scene) {
 }
 
 // The legal candidate that drives and comes nearest to the local goal; between equals the cheapest.
-int WayOut::towards_goal(const Scene& scene) const {
+int RecoveryMotion::towards_goal(const Scene& scene) const {
   const double here = to_goal(scene, scene.situation.pose.x, scene.situation.pose.y);
   if (here < 0.0) return -1;
   double least = here - kNearer * scene.grid.resolution;
@@ -99,7 +99,7 @@ int WayOut::towards_goal(const Scene& scene) const {
       const Pose2 end = tile.last_pose(c);
       const double left = to_goal(scene, end.x, end.y);
       if (left < 0.0 || left > least || (left == least && total >= cost)) continue;
-      if (!scene.admissibility.can_brake_surely(tile.sample(c))) continue;
+      if (!scene.admissibility.confirm_braking(tile.sample(c))) continue;
       least = left;
       cost = total;
       best = static_cast<int>(tile.first + c);
@@ -109,7 +109,7 @@ int WayOut::towards_goal(const Scene& scene) const {
 }
 
 // Of the legal ones that drive: what ends least deep, by whole millimetres, and of these the cheapest.
-int WayOut::out_of_collision(const Scene& scene) const {
+int RecoveryMotion::out_of_collision(const Scene& scene) const {
   double least = std::numeric_limits<double>::infinity(), cost = least;
   int best = -1;
   for (std::size_t t = 0; t < scene.rollout.tile_count(); ++t) {
@@ -119,7 +119,7 @@ int WayOut::out_of_collision(const Scene& scene) const {
       if (tile.v[c] == 0.0 || !std::isfinite(total)) continue;
       const double depth = std::floor(scene.escape.depth_at_end(tile, c) / kSameDepth);
       if (depth > least || (depth == least && total >= cost)) continue;
-      if (!scene.admissibility.can_brake_surely(tile.sample(c))) continue;
+      if (!scene.admissibility.confirm_braking(tile.sample(c))) continue;
       least = depth;
       cost = total;
       best = static_cast<int>(tile.first + c);
@@ -128,7 +128,7 @@ int WayOut::out_of_collision(const Scene& scene) const {
   return best;
 }
 
-int WayOut::towards_free_heading(const Scene& scene) {
+int RecoveryMotion::towards_free_heading(const Scene& scene) {
   const Pose2& pose = scene.situation.pose;
   if (turning_) {
     const double left = wrap_angle(heading_ - pose.theta);
@@ -155,7 +155,7 @@ int WayOut::towards_free_heading(const Scene& scene) {
 }
 
 // The legal turn on the spot that ends nearest to `angle` from here; -1 where there is none.
-int WayOut::turn_by(const Scene& scene, double angle) const {
+int RecoveryMotion::turn_by(const Scene& scene, double angle) const {
   int best = -1;
   double least = std::abs(angle);
   for (std::size_t t = 0; t < scene.rollout.tile_count(); ++t) {
@@ -164,7 +164,7 @@ int WayOut::turn_by(const Scene& scene, double angle) const {
     for (std::size_t c = 0; c < tile.count; ++c) {
       if (tile.v[c] != 0.0 || tile.omega == 0.0 || left >= least) continue;
       if (!std::isfinite(scene.totals[tile.first + c])) continue;
-      if (!scene.admissibility.can_brake_surely(tile.sample(c))) continue;
+      if (!scene.admissibility.confirm_braking(tile.sample(c))) continue;
       best = static_cast<int>(tile.first + c);
       least = left;
     }
@@ -172,14 +172,14 @@ int WayOut::turn_by(const Scene& scene, double angle) const {
   return best;
 }
 
-bool WayOut::may_face(const Scene& scene, double heading) const {
+bool RecoveryMotion::may_face(const Scene& scene, double heading) const {
   if (scene.escape.applies()) return scene.escape.may_face(heading);
   const Pose2& pose = scene.situation.pose;
   return !scene.collision.collides({pose.x, pose.y, heading});
 }
 
-// Some room beside the way is asked for: what just fits is refused once a cell of the map changes.
-bool WayOut::leads_on(const Scene& scene, double heading) const {
+// It asks for some clearance: where the robot just fits, a cell of the map that changes would block it.
+bool RecoveryMotion::leads_on(const Scene& scene, double heading) const {
   const double length = kShortWay * scene.grid.resolution;
   if (scene.escape.overlaps()) return scene.escape.leads_out(heading, length);
   const Pose2& pose = scene.situation.pose;

@@ -53,7 +53,7 @@ double driven(const Scene& scene) {
   return bench.scene().situation.pose.x;
 }
 
-TEST(WayOut, PastCornersThatThePlanHugs) {
+TEST(Recovery, PastCornersThatThePlanHugs) {
   int stuck_without = 0, scenes = 0;
   for (const double ahead : {0.125, 0.225, 0.325}) {
     for (double y = 0.0; y < 0.05; y += 0.008) {
@@ -71,7 +71,7 @@ TEST(WayOut, PastCornersThatThePlanHugs) {
 }
 
 // It faces a wall: nothing that drives is legal, and no turn is cheaper than standing before it is half done.
-TEST(WayOut, TurnsFromAWallToThePlan) {
+TEST(Recovery, TurnsFromAWallToThePlan) {
   for (const double theta : {M_PI, 2.5, -2.0, 1.2}) {
     Scene scene = round_robot();
     scene.situation.pose.theta = theta;
@@ -82,7 +82,7 @@ TEST(WayOut, TurnsFromAWallToThePlan) {
 }
 
 // A cell that a new scan put into the robot's right side; a wall on the left leaves no room for an arc out of it.
-TEST(WayOut, OutOfACollisionByTurningFirst) {
+TEST(Recovery, OutOfACollisionByTurningFirst) {
   Scene scene = round_robot();
   scene.situation.pose = {0.0, 0.006, -0.5};
   // Its upper edge at -0.275: 0.31 - 0.281 = 29 mm deep, more than the half cell that it could drive along.
@@ -107,7 +107,7 @@ TEST(WayOut, OutOfACollisionByTurningFirst) {
 }
 
 // Walled in on all sides: standing is right, and the host is told.
-TEST(WayOut, WhereThereIsNoneItSaysSo) {
+TEST(Recovery, WhereThereIsNoneItSaysSo) {
   Scene scene = round_robot();
   scene.fill(-0.6, -0.6, 0.6, -0.33);
   scene.fill(-0.6, 0.33, 0.6, 0.6);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -11,11 +10,12 @@
 
 namespace hidwa_local_planner {
 
-/// How the robot goes on until a command that is sent now takes effect: from a velocity by legs, in each of which both
-/// axes change evenly. Allocates nothing while it has no more than kMostLegs.
-class UnderWay {
+/// The motion until a command that is sent now takes effect: what the commands that were sent but are not yet in effect
+/// make of it. It begins with a velocity and has legs, in each of which both axes change evenly. Allocates nothing
+/// while it has at most kMostLegs legs.
+class PendingMotion {
  public:
-  static constexpr std::size_t kMostLegs = 1536;  // five a command that may be under way, and some
+  static constexpr std::size_t kMostLegs = 1536;  // five for each pending command, and some
 
   struct Leg {
     Twist2 end;             // [m/s, rad/s]
@@ -23,9 +23,9 @@ class UnderWay {
     Twist2 spread;  // how far apart the ways to a command get that is reached from this leg on, see AxisRamp [m, rad]
   };
 
-  UnderWay() { legs_.reserve(kMostLegs); }
+  PendingMotion() { legs_.reserve(kMostLegs); }
   /// One velocity for `duration` [s].
-  UnderWay(const Twist2& u, double duration) : UnderWay() { keep(u, duration); }
+  PendingMotion(const Twist2& u, double duration) : PendingMotion() { keep(u, duration); }
 
   void keep(const Twist2& u, double duration) {
     begin(u);
@@ -105,51 +105,6 @@ class UnderWay {
   Twist2 begin_;
   std::vector<Leg> legs_;
   std::size_t past_ = 0;
-};
-
-/// All ways in which the robot may go on that have to be reckoned with: where odometry disagrees with the commands, it
-/// may do as they say or as odometry says, each axis on its own.
-class PendingMotion {
- public:
-  static constexpr std::size_t kMostUnlikely = 6;
-  static constexpr std::size_t kMost = 4 + kMostUnlikely;
-
-  PendingMotion() = default;
-  explicit PendingMotion(const UnderWay& only) { first() = only; }
-
-  /// The first way, the likeliest; with it the set begins anew.
-  UnderWay& first() {
-    count_ = 1;
-    unlikely_ = 0;
-    return ways_[0];
-  }
-  /// Every way so far, and each of them with this velocity on one axis instead.
-  /// Once an axis.
-  void or_else(double Twist2::*axis, double velocity) {
-    const std::size_t before = count_;
-    for (std::size_t i = 0; i < before; ++i) {
-      ways_[count_] = ways_[i];
-      ways_[count_++].replace(axis, velocity);
-    }
-  }
-
-  /// One more way, which only a thorough look reckons with: kMostUnlikely at most, after the likely ones.
-  UnderWay& add_unlikely() { return ways_[count_ + unlikely_++]; }
-
-  /// The likely ones, in front; all() counts the unlikely ones too.
-  std::size_t size() const { return count_; }
-  std::size_t all() const { return count_ + unlikely_; }
-  const UnderWay& operator[](std::size_t i) const { return ways_[i]; }
-  double fastest() const {  // [m/s]
-    double v = 0.0;
-    for (std::size_t i = 0; i < all(); ++i) v = std::max(v, ways_[i].fastest());
-    return v;
-  }
-
- private:
-  std::array<UnderWay, kMost> ways_;
-  std::size_t count_ = 1;
-  std::size_t unlikely_ = 0;
 };
 
 }  // namespace hidwa_local_planner

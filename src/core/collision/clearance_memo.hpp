@@ -10,24 +10,24 @@
 
 namespace hidwa_local_planner {
 
-/// Poses that were found free, with the room around them: how far every point of the robot may move from there. A pose
-/// near one of them is free without looking. Kept in fine and in coarse slots; what falls into the same slot is
-/// forgotten.
-class RoomMemo {
+/// Poses that were found free, each with its clearance: how far every point of the robot may move from there. A pose
+/// near one of them is free without looking. Kept in fine and in coarse slots; a pose that falls into a slot that is
+/// taken replaces the one in it.
+class ClearanceMemo {
  public:
-  /// Forgets all. `radius` [m] reaches from the robot's centre to its farthest point; `spacing` [m] between
-  /// the finer slots.
+  /// Forgets all. `radius` [m] reaches from the robot's centre to its farthest point; `spacing` [m] is between the
+  /// finer slots.
   void clear(double radius, double spacing) {
     ++generation_;
     radius_ = radius;
     slots_per_metre_ = 1.0 / spacing;
   }
-  void note(const Pose2& pose, double room) {
+  void note(const Pose2& pose, double clearance) {
     const Slot at = slot(pose);
-    fine_[at.fine] = coarse_[at.coarse] = {pose, room, generation_};
+    fine_[at.fine] = coarse_[at.coarse] = {pose, clearance, generation_};
   }
-  /// What is left of the room of a known pose [m]; not positive when none is near enough.
-  double room_at(const Pose2& pose) const {
+  /// The clearance that a known pose nearby leaves [m]; not positive when none is near enough.
+  double at(const Pose2& pose) const {
     const Slot at = slot(pose);
     const double left = left_of(fine_[at.fine], pose);
     return left > 0.0 ? left : left_of(coarse_[at.coarse], pose);
@@ -35,16 +35,16 @@ class RoomMemo {
 
  private:
   static constexpr std::size_t kSlots = 2048;
-  static constexpr double kFineTurns = 16.0;  // slots a radian
+  static constexpr double kFineTurns = 16.0;  // slots per radian
   struct Entry {
     Pose2 pose;
-    double room = 0.0;
+    double clearance = 0.0;
     std::uint64_t generation = 0;
   };
   double left_of(const Entry& known, const Pose2& pose) const {
     if (known.generation != generation_) return 0.0;
     const double dx = pose.x - known.pose.x, dy = pose.y - known.pose.y;
-    return known.room - std::sqrt(dx * dx + dy * dy) - std::abs(pose.theta - known.pose.theta) * radius_;
+    return known.clearance - std::sqrt(dx * dx + dy * dy) - std::abs(pose.theta - known.pose.theta) * radius_;
   }
   struct Slot {
     std::uint32_t fine, coarse;

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/collision/braking_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/late_cycles.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// Poses that are looked at for depth in collision, in cells: of a candidate, and of the one that is chosen.
+constexpr double kDepthSpacing = 1.0 / 8.0;
+constexpr double kFineDepthSpacing = 1.0 / 128.0;
+
+// Columns of samples that room is made for at once.
+constexpr std::size_t kUsualColumns = 128;
+
+// The robot stands as near to something as it did, up to so much [m].
+constexpr double kSameDistance = 1e-6;
+
+// Poses need not lie nearer to each other [m].
+constexpr double kFinest = 1e-4;
+
+// In periods: a command to brake that may come so much later is as good as one that does not.
+constexpr double kSoon = 0.1;
+
+// In periods: so far apart are the times at which a late command to brake is looked at.
+constexpr double kHoldsApart = 0.5;
+
+TurnedPose turned(const Pose2& pose) { return {pose, {std::cos(pose.theta), std::sin(pose.theta)}}; }
+
+}  // namespace
+
+double BrakingCheck::reach_of_manoeuvres(const CheckSetup& setup, const VelocityLimits& limits, double fastest) {
+  const double hold = latest_hold(setup.period, setup.longest_period);
+  double reach = 0.0;
+  for (std::size_t motion = 0; motion < setup.pending->all(); ++motion) {
+    const BrakeManoeuvre manoeuvre{setup.origin, (*setup.pending)[motion], {fastest, 0.0}, setup.period, hold};
+    reach = std::max(reach, manoeuvre.reach(limits));
+  }
+  return reach;
+}
+
+double BrakingCheck::most_growth(const CheckSetup& setup, const VelocityLimits& limits, double radius, double reach) {
+  // One ramp and one tail: no way to them is farther off than half of what the limits allow in a period.
+  const auto of_command = [&setup](const AxisLimits& axis) {
+    return 0.75 * std::max(axis.acc, axis.braking) * setup.period * setup.period;
+  };
+  Twist2 spread;
+  for (std::size_t motion = 0; motion < setup.pending->all(); ++motion) {
+    const Twist2 own = (*setup.pending)[motion].spread();
+    spread = {std::max(spread.v, own.v), std::max(spread.omega, own.omega)};
+  }
+  return spread.v + of_command(limits.x) + (radius + reach) * (spread.omega + of_command(limits.theta));
+}
+
+void BrakingCheck::Look::forget() {
+  for (Lead& lead : leads) lead.roller.reset();
+  for (EscapeLead& lead : escape_leads) lead.roller.reset();
+}
+
+void BrakingCheck::prepare(const Parameters& parameters, const VelocityLimits& limits, const CheckSetup& setup,
+                           ClearanceLookup& clearances, double radius, double resolution) {
+  limits_ = &limits;
+  setup_ = &setup;
+  clearances_ = &clearances;
+  commands_the_target_ = parameters.command == CommandPolicy::target;
+  radius_ = radius;
+  resolution_ = resolution;
+  if (answers_.size() < kUsualColumns) answers_.resize(kUsualColumns);
+  for (Answer& answer : answers_) answer.known = answer.v_known = false;
+  turn_.known = false;
+  coarse_.forget();
+  coarse_.depth_spacing = kDepthSpacing;
+  fine_.forget();
+  fine_.fine = true;
+  fine_.depth_spacing = kFineDepthSpacing;
+  all_clear_ = nothing_in_reach();
+  clearance_now_ = 0.0;
+  if (all_clear_) return;
+  const CollisionChecker& checker = clearances.checker();
+  const double separation = checker.separation(setup.start, turned(setup.start).heading, checker.room());
+  clearance_now_ = std::max(0.0, separation - kSameDistance);
+}
+
+// No command reaches farther than the one that speeds up.
+bool BrakingCheck::nothing_in_reach() const {
+  const double speed = std::abs(setup_->reference.v) + limits_->x.acc * setup_->period;
+  double reach = reach_of_manoeuvres(*setup_, *limits_, std::max(setup_->pending->fastest(), speed));
+  reach += most_growth(*setup_, *limits_, radius_, reach);
+  return clearances_->checker().clear_around(setup_->origin.x, setup_->origin.y, reach);
+}
+
+Twist2 BrakingCheck::command_for(const Twist2& sample) const {
+  return commands_the_target_ ? sample : limits_->step(setup_->reference, sample, setup_->period);
+}
+
+bool BrakingCheck::can_brake(const Twist2& sample, std::size_t column) {
+  if (all_can_brake()) return true;
+  if (answers_.size() <= column) answers_.resize(column + 1);
+  Answer& answer = answers_[column];
+  const Twist2 command = quick_command_for(sample, answer);
+  const Answer* before = column > 0 ? &answers_[column - 1] : nullptr;
+  if (answer.known && answer.command == command) return answer.free;
+  answer.command = command;
+  answer.known = true;
+  if (before != nullptr && before->known && before->command == command) {
+    answer.free = before->free;
+  } else {
+    answer.free =
+        (all_clear_ || stops_freely(command, coarse_)) && !(setup_->escaping() && goes_deeper(command, coarse_));
+  }
+  return answer.free;
+}
+
+// As command_for(): where no wheel couples the axes, a column shares its speed and a tile its turn.
+Twist2 BrakingCheck::quick_command_for(const Twist2& sample, Answer& answer) {
+  if (limits_->wheel_speed > 0.0 || commands_the_target_) return command_for(sample);
+  if (!answer.v_known || answer.sample_v != sample.v) {
+    answer.v_known = true;
+    answer.sample_v = sample.v;
+    answer.command_v = limits_->x.ramp(setup_->reference.v, sample.v, setup_->period);
+  }
+  if (!turn_.known || turn_.sample != sample.omega) {
+    turn_ = {true, sample.omega, limits_->theta.ramp(setup_->reference.omega, sample.omega, setup_->period)};
+  }
+  return {answer.command_v, turn_.command};
+}
+
+bool BrakingCheck::confirm_braking(const Twist2& sample) {
+  const Twist2 command = command_for(sample);
+  return (all_clear_ || stops_freely(command, fine_)) && !(setup_->escaping() && goes_deeper(command, fine_));
+}
+
+BrakeManoeuvre BrakingCheck::manoeuvre(std::size_t motion, const Twist2& command, double hold) const {
+  return {setup_->origin, (*setup_->pending)[motion], command, setup_->period, hold};
+}
+
+double BrakingCheck::longest_hold() const { return latest_hold(setup_->period, setup_->longest_period); }
+
+ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) const {
+  return ManoeuvreRoller(*limits_, radius_, spacing, turned(start));
+}
+
+// For each pending motion, and whether the command to brake comes after a period or as late as it may. In a turn,
+// braking at another time leads elsewhere: the ends, and to be sure what lies between.
+bool BrakingCheck::stops_freely(const Twist2& command, Look& look) {
+  const double latest = longest_hold();
+  const std::size_t motions = look.fine ? setup_->pending->all() : setup_->pending->likely();
+  const double apart = look.fine ? kHoldsApart * setup_->period : latest;
+  const double parts = latest > kSoon * setup_->period ? std::ceil(latest / apart) : 0.0;
+  for (std::size_t motion = 0; motion < motions; ++motion) {
+    for (double part = parts; part >= 0.0; part -= 1.0) {
+      const double hold = parts > 0.0 ? latest * part / parts : latest;
+      if (!free_all_along(manoeuvre(motion, command, hold), look, look.leads[motion])) return false;
+    }
+  }
+  return true;
+}
+
+bool BrakingCheck::free_all_along(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead) {
+  if (!lead.roller) roll_lead(manoeuvre, look, lead);
+  if (!lead.free) return false;
+  double clearance = lead.clearance;
+  ManoeuvreRoller rest = *lead.roller;
+  return free_along(look, look.fine ? manoeuvre.reach(*limits_, radius_) : 0.0, clearance, rest,
+                    [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_to_rest(manoeuvre, visit); });
+}
+
+void BrakingCheck::roll_lead(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead) {
+  lead.roller = roller_at(manoeuvre.start, resolution_);
+  lead.clearance = 0.0;
+  lead.free =
+      free_along(look, look.fine ? manoeuvre.pending.reach(radius_) : 0.0, lead.clearance, *lead.roller,
+                 [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_on(manoeuvre.pending, visit); });
+}
+
+// Rolls one part of a manoeuvre, `way` [m] long at most. `clearance` is what is left of that of a pose before: nothing
+// moves farther than the spacing from pose to pose.
+template <typename RollPart>
+bool BrakingCheck::free_along(const Look& look, double way, double& clearance, ManoeuvreRoller& roller,
+                              RollPart&& part) {
+  // A sixteenth of a cell; nearer where the robot hardly moves, since half of it is asked for as clearance.
+  const double spacing = look.fine ? std::clamp(way / 8.0, kFinest, resolution_ / 16.0) : 0.5 * resolution_;
+  const double gap = look.fine ? 0.5 * spacing : 0.0;
+  roller.set_spacing(spacing);
+  return part(roller, [&](const TurnedPose& at) {
+    clearance -= spacing;
+    const double needed = std::min(roller.growth() + gap, clearance_now_);
+    if (clearance <= needed) {
+      clearance =
+          look.fine ? clearances_->measure(at.pose, at.heading, needed) : clearances_->at(at.pose, at.heading, needed);
+    }
+    return clearance > needed;
+  });
+}
+
+bool BrakingCheck::goes_deeper(const Twist2& command, Look& look) const {
+  for (std::size_t motion = 0; motion < setup_->pending->likely(); ++motion) {
+    if (goes_deeper(manoeuvre(motion, command, longest_hold()), look.depth_spacing, look.escape_leads[motion])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool BrakingCheck::goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeLead& lead) const {
+  const auto visit_into = [this](EscapeRule::Descent& descent) {
+    return [this, &descent](const TurnedPose& at) {
+      return setup_->escape->descends(at, EscapeRule::Ahead::next_cycle, descent);
+    };
+  };
+  if (!lead.roller) {
+    lead.descent = setup_->escape->start();
+    lead.roller = roller_at(manoeuvre.start, spacing * resolution_);
+    lead.deeper = !lead.roller->roll_on(manoeuvre.pending, visit_into(lead.descent));
+  }
+  if (lead.deeper) return true;
+  // However the base reaches the command: at its limits, or evenly.
+  EscapeRule::Descent ramped = lead.descent, even = lead.descent;
+  return !ManoeuvreRoller(*lead.roller).roll_to_rest(manoeuvre, visit_into(ramped)) ||
+         !ManoeuvreRoller(*lead.roller).roll_evenly_to_rest(manoeuvre, visit_into(even));
+}
+
+}  // namespace hidwa_local_planner

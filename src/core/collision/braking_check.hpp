@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether the robot can still come to rest in free space after the first command towards a sample.
+//
+// 1. Where nothing lies within reach of any brake manoeuvre, every command can brake.
+// 2. Otherwise the manoeuvre is rolled out (brake_manoeuvre.hpp): the pending motion, the command for a period and as
+//    much longer as the next command may be late, braking to rest. The pending motion is the same for all commands and
+//    rolled out once (Lead).
+// 3. At every pose the robot must keep the manoeuvre's growth as its clearance: a real base may be so far from where it
+//    is rolled out. It need not keep more than it has now: a robot that stands beside a wall may drive along it.
+// 4. A clearance that is left over is used up along the way before the map is looked at again.
+// 5. For a robot that stands in collision, the manoeuvre must go no deeper either (EscapeRule).
+//
+// can_brake() looks at poses at most half a cell apart, at the likely pending motions, and at commands to brake that
+// come as early or as late as they may. confirm_braking() leaves no gap: poses a sixteenth of a cell apart or nearer
+// with half of that as more clearance, all pending motions, and commands to brake at times in between.
+//
+// Why it is right: however the base reaches its commands, the robot is never farther from a rolled-out pose than the
+// growth (the head of brake_manoeuvre.hpp derives it), and no point of it moves farther than the spacing from one pose
+// to the next. A clearance of both all along is a free way to rest. Only commands that confirm_braking() passes are
+// sent, so in the next cycle the robot can still brake as it was checked in this one, whatever else is rejected there.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/collision/check_setup.hpp"
+#include "core/collision/clearance_lookup.hpp"
+#include "core/motion/brake_manoeuvre.hpp"
+#include "core/motion/velocity_limits.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+class BrakingCheck {
+ public:
+  /// How far the robot's centre gets at most in any manoeuvre of a command up to `fastest` [m/s], without the growth
+  /// [m].
+  static double reach_of_manoeuvres(const CheckSetup& setup, const VelocityLimits& limits, double fastest);
+  /// How far at most a robot with this reach can be from where a manoeuvre is rolled out [m], see
+  /// ManoeuvreRoller::growth(). `radius` [m] reaches from its centre to its farthest point.
+  static double most_growth(const CheckSetup& setup, const VelocityLimits& limits, double radius, double reach);
+
+  /// Once per cycle; the arguments outlive the questions.
+  void prepare(const Parameters& parameters, const VelocityLimits& limits, const CheckSetup& setup,
+               ClearanceLookup& clearances, double radius, double resolution);
+
+  /// Every command can.
+  bool all_can_brake() const { return all_clear_ && !setup_->escaping(); }
+  /// `column`: of the sample among those of its omega.
+  bool can_brake(const Twist2& sample, std::size_t column);
+  bool confirm_braking(const Twist2& sample);
+  /// The first command towards a sample [m/s, rad/s].
+  Twist2 command_for(const Twist2& sample) const;
+
+ private:
+  // Where a pending motion leads to, looked at once per cycle.
+  struct Lead {
+    std::optional<ManoeuvreRoller> roller;
+    bool free = false;
+    double clearance = 0.0;  // that is left there [m]
+  };
+  using Leads = std::array<Lead, PendingMotionSet::kMost>;
+  // Likewise, for a robot in collision.
+  struct EscapeLead {
+    std::optional<ManoeuvreRoller> roller;
+    bool deeper = false;
+    EscapeRule::Descent descent;
+  };
+  using EscapeLeads = std::array<EscapeLead, PendingMotionSet::kMost>;
+  // What one kind of look has found so far.
+  struct Look {
+    bool fine = false;
+    double depth_spacing = 0.0;  // of poses that are looked at for depth in collision, in cells
+    Leads leads;
+    EscapeLeads escape_leads;
+    void forget();
+  };
+  // The last answer in a column of samples.
+  struct Answer {
+    Twist2 command;
+    bool known = false, free = false;
+    bool v_known = false;
+    double sample_v = 0.0, command_v = 0.0;  // of the column [m/s]
+  };
+  // What the samples of a tile share.
+  struct Turn {
+    bool known = false;
+    double sample = 0.0, command = 0.0;  // [rad/s]
+  };
+
+  bool nothing_in_reach() const;
+  bool stops_freely(const Twist2& command, Look& look);
+  bool free_all_along(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead);
+  void roll_lead(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead);
+  template <typename RollPart>
+  bool free_along(const Look& look, double way, double& clearance, ManoeuvreRoller& roller, RollPart&& part);
+  bool goes_deeper(const Twist2& command, Look& look) const;
+  bool goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeLead& lead) const;
+  ManoeuvreRoller roller_at(const Pose2& start, double spacing) const;
+  BrakeManoeuvre manoeuvre(std::size_t motion, const Twist2& command, double hold) const;
+  double longest_hold() const;
+  Twist2 quick_command_for(const Twist2& sample, Answer& answer);
+
+  const VelocityLimits* limits_ = nullptr;
+  const CheckSetup* setup_ = nullptr;
+  ClearanceLookup* clearances_ = nullptr;
+  bool commands_the_target_ = false;  // the sample itself is sent
+  double radius_ = 0.0;               // [m]
+  double resolution_ = 0.05;          // [m]
+  double clearance_now_ = 0.0;        // no more is asked for: what the robot has now [m]
+  bool all_clear_ = false;            // no manoeuvre can hit anything
+  Turn turn_;
+  std::vector<Answer> answers_;  // [columns]
+  Look coarse_, fine_;
+};
+
+}  // namespace hidwa_local_planner

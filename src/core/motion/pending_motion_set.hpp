@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "core/motion/pending_motion.hpp"
+
+namespace hidwa_local_planner {
+
+/// All pending motions that the robot may be in. Where odometry disagrees with the commands, the robot may do what the
+/// commands say or what odometry says, on each axis alone. The likely motions come first; the unlikely ones after them
+/// count only in the thorough checks.
+class PendingMotionSet {
+ public:
+  static constexpr std::size_t kMostUnlikely = 6;
+  static constexpr std::size_t kMost = 4 + kMostUnlikely;
+
+  PendingMotionSet() = default;
+  explicit PendingMotionSet(const PendingMotion& only) { first() = only; }
+
+  /// The first motion, the likeliest one. Calling this empties the set of all others.
+  PendingMotion& first() {
+    count_ = 1;
+    unlikely_ = 0;
+    return motions_[0];
+  }
+  /// Adds, for every motion so far, the same motion with this velocity on one axis [m/s or rad/s]. Once per axis.
+  void add_alternative(double Twist2::*axis, double velocity) {
+    const std::size_t before = count_;
+    for (std::size_t i = 0; i < before; ++i) {
+      motions_[count_] = motions_[i];
+      motions_[count_++].replace(axis, velocity);
+    }
+  }
+  /// Adds an unlikely motion: at most kMostUnlikely, after all alternatives.
+  PendingMotion& add_unlikely() { return motions_[count_ + unlikely_++]; }
+
+  std::size_t likely() const { return count_; }
+  std::size_t all() const { return count_ + unlikely_; }
+  const PendingMotion& operator[](std::size_t i) const { return motions_[i]; }
+  /// The largest |v| of all motions [m/s].
+  double fastest() const {
+    double v = 0.0;
+    for (std::size_t i = 0; i < all(); ++i) v = std::max(v, motions_[i].fastest());
+    return v;
+  }
+
+ private:
+  std::array<PendingMotion, kMost> motions_;
+  std::size_t count_ = 1;  // likely ones
+  std::size_t unlikely_ = 0;
+};
+
+}  // namespace hidwa_local_planner

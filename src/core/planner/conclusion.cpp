@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/planner/conclusion.hpp"
+
+namespace hidwa_local_planner {
+
+Conclusion follow(const Twist2& sample, const Twist2& command) {
+  Conclusion conclusion;
+  conclusion.sample = sample;
+  conclusion.command = command;
+  conclusion.outcome = at_rest(command) && at_rest(sample) ? Outcome::hold : Outcome::drive;
+  return conclusion;
+}
+
+Conclusion pass_through(const Cycle& cycle) {
+  Conclusion conclusion;
+  conclusion.sample = cycle.limits.clamp(cycle.intent.u_h);
+  conclusion.command = cycle.limits.step(cycle.start.reference, conclusion.sample, cycle.situation.period);
+  conclusion.outcome = at_rest(conclusion.command) ? Outcome::hold : Outcome::drive;
+  return conclusion;
+}
+
+Conclusion brake(const Cycle& cycle, Problem kind, const char* problem) {
+  Conclusion conclusion;
+  conclusion.command = brake_command(cycle.start, cycle.limits, cycle.situation);
+  conclusion.outcome = moves(cycle.start) ? Outcome::brake : Outcome::fail;
+  conclusion.problem_kind = kind;
+  conclusion.problem = problem;
+  return conclusion;
+}
+
+Conclusion stop(const Cycle& cycle) {
+  Conclusion conclusion = brake(cycle, Problem::none, "");
+  conclusion.outcome = at_rest(conclusion.command) ? Outcome::hold : Outcome::brake;
+  return conclusion;
+}
+
+}  // namespace hidwa_local_planner

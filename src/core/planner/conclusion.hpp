@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/planner/cycle.hpp"
+
+namespace hidwa_local_planner {
+
+/// What a cycle comes to.
+struct Conclusion {
+  Outcome outcome = Outcome::fail;
+  Twist2 command;  // to send [m/s, rad/s]
+  Twist2 sample;   // of the chosen candidate, zero where there is none [m/s, rad/s]
+  Problem problem_kind = Problem::none;
+  const char* problem = "";  // in words; a literal
+};
+
+/// The robot follows a candidate: `command` is the first step towards its sample.
+Conclusion follow(const Twist2& sample, const Twist2& command);
+/// The operator command is passed through unchecked, within the limits.
+Conclusion pass_through(const Cycle& cycle);
+/// The robot brakes, for there is nothing to follow. A robot at rest fails: nothing else is left.
+Conclusion brake(const Cycle& cycle, Problem kind, const char* problem);
+/// The robot brakes and holds, as it is told to.
+Conclusion stop(const Cycle& cycle);
+
+}  // namespace hidwa_local_planner

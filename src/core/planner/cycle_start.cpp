@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/planner/cycle_start.hpp"
+
+#include "core/motion/late_cycles.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// Odometry may lag behind a command that brakes already, and must not take that back.
+double slower_of(double reference, double last) {
+  return reference * last > 0.0 && std::abs(reference) < std::abs(last) ? reference : last;
+}
+
+}  // namespace
+
+double usable_period(const Situation& s) { return s.period > 0.0 ? s.period : Situation().period; }
+
+double longest_period(const Situation& s) {
+  return s.longest_period > s.period && std::isfinite(s.longest_period) ? s.longest_period : s.period;
+}
+
+Twist2 brake_command(const CycleStart& start, const VelocityLimits& limits, const Situation& situation) {
+  const Twist2 last = start.last_command;
+  const Twist2 from{limits.x.start_from(slower_of(start.reference.v, last.v), last.v),
+                    limits.theta.start_from(slower_of(start.reference.omega, last.omega), last.omega)};
+  return limits.brake(from, late_brake_period(start.elapsed, usable_period(situation), longest_period(situation)));
+}
+
+}  // namespace hidwa_local_planner

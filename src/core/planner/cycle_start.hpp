@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "core/motion/pending_motion_set.hpp"
+#include "core/motion/velocity_limits.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+
+namespace hidwa_local_planner {
+
+/// What a cycle starts from. StartEstimator finds it.
+struct CycleStart {
+  Twist2 reference;                           // the velocity that a command starts from [m/s, rad/s]
+  Twist2 velocity;                            // what is believed of the measured one [m/s, rad/s]
+  bool odometry_doubted = false;              // a reading was faster than the commands explain, and is not believed
+  bool odometry_fast = false;                 // it was, and is believed
+  Twist2 last_command;                        // zero before the first cycle [m/s, rad/s]
+  double elapsed = 0.0;                       // since the cycle before; 0 where there is none [s]
+  Pose2 origin;                               // the pose as it was measured: where `pending` begins, costmap frame
+  const PendingMotionSet* pending = nullptr;  // until this cycle's command takes effect
+  const Situation* situation = nullptr;       // as measured, but with the pose of now
+};
+
+/// Below these a velocity is rest [m/s, rad/s].
+constexpr double kAtRest = 1e-3;
+
+inline bool at_rest(const Twist2& u) { return std::abs(u.v) < kAtRest && std::abs(u.omega) < kAtRest; }
+
+/// The robot moves, or a pending command is going to move it, whatever odometry shows yet.
+inline bool moves(const CycleStart& start) {
+  return !at_rest(start.reference) || !at_rest(start.velocity) || !at_rest(start.last_command);
+}
+
+/// The control period, or the default one where it is no positive number [s].
+double usable_period(const Situation& situation);
+/// The longest control period of late [s].
+double longest_period(const Situation& situation);
+
+/// The command that brakes from here: both axes towards rest at their limits. After a late cycle it brakes by as much
+/// as the time since the cycle before allows; otherwise late cycles would add up to a longer way.
+Twist2 brake_command(const CycleStart& start, const VelocityLimits& limits, const Situation& situation);
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A decision that is used again in each cycle, so that its lists and words allocate nothing.
+#pragma once
+
+#include "core/planner/conclusion.hpp"
+#include "core/planner/critic_set.hpp"
+#include "core/planner/cycle_start.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+
+namespace hidwa_local_planner {
+
+/// Makes room for all that a cycle may come to say with these critics.
+void reserve(Decision& decision, const CriticSet& critics);
+/// As a new one, but keeps its memory.
+void clear(Decision& decision);
+/// What a cycle started from, and what it came to.
+void write(const CycleStart& start, const Conclusion& conclusion, Decision& decision);
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/planner/evaluation.hpp"
+
+#include <algorithm>
+
+namespace hidwa_local_planner {
+
+Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& steering, bool recovering) {
+  const VelocityLimits window_limits = surroundings_.find_overlaps(cycle);
+  candidates_.make(cycle, window_limits, steering);
+  const Rollout& rollout = candidates_.rollout();
+  scores_.resize(rollout.candidate_count(), rollout.tile_count(), critics_.size());
+  surroundings_.prepare(cycle, rollout, steering.active, !steering.active && recovering);
+  prepare_grids(cycle);
+  const CycleView view = view_of(cycle, steering);
+  if (!grids_.on_map() && !steering.active) return {view, false};
+  critics_.prepare(view);
+  checks_.begin();
+  // Recovery, and a way out of collision, are chosen among all legal candidates.
+  const bool out_of_collision = surroundings_.in_collision() && !steering.active;
+  score_tiles(cycle, steering, view, cycle.sampling.report >= Report::legality || recovering || out_of_collision);
+  return {view, true};
+}
+
+void Evaluation::prepare_grids(const Cycle& cycle) {
+  const Parameters& p = cycle.parameters;
+  grids_.prepare(cycle.grid, cycle.situation.plan, p.map_grid, p.unknown_is_obstacle);
+  grids_.expect(cycle.situation.pose, surroundings_.reach() + std::max(p.PathAlign_forward_point_distance,
+                                                                       p.GoalAlign_forward_point_distance));
+}
+
+CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering) {
+  CycleView view;
+  view.pose = cycle.situation.pose;
+  view.velocity = cycle.start.velocity;
+  view.last_command = cycle.situation.last_command;
+  view.goal = cycle.situation.goal;
+  view.time = cycle.situation.time;
+  view.steered = steering.active;
+  view.person_decides =
+      steering.active && (cycle.intent.influence == Influence::direct || cycle.situation.goal_latched);
+  view.plan = &cycle.situation.plan;
+  view.grid = &cycle.grid;
+  view.footprint = &cycle.footprint;
+  view.grids = &grids_;
+  return view;
+}
+
+void Evaluation::score_tiles(const Cycle& cycle, const Steering& steering, const CycleView& view, bool check_closely) {
+  for (std::size_t t = 0; t < candidates_.rollout().tile_count(); ++t) {
+    const Tile tile = tiles_.tile(t);
+    scores_.begin(tile);
+    checks_.check_before_scoring(tile, t, check_closely);
+    scores_.score(view, tile, t, critics_, cycle, steering);
+  }
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the start of a cycle to scored candidates:
+//
+// 1. what the robot overlaps decides the limits of the dynamic window (Surroundings);
+// 2. candidates are sampled and rolled out (Candidates);
+// 3. obstacles and distances are prepared as far as the candidates reach (Surroundings, PlanGrids);
+// 4. each tile is checked as far as its cells decide (LazyChecks) and scored (Scores).
+//
+// Where the plan is off the map and nobody steers there is nothing to score by: nothing is scored.
+#pragma once
+
+#include "core/distance/plan_grids.hpp"
+#include "core/planner/candidates.hpp"
+#include "core/planner/critic_set.hpp"
+#include "core/planner/lazy_checks.hpp"
+#include "core/planner/scores.hpp"
+#include "core/planner/surroundings.hpp"
+#include "core/planner/tile_filler.hpp"
+
+namespace hidwa_local_planner {
+
+/// What the parts that choose and explain may look at.
+class Evaluation {
+ public:
+  explicit Evaluation(const CriticSet& critics) : critics_(critics) {}
+
+  /// What one evaluation was made with.
+  struct Result {
+    CycleView view;       // what the critics saw; lives as long as the cycle
+    bool scored = false;  // false where there was nothing to score by
+  };
+  /// Once per cycle, or twice where the operator command is blended. `recovering`: see Recovery::active().
+  Result evaluate(const Cycle& cycle, const Steering& steering, bool recovering);
+  /// Nothing is evaluated.
+  void clear() { scores_.clear(); }
+
+  const Candidates& candidates() const { return candidates_; }
+  const Scores& scores() const { return scores_; }
+  LazyChecks& checks() { return checks_; }
+  Surroundings& surroundings() { return surroundings_; }
+  TileFiller& tiles() { return tiles_; }
+  PlanGrids& grids() { return grids_; }
+
+ private:
+  CycleView view_of(const Cycle& cycle, const Steering& steering);
+  void prepare_grids(const Cycle& cycle);
+  void score_tiles(const Cycle& cycle, const Steering& steering, const CycleView& view, bool check_closely);
+
+  const CriticSet& critics_;
+  Candidates candidates_;
+  Surroundings surroundings_;
+  PlanGrids grids_;
+  TileFiller tiles_{candidates_, surroundings_};
+  Scores scores_;
+  LazyChecks checks_{candidates_, surroundings_, tiles_, scores_};
+};
+
+}  // namespace hidwa_local_planner

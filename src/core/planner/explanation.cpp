@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/planner/explanation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace hidwa_local_planner {
+namespace {
+
+constexpr const char* kDeviation = "OperatorDeviation";
+
+}  // namespace
+
+void Explanation::clear() {
+  marked_ = {};
+  choice_ = {};
+  full_.clear();
+}
+
+void Explanation::note_choice(int best, ChoiceReport::Rule rule, const Steering& steering) {
+  marked_.best = best;
+  choice_ = {rule, steering.target, steering.active};
+}
+
+double Explanation::deviation(std::size_t candidate) const {
+  return deviation_cost(of_.parameters, {choice_.steered, choice_.target}, of_.candidates.sample(candidate));
+}
+
+void Explanation::list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const {
+  for (std::size_t i = 0; i < of_.critics.size(); ++i) {
+    const double weight = of_.parameters.s_nv * of_.critics[i].weight;
+    terms.push_back({of_.critics[i].name, of_.scores.raw(i, candidate), weight});
+  }
+  terms.push_back({kDeviation, deviation(candidate), 1.0});
+}
+
+void Explanation::describe_choice(Decision& decision) const {
+  const auto best = static_cast<std::size_t>(marked_.best);
+  const Rollout& rollout = of_.candidates.rollout();
+  decision.total = of_.scores.total(best);
+  list_terms(best, decision.terms);
+  const Tile tile = rollout.tile(rollout.tile_of(best));
+  decision.step = tile.dt;
+  for (std::size_t k = 0; k <= tile.steps; ++k) decision.trajectory.push_back(tile.pose(k, best - tile.first));
+}
+
+void Explanation::judge_operator(const Cycle& cycle, const Twist2& chosen, Decision& decision) {
+  if (cycle.intent.influence == Influence::none) return;
+  const Twist2& u_h = cycle.intent.u_h;
+  const double v_span = std::max(cycle.limits.x.max - cycle.limits.x.min, 1e-6);
+  const double omega_span = std::max(cycle.limits.theta.max - cycle.limits.theta.min, 1e-6);
+  decision.agreement =
+      std::max(0.0, 1.0 - std::abs(u_h.v - chosen.v) / v_span - std::abs(u_h.omega - chosen.omega) / omega_span);
+  marked_.operator_command = of_.candidates.operator_command(u_h);
+  if (marked_.operator_command < 0) return;
+  const auto candidate = static_cast<std::size_t>(marked_.operator_command);
+  of_.checks.legal(candidate);  // so that what rejects it is known
+  const Rejecter rejecter = of_.scores.rejected_by()[candidate];
+  if (rejecter != kNobody) decision.operator_refused_by = of_.critics.name_of(rejecter);
+}
+
+void Explanation::count_rejections(Decision& decision) const {
+  const std::vector<Rejecter>& rejected_by = of_.scores.rejected_by();
+  const auto count = [&rejected_by](Rejecter rejecter) {
+    return static_cast<std::size_t>(std::count(rejected_by.begin(), rejected_by.end(), rejecter));
+  };
+  decision.legal = count(kNobody);
+  std::size_t left = rejected_by.size() - decision.legal;
+  for (Rejecter rejecter = kCollision; left > 0; ++rejecter) {
+    const std::size_t rejected = count(rejecter);
+    if (rejected > 0) decision.refusals.push_back({of_.critics.name_of(rejecter), rejected});
+    left -= rejected;
+  }
+}
+
+CandidateReport Explanation::report_of(const Tile& tile, std::size_t c) const {
+  const std::size_t candidate = tile.first + c;
+  CandidateReport report;
+  report.sample = tile.sample(c);
+  report.operator_command = of_.candidates.is_operator_command(candidate);
+  report.step = tile.dt;
+  for (std::size_t k = 0; k <= tile.steps; ++k) report.poses.push_back(tile.pose(k, c));
+  list_terms(candidate, report.terms);
+  report.total = of_.scores.total(candidate);
+  const Rejecter rejecter = of_.scores.rejected_by()[candidate];
+  if (rejecter != kNobody) {
+    report.rejections.push_back({of_.critics.name_of(rejecter), of_.scores.reasons()[candidate]});
+  }
+  return report;
+}
+
+std::vector<CandidateReport> Explanation::candidates() const {
+  if (!full_.empty() || of_.scores.count() == 0) return full_;
+  std::vector<CandidateReport> reports;
+  for (std::size_t t = 0; t < of_.candidates.rollout().tile_count(); ++t) {
+    const Tile tile = of_.candidates.rollout().tile(t);
+    for (std::size_t c = 0; c < tile.count; ++c) reports.push_back(report_of(tile, c));
+  }
+  return reports;
+}
+
+Planner::Marked Explanation::marked() const {
+  Planner::Marked marked = marked_;
+  double worst = -std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < of_.scores.count(); ++c) {
+    if (!of_.scores.legal(c) || of_.scores.total(c) <= worst) continue;
+    worst = of_.scores.total(c);
+    marked.worst = static_cast<int>(c);
+  }
+  return marked;
+}
+
+void Explanation::ask_everyone(const CycleView& view) {
+  full_ = candidates();
+  for (std::size_t t = 0; t < of_.candidates.rollout().tile_count(); ++t) {
+    const Tile tile = of_.tiles.tile(t);
+    check_everyone(tile);
+    ask_critics(view, tile);
+  }
+}
+
+// Both checks of every candidate, the braking check without gaps.
+void Explanation::check_everyone(const Tile& tile) {
+  AdmissibilityCheck& admissibility = of_.surroundings.admissibility();
+  std::vector<const char*> collides(tile.count, nullptr);
+  admissibility.check_rollouts(tile, collides.data());
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    CandidateReport& report = full_[tile.first + c];
+    const bool brakes = !admissibility.checks_braking() || (of_.scores.rejected_by()[tile.first + c] != kBraking &&
+                                                            admissibility.confirm_braking(report.sample));
+    std::vector<Rejection> rejections;
+    if (collides[c] != nullptr) rejections.push_back({of_.critics.name_of(kCollision), collides[c]});
+    if (!brakes) rejections.push_back({of_.critics.name_of(kBraking), kCannotBrake});
+    if (!rejections.empty()) report.total = std::numeric_limits<double>::infinity();
+    // A total that is not a number has no critic that says so.
+    if (rejections.empty() && of_.scores.reasons()[tile.first + c] == kNotANumber) rejections = report.rejections;
+    report.rejections = std::move(rejections);
+  }
+}
+
+void Explanation::ask_critics(const CycleView& view, const Tile& tile) {
+  for (std::size_t c = 0; c < tile.count; ++c) full_[tile.first + c].terms.clear();
+  for (const CriticSet::Entry& entry : of_.critics) {
+    std::vector<double> raw(tile.count, 0.0);
+    std::vector<const char*> reasons(tile.count, nullptr);
+    TileScores scores(raw.data(), reasons.data(), tile.count);
+    if (entry.weight != 0.0) entry.critic->score(view, tile, scores);
+    for (std::size_t c = 0; c < tile.count; ++c) {
+      CandidateReport& report = full_[tile.first + c];
+      report.terms.push_back({entry.name, raw[c], of_.parameters.s_nv * entry.weight});
+      if (reasons[c] != nullptr) report.rejections.push_back({entry.name, reasons[c]});
+    }
+  }
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    full_[tile.first + c].terms.push_back({kDeviation, deviation(tile.first + c), 1.0});
+  }
+}
+
+}  // namespace hidwa_local_planner

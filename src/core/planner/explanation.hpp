@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Says what became of the candidates of a cycle, and why the chosen one was chosen. Changes nothing that is decided.
+//
+// The report of a candidate (candidates()) is made when it is asked for, from what is known then. With Report::full
+// ask_everyone() makes it in the cycle: after the choice, and before the critics are told of the command. What they
+// remember then is still what they judged by.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/planner/candidates.hpp"
+#include "core/planner/critic_set.hpp"
+#include "core/planner/lazy_checks.hpp"
+#include "core/planner/scores.hpp"
+#include "core/planner/surroundings.hpp"
+#include "core/planner/tile_filler.hpp"
+
+namespace hidwa_local_planner {
+
+class Explanation {
+ public:
+  /// What is explained; outlives the explanation.
+  struct Subject {
+    const Parameters& parameters;
+    const CriticSet& critics;
+    const Candidates& candidates;
+    const Scores& scores;
+    Surroundings& surroundings;
+    TileFiller& tiles;
+    LazyChecks& checks;
+  };
+  explicit Explanation(const Subject& subject) : of_(subject) {}
+
+  /// A new cycle: nothing is chosen.
+  void clear();
+  /// What was chosen; `best` is -1 where nothing was.
+  void note_choice(int best, ChoiceReport::Rule rule, const Steering& steering);
+
+  /// Total, terms and trajectory of the chosen candidate.
+  void describe_choice(Decision& decision) const;
+  /// How near the chosen sample comes to the operator command, and what rejects that: its own candidate, or the one
+  /// nearest to it.
+  void judge_operator(const Cycle& cycle, const Twist2& chosen, Decision& decision);
+  /// How many candidates are legal, and how many each one rejects.
+  void count_rejections(Decision& decision) const;
+  /// Asks every critic about every candidate, whoever rejected it.
+  void ask_everyone(const CycleView& view);
+
+  /// See Planner.
+  std::vector<CandidateReport> candidates() const;
+  Planner::Marked marked() const;
+  const ChoiceReport& choice() const { return choice_; }
+
+ private:
+  CandidateReport report_of(const Tile& tile, std::size_t c) const;
+  void list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const;
+  double deviation(std::size_t candidate) const;
+  void check_everyone(const Tile& tile);
+  void ask_critics(const CycleView& view, const Tile& tile);
+
+  Subject of_;
+  Planner::Marked marked_;  // but for the worst
+  ChoiceReport choice_;
+  std::vector<CandidateReport> full_;  // of the last cycle, with Report::full
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/planner/input_fault.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidwa_local_planner {
+namespace {
+
+// Beyond these a number is no measurement but a fault: no robot this planner serves is so fast or so far away.
+constexpr double kFastest = 20.0;      // [m/s]
+constexpr double kFastestTurn = 50.0;  // [rad/s]
+constexpr double kFarthest = 1e6;      // [m, rad]
+
+constexpr double kOldestPose = 10.0;  // [s]
+
+}  // namespace
+
+bool plausible(const Twist2& u) { return std::abs(u.v) <= kFastest && std::abs(u.omega) <= kFastestTurn; }
+bool plausible(const Pose2& q) {
+  return std::abs(q.x) <= kFarthest && std::abs(q.y) <= kFarthest && std::abs(q.theta) <= kFarthest;
+}
+
+const char* input_fault(const Cycle& cycle) {
+  const GridView& grid = cycle.grid;
+  const Situation& situation = cycle.situation;
+  if (!grid.valid()) return "the costmap is empty";
+  if (!(situation.pose_age >= 0.0) || situation.pose_age > kOldestPose) return "the pose is too old: look at tf";
+  if (const char* fault = cycle.footprint.fault()) return fault;
+  if (cycle.footprint.circumscribed_radius() > grid.resolution * std::hypot(grid.size_x, grid.size_y)) {
+    return "the footprint is larger than the local map: give it in metres, or a larger map";
+  }
+  if (!plausible(situation.pose) || !plausible(situation.velocity) || !plausible(situation.last_command)) {
+    return "pose or velocity is not a number, or beyond all bounds: look at odometry and tf";
+  }
+  if (!(situation.period > 0.0) || !std::isfinite(situation.period)) return "the control period is not positive";
+  if (situation.plan.empty()) return "the plan is empty";
+  const auto bad = [](const Pose2& pose) { return !plausible(pose); };
+  if (bad(situation.goal) || std::any_of(situation.plan.begin(), situation.plan.end(), bad)) {
+    return "a pose of the plan is not a number, or beyond all bounds: look at the global planner";
+  }
+  if (cycle.intent.influence != Influence::none && !is_finite(cycle.intent.u_h)) {
+    return "what the person wants is not a number";
+  }
+  return nullptr;
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/planner/lazy_checks.hpp"
+
+#include <algorithm>
+
+namespace hidwa_local_planner {
+
+void LazyChecks::begin() {
+  const Rollout& rollout = candidates_.rollout();
+  resize_with_spare(states_, rollout.tile_count());
+  double omega = 0.0;
+  std::size_t first = 0;    // candidate of that omega
+  std::size_t largest = 0;  // tile
+  for (std::size_t t = 0; t < states_.size(); ++t) {
+    const Tile tile = rollout.extent(t);
+    if (t == 0 || tile.omega != omega) {
+      omega = tile.omega;
+      first = tile.first;
+    }
+    states_[t].column = tile.first - first;
+    states_[t].done = false;
+    largest = std::max(largest, tile.count);
+  }
+  resize_with_spare(found_, largest);
+}
+
+void LazyChecks::check_before_scoring(const Tile& tile, std::size_t index, bool closely) {
+  check_cells(tile, states_[index]);
+  if (closely) check_closely(tile, states_[index]);
+}
+
+void LazyChecks::check_cells(const Tile& tile, TileState& state) {
+  AdmissibilityCheck& admissibility = surroundings_.admissibility();
+  const char** reason = scores_.reasons().data() + tile.first;
+  const bool decided = admissibility.cells_decide(tile, reason);
+  const bool hits = (tile.touched_any & cell_class::kHit) != 0;
+  for (std::size_t c = 0; hits && c < tile.count; ++c) {
+    if (reason[c] != nullptr) scores_.rejected_by()[tile.first + c] = kCollision;
+  }
+  state.done = decided && (!admissibility.checks_braking() || admissibility.all_can_brake());
+}
+
+void LazyChecks::check_closely(const Tile& tile, TileState& state) {
+  if (state.done) return;
+  state.done = true;
+  AdmissibilityCheck& admissibility = surroundings_.admissibility();
+  const bool braking = admissibility.checks_braking();
+  std::fill_n(found_.begin(), tile.count, nullptr);
+  admissibility.check_rollouts(tile, found_.data());
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    if (found_[c] != nullptr) {
+      scores_.reject(tile.first + c, kCollision, found_[c]);
+    } else if (braking && !admissibility.can_brake(tile.sample(c), state.column + c)) {
+      scores_.reject(tile.first + c, kBraking, kCannotBrake);
+    }
+  }
+}
+
+void LazyChecks::check_tile(std::size_t index) {
+  if (!states_[index].done) check_closely(tiles_.tile(index), states_[index]);
+}
+
+bool LazyChecks::legal(std::size_t candidate) {
+  check_tile(candidates_.rollout().tile_of(candidate));
+  return scores_.legal(candidate);
+}
+
+bool LazyChecks::confirm(std::size_t candidate) {
+  AdmissibilityCheck& admissibility = surroundings_.admissibility();
+  if (!admissibility.checks_braking() || admissibility.confirm_braking(candidates_.sample(candidate))) return true;
+  scores_.reject(candidate, kBraking, kCannotBrake);
+  return false;
+}
+
+void LazyChecks::check_all() {
+  for (std::size_t t = 0; t < states_.size(); ++t) check_tile(t);
+}
+
+bool LazyChecks::any_motion_legal() {
+  check_all();
+  for (std::size_t c = 0; c < scores_.count(); ++c) {
+    if (scores_.legal(c) && !(candidates_.sample(c) == Twist2{})) return true;
+  }
+  return false;
+}
+
+}  // namespace hidwa_local_planner

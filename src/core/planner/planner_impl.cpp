@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/planner/planner_impl.hpp"
+
+#include <utility>
+
+#include "core/planner/decision_memory.hpp"
+#include "core/planner/input_fault.hpp"
+#include "core/planner/safe_values.hpp"
+
+namespace hidwa_local_planner {
+
+Planner::Impl::Impl(CriticRegistry registry)
+    : critics(std::move(registry)),
+      evaluation(critics),
+      selection(evaluation.candidates(), evaluation.scores(), evaluation.checks()),
+      explanation({parameters, critics, evaluation.candidates(), evaluation.scores(), evaluation.surroundings(),
+                   evaluation.tiles(), evaluation.checks()}) {}
+
+std::vector<std::string> Planner::Impl::configure(const Parameters& given, const SourceFor& source_for) {
+  std::vector<std::string> faults = validate(given);
+  const std::vector<std::string> names = split_names(given.critics);
+  for (std::string& fault : critics.faults_of(names)) faults.push_back(std::move(fault));
+  if (faults.empty()) faults = critics.configure(names, given, source_for);
+  if (!faults.empty()) return faults;
+  evaluation.clear();  // its numbers were the former critics'
+  explanation.clear();
+  reserve(decision, critics);
+  parameters = given;
+  make_safe(parameters);
+  limits = VelocityLimits::from(given);
+  set_footprint(outline);
+  return {};
+}
+
+void Planner::Impl::set_footprint(const Polygon& given) {
+  if (&outline != &given) outline = given;
+  footprint = Footprint::from_outline(outline, parameters.footprint_padding);
+}
+
+const Decision& Planner::Impl::plan(const Situation& measured, const GridView& grid, const OperatorIntent& intent,
+                                    const Sampling& sampling) {
+  const CycleStart start = start_estimator.estimate(measured, parameters, limits, footprint.circumscribed_radius());
+  const Cycle cycle{parameters, limits, footprint, grid, intent, sampling, *start.situation, start};
+  clear(decision);
+  evaluation.clear();
+  explanation.clear();
+  write(start, conclude(cycle), decision);
+  return decision;
+}
+
+Conclusion Planner::Impl::conclude(const Cycle& cycle) {
+  const bool stops = cycle.intent.influence == Influence::stop;  // whatever is known of the world
+  const bool passes = cycle.intent.influence == Influence::direct && !cycle.intent.guarded;
+  const char* fault = stops ? nullptr : input_fault(cycle);
+  if (fault == nullptr && !stops && !passes) return drive(cycle);
+  recovery.interrupt();
+  if (fault != nullptr) return brake(cycle, Problem::input, fault);
+  return stops ? stop(cycle) : pass_through(cycle);
+}
+
+Conclusion Planner::Impl::drive(const Cycle& cycle) {
+  const Steering steering = find_steering(cycle);
+  const Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, recovery.active());
+  decision.candidates = evaluation.candidates().count();
+  decision.escaping = evaluation.surroundings().in_collision();
+  if (!evaluated.scored) {
+    evaluation.clear();
+    return brake(cycle, Problem::off_map, "no pose of the plan lies on the local map");
+  }
+  const bool autonomous = !steering.active && !cycle.situation.goal_latched;
+  const Choice choice = choose(cycle, autonomous);
+  explanation.note_choice(choice.candidate, choice.rule, steering);
+  const Conclusion chosen = follow_choice(cycle, choice);
+  explanation.judge_operator(cycle, chosen.sample, decision);
+  if (cycle.sampling.report == Report::full) explanation.ask_everyone(evaluated.view);
+
+  const Recovery::Course course{autonomous, steering.active, trapped(choice, chosen.sample)};
+  const Recovery::Review review = recovery.review(cycle, course, chosen);
+  if (review.reset_critics) critics.reset();
+  const Outcome outcome = review.conclusion.outcome;
+  if (outcome == Outcome::brake || outcome == Outcome::fail) evaluation.checks().check_all();  // to say why
+  explanation.count_rejections(decision);
+  critics.debrief(evaluated.view, chosen.command);
+  return review.conclusion;
+}
+
+// With authority a between 0 and 1 the target is u_ref = (1 - a) u_nv + a u_h, where u_nv is what autonomy alone would
+// choose: the reference is blended, never the weights, and u_ref itself is a candidate.
+Steering Planner::Impl::find_steering(const Cycle& cycle) {
+  const Influence influence = cycle.intent.influence;
+  const Twist2& u_h = cycle.intent.u_h;
+  const double a = influence == Influence::shared ? parameters.authority : 1.0;
+  const bool active = influence != Influence::none && a > 0.0;
+  if (!active || a >= 1.0) return {active, u_h};
+  const bool scored = evaluation.evaluate(cycle, {false, u_h}, recovery.active()).scored;
+  const int own = scored ? cheapest(cycle) : -1;
+  const Twist2 u_nv = own >= 0 ? evaluation.candidates().sample(static_cast<std::size_t>(own)) : Twist2{};
+  return {true, {u_nv.v + a * (u_h.v - u_nv.v), u_nv.omega + a * (u_h.omega - u_nv.omega)}};
+}
+
+Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous) {
+  Surroundings& around = evaluation.surroundings();
+  // In collision only what leads out is worth turning for.
+  const bool only_recovery = autonomous && recovery.active() && around.in_collision();
+  const int recovering = recovery.choose(
+      autonomous, {cycle.situation, cycle.grid, evaluation.candidates().rollout(), evaluation.scores().totals(),
+                   around.collision(), around.admissibility(), around.escape(), evaluation.grids()});
+  if (recovering >= 0) return {recovering, ChoiceReport::Rule::recovery};
+  const int best = only_recovery ? -1 : cheapest(cycle);
+  return {best, best >= 0 ? ChoiceReport::Rule::cheapest : ChoiceReport::Rule::none};
+}
+
+int Planner::Impl::cheapest(const Cycle& cycle) {
+  return selection.cheapest(TieRule(parameters, cycle.situation.last_command));
+}
+
+Conclusion Planner::Impl::follow_choice(const Cycle& cycle, const Choice& choice) {
+  if (choice.candidate < 0) return brake(cycle, Problem::refused, "every candidate was refused");
+  explanation.describe_choice(decision);
+  const Twist2& sample = evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate));
+  return follow(sample, evaluation.surroundings().admissibility().command_for(sample));
+}
+
+// The robot stands in collision and no legal motion leads out. Standing may be the operator's choice.
+bool Planner::Impl::trapped(const Choice& choice, const Twist2& sample) {
+  if (!evaluation.surroundings().in_collision()) return false;
+  if (choice.candidate < 0) return true;
+  return sample == Twist2{} && !evaluation.checks().any_motion_legal();
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/planner/recovery.hpp"
+
+#include <cmath>
+
+namespace hidwa_local_planner {
+namespace {
+
+// A robot that is trapped in collision for longer needs the host's help [s].
+constexpr double kLongTrapped = 1.0;
+
+// A turn on the spot below this share of the fastest creeps.
+constexpr double kCreeps = 0.25;
+
+void fail(Conclusion& conclusion, Problem kind, const char* problem) {
+  conclusion.outcome = Outcome::fail;
+  conclusion.problem_kind = kind;
+  conclusion.problem = problem;
+}
+
+}  // namespace
+
+void Recovery::reset() {
+  motion_.reset();
+  trapped_.reset();
+  unturned_.reset();
+}
+
+void Recovery::interrupt() {
+  motion_.reset();
+  trapped_.reset();
+}
+
+int Recovery::choose(bool autonomous, const RecoveryMotion::Scene& scene) {
+  if (autonomous) return motion_.choose(scene);
+  motion_.reset();
+  return -1;
+}
+
+Recovery::Review Recovery::review(const Cycle& cycle, const Course& course, Conclusion conclusion) {
+  watch_collision(cycle, course.trapped, conclusion);
+  const bool recovers = watch_rest(cycle, course.autonomous, conclusion);
+  const bool turns_anew = watch_last_turn(cycle, course.steered, conclusion);
+  return {conclusion, recovers || turns_anew};
+}
+
+void Recovery::watch_collision(const Cycle& cycle, bool trapped, Conclusion& conclusion) {
+  const double now = cycle.situation.time;
+  trapped_.observe(now, trapped);
+  if (!trapped) return;
+  const bool moving = !at_rest(cycle.start.reference) || !at_rest(cycle.situation.velocity);
+  if (moving || !trapped_.for_at_least(kLongTrapped, now)) {
+    if (conclusion.outcome == Outcome::fail) conclusion.outcome = Outcome::brake;
+    return;
+  }
+  fail(conclusion, Problem::refused,
+       "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared");
+}
+
+// True when it begins to recover.
+bool Recovery::watch_rest(const Cycle& cycle, bool autonomous, Conclusion& conclusion) {
+  const Parameters& p = cycle.parameters;
+  const bool trapped = trapped_.holds();
+  RecoveryMotion::Rest rest;
+  rest.stands = autonomous && (conclusion.outcome == Outcome::hold || trapped);
+  rest.creeps = autonomous && conclusion.outcome == Outcome::drive && conclusion.sample.v == 0.0 &&
+                std::abs(conclusion.sample.omega) < kCreeps * cycle.limits.theta.max;
+  const bool begins = motion_.watch(cycle.situation, rest, p.turn_when_stuck ? 0.5 * p.blocked_time : -1.0);
+  if (!trapped && motion_.standing_time(cycle.situation.time) > p.blocked_time) {
+    fail(conclusion, Problem::stuck, "autonomy is stuck: standing still is its best legal candidate");
+  }
+  return begins;
+}
+
+// True when the critics must forget.
+bool Recovery::watch_last_turn(const Cycle& cycle, bool steered, Conclusion& conclusion) {
+  const Parameters& p = cycle.parameters;
+  const Situation& situation = cycle.situation;
+  const double off = std::abs(wrap_angle(situation.goal.theta - situation.pose.theta));
+  const bool stands = !steered && situation.goal_latched && conclusion.outcome == Outcome::hold;
+  unturned_.observe(situation.time, stands && off > p.yaw_goal_tolerance);
+  const bool long_enough = unturned_.for_at_least(0.5 * p.blocked_time, situation.time);
+  const bool forget = long_enough && !unturned_reset_;
+  unturned_reset_ = long_enough;
+  if (unturned_.time(situation.time) > p.blocked_time) {
+    fail(conclusion, Problem::stuck,
+         "the last turn to the goal's heading is stuck: standing still is its best legal candidate");
+  }
+  return forget;
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Watches whether the robot gets on, and what is done where it does not. After each cycle, in this order:
+//
+// 1. Collision: a robot that stands in collision, and that no legal motion leads out of, waits for a second. A new scan
+//    may take away what the last one has put under it. Then the cycle fails, so that the host clears its costmap.
+// 2. Rest: autonomy that prefers standing still to every legal motion is stuck. After half of blocked_time
+//    RecoveryMotion begins; after all of it the cycle fails, so that the host replans or recovers.
+// 3. The last turn: at the goal's position only a turn is left. Where a critic forbids its direction (one that the
+//    operator had the robot turn from, for example), the other one is longer, and standing still is cheaper for ever.
+//    After half of blocked_time the critics forget; after all of it the cycle fails.
+//
+// Why it is safe: it changes the outcome to failing or braking, and resets critics. It makes no command.
+#pragma once
+
+#include "core/planner/conclusion.hpp"
+#include "core/planner/cycle.hpp"
+#include "core/planner/recovery_motion.hpp"
+#include "hidwa_local_planner/core/util/condition_timer.hpp"
+
+namespace hidwa_local_planner {
+
+class Recovery {
+ public:
+  /// A new goal.
+  void reset();
+  /// Nothing was chosen: the robot was stopped, or driven directly, or the input had a fault.
+  void interrupt();
+
+  /// RecoveryMotion has begun and goes on.
+  bool active() const { return motion_.active(); }
+  /// The candidate that gets autonomy going; -1 where there is none, or no need of one. Without `autonomous` it ends.
+  int choose(bool autonomous, const RecoveryMotion::Scene& scene);
+
+  /// What is known of a cycle once its command is chosen.
+  struct Course {
+    bool autonomous = false;  // nobody steers, and the goal's position is not reached
+    bool steered = false;     // the operator command counts
+    bool trapped = false;     // the robot stands in collision and no legal motion leads out
+  };
+  struct Review {
+    Conclusion conclusion;
+    bool reset_critics = false;  // what they forbid may be what gets the robot going
+  };
+  /// Once per cycle that was planned: what the cycle comes to in view of those before it.
+  Review review(const Cycle& cycle, const Course& course, Conclusion conclusion);
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.motion_, self.trapped_, self.unturned_, self.unturned_reset_);
+  }
+
+ private:
+  void watch_collision(const Cycle& cycle, bool trapped, Conclusion& conclusion);
+  bool watch_rest(const Cycle& cycle, bool autonomous, Conclusion& conclusion);
+  bool watch_last_turn(const Cycle& cycle, bool steered, Conclusion& conclusion);
+
+  RecoveryMotion motion_;
+  ConditionTimer trapped_;       // in collision, and no motion leads out
+  ConditionTimer unturned_;      // the robot stands at the goal's position with another heading
+  bool unturned_reset_ = false;  // the critics were reset for that
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace hidwa_local_planner {
+
+/// Who rejected a candidate: nobody, the collision check, the braking check, or critic number (value - kFirstCritic).
+using Rejecter = std::uint8_t;
+constexpr Rejecter kNobody = 0;
+constexpr Rejecter kCollision = 1;
+constexpr Rejecter kBraking = 2;
+constexpr Rejecter kFirstCritic = 3;
+
+inline constexpr const char* kCannotBrake = "cannot stop in free space";
+inline constexpr const char* kNotANumber = "total is not a number";
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// With Report::full every critic is asked about every candidate. The decision is the same, and the reports explain it.
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/planner/tie_rule.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/record/cycle_record.hpp"
+#include "support/random_scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::random_scene;
+using test::Scene;
+
+// The rule in its plainest form: the smallest total of those that nobody rejects, of equals the one that the tie rule
+// prefers.
+int cheapest(const std::vector<CandidateReport>& candidates, const Parameters& p, const Twist2& last) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const CandidateReport& candidate : candidates) {
+    if (candidate.legal() && candidate.total < lowest) lowest = candidate.total;
+  }
+  const TieRule tie(p, last);
+  int best = -1;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (!candidates[c].legal() || candidates[c].total > lowest + kEqualTotals) continue;
+    if (best < 0 || candidates[c].total < candidates[static_cast<std::size_t>(best)].total - kEqualTotals ||
+        tie.prefers(candidates[c].sample, candidates[static_cast<std::size_t>(best)].sample)) {
+      best = static_cast<int>(c);
+    }
+  }
+  return best;
+}
+
+Sampling with(Report report) {
+  Sampling sampling;
+  sampling.report = report;
+  return sampling;
+}
+
+TEST(FullReport, TheDecisionIsTheSameToTheBit) {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const Scene scene = random_scene(seed);
+    Planner legality, full;
+    for (Planner* planner : {&legality, &full}) {
+      ASSERT_TRUE(planner->configure(scene.parameters).empty());
+      planner->set_footprint(scene.outline);
+    }
+    for (int cycle = 0; cycle < 2; ++cycle) {  // what critics remember must not have changed either
+      const Decision& a = legality.plan(scene.situation, scene.grid(), scene.intent, with(Report::legality));
+      const Decision& b = full.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
+      ASSERT_TRUE(identical(record::verdict_of(a, legality.totals()), record::verdict_of(b, full.totals()))) << seed;
+    }
+  }
+}
+
+// In the order of the planner's names, and who came first in the cycle is among them.
+void expect_consistent(const CandidateReport& candidate, const Scene& scene) {
+  EXPECT_EQ(candidate.legal(), std::isfinite(candidate.total));
+  for (std::size_t i = 1; i < candidate.rejections.size(); ++i) {
+    EXPECT_NE(candidate.rejections[i].name, "Collision");
+    EXPECT_NE(candidate.rejections[i].name, candidate.rejections[i - 1].name);
+  }
+  // Who is legal was scored by the same sum; only direct control leaves the critics' scores out.
+  if (candidate.legal() && scene.intent.influence != Influence::direct) {
+    EXPECT_NEAR(candidate.total, candidate.sum(), 1e-9 * (1.0 + std::abs(candidate.sum())));
+  }
+}
+
+TEST(FullReport, ExplainsTheChoice) {
+  int chosen = 0, rejected_twice = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const Scene scene = random_scene(seed);
+    Planner planner;
+    ASSERT_TRUE(planner.configure(scene.parameters).empty());
+    planner.set_footprint(scene.outline);
+    const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
+    const std::vector<CandidateReport> all = planner.candidates();
+    if (decision.candidates == 0 || all.empty()) continue;
+    ASSERT_EQ(all.size(), decision.candidates);
+    for (const CandidateReport& candidate : all) {
+      expect_consistent(candidate, scene);
+      rejected_twice += candidate.rejections.size() > 1 ? 1 : 0;
+    }
+    const int best = cheapest(all, scene.parameters, scene.situation.last_command);
+    EXPECT_EQ(best, planner.marked().best) << seed;
+    if (best < 0) continue;
+    ++chosen;
+    EXPECT_EQ(planner.choice().rule, ChoiceReport::Rule::cheapest);
+    EXPECT_EQ(all[static_cast<std::size_t>(best)].sample, decision.sample);
+  }
+  EXPECT_GT(chosen, 250);
+  EXPECT_GT(rejected_twice, 1000);
+}
+
+// A critic that gives no numbers rejects by that: it is named, though it never says so itself.
+class NotANumber : public Critic {
+ public:
+  double configure(const Parameters&, const ParameterSource&) override { return 1.0; }
+  void score(const CycleView&, const Tile& tile, TileScores& scores) override {
+    for (std::size_t c = 0; c < tile.count; ++c) scores.set(c, tile.v[c] > 0.2 ? NAN : 0.0);
+  }
+};
+
+TEST(FullReport, NamesTheCriticThatGivesNoNumber) {
+  CriticRegistry registry = CriticRegistry::with_built_in();
+  registry.add("NotANumber", [] { return std::make_shared<NotANumber>(); });
+  Scene scene = Scene::empty();
+  scene.parameters.critics += " NotANumber";
+  Planner planner(registry);
+  ASSERT_TRUE(planner.configure(scene.parameters).empty());
+  planner.set_footprint(scene.outline);
+  planner.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
+  int fast = 0;
+  for (const CandidateReport& candidate : planner.candidates()) {
+    if (candidate.sample.v <= 0.2) continue;
+    ++fast;
+    ASSERT_FALSE(candidate.legal());
+    EXPECT_EQ(candidate.rejections.back().name, "NotANumber");
+  }
+  EXPECT_GT(fast, 10);
+}
+
+TEST(FullReport, IsEmptyWhereNothingWasScored) {
+  const Scene scene = Scene::empty();
+  Planner planner;
+  planner.configure(scene.parameters);
+  planner.set_footprint(scene.outline);
+  planner.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
+  EXPECT_EQ(planner.candidates().size(), planner.totals().size());
+  EXPECT_FALSE(planner.candidates().empty());
+  OperatorIntent stop;
+  stop.influence = Influence::stop;
+  planner.plan(scene.situation, scene.grid(), stop, with(Report::full));
+  EXPECT_TRUE(planner.candidates().empty());
+  EXPECT_EQ(planner.choice().rule, ChoiceReport::Rule::none);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
