@@ -22,10 +22,8 @@ bool same_outline(const Polygon& outline, const std::vector<geometry_msgs::Point
 
 // What a host asks for may lie beyond what a parameter may be.
 double in_range(const char* parameter, double value) {
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.name == parameter) return std::isfinite(value) ? std::clamp(value, info.min, info.max) : info.max;
-  }
-  return value;
+  const ParameterInfo& info = parameter_info(parameter);
+  return std::isfinite(value) ? std::clamp(value, info.min, info.max) : info.max;
 }
 
 }  // namespace
