@@ -2,20 +2,15 @@
 #include "moment.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace replay {
 namespace {
 
 const std::string kRosTime = "ros:";
-
-std::string worded(const char* text, double a, double b = 0.0, double c = 0.0, double d = 0.0) {
-  char words[320];
-  std::snprintf(words, sizeof(words), text, a, b, c, d);
-  return words;
-}
 
 }  // namespace
 
@@ -52,13 +47,13 @@ std::string MomentSearch::remark() const {
   if (!first_) return "no cycle can be repeated: record with record_cycles: true";
   const std::optional<double> meant = found();
   if (!meant) {
-    return worded(
+    return format(
         "there is no cycle at %.3f s; they go from 0 to %.3f s since the first record, which is ROS time %.3f to %.3f, "
         "with gaps where input was missing",
         wanted_.seconds, last_ - *first_, *first_, last_);
   }
   if (ros_time_.hits(wanted_.seconds) && *ros_time_.time != *meant) {
-    return worded("taken as the time since the first record; there is also a cycle at this ROS time: --at ros:%.3f",
+    return format("taken as the time since the first record; there is also a cycle at this ROS time: --at ros:%.3f",
                   wanted_.seconds);
   }
   return "";
