@@ -2,7 +2,7 @@
 #include "hidwa_local_planner/core/parameter_text.hpp"
 
 #include <cmath>
-#include <cstdlib>
+#include <optional>
 #include <sstream>
 
 #include "core/util/words.hpp"
@@ -16,12 +16,6 @@ struct Writer {
   std::string operator()(double value) const { return shortest(value); }
   std::string operator()(const std::string& value) const { return value; }
 };
-
-bool read_number(const std::string& text, double& number) {
-  char* end = nullptr;
-  number = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0' && std::isfinite(number);
-}
 
 // A text on one line, and back.
 std::string escaped(const std::string& text) {
@@ -48,18 +42,18 @@ std::string set_parameter_text(Parameters& parameters, const std::string& name, 
   const ParameterInfo* info = find_parameter(name);
   if (info == nullptr) return "there is no parameter '" + name + "'";
   ParameterValue value = text;
-  double number = 0.0;
+  const std::optional<double> number = number_in(text);
   if (info->type == "bool") {
     if (text != "true" && text != "false") return name + " is true or false, not '" + text + "'";
     value = text == "true";
   } else if (info->type == "int") {
-    if (!read_number(text, number) || number != std::floor(number) || std::abs(number) > 1e9) {
+    if (!number || *number != std::floor(*number) || std::abs(*number) > 1e9) {
       return name + " needs a whole number, not '" + text + "'";
     }
-    value = static_cast<int>(number);
+    value = static_cast<int>(*number);
   } else if (info->type == "double") {
-    if (!read_number(text, number)) return name + " needs a number, not '" + text + "'";
-    value = number;
+    if (!number) return name + " needs a number, not '" + text + "'";
+    value = *number;
   }
   return set_parameter(parameters, name, value);
 }

@@ -2,7 +2,6 @@
 #include "moment.hpp"
 
 #include <cmath>
-#include <cstdlib>
 
 #include "core/util/words.hpp"
 
@@ -17,10 +16,9 @@ const std::string kRosTime = "ros:";
 std::optional<Moment> moment_of(const std::string& text) {
   Moment moment;
   moment.ros_time = text.compare(0, kRosTime.size(), kRosTime) == 0;
-  const std::string number = moment.ros_time ? text.substr(kRosTime.size()) : text;
-  char* end = nullptr;
-  moment.seconds = std::strtod(number.c_str(), &end);
-  if (number.empty() || *end != '\0' || !std::isfinite(moment.seconds)) return std::nullopt;
+  const std::optional<double> seconds = number_in(moment.ros_time ? text.substr(kRosTime.size()) : text);
+  if (!seconds) return std::nullopt;
+  moment.seconds = *seconds;
   return moment;
 }
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <stdexcept>
 #include <tuple>
 
 #include <nlohmann/json.hpp>
@@ -26,15 +24,8 @@ const std::vector<std::string>& names() {
   return all;
 }
 
-const std::string& text_of(const Row& row, const std::string& column) {
-  const auto found = std::find(names().begin(), names().end(), column);
-  if (found == names().end()) throw std::logic_error("no column " + column);
-  return row.at(static_cast<std::size_t>(found - names().begin()));
-}
-
-double number_of(const Row& row, const std::string& column) {
-  return std::strtod(text_of(row, column).c_str(), nullptr);
-}
+const std::string& text_of(const Row& row, const std::string& column) { return cell(row, column, names()); }
+double number_of(const Row& row, const std::string& column) { return value(row, column, names()); }
 
 struct ModeGroup {
   std::string mode, setting;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/setting.hpp"
 
-#include <cmath>
-#include <cstdlib>
+#include <optional>
 #include <set>
 
 #include <yaml-cpp/yaml.h>
@@ -18,12 +17,9 @@ namespace {
 const std::string kTrait = "participant.";
 
 double to_number(const std::string& name, const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value)) {
-    throw UsageError(name + " needs a number, not '" + text + "'");
-  }
-  return value;
+  const std::optional<double> value = number_in(text);
+  if (!value) throw UsageError(name + " needs a number, not '" + text + "'");
+  return *value;
 }
 
 void assign_parameter(Parameters& parameters, const Assignment& assignment) {

@@ -57,13 +57,15 @@ Row row_of(const Plan& plan, const Run& run, std::uint64_t world_seed, const Dri
           std::to_string(r.brakes)};
 }
 
-const std::string& cell(const Row& row, const std::string& column) {
-  const auto found = std::find(columns().begin(), columns().end(), column);
-  if (found == columns().end()) throw std::logic_error("no column " + column);
-  return row.at(static_cast<std::size_t>(found - columns().begin()));
+const std::string& cell(const Row& row, const std::string& column, const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), column);
+  if (found == names.end()) throw std::logic_error("no column " + column);
+  return row.at(static_cast<std::size_t>(found - names.begin()));
 }
 
-double value(const Row& row, const std::string& column) { return std::strtod(cell(row, column).c_str(), nullptr); }
+double value(const Row& row, const std::string& column, const std::vector<std::string>& names) {
+  return std::strtod(cell(row, column, names).c_str(), nullptr);
+}
 
 std::string to_line(const Row& row) {
   std::string line;

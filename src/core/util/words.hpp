@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How this package writes numbers and lists. Data takes shortest(), which loses nothing; sentences take worded();
-// columns of a table take fixed(); sentences with several numbers take format().
+// How this package writes and reads numbers and lists. Data takes shortest(), which loses nothing; sentences take
+// worded(); columns of a table take fixed(); sentences with several numbers take format().
 #pragma once
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,14 @@ inline std::string shortest(double number) {
     if (std::strtod(text.c_str(), nullptr) == number) break;
   }
   return text;
+}
+
+/// The number that a text is, all of it and finite; nothing where it is none.
+inline std::optional<double> number_in(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+  return number;
 }
 
 /// A number as people write it: at most so many digits, no trailing zeros.

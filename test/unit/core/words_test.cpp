@@ -21,6 +21,11 @@ TEST(Words, ShortestLosesNothingAndHasNoDigitTooMany) {
   EXPECT_EQ(shortest(std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
+TEST(Words, ANumberIsTheWholeText) {
+  EXPECT_EQ(number_in("-2.5e1"), -25.0);
+  for (const char* text : {"", "1 m", "m", "nan", "inf", "1e999"}) EXPECT_FALSE(number_in(text)) << text;
+}
+
 TEST(Words, WordedRounds) {
   EXPECT_EQ(worded(2.0 / 3.0), "0.6667");
   EXPECT_EQ(worded(0.4996, 3), "0.5");
