@@ -13,7 +13,8 @@ generate_dynamic_reconfigure_options(cfg/HIDWAPlanner.cfg)
 # The .cfg reads the parameters' one declaration: made anew when that changes.
 add_custom_command(
   OUTPUT ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_INCLUDE_DESTINATION}/HIDWAPlannerConfig.h
-  DEPENDS ${PROJECT_SOURCE_DIR}/include/hidwa_local_planner/core/parameter_list.inc APPEND)
+  DEPENDS ${PROJECT_SOURCE_DIR}/include/hidwa_local_planner/core/parameter_list.inc
+          ${PROJECT_SOURCE_DIR}/scripts/lib/hidwa_tools/parameter_list.py APPEND)
 
 catkin_package(
   INCLUDE_DIRS include

@@ -13,7 +13,7 @@ HIDWA_DEBIAN_BUILD="build-essential cmake catkin python3-setuptools
   ros-visualization-msgs ros-actionlib-msgs ros-move-base-msgs ros-std-srvs
   libactionlib-dev libangles-dev libmessage-filters-dev libtf2-ros-dev libtf2-geometry-msgs-dev libtopic-tools-dev
   libtf2-sensor-msgs-dev liblaser-geometry-dev libdynamic-reconfigure-config-init-mutex-dev
-  python3-dynamic-reconfigure libeigen3-dev libyaml-cpp-dev libtinyxml2-dev libsdl-image1.2-dev liburdf-dev
+  python3-dynamic-reconfigure libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libtinyxml2-dev libsdl-image1.2-dev liburdf-dev
   liburdfdom-dev libdiagnostic-updater-dev libinteractive-markers-dev zlib1g-dev
   colcon python3-colcon-core python3-colcon-bash python3-colcon-cmake python3-colcon-ros python3-colcon-library-path
   python3-colcon-metadata python3-colcon-output python3-colcon-package-information
@@ -26,12 +26,12 @@ HIDWA_DEBIAN_RUN="python3-roslaunch rosout python3-rosparam python3-rostopic pyt
   python3-std-msgs python3-visualization-msgs python3-numpy python3-rosbag python3-yaml python3-scipy python3-matplotlib"
 HIDWA_DEBIAN_TEST="ccache librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev"
 HIDWA_DEBIAN_LINT="clang-format clang-tidy cppcheck flake8 shellcheck codespell catkin-lint"
-HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev zlib1g-dev libbenchmark-dev"
-HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev libgtest-dev"
+HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev zlib1g-dev libbenchmark-dev"
+HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev nlohmann-json3-dev libgtest-dev"
 HIDWA_DEBIAN_GUI="rviz libgl1-mesa-dri ros-robot-state-publisher"
 
 # Ubuntu 20.04 with ROS Noetic in /opt/ros/noetic: the real navigation stack is packaged there.
-HIDWA_NOETIC_BUILD="build-essential cmake libeigen3-dev libyaml-cpp-dev liburdfdom-dev zlib1g-dev
+HIDWA_NOETIC_BUILD="build-essential cmake libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev liburdfdom-dev zlib1g-dev
   python3-colcon-common-extensions ros-noetic-catkin ros-noetic-navigation ros-noetic-diagnostic-updater
   ros-noetic-dynamic-reconfigure ros-noetic-pluginlib ros-noetic-rosbag ros-noetic-roscpp ros-noetic-rospy
   ros-noetic-tf2-ros ros-noetic-tf2-geometry-msgs ros-noetic-urdf ros-noetic-visualization-msgs"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/core/parameter_text.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <optional>
 #include <sstream>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -13,22 +13,9 @@ namespace {
 struct Writer {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(int value) const { return std::to_string(value); }
-  std::string operator()(double value) const {
-    char text[32];
-    for (const int digits : {6, 17}) {  // 17 always suffice
-      std::snprintf(text, sizeof(text), "%.*g", digits, value);
-      if (std::strtod(text, nullptr) == value) break;
-    }
-    return text;
-  }
+  std::string operator()(double value) const { return shortest(value); }
   std::string operator()(const std::string& value) const { return value; }
 };
-
-bool read_number(const std::string& text, double& number) {
-  char* end = nullptr;
-  number = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0' && std::isfinite(number);
-}
 
 // A text on one line, and back.
 std::string escaped(const std::string& text) {
@@ -52,23 +39,21 @@ std::string unescaped(const std::string& line) {
 std::string to_text(const ParameterValue& value) { return std::visit(Writer(), value); }
 
 std::string set_parameter_text(Parameters& parameters, const std::string& name, const std::string& text) {
-  const std::vector<ParameterInfo>& table = parameter_table();
-  const auto info =
-      std::find_if(table.begin(), table.end(), [&name](const ParameterInfo& other) { return other.name == name; });
-  if (info == table.end()) return "there is no parameter '" + name + "'";
+  const ParameterInfo* info = find_parameter(name);
+  if (info == nullptr) return "there is no parameter '" + name + "'";
   ParameterValue value = text;
-  double number = 0.0;
+  const std::optional<double> number = number_in(text);
   if (info->type == "bool") {
     if (text != "true" && text != "false") return name + " is true or false, not '" + text + "'";
     value = text == "true";
   } else if (info->type == "int") {
-    if (!read_number(text, number) || number != std::floor(number) || std::abs(number) > 1e9) {
+    if (!number || *number != std::floor(*number) || std::abs(*number) > 1e9) {
       return name + " needs a whole number, not '" + text + "'";
     }
-    value = static_cast<int>(number);
+    value = static_cast<int>(*number);
   } else if (info->type == "double") {
-    if (!read_number(text, number)) return name + " needs a number, not '" + text + "'";
-    value = number;
+    if (!number) return name + " needs a number, not '" + text + "'";
+    value = *number;
   }
   return set_parameter(parameters, name, value);
 }
@@ -76,7 +61,7 @@ std::string set_parameter_text(Parameters& parameters, const std::string& name, 
 std::string to_lines(const Parameters& parameters) {
   std::string lines;
   for (const ParameterInfo& info : parameter_table()) {
-    lines += info.name + '=' + escaped(to_text(get_parameter(parameters, info.name))) + '\n';
+    lines += info.name + '=' + escaped(to_text(info.get(parameters))) + '\n';
   }
   return lines;
 }

@@ -1,36 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The table of all parameters, made once of parameter_list.inc, and what it serves: access by name and validation. The
+// list is read by the compiler twice: parameters.hpp makes the struct of it, make_table() the table. Both use the same
+// members, so that a default is written once.
 #include "hidwa_local_planner/core/parameters.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace {
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
-const ParameterInfo* find_info(const std::string& name) {
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.name == name) return &info;
-  }
-  return nullptr;
-}
-
-std::string describe(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (!text.empty() && text.back() == '.') text.pop_back();
-  return text;
-}
 
 std::string wrong_type(const ParameterInfo& info) {
   std::string wanted = info.type == "str" ? "a text" : info.type == "bool" ? "true or false" : "a number";
@@ -43,95 +23,112 @@ std::string wrong_type(const ParameterInfo& info) {
 }
 
 bool assign(double& field, const ParameterValue& value) {
-  if (const double* number = std::get_if<double>(&value)) {
-    field = *number;
-  } else if (const int* whole = std::get_if<int>(&value)) {
-    field = *whole;
-  } else {
-    return false;
-  }
+  const int* whole = std::get_if<int>(&value);
+  const double* number = std::get_if<double>(&value);
+  if (whole == nullptr && number == nullptr) return false;
+  field = whole != nullptr ? *whole : *number;
   return true;
 }
 
-bool assign(int& field, const ParameterValue& value) {
-  const int* whole = std::get_if<int>(&value);
-  if (whole != nullptr) field = *whole;
-  return whole != nullptr;
-}
-
-bool assign(bool& field, const ParameterValue& value) {
-  const bool* flag = std::get_if<bool>(&value);
-  if (flag != nullptr) field = *flag;
-  return flag != nullptr;
-}
-
-bool assign(std::string& field, const ParameterValue& value) {
-  const std::string* text = std::get_if<std::string>(&value);
-  if (text != nullptr) field = *text;
-  return text != nullptr;
+template <typename Value>
+bool assign(Value& field, const ParameterValue& value) {
+  const Value* same = std::get_if<Value>(&value);
+  if (same != nullptr) field = *same;
+  return same != nullptr;
 }
 
 template <typename Enum>
-bool assign_enum(Enum& field, const ParameterValue& value, const std::string& names) {
+bool assign_choice(Enum& field, const ParameterValue& value, const std::vector<std::string>& choices) {
   const std::string* text = std::get_if<std::string>(&value);
   if (text == nullptr) return false;
-  const std::vector<std::string> choices = split(names, '|');
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (choices[i] == *text) {
-      field = static_cast<Enum>(i);
-      return true;
-    }
-  }
-  return false;
+  const auto found = std::find(choices.begin(), choices.end(), *text);
+  if (found == choices.end()) return false;
+  field = static_cast<Enum>(found - choices.begin());
+  return true;
 }
 
-std::string enum_name(std::size_t value, const std::string& names) { return split(names, '|').at(value); }
+struct Naming {
+  const char *name, *type, *tab, *description;
+};
+
+ParameterInfo named(const Naming& naming) {
+  ParameterInfo info;
+  info.name = naming.name;
+  info.type = naming.type;
+  info.tab = naming.tab;
+  info.description = naming.description;
+  return info;
+}
+
+template <typename Value>
+ParameterInfo plain(const Naming& naming, Value Parameters::*member) {
+  ParameterInfo info = named(naming);
+  info.get = [member](const Parameters& p) { return ParameterValue(p.*member); };
+  info.set = [member](Parameters& p, const ParameterValue& value) { return assign(p.*member, value); };
+  return info;
+}
+
+template <typename Value>
+ParameterInfo number(const Naming& naming, Value Parameters::*member, double min, double max, const char* unit) {
+  ParameterInfo info = plain(naming, member);
+  info.min = min;
+  info.max = max;
+  info.unit = unit;
+  return info;
+}
+
+// An enumerator's place among the names is its value: parameters.hpp keeps it so.
+template <typename Enum>
+ParameterInfo choice(const Naming& naming, Enum Parameters::*member, const std::string& names) {
+  ParameterInfo info = named(naming);
+  info.choices = split(names, '|');
+  info.get = [member, choices = info.choices](const Parameters& p) {
+    return ParameterValue(choices.at(static_cast<std::size_t>(p.*member)));
+  };
+  info.set = [member, choices = info.choices](Parameters& p, const ParameterValue& value) {
+    return assign_choice(p.*member, value, choices);
+  };
+  return info;
+}
 
 std::vector<ParameterInfo> make_table() {
+  using P = Parameters;
   std::vector<ParameterInfo> table;
 #define HIDWA_DOUBLE(name, value, min, max, unit, tab, text) \
-  table.push_back({#name, "double", double{value}, min, max, unit, tab, text, {}});
+  table.push_back(number({#name, "double", tab, text}, &P::name, min, max, unit));
 #define HIDWA_INT(name, value, min, max, unit, tab, text) \
-  table.push_back({#name, "int", int{value}, min, max, unit, tab, text, {}});
-#define HIDWA_BOOL(name, value, tab, text) table.push_back({#name, "bool", bool{value}, 0, 0, "", tab, text, {}});
-#define HIDWA_STRING(name, value, tab, text) \
-  table.push_back({#name, "str", std::string(value), 0, 0, "", tab, text, {}});
-#define HIDWA_ENUM(Type, name, value, names, tab, text)                                                         \
-  table.push_back({#name, "enum", enum_name(static_cast<std::size_t>(Type::value), names), 0, 0, "", tab, text, \
-                   split(names, '|')});
+  table.push_back(number({#name, "int", tab, text}, &P::name, min, max, unit));
+#define HIDWA_BOOL(name, value, tab, text) table.push_back(plain({#name, "bool", tab, text}, &P::name));
+#define HIDWA_STRING(name, value, tab, text) table.push_back(plain({#name, "str", tab, text}, &P::name));
+#define HIDWA_ENUM(Type, name, value, names, tab, text) \
+  table.push_back(choice({#name, "enum", tab, text}, &P::name, names));
 #include "hidwa_local_planner/core/parameter_list.inc"
 #undef HIDWA_DOUBLE
 #undef HIDWA_INT
 #undef HIDWA_BOOL
 #undef HIDWA_STRING
 #undef HIDWA_ENUM
+  const Parameters defaults;
+  for (ParameterInfo& info : table) info.value = info.get(defaults);
   return table;
 }
 
-void check_range(std::vector<std::string>& faults, const std::string& name, double value, double min, double max,
-                 const std::string& unit) {
-  if (std::isfinite(value) && value >= min && value <= max) return;
-  faults.push_back(name + " = " + describe(value) + " " + unit + " is outside [" + describe(min) + ", " +
-                   describe(max) + "]");
+double as_number(const ParameterValue& value) {
+  const int* whole = std::get_if<int>(&value);
+  return whole != nullptr ? *whole : std::get<double>(value);
 }
 
 void check_ranges(std::vector<std::string>& faults, const Parameters& p) {
-#define HIDWA_DOUBLE(name, value, min, max, unit, tab, text) check_range(faults, #name, p.name, min, max, unit);
-#define HIDWA_INT(name, value, min, max, unit, tab, text) check_range(faults, #name, p.name, min, max, unit);
-#define HIDWA_BOOL(name, value, tab, text)
-#define HIDWA_STRING(name, value, tab, text)
-#define HIDWA_ENUM(Type, name, value, names, tab, text)
-#include "hidwa_local_planner/core/parameter_list.inc"
-#undef HIDWA_DOUBLE
-#undef HIDWA_INT
-#undef HIDWA_BOOL
-#undef HIDWA_STRING
-#undef HIDWA_ENUM
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.is_in_range(p)) continue;
+    faults.push_back(info.name + " = " + shortest(as_number(info.get(p))) + " " + info.unit + " is outside [" +
+                     shortest(info.min) + ", " + shortest(info.max) + "]");
+  }
 }
 
 void check_limits(std::vector<std::string>& faults, const Parameters& p) {
   if (p.min_vel_x > p.max_vel_x) {
-    faults.push_back("min_vel_x = " + describe(p.min_vel_x) + " m/s is above max_vel_x = " + describe(p.max_vel_x) +
+    faults.push_back("min_vel_x = " + shortest(p.min_vel_x) + " m/s is above max_vel_x = " + shortest(p.max_vel_x) +
                      " m/s: lower min_vel_x (0, or negative for reverse)");
   }
   if (p.min_vel_theta > p.max_vel_theta) {
@@ -173,58 +170,44 @@ void check_rest(std::vector<std::string>& faults, const Parameters& p) {
   if (split_names(p.critics).empty()) faults.push_back("critics is empty: name at least one, for example PathDist");
   const double samples = static_cast<double>(p.vx_samples) * static_cast<double>(p.vth_samples);
   if (samples > 200000.0) {
-    faults.push_back("vx_samples * vth_samples = " + describe(samples) + " is above 200000: lower either");
+    faults.push_back("vx_samples * vth_samples = " + shortest(samples) + " is above 200000: lower either");
   }
 }
 
 }  // namespace
+
+bool ParameterInfo::is_in_range(const Parameters& parameters) const {
+  if (!is_number()) return true;
+  const double number = as_number(get(parameters));
+  return number >= min && number <= max;
+}
 
 const std::vector<ParameterInfo>& parameter_table() {
   static const std::vector<ParameterInfo> table = make_table();
   return table;
 }
 
-std::string set_parameter(Parameters& p, const std::string& wanted, const ParameterValue& value) {
-  const ParameterInfo* info = find_info(wanted);
-  if (info == nullptr) return wanted + ": no such parameter";
-  bool done = false;
-#define HIDWA_DOUBLE(name, value_, min, max, unit, tab, text) \
-  if (wanted == #name) done = assign(p.name, value);
-#define HIDWA_INT(name, value_, min, max, unit, tab, text) \
-  if (wanted == #name) done = assign(p.name, value);
-#define HIDWA_BOOL(name, value_, tab, text) \
-  if (wanted == #name) done = assign(p.name, value);
-#define HIDWA_STRING(name, value_, tab, text) \
-  if (wanted == #name) done = assign(p.name, value);
-#define HIDWA_ENUM(Type, name, value_, names, tab, text) \
-  if (wanted == #name) done = assign_enum(p.name, value, names);
-#include "hidwa_local_planner/core/parameter_list.inc"
-#undef HIDWA_DOUBLE
-#undef HIDWA_INT
-#undef HIDWA_BOOL
-#undef HIDWA_STRING
-#undef HIDWA_ENUM
-  return done ? std::string() : wrong_type(*info);
+const ParameterInfo* find_parameter(const std::string& name) {
+  for (const ParameterInfo& info : parameter_table()) {
+    if (info.name == name) return &info;
+  }
+  return nullptr;
 }
 
-ParameterValue get_parameter(const Parameters& p, const std::string& wanted) {
-#define HIDWA_DOUBLE(name, value, min, max, unit, tab, text) \
-  if (wanted == #name) return p.name;
-#define HIDWA_INT(name, value, min, max, unit, tab, text) \
-  if (wanted == #name) return p.name;
-#define HIDWA_BOOL(name, value, tab, text) \
-  if (wanted == #name) return p.name;
-#define HIDWA_STRING(name, value, tab, text) \
-  if (wanted == #name) return p.name;
-#define HIDWA_ENUM(Type, name, value, names, tab, text) \
-  if (wanted == #name) return enum_name(static_cast<std::size_t>(p.name), names);
-#include "hidwa_local_planner/core/parameter_list.inc"
-#undef HIDWA_DOUBLE
-#undef HIDWA_INT
-#undef HIDWA_BOOL
-#undef HIDWA_STRING
-#undef HIDWA_ENUM
-  throw std::out_of_range("no parameter named " + wanted);
+const ParameterInfo& parameter_info(const std::string& name) {
+  const ParameterInfo* info = find_parameter(name);
+  if (info == nullptr) throw std::out_of_range("no parameter named " + name);
+  return *info;
+}
+
+std::string set_parameter(Parameters& parameters, const std::string& name, const ParameterValue& value) {
+  const ParameterInfo* info = find_parameter(name);
+  if (info == nullptr) return name + ": no such parameter";
+  return info->set(parameters, value) ? "" : wrong_type(*info);
+}
+
+ParameterValue get_parameter(const Parameters& parameters, const std::string& name) {
+  return parameter_info(name).get(parameters);
 }
 
 std::vector<std::string> validate(const Parameters& parameters) {

@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "words.hpp"
 
 namespace hidwa_local_planner {
@@ -161,57 +163,71 @@ std::string explain(double time, record::CycleReplay& replay, const record::Repl
 
 namespace {
 
-std::string json_of(const Twist2& u) { return "[" + json(u.v) + "," + json(u.omega) + "]"; }
-std::string json_of(const Pose2& q) { return "[" + json(q.x) + "," + json(q.y) + "," + json(q.theta) + "]"; }
+using Json = nlohmann::json;
 
-template <typename Items, typename Writer>
-std::string json_list(const Items& items, const Writer& writer) {
-  std::string text = "[";
-  for (const auto& item : items) text += (text.size() > 1 ? "," : "") + writer(item);
-  return text + "]";
+Json json_of(const Twist2& u) { return {u.v, u.omega}; }
+Json json_of(const Pose2& q) { return {q.x, q.y, q.theta}; }
+Json json_of(const Point& p) { return {p.x(), p.y()}; }
+
+// What is not finite becomes null.
+Json json_of(const CandidateReport& candidate) {
+  Json terms = Json::array();
+  for (const CriticTerm& critic : candidate.terms) terms.push_back(critic.raw * critic.weight);
+  return {{"u", json_of(candidate.sample)},
+          {"end", json_of(candidate.poses.back())},
+          {"sum", candidate.sum()},
+          {"total", candidate.total},
+          {"refused", refusals_in_words(candidate)},
+          {"terms", terms}};
 }
 
-std::string json_of(const CandidateReport& candidate) {
-  return "{\"u\":" + json_of(candidate.sample) + ",\"end\":" + json_of(candidate.poses.back()) +
-         ",\"sum\":" + json(candidate.sum()) + ",\"total\":" + json(candidate.total) +
-         ",\"refused\":" + json(refusals_in_words(candidate)) + ",\"terms\":" +
-         json_list(candidate.terms, [](const CriticTerm& critic) { return json(critic.raw * critic.weight); }) + "}";
+Json json_of(const record::StoredGrid& grid) {
+  return {{"width", grid.size_x},
+          {"height", grid.size_y},
+          {"resolution", grid.resolution},
+          {"origin", {grid.origin_x, grid.origin_y}},
+          {"costs", grid.costs}};
+}
+
+template <typename Items>
+Json list_of(const Items& items) {
+  Json list = Json::array();
+  for (const auto& item : items) list.push_back(json_of(item));
+  return list;
+}
+
+Json names_of(const std::vector<CriticTerm>& critics) {
+  Json names = Json::array();
+  for (const CriticTerm& critic : critics) names.push_back(std::string(critic.name));
+  return names;
 }
 
 }  // namespace
 
 std::string explain_as_json(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle) {
   const record::CycleRecord& record = replay.record();
-  const record::StoredGrid& grid = replay.grid();
   const Decision* decision = replay.decision();
   const std::vector<CandidateReport> all = replay.planner().candidates();
   const bool steered = cycle.intent.influence != Influence::none;
-  const auto point = [](const Point& p) { return "[" + json(p.x()) + "," + json(p.y()) + "]"; };
-  const auto pose = [](const Pose2& q) { return json_of(q); };
-  const auto whole = [](int number) { return std::to_string(number); };
-  std::string text = "{\"time\":" + json(time) + ",\"state\":" + json(std::string(to_string(cycle.intent.state))) +
-                     ",\"outcome\":" + json(std::string(to_string(cycle.verdict.outcome))) +
-                     ",\"command\":" + json_of(cycle.verdict.command) +
-                     ",\"u_h\":" + (steered ? json_of(cycle.intent.u_h) : "null") +
-                     ",\"reference\":" + json_of(cycle.verdict.reference);
+  Json json = {{"time", time},
+               {"state", to_string(cycle.intent.state)},
+               {"outcome", to_string(cycle.verdict.outcome)},
+               {"command", json_of(cycle.verdict.command)},
+               {"u_h", steered ? json_of(cycle.intent.u_h) : Json()},
+               {"reference", json_of(cycle.verdict.reference)},
+               {"outline", list_of(replay.setup().outline)},
+               {"trajectory", decision != nullptr ? list_of(decision->trajectory) : Json::array()},
+               {"best", replay.planner().marked().best},
+               {"operator_own", replay.planner().marked().operator_command},
+               {"critics", all.empty() ? Json::array() : names_of(all.front().terms)},
+               {"candidates", list_of(all)},
+               {"grid", json_of(replay.grid())}};
   if (record.planned) {
-    text += ",\"pose\":" + json_of(record.planned->situation.pose) +
-            ",\"goal\":" + json_of(record.planned->situation.goal) +
-            ",\"plan\":" + json_list(record.planned->situation.plan, pose);
+    json["pose"] = json_of(record.planned->situation.pose);
+    json["goal"] = json_of(record.planned->situation.goal);
+    json["plan"] = list_of(record.planned->situation.plan);
   }
-  text += ",\"outline\":" + json_list(replay.setup().outline, point) +
-          ",\"trajectory\":" + (decision != nullptr ? json_list(decision->trajectory, pose) : "[]") +
-          ",\"best\":" + whole(replay.planner().marked().best) +
-          ",\"operator_own\":" + whole(replay.planner().marked().operator_command);
-  text +=
-      ",\"critics\":" + (all.empty() ? std::string("[]") : json_list(all.front().terms, [](const CriticTerm& critic) {
-        return json(std::string(critic.name));
-      }));
-  text += ",\"candidates\":" + json_list(all, [](const CandidateReport& candidate) { return json_of(candidate); });
-  text += ",\"grid\":{\"width\":" + whole(grid.size_x) + ",\"height\":" + whole(grid.size_y) +
-          ",\"resolution\":" + json(grid.resolution) + ",\"origin\":[" + json(grid.origin_x) + "," +
-          json(grid.origin_y) + "],\"costs\":" + json_list(grid.costs, whole) + "}}\n";
-  return text;
+  return json.dump() + '\n';
 }
 
 }  // namespace replay

@@ -2,8 +2,8 @@
 #include "moment.hpp"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace replay {
@@ -11,21 +11,14 @@ namespace {
 
 const std::string kRosTime = "ros:";
 
-std::string worded(const char* text, double a, double b = 0.0, double c = 0.0, double d = 0.0) {
-  char words[320];
-  std::snprintf(words, sizeof(words), text, a, b, c, d);
-  return words;
-}
-
 }  // namespace
 
 std::optional<Moment> moment_of(const std::string& text) {
   Moment moment;
   moment.ros_time = text.compare(0, kRosTime.size(), kRosTime) == 0;
-  const std::string number = moment.ros_time ? text.substr(kRosTime.size()) : text;
-  char* end = nullptr;
-  moment.seconds = std::strtod(number.c_str(), &end);
-  if (number.empty() || *end != '\0' || !std::isfinite(moment.seconds)) return std::nullopt;
+  const std::optional<double> seconds = number_in(moment.ros_time ? text.substr(kRosTime.size()) : text);
+  if (!seconds) return std::nullopt;
+  moment.seconds = *seconds;
   return moment;
 }
 
@@ -52,13 +45,13 @@ std::string MomentSearch::remark() const {
   if (!first_) return "no cycle can be repeated: record with record_cycles: true";
   const std::optional<double> meant = found();
   if (!meant) {
-    return worded(
+    return format(
         "there is no cycle at %.3f s; they go from 0 to %.3f s since the first record, which is ROS time %.3f to %.3f, "
         "with gaps where input was missing",
         wanted_.seconds, last_ - *first_, *first_, last_);
   }
   if (ros_time_.hits(wanted_.seconds) && *ros_time_.time != *meant) {
-    return worded("taken as the time since the first record; there is also a cycle at this ROS time: --at ros:%.3f",
+    return format("taken as the time since the first record; there is also a cycle at this ROS time: --at ros:%.3f",
                   wanted_.seconds);
   }
   return "";

@@ -11,26 +11,10 @@ namespace {
 
 constexpr double kSame = 0.02;  // lengths that differ by less are one
 
-bool in_range(const Parameters& parameters, const std::string& name) {
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.name != name) continue;
-    const double value = std::get<double>(get_parameter(parameters, name));
-    return value >= info.min && value <= info.max;
-  }
-  return false;
-}
-
-double largest(const std::string& name) {
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.name == name) return info.max;
-  }
-  return 0.0;
-}
-
 bool all_in_range(const Parameters& p) {
   for (const char* name :
        {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_radius", "wheel_separation", "max_wheel_velocity"}) {
-    if (!in_range(p, name)) return false;
+    if (!parameter_info(name).is_in_range(p)) return false;
   }
   return true;
 }
@@ -83,7 +67,7 @@ LimitedParameters limited(const Parameters& wanted, const Wheels& wheels) {
   double velocity = wanted.max_wheel_velocity;
   if (joint_limits) {
     by = wheels.slower;
-    velocity = std::min(wheels.max_velocity, largest("max_wheel_velocity"));
+    velocity = std::min(wheels.max_velocity, parameter_info("max_wheel_velocity").max);
     if (wanted.max_wheel_velocity > 0.0) {
       velocity = tighter(remarks, by, velocity, "max_wheel_velocity", wanted.max_wheel_velocity, "rad/s");
       if (velocity == wanted.max_wheel_velocity) by = "max_wheel_velocity";

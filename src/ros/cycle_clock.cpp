@@ -2,8 +2,8 @@
 #include "hidwa_local_planner/ros/cycle_clock.hpp"
 
 #include <cmath>
-#include <cstdio>
 
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/control/pause.hpp"
 
 namespace hidwa_local_planner {
@@ -45,12 +45,10 @@ std::string CycleClock::complaint() {
   count_ = 0;
   if (mean <= 0.0 || std::abs(period_ / mean - 1.0) <= kTolerance) return "";
   complained_ = true;
-  char text[240];
-  std::snprintf(text, sizeof(text),
-                "called at %.1f Hz, but the control period is taken to be %.3f s (%.1f Hz): set controller_frequency "
-                "to the rate that the host reaches, or lighten its load",
-                1.0 / mean, period_, 1.0 / period_);
-  return text;
+  return format(
+      "called at %.1f Hz, but the control period is taken to be %.3f s (%.1f Hz): set controller_frequency "
+      "to the rate that the host reaches, or lighten its load",
+      1.0 / mean, period_, 1.0 / period_);
 }
 
 }  // namespace hidwa_local_planner

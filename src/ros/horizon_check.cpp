@@ -2,20 +2,10 @@
 #include "hidwa_local_planner/ros/horizon_check.hpp"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
-namespace {
-
-template <typename... Numbers>
-std::string worded(const char* format, Numbers... numbers) {
-  char text[320];
-  std::snprintf(text, sizeof(text), format, numbers...);
-  return text;
-}
-
-}  // namespace
-
 std::vector<std::string> horizon_complaints(const Parameters& p, double map_width, double map_height,
                                             double circumscribed_radius) {
   std::vector<std::string> complaints;
@@ -23,7 +13,7 @@ std::vector<std::string> horizon_complaints(const Parameters& p, double map_widt
   const double stopping_time = fastest / p.braking_x() + p.control_latency;  // [s]
   if (p.sim_time < stopping_time) {
     complaints.push_back(
-        worded("sim_time = %.2f s is shorter than stopping takes (max_vel_x / deceleration + "
+        format("sim_time = %.2f s is shorter than stopping takes (max_vel_x / deceleration + "
                "control_latency = %.2f s): raise sim_time to %.2f s or lower max_vel_x",
                p.sim_time, stopping_time, stopping_time));
   }
@@ -31,7 +21,7 @@ std::vector<std::string> horizon_complaints(const Parameters& p, double map_widt
   const double half = 0.5 * std::min(map_width, map_height);         // [m]
   if (half < reach) {
     complaints.push_back(
-        worded("the local costmap reaches %.2f m from the robot, but a candidate may reach %.2f m "
+        format("the local costmap reaches %.2f m from the robot, but a candidate may reach %.2f m "
                "(max_vel_x sim_time + circumscribed radius): set its width and height to %.1f m, or "
                "lower sim_time or max_vel_x",
                half, reach, 2.0 * reach + 0.05));

@@ -2,9 +2,9 @@
 #include "hidwa_local_planner/ros/odometry_input.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "core/motion/odometry_belief.hpp"
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 
 namespace hidwa_local_planner {
@@ -68,9 +68,7 @@ OdometryInput::Reading OdometryInput::read(double now, double timeout) const {
   double age = now - newest.received;
   if (newest.stamp > 0.0) age = std::max(age, now - newest.stamp);
   if (age <= timeout) return {newest.velocity, ""};
-  char text[64];
-  std::snprintf(text, sizeof(text), " is %.2f s old (odom_timeout %.2f s)", age, timeout);
-  return {std::nullopt, "odometry on " + topic() + text};
+  return {std::nullopt, "odometry on " + topic() + format(" is %.2f s old (odom_timeout %.2f s)", age, timeout)};
 }
 
 void OdometryInput::forget() {

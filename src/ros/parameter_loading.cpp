@@ -12,13 +12,6 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-const ParameterInfo* info_of(const std::string& name) {
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.name == name) return &info;
-  }
-  return nullptr;
-}
-
 std::string as_text(const XmlRpcValue& value) {
   std::ostringstream text;
   value.write(text);
@@ -61,7 +54,7 @@ std::optional<ParameterValue> converted(const ParameterInfo& info, const XmlRpcV
 }
 
 std::string remedy_for(const ParameterInfo& info, const XmlRpcValue& value) {
-  if (value.getType() == XmlRpcValue::TypeString && (info.type == "double" || info.type == "int")) {
+  if (value.getType() == XmlRpcValue::TypeString && (info.is_number())) {
     return " (YAML takes it for a text: write numbers like 0.001 or 1.0e-3, without quotes)";
   }
   if (value.getType() == XmlRpcValue::TypeDouble && info.type == "int") return " (write it without a decimal point)";
@@ -94,7 +87,7 @@ void take_nested(LoadedParameters& loaded, const std::string& group, const XmlRp
   for (const auto& [member, value] : members) {
     const std::string key = group + "/" + member;
     const std::string flat = group + "_" + member;
-    const ParameterInfo* info = info_of(flat);
+    const ParameterInfo* info = find_parameter(flat);
     if (info == nullptr) {
       const std::string near = suggestion_for(flat);
       loaded.warnings.push_back("unknown parameter " + key + ": it has no effect" +
@@ -139,7 +132,7 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
   }
   std::vector<std::pair<std::string, const XmlRpcValue*>> groups;
   for (const auto& [key, value] : content) {
-    if (const ParameterInfo* info = info_of(key)) {
+    if (const ParameterInfo* info = find_parameter(key)) {
       take(loaded, *info, key, value);
     } else if (value.getType() == XmlRpcValue::TypeStruct) {
       groups.emplace_back(key, &value);

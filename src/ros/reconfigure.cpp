@@ -2,7 +2,10 @@
 #include "hidwa_local_planner/ros/reconfigure.hpp"
 
 #include <utility>
+#include <variant>
 
+#include <dynamic_reconfigure/Config.h>
+#include <dynamic_reconfigure/config_tools.h>
 #include <ros/console.h>
 
 namespace hidwa_local_planner {
@@ -14,41 +17,43 @@ std::string choice(const std::string& text) {
   return text == "False" || text == "false" ? "off" : text;
 }
 
+// The values of one kind in a message; their names are those of the parameters.
+template <typename Value, typename Entries>
+void take(Parameters& parameters, const Entries& entries) {
+  for (const auto& entry : entries) set_parameter(parameters, entry.name, static_cast<Value>(entry.value));
+}
+
+void take_text(Parameters& parameters, const dynamic_reconfigure::StrParameter& entry,
+               std::vector<std::string>& faults) {
+  const bool chosen = parameter_info(entry.name).type == "enum";
+  const std::string fault = set_parameter(parameters, entry.name, chosen ? choice(entry.value) : entry.value);
+  if (!fault.empty()) faults.push_back(fault + ", found " + entry.value);
+}
+
 }  // namespace
 
-HIDWAPlannerConfig to_config(const Parameters& p) {
+HIDWAPlannerConfig to_config(const Parameters& parameters) {
+  dynamic_reconfigure::Config message;
+  for (const ParameterInfo& info : parameter_table()) {
+    const auto append = [&](const auto& value) {
+      dynamic_reconfigure::ConfigTools::appendParameter(message, info.name, value);
+    };
+    std::visit(append, info.get(parameters));
+  }
   HIDWAPlannerConfig config = HIDWAPlannerConfig::__getDefault__();
-#define HIDWA_DOUBLE(name, value, min, max, unit, tab, text) config.name = p.name;
-#define HIDWA_INT(name, value, min, max, unit, tab, text) config.name = p.name;
-#define HIDWA_BOOL(name, value, tab, text) config.name = p.name;
-#define HIDWA_STRING(name, value, tab, text) config.name = p.name;
-#define HIDWA_ENUM(Type, name, value, names, tab, text) config.name = std::get<std::string>(get_parameter(p, #name));
-#include "hidwa_local_planner/core/parameter_list.inc"
-#undef HIDWA_DOUBLE
-#undef HIDWA_INT
-#undef HIDWA_BOOL
-#undef HIDWA_STRING
-#undef HIDWA_ENUM
+  config.__fromMessage__(message);
   return config;
 }
 
 Parameters from_config(const HIDWAPlannerConfig& config, std::vector<std::string>& faults) {
-  Parameters p;
-  std::string fault;
-#define HIDWA_DOUBLE(name, value, min, max, unit, tab, text) p.name = config.name;
-#define HIDWA_INT(name, value, min, max, unit, tab, text) p.name = config.name;
-#define HIDWA_BOOL(name, value, tab, text) p.name = config.name;
-#define HIDWA_STRING(name, value, tab, text) p.name = config.name;
-#define HIDWA_ENUM(Type, name, value, names, tab, text) \
-  fault = set_parameter(p, #name, choice(config.name)); \
-  if (!fault.empty()) faults.push_back(fault + ", found " + config.name);
-#include "hidwa_local_planner/core/parameter_list.inc"
-#undef HIDWA_DOUBLE
-#undef HIDWA_INT
-#undef HIDWA_BOOL
-#undef HIDWA_STRING
-#undef HIDWA_ENUM
-  return p;
+  dynamic_reconfigure::Config message;
+  config.__toMessage__(message);
+  Parameters parameters;
+  take<bool>(parameters, message.bools);
+  take<int>(parameters, message.ints);
+  take<double>(parameters, message.doubles);
+  for (const dynamic_reconfigure::StrParameter& entry : message.strs) take_text(parameters, entry, faults);
+  return parameters;
 }
 
 Reconfigure::Reconfigure(const ros::NodeHandle& handle, const Parameters& initial, Judge judge)

@@ -2,7 +2,8 @@
 #include "hidwa_local_planner/ros/sample_budget.hpp"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -109,13 +110,11 @@ SampleBudget::Event SampleBudget::restore(double duration, double budget) {
 std::string thinning_complaint(const Sampling& in_force, const Sampling& full, double budget) {
   if (same(in_force, full)) return "";
   const bool fewest = in_force.vx_samples == least(full.vx_samples) && in_force.vth_samples == least(full.vth_samples);
-  char text[320];
-  std::snprintf(text, sizeof(text),
-                "cycles take longer than the budget of %.1f ms: samples thinned from %d x %d to %d x %d%s; lower "
-                "vx_samples or vth_samples, raise cycle_budget, or give the machine less to do",
-                1e3 * budget, full.vx_samples, full.vth_samples, in_force.vx_samples, in_force.vth_samples,
-                fewest ? ", the fewest" : "");
-  return text;
+  return format(
+      "cycles take longer than the budget of %.1f ms: samples thinned from %d x %d to %d x %d%s; lower "
+      "vx_samples or vth_samples, raise cycle_budget, or give the machine less to do",
+      1e3 * budget, full.vx_samples, full.vth_samples, in_force.vx_samples, in_force.vth_samples,
+      fewest ? ", the fewest" : "");
 }
 
 }  // namespace hidwa_local_planner

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/shell.hpp"
 
-#include <sstream>
 #include <utility>
 
 #include "core/planner/safe_values.hpp"
 #include "core/util/words.hpp"
+#include "hidwa_local_planner/core/parameter_text.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/horizon_check.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
@@ -99,17 +99,8 @@ void Shell::start_parameters() {
 void Shell::report_start(const std::vector<std::string>& found) const {
   std::vector<std::string> changed;
   for (const ParameterInfo& info : parameter_table()) {
-    const ParameterValue value = get_parameter(loop_.parameters(), info.name);
-    if (value == info.value) continue;
-    std::string text = info.name + ": ";
-    std::visit(
-        [&text](const auto& v) {
-          std::ostringstream stream;
-          stream << std::boolalpha << v;
-          text += stream.str();
-        },
-        value);
-    changed.push_back(text);
+    const ParameterValue value = info.get(loop_.parameters());
+    if (value != info.value) changed.push_back(info.name + ": " + to_text(value));
   }
   ROS_INFO("%s: %zu values came from the parameter server; not the defaults: %s", handle_.getNamespace().c_str(),
            found.size(), changed.empty() ? "none" : joined(changed).c_str());

@@ -7,6 +7,7 @@
 
 #include <tf2/exceptions.h>
 
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/ros/shell.hpp"
 
 namespace hidwa_local_planner {
@@ -22,10 +23,8 @@ bool same_outline(const Polygon& outline, const std::vector<geometry_msgs::Point
 
 // What a host asks for may lie beyond what a parameter may be.
 double in_range(const char* parameter, double value) {
-  for (const ParameterInfo& info : parameter_table()) {
-    if (info.name == parameter) return std::isfinite(value) ? std::clamp(value, info.min, info.max) : info.max;
-  }
-  return value;
+  const ParameterInfo& info = parameter_info(parameter);
+  return std::isfinite(value) ? std::clamp(value, info.min, info.max) : info.max;
 }
 
 }  // namespace
@@ -166,8 +165,8 @@ std::string Shell::observe_pose(double now, Observation& observation) {
     const geometry_msgs::TransformStamped transform = tf_.lookupTransform(frame, loop_.plan_frame(), ros::Time(0));
     const double age = transform.header.stamp.isZero() ? 0.0 : now - transform.header.stamp.toSec();
     if (age > loop_.parameters().transform_tolerance) {
-      return "the transform from the plan's frame " + loop_.plan_frame() + " to " + frame + " is " +
-             std::to_string(age) + " s old (transform_tolerance)";
+      return "the transform from the plan's frame " + loop_.plan_frame() + " to " + frame + " is " + worded(age) +
+             " s old (transform_tolerance)";
     }
     observation.from_plan = to_transform(transform.transform);
     return is_finite(observation.from_plan.origin) ? ""

@@ -51,11 +51,15 @@ std::vector<BarnSubject> subjects_of(const Options& options, const Plan& plan) {
 }
 
 std::string manifest(const Options& o) {
-  return "{\n  \"version\": " + quoted(HIDWA_VERSION) +
-         ",\n  \"experiment\": \"barn\",\n  \"seed\": " + std::to_string(o.seed) + ",\n  \"set\": " + json_of(o.sets) +
-         ",\n  \"worlds\": " + quoted(fingerprint_of_file(o.worlds)) + ",\n  \"parameters\": " +
-         quoted(fingerprint_of_file(share_file(kJackal)) + " " + fingerprint_of_file(share_file(kBarn))) +
-         ",\n  \"paths\": " + (o.paths ? "true" : "false") + "\n}\n";
+  const nlohmann::json manifest = {
+      {"version", HIDWA_VERSION},
+      {"experiment", "barn"},
+      {"seed", o.seed},
+      {"set", json_of(o.sets)},
+      {"worlds", fingerprint_of_file(o.worlds)},
+      {"parameters", fingerprint_of_file(share_file(kJackal)) + " " + fingerprint_of_file(share_file(kBarn))},
+      {"paths", o.paths}};
+  return manifest.dump(2) + '\n';
 }
 
 }  // namespace

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <yaml-cpp/yaml.h>
 
+#include "core/util/words.hpp"
 #include "drive/outline.hpp"
 #include "study/barn_person.hpp"
 #include "study/error.hpp"
@@ -83,13 +84,13 @@ void assign_entry(BarnSubject& subject, const std::string& name, const std::stri
     for (const auto& entry : entries()) known += " " + entry.first;
     throw UsageError("there is no " + name + ": there are" + known);
   }
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(value >= found->second.least && value <= found->second.greatest)) {
-    throw UsageError(name + " needs a number from " + number(found->second.least) + " to " +
-                     number(found->second.greatest) + ", not '" + text + "'");
+  const auto& [member, least, greatest] = found->second;
+  const std::optional<double> value = number_in(text);
+  if (!value || *value < least || *value > greatest) {
+    throw UsageError(name + " needs a number from " + shortest(least) + " to " + shortest(greatest) + ", not '" + text +
+                     "'");
   }
-  found->second.member(subject) = value;
+  member(subject) = *value;
 }
 
 // A local costmap must hold what is rolled out, or its edge limits the speed.

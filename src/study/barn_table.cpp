@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <stdexcept>
 #include <tuple>
 
+#include <nlohmann/json.hpp>
+
+#include "core/util/words.hpp"
 #include "study/summary.hpp"
 
 namespace hidwa_local_planner {
@@ -24,15 +24,8 @@ const std::vector<std::string>& names() {
   return all;
 }
 
-const std::string& text_of(const Row& row, const std::string& column) {
-  const auto found = std::find(names().begin(), names().end(), column);
-  if (found == names().end()) throw std::logic_error("no column " + column);
-  return row.at(static_cast<std::size_t>(found - names().begin()));
-}
-
-double number_of(const Row& row, const std::string& column) {
-  return std::strtod(text_of(row, column).c_str(), nullptr);
-}
+const std::string& text_of(const Row& row, const std::string& column) { return cell(row, column, names()); }
+double number_of(const Row& row, const std::string& column) { return value(row, column, names()); }
 
 struct ModeGroup {
   std::string mode, setting;
@@ -74,27 +67,26 @@ std::vector<ModeGroup> mode_groups(const Plan& plan, const std::vector<Row>& row
   return groups;
 }
 
-std::string group_json(const ModeGroup& group) {
-  return "    {\"mode\": \"" + group.mode + "\", \"setting\": \"" + group.setting +
-         "\", \"n\": " + std::to_string(group.rows.size()) + ", \"success\": " + number(group.mean("success")) +
-         ", \"collision\": " + number(group.mean("collision")) + ", \"timeout\": " + number(group.mean("timeout")) +
-         ", \"time_of_successes\": " + number(group.mean_time_of_successes()) +
-         ", \"metric\": " + number(group.mean("metric")) +
-         ", \"contacts\": " + std::to_string(group.count("contacts")) +
-         ", \"least_clearance\": " + number(group.least("clearance")) +
-         ", \"operator_active\": " + number(group.mean("operator_active")) + "}";
+nlohmann::json json_of(const ModeGroup& group) {
+  return {{"mode", group.mode},
+          {"setting", group.setting},
+          {"n", group.rows.size()},
+          {"success", group.mean("success")},
+          {"collision", group.mean("collision")},
+          {"timeout", group.mean("timeout")},
+          {"time_of_successes", group.mean_time_of_successes()},
+          {"metric", group.mean("metric")},
+          {"contacts", group.count("contacts")},
+          {"least_clearance", group.least("clearance")},
+          {"operator_active", group.mean("operator_active")}};
 }
 
 std::string summary(const Plan& plan, const std::vector<Row>& rows) {
-  std::string json = "{\n  \"experiment\": \"" + plan.experiment +
-                     "\",\n  \"runs_planned\": " + std::to_string(plan.runs.size()) +
-                     ",\n  \"runs\": " + std::to_string(rows.size()) + ",\n  \"groups\": [";
-  const char* before = "\n";
-  for (const ModeGroup& group : mode_groups(plan, rows)) {
-    json += before + group_json(group);
-    before = ",\n";
-  }
-  return json + "\n  ]\n}\n";
+  nlohmann::json all = nlohmann::json::array();
+  for (const ModeGroup& group : mode_groups(plan, rows)) all.push_back(json_of(group));
+  const nlohmann::json summary = {
+      {"experiment", plan.experiment}, {"runs_planned", plan.runs.size()}, {"runs", rows.size()}, {"groups", all}};
+  return summary.dump(2) + '\n';
 }
 
 // The best first: fewest contacts, then the greatest metric, most successes.
@@ -121,14 +113,12 @@ std::string ranking(const Plan& plan, const std::vector<Row>& rows) {
 std::string digest(const Plan& plan, const std::vector<Row>& rows) {
   std::string lines;
   for (const ModeGroup& group : mode_groups(plan, rows)) {
-    char line[200];
-    std::snprintf(line, sizeof line,
-                  "n %zu, success %.3f, collision %.3f, timeout %.3f, %.1f s, metric %.3f, contacts %ld, "
-                  "least clearance %.3f m",
-                  group.rows.size(), group.mean("success"), group.mean("collision"), group.mean("timeout"),
-                  group.mean_time_of_successes(), group.mean("metric"), group.count("contacts"),
-                  group.least("clearance"));
-    lines += group.mode + " " + group.setting + ": " + line + "\n";
+    lines += group.mode + " " + group.setting + ": ";
+    lines += format(
+        "n %zu, success %.3f, collision %.3f, timeout %.3f, %.1f s, metric %.3f, contacts %ld, "
+        "least clearance %.3f m\n",
+        group.rows.size(), group.mean("success"), group.mean("collision"), group.mean("timeout"),
+        group.mean_time_of_successes(), group.mean("metric"), group.count("contacts"), group.least("clearance"));
   }
   return lines;
 }

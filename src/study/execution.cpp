@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "progress.hpp"
 #include "study/error.hpp"
 #include "study/runner.hpp"
@@ -24,10 +26,13 @@ struct Timing {
 
 std::string timing_json(std::size_t threads, std::size_t made, std::size_t kept, double wall, const Timing& timing) {
   const double cycle = timing.cycles > 0 ? timing.planning / static_cast<double>(timing.cycles) : 0.0;
-  return "{\n  \"runs_made\": " + std::to_string(made) + ",\n  \"runs_kept\": " + std::to_string(kept) +
-         ",\n  \"threads\": " + std::to_string(threads) + ",\n  \"wall_time\": " + number(wall) +
-         ",\n  \"simulated_time\": " + number(timing.simulated) + ",\n  \"mean_planning_time\": " + number(cycle) +
-         "\n}\n";
+  const nlohmann::json json = {{"runs_made", made},
+                               {"runs_kept", kept},
+                               {"threads", threads},
+                               {"wall_time", wall},
+                               {"simulated_time", timing.simulated},
+                               {"mean_planning_time", cycle}};
+  return json.dump(2) + '\n';
 }
 
 // A finished run among the parts.

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "study/setting.hpp"
 
 namespace hidwa_local_planner {
@@ -16,11 +18,8 @@ constexpr std::uint64_t kSeeds = 1000000000ULL;
 /// What a file says, so that another file of the same name is another study (FNV-1a).
 std::string fingerprint_of_file(const std::string& path);
 
-/// Text as JSON has it.
-std::string quoted(const std::string& text);
-
 /// `--set` as a JSON list.
-std::string json_of(const std::vector<Assignment>& sets);
+nlohmann::json json_of(const std::vector<Assignment>& sets);
 
 }  // namespace study
 }  // namespace hidwa_local_planner

@@ -2,12 +2,13 @@
 #include "study/options.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <optional>
 #include <sstream>
 
+#include "core/util/words.hpp"
 #include "study/barn_drive.hpp"
 #include "study/error.hpp"
 
@@ -33,13 +34,13 @@ std::vector<std::string> list(const std::string& text) {
 }
 
 sim::Pose pose(const std::string& option, const std::string& text) {
+  const std::vector<std::string> parts = list(text);
   std::vector<double> numbers;
-  for (const std::string& part : list(text)) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(part.c_str(), &end));
-    if (part.empty() || *end != '\0' || !std::isfinite(numbers.back())) numbers.resize(9);
+  for (const std::string& part : parts) {
+    if (const std::optional<double> number = number_in(part)) numbers.push_back(*number);
   }
-  if (numbers.size() != 3) throw UsageError(option + " needs x,y,yaw in metres and radians, not '" + text + "'");
+  if (parts.size() != 3 || numbers.size() != 3)
+    throw UsageError(option + " needs x,y,yaw in metres and radians, not '" + text + "'");
   return {numbers[0], numbers[1], numbers[2]};
 }
 

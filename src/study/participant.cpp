@@ -2,8 +2,8 @@
 #include "study/participant.hpp"
 
 #include <cmath>
-#include <cstdio>
 
+#include "core/util/words.hpp"
 #include "sim/random.hpp"
 #include "study/seed.hpp"
 
@@ -94,9 +94,7 @@ std::string set_trait(Participant& participant, const std::string& name, double 
         participant.*trait.member = value;
         return {};
       }
-      char range[80];
-      std::snprintf(range, sizeof range, "%g to %g", trait.least, trait.greatest);
-      return "participant." + name + " must be within " + range;
+      return "participant." + name + " must be within " + shortest(trait.least) + " to " + shortest(trait.greatest);
     }
     known += (known.empty() ? "" : ", ") + trait.name;
   }

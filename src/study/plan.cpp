@@ -2,9 +2,10 @@
 #include "study/plan.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 #include <stdexcept>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -36,8 +37,7 @@ const char* const kHeader = "id,participant,condition,order,setting";
 Setting setting_of(const std::string& text) {
   Setting setting;
   if (text == "default") return setting;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ';');) setting.push_back(parse_assignment(part));
+  for (const std::string& part : split(text, ';')) setting.push_back(parse_assignment(part));
   return setting;
 }
 
@@ -54,9 +54,7 @@ Run run_of(const std::vector<std::string>& cells) {
 }
 
 std::string id_of(const std::string& experiment, const Run& run) {
-  char numbers[64];
-  std::snprintf(numbers, sizeof numbers, "-P%04d-%s-S%05zu", run.participant, run.condition.c_str(), run.setting + 1);
-  return experiment + numbers;
+  return experiment + format("-P%04d-%s-S%05zu", run.participant, run.condition.c_str(), run.setting + 1);
 }
 
 }  // namespace
@@ -132,9 +130,7 @@ Plan plan_from_csv(const std::string& csv) {
   std::string line;
   if (!std::getline(lines, line) || line != kHeader) throw std::invalid_argument("it is no plan of a study");
   while (std::getline(lines, line)) {
-    std::vector<std::string> cells;
-    std::istringstream parts(line);
-    for (std::string part; std::getline(parts, part, ',');) cells.push_back(part);
+    const std::vector<std::string> cells = split(line, ',');
     if (cells.size() != 5) throw std::invalid_argument("'" + line + "' is no line of a plan");
     const Run run = run_of(cells);
     if (run.setting >= 100000) throw std::invalid_argument("'" + run.id + "' is no run");

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <exception>
 #include <stdexcept>
 #include <utility>
 
 #include "barn.hpp"
+#include "core/util/words.hpp"
 #include "execution.hpp"
 #include "manifest.hpp"
 #include "share.hpp"
@@ -24,15 +24,11 @@ namespace {
 std::string fingerprint(const sim::OccupancyMap& map) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const sim::Cell cell : map.cells) hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x100000001b3ULL;
-  char text[120];
-  std::snprintf(text, sizeof text, "%d x %d, %.4f m, %.4f %.4f, %016llx", map.width, map.height, map.resolution,
-                map.origin_x, map.origin_y, static_cast<unsigned long long>(hash));
-  return text;
+  return format("%d x %d, %.4f m, %.4f %.4f, %016llx", map.width, map.height, map.resolution, map.origin_x,
+                map.origin_y, static_cast<unsigned long long>(hash));
 }
 
-std::string pose_json(const sim::Pose& pose) {
-  return "[" + number(pose.x) + ", " + number(pose.y) + ", " + number(pose.theta) + "]";
-}
+nlohmann::json json_of(const sim::Pose& pose) { return {pose.x, pose.y, pose.theta}; }
 
 void fill_in(Options& options) {
   if (options.regions.empty()) {
@@ -42,13 +38,19 @@ void fill_in(Options& options) {
 }
 
 std::string manifest(const Options& o, const Plan& plan, const Scene& scene) {
-  return "{\n  \"version\": " + quoted(HIDWA_VERSION) + ",\n  \"experiment\": " + quoted(plan.experiment) +
-         ",\n  \"participants\": " + std::to_string(o.participants) + ",\n  \"seed\": " + std::to_string(o.seed) +
-         ",\n  \"profile\": " + quoted(o.profile) +
-         ",\n  \"guard\": " + quoted(o.guard == Guard::none ? "none" : "nearest") + ",\n  \"set\": " + json_of(o.sets) +
-         ",\n  \"map\": " + quoted(fingerprint(*scene.ground->map())) +
-         ",\n  \"regions\": " + quoted(fingerprint_of_file(o.regions)) + ",\n  \"start\": " + pose_json(scene.start) +
-         ",\n  \"goal\": " + pose_json(scene.goal) + ",\n  \"paths\": " + (o.paths ? "true" : "false") + "\n}\n";
+  const nlohmann::json manifest = {{"version", HIDWA_VERSION},
+                                   {"experiment", plan.experiment},
+                                   {"participants", o.participants},
+                                   {"seed", o.seed},
+                                   {"profile", o.profile},
+                                   {"guard", o.guard == Guard::none ? "none" : "nearest"},
+                                   {"set", json_of(o.sets)},
+                                   {"map", fingerprint(*scene.ground->map())},
+                                   {"regions", fingerprint_of_file(o.regions)},
+                                   {"start", json_of(scene.start)},
+                                   {"goal", json_of(scene.goal)},
+                                   {"paths", o.paths}};
+  return manifest.dump(2) + '\n';
 }
 
 Parameters profile(const std::string& name) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/setting.hpp"
 
-#include <cmath>
-#include <cstdlib>
+#include <optional>
 #include <set>
 
 #include <yaml-cpp/yaml.h>
 
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
 #include "study/error.hpp"
 
@@ -17,32 +17,18 @@ namespace {
 const std::string kTrait = "participant.";
 
 double to_number(const std::string& name, const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value)) {
-    throw UsageError(name + " needs a number, not '" + text + "'");
-  }
-  return value;
+  const std::optional<double> value = number_in(text);
+  if (!value) throw UsageError(name + " needs a number, not '" + text + "'");
+  return *value;
 }
 
 void assign_parameter(Parameters& parameters, const Assignment& assignment) {
   const std::string fault = set_parameter_text(parameters, assignment.name, assignment.value);
   if (fault.empty()) return;
-  const bool unknown = fault.find("there is no parameter") == 0;
-  throw UsageError(fault + (unknown ? ": docs/parameters.md lists the planner's; besides there are participant.TRAIT "
-                                      "(docs/study.md) and link_delay"
-                                    : ""));
-}
-
-std::vector<std::string> split(const std::string& text, char at) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t end = text.find(at); end != std::string::npos; end = text.find(at, begin)) {
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  parts.push_back(text.substr(begin));
-  return parts;
+  throw UsageError(fault + (find_parameter(assignment.name) == nullptr
+                                ? ": docs/parameters.md lists the planner's; besides there are participant.TRAIT "
+                                  "(docs/study.md) and link_delay"
+                                : ""));
 }
 
 std::string text_of(const YAML::Node& node) {

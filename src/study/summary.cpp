@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include <nlohmann/json.hpp>
+
 namespace hidwa_local_planner {
 namespace study {
 namespace {
@@ -25,17 +27,17 @@ double mean(const Group& group, const std::string& measure) {
   return sum(group, measure) / static_cast<double>(group.rows.size());
 }
 
-std::string group_json(const Group& group) {
-  std::string json = "    {\"condition\": \"" + group.condition + "\", \"setting\": \"" + group.setting +
-                     "\", \"n\": " + std::to_string(group.rows.size()) +
-                     ", \"arrived\": " + std::to_string(std::lround(sum(group, "arrived"))) + ", \"measures\": {\n";
+nlohmann::json json_of(const Group& group) {
+  nlohmann::json all = nlohmann::json::object();
   for (const std::string& measure : measures()) {
     const Statistics s = statistics(values(group, measure));
-    json += "      \"" + measure + "\": {\"mean\": " + number(s.mean) + ", \"median\": " + number(s.median) +
-            ", \"sd\": " + number(s.sd) + ", \"min\": " + number(s.min) + ", \"max\": " + number(s.max) + "}" +
-            (measure == measures().back() ? "\n" : ",\n");
+    all[measure] = {{"mean", s.mean}, {"median", s.median}, {"sd", s.sd}, {"min", s.min}, {"max", s.max}};
   }
-  return json + "    }}";
+  return {{"condition", group.condition},
+          {"setting", group.setting},
+          {"n", group.rows.size()},
+          {"arrived", std::lround(sum(group, "arrived"))},
+          {"measures", all}};
 }
 
 }  // namespace
@@ -72,15 +74,11 @@ std::vector<Group> groups(const Plan& plan, const std::vector<Row>& rows) {
 }
 
 std::string summary_json(const Plan& plan, const std::vector<Row>& rows) {
-  std::string json = "{\n  \"experiment\": \"" + plan.experiment +
-                     "\",\n  \"runs_planned\": " + std::to_string(plan.runs.size()) +
-                     ",\n  \"runs\": " + std::to_string(rows.size()) + ",\n  \"groups\": [";
-  const char* before = "\n";
-  for (const Group& group : groups(plan, rows)) {
-    json += before + group_json(group);
-    before = ",\n";
-  }
-  return json + "\n  ]\n}\n";
+  nlohmann::json all = nlohmann::json::array();
+  for (const Group& group : groups(plan, rows)) all.push_back(json_of(group));
+  const nlohmann::json summary = {
+      {"experiment", plan.experiment}, {"runs_planned", plan.runs.size()}, {"runs", rows.size()}, {"groups", all}};
+  return summary.dump(2) + '\n';
 }
 
 std::string ranking_csv(const Plan& plan, const std::vector<Row>& rows) {

@@ -2,24 +2,16 @@
 #include "study/table.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
 namespace {
 
 constexpr std::size_t kNotMeasured = 9;  // columns
-
-std::string decimals(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  // "-0.00" is 0.00.
-  const std::string all(text);
-  const bool zero = all.find_first_not_of("-0.") == std::string::npos;
-  return zero && all.front() == '-' ? all.substr(1) : all;
-}
 
 }  // namespace
 
@@ -37,7 +29,7 @@ const std::vector<std::string>& measures() {
   return names;
 }
 
-std::string number(double value) { return decimals("%.6f", value); }
+std::string number(double value) { return fixed(value, 6); }
 
 Row row_of(const Plan& plan, const Run& run, std::uint64_t world_seed, const Driven& driven) {
   const drive::DriveResult& r = driven.result;
@@ -65,13 +57,15 @@ Row row_of(const Plan& plan, const Run& run, std::uint64_t world_seed, const Dri
           std::to_string(r.brakes)};
 }
 
-const std::string& cell(const Row& row, const std::string& column) {
-  const auto found = std::find(columns().begin(), columns().end(), column);
-  if (found == columns().end()) throw std::logic_error("no column " + column);
-  return row.at(static_cast<std::size_t>(found - columns().begin()));
+const std::string& cell(const Row& row, const std::string& column, const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), column);
+  if (found == names.end()) throw std::logic_error("no column " + column);
+  return row.at(static_cast<std::size_t>(found - names.begin()));
 }
 
-double value(const Row& row, const std::string& column) { return std::strtod(cell(row, column).c_str(), nullptr); }
+double value(const Row& row, const std::string& column, const std::vector<std::string>& names) {
+  return std::strtod(cell(row, column, names).c_str(), nullptr);
+}
 
 std::string to_line(const Row& row) {
   std::string line;
@@ -79,24 +73,13 @@ std::string to_line(const Row& row) {
   return line;
 }
 
-Row from_line(const std::string& line) {
-  Row row(1);
-  for (const char c : line) {
-    if (c == ',') {
-      row.emplace_back();
-    } else if (c != '\n' && c != '\r') {
-      row.back() += c;
-    }
-  }
-  return row;
-}
+Row from_line(const std::string& line) { return split(line.substr(0, line.find_first_of("\r\n")), ','); }
 
 std::string path_csv(const drive::DriveResult& result) {
   std::string csv = "t,x,y,theta,v,omega,state\n";
   for (const drive::DriveSample& sample : result.samples) {
-    csv += decimals("%.2f", sample.time) + ',' + decimals("%.3f", sample.pose.x) + ',' +
-           decimals("%.3f", sample.pose.y) + ',' + decimals("%.3f", sample.pose.theta) + ',' +
-           decimals("%.3f", sample.command.v) + ',' + decimals("%.3f", sample.command.omega) + ',' +
+    csv += fixed(sample.time, 2) + ',' + fixed(sample.pose.x, 3) + ',' + fixed(sample.pose.y, 3) + ',' +
+           fixed(sample.pose.theta, 3) + ',' + fixed(sample.command.v, 3) + ',' + fixed(sample.command.omega, 3) + ',' +
            hidwa_local_planner::to_string(sample.state) + '\n';
   }
   return csv;

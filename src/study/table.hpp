@@ -27,9 +27,9 @@ std::string number(double value);
 /// The line of one run.
 Row row_of(const Plan& plan, const Run& run, std::uint64_t world_seed, const Driven& driven);
 
-/// A cell by its column's name; a measure as a number.
-const std::string& cell(const Row& row, const std::string& column);
-double value(const Row& row, const std::string& column);
+/// A cell by its column's name; a measure as a number. `names`: of the table's columns.
+const std::string& cell(const Row& row, const std::string& column, const std::vector<std::string>& names = columns());
+double value(const Row& row, const std::string& column, const std::vector<std::string>& names = columns());
 
 /// Cells joined, without an end of line; and split again.
 std::string to_line(const Row& row);

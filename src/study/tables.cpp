@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/tables.hpp"
 
-#include <cstdio>
-
+#include "core/util/words.hpp"
 #include "study/barn_table.hpp"
 #include "study/summary.hpp"
 
@@ -21,10 +20,9 @@ std::string digest(const Plan& plan, const std::vector<Row>& rows) {
       duration += value(row, "duration");
     }
     const auto n = static_cast<double>(group.rows.size());
-    char line[160];
-    std::snprintf(line, sizeof line, "n %.0f, arrived %.0f, %.2f s, %.3f regions crossed, contacts %.0f in all", n,
-                  arrived, duration / n, crossed / n, contacts);
-    lines += group.condition + " " + group.setting + ": " + line + "\n";
+    lines += group.condition + " " + group.setting + ": " +
+             format("n %.0f, arrived %.0f, %.2f s, %.3f regions crossed, contacts %.0f in all\n", n, arrived,
+                    duration / n, crossed / n, contacts);
   }
   return lines;
 }

@@ -23,8 +23,6 @@ class ContactWatch {
   int touched_at() const { return touched_at_; }                            // [ms]
   /// The largest |v| in the second before the clearance fell below 0.10 m, of each approach [m/s].
   const std::vector<double>& meetings() const { return meetings_; }
-  /// Minus the distance to the nearest cell, or the depth [m], at the last look.
-  double depth_now() const { return depth_; }
 
  private:
   void look(int now, const Pose2& pose);
@@ -34,7 +32,7 @@ class ContactWatch {
   Shape shape_;
   double outermost_;            // [m]
   double moved_ = 1e9;          // of any of its points since the last look, at most [m]
-  double depth_ = -1.0;         // [m]
+  double depth_ = -1.0;         // at the last look; minus the distance to the nearest cell where it is clear [m]
   double deepest_ = -1.0;       // [m]
   int touched_at_ = -1;         // [ms]
   bool away_ = false;           // it was, since the last approach

@@ -58,7 +58,8 @@ void compare_scene(std::uint64_t seed, Tally& tally) {
   const Footprint footprint = Footprint::from_outline(scene.outline, scene.parameters.footprint_padding);
   CollisionChecker checker;
   const double reach = random.uniform(0.0, 2.0);  // poses beyond it must be right, too
-  checker.prepare(scene.grid(), footprint, scene.parameters.unknown_is_obstacle, scene.situation.pose, reach);
+  checker.prepare(scene.grid(), footprint, scene.parameters.unknown_is_obstacle, scene.situation.pose, reach,
+                  scene.resolution);
   const double width = scene.size_x * scene.resolution, height = scene.size_y * scene.resolution;
   for (int k = 0; k < 60; ++k) {
     const Pose2 pose{scene.origin_x + random.uniform(-0.5, width + 0.5),

@@ -16,7 +16,8 @@ NAME = 'hidwa_local_planner'
 # What a header, a CMake package or a Python module is called as a dependency, where that is something else.
 # roscpp hands on what it is made of; Boost comes with it; costmap_2d's package tells of threads.
 OTHER_NAMES = {
-    'Eigen': 'eigen', 'Eigen3': 'eigen', 'ZLIB': 'zlib', 'zlib.h': 'zlib', 'ros': 'roscpp', 'xmlrpcpp': 'roscpp', 'boost': 'roscpp',
+    'Eigen': 'eigen', 'Eigen3': 'eigen', 'nlohmann': 'nlohmann-json-dev', 'nlohmann_json': 'nlohmann-json-dev',
+    'ZLIB': 'zlib', 'zlib.h': 'zlib', 'ros': 'roscpp', 'xmlrpcpp': 'roscpp', 'boost': 'roscpp',
     'rosbag.h': 'rosbag_storage', 'urdf_parser': 'liburdfdom-dev', 'urdfdom': 'liburdfdom-dev', 'urdfdom_headers': 'liburdfdom-dev',
     'console_bridge': 'libconsole-bridge-dev', 'GTest': 'gtest', 'numpy': 'python3-numpy', 'yaml': 'python3-yaml',
     'matplotlib': 'python3-matplotlib', 'scipy': 'python3-scipy'}

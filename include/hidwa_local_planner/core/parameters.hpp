@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -48,7 +49,8 @@ struct Parameters {
 /// A value as the outside world writes it: enumerations as their names.
 using ParameterValue = std::variant<bool, int, double, std::string>;
 
-/// What is known of one parameter besides its value.
+/// What the list says of one parameter, and how it is read and set. Whatever goes through all parameters (validation,
+/// text, dynamic_reconfigure, the parameter server) goes through these.
 struct ParameterInfo {
   std::string name;
   std::string type;             // "double", "int", "bool", "str" or "enum"
@@ -58,12 +60,26 @@ struct ParameterInfo {
   std::string tab;
   std::string description;
   std::vector<std::string> choices;  // enumerations only
+  std::function<ParameterValue(const Parameters&)> get;
+  /// Returns false, and changes nothing, where the value has the wrong type or names no choice. A double takes an
+  /// integer too.
+  std::function<bool(Parameters&, const ParameterValue&)> set;
+
+  bool is_number() const { return type == "double" || type == "int"; }
+  /// Whether its value lies within [min, max]. NaN does not; what is no number always does.
+  bool is_in_range(const Parameters& parameters) const;
 };
 
 /// All parameters in the order of their declaration.
 const std::vector<ParameterInfo>& parameter_table();
 
-/// Sets one parameter by name. Integers are accepted for doubles. Returns the fault in words, empty when it was set.
+/// The parameter of that name; nullptr where there is none.
+const ParameterInfo* find_parameter(const std::string& name);
+
+/// The parameter of that name; throws std::out_of_range where there is none.
+const ParameterInfo& parameter_info(const std::string& name);
+
+/// Sets one parameter by name. A double takes an integer too. Returns the fault in words, empty when it was set.
 std::string set_parameter(Parameters& parameters, const std::string& name, const ParameterValue& value);
 
 /// Reads one parameter by name; throws std::out_of_range for an unknown name.

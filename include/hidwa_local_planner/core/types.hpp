@@ -36,9 +36,4 @@ inline double wrap_angle(double angle) {
 
 inline double distance(const Pose2& a, const Pose2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// The point `forward` [m] ahead of a pose.
-inline Point ahead_of(const Pose2& q, double forward) {
-  return {q.x + forward * std::cos(q.theta), q.y + forward * std::sin(q.theta)};
-}
-
 }  // namespace hidwa_local_planner

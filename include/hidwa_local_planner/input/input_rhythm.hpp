@@ -15,8 +15,6 @@ class InputRhythm {
   void check(double now, double timeout);
   /// The planner itself did not listen for `pause` [s].
   void excuse(double pause) { time_ += pause; }
-  /// Silences while deflected, since the stick last sent steadily for long.
-  int silences() const { return silences_; }
   /// A sentence with the remedy; empty where nothing is to be said.
   std::string advice(double timeout) const;
   void reset() { *this = InputRhythm(); }

@@ -25,11 +25,6 @@ class CollisionChecker {
   /// which separation() answers, two cells at least. `grid` and `footprint` must outlive the questions.
   void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
                double reach, double margin, double room = 0.0);
-  /// With a margin of one cell's side.
-  void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
-               double reach) {
-    prepare(grid, footprint, unknown_is_obstacle, centre, reach, grid.resolution);
-  }
 
   bool collides(const Pose2& pose) const {
     return collides(pose, Rotation{std::cos(pose.theta), std::sin(pose.theta)});

@@ -20,7 +20,7 @@ class Corridor {
     scene_.fill(1.025, -9.0, 9.0, 9.0);  // cells from x = 1.025 on
     start_ = {1.025 - 0.2 - gap, 0.0, 0.0};
     footprint_ = Footprint(scene_.outline);
-    checker_.prepare(scene_.grid(), footprint_, true, start_, 2.0);
+    checker_.prepare(scene_.grid(), footprint_, true, start_, 2.0, scene_.resolution);
     check_.prepare(parameters_, limits_, checker_, footprint_, 0.05,
                    {start_, start_, {0.5, 0.0}, &pending_, 0.05, longest_period});
   }
@@ -172,7 +172,7 @@ TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
   const Footprint footprint(scene.outline);
   const VelocityLimits limits = VelocityLimits::from(p);
   CollisionChecker checker;
-  checker.prepare(scene.grid(), footprint, true, {-0.3, 0.0, 0.0}, 2.0);
+  checker.prepare(scene.grid(), footprint, true, {-0.3, 0.0, 0.0}, 2.0, scene.resolution);
   AdmissibilityCheck check;
   const PendingMotionSet steady(PendingMotion({0.5, 0.0}, p.control_latency));
   check.prepare(p, limits, checker, footprint, 0.05, {{-0.3, 0.0, 0.0}, {-0.3, 0.0, 0.0}, {0.5, 0.0}, &steady});

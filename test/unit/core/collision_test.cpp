@@ -37,7 +37,7 @@ TEST(OverlapsSquare, ADentIsFree) {
 
 CollisionChecker prepared(const Scene& scene, const Footprint& footprint, bool unknown = true) {
   CollisionChecker checker;
-  checker.prepare(scene.grid(), footprint, unknown, {}, 1.0);
+  checker.prepare(scene.grid(), footprint, unknown, {}, 1.0, scene.resolution);
   return checker;
 }
 
@@ -85,7 +85,7 @@ TEST(Collision, FarBeyondThePreparedReachItStillAnswers) {
   scene.at({55, 30}) = cost::kLethal;  // x from 1.225 on
   const Footprint footprint(Polygon{{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}});
   CollisionChecker checker;
-  checker.prepare(scene.grid(), footprint, true, {-1.0, 0.0, 0.0}, 0.1);
+  checker.prepare(scene.grid(), footprint, true, {-1.0, 0.0, 0.0}, 0.1, scene.resolution);
   EXPECT_TRUE(checker.collides({1.1, 0.0, 0.0}));
   EXPECT_FALSE(checker.collides({1.0, 0.0, 0.0}));
 }

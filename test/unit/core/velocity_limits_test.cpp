@@ -34,8 +34,7 @@ TEST(AxisRamp, ThroughZeroBrakesFirstAndAcceleratesThen) {
   EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, -0.05, 0.1), -0.05);
 }
 
-TEST(AxisRamp, TimeAndDistanceToRest) {
-  EXPECT_DOUBLE_EQ(kAxis.time_to_rest(-0.8), 0.2);      // 0.8 / 4
+TEST(AxisRamp, DistanceToRest) {
   EXPECT_DOUBLE_EQ(kAxis.distance_to_rest(0.8), 0.08);  // 0.8^2 / (2 * 4)
 }
 
