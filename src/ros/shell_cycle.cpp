@@ -224,9 +224,10 @@ void Shell::explain(double now, const CycleResult& result) {
 // Fewer samples rather than a missed rate. A cycle that weighed nothing says nothing about their cost.
 void Shell::keep_budget(double duration, const CycleResult& result) {
   if (result.decision && result.decision->candidates > 0) {
-    const SampleBudget::Event event = budget_.observe(duration, cycle_budget());
+    const double limit = cycle_budget(loop_.parameters(), control_period());  // [s]
+    const SampleBudget::Event event = budget_.observe(duration, limit);
     if (event == SampleBudget::Event::thinning_began) {
-      ROS_WARN("%s: %s", name_.c_str(), thinning_complaint(budget_.in_force(), budget_.full(), cycle_budget()).c_str());
+      ROS_WARN("%s: %s", name_.c_str(), thinning_complaint(budget_.in_force(), budget_.full(), limit).c_str());
     } else if (event == SampleBudget::Event::thinning_ended) {
       ROS_INFO("%s: all %d x %d samples are tried again", name_.c_str(), budget_.full().vx_samples,
                budget_.full().vth_samples);
