@@ -153,17 +153,17 @@ const char* name_of(Influence influence) {
 std::string explain(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle) {
   const record::CycleRecord& record = replay.record();
   std::string text;
-  if (record.planned) {
-    const Situation& s = record.planned->situation;
+  if (replay.situation() != nullptr) {
+    const Situation& s = *replay.situation();
     text += table(replay.planner().verdicts(), replay.planner().marked().best) + "\n";
-    text += format("cycle at %.3f s (ROS time %.3f): %s, influence %s\n", time, record.time,
+    text += format("cycle at %.3f s (ROS time %.3f): %s, influence %s\n", time, record.time(),
                    to_string(cycle.intent.state), name_of(cycle.intent.influence));
     text += format("robot at (%.3f m, %.3f m, %.3f rad), measured %s, last command %s\n", s.pose.x, s.pose.y,
                    s.pose.theta, in_words(s.velocity).c_str(), in_words(s.last_command).c_str());
     text += count_refusals(replay.planner().verdicts());
   } else {
-    text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time,
-                   record.braked ? record.braked->fault.c_str() : "?");
+    text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time(),
+                   record.observation.fault.c_str());
   }
   text += about_operator(replay, cycle);
   text += why_chosen(replay);
@@ -199,7 +199,6 @@ std::string json_of(const CandidateVerdict& candidate) {
 }  // namespace
 
 std::string explain_as_json(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle) {
-  const record::CycleRecord& record = replay.record();
   const record::StoredGrid& grid = replay.grid();
   const Decision* decision = replay.decision();
   const std::vector<CandidateVerdict>& all = replay.planner().verdicts();
@@ -212,10 +211,8 @@ std::string explain_as_json(double time, record::CycleReplay& replay, const reco
                      ",\"command\":" + json_of(cycle.verdict.command) +
                      ",\"u_h\":" + (steered ? json_of(cycle.intent.u_h) : "null") +
                      ",\"reference\":" + json_of(cycle.verdict.reference);
-  if (record.planned) {
-    text += ",\"pose\":" + json_of(record.planned->situation.pose) +
-            ",\"goal\":" + json_of(record.planned->situation.goal) +
-            ",\"plan\":" + json_list(record.planned->situation.plan, pose);
+  if (const Situation* s = replay.situation()) {
+    text += ",\"pose\":" + json_of(s->pose) + ",\"goal\":" + json_of(s->goal) + ",\"plan\":" + json_list(s->plan, pose);
   }
   text += ",\"outline\":" + json_list(replay.setup().outline, point) +
           ",\"trajectory\":" + (decision != nullptr ? json_list(decision->trajectory, pose) : "[]") +

@@ -62,8 +62,7 @@ CycleResult Shell::cycle(bool stop) {
   watch_hand(now);
   const bool recorded = loop_.parameters().record_cycles && publishing_.cycle_wanted();
   if (publishing_.new_cycle_subscriber()) recording_.demand_key();
-  recording_.begin(now, recorded);
-  person_.save_to(recording_.before());
+  person_.save_to(recording_.begin(recorded));
   const CycleResult result = work(now, tick, stop || arriving_);
   explain(now, result);
 
@@ -93,7 +92,8 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
   result.sampling = sampling();
-  static_cast<control::Result&>(result) = loop_.step(observation, result.sampling, &recording_);
+  recording_.steps(loop_, observation, result.sampling);
+  static_cast<control::Result&>(result) = loop_.step(observation, result.sampling);
   result.missing = observation.missing;
   result.fault = observation.fault;
   if (result.decision) watch_odometry(observation, *result.decision);
