@@ -10,14 +10,10 @@
 
 namespace hidwa_local_planner {
 
-/// One control period of braking: each axis of `command` falls towards 0 by its deceleration limit x period
-/// [s].
-Twist2 brake_step(const Twist2& command, const Parameters& parameters, double period);
-
 /// What to do while a cycle's input is missing (no transform, plan, odometry or costmap): brake from the last
-/// command while the robot moves, which counts as success; fail at rest, so that the host replans or
-/// recovers. Without odometry the robot counts as moving until v_max / deceleration plus one period have
-/// passed and the command has reached 0.
+/// command while the robot moves, as the planner brakes (VelocityLimits::brake()), which counts as success; fail at
+/// rest, so that the host replans or recovers. Without odometry the robot counts as moving until v_max / deceleration
+/// plus one period have passed and the command has reached 0.
 class FaultBrake {
  public:
   struct Answer {
