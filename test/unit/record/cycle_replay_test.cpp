@@ -118,6 +118,38 @@ TEST(CycleReplay, ADamagedRecordIsToldAndTheNextKeyRecordGoesOn) {
   }
 }
 
+// As where another release remembered something else.
+TEST(CycleReplay, AStateThatCannotBeReadIsToldWithTheReleaseThatReadsIt) {
+  CycleRecord record;
+  ASSERT_EQ(decode(drive(1, 1)[0].record, record), "");
+  record.setup->version = "7.8.9";
+  for (Bytes* state : {&record.loop_state, &record.operator_state}) {
+    const Bytes whole = *state;
+    for (const std::size_t size : {std::size_t{0}, whole.size() - 1, whole.size() + 1}) {
+      state->resize(size);
+      Bytes bytes;
+      encode(record, bytes);
+      CycleReplay replay;
+      EXPECT_EQ(replay.take(bytes), Reading::damaged);
+      EXPECT_EQ(replay.fault(), "what was remembered before the cycle cannot be read: replay it with release 7.8.9");
+      *state = whole;
+    }
+  }
+}
+
+TEST(CycleReplay, PartsOfLaterReleasesAreNamedAndTheRestIsRepeated) {
+  CycleReplay replay;
+  int cycle = 0;
+  for (RecordedDrive::Cycle& recorded : drive(1, 30)) {
+    ArchiveWriter write(recorded.record);
+    write(std::string("remarks"), false, Bytes(3, 1));
+    if (++cycle > 10) write(std::string("obstacles"), true, Bytes(5, 2));
+    ASSERT_EQ(replay.take(recorded.record), Reading::ready) << replay.fault();
+    EXPECT_TRUE(replay.run().identical);
+    EXPECT_EQ(replay.unknown(), cycle > 10 ? std::set<std::string>{"obstacles"} : std::set<std::string>{});
+  }
+}
+
 TEST(CycleReplay, NewParametersAreInForceFromTheirCycleOn) {
   RecordedDrive drive(7, OperatorMode::joystick);
   std::vector<RecordedDrive::Cycle> cycles = drive.run(40);
