@@ -77,7 +77,23 @@ bool ControlLoop::check_goal(const Observation& observation, const Pose2& goal) 
   return reached;
 }
 
-Result ControlLoop::step(const Observation& observation, const Sampling& sampling, Witness* witness) {
+void ControlLoop::save(Bytes& state) const {
+  Bytes planner;
+  planner_.save(planner);
+  ArchiveWriter write(state);
+  archive(*this, write);
+  write(planner);
+}
+
+bool ControlLoop::load(const Bytes& state) {
+  Bytes planner;
+  ArchiveReader read(state);
+  archive(*this, read);
+  read(planner);
+  return read.complete() && planner_.load(planner);
+}
+
+Result ControlLoop::step(const Observation& observation, const Sampling& sampling) {
   goal_checker_.cycle(observation.timing.now);
   if (observation.timing.jumped_back) fault_brake_.clear();
   if (observation.resumed) {
@@ -87,26 +103,20 @@ Result ControlLoop::step(const Observation& observation, const Sampling& samplin
   }
   Result result;
   result.intent = person_.update(observation.timing.now);
-  if (witness != nullptr) witness->heard(result.intent, observation.host_stops);
   OperatorIntent intent = result.intent;
   if (observation.host_stops) intent.influence = Influence::stop;
   if (observation.fault.empty()) {
-    decide(observation, intent, sampling, witness, result);
+    decide(observation, intent, sampling, result);
   } else {
-    brake(observation, intent, witness, result);
+    brake(observation, intent, result);
   }
   remember(observation, result);
   return result;
 }
 
-void ControlLoop::brake(const Observation& observation, const OperatorIntent& intent, Witness* witness,
-                        Result& result) {
+void ControlLoop::brake(const Observation& observation, const OperatorIntent& intent, Result& result) {
   const Timing& timing = observation.timing;
   const double period = late_brake_period(timing.interval, timing.period, timing.longest_period);
-  if (witness != nullptr) {
-    witness->brakes(planner_, fault_brake_,
-                    {timing.now, observation.velocity, last_command_, period, observation.fault});
-  }
   const FaultBrake::Answer answer =
       fault_brake_.answer(timing.now, observation.velocity, last_command_, parameters(), period);
   result.outcome = outcome_of(answer, intent);
@@ -114,10 +124,9 @@ void ControlLoop::brake(const Observation& observation, const OperatorIntent& in
 }
 
 void ControlLoop::decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling,
-                         Witness* witness, Result& result) {
+                         Result& result) {
   fault_brake_.clear();
   take_situation(observation);
-  if (witness != nullptr) witness->plans(planner_, situation_, observation.costmap, sampling);
   result.decision = &planner_.plan(situation_, observation.costmap, intent, sampling);
   result.outcome = result.decision->outcome;
   if (result.outcome != Outcome::fail) result.command = result.decision->command;

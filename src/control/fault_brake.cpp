@@ -11,15 +11,16 @@ namespace hidwa_local_planner {
 FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& velocity, const Twist2& last_command,
                                       const Parameters& parameters, double period) {
   if (!since_ || now < *since_) since_ = now;
+  const VelocityLimits limits = VelocityLimits::from(parameters);
   bool moving = !(last_command == Twist2{});
   if (velocity) {
     moving = moving || !stands(*velocity, parameters);
   } else {
-    const double fastest = std::max(parameters.max_vel_x, -parameters.min_vel_x);
-    moving = moving || now - *since_ <= fastest / parameters.braking_x() + period;
+    const double fastest = std::max(limits.x.max, -limits.x.min);
+    moving = moving || now - *since_ <= limits.x.time_to_rest(fastest) + period;
   }
   if (!moving) return {};
-  return {true, VelocityLimits::from(parameters).brake(last_command, period)};
+  return {true, limits.brake(last_command, period)};
 }
 
 Outcome outcome_of(const FaultBrake::Answer& answer, const OperatorIntent& intent) {

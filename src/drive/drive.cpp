@@ -165,7 +165,7 @@ class Run {
   bool cycle() {
     const control::Observation observation = observe();
     const auto begin = std::chrono::steady_clock::now();
-    const control::Result result = loop_.step(observation);
+    const control::Result result = loop_.step(observation, setup_.sampling);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     const Cycle seen{world_.time(), loop_.situation(), observation.costmap,
                      result.intent, *result.decision,  loop_.planner(),

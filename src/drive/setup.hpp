@@ -8,6 +8,7 @@
 #include "drive/ground.hpp"
 #include "drive/local_costmap.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 #include "sim/diff_drive.hpp"
 #include "sim/grid_route.hpp"
@@ -48,6 +49,7 @@ struct DriveSetup {
 
   CostmapSettings costmap;
   Parameters parameters;
+  Sampling sampling;                      // of every cycle: fewer samples, as a busy machine leaves them; 0: all
   std::shared_ptr<sim::Operator> person;  // a new one for each drive: they remember; null: nobody
   // What the person holds, a new one for each drive: axes 0 and 1, button 0, the hand along y. Null: a stick.
   std::shared_ptr<sim::OperatorDevice> device;

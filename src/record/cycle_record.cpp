@@ -4,6 +4,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "hidwa_local_planner/record/parts.hpp"
+
 namespace hidwa_local_planner {
 namespace record {
 namespace {
@@ -72,20 +74,62 @@ Verdict verdict_of(const Decision& d, const std::vector<double>& totals) {
   return verdict;
 }
 
-Verdict verdict_of(Outcome outcome, const Twist2& command) {
+Verdict verdict_of(const control::Result& result, const Planner& planner) {
+  if (result.decision != nullptr) return verdict_of(*result.decision, planner.totals());
   Verdict verdict;
-  verdict.outcome = outcome;
-  verdict.command = command;
+  verdict.outcome = result.outcome;
+  verdict.command = result.command;
   return verdict;
 }
 
 bool identical(const Verdict& a, const Verdict& b) { return bytes_of(a) == bytes_of(b); }
 bool identical(const OperatorIntent& a, const OperatorIntent& b) { return bytes_of(a) == bytes_of(b); }
 
+namespace {
+
+// In the order in which they are written.
+template <typename Record, typename Parts>
+void parts_of(Record& record, Parts& io) {
+  io.input("cycle", record.sequence);
+  io.input("setup", record.setup);
+  io.input("plan", record.plan);
+  io.input("observation", record.observation);
+  io.input("costmap", record.costmap);
+  io.input("sampling", record.sampling);
+  io.input("loop", record.loop_state);
+  io.input("operator", record.operator_state);
+  io.result("intent", record.intent);
+  io.result("verdict", record.verdict);
+}
+
+// Formats 1 to 3 began with the record's number and, in key records, with the release.
+std::string of_other_format(std::uint16_t format, ArchiveReader& read) {
+  std::uint32_t sequence = 0;
+  bool key = false;
+  std::string release;
+  if (format < kFormat) read(sequence, key);
+  if (key) read(release);
+  return "the record's format is " + std::to_string(format) + ", this release reads format " + std::to_string(kFormat) +
+         ": replay it with the release that recorded it" + (release.empty() ? "" : ", " + release);
+}
+
+// What ControlLoop::step() relies on.
+std::string lacking(const CycleRecord& record) {
+  const auto no = [](const char* part) { return std::string("the record has no part '") + part + "'"; };
+  if (record.setup && !record.plan) return no("plan");
+  if (!record.observation.fault.empty()) return "";
+  if (!record.costmap) return no("costmap");
+  if (!record.observation.velocity) return "the record is damaged: no velocity, and nothing is missing";
+  return "";
+}
+
+}  // namespace
+
 void encode(const CycleRecord& record, Bytes& bytes) {
-  bytes.clear();
-  ArchiveWriter write(bytes);
-  write(kFormat, record);
+  bytes.resize(sizeof(kFormat));
+  std::memcpy(bytes.data(), &kFormat, sizeof(kFormat));
+  PartWriter parts(bytes);
+  parts_of(record, parts);
 }
 
 std::string decode(const Bytes& bytes, CycleRecord& record) {
@@ -93,13 +137,11 @@ std::string decode(const Bytes& bytes, CycleRecord& record) {
   std::uint16_t format = 0;
   read(format);
   if (read.failed()) return "the record is empty";
-  if (format != kFormat) {
-    return "the record's format is " + std::to_string(format) + ", this program reads " + std::to_string(kFormat) +
-           ": use the release that recorded it";
-  }
-  record = CycleRecord();
-  read(record);
-  return read.complete() ? "" : "the record is damaged";
+  if (format != kFormat) return of_other_format(format, read);
+  PartReader parts(bytes.data() + sizeof(format), bytes.size() - sizeof(format));
+  parts_of(record, parts);
+  record.unknown = parts.unknown();
+  return parts.fault().empty() ? lacking(record) : parts.fault();
 }
 
 }  // namespace record

@@ -1,39 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/record/cycle_recorder.hpp"
 
+#include <cstring>
+
+#include "hidwa_local_planner/core/parameter_text.hpp"
+
 namespace hidwa_local_planner {
 namespace record {
+namespace {
 
-bool CycleRecorder::begin(double time) {
+// To the bit: 0 and -0 are two.
+bool same(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
+  static_assert(sizeof(Pose2) == 3 * sizeof(double), "no bytes between its members");
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Pose2)) == 0);
+}
+
+}  // namespace
+
+void CycleRecorder::begin(const control::ControlLoop& loop, const control::Observation& observation,
+                          const Sampling& sampling) {
   const bool key = cycles_since_key_ >= kKeyEvery;
   cycles_since_key_ = key ? 1 : cycles_since_key_ + 1;
-  if (key) grids_.clear();
-  record_.sequence = ++sequence_;
+  ++record_.sequence;
   record_.setup.reset();
-  record_.time = time;
-  record_.operator_state.clear();
-  record_.planned.reset();
-  record_.braked.reset();
-  return key;
+  if (key) take_setup(loop);
+  take_plan(loop.plan(), key);
+  record_.observation = observation;
+  record_.observation.costmap = {};
+  record_.costmap.reset();
+  if (key) grids_.clear();
+  if (observation.fault.empty()) {
+    record_.costmap = grids_.advance_to(observation.costmap, grids_.present().costs.empty());
+  }
+  record_.sampling = {sampling};
+  record_.loop_state.clear();
+  loop.save(record_.loop_state);
 }
 
-void CycleRecorder::plans(const Planner& planner, const Situation& situation, const GridView& grid,
-                          const Sampling& sampling) {
-  PlannerInput& input = record_.planned.emplace();
-  planner.save(input.state);
-  input.situation = situation;
-  input.sampling = sampling;
-  input.grid = grids_.advance_to(grid, grids_.present().costs.empty());
+void CycleRecorder::take_setup(const control::ControlLoop& loop) {
+  Setup& setup = record_.setup.emplace();
+  setup.version = HIDWA_VERSION;
+  setup.parameters = to_lines(loop.parameters());
+  setup.critics = critics_;
+  setup.outline = loop.planner().outline();
 }
 
-void CycleRecorder::brakes(const FaultBrake& brake, const BrakeInput& input) {
-  record_.braked = input;
-  ArchiveWriter write(record_.braked->state);
-  write(brake);
+void CycleRecorder::take_plan(const std::vector<Pose2>& plan, bool key) {
+  record_.plan.reset();
+  if (!key && same(plan, plan_)) return;
+  record_.plan = plan_ = plan;
 }
 
-const Bytes& CycleRecorder::finish(const Verdict& verdict) {
-  record_.verdict = verdict;
+const Bytes& CycleRecorder::finish(const control::Result& result, const Planner& planner) {
+  record_.intent = result.intent;
+  record_.verdict = verdict_of(result, planner);
   encode(record_, bytes_);
   return bytes_;
 }

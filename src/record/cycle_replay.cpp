@@ -2,6 +2,7 @@
 #include "hidwa_local_planner/record/cycle_replay.hpp"
 
 #include <exception>
+#include <utility>
 
 #include "core/util/words.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
@@ -28,27 +29,24 @@ bool changes_samples(const std::vector<ParameterChange>& changes, const char* ax
 
 }  // namespace
 
-CycleReplay::CycleReplay(CriticRegistry registry, SourcesOf sources_of)
-    : sources_of_(std::move(sources_of)), planner_(std::move(registry)) {}
+CycleReplay::CycleReplay(CriticRegistry registry, SourcesOf sources_of, std::vector<ParameterChange> changes)
+    : sources_of_(std::move(sources_of)), changes_(std::move(changes)), loop_(std::move(registry), operator_) {}
 
 // Parameters that this release does not know are a fault: without them a cycle would not be the same.
 std::string CycleReplay::set_up(const Setup& setup) {
-  Parameters parameters;
-  std::vector<std::string> faults = set_lines(parameters, setup.parameters);
-  recorded_operator_ = parameters;
-  if (!setup.operator_parameters.empty()) set_lines(recorded_operator_, setup.operator_parameters);
-  changed_operator_ = recorded_operator_;
-  make_changes(changed_operator_, changes_);
-  for (const std::string& fault : make_changes(parameters, changes_)) faults.push_back(fault);
+  recorded_ = Parameters();
+  std::vector<std::string> faults = set_lines(recorded_, setup.parameters);
+  changed_ = recorded_;
+  for (const std::string& fault : make_changes(changed_, changes_)) faults.push_back(fault);
   if (faults.empty()) {
     const Planner::SourceFor sources = sources_of_ ? sources_of_(setup.critics) : Planner::SourceFor();
     try {
-      faults = planner_.configure(parameters, sources);
+      faults = loop_.configure(changed_, sources);
     } catch (const std::exception& error) {
       faults = {std::string("critics: one of them does not take its parameters: ") + error.what()};
     }
   }
-  planner_.set_footprint(setup.outline);
+  loop_.set_footprint(setup.outline);
   setup_ = setup;
   return joined(faults);
 }
@@ -60,54 +58,55 @@ CycleReplay::Reading CycleReplay::take(const Bytes& bytes) {
   };
   fault_ = decode(bytes, record_);
   if (!fault_.empty()) return give_up(Reading::damaged);
+  unknown_.insert(record_.unknown.begin(), record_.unknown.end());
   if (record_.setup) {
-    grids_.clear();
     fault_ = set_up(*record_.setup);
-    if (!fault_.empty()) return give_up(Reading::damaged);
-    following_ = true;
+    grids_.clear();
   } else if (!following_ || record_.sequence != sequence_ + 1) {
     return give_up(Reading::waits_for_key);
   }
+  if (fault_.empty()) fault_ = follow();
+  if (!fault_.empty()) return give_up(Reading::damaged);
+  following_ = true;
   sequence_ = record_.sequence;
-  if (record_.planned && !grids_.advance_by(record_.planned->grid)) {
-    fault_ = "the costmap in the record is damaged";
-    return give_up(Reading::damaged);
-  }
   return Reading::ready;
 }
 
-ReplayedCycle CycleReplay::run(bool explain) {
-  decision_ = nullptr;
-  machine_.configure(recorded_operator_);
+// Goes from the record before to this one.
+std::string CycleReplay::follow() {
+  const control::Timing& timing = record_.observation.timing;
+  if (record_.plan && record_.plan->empty()) loop_.drop_plan(timing.now, timing.period);
+  if (record_.plan && !record_.plan->empty()) loop_.set_plan(*record_.plan, "", timing.now, timing.period);
+  if (record_.costmap && !grids_.advance_by(*record_.costmap)) return "the costmap in the record is damaged";
+  if (!load()) return "what was remembered before the cycle cannot be read: replay it with release " + setup_.version;
+  return "";
+}
+
+// With changed parameters the operator takes them as in a drive: another mode, say, begins afresh.
+bool CycleReplay::load() {
+  if (!changes_.empty()) operator_.configure(recorded_);
   ArchiveReader state(record_.operator_state);
-  machine_.load(state);
-  if (!changes_.empty()) machine_.configure(changed_operator_);
-  ReplayedCycle cycle;
-  cycle.intent = machine_.update(record_.time);
-  OperatorIntent intent = cycle.intent;
-  if (record_.host_stops) intent.influence = Influence::stop;
-  if (record_.planned) {
-    const PlannerInput& input = *record_.planned;
-    Sampling sampling = input.sampling;
-    if (changes_samples(changes_, "vx_samples")) sampling.vx_samples = 0;
-    if (changes_samples(changes_, "vth_samples")) sampling.vth_samples = 0;
-    const auto plan = [&](Report report) -> const Decision& {
-      sampling.report = report;
-      planner_.load(input.state);
-      return planner_.plan(input.situation, grids_.present().view(), intent, sampling);
-    };
-    decision_ = &plan(input.sampling.report);
-    cycle.verdict = verdict_of(*decision_, planner_.totals());
-    // Not at once: more is known of who rejects what, and so the digest is another.
-    if (explain) decision_ = &plan(Report::full);
-  } else if (record_.braked) {
-    const BrakeInput& input = *record_.braked;
-    ArchiveReader read(input.state);
-    read(fault_brake_);
-    const FaultBrake::Answer answer =
-        fault_brake_.answer(record_.time, input.velocity, input.last_command, planner_.parameters(), input.period);
-    cycle.verdict = verdict_of(outcome_of(answer, intent), answer.command);
+  operator_.machine().load(state);
+  if (!changes_.empty()) operator_.configure(changed_);
+  return loop_.load(record_.loop_state) && state.complete();
+}
+
+ReplayedCycle CycleReplay::run(bool explain) {
+  load();
+  control::Observation observation = record_.observation;
+  observation.costmap = grids_.present().view();
+  Sampling sampling = record_.sampling;
+  if (changes_samples(changes_, "vx_samples")) sampling.vx_samples = 0;
+  if (changes_samples(changes_, "vth_samples")) sampling.vth_samples = 0;
+  control::Result result = loop_.step(observation, sampling);
+  ReplayedCycle cycle{verdict_of(result, loop_.planner()), result.intent, false};
+  if (explain) {
+    // Not at once: more is known of who rejects what then, and so the digest is another.
+    sampling.report = Report::full;
+    load();
+    result = loop_.step(observation, sampling);
   }
+  decision_ = result.decision;
   cycle.identical = hidwa_local_planner::record::identical(cycle.intent, record_.intent) &&
                     hidwa_local_planner::record::identical(cycle.verdict, record_.verdict);
   return cycle;

@@ -139,17 +139,17 @@ const char* name_of(Influence influence) {
 std::string explain(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle) {
   const record::CycleRecord& record = replay.record();
   std::string text;
-  if (record.planned) {
-    const Situation& s = record.planned->situation;
+  if (replay.situation() != nullptr) {
+    const Situation& s = *replay.situation();
     text += table(replay.planner().candidates(), replay.planner().marked().best) + "\n";
-    text += format("cycle at %.3f s (ROS time %.3f): %s, influence %s\n", time, record.time,
+    text += format("cycle at %.3f s (ROS time %.3f): %s, influence %s\n", time, record.time(),
                    to_string(cycle.intent.state), name_of(cycle.intent.influence));
     text += format("robot at (%.3f m, %.3f m, %.3f rad), measured %s, last command %s\n", s.pose.x, s.pose.y,
                    s.pose.theta, in_words(s.velocity).c_str(), in_words(s.last_command).c_str());
     text += count_refusals(replay.planner().candidates());
   } else {
-    text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time,
-                   record.braked ? record.braked->fault.c_str() : "?");
+    text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time(),
+                   record.observation.fault.c_str());
   }
   text += about_operator(replay, cycle);
   text += why_chosen(replay);
@@ -205,7 +205,6 @@ Json names_of(const std::vector<CriticTerm>& critics) {
 }  // namespace
 
 std::string explain_as_json(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle) {
-  const record::CycleRecord& record = replay.record();
   const Decision* decision = replay.decision();
   const std::vector<CandidateReport> all = replay.planner().candidates();
   const bool steered = cycle.intent.influence != Influence::none;
@@ -222,10 +221,10 @@ std::string explain_as_json(double time, record::CycleReplay& replay, const reco
                {"critics", all.empty() ? Json::array() : names_of(all.front().terms)},
                {"candidates", list_of(all)},
                {"grid", json_of(replay.grid())}};
-  if (record.planned) {
-    json["pose"] = json_of(record.planned->situation.pose);
-    json["goal"] = json_of(record.planned->situation.goal);
-    json["plan"] = list_of(record.planned->situation.plan);
+  if (const Situation* s = replay.situation()) {
+    json["pose"] = json_of(s->pose);
+    json["goal"] = json_of(s->goal);
+    json["plan"] = list_of(s->plan);
   }
   return json.dump() + '\n';
 }

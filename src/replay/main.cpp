@@ -29,9 +29,7 @@ Planner::SourceFor sources_of(const std::string& critics) {
 }
 
 CycleReplay make_replay(const Options& options) {
-  CycleReplay replay(registry_with_plugins(), sources_of);
-  replay.change(options.changes);
-  return replay;
+  return CycleReplay(registry_with_plugins(), sources_of, options.changes);
 }
 
 void make_folder(const std::string& folder) {
@@ -46,7 +44,7 @@ struct Left {
   long waited = 0;   // before the first key record, or after a gap
   long damaged = 0;
   double bytes = 0.0;  // of all records
-  std::string fault;   // of the last damaged one
+  std::string fault;   // of the first damaged one: where it is of another format, a key record names the release
 
   std::string in_words() const {
     std::string text;
@@ -75,8 +73,7 @@ Left for_each_record(CycleBag& bag, CycleReplay& replay, const Call& call) {
         ++left.waited;
         break;
       case CycleReplay::Reading::damaged:
-        ++left.damaged;
-        left.fault = replay.fault();
+        if (left.damaged++ == 0) left.fault = replay.fault();
         break;
     }
     return true;
@@ -85,6 +82,13 @@ Left for_each_record(CycleBag& bag, CycleReplay& replay, const Call& call) {
 }
 
 void say(const std::string& fault) { std::fprintf(stderr, "hidwa_replay: %s\n", fault.c_str()); }
+
+// Parts of records that came after this release: the cycles were repeated without them.
+void tell_unknown(const CycleReplay& replay) {
+  for (const std::string& part : replay.unknown()) {
+    say("the records hold '" + part + "', which this release does not know: where it counted, cycles differ");
+  }
+}
 
 // The status to end with: what is wrong with the bag goes before differences.
 int conclude(const CycleBag& bag, const Left& left, long cycles, long differences) {
@@ -120,7 +124,7 @@ int replay_all(const Options& options) {
   double last = 0.0;
   long cycles = 0;
   const Left left = for_each_record(bag, replay, [&] {
-    last = replay.record().time;
+    last = replay.record().time();
     if (!first) first = last;
     what_if.add(last - *first, replay.record(), replay.run());
     ++cycles;
@@ -135,6 +139,7 @@ int replay_all(const Options& options) {
   }
   if (changes) std::printf("%s\n", csv.c_str());
   const double recorded = first ? last - *first : 0.0;
+  tell_unknown(replay);
   if (recorded > 0.0) std::printf("%.0f bytes of records, %.1f kB/s\n", left.bytes, left.bytes / recorded / 1e3);
   std::printf("%.1f s replayed in %.2f s, %.0f times faster than real time\n", recorded, spent.count(),
               recorded / spent.count());
@@ -147,7 +152,7 @@ double find_time(const Options& options) {
   CycleReplay replay = make_replay(options);
   MomentSearch search(*options.at);
   for_each_record(bag, replay, [&] {
-    search.see(replay.record().time);
+    search.see(replay.record().time());
     return true;
   });
   const std::optional<double> time = search.found();
@@ -163,8 +168,8 @@ int explain_one(const Options& options) {
   std::optional<double> first;
   bool identical = false;
   const Left left = for_each_record(bag, replay, [&] {
-    if (!first) first = replay.record().time;
-    if (replay.record().time != time) return true;
+    if (!first) first = replay.record().time();
+    if (replay.record().time() != time) return true;
     const record::ReplayedCycle cycle = replay.run(true);
     identical = cycle.identical;
     std::fputs(explain(time - *first, replay, cycle).c_str(), stdout);
@@ -176,6 +181,7 @@ int explain_one(const Options& options) {
     std::printf("%s\n", (options.out + (options.picture && fault.empty() ? "/cycle.png" : "/cycle.json")).c_str());
     return false;
   });
+  tell_unknown(replay);
   return conclude(bag, Left{0, 0, left.damaged, 0.0, left.fault}, 1, identical ? 0 : 1);
 }
 

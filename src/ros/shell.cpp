@@ -11,16 +11,6 @@
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
-namespace {
-
-Sampling wanted_samples(const Parameters& parameters) {
-  Sampling wanted;
-  wanted.vx_samples = parameters.vx_samples;
-  wanted.vth_samples = parameters.vth_samples;
-  return wanted;
-}
-
-}  // namespace
 
 Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS& costmap)
     : name_(name),
@@ -78,7 +68,7 @@ void Shell::start_parameters() {
     refused_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
                "): correct them and restart, or set valid ones by dynamic_reconfigure";
   }
-  budget_.configure(wanted_samples(loop_.parameters()));
+  budget_.configure(configured_samples(loop_.parameters()));
   report_start(loaded.found);
 
   const std::string fault = listen(loop_.parameters());
@@ -144,7 +134,7 @@ void Shell::take_parameters() {
   for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
   if (!faults.empty()) return;
   refused_.clear();
-  budget_.configure(wanted_samples(loop_.parameters()));
+  budget_.configure(configured_samples(loop_.parameters()));
   check_horizon();
 }
 
@@ -167,14 +157,14 @@ double Shell::control_period() const {
   return 1.0 / (own > 0.0 ? own : host_frequency_.get());
 }
 
-double Shell::cycle_budget() const {
-  const double own = loop_.parameters().cycle_budget;
-  return own == 0.0 ? 0.5 * control_period() : own;
-}
-
 Diagnostics::Load Shell::load() const {
   const double period = control_period();
-  return {period, clock_.longest_period(period), doubted_, cycle_budget(), budget_.in_force(), budget_.full()};
+  return {period,
+          clock_.longest_period(period),
+          doubted_,
+          cycle_budget(loop_.parameters(), period),
+          budget_.in_force(),
+          budget_.full()};
 }
 
 void Shell::check_horizon() {

@@ -61,8 +61,7 @@ CycleResult Shell::cycle(bool stop) {
   watch_hand(now);
   const bool recorded = loop_.parameters().record_cycles && publishing_.cycle_wanted();
   if (publishing_.new_cycle_subscriber()) recording_.demand_key();
-  recording_.begin(now, recorded);
-  person_.save_to(recording_.before());
+  person_.save_to(recording_.begin(recorded));
   const CycleResult result = work(now, tick, stop || arriving_);
   explain(now, result);
 
@@ -92,7 +91,8 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
   result.sampling = sampling();
-  static_cast<control::Result&>(result) = loop_.step(observation, result.sampling, &recording_);
+  recording_.steps(loop_, observation, result.sampling);
+  static_cast<control::Result&>(result) = loop_.step(observation, result.sampling);
   result.missing = observation.missing;
   result.fault = observation.fault;
   if (result.decision) watch_odometry(observation, *result.decision);
@@ -223,9 +223,10 @@ void Shell::explain(double now, const CycleResult& result) {
 // Fewer samples rather than a missed rate. A cycle that weighed nothing says nothing about their cost.
 void Shell::keep_budget(double duration, const CycleResult& result) {
   if (result.decision && result.decision->candidates > 0) {
-    const SampleBudget::Event event = budget_.observe(duration, cycle_budget());
+    const double limit = cycle_budget(loop_.parameters(), control_period());  // [s]
+    const SampleBudget::Event event = budget_.observe(duration, limit);
     if (event == SampleBudget::Event::thinning_began) {
-      ROS_WARN("%s: %s", name_.c_str(), thinning_complaint(budget_.in_force(), budget_.full(), cycle_budget()).c_str());
+      ROS_WARN("%s: %s", name_.c_str(), thinning_complaint(budget_.in_force(), budget_.full(), limit).c_str());
     } else if (event == SampleBudget::Event::thinning_ended) {
       ROS_INFO("%s: all %d x %d samples are tried again", name_.c_str(), budget_.full().vx_samples,
                budget_.full().vth_samples);

@@ -66,6 +66,17 @@ TEST(ClosedLoop, AutonomyArrivesWithThePolygonToo) {
   EXPECT_EQ(result.contacts, 0);
 }
 
+// On a machine so busy that the budget leaves the fewest samples.
+TEST(ClosedLoop, TheFewestSamplesArriveToo) {
+  DriveSetup setup = office();
+  setup.sampling = {6, 6};
+  const DriveResult result = drive::drive(setup);
+  EXPECT_TRUE(result.arrived);
+  EXPECT_EQ(result.contacts, 0);
+  EXPECT_EQ(result.failures, 0u);
+  expect_feasible(result, setup.parameters);
+}
+
 TEST(ClosedLoop, PaperProfileArrives) {
   DriveSetup setup = office();
   Parameters& p = setup.parameters;

@@ -17,6 +17,7 @@
 #include "support/naive_inflation.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
+#include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -48,10 +49,12 @@ Polygon rectangle(double rear, double front, double half_width) {
 // parameters say.
 class Robot {
  public:
-  explicit Robot(Scene scene) : scene_(std::move(scene)), body_(naive_body(scene_)), drive_(limits(scene_.parameters)) {
-    EXPECT_EQ(planner_.configure(scene_.parameters), std::vector<std::string>{});
-    planner_.set_footprint(scene_.outline);
-  }
+  explicit Robot(Scene scene)
+      : scene_(std::move(scene)),
+        body_(naive_body(scene_)),
+        drive_(limits(scene_.parameters)),
+        person_(scene_),
+        loop_(scene_, person_) {}
   Scene& scene() { return scene_; }
   const Pose2& pose() const { return scene_.situation.pose; }
   NaiveEscape contact() const { return {scene_.grid(), body_, true, pose(), kHeapSteps}; }
@@ -64,7 +67,7 @@ class Robot {
     Situation& now = scene_.situation;
     now.velocity = {drive_.velocity().v, drive_.velocity().omega};
     Cycle cycle;
-    cycle.decision = planner_.plan(now, scene_.grid(), scene_.intent);
+    cycle.decision = *loop_.cycle().decision;
     drive_on(now, drive_, cycle.decision, 50, [&](int step) {
       if (step % 10 == 9) cycle.poses.push_back(now.pose);
     });
@@ -87,7 +90,8 @@ class Robot {
   Scene scene_;
   NaiveBody body_;
   sim::DiffDrive drive_;
-  Planner planner_;
+  SceneOperator person_;
+  SceneLoop loop_;
 };
 
 // What the rule forbids. A command is judged from the pose at which it was sent, and so is the braking after it: what

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How closely the robot follows the stick in free space, in the default profile: from a stick's message to the
-// command, without ROS. Commands are carried out perfectly.
+// command, through the control loop. Commands are carried out perfectly.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
-#include "support/planner_bench.hpp"
+#include "hidwa_local_planner/control/operator.hpp"
+#include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -25,7 +25,7 @@ double omega_of(float deflection) {
 
 class Follower {
  public:
-  Follower() : bench_(scene()) { machine_.configure(Parameters()); }
+  Follower() : loop_(scene_, person_) {}
 
   struct Cycle {
     double wanted = 0.0;     // by the stick's last message [rad/s]
@@ -36,31 +36,27 @@ class Follower {
 
   /// One control period at whose end the planner runs; the stick's message comes `early` [s] before that.
   Cycle cycle(float deflection, double early = 0.02) {
-    Situation& now = bench_.scene().situation;
+    Situation& now = scene_.situation;
     const Parameters p;
     input::StickMessage message;
     message.axes = {deflection, 0.0F};
     message.buttons = {0};
     message.received = now.time - early;
-    EXPECT_EQ(machine_.receive(message), "");
+    EXPECT_EQ(person_.machine().receive(message), "");
     Cycle cycle;
     cycle.wanted = omega_of(deflection);
     const double step = p.acc_lim_theta * kPeriod;
     cycle.reachable = std::clamp(cycle.wanted, now.last_command.omega - step, now.last_command.omega + step);
-    cycle.intent = bench_.scene().intent = machine_.update(now.time);
     surround();
-    const double time = now.time;
-    cycle.decision = bench_.drive();
-    input::CycleFeedback feedback;
-    feedback.command = cycle.decision.command;
-    feedback.velocity = now.velocity;
-    feedback.own_command_refused = !cycle.decision.operator_refused_by.empty();
-    machine_.debrief(time, feedback);
+    const control::Result result = loop_.cycle();
+    cycle.intent = result.intent;
+    cycle.decision = *result.decision;
+    move(result.command);
     return cycle;
   }
 
  private:
-  static Scene scene() {
+  static Scene begin() {
     Scene scene = Scene::empty(81);
     scene.parameters = Parameters();
     scene.situation.period = kPeriod;
@@ -69,24 +65,35 @@ class Follower {
     return scene;
   }
 
-  /// The costmap rolls along; once a second there is another plan, straight to the goal.
-  void surround() {
-    Scene& scene = bench_.scene();
-    const Pose2& pose = scene.situation.pose;
-    const double half = 0.5 * scene.size_x * scene.resolution;
-    scene.origin_x = std::floor(pose.x / scene.resolution) * scene.resolution - half;
-    scene.origin_y = std::floor(pose.y / scene.resolution) * scene.resolution - half;
-    if (cycles_++ % 20 != 0) return;
-    const double heading = std::atan2(kGoal.y - pose.y, kGoal.x - pose.x);
-    scene.situation.plan.clear();
-    for (int i = 0; i <= 60; ++i) {
-      scene.situation.plan.push_back(
-          {pose.x + 0.05 * i * std::cos(heading), pose.y + 0.05 * i * std::sin(heading), heading});
-    }
+  void move(const Twist2& u) {
+    Situation& now = scene_.situation;
+    const double heading = now.pose.theta + 0.5 * u.omega * kPeriod;
+    now.pose.x += u.v * std::cos(heading) * kPeriod;
+    now.pose.y += u.v * std::sin(heading) * kPeriod;
+    now.pose.theta += u.omega * kPeriod;
+    now.velocity = now.last_command = u;
+    now.time += kPeriod;
   }
 
-  PlannerBench bench_;
-  input::OperatorStateMachine machine_;
+  /// The costmap rolls along; once a second there is another plan, straight to the goal.
+  void surround() {
+    const Pose2& pose = scene_.situation.pose;
+    const double half = 0.5 * scene_.size_x * scene_.resolution;
+    scene_.origin_x = std::floor(pose.x / scene_.resolution) * scene_.resolution - half;
+    scene_.origin_y = std::floor(pose.y / scene_.resolution) * scene_.resolution - half;
+    if (cycles_++ % 20 != 0) return;
+    const double heading = std::atan2(kGoal.y - pose.y, kGoal.x - pose.x);
+    scene_.situation.plan.clear();
+    for (int i = 0; i <= 60; ++i) {
+      scene_.situation.plan.push_back(
+          {pose.x + 0.05 * i * std::cos(heading), pose.y + 0.05 * i * std::sin(heading), heading});
+    }
+    loop_.plan();
+  }
+
+  Scene scene_ = begin();
+  control::LoneOperator person_;
+  SceneLoop loop_;
   int cycles_ = 0;
 };
 

@@ -3,6 +3,7 @@
 // and notices nonetheless when the robot does something else.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ostream>
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "hidwa_local_planner/core/planner.hpp"
 #include "sim/diff_drive.hpp"
 #include "support/random.hpp"
-#include "support/scene.hpp"
+#include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -36,10 +37,9 @@ class LaggingRobot {
     p.acc_lim_theta = base.acc_theta;
     p.decel_lim_x = -base.decel_x;
     p.control_latency = base.latency;
-    EXPECT_TRUE(planner_.configure(p).empty());
-    planner_.set_footprint(scene_.outline);
     scene_.intent.influence = Influence::direct;
     scene_.intent.guarded = false;
+    loop_.emplace(scene_, person_);
   }
 
   struct Cycle {
@@ -55,9 +55,10 @@ class LaggingRobot {
     if (held) drive_.set_velocity({});
     now.velocity = {drive_.velocity().v, drive_.velocity().omega};
     scene_.intent.u_h = wanted;
-    const Decision& decision = planner_.plan(now, scene_.grid(), scene_.intent);
-    const Cycle cycle{now.velocity,     now.last_command,          decision.reference,
-                      decision.command, decision.odometry_doubted, decision.odometry_fast};
+    const control::Result result = loop_->cycle(stopped_);
+    const Decision& decision = *result.decision;
+    const Cycle cycle{now.velocity,   now.last_command,          decision.reference,
+                      result.command, decision.odometry_doubted, decision.odometry_fast};
     drive_.command({cycle.command.v, cycle.command.omega}, now.time);
     constexpr int kSteps = 5;
     for (int k = 0; k < kSteps; ++k) {
@@ -69,7 +70,7 @@ class LaggingRobot {
     now.time += now.period;
     return cycle;
   }
-  void stop(bool stops) { scene_.intent.influence = stops ? Influence::stop : Influence::direct; }
+  void stop(bool stops) { stopped_ = stops; }
   void push(const Twist2& u) { drive_.set_velocity({u.v, u.omega}); }
   double period() const { return scene_.situation.period; }
 
@@ -87,7 +88,9 @@ class LaggingRobot {
 
   Scene scene_ = Scene::empty();
   sim::DiffDrive drive_;
-  Planner planner_;
+  SceneOperator person_{scene_};
+  std::optional<SceneLoop> loop_;
+  bool stopped_ = false;  // by the host
 };
 
 class Latency : public ::testing::TestWithParam<Base> {};

@@ -3,6 +3,7 @@
 // them: whoever steers it and whenever it is stopped, what is still under way never carries it into one.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ostream>
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include "sim/diff_drive.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
+#include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -48,10 +50,9 @@ class Room {
     p.sim_time = 0.2;  // far less than it needs to stop
     p.vth_samples = 11;
     p.escape = false;  // what touches, stays
-    EXPECT_TRUE(planner_.configure(p).empty());
-    planner_.set_footprint(scene_.outline);
     scene_.intent.influence = Influence::direct;
     scene_.intent.guarded = true;
+    loop_.emplace(scene_, person_);
   }
   void stand(const Pose2& pose) { scene_.situation.pose = pose; }
 
@@ -60,8 +61,7 @@ class Room {
     Situation& now = scene_.situation;
     now.velocity = {drive_.velocity().v, drive_.velocity().omega};
     scene_.intent.u_h = wanted;
-    scene_.intent.influence = stop ? Influence::stop : Influence::direct;
-    const Decision decision = planner_.plan(now, scene_.grid(), scene_.intent);
+    const Decision decision = *loop_->cycle(stop).decision;
     drive_on(now, drive_, decision, 5, [](int) {});
     return decision;
   }
@@ -95,7 +95,8 @@ class Room {
 
   Scene scene_;
   sim::DiffDrive drive_;
-  Planner planner_;
+  SceneOperator person_{scene_};
+  std::optional<SceneLoop> loop_;
 };
 
 // Now and then for some cycles.

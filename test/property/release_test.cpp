@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The default profile in free space, commands carried out perfectly in nominal periods: what the robot does
-// when the person lets go of the stick, with the real state machine.
+// when the person lets go of the stick, with the control loop and the state machine that a robot runs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,9 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/plan_window.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/control/operator.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -36,17 +35,17 @@ struct Step {
 // A straight plan along +x, a rolling empty map of 9 x 9 m, a stick that repeats at 20 Hz.
 class Drive {
  public:
-  explicit Drive(const Case& c) {
+  explicit Drive(const Case& c) : loop_(CriticRegistry::with_built_in(), person_) {
     p_.max_vel_x = c.v_max;
-    EXPECT_TRUE(planner_.configure(p_).empty());
-    machine_.configure(p_);
+    EXPECT_TRUE(loop_.configure(p_).empty());
     Polygon outline;
     for (int i = 0; i < 16; ++i) outline.emplace_back(0.3 * std::cos(M_PI * i / 8), 0.3 * std::sin(M_PI * i / 8));
-    planner_.set_footprint(outline);
+    loop_.set_footprint(outline);
     // p^2 max_vel_theta = omega_h.
     deflection_ = static_cast<float>(std::copysign(std::sqrt(std::abs(c.omega_h) / p_.max_vel_theta), c.omega_h));
-    for (int i = 0; i <= 1200; ++i) plan_.push_back({0.05 * i, 0.0, 0.0});
-    window_.set_plan(plan_);
+    std::vector<Pose2> plan;
+    for (int i = 0; i <= 1200; ++i) plan.push_back({0.05 * i, 0.0, 0.0});
+    loop_.set_plan(plan, "map", 0.0, kPeriod);
     costs_.assign(kCells * kCells, cost::kFree);
     pose_.x = 1.0;
   }
@@ -66,34 +65,21 @@ class Drive {
     message.received = now - 0.01;
     const bool pressed = now > kPressed - 1e-9 && now < kReleased - 1e-9;
     message.axes = {pressed ? deflection_ : 0.0F, 0.0F};
-    EXPECT_EQ(machine_.receive(message), "");
-    const OperatorIntent intent = machine_.update(now);
+    EXPECT_EQ(person_.machine().receive(message), "");
 
-    Situation s;
-    s.pose = pose_;
-    s.velocity = s.last_command = u_;
-    s.period = kPeriod;
-    s.time = now;
-    const double ahead = std::max(p_.forward_prune_distance, 1.2 * p_.max_vel_x * p_.sim_time);
-    const PlanWindow::Range range = window_.around(pose_, p_.prune_distance, ahead);
-    s.plan.assign(plan_.begin() + static_cast<std::ptrdiff_t>(range.begin),
-                  plan_.begin() + static_cast<std::ptrdiff_t>(range.end));
-    s.goal = plan_.back();
-    const GridView grid{costs_.data(),
-                        kCells,
-                        kCells,
-                        0.05,
-                        std::floor(pose_.x / 0.05) * 0.05 - 4.5,
-                        std::floor(pose_.y / 0.05) * 0.05 - 4.5};
-    const Decision& decision = planner_.plan(s, grid, intent);
-    const Step step{now, intent.state, decision.outcome, u_, decision.command, pose_};
-
-    input::CycleFeedback feedback;
-    feedback.own_command_refused = !decision.operator_refused_by.empty();
-    feedback.command = decision.command;
-    feedback.velocity = u_;
-    machine_.debrief(now, feedback);
-    u_ = decision.command;
+    control::Observation seen;
+    seen.timing = {now, kPeriod, kPeriod, kPeriod, false};
+    seen.pose = pose_;
+    seen.velocity = u_;
+    seen.costmap = {costs_.data(),
+                    kCells,
+                    kCells,
+                    0.05,
+                    std::floor(pose_.x / 0.05) * 0.05 - 4.5,
+                    std::floor(pose_.y / 0.05) * 0.05 - 4.5};
+    const control::Result result = loop_.step(seen);
+    const Step step{now, result.intent.state, result.outcome, u_, result.command, pose_};
+    u_ = result.command;
     const double middle = pose_.theta + 0.5 * u_.omega * kPeriod;
     pose_.x += u_.v * std::cos(middle) * kPeriod;
     pose_.y += u_.v * std::sin(middle) * kPeriod;
@@ -102,11 +88,9 @@ class Drive {
   }
 
   Parameters p_;
-  Planner planner_;
-  input::OperatorStateMachine machine_;
+  control::LoneOperator person_;
+  control::ControlLoop loop_;
   float deflection_ = 0.0F;
-  std::vector<Pose2> plan_;
-  PlanWindow window_;
   std::vector<std::uint8_t> costs_;
   Pose2 pose_;
   Twist2 u_;

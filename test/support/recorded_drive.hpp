@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "hidwa_local_planner/control/fault_brake.hpp"
-#include "hidwa_local_planner/core/parameter_text.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/control/operator.hpp"
+#include "hidwa_local_planner/control/pause.hpp"
 #include "hidwa_local_planner/record/cycle_recorder.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"
@@ -27,7 +27,8 @@ class RecordedDrive {
     std::vector<std::uint8_t> costs;  // of the local map; empty where input was missing
   };
 
-  RecordedDrive(std::uint64_t seed, OperatorMode mode) : random_(seed) {
+  RecordedDrive(std::uint64_t seed, OperatorMode mode)
+      : random_(seed), loop_(CriticRegistry::with_built_in(), operator_) {
     randomise_robot(random_, parameters_);
     randomise_search(random_, parameters_);
     randomise_costs(random_, parameters_);
@@ -39,10 +40,8 @@ class RecordedDrive {
     parameters_.stop_button = 3;
     if (random_.chance(0.5)) parameters_.enable_button = 5;
     parameters_.authority = random_.chance(0.3) ? 0.5 : 1.0;
-    outline_ = random_convex_outline(random_);
-    planner_.configure(parameters_);
-    planner_.set_footprint(outline_);
-    person_.configure(parameters_);
+    loop_.configure(parameters_);
+    loop_.set_footprint(random_convex_outline(random_));
     field_.assign(static_cast<std::size_t>(kField) * kField, cost::kFree);
     for (int k = 0; k < 150; ++k) {
       const int i = random_.integer(0, kField - 4), j = random_.integer(0, kField - 4);
@@ -50,6 +49,8 @@ class RecordedDrive {
     }
     pose_ = {12.0, 12.0, random_.uniform(-3.0, 3.0)};
     if (random_.chance(0.3)) wall_in();
+    from_plan_.origin = {random_.uniform(-3.0, 3.0), random_.uniform(-3.0, 3.0), random_.uniform(-3.0, 3.0)};
+    replan();
   }
 
   std::vector<Cycle> run(int cycles) {
@@ -59,11 +60,10 @@ class RecordedDrive {
   }
 
   const Parameters& parameters() const { return parameters_; }
-  /// As dynamic_reconfigure does; the operator's part may come a cycle earlier.
+  /// As dynamic_reconfigure does.
   void reconfigure(const Parameters& parameters) {
     parameters_ = parameters;
-    planner_.configure(parameters_);
-    person_.configure(parameters_);
+    loop_.configure(parameters_);
     recorder_.demand_key();
   }
 
@@ -77,12 +77,15 @@ class RecordedDrive {
     }
   }
 
-  // Everything stands still now and then, and somebody says stop or not.
+  // Everything stands still now and then, time jumps back, and somebody says stop or not.
   void pass_time() {
+    const double before = time_;
     time_ += kPeriod;
-    if (random_.chance(0.02)) time_ += random_.uniform(0.2, 0.8);
-    if (random_.chance(0.9)) person_.listens(time_ - 0.02);
-    if (random_.chance(0.05)) person_.stop(random_.chance(0.05));
+    if (random_.chance(0.02)) time_ += random_.uniform(0.1, 0.8);
+    if (random_.chance(0.003)) time_ -= 2.0;
+    timing_ = {time_, kPeriod, random_.chance(0.1) ? 1.5 * kPeriod : kPeriod, time_ - before, time_ < before};
+    if (random_.chance(0.9)) operator_.machine().listens(time_ - 0.02);
+    if (random_.chance(0.05)) operator_.machine().stop(random_.chance(0.05));
   }
 
   // Whatever a stick may do: rest, be held, jump, fall silent, press buttons.
@@ -101,7 +104,7 @@ class RecordedDrive {
     press(parameters_.enable_button, deflection_ < 0.5 ? 1.0 : 0.0);
     stick.received = time_ - 0.01;
     stick.sender = random_.chance(0.997) ? "/joy" : "/other";
-    person_.receive(stick);
+    operator_.machine().receive(stick);
   }
 
   void look() {
@@ -127,103 +130,87 @@ class RecordedDrive {
     inflate(local_, 0.2, 0.5, 5.0);
   }
 
-  Situation situation() {
-    Situation s;
-    s.pose = pose_;
-    // Odometry shows the command before the last.
-    s.velocity = {before_last_.v + random_.uniform(-0.02, 0.02), before_last_.omega + random_.uniform(-0.02, 0.02)};
-    s.last_command = last_;
-    s.goal = goal_;
+  /// A straight way from behind the robot to the goal; the host asks for one now and then.
+  void replan() {
     const double heading = std::atan2(goal_.y - pose_.y, goal_.x - pose_.x);
-    for (int k = -3; k < 35; ++k) {
-      s.plan.push_back({pose_.x + 0.05 * k * std::cos(heading), pose_.y + 0.05 * k * std::sin(heading), heading});
+    const int poses = static_cast<int>(distance(pose_, goal_) / 0.05);
+    std::vector<Pose2> plan;
+    for (int k = -3; k < poses; ++k) {
+      plan.push_back(from_plan_.apply_inverse(
+          {pose_.x + 0.05 * k * std::cos(heading), pose_.y + 0.05 * k * std::sin(heading), heading}));
     }
-    s.goal_latched = distance(pose_, goal_) < 0.3;
-    s.period = kPeriod;
-    s.time = time_;
-    return s;
+    plan.push_back(from_plan_.apply_inverse(goal_));
+    loop_.set_plan(plan, "map", time_, kPeriod);
+  }
+
+  void aim() {
+    const bool arrived = distance(pose_, goal_) < 0.3 && random_.chance(0.05);
+    if (arrived) goal_ = {random_.uniform(5.0, 20.0), random_.uniform(5.0, 20.0), random_.uniform(-3.0, 3.0)};
+    if (arrived || random_.chance(0.05)) replan();
+  }
+
+  control::Observation observe() {
+    control::Observation seen;
+    seen.timing = timing_;
+    // Odometry shows the command before the last.
+    seen.velocity = {before_last_.v + random_.uniform(-0.02, 0.02), before_last_.omega + random_.uniform(-0.02, 0.02)};
+    seen.pose = pose_;
+    seen.pose_age = random_.chance(0.2) ? 0.02 : 0.0;
+    seen.from_plan = from_plan_;
+    seen.host_stops = random_.chance(0.01);
+    if (is_pause(timing_.interval, kPeriod) || timing_.jumped_back) seen.resumed = seen.velocity;
+    if (random_.chance(0.02)) {
+      seen.fault = "no odometry";
+      if (random_.chance(0.5)) seen.velocity.reset();
+      return seen;
+    }
+    look();
+    seen.costmap = local_.grid();
+    return seen;
   }
 
   Cycle cycle() {
     pass_time();
-    const Twist2 last = last_;
     touch();
-    if (distance(pose_, goal_) < 0.3 && random_.chance(0.05)) {
-      goal_ = {random_.uniform(5.0, 20.0), random_.uniform(5.0, 20.0), random_.uniform(-3.0, 3.0)};
-      planner_.reset();
-      person_.new_goal();
-    }
-    Cycle cycle;
-    Bytes before;
-    ArchiveWriter write(before);
-    person_.save(write);
-    cycle.intent = person_.update(time_);
-    if (recorder_.begin(time_)) {
-      recorder_.setup({"1.2.3", to_lines(parameters_), "", "", outline_});
-    }
-    recorder_.operator_state() = before;
-    recorder_.intent(cycle.intent);
-    if (random_.chance(0.02)) {
-      brake(cycle);
-    } else {
-      plan(cycle);
-    }
-    cycle.record = recorder_.finish(cycle.verdict);
-    before_last_ = last;
-    debrief();
+    aim();
+    const control::Observation seen = observe();
+    Sampling sampling = random_.chance(0.1) ? Sampling{3, 5} : Sampling{};
+    if (random_.chance(0.3)) sampling.report = Report::legality;
+    if (random_.chance(0.5)) loop_.goal_reached(seen);  // the host asks
+    recorder_.operator_state().clear();
+    ArchiveWriter write(recorder_.operator_state());
+    operator_.machine().save(write);
+    recorder_.begin(loop_, seen, sampling);
+    const control::Result result = loop_.step(seen, sampling);
+    Cycle cycle{
+        recorder_.finish(result, loop_.planner()), result.intent, record::verdict_of(result, loop_.planner()), {}};
+    if (seen.fault.empty()) cycle.costs = local_.costs;
+    move(result.command);
     return cycle;
   }
 
-  void plan(Cycle& cycle) {
-    brake_.clear();
-    look();
-    const Situation s = situation();
-    Sampling sampling = random_.chance(0.1) ? Sampling{3, 5} : Sampling{};
-    if (random_.chance(0.3)) sampling.report = Report::legality;
-    recorder_.plans(planner_, s, local_.grid(), sampling);
-    const Decision& decision = planner_.plan(s, local_.grid(), cycle.intent, sampling);
-    cycle.verdict = record::verdict_of(decision, planner_.totals());
-    cycle.costs = local_.costs;
-    last_ = cycle.verdict.command;
-    refused_ = !decision.operator_refused_by.empty();
-    pose_.theta = wrap_angle(pose_.theta + last_.omega * kPeriod);
-    pose_.x += last_.v * kPeriod * std::cos(pose_.theta);
-    pose_.y += last_.v * kPeriod * std::sin(pose_.theta);
-  }
-
-  void brake(Cycle& cycle) {
-    record::BrakeInput input{{}, std::nullopt, last_, kPeriod, "no odometry"};
-    if (random_.chance(0.5)) input.velocity = last_;
-    recorder_.brakes(brake_, input);
-    const FaultBrake::Answer answer = brake_.answer(time_, input.velocity, last_, parameters_, kPeriod);
-    cycle.verdict = record::verdict_of(outcome_of(answer, cycle.intent), answer.command);
-    last_ = cycle.verdict.command;
-    refused_ = false;
-  }
-
-  void debrief() {
-    input::CycleFeedback feedback;
-    feedback.command = last_;
-    feedback.velocity = last_;
-    feedback.at_rest = last_ == Twist2{};
-    feedback.own_command_refused = refused_;
-    feedback.goal_latched = distance(pose_, goal_) < 0.3;
-    person_.debrief(time_, feedback);
+  void move(const Twist2& command) {
+    before_last_ = last_;
+    last_ = command;
+    pose_.theta = wrap_angle(pose_.theta + command.omega * kPeriod);
+    pose_.x += command.v * kPeriod * std::cos(pose_.theta);
+    pose_.y += command.v * kPeriod * std::sin(pose_.theta);
+    from_plan_.origin.x += random_.uniform(-1e-3, 1e-3);  // localisation corrects itself
   }
 
   Random random_;
   Parameters parameters_;
-  Polygon outline_;
-  Planner planner_;
-  input::OperatorStateMachine person_;
-  FaultBrake brake_;
+  control::LoneOperator operator_;
+  control::ControlLoop loop_;
   record::CycleRecorder recorder_;
   std::vector<std::uint8_t> field_;
   Scene local_;
   Pose2 pose_, goal_{15.0, 15.0, 0.0};
+  FrameTransform from_plan_;
   Twist2 last_, before_last_;
+  control::Timing timing_;
   double time_ = 10.0, deflection_ = 0.0;
-  bool silent_ = false, refused_ = false;
+  bool silent_ = false;
 };
 
 }  // namespace hidwa_local_planner::test

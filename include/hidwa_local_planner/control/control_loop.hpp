@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The control cycle of a robot, without ROS: what the plugin, the drives without ROS and the tests run.
+// The control cycle of a robot, without ROS: what the plugin, the drives without ROS, replay and the tests run.
 //
 // A cycle, step():
-// 1. the person says what they want (Operator), unless the host stops the robot;
-// 2. where something is missing, the robot brakes (FaultBrake);
-// 3. else the part of the plan that matters now is taken, the goal's latch is judged, and the planner decides;
-// 4. what was sent is remembered, and the person is told what became of their wish.
+// 1. the operator's intent is asked for (Operator), unless the host stops the robot;
+// 2. where an input is missing, the robot brakes (FaultBrake);
+// 3. else the window of the plan is taken, the goal's latch is judged, and the planner decides;
+// 4. what was sent is remembered, and the operator is told what became of the operator command.
+//
+// A cycle depends on its arguments, the plan, the parameters, the footprint, the operator, and on what the loop
+// remembers, which save() writes. So a record of these repeats it: record/cycle_record.hpp.
 #pragma once
 
 #include <optional>
@@ -18,6 +21,7 @@
 #include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/control/plan_window.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
 
 namespace hidwa_local_planner::control {
 
@@ -28,6 +32,11 @@ struct Timing {
   double longest_period = 0.0;  // of late, see PeriodWatch; smaller than the period: the period
   double interval = 0.0;        // since the cycle before; 0 where there is none
   bool jumped_back = false;     // time did
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.now, self.period, self.longest_period, self.interval, self.jumped_back);
+  }
 };
 
 /// What is known of the robot in a cycle.
@@ -41,7 +50,14 @@ struct Observation {
   GridView costmap;
   /// Where the host was in control since the last cycle: the velocity that the robot has, as far as it is known.
   std::optional<Twist2> resumed;
-  bool host_stops = false;  // the robot is to brake to rest whatever the person wants
+  bool host_stops = false;  // the robot is to brake to rest whatever the operator wants
+
+  /// All but the costmap, whose cells are somebody else's.
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.timing, self.fault, self.velocity, self.pose, self.pose_age, self.from_plan.origin, self.resumed,
+       self.host_stops);
+  }
 };
 
 /// What a cycle came to.
@@ -49,26 +65,7 @@ struct Result {
   Outcome outcome = Outcome::fail;
   Twist2 command;                      // sent, or zero on failure [m/s, rad/s]
   const Decision* decision = nullptr;  // null where something was missing; valid until the next cycle
-  OperatorIntent intent;               // what the person wants, though the host may stop the robot
-};
-
-/// What a cycle that could only brake was decided from.
-struct BrakeSituation {
-  double time = 0.0;               // [s]
-  std::optional<Twist2> velocity;  // measured, where odometry was at hand [m/s, rad/s]
-  Twist2 last_command;             // [m/s, rad/s]
-  double period = 0.0;             // by how much a command may brake [s]
-  std::string fault;
-};
-
-/// Sees what a cycle is decided from, just before that: for records.
-class Witness {
- public:
-  virtual ~Witness() = default;
-  virtual void heard(const OperatorIntent& intent, bool host_stops) = 0;
-  virtual void plans(const Planner& planner, const Situation& situation, const GridView& costmap,
-                     const Sampling& sampling) = 0;
-  virtual void brakes(const Planner& planner, const FaultBrake& brake, const BrakeSituation& situation) = 0;
+  OperatorIntent intent;               // what the operator wants, though the host may stop the robot
 };
 
 class ControlLoop {
@@ -76,8 +73,8 @@ class ControlLoop {
   /// `person` must outlive the loop.
   ControlLoop(CriticRegistry registry, Operator& person) : person_(person), planner_(std::move(registry)) {}
 
-  /// Planner and person take one set, between two cycles; a set with faults changes nothing. May throw what a critic of
-  /// another package throws.
+  /// Planner and operator take one set, between two cycles; a set with faults changes nothing. May throw what a critic
+  /// of another package throws.
   std::vector<std::string> configure(const Parameters& parameters, const Planner::SourceFor& sources = {});
   void set_footprint(const Polygon& outline) { planner_.set_footprint(outline); }
 
@@ -87,15 +84,22 @@ class ControlLoop {
   /// There is no plan to follow.
   void drop_plan(double now, double period);
   bool has_plan() const { return !plan_.empty(); }
+  const std::vector<Pose2>& plan() const { return plan_.plan(); }  // whole, in its frame
   const std::string& plan_frame() const { return frame_; }
   const Pose2& goal() const { return goal_; }  // in the plan's frame
 
   /// One control cycle.
-  Result step(const Observation& observation, const Sampling& sampling = {}, Witness* witness = nullptr);
-  /// Whether the goal is reached, where nothing is missing and the person has not taken control.
+  Result step(const Observation& observation, const Sampling& sampling = {});
+  /// Whether the goal is reached, where nothing is missing and the operator has not taken control.
   bool goal_reached(const Observation& observation);
   /// The goal is over, and the host stops the robot: whatever plan comes next has a new goal.
   void finish_goal();
+
+  /// What the loop and its planner remember from cycle to cycle. load() comes after set_plan() of the plan that was in
+  /// force, and changes nothing of the operator. False where the bytes are none of save()'s: then the loop is to be
+  /// loaded anew.
+  void save(Bytes& state) const;
+  bool load(const Bytes& state);
 
   const Planner& planner() const { return planner_; }
   const Parameters& parameters() const { return planner_.parameters(); }
@@ -105,11 +109,14 @@ class ControlLoop {
   bool at_rest() const { return at_rest_; }
 
  private:
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.goal_checker_, self.fault_brake_, self.plan_, self.goal_, self.last_command_, self.resumed_);
+  }
   void begin_goal();
   bool check_goal(const Observation& observation, const Pose2& goal);
-  void brake(const Observation& observation, const OperatorIntent& intent, Witness* witness, Result& result);
-  void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Witness* witness,
-              Result& result);
+  void brake(const Observation& observation, const OperatorIntent& intent, Result& result);
+  void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Result& result);
   void take_situation(const Observation& observation);
   void take_plan_window(const Observation& observation);
   void remember(const Observation& observation, const Result& result);

@@ -11,9 +11,9 @@
 namespace hidwa_local_planner {
 
 /// What to do while a cycle's input is missing (no transform, plan, odometry or costmap): brake from the last
-/// command while the robot moves, which counts as success; fail at rest, so that the host replans or
-/// recovers. Without odometry the robot counts as moving until v_max / deceleration plus one period have
-/// passed and the command has reached 0.
+/// command while the robot moves, as the planner brakes (VelocityLimits::brake()), which counts as success; fail at
+/// rest, so that the host replans or recovers. Without odometry the robot counts as moving until v_max / deceleration
+/// plus one period have passed and the command has reached 0.
 class FaultBrake {
  public:
   struct Answer {

@@ -22,6 +22,10 @@ class GoalChecker {
   /// reached.
   bool update(const Pose2& robot, const Twist2& velocity, const Pose2& goal, const Parameters& parameters);
   bool latched() const { return latched_; }
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.latched_, self.last_cycle_);
+  }
 
  private:
   bool latched_ = false;

@@ -25,6 +25,11 @@ class PlanWindow {
   Range around(const Pose2& robot, double behind, double ahead);
   /// Arc length from the plan's start to the progress [m].
   double progress() const { return progress_; }
+  /// The progress alone; the plan is the same before and after.
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.progress_);
+  }
 
  private:
   std::vector<Pose2> plan_;

@@ -1,10 +1,27 @@
-// SPDX-License-Identifier: BSD-3-Clause
+// One control cycle as bytes: the arguments of ControlLoop::step(), all that it depends on besides, and what it came
+// to. Replay gives the same to the same function.
+//
+// A record is the format's number and named parts (parts.hpp):
+//
+//   cycle        its number
+//   setup        release, parameters, footprint: in key records alone
+//   plan         whole, in its own frame: in key records, and where it is another than a cycle before
+//   observation  what was known of the robot, but for the costmap
+//   costmap      what changed of it; absent where an input was missing, for then nothing reads it
+//   sampling     samples in force
+//   loop         what ControlLoop remembered before the cycle
+//   operator     what the operator's state machine remembered before the cycle
+//   intent, verdict  what came of it
+//
+// The whole plan takes less than its window in each cycle: it comes about once a second, and a window is a tenth of it.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -14,51 +31,27 @@
 namespace hidwa_local_planner {
 namespace record {
 
-/// Changes whenever older readers would misread a record.
-constexpr std::uint16_t kFormat = 3;
+/// Of the container; a new kind of part is no new format.
+constexpr std::uint16_t kFormat = 4;
 
-/// What stays the same over many cycles; part of every key record.
+/// What stays the same over many cycles.
 struct Setup {
   std::string version;     // of the package that recorded
-  std::string parameters;  // of the planner, see to_lines()
-  /// The operator machine's, where they are not the planner's: in older recordings it had new ones a cycle earlier.
-  std::string operator_parameters;
-  std::string critics;  // the parameters of other packages' critics, as XML-RPC; empty where there are none
-  Polygon outline;      // without padding, robot frame [m]
+  std::string parameters;  // of planner and operator, see to_lines()
+  std::string critics;     // the parameters of other packages' critics, as XML-RPC; empty where there are none
+  Polygon outline;         // without padding, robot frame [m]
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.version, self.parameters, self.operator_parameters, self.critics, self.outline);
+    io(self.version, self.parameters, self.critics, self.outline);
   }
 };
 
-/// The input of a cycle that planned.
-struct PlannerInput {
-  Bytes state;  // of the planner before the cycle, see Planner::save()
-  Situation situation;
-  Sampling sampling;
-  GridPatch grid;
-
+/// Sampling, as bytes.
+struct RecordedSampling : Sampling {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.state, self.situation.pose, self.situation.velocity, self.situation.last_command, self.situation.plan,
-       self.situation.goal, self.situation.goal_latched, self.situation.period, self.situation.longest_period,
-       self.situation.pose_age, self.situation.resumed, self.situation.time, self.sampling.vx_samples,
-       self.sampling.vth_samples, self.sampling.report, self.grid);
-  }
-};
-
-/// The input of a cycle that could only brake, since something was missing.
-struct BrakeInput {
-  Bytes state;                     // of the FaultBrake before the cycle
-  std::optional<Twist2> velocity;  // measured, where odometry was at hand [m/s, rad/s]
-  Twist2 last_command;             // [m/s, rad/s]
-  double period = 0.0;             // [s]
-  std::string fault;               // what was missing
-
-  template <typename Self, typename Archive>
-  static void archive(Self& self, Archive& io) {
-    io(self.state, self.velocity, self.last_command, self.period, self.fault);
+    io(self.vx_samples, self.vth_samples, self.report);
   }
 };
 
@@ -83,36 +76,34 @@ struct Verdict {
   }
 };
 
+/// Of the cycle that `planner` has just decided; where an input was missing, of the fault brake.
+Verdict verdict_of(const control::Result& result, const Planner& planner);
 /// Of a cycle that planned; `totals`: see Planner::totals().
 Verdict verdict_of(const Decision& decision, const std::vector<double>& totals);
-/// Of a cycle that could only brake.
-Verdict verdict_of(Outcome outcome, const Twist2& command);
 /// The same to the bit.
 bool identical(const Verdict& a, const Verdict& b);
 bool identical(const OperatorIntent& a, const OperatorIntent& b);
 
 /// One control cycle: all that it was decided from, and what was decided.
 struct CycleRecord {
-  std::uint32_t sequence = 0;  // one more than that of the record before, or it is a key record
-  std::optional<Setup> setup;  // a key record has it, and a whole grid
-  double time = 0.0;           // [s]
-  Bytes operator_state;        // of the operator machine before the cycle
-  OperatorIntent intent;       // what the machine said
-  bool host_stops = false;     // the host stopped the robot whatever that was, as when it is cancelled
-  std::optional<PlannerInput> planned;
-  std::optional<BrakeInput> braked;  // this or that
+  std::uint32_t sequence = 0;              // one more than that of the record before, or it is a key record
+  std::optional<Setup> setup;              // a key record has it, a whole plan and a whole costmap
+  std::optional<std::vector<Pose2>> plan;  // in its own frame; empty where there is none to follow
+  control::Observation observation;        // without its costmap
+  std::optional<GridPatch> costmap;
+  RecordedSampling sampling;
+  Bytes loop_state;      // see ControlLoop::save()
+  Bytes operator_state;  // see OperatorStateMachine::save()
+  OperatorIntent intent;
   Verdict verdict;
+  std::vector<std::string> unknown;  // critical parts that this release does not know; decode() fills it
 
-  template <typename Self, typename Archive>
-  static void archive(Self& self, Archive& io) {
-    io(self.sequence, self.setup, self.time, self.operator_state, self.intent, self.host_stops, self.planned,
-       self.braked, self.verdict);
-  }
+  double time() const { return observation.timing.now; }  // [s]
 };
 
-/// As bytes: the format's number, then the record.
+/// As bytes: the format's number, then the parts.
 void encode(const CycleRecord& record, Bytes& bytes);
-/// The fault in words, empty when the record was read.
+/// The fault in words, empty when the record was read. A record without a fault can be given to a ControlLoop.
 std::string decode(const Bytes& bytes, CycleRecord& record);
 
 }  // namespace record

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "hidwa_local_planner/control/fault_brake.hpp"
+#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/record/cycle_record.hpp"
 
 namespace hidwa_local_planner {
 namespace record {
 
-/// Makes the records of cycles that follow one another: in each begin(), the input, finish(). A key record, from which
-/// reading can begin, is made at the start, when one is demanded, and every hundredth cycle.
+/// Makes the records of cycles that follow one another: for each begin(), ControlLoop::step(), finish(). A key record,
+/// from which reading can begin, is made at the start, when one is demanded, and every hundredth cycle.
 class CycleRecorder {
  public:
   static constexpr int kKeyEvery = 100;  // cycles
@@ -18,28 +21,27 @@ class CycleRecorder {
   /// The next record is to stand for itself: somebody new listens, what stays the same changed, or cycles were left
   /// out.
   void demand_key() { cycles_since_key_ = kKeyEvery; }
-  /// True when this cycle's will be a key record: setup() is wanted.
-  bool begin(double time);
-  void setup(Setup setup) { record_.setup = std::move(setup); }
-  /// Filled by whoever has the operator machine, before its update.
-  Bytes& operator_state() { return record_.operator_state; }
-  /// What the machine said, and whether the host stops the robot whatever that is.
-  void intent(const OperatorIntent& intent, bool host_stops = false) {
-    record_.intent = intent;
-    record_.host_stops = host_stops;
+  /// New parameters are in force; `critics`: see Setup.
+  void take(std::string critics) {
+    critics_ = std::move(critics);
+    demand_key();
   }
-  /// Before Planner::plan() with the same.
-  void plans(const Planner& planner, const Situation& situation, const GridView& grid, const Sampling& sampling);
-  /// Before FaultBrake::answer() with the same.
-  void brakes(const FaultBrake& brake, const BrakeInput& input);
+  /// Before ControlLoop::step() with the same.
+  void begin(const control::ControlLoop& loop, const control::Observation& observation, const Sampling& sampling);
+  /// To be written before finish(): what OperatorStateMachine::save() says before the cycle.
+  Bytes& operator_state() { return record_.operator_state; }
   /// What came of it, as bytes; they stay valid until the next record's.
-  const Bytes& finish(const Verdict& verdict);
+  const Bytes& finish(const control::Result& result, const Planner& planner);
 
  private:
+  void take_setup(const control::ControlLoop& loop);
+  void take_plan(const std::vector<Pose2>& plan, bool key);
+
+  std::string critics_;
   CycleRecord record_;
+  std::vector<Pose2> plan_;  // of the record before
   GridChain grids_;
   Bytes bytes_;
-  std::uint32_t sequence_ = 0;
   int cycles_since_key_ = kKeyEvery;
 };
 

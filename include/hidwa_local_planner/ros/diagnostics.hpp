@@ -10,9 +10,9 @@
 #include <ros/node_handle.h>
 #include <ros/wall_timer.h>
 
+#include "hidwa_local_planner/control/sample_budget.hpp"
 #include "hidwa_local_planner/ros/cycle_statistics.hpp"
 #include "hidwa_local_planner/ros/operator_input.hpp"
-#include "hidwa_local_planner/ros/sample_budget.hpp"
 
 namespace hidwa_local_planner {
 

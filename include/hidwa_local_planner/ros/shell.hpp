@@ -13,6 +13,7 @@
 #include <tf2_ros/buffer.h>
 
 #include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/control/sample_budget.hpp"
 #include "hidwa_local_planner/ros/callback_thread.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 #include "hidwa_local_planner/ros/cycle_clock.hpp"
@@ -31,7 +32,6 @@
 #include "hidwa_local_planner/ros/publishing.hpp"
 #include "hidwa_local_planner/ros/reconfigure.hpp"
 #include "hidwa_local_planner/ros/robot_description.hpp"
-#include "hidwa_local_planner/ros/sample_budget.hpp"
 
 namespace hidwa_local_planner {
 
@@ -72,7 +72,6 @@ class Shell {
   void take_parameters();
   std::vector<std::string> put_in_force(const ParameterSet& set);
   double control_period() const;  // [s]
-  double cycle_budget() const;    // [s]; negative: none
   Diagnostics::Load load() const;
 
   // One cycle.

@@ -16,23 +16,26 @@ Parameters braking(double x, double theta) {
   return p;
 }
 
-Twist2 braked(const Twist2& command, const Parameters& parameters) {
-  return FaultBrake().answer(10.0, command, command, parameters, kPeriod).command;
+/// The command after `last_command`.
+Twist2 brake_from(const Twist2& last_command, const Parameters& p) {
+  const FaultBrake::Answer answer = FaultBrake().answer(10.0, last_command, last_command, p, kPeriod);
+  EXPECT_TRUE(answer.success);
+  return answer.command;
 }
 
 TEST(FaultBrake, OneStepTakesTheLimitTimesThePeriod) {
   const Parameters p = braking(2.0, 4.0);
   // 2.0 x 0.05 = 0.1 m/s, 4.0 x 0.05 = 0.2 rad/s.
-  EXPECT_DOUBLE_EQ(braked({0.5, -1.0}, p).v, 0.4);
-  EXPECT_DOUBLE_EQ(braked({0.5, -1.0}, p).omega, -0.8);
-  EXPECT_DOUBLE_EQ(braked({-0.3, 0.05}, p).v, -0.2);
-  EXPECT_EQ(braked({0.05, 0.05}, p), Twist2{});
+  EXPECT_DOUBLE_EQ(brake_from({0.5, -1.0}, p).v, 0.4);
+  EXPECT_DOUBLE_EQ(brake_from({0.5, -1.0}, p).omega, -0.8);
+  EXPECT_DOUBLE_EQ(brake_from({-0.3, 0.05}, p).v, -0.2);
+  EXPECT_EQ(brake_from({0.05, 0.05}, p), Twist2{});
 }
 
 TEST(FaultBrake, ADecelerationLimitOfItsOwnCounts) {
   Parameters p = braking(2.0, 4.0);
   p.decel_lim_x = -1.0;  // either sign
-  EXPECT_DOUBLE_EQ(braked({0.5, 0.0}, p).v, 0.45);
+  EXPECT_DOUBLE_EQ(brake_from({0.5, 0.0}, p).v, 0.45);
 }
 
 TEST(FaultBrake, AtRestItFails) {

@@ -62,32 +62,33 @@ TEST(CycleReplay, ACycleIsRepeatedAloneAndAgain) {
 
 // Without the recorded states some cycles come out differently: the records need them.
 TEST(CycleReplay, TheRecordedStatesDecide) {
-  int planner_matters = 0, machine_matters = 0;
+  control::LoneOperator fresh_operator;
+  control::ControlLoop fresh_loop(CriticRegistry::with_built_in(), fresh_operator);
+  int loop_matters = 0, operator_matters = 0;
+  const auto differs = [](CycleReplay& replay, const CycleRecord& record) {
+    Bytes bytes;
+    encode(record, bytes);
+    EXPECT_EQ(replay.take(bytes), Reading::ready) << replay.fault();
+    return replay.run().identical ? 0 : 1;
+  };
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    CycleReplay replay;
+    CycleReplay without_loop, without_operator;
     for (const RecordedDrive::Cycle& cycle : drive(seed)) {
       CycleRecord record;
       ASSERT_EQ(decode(cycle.record, record), "");
       CycleRecord forgetful = record;
-      if (forgetful.planned) {
-        Planner fresh;
-        fresh.configure(Parameters());
-        forgetful.planned->state.clear();
-        fresh.save(forgetful.planned->state);
-      }
-      Bytes bytes;
-      encode(forgetful, bytes);
-      ASSERT_EQ(replay.take(bytes), Reading::ready);
-      planner_matters += replay.run().identical ? 0 : 1;
+      forgetful.loop_state.clear();
+      fresh_loop.save(forgetful.loop_state);
+      loop_matters += differs(without_loop, forgetful);
       forgetful = record;
       forgetful.operator_state.clear();
-      encode(forgetful, bytes);
-      CycleReplay other;
-      if (other.take(bytes) == Reading::ready) machine_matters += other.run().identical ? 0 : 1;
+      ArchiveWriter write(forgetful.operator_state);
+      fresh_operator.machine().save(write);
+      operator_matters += differs(without_operator, forgetful);
     }
   }
-  EXPECT_GT(planner_matters, 10);
-  EXPECT_GT(machine_matters, 0);
+  EXPECT_GT(loop_matters, 10);
+  EXPECT_GT(operator_matters, 10);
 }
 
 TEST(CycleReplay, AfterAGapItWaitsForTheNextKeyRecord) {
@@ -113,7 +114,39 @@ TEST(CycleReplay, ADamagedRecordIsToldAndTheNextKeyRecordGoesOn) {
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     const Reading reading = replay.take(cycles[k].record);
     EXPECT_EQ(reading, k == 50 ? Reading::damaged : k > 50 && k < 100 ? Reading::waits_for_key : Reading::ready) << k;
-    EXPECT_EQ(replay.fault(), k == 50 ? "the record is damaged" : "");
+    EXPECT_EQ(replay.fault(), k == 50 ? "the record is cut short" : "");
+  }
+}
+
+// As where another release remembered something else.
+TEST(CycleReplay, AStateThatCannotBeReadIsToldWithTheReleaseThatReadsIt) {
+  CycleRecord record;
+  ASSERT_EQ(decode(drive(1, 1)[0].record, record), "");
+  record.setup->version = "7.8.9";
+  for (Bytes* state : {&record.loop_state, &record.operator_state}) {
+    const Bytes whole = *state;
+    for (const std::size_t size : {std::size_t{0}, whole.size() - 1, whole.size() + 1}) {
+      state->resize(size);
+      Bytes bytes;
+      encode(record, bytes);
+      CycleReplay replay;
+      EXPECT_EQ(replay.take(bytes), Reading::damaged);
+      EXPECT_EQ(replay.fault(), "what was remembered before the cycle cannot be read: replay it with release 7.8.9");
+      *state = whole;
+    }
+  }
+}
+
+TEST(CycleReplay, PartsOfLaterReleasesAreNamedAndTheRestIsRepeated) {
+  CycleReplay replay;
+  int cycle = 0;
+  for (RecordedDrive::Cycle& recorded : drive(1, 30)) {
+    ArchiveWriter write(recorded.record);
+    write(std::string("remarks"), false, Bytes(3, 1));
+    if (++cycle > 10) write(std::string("obstacles"), true, Bytes(5, 2));
+    ASSERT_EQ(replay.take(recorded.record), Reading::ready) << replay.fault();
+    EXPECT_TRUE(replay.run().identical);
+    EXPECT_EQ(replay.unknown(), cycle > 10 ? std::set<std::string>{"obstacles"} : std::set<std::string>{});
   }
 }
 
@@ -136,12 +169,11 @@ TEST(CycleReplay, NewParametersAreInForceFromTheirCycleOn) {
 
 TEST(CycleReplay, AChangedParameterChangesCyclesAndNoneChangesNone) {
   std::vector<std::vector<RecordedDrive::Cycle>> drives;
-  for (std::uint64_t seed = 1; seed < 19; seed += 3) drives.push_back(drive(seed, 150));  // in SJ
+  for (std::uint64_t seed = 1; seed < 19; seed += 3) drives.push_back(drive(seed, 400));  // in SJ
   const auto differences = [&drives](const std::vector<ParameterChange>& changes) {
     int different = 0;
     for (const std::vector<RecordedDrive::Cycle>& cycles : drives) {
-      CycleReplay replay;
-      replay.change(changes);
+      CycleReplay replay(CriticRegistry::with_built_in(), {}, changes);
       for (const RecordedDrive::Cycle& cycle : cycles) {
         EXPECT_EQ(replay.take(cycle.record), Reading::ready) << replay.fault();
         different += replay.run().identical ? 0 : 1;
@@ -156,6 +188,7 @@ TEST(CycleReplay, AChangedParameterChangesCyclesAndNoneChangesNone) {
   EXPECT_GT(differences({{"vx_samples", "11"}}), 10);
   EXPECT_GT(differences({{"mode", "off"}}), 10);  // the person's part counts too
   EXPECT_GT(differences({{"delta", "0"}}), 0);
+  EXPECT_GT(differences({{"forward_prune_distance", "1"}, {"forward_prune_auto", "false"}}), 0);  // so does the window
 }
 
 // Likes another velocity every cycle, and finds its weight among its own parameters.
@@ -192,33 +225,34 @@ CriticRegistry with_moody() {
 }
 
 TEST(CycleReplay, ACriticOfAnotherPackageRemembersAndFindsItsParameters) {
+  const auto scaled = [](double scale) -> Planner::SourceFor {
+    return [scale](const std::string&) { return std::make_unique<Scale>(scale); };
+  };
   test::Scene scene = test::Scene::empty(81);
   scene.parameters.critics = "PathDist, Moody";
-  Planner planner(with_moody());
-  ASSERT_TRUE(
-      planner.configure(scene.parameters, [](const std::string&) { return std::make_unique<Scale>(500.0); }).empty());
-  planner.set_footprint(scene.outline);
-  CycleRecorder recorder;
-  input::OperatorStateMachine person;
-  std::set<double> speeds;
-  CycleReplay replay(with_moody(), [](const std::string& critics) -> Planner::SourceFor {
-    const double scale = std::stod(critics);
-    return [scale](const std::string&) { return std::make_unique<Scale>(scale); };
-  });
   scene.parameters.mode = OperatorMode::off;
+  control::LoneOperator nobody;
+  control::ControlLoop loop(with_moody(), nobody);
+  ASSERT_TRUE(loop.configure(scene.parameters, scaled(500.0)).empty());
+  loop.set_footprint(scene.outline);
+  loop.set_plan({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}}, "map", 0.0, 0.05);
+  CycleRecorder recorder;
+  recorder.take("500");
+  CycleReplay replay(with_moody(), [&scaled](const std::string& critics) { return scaled(std::stod(critics)); });
+  control::Observation seen;
+  seen.velocity = Twist2{};
+  seen.costmap = scene.grid();
+  std::set<double> speeds;
   for (int k = 0; k < 10; ++k) {
-    if (recorder.begin(0.05 * k)) recorder.setup({"", to_lines(scene.parameters), "", "500", scene.outline});
-    Bytes before;
-    ArchiveWriter write(before);
-    person.save(write);
-    recorder.operator_state() = before;
-    const OperatorIntent intent = person.update(0.05 * k);
-    recorder.intent(intent);
-    recorder.plans(planner, scene.situation, scene.grid(), {});
-    const Decision& decision = planner.plan(scene.situation, scene.grid(), intent);
-    speeds.insert(decision.sample.v);
-    const Bytes record = recorder.finish(verdict_of(decision, planner.totals()));
-    ASSERT_EQ(replay.take(record), Reading::ready) << replay.fault();
+    seen.timing.now = 0.05 * k;
+    recorder.operator_state().clear();
+    ArchiveWriter write(recorder.operator_state());
+    nobody.machine().save(write);
+    recorder.begin(loop, seen, {});
+    const control::Result result = loop.step(seen);
+    ASSERT_NE(result.decision, nullptr);
+    speeds.insert(result.decision->sample.v);
+    ASSERT_EQ(replay.take(recorder.finish(result, loop.planner())), Reading::ready) << replay.fault();
     EXPECT_TRUE(replay.run().identical) << k;
   }
   EXPECT_GE(speeds.size(), 3u);  // the moods mattered
@@ -226,8 +260,7 @@ TEST(CycleReplay, ACriticOfAnotherPackageRemembersAndFindsItsParameters) {
 
 TEST(CycleReplay, AChangeThatCannotBeIsTold) {
   const std::vector<RecordedDrive::Cycle> cycles = drive(1, 1);
-  CycleReplay replay;
-  replay.change({{"s_omga", "1"}, {"max_vel_x", "fast"}});
+  CycleReplay replay(CriticRegistry::with_built_in(), {}, {{"s_omga", "1"}, {"max_vel_x", "fast"}});
   EXPECT_EQ(replay.take(cycles[0].record), Reading::damaged);
   EXPECT_EQ(replay.fault(), "there is no parameter 's_omga', max_vel_x needs a number, not 'fast'");
 }

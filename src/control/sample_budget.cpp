@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/sample_budget.hpp"
+#include "hidwa_local_planner/control/sample_budget.hpp"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace hidwa_local_planner {
 namespace {
 
 constexpr double kAim = 0.7;      // of the budget, where thinning leads
-constexpr double kRoom = 0.8;     // of the budget, what samples that come back may lead to
+constexpr double kMost = 0.8;     // of the budget, what samples that come back may lead to
 constexpr double kGrowth = 1.25;  // of the candidates, at most, in one step back (but never less than a level)
 constexpr int kPatience = 40;     // calm cycles
 constexpr int kLongestPatience = 640;
@@ -94,8 +94,8 @@ SampleBudget::Event SampleBudget::thin(double typical, double budget) {
 SampleBudget::Event SampleBudget::restore(double duration, double budget) {
   int level = std::max(level_ - 1, 0);
   while (level > 0 && candidates(level - 1) <= kGrowth * candidates(level_)) --level;
-  const bool room = duration * candidates(level) / candidates(level_) <= kRoom * budget;
-  calm_ = room ? std::min(calm_ + 1, kLongestPatience) : std::max(calm_ - patience_ / 2, 0);
+  const bool affordable = duration * candidates(level) / candidates(level_) <= kMost * budget;
+  calm_ = affordable ? std::min(calm_ + 1, kLongestPatience) : std::max(calm_ - patience_ / 2, 0);
   if (!thinned()) {
     if (calm_ < kLongestPatience) return Event::none;
     patience_ = kPatience;
@@ -105,6 +105,17 @@ SampleBudget::Event SampleBudget::restore(double duration, double budget) {
   if (calm_ < patience_) return Event::none;
   came_back_ = true;
   return move_to(level);
+}
+
+Sampling configured_samples(const Parameters& parameters) {
+  Sampling samples;
+  samples.vx_samples = parameters.vx_samples;
+  samples.vth_samples = parameters.vth_samples;
+  return samples;
+}
+
+double cycle_budget(const Parameters& parameters, double period) {
+  return parameters.cycle_budget == 0.0 ? 0.5 * period : parameters.cycle_budget;
 }
 
 std::string thinning_complaint(const Sampling& in_force, const Sampling& full, double budget) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/sample_budget.hpp"
+#include "hidwa_local_planner/control/sample_budget.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -36,6 +36,20 @@ Event cycles(SampleBudget& budget, int count, double duration) {
     if (event != Event::none) last = event;
   }
   return last;
+}
+
+TEST(SampleBudget, WhatTheParametersAskFor) {
+  Parameters parameters;
+  parameters.vx_samples = 7;
+  parameters.vth_samples = 9;
+  EXPECT_EQ(configured_samples(parameters).vx_samples, 7);
+  EXPECT_EQ(configured_samples(parameters).vth_samples, 9);
+  parameters.cycle_budget = 0.0;
+  EXPECT_EQ(cycle_budget(parameters, 0.1), 0.05);
+  parameters.cycle_budget = 0.02;
+  EXPECT_EQ(cycle_budget(parameters, 0.1), 0.02);
+  parameters.cycle_budget = -1.0;
+  EXPECT_LT(cycle_budget(parameters, 0.1), 0.0);
 }
 
 TEST(SampleBudget, AllSamplesWhileThereIsTime) {

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/control/control_loop.hpp"
+#include "support/scene.hpp"
+
+namespace hidwa_local_planner::test {
+
+/// An operator who wants what a scene says.
+class SceneOperator : public control::Operator {
+ public:
+  explicit SceneOperator(const Scene& scene) : scene_(scene) {}
+  void configure(const Parameters&) override {}
+  OperatorIntent update(double) override { return scene_.intent; }
+  void debrief(double, const input::CycleFeedback&) override {}
+  void new_goal() override {}
+  bool manual() const override { return false; }
+
+ private:
+  const Scene& scene_;
+};
+
+/// The control loop of a robot in a scene. Pose, velocity, time and periods are the scene's at each cycle; its plan
+/// and, behind that, its goal are what the host plans. The last command is the loop's own.
+class SceneLoop {
+ public:
+  /// Both must outlive it.
+  SceneLoop(const Scene& scene, control::Operator& person)
+      : scene_(scene), loop_(CriticRegistry::with_built_in(), person) {
+    EXPECT_EQ(loop_.configure(scene.parameters), std::vector<std::string>{});
+    loop_.set_footprint(scene.outline);
+    plan();
+  }
+
+  /// The host plans anew.
+  void plan() {
+    std::vector<Pose2> plan = scene_.situation.plan;
+    const Pose2& goal = scene_.situation.goal;
+    if (plan.empty() || distance(plan.back(), goal) > 1e-6) plan.push_back(goal);
+    loop_.set_plan(std::move(plan), "map", scene_.situation.time, scene_.situation.period);
+  }
+
+  /// One control cycle, in which nothing is missing; `host_stops`: the host stops the robot.
+  control::Result cycle(bool host_stops = false) {
+    const Situation& now = scene_.situation;
+    control::Observation seen;
+    seen.timing = {now.time, now.period, now.longest_period, now.period, false};
+    seen.pose = now.pose;
+    seen.velocity = now.velocity;
+    seen.pose_age = now.pose_age;
+    seen.costmap = scene_.grid();
+    seen.host_stops = host_stops;
+    return loop_.step(seen);
+  }
+
+ private:
+  const Scene& scene_;
+  control::ControlLoop loop_;
+};
+
+}  // namespace hidwa_local_planner::test
