@@ -173,12 +173,8 @@ Json json_of(const Point& p) { return {p.x(), p.y()}; }
 Json json_of(const CandidateReport& candidate) {
   Json terms = Json::array();
   for (const CriticTerm& critic : candidate.terms) terms.push_back(critic.raw * critic.weight);
-  return {{"u", json_of(candidate.sample)},
-          {"end", json_of(candidate.poses.back())},
-          {"sum", candidate.sum()},
-          {"total", candidate.total},
-          {"refused", refusals_in_words(candidate)},
-          {"terms", terms}};
+  return {{"u", json_of(candidate.sample)}, {"end", json_of(candidate.poses.back())},  {"sum", candidate.sum()},
+          {"total", candidate.total},       {"refused", refusals_in_words(candidate)}, {"terms", terms}};
 }
 
 Json json_of(const record::StoredGrid& grid) {
