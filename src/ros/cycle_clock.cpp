@@ -18,6 +18,7 @@ CycleClock::Tick CycleClock::tick(double now, double period) {
   Tick tick;
   const double interval = last_ ? now - *last_ : 0.0;
   tick.interval = interval;
+  tick.period = period;
   tick.jumped_back = last_ && interval < 0.0;
   tick.paused = !last_ || tick.jumped_back || is_pause(interval, period);
   if (period != period_) {

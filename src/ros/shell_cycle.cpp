@@ -45,7 +45,9 @@ void Shell::set_goal_tolerances(double xy, double yaw) {
 
 bool Shell::goal_reached(bool host_stops) {
   arriving_ = false;
-  if (!loop_.goal_reached(observe(ros::Time::now().toSec()))) return false;
+  CycleClock::Tick none;
+  none.period = control_period();
+  if (!loop_.goal_reached(observe(timing(ros::Time::now().toSec(), none)))) return false;
   arriving_ = !host_stops && !loop_.at_rest();
   if (arriving_) return false;
   loop_.finish_goal();
@@ -73,18 +75,16 @@ CycleResult Shell::cycle(bool stop) {
   const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
   publishing_.publish_cycle(stamp, result, result.intent.state, duration.count(),
                             recording_.finish(result, loop_.planner()));
-  statistics_.add(duration.count(), control_period());
-  keep_budget(duration.count(), result);
+  statistics_.add(duration.count(), tick.period);
+  keep_budget(duration.count(), tick.period, result);
   return result;
 }
 
 CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stops) {
   // Most hosts hold this recursive mutex already.
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
-  Observation observation = observe(now);
+  Observation observation = observe(timing(now, tick));
   const Parameters& p = loop_.parameters();
-  observation.timing.jumped_back = tick.jumped_back;
-  observation.timing.interval = tick.paused ? 0.0 : tick.interval;
   // While the host was in control it sent commands of its own, or another node did.
   if (tick.paused) observation.resumed = odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{});
   observation.host_stops = host_stops;
@@ -128,12 +128,15 @@ CycleClock::Tick Shell::watch_time(double now) {
   return tick;
 }
 
-Shell::Observation Shell::observe(double now) {
+// The host's frequency may change meanwhile: a cycle asks for the period once.
+control::Timing Shell::timing(double now, const CycleClock::Tick& tick) const {
+  return {now, tick.period, clock_.longest_period(tick.period), tick.paused ? 0.0 : tick.interval, tick.jumped_back};
+}
+
+Shell::Observation Shell::observe(const control::Timing& timing) {
   Observation observation;
-  observation.timing.now = now;
-  observation.timing.period = control_period();
-  observation.timing.longest_period = clock_.longest_period(observation.timing.period);
-  OdometryInput::Reading odometry = odometry_.read(now, loop_.parameters().odom_timeout);
+  observation.timing = timing;
+  OdometryInput::Reading odometry = odometry_.read(timing.now, loop_.parameters().odom_timeout);
   observation.velocity = odometry.velocity;
   const auto lacks = [&observation](Missing what, std::string fault) {
     if (!fault.empty()) observation.missing = what;
@@ -145,7 +148,7 @@ Shell::Observation Shell::observe(double now) {
     lacks(Missing::odometry, std::move(odometry.fault));
   } else if (!costmap_.isCurrent()) {
     lacks(Missing::costmap, "the local costmap is not current: a sensor that it waits for is silent");
-  } else if (!lacks(Missing::transform, observe_pose(now, observation))) {
+  } else if (!lacks(Missing::transform, observe_pose(timing.now, observation))) {
     lacks(Missing::footprint, update_footprint());
   }
   return observation;
@@ -221,9 +224,9 @@ void Shell::explain(double now, const CycleResult& result) {
 }
 
 // Fewer samples rather than a missed rate. A cycle that weighed nothing says nothing about their cost.
-void Shell::keep_budget(double duration, const CycleResult& result) {
+void Shell::keep_budget(double duration, double period, const CycleResult& result) {
   if (result.decision && result.decision->candidates > 0) {
-    const double limit = cycle_budget(loop_.parameters(), control_period());  // [s]
+    const double limit = cycle_budget(loop_.parameters(), period);  // [s]
     const SampleBudget::Event event = budget_.observe(duration, limit);
     if (event == SampleBudget::Event::thinning_began) {
       ROS_WARN("%s: %s", name_.c_str(), thinning_complaint(budget_.in_force(), budget_.full(), limit).c_str());

@@ -15,6 +15,7 @@ class CycleClock {
     bool jumped_back = false;  // time went backwards
     bool paused = false;       // the host was in control since the last call, or this is the first one
     double interval = 0.0;     // since the last call [s]; 0 where there is none
+    double period = 0.0;       // nominal, of this cycle [s]
   };
   /// A call at `now` [s] with the nominal `period` [s].
   Tick tick(double now, double period);

@@ -78,13 +78,14 @@ class Shell {
   void watch_hand(double now);
   CycleClock::Tick watch_time(double now);
   CycleResult work(double now, const CycleClock::Tick& tick, bool host_stops);
-  Observation observe(double now);
+  control::Timing timing(double now, const CycleClock::Tick& tick) const;
+  Observation observe(const control::Timing& timing);
   std::string observe_pose(double now, Observation& observation);
   std::string update_footprint();
   Sampling sampling() const;
   void watch_odometry(const Observation& observation, const Decision& decision);
   void explain(double now, const CycleResult& result);
-  void keep_budget(double duration, const CycleResult& result);
+  void keep_budget(double duration, double period, const CycleResult& result);
   void check_horizon();
 
   const std::string name_;

@@ -9,6 +9,7 @@ namespace {
 TEST(CycleClock, TheFirstCallFollowsAPause) {
   CycleClock clock;
   EXPECT_TRUE(clock.tick(100.0, 0.05).paused);
+  EXPECT_EQ(clock.tick(100.01, 0.02).period, 0.02);
   EXPECT_FALSE(clock.tick(100.05, 0.05).paused);
   EXPECT_FALSE(clock.tick(100.25, 0.05).paused);  // three late cycles are no pause
   EXPECT_TRUE(clock.tick(101.0, 0.05).paused);
