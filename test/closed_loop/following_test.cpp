@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "hidwa_local_planner/input/stick_reading.hpp"
 #include "support/planner_bench.hpp"
 
 namespace hidwa_local_planner::test {
@@ -54,7 +55,7 @@ class Follower {
     input::CycleFeedback feedback;
     feedback.command = cycle.decision.command;
     feedback.velocity = now.velocity;
-    feedback.own_command_refused = !cycle.decision.operator_refused_by.empty();
+    feedback.operator_command_rejected = !cycle.decision.operator_refused_by.empty();
     machine_.debrief(time, feedback);
     return cycle;
   }

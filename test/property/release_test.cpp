@@ -11,6 +11,7 @@
 #include "hidwa_local_planner/control/plan_window.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "hidwa_local_planner/input/stick_reading.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -89,7 +90,7 @@ class Drive {
     const Step step{now, intent.state, decision.outcome, u_, decision.command, pose_};
 
     input::CycleFeedback feedback;
-    feedback.own_command_refused = !decision.operator_refused_by.empty();
+    feedback.operator_command_rejected = !decision.operator_refused_by.empty();
     feedback.command = decision.command;
     feedback.velocity = u_;
     machine_.debrief(now, feedback);

@@ -9,6 +9,7 @@
 #include "hidwa_local_planner/control/fault_brake.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "hidwa_local_planner/input/stick_reading.hpp"
 #include "hidwa_local_planner/record/cycle_recorder.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"
@@ -81,7 +82,7 @@ class RecordedDrive {
   void pass_time() {
     time_ += kPeriod;
     if (random_.chance(0.02)) time_ += random_.uniform(0.2, 0.8);
-    if (random_.chance(0.9)) person_.listens(time_ - 0.02);
+    if (random_.chance(0.9)) person_.heartbeat(time_ - 0.02);
     if (random_.chance(0.05)) person_.stop(random_.chance(0.05));
   }
 
@@ -206,7 +207,7 @@ class RecordedDrive {
     feedback.command = last_;
     feedback.velocity = last_;
     feedback.at_rest = last_ == Twist2{};
-    feedback.own_command_refused = refused_;
+    feedback.operator_command_rejected = refused_;
     feedback.goal_latched = distance(pose_, goal_) < 0.3;
     person_.debrief(time_, feedback);
   }
