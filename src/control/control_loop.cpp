@@ -161,7 +161,7 @@ void ControlLoop::remember(const Observation& observation, const Result& result)
   feedback.command = result.command;
   feedback.velocity = observation.velocity.value_or(Twist2{});
   feedback.at_rest = result.command == Twist2{} && stands(feedback.velocity, parameters());
-  feedback.own_command_refused = result.decision != nullptr && !result.decision->operator_refused_by.empty();
+  feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_refused_by.empty();
   feedback.goal_latched = goal_checker_.latched();
   at_rest_ = feedback.at_rest;
   person_.debrief(observation.timing.now, feedback);

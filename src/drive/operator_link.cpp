@@ -16,10 +16,10 @@ constexpr double kSlack = 1e-9;  // [s], of rounding between two times that are 
 
 void OperatorLink::send(const sim::Observation& seen) {
   if (!setup_.person) return;
-  const sim::Stick wanted = setup_.person->update(seen);
+  const sim::Stick stick = setup_.person->update(seen);
   sim::Controls controls;
-  controls.stick = wanted;
-  if (setup_.device) controls = setup_.device->update(seen.time, wanted);
+  controls.stick = stick;
+  if (setup_.device) controls = setup_.device->update(seen.time, stick);
   Sent sent;
   sent.stick.axes = {static_cast<float>(controls.stick.left), static_cast<float>(controls.stick.up)};
   sent.stick.buttons = {controls.toggle || controls.clutch ? 1 : 0};
@@ -27,14 +27,14 @@ void OperatorLink::send(const sim::Observation& seen) {
   sent.stick.received = sent.hand.received = seen.time + setup_.link_delay;
   sent.hand.position = kRest + Eigen::Vector3d(0.0, controls.hand_left, 0.0);
   sent.hand.orientation = {0.0, 0.0, 0.0, 1.0};
-  under_way_.push_back(std::move(sent));
+  in_transit_.push_back(std::move(sent));
 }
 
 void OperatorLink::deliver(double now) {
-  for (; !under_way_.empty() && under_way_.front().stick.received <= now + kSlack; under_way_.pop_front()) {
-    listener_.receive(under_way_.front().stick);
-    // Where nobody steers by hand, nobody listens to it.
-    listener_.receive(under_way_.front().hand);
+  for (; !in_transit_.empty() && in_transit_.front().stick.received <= now + kSlack; in_transit_.pop_front()) {
+    machine_.receive(in_transit_.front().stick);
+    // Dropped without a word where the mode is not gesture.
+    machine_.receive(in_transit_.front().hand);
   }
 }
 

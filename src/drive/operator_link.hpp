@@ -4,19 +4,21 @@
 #include <deque>
 
 #include "drive/setup.hpp"
+#include "hidwa_local_planner/input/gesture_source.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "hidwa_local_planner/input/stick_reading.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {
 
-/// The way from the person to the planner: what they see, what their device says of it, and the messages of
-/// it, each of which arrives `setup.link_delay` after it was sent.
+/// The link from the simulated operator to the planner: what they see, what their device reads, and its messages, each
+/// of which arrives `setup.link_delay` after it was sent.
 class OperatorLink {
  public:
   /// Both must outlive it.
-  OperatorLink(const DriveSetup& setup, input::OperatorStateMachine& listener) : setup_(setup), listener_(listener) {}
+  OperatorLink(const DriveSetup& setup, input::OperatorStateMachine& machine) : setup_(setup), machine_(machine) {}
 
-  /// The person looks, and their device sends what it reads.
+  /// The operator looks, and their device sends what it reads.
   void send(const sim::Observation& seen);
 
   /// Hands over what has arrived by `now` [s].
@@ -29,8 +31,8 @@ class OperatorLink {
   };
 
   const DriveSetup& setup_;
-  input::OperatorStateMachine& listener_;
-  std::deque<Sent> under_way_;
+  input::OperatorStateMachine& machine_;
+  std::deque<Sent> in_transit_;
 };
 
 }  // namespace drive

@@ -40,7 +40,7 @@ BacklogGate::Verdict BacklogGate::judge(double stamp, double received, const Lim
   excess_ = 0.0;
   if (stamp <= 0.0) return Verdict::live;
   if (known_ && stamp == stamp_) {
-    link_lag_.heard(received);
+    link_lag_.take_silent(received);
     return repeated_;
   }
   if (!known_) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/util/words.hpp"
-#include "hidwa_local_planner/input/stick_source.hpp"
+#include "hidwa_local_planner/input/stick_reading.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr double kNoQuaternion = 1e-3;  // of a shorter norm
 
 // Trackers that have lost the hand send zeros, some with a proper identity orientation.
-std::string fault_of(const HandMessage& message) {
+std::string why_not_tracked(const HandMessage& message) {
   if (!message.position.allFinite() || !message.orientation.allFinite()) {
     return "the hand's pose is not a finite number: look at the sender";
   }
@@ -26,51 +26,92 @@ std::string fault_of(const HandMessage& message) {
   return {};
 }
 
+std::string why_jumped(double jump, double limit) {
+  if (!(jump > limit)) return {};
+  return "the hand jumped by " + worded(jump, 3) + " m, more than gesture_jump (" + worded(limit, 3) +
+         " m): tracking is not to be trusted";
+}
+
 float deflection(const Eigen::Vector3d& displacement, HandAxis axis, int sign, double range) {
   return static_cast<float>(sign * displacement[static_cast<int>(axis)] / range);
 }
 
 }  // namespace
 
-void GestureSource::set_clutch(bool held) {
-  if (!held) waits_ = false;
-  if (!held || !clutch_) has_origin_ = false;
-  clutch_ = held;
+SourceTopic GestureSource::topic(const Parameters& p) const {
+  if (p.gesture_frame.empty()) return {"gesture_topic", p.gesture_topic, p.gesture_topic};
+  return {"gesture_topic", "", "tf " + p.gesture_parent_frame + " -> " + p.gesture_frame};
 }
 
-std::string GestureSource::take(const HandMessage& message, const Parameters& parameters) {
-  std::string fault = fault_of(message);
-  if (fault.empty() && engaged()) {
-    const double jump = (message.position - position_).norm();
-    if (jump > parameters.gesture_jump) {
-      fault = "the hand jumped by " + worded(jump, 3) + " m, more than gesture_jump (" +
-              worded(parameters.gesture_jump, 3) + " m): tracking is not to be trusted";
-    }
+bool GestureSource::same_device(const Parameters& a, const Parameters& b) const {
+  return a.gesture_topic == b.gesture_topic && a.gesture_frame == b.gesture_frame &&
+         a.gesture_parent_frame == b.gesture_parent_frame;
+}
+
+bool GestureSource::same_mapping(const Parameters& a, const Parameters& b) const {
+  return a.gesture_axis == b.gesture_axis && a.gesture_axis_sign == b.gesture_axis_sign &&
+         a.gesture_linear_axis == b.gesture_linear_axis && a.gesture_linear_sign == b.gesture_linear_sign;
+}
+
+// A release counts at once, not with the hand's next pose.
+std::optional<OperatorCommand> GestureSource::take_buttons(const Buttons& buttons, double now) {
+  state_.clutch_device.restart(now);
+  if (!buttons.clutch) state_.waits_for_release = false;
+  if (!buttons.clutch || !state_.clutch) state_.has_origin = false;
+  state_.clutch = buttons.clutch;
+  if (state_.clutch) return std::nullopt;
+  return OperatorCommand{};
+}
+
+// A clutch that is still held after a loss says nothing: the loss lasts until it is let go.
+SourceReading GestureSource::take(const HandMessage& message, double now) {
+  SourceReading reading;
+  reading.fault = why_not_tracked(message);
+  if (reading.fault.empty() && engaged()) {
+    reading.fault = why_jumped((message.position - state_.position).norm(), parameters().gesture_jump);
   }
-  if (!fault.empty()) {
+  if (!reading.fault.empty()) {
     lose();
-    return fault;
+    return reading;
   }
-  position_ = message.position;
-  if (clutch_ && !waits_ && !has_origin_) {
-    origin_ = position_;
-    has_origin_ = true;
+  state_.hand.restart(now);
+  state_.position = message.position;
+  if (waits_for_release()) return reading;
+  if (state_.clutch && !state_.has_origin) {
+    state_.origin = state_.position;
+    state_.has_origin = true;
   }
-  return {};
+  reading.command = command();
+  return reading;
+}
+
+OperatorCommand GestureSource::command() const {
+  if (!engaged()) return {};
+  const Parameters& p = parameters();
+  const Eigen::Vector3d moved = state_.position - state_.origin;
+  return command_of_deflection(deflection(moved, p.gesture_axis, p.gesture_axis_sign, p.gesture_range),
+                               deflection(moved, p.gesture_linear_axis, p.gesture_linear_sign, p.gesture_range), p);
+}
+
+bool GestureSource::gone(double now) const {
+  const double timeout = parameters().input_timeout;
+  if (timeout <= 0.0 || !state_.clutch) return false;
+  return state_.clutch_device.silence(now) > timeout || (engaged() && state_.hand.silence(now) > timeout);
 }
 
 void GestureSource::lose() {
-  if (clutch_) waits_ = true;
-  has_origin_ = false;
+  if (state_.clutch) state_.waits_for_release = true;
+  state_.has_origin = false;
 }
 
-Wish GestureSource::wish(const Parameters& parameters) const {
-  if (!engaged()) return {};
-  const Eigen::Vector3d moved = position_ - origin_;
-  return wish_of_deflection(
-      deflection(moved, parameters.gesture_axis, parameters.gesture_axis_sign, parameters.gesture_range),
-      deflection(moved, parameters.gesture_linear_axis, parameters.gesture_linear_sign, parameters.gesture_range),
-      parameters);
+void GestureSource::exclude_pause(double pause) {
+  state_.hand.exclude_pause(pause);
+  state_.clutch_device.exclude_pause(pause);
+}
+
+std::string GestureSource::advice() const {
+  if (!waits_for_release()) return {};
+  return "The hand does not count before its clutch was let go and pressed anew: let go of it.";
 }
 
 }  // namespace hidwa_local_planner::input

@@ -10,23 +10,23 @@ void InputChannel::configure(double timeout, bool require_neutral) {
   require_neutral_ = require_neutral;
 }
 
-void InputChannel::accept(const Wish& wish, double received) {
+void InputChannel::accept(const OperatorCommand& command, double received) {
   check(received);
-  if (!wish.active || !require_neutral_ || lost_by_pauses(received)) armed_ = true;
+  if (!command.active || !require_neutral_ || lost_by_pauses(received)) armed_ = true;
   fell_silent_ = false;
   longest_pause_ = pauses_ = 0.0;
   if (armed_) lost_ = false;
-  heard_ = true;
+  received_any_ = true;
   time_ = received;
-  deflected_ = wish.active;
-  active_ = armed_ && wish.active;
+  deflected_ = command.active;
+  active_ = armed_ && command.active;
   if (active_) {
     active_time_ = received;
-    u_h_ = wish.u_h;
+    u_h_ = command.u_h;
   }
 }
 
-void InputChannel::excuse(double pause) {
+void InputChannel::exclude_pause(double pause) {
   longest_pause_ = std::max(longest_pause_, pause);
   pauses_ += pause;
 }
@@ -44,11 +44,11 @@ void InputChannel::lose() {
   armed_ = false;
 }
 
-void InputChannel::remap(const Wish& wish) {
+void InputChannel::remap(const OperatorCommand& command) {
   if (!active_) return;
-  active_ = wish.active;
-  deflected_ = wish.active;
-  if (active_) u_h_ = wish.u_h;
+  active_ = command.active;
+  deflected_ = command.active;
+  if (active_) u_h_ = command.u_h;
 }
 
 void InputChannel::demand_neutral() {

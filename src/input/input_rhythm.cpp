@@ -10,7 +10,7 @@ constexpr double kSteadyEnough = 10.0;  // sending deflected for so long without
 
 }  // namespace
 
-void InputRhythm::heard(double now, bool deflected, double timeout) {
+void InputRhythm::take(double now, bool deflected, double timeout) {
   check(now, timeout);
   if (deflected_ && !counted_) steady_ += now - time_;
   if (steady_ >= kSteadyEnough) silences_ = 0;

@@ -10,11 +10,12 @@ constexpr double kWorthSaying = 0.1;  // [s], of a delay
 
 }  // namespace
 
-MessageStream::Verdict MessageStream::judge(const Envelope& envelope, const BacklogGate::Limits& limits) {
-  const bool other = device_.changed(envelope.sender, envelope.axes, envelope.buttons);
+MessageStream::Verdict MessageStream::judge(const OperatorMessage& message, double received,
+                                            const BacklogGate::Limits& limits) {
+  const bool other = device_.changed(message.sender, message.shape());
   if (other) backlog_.reset();
   if (limits.late > 0.0) {
-    switch (backlog_.judge(envelope.stamp, envelope.received, limits)) {
+    switch (backlog_.judge(message.stamp, received, limits)) {
       case BacklogGate::Verdict::backlog:
         return Verdict::late;
       case BacklogGate::Verdict::slower_link:
@@ -32,7 +33,7 @@ std::string MessageStream::advice(const std::string& topic) const {
   std::string text;
   if (backlog_.slowness() > kWorthSaying) {
     text = "What comes on " + topic + " arrives " + worded(backlog_.slowness(), 2) +
-           " s later than at best: the robot answers the person so much later. Look at the link.";
+           " s later than at best: the robot answers the operator so much later. Look at the link.";
   }
   if (!device_.contested()) return text;
   if (!text.empty()) text += ' ';

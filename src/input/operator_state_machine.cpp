@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/util/words.hpp"
 
@@ -16,31 +17,8 @@ constexpr double kClockJitter = 0.2;  // [s]
 // Longer without a cycle, and nobody drives: a press of the button would hand over what nobody sees.
 constexpr double kDriving = 1.0;  // [s]
 
-// What follows the end of a silence at once may be what a link held back meanwhile: a press of a button in it
-// is an old one. The message that ends the silence is none of these: a stick may send only changes.
-constexpr double kCatchingUp = 0.2;  // [s]
-
-// Repeating devices are heard more often. A stop that nobody sent for so long may be let go by others.
-constexpr double kGone = 1.0;  // [s]
-
-// Pauses of the planner's own that a person may notice, and how long they are told.
-constexpr double kWorthTelling = 0.3;  // [s]
-constexpr double kToldFor = 10.0;      // [s]
-
-bool same_mapping(const Parameters& a, const Parameters& b) {
-  return a.axis_angular == b.axis_angular && a.axis_linear == b.axis_linear &&
-         a.axis_angular_sign == b.axis_angular_sign && a.axis_linear_sign == b.axis_linear_sign &&
-         a.enable_button == b.enable_button && a.stop_button == b.stop_button && a.toggle_button == b.toggle_button &&
-         a.clutch_button == b.clutch_button && a.clutch_axis == b.clutch_axis &&
-         a.clutch_axis_sign == b.clutch_axis_sign && a.gesture_axis == b.gesture_axis &&
-         a.gesture_axis_sign == b.gesture_axis_sign && a.gesture_linear_axis == b.gesture_linear_axis &&
-         a.gesture_linear_sign == b.gesture_linear_sign;
-}
-
-bool same_topics(const Parameters& a, const Parameters& b) {
-  return a.joy_topic == b.joy_topic && a.twist_topic == b.twist_topic && a.gesture_topic == b.gesture_topic &&
-         a.gesture_frame == b.gesture_frame && a.gesture_parent_frame == b.gesture_parent_frame;
-}
+// Repeating devices send more often. A stop that no message asked for in so long may be ended by others.
+constexpr double kUnattended = 1.0;  // [s]
 
 std::string late(double excess, const BacklogGate::Limits& limits) {
   const bool may_settle = excess <= limits.lag_max;
@@ -52,284 +30,152 @@ std::string late(double excess, const BacklogGate::Limits& limits) {
   return text + ", or the sender's clock runs differently (synchronise the clocks, or leave the stamps empty)";
 }
 
-template <typename Message>
-std::string fault_of_times(const Message& message) {
+std::string fault_of_times(const OperatorMessage& message) {
   if (std::isfinite(message.stamp) && std::isfinite(message.received)) return {};
   return "its time is not a finite number: look at the sender";
 }
 
-template <typename Message>
-Envelope envelope_of(const Message& message, double received) {
-  Envelope envelope;
-  envelope.sender = message.sender;
-  envelope.stamp = message.stamp;
-  envelope.received = received;
-  return envelope;
-}
-
 }  // namespace
 
-OperatorStateMachine::OperatorStateMachine() { configure(Parameters()); }
+OperatorStateMachine::OperatorStateMachine(Sources sources) : sources_(std::move(sources)) { configure(Parameters()); }
 
 void OperatorStateMachine::configure(const Parameters& parameters) {
   const bool other_mode = parameters.mode != parameters_.mode;
-  const bool other_mapping = !same_mapping(parameters, parameters_);
-  const bool other_device = !same_topics(parameters, parameters_);
   if (parameters.input_timeout != parameters_.input_timeout) rhythm_.reset();
   parameters_ = parameters;
   channel_.configure(parameters_.input_timeout, parameters_.require_neutral);
+  const SourceList::Change change = sources_.configure(parameters_);
   if (other_mode) {
-    const StopRequest stop = stop_;  // who stopped the robot did not let go of it
-    const SignsOfLife life = life_;
-    reset();
-    stop_ = stop;
-    stop_.dismiss();  // but whoever is gone cannot
-    life_ = life;
-  } else if (other_device) {
-    sticks_.forget_lag();
-    twists_.forget_lag();
-    hands_.forget_lag();
-    new_device();
+    restart();
+    handover_ = {};
+    pauses_.restart();
+    stop_.dismiss();  // who stopped the robot did not let go of it; but whoever is gone cannot
+  } else if (change == SourceList::Change::device) {
+    sources_.forget_lags();
+    expect_new_device();
     stop_.demand_neutral();
-  } else if (other_mapping) {
+  } else if (change == SourceList::Change::mapping) {
     channel_.demand_neutral();
     stop_.demand_neutral();
-    control_.forget_button();
-    gesture_.lose();
+    handover_.forget_button();
+    sources_.steering().lose();
   } else {
-    channel_.remap(present_wish());
+    channel_.remap(sources_.steering().command());
   }
 }
 
-std::string OperatorStateMachine::receive(const StickMessage& message) {
-  if (parameters_.mode == OperatorMode::off) return {};
-  begin(message.received);
-  StickReading reading;
-  const std::string fault = judge(message, reading);
-  stop_.hear(message.sender, read_stop(message, parameters_), fault.empty(), parameters_, received_);
-  if (!fault.empty()) return drop(fault, stick_fault_);
-  reading_ = reading;
-  hear_stick();
-  read_buttons();
-  if (steered_by_stick()) feed(wish_of(reading_, parameters_));
-  stick_fault_.clear();
-  return {};
-}
-
-std::string OperatorStateMachine::receive(const TwistMessage& message) {
-  if (parameters_.mode == OperatorMode::off || !steered_by_twist(parameters_)) return {};
-  begin(message.received);
+std::string OperatorStateMachine::receive(const OperatorMessage& message) {
+  SourceList::Connection* const connection = sources_.listener(message);
+  if (connection == nullptr) return {};
+  note_arrival(message.received);
   std::string fault = fault_of_times(message);
-  if (fault.empty()) fault = fault_of(message);
-  if (fault.empty()) fault = admit(twists_, envelope_of(message, received_));
-  if (!fault.empty()) return drop(fault, twist_fault_);
-  twist_ = message;
-  feed(wish_of(twist_, parameters_));
-  twist_fault_.clear();
-  return {};
-}
-
-std::string OperatorStateMachine::receive(const HandMessage& message) {
-  if (parameters_.mode != OperatorMode::gesture) return {};
-  begin(message.received);
-  std::string fault = fault_of_times(message);
-  if (fault.empty()) fault = admit(hands_, envelope_of(message, received_));
-  if (!fault.empty()) return drop(fault, hand_fault_);
-  watch_hand(received_);
-  fault = gesture_.take(message, parameters_);
-  if (!fault.empty()) {
-    channel_.lose();
-    return drop(fault, hand_fault_);
-  }
-  hand_.hear(received_);
-  // A clutch that is still held after a loss says nothing: the loss lasts until it is let go.
-  if (!gesture_.waits_for_release()) feed(gesture_.wish(parameters_));
-  hand_fault_.clear();
-  return {};
+  if (fault.empty()) fault = connection->source->check(message);
+  if (fault.empty()) fault = admit(*connection, message);
+  count_stop(*connection->source, message, fault.empty());
+  if (fault.empty()) fault = take(*connection, message);
+  if (!fault.empty()) ++dropped_;
+  connection->fault = fault;
+  return fault;
 }
 
 void OperatorStateMachine::take_control(bool manual) {
-  if (parameters_.mode == OperatorMode::switching) said_control_ = manual;
+  if (parameters_.mode == OperatorMode::switching) handover_.request(manual);
 }
 
 void OperatorStateMachine::stop(bool stop) {
-  stop_.say(stop);
+  stop_.request(stop);
   if (!stop) stop_.dismiss();
 }
 
-void OperatorStateMachine::listens(double now) {
-  life_.expect();
-  live(now);
+void OperatorStateMachine::heartbeat(double now) {
+  pauses_.expect_heartbeats();
+  note_alive(now);
 }
 
 OperatorIntent OperatorStateMachine::update(double now) {
   if (now < std::max(now_, received_) - kClockJitter) set_back(now);
-  live(now);
-  behind_ = false;
-  if (said_control_ && now - now_ < kDriving) control_.say(*said_control_);
-  said_control_.reset();
+  note_alive(now);
+  pauses_.begin_cycle();
+  handover_.apply_request(now - now_ < kDriving);
   now_ = std::max(now_, now);
   channel_.check(now_);
   rhythm_.check(now_, parameters_.input_timeout);
-  watch_hand(now_);
-  tell(stop_.check(now_, std::max(kGone, parameters_.input_timeout)));
-  if (is_steering(state_) && !channel_.active()) begin_hold();
-  const Facts present = facts();
-  state_ = next_state(state_, present);
-  const bool in_command =
-      is_steering(state_) || state_ == OperatorStateId::stopped || state_ == OperatorStateId::manual;
-  if (in_command || present.at_goal) hold_.end();
-  if (!is_steering(state_)) blocked_.reset();
-  return intent(now_);
+  check_steering_source(now_);
+  add_sentence(warnings_, stop_.end_dismissed(now_, unattended_after()));
+  return control_.update({now_, stop_.requested(), manual(), channel_, parameters_});
 }
 
 void OperatorStateMachine::debrief(double now, const CycleFeedback& feedback) {
-  goal_latched_ = feedback.goal_latched;
-  commanded_ = true;
-  own_v_ = feedback.command.v;
-  blocked_.observe(now, is_steering(state_) && feedback.own_command_refused && feedback.at_rest);
-  const bool straight_on = state_ == OperatorStateId::hold || state_ == OperatorStateId::lost;
-  if (straight_on && feedback.own_command_refused && parameters_.hold_ends_when_refused) hold_.end();
-}
-
-void OperatorStateMachine::new_goal() {
-  goal_latched_ = false;
-  blocked_.reset();
+  control_.debrief(now, feedback, parameters_);
 }
 
 void OperatorStateMachine::reset() {
-  sticks_.reset();
-  twists_.reset();
-  hands_.reset();
-  reading_ = {};
-  twist_ = {};
-  gesture_.reset();
-  stop_.reset();
-  control_.reset();
-  channel_.reset();
-  rhythm_.reset();
-  hold_.end();
-  blocked_.reset();
-  state_ = OperatorStateId::autonomy;
-  goal_latched_ = false;
-  commanded_ = false;
-  own_v_ = 0.0;
-  said_control_.reset();
-  catching_up_ = false;
-  life_ = {};
-  behind_ = false;
-  now_ = received_ = stick_back_ = paused_at_ = kNever;
-  stick_ = hand_ = {};
-  pause_ = 0.0;
-  stick_fault_.clear();
-  twist_fault_.clear();
-  hand_fault_.clear();
+  restart();
+  stop_ = {};
+  handover_ = {};
+  pauses_ = {};
 }
 
 double OperatorStateMachine::input_age(double now) const {
-  return channel_.heard() ? std::max(0.0, now - channel_.time()) : -1.0;
+  return channel_.received_any() ? std::max(0.0, now - channel_.time()) : -1.0;
+}
+
+std::string OperatorStateMachine::take_warnings() {
+  std::string warnings;
+  warnings.swap(warnings_);
+  return warnings;
 }
 
 std::string OperatorStateMachine::advice() const {
-  std::string text;
-  const auto add = [&text](const std::string& sentence) {
-    if (!text.empty() && !sentence.empty()) text += ' ';
-    text += sentence;
-  };
-  for (const std::string* fault : {&stick_fault_, &twist_fault_, &hand_fault_}) {
-    if (!fault->empty()) add("The last message was dropped: " + *fault + ".");
-  }
   const double timeout = parameters_.input_timeout;
   const double now = std::max(now_, received_);
-  if (pause_ > 0.0 && now - paused_at_ < kToldFor) {
-    add("The planner itself stood still for " + worded(pause_, 2) +
-        " s and heard nobody meanwhile: its machine is too busy, the process was suspended, or the clock was set "
-        "forward. Lighten the load.");
-  }
-  if (timeout > 0.0) add(stop_.advice(now, std::max(kGone, timeout)));
-  add(rhythm_.advice(timeout));
-  add(sticks_.advice("joy_topic"));
-  add(twists_.advice("twist_topic"));
-  add(hands_.advice("gesture_topic"));
-  if (parameters_.mode == OperatorMode::gesture && gesture_.waits_for_release()) {
-    add("The hand does not count before its clutch was let go and pressed anew: let go of it.");
+  std::string text = sources_.faults();
+  add_sentence(text, pauses_.advice(now));
+  if (timeout > 0.0) add_sentence(text, stop_.advice(now, unattended_after()));
+  add_sentence(text, rhythm_.advice(timeout));
+  add_sentence(text, sources_.link_advice());
+  const std::string of_source = sources_.steering().advice();
+  if (!of_source.empty()) {
+    add_sentence(text, of_source);
   } else if (channel_.waits_for_neutral()) {
-    add("The input does not count before it was seen released once (require_neutral): let go of the stick "
-        "and of the "
-        "enable button; if nobody touches it, raise dead_zone.");
+    add_sentence(text,
+                 "The input does not count before it was seen released once (require_neutral): let go of the stick "
+                 "and of the enable button; if nobody touches it, raise dead_zone.");
   }
   return text;
 }
 
-bool OperatorStateMachine::steered_by_stick() const {
-  return parameters_.mode != OperatorMode::gesture && !steered_by_twist(parameters_);
+void OperatorStateMachine::save(ArchiveWriter& state) const {
+  sources_.save(state);
+  archive(*this, state);
 }
 
-bool OperatorStateMachine::cycles_run() const { return std::abs(received_ - now_) < kDriving; }
-
-// Who stopped the robot or took control did so in words or by a button, and sees no clock.
-void OperatorStateMachine::set_back(double now) {
-  StopRequest stop = stop_;
-  stop.set_back(now);
-  ControlSwitch control = control_;
-  control.forget_button();
-  SignsOfLife life = life_;
-  life.forget_time();
-  reset();
-  stop_ = stop;
-  control_ = control;
-  life_ = life;
+void OperatorStateMachine::load(ArchiveReader& state) {
+  sources_.load(state);
+  archive(*this, state);
 }
 
-void OperatorStateMachine::live(double now) {
-  const double pause = life_.observe(now);
-  if (pause == 0.0) return;
-  behind_ = true;
-  channel_.excuse(pause);
-  stick_.excuse(pause);
-  hand_.excuse(pause);
-  rhythm_.excuse(pause);
-  if (pause < kWorthTelling || !(channel_.active() || channel_.lost())) return;
-  pause_ = pause;
-  paused_at_ = now;
-}
-
-void OperatorStateMachine::tell(const std::string& sentence) {
-  if (!news_.empty() && !sentence.empty()) news_ += ' ';
-  news_ += sentence;
-}
-
-std::string OperatorStateMachine::take_news() {
-  std::string news;
-  news.swap(news_);
-  return news;
-}
-
-void OperatorStateMachine::begin(double received) {
+void OperatorStateMachine::note_arrival(double received) {
   if (!std::isfinite(received)) return;
   if (received < received_ - kClockJitter) set_back(received);
   received_ = std::max(received_, received);
-  live(received);
+  note_alive(received);
 }
 
-// Whether a stick's message is well-formed and live; the fault in words, else empty.
-std::string OperatorStateMachine::judge(const StickMessage& message, StickReading& reading) {
-  std::string fault = fault_of_times(message);
-  if (fault.empty()) fault = read_stick(message, parameters_, reading);
-  if (!fault.empty()) return fault;
-  Envelope envelope = envelope_of(message, received_);
-  envelope.axes = message.axes.size();
-  envelope.buttons = message.buttons.size();
-  return admit(sticks_, envelope);
+// A stop counts from every message, however faulty or late; only one that is in order ends it.
+void OperatorStateMachine::count_stop(const OperatorSource& source, const OperatorMessage& message, bool in_order) {
+  const std::optional<StopReading> reading = source.read_stop(message);
+  if (reading) stop_.take(source.kind().name, message.sender, *reading, in_order, parameters_, received_);
 }
 
-std::string OperatorStateMachine::admit(MessageStream& stream, const Envelope& envelope) {
+// Whether a well-formed message is live; the fault in words, else empty.
+std::string OperatorStateMachine::admit(SourceList::Connection& connection, const OperatorMessage& message) {
   const BacklogGate::Limits limits{parameters_.input_timeout, parameters_.input_lag_max};
-  switch (stream.judge(envelope, limits)) {
+  switch (connection.stream.judge(message, received_, limits)) {
     case MessageStream::Verdict::late:
-      return late(stream.excess(), limits);
+      return late(connection.stream.excess(), limits);
     case MessageStream::Verdict::new_device:
-      new_device();
+      expect_new_device();
       break;
     case MessageStream::Verdict::slower_link:
     case MessageStream::Verdict::new_clock:
@@ -341,104 +187,76 @@ std::string OperatorStateMachine::admit(MessageStream& stream, const Envelope& e
   return {};
 }
 
-void OperatorStateMachine::hear_stick() {
-  const double timeout = parameters_.input_timeout;
-  const bool back = timeout > 0.0 && received_ - stick_.time() > timeout;
-  if (back) stick_back_ = received_;
-  catching_up_ = timeout > 0.0 && !back && received_ - stick_back_ < kCatchingUp;
-  stick_.hear(received_);
+// What a live message says. The fault in words where that is that the device lost what it steers with.
+std::string OperatorStateMachine::take(SourceList::Connection& connection, const OperatorMessage& message) {
+  const bool steers = connection.source.get() == &sources_.steering();
+  if (steers) check_steering_source(received_);
+  const SourceReading reading = connection.source->read(message, received_);
+  if (!reading.fault.empty()) {
+    if (steers) channel_.lose();
+    return reading.fault;
+  }
+  const bool catching_up = connection.catch_up.catching_up(received_, parameters_.input_timeout);
+  if (reading.buttons) take_buttons(*reading.buttons, catching_up);
+  if (reading.command && steers) accept(*reading.command);
+  return {};
 }
 
-void OperatorStateMachine::read_buttons() {
-  const bool counts = cycles_run() && !catching_up_;
-  if (parameters_.mode == OperatorMode::switching) control_.take(reading_.toggle, counts);
-  if (parameters_.mode != OperatorMode::gesture) return;
-  gesture_.set_clutch(reading_.clutch);
-  // A release is heard at once, not with the hand's next pose.
-  if (!reading_.clutch) feed({});
+void OperatorStateMachine::take_buttons(const Buttons& buttons, bool catching_up) {
+  const bool switching = parameters_.mode == OperatorMode::switching;
+  if (switching) handover_.take_button(buttons.toggle, cycles_run() && !catching_up);
+  const std::optional<OperatorCommand> command = sources_.steering().take_buttons(buttons, received_);
+  if (command) accept(*command);
 }
 
-void OperatorStateMachine::feed(const Wish& wish) {
-  channel_.accept(wish, received_);
-  rhythm_.heard(received_, wish.active, parameters_.input_timeout);
+void OperatorStateMachine::accept(const OperatorCommand& command) {
+  channel_.accept(command, received_);
+  rhythm_.take(received_, command.active, parameters_.input_timeout);
 }
 
-std::string OperatorStateMachine::drop(const std::string& fault, std::string& last_fault) {
-  ++dropped_;
-  last_fault = fault;
-  return fault;
+void OperatorStateMachine::check_steering_source(double now) {
+  if (sources_.steering().gone(now)) {
+    channel_.lose();
+    sources_.steering().lose();
+  }
+  if (channel_.lost()) sources_.steering().lose();
 }
 
-void OperatorStateMachine::new_device() {
+void OperatorStateMachine::expect_new_device() {
   channel_.demand_neutral();
-  control_.forget_button();
-  gesture_.lose();
+  handover_.forget_button();
+  sources_.steering().lose();
   rhythm_.reset();
 }
 
-// Poses may go on without the stick whose button is the clutch. And where poses fell silent, the origin is old.
-void OperatorStateMachine::watch_hand(double now) {
-  if (parameters_.mode != OperatorMode::gesture || !gesture_.clutch()) return;
-  const double timeout = parameters_.input_timeout;
-  const bool no_clutch = stick_.silence(now) > timeout;
-  const bool no_hand = gesture_.engaged() && hand_.silence(now) > timeout;
-  if (timeout > 0.0 && (no_clutch || no_hand)) {
-    channel_.lose();
-    gesture_.lose();
-  }
-  if (channel_.lost()) gesture_.lose();
+void OperatorStateMachine::note_alive(double now) {
+  const double pause = pauses_.observe(now);
+  if (pause == 0.0) return;
+  channel_.exclude_pause(pause);
+  sources_.exclude_pause(pause);
+  rhythm_.exclude_pause(pause);
+  if (channel_.active() || channel_.lost()) pauses_.report(pause, now);
 }
 
-// A loss is a release only where the policy says so.
-void OperatorStateMachine::begin_hold() {
-  if (channel_.lost() && parameters_.on_input_lost != OnInputLost::hold) return;
-  const bool from_robot = parameters_.hold_linear == HoldLinear::robot || parameters_.linear == LinearPolicy::current;
-  hold_.begin(channel_.ended_at(), from_robot && commanded_ ? own_v_ : channel_.u_h().v);
+// Who stopped the robot or took control did so in words or by a button, and sees no clock.
+void OperatorStateMachine::set_back(double now) {
+  restart();
+  stop_.set_back(now);
+  handover_.set_back();
+  pauses_.set_back();
 }
 
-// What the newest messages ask for by the present parameters.
-Wish OperatorStateMachine::present_wish() const {
-  if (parameters_.mode == OperatorMode::gesture) return gesture_.wish(parameters_);
-  return steered_by_stick() ? wish_of(reading_, parameters_) : wish_of(twist_, parameters_);
+// All but the stop, who has control, and what is known of pauses.
+void OperatorStateMachine::restart() {
+  sources_.reset();
+  channel_.reset();
+  rhythm_.reset();
+  control_ = {};
+  now_ = received_ = kNever;
 }
 
-Facts OperatorStateMachine::facts() const {
-  const bool switching = parameters_.mode == OperatorMode::switching;
-  Facts facts;
-  facts.enabled = parameters_.mode != OperatorMode::off;
-  facts.stop = stop_.requested();
-  facts.manual = manual();
-  facts.lost = channel_.lost() && (!switching || facts.manual);
-  facts.active = channel_.active() && !switching;
-  facts.blocked = blocked_.for_at_least(parameters_.blocked_time, now_);
-  facts.holding = hold_.running(now_, parameters_.delta);
-  facts.at_goal = goal_latched_ && !parameters_.operator_in_goal_window;
-  return facts;
-}
+bool OperatorStateMachine::cycles_run() const { return std::abs(received_ - now_) < kDriving; }
 
-OperatorIntent OperatorStateMachine::intent(double now) const {
-  OperatorIntent wanted;
-  wanted.state = state_;
-  const bool lost = state_ == OperatorStateId::lost;
-  const bool stops =
-      state_ == OperatorStateId::stopped || (lost && (manual() || parameters_.on_input_lost == OnInputLost::stop));
-  const bool straight_on = state_ == OperatorStateId::hold || (lost && parameters_.on_input_lost == OnInputLost::hold &&
-                                                               hold_.running(now, parameters_.delta));
-  if (stops) {
-    wanted.influence = Influence::stop;
-  } else if (state_ == OperatorStateId::manual) {
-    wanted.influence = Influence::direct;
-    wanted.guarded = parameters_.guard == Guard::nearest;
-    if (channel_.active()) wanted.u_h = channel_.u_h();
-  } else if (is_steering(state_)) {
-    wanted.influence = Influence::shared;
-    wanted.u_h = channel_.u_h();
-    if (parameters_.linear == LinearPolicy::current) wanted.u_h.v = own_v_;
-  } else if (straight_on) {
-    wanted.influence = Influence::shared;
-    wanted.u_h = {hold_.v(), 0.0};
-  }
-  return wanted;
-}
+double OperatorStateMachine::unattended_after() const { return std::max(kUnattended, parameters_.input_timeout); }
 
 }  // namespace hidwa_local_planner::input

@@ -1,163 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/input/stick_source.hpp"
 
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
-#include "core/util/words.hpp"
-#include "hidwa_local_planner/input/joystick_map.hpp"
-
 namespace hidwa_local_planner::input {
-namespace {
 
-// Drivers overshoot by rounding: -32768 / 32767 is 1.00003.
-constexpr float kRangeTolerance = 0.01F;
-
-std::string has_only(std::size_t count, const std::string& things) {
-  if (count == 0) return "the message has no " + things;
-  return "the message has only " + things + " 0 to " + std::to_string(count - 1);
+bool StickSource::same_mapping(const Parameters& a, const Parameters& b) const {
+  return a.axis_angular == b.axis_angular && a.axis_linear == b.axis_linear &&
+         a.axis_angular_sign == b.axis_angular_sign && a.axis_linear_sign == b.axis_linear_sign &&
+         a.enable_button == b.enable_button && a.stop_button == b.stop_button && a.toggle_button == b.toggle_button &&
+         a.clutch_button == b.clutch_button && a.clutch_axis == b.clutch_axis &&
+         a.clutch_axis_sign == b.clutch_axis_sign;
 }
 
-bool has(const std::vector<float>& axes, int index) {
-  return index >= 0 && static_cast<std::size_t>(index) < axes.size();
+std::string StickSource::fault_of(const StickMessage& message) const {
+  StickReading reading;
+  return read_stick(message, use(), reading);
 }
 
-bool in_range(float value) { return std::abs(value) <= 1.0F + kRangeTolerance; }  // not a number is not
-
-std::string check_axis(const StickMessage& message, const std::string& parameter, int index) {
-  if (!has(message.axes, index)) {
-    return parameter + " = " + std::to_string(index) + ", but " + has_only(message.axes.size(), "axes") + ": set " +
-           parameter + " to one that the device has";
-  }
-  const auto i = static_cast<std::size_t>(index);
-  if (in_range(message.axes[i])) return {};
-  const std::string name = "axes[" + std::to_string(i) + "]";
-  if (!std::isfinite(message.axes[i])) {
-    return name + " is not a finite number: look at the sender, or set " + parameter + " to another axis";
-  }
-  return name + " = " + worded(static_cast<double>(message.axes[i]), 3) +
-         " is outside [-1, 1]: scale it at the sender, or set " + parameter + " to another axis";
+std::optional<StopReading> StickSource::stop_of(const StickMessage& message) const {
+  return stop_reading_of(message, use());
 }
 
-std::string check_button(const StickMessage& message, const std::string& parameter, int index) {
-  if (index < 0) return {};
-  const auto i = static_cast<std::size_t>(index);
-  if (i >= message.buttons.size()) {
-    return parameter + " = " + std::to_string(index) + ", but " + has_only(message.buttons.size(), "buttons") +
-           ": set " + parameter + " to one that the device has, or to -1 for none";
-  }
-  if (message.buttons[i] == 0 || message.buttons[i] == 1) return {};
-  return "buttons[" + std::to_string(i) + "] = " + std::to_string(message.buttons[i]) +
-         " is neither 0 nor 1: look at the sender, or set " + parameter + " to another button";
-}
-
-bool held(const StickMessage& message, int index) {
-  return index >= 0 && message.buttons[static_cast<std::size_t>(index)] != 0;
-}
-
-std::string check_clutch(const StickMessage& message, const Parameters& parameters) {
-  if (parameters.clutch_axis >= 0) return check_axis(message, "clutch_axis", parameters.clutch_axis);
-  return check_button(message, "clutch_button", parameters.clutch_button);
-}
-
-bool clutch_held(const StickMessage& message, const Parameters& parameters) {
-  if (parameters.clutch_axis < 0) return held(message, parameters.clutch_button);
-  const float pressed =
-      message.axes[static_cast<std::size_t>(parameters.clutch_axis)] * static_cast<float>(parameters.clutch_axis_sign);
-  return pressed > static_cast<float>(parameters.clutch_threshold);
-}
-
-std::string check(const StickMessage& message, const Parameters& parameters) {
-  const bool by_hand = parameters.mode == OperatorMode::gesture;
-  const bool by_stick = !by_hand && !steered_by_twist(parameters);
-  const bool needs_linear =
-      by_stick && (parameters.linear == LinearPolicy::axis || parameters.mode == OperatorMode::switching);
-  std::string fault;
-  if (by_stick) fault = check_axis(message, "axis_angular", parameters.axis_angular);
-  const bool reads_linear = needs_linear || (has(message.axes, parameters.axis_linear) && pull_stops(parameters));
-  if (fault.empty() && reads_linear) fault = check_axis(message, "axis_linear", parameters.axis_linear);
-  if (fault.empty() && by_stick) fault = check_button(message, "enable_button", parameters.enable_button);
-  if (fault.empty()) fault = check_button(message, "stop_button", parameters.stop_button);
-  if (fault.empty() && by_hand) fault = check_clutch(message, parameters);
-  if (fault.empty() && parameters.mode == OperatorMode::switching) {
-    fault = check_button(message, "toggle_button", parameters.toggle_button);
-  }
-  return fault;
-}
-
-// The value of an axis, 0 where the device does not have it or says nothing that an axis can be.
-float axis(const StickMessage& message, int index, int sign) {
-  if (!has(message.axes, index)) return 0.0F;
-  const float value = message.axes[static_cast<std::size_t>(index)];
-  return in_range(value) ? value * static_cast<float>(sign) : 0.0F;
-}
-
-// Axes are floats: a dead zone of 0.1 must hold the float 0.1 too, which as a double is a little more.
-double map_float(float deflection, const Parameters& parameters, double maximum) {
-  const auto dead_zone = static_cast<double>(static_cast<float>(parameters.dead_zone));
-  return map_axis(static_cast<double>(deflection), dead_zone, parameters.exponent, maximum);
-}
-
-bool steers_both_axes(const Parameters& parameters) {
-  return parameters.linear == LinearPolicy::axis || parameters.mode == OperatorMode::switching;
-}
-
-// Kalliokoski 2022, the maps of (p_x, p_y) to (v_h, omega_h) in section IV-A.
-Twist2 mapped(float angular, float linear, const Parameters& parameters) {
-  const double omega = map_float(angular, parameters, parameters.max_vel_theta);
-  if (steers_both_axes(parameters)) return {map_float(linear, parameters, parameters.max_vel_x), omega};
-  return {parameters.linear == LinearPolicy::v_max ? parameters.max_vel_x : 0.0, omega};
-}
-
-}  // namespace
-
-std::string read_stick(const StickMessage& message, const Parameters& parameters, StickReading& reading) {
-  std::string fault = check(message, parameters);
-  if (!fault.empty()) return fault;
-  reading = StickReading();
-  reading.angular = axis(message, parameters.axis_angular, parameters.axis_angular_sign);
-  reading.linear = axis(message, parameters.axis_linear, parameters.axis_linear_sign);
-  const bool by_hand = parameters.mode == OperatorMode::gesture;
-  if (!by_hand && !steered_by_twist(parameters)) reading.enabled = held(message, parameters.enable_button);
-  if (parameters.mode == OperatorMode::switching) reading.toggle = held(message, parameters.toggle_button);
-  if (by_hand) reading.clutch = clutch_held(message, parameters);
-  return {};
-}
-
-StopReading read_stop(const StickMessage& message, const Parameters& parameters) {
-  StopReading reading;
-  reading.axes = static_cast<std::uint32_t>(message.axes.size());
-  reading.buttons = static_cast<std::uint32_t>(message.buttons.size());
-  const bool has_button = parameters.stop_button < static_cast<int>(message.buttons.size());
-  reading.button = has_button && held(message, parameters.stop_button);
-  if (!pull_stops(parameters) || !has(message.axes, parameters.axis_linear)) return reading;
-  const auto value = static_cast<double>(message.axes[static_cast<std::size_t>(parameters.axis_linear)]);
-  if (std::isfinite(value)) reading.back = -value * parameters.axis_linear_sign;
+SourceReading StickSource::take(const StickMessage& message, double) {
+  SourceReading reading;
+  reading.fault = read_stick(message, use(), state_);
+  reading.command = command();
+  reading.buttons = Buttons{state_.toggle, state_.clutch};
   return reading;
-}
-
-Wish wish_of(const StickReading& reading, const Parameters& parameters) {
-  if (parameters.enable_button < 0) return wish_of_deflection(reading.angular, reading.linear, parameters);
-  if (!reading.enabled) return {};
-  return {true, mapped(reading.angular, reading.linear, parameters)};
-}
-
-Wish wish_of_deflection(float angular, float linear, const Parameters& parameters) {
-  const Twist2 u = mapped(angular, linear, parameters);
-  const bool deflected = u.omega != 0.0 || (steers_both_axes(parameters) && u.v != 0.0);
-  return deflected ? Wish{true, u} : Wish{};
-}
-
-bool steered_by_twist(const Parameters& parameters) {
-  return parameters.mode != OperatorMode::gesture && !parameters.twist_topic.empty();
-}
-
-bool pull_stops(const Parameters& parameters) {
-  if (parameters.stop_pull <= 0.0) return false;
-  if (parameters.mode == OperatorMode::gesture) return true;
-  const bool asks_for_reverse = parameters.linear == LinearPolicy::axis && parameters.min_vel_x < 0.0;
-  return parameters.mode == OperatorMode::joystick && !steered_by_twist(parameters) && !asks_for_reverse;
 }
 
 }  // namespace hidwa_local_planner::input

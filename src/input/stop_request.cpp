@@ -18,77 +18,78 @@ std::string named(const std::string& sender) { return sender.empty() ? "a device
 
 }  // namespace
 
-void StopRequest::hear(const std::string& sender, const StopReading& reading, bool in_order,
+void StopRequest::take(const std::string& device, const std::string& name, const StopReading& reading, bool in_order,
                        const Parameters& parameters, double time) {
-  Source& source = source_of(sender);
-  const bool known = source.axes + source.buttons > 0;
-  const bool other_device = known && (source.axes != reading.axes || source.buttons != reading.buttons);
-  if (in_order && other_device) source.armed = source.pulled;
-  const double threshold = parameters.stop_pull * (source.pulled ? kStillPulled : 1.0);
+  Sender& from = find(device, name);
+  const bool known = from.axes + from.buttons > 0;
+  const bool other_device = known && (from.axes != reading.shape.axes || from.buttons != reading.shape.buttons);
+  if (in_order && other_device) from.armed = from.pulled;
+  const double threshold = parameters.stop_pull * (from.pulled ? kStillPulled : 1.0);
   const bool back = reading.back && *reading.back >= threshold;
   const bool seen_otherwise = reading.back ? !back : in_order;
-  if (seen_otherwise || !parameters.require_neutral) source.armed = true;
-  const bool pulled = back && source.armed;
+  if (seen_otherwise || !parameters.require_neutral) from.armed = true;
+  const bool pulled = back && from.armed;
   if (reading.button || pulled) {
-    source.asked_at = time;
-    source.dismissed = false;
+    from.asked_at = time;
+    from.dismissed = false;
   }
-  source.button = reading.button || (source.button && !in_order);
-  source.pulled = pulled || (source.pulled && !in_order);
+  from.button = reading.button || (from.button && !in_order);
+  from.pulled = pulled || (from.pulled && !in_order);
   if (!in_order) return;
-  source.axes = reading.axes;
-  source.buttons = reading.buttons;
+  from.axes = static_cast<std::uint32_t>(reading.shape.axes);
+  from.buttons = static_cast<std::uint32_t>(reading.shape.buttons);
 }
 
 void StopRequest::dismiss() {
-  for (Source& source : sources_) source.dismissed = source.stops();
+  for (Sender& sender : senders_) sender.dismissed = sender.stops();
 }
 
-std::string StopRequest::check(double now, double silence) {
+std::string StopRequest::end_dismissed(double now, double silence) {
   std::string ended;
-  for (Source& source : sources_) {
-    if (!source.dismissed || !source.unasked(now, silence)) continue;
-    ended += (ended.empty() ? "The stop of " : " The stop of ") + named(source.sender) + ", which asked for it last " +
-             worded(now - source.asked_at, 3) +
+  for (Sender& sender : senders_) {
+    if (!sender.dismissed || !sender.unasked(now, silence)) continue;
+    ended += (ended.empty() ? "The stop of " : " The stop of ") + named(sender.name) + ", which asked for it last " +
+             worded(now - sender.asked_at, 3) +
              " s ago, has ended: it was let go by the topic stop or by a change of mode.";
-    source.button = source.pulled = source.dismissed = false;
+    sender.button = sender.pulled = sender.dismissed = false;
   }
   return ended;
 }
 
 void StopRequest::demand_neutral() {
-  for (Source& source : sources_) source.armed = source.pulled;
+  for (Sender& sender : senders_) sender.armed = sender.pulled;
 }
 
 void StopRequest::set_back(double now) {
-  for (Source& source : sources_) source.asked_at = std::min(source.asked_at, now);
+  for (Sender& sender : senders_) sender.asked_at = std::min(sender.asked_at, now);
 }
 
 bool StopRequest::requested() const {
-  return said_ || std::any_of(sources_.begin(), sources_.end(), [](const Source& s) { return s.stops(); });
+  return requested_ || std::any_of(senders_.begin(), senders_.end(), [](const Sender& s) { return s.stops(); });
 }
 
 std::string StopRequest::advice(double now, double silence) const {
-  for (const Source& source : sources_) {
-    if (!source.unasked(now, silence)) continue;
-    return "The stop of " + named(source.sender) +
-           " goes on though it was not heard of lately: let go of it there, or, where the device is gone, say false "
+  for (const Sender& sender : senders_) {
+    if (!sender.unasked(now, silence)) continue;
+    return "The stop of " + named(sender.name) +
+           " goes on though no message of it came lately: let go of it there, or, where the device is gone, say false "
            "on the topic stop or change the mode.";
   }
   return {};
 }
 
-StopRequest::Source& StopRequest::source_of(const std::string& sender) {
-  const auto known =
-      std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return s.sender == sender; });
-  if (known != sources_.end()) return *known;
-  if (sources_.size() >= kRemembered) {
-    const auto idle = std::find_if(sources_.begin(), sources_.end(), [](const Source& s) { return !s.stops(); });
-    if (idle != sources_.end()) sources_.erase(idle);
+StopRequest::Sender& StopRequest::find(const std::string& device, const std::string& name) {
+  const auto known = std::find_if(senders_.begin(), senders_.end(),
+                                  [&](const Sender& s) { return s.device == device && s.name == name; });
+  if (known != senders_.end()) return *known;
+  if (senders_.size() >= kRemembered) {
+    const auto idle = std::find_if(senders_.begin(), senders_.end(), [](const Sender& s) { return !s.stops(); });
+    if (idle != senders_.end()) senders_.erase(idle);
   }
-  sources_.emplace_back();
-  sources_.back().sender = sender;
-  return sources_.back();
+  senders_.emplace_back();
+  senders_.back().device = device;
+  senders_.back().name = name;
+  return senders_.back();
 }
 
 }  // namespace hidwa_local_planner::input

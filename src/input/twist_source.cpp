@@ -8,10 +8,11 @@
 namespace hidwa_local_planner::input {
 namespace {
 
-// Ten times what max_vel_x and max_vel_theta may be: a wish may be beyond the limits, but not beyond every robot.
+// Ten times what max_vel_x and max_vel_theta may be: an operator command may be beyond the limits, but not beyond every
+// robot.
 constexpr double kFastest = 100.0;  // [m/s], [rad/s]
 
-std::string fault_of(const char* field, double value, const char* unit) {
+std::string fault_of_part(const char* field, double value, const char* unit) {
   if (std::abs(value) <= kFastest) return {};
   if (!std::isfinite(value)) return std::string(field) + " is not a finite number: look at the sender";
   const std::string most = worded(kFastest);
@@ -21,19 +22,24 @@ std::string fault_of(const char* field, double value, const char* unit) {
 
 }  // namespace
 
-std::string fault_of(const TwistMessage& message) {
-  const std::string fault = fault_of("linear.x", message.u.v, "m/s");
-  return fault.empty() ? fault_of("angular.z", message.u.omega, "rad/s") : fault;
+std::string TwistSource::fault_of(const TwistMessage& message) const {
+  const std::string fault = fault_of_part("linear.x", message.u.v, "m/s");
+  return fault.empty() ? fault_of_part("angular.z", message.u.omega, "rad/s") : fault;
 }
 
-Wish wish_of(const TwistMessage& message, const Parameters& parameters) {
-  Wish wish;
-  wish.active = !(message.u == Twist2{});
-  wish.u_h = message.u;
-  if (!wish.active) wish.u_h = {};
-  const bool shares = parameters.mode != OperatorMode::switching;
-  if (shares && parameters.linear == LinearPolicy::current) wish.u_h.v = 0.0;
-  return wish;
+SourceReading TwistSource::take(const TwistMessage& message, double) {
+  state_.u = message.u;
+  SourceReading reading;
+  reading.command = command();
+  return reading;
+}
+
+OperatorCommand TwistSource::command() const {
+  if (state_.u == Twist2{}) return {};
+  OperatorCommand command{true, state_.u};
+  const bool shared = parameters().mode != OperatorMode::switching;
+  if (shared && parameters().linear == LinearPolicy::current) command.u_h.v = 0.0;
+  return command;
 }
 
 }  // namespace hidwa_local_planner::input

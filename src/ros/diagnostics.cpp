@@ -75,7 +75,7 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
   } else if (!device.clutch_topic.empty() && device.clutch_messages == 0) {
     status.summary(Status::OK, "nothing came on " + device.clutch_topic +
                                    " yet: the hand counts only while the clutch is held, a button or axis there");
-  } else if (person.state == OperatorStateId::lost && person.own_pause) {
+  } else if (person.state == OperatorStateId::lost && person.lost_by_pauses) {
     status.mergeSummary(Status::ERROR, device.topic +
                                            " was not heard, since the planner itself stood still: lighten "
                                            "its machine's load; nothing is known against the link");

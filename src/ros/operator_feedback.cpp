@@ -12,7 +12,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-// Closer to what the person wants than this is agreement: samples lie a little apart.
+// Closer to the operator command than this is agreement: samples lie a little apart.
 constexpr double kAgrees = 0.97;
 
 }  // namespace

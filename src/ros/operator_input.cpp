@@ -4,8 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include <geometry_msgs/Twist.h>
-#include <geometry_msgs/TwistStamped.h>
+#include <ros/console.h>
 
 namespace hidwa_local_planner {
 namespace {
@@ -17,44 +16,13 @@ const ros::WallDuration kHeartbeat(0.05);
 constexpr std::chrono::microseconds kPatience(1000);
 constexpr int kTries = 5;
 
-bool by_hand(const Parameters& p) { return p.mode == OperatorMode::gesture; }
-
-bool by_twist(const Parameters& p) { return p.mode != OperatorMode::off && input::steered_by_twist(p); }
-
-// What steers, as a person knows it.
-std::string steering_topic(const Parameters& p) {
-  if (p.mode == OperatorMode::off) return {};
-  if (by_twist(p)) return p.twist_topic;
-  if (!by_hand(p)) return p.joy_topic;
-  return p.gesture_frame.empty() ? p.gesture_topic : "tf " + p.gesture_parent_frame + " -> " + p.gesture_frame;
-}
-
-input::HandMessage to_hand(const geometry_msgs::Point& position, const geometry_msgs::Quaternion& orientation) {
-  input::HandMessage hand;
-  hand.position = {position.x, position.y, position.z};
-  hand.orientation = {orientation.x, orientation.y, orientation.z, orientation.w};
-  return hand;
-}
-
-// False where it is neither of the two types; throws where it only claims to be.
-bool read(const topic_tools::ShapeShifter& message, input::TwistMessage& wanted) {
-  geometry_msgs::Twist twist;
-  if (message.getDataType() == "geometry_msgs/TwistStamped") {
-    const auto stamped = message.instantiate<geometry_msgs::TwistStamped>();
-    twist = stamped->twist;
-    wanted.stamp = stamped->header.stamp.toSec();
-  } else if (message.getDataType() == "geometry_msgs/Twist") {
-    twist = *message.instantiate<geometry_msgs::Twist>();
-  } else {
-    return false;
-  }
-  wanted.u = {twist.linear.x, twist.angular.z};
-  return true;
-}
-
 }  // namespace
 
-OperatorInput::OperatorInput() { thread_.start(); }
+OperatorInput::OperatorInput()
+    : devices_(operator_devices(
+          [this](const std::string& source, const input::OperatorMessage& message) { return take(source, message); })) {
+  thread_.start();
+}
 
 OperatorInput::~OperatorInput() { thread_.stop(); }
 
@@ -65,85 +33,62 @@ void OperatorInput::configure(const Parameters& parameters) {
 }
 
 void OperatorInput::listen(const ros::NodeHandle& handle, const Parameters& parameters) {
+  std::vector<input::ListedSource> sources;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const std::string topic = steering_topic(parameters);
-    const std::string clutch = by_hand(parameters) ? parameters.joy_topic : "";
-    if (topic != device_.topic || clutch != device_.clutch_topic) device_ = {topic, "", 0, clutch, 0};
-    stick_steers_ = topic == parameters.joy_topic;
+    sources = machine_.sources(parameters);
+    show_device(sources);
   }
-  if (!heartbeat_) {
-    heartbeat_ = thread_.serve(handle).createSteadyTimer(kHeartbeat, [this](const ros::SteadyTimerEvent&) {
-      const ros::Time now = ros::Time::now();
-      if (now.isZero()) return;
-      const std::lock_guard<std::mutex> lock(mutex_);
-      machine_.listens(now.toSec());
-    });
-  }
-  const bool off = parameters.mode == OperatorMode::off;
-  const bool pose = by_hand(parameters) && parameters.gesture_frame.empty();
-  follow<sensor_msgs::Joy>(joy_, joy_topic_, handle, off ? "" : parameters.joy_topic, &OperatorInput::receive);
-  follow<topic_tools::ShapeShifter>(twist_, twist_topic_, handle, by_twist(parameters) ? parameters.twist_topic : "",
-                                    &OperatorInput::receive_twist);
-  follow<geometry_msgs::PoseStamped>(hand_, hand_topic_, handle, pose ? parameters.gesture_topic : "",
-                                     &OperatorInput::receive_hand);
-}
-
-template <typename Message>
-void OperatorInput::follow(ros::Subscriber& subscriber, std::string& followed, const ros::NodeHandle& handle,
-                           const std::string& topic, Receive<Message> taker) {
-  if (topic == followed) return;
-  subscriber.shutdown();
-  followed.clear();
-  if (topic.empty()) return;
-  using Event = ros::MessageEvent<const Message>;
-  const boost::function<void(const Event&)> callback = [this, taker](const Event& event) {
-    const ros::Time now = ros::Time::now();
-    if (now.isZero()) return;  // a simulated clock that has not begun: nothing can be said about lateness
-    (this->*taker)(*event.getConstMessage(), event.getPublisherName(), now.toSec());
-  };
-  // Size 1 and no delay: an old deflection must never be worked off late.
-  subscriber = thread_.serve(handle).subscribe<Message, const Event&>(topic, 1, callback, nullptr,
-                                                                      ros::TransportHints().tcpNoDelay());
-  followed = topic;
-}
-
-void OperatorInput::receive(const sensor_msgs::Joy& message, const std::string& sender, double received) {
-  input::StickMessage stick;
-  stick.sender = sender;
-  stick.axes = message.axes;
-  stick.buttons.assign(message.buttons.begin(), message.buttons.end());
-  stick.stamp = message.header.stamp.toSec();
-  stick.received = received;
-  take(stick, "joystick", stick_steers_);
-}
-
-void OperatorInput::receive_twist(const topic_tools::ShapeShifter& message, const std::string& sender,
-                                  double received) {
-  input::TwistMessage wanted;
-  try {
-    if (!read(message, wanted)) {
-      ROS_WARN_THROTTLE(5.0, "twist_topic carries %s from %s: geometry_msgs/Twist or TwistStamped is wanted",
-                        message.getDataType().c_str(), sender.c_str());
-      return;
+  start_heartbeat(handle);
+  for (const std::unique_ptr<OperatorDevice>& device : devices_) {
+    for (const input::ListedSource& source : sources) {
+      if (source.kind.name != device->source()) continue;
+      device->follow(thread_.serve(handle), source.listened_to ? source.topic.topic : "");
     }
-  } catch (const ros::Exception& error) {  // it bears the name of a Twist and is none
-    ROS_WARN_THROTTLE(5.0, "twist_topic carries what cannot be read as %s, from %s: %s", message.getDataType().c_str(),
-                      sender.c_str(), error.what());
-    return;
   }
-  wanted.sender = sender;
-  wanted.received = received;
-  take(wanted, "Twist", true);
 }
 
-void OperatorInput::receive_hand(const geometry_msgs::PoseStamped& message, const std::string& sender,
-                                 double received) {
-  input::HandMessage hand = to_hand(message.pose.position, message.pose.orientation);
-  hand.sender = sender;
-  hand.stamp = message.header.stamp.toSec();
-  hand.received = received;
-  take(hand, "hand pose", true);
+// The counts begin anew where another device steers or has its clutch.
+void OperatorInput::show_device(const std::vector<input::ListedSource>& sources) {
+  Device device;
+  std::string buttons_topic;
+  bool needs_clutch = false;
+  steering_.clear();
+  for (const input::ListedSource& source : sources) {
+    if (source.kind.has_buttons && source.listened_to) buttons_topic = source.topic.label;
+    if (!source.steers) continue;
+    steering_ = source.kind.name;
+    device.topic = source.topic.label;
+    needs_clutch = source.kind.needs_clutch;
+  }
+  if (needs_clutch) device.clutch_topic = buttons_topic;
+  if (device.topic != device_.topic || device.clutch_topic != device_.clutch_topic) device_ = device;
+}
+
+void OperatorInput::start_heartbeat(const ros::NodeHandle& handle) {
+  if (heartbeat_) return;
+  heartbeat_ = thread_.serve(handle).createSteadyTimer(kHeartbeat, [this](const ros::SteadyTimerEvent&) {
+    const ros::Time now = ros::Time::now();
+    if (now.isZero()) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    machine_.heartbeat(now.toSec());
+  });
+}
+
+std::string OperatorInput::take(const std::string& source, const input::OperatorMessage& message) {
+  std::string fault;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    fault = machine_.receive(message);
+    if (fault.empty() && source == steering_) {
+      ++device_.messages;
+      device_.sender = message.sender;
+    } else if (fault.empty()) {
+      ++device_.clutch_messages;
+    }
+  }
+  ++taken_;
+  return fault;
 }
 
 void OperatorInput::receive(const geometry_msgs::TransformStamped& transform, double received) {
@@ -152,39 +97,18 @@ void OperatorInput::receive(const geometry_msgs::TransformStamped& transform, do
     if (transform.header.stamp == hand_stamp_) return;
     hand_stamp_ = transform.header.stamp;
   }
-  geometry_msgs::Point position;
-  position.x = transform.transform.translation.x;
-  position.y = transform.transform.translation.y;
-  position.z = transform.transform.translation.z;
-  input::HandMessage hand = to_hand(position, transform.transform.rotation);
+  input::HandMessage hand = to_hand(transform);
   hand.sender = "tf";
-  hand.stamp = transform.header.stamp.toSec();
   hand.received = received;
-  take(hand, "hand transform", true);
-}
-
-template <typename Message>
-void OperatorInput::take(const Message& message, const char* kind, bool steers) {
-  std::string fault;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    fault = machine_.receive(message);
-    if (fault.empty() && steers) {
-      ++device_.messages;
-      device_.sender = message.sender;
-    } else if (fault.empty()) {
-      ++device_.clutch_messages;
-    }
-  }
-  ++taken_;
-  if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "%s message dropped: %s", kind, fault.c_str());
+  const std::string fault = take("hand", hand);
+  if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "hand transform message dropped: %s", fault.c_str());
 }
 
 // The callbacks need the mutex, so it is not held here.
 void OperatorInput::catch_up(double now) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!machine_.behind(now)) return;
+    if (!machine_.paused_since_last_cycle(now)) return;
   }
   const std::uint64_t taken = taken_;
   const auto end = std::chrono::steady_clock::now() + kTries * kPatience;
@@ -203,9 +127,9 @@ OperatorIntent OperatorInput::update(double now) {
     machine_.save(write);
   }
   const OperatorIntent intent = machine_.update(now);
-  const std::string news = machine_.take_news();
+  const std::string warnings = machine_.take_warnings();
   lock.unlock();
-  if (!news.empty()) ROS_WARN("%s", news.c_str());
+  if (!warnings.empty()) ROS_WARN("%s", warnings.c_str());
   return intent;
 }
 
@@ -242,7 +166,7 @@ OperatorInput::Status OperatorInput::status(double now) const {
   status.manual = machine_.manual();
   status.age = machine_.input_age(now);
   status.dropped = machine_.dropped();
-  status.own_pause = machine_.lost_by_pauses(now);
+  status.lost_by_pauses = machine_.lost_by_pauses(now);
   return status;
 }
 

@@ -12,9 +12,9 @@ constexpr double kLetters = 0.8;       // height [m]
 constexpr double kSmallLetters = 0.4;  // [m]
 constexpr double kTextHeight = 1.3;    // above the floor [m]
 constexpr double kNose = 0.45;         // from the robot's centre [m]
-constexpr double kShown = 1.6;         // how long the ways shown take [s]
-constexpr int kParts = 16;             // of a way
-constexpr double kStill = 0.02;        // ways shorter than this are none [m]
+constexpr double kShown = 1.6;         // duration of the paths shown [s]
+constexpr int kParts = 16;             // of a path
+constexpr double kStill = 0.02;        // shorter paths are not shown [m]
 
 std_msgs::ColorRGBA colour(int red, int green, int blue) {
   std_msgs::ColorRGBA c;
@@ -86,8 +86,8 @@ struct Style {
   std_msgs::ColorRGBA colour;
 };
 
-void add_way(visualization_msgs::MarkerArray& all, const std::string& base_frame, const std::string& group,
-             const geometry_msgs::Twist& u, bool shown, const Style& style) {
+void add_path(visualization_msgs::MarkerArray& all, const std::string& base_frame, const std::string& group,
+              const geometry_msgs::Twist& u, bool shown, const Style& style) {
   visualization_msgs::Marker line = marker(base_frame, group, visualization_msgs::Marker::LINE_STRIP);
   line.scale.x = style.width;
   line.color = style.colour;
@@ -126,9 +126,9 @@ visualization_msgs::MarkerArray to_operator_markers(const OperatorState& state, 
   all.markers.push_back(text(base_frame, "state", state.state_name + "\n\n\n", kLetters, kTextHeight, c));
   const std::string refused = state.refused_by.empty() ? "" : "\n\n\n\n\nrefused by " + state.refused_by;
   all.markers.push_back(text(base_frame, "refusal", refused, kSmallLetters, kTextHeight, colour(200, 30, 20)));
-  const bool wants = state.active != 0;
-  add_way(all, base_frame, "executed", state.command, true, {0.09, 0.1, colour(30, 30, 30)});
-  add_way(all, base_frame, "wanted", state.wanted, wants, {0.045, 0.2, colour(225, 0, 140)});
+  const bool commanded = state.active != 0;
+  add_path(all, base_frame, "executed", state.command, true, {0.09, 0.1, colour(30, 30, 30)});
+  add_path(all, base_frame, "wanted", state.wanted, commanded, {0.045, 0.2, colour(225, 0, 140)});
   return all;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/parameter_set.hpp"
 
-#include <array>
 #include <utility>
 
 #include <ros/names.h>
@@ -15,24 +14,25 @@ namespace {
 
 // What roscpp would throw at later, out of whatever callback or cycle.
 void check_topics(std::vector<std::string>& faults, const Parameters& p) {
-  using Named = std::pair<const char*, const std::string*>;
-  const std::array<Named, 5> topics{{{"odom_topic", &p.odom_topic},
-                                     {"joy_topic", &p.joy_topic},
-                                     {"twist_topic", &p.twist_topic},
-                                     {"gesture_topic", &p.gesture_topic},
-                                     {"rumble_topic", &p.rumble_topic}}};
+  std::vector<std::pair<std::string, std::string>> topics;  // name and value of each parameter *_topic
+  const std::string ending = "_topic";
+  for (const ParameterInfo& info : parameter_table()) {
+    const std::size_t size = info.name.size();
+    if (size < ending.size() || info.name.compare(size - ending.size(), ending.size(), ending) != 0) continue;
+    topics.emplace_back(info.name, std::get<std::string>(get_parameter(p, info.name)));
+  }
   for (std::size_t i = 0; i < topics.size(); ++i) {
     const auto& [name, topic] = topics[i];
     std::string why;
-    if (topic->empty()) continue;
-    if (!ros::names::validate(*topic, why)) {
-      faults.push_back(std::string(name) + " = " + *topic + " is no name of a topic: " + why);
-    } else if (topic->front() == '~') {
-      faults.push_back(std::string(name) + " = " + *topic + ": private names are not resolved here, write it in full");
+    if (topic.empty()) continue;
+    if (!ros::names::validate(topic, why)) {
+      faults.push_back(name + " = " + topic + " is no name of a topic: " + why);
+    } else if (topic.front() == '~') {
+      faults.push_back(name + " = " + topic + ": private names are not resolved here, write it in full");
     }
     for (std::size_t j = 0; j < i; ++j) {
-      if (*topics[j].second != *topic) continue;
-      faults.push_back(std::string(topics[j].first) + " and " + name + " are both " + *topic +
+      if (topics[j].second != topic) continue;
+      faults.push_back(topics[j].first + " and " + name + " are both " + topic +
                        ", but carry different messages: change one");
     }
   }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/control/operator.hpp"
+#include "hidwa_local_planner/input/stick_reading.hpp"
 #include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {

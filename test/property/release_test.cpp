@@ -10,6 +10,7 @@
 
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
+#include "hidwa_local_planner/input/stick_reading.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -9,6 +9,7 @@
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/control/pause.hpp"
+#include "hidwa_local_planner/input/stick_reading.hpp"
 #include "hidwa_local_planner/record/cycle_recorder.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"
@@ -84,7 +85,7 @@ class RecordedDrive {
     if (random_.chance(0.02)) time_ += random_.uniform(0.1, 0.8);
     if (random_.chance(0.003)) time_ -= 2.0;
     timing_ = {time_, kPeriod, random_.chance(0.1) ? 1.5 * kPeriod : kPeriod, time_ - before, time_ < before};
-    if (random_.chance(0.9)) operator_.machine().listens(time_ - 0.02);
+    if (random_.chance(0.9)) operator_.machine().heartbeat(time_ - 0.02);
     if (random_.chance(0.05)) operator_.machine().stop(random_.chance(0.05));
   }
 

@@ -7,8 +7,8 @@
 
 namespace hidwa_local_planner::control {
 
-/// The person, as a control cycle meets them: the operator's state machine, behind whatever keeps it safe where
-/// messages arrive in another thread.
+/// The operator, as a control cycle meets them: the state machine, behind whatever keeps it safe where messages arrive
+/// in another thread.
 class Operator {
  public:
   virtual ~Operator() = default;

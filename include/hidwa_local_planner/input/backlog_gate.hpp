@@ -10,7 +10,7 @@ class SteadyLag {
   /// `gap` [s], begins anew. Returns for how long it is steady [s].
   double observe(double lag, double received, double spread, double gap);
   /// Something was received [s] that says nothing about the lag.
-  void heard(double received) { last_ = received; }
+  void take_silent(double received) { last_ = received; }
   void forget() { begun_ = false; }
   double least() const { return least_; }  // since it began [s]
   double most() const { return most_; }    // since it began [s]

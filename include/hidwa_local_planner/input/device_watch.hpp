@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <string>
+
+#include "hidwa_local_planner/input/operator_message.hpp"
 
 namespace hidwa_local_planner::input {
 
@@ -10,13 +11,12 @@ namespace hidwa_local_planner::input {
 class DeviceWatch {
  public:
   /// True when this message comes from another device than the one before it.
-  bool changed(const std::string& sender, std::size_t axes, std::size_t buttons) {
+  bool changed(const std::string& sender, const DeviceShape& shape) {
     watch_rivals(sender);
-    const bool same = !known_ || (sender == sender_ && axes == axes_ && buttons == buttons_);
+    const bool same = !known_ || (sender == sender_ && shape.axes == shape_.axes && shape.buttons == shape_.buttons);
     if (!known_ || !same) {
       sender_ = sender;
-      axes_ = axes;
-      buttons_ = buttons;
+      shape_ = shape;
       known_ = true;
     }
     return !same;
@@ -44,8 +44,7 @@ class DeviceWatch {
 
   bool known_ = false;
   std::string sender_;
-  std::size_t axes_ = 0;
-  std::size_t buttons_ = 0;
+  DeviceShape shape_;
   std::string rival_;
   int alone_ = 0;  // messages in a row from the present sender, up to kAlone
   bool contested_ = false;

@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "hidwa_local_planner/input/wish.hpp"
+#include "hidwa_local_planner/input/operator_command.hpp"
 
 namespace hidwa_local_planner::input {
 
-/// What the device said last and whether it still counts: knows silence and the centred stick, no states.
+/// The newest operator command and whether it still counts: knows silence and the neutral device, no states.
 ///
-/// While the person gives input, silence longer than the timeout is a loss. While the stick is centred
+/// While the operator gives input, silence longer than the timeout is a loss. While the device is neutral
 /// silence means nothing. After a start, a loss and on demand the input counts only once it was seen inactive
 /// (centred, or the enable button released), unless that is not required.
 ///
-/// While the planner itself stood still nothing could be heard, so the longest pause since the last message is no
+/// While the planner itself stood still no message could be taken, so the longest pause since the last message is no
 /// silence. Only the longest: input that is really gone is lost at most one pause later. A loss that all the pauses
-/// since the last message explain was none of the person's doing: the next message ends it, without a neutral.
+/// since the last message explain was none of the operator's doing: the next message ends it, without a neutral.
 class InputChannel {
  public:
   /// timeout 0: a silent stick is still where it was, it is never lost.
   void configure(double timeout, bool require_neutral);  // [s]
   /// A usable message arrived; `received` [s] never decreasing.
-  void accept(const Wish& wish, double received);
+  void accept(const OperatorCommand& command, double received);
   /// The planner stood still for `pause` [s], until now.
-  void excuse(double pause);
+  void exclude_pause(double pause);
   /// Notices a loss up to `now` [s].
   void check(double now);
   /// What steers is known to be gone, without waiting for silence to last.
   void lose();
-  /// The same reading means another wish: parameters changed.
-  void remap(const Wish& wish);
+  /// The same message asks for another command: parameters changed.
+  void remap(const OperatorCommand& command);
   /// The input must be seen inactive once (again) before it counts.
   void demand_neutral();
   /// As at the start.
   void reset();
 
-  bool heard() const { return heard_; }
+  bool received_any() const { return received_any_; }
   double time() const { return time_; }       // of the last message [s]
   bool active() const { return active_; }     // input that counts
   const Twist2& u_h() const { return u_h_; }  // of the newest input that counted
@@ -47,22 +47,22 @@ class InputChannel {
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.heard_, self.armed_, self.deflected_, self.active_, self.lost_, self.fell_silent_, self.time_,
+    io(self.received_any_, self.armed_, self.deflected_, self.active_, self.lost_, self.fell_silent_, self.time_,
        self.active_time_, self.longest_pause_, self.pauses_, self.u_h_);
   }
 
  private:
   double timeout_ = 0.0;  // [s]
   bool require_neutral_ = true;
-  bool heard_ = false;
+  bool received_any_ = false;
   bool armed_ = false;      // seen inactive since it was demanded
   bool deflected_ = false;  // the last message was active, whether it counted or not
   bool active_ = false;
   bool lost_ = false;
-  bool fell_silent_ = false;    // lost by silence, and nothing was heard since
+  bool fell_silent_ = false;    // lost by silence, and no message came since
   double time_ = 0.0;           // [s]
   double active_time_ = 0.0;    // of the last message that counted as active [s]
-  double longest_pause_ = 0.0;  // of the planner's own since the last message [s]
+  double longest_pause_ = 0.0;  // of the planner itself since the last message [s]
   double pauses_ = 0.0;         // all of them [s]
   Twist2 u_h_;
 };

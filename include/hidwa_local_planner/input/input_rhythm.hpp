@@ -6,15 +6,15 @@
 namespace hidwa_local_planner::input {
 
 /// Watches whether a deflected stick keeps sending. One that sends only changes (joy_node without autorepeat)
-/// looks like a cut link whenever it is held still: the person should be told which settings suit it.
+/// looks like a cut link whenever it is held still: the operator should be told which settings suit it.
 class InputRhythm {
  public:
   /// A message arrived at `now` [s].
-  void heard(double now, bool deflected, double timeout);
+  void take(double now, bool deflected, double timeout);
   /// Nothing arrived until `now` [s]; counts a silence longer than `timeout` [s] once. timeout 0: never.
   void check(double now, double timeout);
   /// The planner itself did not listen for `pause` [s].
-  void excuse(double pause) { time_ += pause; }
+  void exclude_pause(double pause) { time_ += pause; }
   /// A sentence with the remedy; empty where nothing is to be said.
   std::string advice(double timeout) const;
   void reset() { *this = InputRhythm(); }

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "hidwa_local_planner/input/backlog_gate.hpp"
 #include "hidwa_local_planner/input/device_watch.hpp"
+#include "hidwa_local_planner/input/operator_message.hpp"
 
 namespace hidwa_local_planner::input {
-
-/// What every message has, whatever it says.
-struct Envelope {
-  std::string sender;    // empty where not known
-  std::size_t axes = 0;  // so many of them, where there are any
-  std::size_t buttons = 0;
-  double stamp = 0.0;     // [s]; 0: none
-  double received = 0.0;  // [s]
-};
 
 /// One topic's messages: who sends them, and whether the link held them back.
 class MessageStream {
@@ -29,8 +20,8 @@ class MessageStream {
     new_clock     // live, and the first since a clock was set
   };
 
-  /// Judges a message; received never decreasing; limits.late 0: none is too late.
-  Verdict judge(const Envelope& envelope, const BacklogGate::Limits& limits);
+  /// Judges a message; `received`: when it arrived, never decreasing [s]; limits.late 0: none is too late.
+  Verdict judge(const OperatorMessage& message, double received, const BacklogGate::Limits& limits);
   /// By how much the last message was later than the link was at best [s].
   double excess() const { return backlog_.excess(); }
   /// Two nodes that take turns, and a link that became slower, in words, with the remedy; else empty.

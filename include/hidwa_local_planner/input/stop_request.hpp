@@ -6,34 +6,38 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/parameters.hpp"
-#include "hidwa_local_planner/input/stick_source.hpp"
+#include "hidwa_local_planner/input/stop_reading.hpp"
 
 namespace hidwa_local_planner::input {
 
-/// Whether the person wants the robot to stop: by button, by pulling the stick back, or in words (a topic).
+/// Whether the operator stops the robot: by button, by pulling the stick back, or in words (a topic).
 ///
-/// Each sender has a stop of its own. It begins with any message that asks for it, however faulty or late the rest of
-/// it is. It ends with a message of the same sender that takes it back and is in order; silence does not end it. Where
-/// the sender died, somebody must dismiss() it.
+/// Why a stop is easy to ask for and hard to end: one message too many stops a robot that could have gone on, one too
+/// few lets a robot go on that should have stopped.
+///
+/// Each sender (a node, and the kind of device that it sends for) has a stop of its own. It begins with any message
+/// that asks for it, however faulty or late the rest of it is. It ends with a message of the same sender that takes it
+/// back and is in order; silence does not end it. Where the sender died, somebody must dismiss() it.
 ///
 /// A button counts from its first message on. A stick that is pulled back when it is first seen is one that
 /// lies on its side: it must be seen otherwise once.
 class StopRequest {
  public:
-  /// A message of `sender` arrived at `time` [s]. `in_order`: it is well-formed and not late.
-  void hear(const std::string& sender, const StopReading& reading, bool in_order, const Parameters& parameters,
-            double time);
-  void say(bool stop) { said_ = stop; }
-  /// Every sender's stop ends once its sender does not ask for it any more, which check() finds out.
+  /// A message of the node `name` with the device `device` arrived at `time` [s]. `in_order`: it is well-formed and not
+  /// late.
+  void take(const std::string& device, const std::string& name, const StopReading& reading, bool in_order,
+            const Parameters& parameters, double time);
+  /// In words: a stop for as long as it is true.
+  void request(bool stop) { requested_ = stop; }
+  /// Every sender's stop ends once its sender does not ask for it any more, which end_dismissed() finds out.
   void dismiss();
   /// Ends the stops that are dismissed and were not asked for by any message for longer than `silence` [s] until
   /// `now` [s]. Says which, in words; empty where there is none.
-  std::string check(double now, double silence);
+  std::string end_dismissed(double now, double silence);
   /// Other parameters read the sticks. A stop by pulling goes on until it is seen otherwise.
   void demand_neutral();
   /// The clock was set back to `now` [s]: stops go on.
   void set_back(double now);
-  void reset() { *this = StopRequest(); }
 
   bool requested() const;
   /// Names a sender whose stop goes on though none of its messages asked for it for longer than `silence` [s], with
@@ -42,12 +46,13 @@ class StopRequest {
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.said_, self.sources_);
+    io(self.requested_, self.senders_);
   }
 
  private:
-  struct Source {
-    std::string sender;
+  struct Sender {
+    std::string device;
+    std::string name;
     bool armed = false;  // the stick was seen not pulled
     bool button = false;
     bool pulled = false;
@@ -60,13 +65,14 @@ class StopRequest {
     bool unasked(double now, double silence) const { return stops() && now - asked_at > silence; }
     template <typename Self, typename Archive>
     static void archive(Self& self, Archive& io) {
-      io(self.sender, self.armed, self.button, self.pulled, self.dismissed, self.asked_at, self.axes, self.buttons);
+      io(self.device, self.name, self.armed, self.button, self.pulled, self.dismissed, self.asked_at, self.axes,
+         self.buttons);
     }
   };
-  Source& source_of(const std::string& sender);
+  Sender& find(const std::string& device, const std::string& name);
 
-  bool said_ = false;
-  std::vector<Source> sources_;
+  bool requested_ = false;  // in words
+  std::vector<Sender> senders_;
 };
 
 }  // namespace hidwa_local_planner::input

@@ -8,11 +8,11 @@ namespace hidwa_local_planner::input {
 /// All that the next state depends on, besides the present one.
 struct Facts {
   bool enabled = false;  // the mode is not off
-  bool stop = false;     // the person wants the robot to stop
-  bool manual = false;   // SW: the person has taken control
+  bool stop = false;     // the operator stops the robot
+  bool manual = false;   // SW: the operator has taken control
   bool lost = false;     // active input fell silent and has not come back
-  bool active = false;   // the person gives input, and it counts
-  bool blocked = false;  // refusals have held the steered robot at rest for long
+  bool active = false;   // the operator gives input, and it counts
+  bool blocked = false;  // rejections have held the steered robot at rest for long
   bool holding = false;  // a release was less than delta ago
   bool at_goal = false;  // the goal is latched: steering and holding no longer count
 };
@@ -22,7 +22,7 @@ struct Facts {
 /// told to stop stays so until it is told otherwise.
 OperatorStateId next_state(OperatorStateId present, const Facts& facts);
 
-/// The person is bending the motion: SHARED or BLOCKED.
+/// The operator is bending the motion: SHARED or BLOCKED.
 bool is_steering(OperatorStateId state);
 
 }  // namespace hidwa_local_planner::input

@@ -3,26 +3,41 @@
 
 #include <string>
 
-#include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
-#include "hidwa_local_planner/input/wish.hpp"
+#include "hidwa_local_planner/input/operator_source.hpp"
 
 namespace hidwa_local_planner::input {
 
-/// One velocity that another node made out of a person's input: a keyboard's, or a mapper's.
-struct TwistMessage {
-  Twist2 u;                 // linear.x [m/s], angular.z [rad/s]
-  double stamp = 0.0;       // header stamp [s]; 0 where there is none
-  double received = 0.0;    // when it arrived [s]
-  std::string sender = {};  // who sent it, where known
+/// One velocity that another node made of an operator's input: a keyboard's, or a mapper's.
+struct TwistMessage : OperatorMessage {
+  Twist2 u;  // linear.x [m/s], angular.z [rad/s]
 };
 
-/// The fault in words where the message cannot be used, since a part is no number or beyond 100 m/s or 100 rad/s;
-/// empty where it can.
-std::string fault_of(const TwistMessage& message);
+/// The newest velocity that was taken.
+struct TwistReading {
+  Twist2 u;  // [m/s, rad/s]
 
-/// The message itself is u_h, whatever the linear policy; but in shared control `current` leaves v to the
-/// robot's own. Active while it is not zero.
-Wish wish_of(const TwistMessage& message, const Parameters& parameters);
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.u);
+  }
+};
+
+/// A Twist is the operator command itself, whatever the linear policy; but in shared control `current` leaves v to the
+/// robot's own. Active while it is not zero. A message is faulty where a part is no number or beyond 100 m/s or
+/// 100 rad/s. It steers where there is a twist_topic, but not in mode gesture.
+class TwistSource : public SourceOf<TwistMessage, TwistReading> {
+ public:
+  SourceKind kind() const override { return {"twist", false, false}; }
+  SourceTopic topic(const Parameters& p) const override { return {"twist_topic", p.twist_topic, p.twist_topic}; }
+  bool can_steer(const Parameters& p) const override {
+    return p.mode != OperatorMode::gesture && !p.twist_topic.empty();
+  }
+  OperatorCommand command() const override;
+
+ protected:
+  std::string fault_of(const TwistMessage& message) const override;
+  SourceReading take(const TwistMessage& message, double now) override;
+};
 
 }  // namespace hidwa_local_planner::input

@@ -8,10 +8,10 @@
 
 namespace hidwa_local_planner::input {
 
-/// True while a person stops the robot or steers it. `manual`: they have taken control, whatever the state.
+/// True while an operator stops the robot or steers it. `manual`: they have taken control, whatever the state.
 bool attends(OperatorStateId state, bool manual);
 
-/// What a recovery waits for before it clears: that the robot stands, and that nobody stops or steers it. Knows no
+/// What a recovery waits for before it clears: that the robot is at rest, and that nobody stops or steers it. Knows no
 /// clock: time is an argument [s].
 class Yielding {
  public:
@@ -22,7 +22,7 @@ class Yielding {
   enum class Phase { braking, yielding, quiet, out_of_patience };
 
   explicit Yielding(const Settings& settings) : settings_(settings) {}
-  /// At `now` [s] the robot stands or does not, and somebody attends to it or not. Time that goes back counts as none.
+  /// At `now` [s] the robot is at rest or not, and somebody attends to it or not. Time that goes back counts as none.
   Phase step(double now, bool at_rest, bool attended);
 
  private:

@@ -11,18 +11,18 @@
 
 namespace hidwa_local_planner {
 
-/// What a device without the right buttons can say in words, below the planner's name: `set_mode`
+/// What a device without the right buttons can ask for in words, below the planner's name: `set_mode`
 /// (std_msgs/String), `take_control` and `stop` (std_msgs/Bool).
 class OperatorCommands {
  public:
-  /// The mode is served by the handle's callback queue, the rest by the person's own; person and reconfigure must
-  /// outlive it.
-  OperatorCommands(ros::NodeHandle handle, OperatorInput& person, Reconfigure& reconfigure);
+  /// The mode is served by the handle's callback queue, the rest by that of the operator's messages; input and
+  /// reconfigure must outlive it.
+  OperatorCommands(ros::NodeHandle handle, OperatorInput& input, Reconfigure& reconfigure);
 
  private:
   void set_mode(const std_msgs::String& message);
 
-  OperatorInput& person_;
+  OperatorInput& input_;
   Reconfigure& reconfigure_;
   ros::Subscriber set_mode_, take_control_, stop_;
 };

@@ -16,7 +16,7 @@
 
 namespace hidwa_local_planner {
 
-/// Tells the person who is in control and what the robot does of what they want: as `operator_state`, as the
+/// Tells the operator who is in control and how far the robot follows the operator command: as `operator_state`, as the
 /// latched `mode`, as markers for rviz (`operator_markers`) and by the stick's motor. Messages are built only
 /// when somebody subscribes.
 class OperatorFeedback {
@@ -53,7 +53,7 @@ class OperatorFeedback {
 /// The mode as parameters and topics call it.
 std::string name_of(OperatorMode mode);
 
-/// How strongly the stick should rumble, in [0, 1]: nothing at agreement or where the person wants nothing,
+/// How strongly the stick should rumble, in [0, 1]: nothing at agreement or without an operator command,
 /// else the more the less of it is done.
 float rumble_intensity(bool active, double agreement);
 

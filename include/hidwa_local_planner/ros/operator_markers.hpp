@@ -10,8 +10,8 @@
 namespace hidwa_local_planner {
 
 /// For rviz, in the robot's frame `base_frame`: the state in large letters, one fixed colour a state, with
-/// what refused the person's own command below it; and two arrows along the way the robot's nose would take
-/// for a while, a thin one for what the person wants and a thick one for what is executed.
+/// what rejected the operator command below it; and two arrows along the path that the robot's nose would take
+/// for a while, a thin one for the operator command and a thick one for what is executed.
 visualization_msgs::MarkerArray to_operator_markers(const OperatorState& state, const std::string& base_frame);
 
 }  // namespace hidwa_local_planner

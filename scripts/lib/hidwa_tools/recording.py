@@ -37,8 +37,9 @@ def recorded_topics(global_planner, planner=DEFAULT_PLANNER, seen=False, resolve
 
 
 def operator_topics(parameters):
-    """Topics that the planner's parameters name."""
-    return [parameters[name] for name in ('odom_topic', 'joy_topic', 'twist_topic', 'gesture_topic') if parameters.get(name)]
+    """Topics that the planner listens to by its parameters; rumble_topic is one that it sends."""
+    return [topic for name, topic in parameters.items()
+            if name.endswith('_topic') and name != 'rumble_topic' and isinstance(topic, str) and topic]
 
 
 def observed_topics(costmap):

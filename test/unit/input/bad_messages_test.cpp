@@ -145,11 +145,8 @@ TEST(BadMessages, RandomOnesOfEveryKindNeverMakeACommand) {
       ASSERT_EQ(person.machine.dropped(), dropped);
       const OperatorIntent intent = person.cycle(now);
       ASSERT_TRUE(is_finite(intent.u_h));
-      const bool by_twist = steered_by_twist(p);
-      if (!by_twist) {
+      if (!TwistSource().can_steer(p)) {
         ASSERT_LE(std::abs(intent.u_h.v), p.max_vel_x);
-      }
-      if (!by_twist) {
         ASSERT_LE(std::abs(intent.u_h.omega), p.max_vel_theta);
       }
       if (!(intent.u_h == Twist2{})) ++steered;

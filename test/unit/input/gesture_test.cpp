@@ -44,43 +44,46 @@ void steer(Person& person) {
   EXPECT_NEAR(intent.u_h.omega, 0.25, 1e-6);
 }
 
-/// The wish for a hand displaced by `moved`.
-Wish wish_of_hand(const Parameters& p, const Eigen::Vector3d& moved) {
-  GestureSource source;
-  source.set_clutch(false);
-  source.set_clutch(true);
-  EXPECT_EQ(source.take(hand_at(1.0, 4.0, -5.0, 6.0), p), "");  // the origin may be anywhere
-  HandMessage message = hand_at(1.05, 4.0, -5.0, 6.0);
-  message.position += moved;
+/// The command for a hand displaced by `moved`.
+OperatorCommand command_of_hand(const Parameters& p, const Eigen::Vector3d& moved) {
   Parameters far = p;
   far.gesture_jump = 10.0;
-  EXPECT_EQ(source.take(message, far), "");
+  GestureSource source;
+  source.configure(far, true);
+  Buttons held;
+  held.clutch = true;
+  source.take_buttons(Buttons(), 1.0);
+  source.take_buttons(held, 1.0);
+  EXPECT_EQ(source.read(hand_at(1.0, 4.0, -5.0, 6.0), 1.0).fault, "");  // the origin may be anywhere
+  HandMessage message = hand_at(1.05, 4.0, -5.0, 6.0);
+  message.position += moved;
+  EXPECT_EQ(source.read(message, 1.05).fault, "");
   EXPECT_TRUE(source.engaged());
-  return source.wish(p);
+  return source.command();
 }
 
 TEST(Gesture, DisplacementThroughTheMap) {
   const Parameters p = by_hand();
-  EXPECT_FALSE(wish_of_hand(p, {0.0, 0.0, 0.0}).active);
-  EXPECT_FALSE(wish_of_hand(p, {0.0, 0.0299, 0.0}).active);  // 0.0299 / 0.3 = 0.0997 <= 0.1
-  EXPECT_FALSE(wish_of_hand(p, {0.0, -0.0299, 0.0}).active);
-  const Wish least = wish_of_hand(p, {0.0, 0.0303, 0.0});
+  EXPECT_FALSE(command_of_hand(p, {0.0, 0.0, 0.0}).active);
+  EXPECT_FALSE(command_of_hand(p, {0.0, 0.0299, 0.0}).active);  // 0.0299 / 0.3 = 0.0997 <= 0.1
+  EXPECT_FALSE(command_of_hand(p, {0.0, -0.0299, 0.0}).active);
+  const OperatorCommand least = command_of_hand(p, {0.0, 0.0303, 0.0});
   EXPECT_TRUE(least.active);
-  EXPECT_NEAR(least.u_h.omega, 0.010201, 1e-7);                          // (0.0303 / 0.3)^2 = 0.101^2
-  EXPECT_DOUBLE_EQ(least.u_h.v, 0.5);                                    // v_max
-  EXPECT_NEAR(wish_of_hand(p, {0.0, 0.15, 0.0}).u_h.omega, 0.25, 1e-6);  // 0.5^2
-  EXPECT_NEAR(wish_of_hand(p, {0.0, -0.15, 0.0}).u_h.omega, -0.25, 1e-6);
-  EXPECT_NEAR(wish_of_hand(p, {0.0, 0.3, 0.0}).u_h.omega, 1.0, 1e-6);  // full scale
-  EXPECT_DOUBLE_EQ(wish_of_hand(p, {0.0, 0.4, 0.0}).u_h.omega, 1.0);   // and clipped
-  EXPECT_DOUBLE_EQ(wish_of_hand(p, {0.0, -5.0, 0.0}).u_h.omega, -1.0);
-  EXPECT_FALSE(wish_of_hand(p, {0.3, 0.0, -0.3}).active);  // the other axes do not count
+  EXPECT_NEAR(least.u_h.omega, 0.010201, 1e-7);                             // (0.0303 / 0.3)^2 = 0.101^2
+  EXPECT_DOUBLE_EQ(least.u_h.v, 0.5);                                       // v_max
+  EXPECT_NEAR(command_of_hand(p, {0.0, 0.15, 0.0}).u_h.omega, 0.25, 1e-6);  // 0.5^2
+  EXPECT_NEAR(command_of_hand(p, {0.0, -0.15, 0.0}).u_h.omega, -0.25, 1e-6);
+  EXPECT_NEAR(command_of_hand(p, {0.0, 0.3, 0.0}).u_h.omega, 1.0, 1e-6);  // full scale
+  EXPECT_DOUBLE_EQ(command_of_hand(p, {0.0, 0.4, 0.0}).u_h.omega, 1.0);   // and clipped
+  EXPECT_DOUBLE_EQ(command_of_hand(p, {0.0, -5.0, 0.0}).u_h.omega, -1.0);
+  EXPECT_FALSE(command_of_hand(p, {0.3, 0.0, -0.3}).active);  // the other axes do not count
 }
 
 TEST(Gesture, RangeAndMaximum) {
   Parameters p = by_hand();
   p.gesture_range = 0.6;
   p.max_vel_theta = 2.0;
-  EXPECT_NEAR(wish_of_hand(p, {0.0, 0.3, 0.0}).u_h.omega, 0.5, 1e-6);  // (0.3 / 0.6)^2 * 2
+  EXPECT_NEAR(command_of_hand(p, {0.0, 0.3, 0.0}).u_h.omega, 0.5, 1e-6);  // (0.3 / 0.6)^2 * 2
 }
 
 TEST(Gesture, EachAxisAndSign) {
@@ -92,15 +95,15 @@ TEST(Gesture, EachAxisAndSign) {
       p.gesture_axis_sign = sign;
       Eigen::Vector3d moved = Eigen::Vector3d::Zero();
       moved[i] = 0.15;
-      EXPECT_NEAR(wish_of_hand(p, moved).u_h.omega, 0.25 * sign, 1e-6);  // (0.15 / 0.3)^2
+      EXPECT_NEAR(command_of_hand(p, moved).u_h.omega, 0.25 * sign, 1e-6);  // (0.15 / 0.3)^2
       p.linear = LinearPolicy::axis;
       p.gesture_linear_axis = axes[i];
       p.gesture_linear_sign = sign;
       p.gesture_axis = axes[(i + 1) % 3];
-      const Wish wish = wish_of_hand(p, moved);
-      EXPECT_TRUE(wish.active);
-      EXPECT_NEAR(wish.u_h.v, 0.125 * sign, 1e-6);  // (0.15 / 0.3)^2 * 0.5 m/s
-      EXPECT_DOUBLE_EQ(wish.u_h.omega, 0.0);
+      const OperatorCommand command = command_of_hand(p, moved);
+      EXPECT_TRUE(command.active);
+      EXPECT_NEAR(command.u_h.v, 0.125 * sign, 1e-6);  // (0.15 / 0.3)^2 * 0.5 m/s
+      EXPECT_DOUBLE_EQ(command.u_h.omega, 0.0);
     }
   }
 }

@@ -94,7 +94,7 @@ TEST(LostLink, AHoldAfterALossEndsWhenItIsRefused) {
   Person person;
   person.steer(1.0);
   CycleFeedback refused;
-  refused.own_command_refused = true;
+  refused.operator_command_rejected = true;
   expect_intent(person.cycle(1.6, refused), State::lost, Influence::shared, 0.5, 0.0);
   expect_intent(person.cycle(1.65), State::lost, Influence::none, 0.0, 0.0);
 }
@@ -186,7 +186,7 @@ TEST(LostLink, LostFromBlocked) {
   p.blocked_time = 0.0;
   Person person(p);
   CycleFeedback refused;
-  refused.own_command_refused = true;
+  refused.operator_command_rejected = true;
   refused.at_rest = true;
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);

@@ -10,7 +10,7 @@ using State = OperatorStateId;
 
 CycleFeedback refused_at_rest() {
   CycleFeedback feedback;
-  feedback.own_command_refused = true;
+  feedback.operator_command_rejected = true;
   feedback.at_rest = true;
   return feedback;
 }
@@ -117,7 +117,7 @@ TEST(OperatorStates, HoldEndsWhenItIsRefused) {
   person.steer(1.0);
   person.stick(1.1, 0.0F);
   CycleFeedback refused;
-  refused.own_command_refused = true;
+  refused.operator_command_rejected = true;
   EXPECT_EQ(person.cycle(1.1, refused).state, State::hold);
   EXPECT_EQ(person.machine.state(), State::hold);  // that cycle was a hold
   EXPECT_EQ(person.cycle(1.15).state, State::autonomy);
@@ -131,7 +131,7 @@ TEST(OperatorStates, HoldStaysWhenRefusedWhereThePaperSaysSo) {
   person.steer(1.0);
   person.stick(1.1, 0.0F);
   CycleFeedback refused;
-  refused.own_command_refused = true;
+  refused.operator_command_rejected = true;
   person.cycle(1.1, refused);
   EXPECT_EQ(person.cycle(1.15).state, State::hold);
 }
@@ -141,7 +141,7 @@ TEST(OperatorStates, ARefusalWhileSteeringDoesNotEndTheHoldAfterIt) {
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
   CycleFeedback refused;
-  refused.own_command_refused = true;
+  refused.operator_command_rejected = true;
   EXPECT_EQ(person.cycle(1.05, refused).state, State::shared);
   person.stick(1.1, 0.0F);
   EXPECT_EQ(person.cycle(1.1).state, State::hold);

@@ -15,14 +15,14 @@ constexpr double kPeriod = 0.05;  // of cycles, messages and the listener's word
 /// Cycles, a listener and a stick, all at 20 Hz, but where one is cut.
 struct Planner : Person {
   explicit Planner(const Parameters& parameters = Parameters()) : Person(parameters) {
-    machine.listens(now);
+    machine.heartbeat(now);
     run(0.5, 0.0F);
   }
   State run(double seconds, float angular, bool sends = true, bool cycles = true) {
     const int count = static_cast<int>(seconds / kPeriod + 0.5);
     for (int i = 0; i < count; ++i) {
       now += kPeriod;
-      machine.listens(now);
+      machine.heartbeat(now);
       if (sends) stick(now, angular, 0.0F);
       if (cycles) cycle(now);
     }
@@ -36,11 +36,11 @@ TEST(Pause, IsNoSilenceWhoWakesUpFirst) {
     Planner planner;
     ASSERT_EQ(planner.run(1.0, 1.0F), State::shared);
     planner.now += 0.62;  // more than input_timeout
-    EXPECT_TRUE(planner.machine.behind(planner.now));
+    EXPECT_TRUE(planner.machine.paused_since_last_cycle(planner.now));
     if (message_first) planner.stick(planner.now, 1.0F);
-    EXPECT_TRUE(planner.machine.behind(planner.now));
+    EXPECT_TRUE(planner.machine.paused_since_last_cycle(planner.now));
     expect_intent(planner.cycle(planner.now), State::shared, Influence::shared, 0.5, 1.0);
-    EXPECT_FALSE(planner.machine.behind(planner.now));
+    EXPECT_FALSE(planner.machine.paused_since_last_cycle(planner.now));
     EXPECT_EQ(planner.run(0.5, 1.0F), State::shared);
   }
 }
@@ -148,7 +148,7 @@ TEST(Pause, OfAHandAndItsClutch) {
   double now = 100.0;
   const auto step = [&](double seconds, bool held, double y) {
     now += seconds;
-    person.machine.listens(now);
+    person.machine.heartbeat(now);
     held ? person.button(now, 0) : person.stick(now, 0.0F);
     person.hand(now, y);
     return person.cycle(now).state;

@@ -72,7 +72,7 @@ TEST(Stop, ButtonWhileBlocked) {
   p.blocked_time = 0.0;
   Person person(p);
   CycleFeedback refused;
-  refused.own_command_refused = refused.at_rest = true;
+  refused.operator_command_rejected = refused.at_rest = true;
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
   person.cycle(1.05, refused);
@@ -506,13 +506,13 @@ TEST(Stop, OfADeviceThatDiedEndsInWords) {
     expect_stopped(person.cycle(time));
   }
   EXPECT_NE(person.machine.advice().find("The stop of /joy_1 goes on"), std::string::npos) << person.machine.advice();
-  EXPECT_EQ(person.machine.take_news(), "");
+  EXPECT_EQ(person.machine.take_warnings(), "");
   person.machine.stop(false);
   EXPECT_EQ(person.cycle(5.0).state, State::autonomy);
-  EXPECT_EQ(person.machine.take_news(),
+  EXPECT_EQ(person.machine.take_warnings(),
             "The stop of /joy_1, which asked for it last 4 s ago, has ended: it was let go by the topic stop or by a "
             "change of mode.");
-  EXPECT_EQ(person.machine.take_news(), "");
+  EXPECT_EQ(person.machine.take_warnings(), "");
   EXPECT_EQ(person.machine.advice().find("/joy_1 goes on"), std::string::npos);
 }
 
@@ -535,7 +535,7 @@ TEST(Stop, OfADeviceThatDiedEndsWithTheMode) {
   person.p.mode = OperatorMode::switching;
   person.machine.configure(person.p);
   EXPECT_EQ(person.cycle(5.05).state, State::autonomy);
-  EXPECT_NE(person.machine.take_news().find("/joy"), std::string::npos);
+  EXPECT_NE(person.machine.take_warnings().find("/joy"), std::string::npos);
 }
 
 TEST(Stop, NamesWithoutNumberDoNotPileUp) {

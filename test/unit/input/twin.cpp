@@ -288,7 +288,7 @@ bool Twin::blocked(const std::vector<Cycle>& past, std::size_t event, double now
     if (history_[e].kind != Event::Kind::cycle) continue;
     for (const Cycle& cycle : past) {
       if (cycle.event != e) continue;
-      if (!steers(cycle.state) || !cycle.feedback.own_command_refused || !cycle.feedback.at_rest) return false;
+      if (!steers(cycle.state) || !cycle.feedback.operator_command_rejected || !cycle.feedback.at_rest) return false;
       if (now - cycle.time >= p_.blocked_time) return true;
     }
   }
@@ -307,7 +307,7 @@ std::optional<double> Twin::held_velocity(const std::vector<Cycle>& past, std::s
   for (std::size_t i = last; i < past.size(); ++i) {
     const std::vector<Cycle> before(past.begin(), past.begin() + static_cast<std::ptrdiff_t>(i));
     if (past[i].state == State::stopped || latched(before, past[i].event)) return std::nullopt;
-    if (p_.hold_ends_when_refused && past[i].feedback.own_command_refused) return std::nullopt;
+    if (p_.hold_ends_when_refused && past[i].feedback.operator_command_rejected) return std::nullopt;
   }
   if (latched(past, event)) return std::nullopt;
   const std::size_t newest = last_heard(begin_event).value();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "hidwa_local_planner/input/stick_reading.hpp"
 
 namespace hidwa_local_planner::input {
 

@@ -105,7 +105,7 @@ class Story {
     if (chance(0.1)) held_ = chance(0.4);
     if (chance(0.05)) latched_ = chance(0.2);
     CycleFeedback f;
-    f.own_command_refused = held_ ? !chance(0.02) : chance(0.02);
+    f.operator_command_rejected = held_ ? !chance(0.02) : chance(0.02);
     f.at_rest = held_ ? !chance(0.02) : chance(0.1);
     f.goal_latched = latched_;
     f.command = {uniform(0.0, 0.5), uniform(-1.0, 1.0)};
@@ -150,7 +150,7 @@ TEST(OperatorTwin, EveryCycleOfRandomStories) {
         continue;
       }
       if (event.kind == Event::Kind::listens) {
-        machine.listens(event.time);
+        machine.heartbeat(event.time);
         continue;
       }
       if (event.kind == Event::Kind::new_goal) {

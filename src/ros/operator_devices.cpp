@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/operator_devices.hpp"
+
+#include <utility>
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <geometry_msgs/TwistStamped.h>
+#include <ros/console.h>
+#include <ros/message_event.h>
+#include <ros/subscriber.h>
+#include <sensor_msgs/Joy.h>
+#include <topic_tools/shape_shifter.h>
+
+#include "hidwa_local_planner/input/stick_reading.hpp"
+#include "hidwa_local_planner/input/twist_source.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+/// What a device is called in the log, and the name of its source.
+struct DeviceName {
+  const char* kind;
+  std::string source;
+};
+
+/// Why a message makes no message of the device; `what` is empty where it does.
+struct Misfit {
+  std::string what;  // it is
+  std::string why;   // with the remedy
+};
+
+/// Subscribes to messages of type RosMessage and makes a Message of each.
+template <typename RosMessage, typename Message>
+class DeviceTopic : public OperatorDevice {
+ public:
+  using Convert = Misfit (*)(const RosMessage& from, Message& to);
+
+  DeviceTopic(DeviceName name, Convert convert, DeliverMessage deliver)
+      : name_(std::move(name)), convert_(convert), deliver_(std::move(deliver)) {}
+
+  const std::string& source() const override { return name_.source; }
+
+  void follow(ros::NodeHandle handle, const std::string& topic) override {
+    if (topic == topic_) return;
+    subscriber_.shutdown();
+    topic_.clear();
+    if (topic.empty()) return;
+    const boost::function<void(const Event&)> callback = [this, topic](const Event& event) { take(event, topic); };
+    // Size 1 and no delay: an old deflection must never be worked off late.
+    subscriber_ =
+        handle.subscribe<RosMessage, const Event&>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
+    topic_ = topic;
+  }
+
+ private:
+  using Event = ros::MessageEvent<const RosMessage>;
+
+  void take(const Event& event, const std::string& topic) {
+    const ros::Time now = ros::Time::now();
+    if (now.isZero()) return;  // a simulated clock that has not begun: nothing can be said about lateness
+    Message message;
+    message.sender = event.getPublisherName();
+    message.received = now.toSec();
+    const Misfit misfit = convert_(*event.getConstMessage(), message);
+    if (!misfit.what.empty()) {
+      ROS_WARN_THROTTLE(5.0, "%s carries %s from %s: %s", topic.c_str(), misfit.what.c_str(), message.sender.c_str(),
+                        misfit.why.c_str());
+      return;
+    }
+    const std::string fault = deliver_(name_.source, message);
+    if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "%s message dropped: %s", name_.kind, fault.c_str());
+  }
+
+  DeviceName name_;
+  Convert convert_;
+  DeliverMessage deliver_;
+  std::string topic_;
+  ros::Subscriber subscriber_;
+};
+
+template <typename RosMessage, typename Message>
+std::unique_ptr<OperatorDevice> device(DeviceName name, Misfit (*convert)(const RosMessage&, Message&),
+                                       const DeliverMessage& deliver) {
+  return std::make_unique<DeviceTopic<RosMessage, Message>>(std::move(name), convert, deliver);
+}
+
+Misfit to_stick(const sensor_msgs::Joy& from, input::StickMessage& to) {
+  to.axes = from.axes;
+  to.buttons.assign(from.buttons.begin(), from.buttons.end());
+  to.stamp = from.header.stamp.toSec();
+  return {};
+}
+
+// Throws where a message only claims to be of a type.
+Misfit read_twist(const topic_tools::ShapeShifter& from, input::TwistMessage& to) {
+  geometry_msgs::Twist twist;
+  if (from.getDataType() == "geometry_msgs/TwistStamped") {
+    const auto stamped = from.instantiate<geometry_msgs::TwistStamped>();
+    twist = stamped->twist;
+    to.stamp = stamped->header.stamp.toSec();
+  } else if (from.getDataType() == "geometry_msgs/Twist") {
+    twist = *from.instantiate<geometry_msgs::Twist>();
+  } else {
+    return {from.getDataType(), "geometry_msgs/Twist or TwistStamped is wanted"};
+  }
+  to.u = {twist.linear.x, twist.angular.z};
+  return {};
+}
+
+Misfit to_twist(const topic_tools::ShapeShifter& from, input::TwistMessage& to) {
+  try {
+    return read_twist(from, to);
+  } catch (const ros::Exception& error) {
+    return {"what cannot be read as " + from.getDataType(), error.what()};
+  }
+}
+
+void set_pose(input::HandMessage& hand, double x, double y, double z, const geometry_msgs::Quaternion& orientation) {
+  hand.position = {x, y, z};
+  hand.orientation = {orientation.x, orientation.y, orientation.z, orientation.w};
+}
+
+Misfit to_hand(const geometry_msgs::PoseStamped& from, input::HandMessage& to) {
+  const geometry_msgs::Point& position = from.pose.position;
+  set_pose(to, position.x, position.y, position.z, from.pose.orientation);
+  to.stamp = from.header.stamp.toSec();
+  return {};
+}
+
+}  // namespace
+
+OperatorDevices operator_devices(const DeliverMessage& deliver) {
+  OperatorDevices devices;
+  devices.push_back(device({"joystick", "stick"}, to_stick, deliver));
+  devices.push_back(device({"Twist", "twist"}, to_twist, deliver));
+  devices.push_back(device<geometry_msgs::PoseStamped, input::HandMessage>({"hand pose", "hand"}, to_hand, deliver));
+  return devices;
+}
+
+input::HandMessage to_hand(const geometry_msgs::TransformStamped& from) {
+  input::HandMessage hand;
+  const geometry_msgs::Vector3& position = from.transform.translation;
+  set_pose(hand, position.x, position.y, position.z, from.transform.rotation);
+  hand.stamp = from.header.stamp.toSec();
+  return hand;
+}
+
+}  // namespace hidwa_local_planner
