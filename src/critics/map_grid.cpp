@@ -7,7 +7,7 @@
 
 #include "core/distance/cell_index.hpp"
 
-namespace hidwa_local_planner {
+namespace hidwa_local_planner::critics {
 namespace {
 
 Pose2 nearest_pose(const std::vector<Pose2>& plan, const Pose2& robot) {
@@ -121,4 +121,4 @@ double MapGridCritic::raw_score(const GridView& grid, const Pose2& last, double 
   return centre >= 0.0 ? centre : unreached_;
 }
 
-}  // namespace hidwa_local_planner
+}  // namespace hidwa_local_planner::critics

@@ -5,7 +5,7 @@
 #include "core/distance/plan_grids.hpp"
 #include "hidwa_local_planner/core/critic.hpp"
 
-namespace hidwa_local_planner {
+namespace hidwa_local_planner::critics {
 
 /// What the four map-grid critics share: the raw score is the distance [m] of a point `forward` ahead of the last pose
 /// to the plan or the local goal; it weighs scale/2 per metre, as Nav2's resolution * scale / 2 per cell.
@@ -41,4 +41,4 @@ class MapGridCritic : public Critic {
   double unreached_ = 0.0;  // the score where there is no way [m]
 };
 
-}  // namespace hidwa_local_planner
+}  // namespace hidwa_local_planner::critics

@@ -7,6 +7,7 @@
 #include <ros/console.h>
 #include <pluginlib/class_loader.hpp>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
@@ -43,7 +44,7 @@ std::shared_ptr<Critic> make(const std::shared_ptr<PluginLoader>& plugins, const
 }  // namespace
 
 CriticRegistry registry_with_plugins() {
-  CriticRegistry registry = CriticRegistry::with_built_in();
+  CriticRegistry registry = critics::built_in();
   std::shared_ptr<PluginLoader> plugins;
   try {
     plugins = std::make_shared<PluginLoader>();

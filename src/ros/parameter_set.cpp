@@ -7,6 +7,7 @@
 #include <ros/names.h>
 #include <ros/param.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
@@ -61,7 +62,7 @@ std::unique_ptr<ParameterSource> ParameterSet::source_for(const std::string& cri
 std::string foreign_content(const ParameterSet& set) {
   using XmlRpc::XmlRpcValue;
   if (!set.content.valid() || set.content.getType() != XmlRpcValue::TypeStruct) return "";
-  const CriticRegistry own = CriticRegistry::with_built_in();
+  const CriticRegistry own = critics::built_in();
   XmlRpcValue content = set.content, foreign;
   for (const std::string& critic : split_names(set.parameters.critics)) {
     const std::string name = short_name(critic);

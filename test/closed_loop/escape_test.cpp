@@ -12,6 +12,7 @@
 
 #include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/diff_drive.hpp"
 #include "support/naive_escape.hpp"
 #include "support/naive_inflation.hpp"
@@ -87,7 +88,7 @@ class Robot {
   Scene scene_;
   NaiveBody body_;
   sim::DiffDrive drive_;
-  Planner planner_;
+  Planner planner_{critics::built_in()};
 };
 
 // What the rule forbids. A command is judged from the pose at which it was sent, and so is the braking after it: what

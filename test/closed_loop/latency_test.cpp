@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/diff_drive.hpp"
 #include "support/random.hpp"
 #include "support/scene.hpp"
@@ -87,7 +88,7 @@ class LaggingRobot {
 
   Scene scene_ = Scene::empty();
   sim::DiffDrive drive_;
-  Planner planner_;
+  Planner planner_{critics::built_in()};
 };
 
 class Latency : public ::testing::TestWithParam<Base> {};

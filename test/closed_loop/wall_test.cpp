@@ -9,6 +9,7 @@
 
 #include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/diff_drive.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
@@ -95,7 +96,7 @@ class Room {
 
   Scene scene_;
   sim::DiffDrive drive_;
-  Planner planner_;
+  Planner planner_{critics::built_in()};
 };
 
 // Now and then for some cycles.

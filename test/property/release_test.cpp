@@ -10,6 +10,7 @@
 
 #include "hidwa_local_planner/control/plan_window.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
 
 namespace hidwa_local_planner {
@@ -102,7 +103,7 @@ class Drive {
   }
 
   Parameters p_;
-  Planner planner_;
+  Planner planner_{critics::built_in()};
   input::OperatorStateMachine machine_;
   float deflection_ = 0.0F;
   std::vector<Pose2> plan_;

@@ -11,6 +11,7 @@
 #include "hidwa_local_planner/core/critic.hpp"
 #include "hidwa_local_planner/core/critic_registry.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
@@ -58,8 +59,7 @@ struct Verdict {
 /// A built-in critic in a scene.
 class CriticBench {
  public:
-  CriticBench(const std::string& name, const Scene& scene)
-      : scene_(scene), critic_(CriticRegistry::with_built_in().make(name)) {
+  CriticBench(const std::string& name, const Scene& scene) : scene_(scene), critic_(critics::built_in().make(name)) {
     weight_ = critic_->configure(scene_.parameters, none_);
   }
   double weight() const { return weight_; }

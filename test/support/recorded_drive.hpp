@@ -8,6 +8,7 @@
 
 #include "hidwa_local_planner/control/fault_brake.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "hidwa_local_planner/record/cycle_recorder.hpp"
 #include "support/random.hpp"
@@ -214,7 +215,7 @@ class RecordedDrive {
   Random random_;
   Parameters parameters_;
   Polygon outline_;
-  Planner planner_;
+  Planner planner_{critics::built_in()};
   input::OperatorStateMachine person_;
   FaultBrake brake_;
   record::CycleRecorder recorder_;

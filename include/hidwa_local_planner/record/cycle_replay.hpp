@@ -33,7 +33,7 @@ class CycleReplay {
   /// Finds other packages' critics' parameters in a Setup's `critics`.
   using SourcesOf = std::function<Planner::SourceFor(const std::string& critics)>;
 
-  explicit CycleReplay(CriticRegistry registry = CriticRegistry::with_built_in(), SourcesOf sources_of = {});
+  explicit CycleReplay(CriticRegistry registry, SourcesOf sources_of = {});
   /// In force from the next key record on.
   void change(std::vector<ParameterChange> changes) { changes_ = std::move(changes); }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/planner_bench.hpp"
 
 namespace hidwa_local_planner {
@@ -37,7 +38,7 @@ class Opinion : public Critic {
 };
 
 CriticRegistry with(const std::function<std::shared_ptr<Critic>()>& maker) {
-  CriticRegistry registry = CriticRegistry::with_built_in();
+  CriticRegistry registry = critics::built_in();
   registry.add("Opinion", maker);
   return registry;
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/recorded_drive.hpp"
 
 namespace hidwa_local_planner::record {
@@ -27,7 +28,7 @@ TEST(CycleReplay, EveryCycleOfARandomDriveIsRepeatedToTheBit) {
   std::array<int, 4> outcomes{};
   std::array<int, 7> states{};
   for (std::uint64_t seed = 0; seed < 21; ++seed) {
-    CycleReplay replay;
+    CycleReplay replay(critics::built_in());
     int at = 0;
     for (const RecordedDrive::Cycle& cycle : drive(seed)) {
       ASSERT_EQ(replay.take(cycle.record), Reading::ready) << replay.fault();
@@ -51,7 +52,7 @@ TEST(CycleReplay, EveryCycleOfARandomDriveIsRepeatedToTheBit) {
 TEST(CycleReplay, ACycleIsRepeatedAloneAndAgain) {
   const std::vector<RecordedDrive::Cycle> cycles = drive(4);
   Random random(1);
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     ASSERT_EQ(replay.take(cycles[k].record), Reading::ready);
     if (random.chance(0.7)) continue;
@@ -64,13 +65,13 @@ TEST(CycleReplay, ACycleIsRepeatedAloneAndAgain) {
 TEST(CycleReplay, TheRecordedStatesDecide) {
   int planner_matters = 0, machine_matters = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    CycleReplay replay;
+    CycleReplay replay(critics::built_in());
     for (const RecordedDrive::Cycle& cycle : drive(seed)) {
       CycleRecord record;
       ASSERT_EQ(decode(cycle.record, record), "");
       CycleRecord forgetful = record;
       if (forgetful.planned) {
-        Planner fresh;
+        Planner fresh(critics::built_in());
         fresh.configure(Parameters());
         forgetful.planned->state.clear();
         fresh.save(forgetful.planned->state);
@@ -82,7 +83,7 @@ TEST(CycleReplay, TheRecordedStatesDecide) {
       forgetful = record;
       forgetful.operator_state.clear();
       encode(forgetful, bytes);
-      CycleReplay other;
+      CycleReplay other(critics::built_in());
       if (other.take(bytes) == Reading::ready) machine_matters += other.run().identical ? 0 : 1;
     }
   }
@@ -92,7 +93,7 @@ TEST(CycleReplay, TheRecordedStatesDecide) {
 
 TEST(CycleReplay, AfterAGapItWaitsForTheNextKeyRecord) {
   const std::vector<RecordedDrive::Cycle> cycles = drive(1);
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   int waited = 0, repeated = 0;
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     if (k < 10 || k == 120) continue;  // key records are 0, 100 and 200
@@ -109,7 +110,7 @@ TEST(CycleReplay, AfterAGapItWaitsForTheNextKeyRecord) {
 TEST(CycleReplay, ADamagedRecordIsToldAndTheNextKeyRecordGoesOn) {
   std::vector<RecordedDrive::Cycle> cycles = drive(2);
   cycles[50].record.resize(40);
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     const Reading reading = replay.take(cycles[k].record);
     EXPECT_EQ(reading, k == 50 ? Reading::damaged : k > 50 && k < 100 ? Reading::waits_for_key : Reading::ready) << k;
@@ -125,7 +126,7 @@ TEST(CycleReplay, NewParametersAreInForceFromTheirCycleOn) {
   parameters.delta = 2.0;
   drive.reconfigure(parameters);
   for (RecordedDrive::Cycle& cycle : drive.run(40)) cycles.push_back(cycle);
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     ASSERT_EQ(replay.take(cycles[k].record), Reading::ready);
     EXPECT_TRUE(replay.run().identical) << k;
@@ -140,7 +141,7 @@ TEST(CycleReplay, AChangedParameterChangesCyclesAndNoneChangesNone) {
   const auto differences = [&drives](const std::vector<ParameterChange>& changes) {
     int different = 0;
     for (const std::vector<RecordedDrive::Cycle>& cycles : drives) {
-      CycleReplay replay;
+      CycleReplay replay(critics::built_in());
       replay.change(changes);
       for (const RecordedDrive::Cycle& cycle : cycles) {
         EXPECT_EQ(replay.take(cycle.record), Reading::ready) << replay.fault();
@@ -186,7 +187,7 @@ class Scale : public ParameterSource {
 };
 
 CriticRegistry with_moody() {
-  CriticRegistry registry = CriticRegistry::with_built_in();
+  CriticRegistry registry = critics::built_in();
   registry.add("Moody", [] { return std::make_shared<Moody>(); });
   return registry;
 }
@@ -226,7 +227,7 @@ TEST(CycleReplay, ACriticOfAnotherPackageRemembersAndFindsItsParameters) {
 
 TEST(CycleReplay, AChangeThatCannotBeIsTold) {
   const std::vector<RecordedDrive::Cycle> cycles = drive(1, 1);
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   replay.change({{"s_omga", "1"}, {"max_vel_x", "fast"}});
   EXPECT_EQ(replay.take(cycles[0].record), Reading::damaged);
   EXPECT_EQ(replay.fault(), "there is no parameter 's_omga', max_vel_x needs a number, not 'fast'");

@@ -7,6 +7,7 @@
 
 #include "core/planner/choice.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/record/cycle_record.hpp"
 #include "support/random_scene.hpp"
 
@@ -56,7 +57,7 @@ TEST(Thorough, WhatWasSaidOfTheCandidatesExplainsTheChoice) {
   int chosen = 0, refused_twice = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const Scene scene = random_scene(seed);
-    Planner planner;
+    Planner planner(critics::built_in());
     ASSERT_TRUE(planner.configure(scene.parameters).empty());
     planner.set_footprint(scene.outline);
     planner.set_thorough(true);
@@ -94,7 +95,7 @@ TEST(Thorough, WhatWasSaidOfTheCandidatesExplainsTheChoice) {
 
 TEST(Thorough, NothingIsHeardWhereNobodyAsked) {
   const Scene scene = Scene::empty();
-  Planner planner;
+  Planner planner(critics::built_in());
   planner.configure(scene.parameters);
   planner.set_footprint(scene.outline);
   planner.plan(scene.situation, scene.grid(), scene.intent);

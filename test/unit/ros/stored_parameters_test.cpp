@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/parameter_set.hpp"
 
@@ -56,16 +57,16 @@ TEST(ParameterSet, ForeignCriticsGoThroughXml) {
 TEST(ParameterSet, FaultsNameUnknownCriticsAndWhatThereIs) {
   ParameterSet set;
   set.parameters.critics = "PathDist, NoSuchCritic";
-  const auto faults = faults_of(set, CriticRegistry::with_built_in());
+  const auto faults = faults_of(set, critics::built_in());
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_NE(faults[0].find("NoSuchCritic"), std::string::npos);
   EXPECT_NE(faults[0].find("GoalDist"), std::string::npos);
   set.parameters.critics = "PathDist";
-  EXPECT_TRUE(faults_of(set, CriticRegistry::with_built_in()).empty());
+  EXPECT_TRUE(faults_of(set, critics::built_in()).empty());
 }
 
 TEST(ParameterSet, ACriticThatCannotBeMadeIsAFault) {
-  CriticRegistry registry = CriticRegistry::with_built_in();
+  CriticRegistry registry = critics::built_in();
   registry.add("Broken", [] { return std::shared_ptr<Critic>(); });
   ParameterSet set;
   set.parameters.critics = "PathDist, Broken";
