@@ -11,7 +11,7 @@ class GoalAlign : public MapGridCritic {
   double configure(const Parameters& parameters, const ParameterSource& own) override;
 
  protected:
-  const DistanceGrid* choose(const CycleView& cycle) override;
+  std::optional<PlanDistance> choose(const CycleView& cycle) const override;
 };
 
 double GoalAlign::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
@@ -20,8 +20,8 @@ double GoalAlign::configure(const Parameters& parameters, const ParameterSource&
   return 0.5 * parameters.GoalAlign_scale;
 }
 
-const DistanceGrid* GoalAlign::choose(const CycleView& cycle) {
-  return &cycle.grids->to_goal_ahead(forward_, cycle.pose, cycle.goal);
+std::optional<PlanDistance> GoalAlign::choose(const CycleView& /*cycle*/) const {
+  return PlanDistance::to_goal(forward_);
 }
 
 const BuiltInEntry entry("GoalAlign", make<GoalAlign>);

@@ -11,7 +11,7 @@ class GoalDist : public MapGridCritic {
   double configure(const Parameters& parameters, const ParameterSource& own) override;
 
  protected:
-  const DistanceGrid* choose(const CycleView& cycle) override;
+  std::optional<PlanDistance> choose(const CycleView& cycle) const override;
 };
 
 double GoalDist::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
@@ -19,7 +19,7 @@ double GoalDist::configure(const Parameters& parameters, const ParameterSource& 
   return 0.5 * parameters.GoalDist_scale;
 }
 
-const DistanceGrid* GoalDist::choose(const CycleView& cycle) { return &cycle.grids->to_goal(); }
+std::optional<PlanDistance> GoalDist::choose(const CycleView& /*cycle*/) const { return PlanDistance::to_goal(); }
 
 const BuiltInEntry entry("GoalDist", make<GoalDist>);
 

@@ -31,7 +31,7 @@ void trace_outline(const Footprint& footprint, double spacing, Polygon& points) 
   }
 }
 
-/// The largest cost under the footprint's outline at the last pose, or summed over all poses. Refuses candidates whose
+/// The largest cost under the footprint's outline at the last pose, or summed over all poses. Rejects candidates whose
 /// outline touches a lethal or (by policy) unknown cell or leaves the map; not where it already does and `escape` is
 /// on.
 class ObstacleFootprint : public Critic {
@@ -47,7 +47,7 @@ class ObstacleFootprint : public Critic {
   bool sum_scores_ = false;
   bool escape_ = true;
   bool unknown_is_obstacle_ = true;
-  bool refuses_ = true;
+  bool rejects_ = true;
   Polygon outline_;  // points of the outline at most half a cell apart, robot frame [m]
 };
 
@@ -61,7 +61,7 @@ double ObstacleFootprint::configure(const Parameters& parameters, const Paramete
 void ObstacleFootprint::prepare(const CycleView& cycle) {
   trace_outline(*cycle.footprint, 0.5 * cycle.grid->resolution, outline_);
   const Pose2& q = cycle.pose;
-  refuses_ = !(escape_ && outline_cost(*cycle.grid, q.x, q.y, std::cos(q.theta), std::sin(q.theta)) < 0.0);
+  rejects_ = !(escape_ && outline_cost(*cycle.grid, q.x, q.y, std::cos(q.theta), std::sin(q.theta)) < 0.0);
 }
 
 double ObstacleFootprint::outline_cost(const GridView& grid, double x, double y, double cosine, double sine) const {
@@ -78,16 +78,16 @@ double ObstacleFootprint::outline_cost(const GridView& grid, double x, double y,
 
 void ObstacleFootprint::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (scores.refused(c)) continue;
+    if (scores.rejected(c)) continue;
     double sum = 0.0;
     double last = 0.0;
     for (std::size_t k = 0; k <= tile.steps && last >= 0.0; ++k) {
       last = outline_cost(*cycle.grid, tile.x_at(k, c), tile.y_at(k, c), tile.cos_heading[k], tile.sin_heading[k]);
-      if (last < 0.0 && !refuses_) last = cost::kLethal;
+      if (last < 0.0 && !rejects_) last = cost::kLethal;
       sum += last;
     }
     if (last < 0.0) {
-      scores.refuse(c, "outline hits an obstacle");
+      scores.reject(c, "outline hits an obstacle");
     } else {
       scores.set(c, sum_scores_ ? sum : last);
     }

@@ -9,7 +9,7 @@ namespace {
 
 /// Ends driving or turning back and forth: after a commanded change of sign only the new direction is legal, until the
 /// robot has moved, turned or waited enough. Turning counts only while the robot hardly drives. Scores 0. While the
-/// person steers it does not refuse, unless `oscillation_while_steering`; where the person decides it never does.
+/// person steers it rejects only with `oscillation_while_steering`; where the person decides it rejects nothing.
 class Oscillation : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;
@@ -65,8 +65,8 @@ void Oscillation::prepare(const CycleView& cycle) {
 void Oscillation::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
   if (silent_ || (x_.only == 0 && theta_.only == 0)) return;
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (!scores.refused(c) && (x_.bans(tile.v[c]) || theta_.bans(tile.omega))) {
-      scores.refuse(c, "goes back and forth");
+    if (!scores.rejected(c) && (x_.bans(tile.v[c]) || theta_.bans(tile.omega))) {
+      scores.reject(c, "goes back and forth");
     }
   }
 }

@@ -12,7 +12,7 @@ class PathAlign : public MapGridCritic {
   double configure(const Parameters& parameters, const ParameterSource& own) override;
 
  protected:
-  const DistanceGrid* choose(const CycleView& cycle) override;
+  std::optional<PlanDistance> choose(const CycleView& cycle) const override;
 };
 
 double PathAlign::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
@@ -21,10 +21,10 @@ double PathAlign::configure(const Parameters& parameters, const ParameterSource&
   return 0.5 * parameters.PathAlign_scale;
 }
 
-const DistanceGrid* PathAlign::choose(const CycleView& cycle) {
+std::optional<PlanDistance> PathAlign::choose(const CycleView& cycle) const {
   // At the goal the nose lies beyond the path's end: it would push the robot back.
-  if (distance(cycle.pose, cycle.goal) <= forward_) return nullptr;
-  return &cycle.grids->to_path();
+  if (distance(cycle.pose, cycle.goal) <= forward_) return std::nullopt;
+  return PlanDistance::to_path();
 }
 
 const BuiltInEntry entry("PathAlign", make<PathAlign>);

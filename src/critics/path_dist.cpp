@@ -11,7 +11,7 @@ class PathDist : public MapGridCritic {
   double configure(const Parameters& parameters, const ParameterSource& own) override;
 
  protected:
-  const DistanceGrid* choose(const CycleView& cycle) override;
+  std::optional<PlanDistance> choose(const CycleView& cycle) const override;
 };
 
 double PathDist::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
@@ -19,7 +19,7 @@ double PathDist::configure(const Parameters& parameters, const ParameterSource& 
   return 0.5 * parameters.PathDist_scale;
 }
 
-const DistanceGrid* PathDist::choose(const CycleView& cycle) { return &cycle.grids->to_path(); }
+std::optional<PlanDistance> PathDist::choose(const CycleView& /*cycle*/) const { return PlanDistance::to_path(); }
 
 const BuiltInEntry entry("PathDist", make<PathDist>);
 

@@ -12,9 +12,9 @@ namespace {
 constexpr double kStill = 1e-5;
 
 /// Turns the robot to the goal's heading once it is there. Outside the position tolerance it scores 0. Inside, latched
-/// until a new goal: while still driving it refuses what does not slow down and scores speed^2 * slowing_factor plus
-/// the heading error; once stopped, also latched, it refuses driving and scores the heading error [rad]. While the
-/// person steers it scores likewise and refuses nothing.
+/// until a new goal: while still driving it rejects what does not slow down and scores speed^2 * slowing_factor plus
+/// the heading error; once stopped, also latched, it rejects driving and scores the heading error [rad]. While the
+/// person steers it scores likewise and rejects nothing.
 class RotateToGoal : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;
@@ -33,7 +33,7 @@ class RotateToGoal : public Critic {
   double lookahead_time_ = -1.0;         // [s]; negative: the end of the rollout
   bool in_window_ = false;
   bool rotating_ = false;
-  bool refuses_ = true;
+  bool rejects_ = true;
   double speed2_ = 0.0;  // squared current speed [m^2/s^2]
 };
 
@@ -49,7 +49,7 @@ void RotateToGoal::prepare(const CycleView& cycle) {
   if (distance(cycle.pose, cycle.goal) <= xy_goal_tolerance_) in_window_ = true;
   if (in_window_ && std::abs(cycle.velocity.v) <= trans_stopped_velocity_) rotating_ = true;
   speed2_ = cycle.velocity.v * cycle.velocity.v;
-  refuses_ = !cycle.steered;
+  rejects_ = !cycle.steered;
 }
 
 double RotateToGoal::heading_error(const Tile& tile, double goal_heading) const {
@@ -66,12 +66,12 @@ void RotateToGoal::score(const CycleView& cycle, const Tile& tile, TileScores& s
   if (!in_window_) return;
   const double error = heading_error(tile, cycle.goal.theta);
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (scores.refused(c)) continue;
+    if (scores.rejected(c)) continue;
     const double speed2 = tile.v[c] * tile.v[c];
-    if (refuses_ && rotating_ && std::abs(tile.v[c]) > kStill) {
-      scores.refuse(c, "drives on although the goal's position is reached");
-    } else if (refuses_ && !rotating_ && speed2 >= speed2_) {
-      scores.refuse(c, "does not slow down at the goal");
+    if (rejects_ && rotating_ && std::abs(tile.v[c]) > kStill) {
+      scores.reject(c, "drives on although the goal's position is reached");
+    } else if (rejects_ && !rotating_ && speed2 >= speed2_) {
+      scores.reject(c, "does not slow down at the goal");
     } else {
       scores.set(c, rotating_ ? error : speed2 * slowing_factor_ + error);
     }

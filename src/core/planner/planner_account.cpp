@@ -65,6 +65,7 @@ void Planner::Impl::hear_everybody(const CycleView& cycle) {
   for (std::size_t t = 0; t < rollout.tile_count(); ++t) {
     Tile tile = rollout.tile(t);
     classes.classify(tile);
+    surroundings.begin(tile);
     std::vector<const char*> collides(tile.count, nullptr);
     admissibility.check_rollouts(tile, collides.data());
     for (std::size_t c = 0; c < tile.count; ++c) {

@@ -12,7 +12,6 @@
 #include "core/collision/cell_classes.hpp"
 #include "core/collision/collision.hpp"
 #include "core/collision/escape.hpp"
-#include "core/distance/end_cells.hpp"
 #include "core/distance/plan_grids.hpp"
 #include "core/motion/command_history.hpp"
 #include "core/motion/odometry_belief.hpp"
@@ -21,6 +20,7 @@
 #include "core/motion/velocity_limits.hpp"
 #include "core/planner/choice.hpp"
 #include "core/planner/sum_kernel.hpp"
+#include "core/planner/tile_surroundings.hpp"
 #include "core/planner/way_out.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/util/lasting.hpp"
@@ -85,7 +85,7 @@ struct Planner::Impl {
   Rollout rollout;
   CollisionChecker collision;
   CellClasses classes;
-  EndCells ends;  // of the tile that is being scored
+  TileSurroundings surroundings;
   EscapeRule escape;
   AdmissibilityCheck admissibility;
   PlanGrids grids;

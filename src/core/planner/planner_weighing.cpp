@@ -21,6 +21,15 @@ double lowest_of(const double* values, std::size_t count) {
   return std::min(std::min(lowest[0], lowest[1]), std::min(lowest[2], lowest[3]));
 }
 
+// How far beyond the end of a candidate a critic looks at most [m].
+double farthest_look(const std::vector<NamedCritic>& critics) {
+  double farthest = 0.0;
+  for (const NamedCritic& named : critics) {
+    if (named.weight != 0.0) farthest = std::max(farthest, named.critic->reach());
+  }
+  return farthest;
+}
+
 }  // namespace
 
 // Makes, checks and scores all candidates.
@@ -31,8 +40,8 @@ CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid,
   make_candidates(situation, sampling);
   prepare_checks(situation, grid);
   grids.prepare(grid, situation.plan, parameters.map_grid, parameters.unknown_is_obstacle);
-  grids.expect(situation.pose, reach + std::max(parameters.PathAlign_forward_point_distance,
-                                                parameters.GoalAlign_forward_point_distance));
+  grids.expect(situation.pose, reach + farthest_look(critics));
+  surroundings.prepare({&grid, &grids, &collision, situation.pose, situation.goal});
   CycleView cycle;
   cycle.pose = situation.pose;
   cycle.velocity = decision.velocity;
@@ -44,7 +53,7 @@ CycleView Planner::Impl::weigh(const Situation& situation, const GridView& grid,
   cycle.plan = &situation.plan;
   cycle.grid = &grid;
   cycle.footprint = &footprint;
-  cycle.grids = &grids;
+  cycle.surroundings = &surroundings;
   if (!grids.on_map() && !steered) return cycle;
   for (NamedCritic& named : critics) {
     if (named.weight != 0.0) named.critic->prepare(cycle);
@@ -109,8 +118,7 @@ void Planner::Impl::prepare_checks(const Situation& situation, const GridView& g
 void Planner::Impl::score_tile(const CycleView& cycle, std::size_t t, bool check) {
   Tile tile = rollout.tile(t);
   classes.classify(tile);
-  ends.forget();
-  tile.ends = &ends;
+  surroundings.begin(tile);
   std::fill_n(refused_by.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, kLegal);
   std::fill_n(reasons.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, nullptr);
   check_cells(tile, checks[t]);
@@ -132,7 +140,7 @@ void Planner::Impl::ask_critics(const CycleView& cycle, const Tile& tile) {
     } else {
       std::fill_n(own, tile.count, 0.0);
     }
-    if (!scores.any_refused()) continue;
+    if (!scores.any_rejected()) continue;
     for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
       if (reasons[c] != nullptr && refused_by[c] == kLegal) refused_by[c] = static_cast<std::uint8_t>(kFirstCritic + i);
     }

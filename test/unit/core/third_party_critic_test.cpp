@@ -25,7 +25,7 @@ class Opinion : public Critic {
   void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
     for (std::size_t c = 0; c < tile.count; ++c) {
       if (refuses_all_ || (refuses_left_ && tile.omega > 0.0)) {
-        scores.refuse(c, "in my opinion");
+        scores.reject(c, "in my opinion");
       } else {
         scores.set(c, value_);
       }

@@ -24,7 +24,7 @@ class TurnLimit : public hidwa_local_planner::Critic {
   void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
     for (std::size_t c = 0; c < scores.count(); ++c) {
       if (std::abs(tile.omega) > limit_) {
-        scores.refuse(c, "turns too fast");
+        scores.reject(c, "turns too fast");
       } else {
         scores.set(c, std::abs(tile.omega));
       }
