@@ -117,7 +117,7 @@ TEST(Authority, NoneIsAutonomyThroughoutADrive) {
   Scene steered = scene;
   steered.parameters.authority = 0.0;
   steered.steer({0.5, -1.0});
-  Planner alone, with_person;
+  Planner alone(critics::built_in()), with_person(critics::built_in());
   ASSERT_TRUE(alone.configure(scene.parameters).empty());
   ASSERT_TRUE(with_person.configure(steered.parameters).empty());
   alone.set_footprint(scene.outline);

@@ -39,7 +39,7 @@ int cheapest(const std::vector<CandidateVerdict>& candidates, const Parameters& 
 TEST(Thorough, TheDecisionIsTheSameToTheBit) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const Scene scene = random_scene(seed);
-    Planner brief, thorough;
+    Planner brief(critics::built_in()), thorough(critics::built_in());
     for (Planner* planner : {&brief, &thorough}) {
       ASSERT_TRUE(planner->configure(scene.parameters).empty());
       planner->set_footprint(scene.outline);
