@@ -82,12 +82,8 @@ class CriticBench {
   void debrief(const Twist2& command) { critic_->debrief(filler_.view(), command); }
 
  private:
-  struct NoParameters : ParameterSource {
-    double number(const std::string& /*key*/, double fallback) const override { return fallback; }
-    bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
-  };
   Scene scene_;
-  NoParameters none_;
+  ParameterSource none_;
   std::shared_ptr<Critic> critic_;
   double weight_ = 0.0;
   TileFiller filler_;

@@ -8,7 +8,8 @@ namespace hidwa_local_planner {
 struct Tile;
 class TileScores;
 
-/// What a distance is measured to: around obstacles, or as Nav2's map grids measure it, as the parameter `map_grid` says.
+/// What a distance is measured to: around obstacles, or as Nav2's map grids measure it, as the parameter `map_grid`
+/// says.
 struct PlanDistance {
   enum class To { path, goal };
   To to = To::path;

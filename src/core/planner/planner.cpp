@@ -38,13 +38,6 @@ double usable_period(const Situation& s) { return s.period > 0.0 ? s.period : Si
 // An old pose is led on in steps of so much [m].
 constexpr double kAdvanceSpacing = 0.01;
 
-// Parameters of critics of other packages where nobody supplies any: the fallbacks.
-class NoParameters : public ParameterSource {
- public:
-  double number(const std::string& /*key*/, double fallback) const override { return fallback; }
-  bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
-};
-
 }  // namespace
 
 const char* to_string(Outcome outcome) {
@@ -96,10 +89,12 @@ std::vector<std::string> Planner::configure(const Parameters& parameters, const 
     named.critic = kept != impl_->critics.end() && !twice ? kept->critic : impl_->registry.make(name);
     if (!named.critic) return {"critics: " + name + " is known but could not be made: look at its package's library"};
     if (source_for) named.source = source_for(name);
-    if (!named.source) named.source = std::make_unique<NoParameters>();
+    if (!named.source) named.source = std::make_unique<ParameterSource>();
     named.weight = named.critic->configure(parameters, *named.source);
+    for (const std::string& fault : named.source->faults()) faults.push_back(fault);
     critics.push_back(std::move(named));
   }
+  if (!faults.empty()) return faults;
   impl_->critics = std::move(critics);
   impl_->raw.resize(impl_->critics.size());
   impl_->make_room_for_words();

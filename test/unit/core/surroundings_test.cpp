@@ -67,25 +67,25 @@ TEST(Surroundings, DistancesAreThoseThatTheMapGridCriticsScore) {
     scene.parameters.PathAlign_forward_point_distance = 0.2;
     scene.parameters.GoalAlign_forward_point_distance = 0.3;
     std::map<std::size_t, std::map<std::string, double>> found;  // of a candidate
-    const auto records = ask(
-        scene, "PathDist, GoalDist, PathAlign, GoalAlign",
-        [&found](const CycleView& cycle, const Tile& tile, TileScores& scores) {
-          if (!cycle.plan_on_map()) return;
-          std::vector<double> distances(tile.count);
-          const auto note = [&](const char* name, const PlanDistance& to, double forward) {
-            const bool all = tile.distances(to, forward, scores, distances.data());
-            bool none_negative = true;
-            for (std::size_t c = 0; c < tile.count; ++c) {
-              none_negative = none_negative && distances[c] >= 0.0;
-              if (!scores.rejected(c) && distances[c] >= 0.0) found[tile.first + c][name] = distances[c];
-            }
-            EXPECT_EQ(all, none_negative);
-          };
-          note("PathDist", PlanDistance::to_path(), 0.0);
-          note("GoalDist", PlanDistance::to_goal(), 0.0);
-          note("PathAlign", PlanDistance::to_path(), 0.2);
-          note("GoalAlign", PlanDistance::to_goal(0.3), 0.3);
-        });
+    const auto records = ask(scene, "PathDist, GoalDist, PathAlign, GoalAlign",
+                             [&found](const CycleView& cycle, const Tile& tile, TileScores& scores) {
+                               if (!cycle.plan_on_map()) return;
+                               std::vector<double> distances(tile.count);
+                               const auto note = [&](const char* name, const PlanDistance& to, double forward) {
+                                 const bool all = tile.distances(to, forward, scores, distances.data());
+                                 bool none_negative = true;
+                                 for (std::size_t c = 0; c < tile.count; ++c) {
+                                   none_negative = none_negative && distances[c] >= 0.0;
+                                   if (!scores.rejected(c) && distances[c] >= 0.0)
+                                     found[tile.first + c][name] = distances[c];
+                                 }
+                                 EXPECT_EQ(all, none_negative);
+                               };
+                               note("PathDist", PlanDistance::to_path(), 0.0);
+                               note("GoalDist", PlanDistance::to_goal(), 0.0);
+                               note("PathAlign", PlanDistance::to_path(), 0.2);
+                               note("GoalAlign", PlanDistance::to_goal(0.3), 0.3);
+                             });
     for (const auto& [candidate, by_name] : found) {
       const CandidateRecord& record = records[candidate];
       if (!record.refused_by.empty()) continue;

@@ -180,7 +180,6 @@ class Scale : public ParameterSource {
  public:
   explicit Scale(double scale) : scale_(scale) {}
   double number(const std::string& key, double fallback) const override { return key == "scale" ? scale_ : fallback; }
-  bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
 
  private:
   double scale_;

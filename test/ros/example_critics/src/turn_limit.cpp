@@ -13,7 +13,7 @@ using hidwa_local_planner::ParameterSource;
 using hidwa_local_planner::Tile;
 using hidwa_local_planner::TileScores;
 
-/// Refuses turns faster than `limit` [rad/s], and makes the others cost `scale` x |omega|.
+/// Rejects turns faster than `limit` [rad/s], and makes the others cost `scale` x |omega|.
 class TurnLimit : public hidwa_local_planner::Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override {
