@@ -1,16 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "critics/goal_align.hpp"
+#include "critics/built_in_entry.hpp"
+#include "critics/map_grid.hpp"
 
-namespace hidwa_local_planner {
+namespace hidwa_local_planner::critics {
+namespace {
 
-double GoalAlignCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+/// How far a candidate's nose ends from the local goal, moved ahead by the nose's length towards the final goal.
+class GoalAlign : public MapGridCritic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+
+ protected:
+  std::optional<PlanDistance> choose(const CycleView& cycle) const override;
+};
+
+double GoalAlign::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   distance_ = parameters.map_grid;
   forward_ = parameters.GoalAlign_forward_point_distance;
   return 0.5 * parameters.GoalAlign_scale;
 }
 
-const DistanceGrid* GoalAlignCritic::choose(const CycleView& cycle) {
-  return &cycle.grids->to_goal_ahead(forward_, cycle.pose, cycle.goal);
+std::optional<PlanDistance> GoalAlign::choose(const CycleView& /*cycle*/) const {
+  return PlanDistance::to_goal(forward_);
 }
 
-}  // namespace hidwa_local_planner
+const BuiltInEntry entry("GoalAlign", make<GoalAlign>);
+
+}  // namespace
+}  // namespace hidwa_local_planner::critics

@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "critics/goal_dist.hpp"
+#include "critics/built_in_entry.hpp"
+#include "critics/map_grid.hpp"
 
-namespace hidwa_local_planner {
+namespace hidwa_local_planner::critics {
+namespace {
 
-double GoalDistCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+/// How far from the local goal, the last pose of the plan's window, a candidate ends.
+class GoalDist : public MapGridCritic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+
+ protected:
+  std::optional<PlanDistance> choose(const CycleView& cycle) const override;
+};
+
+double GoalDist::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   distance_ = parameters.map_grid;
   return 0.5 * parameters.GoalDist_scale;
 }
 
-const DistanceGrid* GoalDistCritic::choose(const CycleView& cycle) { return &cycle.grids->to_goal(); }
+std::optional<PlanDistance> GoalDist::choose(const CycleView& /*cycle*/) const { return PlanDistance::to_goal(); }
 
-}  // namespace hidwa_local_planner
+const BuiltInEntry entry("GoalDist", make<GoalDist>);
+
+}  // namespace
+}  // namespace hidwa_local_planner::critics

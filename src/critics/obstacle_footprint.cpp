@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "critics/obstacle_footprint.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-namespace hidwa_local_planner {
+#include "critics/built_in_entry.hpp"
+#include "hidwa_local_planner/core/critic.hpp"
+#include "hidwa_local_planner/core/footprint.hpp"
+
+namespace hidwa_local_planner::critics {
 namespace {
 
 void append_side(const Point& a, const Point& b, double spacing, Polygon& points) {
@@ -29,23 +31,40 @@ void trace_outline(const Footprint& footprint, double spacing, Polygon& points) 
   }
 }
 
-}  // namespace
+/// The largest cost under the footprint's outline at the last pose, or summed over all poses. Rejects candidates whose
+/// outline touches a lethal or (by policy) unknown cell or leaves the map; not where it already does and `escape` is
+/// on.
+class ObstacleFootprint : public Critic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+  void prepare(const CycleView& cycle) override;
+  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
 
-double ObstacleFootprintCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+ private:
+  /// The largest cost under the outline at a pose; negative where it touches an obstacle.
+  double outline_cost(const GridView& grid, double x, double y, double cosine, double sine) const;
+
+  bool sum_scores_ = false;
+  bool escape_ = true;
+  bool unknown_is_obstacle_ = true;
+  bool rejects_ = true;
+  Polygon outline_;  // points of the outline at most half a cell apart, robot frame [m]
+};
+
+double ObstacleFootprint::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   sum_scores_ = parameters.ObstacleFootprint_sum_scores;
   escape_ = parameters.escape;
   unknown_is_obstacle_ = parameters.unknown_is_obstacle;
   return parameters.ObstacleFootprint_scale;
 }
 
-void ObstacleFootprintCritic::prepare(const CycleView& cycle) {
+void ObstacleFootprint::prepare(const CycleView& cycle) {
   trace_outline(*cycle.footprint, 0.5 * cycle.grid->resolution, outline_);
   const Pose2& q = cycle.pose;
-  refuses_ = !(escape_ && outline_cost(*cycle.grid, q.x, q.y, std::cos(q.theta), std::sin(q.theta)) < 0.0);
+  rejects_ = !(escape_ && outline_cost(*cycle.grid, q.x, q.y, std::cos(q.theta), std::sin(q.theta)) < 0.0);
 }
 
-double ObstacleFootprintCritic::outline_cost(const GridView& grid, double x, double y, double cosine,
-                                             double sine) const {
+double ObstacleFootprint::outline_cost(const GridView& grid, double x, double y, double cosine, double sine) const {
   std::uint8_t largest = cost::kFree;
   for (const Point& p : outline_) {
     const Cell cell = grid.cell_at(x + cosine * p.x() - sine * p.y(), y + sine * p.x() + cosine * p.y());
@@ -57,22 +76,25 @@ double ObstacleFootprintCritic::outline_cost(const GridView& grid, double x, dou
   return largest;
 }
 
-void ObstacleFootprintCritic::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
+void ObstacleFootprint::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (scores.refused(c)) continue;
+    if (scores.rejected(c)) continue;
     double sum = 0.0;
     double last = 0.0;
     for (std::size_t k = 0; k <= tile.steps && last >= 0.0; ++k) {
       last = outline_cost(*cycle.grid, tile.x_at(k, c), tile.y_at(k, c), tile.cos_heading[k], tile.sin_heading[k]);
-      if (last < 0.0 && !refuses_) last = cost::kLethal;
+      if (last < 0.0 && !rejects_) last = cost::kLethal;
       sum += last;
     }
     if (last < 0.0) {
-      scores.refuse(c, "outline hits an obstacle");
+      scores.reject(c, "outline hits an obstacle");
     } else {
       scores.set(c, sum_scores_ ? sum : last);
     }
   }
 }
 
-}  // namespace hidwa_local_planner
+const BuiltInEntry entry("ObstacleFootprint", make<ObstacleFootprint>);
+
+}  // namespace
+}  // namespace hidwa_local_planner::critics

@@ -1,11 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "critics/oscillation.hpp"
-
 #include <cmath>
 
-namespace hidwa_local_planner {
+#include "critics/built_in_entry.hpp"
+#include "hidwa_local_planner/core/critic.hpp"
 
-double OscillationCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+namespace hidwa_local_planner::critics {
+namespace {
+
+/// Ends driving or turning back and forth: after a commanded change of sign only the new direction is legal, until the
+/// robot has moved, turned or waited enough. Turning counts only while the robot hardly drives. Scores 0. While the
+/// person steers it rejects only with `oscillation_while_steering`; where the person decides it rejects nothing.
+class Oscillation : public Critic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+  void prepare(const CycleView& cycle) override;
+  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
+  void debrief(const CycleView& cycle, const Twist2& command) override;
+  void reset() override;
+  void save(ArchiveWriter& state) const override { archive(*this, state); }
+  void load(ArchiveReader& state) override { archive(*this, state); }
+
+ private:
+  /// What one axis may do: 0 both directions, +1 only positive, -1 only negative.
+  struct Axis {
+    int last_sign = 0;
+    int only = 0;
+    bool note(double velocity);  // true when the sign changed
+    bool bans(double velocity) const { return velocity * only < 0.0; }
+    template <typename Self, typename Archive>
+    static void archive(Self& self, Archive& io) {
+      io(self.last_sign, self.only);
+    }
+  };
+  bool may_forget(const CycleView& cycle) const;
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.x_, self.theta_, self.since_pose_, self.since_time_);
+  }
+
+  double x_only_threshold_ = 0.05;  // [m/s]
+  double reset_dist_ = 0.05;        // [m]
+  double reset_angle_ = 0.2;        // [rad]
+  double reset_time_ = -1.0;        // [s]; negative: never
+  bool while_steering_ = false;
+  bool silent_ = false;
+  Axis x_, theta_;
+  Pose2 since_pose_;
+  double since_time_ = 0.0;  // [s]
+};
+
+double Oscillation::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   x_only_threshold_ = parameters.Oscillation_x_only_threshold;
   reset_dist_ = parameters.Oscillation_reset_dist;
   reset_angle_ = parameters.Oscillation_reset_angle;
@@ -14,20 +58,20 @@ double OscillationCritic::configure(const Parameters& parameters, const Paramete
   return parameters.Oscillation_scale;
 }
 
-void OscillationCritic::prepare(const CycleView& cycle) {
+void Oscillation::prepare(const CycleView& cycle) {
   silent_ = cycle.person_decides || (cycle.steered && !while_steering_);
 }
 
-void OscillationCritic::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
+void Oscillation::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
   if (silent_ || (x_.only == 0 && theta_.only == 0)) return;
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (!scores.refused(c) && (x_.bans(tile.v[c]) || theta_.bans(tile.omega))) {
-      scores.refuse(c, "goes back and forth");
+    if (!scores.rejected(c) && (x_.bans(tile.v[c]) || theta_.bans(tile.omega))) {
+      scores.reject(c, "goes back and forth");
     }
   }
 }
 
-bool OscillationCritic::Axis::note(double velocity) {
+bool Oscillation::Axis::note(double velocity) {
   const int sign = velocity > 0.0 ? 1 : velocity < 0.0 ? -1 : 0;
   const bool changed = sign != 0 && last_sign != 0 && sign != last_sign;
   if (changed) only = sign;
@@ -35,7 +79,7 @@ bool OscillationCritic::Axis::note(double velocity) {
   return changed;
 }
 
-void OscillationCritic::debrief(const CycleView& cycle, const Twist2& command) {
+void Oscillation::debrief(const CycleView& cycle, const Twist2& command) {
   bool changed = x_.note(command.v);
   if (std::abs(command.v) <= x_only_threshold_ && theta_.note(command.omega)) changed = true;
   if (changed) {
@@ -45,12 +89,15 @@ void OscillationCritic::debrief(const CycleView& cycle, const Twist2& command) {
   if ((x_.only != 0 || theta_.only != 0) && may_forget(cycle)) reset();
 }
 
-bool OscillationCritic::may_forget(const CycleView& cycle) const {
+bool Oscillation::may_forget(const CycleView& cycle) const {
   if (reset_dist_ > 0.0 && distance(cycle.pose, since_pose_) > reset_dist_) return true;
   if (reset_angle_ > 0.0 && std::abs(wrap_angle(cycle.pose.theta - since_pose_.theta)) > reset_angle_) return true;
   return reset_time_ >= 0.0 && cycle.time - since_time_ > reset_time_;
 }
 
-void OscillationCritic::reset() { x_ = theta_ = Axis{}; }
+void Oscillation::reset() { x_ = theta_ = Axis{}; }
 
-}  // namespace hidwa_local_planner
+const BuiltInEntry entry("Oscillation", make<Oscillation>);
+
+}  // namespace
+}  // namespace hidwa_local_planner::critics

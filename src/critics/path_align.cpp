@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "critics/path_align.hpp"
+#include "critics/built_in_entry.hpp"
+#include "critics/map_grid.hpp"
 
-namespace hidwa_local_planner {
+namespace hidwa_local_planner::critics {
+namespace {
 
-double PathAlignCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+/// How far from the plan a candidate's nose ends: it aligns the robot with the plan. Off within the nose's length of
+/// the final goal.
+class PathAlign : public MapGridCritic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+
+ protected:
+  std::optional<PlanDistance> choose(const CycleView& cycle) const override;
+};
+
+double PathAlign::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   distance_ = parameters.map_grid;
   forward_ = parameters.PathAlign_forward_point_distance;
   return 0.5 * parameters.PathAlign_scale;
 }
 
-const DistanceGrid* PathAlignCritic::choose(const CycleView& cycle) {
+std::optional<PlanDistance> PathAlign::choose(const CycleView& cycle) const {
   // At the goal the nose lies beyond the path's end: it would push the robot back.
-  if (distance(cycle.pose, cycle.goal) <= forward_) return nullptr;
-  return &cycle.grids->to_path();
+  if (distance(cycle.pose, cycle.goal) <= forward_) return std::nullopt;
+  return PlanDistance::to_path();
 }
 
-}  // namespace hidwa_local_planner
+const BuiltInEntry entry("PathAlign", make<PathAlign>);
+
+}  // namespace
+}  // namespace hidwa_local_planner::critics

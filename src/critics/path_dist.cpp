@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "critics/path_dist.hpp"
+#include "critics/built_in_entry.hpp"
+#include "critics/map_grid.hpp"
 
-namespace hidwa_local_planner {
+namespace hidwa_local_planner::critics {
+namespace {
 
-double PathDistCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+/// How far from the plan a candidate ends.
+class PathDist : public MapGridCritic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+
+ protected:
+  std::optional<PlanDistance> choose(const CycleView& cycle) const override;
+};
+
+double PathDist::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   distance_ = parameters.map_grid;
   return 0.5 * parameters.PathDist_scale;
 }
 
-const DistanceGrid* PathDistCritic::choose(const CycleView& cycle) { return &cycle.grids->to_path(); }
+std::optional<PlanDistance> PathDist::choose(const CycleView& /*cycle*/) const { return PlanDistance::to_path(); }
 
-}  // namespace hidwa_local_planner
+const BuiltInEntry entry("PathDist", make<PathDist>);
+
+}  // namespace
+}  // namespace hidwa_local_planner::critics

@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "critics/prefer_forward.hpp"
-
 #include <cmath>
 
-namespace hidwa_local_planner {
+#include "critics/built_in_entry.hpp"
+#include "hidwa_local_planner/core/critic.hpp"
 
-double PreferForwardCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+namespace hidwa_local_planner::critics {
+namespace {
+
+/// Penalises driving backwards and creeping (neither driving nor turning faster than the strafe thresholds); all other
+/// candidates cost |omega| * theta_scale.
+class PreferForward : public Critic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
+
+ private:
+  double penalty_ = 1.0;
+  double strafe_x_ = 0.1;      // [m/s]
+  double strafe_theta_ = 0.2;  // [rad/s]
+  double theta_scale_ = 10.0;  // [s/rad]
+};
+
+double PreferForward::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   penalty_ = parameters.PreferForward_penalty;
   strafe_x_ = parameters.PreferForward_strafe_x;
   strafe_theta_ = parameters.PreferForward_strafe_theta;
@@ -13,7 +29,7 @@ double PreferForwardCritic::configure(const Parameters& parameters, const Parame
   return parameters.PreferForward_scale;
 }
 
-void PreferForwardCritic::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
+void PreferForward::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
   const double turn = std::abs(tile.omega);
   for (std::size_t c = 0; c < tile.count; ++c) {
     const bool creeps = tile.v[c] < strafe_x_ && turn < strafe_theta_;
@@ -21,4 +37,7 @@ void PreferForwardCritic::score(const CycleView& /*cycle*/, const Tile& tile, Ti
   }
 }
 
-}  // namespace hidwa_local_planner
+const BuiltInEntry entry("PreferForward", make<PreferForward>);
+
+}  // namespace
+}  // namespace hidwa_local_planner::critics

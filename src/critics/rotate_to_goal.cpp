@@ -1,18 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "critics/rotate_to_goal.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-namespace hidwa_local_planner {
+#include "critics/built_in_entry.hpp"
+#include "hidwa_local_planner/core/critic.hpp"
+
+namespace hidwa_local_planner::critics {
 namespace {
 
 // A sample slower than this does not drive [m/s].
 constexpr double kStill = 1e-5;
 
-}  // namespace
+/// Turns the robot to the goal's heading once it is there. Outside the position tolerance it scores 0. Inside, latched
+/// until a new goal: while still driving it rejects what does not slow down and scores speed^2 * slowing_factor plus
+/// the heading error; once stopped, also latched, it rejects driving and scores the heading error [rad]. While the
+/// person steers it scores likewise and rejects nothing.
+class RotateToGoal : public Critic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+  void prepare(const CycleView& cycle) override;
+  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
+  void reset() override;
+  void save(ArchiveWriter& state) const override { state(in_window_, rotating_); }
+  void load(ArchiveReader& state) override { state(in_window_, rotating_); }
 
-double RotateToGoalCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+ private:
+  double heading_error(const Tile& tile, double goal_heading) const;
+
+  double xy_goal_tolerance_ = 0.25;      // [m]
+  double trans_stopped_velocity_ = 0.1;  // [m/s]
+  double slowing_factor_ = 5.0;          // [rad s^2/m^2]
+  double lookahead_time_ = -1.0;         // [s]; negative: the end of the rollout
+  bool in_window_ = false;
+  bool rotating_ = false;
+  bool rejects_ = true;
+  double speed2_ = 0.0;  // squared current speed [m^2/s^2]
+};
+
+double RotateToGoal::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   xy_goal_tolerance_ = parameters.xy_goal_tolerance;
   trans_stopped_velocity_ = parameters.trans_stopped_velocity;
   slowing_factor_ = parameters.RotateToGoal_slowing_factor;
@@ -20,14 +45,14 @@ double RotateToGoalCritic::configure(const Parameters& parameters, const Paramet
   return parameters.RotateToGoal_scale;
 }
 
-void RotateToGoalCritic::prepare(const CycleView& cycle) {
+void RotateToGoal::prepare(const CycleView& cycle) {
   if (distance(cycle.pose, cycle.goal) <= xy_goal_tolerance_) in_window_ = true;
   if (in_window_ && std::abs(cycle.velocity.v) <= trans_stopped_velocity_) rotating_ = true;
   speed2_ = cycle.velocity.v * cycle.velocity.v;
-  refuses_ = !cycle.steered;
+  rejects_ = !cycle.steered;
 }
 
-double RotateToGoalCritic::heading_error(const Tile& tile, double goal_heading) const {
+double RotateToGoal::heading_error(const Tile& tile, double goal_heading) const {
   double heading = tile.heading[tile.steps];
   if (lookahead_time_ >= 0.0) {
     const double at = std::min(lookahead_time_ / tile.dt, static_cast<double>(tile.steps));
@@ -37,22 +62,25 @@ double RotateToGoalCritic::heading_error(const Tile& tile, double goal_heading) 
   return std::abs(wrap_angle(goal_heading - heading));
 }
 
-void RotateToGoalCritic::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
+void RotateToGoal::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   if (!in_window_) return;
   const double error = heading_error(tile, cycle.goal.theta);
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (scores.refused(c)) continue;
+    if (scores.rejected(c)) continue;
     const double speed2 = tile.v[c] * tile.v[c];
-    if (refuses_ && rotating_ && std::abs(tile.v[c]) > kStill) {
-      scores.refuse(c, "drives on although the goal's position is reached");
-    } else if (refuses_ && !rotating_ && speed2 >= speed2_) {
-      scores.refuse(c, "does not slow down at the goal");
+    if (rejects_ && rotating_ && std::abs(tile.v[c]) > kStill) {
+      scores.reject(c, "drives on although the goal's position is reached");
+    } else if (rejects_ && !rotating_ && speed2 >= speed2_) {
+      scores.reject(c, "does not slow down at the goal");
     } else {
       scores.set(c, rotating_ ? error : speed2 * slowing_factor_ + error);
     }
   }
 }
 
-void RotateToGoalCritic::reset() { in_window_ = rotating_ = false; }
+void RotateToGoal::reset() { in_window_ = rotating_ = false; }
 
-}  // namespace hidwa_local_planner
+const BuiltInEntry entry("RotateToGoal", make<RotateToGoal>);
+
+}  // namespace
+}  // namespace hidwa_local_planner::critics

@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "critics/twirling.hpp"
-
 #include <cmath>
 
-namespace hidwa_local_planner {
+#include "critics/built_in_entry.hpp"
+#include "hidwa_local_planner/core/critic.hpp"
 
-double TwirlingCritic::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
+namespace hidwa_local_planner::critics {
+namespace {
+
+/// Penalises turning: |omega| [rad/s].
+class Twirling : public Critic {
+ public:
+  double configure(const Parameters& parameters, const ParameterSource& own) override;
+  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
+};
+
+double Twirling::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   return parameters.Twirling_scale;
 }
 
-void TwirlingCritic::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
+void Twirling::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
   for (std::size_t c = 0; c < tile.count; ++c) scores.set(c, std::abs(tile.omega));
 }
 
-}  // namespace hidwa_local_planner
+const BuiltInEntry entry("Twirling", make<Twirling>);
+
+}  // namespace
+}  // namespace hidwa_local_planner::critics

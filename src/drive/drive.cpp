@@ -10,6 +10,7 @@
 
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "operator_link.hpp"
 #include "recorder.hpp"
 #include "sensing.hpp"
@@ -84,7 +85,7 @@ class Run {
         stick_due_(setup.rates.stick),
         world_(world_setup(setup)),
         sensing_(setup),
-        loop_(CriticRegistry::with_built_in(), person_),
+        loop_(critics::built_in(), person_),
         link_(setup, person_.machine()),
         clearance_(route_clearance(setup)),
         route_(setup.explore ? nullptr

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 
+#include <map>
+#include <memory>
 #include <mutex>
-#include <utility>
+#include <string>
+#include <vector>
 
 #include <ros/console.h>
 #include <pluginlib/class_loader.hpp>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
@@ -43,7 +47,7 @@ std::shared_ptr<Critic> make(const std::shared_ptr<PluginLoader>& plugins, const
 }  // namespace
 
 CriticRegistry registry_with_plugins() {
-  CriticRegistry registry = CriticRegistry::with_built_in();
+  CriticRegistry registry = critics::built_in();
   std::shared_ptr<PluginLoader> plugins;
   try {
     plugins = std::make_shared<PluginLoader>();
@@ -62,50 +66,6 @@ CriticRegistry registry_with_plugins() {
     if (bearers[brief] == 1 && !registry.knows(brief)) registry.add(brief, maker);
   }
   return registry;
-}
-
-StoredParameters::StoredParameters(std::string critic, const XmlRpc::XmlRpcValue& content)
-    : critic_(std::move(critic)) {
-  using XmlRpc::XmlRpcValue;
-  if (!content.valid() || content.getType() != XmlRpcValue::TypeStruct) return;
-  for (const auto& [key, value] : content) {
-    switch (value.getType()) {
-      case XmlRpcValue::TypeBoolean:
-        values_[key] = static_cast<const bool&>(value);
-        break;
-      case XmlRpcValue::TypeInt:
-        values_[key] = static_cast<double>(static_cast<const int&>(value));
-        break;
-      case XmlRpcValue::TypeDouble:
-        values_[key] = static_cast<const double&>(value);
-        break;
-      case XmlRpcValue::TypeString:
-        values_[key] = static_cast<const std::string&>(value);
-        break;
-      default:
-        break;
-    }
-  }
-}
-
-double StoredParameters::number(const std::string& key, double fallback) const {
-  const auto value = values_.find(key);
-  if (value == values_.end()) return fallback;
-  if (const double* number = std::get_if<double>(&value->second)) return *number;
-  complain(key, "a number");
-  return fallback;
-}
-
-bool StoredParameters::flag(const std::string& key, bool fallback) const {
-  const auto value = values_.find(key);
-  if (value == values_.end()) return fallback;
-  if (const bool* flag = std::get_if<bool>(&value->second)) return *flag;
-  complain(key, "true or false");
-  return fallback;
-}
-
-void StoredParameters::complain(const std::string& key, const char* wanted) const {
-  ROS_ERROR("%s/%s: expected %s; its default is used", critic_.c_str(), key.c_str(), wanted);
 }
 
 }  // namespace hidwa_local_planner

@@ -12,12 +12,6 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-std::string as_text(const XmlRpcValue& value) {
-  std::ostringstream text;
-  value.write(text);
-  return text.str();
-}
-
 /// A list of names as the text that split_names() reads; nothing where an element is no text.
 std::optional<std::string> joined(const XmlRpcValue& list) {
   std::string text;
@@ -54,8 +48,8 @@ std::optional<ParameterValue> converted(const ParameterInfo& info, const XmlRpcV
 }
 
 std::string remedy_for(const ParameterInfo& info, const XmlRpcValue& value) {
-  if (value.getType() == XmlRpcValue::TypeString && (info.is_number())) {
-    return " (YAML takes it for a text: write numbers like 0.001 or 1.0e-3, without quotes)";
+  if (value.getType() == XmlRpcValue::TypeString && info.is_number()) {
+    return kNumberIsText;
   }
   if (value.getType() == XmlRpcValue::TypeDouble && info.type == "int") return " (write it without a decimal point)";
   return "";
@@ -154,6 +148,12 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
   return loaded;
 }
 
+std::string as_text(const XmlRpcValue& value) {
+  std::ostringstream text;
+  value.write(text);
+  return text.str();
+}
+
 std::string short_name(const std::string& critic) {
   const std::size_t end = critic.find_last_of("/:");
   return end == std::string::npos ? critic : critic.substr(end + 1);
@@ -186,14 +186,20 @@ std::string suggestion_for(const std::string& key) {
   const auto other = others.find(key);
   if (other != others.end()) return other->second;
 
-  const std::size_t limit = std::max<std::size_t>(2, key.size() / 5);
+  std::vector<std::string> names;
+  for (const ParameterInfo& info : parameter_table()) names.push_back(info.name);
+  return nearest_name(key, names);
+}
+
+std::string nearest_name(const std::string& misspelt, const std::vector<std::string>& names) {
+  const std::size_t limit = std::max<std::size_t>(2, misspelt.size() / 5);
   std::string best;
   std::size_t smallest = limit + 1;
-  for (const ParameterInfo& info : parameter_table()) {
-    const std::size_t distance = edit_distance(key, info.name);
-    if (distance < smallest && distance < info.name.size()) {
+  for (const std::string& name : names) {
+    const std::size_t distance = edit_distance(misspelt, name);
+    if (distance < smallest && distance < name.size()) {
       smallest = distance;
-      best = info.name;
+      best = name;
     }
   }
   return best;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/parameter_set.hpp"
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
 #include <ros/names.h>
 #include <ros/param.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
@@ -39,17 +42,53 @@ void check_topics(std::vector<std::string>& faults, const Parameters& p) {
 }
 
 template <typename Configurable>
-std::vector<std::string> configure_any(Configurable& one, const ParameterSet& set) {
+std::vector<std::string> configure_any(Configurable& one, const Parameters& parameters,
+                                       const Planner::SourceFor& source_for) {
   try {
-    return one.configure(set.parameters, [&set](const std::string& critic) { return set.source_for(critic); });
+    return one.configure(parameters, source_for);
   } catch (const std::exception& error) {
     return {std::string("critics: one of them does not take its parameters: ") + error.what()};
   }
 }
 
+// A critic, and what it asked for.
+struct Asked {
+  std::string critic;
+  const StoredParameters* source;
+};
+
+std::string unknown(const Asked& asked, const std::string& key) {
+  const std::set<std::string>& known = asked.source->asked();
+  const std::string near = nearest_name(key, {known.begin(), known.end()});
+  std::string text = "unknown parameter " + asked.source->name_space() + "/" + key + " of the critic " + asked.critic +
+                     ": it has no effect";
+  if (!near.empty()) return text + "; do you mean " + asked.source->name_space() + "/" + near + "?";
+  text += "; it knows";
+  for (const std::string& name : known) text += " " + name;
+  return known.empty() ? text + " none" : text;
+}
+
+// Two critics of the same short name share their namespace: a key is unknown that neither asked for.
+std::vector<std::string> unknown_keys(const std::vector<Asked>& all) {
+  const CriticRegistry own = critics::built_in();  // parameter_list.inc has theirs
+  std::set<std::string> seen;
+  std::vector<std::string> warnings;
+  for (const Asked& asked : all) {
+    if (own.knows(asked.critic)) continue;
+    for (const std::string& key : asked.source->unasked()) {
+      const std::string& name_space = asked.source->name_space();
+      const bool known = std::any_of(all.begin(), all.end(), [&](const Asked& other) {
+        return other.source->name_space() == name_space && other.source->asked().count(key) != 0;
+      });
+      if (!known && seen.insert(name_space + "/" + key).second) warnings.push_back(unknown(asked, key));
+    }
+  }
+  return warnings;
+}
+
 }  // namespace
 
-std::unique_ptr<ParameterSource> ParameterSet::source_for(const std::string& critic) const {
+std::unique_ptr<StoredParameters> ParameterSet::source_for(const std::string& critic) const {
   const std::string name = short_name(critic);
   XmlRpc::XmlRpcValue own;
   if (content.valid() && content.getType() == XmlRpc::XmlRpcValue::TypeStruct && content.hasMember(name)) {
@@ -61,7 +100,7 @@ std::unique_ptr<ParameterSource> ParameterSet::source_for(const std::string& cri
 std::string foreign_content(const ParameterSet& set) {
   using XmlRpc::XmlRpcValue;
   if (!set.content.valid() || set.content.getType() != XmlRpcValue::TypeStruct) return "";
-  const CriticRegistry own = CriticRegistry::with_built_in();
+  const CriticRegistry own = critics::built_in();
   XmlRpcValue content = set.content, foreign;
   for (const std::string& critic : split_names(set.parameters.critics)) {
     const std::string name = short_name(critic);
@@ -83,22 +122,32 @@ XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle) {
   return content;
 }
 
-std::vector<std::string> configure(Planner& planner, const ParameterSet& set) { return configure_any(planner, set); }
+std::vector<std::string> configure(Planner& planner, const ParameterSet& set) {
+  return configure_any(planner, set.parameters, [&set](const std::string& name) { return set.source_for(name); });
+}
 std::vector<std::string> configure(control::ControlLoop& loop, const ParameterSet& set) {
-  return configure_any(loop, set);
+  return configure_any(loop, set.parameters, [&set](const std::string& name) { return set.source_for(name); });
 }
 
-std::vector<std::string> faults_of(const ParameterSet& set, const CriticRegistry& registry) {
-  std::vector<std::string> faults;
+Trial try_out(const ParameterSet& set, const CriticRegistry& registry) {
+  Trial trial;
+  std::vector<std::string>& faults = trial.faults;
   for (const std::string& critic : split_names(set.parameters.critics)) {
     if (registry.knows(critic) && registry.make(critic) == nullptr) {
       faults.push_back("critics: " + critic + " is declared, but its library cannot be loaded; rebuild its package");
     }
   }
   check_topics(faults, set.parameters);
-  if (!faults.empty()) return faults;
-  Planner trial(registry);
-  return configure(trial, set);
+  if (!faults.empty()) return trial;
+  Planner planner(registry);
+  std::vector<Asked> asked;  // the planner keeps the sources, unless there are faults
+  faults = configure_any(planner, set.parameters, [&](const std::string& critic) {
+    std::unique_ptr<StoredParameters> source = set.source_for(critic);
+    asked.push_back({critic, source.get()});
+    return source;
+  });
+  if (faults.empty()) trial.warnings = unknown_keys(asked);
+  return trial;
 }
 
 }  // namespace hidwa_local_planner

@@ -55,7 +55,11 @@ void Shell::start_parameters() {
   const auto completed = [this](const Parameters& wanted) { return description_.limited(wanted); };
   LoadedParameters loaded = load_parameters(content, completed);
   const ParameterSet set{completed(loaded.parameters), content};
-  if (loaded.faults.empty()) loaded.faults = faults_of(set, registry_);
+  if (loaded.faults.empty()) {
+    const Trial trial = try_out(set, registry_);
+    loaded.faults = trial.faults;
+    loaded.warnings.insert(loaded.warnings.end(), trial.warnings.begin(), trial.warnings.end());
+  }
   if (loaded.faults.empty()) loaded.faults = put_in_force(set);
   for (const std::string& warning : loaded.warnings) {
     ROS_WARN("%s: %s", handle_.getNamespace().c_str(), warning.c_str());
@@ -100,8 +104,13 @@ void Shell::report_start(const std::vector<std::string>& found) const {
 
 std::vector<std::string> Shell::judge(const Parameters& wanted) {
   ParameterSet set{description_.limited(wanted), read_namespace(handle_)};
-  const std::vector<std::string> faults = faults_of(set, registry_);
-  if (!faults.empty()) return faults;
+  const Trial trial = try_out(set, registry_);
+  if (!trial.faults.empty()) return trial.faults;
+  if (set.parameters.critics != accepted_.critics) {  // those in force have been told of at the start
+    for (const std::string& warning : trial.warnings) {
+      ROS_WARN("%s: %s", handle_.getNamespace().c_str(), warning.c_str());
+    }
+  }
   const std::string fault = listen(set.parameters);
   if (!fault.empty()) {
     listen(accepted_);

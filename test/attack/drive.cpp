@@ -10,6 +10,7 @@
 #include "contact_watch.hpp"
 #include "escape_watch.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "local_map.hpp"
 #include "person.hpp"
 #include "rhythm.hpp"
@@ -238,7 +239,7 @@ class Run {
   EscapeWatch escape_;
   CommandWatch commands_;
   Parameters parameters_;  // in force
-  Planner planner_;
+  Planner planner_{critics::built_in()};
   Situation situation_;
   std::ostream* trace_;
   int appears_at_ = -1;  // [ms]

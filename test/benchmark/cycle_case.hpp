@@ -7,6 +7,7 @@
 
 #include "benchmark/situations.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 
 namespace hidwa_local_planner::test {
 
@@ -48,7 +49,7 @@ class CycleCase {
 
  private:
   std::vector<Scene> scenes_;
-  Planner planner_;
+  Planner planner_{critics::built_in()};
   Sampling sampling_;
 };
 

@@ -13,6 +13,7 @@
 
 #include "benchmark/cases.hpp"
 #include "benchmark/office_drive.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/random.hpp"
 
 namespace hidwa_local_planner::test {
@@ -56,7 +57,7 @@ void look_at_refusals(const Sampling& sampling, std::uint64_t seed, Refused& ref
   drive::DriveSetup setup = office_drive();
   setup.laser_seed = seed;
   setup.person = std::make_shared<Pusher>(seed);
-  Planner planner, finest;
+  Planner planner(critics::built_in()), finest(critics::built_in());
   for (Planner* each : {&planner, &finest}) {
     if (!each->configure(setup.parameters).empty()) throw std::runtime_error("the default parameters are refused");
     each->set_footprint(setup.outline);

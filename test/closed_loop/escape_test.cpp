@@ -12,6 +12,7 @@
 
 #include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/diff_drive.hpp"
 #include "support/naive_escape.hpp"
 #include "support/naive_inflation.hpp"

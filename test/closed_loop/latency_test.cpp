@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/diff_drive.hpp"
 #include "support/random.hpp"
 #include "support/scene_loop.hpp"

@@ -10,6 +10,7 @@
 
 #include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/diff_drive.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/naive_collision.hpp"
 #include "support/paper_scene.hpp"
 #include "support/scene.hpp"
@@ -17,7 +18,7 @@ constexpr int kSteps = 100;      // of a
 Decision decide(const PaperScene& scene, double authority, const OperatorIntent& intent) {
   Parameters p = paper_parameters();
   p.authority = authority;
-  Planner planner;
+  Planner planner(critics::built_in());
   EXPECT_TRUE(planner.configure(p).empty());
   planner.set_footprint(scene.outline);
   return planner.plan(scene.situation, scene.grid, intent);
@@ -76,7 +77,7 @@ TEST(Authority, TheBlendIsACandidate) {
   scene.situation.velocity = scene.situation.last_command = {0.5, 0.0};
   scene.parameters.authority = 0.5;
   scene.steer({0.5, 0.6137});
-  Planner planner;
+  Planner planner(critics::built_in());
   ASSERT_TRUE(planner.configure(scene.parameters).empty());
   planner.set_footprint(scene.outline);
   const Decision decision = planner.plan(scene.situation, scene.grid(), scene.intent);
@@ -97,7 +98,7 @@ TEST(Authority, InFrontOfAnObstacleTheChoiceStaysLegal) {
     for (int i = 0; i <= kSteps; ++i) {
       scene.parameters.authority = static_cast<double>(i) / kSteps;
       scene.steer({0.5, omega_h});
-      Planner planner;
+      Planner planner(critics::built_in());
       ASSERT_TRUE(planner.configure(scene.parameters).empty());
       planner.set_footprint(scene.outline);
       const Decision decision = planner.plan(scene.situation, scene.grid(), scene.intent);
@@ -116,7 +117,7 @@ TEST(Authority, NoneIsAutonomyThroughoutADrive) {
   Scene steered = scene;
   steered.parameters.authority = 0.0;
   steered.steer({0.5, -1.0});
-  Planner alone, with_person;
+  Planner alone(critics::built_in()), with_person(critics::built_in());
   ASSERT_TRUE(alone.configure(scene.parameters).empty());
   ASSERT_TRUE(with_person.configure(steered.parameters).empty());
   alone.set_footprint(scene.outline);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"
 
@@ -58,7 +59,7 @@ void expect_known_refusals(const Planner& brief, const Planner& full) {
 
 // A few cycles of one robot, so that what critics remember counts.
 void compare(Scene& scene, Random& random, Tally& tally) {
-  Planner brief, full;
+  Planner brief(critics::built_in()), full(critics::built_in());
   for (Planner* planner : {&brief, &full}) {
     ASSERT_TRUE(planner->configure(scene.parameters).empty());
     planner->set_footprint(scene.outline);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random_scene.hpp"
 
@@ -52,7 +53,7 @@ bool excused_by_border(const Scene& scene, const NaivePlanner& naive, const Deci
 }
 
 void compare(const Scene& scene, const NaivePlanner& naive, Tally& tally) {
-  Planner planner;
+  Planner planner(critics::built_in());
   ASSERT_TRUE(planner.configure(scene.parameters).empty());
   planner.set_footprint(scene.outline);
   const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent);

@@ -38,7 +38,7 @@ void compare_scene(const std::string& name, std::uint64_t seed, Tally& tally) {
     bool refuses = false;
     const double raw = naive.raw(name, c, refuses);
     const test::Verdict verdict = bench.score(c.u, c.poses, c.dt);
-    ASSERT_EQ(verdict.refused(), refuses) << c.u.v << " " << c.u.omega << " " << verdict.reason;
+    ASSERT_EQ(verdict.rejected(), refuses) << c.u.v << " " << c.u.omega << " " << verdict.reason;
     ++(refuses ? tally.refused : tally.legal);
     if (!refuses) {
       ASSERT_NEAR(verdict.raw, raw, 1e-9) << c.u.v << " " << c.u.omega;
@@ -139,7 +139,7 @@ TEST(OscillationTwin, RandomHistories) {
       naive.note(s.pose, s.time, command);
       bool any = false;
       for (const Twist2& u : {Twist2{0.2, 0.0}, Twist2{-0.2, 0.0}, Twist2{0.0, 0.4}, Twist2{0.0, -0.4}, Twist2{}}) {
-        ASSERT_EQ(bench.score(u, {{}, {}}).refused(), naive.refuses(u)) << history << " " << k;
+        ASSERT_EQ(bench.score(u, {{}, {}}).rejected(), naive.refuses(u)) << history << " " << k;
         any = any || naive.refuses(u);
       }
       refused += any;

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/paper_scene.hpp"
 
 namespace hidwa_local_planner {
@@ -26,7 +27,7 @@ Summary run(double v_max, const Twist2* wanted, double s_v, double s_omega) {
   p.critics = "GoalAlign, PathAlign, PathDist, GoalDist";
   p.s_v = s_v;
   p.s_omega = s_omega;
-  Planner planner;
+  Planner planner(critics::built_in());
   EXPECT_TRUE(planner.configure(p).empty());
   const test::PaperScene scene(v_max);
   planner.set_footprint(scene.outline);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random_scene.hpp"
 
@@ -114,7 +115,7 @@ void compare(const Scene& scene, const std::vector<NaiveCycle>& former, Tally& t
     ++tally.doubtful;
     return;
   }
-  Planner planner;
+  Planner planner(critics::built_in());
   ASSERT_TRUE(planner.configure(scene.parameters).empty());
   planner.set_footprint(scene.outline);
   stop(planner, scene, former);

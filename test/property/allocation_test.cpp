@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/random_scene.hpp"
 
@@ -84,7 +85,7 @@ class Allocations : public ::testing::TestWithParam<Case> {
   }
 
   std::vector<Scene> scenes_;
-  Planner planner_;
+  Planner planner_{critics::built_in()};
   Seen seen_;
 };
 
@@ -136,7 +137,7 @@ TEST(AllocationCounter, SeesEveryKindOfAllocation) {
 
 TEST(AllocationCounter, SeesTheLibrarysAllocations) {
   Scene scene = make_scene(1, {MapGridDistance::geodesic, Body::polygon});
-  Planner fresh;
+  Planner fresh(critics::built_in());
   ASSERT_TRUE(fresh.configure(scene.parameters).empty());
   fresh.set_footprint(scene.outline);
   const AllocationCounter counter;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/motion/velocity_limits.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/naive_collision.hpp"
 #include "support/naive_manoeuvre.hpp"
 #include "support/random_scene.hpp"
@@ -30,7 +31,7 @@ struct Answer {
 };
 
 Answer ask(const Scene& scene) {
-  Planner planner;
+  Planner planner(critics::built_in());
   EXPECT_TRUE(planner.configure(scene.parameters).empty());
   planner.set_footprint(scene.outline);
   Answer answer;

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/input/stick_reading.hpp"
@@ -36,7 +37,7 @@ struct Step {
 // A straight plan along +x, a rolling empty map of 9 x 9 m, a stick that repeats at 20 Hz.
 class Drive {
  public:
-  explicit Drive(const Case& c) : loop_(CriticRegistry::with_built_in(), person_) {
+  explicit Drive(const Case& c) : loop_(critics::built_in(), person_) {
     p_.max_vel_x = c.v_max;
     EXPECT_TRUE(loop_.configure(p_).empty());
     Polygon outline;

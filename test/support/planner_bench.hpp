@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
@@ -16,7 +17,7 @@ namespace hidwa_local_planner::test {
 /// reached evenly within the period.
 class PlannerBench {
  public:
-  explicit PlannerBench(Scene scene, CriticRegistry registry = CriticRegistry::with_built_in())
+  explicit PlannerBench(Scene scene, CriticRegistry registry = critics::built_in())
       : scene_(std::move(scene)), planner_(std::move(registry)) {
     EXPECT_EQ(planner_.configure(scene_.parameters), std::vector<std::string>{});
     planner_.set_footprint(scene_.outline);
@@ -48,7 +49,7 @@ class PlannerBench {
 
  private:
   Scene scene_;
-  Planner planner_;
+  Planner planner_{critics::built_in()};
 };
 
 inline std::size_t refusals_by(const Decision& decision, const std::string& name) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/control/pause.hpp"
@@ -29,7 +30,7 @@ class RecordedDrive {
   };
 
   RecordedDrive(std::uint64_t seed, OperatorMode mode)
-      : random_(seed), loop_(CriticRegistry::with_built_in(), operator_) {
+      : random_(seed), loop_(critics::built_in(), operator_) {
     randomise_robot(random_, parameters_);
     randomise_search(random_, parameters_);
     randomise_costs(random_, parameters_);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "support/scene.hpp"
 
@@ -32,7 +33,7 @@ class SceneLoop {
  public:
   /// Both must outlive it.
   SceneLoop(const Scene& scene, control::Operator& person)
-      : scene_(scene), loop_(CriticRegistry::with_built_in(), person) {
+      : scene_(scene), loop_(critics::built_in(), person) {
     EXPECT_EQ(loop_.configure(scene.parameters), std::vector<std::string>{});
     loop_.set_footprint(scene.outline);
     plan();

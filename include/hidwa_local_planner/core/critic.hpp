@@ -20,7 +20,6 @@
 namespace hidwa_local_planner {
 
 class Footprint;
-class PlanGrids;
 
 /// What all critics may look at in one cycle. Everything is in the costmap frame and lives as long as the cycle.
 struct CycleView {
@@ -31,70 +30,95 @@ struct CycleView {
   double time = 0.0;            // of the cycle [s]
   bool steered = false;         // the person's input counts (gamma = 1)
   bool person_decides = false;  // direct control, or steered where the goal's position is reached: a critic
-                                // refuses what is unsafe then, and nothing for the sake of autonomy
+                                // rejects what is unsafe then, and nothing for the sake of autonomy
   const std::vector<Pose2>* plan = nullptr;  // the window of the plan around the robot
   const GridView* grid = nullptr;
   const Footprint* footprint = nullptr;
-  PlanGrids* grids = nullptr;  // distance grids shared between critics, made on demand
+  Surroundings* surroundings = nullptr;
+
+  /// False where no pose of the plan lies on the local map: then no distance is known.
+  bool plan_on_map() const { return surroundings->plan_on_map(); }
+  /// For Critic::prepare: this distance will be asked for. Without it every answer is the same, and slower.
+  void expect(const PlanDistance& distance) const { surroundings->expect(distance); }
 };
 
-/// What a critic says of the candidates of one tile. A refusal is a value, never an exception.
+/// What a critic says of the candidates of one tile. A rejection is a value, never an exception.
 class TileScores {
  public:
   TileScores(double* raw, const char** reason, std::size_t count) : raw_(raw), reason_(reason), count_(count) {}
   std::size_t count() const { return count_; }
-  /// A candidate that somebody refused already needs no score.
-  bool refused(std::size_t c) const { return reason_[c] != nullptr; }
+  /// A candidate that somebody rejected already needs no score.
+  bool rejected(std::size_t c) const { return reason_[c] != nullptr; }
   void set(std::size_t c, double raw_score) {
     if (!any_set_) std::fill_n(set_all(), count_, 0.0);
     raw_[c] = raw_score;
   }
-  /// All raw scores [count], for loops that set every one, whoever is refused.
+  /// All raw scores [count], for loops that set every one, whoever is rejected.
   double* set_all() {
     any_set_ = true;
     return raw_;
   }
-  /// Refuses a candidate; `reason` must outlive the cycle (a string literal).
-  void refuse(std::size_t c, const char* reason) {
+  /// Rejects a candidate; `reason` must outlive the cycle (a string literal).
+  void reject(std::size_t c, const char* reason) {
     reason_[c] = reason;
-    any_refused_ = true;
+    any_rejected_ = true;
   }
-  /// True once somebody was refused through this object.
-  bool any_refused() const { return any_refused_; }
+  /// True once somebody was rejected through this object.
+  bool any_rejected() const { return any_rejected_; }
   /// True once a score was set through this object.
   bool any_set() const { return any_set_; }
+
+  [[deprecated("is rejected()")]] bool refused(std::size_t c) const { return rejected(c); }
+  [[deprecated("is reject()")]] void refuse(std::size_t c, const char* reason) { reject(c, reason); }
+  [[deprecated("is any_rejected()")]] bool any_refused() const { return any_rejected(); }
 
  private:
   double* raw_;          // [count], zero where some are set and others are not
   const char** reason_;  // [count], nullptr while legal
   std::size_t count_;
-  bool any_refused_ = false;
+  bool any_rejected_ = false;
   bool any_set_ = false;
 };
 
-/// Where a critic of another package finds its own parameters: `<planner>/<critic>/<key>`.
+/// Where a critic of another package finds its own parameters: `<planner>/<critic>/<key>`. It asks for all of them in
+/// Critic::configure: a key that it does not ask for is reported as unknown. Where there is no value it gets
+/// `fallback`; where there is one of another type, too, and that is a fault: the whole set of parameters is not taken.
+/// This class itself knows no values.
 class ParameterSource {
  public:
   virtual ~ParameterSource() = default;
-  virtual double number(const std::string& key, double fallback) const = 0;
-  virtual bool flag(const std::string& key, bool fallback) const = 0;
+  virtual double number(const std::string& /*key*/, double fallback) const { return fallback; }
+  virtual bool flag(const std::string& /*key*/, bool fallback) const { return fallback; }
+  virtual std::string word(const std::string& /*key*/, const std::string& fallback) const { return fallback; }
+  virtual std::vector<double> numbers(const std::string& /*key*/, const std::vector<double>& fallback) const {
+    return fallback;
+  }
+  virtual std::vector<std::string> words(const std::string& /*key*/, const std::vector<std::string>& fallback) const {
+    return fallback;
+  }
+  /// What was asked for and is of another type, each in words.
+  virtual std::vector<std::string> faults() const { return {}; }
 };
 
 /// Scores candidates. The life of a critic: configure once and on every change of parameters; then in each cycle
 /// prepare, score for every tile, and debrief; reset on a new goal. With an authority between 0 and 1 a cycle weighs
-/// twice before it is debriefed: once as autonomy, once steered. No verb may throw, wait or log;
+/// twice before it is debriefed: once as autonomy, once steered. None may throw, wait or log, but configure may throw;
 /// after the first cycle prepare and score should not allocate.
-/// A refusal is for what is unsafe. A critic that refuses for the sake of autonomy (it should slow down at the goal,
+/// A rejection is for what is unsafe. A critic that rejects for the sake of autonomy (it should slow down at the goal,
 /// not go back and forth, keep to the plan) must not do so while CycleView::person_decides.
 class Critic {
  public:
   virtual ~Critic() = default;
 
-  /// Takes its parameters and returns its weight; 0 turns it off, refusals included.
+  /// Takes its parameters and returns its weight; 0 turns it off, rejections included. With values that it cannot work
+  /// with it throws a std::exception: the set of parameters is not taken, and what() is logged.
   virtual double configure(const Parameters& parameters, const ParameterSource& own) = 0;
+  /// How far ahead of a candidate's last pose it looks at most [m]: the planner measures distances there at once.
+  /// Farther away they are measured too, only later.
+  virtual double reach() const { return 0.0; }
   /// Once a cycle, before any score: what all candidates share.
   virtual void prepare(const CycleView& /*cycle*/) {}
-  /// Sets the raw score of the candidates of a tile, or refuses them. Adds weight * raw score to the total.
+  /// Sets the raw score of the candidates of a tile, or rejects them. Adds weight * raw score to the total.
   virtual void score(const CycleView& cycle, const Tile& tile, TileScores& scores) = 0;
   /// What was sent in the end.
   virtual void debrief(const CycleView& /*cycle*/, const Twist2& /*command*/) {}

@@ -11,13 +11,11 @@
 
 namespace hidwa_local_planner {
 
-/// Makes critics by name. Starts with the ten of this package; the plugin adds those of other packages.
+/// Makes critics by name. Empty at first: critics::built_in() has those of this package, and the plugin adds those of
+/// other packages.
 class CriticRegistry {
  public:
   using Maker = std::function<std::shared_ptr<Critic>()>;
-
-  /// A registry that knows this package's critics.
-  static CriticRegistry with_built_in();
 
   /// Adds a critic, or replaces the one of that name.
   void add(const std::string& name, Maker maker);

@@ -140,7 +140,7 @@ struct ChoiceReport {
 /// same bits. Not thread-safe; one call at a time. plan() never throws.
 class Planner {
  public:
-  explicit Planner(CriticRegistry registry = CriticRegistry::with_built_in());
+  explicit Planner(CriticRegistry registry);
   ~Planner();
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;

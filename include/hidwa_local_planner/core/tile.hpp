@@ -5,15 +5,22 @@
 #include <cstdint>
 #include <vector>
 
+#include "hidwa_local_planner/core/surroundings.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
 
-class EndCells;
+/// What a cell means to a robot whose centre is in it.
+namespace cell_class {
+constexpr std::uint8_t kNear = 1;     // it may overlap an obstacle: its outline decides
+constexpr std::uint8_t kHit = 2;      // it overlaps one at any heading
+constexpr std::uint8_t kBlocked = 4;  // lethal, inscribed, unknown where that is an obstacle, or off the map
+}  // namespace cell_class
 
 /// Candidates that share the rotational sample and the number of steps, and so every heading: one tile, small enough to
 /// stay in the first cache while everybody looks at it. Positions are rows a step, columns a candidate; row k = 0 is
-/// the start pose. Rows are `stride` apart: what lies beyond `count` is padding.
+/// the start pose. Rows are `stride` apart: what lies beyond `count` is padding. A critic gets tiles in which
+/// everything is set.
 struct Tile {
   double omega = 0.0;                     // the rotational sample [rad/s]
   double dt = 0.0;                        // length of a step [s]
@@ -28,17 +35,27 @@ struct Tile {
   const double* cos_heading = nullptr;    // [steps + 1]
   const double* sin_heading = nullptr;    // [steps + 1]
   const double* omega_at = nullptr;       // [steps + 1] rotational velocity reached [rad/s]
-  const std::uint8_t* classes = nullptr;  // [(steps + 1) * stride] of the centre's cells, see CellClasses; may be null
-  const std::uint8_t* touched = nullptr;  // [count] classes of all poses of a candidate, or-ed; null with `classes`
+  const std::uint8_t* classes = nullptr;  // [(steps + 1) * stride] of the cells under the centre, see cell_class
+  const std::uint8_t* touched = nullptr;  // [count] classes of all poses of a candidate, or-ed; kHit not of the start
   std::uint8_t touched_any = 0xFF;        // `touched` of all candidates, or-ed; every class where nobody has looked
   bool ascending = false;                 // no candidate is slower than the one before it
-  EndCells* ends = nullptr;               // of this tile, shared by its critics; may be null
+  Surroundings* surroundings = nullptr;
 
   double x_at(std::size_t k, std::size_t c) const { return x[k * stride + c]; }
   double y_at(std::size_t k, std::size_t c) const { return y[k * stride + c]; }
   Pose2 pose(std::size_t k, std::size_t c) const { return {x_at(k, c), y_at(k, c), heading[k]}; }
   Pose2 last_pose(std::size_t c) const { return pose(steps, c); }
   Twist2 sample(std::size_t c) const { return {v[c], omega}; }
+  /// A candidate's centre comes upon a cell that is lethal, inscribed, unknown where that is an obstacle, or off the
+  /// map.
+  bool centre_blocked(std::size_t c) const { return (touched[c] & cell_class::kBlocked) != 0; }
+
+  /// See Surroundings; `found` [count].
+  bool distances(const PlanDistance& distance, double forward, const TileScores& scores, double* found) const {
+    return surroundings->distances(*this, distance, forward, scores, found);
+  }
+  void costs(std::size_t step, double* found) const { surroundings->costs(*this, step, found); }
+  void clearances(std::size_t step, double* found) const { surroundings->clearances(*this, step, found); }
 };
 
 }  // namespace hidwa_local_planner

@@ -28,6 +28,16 @@ struct LoadedParameters {
 LoadedParameters load_parameters(const XmlRpc::XmlRpcValue& content,
                                  const std::function<Parameters(const Parameters&)>& completed = {});
 
+/// A value as the parameter server has it.
+std::string as_text(const XmlRpc::XmlRpcValue& value);
+
+/// What to do about a text where a number is expected.
+inline constexpr const char* kNumberIsText =
+    " (YAML takes it for a text: write numbers like 0.001 or 1.0e-3, without quotes)";
+
+/// The name that is most like a misspelt one; empty when none is near.
+std::string nearest_name(const std::string& misspelt, const std::vector<std::string>& names);
+
 /// The namespace of a critic's own parameters: the last part of a name like `package/Class` or
 /// `package::Class`.
 std::string short_name(const std::string& critic);

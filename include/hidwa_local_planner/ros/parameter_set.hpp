@@ -12,6 +12,7 @@
 #include "hidwa_local_planner/core/critic_registry.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/ros/stored_parameters.hpp"
 
 namespace hidwa_local_planner {
 
@@ -22,7 +23,7 @@ struct ParameterSet {
   XmlRpc::XmlRpcValue content;  // of the planner's namespace; a struct, or invalid when it is empty
 
   /// Finds a critic's own parameters in `content`.
-  std::unique_ptr<ParameterSource> source_for(const std::string& critic) const;
+  std::unique_ptr<StoredParameters> source_for(const std::string& critic) const;
 };
 
 /// What the critics of other packages find in a set, as XML-RPC: empty where there is nothing. And a set with that
@@ -38,8 +39,12 @@ XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle);
 std::vector<std::string> configure(Planner& planner, const ParameterSet& set);
 std::vector<std::string> configure(control::ControlLoop& loop, const ParameterSet& set);
 
-/// Every fault that configuring a planner with this set would meet; critics of other packages are loaded on
-/// the way.
-std::vector<std::string> faults_of(const ParameterSet& set, const CriticRegistry& registry);
+/// What configuring a planner with a set would meet.
+struct Trial {
+  std::vector<std::string> faults;    // any of them makes the set invalid
+  std::vector<std::string> warnings;  // keys that a critic of another package does not know, with the likely right one
+};
+/// Critics of other packages are loaded on the way.
+Trial try_out(const ParameterSet& set, const CriticRegistry& registry);
 
 }  // namespace hidwa_local_planner

@@ -11,13 +11,6 @@
 
 namespace hidwa_local_planner {
 
-/// What a cell means to a robot whose centre is in it.
-namespace cell_class {
-constexpr std::uint8_t kNear = 1;     // it may overlap an obstacle: its outline decides
-constexpr std::uint8_t kHit = 2;      // it overlaps one at any heading
-constexpr std::uint8_t kBlocked = 4;  // lethal, inscribed, unknown where that is an obstacle, or off the map
-}  // namespace cell_class
-
 /// The classes of all cells that a cycle's candidates can reach, in a table small enough for the first cache, and of
 /// the candidates' poses: one look-up a pose answers collision and every critic that asks for the centre's cell.
 class CellClasses {

@@ -45,6 +45,7 @@ class DistanceGrids {
   /// In units; kUnreached where there is no way. The cell must lie in the grid.
   std::int32_t units(int set, Cell cell);
   double metres_per_unit() const { return metres_per_unit_; }
+  MapGridDistance measures() const { return distance_; }
 
   /// The cells of interest at once, for loops over many.
   struct Table {

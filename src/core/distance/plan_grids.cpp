@@ -7,7 +7,11 @@
 
 namespace hidwa_local_planner {
 
-PlanGrids::PlanGrids() : path_(distances_, kPath), goal_(distances_, kGoal), goal_ahead_(distances_, kGoalAhead) {
+PlanGrids::PlanGrids()
+    : path_(distances_, kPath),
+      goal_(distances_, kGoal),
+      goal_ahead_{DistanceGrid(distances_, kGoalAhead), DistanceGrid(distances_, kGoalAhead + 1)} {
+  static_assert(kGoalAhead + kMostAhead <= DistanceGrids::kSets);
   // Plans differ in length from cycle to cycle: room for any usual one.
   path_cells_.reserve(DistanceGrids::kUsualSources);
   moved_cells_.reserve(DistanceGrids::kUsualSources);
@@ -19,7 +23,7 @@ void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, Ma
   grid_ = grid;
   plan_ = &plan;
   stops_at_unknown_ = distance == MapGridDistance::l1 && unknown_is_obstacle;  // Nav2's rule
-  ahead_set_ = false;
+  known_ahead_ = 0;
   find_cells_on_map(plan, path_cells_);
   distances_.prepare(grid, distance);
   if (!on_map()) return;
@@ -69,17 +73,21 @@ void PlanGrids::find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Ce
 }
 
 const DistanceGrid& PlanGrids::to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal) {
-  if (!on_map() || (ahead_set_ && ahead_distance_ == ahead)) return goal_ahead_;
+  if (!on_map()) return goal_ahead_[0];
+  for (std::size_t k = 0; k < known_ahead_; ++k) {
+    if (ahead_[k] == ahead) return goal_ahead_[k];
+  }
+  known_ahead_ = std::min(known_ahead_ + 1, kMostAhead);  // the last one makes way
+  const std::size_t slot = known_ahead_ - 1;
   moved_plan_ = *plan_;
   const double bearing = std::atan2(goal.y - from.y, goal.x - from.x);
   moved_plan_.back().x += ahead * std::cos(bearing);
   moved_plan_.back().y += ahead * std::sin(bearing);
   find_cells_on_map(moved_plan_, moved_cells_);
   last_cell_.assign(1, moved_cells_.empty() ? path_cells_.back() : moved_cells_.back());
-  distances_.set_sources(kGoalAhead, last_cell_);
-  ahead_set_ = true;
-  ahead_distance_ = ahead;
-  return goal_ahead_;
+  distances_.set_sources(kGoalAhead + static_cast<int>(slot), last_cell_);
+  ahead_[slot] = ahead;
+  return goal_ahead_[slot];
 }
 
 double PlanGrids::at(const DistanceGrid& distances, const GridView& grid, double x, double y) {

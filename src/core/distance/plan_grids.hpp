@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/distance/distance_grid.hpp"
@@ -25,6 +26,9 @@ class PlanGrids {
   /// The points that will be asked about lie within `reach` [m] of `centre`, mostly: saves looking farther.
   void expect(const Pose2& centre, double reach);
 
+  /// Around obstacles, or as Nav2's map grids.
+  MapGridDistance measures() const { return distances_.measures(); }
+
   /// The cells of those points.
   const kernel::CellBox& interest() const { return distances_.interest(); }
 
@@ -35,7 +39,9 @@ class PlanGrids {
   const DistanceGrid& to_path() { return path_; }
   /// Distance to the last cell of that stretch: the local goal.
   const DistanceGrid& to_goal() { return goal_; }
-  /// Distance to the local goal after the plan's last pose was moved by `ahead` [m] along the bearing `from` -> `goal`.
+  /// Distance to the local goal after the plan's last pose was moved by `ahead` [m] along the bearing `from` -> `goal`,
+  /// which are the same in a cycle. Two different `ahead` are kept: more of them are made anew whenever they are asked
+  /// for.
   const DistanceGrid& to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal);
 
   /// The distance at a point [m], or a negative number where there is none: off the map or unreached.
@@ -43,6 +49,7 @@ class PlanGrids {
 
  private:
   enum Set { kPath = 0, kGoal = 1, kGoalAhead = 2 };
+  static constexpr std::size_t kMostAhead = 2;  // sets from kGoalAhead on
 
   void find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Cell>& cells) const;
 
@@ -52,9 +59,10 @@ class PlanGrids {
   std::vector<Cell> path_cells_, moved_cells_, last_cell_;
   std::vector<Pose2> moved_plan_;
   DistanceGrids distances_;
-  DistanceGrid path_, goal_, goal_ahead_;
-  bool ahead_set_ = false;
-  double ahead_distance_ = 0.0;
+  DistanceGrid path_, goal_;
+  std::array<DistanceGrid, kMostAhead> goal_ahead_;
+  std::array<double, kMostAhead> ahead_{};  // how far each was moved [m]
+  std::size_t known_ahead_ = 0;
 };
 
 }  // namespace hidwa_local_planner

@@ -11,13 +11,6 @@ namespace {
 constexpr std::size_t kMostCritics = 200;
 static_assert(kFirstCritic + kMostCritics <= std::numeric_limits<Rejecter>::max());
 
-// Parameters of critics of other packages where nobody supplies any: the fallbacks.
-class NoParameters : public ParameterSource {
- public:
-  double number(const std::string& /*key*/, double fallback) const override { return fallback; }
-  bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
-};
-
 }  // namespace
 
 std::vector<std::string> CriticSet::faults_of(const std::vector<std::string>& names) const {
@@ -41,6 +34,7 @@ const CriticSet::Entry* CriticSet::find(const std::string& name) const {
 std::vector<std::string> CriticSet::configure(const std::vector<std::string>& names, const Parameters& parameters,
                                               const Planner::SourceFor& source_for) {
   std::vector<Entry> entries;
+  std::vector<std::string> faults;
   for (const std::string& name : names) {
     const Entry* kept = find(name);
     const bool twice =
@@ -50,18 +44,27 @@ std::vector<std::string> CriticSet::configure(const std::vector<std::string>& na
     entry.critic = kept != nullptr && !twice ? kept->critic : registry_.make(name);
     if (!entry.critic) return {"critics: " + name + " is known but could not be made: look at its package's library"};
     if (source_for) entry.source = source_for(name);
-    if (!entry.source) entry.source = std::make_unique<NoParameters>();
+    if (!entry.source) entry.source = std::make_unique<ParameterSource>();
     entry.weight = entry.critic->configure(parameters, *entry.source);
+    for (const std::string& fault : entry.source->faults()) faults.push_back(fault);
     entries.push_back(std::move(entry));
   }
-  entries_ = std::move(entries);
-  return {};
+  if (faults.empty()) entries_ = std::move(entries);
+  return faults;
 }
 
 std::string_view CriticSet::name_of(Rejecter rejecter) const {
   constexpr std::string_view kNames[] = {"", "Collision", "Braking"};
   if (rejecter < kFirstCritic) return kNames[rejecter];
   return entries_[static_cast<std::size_t>(rejecter - kFirstCritic)].name;
+}
+
+double CriticSet::reach() const {
+  double farthest = 0.0;
+  for (const Entry& entry : entries_) {
+    if (entry.weight != 0.0) farthest = std::max(farthest, entry.critic->reach());
+  }
+  return farthest;
 }
 
 void CriticSet::prepare(const CycleView& view) const {

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/planner/evaluation.hpp"
 
-#include <algorithm>
-
 namespace hidwa_local_planner {
 
 Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& steering, bool recovering) {
-  const VelocityLimits window_limits = surroundings_.find_overlaps(cycle);
+  const VelocityLimits window_limits = obstacles_.find_overlaps(cycle);
   candidates_.make(cycle, window_limits, steering);
   const Rollout& rollout = candidates_.rollout();
   scores_.resize(rollout.candidate_count(), rollout.tile_count(), critics_.size());
-  surroundings_.prepare(cycle, rollout, steering.active, !steering.active && recovering);
+  obstacles_.prepare(cycle, rollout, steering.active, !steering.active && recovering);
   prepare_grids(cycle);
   const CycleView view = view_of(cycle, steering);
   if (!grids_.on_map() && !steering.active) return {view, false};
   critics_.prepare(view);
   checks_.begin();
   // Recovery, and a way out of collision, are chosen among all legal candidates.
-  const bool out_of_collision = surroundings_.in_collision() && !steering.active;
+  const bool out_of_collision = obstacles_.in_collision() && !steering.active;
   score_tiles(cycle, steering, view, cycle.sampling.report >= Report::legality || recovering || out_of_collision);
   return {view, true};
 }
@@ -25,8 +23,8 @@ Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& stee
 void Evaluation::prepare_grids(const Cycle& cycle) {
   const Parameters& p = cycle.parameters;
   grids_.prepare(cycle.grid, cycle.situation.plan, p.map_grid, p.unknown_is_obstacle);
-  grids_.expect(cycle.situation.pose, surroundings_.reach() + std::max(p.PathAlign_forward_point_distance,
-                                                                       p.GoalAlign_forward_point_distance));
+  grids_.expect(cycle.situation.pose, obstacles_.reach() + critics_.reach());
+  tiles_.prepare({&cycle.grid, &grids_, &obstacles_.collision(), cycle.situation.pose, cycle.situation.goal});
 }
 
 CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering) {
@@ -42,7 +40,7 @@ CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering) {
   view.plan = &cycle.situation.plan;
   view.grid = &cycle.grid;
   view.footprint = &cycle.footprint;
-  view.grids = &grids_;
+  view.surroundings = &tiles_.surroundings();
   return view;
 }
 

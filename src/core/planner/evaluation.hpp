@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From the start of a cycle to scored candidates:
 //
-// 1. what the robot overlaps decides the limits of the dynamic window (Surroundings);
+// 1. what the robot overlaps decides the limits of the dynamic window (Obstacles);
 // 2. candidates are sampled and rolled out (Candidates);
-// 3. obstacles and distances are prepared as far as the candidates reach (Surroundings, PlanGrids);
+// 3. obstacles and distances are prepared as far as the candidates reach (Obstacles, PlanGrids);
 // 4. each tile is checked as far as its cells decide (LazyChecks) and scored (Scores).
 //
 // Where the plan is off the map and nobody steers there is nothing to score by: nothing is scored.
@@ -14,7 +14,7 @@
 #include "core/planner/critic_set.hpp"
 #include "core/planner/lazy_checks.hpp"
 #include "core/planner/scores.hpp"
-#include "core/planner/surroundings.hpp"
+#include "core/planner/obstacles.hpp"
 #include "core/planner/tile_filler.hpp"
 
 namespace hidwa_local_planner {
@@ -37,7 +37,7 @@ class Evaluation {
   const Candidates& candidates() const { return candidates_; }
   const Scores& scores() const { return scores_; }
   LazyChecks& checks() { return checks_; }
-  Surroundings& surroundings() { return surroundings_; }
+  Obstacles& obstacles() { return obstacles_; }
   TileFiller& tiles() { return tiles_; }
   PlanGrids& grids() { return grids_; }
 
@@ -48,11 +48,11 @@ class Evaluation {
 
   const CriticSet& critics_;
   Candidates candidates_;
-  Surroundings surroundings_;
+  Obstacles obstacles_;
   PlanGrids grids_;
-  TileFiller tiles_{candidates_, surroundings_};
+  TileFiller tiles_{candidates_, obstacles_};
   Scores scores_;
-  LazyChecks checks_{candidates_, surroundings_, tiles_, scores_};
+  LazyChecks checks_{candidates_, obstacles_, tiles_, scores_};
 };
 
 }  // namespace hidwa_local_planner

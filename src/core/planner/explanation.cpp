@@ -123,7 +123,7 @@ void Explanation::ask_everyone(const CycleView& view) {
 
 // Both checks of every candidate, the braking check without gaps.
 void Explanation::check_everyone(const Tile& tile) {
-  AdmissibilityCheck& admissibility = of_.surroundings.admissibility();
+  AdmissibilityCheck& admissibility = of_.obstacles.admissibility();
   std::vector<const char*> collides(tile.count, nullptr);
   admissibility.check_rollouts(tile, collides.data());
   for (std::size_t c = 0; c < tile.count; ++c) {

@@ -13,7 +13,7 @@
 #include "core/planner/critic_set.hpp"
 #include "core/planner/lazy_checks.hpp"
 #include "core/planner/scores.hpp"
-#include "core/planner/surroundings.hpp"
+#include "core/planner/obstacles.hpp"
 #include "core/planner/tile_filler.hpp"
 
 namespace hidwa_local_planner {
@@ -26,7 +26,7 @@ class Explanation {
     const CriticSet& critics;
     const Candidates& candidates;
     const Scores& scores;
-    Surroundings& surroundings;
+    Obstacles& obstacles;
     TileFiller& tiles;
     LazyChecks& checks;
   };

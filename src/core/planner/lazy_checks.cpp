@@ -30,7 +30,7 @@ void LazyChecks::check_before_scoring(const Tile& tile, std::size_t index, bool 
 }
 
 void LazyChecks::check_cells(const Tile& tile, TileState& state) {
-  AdmissibilityCheck& admissibility = surroundings_.admissibility();
+  AdmissibilityCheck& admissibility = obstacles_.admissibility();
   const char** reason = scores_.reasons().data() + tile.first;
   const bool decided = admissibility.cells_decide(tile, reason);
   const bool hits = (tile.touched_any & cell_class::kHit) != 0;
@@ -43,7 +43,7 @@ void LazyChecks::check_cells(const Tile& tile, TileState& state) {
 void LazyChecks::check_closely(const Tile& tile, TileState& state) {
   if (state.done) return;
   state.done = true;
-  AdmissibilityCheck& admissibility = surroundings_.admissibility();
+  AdmissibilityCheck& admissibility = obstacles_.admissibility();
   const bool braking = admissibility.checks_braking();
   std::fill_n(found_.begin(), tile.count, nullptr);
   admissibility.check_rollouts(tile, found_.data());
@@ -66,7 +66,7 @@ bool LazyChecks::legal(std::size_t candidate) {
 }
 
 bool LazyChecks::confirm(std::size_t candidate) {
-  AdmissibilityCheck& admissibility = surroundings_.admissibility();
+  AdmissibilityCheck& admissibility = obstacles_.admissibility();
   if (!admissibility.checks_braking() || admissibility.confirm_braking(candidates_.sample(candidate))) return true;
   scores_.reject(candidate, kBraking, kCannotBrake);
   return false;

@@ -23,15 +23,15 @@
 
 #include "core/planner/candidates.hpp"
 #include "core/planner/scores.hpp"
-#include "core/planner/surroundings.hpp"
+#include "core/planner/obstacles.hpp"
 #include "core/planner/tile_filler.hpp"
 
 namespace hidwa_local_planner {
 
 class LazyChecks {
  public:
-  LazyChecks(const Candidates& candidates, Surroundings& surroundings, TileFiller& tiles, Scores& scores)
-      : candidates_(candidates), surroundings_(surroundings), tiles_(tiles), scores_(scores) {}
+  LazyChecks(const Candidates& candidates, Obstacles& obstacles, TileFiller& tiles, Scores& scores)
+      : candidates_(candidates), obstacles_(obstacles), tiles_(tiles), scores_(scores) {}
 
   /// New candidates: nothing is checked.
   void begin();
@@ -58,7 +58,7 @@ class LazyChecks {
   void check_tile(std::size_t index);
 
   const Candidates& candidates_;
-  Surroundings& surroundings_;
+  Obstacles& obstacles_;
   TileFiller& tiles_;
   Scores& scores_;
   std::vector<TileState> states_;   // [tiles]

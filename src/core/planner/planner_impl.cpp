@@ -13,7 +13,7 @@ Planner::Impl::Impl(CriticRegistry registry)
     : critics(std::move(registry)),
       evaluation(critics),
       selection(evaluation.candidates(), evaluation.scores(), evaluation.checks()),
-      explanation({parameters, critics, evaluation.candidates(), evaluation.scores(), evaluation.surroundings(),
+      explanation({parameters, critics, evaluation.candidates(), evaluation.scores(), evaluation.obstacles(),
                    evaluation.tiles(), evaluation.checks()}) {}
 
 std::vector<std::string> Planner::Impl::configure(const Parameters& given, const SourceFor& source_for) {
@@ -62,7 +62,7 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Steering steering = find_steering(cycle);
   const Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, recovery.active());
   decision.candidates = evaluation.candidates().count();
-  decision.escaping = evaluation.surroundings().in_collision();
+  decision.escaping = evaluation.obstacles().in_collision();
   if (!evaluated.scored) {
     evaluation.clear();
     return brake(cycle, Problem::off_map, "no pose of the plan lies on the local map");
@@ -99,7 +99,7 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
 }
 
 Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous) {
-  Surroundings& around = evaluation.surroundings();
+  Obstacles& around = evaluation.obstacles();
   // In collision only what leads out is worth turning for.
   const bool only_recovery = autonomous && recovery.active() && around.in_collision();
   const int recovering = recovery.choose(
@@ -118,12 +118,12 @@ Conclusion Planner::Impl::follow_choice(const Cycle& cycle, const Choice& choice
   if (choice.candidate < 0) return brake(cycle, Problem::refused, "every candidate was refused");
   explanation.describe_choice(decision);
   const Twist2& sample = evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate));
-  return follow(sample, evaluation.surroundings().admissibility().command_for(sample));
+  return follow(sample, evaluation.obstacles().admissibility().command_for(sample));
 }
 
 // The robot stands in collision and no legal motion leads out. Standing may be the operator's choice.
 bool Planner::Impl::trapped(const Choice& choice, const Twist2& sample) {
-  if (!evaluation.surroundings().in_collision()) return false;
+  if (!evaluation.obstacles().in_collision()) return false;
   if (choice.candidate < 0) return true;
   return sample == Twist2{} && !evaluation.checks().any_motion_legal();
 }

@@ -3,7 +3,7 @@
 //
 // 1. StartEstimator finds what the cycle starts from: reference velocity, pending motion, pose of now.
 // 2. Evaluation makes candidates, samples of the dynamic window rolled out (Candidates),
-// 3. rejects those that collide or cannot brake, as far as the choice needs it (Surroundings, LazyChecks), and
+// 3. rejects those that collide or cannot brake, as far as the choice needs it (Obstacles, LazyChecks), and
 // 4. scores the rest (Scores).
 // 5. Selection takes the cheapest legal candidate. Where autonomy is stuck, Recovery takes another legal one.
 //

@@ -63,7 +63,7 @@ std::size_t Scores::ask_critics(const CycleView& view, const Tile& tile, const C
     } else {
       std::fill_n(own, tile.count, 0.0);
     }
-    if (!scores.any_refused()) continue;
+    if (!scores.any_rejected()) continue;
     for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
       if (reasons_[c] != nullptr && rejected_by_[c] == kNobody) {
         rejected_by_[c] = static_cast<Rejecter>(kFirstCritic + i);

@@ -3,31 +3,33 @@
 
 #include <cstddef>
 
-#include "core/distance/end_cells.hpp"
 #include "core/planner/candidates.hpp"
-#include "core/planner/surroundings.hpp"
+#include "core/planner/obstacles.hpp"
+#include "core/planner/tile_surroundings.hpp"
 
 namespace hidwa_local_planner {
 
 /// Makes tiles with all that checks and critics read of them.
 class TileFiller {
  public:
-  TileFiller(const Candidates& candidates, Surroundings& surroundings)
-      : candidates_(candidates), surroundings_(surroundings) {}
+  TileFiller(const Candidates& candidates, Obstacles& obstacles) : candidates_(candidates), obstacles_(obstacles) {}
+
+  /// Once a cycle.
+  void prepare(const TileSurroundings::Cycle& cycle) { surroundings_.prepare(cycle); }
+  TileSurroundings& surroundings() { return surroundings_; }
 
   /// Valid until the next call.
   Tile tile(std::size_t index) {
     Tile tile = candidates_.rollout().tile(index);
-    surroundings_.classify(tile);
-    ends_.forget();
-    tile.ends = &ends_;
+    obstacles_.classify(tile);
+    surroundings_.begin(tile);
     return tile;
   }
 
  private:
   const Candidates& candidates_;
-  Surroundings& surroundings_;
-  EndCells ends_;
+  Obstacles& obstacles_;
+  TileSurroundings surroundings_;
 };
 
 }  // namespace hidwa_local_planner

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::control {
@@ -42,7 +43,7 @@ class Person : public Operator {
 /// A loop in an empty map whose robot does what it is told.
 class Bench {
  public:
-  Bench() : scene_(test::Scene::empty(121)), loop_(CriticRegistry::with_built_in(), person_) {
+  Bench() : scene_(test::Scene::empty(121)), loop_(critics::built_in(), person_) {
     EXPECT_TRUE(loop_.configure(scene_.parameters).empty());
     loop_.set_footprint(scene_.outline);
     seen_.timing = {10.0, kPeriod, kPeriod, kPeriod, false};

@@ -15,7 +15,7 @@ double raw(const std::string& critic, const Scene& scene, const Pose2& last) {
   CriticBench bench(critic, scene);
   bench.prepare();
   const test::Verdict verdict = bench.score({0.5, 0.0}, {{}, last});
-  EXPECT_FALSE(verdict.refused()) << verdict.reason;
+  EXPECT_FALSE(verdict.rejected()) << verdict.reason;
   return verdict.raw;
 }
 
@@ -86,8 +86,8 @@ TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueUnderL1ItRefuses) {
   scene.parameters.map_grid = MapGridDistance::l1;
   CriticBench bench("PathAlign", scene);
   bench.prepare();
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.5, 1.3, M_PI / 2}}).refused());
-  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.5, 1.2, M_PI / 2}}).refused());
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.5, 1.3, M_PI / 2}}).rejected());
+  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.5, 1.2, M_PI / 2}}).rejected());
 }
 
 TEST(L1LookUp, WhereThePersonDecidesItRefusesNothing) {

@@ -19,7 +19,7 @@ class OscillationTest : public ::testing::Test {
   }
   bool legal(const Twist2& u) {
     bench_.prepare();
-    return !bench_.score(u, {{}, {}}).refused();
+    return !bench_.score(u, {{}, {}}).rejected();
   }
   Situation& situation() { return bench_.scene().situation; }
   CriticBench bench_;
@@ -100,10 +100,10 @@ TEST_F(OscillationTest, TimeEndsTheBanOnlyWhereSet) {
   timed.debrief({0.0, -0.5});
   timed.scene().situation.time = 12.0;
   timed.debrief({0.0, -0.5});
-  EXPECT_TRUE(timed.score({0.0, 0.5}, {{}, {}}).refused());
+  EXPECT_TRUE(timed.score({0.0, 0.5}, {{}, {}}).rejected());
   timed.scene().situation.time = 12.1;
   timed.debrief({0.0, -0.5});
-  EXPECT_FALSE(timed.score({0.0, 0.5}, {{}, {}}).refused());
+  EXPECT_FALSE(timed.score({0.0, 0.5}, {{}, {}}).rejected());
 }
 
 TEST_F(OscillationTest, ANewGoalForgets) {
@@ -130,7 +130,7 @@ TEST_F(OscillationTest, SilentWhileThePersonSteersButItKeepsCount) {
   strict.prepare();
   strict.debrief({0.0, 0.5});
   strict.debrief({0.0, -0.5});
-  EXPECT_TRUE(strict.score({0.0, 0.5}, {{}, {}}).refused());
+  EXPECT_TRUE(strict.score({0.0, 0.5}, {{}, {}}).rejected());
 }
 
 TEST(OscillationPerson, WhereThePersonDecidesNoSwitchMakesItRefuse) {
@@ -144,7 +144,7 @@ TEST(OscillationPerson, WhereThePersonDecidesNoSwitchMakesItRefuse) {
     bench.prepare();
     bench.debrief({0.0, 0.5});
     bench.debrief({0.0, -0.5});
-    EXPECT_FALSE(bench.score({0.0, 0.5}, {{}, {}}).refused());
+    EXPECT_FALSE(bench.score({0.0, 0.5}, {{}, {}}).rejected());
   }
 }
 

@@ -3,6 +3,7 @@
 // a square of 0.4 m, cycles of 0.05 s.
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/planner_bench.hpp"
 
 namespace hidwa_local_planner {
@@ -178,7 +179,7 @@ TEST(PlannerSampling, NumbersOfOneCycleOverrideTheParameters) {
 }
 
 TEST(PlannerConfigure, ASetIsTakenWholeOrNotAtAll) {
-  Planner planner;
+  Planner planner(critics::built_in());
   Parameters p;
   p.max_vel_x = 0.7;
   ASSERT_TRUE(planner.configure(p).empty());

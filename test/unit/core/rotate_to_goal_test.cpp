@@ -25,7 +25,7 @@ TEST(RotateToGoal, OutsideTheToleranceItSaysNothing) {
   CriticBench bench = bench_at(0.26, 0.4);
   bench.prepare();
   const Verdict verdict = bench.score({0.5, 0.0}, kEndsAtPointFour);
-  EXPECT_FALSE(verdict.refused());
+  EXPECT_FALSE(verdict.rejected());
   EXPECT_EQ(verdict.raw, 0.0);
   EXPECT_EQ(bench.weight(), 32.0);
 }
@@ -33,20 +33,20 @@ TEST(RotateToGoal, OutsideTheToleranceItSaysNothing) {
 TEST(RotateToGoal, StillDrivingInsideItMustSlowDown) {
   CriticBench bench = bench_at(0.24, 0.4);
   bench.prepare();
-  EXPECT_TRUE(bench.score({0.4, 0.0}, kEndsAtPointFour).refused());
-  EXPECT_TRUE(bench.score({-0.4, 0.0}, kEndsAtPointFour).refused());
+  EXPECT_TRUE(bench.score({0.4, 0.0}, kEndsAtPointFour).rejected());
+  EXPECT_TRUE(bench.score({-0.4, 0.0}, kEndsAtPointFour).rejected());
   const Verdict slower = bench.score({0.3, 0.0}, kEndsAtPointFour);
-  EXPECT_FALSE(slower.refused());
+  EXPECT_FALSE(slower.rejected());
   EXPECT_NEAR(slower.raw, 0.09 * 5.0 + 0.6, 1e-12);  // v^2 * 5 + |1.0 - 0.4|
 }
 
 TEST(RotateToGoal, StoppedItOnlyTurns) {
   CriticBench bench = bench_at(0.24, 0.1);
   bench.prepare();
-  EXPECT_TRUE(bench.score({0.05, 0.5}, kEndsAtPointFour).refused());
-  EXPECT_TRUE(bench.score({-0.05, 0.5}, kEndsAtPointFour).refused());
+  EXPECT_TRUE(bench.score({0.05, 0.5}, kEndsAtPointFour).rejected());
+  EXPECT_TRUE(bench.score({-0.05, 0.5}, kEndsAtPointFour).rejected());
   const Verdict turning = bench.score({0.0, 0.5}, kEndsAtPointFour);
-  EXPECT_FALSE(turning.refused());
+  EXPECT_FALSE(turning.rejected());
   EXPECT_NEAR(turning.raw, 0.6, 1e-12);
 }
 
@@ -57,13 +57,13 @@ TEST(RotateToGoal, ItRefusesThePersonNothing) {
       bench.scene().intent.influence = influence;
       bench.prepare();
       const Verdict forwards = bench.score({0.5, 0.0}, kEndsAtPointFour);
-      EXPECT_FALSE(forwards.refused()) << forwards.reason;
-      EXPECT_FALSE(bench.score({-0.5, 0.5}, kEndsAtPointFour).refused());
+      EXPECT_FALSE(forwards.rejected()) << forwards.reason;
+      EXPECT_FALSE(bench.score({-0.5, 0.5}, kEndsAtPointFour).rejected());
       // The heading error |1.0 - 0.4|, and v^2 * 5 = 0.25 * 5 while still driving: only the refusal is gone.
       EXPECT_NEAR(forwards.raw, v > 0.1 ? 1.25 + 0.6 : 0.6, 1e-12);
       bench.scene().intent = OperatorIntent();
       bench.prepare();
-      EXPECT_TRUE(bench.score({0.5, 0.0}, kEndsAtPointFour).refused());  // autonomy again
+      EXPECT_TRUE(bench.score({0.5, 0.0}, kEndsAtPointFour).rejected());  // autonomy again
     }
   }
 }
@@ -81,16 +81,16 @@ TEST(RotateToGoal, BothLatchesHoldUntilANewGoal) {
   bench.prepare();
   bench.scene().situation.pose.x = 0.6;  // slid out of the tolerance
   bench.prepare();
-  EXPECT_TRUE(bench.score({0.4, 0.0}, kEndsAtPointFour).refused());
+  EXPECT_TRUE(bench.score({0.4, 0.0}, kEndsAtPointFour).rejected());
   bench.scene().situation.velocity.v = 0.05;  // stopped ...
   bench.prepare();
   bench.scene().situation.velocity.v = 0.4;  // ... and pushed on
   bench.prepare();
-  EXPECT_TRUE(bench.score({0.05, 0.0}, kEndsAtPointFour).refused());
+  EXPECT_TRUE(bench.score({0.05, 0.0}, kEndsAtPointFour).rejected());
   bench.critic().reset();
   bench.prepare();
   EXPECT_EQ(bench.score({0.4, 0.0}, kEndsAtPointFour).raw, 0.0);
-  EXPECT_FALSE(bench.score({0.4, 0.0}, kEndsAtPointFour).refused());
+  EXPECT_FALSE(bench.score({0.4, 0.0}, kEndsAtPointFour).rejected());
 }
 
 TEST(RotateToGoal, LookaheadInterpolatesBetweenPoses) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -36,7 +37,7 @@ TEST(SafeValues, WithTheHorizonAloneATargetStays) {
 TEST(SafeValues, ThePlannerRunsWithThem) {
   Parameters p;
   p.command = CommandPolicy::target;
-  Planner planner;
+  Planner planner(critics::built_in());
   EXPECT_TRUE(planner.configure(p).empty());  // it is no fault: a robot drives on after an update
   EXPECT_EQ(planner.parameters().command, CommandPolicy::feasible);
   EXPECT_EQ(planner.parameters().admissibility, Admissibility::braking);

@@ -60,16 +60,16 @@ TEST(BaseObstacle, TheLastCellsCostOrTheSum) {
 TEST(BaseObstacle, RefusesLethalInscribedUnknownAndTheEdge) {
   CriticBench bench("BaseObstacle", costly());
   bench.prepare();
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.2, 0.0, 0.0}, {0.3, 0.0, 0.0}}).refused());  // passes inscribed
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.0, 0.2, 0.0}}).refused());                   // ends in lethal
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {-0.2, 0.0, 0.0}}).refused());                  // unknown
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {1.53, 0.5, 0.0}}).refused());                  // beyond 1.525
-  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.3, 0.3, 0.0}}).refused());
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.2, 0.0, 0.0}, {0.3, 0.0, 0.0}}).rejected());  // passes inscribed
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.0, 0.2, 0.0}}).rejected());                   // ends in lethal
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {-0.2, 0.0, 0.0}}).rejected());                  // unknown
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {1.53, 0.5, 0.0}}).rejected());                  // beyond 1.525
+  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.3, 0.3, 0.0}}).rejected());
   Scene scene = costly();
   scene.parameters.unknown_is_obstacle = false;
   CriticBench tolerant("BaseObstacle", scene);
   tolerant.prepare();
-  EXPECT_FALSE(tolerant.score({0.5, 0.0}, {{}, {-0.2, 0.0, 0.0}}).refused());
+  EXPECT_FALSE(tolerant.score({0.5, 0.0}, {{}, {-0.2, 0.0, 0.0}}).rejected());
 }
 
 TEST(BaseObstacle, FromWithinAnObstacleItLetsOutWhereEscapeIsOn) {
@@ -77,11 +77,11 @@ TEST(BaseObstacle, FromWithinAnObstacleItLetsOutWhereEscapeIsOn) {
   scene.situation.pose = {0.2, 0.0, 0.0};  // in the inscribed cell
   CriticBench bench("BaseObstacle", scene);
   bench.prepare();
-  EXPECT_FALSE(bench.score({-0.1, 0.0}, {{0.2, 0.0, 0.0}, {0.1, 0.0, 0.0}}).refused());
+  EXPECT_FALSE(bench.score({-0.1, 0.0}, {{0.2, 0.0, 0.0}, {0.1, 0.0, 0.0}}).rejected());
   scene.parameters.escape = false;
   CriticBench strict("BaseObstacle", scene);
   strict.prepare();
-  EXPECT_TRUE(strict.score({-0.1, 0.0}, {{0.2, 0.0, 0.0}, {0.1, 0.0, 0.0}}).refused());
+  EXPECT_TRUE(strict.score({-0.1, 0.0}, {{0.2, 0.0, 0.0}, {0.1, 0.0, 0.0}}).rejected());
 }
 
 // The outline reaches 0.2 m each way.
@@ -108,16 +108,16 @@ TEST(ObstacleFootprint, RefusesLethalUnknownAndTheEdgeUnderTheOutlineOnly) {
   scene.at({30, 38}) = cost::kInscribed;
   CriticBench bench("ObstacleFootprint", scene);
   bench.prepare();
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.2, 0.0, 0.0}}).refused());
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.2, 0.0, 0.0}, {0.0, 0.0, 0.0}}).refused());  // on the way, too
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {-0.2, 0.0, 0.0}}).refused());
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {1.34, -0.6, 0.0}}).refused());  // front at 1.54
-  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.0, 0.2, 0.0}}).refused());   // inscribed is allowed
-  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.4, 0.0, 0.0}}).refused());   // lethal, but inside
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.2, 0.0, 0.0}}).rejected());
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.2, 0.0, 0.0}, {0.0, 0.0, 0.0}}).rejected());  // on the way, too
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {-0.2, 0.0, 0.0}}).rejected());
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {1.34, -0.6, 0.0}}).rejected());  // front at 1.54
+  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.0, 0.2, 0.0}}).rejected());   // inscribed is allowed
+  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.4, 0.0, 0.0}}).rejected());   // lethal, but inside
   scene.parameters.unknown_is_obstacle = false;
   CriticBench tolerant("ObstacleFootprint", scene);
   tolerant.prepare();
-  EXPECT_FALSE(tolerant.score({0.5, 0.0}, {{}, {-0.2, 0.0, 0.0}}).refused());
+  EXPECT_FALSE(tolerant.score({0.5, 0.0}, {{}, {-0.2, 0.0, 0.0}}).rejected());
 }
 
 TEST(ObstacleFootprint, FromWithinAnObstacleItLetsOutWhereEscapeIsOn) {
@@ -126,11 +126,11 @@ TEST(ObstacleFootprint, FromWithinAnObstacleItLetsOutWhereEscapeIsOn) {
   CriticBench bench("ObstacleFootprint", scene);
   bench.prepare();
   const std::vector<Pose2> away{{}, {-0.05, 0.0, 0.0}};
-  EXPECT_FALSE(bench.score({-0.1, 0.0}, away).refused());
+  EXPECT_FALSE(bench.score({-0.1, 0.0}, away).rejected());
   scene.parameters.escape = false;
   CriticBench strict("ObstacleFootprint", scene);
   strict.prepare();
-  EXPECT_TRUE(strict.score({-0.1, 0.0}, away).refused());
+  EXPECT_TRUE(strict.score({-0.1, 0.0}, away).rejected());
 }
 
 TEST(ObstacleFootprint, ACircleHasAnOutlineToo) {
@@ -140,8 +140,8 @@ TEST(ObstacleFootprint, ACircleHasAnOutlineToo) {
   scene.at({30, 38}) = cost::kLethal;  // from y = 0.375 on
   CriticBench bench("ObstacleFootprint", scene);
   bench.prepare();
-  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.0, 0.18, 0.0}}).refused());   // top at 0.38
-  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.0, 0.17, 0.0}}).refused());  // 0.37
+  EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.0, 0.18, 0.0}}).rejected());   // top at 0.38
+  EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.0, 0.17, 0.0}}).rejected());  // 0.37
 }
 
 }  // namespace

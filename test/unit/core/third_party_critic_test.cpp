@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/planner_bench.hpp"
 
 namespace hidwa_local_planner {
@@ -24,7 +25,7 @@ class Opinion : public Critic {
   void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
     for (std::size_t c = 0; c < tile.count; ++c) {
       if (refuses_all_ || (refuses_left_ && tile.omega > 0.0)) {
-        scores.refuse(c, "in my opinion");
+        scores.reject(c, "in my opinion");
       } else {
         scores.set(c, value_);
       }
@@ -37,7 +38,7 @@ class Opinion : public Critic {
 };
 
 CriticRegistry with(const std::function<std::shared_ptr<Critic>()>& maker) {
-  CriticRegistry registry = CriticRegistry::with_built_in();
+  CriticRegistry registry = critics::built_in();
   registry.add("Opinion", maker);
   return registry;
 }
@@ -62,7 +63,6 @@ TEST(ThirdPartyCritic, IsWeighedAndListed) {
 TEST(ThirdPartyCritic, ReadsItsOwnParameters) {
   struct Source : ParameterSource {
     double number(const std::string& key, double fallback) const override { return key == "scale" ? 5.0 : fallback; }
-    bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
   };
   Planner planner(with([] { return std::make_shared<Opinion>(3.0); }));
   const Scene scene = asking();
@@ -73,6 +73,24 @@ TEST(ThirdPartyCritic, ReadsItsOwnParameters) {
   ASSERT_TRUE(planner.configure(scene.parameters, source).empty());
   planner.set_footprint(scene.outline);
   EXPECT_EQ(planner.plan(scene.situation, scene.grid(), scene.intent).terms[1].weight, 5.0);
+}
+
+TEST(ThirdPartyCritic, AValueThatItCannotReadIsAFaultOfTheSet) {
+  struct Source : ParameterSource {
+    std::vector<std::string> faults() const override { return {"Opinion/scale: expected a number, found x"}; }
+  };
+  Planner planner(with([] { return std::make_shared<Opinion>(3.0); }));
+  Parameters parameters = asking().parameters;
+  parameters.sim_time = 1.25;
+  const auto source = [](const std::string& name) -> std::unique_ptr<ParameterSource> {
+    if (name == "Opinion") return std::make_unique<Source>();
+    return nullptr;
+  };
+  EXPECT_EQ(planner.configure(parameters, source),
+            std::vector<std::string>{"Opinion/scale: expected a number, found x"});
+  EXPECT_NE(planner.parameters().sim_time, 1.25);
+  EXPECT_TRUE(planner.configure(parameters).empty());
+  EXPECT_EQ(planner.parameters().sim_time, 1.25);
 }
 
 TEST(ThirdPartyCritic, ItsRefusalsCountUnderItsName) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "drive/outline.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/scripted_operator.hpp"
 
 namespace hidwa_local_planner {
@@ -196,7 +197,7 @@ TEST(Drive, FiguresAgreeWithTheSamples) {
 TEST(Drive, TheObserverSeesEveryCycleAsThePlannerDid) {
   DriveSetup setup = corridor(1.2);
   setup.person = steering_left(1.5, 1.0);
-  Planner twin;  // decides the same from what is seen
+  Planner twin(critics::built_in());  // decides the same from what is seen
   ASSERT_TRUE(twin.configure(setup.parameters).empty());
   twin.set_footprint(setup.outline);
   Twist2 last;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/recorded_drive.hpp"
 
 namespace hidwa_local_planner::record {
@@ -27,7 +28,7 @@ TEST(CycleReplay, EveryCycleOfARandomDriveIsRepeatedToTheBit) {
   std::array<int, 4> outcomes{};
   std::array<int, 7> states{};
   for (std::uint64_t seed = 0; seed < 21; ++seed) {
-    CycleReplay replay;
+    CycleReplay replay(critics::built_in());
     int at = 0;
     for (const RecordedDrive::Cycle& cycle : drive(seed)) {
       ASSERT_EQ(replay.take(cycle.record), Reading::ready) << replay.fault();
@@ -51,7 +52,7 @@ TEST(CycleReplay, EveryCycleOfARandomDriveIsRepeatedToTheBit) {
 TEST(CycleReplay, ACycleIsRepeatedAloneAndAgain) {
   const std::vector<RecordedDrive::Cycle> cycles = drive(4);
   Random random(1);
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     ASSERT_EQ(replay.take(cycles[k].record), Reading::ready);
     if (random.chance(0.7)) continue;
@@ -63,7 +64,7 @@ TEST(CycleReplay, ACycleIsRepeatedAloneAndAgain) {
 // Without the recorded states some cycles come out differently: the records need them.
 TEST(CycleReplay, TheRecordedStatesDecide) {
   control::LoneOperator fresh_operator;
-  control::ControlLoop fresh_loop(CriticRegistry::with_built_in(), fresh_operator);
+  control::ControlLoop fresh_loop(critics::built_in(), fresh_operator);
   int loop_matters = 0, operator_matters = 0;
   const auto differs = [](CycleReplay& replay, const CycleRecord& record) {
     Bytes bytes;
@@ -72,7 +73,7 @@ TEST(CycleReplay, TheRecordedStatesDecide) {
     return replay.run().identical ? 0 : 1;
   };
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    CycleReplay without_loop, without_operator;
+    CycleReplay without_loop(critics::built_in()), without_operator(critics::built_in());
     for (const RecordedDrive::Cycle& cycle : drive(seed)) {
       CycleRecord record;
       ASSERT_EQ(decode(cycle.record, record), "");
@@ -93,7 +94,7 @@ TEST(CycleReplay, TheRecordedStatesDecide) {
 
 TEST(CycleReplay, AfterAGapItWaitsForTheNextKeyRecord) {
   const std::vector<RecordedDrive::Cycle> cycles = drive(1);
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   int waited = 0, repeated = 0;
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     if (k < 10 || k == 120) continue;  // key records are 0, 100 and 200
@@ -110,7 +111,7 @@ TEST(CycleReplay, AfterAGapItWaitsForTheNextKeyRecord) {
 TEST(CycleReplay, ADamagedRecordIsToldAndTheNextKeyRecordGoesOn) {
   std::vector<RecordedDrive::Cycle> cycles = drive(2);
   cycles[50].record.resize(40);
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     const Reading reading = replay.take(cycles[k].record);
     EXPECT_EQ(reading, k == 50 ? Reading::damaged : k > 50 && k < 100 ? Reading::waits_for_key : Reading::ready) << k;
@@ -129,7 +130,7 @@ TEST(CycleReplay, AStateThatCannotBeReadIsToldWithTheReleaseThatReadsIt) {
       state->resize(size);
       Bytes bytes;
       encode(record, bytes);
-      CycleReplay replay;
+      CycleReplay replay(critics::built_in());
       EXPECT_EQ(replay.take(bytes), Reading::damaged);
       EXPECT_EQ(replay.fault(), "what was remembered before the cycle cannot be read: replay it with release 7.8.9");
       *state = whole;
@@ -138,7 +139,7 @@ TEST(CycleReplay, AStateThatCannotBeReadIsToldWithTheReleaseThatReadsIt) {
 }
 
 TEST(CycleReplay, PartsOfLaterReleasesAreNamedAndTheRestIsRepeated) {
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   int cycle = 0;
   for (RecordedDrive::Cycle& recorded : drive(1, 30)) {
     ArchiveWriter write(recorded.record);
@@ -158,7 +159,7 @@ TEST(CycleReplay, NewParametersAreInForceFromTheirCycleOn) {
   parameters.delta = 2.0;
   drive.reconfigure(parameters);
   for (RecordedDrive::Cycle& cycle : drive.run(40)) cycles.push_back(cycle);
-  CycleReplay replay;
+  CycleReplay replay(critics::built_in());
   for (std::size_t k = 0; k < cycles.size(); ++k) {
     ASSERT_EQ(replay.take(cycles[k].record), Reading::ready);
     EXPECT_TRUE(replay.run().identical) << k;
@@ -173,7 +174,7 @@ TEST(CycleReplay, AChangedParameterChangesCyclesAndNoneChangesNone) {
   const auto differences = [&drives](const std::vector<ParameterChange>& changes) {
     int different = 0;
     for (const std::vector<RecordedDrive::Cycle>& cycles : drives) {
-      CycleReplay replay(CriticRegistry::with_built_in(), {}, changes);
+      CycleReplay replay(critics::built_in(), {}, changes);
       for (const RecordedDrive::Cycle& cycle : cycles) {
         EXPECT_EQ(replay.take(cycle.record), Reading::ready) << replay.fault();
         different += replay.run().identical ? 0 : 1;
@@ -212,14 +213,13 @@ class Scale : public ParameterSource {
  public:
   explicit Scale(double scale) : scale_(scale) {}
   double number(const std::string& key, double fallback) const override { return key == "scale" ? scale_ : fallback; }
-  bool flag(const std::string& /*key*/, bool fallback) const override { return fallback; }
 
  private:
   double scale_;
 };
 
 CriticRegistry with_moody() {
-  CriticRegistry registry = CriticRegistry::with_built_in();
+  CriticRegistry registry = critics::built_in();
   registry.add("Moody", [] { return std::make_shared<Moody>(); });
   return registry;
 }
@@ -260,7 +260,7 @@ TEST(CycleReplay, ACriticOfAnotherPackageRemembersAndFindsItsParameters) {
 
 TEST(CycleReplay, AChangeThatCannotBeIsTold) {
   const std::vector<RecordedDrive::Cycle> cycles = drive(1, 1);
-  CycleReplay replay(CriticRegistry::with_built_in(), {}, {{"s_omga", "1"}, {"max_vel_x", "fast"}});
+  CycleReplay replay(critics::built_in(), {}, {{"s_omga", "1"}, {"max_vel_x", "fast"}});
   EXPECT_EQ(replay.take(cycles[0].record), Reading::damaged);
   EXPECT_EQ(replay.fault(), "there is no parameter 's_omga', max_vel_x needs a number, not 'fast'");
 }

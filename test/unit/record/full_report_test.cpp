@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "core/planner/tie_rule.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/record/cycle_record.hpp"
@@ -74,7 +75,7 @@ TEST(FullReport, ExplainsTheChoice) {
   int chosen = 0, rejected_twice = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const Scene scene = random_scene(seed);
-    Planner planner;
+    Planner planner(critics::built_in());
     ASSERT_TRUE(planner.configure(scene.parameters).empty());
     planner.set_footprint(scene.outline);
     const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
@@ -106,7 +107,7 @@ class NotANumber : public Critic {
 };
 
 TEST(FullReport, NamesTheCriticThatGivesNoNumber) {
-  CriticRegistry registry = CriticRegistry::with_built_in();
+  CriticRegistry registry = critics::built_in();
   registry.add("NotANumber", [] { return std::make_shared<NotANumber>(); });
   Scene scene = Scene::empty();
   scene.parameters.critics += " NotANumber";
@@ -126,7 +127,7 @@ TEST(FullReport, NamesTheCriticThatGivesNoNumber) {
 
 TEST(FullReport, IsEmptyWhereNothingWasScored) {
   const Scene scene = Scene::empty();
-  Planner planner;
+  Planner planner(critics::built_in());
   planner.configure(scene.parameters);
   planner.set_footprint(scene.outline);
   planner.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));

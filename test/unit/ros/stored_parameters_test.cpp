@@ -1,26 +1,125 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/parameter_set.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
-TEST(StoredParameters, NumbersAndFlagsWithFallbacks) {
-  XmlRpc::XmlRpcValue content;
+using XmlRpc::XmlRpcValue;
+
+template <typename T>
+XmlRpcValue list(const std::vector<T>& elements) {
+  XmlRpcValue value;
+  value.setSize(static_cast<int>(elements.size()));
+  for (int i = 0; i < value.size(); ++i) value[i] = XmlRpcValue(elements[static_cast<std::size_t>(i)]);
+  return value;
+}
+
+TEST(StoredParameters, ValuesOfEveryTypeWithFallbacks) {
+  XmlRpcValue content;
   content["limit"] = 0.5;
   content["count"] = 3;
   content["strict"] = true;
-  content["name"] = "x";
+  content["side"] = "left";
+  content["speeds"] = list<double>({0.25, 0.5});
+  content["steps"] = list<int>({1, 2});
+  content["zones"] = list<std::string>({"door", "ramp"});
+  content["none"] = list<int>({});
   const StoredParameters own("TurnLimit", content);
   EXPECT_EQ(own.number("limit", 1.0), 0.5);
   EXPECT_EQ(own.number("count", 1.0), 3.0);
   EXPECT_EQ(own.number("missing", 1.5), 1.5);
-  EXPECT_EQ(own.number("name", 2.5), 2.5);  // said, and the fallback taken
   EXPECT_TRUE(own.flag("strict", false));
   EXPECT_TRUE(own.flag("missing", true));
-  EXPECT_FALSE(own.flag("limit", false));
+  EXPECT_EQ(own.word("side", "both"), "left");
+  EXPECT_EQ(own.word("missing", "both"), "both");
+  EXPECT_EQ(own.numbers("speeds", {}), (std::vector<double>{0.25, 0.5}));
+  EXPECT_EQ(own.numbers("steps", {}), (std::vector<double>{1.0, 2.0}));
+  EXPECT_EQ(own.numbers("missing", {7.0}), std::vector<double>{7.0});
+  EXPECT_EQ(own.words("zones", {}), (std::vector<std::string>{"door", "ramp"}));
+  EXPECT_EQ(own.words("missing", {"room"}), std::vector<std::string>{"room"});
+  EXPECT_TRUE(own.words("none", {"room"}).empty());
+  EXPECT_TRUE(own.numbers("none", {7.0}).empty());
+  EXPECT_EQ(own.faults(), std::vector<std::string>{});
+}
+
+TEST(StoredParameters, AnotherTypeIsAFaultThatNamesWhatIsExpectedAndWhatWasFound) {
+  XmlRpcValue content;
+  content["limit"] = "0,5";
+  content["strict"] = 1;
+  content["side"] = false;
+  content["speeds"] = 0.5;
+  content["zones"] = list<int>({1});
+  const StoredParameters own("TurnLimit", content);
+  EXPECT_EQ(own.number("limit", 2.5), 2.5);
+  EXPECT_FALSE(own.flag("strict", false));
+  EXPECT_EQ(own.word("side", "both"), "both");
+  EXPECT_EQ(own.numbers("speeds", {7.0}), std::vector<double>{7.0});
+  EXPECT_EQ(own.words("zones", {"room"}), std::vector<std::string>{"room"});
+  const std::vector<std::string> expected{
+      "TurnLimit/limit: expected a number, found 0,5 (YAML takes it for a text: write numbers like 0.001 or 1.0e-3, "
+      "without quotes)",
+      "TurnLimit/strict: expected true or false, found 1",
+      "TurnLimit/side: expected a word, found false (YAML takes on, off, yes and no for true and false: write it in "
+      "quotes)",
+      "TurnLimit/speeds: expected a list of numbers, found 0.5",
+      "TurnLimit/zones: expected a list of words, found {1}"};
+  EXPECT_EQ(own.faults(), expected);
+}
+
+// Has parameters of every type; `side` is one of two words.
+class Choosy : public Critic {
+ public:
+  double configure(const Parameters& /*parameters*/, const ParameterSource& own) override {
+    own.numbers("speeds", {});
+    own.words("zones", {});
+    own.flag("strict", false);
+    if (own.word("side", "left") != "left") throw std::invalid_argument("Choosy/side: expected left");
+    return own.number("scale", 1.0);
+  }
+  void score(const CycleView& /*cycle*/, const Tile& /*tile*/, TileScores& /*scores*/) override {}
+};
+
+CriticRegistry with_choosy() {
+  CriticRegistry registry = critics::built_in();
+  for (const char* name : {"a/Choosy", "b/Choosy"}) registry.add(name, [] { return std::make_shared<Choosy>(); });
+  return registry;
+}
+
+TEST(TryOut, KeysThatACriticDoesNotAskForAreNamedWithTheLikelyRightOne) {
+  ParameterSet set;
+  set.parameters.critics = "PathDist, a/Choosy, b/Choosy";
+  set.content["Choosy"]["scale"] = 2.0;
+  set.content["Choosy"]["spedes"] = list<double>({0.5});
+  set.content["Choosy"]["weather"] = "fine";
+  set.content["PathDist"]["scale"] = 7.0;  // in DWB's layout: load_parameters() judges it
+  const Trial trial = try_out(set, with_choosy());
+  EXPECT_EQ(trial.faults, std::vector<std::string>{});
+  const std::vector<std::string> expected{
+      "unknown parameter Choosy/spedes of the critic a/Choosy: it has no effect; do you mean Choosy/speeds?",
+      "unknown parameter Choosy/weather of the critic a/Choosy: it has no effect; it knows scale side speeds strict "
+      "zones"};
+  EXPECT_EQ(trial.warnings, expected);
+}
+
+TEST(TryOut, WrongTypesAndWordsAreFaults) {
+  ParameterSet set;
+  set.parameters.critics = "PathDist, a/Choosy";
+  set.content["Choosy"]["speeds"] = "fast";
+  EXPECT_EQ(try_out(set, with_choosy()).faults,
+            std::vector<std::string>{"Choosy/speeds: expected a list of numbers, found fast"});
+  set.content["Choosy"]["speeds"] = list<double>({0.5});
+  set.content["Choosy"]["side"] = "right";
+  const std::vector<std::string> faults = try_out(set, with_choosy()).faults;
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].find("Choosy/side: expected left"), std::string::npos) << faults[0];
+  set.content["Choosy"]["side"] = "left";
+  EXPECT_TRUE(try_out(set, with_choosy()).faults.empty());
 }
 
 TEST(StoredParameters, OfACriticByItsShortName) {
@@ -37,6 +136,9 @@ TEST(ParameterSet, ForeignCriticsGoThroughXml) {
   set.parameters.critics = "PathDist, some_package/TurnLimit, Silent";
   set.content["TurnLimit"]["limit"] = 1.0 / 3.0;
   set.content["TurnLimit"]["strict"] = true;
+  set.content["TurnLimit"]["side"] = "<left & right>";
+  set.content["TurnLimit"]["speeds"] = list<double>({1.0 / 7.0, 2.0});
+  set.content["TurnLimit"]["zones"] = list<std::string>({"door", "ramp"});
   set.content["PathDist"]["scale"] = 7.0;
   set.content["sim_time"] = 1.0;
   const std::string text = foreign_content(set);
@@ -45,6 +147,9 @@ TEST(ParameterSet, ForeignCriticsGoThroughXml) {
   const ParameterSet read = with_foreign_content(text);
   EXPECT_EQ(read.source_for("some_package/TurnLimit")->number("limit", 0.0), 1.0 / 3.0);
   EXPECT_TRUE(read.source_for("some_package/TurnLimit")->flag("strict", false));
+  EXPECT_EQ(read.source_for("some_package/TurnLimit")->word("side", ""), "<left & right>");
+  EXPECT_EQ(read.source_for("some_package/TurnLimit")->numbers("speeds", {}), (std::vector<double>{1.0 / 7.0, 2.0}));
+  EXPECT_EQ(read.source_for("some_package/TurnLimit")->words("zones", {}), (std::vector<std::string>{"door", "ramp"}));
   set.parameters.critics = "PathDist";
   EXPECT_EQ(foreign_content(set), "");
   EXPECT_EQ(foreign_content(ParameterSet()), "");
@@ -53,23 +158,23 @@ TEST(ParameterSet, ForeignCriticsGoThroughXml) {
   }
 }
 
-TEST(ParameterSet, FaultsNameUnknownCriticsAndWhatThereIs) {
+TEST(TryOut, FaultsNameUnknownCriticsAndWhatThereIs) {
   ParameterSet set;
   set.parameters.critics = "PathDist, NoSuchCritic";
-  const auto faults = faults_of(set, CriticRegistry::with_built_in());
+  const auto faults = try_out(set, critics::built_in()).faults;
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_NE(faults[0].find("NoSuchCritic"), std::string::npos);
   EXPECT_NE(faults[0].find("GoalDist"), std::string::npos);
   set.parameters.critics = "PathDist";
-  EXPECT_TRUE(faults_of(set, CriticRegistry::with_built_in()).empty());
+  EXPECT_TRUE(try_out(set, critics::built_in()).faults.empty());
 }
 
-TEST(ParameterSet, ACriticThatCannotBeMadeIsAFault) {
-  CriticRegistry registry = CriticRegistry::with_built_in();
+TEST(TryOut, ACriticThatCannotBeMadeIsAFault) {
+  CriticRegistry registry = critics::built_in();
   registry.add("Broken", [] { return std::shared_ptr<Critic>(); });
   ParameterSet set;
   set.parameters.critics = "PathDist, Broken";
-  const auto faults = faults_of(set, registry);
+  const auto faults = try_out(set, registry).faults;
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_NE(faults[0].find("Broken"), std::string::npos);
 }

@@ -13,7 +13,7 @@ using hidwa_local_planner::ParameterSource;
 using hidwa_local_planner::Tile;
 using hidwa_local_planner::TileScores;
 
-/// Refuses turns faster than `limit` [rad/s], and makes the others cost `scale` x |omega|.
+/// Rejects turns faster than `limit` [rad/s], and makes the others cost `scale` x |omega|.
 class TurnLimit : public hidwa_local_planner::Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override {
@@ -24,7 +24,7 @@ class TurnLimit : public hidwa_local_planner::Critic {
   void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
     for (std::size_t c = 0; c < scores.count(); ++c) {
       if (std::abs(tile.omega) > limit_) {
-        scores.refuse(c, "turns too fast");
+        scores.reject(c, "turns too fast");
       } else {
         scores.set(c, std::abs(tile.omega));
       }

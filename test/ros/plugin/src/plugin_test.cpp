@@ -3,6 +3,7 @@
 // critics.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
@@ -260,29 +261,35 @@ TEST(Plugin, SaysASmallMapAndAShortHorizon) {
   EXPECT_TRUE(wait_for([&] { return log.said("set its width and height"); }, 5.0));
 }
 
-TEST(Plugin, TakesCriticsOfOtherPackages) {
-  const std::string at = ns("Example");
-  ros::param::set(at + "critics", "PathDist, GoalDist, hidwa_example_critics/TurnLimit");
-  ros::param::set(at + "TurnLimit/limit", 0.25);
-  ros::param::set(at + "TurnLimit/scale", 3.0);
-  Host host("Example");
+/// The first evaluation of a planner that drives 2 m ahead, once `ready`.
+Evaluation evaluation_of(Host& host, const std::string& name, const std::function<bool()>& ready) {
   Evaluation evaluation;
-  ros::NodeHandle node("~/Example");
+  ros::NodeHandle node("~/" + name);
   std::mutex mutex;
   const ros::Subscriber subscriber =
       node.subscribe<Evaluation>("evaluation", 1, [&](const Evaluation::ConstPtr& message) {
         const std::lock_guard<std::mutex> lock(mutex);
         evaluation = *message;
       });
-  ASSERT_TRUE(host.plan_ahead(2.0));
-  ASSERT_TRUE(host.cycle_until(
+  EXPECT_TRUE(host.plan_ahead(2.0));
+  EXPECT_TRUE(host.cycle_until(
       [&](const Host::Cycle&) {
         const std::lock_guard<std::mutex> lock(mutex);
-        return !evaluation.twists.empty() && !host.report().rejection_names.empty();
+        return !evaluation.twists.empty() && ready();
       },
       5.0));
-
   const std::lock_guard<std::mutex> lock(mutex);
+  return evaluation;
+}
+
+TEST(Plugin, TakesCriticsOfOtherPackages) {
+  const std::string at = ns("Example");
+  ros::param::set(at + "critics", "PathDist, GoalDist, hidwa_example_critics/TurnLimit");
+  ros::param::set(at + "TurnLimit/limit", 0.25);
+  ros::param::set(at + "TurnLimit/scale", 3.0);
+  Host host("Example");
+  const Evaluation evaluation =
+      evaluation_of(host, "Example", [&host] { return !host.report().rejection_names.empty(); });
   int refused = 0;
   for (const hidwa_local_planner::TrajectoryScore& twist : evaluation.twists) {
     const double omega = std::abs(twist.traj.velocity.angular.z);
@@ -304,6 +311,48 @@ TEST(Plugin, TakesCriticsOfOtherPackages) {
       std::find(report.rejection_names.begin(), report.rejection_names.end(), "hidwa_example_critics/TurnLimit");
   ASSERT_NE(name, report.rejection_names.end());
   EXPECT_GT(report.rejection_counts[static_cast<std::size_t>(name - report.rejection_names.begin())], 0u);
+}
+
+TEST(Plugin, ACriticOfAnotherPackageTakesWordsAndListsAndMeasuresDistances) {
+  const LogListener log;
+  const std::string at = ns("Lists");
+  ros::param::set(at + "critics", "PathDist, SlowNear");
+  ros::param::set(at + "SlowNear/to", std::vector<std::string>{"path", "goal"});
+  ros::param::set(at + "SlowNear/distances", std::vector<double>{0.01, 100.0});
+  ros::param::set(at + "SlowNear/speeds", std::vector<double>{0.0, 0.125});
+  ros::param::set(at + "SlowNear/measured_at", "nose");
+  ros::param::set(at + "SlowNear/scael", 3.0);
+  Host host("Lists");
+  EXPECT_TRUE(wait_for(
+      [&] {
+        return log.said(
+            "unknown parameter SlowNear/scael of the critic SlowNear: it has no effect; do you mean SlowNear/scale?");
+      },
+      5.0));
+  const Evaluation evaluation = evaluation_of(host, "Lists", [] { return true; });
+  int on_path = 0, beside = 0;
+  for (const hidwa_local_planner::TrajectoryScore& twist : evaluation.twists) {
+    const auto term = std::find_if(twist.scores.begin(), twist.scores.end(),
+                                   [](const auto& score) { return score.name == "SlowNear"; });
+    ASSERT_NE(term, twist.scores.end());
+    const double v = std::abs(twist.traj.velocity.linear.x);
+    const bool slow = term->raw_score == v;  // the nose ends on a cell of the path
+    if (!slow) EXPECT_DOUBLE_EQ(term->raw_score, std::max(0.0, v - 0.125));
+    if (v > 0.125) ++(slow ? on_path : beside);
+  }
+  EXPECT_GT(on_path, 0);
+  EXPECT_GT(beside, 0);
+}
+
+TEST(Plugin, AParameterOfAnotherTypeIsNamedAndNothingDrives) {
+  const LogListener log;
+  ros::param::set(ns("Typed") + "critics", "PathDist, SlowNear");
+  ros::param::set(ns("Typed") + "SlowNear/speeds", "fast");
+  Host host("Typed");
+  EXPECT_TRUE(wait_for([&] { return log.said("SlowNear/speeds: expected a list of numbers, found fast"); }, 5.0));
+  ASSERT_TRUE(host.plan_ahead(2.0));
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(host.cycle().command.linear.x, 0.0);
+  EXPECT_FALSE(host.cycle().success);
 }
 
 TEST(Plugin, ACriticsShortNameWillDo) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/planner/surroundings.hpp"
+#include "core/planner/obstacles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace hidwa_local_planner {
 
-VelocityLimits Surroundings::find_overlaps(const Cycle& cycle) {
+VelocityLimits Obstacles::find_overlaps(const Cycle& cycle) {
   const Situation& situation = cycle.situation;
   const double late = latest_hold(situation.period, longest_period(situation));
   escape_.look(cycle.parameters, cycle.limits, cycle.grid, cycle.footprint,
@@ -16,7 +16,7 @@ VelocityLimits Surroundings::find_overlaps(const Cycle& cycle) {
   return escape_.overlaps() ? escape_.slowed() : cycle.limits;
 }
 
-Surroundings::Reach Surroundings::reach_of(const Cycle& cycle, const Rollout& rollout,
+Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout,
                                            const AdmissibilityCheck::Setup& setup) const {
   const GridView& grid = cycle.grid;
   const double fastest = std::max(setup.pending->fastest(), rollout.fastest());
@@ -33,7 +33,7 @@ Surroundings::Reach Surroundings::reach_of(const Cycle& cycle, const Rollout& ro
   return reach;
 }
 
-void Surroundings::prepare(const Cycle& cycle, const Rollout& rollout, bool steered, bool turn_out) {
+void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, bool steered, bool turn_out) {
   const Situation& situation = cycle.situation;
   const bool unknown_blocks = cycle.parameters.unknown_is_obstacle;
   const AdmissibilityCheck::Setup setup{situation.pose,

@@ -13,7 +13,7 @@ namespace hidwa_local_planner {
 /// What the robot may hit, and all that is asked about it: the obstacles within reach (CollisionChecker), their cells
 /// in a table (CellClasses), the collision the robot may stand in (EscapeRule), and what is free of collision and can
 /// brake (AdmissibilityCheck).
-class Surroundings {
+class Obstacles {
  public:
   /// Finds what the robot overlaps, and returns the limits of the dynamic window: in collision all candidates must be
   /// slow, and of the usual window hardly any would be slow enough.

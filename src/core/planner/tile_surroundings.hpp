@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/collision/collision.hpp"
+#include "core/distance/end_distances.hpp"
+#include "core/distance/plan_grids.hpp"
+#include "hidwa_local_planner/core/surroundings.hpp"
+#include "hidwa_local_planner/core/tile.hpp"
+
+namespace hidwa_local_planner {
+
+/// Answers the critics' questions from the distance grids, the costs and the collision checker of a cycle.
+class TileSurroundings final : public Surroundings {
+ public:
+  /// All of it outlives the cycle.
+  struct Cycle {
+    const GridView* grid = nullptr;
+    PlanGrids* grids = nullptr;                 // prepared
+    const CollisionChecker* checker = nullptr;  // prepared
+    Pose2 pose;                                 // of the robot
+    Pose2 goal;                                 // the last pose of the full plan
+  };
+  /// Once a cycle.
+  void prepare(const Cycle& cycle) { cycle_ = cycle; }
+  /// Critics will be asked about this tile, and about no other until the next call.
+  void begin(Tile& tile) {
+    ends_.forget();
+    tile.surroundings = this;
+  }
+
+  bool plan_on_map() const override { return cycle_.grids->on_map(); }
+  void expect(const PlanDistance& distance) override { grid_of(distance); }
+  bool distances(const Tile& tile, const PlanDistance& distance, double forward, const TileScores& scores,
+                 double* found) override;
+  void costs(const Tile& tile, std::size_t step, double* found) override;
+  void clearances(const Tile& tile, std::size_t step, double* found) override;
+
+ private:
+  const DistanceGrid& grid_of(const PlanDistance& distance);
+  void look_up_costs(const double* x, const double* y, std::size_t count, double* found) const;
+  void look_up_last_costs(const Tile& tile, double* found);
+
+  Cycle cycle_;
+  EndDistances ends_;
+};
+
+}  // namespace hidwa_local_planner
