@@ -22,6 +22,7 @@
 namespace hidwa_attack {
 namespace {
 
+namespace critics = hidwa_local_planner::critics;
 using hidwa_local_planner::Decision;
 using hidwa_local_planner::Influence;
 using hidwa_local_planner::Outcome;

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/input/stick_reading.hpp"
 
 namespace hidwa_local_planner {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/control/pause.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/input/stick_reading.hpp"
 #include "hidwa_local_planner/record/cycle_recorder.hpp"
 #include "support/random.hpp"
@@ -29,8 +29,7 @@ class RecordedDrive {
     std::vector<std::uint8_t> costs;  // of the local map; empty where input was missing
   };
 
-  RecordedDrive(std::uint64_t seed, OperatorMode mode)
-      : random_(seed), loop_(critics::built_in(), operator_) {
+  RecordedDrive(std::uint64_t seed, OperatorMode mode) : random_(seed), loop_(critics::built_in(), operator_) {
     randomise_robot(random_, parameters_);
     randomise_search(random_, parameters_);
     randomise_costs(random_, parameters_);

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
@@ -32,8 +32,7 @@ class SceneOperator : public control::Operator {
 class SceneLoop {
  public:
   /// Both must outlive it.
-  SceneLoop(const Scene& scene, control::Operator& person)
-      : scene_(scene), loop_(critics::built_in(), person) {
+  SceneLoop(const Scene& scene, control::Operator& person) : scene_(scene), loop_(critics::built_in(), person) {
     EXPECT_EQ(loop_.configure(scene.parameters), std::vector<std::string>{});
     loop_.set_footprint(scene.outline);
     plan();

@@ -34,8 +34,7 @@ class CycleReplay {
   using SourcesOf = std::function<Planner::SourceFor(const std::string& critics)>;
 
   /// `changes` count in every cycle.
-  explicit CycleReplay(CriticRegistry registry, SourcesOf sources_of = {},
-                       std::vector<ParameterChange> changes = {});
+  explicit CycleReplay(CriticRegistry registry, SourcesOf sources_of = {}, std::vector<ParameterChange> changes = {});
   CycleReplay(const CycleReplay&) = delete;
   CycleReplay& operator=(const CycleReplay&) = delete;
 

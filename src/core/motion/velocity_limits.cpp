@@ -35,6 +35,8 @@ double AxisLimits::ramp(double velocity, double target, double dt) const {
   return direction > 0.0 ? std::min(moved, target) : std::max(moved, target);
 }
 
+double AxisLimits::time_to_rest(double velocity) const { return std::abs(velocity) / braking; }
+
 double AxisLimits::distance_to_rest(double velocity) const { return 0.5 * velocity * velocity / braking; }
 
 Interval reachable(const AxisLimits& axis, double velocity, double dt) {

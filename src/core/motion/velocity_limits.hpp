@@ -19,6 +19,8 @@ struct AxisLimits {
   double start_from(double velocity, double last_command) const;
   /// The velocity after `dt` [s] on the way from `velocity` to `target`, which it never passes.
   double ramp(double velocity, double target, double dt) const;
+  /// Time to come to rest from `velocity` [s].
+  double time_to_rest(double velocity) const;
   /// How far it moves on until it rests.
   double distance_to_rest(double velocity) const;
 };

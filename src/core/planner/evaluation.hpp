@@ -13,8 +13,8 @@
 #include "core/planner/candidates.hpp"
 #include "core/planner/critic_set.hpp"
 #include "core/planner/lazy_checks.hpp"
-#include "core/planner/scores.hpp"
 #include "core/planner/obstacles.hpp"
+#include "core/planner/scores.hpp"
 #include "core/planner/tile_filler.hpp"
 
 namespace hidwa_local_planner {

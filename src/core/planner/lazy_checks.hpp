@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "core/planner/candidates.hpp"
-#include "core/planner/scores.hpp"
 #include "core/planner/obstacles.hpp"
+#include "core/planner/scores.hpp"
 #include "core/planner/tile_filler.hpp"
 
 namespace hidwa_local_planner {

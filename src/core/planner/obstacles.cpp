@@ -17,7 +17,7 @@ VelocityLimits Obstacles::find_overlaps(const Cycle& cycle) {
 }
 
 Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout,
-                                           const AdmissibilityCheck::Setup& setup) const {
+                                     const AdmissibilityCheck::Setup& setup) const {
   const GridView& grid = cycle.grid;
   const double fastest = std::max(setup.pending->fastest(), rollout.fastest());
   const double manoeuvres = BrakingCheck::reach_of_manoeuvres(setup, cycle.limits, fastest);

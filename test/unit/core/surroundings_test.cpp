@@ -33,7 +33,7 @@ class Asker : public Critic {
 };
 
 // Plans one cycle in which an Asker comes before `others`.
-std::vector<CandidateRecord> ask(const Scene& scene, const std::string& others, const Question& question) {
+std::vector<CandidateReport> ask(const Scene& scene, const std::string& others, const Question& question) {
   CriticRegistry registry = critics::built_in();
   registry.add("Asker", [&question] { return std::make_shared<Asker>(question); });
   Planner planner(std::move(registry));
@@ -42,7 +42,7 @@ std::vector<CandidateRecord> ask(const Scene& scene, const std::string& others, 
   EXPECT_EQ(planner.configure(parameters), std::vector<std::string>{});
   planner.set_footprint(scene.outline);
   planner.plan(scene.situation, scene.grid(), scene.intent);
-  return planner.evaluation();
+  return planner.candidates();
 }
 
 Scene autonomous(std::uint64_t seed) {
@@ -51,7 +51,7 @@ Scene autonomous(std::uint64_t seed) {
   return scene;
 }
 
-double term(const CandidateRecord& record, const std::string& name) {
+double term(const CandidateReport& record, const std::string& name) {
   for (const CriticTerm& t : record.terms) {
     if (t.name == name) return t.raw;
   }
@@ -87,8 +87,8 @@ TEST(Surroundings, DistancesAreThoseThatTheMapGridCriticsScore) {
                                note("GoalAlign", PlanDistance::to_goal(0.3), 0.3);
                              });
     for (const auto& [candidate, by_name] : found) {
-      const CandidateRecord& record = records[candidate];
-      if (!record.refused_by.empty()) continue;
+      const CandidateReport& record = records[candidate];
+      if (!record.legal()) continue;
       for (const auto& [name, distance] : by_name) {
         if (name == "PathAlign" && distance == 0.0) continue;
         if (name == "PathAlign" && term(record, name) == 0.0) continue;  // off near the goal

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/critics/built_in.hpp"
 #include "core/planner/tie_rule.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/record/cycle_record.hpp"
 #include "support/random_scene.hpp"
 
@@ -45,7 +45,7 @@ Sampling with(Report report) {
 TEST(FullReport, TheDecisionIsTheSameToTheBit) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const Scene scene = random_scene(seed);
-    Planner legality, full;
+    Planner legality(critics::built_in()), full(critics::built_in());
     for (Planner* planner : {&legality, &full}) {
       ASSERT_TRUE(planner->configure(scene.parameters).empty());
       planner->set_footprint(scene.outline);
