@@ -5,13 +5,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/collision/rounding.hpp"
 #include "core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner {
 namespace {
-
-// More than a position's rounding over a rollout [m].
-constexpr double kRounding = 1e-9;
 
 struct Table {
   double corner_x, corner_y, cells_per_metre;

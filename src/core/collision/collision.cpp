@@ -5,11 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/collision/rounding.hpp"
+
 namespace hidwa_local_planner {
 namespace {
-
-// Lengths of this order are rounding [m].
-constexpr double kRounding = 1e-9;
 
 // How much room around a pose is looked for at least, in cells.
 constexpr double kLeastRoom = 2.0;

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/collision/rounding.hpp"
+
 namespace hidwa_local_planner {
 namespace {
-
-// Lengths of this order are rounding, touching included [m].
-constexpr double kRounding = 1e-9;
 
 // A total depth that grows by less has not grown [m]: rounding, and no more than 2 um a second at 20 Hz.
 constexpr double kSameDepth = 1e-7;
@@ -27,9 +26,7 @@ constexpr double kRolloutSpacing = 0.25;
 constexpr int kParts = 8;
 
 // Heaps of a usual collision: room that is taken once.
-constexpr std::size_t kUsualCells = 512;
-
-double beyond(double value, double half) { return std::max(std::abs(value) - half, 0.0); }
+constexpr std::size_t kUsualClusters = 512;
 
 }  // namespace
 
@@ -77,8 +74,8 @@ void EscapeRule::list_near_cells() {
   const double reach = footprint_->circumscribed_radius() + kRounding;
   const Pose2& pose = start_.pose;
   const Cell lo = grid_.cell_at(pose.x - reach, pose.y - reach), hi = grid_.cell_at(pose.x + reach, pose.y + reach);
-  for (std::vector<double>* values : {&x_, &y_, &depths_}) values->reserve(kUsualCells);
-  overlaps_.reserve(kUsualCells);
+  for (std::vector<double>* values : {&x_, &y_, &depths_}) values->reserve(kUsualClusters);
+  overlaps_.reserve(kUsualClusters);
   x_.clear();
   y_.clear();
   for (int j = lo.j; j <= hi.j; ++j) {

@@ -6,13 +6,11 @@
 #include <cstring>
 #include <limits>
 
+#include "core/collision/rounding.hpp"
 #include "core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner {
 namespace {
-
-// Lengths of this order are rounding [m].
-constexpr double kRounding = 1e-9;
 
 // Lists are padded to whole registers by repeating their last cell.
 constexpr std::size_t kPad = 4;
@@ -39,8 +37,6 @@ double least_beyond(const OutlinePlanes& planes, const double* x, const double* 
   }
   return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
 }
-
-double beyond(double value, double half) { return std::max(std::abs(value) - half, 0.0); }
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-constexpr std::int32_t kLanes = DistanceSweep::kLanes;
+constexpr std::int32_t kTableLanes = DistanceSweep::kLanes;
 static_assert(DistanceGrids::kUnreached == -1);
 
 struct Trust {
@@ -73,7 +73,7 @@ bool DistanceGrids::Table::free_distances(const std::int32_t* i, const std::int3
   std::int32_t values[kernel::kMostPoints], masks[kernel::kMostPoints];
   const auto row = static_cast<std::int32_t>(stride);
   for (std::size_t c = 0; c < count; ++c) {
-    const std::int32_t at = i[c] >= 0 ? j[c] * row + i[c] * kLanes : 0;  // outside: any, it is not used
+    const std::int32_t at = i[c] >= 0 ? j[c] * row + i[c] * kTableLanes : 0;  // outside: any, it is not used
     values[c] = units[at];
     masks[c] = mask[at];
   }

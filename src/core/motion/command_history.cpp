@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "core/motion/command_ramp.hpp"
+#include "core/motion/same_time.hpp"
 
 namespace hidwa_local_planner {
 namespace {
-
-constexpr double kSameTime = 1e-6;  // [s]; stamps are sums of periods
 
 // Makes legs of a velocity over time, given by its corners; time is counted from where the legs begin.
 class Player {

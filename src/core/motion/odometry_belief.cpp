@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/same_time.hpp"
+
 namespace hidwa_local_planner {
-namespace {
-
-constexpr double kSameTime = 1e-6;  // [s]; stamps are sums of periods
-
-}  // namespace
 
 Twist2 reading_tolerance(const Parameters& p, const Twist2& last) {
   // Inside the motors' dead band the robot stands while the command already grows: that is no disagreement.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/motion/same_time.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
@@ -99,7 +100,6 @@ class PendingMotion {
   }
 
  private:
-  static constexpr double kSameTime = 1e-6;  // [s]
   static double speed(const Twist2& u, double radius) { return std::abs(u.v) + radius * std::abs(u.omega); }
 
   Twist2 begin_;
