@@ -149,6 +149,7 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
 }
 
 std::string as_text(const XmlRpcValue& value) {
+  if (value.getType() == XmlRpcValue::TypeBoolean) return static_cast<bool>(XmlRpcValue(value)) ? "true" : "false";
   std::ostringstream text;
   value.write(text);
   return text.str();

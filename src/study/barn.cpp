@@ -67,6 +67,7 @@ std::string manifest(const Options& o) {
 int barn(const Options& options, std::ostream& out, std::ostream& errors) {
   const std::map<int, sim::BarnWorld> worlds = load_worlds(options.worlds);
   std::vector<int> indices;
+  indices.reserve(worlds.size());
   for (const auto& entry : worlds) indices.push_back(entry.first);
   const std::vector<Setting> settings = options.vary.empty() ? combinations(options.grid) : variations(options.vary);
   const Plan plan = make_barn_plan(indices, options.modes, settings);

@@ -75,14 +75,14 @@ class BuildFiles(unittest.TestCase):
     def test_without_options_it_is_a_release_without_tests_and_warnings_are_none_of_the_users_errors(self):
         build = self.configured(ROOT, '-DHIDWA_ROS=OFF')
         self.assertEqual(build.tests(), [])
-        command = build.command('src/core/planner.cpp')
+        command = build.command('src/core/planner/planner.cpp')
         self.assertNotIn('-Werror', command)
         self.assertIn('-DNDEBUG', command)
         self.assertFalse([name for name in build.targets() if 'test' in name and name != 'test'])
 
     def test_warnings_are_errors_where_that_is_asked_for(self):
         build = self.configured(ROOT, '-DHIDWA_ROS=OFF', '-DHIDWA_WERROR=ON')
-        self.assertIn('-Werror', build.command('src/core/planner.cpp'))
+        self.assertIn('-Werror', build.command('src/core/planner/planner.cpp'))
 
     def test_gtest_by_the_names_that_cmake_3_16_knows(self):
         with tempfile.TemporaryDirectory() as modules:
