@@ -13,7 +13,8 @@ namespace hidwa_ways {
 namespace {
 
 constexpr double kStretch = 1.0;   // so long is what a way leads to [m]
-constexpr double kBetween = 1e-3;  // what a robot may come nearer between two poses of a search [m]
+constexpr double kBetween = 3e-3;  // what a corner may come nearer between two looks of the search [m]
+constexpr int kFineness = 8;       // a look each half degree
 constexpr double kRoams = 1.5;     // with a map that rolls a drive leaves the first one by so much [m]
 
 Region grown(const Region& region, double by) { return {region.x - by, region.y - by, region.side + 2.0 * by}; }
@@ -60,6 +61,7 @@ bool find_way(const Scene& scene, const Lattice& lattice, const Target& target, 
   Search::Make make;
   make.reverse = scene.reverse;
   make.longest = kLongestWay;
+  make.fineness = kFineness;
   Search search(*finding.ground, lattice, hidwa_attack::padded(scene.body.shape, scene.margin() + kBetween), make);
   search.begin_at(scene.start.x, scene.start.y, 0);
   const int end = search.run([&](const Search::Node& node) { return target.near(node.x, node.y, kArrives); },

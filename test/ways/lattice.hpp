@@ -52,11 +52,11 @@ class Lattice {
   int across_;
 };
 
-/// A shape at every heading of a lattice and half-way between: number 2 k is heading k.
-inline std::vector<Turned> turned_to(const Lattice& lattice, const Shape& shape) {
+/// A shape at every heading of a lattice, and between: number `per` k is heading k.
+inline std::vector<Turned> turned_to(const Lattice& lattice, const Shape& shape, int per) {
   std::vector<Turned> all;
-  for (int k = 0; k < 2 * Lattice::kHeadings; ++k)
-    all.emplace_back(shape, lattice.heading(0) + 0.5 * k * Lattice::kTurn);
+  for (int k = 0; k < per * Lattice::kHeadings; ++k)
+    all.emplace_back(shape, lattice.heading(0) + k * Lattice::kTurn / per);
   return all;
 }
 

@@ -19,16 +19,18 @@ using hidwa_attack::Random;
 TEST(Ground, AgreesWithSeparatingAxes) {
   Random random(1);
   World world(3.0, 3.0, 0.05);
-  for (int k = 0; k < 250; ++k) world.set(random.whole(0, 59), random.whole(0, 59), true);
+  for (int k = 0; k < 120; ++k) world.set(random.whole(0, 59), random.whole(0, 59), true);
   wall_in(world);
   const Ground ground(world);
   int overlaps = 0, misses = 0;
-  for (int k = 0; k < 4000; ++k) {
-    const Shape shape = hidwa_attack::padded(all_bodies()[static_cast<std::size_t>(k) % kBodies].shape, -0.12);
+  for (int k = 0; k < 6000; ++k) {
+    const Shape shape = hidwa_attack::padded(all_bodies()[static_cast<std::size_t>(k) % kBodies].shape, -0.08);
     const Pose2 pose{random.in(0.6, 2.4), random.in(0.6, 2.4), random.in(-M_PI, M_PI)};
     const bool fast = ground.overlaps(Turned(shape, pose.theta), pose.x, pose.y);
     const double depth = hidwa_attack::deepest(world, Placed(shape, pose), 0.05);
-    if (std::abs(depth) > 1e-9) EXPECT_EQ(fast, depth > 0.0) << k << ": " << depth;
+    if (std::abs(depth) > 1e-9) {
+      EXPECT_EQ(fast, depth > 0.0) << k << ": " << depth;
+    }
     ++(fast ? overlaps : misses);
   }
   EXPECT_GT(overlaps, 400);
@@ -140,9 +142,11 @@ TEST(GridPlan, LeadsRoundWhatTheInscribedCircleCannotPass) {
   hidwa_attack::LocalMap map(world, 4.0, 0.25);
   const GridPlan plan(map.around({2.0, 2.0, 0.0}), {3.0, 3.0});
   ASSERT_TRUE(plan.reaches({1.0, 3.0}));
-  EXPECT_NEAR(plan.length({1.0, 3.0}), 2.0 * std::sqrt(2.0), 0.4);
+  EXPECT_NEAR(plan.length({1.0, 3.0}), 2.0 * std::sqrt(2.0), 0.6);
   for (const Pose2& pose : plan.from({1.0, 3.0})) {
-    if (std::abs(pose.x - 2.0) < 0.1) EXPECT_NEAR(pose.y, 2.0, 0.2);
+    if (std::abs(pose.x - 2.0) < 0.1) {
+      EXPECT_NEAR(pose.y, 2.0, 0.2);
+    }
   }
   EXPECT_FALSE(GridPlan(hidwa_attack::LocalMap(with_gap(8), 4.0, 0.25).around({2.0, 2.0, 0.0}), {3.0, 3.0})
                    .reaches({1.0, 3.0}));

@@ -42,20 +42,20 @@ class Drawing {
   // A row's lethal cells that touch are one rectangle.
   void cells() {
     const World& world = account_.scene.world;
-    const double cell = kScale * world.resolution();
+    const int first = world.cell(part_.x), last = world.cell(part_.x + part_.side);
     for (int j = world.cell(part_.y); j <= world.cell(part_.y + part_.side); ++j) {
-      int count = 0;
-      for (int i = world.cell(part_.x); i <= world.cell(part_.x + part_.side) + 1; ++i) {
-        if (world.lethal(i, j)) {
-          ++count;
-          continue;
-        }
-        if (count > 0)
-          out_ << "<rect x=\"" << px((i - count) * world.resolution()) << "\" y=\"" << py((j + 1) * world.resolution())
-               << "\" width=\"" << count * cell << "\" height=\"" << cell << "\" fill=\"#22303c\"/>\n";
-        count = 0;
+      for (int i = first, begin = first; i <= last + 1; ++i) {
+        if (i <= last && world.lethal(i, j)) continue;
+        if (i > begin) bar(begin, i, j);
+        begin = i + 1;
       }
     }
+  }
+
+  void bar(int from, int to, int row) {
+    const double cell = account_.scene.world.resolution();
+    out_ << "<rect x=\"" << px(from * cell) << "\" y=\"" << py((row + 1) * cell) << "\" width=\""
+         << kScale * (to - from) * cell << "\" height=\"" << kScale * cell << "\" fill=\"#22303c\"/>\n";
   }
 
   void line(const std::vector<Pose2>& poses, const char* colour) {

@@ -18,7 +18,7 @@ class Flood {
   Flood(const Ground& ground, const Lattice& lattice, const Shape& shape, bool reverse, const Target& target)
       : ground_(ground),
         lattice_(lattice),
-        outlines_(turned_to(lattice, hidwa_attack::padded(shape, -reach_of_cell(lattice, shape) - 1e-6))),
+        outlines_(turned_to(lattice, hidwa_attack::padded(shape, -reach_of_cell(lattice, shape) - 1e-6), 1)),
         reverse_(reverse),
         target_(target),
         seen_(lattice.size(), 0) {}
@@ -53,7 +53,7 @@ class Flood {
     if (seen != 0) return;
     seen = 1;
     const double x = lattice_.middle_x(cell.column), y = lattice_.middle_y(cell.row);
-    if (ground_.overlaps(outlines_[2 * static_cast<std::size_t>(cell.heading)], x, y)) return;
+    if (ground_.overlaps(outlines_[static_cast<std::size_t>(cell.heading)], x, y)) return;
     queue_.push({-target_.distance(x, y), cell});
   }
 

@@ -11,7 +11,7 @@ Search::Search(const Ground& ground, const Lattice& lattice, const Shape& shape,
     : ground_(ground),
       lattice_(lattice),
       make_(make),
-      outlines_(turned_to(lattice, shape)),
+      outlines_(turned_to(lattice, shape, make.fineness)),
       node_of_(lattice.size(), -1) {
   // Longer than a cell's diagonal: each leads to another cell.
   const double length = 1.5 * lattice.step();
@@ -29,19 +29,30 @@ void Search::add_step(double length, int turn) {
   step.move = {sign * length, step.turn * Lattice::kTurn};
   step.length = static_cast<float>(std::abs(length));
   step.cost = static_cast<float>(std::abs(length) + kCostOfTurn * std::abs(turn) * Lattice::kTurn);
+  step.parts = turn == 0 ? 2 : make_.fineness * std::abs(turn);
+  step.first = shifts_.size();
   steps_.push_back(step);
   for (int k = 0; k < Lattice::kHeadings; ++k) {
-    const Pose2 from{0.0, 0.0, lattice_.heading(k)};
-    const Pose2 end = after(from, step.move), middle = after(from, step.move, 0.5);
-    ends_.push_back({end.x, end.y});
-    middles_.push_back({middle.x, middle.y});
+    for (int part = 1; part <= step.parts; ++part) {
+      const Pose2 to = after({0.0, 0.0, lattice_.heading(k)}, step.move, static_cast<double>(part) / step.parts);
+      shifts_.push_back({to.x, to.y});
+    }
   }
 }
 
-bool Search::free(double x, double y, int half_heading) const {
-  const int count = 2 * Lattice::kHeadings;
-  const auto outline = static_cast<std::size_t>((half_heading % count + count) % count);
+bool Search::free(double x, double y, int part_of_turn) const {
+  const int count = make_.fineness * Lattice::kHeadings;
+  const auto outline = static_cast<std::size_t>((part_of_turn % count + count) % count);
   return lattice_.region().has(x, y) && !ground_.overlaps(outlines_[outline], x, y);
+}
+
+bool Search::free_along(const Node& from, const Step& step) const {
+  const int sign = step.turn > 0 ? 1 : step.turn < 0 ? -1 : 0;
+  for (int part = step.parts; part > 0; --part) {
+    const Shift& by = shift(from, step, part);
+    if (!free(from.x + by.x, from.y + by.y, make_.fineness * from.heading + sign * part)) return false;
+  }
+  return true;
 }
 
 void Search::push(int node, double ahead) {
@@ -62,7 +73,7 @@ int Search::next() {
 }
 
 void Search::begin_at(double x, double y, int k) {
-  if (!free(x, y, 2 * k)) return;
+  if (!free(x, y, make_.fineness * k)) return;
   std::int32_t& slot = node_of_[lattice_.index(lattice_.column(x), lattice_.row(y), k)];
   if (slot >= 0) return;
   slot = static_cast<std::int32_t>(nodes_.size());
@@ -79,14 +90,13 @@ int Search::reach(const Node& from, int from_index, std::size_t step) {
   const Step& taken = steps_[step];
   const float cost = from.cost + taken.cost, length = from.length + taken.length;
   if (length > static_cast<float>(make_.longest)) return -1;
-  const std::size_t shift = step * Lattice::kHeadings + static_cast<std::size_t>(from.heading);
-  const double x = from.x + ends_[shift].x, y = from.y + ends_[shift].y;
+  const Shift& by = shift(from, taken, taken.parts);
+  const double x = from.x + by.x, y = from.y + by.y;
   if (!lattice_.region().has(x, y)) return -1;
   const int k = Lattice::wrap(from.heading + taken.turn);
   std::int32_t& slot = node_of_[lattice_.index(lattice_.column(x), lattice_.row(y), k)];
   if (slot >= 0 && nodes_[static_cast<std::size_t>(slot)].cost <= cost + 1e-5F) return -1;
-  if (!free(x, y, 2 * k)) return -1;
-  if (!free(from.x + middles_[shift].x, from.y + middles_[shift].y, 2 * from.heading + taken.turn)) return -1;
+  if (!free_along(from, taken)) return -1;
   // A new node, not the old one changed: others were reached from that.
   if (slot >= 0) nodes_[static_cast<std::size_t>(slot)].open = false;
   slot = static_cast<std::int32_t>(nodes_.size());

@@ -5,7 +5,7 @@
 // 1. A node is a pose that a robot reaches exactly. Each cell of the lattice keeps the cheapest pose found in it.
 // 2. From a node lead: turns on the spot by one heading, short lines, and arcs by one and two headings; backwards too,
 //    where the robot can.
-// 3. A pose counts where the outline overlaps no lethal cell, at the end of a move and in its middle.
+// 3. A move counts where the outline overlaps no lethal cell, at its end and in steps on its way.
 // 4. The cheapest node is expanded first. The cost is the length [m], and a little for turning.
 //
 // A way that it finds is a way: its poses are those of the moves, not of the cells. That there is none it cannot say for
@@ -29,6 +29,7 @@ class Search {
     bool reverse = false;  // the robot drives backwards too
     bool undo = false;     // moves are taken back: from where it is led to, not where it leads
     double longest = 3.0;  // of a way [m]
+    int fineness = 2;      // the outline is looked at so many times a heading of a turn
   };
   /// `ground` must outlive it. `shape` with its margin.
   Search(const Ground& ground, const Lattice& lattice, const Shape& shape, const Make& make);
@@ -62,8 +63,10 @@ class Search {
  private:
   struct Step {
     Move move;
-    int turn = 0;                  // headings
+    int turn = 0;                      // headings
     float length = 0.0F, cost = 0.0F;  // [m]
+    int parts = 1;                     // in which it is looked at
+    std::size_t first = 0;             // of its shifts
   };
   struct Shift {
     double x = 0.0, y = 0.0;  // [m]
@@ -78,7 +81,12 @@ class Search {
   void add_step(double length, int turn);
   void push(int node, double ahead);
   int next();
-  bool free(double x, double y, int half_heading) const;
+  bool free(double x, double y, int part_of_turn) const;
+  bool free_along(const Node& from, const Step& step) const;
+  // Where a part of a step leads, counted from 1.
+  const Shift& shift(const Node& from, const Step& step, int part) const {
+    return shifts_[step.first + static_cast<std::size_t>(from.heading * step.parts + part - 1)];
+  }
   int reach(const Node& from, int from_index, std::size_t step);
   template <typename Ahead>
   void expand(int index, Ahead&& ahead) {
@@ -93,9 +101,9 @@ class Search {
   const Ground& ground_;
   Lattice lattice_;
   Make make_;
-  std::vector<Turned> outlines_;  // 2 k: heading k
+  std::vector<Turned> outlines_;  // `fineness` of each heading
   std::vector<Step> steps_;
-  std::vector<Shift> ends_, middles_;  // of each step at each heading
+  std::vector<Shift> shifts_;  // of each step, at each heading, to the end of each part
   std::vector<Node> nodes_;
   std::vector<std::int32_t> node_of_;  // of each cell; -1: none
   std::vector<Entry> queue_;           // a heap
