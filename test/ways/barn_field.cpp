@@ -12,9 +12,9 @@
 namespace hidwa_ways {
 namespace {
 
-constexpr double kLattice = 0.15;   // between neighbours [m]
-constexpr double kRadius = 0.075;   // [m]
-constexpr double kAround = 0.8;     // free around a field [m]
+constexpr double kLattice = 0.15;  // between neighbours [m]
+constexpr double kRadius = 0.075;  // [m]
+constexpr double kAround = 0.8;    // free around a field [m]
 
 BarnField read_field(const std::string& cells, const std::string& file) {
   BarnField field;

@@ -24,12 +24,12 @@ using hidwa_local_planner::CriticRegistry;
 using hidwa_local_planner::Outcome;
 using hidwa_local_planner::Twist2;
 
-constexpr int kPeriod = 50;       // of the control cycle [ms]
-constexpr int kReplans = 1000;    // of the global planner [ms]
-constexpr double kNearer = 0.3;   // [m]
-constexpr double kSoon = 5.0;     // within which a robot is nearer [s]
-constexpr double kOpen = 10.0;    // how long a scene is driven of which nothing is asked [s]
-constexpr double kAnswer = 2.0;   // beyond the patience: a robot without a way says so [s]
+constexpr int kPeriod = 50;        // of the control cycle [ms]
+constexpr int kReplans = 1000;     // of the global planner [ms]
+constexpr double kNearer = 0.3;    // [m]
+constexpr double kSoon = 5.0;      // within which a robot is nearer [s]
+constexpr double kOpen = 10.0;     // how long a scene is driven of which nothing is asked [s]
+constexpr double kAnswer = 2.0;    // beyond the patience: a robot without a way says so [s]
 constexpr double kLongest = 40.0;  // [s]
 
 double processor_time() {
@@ -128,8 +128,7 @@ class Drive {
     const double side = std::max(scene_.world.width(), scene_.world.height());
     hidwa_attack::LocalMap whole(scene_.world, side, inscribed(scene_.body.shape));
     const Pose2& goal = scene_.plan.back();
-    planner_of_plans_ =
-        std::make_unique<GridPlan>(whole.around({0.5 * side, 0.5 * side, 0.0}), Spot{goal.x, goal.y});
+    planner_of_plans_ = std::make_unique<GridPlan>(whole.around({0.5 * side, 0.5 * side, 0.0}), Spot{goal.x, goal.y});
   }
 
   // Any clock will do but one that begins at zero.

@@ -39,7 +39,8 @@ void measure(const Scene& scene, const Lattice& lattice, const Target& target, F
   make.reverse = scene.reverse;
   make.undo = true;
   make.longest = kLongestWay;
-  finding.field = std::make_unique<Search>(*finding.ground, lattice, hidwa_attack::padded(scene.body.shape, -less), make);
+  finding.field =
+      std::make_unique<Search>(*finding.ground, lattice, hidwa_attack::padded(scene.body.shape, -less), make);
   for (int row = 0; row < lattice.across(); ++row) {
     for (int column = 0; column < lattice.across(); ++column) {
       const double x = lattice.middle_x(column), y = lattice.middle_y(row);

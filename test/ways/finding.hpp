@@ -21,9 +21,9 @@ constexpr double kThrough = 0.3;     // a drive that came so near to it is throu
 /// What the searches know of a scene.
 struct Finding {
   Class answer = Class::open;
-  Way way;                     // of class `sure`
-  double remaining = 0.0;      // from the start, as `field` has it [m]
-  std::unique_ptr<Search> field;  // the remaining way from everywhere; of class `sure`
+  Way way;                         // of class `sure`
+  double remaining = 0.0;          // from the start, as `field` has it [m]
+  std::unique_ptr<Search> field;   // the remaining way from everywhere; of class `sure`
   std::unique_ptr<Ground> ground;  // of the field
 };
 

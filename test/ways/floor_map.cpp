@@ -12,11 +12,11 @@
 namespace hidwa_ways {
 namespace {
 
-constexpr double kPart = 12.0;                    // [m]
-constexpr double kNarrow = 0.5, kWide = 1.2;      // of gaps [m]
-constexpr double kDeep = 0.5;                     // so far on is free before and behind a gap [m]
-constexpr double kFar = 1.5;                      // farther is not looked [m]
-constexpr int kDirections = 8;                    // across a gap, of half a turn
+constexpr double kPart = 12.0;                // [m]
+constexpr double kNarrow = 0.5, kWide = 1.2;  // of gaps [m]
+constexpr double kDeep = 0.5;                 // so far on is free before and behind a gap [m]
+constexpr double kFar = 1.5;                  // farther is not looked [m]
+constexpr int kDirections = 8;                // across a gap, of half a turn
 
 std::map<std::string, std::string> read_keys(const std::string& yaml) {
   std::ifstream in(yaml);

@@ -66,10 +66,11 @@ GridPlan::GridPlan(const hidwa_local_planner::GridView& costs, const Spot& root)
 }
 
 void GridPlan::flood(const std::vector<std::uint8_t>& costs, int root) {
-  static const Neighbour kAround[] = {{1, 0, 1.0},         {0, 1, 1.0},          {-1, 0, 1.0},         {0, -1, 1.0},
-                                      {1, 1, M_SQRT2},     {-1, 1, M_SQRT2},     {1, -1, M_SQRT2},     {-1, -1, M_SQRT2},
-                                      {2, 1, 2.2360679775}, {-2, 1, 2.2360679775}, {2, -1, 2.2360679775}, {-2, -1, 2.2360679775},
-                                      {1, 2, 2.2360679775}, {-1, 2, 2.2360679775}, {1, -2, 2.2360679775}, {-1, -2, 2.2360679775}};
+  static const Neighbour kAround[] = {
+      {1, 0, 1.0},          {0, 1, 1.0},           {-1, 0, 1.0},          {0, -1, 1.0},
+      {1, 1, M_SQRT2},      {-1, 1, M_SQRT2},      {1, -1, M_SQRT2},      {-1, -1, M_SQRT2},
+      {2, 1, 2.2360679775}, {-2, 1, 2.2360679775}, {2, -1, 2.2360679775}, {-2, -1, 2.2360679775},
+      {1, 2, 2.2360679775}, {-1, 2, 2.2360679775}, {1, -2, 2.2360679775}, {-1, -2, 2.2360679775}};
   using Entry = std::pair<float, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   const auto cost_of = [&costs](int cell) { return costs[static_cast<std::size_t>(cell)]; };
@@ -118,8 +119,7 @@ double GridPlan::length(const Spot& from) const {
 std::vector<Spot> GridPlan::cells_from(const Spot& start) const {
   std::vector<Spot> line{start};
   for (int at = next_[static_cast<std::size_t>(index_of(start))]; at >= 0; at = next_[static_cast<std::size_t>(at)])
-    line.push_back(
-        {origin_x_ + (at % columns_ + 0.5) * resolution_, origin_y_ + (at / columns_ + 0.5) * resolution_});
+    line.push_back({origin_x_ + (at % columns_ + 0.5) * resolution_, origin_y_ + (at / columns_ + 0.5) * resolution_});
   return line;
 }
 

@@ -50,8 +50,8 @@ Ground::Ground(const World& world)
     int row = 0;
     for (int i = 0; i < columns_; ++i) {
       row += world.lethal(i, j) ? 1 : 0;
-      sums_[static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(columns_ + 1) + static_cast<std::size_t>(i + 1)] =
-          sum(i + 1, j) + row;
+      sums_[static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(columns_ + 1) +
+            static_cast<std::size_t>(i + 1)] = sum(i + 1, j) + row;
     }
   }
 }

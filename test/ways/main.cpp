@@ -29,7 +29,7 @@ Options read(int count, char** words) {
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     const bool alone = word == "--list" || word == "--help";
-    const char* known[] = {"--scenes", "--first-seed", "--kinds", "--barn",  "--map",     "--jobs",
+    const char* known[] = {"--scenes", "--first-seed", "--kinds", "--barn",  "--map",    "--jobs",
                            "--out",    "--scene",      "--seed",  "--trace", "--picture"};
     bool takes = false;
     for (const char* name : known) takes = takes || word == name;

@@ -20,7 +20,7 @@ class Novelty {
   double since() const { return since_; }  // [s]
 
  private:
-  static constexpr double kPlace = 0.1;             // [m]
+  static constexpr double kPlace = 0.1;           // [m]
   static constexpr double kHeading = M_PI / 9.0;  // [rad]
   std::set<std::tuple<int, int, int>> seen_;
   double since_ = 0.0;

@@ -127,8 +127,7 @@ TEST(Proof, ExcludesNoWay) {
     const Target target = through_target(scene);
     const bool way = search.run([&](const Search::Node& n) { return target.near(n.x, n.y, kThrough); },
                                 [&](const Search::Node& n) { return target.distance(n.x, n.y); }) >= 0;
-    const bool no_way =
-        surely_no_way(ground, lattice, scene.body.shape, scene.reverse, scene.start, target, kThrough);
+    const bool no_way = surely_no_way(ground, lattice, scene.body.shape, scene.reverse, scene.start, target, kThrough);
     EXPECT_FALSE(way && no_way) << scene.kind->name << ' ' << seed;
     ways += way ? 1 : 0;
     none += no_way ? 1 : 0;
@@ -148,8 +147,8 @@ TEST(GridPlan, LeadsRoundWhatTheInscribedCircleCannotPass) {
       EXPECT_NEAR(pose.y, 2.0, 0.2);
     }
   }
-  EXPECT_FALSE(GridPlan(hidwa_attack::LocalMap(with_gap(8), 4.0, 0.25).around({2.0, 2.0, 0.0}), {3.0, 3.0})
-                   .reaches({1.0, 3.0}));
+  EXPECT_FALSE(
+      GridPlan(hidwa_attack::LocalMap(with_gap(8), 4.0, 0.25).around({2.0, 2.0, 0.0}), {3.0, 3.0}).reaches({1.0, 3.0}));
 }
 
 TEST(Novelty, TurningToAndFroIsNothingNew) {

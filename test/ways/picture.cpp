@@ -68,8 +68,8 @@ class Drawing {
     line(poses, colour);
     const Pose2* last = nullptr;
     for (const Pose2& p : poses) {
-      const bool far = last == nullptr || std::hypot(p.x - last->x, p.y - last->y) + std::abs(p.theta - last->theta) >
-                                              kOutlines;
+      const bool far =
+          last == nullptr || std::hypot(p.x - last->x, p.y - last->y) + std::abs(p.theta - last->theta) > kOutlines;
       if (!far && &p != &poses.back()) continue;
       outline(p, colour, 0.7);
       last = &p;

@@ -23,7 +23,8 @@ class Flood {
         target_(target),
         seen_(lattice.size(), 0) {}
 
-  // Whether a cell within `tolerance` [m] of the target is reached. Those near it come first: most often there is a way.
+  // Whether a cell within `tolerance` [m] of the target is reached. Those near it come first: most often there is a
+  // way.
   bool reaches(const Cell& start, double tolerance) {
     visit(start);
     while (!queue_.empty()) {

@@ -7,8 +7,9 @@
 //    that only drives forwards gets from x to a larger x only with a heading whose cosine is positive.
 // 3. Every cell that can be reached is looked at. The target is as wide as a drive may miss it.
 //
-// Right because a way passes from cell to neighbouring cell; each of these holds a free pose, so that the smaller outline
-// is free at its middle. Where not even this search comes through, nothing does. Where it does, nothing is said.
+// Right because a way passes from cell to neighbouring cell; each of these holds a free pose, so that the smaller
+// outline is free at its middle. Where not even this search comes through, nothing does. Where it does, nothing is
+// said.
 #pragma once
 
 #include "ways/lattice.hpp"

@@ -24,7 +24,7 @@ struct Result {
   bool failed_late = false;  // no such outcome in time
   std::string problem;       // what it said
   bool touched = false;
-  double depth = 0.0;          // of the deepest touch [m]
+  double depth = 0.0;  // of the deepest touch [m]
   int cycles = 0;
   double worst_cycle = 0.0;  // of the processor's time [s]
   std::uint64_t print = 0;   // of all commands and poses: two runs can be compared

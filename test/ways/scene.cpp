@@ -24,7 +24,7 @@ constexpr double kNear = 3.0, kFar = 8.0;  // how far a goal is along the plan [
 constexpr double kPassing = 0.4;           // so near a plan leads by a site's place [m]
 
 bool stands_free(const World& world, const Shape& shape, const Pose2& pose, double margin) {
-  const double gap = margin + 0.002;
+  const double gap = margin + 0.004;  // a little more than the search takes
   return deepest(world, Placed(hidwa_attack::padded(shape, gap), pose), 0.01) <= 0.0;
 }
 
@@ -146,7 +146,7 @@ Scene scene_of(const Kind& kind, std::uint64_t seed) {
   Random random(hash_of(kind.name) ^ (seed * 0x9e3779b97f4a7c15ULL));
   const Body& body = all_bodies()[seed % kBodies];
   Scene scene{&kind, seed, body, seed / kBodies % 2 == 1, random.chance(0.7), random.chance(0.33), World(1.0, 1.0, 0.1),
-              {}, {}};
+              {},    {}};
   const double resolution =
       kind.any_resolution ? random.of({0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.025, 0.1, 0.1}) : 0.05;
   for (int attempt = 0; attempt < 300; ++attempt) {

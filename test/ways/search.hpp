@@ -8,8 +8,8 @@
 // 3. A move counts where the outline overlaps no lethal cell, at its end and in steps on its way.
 // 4. The cheapest node is expanded first. The cost is the length [m], and a little for turning.
 //
-// A way that it finds is a way: its poses are those of the moves, not of the cells. That there is none it cannot say for
-// certain, since a cell keeps one pose of many; see proof.hpp.
+// A way that it finds is a way: its poses are those of the moves, not of the cells. That there is none it cannot say
+// for certain, since a cell keeps one pose of many; see proof.hpp.
 #pragma once
 
 #include <cstdint>
@@ -48,11 +48,11 @@ class Search {
   }
 
   struct Node {
-    double x = 0.0, y = 0.0;            // [m]
-    float cost = 0.0F, length = 0.0F;   // [m]
-    std::int32_t from = -1;             // the node it was reached from
-    std::int16_t heading = 0;           // of the lattice
-    std::int8_t move = -1;              // by which it was reached
+    double x = 0.0, y = 0.0;           // [m]
+    float cost = 0.0F, length = 0.0F;  // [m]
+    std::int32_t from = -1;            // the node it was reached from
+    std::int16_t heading = 0;          // of the lattice
+    std::int8_t move = -1;             // by which it was reached
     bool open = true;
   };
   /// The way that led to a node.

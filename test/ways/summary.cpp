@@ -39,9 +39,8 @@ std::vector<Summary> summaries_of(const std::vector<Result>& results) {
   Summary all;
   all.kind = all.body = "all";
   for (const Result& result : results) {
-    auto found = std::find_if(summaries.begin(), summaries.end(), [&](const Summary& s) {
-      return s.kind == result.kind && s.body == result.body;
-    });
+    auto found = std::find_if(summaries.begin(), summaries.end(),
+                              [&](const Summary& s) { return s.kind == result.kind && s.body == result.body; });
     if (found == summaries.end()) {
       summaries.emplace_back();
       found = summaries.end() - 1;

@@ -33,8 +33,8 @@ std::vector<Pose2> Way::poses(double step, double angle) const {
   std::vector<Pose2> all{start};
   Pose2 at = start;
   for (const Move& move : moves) {
-    const int parts = std::max(1, static_cast<int>(std::ceil(
-                                      std::max(std::abs(move.length) / step, std::abs(move.turn) / angle))));
+    const int parts =
+        std::max(1, static_cast<int>(std::ceil(std::max(std::abs(move.length) / step, std::abs(move.turn) / angle))));
     for (int k = 1; k <= parts; ++k) all.push_back(after(at, move, static_cast<double>(k) / parts));
     at = all.back();
   }

@@ -31,8 +31,8 @@ struct Way {
   Pose2 start;
   std::vector<Move> moves;
 
-  double length() const;                 // forwards and backwards [m]
-  double time(const Pace& pace) const;   // at the limits, without ramps [s]
+  double length() const;                                      // forwards and backwards [m]
+  double time(const Pace& pace) const;                        // at the limits, without ramps [s]
   std::vector<Pose2> poses(double step, double angle) const;  // no farther apart than that [m], [rad]
 };
 
