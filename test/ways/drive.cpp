@@ -164,7 +164,7 @@ class Drive {
       result_.failed_late = true;
     if (finding_.answer == Class::sure && result_.nearer_at < 0.0 && remaining() <= finding_.remaining - kNearer)
       result_.nearer_at = now;
-    if (!target_.near(pose.x, pose.y, kThrough)) return;
+    if (!target_.near(pose.x, pose.y, through_distance(scene_))) return;
     result_.through_at = now;
     if (result_.nearer_at < 0.0) result_.nearer_at = now;
   }

@@ -22,7 +22,8 @@ Region grown(const Region& region, double by) { return {region.x - by, region.y 
 bool no_way(const Scene& scene, const Ground& ground) {
   const Lattice lattice(scene.rolling ? grown(scene.local_map(), kRoams) : scene.local_map(), step_of(scene),
                         scene.start.theta);
-  return surely_no_way(ground, lattice, scene.body.shape, scene.reverse, scene.start, through_target(scene), kThrough);
+  return surely_no_way(ground, lattice, scene.body.shape, scene.reverse, scene.start, through_target(scene),
+                       through_distance(scene));
 }
 
 // The outline must stay on the map.
@@ -89,6 +90,8 @@ const char* to_string(Class value) {
 }
 
 double step_of(const Scene& scene) { return std::min(0.025, scene.margin()); }
+
+double through_distance(const Scene& scene) { return std::min(0.3, 2.0 * inscribed(scene.body.shape)); }
 
 Target through_target(const Scene& scene) { return {scene.plan, kFurther, kFurther + 2.0 * kStretch}; }
 

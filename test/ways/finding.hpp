@@ -16,7 +16,6 @@ const char* to_string(Class value);
 constexpr double kFurther = 1.5;     // along the plan: there a way ends [m]
 constexpr double kLongestWay = 3.0;  // [m]
 constexpr double kArrives = 0.15;    // a way ends so near to the plan [m]
-constexpr double kThrough = 0.3;     // a drive that came so near to it is through [m]
 
 /// What the searches know of a scene.
 struct Finding {
@@ -32,7 +31,9 @@ double step_of(const Scene& scene);
 
 Finding examine(const Scene& scene);
 
-/// Where a drive is through: within 0.3 m of this.
+/// Where a drive is through: so near to this [m]. No wall fits between, since robot and plan are each at least an
+/// inscribed radius from it.
 Target through_target(const Scene& scene);
+double through_distance(const Scene& scene);
 
 }  // namespace hidwa_ways

@@ -125,9 +125,10 @@ TEST(Proof, ExcludesNoWay) {
     Search search(ground, lattice, hidwa_attack::padded(scene.body.shape, 1e-3), make);
     search.begin_at(scene.start.x, scene.start.y, 0);
     const Target target = through_target(scene);
-    const bool way = search.run([&](const Search::Node& n) { return target.near(n.x, n.y, kThrough); },
+    const bool way = search.run([&](const Search::Node& n) { return target.near(n.x, n.y, through_distance(scene)); },
                                 [&](const Search::Node& n) { return target.distance(n.x, n.y); }) >= 0;
-    const bool no_way = surely_no_way(ground, lattice, scene.body.shape, scene.reverse, scene.start, target, kThrough);
+    const bool no_way =
+        surely_no_way(ground, lattice, scene.body.shape, scene.reverse, scene.start, target, through_distance(scene));
     EXPECT_FALSE(way && no_way) << scene.kind->name << ' ' << seed;
     ways += way ? 1 : 0;
     none += no_way ? 1 : 0;
