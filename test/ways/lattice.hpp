@@ -17,52 +17,55 @@ struct Region {
   bool has(double px, double py) const { return px >= x && py >= y && px < x + side && py < y + side; }
 };
 
-/// Poses in cells: of position, and of heading about multiples of 4 degrees, counted from the heading of the start.
+/// Poses in cells: of position, and of heading about multiples of an angle, counted from the heading of the start.
 class Lattice {
  public:
-  static constexpr int kHeadings = 90;
-  static constexpr double kTurn = 2.0 * M_PI / kHeadings;  // [rad]
-
-  Lattice(const Region& region, double step, double heading)
-      : region_(region), step_(step), heading_(heading), across_(static_cast<int>(std::ceil(region.side / step))) {}
+  Lattice(const Region& region, double step, double heading, int headings = 90)
+      : region_(region),
+        step_(step),
+        heading_(heading),
+        headings_(headings),
+        across_(static_cast<int>(std::ceil(region.side / step))) {}
 
   const Region& region() const { return region_; }
   double step() const { return step_; }  // of position [m]
+  int headings() const { return headings_; }
+  double turn() const { return 2.0 * M_PI / headings_; }  // of heading [rad]
   int across() const { return across_; }
   std::size_t size() const {
-    return static_cast<std::size_t>(kHeadings) * static_cast<std::size_t>(across_) * static_cast<std::size_t>(across_);
+    return static_cast<std::size_t>(headings_) * static_cast<std::size_t>(across_) * static_cast<std::size_t>(across_);
   }
   int column(double x) const { return static_cast<int>(std::floor((x - region_.x) / step_)); }
   int row(double y) const { return static_cast<int>(std::floor((y - region_.y) / step_)); }
   double middle_x(int column) const { return region_.x + (column + 0.5) * step_; }
   double middle_y(int row) const { return region_.y + (row + 0.5) * step_; }
   bool has(int column, int row) const { return column >= 0 && row >= 0 && column < across_ && row < across_; }
-  static int wrap(int k) { return ((k % kHeadings) + kHeadings) % kHeadings; }
-  int turned(double theta) const { return wrap(static_cast<int>(std::lround((theta - heading_) / kTurn))); }
-  double heading(int k) const { return heading_ + k * kTurn; }  // [rad]
+  int wrap(int k) const { return ((k % headings_) + headings_) % headings_; }
+  int turned(double theta) const { return wrap(static_cast<int>(std::lround((theta - heading_) / turn()))); }
+  double heading(int k) const { return heading_ + k * turn(); }  // [rad]
   std::size_t index(int column, int row, int k) const {
     return (static_cast<std::size_t>(row) * static_cast<std::size_t>(across_) + static_cast<std::size_t>(column)) *
-               kHeadings +
+               static_cast<std::size_t>(headings_) +
            static_cast<std::size_t>(k);
   }
 
  private:
   Region region_;
   double step_, heading_;  // [m], [rad]
-  int across_;
+  int headings_, across_;
 };
 
 /// A shape at every heading of a lattice, and between: number `per` k is heading k.
 inline std::vector<Turned> turned_to(const Lattice& lattice, const Shape& shape, int per) {
   std::vector<Turned> all;
-  for (int k = 0; k < per * Lattice::kHeadings; ++k)
-    all.emplace_back(shape, lattice.heading(0) + k * Lattice::kTurn / per);
+  for (int k = 0; k < per * lattice.headings(); ++k)
+    all.emplace_back(shape, lattice.heading(0) + k * lattice.turn() / per);
   return all;
 }
 
 /// How far any point of a robot may be from where it is at its cell's middle [m].
 inline double reach_of_cell(const Lattice& lattice, const Shape& shape) {
-  return lattice.step() * std::sqrt(0.5) + 0.5 * Lattice::kTurn * hidwa_attack::outermost(shape);
+  return lattice.step() * std::sqrt(0.5) + 0.5 * lattice.turn() * hidwa_attack::outermost(shape);
 }
 
 }  // namespace hidwa_ways

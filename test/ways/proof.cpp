@@ -32,7 +32,7 @@ class Flood {
       const Cell at = queue_.top().second;
       queue_.pop();
       for (const int side : {-1, 1}) {
-        visit({at.column, at.row, Lattice::wrap(at.heading + side)});
+        visit({at.column, at.row, lattice_.wrap(at.heading + side)});
         if (leads(at.heading, side, 0.0)) visit({at.column + side, at.row, at.heading});
         if (leads(at.heading, side, 0.5 * M_PI)) visit({at.column, at.row + side, at.heading});
       }
@@ -45,7 +45,7 @@ class Flood {
   bool leads(int heading, int side, double axis) const {
     if (reverse_) return true;
     const double off = std::remainder(lattice_.heading(heading) - axis - (side > 0 ? 0.0 : M_PI), 2.0 * M_PI);
-    return std::abs(off) <= 0.5 * M_PI + 0.5 * Lattice::kTurn + 1e-9;
+    return std::abs(off) <= 0.5 * M_PI + 0.5 * lattice_.turn() + 1e-9;
   }
 
   void visit(const Cell& cell) {

@@ -64,7 +64,8 @@ Site boxes(const Measure& measure, Random& random) {
 Site dead_end(const Measure& measure, Random& random) {
   Site site{room(measure), kMiddle, 0.3, false};
   add_posts(site.world, random.whole(0, 60), random);
-  const double open = direction(random), half = measure.half_width + random.in(0.03, 0.4);
+  const double open = direction(random),
+               half = measure.half_width + random.of({random.in(0.03, 0.1), random.in(0.03, 0.4)});
   const double depth = random.in(0.5, 1.4), thick = thickness(measure, random);
   fill_box(site.world, {kMiddle.x, kMiddle.y, open}, 2.0 * depth, 2.0 * half, false);
   const Spot back = farther(kMiddle, open, -depth);
@@ -80,7 +81,7 @@ Site doorway(const Measure& measure, Random& random) {
   Site site{room(measure), kMiddle, 1.5, true};
   add_posts(site.world, random.whole(0, 40), random);
   const double across = direction(random), thick = thickness(measure, random);
-  const double half = measure.half_width + random.in(-0.06, 0.2);
+  const double half = measure.half_width + random.in(-0.1, 0.2);
   fill_box(site.world, {kMiddle.x, kMiddle.y, across}, 2.0 * half, 1.6, false);
   wall(site.world, farther(kMiddle, across, half), across, kRoom, thick);
   wall(site.world, farther(kMiddle, across, -half), across + M_PI, kRoom, thick);
@@ -91,7 +92,8 @@ Site corridor(const Measure& measure, Random& random) {
   Site site{room(measure), kMiddle, 1.5, true};
   fill_box(site.world, {kMiddle.x, kMiddle.y, 0.0}, kRoom, kRoom, true);
   const double first = direction(random), bend = random.of({-1.0, 1.0}) * random.of({0.25, 0.5, random.in(0.15, 0.6)});
-  const double half = measure.half_width + random.in(0.0, 0.3), length = random.in(2.0, 3.5);
+  const double half = measure.half_width + random.of({random.in(0.0, 0.1), random.in(0.0, 0.3)});
+  const double length = random.in(2.0, 3.5);
   for (const double along : {first, first + M_PI + bend * M_PI}) {
     const Spot middle = farther(kMiddle, along, 0.5 * length), end = farther(kMiddle, along, length);
     fill_box(site.world, {middle.x, middle.y, along}, length + 2.0 * half, 2.0 * half, false);

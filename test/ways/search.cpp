@@ -12,7 +12,7 @@ Search::Search(const Ground& ground, const Lattice& lattice, const Shape& shape,
       lattice_(lattice),
       make_(make),
       outlines_(turned_to(lattice, shape, make.fineness)),
-      node_of_(lattice.size(), -1) {
+      found_(lattice.size()) {
   // Longer than a cell's diagonal: each leads to another cell.
   const double length = 1.5 * lattice.step();
   for (const int turn : {-1, 1}) add_step(0.0, turn);
@@ -26,13 +26,13 @@ void Search::add_step(double length, int turn) {
   const double sign = make_.undo ? -1.0 : 1.0;
   Step step;
   step.turn = make_.undo ? -turn : turn;
-  step.move = {sign * length, step.turn * Lattice::kTurn};
+  step.move = {sign * length, step.turn * lattice_.turn()};
   step.length = static_cast<float>(std::abs(length));
-  step.cost = static_cast<float>(std::abs(length) + kCostOfTurn * std::abs(turn) * Lattice::kTurn);
-  step.parts = turn == 0 ? 2 : make_.fineness * std::abs(turn);
+  step.cost = static_cast<float>(std::abs(length) + kCostOfTurn * std::abs(turn) * lattice_.turn());
+  step.parts = turn == 0 ? std::min(2, make_.fineness) : make_.fineness * std::abs(turn);
   step.first = shifts_.size();
   steps_.push_back(step);
-  for (int k = 0; k < Lattice::kHeadings; ++k) {
+  for (int k = 0; k < lattice_.headings(); ++k) {
     for (int part = 1; part <= step.parts; ++part) {
       const Pose2 to = after({0.0, 0.0, lattice_.heading(k)}, step.move, static_cast<double>(part) / step.parts);
       shifts_.push_back({to.x, to.y});
@@ -41,7 +41,7 @@ void Search::add_step(double length, int turn) {
 }
 
 bool Search::free(double x, double y, int part_of_turn) const {
-  const int count = make_.fineness * Lattice::kHeadings;
+  const int count = make_.fineness * lattice_.headings();
   const auto outline = static_cast<std::size_t>((part_of_turn % count + count) % count);
   return lattice_.region().has(x, y) && !ground_.overlaps(outlines_[outline], x, y);
 }
@@ -74,15 +74,15 @@ int Search::next() {
 
 void Search::begin_at(double x, double y, int k) {
   if (!free(x, y, make_.fineness * k)) return;
-  std::int32_t& slot = node_of_[lattice_.index(lattice_.column(x), lattice_.row(y), k)];
-  if (slot >= 0) return;
-  slot = static_cast<std::int32_t>(nodes_.size());
+  Found& found = found_[lattice_.index(lattice_.column(x), lattice_.row(y), k)];
+  if (found.node >= 0) return;
+  found = {0.0F, static_cast<std::int32_t>(nodes_.size())};
   Node node;
   node.x = x;
   node.y = y;
   node.heading = static_cast<std::int16_t>(k);
   nodes_.push_back(node);
-  push(slot, 0.0);
+  push(found.node, 0.0);
 }
 
 // The node that a step leads to; -1 where it leads nowhere that is new, cheaper and free.
@@ -93,16 +93,16 @@ int Search::reach(const Node& from, int from_index, std::size_t step) {
   const Shift& by = shift(from, taken, taken.parts);
   const double x = from.x + by.x, y = from.y + by.y;
   if (!lattice_.region().has(x, y)) return -1;
-  const int k = Lattice::wrap(from.heading + taken.turn);
-  std::int32_t& slot = node_of_[lattice_.index(lattice_.column(x), lattice_.row(y), k)];
-  if (slot >= 0 && nodes_[static_cast<std::size_t>(slot)].cost <= cost + 1e-5F) return -1;
+  const int k = lattice_.wrap(from.heading + taken.turn);
+  Found& found = found_[lattice_.index(lattice_.column(x), lattice_.row(y), k)];
+  if (found.cost <= cost + 1e-5F) return -1;
   if (!free_along(from, taken)) return -1;
   // A new node, not the old one changed: others were reached from that.
-  if (slot >= 0) nodes_[static_cast<std::size_t>(slot)].open = false;
-  slot = static_cast<std::int32_t>(nodes_.size());
+  if (found.node >= 0) nodes_[static_cast<std::size_t>(found.node)].open = false;
+  found = {cost, static_cast<std::int32_t>(nodes_.size())};
   nodes_.push_back(
       {x, y, cost, length, from_index, static_cast<std::int16_t>(k), static_cast<std::int8_t>(step), true});
-  return slot;
+  return found.node;
 }
 
 Way Search::way_to(int node) const {
@@ -120,10 +120,8 @@ double Search::cost_near(const Pose2& pose) const {
   double least = std::numeric_limits<double>::infinity();
   for (int j = row - 1; j <= row + 1; ++j) {
     for (int i = column - 1; i <= column + 1; ++i) {
-      for (int turn = k - 1; turn <= k + 1 && lattice_.has(i, j); ++turn) {
-        const std::int32_t node = node_of_[lattice_.index(i, j, Lattice::wrap(turn))];
-        if (node >= 0) least = std::min(least, static_cast<double>(nodes_[static_cast<std::size_t>(node)].cost));
-      }
+      for (int turn = k - 1; turn <= k + 1 && lattice_.has(i, j); ++turn)
+        least = std::min(least, cost_of(i, j, lattice_.wrap(turn)));
     }
   }
   return least;

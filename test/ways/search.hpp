@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "ways/lattice.hpp"
@@ -29,7 +30,7 @@ class Search {
     bool reverse = false;  // the robot drives backwards too
     bool undo = false;     // moves are taken back: from where it is led to, not where it leads
     double longest = 3.0;  // of a way [m]
-    int fineness = 2;      // the outline is looked at so many times a heading of a turn
+    int fineness = 1;      // the outline is looked at so many times a heading of a turn
   };
   /// `ground` must outlive it. `shape` with its margin.
   Search(const Ground& ground, const Lattice& lattice, const Shape& shape, const Make& make);
@@ -59,6 +60,10 @@ class Search {
   Way way_to(int node) const;
   /// The least cost of what was found at a pose, in its cell and those beside it [m]; infinite where nothing was.
   double cost_near(const Pose2& pose) const;
+  /// The same in its own cell alone, of a search that begins anywhere on the same lattice.
+  double cost_at(const Node& node) const {
+    return cost_of(lattice_.column(node.x), lattice_.row(node.y), node.heading);
+  }
 
  private:
   struct Step {
@@ -67,6 +72,11 @@ class Search {
     float length = 0.0F, cost = 0.0F;  // [m]
     int parts = 1;                     // in which it is looked at
     std::size_t first = 0;             // of its shifts
+  };
+  // What was found in a cell.
+  struct Found {
+    float cost = std::numeric_limits<float>::infinity();  // [m]
+    std::int32_t node = -1;
   };
   struct Shift {
     double x = 0.0, y = 0.0;  // [m]
@@ -78,6 +88,9 @@ class Search {
     bool operator<(const Entry& other) const { return key != other.key ? key > other.key : node > other.node; }
   };
 
+  double cost_of(int column, int row, int k) const {
+    return static_cast<double>(found_[lattice_.index(column, row, k)].cost);
+  }
   void add_step(double length, int turn);
   void push(int node, double ahead);
   int next();
@@ -105,8 +118,8 @@ class Search {
   std::vector<Step> steps_;
   std::vector<Shift> shifts_;  // of each step, at each heading, to the end of each part
   std::vector<Node> nodes_;
-  std::vector<std::int32_t> node_of_;  // of each cell; -1: none
-  std::vector<Entry> queue_;           // a heap
+  std::vector<Found> found_;  // in each cell
+  std::vector<Entry> queue_;  // a heap
 };
 
 }  // namespace hidwa_ways
