@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "ways/site.hpp"
+
+namespace hidwa_ways {
+
+/// A map as map_server reads it (YAML and a PGM): what is not known to be free is lethal. Throws std::invalid_argument.
+World read_map(const std::string& yaml);
+
+/// A part of 12 m about a random gap, between 0.5 m and 1.2 m wide.
+Site gap_of(const World& map, Random& random);
+
+}  // namespace hidwa_ways
