@@ -13,6 +13,7 @@
 #include "attack/base.hpp"
 #include "attack/contact_watch.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "ways/grid_plan.hpp"
 #include "ways/novelty.hpp"
 
@@ -20,7 +21,7 @@ namespace hidwa_ways {
 namespace {
 
 namespace control = hidwa_local_planner::control;
-using hidwa_local_planner::CriticRegistry;
+namespace critics = hidwa_local_planner::critics;
 using hidwa_local_planner::Outcome;
 using hidwa_local_planner::Twist2;
 
@@ -60,7 +61,7 @@ class Drive {
         base_(base_of(parameters_), scene.start, scene.seed),
         contacts_(scene.world, hidwa_attack::padded(scene.body.shape, parameters_.footprint_padding)),
         target_(through_target(scene)),
-        loop_(CriticRegistry::with_built_in(), person_) {
+        loop_(critics::built_in(), person_) {
     const std::vector<std::string> faults = loop_.configure(parameters_);
     if (!faults.empty()) throw std::logic_error(faults.front());
     hidwa_local_planner::Polygon outline;
