@@ -337,7 +337,9 @@ TEST(Plugin, ACriticOfAnotherPackageTakesWordsAndListsAndMeasuresDistances) {
     ASSERT_NE(term, twist.scores.end());
     const double v = std::abs(twist.traj.velocity.linear.x);
     const bool slow = term->raw_score == v;  // the nose ends on a cell of the path
-    if (!slow) EXPECT_DOUBLE_EQ(term->raw_score, std::max(0.0, v - 0.125));
+    if (!slow) {
+      EXPECT_DOUBLE_EQ(term->raw_score, std::max(0.0, v - 0.125));
+    }
     if (v > 0.125) ++(slow ? on_path : beside);
   }
   EXPECT_GT(on_path, 0);
