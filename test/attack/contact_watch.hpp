@@ -23,6 +23,8 @@ class ContactWatch {
   int touched_at() const { return touched_at_; }                            // [ms]
   /// The largest |v| in the second before the clearance fell below 0.10 m, of each approach [m/s].
   const std::vector<double>& meetings() const { return meetings_; }
+  /// Minus the distance to the nearest cell, or the depth [m], at the last look.
+  double depth_now() const { return depth_; }
 
  private:
   void look(int now, const Pose2& pose);
