@@ -21,7 +21,7 @@ int least(int full) { return std::min(full, full % 2 == 0 ? 6 : 5); }
 int pairs_to_lose(int full) { return (full - least(full)) / 2; }
 
 bool same(const Sampling& a, const Sampling& b) {
-  return a.vx_samples == b.vx_samples && a.vth_samples == b.vth_samples;
+  return a.vx_samples == b.vx_samples && a.vth_samples == b.vth_samples && a.search_poses == b.search_poses;
 }
 
 // The third longest of five: the median.
@@ -111,6 +111,7 @@ Sampling configured_samples(const Parameters& parameters) {
   Sampling samples;
   samples.vx_samples = parameters.vx_samples;
   samples.vth_samples = parameters.vth_samples;
+  samples.search_poses = parameters.search_poses;
   return samples;
 }
 

@@ -47,6 +47,7 @@ enum class Report : std::uint8_t {
 struct Sampling {
   int vx_samples = 0;   // 0: as in the parameters
   int vth_samples = 0;  // 0: as in the parameters
+  int search_poses = 0;  // of a search for a way; 0: as in the parameters
   Report report = Report::chosen;
 };
 

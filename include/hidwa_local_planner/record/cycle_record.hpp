@@ -51,7 +51,7 @@ struct Setup {
 struct RecordedSampling : Sampling {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.vx_samples, self.vth_samples, self.report);
+    io(self.vx_samples, self.vth_samples, self.search_poses, self.report);
   }
 };
 

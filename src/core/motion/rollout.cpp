@@ -45,8 +45,8 @@ std::size_t Rollout::Settings::steps(double v, double omega) const {
 }
 
 void Rollout::run(const Parameters& p, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-                  const std::vector<Sample>& samples) {
-  settings_ = {p.sim_time, p.linear_granularity, p.angular_granularity, p.integration == Integration::euler,
+                  const std::vector<Sample>& samples, double sim_time) {
+  settings_ = {sim_time, p.linear_granularity, p.angular_granularity, p.integration == Integration::euler,
                p.generator == Generator::standard};
   limits_ = limits;
   start_ = start;

@@ -18,9 +18,14 @@ namespace hidwa_local_planner {
 /// A tile is rolled out when it is asked for. Keeps its memory between cycles.
 class Rollout {
  public:
-  /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start.
+  /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start. They
+  /// are rolled out for `sim_time` [s], or for that of the parameters.
   void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-           const std::vector<Sample>& samples);
+           const std::vector<Sample>& samples, double sim_time);
+  void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
+           const std::vector<Sample>& samples) {
+    run(parameters, limits, start, reference, samples, parameters.sim_time);
+  }
 
   std::size_t tile_count() const { return tiles_.size(); }
   /// Rolls a tile out. Valid until the next tile() or run(); quickest in ascending order.
@@ -30,6 +35,7 @@ class Rollout {
   /// The tile that holds a candidate.
   std::size_t tile_of(std::size_t candidate) const;
   std::size_t candidate_count() const { return v_.size(); }
+  double sim_time() const { return settings_.sim_time; }  // of the rollouts [s]
   /// No two consecutive poses of a rollout are farther apart than this [m].
   double longest_step() const { return longest_step_; }
   /// The largest speed of the samples [m/s].

@@ -7,7 +7,8 @@
 
 namespace hidwa_local_planner {
 
-void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering) {
+void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering,
+                      double sim_time) {
   const Parameters& parameters = cycle.parameters;
   const Sampling& sampling = cycle.sampling;
   SampleRequest request;
@@ -19,7 +20,7 @@ void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, c
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
   request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
   sampler_.make(parameters, window_limits, request);
-  rollout_.run(parameters, cycle.limits, cycle.situation.pose, cycle.start.reference, sampler_.samples());
+  rollout_.run(parameters, cycle.limits, cycle.situation.pose, cycle.start.reference, sampler_.samples(), sim_time);
 }
 
 bool Candidates::is_operator_command(std::size_t candidate) const {

@@ -14,8 +14,8 @@ namespace hidwa_local_planner {
 class Candidates {
  public:
   /// Once per cycle. `window_limits`: of the dynamic window. While somebody steers, the operator command and what it is
-  /// blended to are candidates too.
-  void make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering);
+  /// blended to are candidates too. They are rolled out for `sim_time` [s].
+  void make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering, double sim_time);
 
   std::size_t count() const { return rollout_.candidate_count(); }
   /// What the candidate asks for [m/s, rad/s].

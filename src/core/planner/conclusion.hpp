@@ -11,7 +11,7 @@ struct Conclusion {
   Twist2 command;  // to send [m/s, rad/s]
   Twist2 sample;   // of the chosen candidate, zero where there is none [m/s, rad/s]
   Problem problem_kind = Problem::none;
-  const char* problem = "";  // in words; a literal
+  const char* problem = "";  // in words; lives as long as the planner
 };
 
 /// The robot follows a candidate: `command` is the first step towards its sample.

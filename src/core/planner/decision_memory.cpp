@@ -8,7 +8,7 @@ namespace hidwa_local_planner {
 namespace {
 
 // More than any problem has characters.
-constexpr std::size_t kLongestProblem = 120;
+constexpr std::size_t kLongestProblem = 200;
 
 }  // namespace
 

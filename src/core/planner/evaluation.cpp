@@ -3,12 +3,13 @@
 
 namespace hidwa_local_planner {
 
-Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& steering, bool recovering) {
+Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& steering, const Mode& mode) {
+  const bool recovering = mode.recovering && !steering.active;
   const VelocityLimits window_limits = obstacles_.find_overlaps(cycle);
-  candidates_.make(cycle, window_limits, steering);
+  candidates_.make(cycle, window_limits, steering, mode.sim_time);
   const Rollout& rollout = candidates_.rollout();
   scores_.resize(rollout.candidate_count(), rollout.tile_count(), critics_.size());
-  obstacles_.prepare(cycle, rollout, steering.active, !steering.active && recovering);
+  obstacles_.prepare(cycle, rollout, steering.active, recovering);
   prepare_grids(cycle);
   const CycleView view = view_of(cycle, steering);
   if (!grids_.on_map() && !steering.active) return {view, false};

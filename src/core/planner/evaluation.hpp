@@ -29,8 +29,12 @@ class Evaluation {
     CycleView view;       // what the critics saw; lives as long as the cycle
     bool scored = false;  // false where there was nothing to score by
   };
-  /// Once per cycle, or twice where the operator command is blended. `recovering`: see Recovery::active().
-  Result evaluate(const Cycle& cycle, const Steering& steering, bool recovering);
+  struct Mode {
+    double sim_time = 0.0;    // how far ahead candidates are rolled out [s]
+    bool recovering = false;  // see Recovery::active()
+  };
+  /// Once per cycle, or twice where the operator command is blended.
+  Result evaluate(const Cycle& cycle, const Steering& steering, const Mode& mode);
   /// Nothing is evaluated.
   void clear() { scores_.clear(); }
 

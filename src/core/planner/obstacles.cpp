@@ -26,7 +26,7 @@ Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout,
   // Nothing lies beyond the map's edge but more of it.
   const double across = std::hypot(grid.size_x, grid.size_y) * grid.resolution + radius;
   Reach reach;
-  reach.all = std::min(std::max(rollout.fastest() * cycle.parameters.sim_time, manoeuvres + growth), across);
+  reach.all = std::min(std::max(rollout.fastest() * rollout.sim_time(), manoeuvres + growth), across);
   // Half a step: what lies between two clear poses is clear. And enough for the poses of a manoeuvre.
   reach.margin = std::max(0.5 * rollout.longest_step(), grid.resolution / 16.0);
   reach.gap = std::min(growth + 2.0 * grid.resolution, across);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/planner/planner_impl.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/planner/decision_memory.hpp"
@@ -8,6 +9,12 @@
 #include "core/planner/safe_values.hpp"
 
 namespace hidwa_local_planner {
+namespace {
+
+// How far ahead candidates are rolled out that follow a way [s].
+constexpr double kFollowingTime = 1.0;
+
+}  // namespace
 
 Planner::Impl::Impl(CriticRegistry registry)
     : critics(std::move(registry)),
@@ -60,14 +67,14 @@ Conclusion Planner::Impl::conclude(const Cycle& cycle) {
 
 Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Steering steering = find_steering(cycle);
-  const Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, recovery.active());
+  const bool autonomous = !steering.active && !cycle.situation.goal_latched;
+  const Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, mode(autonomous));
   decision.candidates = evaluation.candidates().count();
   decision.escaping = evaluation.obstacles().in_collision();
   if (!evaluated.scored) {
     evaluation.clear();
     return brake(cycle, Problem::off_map, "no pose of the plan lies on the local map");
   }
-  const bool autonomous = !steering.active && !cycle.situation.goal_latched;
   const Choice choice = choose(cycle, autonomous);
   explanation.note_choice(choice.candidate, choice.rule, steering);
   const Conclusion chosen = follow_choice(cycle, choice);
@@ -92,10 +99,18 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
   const double a = influence == Influence::shared ? parameters.authority : 1.0;
   const bool active = influence != Influence::none && a > 0.0;
   if (!active || a >= 1.0) return {active, u_h};
-  const bool scored = evaluation.evaluate(cycle, {false, u_h}, recovery.active()).scored;
+  const bool scored = evaluation.evaluate(cycle, {false, u_h}, {parameters.sim_time, recovery.active()}).scored;
   const int own = scored ? cheapest(cycle) : -1;
   const Twist2 u_nv = own >= 0 ? evaluation.candidates().sample(static_cast<std::size_t>(own)) : Twist2{};
   return {true, {u_nv.v + a * (u_h.v - u_nv.v), u_nv.omega + a * (u_h.omega - u_nv.omega)}};
+}
+
+// On a way that recovery has found the way looks ahead: rollouts need not, so that close to things more is legal. Only
+// while braking is checked, or they would be all that keeps the robot from collisions.
+Evaluation::Mode Planner::Impl::mode(bool autonomous) const {
+  const bool short_sighted =
+      autonomous && recovery.follows() && parameters.admissibility == Admissibility::braking;
+  return {short_sighted ? std::min(kFollowingTime, parameters.sim_time) : parameters.sim_time, recovery.active()};
 }
 
 Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous) {
@@ -103,8 +118,8 @@ Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous)
   // In collision only what leads out is worth turning for.
   const bool only_recovery = autonomous && recovery.active() && around.in_collision();
   const int recovering = recovery.choose(
-      autonomous, {cycle.situation, cycle.grid, evaluation.candidates().rollout(), evaluation.scores().totals(),
-                   around.collision(), around.admissibility(), around.escape(), evaluation.grids()});
+      autonomous, {cycle, evaluation.candidates().rollout(), evaluation.scores().totals(), around.admissibility(),
+                   around.escape()});
   if (recovering >= 0) return {recovering, ChoiceReport::Rule::recovery};
   const int best = only_recovery ? -1 : cheapest(cycle);
   return {best, best >= 0 ? ChoiceReport::Rule::cheapest : ChoiceReport::Rule::none};

@@ -52,6 +52,7 @@ struct Planner::Impl {
   Conclusion conclude(const Cycle& cycle);
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);
+  Evaluation::Mode mode(bool autonomous) const;
   Choice choose(const Cycle& cycle, bool autonomous);
   int cheapest(const Cycle& cycle);
   Conclusion follow_choice(const Cycle& cycle, const Choice& choice);

@@ -57,19 +57,23 @@ void Recovery::watch_collision(const Cycle& cycle, bool trapped, Conclusion& con
        "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared");
 }
 
-// True when it begins to recover.
+// True when the critics must forget.
 bool Recovery::watch_rest(const Cycle& cycle, bool autonomous, Conclusion& conclusion) {
   const Parameters& p = cycle.parameters;
-  const bool trapped = trapped_.holds();
-  RecoveryMotion::Rest rest;
-  rest.stands = autonomous && (conclusion.outcome == Outcome::hold || trapped);
-  rest.creeps = autonomous && conclusion.outcome == Outcome::drive && conclusion.sample.v == 0.0 &&
-                std::abs(conclusion.sample.omega) < kCreeps * cycle.limits.theta.max;
-  const bool begins = motion_.watch(cycle.situation, rest, p.turn_when_stuck ? 0.5 * p.blocked_time : -1.0);
-  if (!trapped && motion_.standing_time(cycle.situation.time) > p.blocked_time) {
+  RecoveryMotion::Course course;
+  course.autonomous = autonomous;
+  course.trapped = trapped_.holds();
+  course.stands = conclusion.outcome == Outcome::hold || conclusion.outcome == Outcome::fail || course.trapped;
+  course.creeps = conclusion.outcome == Outcome::drive && conclusion.sample.v == 0.0 &&
+                  std::abs(conclusion.sample.omega) < kCreeps * cycle.limits.theta.max;
+  const bool forget = motion_.watch(cycle, course, p.turn_when_stuck ? 0.5 * p.blocked_time : -1.0);
+  if (course.trapped || !autonomous) return forget;
+  if (*motion_.problem() != '\0') {
+    fail(conclusion, Problem::stuck, motion_.problem());
+  } else if (!motion_.undecided() && motion_.standing_time(cycle.situation.time) > p.blocked_time) {
     fail(conclusion, Problem::stuck, "autonomy is stuck: standing still is its best legal candidate");
   }
-  return begins;
+  return forget;
 }
 
 // True when the critics must forget.

@@ -3,8 +3,9 @@
 //
 // 1. Collision: a robot that stands in collision, and that no legal motion leads out of, waits for a second. A new scan
 //    may take away what the last one has put under it. Then the cycle fails, so that the host clears its costmap.
-// 2. Rest: autonomy that prefers standing still to every legal motion is stuck. After half of blocked_time
-//    RecoveryMotion begins; after all of it the cycle fails, so that the host replans or recovers.
+// 2. Rest: autonomy that prefers standing still to every legal motion is stuck. RecoveryMotion searches for a way; after
+//    half of blocked_time it drives. Where there is no way the cycle fails at once, else after all of blocked_time, so
+//    that the host replans or recovers.
 // 3. The last turn: at the goal's position only a turn is left. Where a critic forbids its direction (one that the
 //    operator had the robot turn from, for example), the other one is longer, and standing still is cheaper for ever.
 //    After half of blocked_time the critics forget; after all of it the cycle fails.
@@ -26,8 +27,10 @@ class Recovery {
   /// Nothing was chosen: the robot was stopped, or driven directly, or the input had a fault.
   void interrupt();
 
-  /// RecoveryMotion has begun and goes on.
+  /// RecoveryMotion decides what is driven.
   bool active() const { return motion_.active(); }
+  /// It follows a way that it has found.
+  bool follows() const { return motion_.follows(); }
   /// The candidate that gets autonomy going; -1 where there is none, or no need of one. Without `autonomous` it ends.
   int choose(bool autonomous, const RecoveryMotion::Scene& scene);
 

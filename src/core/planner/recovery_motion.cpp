@@ -2,199 +2,220 @@
 #include "core/planner/recovery_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+
+#include "core/planner/least_legal.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
-// Off the plan's direction by less than this a robot faces it [rad].
-constexpr double kFacesPlan = 0.5;
+// A search may take so long; where there is no way the next one begins so long after it [s].
+constexpr double kLongestSearch = 2.0;
+constexpr double kSearchAgain = 2.0;
 
-// How far along the plan its direction is taken [m]: beyond the cells around the robot, before the next corner.
-constexpr double kDirectionAhead = 0.5;
+// For so long a robot may get nowhere [s], and for three times what its limits take to get somewhere.
+constexpr double kNowhere = 1.5;
 
-// It is out when it has come so far [m], and gives up the attempt after so long [s].
-constexpr double kOut = 0.4;
-constexpr double kLongest = 15.0;
+// A candidate is followed for so long before it is braked [s].
+constexpr double kFollowed = 0.4;
 
-// Headings are tried in such steps [rad], and reached when so near.
-constexpr double kHeadingStep = 0.1;
-constexpr double kHeadingReached = 0.05;
+// A place on the way up to so much later counts [s].
+constexpr double kPlaceAhead = 2.0;
 
-// The short way straight on, in cells, and its parts.
-constexpr double kShortWay = 2.0;
-constexpr int kParts = 8;
+// The way ends so long before its end [s].
+constexpr double kEndsBefore = 0.3;
 
-// Depths in collision that count as one [m].
-constexpr double kSameDepth = 0.001;
+// The remaining time falls if it falls by so much [s] in the time after which the robot searches anew [s].
+constexpr double kFalls = 0.05;
+constexpr double kFallsWithin = 1.0;
 
-// A way leads nearer to the goal by at least so many cells.
-constexpr double kNearer = 0.4;
+// Ordinary scoring leads on as well if it gains that share of what the way gains, for so long [s].
+constexpr double kAgreement = 0.6;
+constexpr double kAgreesFor = 1.0;
 
-double to_goal(const RecoveryMotion::Scene& scene, double x, double y) {
-  return PlanGrids::at(scene.grids.to_goal(), scene.grid, x, y);
-}
+constexpr std::size_t kLongestText = 200;
 
-// How far to turn to face the plan [rad]; left positive.
-double heading_off_plan(const Situation& situation) {
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < situation.plan.size(); ++i) {
-    if (distance(situation.plan[i], situation.pose) < distance(situation.plan[nearest], situation.pose)) nearest = i;
-  }
-  std::size_t ahead = nearest;
-  while (ahead + 1 < situation.plan.size() && distance(situation.plan[ahead], situation.pose) < kDirectionAhead)
-    ++ahead;
-  const Pose2& target = situation.plan[ahead];
-  if (distance(target, situation.pose) < 1e-6) return 0.0;
-  return wrap_angle(std::atan2(target.y - situation.pose.y, target.x - situation.pose.x) - situation.pose.theta);
+// Where a candidate brings the robot that follows it for a while and then brakes: braking takes it half as far as
+// driving on would.
+Pose2 braked_end(const Tile& tile, std::size_t c, const VelocityLimits& limits) {
+  const double braking = std::max(limits.x.time_to_rest(tile.v[c]), limits.theta.time_to_rest(tile.omega));
+  const double steps = std::min((kFollowed + 0.5 * braking) / tile.dt, static_cast<double>(tile.steps));
+  const auto k = std::min(static_cast<std::size_t>(steps), tile.steps - 1);
+  const double share = steps - static_cast<double>(k);
+  const Pose2 a = tile.pose(k, c), b = tile.pose(k + 1, c);
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.theta + share * (b.theta - a.theta)};
 }
 
 }  // namespace
 
-bool RecoveryMotion::watch(const Situation& situation, const Rest& rest, double patience) {
-  stands_.observe(situation.time, rest.stands);
-  rests_.observe(situation.time, rest.stands || rest.creeps);
-  if (active_ || patience < 0.0 || !rests_.for_at_least(patience, situation.time)) return false;
-  active_ = true;
-  stood_ = situation.pose;
-  begun_ = situation.time;
-  facing_plan_ = turning_to_plan_ = turning_ = false;
-  return true;
+void RecoveryMotion::reset() {
+  enter(Phase::idle, 0.0);
+  stands_.reset();
+  rests_.reset();
+  novelty_.reset();
+  escape_.reset();
+}
+
+void RecoveryMotion::enter(Phase phase, double now) {
+  phase_ = phase;
+  since_ = now;
+  if (phase == Phase::idle || phase == Phase::follows) {
+    holds_ = false;
+    problem_.clear();
+  }
+  if (phase != Phase::searches) search_.clear();
+  if (phase != Phase::follows) way_.clear();
+  part_ = 0;
+  least_ = std::numeric_limits<double>::infinity();
+  agrees_.reset();
+}
+
+bool RecoveryMotion::watch(const Cycle& cycle, const Course& course, double patience) {
+  const double now = cycle.situation.time;
+  stands_.observe(now, course.autonomous && course.stands);
+  if (!course.autonomous || patience < 0.0) {
+    const ConditionTimer stands = stands_;
+    reset();
+    stands_ = stands;
+    return false;
+  }
+  rests_.observe(now, course.stands || course.creeps);
+  novelty_.observe(cycle.situation.pose, now);
+  const bool impatient = rests_.for_at_least(patience, now);
+  if (course.trapped) {
+    if (!impatient || escape_.active()) return false;
+    escape_.begin(now);
+    return true;
+  }
+  advance(cycle, course.stands, impatient);
+  return phase_ == Phase::follows;
+}
+
+// From phase to phase.
+void RecoveryMotion::advance(const Cycle& cycle, bool stands, bool impatient) {
+  const double now = cycle.situation.time;
+  if ((phase_ == Phase::searches || phase_ == Phase::waits) && !stands && !holds_) enter(Phase::idle, now);
+  if (phase_ == Phase::idle && ((impatient && !stands) || gets_nowhere(cycle))) {
+    enter(Phase::stops, now);
+    holds_ = true;
+  }
+  const bool settled = stands_.for_at_least(cycle.parameters.control_latency + 2.0 * cycle.situation.period, now);
+  const bool again = phase_ == Phase::waits && (now - since_ >= kSearchAgain || now < since_);
+  if (settled && (phase_ == Phase::idle || phase_ == Phase::stops || again)) begin_search(cycle);
+  if (phase_ == Phase::searches) search(cycle, impatient || holds_);
+}
+
+bool RecoveryMotion::gets_nowhere(const Cycle& cycle) const {
+  const VelocityLimits& limits = cycle.limits;
+  const double somewhere = Novelty::kApart / std::max(limits.x.max, 1e-3) + Novelty::kTurnedApart / std::max(limits.theta.max, 1e-3);
+  return novelty_.time_without(cycle.situation.time) >= std::max(kNowhere, 3.0 * somewhere);
+}
+
+void RecoveryMotion::begin_search(const Cycle& cycle) {
+  enter(Phase::searches, cycle.situation.time);
+  make_search_task(cycle.situation, cycle.grid, cycle.footprint, cycle.parameters, cycle.limits, task_);
+  search_.begin(task_);
+}
+
+// A portion of it. The way that is found waits until the robot may take it.
+void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
+  const double now = cycle.situation.time;
+  const int poses = cycle.sampling.search_poses > 0 ? cycle.sampling.search_poses : cycle.parameters.search_poses;
+  if (way_.empty()) {
+    const bool late = now < since_ || now - since_ >= kLongestSearch;
+    switch (search_.run(poses)) {
+      case WaySearch::State::found:
+        search_.write(way_);
+        break;
+      case WaySearch::State::searching:
+        if (late) fail(now, "no way was found in time through the local map");
+        return;
+      case WaySearch::State::cut_short:
+        return fail(now, "no way was found through the local map, and the memory for more is used up");
+      case WaySearch::State::no_way:
+      case WaySearch::State::idle:
+        return fail(now, "no way for this outline through the local map");
+    }
+  }
+  if (!may_follow) return;
+  Way way;
+  std::swap(way, way_);
+  enter(Phase::follows, now);
+  std::swap(way, way_);
+}
+
+void RecoveryMotion::fail(double now, const char* how) {
+  const WaySearch::End end = search_.end();
+  std::array<char, kLongestText> text{};
+  if (end.obstacle_known) {
+    std::snprintf(text.data(), text.size(),
+                  "%s: no farther than (%.2f, %.2f); nearest obstacle there %.3f m away, at (%.2f, %.2f)", how,
+                  end.pose.x, end.pose.y, end.gap, end.obstacle.x(), end.obstacle.y());
+  } else {
+    std::snprintf(text.data(), text.size(), "%s: no farther than (%.2f, %.2f)", how, end.pose.x, end.pose.y);
+  }
+  enter(Phase::waits, now);
+  problem_.reserve(kLongestText);
+  problem_ = text.data();
 }
 
 int RecoveryMotion::choose(const Scene& scene) {
-  const bool trapped = scene.escape.overlaps();
-  const int out = trapped ? out_of_collision(scene) : -1;
-  if (out >= 0 || !active_) return out;
-  const double now = scene.situation.time;
-  active_ = distance(scene.situation.pose, stood_) < kOut && now >= begun_ && now - begun_ < kLongest;
-  if (!active_) return -1;
-  int best = trapped ? -1 : towards_plan(scene);
-  if (best < 0 && !trapped) best = towards_goal(scene);
-  return best < 0 ? towards_free_heading(scene) : best;
-}
-
-int RecoveryMotion::towards_plan(const Scene& scene) {
-  if (facing_plan_) return -1;
-  const double off = heading_off_plan(scene.situation);
-  // A small turn is not begun; what is begun is finished.
-  facing_plan_ = std::abs(off) <= (turning_to_plan_ ? 0.5 * kFacesPlan : kFacesPlan);
-  turning_to_plan_ = !facing_plan_;
-  return facing_plan_ ? -1 : turn_by(scene, off);
-}
-
-// The legal candidate that drives and comes nearest to the local goal; between equals the cheapest.
-int RecoveryMotion::towards_goal(const Scene& scene) const {
-  const double here = to_goal(scene, scene.situation.pose.x, scene.situation.pose.y);
-  if (here < 0.0) return -1;
-  double least = here - kNearer * scene.grid.resolution;
-  double cost = std::numeric_limits<double>::infinity();
-  int best = -1;
-  for (std::size_t t = 0; t < scene.rollout.tile_count(); ++t) {
-    const Tile tile = scene.rollout.tile(t);
-    for (std::size_t c = 0; c < tile.count; ++c) {
-      const double total = scene.totals[tile.first + c];
-      if (!std::isfinite(total)) continue;
-      const Pose2 end = tile.last_pose(c);
-      const double left = to_goal(scene, end.x, end.y);
-      if (left < 0.0 || left > least || (left == least && total >= cost)) continue;
-      if (!scene.admissibility.confirm_braking(tile.sample(c))) continue;
-      least = left;
-      cost = total;
-      best = static_cast<int>(tile.first + c);
-    }
+  const Cycle& cycle = scene.cycle;
+  if (scene.escape.overlaps()) {
+    if (phase_ != Phase::idle) enter(Phase::idle, cycle.situation.time);
+    return escape_.choose(
+        {cycle.situation, cycle.grid, scene.rollout, scene.totals, scene.admissibility, scene.escape});
   }
+  escape_.reset();
+  if (phase_ == Phase::follows) return follow(scene);
+  return holds_ ? stand(scene) : -1;
+}
+
+int RecoveryMotion::stand(const Scene& scene) const {
+  return least_legal(scene.rollout, scene.totals, scene.admissibility, [](const Tile& tile, std::size_t c) {
+    return tile.v[c] == 0.0 && tile.omega == 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
+  });
+}
+
+int RecoveryMotion::follow(const Scene& scene) {
+  const double now = scene.cycle.situation.time;
+  const Way::Place here = way_.nearest(scene.cycle.situation.pose, part_, kPlaceAhead);
+  part_ = static_cast<std::uint32_t>(here.part);
+  if (here.left <= kEndsBefore || agrees_.for_at_least(kAgreesFor, now)) {
+    enter(Phase::idle, now);
+    novelty_.reset();
+    return -1;
+  }
+  if (!gets_on(here.remaining(), now)) {
+    enter(Phase::stops, now);
+    holds_ = true;
+    return stand(scene);
+  }
+  double cheapest = std::numeric_limits<double>::infinity(), of_cheapest = 0.0, least = cheapest;
+  const int best = least_legal(scene.rollout, scene.totals, scene.admissibility, [&](const Tile& tile, std::size_t c) {
+    const double left = way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, kPlaceAhead).remaining();
+    least = std::min(least, left);
+    if (scene.totals[tile.first + c] < cheapest) {
+      cheapest = scene.totals[tile.first + c];
+      of_cheapest = left;
+    }
+    return left;
+  });
+  const double gain = here.remaining() - least;
+  agrees_.observe(now, gain > 0.0 && here.remaining() - of_cheapest >= kAgreement * gain);
   return best;
 }
 
-// Of the legal ones that drive: what ends least deep, by whole millimetres, and of these the cheapest.
-int RecoveryMotion::out_of_collision(const Scene& scene) const {
-  double least = std::numeric_limits<double>::infinity(), cost = least;
-  int best = -1;
-  for (std::size_t t = 0; t < scene.rollout.tile_count(); ++t) {
-    const Tile tile = scene.rollout.tile(t);
-    for (std::size_t c = 0; c < tile.count; ++c) {
-      const double total = scene.totals[tile.first + c];
-      if (tile.v[c] == 0.0 || !std::isfinite(total)) continue;
-      const double depth = std::floor(scene.escape.depth_at_end(tile, c) / kSameDepth);
-      if (depth > least || (depth == least && total >= cost)) continue;
-      if (!scene.admissibility.confirm_braking(tile.sample(c))) continue;
-      least = depth;
-      cost = total;
-      best = static_cast<int>(tile.first + c);
-    }
+// The remaining time falls, or has lately.
+bool RecoveryMotion::gets_on(double remaining, double now) {
+  if (remaining < least_ - kFalls || now < since_) {
+    least_ = std::min(least_, remaining);
+    since_ = now;
   }
-  return best;
-}
-
-int RecoveryMotion::towards_free_heading(const Scene& scene) {
-  const Pose2& pose = scene.situation.pose;
-  if (turning_) {
-    const double left = wrap_angle(heading_ - pose.theta);
-    turning_ = std::abs(left) > kHeadingReached && leads_on(scene, heading_);
-    if (turning_) return turn_by(scene, left);
-  }
-  // The turn itself must be free, to either side.
-  const double first = heading_off_plan(scene.situation) < 0.0 ? -1.0 : 1.0;
-  bool open[2] = {true, true};
-  for (double angle = kHeadingStep; angle < M_PI; angle += kHeadingStep) {
-    for (int side = 0; side < 2; ++side) {
-      const double turn = (side == 0 ? first : -first) * angle;
-      const double heading = pose.theta + turn;
-      open[side] = open[side] && may_face(scene, heading);
-      if (!open[side] || !leads_on(scene, heading)) continue;
-      const int best = turn_by(scene, turn);
-      if (best < 0) continue;
-      turning_ = true;
-      heading_ = wrap_angle(heading);
-      return best;
-    }
-  }
-  return -1;
-}
-
-// The legal turn on the spot that ends nearest to `angle` from here; -1 where there is none.
-int RecoveryMotion::turn_by(const Scene& scene, double angle) const {
-  int best = -1;
-  double least = std::abs(angle);
-  for (std::size_t t = 0; t < scene.rollout.tile_count(); ++t) {
-    const Tile tile = scene.rollout.tile(t);
-    const double left = std::abs(wrap_angle(angle - (tile.heading[tile.steps] - scene.situation.pose.theta)));
-    for (std::size_t c = 0; c < tile.count; ++c) {
-      if (tile.v[c] != 0.0 || tile.omega == 0.0 || left >= least) continue;
-      if (!std::isfinite(scene.totals[tile.first + c])) continue;
-      if (!scene.admissibility.confirm_braking(tile.sample(c))) continue;
-      best = static_cast<int>(tile.first + c);
-      least = left;
-    }
-  }
-  return best;
-}
-
-bool RecoveryMotion::may_face(const Scene& scene, double heading) const {
-  if (scene.escape.applies()) return scene.escape.may_face(heading);
-  const Pose2& pose = scene.situation.pose;
-  return !scene.collision.collides({pose.x, pose.y, heading});
-}
-
-// It asks for some clearance: where the robot just fits, a cell of the map that changes would block it.
-bool RecoveryMotion::leads_on(const Scene& scene, double heading) const {
-  const double length = kShortWay * scene.grid.resolution;
-  if (scene.escape.overlaps()) return scene.escape.leads_out(heading, length);
-  const Pose2& pose = scene.situation.pose;
-  const double here = to_goal(scene, pose.x, pose.y);
-  const Rotation rotation{std::cos(heading), std::sin(heading)};
-  const Pose2 end{pose.x + length * rotation.c, pose.y + length * rotation.s, heading};
-  const double there = to_goal(scene, end.x, end.y);
-  if (here < 0.0 || there < 0.0 || there > here - kNearer * scene.grid.resolution) return false;
-  for (int part = 1; part <= kParts; ++part) {
-    const double way = length * part / kParts;
-    const Pose2 on_way{pose.x + way * rotation.c, pose.y + way * rotation.s, heading};
-    if (scene.collision.separation(on_way, rotation, scene.grid.resolution) < scene.grid.resolution / 16.0)
-      return false;
-  }
-  return true;
+  return now - since_ < kFallsWithin;
 }
 
 }  // namespace hidwa_local_planner

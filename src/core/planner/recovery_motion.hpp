@@ -1,84 +1,105 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gets autonomy going again that prefers standing still to every legal motion. That happens where the robot faces away
-// from the plan and the first part of a turn gains nothing; where the plan follows a corner more closely than the robot
-// may, so that all progress costs as much in distance from the plan; and where only another heading leads on at all.
+// Gets autonomy going again that stands, creeps, or moves and gets nowhere, though a way may lead on.
 //
-// 1. A robot that stands in collision takes at once what leads farthest out of it.
-// 2. One that has stood, or turned on the spot at a creep, for long enough begins to recover. It goes on until it has
-//    come some way from where it stood, or too much time has passed.
-// 3. Meanwhile, in this order: it turns on the spot towards the plan; takes the candidate that comes nearest to the
-//    local goal; turns to the nearest heading from which a short way straight on is free and leads nearer to the goal.
-//    In collision: to a heading from which straight on leads out.
+// 1. Where it stands, a search begins (WaySearch): for a way of the outline to the plan 1.5 m to 2.5 m ahead, through a
+//    snapshot of the local map. It goes on for some poses a cycle. If ordinary scoring drives on meanwhile, it ends.
+//    A robot that creeps or gets nowhere for some patience stands first.
+// 2. After the patience the way that was found is followed: the legal candidate is taken that ends with the least
+//    remaining time, followed for some tenths of a second and then braked. What the critics prefer does not count;
+//    what they reject does.
+// 3. That ends at the way's end, or where the cheapest candidate has led on as well for a second. If the remaining time
+//    stops falling, the robot stands and searches anew.
+// 4. If there is no way, the cycle fails and says why. It searches again after two seconds.
 //
-// Why it is safe: it takes legal candidates only, and each of them passes the braking check without gaps. It must see
-// all of them, so every candidate is checked before (Evaluation::evaluate()).
+// In collision EscapeTurn acts instead. Why it is safe: it takes legal candidates only, and each of them passes the
+// braking check without gaps. It must see all of them, so every candidate is checked before (Evaluation::evaluate()).
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
-#include "core/collision/admissibility.hpp"
-#include "core/collision/collision.hpp"
-#include "core/collision/escape.hpp"
-#include "core/distance/plan_grids.hpp"
-#include "core/motion/rollout.hpp"
-#include "hidwa_local_planner/core/grid_view.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
+#include "core/planner/cycle.hpp"
+#include "core/planner/escape_turn.hpp"
+#include "core/planner/novelty.hpp"
+#include "core/search/way_search.hpp"
 #include "hidwa_local_planner/core/util/condition_timer.hpp"
 
 namespace hidwa_local_planner {
 
 class RecoveryMotion {
  public:
-  /// One cycle with all candidates checked and scored. `totals`: of each candidate, infinite where it is rejected.
+  /// One cycle with all candidates scored; where it is active(), all of them checked.
   struct Scene {
-    const Situation& situation;
-    const GridView& grid;
+    const Cycle& cycle;
     const Rollout& rollout;
-    const std::vector<double>& totals;
-    const CollisionChecker& collision;
+    const std::vector<double>& totals;  // of each candidate, infinite where it is rejected
     AdmissibilityCheck& admissibility;
     EscapeRule& escape;
-    PlanGrids& grids;
   };
 
-  void reset() { *this = RecoveryMotion(); }
+  void reset();
   /// The candidate that leads on; -1 where there is none, or no need of one.
   int choose(const Scene& scene);
-  /// How autonomy rested in a cycle, by its choice or since nothing was legal.
-  struct Rest {
+  /// How autonomy fared in a cycle, by its choice or since nothing was legal.
+  struct Course {
+    bool autonomous = false;  // nothing of the rest counts otherwise
     bool stands = false;
     bool creeps = false;  // turns on the spot so slowly that it gains nothing
+    bool trapped = false;  // in collision, and no motion leads out
   };
   /// After each cycle. `patience` [s]: for how long the robot may rest before it begins to recover; negative: for ever.
-  /// True when it begins.
-  bool watch(const Situation& situation, const Rest& rest, double patience);
-  /// It recovers.
-  bool active() const { return active_; }
+  /// True when the critics must forget: what they forbid may be what gets the robot going.
+  bool watch(const Cycle& cycle, const Course& course, double patience);
+
+  /// It decides what is driven.
+  bool active() const { return escape_.active() || holds_ || phase_ == Phase::follows; }
+  /// It follows a way: candidates are rolled out no farther than that needs.
+  bool follows() const { return phase_ == Phase::follows; }
+  /// It is not known yet whether a way leads on.
+  bool undecided() const { return phase_ == Phase::stops || (phase_ == Phase::searches && problem_.empty()); }
+  /// Why no way leads on; empty where that is not known. Valid until the next call of another function.
+  const char* problem() const { return problem_.c_str(); }
   /// For how long autonomy has stood [s].
   double standing_time(double now) const { return stands_.time(now); }
+
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.stands_, self.rests_, self.active_, self.stood_, self.begun_, self.facing_plan_, self.turning_to_plan_,
-       self.turning_, self.heading_);
+    io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_, self.way_,
+       self.part_, self.least_, self.agrees_, self.problem_);
   }
 
  private:
-  int towards_plan(const Scene& scene);
-  int towards_goal(const Scene& scene) const;
-  int towards_free_heading(const Scene& scene);
-  int out_of_collision(const Scene& scene) const;
-  int turn_by(const Scene& scene, double angle) const;
-  bool leads_on(const Scene& scene, double heading) const;
-  bool may_face(const Scene& scene, double heading) const;
+  enum class Phase : std::uint8_t {
+    idle,      // ordinary scoring decides
+    stops,     // to search from where it stands
+    searches,  // it stands
+    follows,   // the way
+    waits      // there is none
+  };
+  void enter(Phase phase, double now);
+  void advance(const Cycle& cycle, bool stands, bool impatient);
+  void begin_search(const Cycle& cycle);
+  void search(const Cycle& cycle, bool may_follow);
+  void fail(double now, const char* how);
+  bool gets_nowhere(const Cycle& cycle) const;
+  int stand(const Scene& scene) const;
+  int follow(const Scene& scene);
+  bool gets_on(double remaining, double now);
 
+  Phase phase_ = Phase::idle;
+  bool holds_ = false;             // it stands for the search, whatever ordinary scoring prefers
+  double since_ = 0.0;             // when the phase began, or the remaining time fell last [s]
   ConditionTimer stands_, rests_;  // it stands; it stands or creeps
-  bool active_ = false;
-  Pose2 stood_;               // where it began
-  double begun_ = 0.0;        // [s]
-  bool facing_plan_ = false;  // it does, or has since it began
-  bool turning_to_plan_ = false;
-  bool turning_ = false;  // to a free heading
-  double heading_ = 0.0;  // that one, costmap frame [rad]
+  Novelty novelty_;
+  EscapeTurn escape_;
+  SearchTask task_;  // to be filled
+  WaySearch search_;
+  Way way_;
+  std::uint32_t part_ = 0;  // of the way, that the robot is on
+  double least_ = 0.0;      // remaining time on it so far [s]
+  ConditionTimer agrees_;   // ordinary scoring would lead on as well
+  std::string problem_;
 };
 
 }  // namespace hidwa_local_planner

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/search/search_task.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidwa_local_planner {
+namespace {
+
+// How far from the robot the snapshot ends [m].
+constexpr double kSnapshotReach = 4.0;
+
+// The target lies so far along the plan [m].
+constexpr double kTargetFrom = 1.5;
+constexpr double kTargetTo = 2.5;
+
+// The last part of a plan that ends before that [m].
+constexpr double kTargetAtEnd = 0.3;
+
+// A way has to come so near to it [m].
+constexpr double kNearTarget = 0.15;
+
+void copy_costs(const GridView& grid, const Pose2& pose, SearchTask& task) {
+  const int reach = static_cast<int>(std::ceil(kSnapshotReach / grid.resolution));
+  const Cell middle = grid.cell_at(pose.x, pose.y);
+  const int i0 = std::clamp(middle.i - reach, 0, grid.size_x), i1 = std::clamp(middle.i + reach + 1, i0, grid.size_x);
+  const int j0 = std::clamp(middle.j - reach, 0, grid.size_y), j1 = std::clamp(middle.j + reach + 1, j0, grid.size_y);
+  task.size_x = i1 - i0;
+  task.size_y = j1 - j0;
+  task.resolution = grid.resolution;
+  task.origin_x = grid.origin_x + i0 * grid.resolution;
+  task.origin_y = grid.origin_y + j0 * grid.resolution;
+  task.costs.clear();
+  for (int j = j0; j < j1; ++j) {
+    const std::uint8_t* row = grid.costs + grid.index({i0, j});
+    task.costs.insert(task.costs.end(), row, row + task.size_x);
+  }
+}
+
+// A circle whose centre stands in an inscribed cell is judged by its outline alone: so must be its ways.
+void drop_inscribed(SearchTask& task) {
+  const Cell cell = task.grid().cell_at(task.start.x, task.start.y);
+  if (task.radius <= 0.0 || !task.grid().contains(cell) || task.grid().at(cell) != cost::kInscribed) return;
+  std::replace(task.costs.begin(), task.costs.end(), cost::kInscribed, cost::kFree);
+}
+
+void find_target(const Situation& situation, SearchTask& task) {
+  const std::vector<Pose2>& plan = situation.plan;
+  const GridView grid = task.grid();
+  task.target.clear();
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < plan.size(); ++i) {
+    if (distance(plan[i], situation.pose) < distance(plan[nearest], situation.pose)) nearest = i;
+  }
+  // As far as it is on the map.
+  double length = 0.0;
+  std::size_t end = nearest;
+  while (end < plan.size() && grid.contains(grid.cell_at(plan[end].x, plan[end].y))) {
+    if (end > nearest) length += distance(plan[end - 1], plan[end]);
+    ++end;
+  }
+  const double from = length >= kTargetFrom ? kTargetFrom : std::max(0.0, length - kTargetAtEnd);
+  double along = 0.0;
+  for (std::size_t i = nearest; i < end; ++i) {
+    if (i > nearest) along += distance(plan[i - 1], plan[i]);
+    if (along >= from && along <= std::max(kTargetTo, from)) task.target.emplace_back(plan[i].x, plan[i].y);
+  }
+}
+
+}  // namespace
+
+bool SearchTask::operator==(const SearchTask& o) const {
+  return costs == o.costs && size_x == o.size_x && size_y == o.size_y && resolution == o.resolution &&
+         origin_x == o.origin_x && origin_y == o.origin_y && unknown_is_obstacle == o.unknown_is_obstacle &&
+         start.x == o.start.x && start.y == o.start.y && start.theta == o.start.theta && outline == o.outline &&
+         radius == o.radius && forward == o.forward && backward == o.backward && turning == o.turning &&
+         target == o.target && near_target == o.near_target;
+}
+
+void make_search_task(const Situation& situation, const GridView& grid, const Footprint& footprint,
+                      const Parameters& parameters, const VelocityLimits& limits, SearchTask& task) {
+  task.unknown_is_obstacle = parameters.unknown_is_obstacle;
+  task.start = situation.pose;
+  task.outline = footprint.is_circle() ? Polygon() : footprint.outline();
+  task.radius = footprint.radius();
+  task.forward = std::max(limits.x.max, 0.0);
+  task.backward = std::max(-limits.x.min, 0.0);
+  task.turning = std::max(std::min(limits.theta.max, -limits.theta.min), 0.0);
+  task.near_target = std::max(kNearTarget, grid.resolution);
+  copy_costs(grid, situation.pose, task);
+  drop_inscribed(task);
+  find_target(situation, task);
+}
+
+}  // namespace hidwa_local_planner

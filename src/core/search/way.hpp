@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// A way that was found: poses, and how long it takes from each of them to the end.
+///
+/// The remaining time from a pose beside it is that from the nearest place on it, and the time to get there: the way is
+/// a line through (x, y, heading), on which a radian is as long as 0.4 m.
+class Way {
+ public:
+  struct Station {
+    Pose2 pose;         // costmap frame
+    double left = 0.0;  // to the end [s]
+    template <typename Self, typename Archive>
+    static void archive(Self& self, Archive& io) {
+      io(self.pose, self.left);
+    }
+  };
+  struct Place {
+    std::size_t part = 0;  // from this station to the next
+    double left = 0.0;     // from there to the end [s]
+    double off = 0.0;      // the distance to it [m]
+    /// From the pose that was asked about [s].
+    double remaining() const;
+  };
+
+  void clear() { stations_.clear(); }
+  void reserve(std::size_t count) { stations_.reserve(count); }
+  void add(const Station& station) { stations_.push_back(station); }
+  /// Turns the order of the stations round.
+  void reverse();
+
+  bool empty() const { return stations_.empty(); }
+  const std::vector<Station>& stations() const { return stations_; }
+  double duration() const { return stations_.empty() ? 0.0 : stations_.front().left; }  // [s]
+  /// The place with the least remaining time among those from part `from` on, up to `ahead` [s] later. The way must
+  /// not be empty.
+  Place nearest(const Pose2& pose, std::size_t from, double ahead) const;
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.stations_);
+  }
+
+ private:
+  Place place_on(const Pose2& pose, std::size_t part) const;
+
+  std::vector<Station> stations_;
+};
+
+}  // namespace hidwa_local_planner

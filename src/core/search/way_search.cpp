@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/search/way_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hidwa_local_planner {
+namespace {
+
+// Poses that are remembered, and bins.
+constexpr std::size_t kMostNodes = std::size_t{1} << 18;
+
+// Clearances count up to so many cells.
+constexpr double kClearanceCells = 1.0;
+
+// The clearance that a move needs: a share of a cell, or of what the robot has at the start.
+constexpr double kNeededOfCell = 0.125;
+constexpr double kNeededOfStart = 0.5;
+
+// Below this share of a cell the robot all but touches.
+constexpr double kTouchesBelow = 0.25;
+
+// How much longer a move counts without any clearance.
+constexpr double kTightFactor = 3.0;
+
+// A change between forwards, backwards and turning takes so long [s].
+constexpr double kChangeTime = 0.3;
+
+// The distance to the target counts so much: above 1 it finds sooner, and a way that is longer by no more than that.
+constexpr double kGreed = 1.2;
+
+// All around the robot so far away nothing is near: poses are coarse there [cells].
+constexpr double kOpenCells = 3.0;
+
+}  // namespace
+
+Rotation WaySearch::rotation(int heading) const {
+  const int k = heading % kHeadings;
+  return rotations_[static_cast<std::size_t>(k < 0 ? k + kHeadings : k)];
+}
+
+double WaySearch::heading_of(int heading) const { return wrap_angle(task_.start.theta + heading * kHeadingStep); }
+
+void WaySearch::begin(const SearchTask& task) {
+  task_ = task;
+  prepare();
+  add_start();
+}
+
+// A search that is under way here is gone on with, if it is the same one.
+void WaySearch::repeat(bool searching, const SearchTask& task, std::int64_t poses) {
+  if (!searching) return clear();
+  if (state_ != State::searching || poses < poses_ || !(task == task_)) begin(task);
+  run(static_cast<int>(poses - poses_));
+}
+
+void WaySearch::prepare() {
+  footprint_ = task_.footprint();
+  const Pose2 middle{task_.origin_x + 0.5 * task_.size_x * task_.resolution,
+                     task_.origin_y + 0.5 * task_.size_y * task_.resolution, 0.0};
+  const double across = 0.5 * std::max(task_.size_x, task_.size_y) * task_.resolution;
+  checker_.prepare(task_.grid(), footprint_, task_.unknown_is_obstacle, middle, across, task_.resolution / 16.0,
+                   kClearanceCells * task_.resolution);
+  to_target_.prepare(task_, checker_);
+  moves_.make(task_, footprint_.circumscribed_radius());
+  rotations_.resize(kHeadings);
+  for (int k = 0; k < kHeadings; ++k) {
+    const double heading = task_.start.theta + k * kHeadingStep;
+    rotations_[static_cast<std::size_t>(k)] = {std::cos(heading), std::sin(heading)};
+  }
+  nodes_.reserve(kMostNodes);
+  queue_.reserve(2 * kMostNodes);
+  nodes_.clear();
+  queue_.clear();
+  bins_.reset(kMostNodes);
+  state_ = State::no_way;
+  poses_ = 0;
+  last_ = 0;
+  least_left_ = std::numeric_limits<double>::infinity();
+}
+
+void WaySearch::add_start() {
+  Node node;
+  node.x = task_.start.x;
+  node.y = task_.start.y;
+  node.clearance = static_cast<float>(clearance_at(task_.start, rotation(0)));
+  needed_ = std::min(kNeededOfCell * task_.resolution, kNeededOfStart * node.clearance);
+  if (node.clearance <= 0.0F || !to_target_.has_target()) {
+    nodes_.push_back(node);  // the end() of a robot that comes nowhere
+    return;
+  }
+  state_ = State::searching;
+  push(node);
+}
+
+WaySearch::State WaySearch::run(int poses) {
+  for (int k = 0; k < poses && state_ == State::searching; ++k) {
+    while (!queue_.empty() && nodes_[queue_.front().node].left) {
+      std::pop_heap(queue_.begin(), queue_.end());
+      queue_.pop_back();
+    }
+    if (queue_.empty()) {
+      state_ = State::no_way;
+      break;
+    }
+    const std::uint32_t next = queue_.front().node;
+    std::pop_heap(queue_.begin(), queue_.end());
+    queue_.pop_back();
+    ++poses_;
+    leave(next);
+  }
+  return state_;
+}
+
+void WaySearch::leave(std::uint32_t from) {
+  Node& node = nodes_[from];
+  node.left = true;
+  const double left = to_target_.at(node.x, node.y);
+  if (left >= 0.0 && left < least_left_) {
+    least_left_ = left;
+    last_ = from;
+  }
+  if (left == 0.0) {
+    state_ = State::found;
+    return;
+  }
+  const MoveSet& moves = moves_.of(fineness(node));
+  for (const Move& move : moves.moves) try_move(from, move);
+}
+
+void WaySearch::try_move(std::uint32_t from, const Move& move) {
+  const Node start = nodes_[from];
+  const Rotation r = rotation(start.heading);
+  Node end = start;
+  end.x = start.x + r.c * move.x - r.s * move.y;
+  end.y = start.y + r.s * move.x + r.c * move.y;
+  end.heading = static_cast<std::int16_t>((start.heading + move.turn + kHeadings) % kHeadings);
+  end.parent = static_cast<std::int32_t>(from);
+  end.move = static_cast<std::uint8_t>(move.kind);
+  end.left = false;
+  if (!task_.grid().contains(task_.grid().cell_at(end.x, end.y))) return;
+  const bool changes = start.move != end.move && start.move != static_cast<std::uint8_t>(MoveKind::none);
+  const double soonest = start.time + move.time + (changes ? kChangeTime : 0.0);
+  // What is certainly too late need not be looked at more closely.
+  end.clearance = static_cast<float>(kClearanceCells * task_.resolution);
+  end.time = static_cast<float>(soonest);
+  const std::uint32_t known = bins_.find(bin_of(end));
+  if (known != BinTable::kNone && nodes_[known].time <= end.time) return;
+  const double clearance = clearance_along(start, move);
+  if (clearance < needed_) return;
+  const double tight = 1.0 - clearance / (kClearanceCells * task_.resolution);
+  end.clearance = static_cast<float>(clearance);
+  end.time = static_cast<float>(soonest + kTightFactor * tight * move.time);
+  push(end);
+}
+
+// The least clearance on the way of a move; 0 where it is less than needed.
+double WaySearch::clearance_along(const Node& from, const Move& move) const {
+  const double most = kClearanceCells * task_.resolution;
+  double least = most;
+  if (move.kind == MoveKind::turn && footprint_.is_circle()) return from.clearance;
+  const Rotation r = rotation(from.heading);
+  double gone = std::max(0.0, from.clearance - needed_) / move.reach;
+  while (true) {
+    const double share = std::min(gone, 1.0);
+    const Pose2 part = part_of(move, share);
+    const Rotation turned = share >= 1.0 ? rotation(from.heading + move.turn) : r.turned(Rotation::of(part.theta));
+    const double clearance = clearance_at(
+        {from.x + r.c * part.x - r.s * part.y, from.y + r.s * part.x + r.c * part.y, 0.0}, turned);
+    if (clearance < needed_) return 0.0;
+    least = std::min(least, clearance);
+    if (share >= 1.0) return least;
+    // At least half of what is needed: it ends, and what lies between is free still.
+    gone = share + std::max(clearance - 0.5 * needed_, 0.5 * needed_) / move.reach;
+  }
+}
+
+// Up to a cell [m].
+double WaySearch::clearance_at(const Pose2& position, const Rotation& heading) const {
+  return checker_.separation(position, heading, kClearanceCells * task_.resolution);
+}
+
+Fineness WaySearch::fineness(const Node& node) const {
+  if (node.clearance < kTouchesBelow * task_.resolution) return Fineness::touching;
+  return checker_.clear_around(node.x, node.y, kOpenCells * task_.resolution) ? Fineness::open : Fineness::tight;
+}
+
+std::uint64_t WaySearch::bin_of(const Node& node) const {
+  const Fineness fine = fineness(node);
+  const MoveSet& set = moves_.of(fine);
+  const auto i = static_cast<std::uint64_t>((node.x - task_.origin_x) / set.bin);
+  const auto j = static_cast<std::uint64_t>((node.y - task_.origin_y) / set.bin);
+  const auto k = static_cast<std::uint64_t>(((node.heading % kHeadings + kHeadings) % kHeadings) / set.heading_bin);
+  return (((static_cast<std::uint64_t>(fine) << 20 | i) << 20 | j) << 8) | k;
+}
+
+void WaySearch::push(const Node& node) {
+  const std::uint64_t bin = bin_of(node);
+  const std::uint32_t known = bins_.find(bin);
+  if (known != BinTable::kNone && nodes_[known].time <= node.time) return;
+  const double later = bound(node);
+  if (later < 0.0) return;
+  if (nodes_.size() >= kMostNodes) {
+    state_ = State::cut_short;
+    return;
+  }
+  if (known != BinTable::kNone) nodes_[known].left = true;  // the new one is quicker
+  const auto fresh = static_cast<std::uint32_t>(nodes_.size());
+  bins_.set(bin, fresh);
+  nodes_.push_back(node);
+  queue_.push_back({static_cast<float>(later), fresh});
+  std::push_heap(queue_.begin(), queue_.end());
+}
+
+// The time by way of a node, nearly at least [s]; negative where nothing leads on from there.
+double WaySearch::bound(const Node& node) {
+  const double left = to_target_.at(node.x, node.y);
+  return left < 0.0 ? -1.0 : node.time + kGreed * left / std::max(task_.forward, task_.backward);
+}
+
+void WaySearch::write(Way& way) const {
+  way.clear();
+  if (state_ != State::found) return;
+  const double end = nodes_[last_].time;
+  for (std::int32_t n = static_cast<std::int32_t>(last_); n >= 0; n = nodes_[static_cast<std::size_t>(n)].parent) {
+    const Node& node = nodes_[static_cast<std::size_t>(n)];
+    way.add({{node.x, node.y, heading_of(node.heading)}, end - node.time});
+  }
+  way.reverse();
+}
+
+WaySearch::End WaySearch::end() {
+  End end;
+  if (nodes_.empty()) return end;
+  const Node& node = nodes_[last_];
+  const Rotation r = rotation(node.heading);
+  end.pose = {node.x, node.y, heading_of(node.heading)};
+  placed_.clear();
+  for (const Point& p : footprint_.outline()) {
+    placed_.emplace_back(node.x + r.c * p.x() - r.s * p.y(), node.y + r.s * p.x() + r.c * p.y());
+  }
+  end.gap = std::numeric_limits<double>::infinity();
+  for (int j = 0; j < task_.size_y; ++j) {
+    for (int i = 0; i < task_.size_x; ++i) {
+      const Point centre = task_.grid().centre({i, j});
+      const double gap = checker_.obstacle({i, j}) ? gap_to(end.pose, centre) : end.gap;
+      if (gap >= end.gap) continue;
+      end.gap = gap;
+      end.obstacle = centre;
+      end.obstacle_known = true;
+    }
+  }
+  return end;
+}
+
+// From the outline at end() to a cell [m].
+double WaySearch::gap_to(const Pose2& pose, const Point& centre) const {
+  const double side = task_.resolution, x = centre.x() - 0.5 * side, y = centre.y() - 0.5 * side;
+  if (footprint_.is_circle()) {
+    const double dx = std::max(std::abs(centre.x() - pose.x) - 0.5 * side, 0.0);
+    const double dy = std::max(std::abs(centre.y() - pose.y) - 0.5 * side, 0.0);
+    return std::max(std::hypot(dx, dy) - footprint_.radius(), 0.0);
+  }
+  return overlaps_square(placed_, x, y, side) ? 0.0 : distance_to_square(placed_, x, y, side);
+}
+
+}  // namespace hidwa_local_planner
