@@ -7,12 +7,16 @@
 #include "core/planner/decision_memory.hpp"
 #include "core/planner/input_fault.hpp"
 #include "core/planner/safe_values.hpp"
+#include "core/planner/tight_ahead.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
 // How far ahead candidates are rolled out that follow a way [s].
 constexpr double kFollowingTime = 1.0;
+
+// What is near so far ahead counts as a tight place [s].
+constexpr double kTightWithin = 1.5;
 
 }  // namespace
 
@@ -81,7 +85,7 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   explanation.judge_operator(cycle, chosen.sample, decision);
   if (cycle.sampling.report == Report::full) explanation.ask_everyone(evaluated.view);
 
-  const Recovery::Course course{autonomous, steering.active, trapped(choice, chosen.sample)};
+  const Recovery::Course course = course_of(cycle, choice, chosen, steering);
   const Recovery::Review review = recovery.review(cycle, course, chosen);
   if (review.reset_critics) critics.reset();
   const Outcome outcome = review.conclusion.outcome;
@@ -134,6 +138,25 @@ Conclusion Planner::Impl::follow_choice(const Cycle& cycle, const Choice& choice
   explanation.describe_choice(decision);
   const Twist2& sample = evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate));
   return follow(sample, evaluation.obstacles().admissibility().command_for(sample));
+}
+
+Recovery::Course Planner::Impl::course_of(const Cycle& cycle, const Choice& choice, const Conclusion& chosen,
+                                          const Steering& steering) {
+  const Situation& situation = cycle.situation;
+  Recovery::Course course;
+  course.autonomous = !steering.active && !situation.goal_latched;
+  course.steered = steering.active;
+  course.trapped = trapped(choice, chosen.sample);
+  if (!course.autonomous || !parameters.turn_when_stuck) return course;
+  course.soon = situation.pose;
+  if (choice.candidate < 0) return course;
+  const Rollout& rollout = evaluation.candidates().rollout();
+  const auto candidate = static_cast<std::size_t>(choice.candidate);
+  const Tile tile = rollout.tile(rollout.tile_of(candidate));
+  const std::size_t c = candidate - tile.first;
+  course.tight = tight_ahead(evaluation.obstacles().collision(), tile, c, kTightWithin, cycle.grid.resolution);
+  course.soon = pose_within(tile, c, parameters.control_latency + situation.period);
+  return course;
 }
 
 // The robot stands in collision and no legal motion leads out. Standing may be the operator's choice.

@@ -56,6 +56,8 @@ struct Planner::Impl {
   Choice choose(const Cycle& cycle, bool autonomous);
   int cheapest(const Cycle& cycle);
   Conclusion follow_choice(const Cycle& cycle, const Choice& choice);
+  Recovery::Course course_of(const Cycle& cycle, const Choice& choice, const Conclusion& chosen,
+                             const Steering& steering);
   bool trapped(const Choice& choice, const Twist2& sample);
 };
 

@@ -39,7 +39,7 @@ int Recovery::choose(bool autonomous, const RecoveryMotion::Scene& scene) {
 
 Recovery::Review Recovery::review(const Cycle& cycle, const Course& course, Conclusion conclusion) {
   watch_collision(cycle, course.trapped, conclusion);
-  const bool recovers = watch_rest(cycle, course.autonomous, conclusion);
+  const bool recovers = watch_rest(cycle, course, conclusion);
   const bool turns_anew = watch_last_turn(cycle, course.steered, conclusion);
   return {conclusion, recovers || turns_anew};
 }
@@ -58,16 +58,18 @@ void Recovery::watch_collision(const Cycle& cycle, bool trapped, Conclusion& con
 }
 
 // True when the critics must forget.
-bool Recovery::watch_rest(const Cycle& cycle, bool autonomous, Conclusion& conclusion) {
+bool Recovery::watch_rest(const Cycle& cycle, const Course& known, Conclusion& conclusion) {
   const Parameters& p = cycle.parameters;
   RecoveryMotion::Course course;
-  course.autonomous = autonomous;
+  course.autonomous = known.autonomous;
+  course.tight = known.tight;
+  course.soon = known.soon;
   course.trapped = trapped_.holds();
   course.stands = conclusion.outcome == Outcome::hold || conclusion.outcome == Outcome::fail || course.trapped;
   course.creeps = conclusion.outcome == Outcome::drive && conclusion.sample.v == 0.0 &&
                   std::abs(conclusion.sample.omega) < kCreeps * cycle.limits.theta.max;
   const bool forget = motion_.watch(cycle, course, p.turn_when_stuck ? 0.5 * p.blocked_time : -1.0);
-  if (course.trapped || !autonomous) return forget;
+  if (course.trapped || !known.autonomous) return forget;
   if (*motion_.problem() != '\0') {
     fail(conclusion, Problem::stuck, motion_.problem());
   } else if (!motion_.undecided() && motion_.standing_time(cycle.situation.time) > p.blocked_time) {

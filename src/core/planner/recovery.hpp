@@ -39,6 +39,8 @@ class Recovery {
     bool autonomous = false;  // nobody steers, and the goal's position is not reached
     bool steered = false;     // the operator command counts
     bool trapped = false;     // the robot stands in collision and no legal motion leads out
+    bool tight = false;       // it comes near to something soon, if it follows what was chosen
+    Pose2 soon;               // where it will be once a command takes effect, costmap frame
   };
   struct Review {
     Conclusion conclusion;
@@ -54,7 +56,7 @@ class Recovery {
 
  private:
   void watch_collision(const Cycle& cycle, bool trapped, Conclusion& conclusion);
-  bool watch_rest(const Cycle& cycle, bool autonomous, Conclusion& conclusion);
+  bool watch_rest(const Cycle& cycle, const Course& known, Conclusion& conclusion);
   bool watch_last_turn(const Cycle& cycle, bool steered, Conclusion& conclusion);
 
   RecoveryMotion motion_;

@@ -57,6 +57,7 @@ void RecoveryMotion::reset() {
   rests_.reset();
   novelty_.reset();
   escape_.reset();
+  tight_ = false;
 }
 
 void RecoveryMotion::enter(Phase phase, double now) {
@@ -66,7 +67,7 @@ void RecoveryMotion::enter(Phase phase, double now) {
     holds_ = false;
     problem_.clear();
   }
-  if (phase != Phase::searches) search_.clear();
+  if (phase != Phase::searches && phase != Phase::looks_ahead) search_.clear();
   if (phase != Phase::follows) way_.clear();
   part_ = 0;
   least_ = std::numeric_limits<double>::infinity();
@@ -84,28 +85,36 @@ bool RecoveryMotion::watch(const Cycle& cycle, const Course& course, double pati
   }
   rests_.observe(now, course.stands || course.creeps);
   novelty_.observe(cycle.situation.pose, now);
-  const bool impatient = rests_.for_at_least(patience, now);
+  tight_ = course.tight;
+  impatient_ = rests_.for_at_least(patience, now);
   if (course.trapped) {
-    if (!impatient || escape_.active()) return false;
+    if (!impatient_ || escape_.active()) return false;
     escape_.begin(now);
     return true;
   }
-  advance(cycle, course.stands, impatient);
+  advance(cycle, course);
   return phase_ == Phase::follows;
 }
 
 // From phase to phase.
-void RecoveryMotion::advance(const Cycle& cycle, bool stands, bool impatient) {
+void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
   const double now = cycle.situation.time;
-  if ((phase_ == Phase::searches || phase_ == Phase::waits) && !stands && !holds_) enter(Phase::idle, now);
-  if (phase_ == Phase::idle && ((impatient && !stands) || gets_nowhere(cycle))) {
+  const bool ordinary = phase_ == Phase::idle || phase_ == Phase::looks_ahead;
+  if ((phase_ == Phase::searches || phase_ == Phase::waits) && !course.stands && !holds_) enter(Phase::idle, now);
+  if (ordinary && ((impatient_ && !course.stands) || gets_nowhere(cycle))) {
     enter(Phase::stops, now);
     holds_ = true;
   }
   const bool settled = stands_.for_at_least(cycle.parameters.control_latency + 2.0 * cycle.situation.period, now);
   const bool again = phase_ == Phase::waits && (now - since_ >= kSearchAgain || now < since_);
-  if (settled && (phase_ == Phase::idle || phase_ == Phase::stops || again)) begin_search(cycle);
-  if (phase_ == Phase::searches) search(cycle, impatient || holds_);
+  if (settled && (ordinary || phase_ == Phase::stops || again)) {
+    begin_search(cycle, Phase::searches, cycle.situation.pose);
+  } else if (phase_ == Phase::idle && tight_ && !(now >= looked_ && now - looked_ < kSearchAgain)) {
+    looked_ = now;
+    begin_search(cycle, Phase::looks_ahead, course.soon);
+  }
+  if (phase_ == Phase::looks_ahead) look_ahead(cycle);
+  if (phase_ == Phase::searches) search(cycle, impatient_ || holds_);
 }
 
 bool RecoveryMotion::gets_nowhere(const Cycle& cycle) const {
@@ -114,33 +123,53 @@ bool RecoveryMotion::gets_nowhere(const Cycle& cycle) const {
   return novelty_.time_without(cycle.situation.time) >= std::max(kNowhere, 3.0 * somewhere);
 }
 
-void RecoveryMotion::begin_search(const Cycle& cycle) {
-  enter(Phase::searches, cycle.situation.time);
-  make_search_task(cycle.situation, cycle.grid, cycle.footprint, cycle.parameters, cycle.limits, task_);
+void RecoveryMotion::begin_search(const Cycle& cycle, Phase phase, const Pose2& start) {
+  enter(phase, cycle.situation.time);
+  make_search_task(start, cycle.situation.plan, cycle.grid, cycle.footprint, cycle.parameters, cycle.limits, task_);
   search_.begin(task_);
 }
 
-// A portion of it. The way that is found waits until the robot may take it.
+// A portion of the search. The way that it finds is written.
+WaySearch::State RecoveryMotion::run(const Cycle& cycle) {
+  const int poses = cycle.sampling.search_poses > 0 ? cycle.sampling.search_poses : cycle.parameters.search_poses;
+  const WaySearch::State state = search_.run(poses);
+  if (state == WaySearch::State::found) search_.write(way_);
+  return state;
+}
+
+void RecoveryMotion::look_ahead(const Cycle& cycle) {
+  const double now = cycle.situation.time;
+  const WaySearch::State state = run(cycle);
+  if (state == WaySearch::State::found) {
+    follow_way(now);
+  } else if (state != WaySearch::State::searching || late(now)) {
+    enter(Phase::idle, now);
+  }
+}
+
+// The way that is found waits until the robot may take it.
 void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
   const double now = cycle.situation.time;
-  const int poses = cycle.sampling.search_poses > 0 ? cycle.sampling.search_poses : cycle.parameters.search_poses;
-  if (way_.empty()) {
-    const bool late = now < since_ || now - since_ >= kLongestSearch;
-    switch (search_.run(poses)) {
-      case WaySearch::State::found:
-        search_.write(way_);
-        break;
-      case WaySearch::State::searching:
-        if (late) fail(now, "no way was found in time through the local map");
-        return;
-      case WaySearch::State::cut_short:
-        return fail(now, "no way was found through the local map, and the memory for more is used up");
-      case WaySearch::State::no_way:
-      case WaySearch::State::idle:
-        return fail(now, "no way for this outline through the local map");
-    }
+  const WaySearch::State state = way_.empty() ? run(cycle) : WaySearch::State::found;
+  switch (state) {
+    case WaySearch::State::found:
+      if (may_follow) follow_way(now);
+      break;
+    case WaySearch::State::searching:
+      if (late(now)) fail(now, "no way was found in time through the local map");
+      break;
+    case WaySearch::State::cut_short:
+      fail(now, "no way was found through the local map, and the memory for more is used up");
+      break;
+    case WaySearch::State::no_way:
+    case WaySearch::State::idle:
+      fail(now, "no way for this outline through the local map");
   }
-  if (!may_follow) return;
+}
+
+bool RecoveryMotion::late(double now) const { return now < since_ || now - since_ >= kLongestSearch; }
+
+void RecoveryMotion::follow_way(double now) {
   Way way;
   std::swap(way, way_);
   enter(Phase::follows, now);
@@ -205,8 +234,9 @@ int RecoveryMotion::follow(const Scene& scene) {
     return left;
   });
   const double gain = here.remaining() - least;
-  agrees_.observe(now, gain > 0.0 && here.remaining() - of_cheapest >= kAgreement * gain);
-  return best;
+  const bool agrees = gain > 0.0 && here.remaining() - of_cheapest >= kAgreement * gain;
+  agrees_.observe(now, agrees && !tight_);
+  return agrees ? -1 : best;
 }
 
 // The remaining time falls, or has lately.

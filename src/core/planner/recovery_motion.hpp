@@ -5,11 +5,14 @@
 //    snapshot of the local map. It goes on for some poses a cycle. If ordinary scoring drives on meanwhile, it ends.
 //    A robot that creeps or gets nowhere for some patience stands first.
 // 2. After the patience the way that was found is followed: the legal candidate is taken that ends with the least
-//    remaining time, followed for some tenths of a second and then braked. What the critics prefer does not count;
-//    what they reject does.
+//    remaining time, followed for some tenths of a second and then braked. What critics reject is not taken.
 // 3. That ends at the way's end, or where the cheapest candidate has led on as well for a second. If the remaining time
 //    stops falling, the robot stands and searches anew.
 // 4. If there is no way, the cycle fails and says why. It searches again after two seconds.
+// 5. Before a tight place the search begins while the robot drives on. Where it finds a way the robot follows that, in
+//    good time: one that cannot drive backwards may come to where no way leads on.
+//
+// While the cheapest candidate gains nearly as much on the way as the best, it is the one that is taken.
 //
 // In collision EscapeTurn acts instead. Why it is safe: it takes legal candidates only, and each of them passes the
 // braking check without gaps. It must see all of them, so every candidate is checked before (Evaluation::evaluate()).
@@ -47,6 +50,8 @@ class RecoveryMotion {
     bool stands = false;
     bool creeps = false;  // turns on the spot so slowly that it gains nothing
     bool trapped = false;  // in collision, and no motion leads out
+    bool tight = false;    // it comes near to something soon
+    Pose2 soon;            // where it will be once a command takes effect, costmap frame
   };
   /// After each cycle. `patience` [s]: for how long the robot may rest before it begins to recover; negative: for ever.
   /// True when the critics must forget: what they forbid may be what gets the robot going.
@@ -66,21 +71,26 @@ class RecoveryMotion {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_, self.way_,
-       self.part_, self.least_, self.agrees_, self.problem_);
+       self.part_, self.least_, self.agrees_, self.tight_, self.looked_, self.problem_);
   }
 
  private:
   enum class Phase : std::uint8_t {
-    idle,      // ordinary scoring decides
-    stops,     // to search from where it stands
-    searches,  // it stands
-    follows,   // the way
-    waits      // there is none
+    idle,         // ordinary scoring decides
+    looks_ahead,  // likewise, while it searches
+    stops,        // to search from where it stands
+    searches,     // it stands
+    follows,      // the way
+    waits         // there is none
   };
   void enter(Phase phase, double now);
-  void advance(const Cycle& cycle, bool stands, bool impatient);
-  void begin_search(const Cycle& cycle);
+  void advance(const Cycle& cycle, const Course& course);
+  void begin_search(const Cycle& cycle, Phase phase, const Pose2& start);
   void search(const Cycle& cycle, bool may_follow);
+  void look_ahead(const Cycle& cycle);
+  WaySearch::State run(const Cycle& cycle);
+  bool late(double now) const;
+  void follow_way(double now);
   void fail(double now, const char* how);
   bool gets_nowhere(const Cycle& cycle) const;
   int stand(const Scene& scene) const;
@@ -98,7 +108,10 @@ class RecoveryMotion {
   Way way_;
   std::uint32_t part_ = 0;  // of the way, that the robot is on
   double least_ = 0.0;      // remaining time on it so far [s]
-  ConditionTimer agrees_;   // ordinary scoring would lead on as well
+  ConditionTimer agrees_;   // ordinary scoring would lead on as well, and nothing is near
+  bool tight_ = false;      // something is
+  bool impatient_ = false;  // the patience is over
+  double looked_ = 0.0;     // ahead, at last [s]
   std::string problem_;
 };
 

@@ -44,13 +44,12 @@ void drop_inscribed(SearchTask& task) {
   std::replace(task.costs.begin(), task.costs.end(), cost::kInscribed, cost::kFree);
 }
 
-void find_target(const Situation& situation, SearchTask& task) {
-  const std::vector<Pose2>& plan = situation.plan;
+void find_target(const std::vector<Pose2>& plan, SearchTask& task) {
   const GridView grid = task.grid();
   task.target.clear();
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < plan.size(); ++i) {
-    if (distance(plan[i], situation.pose) < distance(plan[nearest], situation.pose)) nearest = i;
+    if (distance(plan[i], task.start) < distance(plan[nearest], task.start)) nearest = i;
   }
   // As far as it is on the map.
   double length = 0.0;
@@ -77,19 +76,19 @@ bool SearchTask::operator==(const SearchTask& o) const {
          target == o.target && near_target == o.near_target;
 }
 
-void make_search_task(const Situation& situation, const GridView& grid, const Footprint& footprint,
+void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const GridView& grid, const Footprint& footprint,
                       const Parameters& parameters, const VelocityLimits& limits, SearchTask& task) {
   task.unknown_is_obstacle = parameters.unknown_is_obstacle;
-  task.start = situation.pose;
+  task.start = start;
   task.outline = footprint.is_circle() ? Polygon() : footprint.outline();
   task.radius = footprint.radius();
   task.forward = std::max(limits.x.max, 0.0);
   task.backward = std::max(-limits.x.min, 0.0);
   task.turning = std::max(std::min(limits.theta.max, -limits.theta.min), 0.0);
   task.near_target = std::max(kNearTarget, grid.resolution);
-  copy_costs(grid, situation.pose, task);
+  copy_costs(grid, start, task);
   drop_inscribed(task);
-  find_target(situation, task);
+  find_target(plan, task);
 }
 
 }  // namespace hidwa_local_planner

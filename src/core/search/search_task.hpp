@@ -42,9 +42,9 @@ struct SearchTask {
   }
 };
 
-/// The task of a robot that stands now. The target is the plan from 1.5 m to 2.5 m beyond its pose nearest to the
-/// robot, as far as it lies on the map, or its end where that is nearer. Keeps the memory of `task`.
-void make_search_task(const Situation& situation, const GridView& grid, const Footprint& footprint,
+/// The task of a robot at `start`. The target is the plan from 1.5 m to 2.5 m beyond its pose nearest to the start, as
+/// far as it lies on the map, or its end where that is nearer. Keeps the memory of `task`.
+void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const GridView& grid, const Footprint& footprint,
                       const Parameters& parameters, const VelocityLimits& limits, SearchTask& task);
 
 }  // namespace hidwa_local_planner
