@@ -93,6 +93,9 @@ void assign_entry(BarnSubject& subject, const std::string& name, const std::stri
   member(subject) = *value;
 }
 
+// How long the person of AFTERMATH attacks [s].
+constexpr double kAttacked = 20.0;
+
 // A local costmap must hold what is rolled out, or its edge limits the speed.
 drive::CostmapSettings wide_enough(drive::CostmapSettings costmap, const Parameters& parameters) {
   const double reach = parameters.max_vel_x * parameters.sim_time + sim::circumscribed_radius(kFootprint);
@@ -107,15 +110,18 @@ std::shared_ptr<sim::Operator> person_of(const std::string& mode, const Paramete
   const FullDeflection full{parameters.max_vel_x, parameters.max_vel_theta, parameters.exponent};
   if (mode == "HELPFUL") return std::make_shared<HelpfulPerson>(discs, full);
   if (mode == "HOSTILE") return std::make_shared<HostilePerson>(discs, full, seed);
+  if (mode == "AFTERMATH") return std::make_shared<HostilePerson>(discs, full, seed, kAttacked);
   return nullptr;
 }
 
 }  // namespace
 
 const std::vector<std::string>& barn_modes() {
-  static const std::vector<std::string> modes{"AUTONOMY", "HELPFUL", "HOSTILE"};
+  static const std::vector<std::string> modes{"AUTONOMY", "HELPFUL", "HOSTILE", "AFTERMATH"};
   return modes;
 }
+
+std::vector<std::string> usual_barn_modes() { return {"AUTONOMY", "HELPFUL", "HOSTILE"}; }
 
 BarnSubject barn_subject(const std::string& jackal_file, const std::string& barn_file) {
   BarnSubject subject;
@@ -136,7 +142,7 @@ BarnSubject barn_subject(const std::string& jackal_file, const std::string& barn
 
 void assign_barn(BarnSubject& subject, const Assignment& assignment) {
   const std::string& name = assignment.name;
-  if (name == "mode") throw UsageError("mode is what --mode says: AUTONOMY, HELPFUL, HOSTILE");
+  if (name == "mode") throw UsageError("mode is what --mode says: AUTONOMY, HELPFUL, HOSTILE, AFTERMATH");
   if (name.compare(0, 12, "participant.") == 0)
     throw UsageError(name + " is for run, pilot and sweep: barn has no participants");
   if (is_entry(name)) {

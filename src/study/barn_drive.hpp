@@ -12,8 +12,11 @@
 namespace hidwa_local_planner {
 namespace study {
 
-/// The modes of BARN-2D: AUTONOMY, and SHARED with a HELPFUL or a HOSTILE person.
+/// The modes of BARN-2D: AUTONOMY, SHARED with a HELPFUL or a HOSTILE person, and AFTERMATH: a HOSTILE person for 20 s,
+/// then nobody.
 const std::vector<std::string>& barn_modes();
+/// Those that are driven where none are named: all but AFTERMATH.
+std::vector<std::string> usual_barn_modes();
 
 /// All that a setting of BARN-2D may change.
 struct BarnSubject {

@@ -29,10 +29,11 @@ double uniform(sim::Random& random, double low, double high) { return low + (hig
 }  // namespace
 
 HostilePerson::HostilePerson(std::shared_ptr<const sim::DiscField> discs, const FullDeflection& full,
-                             std::uint64_t seed)
-    : discs_(std::move(discs)), full_(full), random_(seed) {}
+                             std::uint64_t seed, double leaves)
+    : discs_(std::move(discs)), full_(full), random_(seed), leaves_(leaves) {}
 
 sim::Stick HostilePerson::update(const sim::Observation& seen) {
+  if (seen.time >= leaves_) return {};
   if (seen.time >= phase_ends_) begin_phase(seen.time);
   if (phase_ == Phase::resting) return {};
   if (phase_ == Phase::aiming) {

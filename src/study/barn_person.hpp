@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "sim/disc_field.hpp"
@@ -21,10 +22,11 @@ struct FullDeflection {
 /// A person who wants the robot to hit something. They see every cylinder exactly, and attack for seconds at
 /// a time, the stick fully deflected: to the side that would bring the robot nearest to a cylinder, decided
 /// anew with every message, or else from side to side several times a second. In between they let go for a
-/// while, so that autonomy takes the robot to where a new attack pays.
+/// while, so that autonomy takes the robot to where a new attack pays. They leave for good at a given time.
 class HostilePerson : public sim::Operator {
  public:
-  HostilePerson(std::shared_ptr<const sim::DiscField> discs, const FullDeflection& full, std::uint64_t seed);
+  HostilePerson(std::shared_ptr<const sim::DiscField> discs, const FullDeflection& full, std::uint64_t seed,
+                double leaves = std::numeric_limits<double>::infinity());  // [s]
 
   sim::Stick update(const sim::Observation& seen) override;
 
@@ -37,6 +39,7 @@ class HostilePerson : public sim::Operator {
   std::shared_ptr<const sim::DiscField> discs_;
   FullDeflection full_;
   sim::Random random_;
+  double leaves_;  // [s]
   Phase phase_ = Phase::resting;
   double phase_ends_ = 0.0;  // [s]
   double flips_ = 0.0;       // [s], when it changes sides next

@@ -67,7 +67,7 @@ std::vector<std::string> modes(const std::string& text) {
     }
   }
   if (names.empty()) {
-    throw UsageError("--mode needs some of AUTONOMY,HELPFUL,HOSTILE (SHARED: the last two), not '" + text + "'");
+    throw UsageError("--mode needs some of AUTONOMY,HELPFUL,HOSTILE,AFTERMATH (SHARED: HELPFUL,HOSTILE), not '" + text + "'");
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -197,7 +197,7 @@ Options parse_options(const std::vector<std::string>& arguments) {
     options.participants = 8;
     options.conditions = {"SJ"};
   }
-  options.modes = barn_modes();
+  options.modes = usual_barn_modes();
   read_arguments(arguments, options);
   check(options);
   return options;
@@ -223,8 +223,9 @@ std::string help() {
   --goal X,Y,YAW
   --participants N
   --conditions SJ,SG,SW   some of them
-  --mode AUTONOMY,HELPFUL,HOSTILE
-                          barn: some of them; SHARED: HELPFUL and HOSTILE
+  --mode AUTONOMY,HELPFUL,HOSTILE,AFTERMATH
+                          barn: some of them; SHARED: HELPFUL and HOSTILE;
+                          default: all but AFTERMATH
   --seed N                of everything random; default 1
   --profile default|paper
   --guard none|nearest    SW: the person's own velocity (default, the paper's), or the nearest legal one

@@ -14,7 +14,7 @@ from matplotlib.patches import Circle
 from .drawing import DRIVEN, INK, STEERED_COLOUR
 from .study_page import ReportError, embedded, read_table, read_way, write_page
 
-MODES = ('AUTONOMY', 'HELPFUL', 'HOSTILE')
+MODES = ('AUTONOMY', 'HELPFUL', 'HOSTILE', 'AFTERMATH')
 NUMBERS = ('success', 'collision', 'timeout', 'time', 'metric', 'path_clearance', 'contacts', 'clearance', 'operator_active')
 WORDS = ('id', 'world', 'mode', 'setting')
 # 500 runs of DWA on 50 of the worlds, recomputed from Daffan/the-barn-challenge's res/dwa_out.txt.

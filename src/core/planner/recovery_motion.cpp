@@ -211,6 +211,10 @@ int RecoveryMotion::stand(const Scene& scene) const {
 
 int RecoveryMotion::follow(const Scene& scene) {
   const double now = scene.cycle.situation.time;
+  if (way_.empty()) {  // damaged, where it was loaded
+    enter(Phase::idle, now);
+    return -1;
+  }
   const Way::Place here = way_.nearest(scene.cycle.situation.pose, part_, kPlaceAhead);
   part_ = static_cast<std::uint32_t>(here.part);
   if (here.left <= kEndsBefore || agrees_.for_at_least(kAgreesFor, now)) {
@@ -223,20 +227,37 @@ int RecoveryMotion::follow(const Scene& scene) {
     holds_ = true;
     return stand(scene);
   }
-  double cheapest = std::numeric_limits<double>::infinity(), of_cheapest = 0.0, least = cheapest;
+  const auto left_after = [&](const Tile& tile, std::size_t c) {
+    return way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, kPlaceAhead).remaining();
+  };
+  double least = std::numeric_limits<double>::infinity();
   const int best = least_legal(scene.rollout, scene.totals, scene.admissibility, [&](const Tile& tile, std::size_t c) {
-    const double left = way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, kPlaceAhead).remaining();
+    const double left = left_after(tile, c);
     least = std::min(least, left);
-    if (scene.totals[tile.first + c] < cheapest) {
-      cheapest = scene.totals[tile.first + c];
-      of_cheapest = left;
-    }
     return left;
   });
-  const double gain = here.remaining() - least;
-  const bool agrees = gain > 0.0 && here.remaining() - of_cheapest >= kAgreement * gain;
+  // What the cheapest may leave of it.
+  const double enough = here.remaining() - kAgreement * (here.remaining() - least);
+  const int cheapest = least < here.remaining() ? cheapest_legal(scene) : -1;
+  bool agrees = false;
+  if (cheapest >= 0) {
+    const Tile tile = scene.rollout.tile(scene.rollout.tile_of(static_cast<std::size_t>(cheapest)));
+    agrees = left_after(tile, static_cast<std::size_t>(cheapest) - tile.first) <= enough;
+  }
   agrees_.observe(now, agrees && !tight_);
-  return agrees ? -1 : best;
+  return agrees ? cheapest : best;
+}
+
+// Ordinary scoring's choice; -1 where it cannot brake.
+int RecoveryMotion::cheapest_legal(const Scene& scene) const {
+  const auto least = std::min_element(scene.totals.begin(), scene.totals.end());
+  if (least == scene.totals.end() || !std::isfinite(*least)) return -1;
+  const auto candidate = static_cast<std::size_t>(least - scene.totals.begin());
+  const Tile tile = scene.rollout.tile(scene.rollout.tile_of(candidate));
+  const Twist2 sample = tile.sample(candidate - tile.first);
+  return !scene.admissibility.checks_braking() || scene.admissibility.confirm_braking(sample)
+             ? static_cast<int>(candidate)
+             : -1;
 }
 
 // The remaining time falls, or has lately.

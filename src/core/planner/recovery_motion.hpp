@@ -95,6 +95,7 @@ class RecoveryMotion {
   bool gets_nowhere(const Cycle& cycle) const;
   int stand(const Scene& scene) const;
   int follow(const Scene& scene);
+  int cheapest_legal(const Scene& scene) const;
   bool gets_on(double remaining, double now);
 
   Phase phase_ = Phase::idle;

@@ -76,6 +76,19 @@ bool SearchTask::operator==(const SearchTask& o) const {
          target == o.target && near_target == o.near_target;
 }
 
+bool SearchTask::plausible() const {
+  constexpr int kMostCells = 1 << 14;      // a side
+  constexpr std::size_t kMostCorners = 1 << 12;
+  const bool sized = size_x > 0 && size_y > 0 && size_x < kMostCells && size_y < kMostCells &&
+                     costs.size() == static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y) &&
+                     outline.size() < kMostCorners;
+  if (!sized || !is_finite(start) || !(resolution > 1e-4 && resolution < 10.0)) return false;
+  const auto usual = [](double value) { return value >= 0.0 && value < 1e3; };
+  const bool robot = usual(radius) && usual(forward) && usual(backward) && usual(turning) && usual(near_target);
+  const Footprint body = footprint();
+  return robot && body.fault() == nullptr && !body.empty() && grid().contains(grid().cell_at(start.x, start.y));
+}
+
 void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const GridView& grid, const Footprint& footprint,
                       const Parameters& parameters, const VelocityLimits& limits, SearchTask& task) {
   task.unknown_is_obstacle = parameters.unknown_is_obstacle;

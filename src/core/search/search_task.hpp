@@ -33,6 +33,8 @@ struct SearchTask {
   GridView grid() const { return {costs.data(), size_x, size_y, resolution, origin_x, origin_y}; }
   Footprint footprint() const { return Footprint(outline, radius); }
   bool operator==(const SearchTask& other) const;
+  /// It can be searched: what was read from damaged bytes may say of itself what cannot be.
+  bool plausible() const;
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {

@@ -50,7 +50,7 @@ void WaySearch::begin(const SearchTask& task) {
 
 // A search that is under way here is gone on with, if it is the same one.
 void WaySearch::repeat(bool searching, const SearchTask& task, std::int64_t poses) {
-  if (!searching) return clear();
+  if (!searching || poses < 0 || poses > static_cast<std::int64_t>(kMostNodes) || !task.plausible()) return clear();
   if (state_ != State::searching || poses < poses_ || !(task == task_)) begin(task);
   run(static_cast<int>(poses - poses_));
 }

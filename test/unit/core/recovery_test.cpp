@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hidwa_local_planner/core/util/archive.hpp"
 #include "support/naive_inflation.hpp"
 #include "support/naive_planner.hpp"
 #include "support/planner_bench.hpp"
@@ -123,8 +124,63 @@ TEST(Recovery, WhereThereIsNoneItSaysSo) {
     problem = decision.problem;
   }
   EXPECT_GT(failures, 100);
-  EXPECT_NE(problem.find("stuck"), std::string::npos);
+  EXPECT_NE(problem.find("no way for this outline through the local map: no farther than ("), std::string::npos);
+  EXPECT_NE(problem.find("nearest obstacle there 0.0"), std::string::npos);  // 0.33 - 0.31 m, to whole cells
   EXPECT_LT(std::hypot(bench.scene().situation.pose.x, bench.scene().situation.pose.y), 0.03);
+}
+
+// A rectangle that faces the wall of a corner, from which only a turn the long way round leads on.
+Scene in_a_corner() {
+  Scene scene = Scene::empty(81, 0.05);
+  scene.parameters = Parameters();
+  scene.parameters.search_poses = 60;  // so that it takes some cycles
+  scene.outline = {{0.35, 0.2}, {-0.35, 0.2}, {-0.35, -0.2}, {0.35, -0.2}};
+  scene.situation.pose.theta = M_PI;
+  scene.fill(-0.6, -0.6, -0.4, 1.0);  // ahead
+  scene.fill(-0.2, 0.35, 0.2, 0.45);  // on the right: it cannot turn that way
+  test::inflate(scene, 0.2, 0.55, 3.0);
+  return scene;
+}
+
+TEST(Recovery, TurnsTheLongWayRound) {
+  Scene scene = in_a_corner();
+  EXPECT_GT(driven(scene), 0.5);
+  scene.parameters.turn_when_stuck = false;
+  EXPECT_LT(driven(scene), 0.1);  // or this scene shows nothing
+}
+
+// Saved and loaded at each cycle, while it searches, follows and waits: the next decision is the same to the bit.
+void expect_remembered_whole(const Scene& scene, bool& drove, bool& failed) {
+  PlannerBench bench(scene), copy(scene);
+  for (int k = 0; k < 160; ++k) {
+    Bytes state, again;
+    bench.planner().save(state);
+    ASSERT_TRUE(copy.planner().load(state));
+    copy.planner().save(again);
+    ASSERT_EQ(state, again) << k;
+    copy.scene() = bench.scene();
+    const Decision other = copy.cycle();
+    const Decision& decision = bench.drive();
+    ASSERT_EQ(decision.command, other.command) << k;
+    ASSERT_EQ(decision.outcome, other.outcome) << k;
+    ASSERT_EQ(decision.problem, other.problem) << k;
+    ASSERT_EQ(bench.planner().totals(), copy.planner().totals()) << k;
+    drove = drove || bench.planner().choice().rule == ChoiceReport::Rule::recovery;
+    failed = failed || decision.outcome == Outcome::fail;
+  }
+}
+
+TEST(Recovery, IsRememberedWhole) {
+  bool drove = false, failed = false;
+  Scene scene = in_a_corner();
+  expect_remembered_whole(scene, drove, failed);
+  EXPECT_TRUE(drove);
+  scene.fill(-1.0, -1.1, 1.0, -0.9);  // walled in
+  scene.fill(-1.0, 0.9, 1.0, 1.1);
+  scene.fill(0.9, -1.1, 1.0, 1.1);
+  scene.fill(-1.0, -1.1, -0.9, 1.1);
+  expect_remembered_whole(scene, drove, failed);
+  EXPECT_TRUE(failed);
 }
 
 }  // namespace

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the search finds is free, pose by pose; what it does not find is not there; portions and memory change nothing.
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/search/way_search.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
+#include "support/naive_collision.hpp"
+#include "support/random.hpp"
+#include "support/scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::Random;
+using test::Scene;
+using State = WaySearch::State;
+
+constexpr int kEnough = 1 << 20;  // poses
+
+const Polygon kLong = {{0.35, 0.2}, {-0.35, 0.2}, {-0.35, -0.2}, {0.35, -0.2}};
+
+// 4 m x 4 m, the robot at the origin; the plan leads 1.8 m along +x.
+Scene room() {
+  Scene scene = Scene::empty(81, 0.05);
+  scene.parameters = Parameters();
+  scene.outline = kLong;
+  scene.situation.plan.clear();
+  for (int i = 0; i <= 36; ++i) scene.situation.plan.push_back({0.05 * i, 0.0, 0.0});
+  return scene;
+}
+
+// A corridor from x = -1 to x = 0.5, 0.55 m wide, closed at x = 0.5. The plan leads back out of it.
+Scene dead_end() {
+  Scene scene = room();
+  scene.fill(-1.0, 0.275, 0.6, 2.0);
+  scene.fill(-1.0, -2.0, 0.6, -0.275);
+  scene.fill(0.5, -0.3, 0.6, 0.3);
+  for (Pose2& pose : scene.situation.plan) pose.x = -pose.x;
+  return scene;
+}
+
+SearchTask task_of(const Scene& scene) {
+  SearchTask task;
+  make_search_task(scene.situation.pose, scene.situation.plan, scene.grid(),
+                   Footprint::from_outline(scene.outline, scene.parameters.footprint_padding), scene.parameters,
+                   VelocityLimits::from(scene.parameters), task);
+  return task;
+}
+
+double off_plan(const Scene& scene, const Pose2& pose) {
+  double least = INFINITY;
+  for (const Pose2& q : scene.situation.plan) least = std::min(least, distance(pose, q));
+  return least;
+}
+
+// Millimetre by millimetre; true when the outline overlaps nothing.
+bool is_free(const Scene& scene, const Way& way) {
+  const test::NaiveBody body{scene.outline, 0.0};
+  for (std::size_t k = 0; k + 1 < way.stations().size(); ++k) {
+    const Pose2& a = way.stations()[k].pose;
+    const Pose2& b = way.stations()[k + 1].pose;
+    const double turn = wrap_angle(b.theta - a.theta), chord = distance(a, b);
+    // An arc's chord leaves at half its turn; backwards the robot faces away from it.
+    const double facing = std::cos(std::atan2(b.y - a.y, b.x - a.x) - a.theta - 0.5 * turn);
+    const double length = std::copysign(std::abs(turn) > 1e-9 ? chord * 0.5 * turn / std::sin(0.5 * turn) : chord, facing);
+    const int parts = 1 + static_cast<int>(std::max(chord, std::abs(turn) * 0.4) / 0.001);
+    for (int p = 0; p <= parts; ++p) {
+      const double share = static_cast<double>(p) / parts, angle = share * turn;
+      const double part = std::abs(turn) > 1e-9 ? length / turn * 2.0 * std::sin(0.5 * angle) : share * length;
+      const double direction = a.theta + 0.5 * angle;
+      const Pose2 at{a.x + part * std::cos(direction), a.y + part * std::sin(direction), a.theta + angle};
+      if (test::naive_overlap(scene.grid(), body, at, true) > 1e-6) return false;
+    }
+  }
+  return true;
+}
+
+Way search(const Scene& scene, State expected) {
+  WaySearch search;
+  search.begin(task_of(scene));
+  EXPECT_EQ(search.run(kEnough), expected);
+  Way way;
+  search.write(way);
+  return way;
+}
+
+TEST(WaySearch, StraightOnWhereNothingIs) {
+  const Scene scene = room();
+  const Way way = search(scene, State::found);
+  ASSERT_FALSE(way.empty());
+  EXPECT_EQ(distance(way.stations().front().pose, scene.situation.pose), 0.0);
+  // The target begins 1.5 m along the plan, and counts from 0.15 m before: 1.35 m at 0.5 m/s, and no more than a move
+  // of 0.15 m beyond that.
+  EXPECT_GE(way.duration(), 1.3 / scene.parameters.max_vel_x);
+  EXPECT_LE(way.duration(), (1.35 + 0.15) / scene.parameters.max_vel_x);
+  EXPECT_EQ(way.stations().back().left, 0.0);
+}
+
+TEST(WaySearch, WaysAreFree) {
+  int found = 0, none = 0, turned = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Scene scene = room();
+    Random random(seed);
+    scene.situation.pose.theta = random.uniform(-M_PI, M_PI);
+    if (random.chance(0.5)) scene.parameters.min_vel_x = -0.25;
+    for (int k = 0; k < 14; ++k) {
+      const double x = random.uniform(-1.9, 1.6), y = random.uniform(-1.9, 1.6), side = random.uniform(0.1, 0.4);
+      scene.fill(x, y, x + side, y + side);
+    }
+    if (test::naive_overlap(scene.grid(), {scene.outline, 0.0}, scene.situation.pose, true) > 0.0) continue;
+    WaySearch search;
+    search.begin(task_of(scene));
+    const State state = search.run(kEnough);
+    none += state == State::no_way;
+    if (state != State::found) continue;
+    ++found;
+    Way way;
+    search.write(way);
+    EXPECT_TRUE(is_free(scene, way)) << seed;
+    EXPECT_LE(off_plan(scene, way.stations().back().pose), 0.15 + 0.05) << seed;
+    turned += std::abs(wrap_angle(way.stations().back().pose.theta - scene.situation.pose.theta)) > 1.0;
+    for (std::size_t k = 0; k + 1 < way.stations().size(); ++k) {
+      EXPECT_GT(way.stations()[k].left, way.stations()[k + 1].left);
+    }
+  }
+  EXPECT_GE(found, 20);  // or these scenes show nothing
+  EXPECT_GE(none, 2);
+  EXPECT_GE(turned, 5);
+}
+
+// 0.7 m long and 0.4 m wide it cannot turn in 0.55 m.
+TEST(WaySearch, BackwardsOutOfADeadEndWhereTheRobotCan) {
+  Scene scene = dead_end();
+  search(scene, State::no_way);
+  scene.parameters.min_vel_x = -0.2;
+  const Way way = search(scene, State::found);
+  ASSERT_FALSE(way.empty());
+  EXPECT_TRUE(is_free(scene, way));
+  EXPECT_LT(way.stations().back().pose.x, -1.3);
+}
+
+TEST(WaySearch, SaysHowFarItGetsAndWhatIsThere) {
+  WaySearch search;
+  search.begin(task_of(dead_end()));
+  EXPECT_EQ(search.run(kEnough), State::no_way);
+  const WaySearch::End end = search.end();
+  ASSERT_TRUE(end.obstacle_known);
+  // It may only go on towards the wall ahead, and the plan leads the other way: where it stands is nearest. Cells fill
+  // |y| > 0.275: the first ones have their edge there, 0.075 m from its side.
+  EXPECT_NEAR(end.pose.x, 0.0, 0.05);
+  EXPECT_NEAR(end.gap, 0.275 - 0.2, 0.03);
+  EXPECT_NEAR(std::abs(end.obstacle.y()), 0.3, 0.05);
+}
+
+// Gaps in a wall ahead, for a robot 0.4 m wide that faces it: by whole cells of 0.05 m.
+TEST(WaySearch, ThroughGapsThatAreWideEnough) {
+  for (const int cells : {7, 8, 9, 10}) {
+    Scene scene = room();
+    const double half = 0.025 * cells;
+    // Cells' borders lie at odd multiples of 0.025 m.
+    const double shift = cells % 2 == 0 ? 0.025 : 0.0;
+    scene.fill(0.7, half + shift, 0.8, 2.1);
+    scene.fill(0.7, -2.1, 0.8, -half + shift);
+    for (Pose2& pose : scene.situation.plan) pose.y = shift;
+    const Way way = search(scene, cells > 8 ? State::found : State::no_way);
+    if (!way.empty()) EXPECT_TRUE(is_free(scene, way)) << cells;
+  }
+}
+
+TEST(WaySearch, PortionsChangeNothing) {
+  Scene scene = dead_end();
+  scene.parameters.min_vel_x = -0.2;
+  const Way whole = search(scene, State::found);
+  WaySearch search;
+  search.begin(task_of(scene));
+  int portions = 1;
+  while (search.run(37) == State::searching) ++portions;
+  EXPECT_GT(portions, 5);
+  Way way;
+  search.write(way);
+  ASSERT_EQ(way.stations().size(), whole.stations().size());
+  for (std::size_t k = 0; k < whole.stations().size(); ++k) {
+    EXPECT_EQ(way.stations()[k].left, whole.stations()[k].left);
+    EXPECT_EQ(distance(way.stations()[k].pose, whole.stations()[k].pose), 0.0);
+  }
+}
+
+TEST(WaySearch, IsRepeatedFromItsBytes) {
+  Scene scene = dead_end();
+  scene.parameters.min_vel_x = -0.2;
+  WaySearch search, other, fresh;
+  search.begin(task_of(scene));
+  State state = State::searching;
+  for (int portion = 0; state == State::searching; ++portion) {
+    Bytes bytes;
+    ArchiveWriter write(bytes);
+    write(static_cast<const WaySearch&>(search));
+    for (WaySearch* copy : {&other, &fresh}) {  // one goes on, one begins from nothing each time
+      if (copy == &fresh && portion % 8 != 0) continue;
+      if (copy == &fresh) copy->clear();
+      ArchiveReader read(bytes);
+      read(*copy);
+      ASSERT_TRUE(read.complete());
+      ASSERT_EQ(copy->state(), State::searching);
+    }
+    state = search.run(100);
+    ASSERT_EQ(other.run(100), state);
+    if (portion % 8 == 0) ASSERT_EQ(fresh.run(100), state);
+  }
+  Way a, b;
+  search.write(a);
+  other.write(b);
+  ASSERT_EQ(a.stations().size(), b.stations().size());
+  EXPECT_EQ(a.duration(), b.duration());
+}
+
+TEST(WaySearch, DamagedBytesAreNoSearch) {
+  WaySearch search;
+  search.begin(task_of(dead_end()));
+  search.run(10);
+  Bytes bytes;
+  ArchiveWriter write(bytes);
+  write(static_cast<const WaySearch&>(search));
+  for (std::size_t length = 0; length < bytes.size(); length += 1 + bytes.size() / 50) {
+    ArchiveReader read(bytes.data(), length);
+    WaySearch other;
+    read(other);
+    EXPECT_FALSE(read.complete());
+    EXPECT_NE(other.state(), State::searching);
+  }
+}
+
+// The remaining time beside a way: that of the nearest place on it, and 0.1 m/s to get there.
+TEST(Way, TellsTheRemainingTime) {
+  Way way;
+  way.add({{0.0, 0.0, 0.0}, 3.0});
+  way.add({{1.0, 0.0, 0.0}, 1.0});
+  way.add({{1.0, 0.0, 1.0}, 0.0});
+  const Way::Place beside = way.nearest({0.5, 0.02, 0.0}, 0, 10.0);
+  EXPECT_EQ(beside.part, 0U);
+  EXPECT_NEAR(beside.left, 2.0, 1e-12);                       // half of the first part
+  EXPECT_NEAR(beside.remaining(), 2.0 + 0.02 / 0.1, 1e-12);  // and back
+  const Way::Place turning = way.nearest({1.0, 0.0, 0.4}, 0, 10.0);
+  EXPECT_EQ(turning.part, 1U);
+  EXPECT_NEAR(turning.remaining(), 0.6, 1e-12);
+  EXPECT_EQ(way.nearest({1.0, 0.0, 0.4}, 0, 0.5).part, 0U);  // the second part begins 2 s later
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
