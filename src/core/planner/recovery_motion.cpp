@@ -13,8 +13,11 @@ namespace hidwa_local_planner {
 namespace {
 
 // A search may take so long; where there is no way the next one begins so long after it [s].
-constexpr double kLongestSearch = 2.0;
+constexpr double kLongestSearch = 2.4;
 constexpr double kSearchAgain = 2.0;
+
+// A search goes on for a robot that has come no farther from where it began [m].
+constexpr double kSameStart = 0.1;
 
 // For so long a robot may get nowhere [s], and for three times what its limits take to get somewhere.
 constexpr double kNowhere = 1.5;
@@ -36,7 +39,11 @@ constexpr double kFallsWithin = 1.0;
 constexpr double kAgreement = 0.6;
 constexpr double kAgreesFor = 1.0;
 
+// What was found out while the robot drove holds so near to where that search began [m].
+constexpr double kSamePlace = 0.3;
+
 constexpr std::size_t kLongestText = 200;
+constexpr const char* kNoWay = "no way for this outline through the local map";
 
 // Where a candidate brings the robot that follows it for a while and then brakes: braking takes it half as far as
 // driving on would.
@@ -57,6 +64,7 @@ void RecoveryMotion::reset() {
   rests_.reset();
   novelty_.reset();
   escape_.reset();
+  hopeless_.clear();
   tight_ = false;
 }
 
@@ -102,12 +110,16 @@ void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
   const bool ordinary = phase_ == Phase::idle || phase_ == Phase::looks_ahead;
   if ((phase_ == Phase::searches || phase_ == Phase::waits) && !course.stands && !holds_) enter(Phase::idle, now);
   if (ordinary && ((impatient_ && !course.stands) || gets_nowhere(cycle))) {
-    enter(Phase::stops, now);
+    phase_ = Phase::stops;
     holds_ = true;
   }
   const bool settled = stands_.for_at_least(cycle.parameters.control_latency + 2.0 * cycle.situation.period, now);
   const bool again = phase_ == Phase::waits && (now - since_ >= kSearchAgain || now < since_);
-  if (settled && (ordinary || phase_ == Phase::stops || again)) {
+  const bool goes_on = search_.state() == WaySearch::State::searching &&
+                       distance(search_.task().start, cycle.situation.pose) < kSameStart;
+  if (settled && goes_on && phase_ != Phase::searches) {
+    phase_ = Phase::searches;
+  } else if (settled && (ordinary || phase_ == Phase::stops || again)) {
     begin_search(cycle, Phase::searches, cycle.situation.pose);
   } else if (phase_ == Phase::idle && tight_ && !(now >= looked_ && now - looked_ < kSearchAgain)) {
     looked_ = now;
@@ -125,6 +137,11 @@ bool RecoveryMotion::gets_nowhere(const Cycle& cycle) const {
 
 void RecoveryMotion::begin_search(const Cycle& cycle, Phase phase, const Pose2& start) {
   enter(phase, cycle.situation.time);
+  // What is known already is said at once; the map may have changed since.
+  if (phase == Phase::searches && problem_.empty() && distance(hopeless_at_, start) < kSamePlace) {
+    problem_ = hopeless_;
+  }
+  hopeless_.clear();
   make_search_task(start, cycle.situation.plan, cycle.grid, cycle.footprint, cycle.parameters, cycle.limits, task_);
   search_.begin(task_);
 }
@@ -143,6 +160,10 @@ void RecoveryMotion::look_ahead(const Cycle& cycle) {
   if (state == WaySearch::State::found) {
     follow_way(now);
   } else if (state != WaySearch::State::searching || late(now)) {
+    if (state == WaySearch::State::no_way) {
+      describe_end(kNoWay, hopeless_);
+      hopeless_at_ = search_.task().start;
+    }
     enter(Phase::idle, now);
   }
 }
@@ -163,7 +184,7 @@ void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
       break;
     case WaySearch::State::no_way:
     case WaySearch::State::idle:
-      fail(now, "no way for this outline through the local map");
+      fail(now, kNoWay);
   }
 }
 
@@ -177,18 +198,22 @@ void RecoveryMotion::follow_way(double now) {
 }
 
 void RecoveryMotion::fail(double now, const char* how) {
+  describe_end(how, problem_);
+  enter(Phase::waits, now);
+}
+
+void RecoveryMotion::describe_end(const char* how, std::string& text) {
   const WaySearch::End end = search_.end();
-  std::array<char, kLongestText> text{};
+  std::array<char, kLongestText> said{};
   if (end.obstacle_known) {
-    std::snprintf(text.data(), text.size(),
+    std::snprintf(said.data(), said.size(),
                   "%s: no farther than (%.2f, %.2f); nearest obstacle there %.3f m away, at (%.2f, %.2f)", how,
                   end.pose.x, end.pose.y, end.gap, end.obstacle.x(), end.obstacle.y());
   } else {
-    std::snprintf(text.data(), text.size(), "%s: no farther than (%.2f, %.2f)", how, end.pose.x, end.pose.y);
+    std::snprintf(said.data(), said.size(), "%s: no farther than (%.2f, %.2f)", how, end.pose.x, end.pose.y);
   }
-  enter(Phase::waits, now);
-  problem_.reserve(kLongestText);
-  problem_ = text.data();
+  text.reserve(kLongestText);
+  text = said.data();
 }
 
 int RecoveryMotion::choose(const Scene& scene) {
@@ -244,7 +269,8 @@ int RecoveryMotion::follow(const Scene& scene) {
     const Tile tile = scene.rollout.tile(scene.rollout.tile_of(static_cast<std::size_t>(cheapest)));
     agrees = left_after(tile, static_cast<std::size_t>(cheapest) - tile.first) <= enough;
   }
-  agrees_.observe(now, agrees && !tight_);
+  agrees = agrees && !tight_;
+  agrees_.observe(now, agrees);
   return agrees ? cheapest : best;
 }
 

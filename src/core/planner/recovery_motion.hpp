@@ -71,7 +71,7 @@ class RecoveryMotion {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_, self.way_,
-       self.part_, self.least_, self.agrees_, self.tight_, self.looked_, self.problem_);
+       self.part_, self.least_, self.agrees_, self.tight_, self.looked_, self.problem_, self.hopeless_, self.hopeless_at_);
   }
 
  private:
@@ -92,6 +92,7 @@ class RecoveryMotion {
   bool late(double now) const;
   void follow_way(double now);
   void fail(double now, const char* how);
+  void describe_end(const char* how, std::string& text);
   bool gets_nowhere(const Cycle& cycle) const;
   int stand(const Scene& scene) const;
   int follow(const Scene& scene);
@@ -114,6 +115,8 @@ class RecoveryMotion {
   bool impatient_ = false;  // the patience is over
   double looked_ = 0.0;     // ahead, at last [s]
   std::string problem_;
+  std::string hopeless_;  // what a search ahead has come to, that found no way
+  Pose2 hopeless_at_;     // from there
 };
 
 }  // namespace hidwa_local_planner

@@ -52,6 +52,7 @@ class WaySearch {
   /// Goes on, from at most `poses` poses.
   State run(int poses);
   State state() const { return state_; }
+  const SearchTask& task() const { return task_; }
   /// Where it was found: the way, from the start to the target.
   void write(Way& way) const;
 
