@@ -222,12 +222,24 @@ double WaySearch::bound(const Node& node) {
 void WaySearch::write(Way& way) const {
   way.clear();
   if (state_ != State::found) return;
-  const double end = nodes_[last_].time;
-  for (std::int32_t n = static_cast<std::int32_t>(last_); n >= 0; n = nodes_[static_cast<std::size_t>(n)].parent) {
-    const Node& node = nodes_[static_cast<std::size_t>(n)];
-    way.add({{node.x, node.y, heading_of(node.heading)}, end - node.time});
+  double left = 0.0;
+  for (std::size_t n = last_;;) {
+    const Node& node = nodes_[n];
+    way.add({{node.x, node.y, heading_of(node.heading)}, left});
+    if (node.parent < 0) break;
+    left += time_between(nodes_[static_cast<std::size_t>(node.parent)], node);
+    n = static_cast<std::size_t>(node.parent);
   }
   way.reverse();
+}
+
+// At the limits: what clearances and changes count besides is for choosing a way [s].
+double WaySearch::time_between(const Node& a, const Node& b) const {
+  const double turn = std::abs(heading_of(b.heading) - heading_of(a.heading));
+  const bool backward = b.move == static_cast<std::uint8_t>(MoveKind::backward);
+  const double speed = backward ? task_.backward : task_.forward;
+  const double driving = b.move == static_cast<std::uint8_t>(MoveKind::turn) ? 0.0 : std::hypot(b.x - a.x, b.y - a.y) / speed;
+  return std::max(driving, task_.turning > 0.0 ? std::abs(wrap_angle(turn)) / task_.turning : 0.0);
 }
 
 WaySearch::End WaySearch::end() {

@@ -114,6 +114,7 @@ class WaySearch {
   double bound(const Node& node);
   Rotation rotation(int heading) const;
   double heading_of(int heading) const;
+  double time_between(const Node& a, const Node& b) const;
 
   SearchTask task_;
   std::int64_t poses_ = 0;  // that were left
