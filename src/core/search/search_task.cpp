@@ -20,6 +20,9 @@ constexpr double kTargetAtEnd = 0.3;
 // A way has to come so near to it [m].
 constexpr double kNearTarget = 0.15;
 
+// Memory is kept for so many points of it.
+constexpr std::size_t kUsualTarget = 256;
+
 void copy_costs(const GridView& grid, const Pose2& pose, SearchTask& task) {
   const int reach = static_cast<int>(std::ceil(kSnapshotReach / grid.resolution));
   const Cell middle = grid.cell_at(pose.x, pose.y);
@@ -31,6 +34,7 @@ void copy_costs(const GridView& grid, const Pose2& pose, SearchTask& task) {
   task.origin_x = grid.origin_x + i0 * grid.resolution;
   task.origin_y = grid.origin_y + j0 * grid.resolution;
   task.costs.clear();
+  task.costs.reserve(static_cast<std::size_t>(2 * reach + 1) * static_cast<std::size_t>(2 * reach + 1));
   for (int j = j0; j < j1; ++j) {
     const std::uint8_t* row = grid.costs + grid.index({i0, j});
     task.costs.insert(task.costs.end(), row, row + task.size_x);
@@ -47,6 +51,7 @@ void drop_inscribed(SearchTask& task) {
 void find_target(const std::vector<Pose2>& plan, SearchTask& task) {
   const GridView grid = task.grid();
   task.target.clear();
+  task.target.reserve(kUsualTarget);
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < plan.size(); ++i) {
     if (distance(plan[i], task.start) < distance(plan[nearest], task.start)) nearest = i;
@@ -93,7 +98,8 @@ void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const 
                       const Parameters& parameters, const VelocityLimits& limits, SearchTask& task) {
   task.unknown_is_obstacle = parameters.unknown_is_obstacle;
   task.start = start;
-  task.outline = footprint.is_circle() ? Polygon() : footprint.outline();
+  task.outline.clear();
+  if (!footprint.is_circle()) task.outline = footprint.outline();
   task.radius = footprint.radius();
   task.forward = std::max(limits.x.max, 0.0);
   task.backward = std::max(-limits.x.min, 0.0);

@@ -30,6 +30,7 @@ void TargetDistance::block(const CollisionChecker& checker) {
 
 void TargetDistance::find_sources() {
   sources_.clear();
+  sources_.reserve(DistanceGrids::kUsualSources);
   const double near = task_->near_target;
   const int reach = static_cast<int>(std::ceil(near / grid_.resolution));
   for (const Point& point : task_->target) {

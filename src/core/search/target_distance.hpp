@@ -20,12 +20,8 @@ class TargetDistance {
 
   /// `task` and `checker`, prepared with its map, must outlive the questions.
   void prepare(const SearchTask& task, const CollisionChecker& checker);
-  /// False where the robot's centre fits nowhere near the target.
-  bool has_target() const { return !sources_.empty(); }
-  /// [m]; negative where there is no way, and off the map.
+  /// [m]; zero near the target, negative where there is no way, and off the map.
   double at(double x, double y);
-  /// The position is near the target, and not in an obstacle.
-  bool arrived(double x, double y) { return at(x, y) == 0.0; }
 
  private:
   void block(const CollisionChecker& checker);

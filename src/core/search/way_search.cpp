@@ -14,15 +14,16 @@ constexpr std::size_t kMostNodes = std::size_t{1} << 18;
 // Clearances count up to so many cells.
 constexpr double kClearanceCells = 1.0;
 
-// The clearance that a move needs: a share of a cell, or of what the robot has at the start.
+// The clearance that a move needs: a share of a cell, or of the most that the robot has had so far.
 constexpr double kNeededOfCell = 0.125;
-constexpr double kNeededOfStart = 0.5;
+constexpr double kNeededOfMost = 0.8;
 
 // Below this share of a cell the robot all but touches.
 constexpr double kTouchesBelow = 0.25;
 
-// How much longer a move counts without any clearance.
+// How much longer a move counts without any clearance, and where it has less than a robot usually needs.
 constexpr double kTightFactor = 3.0;
+constexpr double kTouchingFactor = 10.0;
 
 // A change between forwards, backwards and turning takes so long [s].
 constexpr double kChangeTime = 0.3;
@@ -43,7 +44,9 @@ Rotation WaySearch::rotation(int heading) const {
 double WaySearch::heading_of(int heading) const { return wrap_angle(task_.start.theta + heading * kHeadingStep); }
 
 void WaySearch::begin(const SearchTask& task) {
+  const bool same_robot = task.outline == task_.outline && task.radius == task_.radius && !footprint_.empty();
   task_ = task;
+  if (!same_robot) footprint_ = task_.footprint();
   prepare();
   add_start();
 }
@@ -56,7 +59,6 @@ void WaySearch::repeat(bool searching, const SearchTask& task, std::int64_t pose
 }
 
 void WaySearch::prepare() {
-  footprint_ = task_.footprint();
   const Pose2 middle{task_.origin_x + 0.5 * task_.size_x * task_.resolution,
                      task_.origin_y + 0.5 * task_.size_y * task_.resolution, 0.0};
   const double across = 0.5 * std::max(task_.size_x, task_.size_y) * task_.resolution;
@@ -71,6 +73,7 @@ void WaySearch::prepare() {
   }
   nodes_.reserve(kMostNodes);
   queue_.reserve(2 * kMostNodes);
+  placed_.reserve(footprint_.outline().size());
   nodes_.clear();
   queue_.clear();
   bins_.reset(kMostNodes);
@@ -85,8 +88,8 @@ void WaySearch::add_start() {
   node.x = task_.start.x;
   node.y = task_.start.y;
   node.clearance = static_cast<float>(clearance_at(task_.start, rotation(0)));
-  needed_ = std::min(kNeededOfCell * task_.resolution, kNeededOfStart * node.clearance);
-  if (node.clearance <= 0.0F || !to_target_.has_target()) {
+  node.needed = needed_from(node.clearance, 0.0);
+  if (node.clearance <= 0.0F || bound(node) < 0.0) {
     nodes_.push_back(node);  // the end() of a robot that comes nowhere
     return;
   }
@@ -147,32 +150,44 @@ void WaySearch::try_move(std::uint32_t from, const Move& move) {
   end.time = static_cast<float>(soonest);
   const std::uint32_t known = bins_.find(bin_of(end));
   if (known != BinTable::kNone && nodes_[known].time <= end.time) return;
-  const double clearance = clearance_along(start, move);
-  if (clearance < needed_) return;
-  const double tight = 1.0 - clearance / (kClearanceCells * task_.resolution);
-  end.clearance = static_cast<float>(clearance);
-  end.time = static_cast<float>(soonest + kTightFactor * tight * move.time);
+  const Clearance clearance = clearance_along(start, move);
+  if (clearance.least <= 0.0) return;
+  end.clearance = static_cast<float>(clearance.at_end);
+  end.needed = needed_from(clearance.at_end, start.needed);
+  end.time = static_cast<float>(soonest + tightness(move, clearance.least) * move.time);
   push(end);
 }
 
-// The least clearance on the way of a move; 0 where it is less than needed.
-double WaySearch::clearance_along(const Node& from, const Move& move) const {
-  const double most = kClearanceCells * task_.resolution;
-  double least = most;
-  if (move.kind == MoveKind::turn && footprint_.is_circle()) return from.clearance;
+// How much longer a move counts. A circle that turns comes no nearer to anything.
+double WaySearch::tightness(const Move& move, double clearance) const {
+  if (move.kind == MoveKind::turn && footprint_.is_circle()) return 0.0;
+  const double tight = 1.0 - clearance / (kClearanceCells * task_.resolution);
+  const double touching = std::max(0.0, 1.0 - clearance / (kNeededOfCell * task_.resolution));
+  return kTightFactor * tight + kTouchingFactor * touching;
+}
+
+float WaySearch::needed_from(double clearance, double needed) const {
+  return static_cast<float>(
+      std::max(needed, std::min(kNeededOfCell * task_.resolution, kNeededOfMost * clearance)));
+}
+
+WaySearch::Clearance WaySearch::clearance_along(const Node& from, const Move& move) const {
+  const double needed = from.needed;
+  if (move.kind == MoveKind::turn && footprint_.is_circle()) return {from.clearance, from.clearance};
   const Rotation r = rotation(from.heading);
-  double gone = std::max(0.0, from.clearance - needed_) / move.reach;
+  Clearance found{from.clearance, from.clearance};
+  double gone = std::max(0.0, from.clearance - needed) / move.reach;
   while (true) {
     const double share = std::min(gone, 1.0);
     const Pose2 part = part_of(move, share);
     const Rotation turned = share >= 1.0 ? rotation(from.heading + move.turn) : r.turned(Rotation::of(part.theta));
-    const double clearance = clearance_at(
+    found.at_end = clearance_at(
         {from.x + r.c * part.x - r.s * part.y, from.y + r.s * part.x + r.c * part.y, 0.0}, turned);
-    if (clearance < needed_) return 0.0;
-    least = std::min(least, clearance);
-    if (share >= 1.0) return least;
+    if (found.at_end < needed || found.at_end <= 0.0) return {};
+    found.least = std::min(found.least, found.at_end);
+    if (share >= 1.0) return found;
     // At least half of what is needed: it ends, and what lies between is free still.
-    gone = share + std::max(clearance - 0.5 * needed_, 0.5 * needed_) / move.reach;
+    gone = share + std::max(found.at_end - 0.5 * needed, 0.5 * needed) / move.reach;
   }
 }
 

@@ -6,7 +6,8 @@
 //    exact. Of all that lie in one bin the quickest is kept. Bins and moves are coarse in the open, half a cell and four
 //    degrees where the outline decides, and half of that where the robot all but touches something.
 // 2. A move is free if every pose on it is: from a pose the robot goes on by its clearance (no point of it moves
-//    farther), and asks again. It needs an eighth of a cell of clearance, or half of what it has at the start.
+//    farther), and asks again. It needs an eighth of a cell of clearance. A robot that begins with less needs 80 % of
+//    the most that it has had so far.
 // 3. The quickest comes first: its time so far, and the distance to the target at full speed (TargetDistance). Time
 //    counts more where the clearance is small, and at a change between forwards, backwards and turning.
 // 4. It ends where the robot's centre is near the target; where nothing is left; or where there is no memory left.
@@ -86,7 +87,8 @@ class WaySearch {
   struct Node {
     double x = 0.0, y = 0.0;   // [m]
     float time = 0.0F;         // since the start, weighted [s]
-    float clearance = 0.0F;    // at least, up to a cell [m]
+    float clearance = 0.0F;    // up to a cell [m]
+    float needed = 0.0F;       // by the moves from here [m]
     std::int32_t parent = -1;  // node
     std::int16_t heading = 0;  // in kHeadingStep from the start's
     std::uint8_t move = 0;     // kind of the move that led here
@@ -105,7 +107,13 @@ class WaySearch {
   void add_start();
   void leave(std::uint32_t from);
   void try_move(std::uint32_t from, const Move& move);
-  double clearance_along(const Node& from, const Move& move) const;
+  struct Clearance {
+    double least = 0.0;   // on the way of a move; 0 where it is less than needed [m]
+    double at_end = 0.0;  // [m]
+  };
+  Clearance clearance_along(const Node& from, const Move& move) const;
+  double tightness(const Move& move, double clearance) const;
+  float needed_from(double clearance, double needed) const;
   double clearance_at(const Pose2& position, const Rotation& heading) const;
   double gap_to(const Pose2& pose, const Point& centre) const;
   Fineness fineness(const Node& node) const;
@@ -122,7 +130,6 @@ class WaySearch {
   CollisionChecker checker_;
   TargetDistance to_target_;
   MoveSets moves_;
-  double needed_ = 0.0;  // clearance [m]
   std::vector<Rotation> rotations_;  // of each heading
   std::vector<Node> nodes_;
   std::vector<Queued> queue_;

@@ -129,21 +129,21 @@ TEST(Recovery, WhereThereIsNoneItSaysSo) {
   EXPECT_LT(std::hypot(bench.scene().situation.pose.x, bench.scene().situation.pose.y), 0.03);
 }
 
-// A rectangle that faces the wall of a corner, from which only a turn the long way round leads on.
-Scene in_a_corner() {
+// A rectangle that is long ahead of its centre and faces away from the plan. What stands on its right is 0.35 m away,
+// and its front 0.5 m long: it can only turn left, which is the longer way.
+Scene beside_a_thing() {
   Scene scene = Scene::empty(81, 0.05);
   scene.parameters = Parameters();
-  scene.parameters.search_poses = 60;  // so that it takes some cycles
-  scene.outline = {{0.35, 0.2}, {-0.35, 0.2}, {-0.35, -0.2}, {0.35, -0.2}};
-  scene.situation.pose.theta = M_PI;
-  scene.fill(-0.6, -0.6, -0.4, 1.0);  // ahead
-  scene.fill(-0.2, 0.35, 0.2, 0.45);  // on the right: it cannot turn that way
+  scene.parameters.search_poses = 500;  // so that it takes some cycles
+  scene.outline = {{0.5, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.5, -0.2}};
+  scene.situation.pose.theta = 2.8;
+  scene.fill(-0.2, 0.35, 0.2, 0.45);
   test::inflate(scene, 0.2, 0.55, 3.0);
   return scene;
 }
 
 TEST(Recovery, TurnsTheLongWayRound) {
-  Scene scene = in_a_corner();
+  Scene scene = beside_a_thing();
   EXPECT_GT(driven(scene), 0.5);
   scene.parameters.turn_when_stuck = false;
   EXPECT_LT(driven(scene), 0.1);  // or this scene shows nothing
@@ -172,7 +172,7 @@ void expect_remembered_whole(const Scene& scene, bool& drove, bool& failed) {
 
 TEST(Recovery, IsRememberedWhole) {
   bool drove = false, failed = false;
-  Scene scene = in_a_corner();
+  Scene scene = beside_a_thing();
   expect_remembered_whole(scene, drove, failed);
   EXPECT_TRUE(drove);
   scene.fill(-1.0, -1.1, 1.0, -0.9);  // walled in

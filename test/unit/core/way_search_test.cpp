@@ -114,7 +114,7 @@ TEST(WaySearch, WaysAreFree) {
     WaySearch search;
     search.begin(task_of(scene));
     const State state = search.run(kEnough);
-    none += state == State::no_way;
+    none += state != State::found;
     if (state != State::found) continue;
     ++found;
     Way way;
@@ -126,8 +126,8 @@ TEST(WaySearch, WaysAreFree) {
       EXPECT_GT(way.stations()[k].left, way.stations()[k + 1].left);
     }
   }
-  EXPECT_GE(found, 20);  // or these scenes show nothing
-  EXPECT_GE(none, 2);
+  EXPECT_GE(found, 15);  // or these scenes show nothing
+  EXPECT_GE(none, 3);
   EXPECT_GE(turned, 5);
 }
 
@@ -165,7 +165,11 @@ TEST(WaySearch, ThroughGapsThatAreWideEnough) {
     scene.fill(0.7, half + shift, 0.8, 2.1);
     scene.fill(0.7, -2.1, 0.8, -half + shift);
     for (Pose2& pose : scene.situation.plan) pose.y = shift;
-    const Way way = search(scene, cells > 8 ? State::found : State::no_way);
+    WaySearch search;
+    search.begin(task_of(scene));
+    EXPECT_EQ(search.run(kEnough) == State::found, cells > 8) << cells;
+    Way way;
+    search.write(way);
     if (!way.empty()) EXPECT_TRUE(is_free(scene, way)) << cells;
   }
 }
@@ -233,7 +237,7 @@ TEST(WaySearch, DamagedBytesAreNoSearch) {
   }
 }
 
-// The remaining time beside a way: that of the nearest place on it, and 0.1 m/s to get there.
+// The remaining time beside a way: that of the nearest place on it, and 0.04 m/s to get there.
 TEST(Way, TellsTheRemainingTime) {
   Way way;
   way.add({{0.0, 0.0, 0.0}, 3.0});
@@ -242,7 +246,7 @@ TEST(Way, TellsTheRemainingTime) {
   const Way::Place beside = way.nearest({0.5, 0.02, 0.0}, 0, 10.0);
   EXPECT_EQ(beside.part, 0U);
   EXPECT_NEAR(beside.left, 2.0, 1e-12);                       // half of the first part
-  EXPECT_NEAR(beside.remaining(), 2.0 + 0.02 / 0.1, 1e-12);  // and back
+  EXPECT_NEAR(beside.remaining(), 2.0 + 0.02 / 0.04, 1e-12);  // and back
   const Way::Place turning = way.nearest({1.0, 0.0, 0.4}, 0, 10.0);
   EXPECT_EQ(turning.part, 1U);
   EXPECT_NEAR(turning.remaining(), 0.6, 1e-12);
