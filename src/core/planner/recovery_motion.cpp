@@ -12,8 +12,10 @@
 namespace hidwa_local_planner {
 namespace {
 
-// A search may take so long; where there is no way the next one begins so long after it [s].
+// A search may take so long, and so long while the robot drives on; where there is no way the next one begins so long
+// after it [s].
 constexpr double kLongestSearch = 2.4;
+constexpr double kLongestAhead = 5.0;
 constexpr double kSearchAgain = 2.0;
 
 // A search goes on for a robot that has come no farther from where it began [m].
@@ -188,7 +190,10 @@ void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
   }
 }
 
-bool RecoveryMotion::late(double now) const { return now < since_ || now - since_ >= kLongestSearch; }
+bool RecoveryMotion::late(double now) const {
+  const double longest = phase_ == Phase::looks_ahead ? kLongestAhead : kLongestSearch;
+  return now < since_ || now - since_ >= longest;
+}
 
 void RecoveryMotion::follow_way(double now) {
   Way way;
