@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/motion/velocity_limits.hpp"
-#include "hidwa_local_planner/control/standing.hpp"
+#include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {
 
@@ -12,9 +12,9 @@ FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& v
                                       const Parameters& parameters, double period) {
   if (!since_ || now < *since_) since_ = now;
   const VelocityLimits limits = VelocityLimits::from(parameters);
-  bool moving = !(last_command == Twist2{});
+  bool moving = !commands_rest(last_command);
   if (velocity) {
-    moving = moving || !stands(*velocity, parameters);
+    moving = moving || !at_rest(*velocity, parameters);
   } else {
     const double fastest = std::max(limits.x.max, -limits.x.min);
     moving = moving || now - *since_ <= limits.x.time_to_rest(fastest) + period;

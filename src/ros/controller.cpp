@@ -87,12 +87,12 @@ ControllerOutcome Controller::cycle(geometry_msgs::Twist& command, std::string& 
     return ControllerOutcome::not_initialized;
   }
   // What comes with `canceled` is not sent: zero went out the cycle before.
-  const bool rested = shell_->at_rest();
+  const bool stood = shell_->stands();
   const CycleResult result = shell_->cycle(cancelled);
   command = to_message(result.command);
   message = in_words(result);
   if (!cancelled) return outcome_of(result);
-  if (rested && result.outcome == Outcome::hold) {
+  if (stood && result.outcome == Outcome::hold) {
     cancel_.met();
     message = "canceled: the robot rests";
     return ControllerOutcome::canceled;

@@ -69,7 +69,7 @@ bool HIDWAPlannerROS::plan_is_over() const { return host_goal_ && host_goal_->is
 Kept HIDWAPlannerROS::keep() {
   const CycleResult result = shell_->cycle(true);
   const OperatorInput::Status person = shell_->person();
-  return {result.command, shell_->at_rest(), input::attends(person.state, person.manual), shell_->period()};
+  return {result.command, shell_->stands(), input::attends(person.state, person.manual), shell_->period()};
 }
 
 bool HIDWAPlannerROS::isGoalReached() {

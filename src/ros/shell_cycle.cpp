@@ -48,7 +48,7 @@ bool Shell::goal_reached(bool host_stops) {
   CycleClock::Tick none;
   none.period = control_period();
   if (!loop_.goal_reached(observe(timing(ros::Time::now().toSec(), none)))) return false;
-  arriving_ = !host_stops && !loop_.at_rest();
+  arriving_ = !host_stops && !loop_.stands();
   if (arriving_) return false;
   loop_.finish_goal();
   return true;

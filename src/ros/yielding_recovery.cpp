@@ -83,10 +83,10 @@ bool YieldingRecovery::yield() {
     const std::optional<Kept> kept = RobotKeepers::of_process().keep();
     velocity_.publish(kept ? to_message(kept->command) : geometry_msgs::Twist());
     if (!kept) return true;
-    const Phase phase = yielding.step(ros::Time::now().toSec(), kept->at_rest, kept->attended);
+    const Phase phase = yielding.step(ros::Time::now().toSec(), kept->stands, kept->attended);
     tell(phase);
     if (phase == Phase::quiet || phase == Phase::out_of_patience) return true;
-    if (kept->at_rest && requests_->any()) {
+    if (kept->stands && requests_->any()) {
       ROS_INFO("%s: the host was asked for something else; nothing is cleared", name_.c_str());
       return false;
     }

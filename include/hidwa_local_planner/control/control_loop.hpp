@@ -105,8 +105,8 @@ class ControlLoop {
   const Parameters& parameters() const { return planner_.parameters(); }
   const Situation& situation() const { return situation_; }  // of the last cycle that planned
   const Twist2& last_command() const { return last_command_; }
-  /// Zero was sent last, and the robot stands.
-  bool at_rest() const { return at_rest_; }
+  /// The last command asked for rest, and the robot is at rest.
+  bool stands() const { return stands_; }
 
  private:
   template <typename Self, typename Archive>
@@ -131,7 +131,7 @@ class ControlLoop {
   bool has_goal_ = false;
   Situation situation_;  // kept for its memory
   Twist2 last_command_;  // [m/s, rad/s]
-  bool at_rest_ = false;
+  bool stands_ = false;
   bool resumed_ = false;  // nothing was planned yet since the host was in control
 };
 

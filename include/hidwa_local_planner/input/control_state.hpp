@@ -23,7 +23,7 @@ namespace hidwa_local_planner::input {
 /// What a cycle came to: needed to know when a hold is rejected and when the robot is blocked.
 struct CycleFeedback {
   bool operator_command_rejected = false;  // u_h itself
-  bool at_rest = false;                    // the command was zero and the robot is at rest
+  bool stands = false;                     // the command asked for rest, and the robot is at rest
   bool goal_latched = false;
   Twist2 command;   // what was sent [m/s, rad/s]
   Twist2 velocity;  // measured [m/s, rad/s]

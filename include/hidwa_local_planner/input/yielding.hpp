@@ -23,7 +23,7 @@ class Yielding {
 
   explicit Yielding(const Settings& settings) : settings_(settings) {}
   /// At `now` [s] the robot is at rest or not, and somebody attends to it or not. Time that goes back counts as none.
-  Phase step(double now, bool at_rest, bool attended);
+  Phase step(double now, bool stands, bool attended);
 
  private:
   Settings settings_;

@@ -14,7 +14,7 @@ namespace hidwa_local_planner {
 /// What one cycle of keeping the robot at rest came to.
 struct Kept {
   Twist2 command;         // to be sent: brakes within the limits, then zero [m/s, rad/s]
-  bool at_rest = false;   // zero was sent, and the robot stands
+  bool stands = false;    // the command asked for rest, and the robot is at rest
   bool attended = false;  // a person stops or steers
   double period = 0.0;    // until the next cycle [s]
 };

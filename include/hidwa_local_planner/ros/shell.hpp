@@ -53,8 +53,8 @@ class Shell {
   bool goal_reached(bool host_stops = true);
   /// Where the goal is reached, instead of what the parameters say [m], [rad]. Brought into the parameters' ranges.
   void set_goal_tolerances(double xy, double yaw);
-  /// Zero was sent last, and the robot stands.
-  bool at_rest() const { return loop_.at_rest(); }
+  /// The last command asked for rest, and the robot is at rest.
+  bool stands() const { return loop_.stands(); }
   OperatorInput::Status person() const;
   double period() const { return control_period(); }  // nominal, of a control cycle [s]
 

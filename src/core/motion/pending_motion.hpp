@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/motion/same_time.hpp"
+#include "hidwa_local_planner/core/rest.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
@@ -66,9 +67,9 @@ class PendingMotion {
   }
 
   /// All the time.
-  bool at_rest() const {
-    return begin_ == Twist2{} &&
-           std::all_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.end == Twist2{}; });
+  bool rests() const {
+    return commands_rest(begin_) &&
+           std::all_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return commands_rest(leg.end); });
   }
   const Twist2& begin() const { return begin_; }
   const Twist2& end() const { return legs_.empty() ? begin_ : legs_.back().end; }

@@ -187,7 +187,7 @@ TEST(LostLink, LostFromBlocked) {
   Person person(p);
   CycleFeedback refused;
   refused.operator_command_rejected = true;
-  refused.at_rest = true;
+  refused.stands = true;
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
   person.cycle(1.05, refused);

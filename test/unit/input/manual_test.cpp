@@ -248,7 +248,7 @@ TEST(Manual, RefusalsDoNotMakeItBlocked) {
   Person person(p);
   take(person, 1.0);
   CycleFeedback refused;
-  refused.operator_command_rejected = refused.at_rest = true;
+  refused.operator_command_rejected = refused.stands = true;
   person.stick(1.05, 1.0F, 1.0F);
   EXPECT_EQ(person.cycle(1.05, refused).state, State::manual);
   EXPECT_EQ(person.cycle(1.1, refused).state, State::manual);

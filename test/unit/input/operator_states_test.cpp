@@ -11,7 +11,7 @@ using State = OperatorStateId;
 CycleFeedback refused_at_rest() {
   CycleFeedback feedback;
   feedback.operator_command_rejected = true;
-  feedback.at_rest = true;
+  feedback.stands = true;
   return feedback;
 }
 
@@ -228,7 +228,7 @@ TEST(OperatorStates, AtRestByItselfIsNotBlocked) {
   Person person(p);
   person.steer(1.0);
   CycleFeedback rest;
-  rest.at_rest = true;
+  rest.stands = true;
   person.cycle(1.1, rest);
   EXPECT_EQ(person.cycle(1.15, rest).state, State::shared);
 }

@@ -72,7 +72,7 @@ TEST(Stop, ButtonWhileBlocked) {
   p.blocked_time = 0.0;
   Person person(p);
   CycleFeedback refused;
-  refused.operator_command_rejected = refused.at_rest = true;
+  refused.operator_command_rejected = refused.stands = true;
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
   person.cycle(1.05, refused);
