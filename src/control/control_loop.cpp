@@ -161,7 +161,7 @@ void ControlLoop::remember(const Observation& observation, const Result& result)
   feedback.command = result.command;
   feedback.velocity = observation.velocity.value_or(Twist2{});
   feedback.stands = hidwa_local_planner::stands(result.command, feedback.velocity, parameters());
-  feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_refused_by.empty();
+  feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_rejected_by.empty();
   feedback.goal_latched = goal_checker_.latched();
   stands_ = feedback.stands;
   person_.debrief(observation.timing.now, feedback);

@@ -172,16 +172,16 @@ void OperatorStateMachine::count_stop(const OperatorSource& source, const Operat
 std::string OperatorStateMachine::admit(SourceList::Connection& connection, const OperatorMessage& message) {
   const BacklogGate::Limits limits{parameters_.input_timeout, parameters_.input_lag_max};
   switch (connection.stream.judge(message, received_, limits)) {
-    case MessageStream::Verdict::late:
+    case MessageStream::Arrival::late:
       return late(connection.stream.excess(), limits);
-    case MessageStream::Verdict::new_device:
+    case MessageStream::Arrival::new_device:
       expect_new_device();
       break;
-    case MessageStream::Verdict::slower_link:
-    case MessageStream::Verdict::new_clock:
+    case MessageStream::Arrival::slower_link:
+    case MessageStream::Arrival::new_clock:
       channel_.demand_neutral();
       break;
-    case MessageStream::Verdict::live:
+    case MessageStream::Arrival::live:
       break;
   }
   return {};

@@ -99,7 +99,7 @@ ReplayedCycle CycleReplay::run(bool explain) {
   if (changes_samples(changes_, "vx_samples")) sampling.vx_samples = 0;
   if (changes_samples(changes_, "vth_samples")) sampling.vth_samples = 0;
   control::Result result = loop_.step(observation, sampling);
-  ReplayedCycle cycle{verdict_of(result, loop_.planner()), result.intent, false};
+  ReplayedCycle cycle{decision_record(result, loop_.planner()), result.intent, false};
   if (explain) {
     // Not at once: more is known of who rejects what then, and so the digest is another.
     sampling.report = Report::full;
@@ -108,7 +108,7 @@ ReplayedCycle CycleReplay::run(bool explain) {
   }
   decision_ = result.decision;
   cycle.identical = hidwa_local_planner::record::identical(cycle.intent, record_.intent) &&
-                    hidwa_local_planner::record::identical(cycle.verdict, record_.verdict);
+                    hidwa_local_planner::record::identical(cycle.decision, record_.decision);
   return cycle;
 }
 

@@ -13,7 +13,7 @@ namespace replay {
 namespace {
 
 std::string csv_row(double time, bool same, const record::CycleRecord& was, const record::ReplayedCycle& is) {
-  const record::Verdict &a = was.verdict, &b = is.verdict;
+  const record::DecisionRecord &a = was.decision, &b = is.decision;
   return format("%.3f,%d,%s,%s,%.9g,%.9g,%.9g,%.9g,%s,%s,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", time, same ? 0 : 1,
                 to_string(a.outcome), to_string(b.outcome), a.command.v, a.command.omega, b.command.v, b.command.omega,
                 to_string(was.intent.state), to_string(is.intent.state), was.intent.u_h.v, was.intent.u_h.omega,
@@ -32,7 +32,7 @@ WhatIf::WhatIf(const std::string& csv) {
 
 bool WhatIf::differs(const record::CycleRecord& recorded, const record::ReplayedCycle& replayed) const {
   if (replayed.identical || !csv_.is_open()) return !replayed.identical;
-  const record::Verdict &was = recorded.verdict, &is = replayed.verdict;
+  const record::DecisionRecord &was = recorded.decision, &is = replayed.decision;
   return was.outcome != is.outcome || !(was.command == is.command) ||
          !record::identical(recorded.intent, replayed.intent);
 }
@@ -42,7 +42,7 @@ void WhatIf::add(double time, const record::CycleRecord& recorded, const record:
   if (csv_.is_open()) csv_ << csv_row(time, !different, recorded, replayed);
   sums_ += !different && !replayed.identical ? 1 : 0;
   if (!different) return;
-  const record::Verdict &was = recorded.verdict, &is = replayed.verdict;
+  const record::DecisionRecord &was = recorded.decision, &is = replayed.decision;
   outcomes_ += was.outcome != is.outcome ? 1 : 0;
   intents_ += record::identical(recorded.intent, replayed.intent) ? 0 : 1;
   commands_ += was.command == is.command ? 0 : 1;

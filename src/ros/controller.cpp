@@ -39,7 +39,7 @@ ControllerOutcome outcome_of(const Decision& decision) {
       return ControllerOutcome::blocked_path;
     case Problem::input:
       return ControllerOutcome::internal_error;
-    case Problem::refused:
+    case Problem::rejected:
     case Problem::none:
       break;
   }

@@ -124,8 +124,8 @@ visualization_msgs::MarkerArray to_operator_markers(const OperatorState& state, 
   // A place beside the robot in its own frame would turn with it, so the text hangs above its centre; line breaks
   // keep it off the robot in a view from above.
   all.markers.push_back(text(base_frame, "state", state.state_name + "\n\n\n", kLetters, kTextHeight, c));
-  const std::string refused = state.refused_by.empty() ? "" : "\n\n\n\n\nrefused by " + state.refused_by;
-  all.markers.push_back(text(base_frame, "refusal", refused, kSmallLetters, kTextHeight, colour(200, 30, 20)));
+  const std::string rejected = state.refused_by.empty() ? "" : "\n\n\n\n\nrejected by " + state.refused_by;
+  all.markers.push_back(text(base_frame, "rejection", rejected, kSmallLetters, kTextHeight, colour(200, 30, 20)));
   const bool commanded = state.active != 0;
   add_path(all, base_frame, "executed", state.command, true, {0.09, 0.1, colour(30, 30, 30)});
   add_path(all, base_frame, "wanted", state.wanted, commanded, {0.045, 0.2, colour(225, 0, 140)});

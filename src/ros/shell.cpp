@@ -69,8 +69,8 @@ void Shell::start_parameters() {
   }
   if (!loaded.faults.empty()) {
     loop_.configure(Parameters());
-    refused_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
-               "): correct them and restart, or set valid ones by dynamic_reconfigure";
+    parameters_fault_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
+                        "): correct them and restart, or set valid ones by dynamic_reconfigure";
   }
   budget_.configure(configured_samples(loop_.parameters()));
   report_start(loaded.found);
@@ -78,7 +78,7 @@ void Shell::start_parameters() {
   const std::string fault = listen(loop_.parameters());
   if (!fault.empty()) {
     ROS_ERROR("%s: %s", handle_.getNamespace().c_str(), fault.c_str());
-    refused_ = fault;
+    parameters_fault_ = fault;
   }
   // A nested key was taken over into the flat one: left behind it would hide later changes from the next
   // start.
@@ -142,7 +142,7 @@ void Shell::take_parameters() {
   const std::vector<std::string> faults = put_in_force(*set);
   for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
   if (!faults.empty()) return;
-  refused_.clear();
+  parameters_fault_.clear();
   budget_.configure(configured_samples(loop_.parameters()));
   check_horizon();
 }

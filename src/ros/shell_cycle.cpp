@@ -40,7 +40,7 @@ void Shell::set_goal_tolerances(double xy, double yaw) {
   const Tolerances wanted{in_range("xy_goal_tolerance", xy), in_range("yaw_goal_tolerance", yaw)};
   if (host_tolerances_ && host_tolerances_->xy == wanted.xy && host_tolerances_->yaw == wanted.yaw) return;
   host_tolerances_ = wanted;
-  if (refused_.empty()) put_in_force(in_force_);
+  if (parameters_fault_.empty()) put_in_force(in_force_);
 }
 
 bool Shell::goal_reached(bool host_stops) {
@@ -143,7 +143,7 @@ Shell::Observation Shell::observe(const control::Timing& timing) {
     observation.fault = std::move(fault);
     return observation.missing != Missing::nothing;
   };
-  if (lacks(Missing::parameters, refused_) || lacks(Missing::plan, plan_fault_)) return observation;
+  if (lacks(Missing::parameters, parameters_fault_) || lacks(Missing::plan, plan_fault_)) return observation;
   if (!observation.velocity) {
     lacks(Missing::odometry, std::move(odometry.fault));
   } else if (!costmap_.isCurrent()) {
@@ -206,9 +206,9 @@ void Shell::watch_odometry(const Observation& observation, const Decision& decis
 }
 
 void Shell::explain(double now, const CycleResult& result) {
-  const bool refused = result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);
-  const bool escaping = result.decision && !refused && result.decision->escaping;
-  const std::string_view what = refused    ? std::string_view(result.decision->problem)
+  const bool rejected = result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);
+  const bool escaping = result.decision && !rejected && result.decision->escaping;
+  const std::string_view what = rejected   ? std::string_view(result.decision->problem)
                                 : escaping ? kEscapes
                                            : std::string_view(result.fault);
   if (what.empty()) {
@@ -216,7 +216,7 @@ void Shell::explain(double now, const CycleResult& result) {
     return;
   }
   if (!explanations_.due(now, what)) return;
-  const std::string message = refused ? refusals_in_words(*result.decision) : std::string(what);
+  const std::string message = rejected ? rejections_in_words(*result.decision) : std::string(what);
   const char* consequence = result.outcome == Outcome::fail    ? "; the robot stands, the host replans or recovers"
                             : result.outcome == Outcome::brake ? "; braking"
                                                                : "";

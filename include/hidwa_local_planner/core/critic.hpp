@@ -23,14 +23,15 @@ class Footprint;
 
 /// What all critics may look at in one cycle. Everything is in the costmap frame and lives as long as the cycle.
 struct CycleView {
-  Pose2 pose;                   // of the robot
-  Twist2 velocity;              // measured [m/s, rad/s]
-  Twist2 last_command;          // what was sent in the last cycle [m/s, rad/s]
-  Pose2 goal;                   // the last pose of the full plan
-  double time = 0.0;            // of the cycle [s]
-  bool steered = false;         // the person's input counts (gamma = 1)
-  bool person_decides = false;  // direct control, or steered where the goal's position is reached: a critic
-                                // rejects what is unsafe then, and nothing for the sake of autonomy
+  Pose2 pose;                     // of the robot
+  Twist2 velocity;                // measured [m/s, rad/s]
+  Twist2 last_command;            // what was sent in the last cycle [m/s, rad/s]
+  Pose2 goal;                     // the last pose of the full plan
+  double time = 0.0;              // of the cycle [s]
+  bool steered = false;           // the operator's input counts (gamma = 1)
+  bool operator_decides = false;  // direct control, or steered where the goal's position is reached: a critic
+                                  // rejects what is unsafe then, and nothing for the sake of autonomy
+  bool person_decides = false;    // the former name of operator_decides; it goes with the next release
   const std::vector<Pose2>* plan = nullptr;  // the window of the plan around the robot
   const GridView* grid = nullptr;
   const Footprint* footprint = nullptr;
@@ -105,7 +106,7 @@ class ParameterSource {
 /// twice before it is debriefed: once as autonomy, once steered. None may throw, wait or log, but configure may throw;
 /// after the first cycle prepare and score should not allocate.
 /// A rejection is for what is unsafe. A critic that rejects for the sake of autonomy (it should slow down at the goal,
-/// not go back and forth, keep to the plan) must not do so while CycleView::person_decides.
+/// not go back and forth, keep to the plan) must not do so while CycleView::operator_decides.
 class Critic {
  public:
   virtual ~Critic() = default;

@@ -54,18 +54,20 @@ enum class Outcome { drive = 0, brake, fail, hold };
 const char* to_string(Outcome outcome);
 
 /// Names stay valid until the planner is configured anew.
-struct RefusalCount {
+struct RejectionCount {
   std::string_view name;  // "Collision", "Braking" or a critic
   std::size_t count = 0;
 };
+using RefusalCount [[deprecated("is RejectionCount")]] = RejectionCount;
 
 /// Why there was nothing to choose from.
 enum class Problem {
   none = 0,
-  input,    // what was given cannot be planned with
-  off_map,  // no pose of the plan lies on the local map
-  refused,  // every candidate was refused
-  stuck     // standing still is the best legal candidate, for too long
+  input,     // what was given cannot be planned with
+  off_map,   // no pose of the plan lies on the local map
+  rejected,  // every candidate was rejected
+  refused [[deprecated("is rejected")]] = rejected,
+  stuck  // standing still is the best legal candidate, for too long
 };
 
 struct CriticTerm {
@@ -85,16 +87,16 @@ struct Decision {
   double step = 0.0;              // time between two of its poses [s]
   std::vector<CriticTerm> terms;  // of the chosen candidate, in the order of the critics
   // Collision and braking count those that were looked at: all with Report::legality, and whenever nothing is legal.
-  std::vector<RefusalCount> refusals;  // per critic, in order; collision and braking first
+  std::vector<RejectionCount> rejections;  // per critic, in order; collision and braking first
   std::size_t candidates = 0;
-  std::size_t legal = 0;            // nobody refused them
-  double agreement = 1.0;           // 1: the command is what the person wants, in [0, 1]
-  std::string operator_refused_by;  // what refused the operator's own command; empty when it was legal
-  bool escaping = false;            // the robot stands in collision
-  Pose2 pose;                       // where the robot is taken to be, costmap frame
-  Twist2 velocity;                  // what is believed of the measured one [m/s, rad/s]
-  bool odometry_doubted = false;    // a reading was faster than the commands explain, and is not believed
-  bool odometry_fast = false;       // so it was, and is believed: for collisions and the goal
+  std::size_t legal = 0;             // not rejected
+  double agreement = 1.0;            // 1: the command is the operator command, in [0, 1]
+  std::string operator_rejected_by;  // what rejected the operator command; empty where it was legal
+  bool escaping = false;             // the robot stands in collision
+  Pose2 pose;                        // where the robot is taken to be, costmap frame
+  Twist2 velocity;                   // what is believed of the measured one [m/s, rad/s]
+  bool odometry_doubted = false;     // a reading was faster than the commands explain, and is not believed
+  bool odometry_fast = false;        // so it was, and is believed: for collisions and the goal
   Problem problem_kind = Problem::none;
   std::string problem;  // why there was nothing to choose from, in words; empty where there was
 };

@@ -38,7 +38,7 @@ class BacklogGate {
     double late = 0.5;     // a live message is at most so much later than the link's present lag [s], > 0
     double lag_max = 0.0;  // the most by which a link may become slower [s]
   };
-  enum class Verdict {
+  enum class Arrival {
     live,
     backlog,      // held back for longer than the limit: to be dropped
     slower_link,  // live: from this message on the link's lag is a larger one
@@ -46,7 +46,7 @@ class BacklogGate {
   };
 
   /// Judges one message; `stamp`, `received` in [s], `received` never decreasing.
-  Verdict judge(double stamp, double received, const Limits& limits);
+  Arrival judge(double stamp, double received, const Limits& limits);
 
   /// By how much the last judged message exceeded the smallest lag [s].
   double excess() const { return excess_; }
@@ -66,7 +66,7 @@ class BacklogGate {
   double usual_lag_ = 0.0;            // the link's present one [s], as of received_
   double received_ = 0.0;             // [s]
   double excess_ = 0.0;               // [s]
-  Verdict repeated_ = Verdict::live;  // on the newest stamp
+  Arrival repeated_ = Arrival::live;  // on the newest stamp
   bool went_back_ = false;            // the stamps, within the present backlog
   SteadyLag backlog_lag_;             // of the present backlog, for a clock that was set
   SteadyLag link_lag_;                // of the present backlog, for a link that became slower

@@ -13,7 +13,7 @@
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
-#include "hidwa_local_planner/core/util/lasting.hpp"
+#include "hidwa_local_planner/core/util/condition_timer.hpp"
 #include "hidwa_local_planner/input/hold.hpp"
 #include "hidwa_local_planner/input/input_channel.hpp"
 #include "hidwa_local_planner/input/transition.hpp"
@@ -58,7 +58,7 @@ class ControlState {
 
   OperatorStateId state_ = OperatorStateId::autonomy;
   Hold hold_;
-  Lasting blocked_;  // rejections have held the steered robot at rest
+  ConditionTimer blocked_;  // rejections have held the steered robot at rest
   bool goal_latched_ = false;
   std::optional<double> last_v_;  // of the last command, where one is known [m/s]
 };

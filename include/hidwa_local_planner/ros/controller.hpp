@@ -21,7 +21,7 @@ class Shell;
 enum class ControllerOutcome {
   success,           // the command is to be sent: driving, braking or holding
   canceled,          // as asked for: the robot rests
-  no_valid_command,  // every candidate was refused, or odometry is missing
+  no_valid_command,  // every candidate was rejected, or odometry is missing
   collision,         // the robot stands in collision and finds no way out
   missed_path,       // no pose of the path is near
   blocked_path,      // standing still is the best legal candidate, for too long

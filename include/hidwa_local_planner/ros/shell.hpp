@@ -108,7 +108,7 @@ class Shell {
     double xy = 0.0, yaw = 0.0;  // [m], [rad]
   };
   std::optional<Tolerances> host_tolerances_;
-  std::string refused_;  // why the parameters at start cannot drive; empty once a valid set came
+  std::string parameters_fault_;  // why the parameters at start cannot drive; empty once a valid set came
   MessageThrottle explanations_;
   std::vector<std::string> horizon_said_;
 

@@ -80,8 +80,8 @@ void BrakingCheck::prepare(const Parameters& parameters, const VelocityLimits& l
   clearance_now_ = 0.0;
   if (all_clear_) return;
   const CollisionChecker& checker = clearances.checker();
-  const double separation = checker.separation(setup.start, turned(setup.start).heading, checker.room());
-  clearance_now_ = std::max(0.0, separation - kSameDistance);
+  const double clearance = checker.clearance(setup.start, turned(setup.start).heading, checker.largest_clearance());
+  clearance_now_ = std::max(0.0, clearance - kSameDistance);
 }
 
 // No command reaches farther than the one that speeds up.

@@ -27,7 +27,7 @@ class ClearanceLookup {
   }
   /// Likewise, without what is known of the poses around.
   double measure(const Pose2& pose, const Rotation& heading, double needed) const {
-    return checker_->separation(pose, heading, needed + extra_);
+    return checker_->clearance(pose, heading, needed + extra_);
   }
   const CollisionChecker& checker() const { return *checker_; }
 

@@ -49,8 +49,8 @@ void spread(const Interval& interval, int count, std::vector<double>& values) {
 }
 
 Twist2 into_window(const Parameters& p, const VelocityLimits& limits, const DynamicWindow& window,
-                   const Twist2& wanted) {
-  Twist2 u = limits.clamp({into(window.v, wanted.v), into(window.omega, wanted.omega)});
+                   const Twist2& velocity) {
+  Twist2 u = limits.clamp({into(window.v, velocity.v), into(window.omega, velocity.omega)});
   const double band = dead_band(p, u.v);
   if (!in_dead_band(p, u)) return u;
   u.omega = std::abs(u.omega) < 0.5 * band ? 0.0 : std::copysign(band, u.omega);
@@ -94,8 +94,8 @@ void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
 
 void Sampler::add_extra(const Parameters& p, const VelocityLimits& limits, const SampleRequest& request) {
   if (p.sample_zero || p.admissibility == Admissibility::braking) samples_.push_back({{}, SampleKind::brake});
-  if (p.sample_operator && request.wanted != nullptr) {
-    samples_.push_back({into_window(p, limits, window_, *request.wanted), SampleKind::operator_command});
+  if (p.sample_operator && request.operator_command != nullptr) {
+    samples_.push_back({into_window(p, limits, window_, *request.operator_command), SampleKind::operator_command});
   }
   if (p.sample_operator && request.blended != nullptr) {
     samples_.push_back({into_window(p, limits, window_, *request.blended), SampleKind::blended});

@@ -44,8 +44,8 @@ struct VelocityLimits {
   static VelocityLimits from(const Parameters& parameters);
 
   bool wheels_allow(const Twist2& u) const;
-  /// A wanted velocity brought inside: each axis to its limits; where the wheels cut it, omega is kept and v reduced.
-  Twist2 clamp(const Twist2& wanted) const;
+  /// A velocity brought inside: each axis to its limits; where the wheels cut it, omega is kept and v reduced.
+  Twist2 clamp(const Twist2& velocity) const;
   /// The command of this period: `target` as far as `reference` can move towards it in `dt` [s], wheels included.
   Twist2 step(const Twist2& reference, const Twist2& target, double dt) const;
   /// The brake command: both axes towards rest at their limits.

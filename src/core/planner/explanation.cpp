@@ -58,7 +58,7 @@ void Explanation::judge_operator(const Cycle& cycle, const Twist2& chosen, Decis
   const auto candidate = static_cast<std::size_t>(marked_.operator_command);
   of_.checks.legal(candidate);  // so that what rejects it is known
   const Rejecter rejecter = of_.scores.rejected_by()[candidate];
-  if (rejecter != kNobody) decision.operator_refused_by = of_.critics.name_of(rejecter);
+  if (rejecter != kNobody) decision.operator_rejected_by = of_.critics.name_of(rejecter);
 }
 
 void Explanation::count_rejections(Decision& decision) const {
@@ -70,7 +70,7 @@ void Explanation::count_rejections(Decision& decision) const {
   std::size_t left = rejected_by.size() - decision.legal;
   for (Rejecter rejecter = kCollision; left > 0; ++rejecter) {
     const std::size_t rejected = count(rejecter);
-    if (rejected > 0) decision.refusals.push_back({of_.critics.name_of(rejecter), rejected});
+    if (rejected > 0) decision.rejections.push_back({of_.critics.name_of(rejecter), rejected});
     left -= rejected;
   }
 }

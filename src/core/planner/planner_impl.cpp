@@ -115,7 +115,7 @@ int Planner::Impl::cheapest(const Cycle& cycle) {
 }
 
 Conclusion Planner::Impl::follow_choice(const Cycle& cycle, const Choice& choice) {
-  if (choice.candidate < 0) return brake(cycle, Problem::refused, "every candidate was refused");
+  if (choice.candidate < 0) return brake(cycle, Problem::rejected, "every candidate was rejected");
   explanation.describe_choice(decision);
   const Twist2& sample = evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate));
   return follow(sample, evaluation.obstacles().admissibility().command_for(sample));

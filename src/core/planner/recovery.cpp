@@ -52,7 +52,7 @@ void Recovery::watch_collision(const Cycle& cycle, bool trapped, Conclusion& con
     if (conclusion.outcome == Outcome::fail) conclusion.outcome = Outcome::brake;
     return;
   }
-  fail(conclusion, Problem::refused,
+  fail(conclusion, Problem::rejected,
        "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared");
 }
 

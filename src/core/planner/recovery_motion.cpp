@@ -191,8 +191,7 @@ bool RecoveryMotion::leads_on(const Scene& scene, double heading) const {
   for (int part = 1; part <= kParts; ++part) {
     const double way = length * part / kParts;
     const Pose2 on_way{pose.x + way * rotation.c, pose.y + way * rotation.s, heading};
-    if (scene.collision.separation(on_way, rotation, scene.grid.resolution) < scene.grid.resolution / 16.0)
-      return false;
+    if (scene.collision.clearance(on_way, rotation, scene.grid.resolution) < scene.grid.resolution / 16.0) return false;
   }
   return true;
 }

@@ -71,14 +71,14 @@ TEST(Stop, ButtonWhileBlocked) {
   Parameters p = with_button();
   p.blocked_time = 0.0;
   Person person(p);
-  CycleFeedback refused;
-  refused.operator_command_rejected = refused.stands = true;
+  CycleFeedback rejected;
+  rejected.operator_command_rejected = rejected.stands = true;
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
-  person.cycle(1.05, refused);
-  EXPECT_EQ(person.cycle(1.1, refused).state, State::blocked);
+  person.cycle(1.05, rejected);
+  EXPECT_EQ(person.cycle(1.1, rejected).state, State::blocked);
   person.button(1.15, kStop, 1.0F);
-  expect_stopped(person.cycle(1.15, refused));
+  expect_stopped(person.cycle(1.15, rejected));
   person.stick(1.2, 1.0F);
   EXPECT_EQ(person.cycle(1.2).state, State::shared);  // the blockage is measured anew
 }
