@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/control/fault_brake.hpp"
 
-#include <algorithm>
-
 #include "core/motion/velocity_limits.hpp"
 #include "hidwa_local_planner/core/rest.hpp"
 
@@ -16,8 +14,7 @@ FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& v
   if (velocity) {
     moving = moving || !at_rest(*velocity, parameters);
   } else {
-    const double fastest = std::max(limits.x.max, -limits.x.min);
-    moving = moving || now - *since_ <= limits.x.time_to_rest(fastest) + period;
+    moving = moving || now - *since_ <= limits.x.time_to_rest(limits.x.fastest()) + period;
   }
   if (!moving) return {};
   return {true, limits.brake(last_command, period)};

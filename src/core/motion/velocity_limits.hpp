@@ -14,6 +14,8 @@ struct AxisLimits {
   double braking = 0.0;  // > 0 [unit/s^2]
 
   double clamp(double velocity) const;
+  /// The largest speed, in either direction.
+  double fastest() const { return max > -min ? max : -min; }
   /// A velocity that a command may start from: in magnitude no larger than the limit or the last command. So no command
   /// exceeds the larger of the limit and the last command reduced at the braking limit.
   double start_from(double velocity, double last_command) const;
