@@ -33,12 +33,12 @@ std::string MessageStream::advice(const std::string& topic) const {
   std::string text;
   if (backlog_.slowness() > kWorthSaying) {
     text = "What comes on " + topic + " arrives " + worded(backlog_.slowness(), 2) +
-           " s later than at best: the robot answers the operator so much later. Look at the link.";
+           " s later than at best: the robot answers the operator with that delay. Check the link.";
   }
   if (!device_.contested()) return text;
   if (!text.empty()) text += ' ';
   return text + "Two nodes take turns on " + topic + ", " + device_.rival() + " and " + device_.sender() +
-         ": each counts as a new device after the other. Let only one of them send.";
+         ": each message counts as one of a new device. Let only one of them send.";
 }
 
 void MessageStream::reset() {

@@ -26,7 +26,7 @@ std::string late(double excess, const BacklogGate::Limits& limits) {
   std::string text = "it arrived " + worded(excess, 3) + " s later than the link needs at best, more than ";
   text += beyond_settling ? "input_lag_max (" + worded(limits.lag_max, 3) : "input_timeout (" + worded(limits.late, 3);
   text += " s): the link holds messages back";
-  if (may_settle) text += " (a delay that is steady within 0.1 s for 2 s is taken as it is)";
+  if (may_settle) text += " (a delay that stays within 0.1 s for 2 s is accepted)";
   return text + ", or the sender's clock runs differently (synchronise the clocks, or leave the stamps empty)";
 }
 
@@ -139,8 +139,8 @@ std::string OperatorStateMachine::advice() const {
     add_sentence(text, of_source);
   } else if (channel_.waits_for_neutral()) {
     add_sentence(text,
-                 "The input does not count before it was seen released once (require_neutral): let go of the stick "
-                 "and of the enable button; if nobody touches it, raise dead_zone.");
+                 "The input does not count until it was neutral once (require_neutral): release the stick and the "
+                 "enable button. If nobody touches them, raise dead_zone.");
   }
   return text;
 }

@@ -136,7 +136,7 @@ std::string lacking(const CycleRecord& record) {
   if (record.setup && !record.plan) return no("plan");
   if (!record.observation.fault.empty()) return "";
   if (!record.costmap) return no("costmap");
-  if (!record.observation.velocity) return "the record is damaged: no velocity, and nothing is missing";
+  if (!record.observation.velocity) return "the record is damaged: it has no velocity, and no fault that explains it";
   return "";
 }
 

@@ -43,7 +43,7 @@ std::string CycleReplay::set_up(const Setup& setup) {
     try {
       faults = loop_.configure(changed_, sources);
     } catch (const std::exception& error) {
-      faults = {std::string("critics: one of them does not take its parameters: ") + error.what()};
+      faults = {std::string("critics: one of them cannot use its parameters: ") + error.what()};
     }
   }
   loop_.set_footprint(setup.outline);
@@ -78,7 +78,7 @@ std::string CycleReplay::follow() {
   if (record_.plan && record_.plan->empty()) loop_.drop_plan(timing.now, timing.period);
   if (record_.plan && !record_.plan->empty()) loop_.set_plan(*record_.plan, "", timing.now, timing.period);
   if (record_.costmap && !grids_.advance_by(*record_.costmap)) return "the costmap in the record is damaged";
-  if (!load()) return "what was remembered before the cycle cannot be read: replay it with release " + setup_.version;
+  if (!load()) return "the state before the cycle cannot be read: replay it with release " + setup_.version;
   return "";
 }
 

@@ -80,7 +80,7 @@ std::string compare(const CandidateReport& a, const CandidateReport& b) {
     if (std::abs(gain) < 5e-5) continue;
     text += format("%s%s %+.4f", text.empty() ? "" : ", ", std::string(a.terms[i].name).c_str(), gain);
   }
-  return text.empty() ? "no critic tells them apart" : text;
+  return text.empty() ? "all critics score them alike" : text;
 }
 
 std::string why_chosen(record::CycleReplay& replay) {
@@ -90,7 +90,7 @@ std::string why_chosen(record::CycleReplay& replay) {
   const CandidateReport& chosen = all[static_cast<std::size_t>(best)];
   std::string text = format("chosen: #%d %s, J = %.4f", best, in_words(chosen.sample).c_str(), chosen.total);
   if (replay.planner().choice().rule == ChoiceReport::Rule::recovery) {
-    return text + ": not the cheapest, but the way out for a robot that stood still (turn_when_stuck)\n";
+    return text + ": not the cheapest; a recovery of stuck autonomy chose it (turn_when_stuck)\n";
   }
   const int second = runner_up(all, best);
   if (second < 0) return text + ": the only legal one\n";
@@ -103,7 +103,7 @@ std::string why_chosen(record::CycleReplay& replay) {
 
 std::string about_operator(record::CycleReplay& replay, const record::ReplayedCycle& cycle) {
   if (cycle.intent.influence == Influence::none) return "nobody steers\n";
-  std::string text = "the person wants u_h = " + in_words(cycle.intent.u_h);
+  std::string text = "operator command u_h = " + in_words(cycle.intent.u_h);
   const Decision* decision = replay.decision();
   if (decision == nullptr) return text + "\n";
   text += format(", agreement %.3f", decision->agreement);

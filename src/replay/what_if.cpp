@@ -53,20 +53,21 @@ void WhatIf::add(double time, const record::CycleRecord& recorded, const record:
   most_omega_ = std::max(most_omega_, domega);
   if (differences_ == 0) std::puts("     t [s]  recorded                                replayed");
   if (differences_++ < kShown) {
-    std::puts(format("%10.3f  %-38s  %-38s%s", time, in_words(was).c_str(), in_words(is).c_str(),
-                     was.command == is.command && was.outcome == is.outcome ? "  (other sums or wishes)" : "")
-                  .c_str());
+    std::puts(
+        format("%10.3f  %-38s  %-38s%s", time, in_words(was).c_str(), in_words(is).c_str(),
+               was.command == is.command && was.outcome == is.outcome ? "  (other totals or operator commands)" : "")
+            .c_str());
   }
 }
 
 std::string WhatIf::summary() const {
-  const std::string sums = sums_ > 0 ? format("%ld more weigh differently and send the same", sums_) : "";
+  const std::string sums = sums_ > 0 ? format("%ld more have other totals and the same command", sums_) : "";
   if (differences_ == 0) return sums;
   std::string text = differences_ > kShown ? format("      ...  and %ld more\n", differences_ - kShown) : "";
   const auto count = static_cast<double>(differences_);
   text += format("where they differ: %ld commands, by %.4f m/s and %.4f rad/s on average, %.4f and %.4f at most; ",
                  commands_, v_ / count, omega_ / count, most_v_, most_omega_);
-  text += format("%ld outcomes, %ld wishes of the person", outcomes_, intents_);
+  text += format("%ld outcomes, %ld operator commands", outcomes_, intents_);
   return text + (sums.empty() ? "" : "\n") + sums;
 }
 

@@ -83,10 +83,10 @@ ControllerOutcome Controller::compute(geometry_msgs::Twist& command, std::string
 ControllerOutcome Controller::cycle(geometry_msgs::Twist& command, std::string& message) {
   const bool cancelled = cancel_.pending(clock_time());
   if (!shell_) {
-    message = "the controller was not initialized: nothing is driven";
+    message = "the controller was not initialized: the robot does not drive";
     return ControllerOutcome::not_initialized;
   }
-  // What comes with `canceled` is not sent: zero went out the cycle before.
+  // The host does not send the command of `canceled`: zero was sent in the cycle before.
   const bool stood = shell_->stands();
   const CycleResult result = shell_->cycle(cancelled);
   command = to_message(result.command);
@@ -94,7 +94,7 @@ ControllerOutcome Controller::cycle(geometry_msgs::Twist& command, std::string& 
   if (!cancelled) return outcome_of(result);
   if (stood && result.outcome == Outcome::hold) {
     cancel_.met();
-    message = "canceled: the robot rests";
+    message = "canceled: the robot stands";
     return ControllerOutcome::canceled;
   }
   if (message.empty()) message = "canceled: braking";

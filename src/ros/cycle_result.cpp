@@ -3,7 +3,7 @@
 
 namespace hidwa_local_planner {
 
-const char* const kEscapes = "the robot stands in collision: it only moves out of it";
+const char* const kEscapes = "the robot is in collision: it only moves out of it";
 
 std::string rejections_in_words(const Decision& decision) {
   std::string text = decision.problem;

@@ -43,7 +43,7 @@ void start_shell(std::unique_ptr<Shell>& shell, const std::string& name, const t
   }
 }
 
-OperatorInput::Status Shell::person() const { return person_.status(ros::Time::now().toSec()); }
+OperatorInput::Status Shell::operator_status() const { return person_.status(ros::Time::now().toSec()); }
 
 Shell::~Shell() {
   thread_.stop();
@@ -96,8 +96,8 @@ void Shell::report_start(const std::vector<std::string>& found) const {
     const ParameterValue value = info.get(loop_.parameters());
     if (value != info.value) changed.push_back(info.name + ": " + to_text(value));
   }
-  ROS_INFO("%s: %zu values came from the parameter server; not the defaults: %s", handle_.getNamespace().c_str(),
-           found.size(), changed.empty() ? "none" : joined(changed).c_str());
+  ROS_INFO("%s: %zu values came from the parameter server; values other than the defaults: %s",
+           handle_.getNamespace().c_str(), found.size(), changed.empty() ? "none" : joined(changed).c_str());
   ROS_INFO("%s: critics in order: %s; control period %.3f s", handle_.getNamespace().c_str(),
            joined(split_names(loop_.parameters().critics)).c_str(), control_period());
 }

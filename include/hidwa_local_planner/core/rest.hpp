@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When a robot is at rest. A measured velocity is noisy, a commanded one is not: each has a rule of its own, and nobody
-// uses another.
+// When a robot is at rest. A measured velocity is noisy, a commanded one is not, so each has a rule of its own. There
+// are no other rules.
 #pragma once
 
 #include <cmath>

@@ -30,8 +30,9 @@ class SteadyLag {
 /// (joy_node's autorepeat did not always refresh it) is judged as it was the first time. The smallest lag is
 /// forgotten as slowly as two free-running clocks part.
 ///
-/// A link may become slower for good. A lag that is steady within 0.1 s for 2 s is taken as the link's present one, up
-/// to `lag_max` more than the smallest; what comes later than that is live too. A smaller lag is the link's at once.
+/// A link may become slower for good. A lag that is steady within 0.1 s for 2 s becomes the link's present lag, up to
+/// `lag_max` more than the smallest. Messages with that lag are live, too. A smaller lag becomes the present one at
+/// once.
 class BacklogGate {
  public:
   struct Limits {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From the input of a cycle to the intent, in steps:
-// 1. input that was in effect and is no more begins a hold (Kalliokoski 2022, section III);
+// 1. when input ends that was in effect, a hold begins (Kalliokoski 2022, section III);
 // 2. the input makes the facts, and the facts the next state (transition.hpp);
 // 3. the state says how the planner takes u_h into account.
 //
-// States change here only, once a cycle. So only input that a cycle has seen can be released: what comes and goes
+// States change here only, once a cycle. So only input that a cycle has seen can be released. Input that comes and goes
 // between two cycles has no effect.
 #pragma once
 

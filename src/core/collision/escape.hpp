@@ -17,17 +17,16 @@
 
 namespace hidwa_local_planner {
 
-/// What a robot may do that stands in collision. The set S are the obstacle cells that its outline overlaps at this
-/// cycle's pose, those included that the map has just added.
+/// What a robot in collision may do. S is the set of obstacle cells that its outline overlaps at this cycle's pose,
+/// also those that the map has just added.
 ///
-///   1. All obstacles but S and what hangs together with it (ObstacleClusters) are as ever: see rest().
-///   2. A cell outside S is entered only where it is a neighbour of one in S, no deeper than the robot stands in that
-///   one
-///      and at most half a cell. A rollout looks farther ahead than the next cycle: there, neighbours' neighbours
-///      count.
-///   3. The total depth never grows. Of each cluster it is the depth of its deepest cell (OutlineDepth), summed over
-///   the
-///      clusters: the same for a wall wherever its cells begin, so that a robot which grazes one can drive along it.
+///   1. All obstacles but S and the clusters it belongs to (ObstacleClusters) count as always: see rest().
+///   2. A cell outside S may be entered only if it is a neighbour of one in S, no deeper than the robot stands in
+///      that one, and at most half a cell deep. A rollout looks farther ahead than the next cycle: there, neighbours
+///      of neighbours count, too.
+///   3. The total depth never grows. It is the depth in the deepest cell of each cluster (OutlineDepth), summed over
+///      the clusters. For a wall it does not depend on where its cells begin, so a robot that grazes one can drive
+///      along it.
 ///   4. It ends less deep, or farther from S, or drives on along what it grazes (at most half a cell deep).
 ///   5. It is so slow that it stops within half a cell (EscapeSpeed), or brakes as hard as it can.
 ///

@@ -8,8 +8,8 @@
 
 namespace hidwa_local_planner {
 
-/// The obstacle cells that the robot overlaps, with those on the obstacles' edges that hang together with them
-/// (8-neighbourhood) so near that it may come upon them. What hangs together is one cluster.
+/// The obstacle cells that the robot overlaps, and those on the obstacles' edges that are connected to them
+/// (8-neighbourhood) and so near that the robot may reach them. Connected cells are one cluster.
 class ObstacleClusters {
  public:
   /// A square part of a map; what lies beyond the map's edge is an obstacle.
@@ -29,9 +29,9 @@ class ObstacleClusters {
     Cell cell;
     double depth = 0.0;  // of the robot in it [m]
   };
-  /// How deep the robot may come into a cell [m]: where it stands already, as deep as it does there or, up to half a
-  /// cell, in a neighbour; into any other up to half a cell and no deeper than it stands in the nearest overlapped
-  /// ones.
+  /// How deep the robot may come into a cell [m]. In a cell that it overlaps: as deep as there, or as in a neighbour,
+  /// the latter up to half a cell. In any other: no deeper than in the nearest overlapped cells, and at most half a
+  /// cell.
   struct Member {
     Cell cell;
     double limit = 0.0;

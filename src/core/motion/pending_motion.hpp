@@ -12,9 +12,9 @@
 
 namespace hidwa_local_planner {
 
-/// The motion until a command that is sent now takes effect: what the commands that were sent but are not yet in effect
-/// make of it. It begins with a velocity and has legs, in each of which both axes change evenly. Allocates nothing
-/// while it has at most kMostLegs legs.
+/// The motion until a command that is sent now takes effect: commands that were sent before are still pending. It
+/// begins with a velocity and has legs, in each of which both axes change evenly. Allocates nothing while it has at
+/// most kMostLegs legs.
 class PendingMotion {
  public:
   static constexpr std::size_t kMostLegs = 1536;  // five for each pending command, and some
@@ -66,7 +66,7 @@ class PendingMotion {
     }
   }
 
-  /// All the time.
+  /// No leg moves.
   bool rests() const {
     return commands_rest(begin_) &&
            std::all_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return commands_rest(leg.end); });

@@ -7,7 +7,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-// A robot slower than this turns on the spot as far as its motors are concerned [m/s].
+// A robot slower than this counts as turning on the spot: the motors' dead band for that applies [m/s].
 constexpr double kInPlace = 0.01;
 
 double dead_band(const Parameters& p, double v) {
@@ -74,7 +74,7 @@ void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
   samples_.resize(v_.size() * omega_.size());
   std::size_t count = 0;
   for (const double omega : omega_) {
-    // What only a sample that turns on the spot may be excluded for, and what any other may.
+    // Whether the dead band excludes samples that turn on the spot, and whether it excludes the others.
     const bool no_turn = omega == 0.0 || in_dead_band(p, {0.0, omega});
     const bool no_curve = in_dead_band(p, {kInPlace, omega});
     for (const double v : v_) {

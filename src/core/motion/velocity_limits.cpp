@@ -77,7 +77,7 @@ Twist2 VelocityLimits::clamp(const Twist2& velocity) const {
 Twist2 VelocityLimits::step(const Twist2& reference, const Twist2& target, double dt) const {
   Twist2 u{x.ramp(reference.v, target.v, dt), theta.ramp(reference.omega, target.omega, dt)};
   if (wheels_allow(u)) return u;
-  // omega is kept and v goes down as far as this period allows; what is still too much is taken from the turn.
+  // Keeps omega and slows v down as far as this period allows. If the wheels are still too fast, slows the turn, too.
   const double slowest = x.ramp(reference.v, 0.0, dt);
   const double left = std::max(0.0, wheel_speed - std::abs(u.omega) * half_separation);
   const double slowed = std::min(std::max(u.v, -left), left);

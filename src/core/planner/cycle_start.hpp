@@ -21,14 +21,14 @@ struct CycleStart {
   const Situation* situation = nullptr;       // as measured, but with the pose of now
 };
 
-/// The robot moves, or the last command is going to move it, whatever odometry shows yet.
+/// The robot moves, or the last command will move it although odometry does not show it yet.
 inline bool moves(const CycleStart& start, const Parameters& parameters) {
   return !stands(start.last_command, start.velocity, parameters);
 }
 
 /// The control period, or the default one where it is no positive number [s].
 double usable_period(const Situation& situation);
-/// The longest control period of late [s].
+/// The longest control period of the last seconds [s].
 double longest_period(const Situation& situation);
 
 /// The command that brakes from here: both axes towards rest at their limits. After a late cycle it brakes by as much

@@ -112,17 +112,17 @@ Planner::Marked Explanation::marked() const {
   return marked;
 }
 
-void Explanation::ask_everyone(const CycleView& view) {
+void Explanation::ask_all_critics(const CycleView& view) {
   full_ = candidates();
   for (std::size_t t = 0; t < of_.candidates.rollout().tile_count(); ++t) {
     const Tile tile = of_.tiles.tile(t);
-    check_everyone(tile);
+    check_all(tile);
     ask_critics(view, tile);
   }
 }
 
 // Both checks of every candidate, the braking check without gaps.
-void Explanation::check_everyone(const Tile& tile) {
+void Explanation::check_all(const Tile& tile) {
   AdmissibilityCheck& admissibility = of_.obstacles.admissibility();
   std::vector<const char*> collides(tile.count, nullptr);
   admissibility.check_rollouts(tile, collides.data());

@@ -72,7 +72,7 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   explanation.note_choice(choice.candidate, choice.rule, steering);
   const Conclusion chosen = follow_choice(cycle, choice);
   explanation.judge_operator(cycle, chosen.sample, decision);
-  if (cycle.sampling.report == Report::full) explanation.ask_everyone(evaluated.view);
+  if (cycle.sampling.report == Report::full) explanation.ask_all_critics(evaluated.view);
 
   const Recovery::Course course{autonomous, steering.active, trapped(choice, chosen.sample)};
   const Recovery::Review review = recovery.review(cycle, course, chosen);

@@ -60,13 +60,13 @@ TEST(BadInput, NumbersThatAreNone) {
 TEST(BadInput, NumbersBeyondAllBounds) {
   Scene far = driving();
   far.situation.pose.x = 1e12;
-  expect_braked(far, 0.3, "beyond all bounds");
+  expect_braked(far, 0.3, "impossibly large");
   Scene fast = driving();
   fast.situation.velocity.v = 1e9;
-  expect_braked(fast, 0.3, "beyond all bounds");
+  expect_braked(fast, 0.3, "impossibly large");
   Scene wild = driving();
   wild.situation.velocity.omega = -1e9;
-  expect_braked(wild, 0.3, "beyond all bounds");
+  expect_braked(wild, 0.3, "impossibly large");
 }
 
 TEST(BadInput, PlanAndGoal) {

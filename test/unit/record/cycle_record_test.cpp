@@ -184,7 +184,7 @@ TEST(CycleRecord, ADamagedPartIsNamed) {
   }
   std::vector<Part> twice = all;
   twice.push_back(all[3]);
-  EXPECT_EQ(decode(joined(twice), record), "the record is damaged: it has its part '" + all[3].name + "' twice");
+  EXPECT_EQ(decode(joined(twice), record), "the record is damaged: it has the part '" + all[3].name + "' twice");
 }
 
 TEST(CycleRecord, AnUnknownPartIsPassedOverAndToldWhereItIsCritical) {
@@ -214,7 +214,7 @@ TEST(CycleRecord, WithoutAFaultThereIsAVelocity) {
   ASSERT_EQ(record.observation.fault, "");
   record.observation.velocity.reset();
   CycleRecord read;
-  EXPECT_EQ(decode(bytes_of(record), read), "the record is damaged: no velocity, and nothing is missing");
+  EXPECT_EQ(decode(bytes_of(record), read), "the record is damaged: it has no velocity, and no fault that explains it");
   record.observation.fault = "no odometry";
   record.costmap.reset();
   EXPECT_EQ(decode(bytes_of(record), read), "");

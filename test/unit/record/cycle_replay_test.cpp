@@ -132,7 +132,7 @@ TEST(CycleReplay, AStateThatCannotBeReadIsToldWithTheReleaseThatReadsIt) {
       encode(record, bytes);
       CycleReplay replay(critics::built_in());
       EXPECT_EQ(replay.take(bytes), Reading::damaged);
-      EXPECT_EQ(replay.fault(), "what was remembered before the cycle cannot be read: replay it with release 7.8.9");
+      EXPECT_EQ(replay.fault(), "the state before the cycle cannot be read: replay it with release 7.8.9");
       *state = whole;
     }
   }

@@ -103,7 +103,7 @@ TEST_F(OperatorDiagnostics, ALostLinkIsNamed) {
   ASSERT_TRUE(reaches("LOST"));
   ASSERT_TRUE(cycle_until([this](const Host::Cycle&) { return says("fell silent"); }));
   EXPECT_EQ(status().level, DiagnosticStatus::ERROR);
-  EXPECT_TRUE(says("joy fell silent while the person steered: look at the link to " + ros::this_node::getName()))
+  EXPECT_TRUE(says("joy fell silent while the operator steered: check the link to " + ros::this_node::getName()))
       << message();
   EXPECT_EQ(value("state"), "LOST");
   person().sends = true;

@@ -411,7 +411,7 @@ INSTANTIATE_TEST_SUITE_P(
                                    "critics: hidwa_broken_critics/NoLibrary is declared, but"},
                       BrokenCritic{"CannotBeMade", "no memory of its own",
                                    "critics: hidwa_broken_critics/CannotBeMade is declared, but"},
-                      BrokenCritic{"CannotBeConfigured", "its table is missing", "does not take its parameters"}),
+                      BrokenCritic{"CannotBeConfigured", "its table is missing", "cannot use its parameters"}),
     [](const auto& critic) { return std::string(critic.param.name); });
 
 }  // namespace
