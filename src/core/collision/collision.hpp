@@ -21,8 +21,8 @@ namespace hidwa_local_planner {
 class CollisionChecker {
  public:
   /// Once a cycle. Poses up to `reach` [m] from `centre` are answered fast, farther ones slowly. `margin` [m]: a
-  /// position is clear if the robot is free everywhere within it. `largest_clearance` [m] up to which clearance()
-  /// answers, two cells at least. `grid` and `footprint` must outlive the questions.
+  /// position is clear if the robot is free everywhere within it. `largest_clearance` [m]: clearance() answers up to
+  /// this, two cells at least. `grid` and `footprint` must outlive the questions.
   void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
                double reach, double margin, double largest_clearance = 0.0);
 

@@ -42,7 +42,7 @@ class LazyChecks {
   bool legal(std::size_t candidate);
   /// The last check of the candidate that is to be chosen: can it brake, checked without gaps between the poses?
   bool confirm(std::size_t candidate);
-  /// Checks every candidate: afterwards all rejections are known.
+  /// Checks every candidate: afterwards the rejections are complete.
   void check_all();
   /// Whether any legal candidate moves the robot. Checks all.
   bool any_motion_legal();
