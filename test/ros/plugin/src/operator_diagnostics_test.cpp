@@ -88,7 +88,9 @@ TEST_F(OperatorDiagnostics, AHandWithoutItsClutchIsExplained) {
   hand.pose.position.x = hand.pose.orientation.w = 1.0;
   EXPECT_TRUE(cycle_until([&](const Host::Cycle&) {
     publisher.publish(hand);
-    return says("nothing came on nobody_sends_here yet: the hand steers only while the clutch, a button or axis there, is held");
+    return says(
+        "nothing came on nobody_sends_here yet: the hand steers only while the clutch, a button or axis there, is "
+        "held");
   })) << message();
   EXPECT_EQ(value("input"), "hand_pose");
   EXPECT_EQ(value("device"), ros::this_node::getName());
