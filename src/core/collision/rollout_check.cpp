@@ -90,8 +90,8 @@ bool RolloutCheck::free(const Tile& tile, std::size_t c) {
 
 // Of a pose of a rollout [m].
 double RolloutCheck::clearance_at(const Tile& tile, std::size_t c, std::size_t k) {
-  const bool clear = (tile.classes[k * tile.stride + c] & cell_class::kNear) == 0;
-  if (clear && setup_->escape == nullptr) return margin_;
+  const bool cells_count = setup_->escape == nullptr;
+  if (cells_count && (tile.classes[k * tile.stride + c] & cell_class::kNear) == 0) return margin_;
   return clearances_->at(tile.pose(k, c), {tile.cos_heading[k], tile.sin_heading[k]});
 }
 

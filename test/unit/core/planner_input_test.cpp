@@ -89,16 +89,16 @@ TEST(BadInput, Period) {
   }
 }
 
-TEST(BadInput, ThePersonsWish) {
+TEST(BadInput, TheOperatorCommand) {
   for (const Influence influence : {Influence::shared, Influence::direct}) {
     for (const bool guarded : {true, false}) {
       Scene scene = driving();
       scene.steer({kNan, 0.0});
       scene.intent.influence = influence;
       scene.intent.guarded = guarded;
-      expect_braked(scene, 0.3, "person");
+      expect_braked(scene, 0.3, "operator command");
       scene.intent.u_h = {0.5, kInf};
-      expect_braked(scene, 0.3, "person");
+      expect_braked(scene, 0.3, "operator command");
     }
   }
 }

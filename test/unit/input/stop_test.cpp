@@ -510,8 +510,8 @@ TEST(Stop, OfADeviceThatDiedEndsInWords) {
   person.machine.stop(false);
   EXPECT_EQ(person.cycle(5.0).state, State::autonomy);
   EXPECT_EQ(person.machine.take_warnings(),
-            "The stop of /joy_1, which asked for it last 4 s ago, has ended: it was let go by the topic stop or by a "
-            "change of mode.");
+            "The stop of /joy_1, which asked for it last 4 s ago, has ended: the topic stop or a change of mode "
+            "released it.");
   EXPECT_EQ(person.machine.take_warnings(), "");
   EXPECT_EQ(person.machine.advice().find("/joy_1 goes on"), std::string::npos);
 }
