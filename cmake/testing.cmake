@@ -33,10 +33,12 @@ function(hidwa_register_test target)
   endif()
 endfunction()
 
-# hidwa_add_gtest(name SOURCES a.cpp ... LIBRARIES lib ... [DEFINITIONS NAME=value ...] [LABELS label ...] [TIMEOUT seconds])
-# A gtest, target hidwa_name. Under catkin it belongs to the target `tests`, which a build leaves out.
+# hidwa_add_gtest(name SOURCES a.cpp ... LIBRARIES lib ... [DEFINITIONS NAME=value ...] [LABELS label ...] [TIMEOUT seconds]
+#   [COMPUTES])
+# A gtest, target hidwa_name. Under catkin it belongs to the target `tests`, which a build leaves out. COMPUTES: its own
+# code takes long to run. That of the others takes longer to compile than to run, and is hardly optimised.
 function(hidwa_add_gtest name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;DEFINITIONS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTES" "TIMEOUT" "SOURCES;LIBRARIES;DEFINITIONS;LABELS" ${ARGN})
   hidwa_prefixed(${name} target)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} ${hidwa_gtest})
@@ -44,6 +46,9 @@ function(hidwa_add_gtest name)
   target_compile_definitions(${target} PRIVATE ${ARG_DEFINITIONS})
   hidwa_warnings(${target})
   hidwa_arithmetic(${target})
+  if(NOT ARG_COMPUTES)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
   if(HIDWA_ROS)
     set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
     add_dependencies(tests ${target})

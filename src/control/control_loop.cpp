@@ -7,7 +7,7 @@
 
 #include "core/motion/late_cycles.hpp"
 #include "core/motion/velocity_limits.hpp"
-#include "hidwa_local_planner/control/standing.hpp"
+#include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner::control {
 namespace {
@@ -160,10 +160,10 @@ void ControlLoop::remember(const Observation& observation, const Result& result)
   input::CycleFeedback feedback;
   feedback.command = result.command;
   feedback.velocity = observation.velocity.value_or(Twist2{});
-  feedback.at_rest = result.command == Twist2{} && stands(feedback.velocity, parameters());
-  feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_refused_by.empty();
+  feedback.stands = hidwa_local_planner::stands(result.command, feedback.velocity, parameters());
+  feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_rejected_by.empty();
   feedback.goal_latched = goal_checker_.latched();
-  at_rest_ = feedback.at_rest;
+  stands_ = feedback.stands;
   person_.debrief(observation.timing.now, feedback);
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/control/fault_brake.hpp"
 
-#include <algorithm>
-
 #include "core/motion/velocity_limits.hpp"
-#include "hidwa_local_planner/control/standing.hpp"
+#include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {
 
@@ -12,12 +10,11 @@ FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& v
                                       const Parameters& parameters, double period) {
   if (!since_ || now < *since_) since_ = now;
   const VelocityLimits limits = VelocityLimits::from(parameters);
-  bool moving = !(last_command == Twist2{});
+  bool moving = !commands_rest(last_command);
   if (velocity) {
-    moving = moving || !stands(*velocity, parameters);
+    moving = moving || !at_rest(*velocity, parameters);
   } else {
-    const double fastest = std::max(limits.x.max, -limits.x.min);
-    moving = moving || now - *since_ <= limits.x.time_to_rest(fastest) + period;
+    moving = moving || now - *since_ <= limits.x.time_to_rest(limits.x.fastest()) + period;
   }
   if (!moving) return {};
   return {true, limits.brake(last_command, period)};

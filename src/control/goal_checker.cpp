@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hidwa_local_planner/control/pause.hpp"
-#include "hidwa_local_planner/control/standing.hpp"
+#include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {
 
@@ -22,7 +22,7 @@ bool GoalChecker::update(const Pose2& robot, const Twist2& velocity, const Pose2
   const double tolerance = parameters.xy_goal_tolerance;
   latched_ = left <= tolerance || (latched_ && left <= tolerance + goal_margin(parameters));
   const bool aligned = std::abs(wrap_angle(goal.theta - robot.theta)) <= parameters.yaw_goal_tolerance;
-  return latched_ && aligned && stands(velocity, parameters);
+  return latched_ && aligned && at_rest(velocity, parameters);
 }
 
 }  // namespace hidwa_local_planner

@@ -124,7 +124,7 @@ std::string thinning_complaint(const Sampling& in_force, const Sampling& full, d
   const bool fewest = in_force.vx_samples == least(full.vx_samples) && in_force.vth_samples == least(full.vth_samples);
   return format(
       "cycles take longer than the budget of %.1f ms: samples thinned from %d x %d to %d x %d%s; lower "
-      "vx_samples or vth_samples, raise cycle_budget, or give the machine less to do",
+      "vx_samples or vth_samples, raise cycle_budget, or reduce the load of the machine",
       1e3 * budget, full.vx_samples, full.vth_samples, in_force.vx_samples, in_force.vth_samples,
       fewest ? ", the fewest" : "");
 }

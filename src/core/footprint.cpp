@@ -191,7 +191,7 @@ Footprint Footprint::padded(double padding) const {
 
 const char* Footprint::fault_of_corners() const {
   if (!std::all_of(outline_.begin(), outline_.end(), is_finite_point))
-    return "a corner of the footprint is not a number";
+    return "a corner of the footprint is not a number: correct the costmap's footprint";
   if (circumscribed_ > kFarthestCorner)
     return "the footprint reaches more than 20 m from the robot's centre: give it in metres";
   return nullptr;
@@ -201,7 +201,7 @@ const char* Footprint::fault() const {
   if (empty()) return "no footprint is set: give the costmap footprint or robot_radius";
   if (const char* fault = fault_of_corners()) return fault;
   if (!is_circle() && !has_area(outline_)) {
-    return "the footprint is a line or a point: give the corners of an area, or footprint_padding";
+    return "the footprint is a line or a point: give corners that span an area, or set footprint_padding";
   }
   return nullptr;
 }

@@ -59,7 +59,7 @@ double Oscillation::configure(const Parameters& parameters, const ParameterSourc
 }
 
 void Oscillation::prepare(const CycleView& cycle) {
-  silent_ = cycle.person_decides || (cycle.steered && !while_steering_);
+  silent_ = cycle.operator_decides || (cycle.steered && !while_steering_);
 }
 
 void Oscillation::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {

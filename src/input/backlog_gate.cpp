@@ -36,16 +36,16 @@ double SteadyLag::observe(double lag, double received, double spread, double gap
   return received - since_;
 }
 
-BacklogGate::Verdict BacklogGate::judge(double stamp, double received, const Limits& limits) {
+BacklogGate::Arrival BacklogGate::judge(double stamp, double received, const Limits& limits) {
   excess_ = 0.0;
-  if (stamp <= 0.0) return Verdict::live;
+  if (stamp <= 0.0) return Arrival::live;
   if (known_ && stamp == stamp_) {
     link_lag_.take_silent(received);
     return repeated_;
   }
   if (!known_) {
     learn(stamp, received);
-    return Verdict::live;
+    return Arrival::live;
   }
   const bool back = stamp < stamp_ - limits.late;
   const double lag = received - stamp;
@@ -59,7 +59,7 @@ BacklogGate::Verdict BacklogGate::judge(double stamp, double received, const Lim
     backlog_lag_.forget();
     link_lag_.forget();
     went_back_ = false;
-    return repeated_ = Verdict::live;
+    return repeated_ = Arrival::live;
   }
   went_back_ = went_back_ || back;
   const bool new_clock = clock_was_set(lag, received, limits.late);
@@ -68,12 +68,12 @@ BacklogGate::Verdict BacklogGate::judge(double stamp, double received, const Lim
     link_lag_.forget();
     backlog_lag_.forget();
     went_back_ = false;
-    repeated_ = Verdict::live;
-    return Verdict::slower_link;
+    repeated_ = Arrival::live;
+    return Arrival::slower_link;
   }
-  if (!new_clock) return repeated_ = Verdict::backlog;
+  if (!new_clock) return repeated_ = Arrival::backlog;
   learn(stamp, received);
-  return Verdict::new_clock;
+  return Arrival::new_clock;
 }
 
 bool BacklogGate::clock_was_set(double lag, double received, double limit) {
@@ -94,7 +94,7 @@ void BacklogGate::learn(double stamp, double received) {
   backlog_lag_.forget();
   link_lag_.forget();
   went_back_ = false;
-  repeated_ = Verdict::live;
+  repeated_ = Arrival::live;
 }
 
 }  // namespace hidwa_local_planner::input

@@ -17,7 +17,7 @@ OperatorIntent ControlState::update(const CycleInput& cycle) {
 void ControlState::debrief(double now, const CycleFeedback& feedback, const Parameters& parameters) {
   goal_latched_ = feedback.goal_latched;
   last_v_ = feedback.command.v;
-  blocked_.observe(now, is_steering(state_) && feedback.operator_command_rejected && feedback.at_rest);
+  blocked_.observe(now, is_steering(state_) && feedback.operator_command_rejected && feedback.stands);
   const bool straight_on = state_ == OperatorStateId::hold || state_ == OperatorStateId::lost;
   if (straight_on && feedback.operator_command_rejected && parameters.hold_ends_when_refused) hold_.end();
 }

@@ -29,7 +29,7 @@ std::string why_not_tracked(const HandMessage& message) {
 std::string why_jumped(double jump, double limit) {
   if (!(jump > limit)) return {};
   return "the hand jumped by " + worded(jump, 3) + " m, more than gesture_jump (" + worded(limit, 3) +
-         " m): tracking is not to be trusted";
+         " m): its tracking is unreliable; bring it back into view, or raise gesture_jump";
 }
 
 float deflection(const Eigen::Vector3d& displacement, HandAxis axis, int sign, double range) {
@@ -111,7 +111,7 @@ void GestureSource::exclude_pause(double pause) {
 
 std::string GestureSource::advice() const {
   if (!waits_for_release()) return {};
-  return "The hand does not count before its clutch was let go and pressed anew: let go of it.";
+  return "The hand does not steer yet: release its clutch, then press it again.";
 }
 
 }  // namespace hidwa_local_planner::input

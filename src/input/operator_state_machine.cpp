@@ -26,7 +26,7 @@ std::string late(double excess, const BacklogGate::Limits& limits) {
   std::string text = "it arrived " + worded(excess, 3) + " s later than the link needs at best, more than ";
   text += beyond_settling ? "input_lag_max (" + worded(limits.lag_max, 3) : "input_timeout (" + worded(limits.late, 3);
   text += " s): the link holds messages back";
-  if (may_settle) text += " (a delay that is steady within 0.1 s for 2 s is taken as it is)";
+  if (may_settle) text += " (a delay that stays within 0.1 s for 2 s is accepted)";
   return text + ", or the sender's clock runs differently (synchronise the clocks, or leave the stamps empty)";
 }
 
@@ -139,8 +139,8 @@ std::string OperatorStateMachine::advice() const {
     add_sentence(text, of_source);
   } else if (channel_.waits_for_neutral()) {
     add_sentence(text,
-                 "The input does not count before it was seen released once (require_neutral): let go of the stick "
-                 "and of the enable button; if nobody touches it, raise dead_zone.");
+                 "The input does not count until it was neutral once (require_neutral): release the stick and the "
+                 "enable button. If nobody touches them, raise dead_zone.");
   }
   return text;
 }
@@ -172,16 +172,16 @@ void OperatorStateMachine::count_stop(const OperatorSource& source, const Operat
 std::string OperatorStateMachine::admit(SourceList::Connection& connection, const OperatorMessage& message) {
   const BacklogGate::Limits limits{parameters_.input_timeout, parameters_.input_lag_max};
   switch (connection.stream.judge(message, received_, limits)) {
-    case MessageStream::Verdict::late:
+    case MessageStream::Arrival::late:
       return late(connection.stream.excess(), limits);
-    case MessageStream::Verdict::new_device:
+    case MessageStream::Arrival::new_device:
       expect_new_device();
       break;
-    case MessageStream::Verdict::slower_link:
-    case MessageStream::Verdict::new_clock:
+    case MessageStream::Arrival::slower_link:
+    case MessageStream::Arrival::new_clock:
       channel_.demand_neutral();
       break;
-    case MessageStream::Verdict::live:
+    case MessageStream::Arrival::live:
       break;
   }
   return {};

@@ -32,9 +32,9 @@ void PauseDetector::report(double pause, double now) {
 
 std::string PauseDetector::advice(double now) const {
   if (reported_ == 0.0 || now - reported_at_ >= kToldFor) return {};
-  return "The planner itself stood still for " + worded(reported_, 2) +
-         " s and heard nobody meanwhile: its machine is too busy, the process was suspended, or the clock was set "
-         "forward. Lighten the load.";
+  return "The planner itself was paused for " + worded(reported_, 2) +
+         " s and took no messages: its machine is too busy, the process was suspended, or the clock was set "
+         "forward. Reduce the load of the machine.";
 }
 
 void PauseDetector::restart() {

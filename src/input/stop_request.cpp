@@ -49,8 +49,7 @@ std::string StopRequest::end_dismissed(double now, double silence) {
   for (Sender& sender : senders_) {
     if (!sender.dismissed || !sender.unasked(now, silence)) continue;
     ended += (ended.empty() ? "The stop of " : " The stop of ") + named(sender.name) + ", which asked for it last " +
-             worded(now - sender.asked_at, 3) +
-             " s ago, has ended: it was let go by the topic stop or by a change of mode.";
+             worded(now - sender.asked_at, 3) + " s ago, has ended: the topic stop or a change of mode released it.";
     sender.button = sender.pulled = sender.dismissed = false;
   }
   return ended;
@@ -72,8 +71,8 @@ std::string StopRequest::advice(double now, double silence) const {
   for (const Sender& sender : senders_) {
     if (!sender.unasked(now, silence)) continue;
     return "The stop of " + named(sender.name) +
-           " goes on though no message of it came lately: let go of it there, or, where the device is gone, say false "
-           "on the topic stop or change the mode.";
+           " goes on, though no message of it came lately: release it there. If the device is gone, send false on the "
+           "topic stop, or change the mode.";
   }
   return {};
 }

@@ -11,14 +11,14 @@ bool attends(OperatorStateId state, bool manual) {
   return manual || is_steering(state) || state == OperatorStateId::manual || state == OperatorStateId::stopped;
 }
 
-Yielding::Phase Yielding::step(double now, bool at_rest, bool attended) {
+Yielding::Phase Yielding::step(double now, bool stands, bool attended) {
   const double passed = last_ ? std::max(0.0, now - *last_) : 0.0;
   last_ = now;
   spent_ += passed;
   quiet_ = attended ? 0.0 : quiet_ + passed;
-  if (at_rest && quiet_ >= settings_.quiet_time) return Phase::quiet;
+  if (stands && quiet_ >= settings_.quiet_time) return Phase::quiet;
   if (spent_ >= settings_.patience) return Phase::out_of_patience;
-  return at_rest ? Phase::yielding : Phase::braking;
+  return stands ? Phase::yielding : Phase::braking;
 }
 
 }  // namespace hidwa_local_planner::input

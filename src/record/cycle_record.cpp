@@ -37,18 +37,35 @@ Bytes bytes_of(const T& value) {
   return bytes;
 }
 
+// Stays as it is: digests of recorded cycles were made with these names.
+std::string_view name_of(Problem problem) {
+  switch (problem) {
+    case Problem::none:
+      break;
+    case Problem::input:
+      return "input";
+    case Problem::off_map:
+      return "off_map";
+    case Problem::rejected:
+      return "rejected";
+    case Problem::stuck:
+      return "stuck";
+  }
+  return "";
+}
+
 }  // namespace
 
-Verdict verdict_of(const Decision& d, const std::vector<double>& totals) {
-  Verdict verdict;
-  verdict.outcome = d.outcome;
-  if (d.outcome != Outcome::fail) verdict.command = d.command;
-  verdict.sample = d.sample;
-  verdict.reference = d.reference;
-  verdict.total = d.total;
-  verdict.agreement = d.agreement;
-  verdict.candidates = static_cast<std::uint32_t>(d.candidates);
-  verdict.legal = static_cast<std::uint32_t>(d.legal);
+DecisionRecord decision_record(const Decision& d, const std::vector<double>& totals) {
+  DecisionRecord decision;
+  decision.outcome = d.outcome;
+  if (d.outcome != Outcome::fail) decision.command = d.command;
+  decision.sample = d.sample;
+  decision.reference = d.reference;
+  decision.total = d.total;
+  decision.agreement = d.agreement;
+  decision.candidates = static_cast<std::uint32_t>(d.candidates);
+  decision.legal = static_cast<std::uint32_t>(d.legal);
   Hash hash;
   for (const double total : totals) hash.add(total);
   for (const Pose2& pose : d.trajectory) {
@@ -62,27 +79,27 @@ Verdict verdict_of(const Decision& d, const std::vector<double>& totals) {
     hash.add(term.raw);
     hash.add(term.weight);
   }
-  for (const RefusalCount& refusal : d.refusals) {
-    hash.add(refusal.name);
-    hash.add(static_cast<std::uint64_t>(refusal.count));
+  for (const RejectionCount& rejection : d.rejections) {
+    hash.add(rejection.name);
+    hash.add(static_cast<std::uint64_t>(rejection.count));
   }
-  hash.add(d.operator_refused_by);
-  hash.add(d.problem);
+  hash.add(d.operator_rejected_by);
+  hash.add(name_of(d.problem_kind));
   for (const double part : {d.pose.x, d.pose.y, d.pose.theta, d.velocity.v, d.velocity.omega}) hash.add(part);
   for (const bool said : {d.escaping, d.odometry_doubted, d.odometry_fast}) hash.add(std::uint64_t{said});
-  verdict.digest = hash.value();
-  return verdict;
+  decision.digest = hash.value();
+  return decision;
 }
 
-Verdict verdict_of(const control::Result& result, const Planner& planner) {
-  if (result.decision != nullptr) return verdict_of(*result.decision, planner.totals());
-  Verdict verdict;
-  verdict.outcome = result.outcome;
-  verdict.command = result.command;
-  return verdict;
+DecisionRecord decision_record(const control::Result& result, const Planner& planner) {
+  if (result.decision != nullptr) return decision_record(*result.decision, planner.totals());
+  DecisionRecord decision;
+  decision.outcome = result.outcome;
+  decision.command = result.command;
+  return decision;
 }
 
-bool identical(const Verdict& a, const Verdict& b) { return bytes_of(a) == bytes_of(b); }
+bool identical(const DecisionRecord& a, const DecisionRecord& b) { return bytes_of(a) == bytes_of(b); }
 bool identical(const OperatorIntent& a, const OperatorIntent& b) { return bytes_of(a) == bytes_of(b); }
 
 namespace {
@@ -99,7 +116,7 @@ void parts_of(Record& record, Parts& io) {
   io.input("loop", record.loop_state);
   io.input("operator", record.operator_state);
   io.result("intent", record.intent);
-  io.result("verdict", record.verdict);
+  io.result("verdict", record.decision);
 }
 
 // Formats 1 to 3 began with the record's number and, in key records, with the release.
@@ -119,7 +136,7 @@ std::string lacking(const CycleRecord& record) {
   if (record.setup && !record.plan) return no("plan");
   if (!record.observation.fault.empty()) return "";
   if (!record.costmap) return no("costmap");
-  if (!record.observation.velocity) return "the record is damaged: no velocity, and nothing is missing";
+  if (!record.observation.velocity) return "the record is damaged: it has no velocity, and no fault that explains it";
   return "";
 }
 

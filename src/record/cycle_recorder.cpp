@@ -53,7 +53,7 @@ void CycleRecorder::take_plan(const std::vector<Pose2>& plan, bool key) {
 
 const Bytes& CycleRecorder::finish(const control::Result& result, const Planner& planner) {
   record_.intent = result.intent;
-  record_.verdict = verdict_of(result, planner);
+  record_.decision = decision_record(result, planner);
   encode(record_, bytes_);
   return bytes_;
 }

@@ -43,7 +43,7 @@ std::string CycleReplay::set_up(const Setup& setup) {
     try {
       faults = loop_.configure(changed_, sources);
     } catch (const std::exception& error) {
-      faults = {std::string("critics: one of them does not take its parameters: ") + error.what()};
+      faults = {std::string("critics: one of them cannot use its parameters: ") + error.what()};
     }
   }
   loop_.set_footprint(setup.outline);
@@ -78,7 +78,7 @@ std::string CycleReplay::follow() {
   if (record_.plan && record_.plan->empty()) loop_.drop_plan(timing.now, timing.period);
   if (record_.plan && !record_.plan->empty()) loop_.set_plan(*record_.plan, "", timing.now, timing.period);
   if (record_.costmap && !grids_.advance_by(*record_.costmap)) return "the costmap in the record is damaged";
-  if (!load()) return "what was remembered before the cycle cannot be read: replay it with release " + setup_.version;
+  if (!load()) return "the state before the cycle cannot be read: replay it with release " + setup_.version;
   return "";
 }
 
@@ -99,7 +99,7 @@ ReplayedCycle CycleReplay::run(bool explain) {
   if (changes_samples(changes_, "vx_samples")) sampling.vx_samples = 0;
   if (changes_samples(changes_, "vth_samples")) sampling.vth_samples = 0;
   control::Result result = loop_.step(observation, sampling);
-  ReplayedCycle cycle{verdict_of(result, loop_.planner()), result.intent, false};
+  ReplayedCycle cycle{decision_record(result, loop_.planner()), result.intent, false};
   if (explain) {
     // Not at once: more is known of who rejects what then, and so the digest is another.
     sampling.report = Report::full;
@@ -108,7 +108,7 @@ ReplayedCycle CycleReplay::run(bool explain) {
   }
   decision_ = result.decision;
   cycle.identical = hidwa_local_planner::record::identical(cycle.intent, record_.intent) &&
-                    hidwa_local_planner::record::identical(cycle.verdict, record_.verdict);
+                    hidwa_local_planner::record::identical(cycle.decision, record_.decision);
   return cycle;
 }
 

@@ -13,7 +13,7 @@ PartReader::PartReader(const std::uint8_t* data, std::size_t size) {
     read(part.name, part.critical, part.bytes);
     if (read.failed()) break;
     for (const Part& before : parts_) {
-      if (before.name == part.name) blame("the record is damaged: it has its part '" + part.name + "' twice");
+      if (before.name == part.name) blame("the record is damaged: it has the part '" + part.name + "' twice");
     }
     parts_.push_back(std::move(part));
   }

@@ -14,7 +14,7 @@ namespace hidwa_local_planner {
 namespace replay {
 namespace {
 
-std::string refusals_in_words(const CandidateReport& candidate) {
+std::string rejections_in_words(const CandidateReport& candidate) {
   std::string text;
   for (const Rejection& rejection : candidate.rejections) {
     text += (text.empty() ? "" : "; ") + std::string(rejection.name) + ": " + rejection.reason;
@@ -28,21 +28,21 @@ std::string table(const std::vector<CandidateReport>& candidates, int best) {
   for (const CriticTerm& critic : candidates.front().terms) {
     text += format(" %*s", std::max(10, static_cast<int>(critic.name.size())), std::string(critic.name).c_str());
   }
-  text += format(" %10s  refused by\n", "J");
+  text += format(" %10s  rejected by\n", "J");
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     const CandidateReport& candidate = candidates[c];
     text += format("%6zu %8.4f %8.4f", c, candidate.sample.v, candidate.sample.omega);
     for (const CriticTerm& critic : candidate.terms) {
       text += format(" %*.4f", std::max(10, static_cast<int>(critic.name.size())), critic.raw * critic.weight);
     }
-    text += format(" %10.4f  %s%s%s\n", candidate.sum(), refusals_in_words(candidate).c_str(),
+    text += format(" %10.4f  %s%s%s\n", candidate.sum(), rejections_in_words(candidate).c_str(),
                    static_cast<int>(c) == best ? "<== chosen" : "", candidate.operator_command ? "  (u_h)" : "");
   }
   return text;
 }
 
-// How many each one refuses, whoever else does, and how many only that one does.
-std::string count_refusals(const std::vector<CandidateReport>& candidates) {
+// How many each one rejects, whoever else does, and how many only that one does.
+std::string count_rejections(const std::vector<CandidateReport>& candidates) {
   std::map<std::string, std::pair<int, int>> counts;
   int legal = 0;
   for (const CandidateReport& candidate : candidates) {
@@ -55,7 +55,7 @@ std::string count_refusals(const std::vector<CandidateReport>& candidates) {
   }
   std::string text = format("%zu candidates, %d legal", candidates.size(), legal);
   for (const auto& [name, count] : counts) {
-    text += format("; %s refuses %d (%d of them alone)", name.c_str(), count.first, count.second);
+    text += format("; %s rejects %d (%d of them alone)", name.c_str(), count.first, count.second);
   }
   return text + "\n";
 }
@@ -80,7 +80,7 @@ std::string compare(const CandidateReport& a, const CandidateReport& b) {
     if (std::abs(gain) < 5e-5) continue;
     text += format("%s%s %+.4f", text.empty() ? "" : ", ", std::string(a.terms[i].name).c_str(), gain);
   }
-  return text.empty() ? "no critic tells them apart" : text;
+  return text.empty() ? "all critics score them alike" : text;
 }
 
 std::string why_chosen(record::CycleReplay& replay) {
@@ -90,7 +90,7 @@ std::string why_chosen(record::CycleReplay& replay) {
   const CandidateReport& chosen = all[static_cast<std::size_t>(best)];
   std::string text = format("chosen: #%d %s, J = %.4f", best, in_words(chosen.sample).c_str(), chosen.total);
   if (replay.planner().choice().rule == ChoiceReport::Rule::recovery) {
-    return text + ": not the cheapest, but the way out for a robot that stood still (turn_when_stuck)\n";
+    return text + ": not the cheapest; a recovery of stuck autonomy chose it (turn_when_stuck)\n";
   }
   const int second = runner_up(all, best);
   if (second < 0) return text + ": the only legal one\n";
@@ -103,7 +103,7 @@ std::string why_chosen(record::CycleReplay& replay) {
 
 std::string about_operator(record::CycleReplay& replay, const record::ReplayedCycle& cycle) {
   if (cycle.intent.influence == Influence::none) return "nobody steers\n";
-  std::string text = "the person wants u_h = " + in_words(cycle.intent.u_h);
+  std::string text = "operator command u_h = " + in_words(cycle.intent.u_h);
   const Decision* decision = replay.decision();
   if (decision == nullptr) return text + "\n";
   text += format(", agreement %.3f", decision->agreement);
@@ -112,7 +112,7 @@ std::string about_operator(record::CycleReplay& replay, const record::ReplayedCy
   if (own < 0 || all.empty()) return text + "\n";
   const CandidateReport& candidate = all[static_cast<std::size_t>(own)];
   text += format("; its candidate #%d %s is ", own, in_words(candidate.sample).c_str());
-  if (!candidate.legal()) return text + "refused by " + refusals_in_words(candidate) + "\n";
+  if (!candidate.legal()) return text + "rejected by " + rejections_in_words(candidate) + "\n";
   const int best = replay.planner().marked().best;
   if (best == own) return text + "the chosen one\n";
   if (best < 0) return text + "legal\n";
@@ -146,7 +146,7 @@ std::string explain(double time, record::CycleReplay& replay, const record::Repl
                    to_string(cycle.intent.state), name_of(cycle.intent.influence));
     text += format("robot at (%.3f m, %.3f m, %.3f rad), measured %s, last command %s\n", s.pose.x, s.pose.y,
                    s.pose.theta, in_words(s.velocity).c_str(), in_words(s.last_command).c_str());
-    text += count_refusals(replay.planner().candidates());
+    text += count_rejections(replay.planner().candidates());
   } else {
     text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time(),
                    record.observation.fault.c_str());
@@ -156,8 +156,8 @@ std::string explain(double time, record::CycleReplay& replay, const record::Repl
   if (replay.decision() != nullptr && !replay.decision()->problem.empty()) {
     text += "problem: " + replay.decision()->problem + "\n";
   }
-  text += "sent: " + in_words(cycle.verdict) + "\n";
-  if (!cycle.identical) text += "recorded: " + in_words(record.verdict) + "\n";
+  text += "sent: " + in_words(cycle.decision) + "\n";
+  if (!cycle.identical) text += "recorded: " + in_words(record.decision) + "\n";
   return text;
 }
 
@@ -173,8 +173,8 @@ Json json_of(const Point& p) { return {p.x(), p.y()}; }
 Json json_of(const CandidateReport& candidate) {
   Json terms = Json::array();
   for (const CriticTerm& critic : candidate.terms) terms.push_back(critic.raw * critic.weight);
-  return {{"u", json_of(candidate.sample)}, {"end", json_of(candidate.poses.back())},  {"sum", candidate.sum()},
-          {"total", candidate.total},       {"refused", refusals_in_words(candidate)}, {"terms", terms}};
+  return {{"u", json_of(candidate.sample)}, {"end", json_of(candidate.poses.back())},     {"sum", candidate.sum()},
+          {"total", candidate.total},       {"rejected", rejections_in_words(candidate)}, {"terms", terms}};
 }
 
 Json json_of(const record::StoredGrid& grid) {
@@ -206,10 +206,10 @@ std::string explain_as_json(double time, record::CycleReplay& replay, const reco
   const bool steered = cycle.intent.influence != Influence::none;
   Json json = {{"time", time},
                {"state", to_string(cycle.intent.state)},
-               {"outcome", to_string(cycle.verdict.outcome)},
-               {"command", json_of(cycle.verdict.command)},
+               {"outcome", to_string(cycle.decision.outcome)},
+               {"command", json_of(cycle.decision.command)},
                {"u_h", steered ? json_of(cycle.intent.u_h) : Json()},
-               {"reference", json_of(cycle.verdict.reference)},
+               {"reference", json_of(cycle.decision.reference)},
                {"outline", list_of(replay.setup().outline)},
                {"trajectory", decision != nullptr ? list_of(decision->trajectory) : Json::array()},
                {"best", replay.planner().marked().best},

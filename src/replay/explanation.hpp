@@ -8,7 +8,7 @@
 namespace hidwa_local_planner {
 namespace replay {
 
-/// What a cycle was, in words: every candidate with every critic's score, who refused what, why this one was chosen.
+/// What a cycle was, in words: every candidate with every critic's score, who rejected what, why this one was chosen.
 /// `replay` has just run and explained it. `time` [s] since the first record.
 std::string explain(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle);
 

@@ -49,7 +49,7 @@ struct Left {
   std::string in_words() const {
     std::string text;
     if (without > 0) text += format("%ld cycles hold no record (record_cycles was false)\n", without);
-    if (waited > 0) text += format("%ld records follow a gap and wait for a whole one: not repeated\n", waited);
+    if (waited > 0) text += format("%ld records lie between a gap and the next key record: not repeated\n", waited);
     return text;
   }
 };
@@ -86,7 +86,7 @@ void say(const std::string& fault) { std::fprintf(stderr, "hidwa_replay: %s\n", 
 // Parts of records that came after this release: the cycles were repeated without them.
 void tell_unknown(const CycleReplay& replay) {
   for (const std::string& part : replay.unknown()) {
-    say("the records hold '" + part + "', which this release does not know: where it counted, cycles differ");
+    say("the records hold '" + part + "', which this release does not know: cycles that depended on it differ");
   }
 }
 

@@ -51,7 +51,7 @@ std::string MomentSearch::remark() const {
         wanted_.seconds, last_ - *first_, *first_, last_);
   }
   if (ros_time_.hits(wanted_.seconds) && *ros_time_.time != *meant) {
-    return format("taken as the time since the first record; there is also a cycle at this ROS time: --at ros:%.3f",
+    return format("the time counts from the first record; for the cycle at this ROS time give --at ros:%.3f",
                   wanted_.seconds);
   }
   return "";

@@ -26,7 +26,7 @@ std::string draw(const std::string& kind, const std::string& data, const std::st
   const int status = run_program({find_script(), kind, data, png}, Output::shown);
   if (status == 0) return "";
   return "no picture: replay_picture " + (status == kNotFound ? std::string("is not there") : "failed") +
-         " (python3-matplotlib draws it; the figures are in " + data + ")";
+         " (it needs python3-matplotlib; the figures are in " + data + ")";
 }
 
 }  // namespace replay

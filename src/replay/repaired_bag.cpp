@@ -60,7 +60,7 @@ void RepairedBag::open_copy(const std::string& path) {
   } catch (const fs::filesystem_error& error) {
     throw UsageError(fault_ + "; no copy can be made: " + error.what());
   } catch (const rosbag::BagException&) {
-    throw UsageError(fault_ + "; nothing of it can be read");
+    throw UsageError(fault_ + "; no part of it can be read");
   }
 }
 

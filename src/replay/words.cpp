@@ -6,8 +6,8 @@ namespace replay {
 
 std::string in_words(const Twist2& u) { return format("(%.4f m/s, %.4f rad/s)", u.v, u.omega); }
 
-std::string in_words(const record::Verdict& verdict) {
-  return format("%-5s %s", to_string(verdict.outcome), in_words(verdict.command).c_str());
+std::string in_words(const record::DecisionRecord& decision) {
+  return format("%-5s %s", to_string(decision.outcome), in_words(decision.command).c_str());
 }
 
 }  // namespace replay

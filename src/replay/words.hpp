@@ -10,7 +10,7 @@ namespace hidwa_local_planner {
 namespace replay {
 
 /// "DRIVE (0.500 m/s, -0.123 rad/s)"
-std::string in_words(const record::Verdict& verdict);
+std::string in_words(const record::DecisionRecord& decision);
 /// "(0.500 m/s, -0.123 rad/s)"
 std::string in_words(const Twist2& u);
 

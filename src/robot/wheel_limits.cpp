@@ -54,7 +54,7 @@ LimitedParameters limited(const Parameters& wanted, const Wheels& wheels) {
   if (!joint_limits && wanted.max_wheel_velocity <= 0.0) {
     remarks.push_back(
         {Remark::Level::info, "no velocity",
-         wheels.left + " and " + wheels.right + " have no <limit velocity>: the parameters' limits hold"});
+         wheels.left + " and " + wheels.right + " have no <limit velocity>: the limits of the parameters hold"});
     return result;
   }
   if (radius <= 0.0) {

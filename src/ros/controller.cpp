@@ -39,7 +39,7 @@ ControllerOutcome outcome_of(const Decision& decision) {
       return ControllerOutcome::blocked_path;
     case Problem::input:
       return ControllerOutcome::internal_error;
-    case Problem::refused:
+    case Problem::rejected:
     case Problem::none:
       break;
   }
@@ -83,18 +83,18 @@ ControllerOutcome Controller::compute(geometry_msgs::Twist& command, std::string
 ControllerOutcome Controller::cycle(geometry_msgs::Twist& command, std::string& message) {
   const bool cancelled = cancel_.pending(clock_time());
   if (!shell_) {
-    message = "the controller was not initialized: nothing is driven";
+    message = "the controller was not initialized: the robot does not drive";
     return ControllerOutcome::not_initialized;
   }
-  // What comes with `canceled` is not sent: zero went out the cycle before.
-  const bool rested = shell_->at_rest();
+  // The host does not send the command of `canceled`: zero was sent in the cycle before.
+  const bool stood = shell_->stands();
   const CycleResult result = shell_->cycle(cancelled);
   command = to_message(result.command);
   message = in_words(result);
   if (!cancelled) return outcome_of(result);
-  if (rested && result.outcome == Outcome::hold) {
+  if (stood && result.outcome == Outcome::hold) {
     cancel_.met();
-    message = "canceled: the robot rests";
+    message = "canceled: the robot stands";
     return ControllerOutcome::canceled;
   }
   if (message.empty()) message = "canceled: braking";

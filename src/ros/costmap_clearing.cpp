@@ -40,7 +40,7 @@ std::vector<std::string> clear_far_from_robot(costmap_2d::Costmap2DROS& costmap,
   std::vector<std::string> cleared;
   geometry_msgs::PoseStamped robot;
   if (!costmap.getRobotPose(robot)) {
-    fault = "the robot's pose in " + costmap.getGlobalFrameID() + " cannot be had";
+    fault = "there is no pose of the robot in " + costmap.getGlobalFrameID() + ": check tf";
     return cleared;
   }
   costmap_2d::LayeredCostmap& layered = *costmap.getLayeredCostmap();

@@ -52,7 +52,7 @@ CriticRegistry registry_with_plugins() {
   try {
     plugins = std::make_shared<PluginLoader>();
   } catch (const std::exception& error) {
-    ROS_WARN("critics of other packages cannot be looked for: %s", error.what());
+    ROS_WARN("pluginlib cannot list the critics of other packages: %s", error.what());
     return registry;
   }
   const std::vector<std::string> declared = plugins->loader.getDeclaredClasses();

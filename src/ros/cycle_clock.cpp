@@ -14,13 +14,13 @@ constexpr double kTolerance = 0.3;  // of the nominal rate
 
 }  // namespace
 
-CycleClock::Tick CycleClock::tick(double now, double period) {
+CycleClock::Tick CycleClock::tick(double now, double period, const std::optional<double>& last) {
   Tick tick;
-  const double interval = last_ ? now - *last_ : 0.0;
+  const double interval = last ? now - *last : 0.0;
   tick.interval = interval;
   tick.period = period;
-  tick.jumped_back = last_ && interval < 0.0;
-  tick.paused = !last_ || tick.jumped_back || is_pause(interval, period);
+  tick.jumped_back = last && interval < 0.0;
+  tick.paused = !last || tick.jumped_back || is_pause(interval, period);
   if (period != period_) {
     period_ = period;
     complained_ = false;
@@ -35,7 +35,6 @@ CycleClock::Tick CycleClock::tick(double now, double period) {
     ++count_;
     watch_.observe(now, interval);
   }
-  last_ = now;
   return tick;
 }
 
@@ -47,8 +46,8 @@ std::string CycleClock::complaint() {
   if (mean <= 0.0 || std::abs(period_ / mean - 1.0) <= kTolerance) return "";
   complained_ = true;
   return format(
-      "called at %.1f Hz, but the control period is taken to be %.3f s (%.1f Hz): set controller_frequency "
-      "to the rate that the host reaches, or lighten its load",
+      "the host calls at %.1f Hz, but the control period is %.3f s (%.1f Hz): set controller_frequency to the rate "
+      "that the host reaches, or reduce its load",
       1.0 / mean, period_, 1.0 / period_);
 }
 

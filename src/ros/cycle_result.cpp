@@ -3,16 +3,16 @@
 
 namespace hidwa_local_planner {
 
-const char* const kEscapes = "the robot stands in collision: it only moves out of it";
+const char* const kEscapes = "the robot is in collision: it only moves out of it";
 
-std::string refusals_in_words(const Decision& decision) {
+std::string rejections_in_words(const Decision& decision) {
   std::string text = decision.problem;
   if (decision.candidates > 0) text += " (of " + std::to_string(decision.candidates) + " candidates";
-  for (const RefusalCount& refusal : decision.refusals) {
-    if (refusal.count == 0) continue;
+  for (const RejectionCount& rejection : decision.rejections) {
+    if (rejection.count == 0) continue;
     text += ", ";
-    text += refusal.name;
-    text += " refuses " + std::to_string(refusal.count);
+    text += rejection.name;
+    text += " rejects " + std::to_string(rejection.count);
   }
   if (decision.candidates > 0) text += ")";
   return text;
@@ -20,7 +20,7 @@ std::string refusals_in_words(const Decision& decision) {
 
 std::string in_words(const CycleResult& result) {
   if (result.decision == nullptr) return result.fault;
-  if (!result.decision->problem.empty()) return refusals_in_words(*result.decision);
+  if (!result.decision->problem.empty()) return rejections_in_words(*result.decision);
   return result.decision->escaping ? kEscapes : "";
 }
 

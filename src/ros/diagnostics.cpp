@@ -74,14 +74,14 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
     status.summary(Status::OK, "nothing came on " + device.topic + " yet: start the device's node, or set mode off");
   } else if (!device.clutch_topic.empty() && device.clutch_messages == 0) {
     status.summary(Status::OK, "nothing came on " + device.clutch_topic +
-                                   " yet: the hand counts only while the clutch is held, a button or axis there");
+                                   " yet: the hand steers only while the clutch, a button or axis there, is held");
   } else if (person.state == OperatorStateId::lost && person.lost_by_pauses) {
     status.mergeSummary(Status::ERROR, device.topic +
                                            " was not heard, since the planner itself stood still: lighten "
                                            "its machine's load; nothing is known against the link");
   } else if (person.state == OperatorStateId::lost) {
     status.mergeSummary(Status::ERROR,
-                        device.topic + " fell silent while the person steered: look at the link to " + device.sender);
+                        device.topic + " fell silent while the operator steered: check the link to " + device.sender);
   }
   if (!advice.empty()) status.mergeSummary(Status::WARN, advice);
   status.add("mode", name_of(person.mode));

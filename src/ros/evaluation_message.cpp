@@ -127,7 +127,7 @@ visualization_msgs::MarkerArray to_markers(const std::vector<CandidateReport>& c
     const bool legal = candidates[i].legal();
     const double share = legal ? range.share(candidates[i].total) : 0.0;
     const Line line = legal ? Line{"legal", colour(share, 1.0 - share, 0.0, 0.6), 0.01, 0.01}
-                            : Line{"refused", colour(0.5, 0.5, 0.5, 0.25), 0.005, 0.0};
+                            : Line{"rejected", colour(0.5, 0.5, 0.5, 0.25), 0.005, 0.0};
     message.markers.push_back(to_line(candidates[i], line, static_cast<int>(i), frame, stamp));
   }
   const auto mark = [&](int index, const Line& line) {

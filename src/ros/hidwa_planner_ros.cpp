@@ -42,7 +42,7 @@ bool HIDWAPlannerROS::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
   cmd_vel = geometry_msgs::Twist();
   return succeeds("computeVelocityCommands", [&] {
     if (!shell_) {
-      ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS was not initialized: nothing is driven");
+      ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS was not initialized: the robot does not drive");
       return false;
     }
     return cycle(cmd_vel);
@@ -59,7 +59,7 @@ bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
   command = to_message(result.command);
   if (!over) return result.outcome != Outcome::fail;
   ROS_WARN_THROTTLE(1.0,
-                    "the plan leads to an earlier goal, (%.2f, %.2f) in %s, and none to the present one has come yet",
+                    "the plan leads to an earlier goal, (%.2f, %.2f) in %s; no plan to the present goal has come yet",
                     end_.pose.position.x, end_.pose.position.y, end_.header.frame_id.c_str());
   return !(result.command == Twist2{});
 }
@@ -68,8 +68,8 @@ bool HIDWAPlannerROS::plan_is_over() const { return host_goal_ && host_goal_->is
 
 Kept HIDWAPlannerROS::keep() {
   const CycleResult result = shell_->cycle(true);
-  const OperatorInput::Status person = shell_->person();
-  return {result.command, shell_->at_rest(), input::attends(person.state, person.manual), shell_->period()};
+  const OperatorInput::Status status = shell_->operator_status();
+  return {result.command, shell_->stands(), input::attends(status.state, status.manual), shell_->period()};
 }
 
 bool HIDWAPlannerROS::isGoalReached() {

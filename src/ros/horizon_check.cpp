@@ -3,22 +3,23 @@
 
 #include <algorithm>
 
+#include "core/motion/velocity_limits.hpp"
 #include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 std::vector<std::string> horizon_complaints(const Parameters& p, double map_width, double map_height,
                                             double circumscribed_radius) {
   std::vector<std::string> complaints;
-  const double fastest = std::max(p.max_vel_x, -p.min_vel_x);                // [m/s]
-  const double stopping_time = fastest / p.braking_x() + p.control_latency;  // [s]
+  const AxisLimits x = VelocityLimits::from(p).x;
+  const double stopping_time = x.time_to_rest(x.fastest()) + p.control_latency;  // [s]
   if (p.sim_time < stopping_time) {
     complaints.push_back(
-        format("sim_time = %.2f s is shorter than stopping takes (max_vel_x / deceleration + "
+        format("sim_time = %.2f s is shorter than the robot needs to stop (max_vel_x / deceleration + "
                "control_latency = %.2f s): raise sim_time to %.2f s or lower max_vel_x",
                p.sim_time, stopping_time, stopping_time));
   }
-  const double reach = fastest * p.sim_time + circumscribed_radius;  // [m]
-  const double half = 0.5 * std::min(map_width, map_height);         // [m]
+  const double reach = x.fastest() * p.sim_time + circumscribed_radius;  // [m]
+  const double half = 0.5 * std::min(map_width, map_height);             // [m]
   if (half < reach) {
     complaints.push_back(
         format("the local costmap reaches %.2f m from the robot, but a candidate may reach %.2f m "

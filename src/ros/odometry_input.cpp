@@ -24,7 +24,7 @@ void OdometryInput::subscribe(ros::NodeHandle handle, const std::string& topic) 
 void OdometryInput::receive(const nav_msgs::Odometry& message, double received) {
   const Twist2 velocity = to_twist(message.twist.twist);
   if (!is_finite(velocity)) {
-    ROS_WARN_THROTTLE(1.0, "odometry with a velocity that is not a number was dropped");
+    ROS_WARN_THROTTLE(1.0, "an odometry message was dropped: its velocity is not a number; check the sender");
     return;
   }
   const Newest newest{velocity, message.header.stamp.toSec(), received};
@@ -42,7 +42,7 @@ std::optional<Twist2> OdometryInput::settled(double now, double timeout, const P
     readings = readings_;
     count = count_;
   }
-  // As if nothing had been commanded: at rest it agrees, and what moves must have agreed with itself.
+  // As if zero had been commanded: readings at rest agree at once, others must agree with each other.
   const Twist2 tolerance = reading_tolerance(parameters, {});
   const VelocityLimits limits = VelocityLimits::from(parameters);
   OdometryBelief belief;

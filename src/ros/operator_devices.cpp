@@ -14,6 +14,7 @@
 
 #include "hidwa_local_planner/input/stick_reading.hpp"
 #include "hidwa_local_planner/input/twist_source.hpp"
+#include "hidwa_local_planner/ros/conversions.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -24,7 +25,7 @@ struct DeviceName {
   std::string source;
 };
 
-/// Why a message makes no message of the device; `what` is empty where it does.
+/// Why a ROS message cannot be used as a message of the device; `what` is empty where it can.
 struct Misfit {
   std::string what;  // it is
   std::string why;   // with the remedy
@@ -47,7 +48,7 @@ class DeviceTopic : public OperatorDevice {
     topic_.clear();
     if (topic.empty()) return;
     const boost::function<void(const Event&)> callback = [this, topic](const Event& event) { take(event, topic); };
-    // Size 1 and no delay: an old deflection must never be worked off late.
+    // Size 1 and no delay: an old deflection must not count late.
     subscriber_ =
         handle.subscribe<RosMessage, const Event&>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
     topic_ = topic;
@@ -92,7 +93,7 @@ Misfit to_stick(const sensor_msgs::Joy& from, input::StickMessage& to) {
   return {};
 }
 
-// Throws where a message only claims to be of a type.
+// Throws where a message is not of the type that it names.
 Misfit read_twist(const topic_tools::ShapeShifter& from, input::TwistMessage& to) {
   geometry_msgs::Twist twist;
   if (from.getDataType() == "geometry_msgs/TwistStamped") {
@@ -102,13 +103,13 @@ Misfit read_twist(const topic_tools::ShapeShifter& from, input::TwistMessage& to
   } else if (from.getDataType() == "geometry_msgs/Twist") {
     twist = *from.instantiate<geometry_msgs::Twist>();
   } else {
-    return {from.getDataType(), "geometry_msgs/Twist or TwistStamped is wanted"};
+    return {from.getDataType(), "send geometry_msgs/Twist or TwistStamped"};
   }
-  to.u = {twist.linear.x, twist.angular.z};
+  to.u = to_twist(twist);
   return {};
 }
 
-Misfit to_twist(const topic_tools::ShapeShifter& from, input::TwistMessage& to) {
+Misfit to_twist_message(const topic_tools::ShapeShifter& from, input::TwistMessage& to) {
   try {
     return read_twist(from, to);
   } catch (const ros::Exception& error) {
@@ -133,7 +134,7 @@ Misfit to_hand(const geometry_msgs::PoseStamped& from, input::HandMessage& to) {
 OperatorDevices operator_devices(const DeliverMessage& deliver) {
   OperatorDevices devices;
   devices.push_back(device({"joystick", "stick"}, to_stick, deliver));
-  devices.push_back(device({"Twist", "twist"}, to_twist, deliver));
+  devices.push_back(device({"Twist", "twist"}, to_twist_message, deliver));
   devices.push_back(device<geometry_msgs::PoseStamped, input::HandMessage>({"hand pose", "hand"}, to_hand, deliver));
   return devices;
 }

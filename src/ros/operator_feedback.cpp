@@ -65,7 +65,7 @@ void OperatorFeedback::fill(const ros::Time& stamp, const CycleResult& result, c
   message.command = to_message(result.command);
   message.agreement = result.decision ? result.decision->agreement : message.active ? 0.0 : 1.0;
   if (result.decision) {  // no common value of the three: a copy would be memory anew in every cycle
-    message.refused_by = result.decision->operator_refused_by;
+    message.refused_by = result.decision->operator_rejected_by;
   } else if (message.active) {
     message.refused_by = result.fault;
   } else {

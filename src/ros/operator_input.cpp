@@ -9,10 +9,10 @@
 namespace hidwa_local_planner {
 namespace {
 
-// The thread that takes messages says so often that it is at work: three of these missed are a pause.
+// The thread that takes messages sends heartbeats at this interval; three missed ones are a pause.
 const ros::WallDuration kHeartbeat(0.05);
 
-// After a pause messages may still be on their way from the sockets. So long the control thread waits for them.
+// After a pause messages may still be on their way from the sockets. The control thread waits for them this long.
 constexpr std::chrono::microseconds kPatience(1000);
 constexpr int kTries = 5;
 

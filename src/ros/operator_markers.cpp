@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hidwa_local_planner/ros/conversions.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -68,9 +70,9 @@ visualization_msgs::Marker text(const std::string& base_frame, const std::string
 }
 
 // Where the nose is after `time` [s] at a constant velocity (the unicycle's arc).
-geometry_msgs::Point nose_after(const geometry_msgs::Twist& u, double time, double height) {
-  const double turn = u.angular.z * time;
-  const double forward = u.linear.x * time;
+geometry_msgs::Point nose_after(const Twist2& u, double time, double height) {
+  const double turn = u.omega * time;
+  const double forward = u.v * time;
   const double half = 0.5 * turn;
   const double chord = std::abs(half) < 1e-9 ? forward : forward * std::sin(half) / half;
   geometry_msgs::Point p;
@@ -87,7 +89,7 @@ struct Style {
 };
 
 void add_path(visualization_msgs::MarkerArray& all, const std::string& base_frame, const std::string& group,
-              const geometry_msgs::Twist& u, bool shown, const Style& style) {
+              const Twist2& u, bool shown, const Style& style) {
   visualization_msgs::Marker line = marker(base_frame, group, visualization_msgs::Marker::LINE_STRIP);
   line.scale.x = style.width;
   line.color = style.colour;
@@ -124,11 +126,11 @@ visualization_msgs::MarkerArray to_operator_markers(const OperatorState& state, 
   // A place beside the robot in its own frame would turn with it, so the text hangs above its centre; line breaks
   // keep it off the robot in a view from above.
   all.markers.push_back(text(base_frame, "state", state.state_name + "\n\n\n", kLetters, kTextHeight, c));
-  const std::string refused = state.refused_by.empty() ? "" : "\n\n\n\n\nrefused by " + state.refused_by;
-  all.markers.push_back(text(base_frame, "refusal", refused, kSmallLetters, kTextHeight, colour(200, 30, 20)));
+  const std::string rejected = state.refused_by.empty() ? "" : "\n\n\n\n\nrejected by " + state.refused_by;
+  all.markers.push_back(text(base_frame, "rejection", rejected, kSmallLetters, kTextHeight, colour(200, 30, 20)));
   const bool commanded = state.active != 0;
-  add_path(all, base_frame, "executed", state.command, true, {0.09, 0.1, colour(30, 30, 30)});
-  add_path(all, base_frame, "wanted", state.wanted, commanded, {0.045, 0.2, colour(225, 0, 140)});
+  add_path(all, base_frame, "executed", to_twist(state.command), true, {0.09, 0.1, colour(30, 30, 30)});
+  add_path(all, base_frame, "wanted", to_twist(state.wanted), commanded, {0.045, 0.2, colour(225, 0, 140)});
   return all;
 }
 

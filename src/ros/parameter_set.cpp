@@ -15,7 +15,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-// What roscpp would throw at later, out of whatever callback or cycle.
+// Names that roscpp would throw at later, in a callback or a cycle.
 void check_topics(std::vector<std::string>& faults, const Parameters& p) {
   std::vector<std::pair<std::string, std::string>> topics;  // name and value of each parameter *_topic
   const std::string ending = "_topic";
@@ -47,7 +47,7 @@ std::vector<std::string> configure_any(Configurable& one, const Parameters& para
   try {
     return one.configure(parameters, source_for);
   } catch (const std::exception& error) {
-    return {std::string("critics: one of them does not take its parameters: ") + error.what()};
+    return {std::string("critics: one of them cannot use its parameters: ") + error.what()};
   }
 }
 

@@ -9,12 +9,12 @@ namespace {
 std::string fault_of(const std::vector<geometry_msgs::PoseStamped>& plan) {
   if (plan.empty()) return "the plan is empty: the global planner found none";
   for (const geometry_msgs::PoseStamped& pose : plan) {
-    if (!is_finite(to_pose(pose.pose))) return "the plan holds a pose that is not a number";
+    if (!is_finite(to_pose(pose.pose))) return "the plan holds a pose that is not a number: check the global planner";
     if (pose.header.frame_id != plan.front().header.frame_id) {
       return "the plan mixes the frames " + plan.front().header.frame_id + " and " + pose.header.frame_id;
     }
   }
-  if (plan.front().header.frame_id.empty()) return "the plan names no frame";
+  if (plan.front().header.frame_id.empty()) return "the plan names no frame: check the global planner";
   return "";
 }
 

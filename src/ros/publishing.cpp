@@ -43,12 +43,12 @@ void Publishing::publish_cycle(const ros::Time& stamp, const CycleResult& result
   message.reference = to_message(decision ? decision->reference : Twist2{});
   message.candidates = decision ? static_cast<std::uint32_t>(decision->candidates) : 0;
   message.legal = decision ? static_cast<std::uint32_t>(decision->legal) : 0;
-  const std::size_t count = decision ? decision->refusals.size() : 0;
+  const std::size_t count = decision ? decision->rejections.size() : 0;
   message.rejection_names.resize(count);
   message.rejection_counts.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    message.rejection_names[i] = decision->refusals[i].name;
-    message.rejection_counts[i] = static_cast<std::uint32_t>(decision->refusals[i].count);
+    message.rejection_names[i] = decision->rejections[i].name;
+    message.rejection_counts[i] = static_cast<std::uint32_t>(decision->rejections[i].count);
   }
   message.record = record;
   cycle_.publish(message);

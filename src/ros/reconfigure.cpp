@@ -91,7 +91,7 @@ void Reconfigure::change(StrictConfig& wanted) {
     shown_ = StrictConfig(to_config(parameters));
   } else {
     for (const std::string& fault : faults) ROS_ERROR("parameters refused: %s", fault.c_str());
-    ROS_ERROR("the whole set was refused; what was in force before stays");
+    ROS_ERROR("the whole set was refused; the values before it stay in force");
   }
   wanted = shown_;
 }

@@ -43,7 +43,7 @@ void start_shell(std::unique_ptr<Shell>& shell, const std::string& name, const t
   }
 }
 
-OperatorInput::Status Shell::person() const { return person_.status(ros::Time::now().toSec()); }
+OperatorInput::Status Shell::operator_status() const { return person_.status(ros::Time::now().toSec()); }
 
 Shell::~Shell() {
   thread_.stop();
@@ -69,8 +69,8 @@ void Shell::start_parameters() {
   }
   if (!loaded.faults.empty()) {
     loop_.configure(Parameters());
-    refused_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
-               "): correct them and restart, or set valid ones by dynamic_reconfigure";
+    parameters_fault_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
+                        "): correct them and restart, or set valid ones by dynamic_reconfigure";
   }
   budget_.configure(configured_samples(loop_.parameters()));
   report_start(loaded.found);
@@ -78,7 +78,7 @@ void Shell::start_parameters() {
   const std::string fault = listen(loop_.parameters());
   if (!fault.empty()) {
     ROS_ERROR("%s: %s", handle_.getNamespace().c_str(), fault.c_str());
-    refused_ = fault;
+    parameters_fault_ = fault;
   }
   // A nested key was taken over into the flat one: left behind it would hide later changes from the next
   // start.
@@ -96,8 +96,8 @@ void Shell::report_start(const std::vector<std::string>& found) const {
     const ParameterValue value = info.get(loop_.parameters());
     if (value != info.value) changed.push_back(info.name + ": " + to_text(value));
   }
-  ROS_INFO("%s: %zu values came from the parameter server; not the defaults: %s", handle_.getNamespace().c_str(),
-           found.size(), changed.empty() ? "none" : joined(changed).c_str());
+  ROS_INFO("%s: %zu values came from the parameter server; values other than the defaults: %s",
+           handle_.getNamespace().c_str(), found.size(), changed.empty() ? "none" : joined(changed).c_str());
   ROS_INFO("%s: critics in order: %s; control period %.3f s", handle_.getNamespace().c_str(),
            joined(split_names(loop_.parameters().critics)).c_str(), control_period());
 }
@@ -142,7 +142,7 @@ void Shell::take_parameters() {
   const std::vector<std::string> faults = put_in_force(*set);
   for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
   if (!faults.empty()) return;
-  refused_.clear();
+  parameters_fault_.clear();
   budget_.configure(configured_samples(loop_.parameters()));
   check_horizon();
 }

@@ -21,7 +21,7 @@ bool same_outline(const Polygon& outline, const std::vector<geometry_msgs::Point
   return true;
 }
 
-// What a host asks for may lie beyond what a parameter may be.
+// A host may ask for a value beyond the parameter's range.
 double in_range(const char* parameter, double value) {
   const ParameterInfo& info = parameter_info(parameter);
   return std::isfinite(value) ? std::clamp(value, info.min, info.max) : info.max;
@@ -40,7 +40,7 @@ void Shell::set_goal_tolerances(double xy, double yaw) {
   const Tolerances wanted{in_range("xy_goal_tolerance", xy), in_range("yaw_goal_tolerance", yaw)};
   if (host_tolerances_ && host_tolerances_->xy == wanted.xy && host_tolerances_->yaw == wanted.yaw) return;
   host_tolerances_ = wanted;
-  if (refused_.empty()) put_in_force(in_force_);
+  if (parameters_fault_.empty()) put_in_force(in_force_);
 }
 
 bool Shell::goal_reached(bool host_stops) {
@@ -48,7 +48,7 @@ bool Shell::goal_reached(bool host_stops) {
   CycleClock::Tick none;
   none.period = control_period();
   if (!loop_.goal_reached(observe(timing(ros::Time::now().toSec(), none)))) return false;
-  arriving_ = !host_stops && !loop_.at_rest();
+  arriving_ = !host_stops && !loop_.stands();
   if (arriving_) return false;
   loop_.finish_goal();
   return true;
@@ -85,7 +85,7 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
   Observation observation = observe(timing(now, tick));
   const Parameters& p = loop_.parameters();
-  // While the host was in control it sent commands of its own, or another node did.
+  // During the pause the host or another node may have sent commands.
   if (tick.paused) observation.resumed = odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{});
   observation.host_stops = host_stops;
   observation.costmap = view_of(*costmap_.getCostmap());
@@ -105,7 +105,7 @@ Sampling Shell::sampling() const {
   return sampling;
 }
 
-// Where the hand is a tf frame: what cannot be had is silence, and told as such.
+// The hand as a tf frame. A transform that cannot be looked up counts as silence of the device.
 void Shell::watch_hand(double now) {
   const Parameters& p = loop_.parameters();
   if (p.mode != OperatorMode::gesture || p.gesture_frame.empty()) return;
@@ -116,10 +116,10 @@ void Shell::watch_hand(double now) {
 }
 
 CycleClock::Tick Shell::watch_time(double now) {
-  const CycleClock::Tick tick = clock_.tick(now, control_period());
+  const CycleClock::Tick tick = clock_.tick(now, control_period(), loop_.last_cycle());
   if (tick.jumped_back) {
-    // The person's machine notices by itself: a stop goes on, and whoever has control keeps it.
-    ROS_WARN("%s: time jumped back; starting anew", name_.c_str());
+    // The operator's state machine notices that itself: a stop goes on, and an operator who has control keeps it.
+    ROS_WARN("%s: time jumped back: odometry from before is forgotten", name_.c_str());
     odometry_.forget();
     explanations_.end();
   }
@@ -143,7 +143,7 @@ Shell::Observation Shell::observe(const control::Timing& timing) {
     observation.fault = std::move(fault);
     return observation.missing != Missing::nothing;
   };
-  if (lacks(Missing::parameters, refused_) || lacks(Missing::plan, plan_fault_)) return observation;
+  if (lacks(Missing::parameters, parameters_fault_) || lacks(Missing::plan, plan_fault_)) return observation;
   if (!observation.velocity) {
     lacks(Missing::odometry, std::move(odometry.fault));
   } else if (!costmap_.isCurrent()) {
@@ -158,7 +158,7 @@ std::string Shell::observe_pose(double now, Observation& observation) {
   const std::string& frame = costmap_.getGlobalFrameID();
   geometry_msgs::PoseStamped pose;
   if (!costmap_.getRobotPose(pose)) {
-    return "the robot's pose in " + frame + " cannot be had: check the transform from " + costmap_.getBaseFrameID();
+    return "there is no pose of the robot in " + frame + ": check the transform from " + costmap_.getBaseFrameID();
   }
   observation.pose = to_pose(pose.pose);
   if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now - pose.header.stamp.toSec());
@@ -199,16 +199,16 @@ void Shell::watch_odometry(const Observation& observation, const Decision& decis
   const Twist2& u = *observation.velocity;
   ROS_WARN_THROTTLE(2.0,
                     "%s: odometry says %.2f m/s, %.2f rad/s, faster than the commands explain: %s (%lu readings were "
-                    "doubted so far); look at the odometry, or at who pushes or drives the robot",
+                    "doubted so far); check the odometry, and whether something else pushes or drives the robot",
                     name_.c_str(), u.v, u.omega,
-                    decision.odometry_fast ? "believed for collisions, since it lasts" : "not believed",
+                    decision.odometry_fast ? "it lasts, so the collision check believes it" : "it is not believed",
                     static_cast<unsigned long>(doubted_));
 }
 
 void Shell::explain(double now, const CycleResult& result) {
-  const bool refused = result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);
-  const bool escaping = result.decision && !refused && result.decision->escaping;
-  const std::string_view what = refused    ? std::string_view(result.decision->problem)
+  const bool rejected = result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);
+  const bool escaping = result.decision && !rejected && result.decision->escaping;
+  const std::string_view what = rejected   ? std::string_view(result.decision->problem)
                                 : escaping ? kEscapes
                                            : std::string_view(result.fault);
   if (what.empty()) {
@@ -216,14 +216,14 @@ void Shell::explain(double now, const CycleResult& result) {
     return;
   }
   if (!explanations_.due(now, what)) return;
-  const std::string message = refused ? refusals_in_words(*result.decision) : std::string(what);
+  const std::string message = rejected ? rejections_in_words(*result.decision) : std::string(what);
   const char* consequence = result.outcome == Outcome::fail    ? "; the robot stands, the host replans or recovers"
                             : result.outcome == Outcome::brake ? "; braking"
                                                                : "";
   ROS_WARN("%s: %s%s", name_.c_str(), message.c_str(), consequence);
 }
 
-// Fewer samples rather than a missed rate. A cycle that weighed nothing says nothing about their cost.
+// Tries fewer samples rather than miss the rate. A cycle without candidates says nothing about their cost.
 void Shell::keep_budget(double duration, double period, const CycleResult& result) {
   if (result.decision && result.decision->candidates > 0) {
     const double limit = cycle_budget(loop_.parameters(), period);  // [s]
@@ -231,8 +231,8 @@ void Shell::keep_budget(double duration, double period, const CycleResult& resul
     if (event == SampleBudget::Event::thinning_began) {
       ROS_WARN("%s: %s", name_.c_str(), thinning_complaint(budget_.in_force(), budget_.full(), limit).c_str());
     } else if (event == SampleBudget::Event::thinning_ended) {
-      ROS_INFO("%s: all %d x %d samples are tried again", name_.c_str(), budget_.full().vx_samples,
-               budget_.full().vth_samples);
+      ROS_INFO("%s: the cycle is fast enough again: all %d x %d samples are tried", name_.c_str(),
+               budget_.full().vx_samples, budget_.full().vth_samples);
     }
   }
   diagnostics_->set(result.fault, load());

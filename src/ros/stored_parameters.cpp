@@ -30,7 +30,7 @@ std::optional<std::string> as_word(const XmlRpcValue& value) {
 std::string remedy_for(const std::string& expected, const XmlRpcValue& value) {
   if (expected == "a number" && value.getType() == XmlRpcValue::TypeString) return kNumberIsText;
   if (expected == "a word" && value.getType() == XmlRpcValue::TypeBoolean) {
-    return " (YAML takes on, off, yes and no for true and false: write it in quotes)";
+    return " (YAML reads on, off, yes and no as true and false: write it in quotes)";
   }
   return "";
 }

@@ -61,7 +61,7 @@ void YieldingRecovery::runBehavior() {
     if (requests_) {
       run();
     } else {
-      ROS_ERROR("YieldingRecovery was not initialized: nothing is recovered");
+      ROS_ERROR("YieldingRecovery was not initialized: it clears nothing");
     }
     return true;
   });
@@ -83,11 +83,11 @@ bool YieldingRecovery::yield() {
     const std::optional<Kept> kept = RobotKeepers::of_process().keep();
     velocity_.publish(kept ? to_message(kept->command) : geometry_msgs::Twist());
     if (!kept) return true;
-    const Phase phase = yielding.step(ros::Time::now().toSec(), kept->at_rest, kept->attended);
+    const Phase phase = yielding.step(ros::Time::now().toSec(), kept->stands, kept->attended);
     tell(phase);
     if (phase == Phase::quiet || phase == Phase::out_of_patience) return true;
-    if (kept->at_rest && requests_->any()) {
-      ROS_INFO("%s: the host was asked for something else; nothing is cleared", name_.c_str());
+    if (kept->stands && requests_->any()) {
+      ROS_INFO("%s: a new goal or a cancel came: nothing is cleared", name_.c_str());
       return false;
     }
     ros::Duration(kept->period).sleep();
@@ -99,10 +99,10 @@ void YieldingRecovery::tell(Phase phase) {
   if (phase == told_) return;
   told_ = phase;
   if (phase == Phase::yielding) {
-    ROS_WARN("%s: waits, for at most %g s: somebody stops or steers the robot", name_.c_str(),
+    ROS_WARN("%s: the operator stops or steers the robot: waiting for at most %g s", name_.c_str(),
              settings_.yielding.patience);
   } else if (phase == Phase::out_of_patience) {
-    ROS_WARN("%s: waited for %g s (patience); goes on", name_.c_str(), settings_.yielding.patience);
+    ROS_WARN("%s: waited for %g s (patience): clearing now", name_.c_str(), settings_.yielding.patience);
   }
 }
 

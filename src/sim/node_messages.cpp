@@ -108,6 +108,8 @@ visualization_msgs::MarkerArray region_markers(const ros::Time& stamp, const std
   return array;
 }
 
+Velocity velocity_of(const geometry_msgs::Twist& twist) { return {twist.linear.x, twist.angular.z}; }
+
 double yaw_of(const geometry_msgs::Quaternion& q) {
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
 }

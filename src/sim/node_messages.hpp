@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <geometry_msgs/TransformStamped.h>
+#include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/time.h>
 #include <sensor_msgs/LaserScan.h>
@@ -32,6 +33,9 @@ sensor_msgs::LaserScan scan_message(const LaserSpec& laser, const std::string& f
 /// Outline and name of each region to avoid; those already crossed in another colour.
 visualization_msgs::MarkerArray region_markers(const ros::Time& stamp, const std::string& frame,
                                                const RegionCounter& regions);
+
+/// Forward and rotational velocity of a message [m/s, rad/s].
+Velocity velocity_of(const geometry_msgs::Twist& twist);
 
 /// Heading of a message's orientation [rad].
 double yaw_of(const geometry_msgs::Quaternion& q);

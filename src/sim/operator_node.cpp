@@ -102,7 +102,7 @@ class OperatorNode {
       const Stick stick = operator_->update(
           {seen_->header.stamp.toSec(),
            {seen_->pose.pose.position.x, seen_->pose.pose.position.y, yaw_of(seen_->pose.pose.orientation)},
-           {seen_->twist.twist.linear.x, seen_->twist.twist.angular.z}});
+           velocity_of(seen_->twist.twist)});
       const Controls controls = device_->update(seen_->header.stamp.toSec(), stick);
       joy.axes[0] = static_cast<float>(controls.stick.left);
       joy.axes[1] = static_cast<float>(controls.stick.up);

@@ -54,10 +54,7 @@ class SimNode {
     crossed_ = node_.advertise<std_msgs::UInt32>("regions_crossed", 10, true);
     regions_ = node_.advertise<visualization_msgs::MarkerArray>("regions", 1, true);
     command_ = node_.subscribe<geometry_msgs::Twist>(
-        "cmd_vel", 10,
-        [this](const geometry_msgs::Twist::ConstPtr& m) {
-          world_.command({m->linear.x, m->angular.z});
-        },
+        "cmd_vel", 10, [this](const geometry_msgs::Twist::ConstPtr& m) { world_.command(velocity_of(*m)); },
         ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
     static_tf_.sendTransform(transform_message(stamp(), p_.base_frame, p_.laser_frame, p_.laser_pose, p_.laser_height));
     publish_counts();

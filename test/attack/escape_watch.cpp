@@ -33,7 +33,7 @@ EscapeWatch::EscapeWatch(const World& world, const Shape& padded_shape, const Sp
   const double dec = p.decel_lim_x != 0.0 ? std::abs(p.decel_lim_x) : p.acc_lim_x;
   bound_ = speed_that_stops_in(half_cell_, p.control_latency + 1e-3 * spec.period, dec);
   memory_ = static_cast<int>(1000.0 * p.control_latency) + spec.period + 2;
-  find_heaps();
+  find_clusters();
   const double dec_theta = p.decel_lim_theta != 0.0 ? std::abs(p.decel_lim_theta) : p.acc_lim_theta;
   settling_ =
       memory_ + 2 * spec.period + static_cast<int>(1000.0 * std::max(p.max_vel_x / dec, p.max_vel_theta / dec_theta));
@@ -77,19 +77,19 @@ void EscapeWatch::world_changed(int now) {
   floor_ = 1e9;
   in_since_ = -1;
   decided_.clear();
-  find_heaps();
+  find_clusters();
 }
 
-void EscapeWatch::find_heaps() {
-  heap_.assign(static_cast<std::size_t>(world_.columns()) * static_cast<std::size_t>(world_.rows()), -1);
+void EscapeWatch::find_clusters() {
+  cluster_.assign(static_cast<std::size_t>(world_.columns()) * static_cast<std::size_t>(world_.rows()), -1);
   std::vector<std::pair<int, int>> open;
-  for (int seed = 0, heap = 0; seed < static_cast<int>(heap_.size()); ++seed, ++heap) {
+  for (int seed = 0, cluster = 0; seed < static_cast<int>(cluster_.size()); ++seed, ++cluster) {
     open.assign(1, {seed % world_.columns(), seed / world_.columns()});
     while (!open.empty()) {
       const auto [i, j] = open.back();
       open.pop_back();
-      if (!world_.lethal(i, j) || heap_[world_.index(i, j)] >= 0) continue;
-      heap_[world_.index(i, j)] = heap;
+      if (!world_.lethal(i, j) || cluster_[world_.index(i, j)] >= 0) continue;
+      cluster_[world_.index(i, j)] = cluster;
       for (int dj = -1; dj <= 1; ++dj) {
         for (int di = -1; di <= 1; ++di) open.emplace_back(i + di, j + dj);
       }
@@ -132,11 +132,11 @@ void EscapeWatch::judge_cells(Set& now_in) {
 void EscapeWatch::judge_total(const Set& now_in) {
   std::map<int, double> depths;
   for (const In& cell : now_in) {
-    double& depth = depths[heap_[world_.index(cell.i, cell.j)]];
+    double& depth = depths[cluster_[world_.index(cell.i, cell.j)]];
     depth = std::max(depth, cell.depth);
   }
   double total = 0.0;
-  for (const auto& [heap, depth] : depths) total += depth;
+  for (const auto& [cluster, depth] : depths) total += depth;
   floor_ = std::min(floor_, total);
   growth_ = std::max(growth_, total - floor_);
 }

@@ -11,7 +11,7 @@ namespace hidwa_attack {
 
 /// Watches a robot that stands in obstacle cells. It may enter a cell only where that is a neighbour of one that it
 /// overlapped when what it does now was decided, no deeper than it stood in then and at most half a cell; its total
-/// depth never grows: the depth in the deepest cell of each heap, cells that hang together, summed over the heaps
+/// depth never grows: the depth in the deepest cell of each cluster, cells that hang together, summed over the clusters
 /// (along a wall the number of cells under the robot comes and goes, the depth in the wall does not); and it is no
 /// faster than what stops within half a cell.
 class EscapeWatch {
@@ -50,12 +50,12 @@ class EscapeWatch {
   bool judging(int now) const { return now >= judged_from_; }
   void judge_cells(Set& now_in);
   void judge_total(const Set& now_in);
-  void find_heaps();
+  void find_clusters();
   bool may_neighbour(const In& cell) const;
   bool was_in(const In& cell) const;
 
   const World& world_;
-  std::vector<int> heap_;  // of each cell of the world
+  std::vector<int> cluster_;  // of each cell of the world
   Shape shape_;
   double outermost_, half_cell_, bound_;  // [m], [m], [m/s]
   int memory_, settling_;                 // [ms]

@@ -24,7 +24,7 @@ void register_parts(const Effort& effort);
 void register_drives(const Effort& effort);
 
 /// samples/<v>x<omega>: what so many samples buy in the office. Counters: omega_change, the mean absolute change of
-/// omega from command to command of autonomy [rad/s]; deviation and excess, where the person's own command is refused:
+/// omega from command to command of autonomy [rad/s]; deviation and excess, where the person's own command is rejected:
 /// the mean deviation of what is chosen instead, and its J above that with the finest samples.
 void register_samples(const Effort& effort);
 

@@ -15,7 +15,7 @@ class NaiveTerms {
   /// Makes the distances to the plan, to its end and to its end moved ahead.
   explicit NaiveTerms(const Scene& scene);
 
-  /// J of a rollout; nothing where a critic refuses it.
+  /// J of a rollout; nothing where a critic rejects it.
   std::optional<double> total(const Twist2& sample, const std::vector<Pose2>& poses) const;
 
  private:

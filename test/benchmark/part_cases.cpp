@@ -44,7 +44,7 @@ class Parts {
     SampleRequest request;
     request.reference = reference_;
     request.previous = scene_->situation.last_command;
-    request.wanted = &scene_->intent.u_h;
+    request.operator_command = &scene_->intent.u_h;
     request.period = scene_->situation.period;
     request.vx_samples = parameters_.vx_samples;
     request.vth_samples = parameters_.vth_samples;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What finer samples buy: how smoothly the robot drives, and how near it comes to a wish that is refused.
+// What finer samples buy: how smoothly the robot drives, and how near it comes to an operator command that is rejected.
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -41,8 +41,8 @@ class Pusher : public sim::Operator {
   double left_ = 0.0;
 };
 
-// Of the cycles in which the person's own command was refused.
-struct Refused {
+// Of the cycles in which the person's own command was rejected.
+struct Rejected {
   int cycles = 0;
   double deviation = 0.0;  // summed: s_v |v_h - v| + s_omega |omega_h - omega| of the choice
   double excess = 0.0;     // summed: J of the choice above that with the finest samples
@@ -53,7 +53,7 @@ double deviation_of(const Decision& decision, const Twist2& u_h, const Parameter
 }
 
 // The same cycles of the same drives for every sampling: the default's drives, looked at by two planners more.
-void look_at_refusals(const Sampling& sampling, std::uint64_t seed, Refused& refused) {
+void look_at_rejections(const Sampling& sampling, std::uint64_t seed, Rejected& rejected) {
   drive::DriveSetup setup = office_drive();
   setup.laser_seed = seed;
   setup.person = std::make_shared<Pusher>(seed);
@@ -64,29 +64,29 @@ void look_at_refusals(const Sampling& sampling, std::uint64_t seed, Refused& ref
   }
   int number = 0;
   drive::drive(setup, [&](const drive::Cycle& cycle) {
-    if (cycle.intent.influence != Influence::shared || cycle.decision.operator_refused_by.empty()) return;
+    if (cycle.intent.influence != Influence::shared || cycle.decision.operator_rejected_by.empty()) return;
     if (number++ % 5 != 0) return;
     planner.reset();
     finest.reset();
     const Decision& choice = planner.plan(cycle.situation, cycle.grid, cycle.intent, sampling);
     const Decision& best = finest.plan(cycle.situation, cycle.grid, cycle.intent, kFinest);
     if (choice.outcome != Outcome::drive || best.outcome != Outcome::drive) return;
-    ++refused.cycles;
-    refused.deviation += deviation_of(choice, cycle.intent.u_h, planner.parameters());
-    refused.excess += choice.total - best.total;
+    ++rejected.cycles;
+    rejected.deviation += deviation_of(choice, cycle.intent.u_h, planner.parameters());
+    rejected.excess += choice.total - best.total;
   });
 }
 
 void run_samples(benchmark::State& state, const Sampling& sampling, std::uint64_t drives) {
   drive::DriveResult alone;
-  Refused refused;
+  Rejected rejected;
   for (auto _ : state) {
     try {
       drive::DriveSetup setup = office_drive();
       setup.parameters.vx_samples = sampling.vx_samples;
       setup.parameters.vth_samples = sampling.vth_samples;
       alone = drive::drive(setup);
-      for (std::uint64_t seed = 1; seed <= drives; ++seed) look_at_refusals(sampling, seed, refused);
+      for (std::uint64_t seed = 1; seed <= drives; ++seed) look_at_rejections(sampling, seed, rejected);
     } catch (const std::exception& fault) {
       state.SkipWithError(fault.what());
       return;
@@ -94,10 +94,10 @@ void run_samples(benchmark::State& state, const Sampling& sampling, std::uint64_
   }
   state.counters["omega_change"] = alone.omega_change;
   state.counters["duration_s"] = alone.duration;
-  state.counters["refused_cycles"] = refused.cycles;
-  if (refused.cycles == 0) return;
-  state.counters["deviation"] = refused.deviation / refused.cycles;
-  state.counters["excess"] = refused.excess / refused.cycles;
+  state.counters["rejected_cycles"] = rejected.cycles;
+  if (rejected.cycles == 0) return;
+  state.counters["deviation"] = rejected.deviation / rejected.cycles;
+  state.counters["excess"] = rejected.excess / rejected.cycles;
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ constexpr double kSameDepth = 1e-4;
 // What the ordinary check leaves open of the other obstacles where the robot is too near to one for a margin [m].
 constexpr double kTouches = 5e-4;
 
-// As far as a heap is followed: beyond it no rollout gets [cells].
-constexpr int kHeapSteps = 8;
+// As far as a cluster is followed: beyond it no rollout gets [cells].
+constexpr int kClusterSteps = 8;
 
 Polygon circle() {
   Polygon corners;
@@ -58,7 +58,7 @@ class Robot {
         loop_(scene_, person_) {}
   Scene& scene() { return scene_; }
   const Pose2& pose() const { return scene_.situation.pose; }
-  NaiveEscape contact() const { return {scene_.grid(), body_, true, pose(), kHeapSteps}; }
+  NaiveEscape contact() const { return {scene_.grid(), body_, true, pose(), kClusterSteps}; }
 
   struct Cycle {
     Decision decision;

@@ -136,7 +136,7 @@ TEST(Following, EveryDeflectionIsFollowedOnceTheAccelerationLimitAllows) {
         ASSERT_EQ(cycle.decision.outcome, Outcome::drive);
         if (cycle.intent.influence == Influence::none) continue;  // centred for longer than delta
         errors.add(cycle);
-        EXPECT_EQ(cycle.decision.operator_refused_by, "");
+        EXPECT_EQ(cycle.decision.operator_rejected_by, "");
       }
       if (cycle.intent.influence == Influence::none) continue;
       EXPECT_NEAR(cycle.decision.command.omega, cycle.wanted, kClose) << deflection;

@@ -143,7 +143,7 @@ TEST_P(Wall, WhereverThePersonSteers) {
   const Base base = GetParam();
   Random random(2);
   double deepest = 0.0;
-  int refused = 0;
+  int rejected = 0;
   for (int drives = 0; drives < 8; ++drives) {
     Room room(base);
     room.stand({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-3.0, 3.0)});
@@ -151,13 +151,13 @@ TEST_P(Wall, WhereverThePersonSteers) {
     Twist2 wanted;
     for (int k = 0; k < 400; ++k) {
       if (random.chance(0.1)) wanted = {random.uniform(0.3, 1.0) * base.v, random.uniform(-1.0, 1.0) * base.omega};
-      refused += !room.cycle(wanted, stops.now()).refusals.empty();
+      rejected += !room.cycle(wanted, stops.now()).rejections.empty();
       deepest = std::max(deepest, room.overlap());
     }
   }
   // Speeding up counts as even where that is less than a thirty-second of a cell off, see ManoeuvreRoller.
   EXPECT_LT(deepest, 0.002);
-  EXPECT_GT(refused, 300);
+  EXPECT_GT(rejected, 300);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bases, Wall,

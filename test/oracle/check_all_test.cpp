@@ -20,7 +20,7 @@ constexpr int kScenes = 1500;
 constexpr int kCycles = 3;
 
 struct Tally {
-  int cycles = 0, chosen = 0, nothing_legal = 0, fewer_looks = 0, own_refused = 0;
+  int cycles = 0, chosen = 0, nothing_legal = 0, fewer_looks = 0, own_rejected = 0;
 };
 
 void expect_same(const Decision& brief, const Decision& full) {
@@ -30,7 +30,7 @@ void expect_same(const Decision& brief, const Decision& full) {
   EXPECT_EQ(brief.total, full.total);
   EXPECT_EQ(brief.trajectory.size(), full.trajectory.size());
   EXPECT_EQ(brief.agreement, full.agreement);
-  EXPECT_EQ(brief.operator_refused_by, full.operator_refused_by);
+  EXPECT_EQ(brief.operator_rejected_by, full.operator_rejected_by);
   EXPECT_EQ(brief.escaping, full.escaping);
   EXPECT_EQ(brief.problem, full.problem);
   EXPECT_EQ(brief.candidates, full.candidates);
@@ -38,17 +38,17 @@ void expect_same(const Decision& brief, const Decision& full) {
   for (std::size_t i = 0; i < full.terms.size(); ++i) EXPECT_EQ(brief.terms[i].raw, full.terms[i].raw);
 }
 
-void expect_same_refusals(const Decision& brief, const Decision& full) {
+void expect_same_rejections(const Decision& brief, const Decision& full) {
   EXPECT_EQ(brief.legal, full.legal);
-  ASSERT_EQ(brief.refusals.size(), full.refusals.size());
-  for (std::size_t i = 0; i < full.refusals.size(); ++i) {
-    EXPECT_EQ(brief.refusals[i].name, full.refusals[i].name);
-    EXPECT_EQ(brief.refusals[i].count, full.refusals[i].count) << full.refusals[i].name;
+  ASSERT_EQ(brief.rejections.size(), full.rejections.size());
+  for (std::size_t i = 0; i < full.rejections.size(); ++i) {
+    EXPECT_EQ(brief.rejections[i].name, full.rejections[i].name);
+    EXPECT_EQ(brief.rejections[i].count, full.rejections[i].count) << full.rejections[i].name;
   }
 }
 
-// What is known to be refused is; a refusal that is not known of was none of the choice's business.
-void expect_known_refusals(const Planner& brief, const Planner& full) {
+// What is known to be rejected is; a rejection that is not known of was none of the choice's business.
+void expect_known_rejections(const Planner& brief, const Planner& full) {
   ASSERT_EQ(brief.totals().size(), full.totals().size());
   for (std::size_t c = 0; c < full.totals().size(); ++c) {
     if (std::isfinite(full.totals()[c])) {
@@ -70,15 +70,15 @@ void compare(Scene& scene, Random& random, Tally& tally) {
     const Decision& a = brief.plan(scene.situation, scene.grid(), scene.intent);
     const Decision& b = full.plan(scene.situation, scene.grid(), scene.intent, all);
     expect_same(a, b);
-    expect_known_refusals(brief, full);
+    expect_known_rejections(brief, full);
     const bool chosen = b.outcome == Outcome::drive || b.outcome == Outcome::hold;
     EXPECT_GE(a.legal, b.legal);
-    if (!chosen) expect_same_refusals(a, b);
+    if (!chosen) expect_same_rejections(a, b);
     ++tally.cycles;
     tally.chosen += chosen;
     tally.nothing_legal += b.candidates > 0 && b.legal == 0;
     tally.fewer_looks += a.legal > b.legal;
-    tally.own_refused += !b.operator_refused_by.empty();
+    tally.own_rejected += !b.operator_rejected_by.empty();
     scene.situation.velocity = scene.situation.last_command = b.command;
     scene.situation.pose.x += random.uniform(-0.05, 0.05);
     scene.situation.pose.y += random.uniform(-0.05, 0.05);
@@ -97,16 +97,16 @@ TEST(CheckAll, DecidesTheSame) {
     if (random.chance(0.1)) scene.parameters.critics = "Oscillation";
     if (random.chance(0.1)) scene.intent.influence = Influence::direct;
     if (random.chance(0.2)) scene.situation.velocity = scene.situation.last_command = {};  // it fails, if at all
-    // Critics refuse many that hit something too: whose refusal is told?
+    // Critics reject many that hit something too: whose rejection is told?
     if (random.chance(0.3)) scene.situation.goal_latched = true;
     compare(scene, random, tally);
   }
-  std::printf("%d cycles: %d chosen, %d nothing legal, %d with fewer looks, %d with the person's own refused\n",
-              tally.cycles, tally.chosen, tally.nothing_legal, tally.fewer_looks, tally.own_refused);
+  std::printf("%d cycles: %d chosen, %d nothing legal, %d with fewer looks, %d with the person's own rejected\n",
+              tally.cycles, tally.chosen, tally.nothing_legal, tally.fewer_looks, tally.own_rejected);
   EXPECT_GT(tally.chosen, 2000);
   EXPECT_GT(tally.nothing_legal, 50);
   EXPECT_GT(tally.fewer_looks, 300);
-  EXPECT_GT(tally.own_refused, 100);
+  EXPECT_GT(tally.own_rejected, 100);
 }
 
 }  // namespace

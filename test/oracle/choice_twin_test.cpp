@@ -26,7 +26,7 @@ constexpr double kTied = 1e-6;
 constexpr double kAtBorder = 1e-5;  // [m]
 
 struct Tally {
-  int compared = 0, chosen = 0, refused_all = 0, gave_up = 0, steered = 0, near_obstacles = 0;
+  int compared = 0, chosen = 0, rejected_all = 0, gave_up = 0, steered = 0, near_obstacles = 0;
   int nearly_tied = 0;          // whether or not the choices differ
   int tied = 0, at_border = 0;  // where they differ: excused
 };
@@ -68,7 +68,7 @@ void compare(const Scene& scene, const NaivePlanner& naive, Tally& tally) {
   }
   const NaiveCandidate* twin = naive.best();
   if (!chosen && twin == nullptr) {
-    ++tally.refused_all;
+    ++tally.rejected_all;
     return;
   }
   tally.chosen += chosen;
@@ -99,8 +99,8 @@ Tally compare_all(std::uint64_t first_seed, const Adjust& adjust) {
     const NaivePlanner naive(scene);
     if (!naive.stands_in_collision()) compare(scene, naive, tally);
   }
-  std::printf("%d compared, %d steered, %d with refusals: %d chosen, %d refused all, %d gave up, %d nearly tied\n",
-              tally.compared, tally.steered, tally.near_obstacles, tally.chosen, tally.refused_all, tally.gave_up,
+  std::printf("%d compared, %d steered, %d with rejections: %d chosen, %d rejected all, %d gave up, %d nearly tied\n",
+              tally.compared, tally.steered, tally.near_obstacles, tally.chosen, tally.rejected_all, tally.gave_up,
               tally.nearly_tied);
   std::printf("differing choices: %d of equal totals, %d at a border between cells\n", tally.tied, tally.at_border);
   return tally;
@@ -111,7 +111,7 @@ void expect_variety(const Tally& tally) {
   EXPECT_GT(tally.chosen, kScenes / 2);
   EXPECT_GT(tally.near_obstacles, kScenes / 4);
   EXPECT_GT(tally.steered, kScenes / 2);
-  EXPECT_GT(tally.refused_all, kScenes / 100);
+  EXPECT_GT(tally.rejected_all, kScenes / 100);
   EXPECT_GT(tally.gave_up, 10);
   EXPECT_LE(tally.tied, kScenes / 100);
   EXPECT_LE(tally.at_border, kScenes / 1000);

@@ -80,15 +80,15 @@ void compare_room(std::uint64_t seed, Tally& tally) {
   CollisionChecker checker;
   const double room = random.uniform(0.0, 0.6), reach = 1.0;
   checker.prepare(scene.grid(), footprint, unknown, scene.situation.pose, reach, scene.resolution, room);
-  ASSERT_GE(checker.room(), room);
+  ASSERT_GE(checker.largest_clearance(), room);
   for (int k = 0; k < 40; ++k) {
     const Pose2& start = scene.situation.pose;
     const Pose2 pose{start.x + random.uniform(-0.7, 0.7), start.y + random.uniform(-0.7, 0.7),
                      random.uniform(-4.0, 4.0)};
     const double overlap = test::naive_overlap(scene.grid(), body, pose, unknown);
-    const double cap = random.uniform(0.01, 0.6), most = std::min(cap, checker.room());
+    const double cap = random.uniform(0.01, 0.6), most = std::min(cap, checker.largest_clearance());
     const double gap = test::naive_gap(scene.grid(), body, pose, unknown, most);
-    const double told = checker.separation(pose, {std::cos(pose.theta), std::sin(pose.theta)}, cap);
+    const double told = checker.clearance(pose, {std::cos(pose.theta), std::sin(pose.theta)}, cap);
     ++tally.poses;
     tally.doubtful += overlap > 0.0 && overlap < kDoubt;
     if (overlap > 0.0 && overlap < kDoubt) continue;

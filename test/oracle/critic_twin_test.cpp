@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Critics by themselves on random rollouts, so that those count too which the planner's own checks would have
-// refused. Oscillation, which remembers, on random histories.
+// rejected. Oscillation, which remembers, on random histories.
 #include <cstdio>
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using test::Random;
 using test::Scene;
 
 struct Tally {
-  int legal = 0, refused = 0;
+  int legal = 0, rejected = 0;
 };
 
 void compare_scene(const std::string& name, std::uint64_t seed, Tally& tally) {
@@ -35,13 +35,13 @@ void compare_scene(const std::string& name, std::uint64_t seed, Tally& tally) {
   std::vector<NaiveCandidate> candidates = test::naive_candidates(scene, scene.situation.velocity);
   test::naive_roll_out(scene, scene.situation.velocity, candidates);
   for (const NaiveCandidate& c : candidates) {
-    bool refuses = false;
-    const double raw = naive.raw(name, c, refuses);
-    const test::Verdict verdict = bench.score(c.u, c.poses, c.dt);
-    ASSERT_EQ(verdict.rejected(), refuses) << c.u.v << " " << c.u.omega << " " << verdict.reason;
-    ++(refuses ? tally.refused : tally.legal);
-    if (!refuses) {
-      ASSERT_NEAR(verdict.raw, raw, 1e-9) << c.u.v << " " << c.u.omega;
+    bool rejects = false;
+    const double raw = naive.raw(name, c, rejects);
+    const test::CriticAnswer answer = bench.score(c.u, c.poses, c.dt);
+    ASSERT_EQ(answer.rejected(), rejects) << c.u.v << " " << c.u.omega << " " << answer.reason;
+    ++(rejects ? tally.rejected : tally.legal);
+    if (!rejects) {
+      ASSERT_NEAR(answer.raw, raw, 1e-9) << c.u.v << " " << c.u.omega;
     }
   }
 }
@@ -52,11 +52,11 @@ TEST_P(CriticTwin, RandomScenes) {
   Tally tally;
   for (std::uint64_t seed = 0; seed < 400 && !HasFatalFailure(); ++seed)
     compare_scene(GetParam(), 4000000 + seed, tally);
-  std::printf("%s: %d legal, %d refused\n", GetParam(), tally.legal, tally.refused);
+  std::printf("%s: %d legal, %d rejected\n", GetParam(), tally.legal, tally.rejected);
   EXPECT_GT(tally.legal, 1000);
   const std::string name = GetParam();
   if (name != "PreferForward" && name != "Twirling") {
-    EXPECT_GT(tally.refused, 0);
+    EXPECT_GT(tally.rejected, 0);
   }
 }
 
@@ -80,7 +80,7 @@ class NaiveOscillation {
       events_.clear();
     }
   }
-  bool refuses(const Twist2& u) const { return u.v * ban(&Twist2::v) < 0.0 || u.omega * ban(&Twist2::omega) < 0.0; }
+  bool rejects(const Twist2& u) const { return u.v * ban(&Twist2::v) < 0.0 || u.omega * ban(&Twist2::omega) < 0.0; }
 
  private:
   struct Event {
@@ -120,7 +120,7 @@ class NaiveOscillation {
 
 TEST(OscillationTwin, RandomHistories) {
   Random random(31);
-  int refused = 0, resets = 0;
+  int rejected = 0, resets = 0;
   for (int history = 0; history < 400; ++history) {
     Scene scene = Scene::empty(21);
     if (random.chance(0.3)) scene.parameters.Oscillation_reset_time = random.uniform(0.1, 2.0);
@@ -139,15 +139,15 @@ TEST(OscillationTwin, RandomHistories) {
       naive.note(s.pose, s.time, command);
       bool any = false;
       for (const Twist2& u : {Twist2{0.2, 0.0}, Twist2{-0.2, 0.0}, Twist2{0.0, 0.4}, Twist2{0.0, -0.4}, Twist2{}}) {
-        ASSERT_EQ(bench.score(u, {{}, {}}).rejected(), naive.refuses(u)) << history << " " << k;
-        any = any || naive.refuses(u);
+        ASSERT_EQ(bench.score(u, {{}, {}}).rejected(), naive.rejects(u)) << history << " " << k;
+        any = any || naive.rejects(u);
       }
-      refused += any;
+      rejected += any;
       resets += banned && !any;
       banned = any;
     }
   }
-  EXPECT_GT(refused, 1000);
+  EXPECT_GT(rejected, 1000);
   EXPECT_GT(resets, 20);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole cycles against the naive twin: every candidate's refusal, every critic's score, the choice and its
+// Whole cycles against the naive twin: every candidate's rejection, every critic's score, the choice and its
 // command.
 #include <cmath>
 #include <cstdio>
@@ -26,7 +26,7 @@ using test::Scene;
 struct Tally {
   int compared = 0, in_collision = 0, doubtful = 0, tied = 0, braked = 0, lagging = 0, told_apart = 0;
   int odometry_doubted = 0, ways = 0;
-  std::map<std::string, int> refusals;
+  std::map<std::string, int> rejections;
 };
 
 void compare_candidates(const Scene& scene, const NaivePlanner& naive, const Planner& planner, Tally& tally) {
@@ -37,14 +37,14 @@ void compare_candidates(const Scene& scene, const NaivePlanner& naive, const Pla
     const NaiveCandidate& twin = naive.candidates()[c];
     ASSERT_NEAR(core.sample.v, twin.u.v, 1e-9) << "candidate " << c;
     ASSERT_NEAR(core.sample.omega, twin.u.omega, 1e-9) << "candidate " << c;
-    ASSERT_EQ(core.legal() ? "" : core.rejections.front().name, twin.refused_by)
+    ASSERT_EQ(core.legal() ? "" : core.rejections.front().name, twin.rejected_by)
         << "candidate " << c << " " << twin.u.v << " " << twin.u.omega;
     ASSERT_EQ(core.poses.size(), twin.poses.size());
     ASSERT_NEAR(core.poses.back().x, twin.poses.back().x, 1e-9);
     ASSERT_NEAR(core.poses.back().y, twin.poses.back().y, 1e-9);
     ASSERT_NEAR(core.poses.back().theta, twin.poses.back().theta, 1e-9);
-    if (!twin.refused_by.empty()) {
-      ++tally.refusals[twin.refused_by];
+    if (!twin.rejected_by.empty()) {
+      ++tally.rejections[twin.rejected_by];
       continue;
     }
     const std::vector<std::string> critics = split_names(scene.parameters.critics);
@@ -96,13 +96,13 @@ void stop(Planner& planner, const Scene& scene, const std::vector<NaiveCycle>& c
   }
 }
 
-// Without the former commands something else would have been refused.
+// Without the former commands something else would have been rejected.
 bool former_commands_count(const Scene& scene, const NaivePlanner& with) {
   Scene steady = scene;
   steady.situation.velocity = scene.situation.last_command;
   const NaivePlanner without(steady);
   for (std::size_t c = 0; c < with.candidates().size(); ++c) {
-    if (with.candidates()[c].refused_by != without.candidates()[c].refused_by) return true;
+    if (with.candidates()[c].rejected_by != without.candidates()[c].rejected_by) return true;
   }
   return false;
 }
@@ -150,9 +150,9 @@ void compare_all(int scenes, std::uint64_t first_seed, const std::function<void(
     compare(scene, before, tally);
     if (testing::Test::HasFatalFailure()) return;
   }
-  std::printf("%d compared, %d in collision, %d doubtful, %d tied, %d braked; refusals:", tally.compared,
+  std::printf("%d compared, %d in collision, %d doubtful, %d tied, %d braked; rejections:", tally.compared,
               tally.in_collision, tally.doubtful, tally.tied, tally.braked);
-  for (const auto& [name, count] : tally.refusals) std::printf(" %s %d", name.c_str(), count);
+  for (const auto& [name, count] : tally.rejections) std::printf(" %s %d", name.c_str(), count);
   std::printf("\n");
 }
 
@@ -164,7 +164,7 @@ TEST(PlannerTwin, DefaultProfile) {
   EXPECT_GE(tally.compared, 1000);
   EXPECT_LE(tally.doubtful, 5);
   for (const char* name : {"Collision", "Braking", "BaseObstacle", "RotateToGoal"}) {
-    EXPECT_GT(tally.refusals[name], 20) << name;
+    EXPECT_GT(tally.rejections[name], 20) << name;
   }
 }
 
@@ -177,7 +177,7 @@ TEST(PlannerTwin, RandomParameters) {
   EXPECT_GE(tally.compared, 500);
   EXPECT_LE(tally.doubtful, 5);
   for (const char* name : {"Collision", "Braking", "BaseObstacle", "RotateToGoal"}) {
-    EXPECT_GT(tally.refusals[name], 5) << name;
+    EXPECT_GT(tally.rejections[name], 5) << name;
   }
   EXPECT_GT(tally.odometry_doubted, 20);
   EXPECT_GT(tally.ways, tally.compared + 100);
@@ -197,7 +197,7 @@ TEST(PlannerTwin, LateCyclesAndOldPoses) {
       tally);
   EXPECT_GE(tally.compared, 350);
   EXPECT_LE(tally.doubtful, 5);
-  EXPECT_GT(tally.refusals["Braking"], 50);
+  EXPECT_GT(tally.rejections["Braking"], 50);
 }
 
 // Random robots in all states of motion with some cells under their outline, as a new scan may have put them there.

@@ -64,7 +64,7 @@ Scene make_scene(std::uint64_t seed, const Case& c) {
 }
 
 struct Seen {
-  std::uint64_t driven = 0, braked = 0, failed = 0, steered = 0, autonomous = 0, refusing = 0, escaping = 0;
+  std::uint64_t driven = 0, braked = 0, failed = 0, steered = 0, autonomous = 0, rejecting = 0, escaping = 0;
 };
 
 class Allocations : public ::testing::TestWithParam<Case> {
@@ -80,7 +80,7 @@ class Allocations : public ::testing::TestWithParam<Case> {
     seen_.failed += decision.outcome == Outcome::fail;
     seen_.steered += scene.intent.influence != Influence::none;
     seen_.autonomous += scene.intent.influence == Influence::none;
-    seen_.refusing += decision.legal < decision.candidates;
+    seen_.rejecting += decision.legal < decision.candidates;
     seen_.escaping += decision.escaping;
   }
 
@@ -101,11 +101,11 @@ TEST_P(Allocations, NoneAfterTheFirstRound) {
       note(scene, decision);
     }
   }
-  std::printf("%llu driven, %llu braked, %llu failed, %llu steered, %llu refusing, %llu escaping\n",
+  std::printf("%llu driven, %llu braked, %llu failed, %llu steered, %llu rejecting, %llu escaping\n",
               static_cast<unsigned long long>(seen_.driven), static_cast<unsigned long long>(seen_.braked),
               static_cast<unsigned long long>(seen_.failed), static_cast<unsigned long long>(seen_.steered),
-              static_cast<unsigned long long>(seen_.refusing), static_cast<unsigned long long>(seen_.escaping));
-  const auto often = {seen_.driven, seen_.steered, seen_.autonomous, seen_.refusing};
+              static_cast<unsigned long long>(seen_.rejecting), static_cast<unsigned long long>(seen_.escaping));
+  const auto often = {seen_.driven, seen_.steered, seen_.autonomous, seen_.rejecting};
   const auto seldom = {seen_.braked, seen_.failed, seen_.escaping};
   for (const std::uint64_t count : often) EXPECT_GT(count, 250U);
   for (const std::uint64_t count : seldom) EXPECT_GT(count, 20U);

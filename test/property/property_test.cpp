@@ -144,7 +144,7 @@ TEST(Property, ChosenCommandsKeepTheLimitsAndCanBeBraked) {
     // The root of an area: rounding of 1e-15 m^2 shows as some 1e-8 m.
     EXPECT_LE(braked_overlap(scene, decision), 1e-6) << "scene " << seed;
   }
-  std::printf("%llu commands braked, %llu of them where something was refused\n",
+  std::printf("%llu commands braked, %llu of them where something was rejected\n",
               static_cast<unsigned long long>(braked), static_cast<unsigned long long>(near_obstacles));
   EXPECT_GT(braked, kScenes / 2);
   EXPECT_GT(near_obstacles, kScenes / 4);

@@ -48,7 +48,7 @@ class HandTile {
   Tile tile_;
 };
 
-struct Verdict {
+struct CriticAnswer {
   double raw = 0.0;
   std::string reason;  // empty where it is legal
   bool rejected() const { return !reason.empty(); }
@@ -69,15 +69,15 @@ class CriticBench {
     filler_.prepare(scene_);
     critic_->prepare(filler_.view());
   }
-  Verdict score(const Twist2& u, const std::vector<Pose2>& poses, double dt = 0.1) {
+  CriticAnswer score(const Twist2& u, const std::vector<Pose2>& poses, double dt = 0.1) {
     HandTile hand(u, poses, dt);
     filler_.fill(hand.tile());
-    Verdict verdict;
+    CriticAnswer answer;
     const char* reason = nullptr;
-    TileScores scores(&verdict.raw, &reason, 1);
+    TileScores scores(&answer.raw, &reason, 1);
     critic_->score(filler_.view(), hand.tile(), scores);
-    if (reason != nullptr) verdict.reason = reason;
-    return verdict;
+    if (reason != nullptr) answer.reason = reason;
+    return answer;
   }
   void debrief(const Twist2& command) { critic_->debrief(filler_.view(), command); }
 

@@ -57,26 +57,26 @@ class NaiveCritics {
   }
 
   bool steered() const { return scene_.intent.influence != Influence::none; }
-  /// Then no critic refuses for the sake of autonomy.
-  bool person_decides() const {
+  /// Then no critic rejects for the sake of autonomy.
+  bool operator_decides() const {
     return scene_.intent.influence == Influence::direct || (steered() && scene_.situation.goal_latched);
   }
 
-  /// The raw score; sets `refuses` where the critic refuses.
-  double raw(const std::string& critic, const NaiveCandidate& c, bool& refuses) const {
+  /// The raw score; sets `rejects` where the critic rejects.
+  double raw(const std::string& critic, const NaiveCandidate& c, bool& rejects) const {
     const Parameters& p = scene_.parameters;
-    if (critic == "PathDist") return map_grid(path_, 0.0, c, refuses);
-    if (critic == "GoalDist") return map_grid(goal_, 0.0, c, refuses);
-    if (critic == "GoalAlign") return map_grid(ahead_, p.GoalAlign_forward_point_distance, c, refuses);
+    if (critic == "PathDist") return map_grid(path_, 0.0, c, rejects);
+    if (critic == "GoalDist") return map_grid(goal_, 0.0, c, rejects);
+    if (critic == "GoalAlign") return map_grid(ahead_, p.GoalAlign_forward_point_distance, c, rejects);
     if (critic == "PathAlign") {
       const double to_goal = std::hypot(scene_.situation.goal.x - scene_.situation.pose.x,
                                         scene_.situation.goal.y - scene_.situation.pose.y);
       if (on_map_ && to_goal <= p.PathAlign_forward_point_distance) return 0.0;
-      return map_grid(path_, p.PathAlign_forward_point_distance, c, refuses);
+      return map_grid(path_, p.PathAlign_forward_point_distance, c, rejects);
     }
-    if (critic == "BaseObstacle") return base_obstacle(c, refuses);
-    if (critic == "ObstacleFootprint") return obstacle_footprint(c, refuses);
-    if (critic == "RotateToGoal") return rotate_to_goal(c, refuses);
+    if (critic == "BaseObstacle") return base_obstacle(c, rejects);
+    if (critic == "ObstacleFootprint") return obstacle_footprint(c, rejects);
+    if (critic == "RotateToGoal") return rotate_to_goal(c, rejects);
     if (critic == "PreferForward") {
       const bool creeps = c.u.v < p.PreferForward_strafe_x && std::abs(c.u.omega) < p.PreferForward_strafe_theta;
       return c.u.v < 0.0 || creeps ? p.PreferForward_penalty : std::abs(c.u.omega) * p.PreferForward_theta_scale;
@@ -123,7 +123,7 @@ class NaiveCritics {
     const int units = d.units[grid_.index(cell)];
     return units < 0 ? -1.0 : units * d.metres;
   }
-  double map_grid(const NaiveDistances& d, double forward, const NaiveCandidate& c, bool& refuses) const {
+  double map_grid(const NaiveDistances& d, double forward, const NaiveCandidate& c, bool& rejects) const {
     const Pose2 q = c.poses.back();
     if (!on_map_) {
       Pose2 nearest = scene_.situation.plan.front();
@@ -135,7 +135,7 @@ class NaiveCritics {
     const double x = q.x + forward * std::cos(q.theta), y = q.y + forward * std::sin(q.theta);
     const double nose = look_up(d, x, y);
     if (scene_.parameters.map_grid == MapGridDistance::l1) {
-      refuses = nose < 0.0 && !person_decides();
+      rejects = nose < 0.0 && !operator_decides();
       return nose < 0.0 ? unreached() : nose;
     }
     if (nose >= 0.0 && !naive_blocks(grid_.at(naive_cell(grid_, x, y)))) return nose;
@@ -151,11 +151,11 @@ class NaiveCritics {
     const int value = grid_.at(cell);
     return value == 253 || value == 254 || (value == 255 && scene_.parameters.unknown_is_obstacle);
   }
-  double base_obstacle(const NaiveCandidate& c, bool& refuses) const {
+  double base_obstacle(const NaiveCandidate& c, bool& rejects) const {
     const bool may_leave = scene_.parameters.escape && bad_centre(scene_.situation.pose.x, scene_.situation.pose.y);
     double sum = 0.0, last = 0.0;
     for (const Pose2& q : c.poses) {
-      if (!may_leave && bad_centre(q.x, q.y)) refuses = true;
+      if (!may_leave && bad_centre(q.x, q.y)) rejects = true;
       const Cell cell = naive_cell(grid_, q.x, q.y);
       last = grid_.contains(cell) ? grid_.at(cell) : 0.0;
       sum += last;
@@ -195,7 +195,7 @@ class NaiveCritics {
     }
     return largest;
   }
-  double obstacle_footprint(const NaiveCandidate& c, bool& refuses) const {
+  double obstacle_footprint(const NaiveCandidate& c, bool& rejects) const {
     bool stands_in_one = false;
     outline_cost(scene_.situation.pose, stands_in_one);
     const bool may_leave = scene_.parameters.escape && stands_in_one;
@@ -203,7 +203,7 @@ class NaiveCritics {
     for (const Pose2& q : c.poses) {
       bool hits = false;
       last = outline_cost(q, hits);
-      if (hits && !may_leave) refuses = true;
+      if (hits && !may_leave) rejects = true;
       if (hits) last = 254.0;
       sum += last;
     }
@@ -218,16 +218,16 @@ class NaiveCritics {
     }
     return c.poses.back().theta;
   }
-  double rotate_to_goal(const NaiveCandidate& c, bool& refuses) const {
+  double rotate_to_goal(const NaiveCandidate& c, bool& rejects) const {
     const Parameters& p = scene_.parameters;
     const Situation& s = scene_.situation;
     if (std::hypot(s.goal.x - s.pose.x, s.goal.y - s.pose.y) > p.xy_goal_tolerance) return 0.0;
     const double error = naive_angle(s.goal.theta - heading_at(c, p.RotateToGoal_lookahead_time));
     if (std::abs(s.velocity.v) <= p.trans_stopped_velocity) {
-      refuses = !steered() && std::abs(c.u.v) > 1e-5;
+      rejects = !steered() && std::abs(c.u.v) > 1e-5;
       return error;
     }
-    refuses = !steered() && c.u.v * c.u.v >= s.velocity.v * s.velocity.v;
+    rejects = !steered() && c.u.v * c.u.v >= s.velocity.v * s.velocity.v;
     return c.u.v * c.u.v * p.RotateToGoal_slowing_factor + error;
   }
 

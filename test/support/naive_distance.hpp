@@ -2,11 +2,9 @@
 // Distances between cells, the slow way.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <functional>
-#include <queue>
-#include <tuple>
 #include <vector>
 
 #include "hidwa_local_planner/core/grid_view.hpp"
@@ -32,27 +30,32 @@ inline std::vector<int> naive_l1(const GridView& grid, const std::vector<Cell>& 
 inline bool naive_blocks(std::uint8_t value) { return value == 253 || value == 254; }
 
 /// Dijkstra from cells with given distances (-1: none) through cells for which `enter` says so; 5 straight, 7
-/// diagonally.
+/// diagonally. Distances are small whole numbers, so a list of cells for each of them is the queue (Dial 1969).
 template <typename Enter>
 std::vector<int> naive_dijkstra(const GridView& grid, const std::vector<int>& from, const Enter& enter) {
-  using Entry = std::tuple<int, int, int>;  // distance, i, j
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  std::vector<std::vector<Cell>> queue;
+  const auto put = [&queue](int distance, const Cell& cell) {
+    const auto at = static_cast<std::size_t>(distance);
+    if (queue.size() <= at) queue.resize(at + 1);
+    queue[at].push_back(cell);
+  };
   std::vector<int> done(grid.cell_count(), -1);
   for (int j = 0; j < grid.size_y; ++j) {
     for (int i = 0; i < grid.size_x; ++i) {
-      if (from[grid.index({i, j})] >= 0) queue.emplace(from[grid.index({i, j})], i, j);
+      if (from[grid.index({i, j})] >= 0) put(from[grid.index({i, j})], {i, j});
     }
   }
-  while (!queue.empty()) {
-    const auto [distance, i, j] = queue.top();
-    queue.pop();
-    if (done[grid.index({i, j})] >= 0) continue;
-    done[grid.index({i, j})] = distance;
-    for (int dj = -1; dj <= 1; ++dj) {
-      for (int di = -1; di <= 1; ++di) {
-        const Cell to{i + di, j + dj};
-        if (!grid.contains(to) || done[grid.index(to)] >= 0 || !enter(to)) continue;
-        queue.emplace(distance + (di != 0 && dj != 0 ? 7 : 5), to.i, to.j);
+  for (std::size_t distance = 0; distance < queue.size(); ++distance) {
+    for (std::size_t n = 0; n < queue[distance].size(); ++n) {
+      const Cell cell = queue[distance][n];
+      if (done[grid.index(cell)] >= 0) continue;
+      done[grid.index(cell)] = static_cast<int>(distance);
+      for (int dj = -1; dj <= 1; ++dj) {
+        for (int di = -1; di <= 1; ++di) {
+          const Cell to{cell.i + di, cell.j + dj};
+          if (!grid.contains(to) || done[grid.index(to)] >= 0 || !enter(to)) continue;
+          put(static_cast<int>(distance) + (di != 0 && dj != 0 ? 7 : 5), to);
+        }
       }
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot in collision, the slow way: depths by the Minkowski difference, heaps by searching all cells. Shares nothing
-// with the core but its plain types.
+// A robot in collision, the slow way: depths by the Minkowski difference, clusters by searching all cells. Shares
+// nothing with the core but its plain types.
 #pragma once
 
 #include <algorithm>
@@ -60,29 +60,29 @@ class NaiveEscape {
  public:
   using Cell2 = std::pair<int, int>;
 
-  /// `steps`: how many cells from the overlapped ones a heap is followed.
+  /// `steps`: how many cells from the overlapped ones a cluster is followed.
   NaiveEscape(const GridView& grid, const NaiveBody& body, bool unknown_is_obstacle, const Pose2& pose, int steps)
       : grid_(grid), body_(body), unknown_(unknown_is_obstacle), pose_(pose) {
     overlapped_ = depths(pose);
-    for (const auto& [cell, depth] : overlapped_) heap_[cell] = -1;
+    for (const auto& [cell, depth] : overlapped_) cluster_[cell] = -1;
     follow(steps);
-    name_heaps();
+    name_clusters();
   }
   bool overlaps() const { return !overlapped_.empty(); }
-  bool in_heap(int i, int j) const { return heap_.count({i, j}) > 0; }
+  bool in_cluster(int i, int j) const { return cluster_.count({i, j}) > 0; }
   double start_total() const { return total(pose_); }
 
-  /// The deepest cell of each heap, added up [m].
+  /// The deepest cell of each cluster, added up [m].
   double total(const Pose2& pose) const {
     std::map<int, double> deepest;
     for (const auto& [cell, depth] : depths(pose)) {
-      if (in_heap(cell.first, cell.second)) {
-        double& most = deepest[heap_.at(cell)];
+      if (in_cluster(cell.first, cell.second)) {
+        double& most = deepest[cluster_.at(cell)];
         most = std::max(most, depth);
       }
     }
     double sum = 0.0;
-    for (const auto& [heap, depth] : deepest) sum += depth;
+    for (const auto& [cluster, depth] : deepest) sum += depth;
     return sum;
   }
 
@@ -154,13 +154,13 @@ class NaiveEscape {
         for (int dj = -1; dj <= 1; ++dj) {
           for (int di = -1; di <= 1; ++di) {
             const Cell2 cell{from.first + di, from.second + dj};
-            if (heap_.count(cell) > 0 || !obstacle(cell.first, cell.second) || buried(cell)) continue;
+            if (cluster_.count(cell) > 0 || !obstacle(cell.first, cell.second) || buried(cell)) continue;
             next[cell] = std::max(next[cell], std::min(depth, 0.5 * grid_.resolution));
           }
         }
       }
       for (const auto& [cell, depth] : next) {
-        heap_[cell] = -1;
+        cluster_[cell] = -1;
         inherited_[cell] = depth;
       }
       ring = next;
@@ -172,18 +172,18 @@ class NaiveEscape {
   }
 
   // Every cell takes the least name around it until nothing changes any more.
-  void name_heaps() {
+  void name_clusters() {
     int name = 0;
-    for (auto& [cell, heap] : heap_) heap = name++;
+    for (auto& [cell, cluster] : cluster_) cluster = name++;
     bool changed = true;
     while (changed) {
       changed = false;
-      for (auto& [cell, heap] : heap_) {
+      for (auto& [cell, cluster] : cluster_) {
         for (int dj = -1; dj <= 1; ++dj) {
           for (int di = -1; di <= 1; ++di) {
-            const auto other = heap_.find({cell.first + di, cell.second + dj});
-            if (other == heap_.end() || other->second >= heap) continue;
-            heap = other->second;
+            const auto other = cluster_.find({cell.first + di, cell.second + dj});
+            if (other == cluster_.end() || other->second >= cluster) continue;
+            cluster = other->second;
             changed = true;
           }
         }
@@ -192,7 +192,7 @@ class NaiveEscape {
   }
 
   double limit(const Cell2& cell, bool next_cycle) const {
-    if (heap_.count(cell) == 0) return 0.0;
+    if (cluster_.count(cell) == 0) return 0.0;
     double limit = 0.0;
     for (const auto& [other, depth] : overlapped_) {
       if (other == cell) limit = std::max(limit, depth);
@@ -209,7 +209,7 @@ class NaiveEscape {
   Pose2 pose_;
   std::map<Cell2, double> overlapped_;  // and how deep [m]
   std::map<Cell2, double> inherited_;   // of the others: of their nearest overlapped ones, half a cell at most [m]
-  std::map<Cell2, int> heap_;
+  std::map<Cell2, int> cluster_;
 };
 
 }  // namespace hidwa_local_planner::test

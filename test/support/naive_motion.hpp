@@ -111,7 +111,7 @@ struct NaiveCandidate {
   bool brake = false;
   std::vector<Pose2> poses;  // of the rollout, start included
   double dt = 0.0;           // [s]
-  std::string refused_by;    // empty while legal
+  std::string rejected_by;   // empty while legal
   std::vector<double> raw;   // per critic
   double total = 0.0;
 };

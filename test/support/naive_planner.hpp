@@ -57,8 +57,8 @@ class NaivePlanner {
     if (stands_in_collision_) {
       if (!scene_.parameters.escape) return;
       slow_down(slow.parameters);
-      find_heaps(slow.parameters);
-      if (!heaps_->overlaps()) slow = scene_;  // only its centre's cell is inscribed
+      find_clusters(slow.parameters);
+      if (!clusters_->overlaps()) slow = scene_;  // only its centre's cell is inscribed
     }
     keep_ = std::max(0.0, gap(scene_.situation.pose, 1.0) - 1e-6);
     candidates_ = naive_candidates(slow, reference_.reference());
@@ -82,7 +82,7 @@ class NaivePlanner {
     double total = INFINITY;
     for (const NaiveCandidate& c : candidates_) {
       const bool other = std::abs(c.u.v - best()->u.v) + std::abs(c.u.omega - best()->u.omega) > 1e-9;
-      if (c.refused_by.empty() && other) total = std::min(total, c.total);
+      if (c.rejected_by.empty() && other) total = std::min(total, c.total);
     }
     return total;
   }
@@ -92,7 +92,7 @@ class NaivePlanner {
     cycles.push_back(last);
     return cycles;
   }
-  bool escapes() const { return heaps_ != nullptr && heaps_->overlaps(); }
+  bool escapes() const { return clusters_ != nullptr && clusters_->overlaps(); }
 
   // How far the outline's farthest point moves with a command that is braked in the next cycle [m].
   double way(const Twist2& u) const {
@@ -120,16 +120,16 @@ class NaivePlanner {
     }
     p.max_vel_theta = std::min(p.max_vel_theta, fastest({0.0, 1.0}));
   }
-  // And a map without the heaps, in which a disc minds no inscribed cells.
-  void find_heaps(const Parameters& slow) {
+  // And a map without the clusters, in which a disc minds no inscribed cells.
+  void find_clusters(const Parameters& slow) {
     const double longest = std::max(std::abs(slow.min_vel_x), std::abs(slow.max_vel_x)) * slow.sim_time;
     const int steps = 1 + static_cast<int>(std::ceil(longest / grid_.resolution));
-    heaps_ = std::make_unique<NaiveEscape>(grid_, body_, slow.unknown_is_obstacle, scene_.situation.pose, steps);
+    clusters_ = std::make_unique<NaiveEscape>(grid_, body_, slow.unknown_is_obstacle, scene_.situation.pose, steps);
     rest_ = scene_.costs;
     for (int j = 0; j < grid_.size_y; ++j) {
       for (int i = 0; i < grid_.size_x; ++i) {
         std::uint8_t& cost = rest_[grid_.index({i, j})];
-        if (cost == cost::kInscribed || heaps_->in_heap(i, j)) cost = cost::kFree;
+        if (cost == cost::kInscribed || clusters_->in_cluster(i, j)) cost = cost::kFree;
       }
     }
     grid_.costs = rest_.data();
@@ -156,12 +156,12 @@ class NaivePlanner {
     return brakes || way(u) <= grid_.resolution / 2.0 + 1e-9;
   }
   bool leads_out(const NaiveCandidate& c) const {
-    if (!heaps_->descends(looked_at(c), false)) return false;
+    if (!clusters_->descends(looked_at(c), false)) return false;
     const Pose2& end = c.poses.back();
     if (scene_.intent.influence != Influence::none && c.u.v == 0.0) return true;
-    if (heaps_->start_total() <= grid_.resolution / 2.0 && (c.u.v != 0.0 || c.u.omega != 0.0)) return true;
-    return heaps_->total(end) < heaps_->start_total() - 1e-6 ||
-           heaps_->clearance(end) > heaps_->clearance(scene_.situation.pose) + 1e-6;
+    if (clusters_->start_total() <= grid_.resolution / 2.0 && (c.u.v != 0.0 || c.u.omega != 0.0)) return true;
+    return clusters_->total(end) < clusters_->start_total() - 1e-6 ||
+           clusters_->clearance(end) > clusters_->clearance(scene_.situation.pose) + 1e-6;
   }
   bool sinks(const Twist2& sample, double spacing) const {
     const Situation& s = scene_.situation;
@@ -175,7 +175,7 @@ class NaivePlanner {
         };
         look(way.pending);
         look(naive_brake_legs(scene_.parameters, s.period, way.end(), command_for(sample), latest(), evenly));
-        if (!heaps_->descends(poses, true)) return true;
+        if (!clusters_->descends(poses, true)) return true;
       }
     }
     return false;
@@ -248,15 +248,15 @@ class NaivePlanner {
   void judge(NaiveCandidate& c) {
     const Parameters& p = scene_.parameters;
     if ((escapes() && (!slow_enough(c.u) || !leads_out(c))) || rollout_collides(c)) {
-      c.refused_by = "Collision";
+      c.rejected_by = "Collision";
     } else if (cannot_brake(c.u, false) || (escapes() && sinks(c.u, grid_.resolution / 8))) {
-      c.refused_by = "Braking";
+      c.rejected_by = "Braking";
     }
     double autonomy = 0.0;
     for (const std::string& critic : split_names(p.critics)) {
-      bool refuses = false;
-      c.raw.push_back(critics_.raw(critic, c, refuses));
-      if (refuses && c.refused_by.empty()) c.refused_by = critic;
+      bool rejects = false;
+      c.raw.push_back(critics_.raw(critic, c, rejects));
+      if (rejects && c.rejected_by.empty()) c.rejected_by = critic;
       autonomy += NaiveCritics::weight(critic, p) * c.raw.back();
     }
     const double deviation =
@@ -269,7 +269,7 @@ class NaivePlanner {
   // Autonomy in collision: what drives and ends least deep, by whole millimetres.
   double depth_class(const NaiveCandidate& c) const {
     if (c.u.v == 0.0) return INFINITY;
-    return std::floor(heaps_->total(c.poses.back()) / 0.001);
+    return std::floor(clusters_->total(c.poses.back()) / 0.001);
   }
   bool preferred(const NaiveCandidate& a, const NaiveCandidate& b) const {
     if (gets_out()) {
@@ -292,7 +292,7 @@ class NaivePlanner {
     while (true) {
       best_ = -1;
       for (std::size_t i = 0; i < candidates_.size(); ++i) {
-        if (!candidates_[i].refused_by.empty()) continue;
+        if (!candidates_[i].rejected_by.empty()) continue;
         if (best_ < 0 || preferred(candidates_[i], candidates_[static_cast<std::size_t>(best_)]))
           best_ = static_cast<int>(i);
       }
@@ -300,7 +300,7 @@ class NaivePlanner {
       NaiveCandidate& chosen = candidates_[static_cast<std::size_t>(best_)];
       const bool deeper = escapes() && sinks(chosen.u, grid_.resolution / 128);
       if (!cannot_brake(chosen.u, true) && !deeper) return;
-      chosen.refused_by = "Braking";
+      chosen.rejected_by = "Braking";
     }
   }
 
@@ -314,7 +314,7 @@ class NaivePlanner {
   std::vector<NaiveCandidate> candidates_;
   int best_ = -1;
   bool stands_in_collision_ = false;
-  std::unique_ptr<NaiveEscape> heaps_;
+  std::unique_ptr<NaiveEscape> clusters_;
   std::vector<std::uint8_t> rest_;
   bool doubtful_ = false;
 };

@@ -158,7 +158,7 @@ class NaiveReference {
     const double age = cycles.back().pose_age, latency = p.control_latency;
     ways_.push_back(naive_outlook(history_.effects(), age, latency));
     // As many shorter latencies as there are periods in it, six at most, from none on.
-    const double shorter = ways_[0].at_rest() ? 0.0 : std::min(std::ceil(latency / cycles.back().period), 6.0);
+    const double shorter = ways_[0].rests() ? 0.0 : std::min(std::ceil(latency / cycles.back().period), 6.0);
     for (double n = 0.0; n < shorter; n += 1.0) {
       const double quick = latency * n / shorter;
       unlikely_.push_back(naive_outlook(history_.effects().sooner(latency - quick), age, quick));

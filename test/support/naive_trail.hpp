@@ -86,10 +86,11 @@ struct NaiveOutlook {
     }
     return other;
   }
-  bool at_rest() const {
-    const auto rests = [](const NaiveLeg& leg) { return leg.from == Twist2{} && leg.to == Twist2{}; };
-    return end() == Twist2{} && std::all_of(past.begin(), past.end(), rests) &&
-           std::all_of(pending.begin(), pending.end(), rests);
+  bool rests() const {
+    const auto zero = [](const Twist2& u) { return std::abs(u.v) <= 1e-9 && std::abs(u.omega) <= 1e-9; };
+    const auto no_motion = [&](const NaiveLeg& leg) { return zero(leg.from) && zero(leg.to); };
+    return zero(end()) && std::all_of(past.begin(), past.end(), no_motion) &&
+           std::all_of(pending.begin(), pending.end(), no_motion);
   }
   double reach(double radius) const {  // [m]
     double way = 0.0;

@@ -52,9 +52,9 @@ class PlannerBench {
   Planner planner_{critics::built_in()};
 };
 
-inline std::size_t refusals_by(const Decision& decision, const std::string& name) {
-  for (const RefusalCount& refusal : decision.refusals) {
-    if (refusal.name == name) return refusal.count;
+inline std::size_t rejections_by(const Decision& decision, const std::string& name) {
+  for (const RejectionCount& rejection : decision.rejections) {
+    if (rejection.name == name) return rejection.count;
   }
   return 0;
 }

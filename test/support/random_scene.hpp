@@ -191,7 +191,7 @@ inline void randomise_motion(Random& random, Scene& scene) {
   }
 }
 
-/// The goal is where the robot is, at the heading drawn: then critics refuse the person nothing for autonomy's sake.
+/// The goal is where the robot is, at the heading drawn: then critics reject nothing for autonomy's sake.
 inline void arrive(Scene& scene) {
   scene.situation.goal.x = scene.situation.pose.x + kSceneResolution;
   scene.situation.goal.y = scene.situation.pose.y;

@@ -25,7 +25,7 @@ class RecordedDrive {
   struct Cycle {
     Bytes record;
     OperatorIntent intent;
-    record::Verdict verdict;
+    record::DecisionRecord decision;
     std::vector<std::uint8_t> costs;  // of the local map; empty where input was missing
   };
 
@@ -69,7 +69,7 @@ class RecordedDrive {
   }
 
  private:
-  // A room of 1.5 m around the robot: who wants to go straight on is refused soon.
+  // A room of 1.5 m around the robot: a command to go straight on is rejected soon.
   void wall_in() {
     for (int k = -12; k <= 12; ++k) {
       for (const auto& [i, j] : {std::pair{k, -12}, {k, 12}, {-12, k}, {12, k}}) {
@@ -184,7 +184,7 @@ class RecordedDrive {
     recorder_.begin(loop_, seen, sampling);
     const control::Result result = loop_.step(seen, sampling);
     Cycle cycle{
-        recorder_.finish(result, loop_.planner()), result.intent, record::verdict_of(result, loop_.planner()), {}};
+        recorder_.finish(result, loop_.planner()), result.intent, record::decision_record(result, loop_.planner()), {}};
     if (seen.fault.empty()) cycle.costs = local_.costs;
     move(result.command);
     return cycle;

@@ -34,7 +34,8 @@ class TileFiller {
     cycle.goal = scene_->situation.goal;
     cycle.time = scene_->situation.time;
     cycle.steered = steered;
-    cycle.person_decides = steered && (scene_->intent.influence == Influence::direct || scene_->situation.goal_latched);
+    cycle.operator_decides =
+        steered && (scene_->intent.influence == Influence::direct || scene_->situation.goal_latched);
     cycle.plan = &scene_->situation.plan;
     cycle.grid = &grid_;
     cycle.footprint = &footprint_;

@@ -5,10 +5,10 @@
 // 1. the operator's intent is asked for (Operator), unless the host stops the robot;
 // 2. where an input is missing, the robot brakes (FaultBrake);
 // 3. else the window of the plan is taken, the goal's latch is judged, and the planner decides;
-// 4. what was sent is remembered, and the operator is told what became of the operator command.
+// 4. the command is remembered, and the operator's state machine hears whether the operator command was rejected.
 //
 // A cycle depends on its arguments, the plan, the parameters, the footprint, the operator, and on what the loop
-// remembers, which save() writes. So a record of these repeats it: record/cycle_record.hpp.
+// remembers (save()). A record of all these repeats the cycle: record/cycle_record.hpp.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ namespace hidwa_local_planner::control {
 struct Timing {
   double now = 0.0;
   double period = 0.05;         // nominal, of a control cycle
-  double longest_period = 0.0;  // of late, see PeriodWatch; smaller than the period: the period
+  double longest_period = 0.0;  // of the last seconds, see PeriodWatch; at least the period counts
   double interval = 0.0;        // since the cycle before; 0 where there is none
   bool jumped_back = false;     // time did
 
@@ -42,17 +42,17 @@ struct Timing {
 /// What is known of the robot in a cycle.
 struct Observation {
   Timing timing;
-  std::string fault;               // what is missing, in words; empty where nothing is
+  std::string fault;               // the fault in words; empty where no input is missing
   std::optional<Twist2> velocity;  // measured; there where nothing is missing [m/s, rad/s]
   Pose2 pose;                      // costmap frame
   double pose_age = 0.0;           // [s]
   FrameTransform from_plan;        // of the plan's frame, in the costmap's
   GridView costmap;
-  /// Where the host was in control since the last cycle: the velocity that the robot has, as far as it is known.
+  /// Set after a pause of the host: the robot's velocity, as far as it is known.
   std::optional<Twist2> resumed;
   bool host_stops = false;  // the robot is to brake to rest whatever the operator wants
 
-  /// All but the costmap, whose cells are somebody else's.
+  /// All but the costmap, whose cells belong to another object.
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.timing, self.fault, self.velocity, self.pose, self.pose_age, self.from_plan.origin, self.resumed,
@@ -65,7 +65,7 @@ struct Result {
   Outcome outcome = Outcome::fail;
   Twist2 command;                      // sent, or zero on failure [m/s, rad/s]
   const Decision* decision = nullptr;  // null where something was missing; valid until the next cycle
-  OperatorIntent intent;               // what the operator wants, though the host may stop the robot
+  OperatorIntent intent;               // of the operator, even while the host stops the robot
 };
 
 class ControlLoop {
@@ -73,8 +73,8 @@ class ControlLoop {
   /// `person` must outlive the loop.
   ControlLoop(CriticRegistry registry, Operator& person) : person_(person), planner_(std::move(registry)) {}
 
-  /// Planner and operator take one set, between two cycles; a set with faults changes nothing. May throw what a critic
-  /// of another package throws.
+  /// Planner and operator take the same set, between two cycles. A set with faults changes nothing. Throws what a
+  /// critic of another package throws.
   std::vector<std::string> configure(const Parameters& parameters, const Planner::SourceFor& sources = {});
   void set_footprint(const Polygon& outline) { planner_.set_footprint(outline); }
 
@@ -95,9 +95,9 @@ class ControlLoop {
   /// The goal is over, and the host stops the robot: whatever plan comes next has a new goal.
   void finish_goal();
 
-  /// What the loop and its planner remember from cycle to cycle. load() comes after set_plan() of the plan that was in
-  /// force, and changes nothing of the operator. False where the bytes are none of save()'s: then the loop is to be
-  /// loaded anew.
+  /// What the loop and its planner remember from cycle to cycle. Call load() after set_plan() with the plan of that
+  /// cycle. It does not change the operator. It returns false for bytes that save() did not write; load the loop again
+  /// then.
   void save(Bytes& state) const;
   bool load(const Bytes& state);
 
@@ -105,8 +105,10 @@ class ControlLoop {
   const Parameters& parameters() const { return planner_.parameters(); }
   const Situation& situation() const { return situation_; }  // of the last cycle that planned
   const Twist2& last_command() const { return last_command_; }
-  /// Zero was sent last, and the robot stands.
-  bool at_rest() const { return at_rest_; }
+  /// When the last cycle was [s]; none before the first.
+  const std::optional<double>& last_cycle() const { return goal_checker_.last_cycle(); }
+  /// The last command asked for rest, and the robot is at rest.
+  bool stands() const { return stands_; }
 
  private:
   template <typename Self, typename Archive>
@@ -131,8 +133,8 @@ class ControlLoop {
   bool has_goal_ = false;
   Situation situation_;  // kept for its memory
   Twist2 last_command_;  // [m/s, rad/s]
-  bool at_rest_ = false;
-  bool resumed_ = false;  // nothing was planned yet since the host was in control
+  bool stands_ = false;
+  bool resumed_ = false;  // no cycle has planned since the last pause of the host
 };
 
 }  // namespace hidwa_local_planner::control

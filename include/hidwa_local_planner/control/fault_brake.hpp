@@ -10,10 +10,10 @@
 
 namespace hidwa_local_planner {
 
-/// What to do while a cycle's input is missing (no transform, plan, odometry or costmap): brake from the last
-/// command while the robot moves, as the planner brakes (VelocityLimits::brake()), which counts as success; fail at
-/// rest, so that the host replans or recovers. Without odometry the robot counts as moving until v_max / deceleration
-/// plus one period have passed and the command has reached 0.
+/// What to do while an input is missing (transform, plan, odometry or costmap). A robot that moves brakes from the last
+/// command, as the planner brakes (VelocityLimits::brake()); that counts as success. A robot that stands fails, so that
+/// the host replans or recovers. Without odometry the robot counts as moving until v_max / deceleration plus one period
+/// have passed and the command has reached 0.
 class FaultBrake {
  public:
   struct Answer {
@@ -34,7 +34,7 @@ class FaultBrake {
   std::optional<double> since_;  // when the input went missing [s]
 };
 
-/// What an answer means to the host. Who stopped the robot did not ask the host to recover it: then it holds.
+/// What an answer means to the host. While the operator stops the robot it holds: the host must not recover then.
 Outcome outcome_of(const FaultBrake::Answer& answer, const OperatorIntent& intent);
 
 }  // namespace hidwa_local_planner

@@ -9,19 +9,20 @@
 namespace hidwa_local_planner {
 
 /// Goal reached: within the position tolerance once (latched while the robot stays about there), within the heading
-/// tolerance, and stopped. Decided from the pose that it is given, whoever asks.
+/// tolerance, and stopped. It depends only on the pose that it is given.
 class GoalChecker {
  public:
   void reset() { latched_ = false; }
   /// A control cycle at `now` [s].
   void cycle(double now) { last_cycle_ = now; }
-  /// A plan came at `now` [s]. True where cycles at `period` [s] had paused before it (is_pause), or time went back:
-  /// then somebody else may have moved the robot, and what was latched is forgotten.
+  /// A plan came at `now` [s]. True after a pause of the cycles at `period` [s] (is_pause), or where time went back.
+  /// Then another node may have moved the robot, and the latch is forgotten.
   bool plan_arrives(double now, double period);
   /// Updates the latch, which ends beyond the tolerance plus goal_margin(); poses in one frame. True when the goal is
   /// reached.
   bool update(const Pose2& robot, const Twist2& velocity, const Pose2& goal, const Parameters& parameters);
   bool latched() const { return latched_; }
+  const std::optional<double>& last_cycle() const { return last_cycle_; }  // when it was [s]
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.latched_, self.last_cycle_);

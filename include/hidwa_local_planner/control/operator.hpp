@@ -7,8 +7,8 @@
 
 namespace hidwa_local_planner::control {
 
-/// The operator, as a control cycle meets them: the state machine, behind whatever keeps it safe where messages arrive
-/// in another thread.
+/// The operator's state machine, as a control cycle uses it. Where messages arrive in another thread, a class derived
+/// from this one locks it.
 class Operator {
  public:
   virtual ~Operator() = default;

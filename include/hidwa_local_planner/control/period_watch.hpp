@@ -8,12 +8,13 @@
 
 namespace hidwa_local_planner {
 
-/// The longest control period of late, which the braking check reckons with: late cycles add way. Knows no clock.
+/// The longest control period of the last seconds. The braking check allows for it, since a late cycle lets the robot
+/// go on for longer. Knows no clock.
 class PeriodWatch {
  public:
   /// Intervals count for so long [s].
   static constexpr double kMemory = 3.0;
-  /// Up to so many control periods: a host that is later breaks an assumption, and a pause of the host is none.
+  /// At most so many control periods count. A host that is later than that breaks an assumption (docs/safety.md).
   static constexpr double kMost = 3.0;
 
   /// A cycle came `interval` [s] after the one before.

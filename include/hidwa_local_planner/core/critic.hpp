@@ -23,14 +23,15 @@ class Footprint;
 
 /// What all critics may look at in one cycle. Everything is in the costmap frame and lives as long as the cycle.
 struct CycleView {
-  Pose2 pose;                   // of the robot
-  Twist2 velocity;              // measured [m/s, rad/s]
-  Twist2 last_command;          // what was sent in the last cycle [m/s, rad/s]
-  Pose2 goal;                   // the last pose of the full plan
-  double time = 0.0;            // of the cycle [s]
-  bool steered = false;         // the person's input counts (gamma = 1)
-  bool person_decides = false;  // direct control, or steered where the goal's position is reached: a critic
-                                // rejects what is unsafe then, and nothing for the sake of autonomy
+  Pose2 pose;                     // of the robot
+  Twist2 velocity;                // measured [m/s, rad/s]
+  Twist2 last_command;            // what was sent in the last cycle [m/s, rad/s]
+  Pose2 goal;                     // the last pose of the full plan
+  double time = 0.0;              // of the cycle [s]
+  bool steered = false;           // the operator's input counts (gamma = 1)
+  bool operator_decides = false;  // direct control, or steered where the goal's position is reached: a critic
+                                  // rejects what is unsafe then, and nothing for the sake of autonomy
+  bool person_decides = false;    // the former name of operator_decides; it goes with the next release
   const std::vector<Pose2>* plan = nullptr;  // the window of the plan around the robot
   const GridView* grid = nullptr;
   const Footprint* footprint = nullptr;
@@ -38,7 +39,8 @@ struct CycleView {
 
   /// False where no pose of the plan lies on the local map: then no distance is known.
   bool plan_on_map() const { return surroundings->plan_on_map(); }
-  /// For Critic::prepare: this distance will be asked for. Without it every answer is the same, and slower.
+  /// For Critic::prepare: announces that this distance will be asked for. Without it the answers are the same, but
+  /// slower.
   void expect(const PlanDistance& distance) const { surroundings->expect(distance); }
 };
 
@@ -47,13 +49,13 @@ class TileScores {
  public:
   TileScores(double* raw, const char** reason, std::size_t count) : raw_(raw), reason_(reason), count_(count) {}
   std::size_t count() const { return count_; }
-  /// A candidate that somebody rejected already needs no score.
+  /// The candidate is rejected already: it needs no score.
   bool rejected(std::size_t c) const { return reason_[c] != nullptr; }
   void set(std::size_t c, double raw_score) {
     if (!any_set_) std::fill_n(set_all(), count_, 0.0);
     raw_[c] = raw_score;
   }
-  /// All raw scores [count], for loops that set every one, whoever is rejected.
+  /// All raw scores [count], for loops that set every one, rejected candidates included.
   double* set_all() {
     any_set_ = true;
     return raw_;
@@ -63,7 +65,7 @@ class TileScores {
     reason_[c] = reason;
     any_rejected_ = true;
   }
-  /// True once somebody was rejected through this object.
+  /// True once a candidate was rejected through this object.
   bool any_rejected() const { return any_rejected_; }
   /// True once a score was set through this object.
   bool any_set() const { return any_set_; }
@@ -81,9 +83,9 @@ class TileScores {
 };
 
 /// Where a critic of another package finds its own parameters: `<planner>/<critic>/<key>`. It asks for all of them in
-/// Critic::configure: a key that it does not ask for is reported as unknown. Where there is no value it gets
-/// `fallback`; where there is one of another type, too, and that is a fault: the whole set of parameters is not taken.
-/// This class itself knows no values.
+/// Critic::configure: a key that it does not ask for is reported as unknown. It gets `fallback` where there is no
+/// value. It also gets `fallback` for a value of another type; that is a fault, and the whole set of parameters is not
+/// taken. This class itself knows no values.
 class ParameterSource {
  public:
   virtual ~ParameterSource() = default;
@@ -101,11 +103,11 @@ class ParameterSource {
 };
 
 /// Scores candidates. The life of a critic: configure once and on every change of parameters; then in each cycle
-/// prepare, score for every tile, and debrief; reset on a new goal. With an authority between 0 and 1 a cycle weighs
-/// twice before it is debriefed: once as autonomy, once steered. None may throw, wait or log, but configure may throw;
-/// after the first cycle prepare and score should not allocate.
-/// A rejection is for what is unsafe. A critic that rejects for the sake of autonomy (it should slow down at the goal,
-/// not go back and forth, keep to the plan) must not do so while CycleView::person_decides.
+/// prepare, score for every tile, and debrief; reset on a new goal. With an authority between 0 and 1 a cycle prepares
+/// and scores twice before debrief: once for autonomy alone, once with the operator. None of them may wait or log, and
+/// only configure may throw; after the first cycle prepare and score should not allocate. A rejection is for what is
+/// unsafe. A critic that rejects for the sake of autonomy (it should slow down at the goal, not go back and forth, keep
+/// to the plan) must not do so while CycleView::operator_decides.
 class Critic {
  public:
   virtual ~Critic() = default;
@@ -113,8 +115,8 @@ class Critic {
   /// Takes its parameters and returns its weight; 0 turns it off, rejections included. With values that it cannot work
   /// with it throws a std::exception: the set of parameters is not taken, and what() is logged.
   virtual double configure(const Parameters& parameters, const ParameterSource& own) = 0;
-  /// How far ahead of a candidate's last pose it looks at most [m]: the planner measures distances there at once.
-  /// Farther away they are measured too, only later.
+  /// The farthest point ahead of a candidate's last pose that the critic asks about [m]. The planner measures all
+  /// distances up to there at once. A critic may ask farther away, too; that takes longer.
   virtual double reach() const { return 0.0; }
   /// Once a cycle, before any score: what all candidates share.
   virtual void prepare(const CycleView& /*cycle*/) {}
@@ -126,7 +128,7 @@ class Critic {
   virtual void reset() {}
   /// What the critic remembers from one cycle to the next (what prepare, debrief and reset change), for a record of the
   /// cycle to come: load() of the same bytes, after configure(), makes it decide the same. A critic that remembers
-  /// something and does not say so here is replayed as if after reset().
+  /// something and does not save it here is replayed as if after reset().
   virtual void save(ArchiveWriter& /*state*/) const {}
   virtual void load(ArchiveReader& /*state*/) {}
 

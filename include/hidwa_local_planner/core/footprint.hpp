@@ -16,7 +16,7 @@ class Footprint {
   /// else the polygon; padded by `padding` [m].
   static Footprint from_outline(const Polygon& outline, double padding);
 
-  /// Why nothing can be planned with it, and the remedy; null where all is well.
+  /// Why the planner cannot use the footprint, and the remedy; null where it can.
   const char* fault() const;
 
   bool empty() const { return outline_.empty() && radius_ <= 0.0; }

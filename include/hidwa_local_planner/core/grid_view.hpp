@@ -22,7 +22,7 @@ struct Cell {
   int j = 0;
 };
 
-/// A view of somebody else's costs, row-major, row 0 at the origin. Axis-parallel in the costmap frame.
+/// A view of costs that another object owns, row-major, row 0 at the origin. Axis-parallel in the costmap frame.
 struct GridView {
   const std::uint8_t* costs = nullptr;  // size_x * size_y values
   int size_x = 0;                       // [cells]

@@ -19,7 +19,7 @@ enum class Influence {
   stop     // brake to rest and hold
 };
 
-/// What the person wants in one cycle, as plain values.
+/// The operator command of one cycle, and how it counts, as plain values.
 struct OperatorIntent {
   OperatorStateId state = OperatorStateId::autonomy;
   Influence influence = Influence::none;

@@ -66,7 +66,8 @@ struct ParameterInfo {
   std::function<bool(Parameters&, const ParameterValue&)> set;
 
   bool is_number() const { return type == "double" || type == "int"; }
-  /// Whether its value lies within [min, max]. NaN does not; what is no number always does.
+  /// Whether its value lies within [min, max]. NaN does not. A value that is no number at all (a word, a flag) always
+  /// does.
   bool is_in_range(const Parameters& parameters) const;
 };
 

@@ -19,7 +19,7 @@
 
 namespace hidwa_local_planner {
 
-/// The world as one cycle finds it. Poses are in the costmap frame.
+/// What a cycle starts from. Poses are in the costmap frame.
 struct Situation {
   Pose2 pose;                   // of the robot, as it was measured `pose_age` ago
   Twist2 velocity;              // measured by odometry [m/s, rad/s]
@@ -27,15 +27,15 @@ struct Situation {
   std::vector<Pose2> plan;      // the window of the global plan around the robot, see PlanWindow
   Pose2 goal;                   // the last pose of the full plan
   bool goal_latched = false;    // the position of the goal was reached, see GoalChecker
-  double period = 0.05;         // of the control cycle, as it is meant [s]
-  double longest_period = 0.0;  // of late, see PeriodWatch: the next cycle comes no later [s]; 0: as period
-  double pose_age = 0.0;        // how old the pose is [s]: the commands since then lead on from it
+  double period = 0.05;         // nominal, of the control cycle [s]
+  double longest_period = 0.0;  // in the last seconds, see PeriodWatch: the next cycle comes no later [s]; 0: period
+  double pose_age = 0.0;        // how old the pose is [s]; the planner adds the motion since then
   bool resumed = false;         // the host paused and others may have driven: last_command is the velocity of now
   double time = 0.0;            // [s]
 };
 
-/// How much a cycle finds out about its candidates. Each level includes the one before. The command is the same with
-/// all of them, to the bit.
+/// How much a cycle finds out about its candidates. Each level includes the one before. All levels give the same
+/// command, to the bit.
 enum class Report : std::uint8_t {
   chosen = 0,  // collision and braking are checked only as far as the choice needs it
   legality,    // they are checked for every candidate: what is said of who rejects it is complete
@@ -43,7 +43,7 @@ enum class Report : std::uint8_t {
                // allocates
 };
 
-/// How much work a cycle is: an input of plan(), so that a recorded cycle can be repeated.
+/// How much a cycle computes. It is an input of plan(), so that a recorded cycle can be repeated.
 struct Sampling {
   int vx_samples = 0;   // 0: as in the parameters
   int vth_samples = 0;  // 0: as in the parameters
@@ -55,18 +55,20 @@ enum class Outcome { drive = 0, brake, fail, hold };
 const char* to_string(Outcome outcome);
 
 /// Names stay valid until the planner is configured anew.
-struct RefusalCount {
+struct RejectionCount {
   std::string_view name;  // "Collision", "Braking" or a critic
   std::size_t count = 0;
 };
+using RefusalCount [[deprecated("is RejectionCount")]] = RejectionCount;
 
 /// Why there was nothing to choose from.
 enum class Problem {
   none = 0,
-  input,    // what was given cannot be planned with
-  off_map,  // no pose of the plan lies on the local map
-  refused,  // every candidate was refused
-  stuck     // standing still is the best legal candidate, for too long
+  input,     // what was given cannot be planned with
+  off_map,   // no pose of the plan lies on the local map
+  rejected,  // every candidate was rejected
+  refused [[deprecated("is rejected")]] = rejected,
+  stuck  // standing still is the best legal candidate, for too long
 };
 
 struct CriticTerm {
@@ -85,17 +87,18 @@ struct Decision {
   std::vector<Pose2> trajectory;  // its rollout, start pose first; empty when none was chosen
   double step = 0.0;              // time between two of its poses [s]
   std::vector<CriticTerm> terms;  // of the chosen candidate, in the order of the critics
-  // Collision and braking count those that were looked at: all with Report::legality, and whenever nothing is legal.
-  std::vector<RefusalCount> refusals;  // per critic, in order; collision and braking first
+  // Collision and braking count only the candidates that were checked. With Report::legality, and whenever nothing is
+  // legal, these are all.
+  std::vector<RejectionCount> rejections;  // per critic, in order; collision and braking first
   std::size_t candidates = 0;
-  std::size_t legal = 0;            // nobody refused them
-  double agreement = 1.0;           // 1: the command is what the person wants, in [0, 1]
-  std::string operator_refused_by;  // what refused the operator's own command; empty when it was legal
-  bool escaping = false;            // the robot stands in collision
-  Pose2 pose;                       // where the robot is taken to be, costmap frame
-  Twist2 velocity;                  // what is believed of the measured one [m/s, rad/s]
-  bool odometry_doubted = false;    // a reading was faster than the commands explain, and is not believed
-  bool odometry_fast = false;       // so it was, and is believed: for collisions and the goal
+  std::size_t legal = 0;             // not rejected
+  double agreement = 1.0;            // 1: the command is the operator command, in [0, 1]
+  std::string operator_rejected_by;  // what rejected the operator command; empty where it was legal
+  bool escaping = false;             // the robot stands in collision
+  Pose2 pose;                        // where the robot is taken to be, costmap frame
+  Twist2 velocity;                   // what is believed of the measured one [m/s, rad/s]
+  bool odometry_doubted = false;     // a reading was faster than the commands explain, and is not believed
+  bool odometry_fast = false;        // such a reading is believed: by the collision check and the goal
   Problem problem_kind = Problem::none;
   std::string problem;  // why there was nothing to choose from, in words; empty where there was
 };
@@ -117,7 +120,7 @@ struct CandidateReport {
   double total = 0.0;                 // J, infinite where it is rejected: the choice is the smallest
   std::vector<Rejection> rejections;  // the first one; with Report::full all of them: collision, braking, then critics
   bool legal() const { return rejections.empty(); }
-  /// Of all terms, whether it is rejected or not.
+  /// The sum of all terms, also of a rejected candidate.
   double sum() const {
     double sum = 0.0;
     for (const CriticTerm& term : terms) sum += term.raw * term.weight;
@@ -134,7 +137,7 @@ struct ChoiceReport {
   };
   Rule rule = Rule::none;
   Twist2 target;         // what the deviation was measured from: u_h, or its blend with autonomy's choice [m/s, rad/s]
-  bool steered = false;  // it counted
+  bool steered = false;  // the deviation counted
 };
 
 /// HI-DWA without ROS: samples, rolls out, rejects, scores and selects. Deterministic: the same input gives the
@@ -149,9 +152,9 @@ class Planner {
   /// Finds the parameters of critics of other packages; returned pointers must outlive the planner.
   using SourceFor = std::function<std::unique_ptr<ParameterSource>(const std::string& critic)>;
 
-  /// Takes a set of parameters whole. Returns every fault (validate() and unknown critics); with any, nothing changes.
+  /// Takes a set of parameters. Returns every fault (validate() and unknown critics). With any fault nothing changes.
   std::vector<std::string> configure(const Parameters& parameters, const SourceFor& source_for = {});
-  /// The parameters in force: as they were given, but with safe values where safe_values() says so.
+  /// The parameters in force: as they were given, except where make_safe() replaces a value that cannot be kept safe.
   const Parameters& parameters() const;
 
   /// The robot's outline without parameters().footprint_padding, which is added here.
@@ -162,12 +165,13 @@ class Planner {
   /// A new goal: critics forget what they latched.
   void reset();
 
-  /// What is to be believed of a reading of odometry that comes between two cycles [m/s, rad/s]: one that is faster
-  /// than the commands of the last cycle explain counts as the last command, until plan() has come to believe it.
+  /// The velocity to believe when odometry reads `measured` between two cycles [m/s, rad/s]. A reading that is faster
+  /// than the recent commands explain is doubted: then it is the last command. Once plan() believes such readings, it
+  /// is the reading.
   Twist2 believed(const Twist2& measured) const;
 
-  /// What is remembered from cycle to cycle, the critics' part included: a planner with the same parameters and outline
-  /// that loads it decides the next cycle to the same bits. load() is false where the bytes are none of save()'s.
+  /// All that the planner and its critics remember from cycle to cycle. A planner with the same parameters and outline
+  /// that loads it decides the next cycle alike, to the bit. load() returns false for bytes that save() did not write.
   void save(Bytes& state) const;
   bool load(const Bytes& state);
 
@@ -176,11 +180,11 @@ class Planner {
                        const Sampling& sampling = {});
 
   /// Every candidate of the last plan(), in the order of the samples; empty where nothing was scored. Sampling::report
-  /// says how much is known of each: with Report::chosen nobody has looked for the collisions of those that the choice
-  /// did not come to.
+  /// says how much is known of each. With Report::chosen, candidates that the choice did not need were not checked for
+  /// collision.
   std::vector<CandidateReport> candidates() const;
-  /// Index into candidates() of the chosen one, the worst legal one, and the operator command's own or the one nearest
-  /// to it; -1 when there is none.
+  /// Indices into candidates(): the chosen one, the worst legal one, and the one of the operator command or nearest to
+  /// it. -1 where there is none.
   struct Marked {
     int best = -1;
     int worst = -1;

@@ -21,15 +21,15 @@ struct PlanDistance {
   static PlanDistance to_goal(double ahead = 0.0) { return {To::goal, ahead}; }
 };
 
-/// What the planner knows about the map around a tile's candidates, for critics. Critics ask for a whole tile at once;
-/// Tile and CycleView have the questions as functions of their own. `found` has room for tile.count values.
+/// What critics can ask about the map around a tile's candidates. One call answers for a whole tile. Tile and CycleView
+/// have functions of the same names. `found` has room for tile.count values.
 class Surroundings {
  public:
   virtual ~Surroundings() = default;
 
   /// False where no pose of the plan lies on the local map: then no distance is known.
   virtual bool plan_on_map() const = 0;
-  /// Makes a distance ready that will be asked for. Without it every answer is the same, and slower.
+  /// Announces that a distance will be asked for. Without it the answers are the same, but slower.
   virtual void expect(const PlanDistance& distance) = 0;
   /// Distances [m] from the points `forward` [m] ahead of the last poses. Where such a point has none (`map_grid:
   /// geodesic`: or lies on a lethal or inscribed cell) the robot's centre counts instead; not with `map_grid: l1`.
@@ -38,8 +38,8 @@ class Surroundings {
                          double* found) = 0;
   /// The costs of the cells under the robot's centre in a step, 0 to 255; 0 beyond the map.
   virtual void costs(const Tile& tile, std::size_t step, double* found) = 0;
-  /// The distances [m] by which every point of the robot may move in any direction from its pose in a step and touch no
-  /// obstacle: lower bounds, at most two cells; 0 where its outline touches one.
+  /// The clearances in a step [m]: how far every point of the robot may move, in any direction, without touching an
+  /// obstacle. Lower bounds, at most two cells; 0 where the outline touches an obstacle.
   virtual void clearances(const Tile& tile, std::size_t step, double* found) = 0;
 
  protected:

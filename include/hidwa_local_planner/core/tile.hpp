@@ -18,9 +18,9 @@ constexpr std::uint8_t kBlocked = 4;  // lethal, inscribed, unknown where that i
 }  // namespace cell_class
 
 /// Candidates that share the rotational sample and the number of steps, and so every heading: one tile, small enough to
-/// stay in the first cache while everybody looks at it. Positions are rows a step, columns a candidate; row k = 0 is
-/// the start pose. Rows are `stride` apart: what lies beyond `count` is padding. A critic gets tiles in which
-/// everything is set.
+/// stay in the first cache while all critics score it. Positions are rows a step, columns a candidate; row k = 0 is the
+/// start pose. Rows are `stride` apart: what lies beyond `count` is padding. A critic gets tiles in which everything is
+/// set.
 struct Tile {
   double omega = 0.0;                     // the rotational sample [rad/s]
   double dt = 0.0;                        // length of a step [s]
@@ -46,8 +46,7 @@ struct Tile {
   Pose2 pose(std::size_t k, std::size_t c) const { return {x_at(k, c), y_at(k, c), heading[k]}; }
   Pose2 last_pose(std::size_t c) const { return pose(steps, c); }
   Twist2 sample(std::size_t c) const { return {v[c], omega}; }
-  /// A candidate's centre comes upon a cell that is lethal, inscribed, unknown where that is an obstacle, or off the
-  /// map.
+  /// The robot's centre enters a cell that is lethal, inscribed, off the map, or unknown where unknown is an obstacle.
   bool centre_blocked(std::size_t c) const { return (touched[c] & cell_class::kBlocked) != 0; }
 
   /// See Surroundings; `found` [count].

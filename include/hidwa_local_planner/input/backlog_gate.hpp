@@ -30,15 +30,16 @@ class SteadyLag {
 /// (joy_node's autorepeat did not always refresh it) is judged as it was the first time. The smallest lag is
 /// forgotten as slowly as two free-running clocks part.
 ///
-/// A link may become slower for good. A lag that is steady within 0.1 s for 2 s is taken as the link's present one, up
-/// to `lag_max` more than the smallest; what comes later than that is live too. A smaller lag is the link's at once.
+/// A link may become slower for good. A lag that is steady within 0.1 s for 2 s becomes the link's present lag, up to
+/// `lag_max` more than the smallest. Messages with that lag are live, too. A smaller lag becomes the present one at
+/// once.
 class BacklogGate {
  public:
   struct Limits {
     double late = 0.5;     // a live message is at most so much later than the link's present lag [s], > 0
     double lag_max = 0.0;  // the most by which a link may become slower [s]
   };
-  enum class Verdict {
+  enum class Arrival {
     live,
     backlog,      // held back for longer than the limit: to be dropped
     slower_link,  // live: from this message on the link's lag is a larger one
@@ -46,7 +47,7 @@ class BacklogGate {
   };
 
   /// Judges one message; `stamp`, `received` in [s], `received` never decreasing.
-  Verdict judge(double stamp, double received, const Limits& limits);
+  Arrival judge(double stamp, double received, const Limits& limits);
 
   /// By how much the last judged message exceeded the smallest lag [s].
   double excess() const { return excess_; }
@@ -66,7 +67,7 @@ class BacklogGate {
   double usual_lag_ = 0.0;            // the link's present one [s], as of received_
   double received_ = 0.0;             // [s]
   double excess_ = 0.0;               // [s]
-  Verdict repeated_ = Verdict::live;  // on the newest stamp
+  Arrival repeated_ = Arrival::live;  // on the newest stamp
   bool went_back_ = false;            // the stamps, within the present backlog
   SteadyLag backlog_lag_;             // of the present backlog, for a clock that was set
   SteadyLag link_lag_;                // of the present backlog, for a link that became slower

@@ -5,8 +5,8 @@
 
 namespace hidwa_local_planner::input {
 
-/// Who has control in SW: each press of the button hands it over (Kalliokoski 2022, section IV-A), and so does a word
-/// on a topic.
+/// Who has control in mode `switching`. Each press of the button hands it over (Kalliokoski 2022, section IV-A), and so
+/// does a message on the topic take_control.
 class ControlHandover {
  public:
   /// The button, as a message says; a press is a change from released to held. `counts`: cycles run and the message is
@@ -23,7 +23,7 @@ class ControlHandover {
     if (requested_ && counts) manual_ = *requested_;
     requested_.reset();
   }
-  /// What the button of another device was is not known.
+  /// Another device is used now: whether its button was held before is not known.
   void forget_button() { known_ = false; }
   /// The clock was set back: whoever has control keeps it.
   void set_back() {

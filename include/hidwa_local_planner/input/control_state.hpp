@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From the input of a cycle to the intent, in steps:
-// 1. input that was in effect and is no more begins a hold (Kalliokoski 2022, section III);
+// 1. when input ends that was in effect, a hold begins (Kalliokoski 2022, section III);
 // 2. the input makes the facts, and the facts the next state (transition.hpp);
 // 3. the state says how the planner takes u_h into account.
 //
-// States change here only, once a cycle. So only input that a cycle has seen can be released: what comes and goes
+// States change here only, once a cycle. So only input that a cycle has seen can be released. Input that comes and goes
 // between two cycles has no effect.
 #pragma once
 
@@ -13,7 +13,7 @@
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
-#include "hidwa_local_planner/core/util/lasting.hpp"
+#include "hidwa_local_planner/core/util/condition_timer.hpp"
 #include "hidwa_local_planner/input/hold.hpp"
 #include "hidwa_local_planner/input/input_channel.hpp"
 #include "hidwa_local_planner/input/transition.hpp"
@@ -23,7 +23,7 @@ namespace hidwa_local_planner::input {
 /// What a cycle came to: needed to know when a hold is rejected and when the robot is blocked.
 struct CycleFeedback {
   bool operator_command_rejected = false;  // u_h itself
-  bool at_rest = false;                    // the command was zero and the robot is at rest
+  bool stands = false;                     // the command asked for rest, and the robot is at rest
   bool goal_latched = false;
   Twist2 command;   // what was sent [m/s, rad/s]
   Twist2 velocity;  // measured [m/s, rad/s]
@@ -58,7 +58,7 @@ class ControlState {
 
   OperatorStateId state_ = OperatorStateId::autonomy;
   Hold hold_;
-  Lasting blocked_;  // rejections have held the steered robot at rest
+  ConditionTimer blocked_;  // rejections have held the steered robot at rest
   bool goal_latched_ = false;
   std::optional<double> last_v_;  // of the last command, where one is known [m/s]
 };

@@ -11,9 +11,9 @@ namespace hidwa_local_planner::input {
 /// silence means nothing. After a start, a loss and on demand the input counts only once it was seen inactive
 /// (centred, or the enable button released), unless that is not required.
 ///
-/// While the planner itself stood still no message could be taken, so the longest pause since the last message is no
-/// silence. Only the longest: input that is really gone is lost at most one pause later. A loss that all the pauses
-/// since the last message explain was none of the operator's doing: the next message ends it, without a neutral.
+/// While the planner itself was paused, no message could be taken. So the longest pause since the last message does not
+/// count as silence. Only the longest: a loss is noticed at most one pause later. A loss that the pauses since the last
+/// message explain was not the operator's doing. The next message ends it; no neutral is needed.
 class InputChannel {
  public:
   /// timeout 0: a silent stick is still where it was, it is never lost.

@@ -12,7 +12,7 @@ namespace hidwa_local_planner::input {
 /// One topic's messages: who sends them, and whether the link held them back.
 class MessageStream {
  public:
-  enum class Verdict {
+  enum class Arrival {
     live,
     late,         // held back: to be dropped
     new_device,   // live, and the first of another device
@@ -21,7 +21,7 @@ class MessageStream {
   };
 
   /// Judges a message; `received`: when it arrived, never decreasing [s]; limits.late 0: none is too late.
-  Verdict judge(const OperatorMessage& message, double received, const BacklogGate::Limits& limits);
+  Arrival judge(const OperatorMessage& message, double received, const BacklogGate::Limits& limits);
   /// By how much the last message was later than the link was at best [s].
   double excess() const { return backlog_.excess(); }
   /// Two nodes that take turns, and a link that became slower, in words, with the remedy; else empty.

@@ -64,7 +64,7 @@ class OperatorSource {
   virtual bool takes(const OperatorMessage& message) const = 0;
   /// Why the message cannot be used, with the remedy; empty where it can. It is judged before its lateness.
   virtual std::string check(const OperatorMessage& message) const = 0;
-  /// What it says about stopping, however faulty or late it is. None: the device has no stop.
+  /// What the message says about stopping. It counts even in a faulty or late message. None: the device has no stop.
   virtual std::optional<StopReading> read_stop(const OperatorMessage&) const { return std::nullopt; }
   /// Takes a message that check() passed and that is not late. `now`: when it arrived, never decreasing [s].
   virtual SourceReading read(const OperatorMessage& message, double now) = 0;
@@ -73,9 +73,9 @@ class OperatorSource {
 
   /// What the newest messages ask for by the parameters in force.
   virtual OperatorCommand command() const = 0;
-  /// Whether a part of the device that it steers with is silent for too long at `now` [s], though its messages go on.
+  /// Whether a part of the device is silent for too long at `now` [s], though other messages of the source go on.
   virtual bool gone(double) const { return false; }
-  /// What was heard before is no longer to be trusted: the input was lost, or the device is another one.
+  /// Forgets what came before: the input was lost, or another device sends now.
   virtual void lose() {}
   /// The planner itself did not listen for `pause` [s], until now: that is no silence of the device.
   virtual void exclude_pause(double) {}

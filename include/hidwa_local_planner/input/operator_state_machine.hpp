@@ -4,11 +4,11 @@
 // The way of a message, receive():
 // 1. the source that takes its kind checks it (OperatorSource);
 // 2. its stream finds another device and what the link held back (MessageStream);
-// 3. its stop counts in any case (StopRequest); what is faulty or late is dropped;
+// 3. its stop counts in any case (StopRequest); then faulty and late messages are dropped;
 // 4. its buttons hand control over (ControlHandover) or clutch the source that steers;
 // 5. where its source steers, its command goes on to the InputChannel, which knows neutral and silence.
 //
-// The way of a cycle, update(): silence is noticed, then ControlState makes the intent of what is known.
+// A cycle, update(): the machine notices silence, and ControlState makes the operator intent.
 #pragma once
 
 #include <cstdint>
@@ -58,8 +58,7 @@ class OperatorStateMachine {
   bool paused_since_last_cycle(double now) const { return pauses_.since_last_cycle(now); }
 
   /// What the operator asks for now. Call once a cycle, before plan(). Where `now` went back, steering and holding end,
-  /// a stop goes on, and whoever has control keeps it, but a message must come before they steer: until then the robot
-  /// brakes.
+  /// but a stop goes on. An operator who has control keeps it; the robot brakes until their next message.
   OperatorIntent update(double now);
   /// What became of it. Call once a cycle, after plan().
   void debrief(double now, const CycleFeedback& feedback);
@@ -71,8 +70,8 @@ class OperatorStateMachine {
 
   /// That of the cycle just run.
   OperatorStateId state() const { return control_.state(); }
-  /// SW: the operator has taken control and has not given it back, whatever the state: a loss or a stop may be
-  /// on top of it.
+  /// Mode `switching`: the operator has taken control and has not given it back. The state may still be LOST or
+  /// STOPPED.
   bool manual() const { return parameters_.mode == OperatorMode::switching && handover_.manual(); }
   double input_age(double now) const;                 // [s]; negative when none was accepted yet
   std::uint32_t dropped() const { return dropped_; }  // messages dropped since the start
@@ -83,8 +82,8 @@ class OperatorStateMachine {
   /// Sentences with the remedy where something about the input needs attention; empty where nothing does.
   std::string advice() const;
 
-  /// All that the next update() depends on besides the parameters: with the same ones, a machine that loads it says the
-  /// same. What only judges messages to come (who sent, how late they are) is not in it.
+  /// All that the next update() depends on besides the parameters. A machine with the same parameters that loads it
+  /// gives the same intent. What only judges future messages (their sender, their lag) is not included.
   void save(ArchiveWriter& state) const;
   void load(ArchiveReader& state);
 

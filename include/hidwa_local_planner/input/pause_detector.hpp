@@ -6,8 +6,8 @@
 
 namespace hidwa_local_planner::input {
 
-/// Notices when the whole planner stood still: a busy machine, or a process that was suspended. Then neither cycles
-/// ran nor were messages taken, and what arrived meanwhile could not be taken.
+/// Notices when the whole planner was paused: the machine is busy, or the process was suspended. During a pause no
+/// cycle runs and no message is taken.
 ///
 /// That needs a heartbeat of the thread that takes messages at least every 0.1 s; before the first one there are no
 /// pauses.
@@ -15,8 +15,8 @@ class PauseDetector {
  public:
   /// The thread that takes messages sends heartbeats from now on.
   void expect_heartbeats() { expected_ = true; }
-  /// Something of the planner is at work at `now` [s]. Returns for how long nothing was until then [s]; 0 where that is
-  /// no pause.
+  /// Some part of the planner works at `now` [s]. Returns the length of the pause that ends now [s]; 0 where there was
+  /// none.
   double observe(double now);
   /// A pause of so long [s] ended at `now` [s], while the operator steered: advice() tells of a long one.
   void report(double pause, double now);

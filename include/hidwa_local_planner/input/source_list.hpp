@@ -29,7 +29,7 @@ struct ListedSource {
 /// buttons and stops alone, or not at all.
 class SourceList {
  public:
-  /// A source, and what is known of its messages whatever they say.
+  /// A source, and what is known of its messages apart from their content.
   struct Connection {
     std::unique_ptr<OperatorSource> source;
     MessageStream stream;
@@ -46,7 +46,7 @@ class SourceList {
   /// All of them by `parameters`, which need not be in force.
   std::vector<ListedSource> listed(const Parameters& parameters) const;
 
-  /// Who takes the message; null where nobody listens to its kind.
+  /// The source that takes the message; null where no source takes its kind.
   Connection* listener(const OperatorMessage& message);
   OperatorSource& steering() { return *connections_[steering_].source; }
   const OperatorSource& steering() const { return *connections_[steering_].source; }

@@ -12,8 +12,8 @@ namespace hidwa_local_planner::input {
 
 /// Whether the operator stops the robot: by button, by pulling the stick back, or in words (a topic).
 ///
-/// Why a stop is easy to ask for and hard to end: one message too many stops a robot that could have gone on, one too
-/// few lets a robot go on that should have stopped.
+/// A stop is easy to ask for and hard to end. A stop by mistake only costs time; a stop that is missed may cost an
+/// accident.
 ///
 /// Each sender (a node, and the kind of device that it sends for) has a stop of its own. It begins with any message
 /// that asks for it, however faulty or late the rest of it is. It ends with a message of the same sender that takes it
@@ -29,7 +29,7 @@ class StopRequest {
             const Parameters& parameters, double time);
   /// In words: a stop for as long as it is true.
   void request(bool stop) { requested_ = stop; }
-  /// Every sender's stop ends once its sender does not ask for it any more, which end_dismissed() finds out.
+  /// Dismisses all stops. Each ends once its sender no longer asks for it; end_dismissed() finds that out.
   void dismiss();
   /// Ends the stops that are dismissed and were not asked for by any message for longer than `silence` [s] until
   /// `now` [s]. Says which, in words; empty where there is none.

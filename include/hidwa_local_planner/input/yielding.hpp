@@ -11,8 +11,8 @@ namespace hidwa_local_planner::input {
 /// True while an operator stops the robot or steers it. `manual`: they have taken control, whatever the state.
 bool attends(OperatorStateId state, bool manual);
 
-/// What a recovery waits for before it clears: that the robot is at rest, and that nobody stops or steers it. Knows no
-/// clock: time is an argument [s].
+/// A recovery waits before it clears: until the robot stands, and nobody stops or steers it. Knows no clock: time is an
+/// argument [s].
 class Yielding {
  public:
   struct Settings {
@@ -22,8 +22,9 @@ class Yielding {
   enum class Phase { braking, yielding, quiet, out_of_patience };
 
   explicit Yielding(const Settings& settings) : settings_(settings) {}
-  /// At `now` [s] the robot is at rest or not, and somebody attends to it or not. Time that goes back counts as none.
-  Phase step(double now, bool at_rest, bool attended);
+  /// One cycle at `now` [s]. `stands`: the robot stands; `attended`: the operator stops or steers it. Time that goes
+  /// back counts as no time.
+  Phase step(double now, bool stands, bool attended);
 
  private:
   Settings settings_;

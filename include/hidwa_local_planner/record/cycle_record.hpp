@@ -56,7 +56,7 @@ struct RecordedSampling : Sampling {
 };
 
 /// What a cycle came to, in so far as two are compared.
-struct Verdict {
+struct DecisionRecord {
   Outcome outcome = Outcome::fail;
   Twist2 command;      // sent; zero on failure [m/s, rad/s]
   Twist2 sample;       // chosen [m/s, rad/s]
@@ -65,8 +65,8 @@ struct Verdict {
   double agreement = 1.0;
   std::uint32_t candidates = 0;
   std::uint32_t legal = 0;
-  /// A hash (64 bit FNV-1a) of the totals of all candidates, the chosen trajectory, the terms, the refusals and the
-  /// words.
+  /// A hash (64 bit FNV-1a) of the totals of all candidates, the chosen trajectory, the terms, the rejections and
+  /// the kind of problem. Not of the words: they may become better from one release to the next.
   std::uint64_t digest = 0;
 
   template <typename Self, typename Archive>
@@ -77,11 +77,11 @@ struct Verdict {
 };
 
 /// Of the cycle that `planner` has just decided; where an input was missing, of the fault brake.
-Verdict verdict_of(const control::Result& result, const Planner& planner);
+DecisionRecord decision_record(const control::Result& result, const Planner& planner);
 /// Of a cycle that planned; `totals`: see Planner::totals().
-Verdict verdict_of(const Decision& decision, const std::vector<double>& totals);
+DecisionRecord decision_record(const Decision& decision, const std::vector<double>& totals);
 /// The same to the bit.
-bool identical(const Verdict& a, const Verdict& b);
+bool identical(const DecisionRecord& a, const DecisionRecord& b);
 bool identical(const OperatorIntent& a, const OperatorIntent& b);
 
 /// One control cycle: all that it was decided from, and what was decided.
@@ -95,7 +95,7 @@ struct CycleRecord {
   Bytes loop_state;      // see ControlLoop::save()
   Bytes operator_state;  // see OperatorStateMachine::save()
   OperatorIntent intent;
-  Verdict verdict;
+  DecisionRecord decision;
   std::vector<std::string> unknown;  // critical parts that this release does not know; decode() fills it
 
   double time() const { return observation.timing.now; }  // [s]

@@ -19,9 +19,9 @@ using ParameterChange = std::pair<std::string, std::string>;
 
 /// A cycle repeated from its record.
 struct ReplayedCycle {
-  Verdict verdict;
+  DecisionRecord decision;
   OperatorIntent intent;
-  bool identical = false;  // to what was recorded, intent and verdict
+  bool identical = false;  // to what was recorded, intent and decision
 };
 
 /// Repeats recorded cycles, each from its recorded state, by the control loop that drove the robot. With changed

@@ -11,8 +11,8 @@
 
 namespace hidwa_local_planner {
 
-/// A callback queue with its own thread: what arrives there waits for nobody else's callbacks. Must outlive
-/// every subscriber, server and timer made with a handle that it serves; stop() it before they go.
+/// A callback queue with its own thread: its callbacks wait for no other queue. Must outlive every subscriber, server
+/// and timer made with a handle that it serves; stop() it before they go.
 class CallbackThread {
  public:
   CallbackThread() : spinner_(1, &queue_) {}

@@ -6,9 +6,9 @@
 
 namespace hidwa_local_planner {
 
-/// A host's wish to end what is being driven, until it was met. It comes from another thread than the cycles, at
-/// any time; a plan that arrives meanwhile may be older than it and does not end it. Times are of a clock that
-/// never jumps [s].
+/// A host's request to end the present drive, until the robot rests. It comes from another thread than the cycles, at
+/// any time. A plan that arrives meanwhile may be older than the request, so it does not end it. Times are of a clock
+/// that never jumps [s].
 class CancelRequest {
  public:
   void request(double now) {
@@ -22,8 +22,8 @@ class CancelRequest {
     heard_ = std::max(heard_, now);
     return pending_;
   }
-  /// A plan arrives. Where nothing was heard for so long, what the request was for ended without telling (the
-  /// host's patience did), and the plan is another one's.
+  /// A plan arrives. After a long silence the cancelled drive has ended without notice (the host lost patience), and
+  /// the plan belongs to another drive.
   void plan_arrives(double now) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (now - heard_ > kSilence) pending_ = false;

@@ -21,7 +21,7 @@ class Shell;
 enum class ControllerOutcome {
   success,           // the command is to be sent: driving, braking or holding
   canceled,          // as asked for: the robot rests
-  no_valid_command,  // every candidate was refused, or odometry is missing
+  no_valid_command,  // every candidate was rejected, or odometry is missing
   collision,         // the robot stands in collision and finds no way out
   missed_path,       // no pose of the path is near
   blocked_path,      // standing still is the best legal candidate, for too long
@@ -32,12 +32,12 @@ enum class ControllerOutcome {
   internal_error
 };
 
-/// Of a cycle of nobody who cancels.
+/// Of a cycle without a request to cancel.
 ControllerOutcome outcome_of(const CycleResult& result);
 
-/// The planner as a controller that ends by itself: for a host that does not stop the robot at the goal or when it
-/// cancels, as Move Base Flex does not. Knows none of its types. Nothing thrown inside comes out. cancel() may come
-/// from any thread, the rest from the host's control thread.
+/// The planner as a controller that stops the robot itself, at the goal and when the host cancels: Move Base Flex does
+/// not. Uses none of its types. Throws nothing. cancel() may come from any thread, the rest from the host's control
+/// thread.
 class Controller {
  public:
   Controller();
@@ -45,14 +45,14 @@ class Controller {
 
   /// `name`: the namespace of parameters and topics below the node's own. Both others must outlive this.
   void initialize(const std::string& name, const tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap);
-  /// False only before initialize(): of a plan that cannot be used the next cycle tells, and brakes.
+  /// False only before initialize(). If the plan cannot be used, the next cycle says so and brakes.
   bool set_plan(const std::vector<geometry_msgs::PoseStamped>& plan);
-  /// One control cycle; `command` is to be sent where it is a success. `message` says what goes wrong or why the
-  /// robot brakes; empty where it just drives.
+  /// One control cycle; send `command` where it is a success. `message` says what goes wrong or why the robot brakes;
+  /// empty where it just drives.
   ControllerOutcome compute(geometry_msgs::Twist& command, std::string& message);
   /// Within `xy` [m] and `yaw` [rad], and at rest. The planner drives to these instead of its own tolerances.
   bool goal_reached(double xy, double yaw);
-  /// From now on cycles brake, within the limits; once zero was sent and the robot rests one says `canceled`.
+  /// From now on cycles brake, within the limits. Once the robot stands, a cycle answers `canceled`.
   void cancel();
 
  private:

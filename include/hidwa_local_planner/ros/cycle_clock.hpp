@@ -17,8 +17,8 @@ class CycleClock {
     double interval = 0.0;     // since the last call [s]; 0 where there is none
     double period = 0.0;       // nominal, of this cycle [s]
   };
-  /// A call at `now` [s] with the nominal `period` [s].
-  Tick tick(double now, double period);
+  /// A call at `now` [s] with the nominal `period` [s]; `last`: when the cycle before was [s], see ControlLoop.
+  Tick tick(double now, double period, const std::optional<double>& last);
   /// A sentence with the remedy when the measured rate differs from the nominal one by more than 30 %; said
   /// once.
   std::string complaint();
@@ -27,9 +27,8 @@ class CycleClock {
 
  private:
   PeriodWatch watch_;
-  std::optional<double> last_;  // [s]
-  double period_ = 0.0;         // nominal [s]
-  double sum_ = 0.0;            // of the counted intervals [s]
+  double period_ = 0.0;  // nominal [s]
+  double sum_ = 0.0;     // of the counted intervals [s]
   int count_ = 0;
   bool complained_ = false;
 };

@@ -17,8 +17,8 @@ struct CycleResult : control::Result {
   Sampling sampling;  // in force
 };
 
-/// The decision's problem, with how many candidates who refused.
-std::string refusals_in_words(const Decision& decision);
+/// The decision's problem, and how many candidates each check and critic rejected.
+std::string rejections_in_words(const Decision& decision);
 
 /// What a host is told of a cycle: the fault, the problem, that it escapes; empty where it just drives.
 std::string in_words(const CycleResult& result);

@@ -16,7 +16,7 @@ namespace hidwa_local_planner {
 Evaluation to_evaluation(const std::vector<CandidateReport>& candidates, const Planner::Marked& marked,
                          const std::string& frame, const ros::Time& stamp);
 
-/// The same as lines: legal candidates from green (cheapest) to red, refused ones grey, the chosen one thick
+/// The same as lines: legal candidates from green (cheapest) to red, rejected ones grey, the chosen one thick
 /// and white, the operator's own thick and blue.
 visualization_msgs::MarkerArray to_markers(const std::vector<CandidateReport>& candidates,
                                            const Planner::Marked& marked, const std::string& frame,

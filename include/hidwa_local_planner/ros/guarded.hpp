@@ -8,7 +8,7 @@
 
 namespace hidwa_local_planner {
 
-/// Runs `call` of the plugin `who`; where it throws, logs and answers `otherwise`: no host expects exceptions.
+/// Runs `call` of the plugin `who`. If it throws, logs that and returns `otherwise`, since no host expects exceptions.
 template <typename Answer, typename Call>
 Answer guarded(const char* who, const char* what, Answer otherwise, Call call) {
   try {

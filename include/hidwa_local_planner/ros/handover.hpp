@@ -7,7 +7,7 @@
 
 namespace hidwa_local_planner {
 
-/// Hands the newest of its values from one thread to another; neither ever waits for the other.
+/// Hands the newest value from one thread to another. Neither thread waits for the other.
 template <typename T>
 class Handover {
  public:

@@ -14,8 +14,8 @@ namespace hidwa_local_planner {
 
 class Shell;
 
-/// The local planner as move_base loads it. Nothing thrown inside comes out: what goes wrong is logged, and
-/// the call fails, so that the host stops the robot.
+/// The local planner as move_base loads it. It throws nothing: an error is logged and the call fails, so that the host
+/// stops the robot.
 class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
  public:
   HIDWAPlannerROS();

@@ -9,7 +9,7 @@
 
 namespace hidwa_local_planner {
 
-/// The rate of the host's control cycle [Hz]: its parameter controller_frequency, which move_base also takes while it
+/// The rate of the host's control cycle [Hz]: its parameter controller_frequency, which can change while move_base
 /// runs.
 class HostFrequency {
  public:

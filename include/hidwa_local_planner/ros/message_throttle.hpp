@@ -6,8 +6,8 @@
 
 namespace hidwa_local_planner {
 
-/// When to say what goes on for many cycles: at once when it is new, then once a second. Messages that differ
-/// from their first figure on are the same.
+/// When to log a condition that lasts for many cycles: at once when it is new, then once a second. Messages are the
+/// same if they are equal up to their first digit.
 class MessageThrottle {
  public:
   /// True when `message` is due at `now` [s]. Remembers it then, in the memory of the one before.
@@ -18,7 +18,7 @@ class MessageThrottle {
     said_at_ = now;
     return true;
   }
-  /// Whatever it was is over. False when there was nothing.
+  /// The condition is over. False where there was none.
   bool end() {
     const bool said = !said_.empty();
     said_.clear();

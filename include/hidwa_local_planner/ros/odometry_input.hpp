@@ -30,10 +30,10 @@ class OdometryInput {
   /// The velocity unless it is older than `timeout` [s] at `now` [s], by receive time or by a stamp that is
   /// set.
   Reading read(double now, double timeout) const;
-  /// The velocity that the readings of the last moments agree on, see AxisBelief: where a host paused and others may
-  /// have driven, one reading alone says nothing. Nothing where they do not agree, or are older than `timeout` [s].
+  /// The velocity that the last readings agree on, see AxisBelief. After a pause of the host another node may have
+  /// driven, and one reading alone proves nothing. No value where they do not agree, or are older than `timeout` [s].
   std::optional<Twist2> settled(double now, double timeout, const Parameters& parameters) const;
-  /// Time jumped back: what was received before counts no more.
+  /// Time jumped back: readings from before no longer count.
   void forget();
 
  private:

@@ -11,7 +11,7 @@
 
 namespace hidwa_local_planner {
 
-/// What a device without the right buttons can ask for in words, below the planner's name: `set_mode`
+/// What a device without the right buttons can ask for by topic, below the planner's name: `set_mode`
 /// (std_msgs/String), `take_control` and `stop` (std_msgs/Bool).
 class OperatorCommands {
  public:

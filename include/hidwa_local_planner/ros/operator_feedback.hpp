@@ -53,8 +53,8 @@ class OperatorFeedback {
 /// The mode as parameters and topics call it.
 std::string name_of(OperatorMode mode);
 
-/// How strongly the stick should rumble, in [0, 1]: nothing at agreement or without an operator command,
-/// else the more the less of it is done.
+/// How strongly the stick should rumble, in [0, 1]: 0 without an operator command or at full agreement; the lower the
+/// agreement, the stronger.
 float rumble_intensity(bool active, double agreement);
 
 }  // namespace hidwa_local_planner

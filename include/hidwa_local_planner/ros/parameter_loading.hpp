@@ -42,8 +42,8 @@ std::string nearest_name(const std::string& misspelt, const std::vector<std::str
 /// `package::Class`.
 std::string short_name(const std::string& critic);
 
-/// The known parameter that an unknown key most likely means: DWA's and DWB's other names, slips of the pen;
-/// empty when nothing is near.
+/// The known parameter that an unknown key most likely means: another name in DWA or DWB, or a misspelling. Empty when
+/// no name is similar.
 std::string suggestion_for(const std::string& key);
 
 }  // namespace hidwa_local_planner

@@ -39,7 +39,7 @@ XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle);
 std::vector<std::string> configure(Planner& planner, const ParameterSet& set);
 std::vector<std::string> configure(control::ControlLoop& loop, const ParameterSet& set);
 
-/// What configuring a planner with a set would meet.
+/// What would happen if a planner were configured with a set.
 struct Trial {
   std::vector<std::string> faults;    // any of them makes the set invalid
   std::vector<std::string> warnings;  // keys that a critic of another package does not know, with the likely right one

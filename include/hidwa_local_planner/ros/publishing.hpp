@@ -17,14 +17,14 @@
 
 namespace hidwa_local_planner {
 
-/// The topics below the planner's name, except those for the person. A message is built only when somebody subscribes.
+/// The topics below the planner's name, except those for the operator. A message is built only if it has a subscriber.
 class Publishing {
  public:
   /// `frame`: the costmap's.
   Publishing(ros::NodeHandle handle, std::string frame);
 
   bool cycle_wanted() const { return cycle_.getNumSubscribers() > 0; }
-  /// Somebody wants to know what became of all candidates.
+  /// A topic that shows all candidates has a subscriber.
   bool candidates_wanted() const {
     return cycle_wanted() || evaluation_.getNumSubscribers() > 0 || trajectories_.getNumSubscribers() > 0;
   }

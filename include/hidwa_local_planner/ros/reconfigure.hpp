@@ -15,8 +15,8 @@
 
 namespace hidwa_local_planner {
 
-/// The generated configuration, made strict: a value out of range reaches the validation, which refuses it by
-/// name, instead of being cut to the range without a word.
+/// The generated configuration, made strict: a value out of range reaches the validation, which refuses it by name.
+/// dynamic_reconfigure would clamp it silently.
 struct StrictConfig : HIDWAPlannerConfig {
   StrictConfig() : HIDWAPlannerConfig() {}
   StrictConfig(const HIDWAPlannerConfig& config) : HIDWAPlannerConfig(config) {}  // NOLINT: the server assigns

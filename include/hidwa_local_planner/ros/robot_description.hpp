@@ -16,8 +16,8 @@
 
 namespace hidwa_local_planner {
 
-/// What the robot's URDF on the parameter server says of its limits and its outline. What is wrong with it is
-/// logged once, and the parameters' own limits hold. Not for two threads at a time.
+/// What the robot's URDF on the parameter server says of its limits and its outline. Its faults are logged once, and
+/// the parameters' own limits hold. Not thread-safe.
 class RobotDescription {
  public:
   /// `handle`: the planner's namespace, from which the URDF is searched upwards. `base_frame`: the costmap's

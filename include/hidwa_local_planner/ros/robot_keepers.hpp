@@ -14,13 +14,14 @@ namespace hidwa_local_planner {
 /// What one cycle of keeping the robot at rest came to.
 struct Kept {
   Twist2 command;         // to be sent: brakes within the limits, then zero [m/s, rad/s]
-  bool at_rest = false;   // zero was sent, and the robot stands
-  bool attended = false;  // a person stops or steers
+  bool stands = false;    // the command asked for rest, and the robot is at rest
+  bool attended = false;  // the operator stops or steers the robot
   double period = 0.0;    // until the next cycle [s]
 };
 
-/// The planners of this process, as a recovery of the same process sees them: each can keep the robot at rest and knows
-/// the person. Planner and recovery are two plugins of one library, which a process has once. Thread-safe.
+/// The planners of this process, for a recovery behaviour in the same process. Each planner can keep the robot at rest,
+/// and knows whether the operator stops or steers it. Both are plugins of one library, which a process loads once.
+/// Thread-safe.
 class RobotKeepers {
  public:
   using Keep = std::function<Kept()>;

@@ -35,9 +35,9 @@
 
 namespace hidwa_local_planner {
 
-/// The planner among messages, clocks and parameters: gathers what a cycle needs, asks the core once, sends
-/// what it decided. set_plan, cycle and goal_reached come from the host's control thread; parameters,
-/// odometry and the person come from threads of their own.
+/// The planner among messages, clocks and parameters. A cycle gathers its inputs, runs the control loop once, and
+/// publishes the decision. set_plan, cycle and goal_reached come from the host's control thread; parameters, odometry
+/// and the operator's messages come from threads of their own.
 class Shell {
  public:
   /// `name`: the planner's namespace below the node's. `tf` and `costmap` must outlive the shell.
@@ -46,16 +46,17 @@ class Shell {
 
   void set_plan(const std::vector<geometry_msgs::PoseStamped>& plan);
   /// One control cycle. Outcome::fail: nothing to send, the host is to stop, replan or recover. The decision
-  /// stays valid until the next cycle. With `stop` the robot brakes to rest and stays, whatever the person wants.
+  /// stays valid until the next cycle. With `stop` the robot brakes to rest and stays, whatever the operator command
+  /// is.
   CycleResult cycle(bool stop = false);
   /// True when the goal is reached. A host that does not stop the robot then (`host_stops` false) hears it only
   /// when cycles have brought it to rest.
   bool goal_reached(bool host_stops = true);
   /// Where the goal is reached, instead of what the parameters say [m], [rad]. Brought into the parameters' ranges.
   void set_goal_tolerances(double xy, double yaw);
-  /// Zero was sent last, and the robot stands.
-  bool at_rest() const { return loop_.at_rest(); }
-  OperatorInput::Status person() const;
+  /// The last command asked for rest, and the robot is at rest.
+  bool stands() const { return loop_.stands(); }
+  OperatorInput::Status operator_status() const;
   double period() const { return control_period(); }  // nominal, of a control cycle [s]
 
  private:
@@ -108,7 +109,7 @@ class Shell {
     double xy = 0.0, yaw = 0.0;  // [m], [rad]
   };
   std::optional<Tolerances> host_tolerances_;
-  std::string refused_;  // why the parameters at start cannot drive; empty once a valid set came
+  std::string parameters_fault_;  // why the parameters at start cannot drive; empty once a valid set came
   MessageThrottle explanations_;
   std::vector<std::string> horizon_said_;
 
@@ -131,7 +132,7 @@ class Shell {
   std::unique_ptr<Diagnostics> diagnostics_;
 };
 
-/// What every plugin does when its host initializes it: makes the shell, once; says what is missing.
+/// Every plugin calls this when its host initializes it. Makes the shell, once; logs what is missing.
 void start_shell(std::unique_ptr<Shell>& shell, const std::string& name, const tf2_ros::Buffer* tf,
                  costmap_2d::Costmap2DROS* costmap);
 

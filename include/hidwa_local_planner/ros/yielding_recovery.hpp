@@ -13,8 +13,8 @@
 
 namespace hidwa_local_planner {
 
-/// A recovery of move_base that never drives: brakes, waits while a person stops or steers the robot, then forgets
-/// obstacles far from it. Where HI-DWA is not the planner of this process there is nobody to ask: it clears at once.
+/// A recovery behaviour of move_base that never drives. It brakes, waits while the operator stops or steers the robot,
+/// then clears the costmaps far from the robot. Where HI-DWA is not the planner of this process it clears at once.
 /// Nothing thrown inside comes out.
 class YieldingRecovery : public nav_core::RecoveryBehavior {
  public:

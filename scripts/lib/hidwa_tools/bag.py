@@ -111,7 +111,7 @@ class Drive:
 
 def _grid(message):
     if abs(geometry.yaw_of(message.info.origin.orientation)) > 1e-6:
-        raise BagError('the map is turned against its frame (origin yaw); give one with yaw 0')
+        raise BagError('the map is rotated (its origin has a yaw); give one with yaw 0')
     cells = np.array(message.data, np.int16).reshape(message.info.height, message.info.width)
     # The message holds 0.05 as a float32, 0.0500000007: a thousand cells further that is 1.5e-5 m.
     resolution = float(f'{message.info.resolution:.7g}')

@@ -203,7 +203,7 @@ def main(arguments=None):
     try:
         return run(options)
     except KeyboardInterrupt:
-        print('\nscripts/demo: interrupted; everything it started has ended', file=sys.stderr)
+        print('\nscripts/demo: interrupted; all programs that it started have ended', file=sys.stderr)
         return 130
     except (DemoError, BagError) as fault:
         print(f'\nscripts/demo: {fault}', file=sys.stderr)

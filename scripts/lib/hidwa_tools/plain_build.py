@@ -21,4 +21,4 @@ def build(target, folder, options):
     with open(log, 'w', encoding='utf-8') as out:
         for command in commands:
             if subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, check=False).returncode:
-                raise BuildError(f'the build failed; the whole story is in {log}')
+                raise BuildError(f'the build failed; its whole output is in {log}')

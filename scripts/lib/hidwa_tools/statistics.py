@@ -21,7 +21,7 @@ class SignedRanks:
 def signed_ranks(a, b, alternative='two-sided'):
     """Wilcoxon's test of paired values; alternative: two-sided, less (a below b) or greater. ValueError for unequal lengths."""
     if len(a) != len(b):
-        raise ValueError(f'{len(a)} values against {len(b)}: pairs are needed')
+        raise ValueError(f'{len(a)} values against {len(b)}: pairs need as many of both')
     difference = np.asarray(a, float) - np.asarray(b, float)
     changed = difference[difference != 0.0]
     n = len(changed)

@@ -106,7 +106,7 @@ def plain():
     folder = os.path.join(WORK, 'plain')
     # The list of test folders anew: a build folder of an older version remembers that version's.
     run(['cmake', '-S', ROOT, '-B', folder, '-UHIDWA_TEST_SUITES', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON',
-         '-DHIDWA_BENCHMARKS=ON', f'-DHIDWA_WERROR={werror()}', '-DCMAKE_BUILD_TYPE=Release'], 'plain_configure')
+         '-DHIDWA_BENCHMARKS=ON', f'-DHIDWA_WERROR={werror()}', '-DHIDWA_UNITY=ON', '-DCMAKE_BUILD_TYPE=Release'], 'plain_configure')
     run(['cmake', '--build', folder, '-j', JOBS], 'plain_build')
     return ctest(folder, 'plain')
 
@@ -180,7 +180,7 @@ def robot():
     folder = os.path.join(WORK, 'robot')
     os.makedirs(folder, exist_ok=True)
     run(in_install('colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', ROOT, '--packages-select',
-                   'hidwa_local_planner', '--cmake-args', '-DHIDWA_TOOLS=OFF', '-DHIDWA_TESTS=OFF',
+                   'hidwa_local_planner', '--cmake-args', '-DHIDWA_TOOLS=OFF', '-DHIDWA_TESTS=OFF', '-DHIDWA_UNITY=ON',
                    f'-DHIDWA_WERROR={werror()}', '-DCMAKE_BUILD_TYPE=Release', '-DPYTHON_EXECUTABLE=/usr/bin/python3',
                    '-DPython3_EXECUTABLE=/usr/bin/python3'), 'robot_build', cwd=folder)
     place = os.path.join(folder, 'install', 'lib')

@@ -12,9 +12,9 @@
 namespace hidwa_local_planner {
 
 /// Which candidates are free of collision (RolloutCheck), and which of them can still come to rest in free space
-/// (BrakingCheck). Both share what is known of clearances. For a robot that already stands in collision EscapeRule
-/// holds besides. Where no motion leads out of that, it may turn on the spot as far as it goes no deeper; an operator
-/// may always do so, and stand.
+/// (BrakingCheck). Both share the known clearances. For a robot that already stands in collision EscapeRule holds, too.
+/// Where no motion leads out, the robot may turn on the spot if it goes no deeper. An operator may always turn it so,
+/// or have it stand.
 class AdmissibilityCheck {
  public:
   using Setup = CheckSetup;
@@ -28,14 +28,14 @@ class AdmissibilityCheck {
   void prepare(const Parameters& parameters, const VelocityLimits& limits, const CollisionChecker& checker,
                const Footprint& footprint, double resolution, const Setup& setup);
 
-  /// Whether a look at the cells is enough for every rollout of a tile; sets the reasons of those that they reject.
+  /// Whether the cells alone decide every rollout of a tile. Sets the reasons of those that they reject.
   bool cells_decide(const Tile& tile, const char** reasons) const { return rollouts_.decide_by_cells(tile, reasons); }
   /// Sets the reasons of those candidates of a tile whose rollouts are not free.
   void check_rollouts(const Tile& tile, const char** reasons) { rollouts_.check(tile, reasons); }
 
   /// Candidates must be able to brake.
   bool checks_braking() const { return checks_braking_; }
-  /// No candidate needs to be asked whether it can brake.
+  /// Every candidate can brake: can_brake() need not be called.
   bool all_can_brake() const { return braking_.all_can_brake(); }
   /// Whether the robot can come to rest in free space after the first command towards a sample, however the base
   /// reaches its commands: poses at most half a cell apart. `column`: of the sample among those of its omega.

@@ -16,16 +16,16 @@ constexpr double kFineDepthSpacing = 1.0 / 128.0;
 // Columns of samples that room is made for at once.
 constexpr std::size_t kUsualColumns = 128;
 
-// The robot stands as near to something as it did, up to so much [m].
+// Two clearances that differ by less than this are the same [m].
 constexpr double kSameDistance = 1e-6;
 
 // Poses need not lie nearer to each other [m].
 constexpr double kFinest = 1e-4;
 
-// In periods: a command to brake that may come so much later is as good as one that does not.
+// In periods: if the command to brake comes later by less than this, it counts as punctual.
 constexpr double kSoon = 0.1;
 
-// In periods: so far apart are the times at which a late command to brake is looked at.
+// In periods: how far apart the times are at which a late command to brake is checked.
 constexpr double kHoldsApart = 0.5;
 
 TurnedPose turned(const Pose2& pose) { return {pose, {std::cos(pose.theta), std::sin(pose.theta)}}; }
@@ -80,11 +80,11 @@ void BrakingCheck::prepare(const Parameters& parameters, const VelocityLimits& l
   clearance_now_ = 0.0;
   if (all_clear_) return;
   const CollisionChecker& checker = clearances.checker();
-  const double separation = checker.separation(setup.start, turned(setup.start).heading, checker.room());
-  clearance_now_ = std::max(0.0, separation - kSameDistance);
+  const double clearance = checker.clearance(setup.start, turned(setup.start).heading, checker.largest_clearance());
+  clearance_now_ = std::max(0.0, clearance - kSameDistance);
 }
 
-// No command reaches farther than the one that speeds up.
+// The command that speeds up reaches farthest.
 bool BrakingCheck::nothing_in_reach() const {
   const double speed = std::abs(setup_->reference.v) + limits_->x.acc * setup_->period;
   double reach = reach_of_manoeuvres(*setup_, *limits_, std::max(setup_->pending->fastest(), speed));

@@ -80,8 +80,8 @@ void look_up(const std::uint8_t* __restrict table, const std::int32_t* __restric
   for (std::size_t k = 0; k < count; ++k) classes[k] = table[index[k]];
 }
 
-// Adds the classes of some rows to what was touched. The start is no news: a robot that stands in collision is another
-// matter.
+// Adds the classes of some rows to what was touched. The start does not count: EscapeRule judges a robot that stands in
+// collision.
 HIDWA_VECTOR_CLONES
 void gather(const std::uint8_t* __restrict classes, std::size_t rows, std::size_t stride, bool from_start,
             std::uint8_t* __restrict touched) {

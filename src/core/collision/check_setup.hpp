@@ -19,7 +19,7 @@ struct CheckSetup {
   bool steered = false;                       // by an operator
   EscapeRule* escape = nullptr;               // where it applies
 
-  /// The robot overlaps something.
+  /// The robot overlaps an obstacle.
   bool escaping() const { return escape != nullptr && escape->overlaps(); }
 };
 

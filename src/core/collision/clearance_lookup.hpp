@@ -17,7 +17,7 @@ class ClearanceLookup {
     extra_ = kExtra * resolution;
     memo_.clear(radius, 0.5 * resolution);
   }
-  /// [m]; 0 where the robot collides. Where it is more than `needed` [m], it need not be looked for any farther.
+  /// [m]; 0 where the robot collides. Once it is known to be more than `needed` [m], the search ends.
   double at(const Pose2& pose, const Rotation& heading, double needed = 0.0) {
     const double known = memo_.at(pose);
     if (known > needed) return known;
@@ -25,14 +25,14 @@ class ClearanceLookup {
     if (clearance > 0.0) memo_.note(pose, clearance);
     return clearance;
   }
-  /// Likewise, without what is known of the poses around.
+  /// Likewise, but always measured: poses around it do not count.
   double measure(const Pose2& pose, const Rotation& heading, double needed) const {
-    return checker_->separation(pose, heading, needed + extra_);
+    return checker_->clearance(pose, heading, needed + extra_);
   }
   const CollisionChecker& checker() const { return *checker_; }
 
  private:
-  // So much more than what is needed is looked for, in cells: it saves looking at the next poses.
+  // The search goes on for so many cells beyond what is needed: what it finds also answers for the next poses.
   static constexpr double kExtra = 2.0;
 
   const CollisionChecker* checker_ = nullptr;

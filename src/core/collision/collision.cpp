@@ -10,8 +10,8 @@
 namespace hidwa_local_planner {
 namespace {
 
-// How much room around a pose is looked for at least, in cells.
-constexpr double kLeastRoom = 2.0;
+// Clearances are told up to so many cells at least.
+constexpr double kLeastClearance = 2.0;
 
 // Clips the parameter range [t0, t1] of the segment a + t d to the open slab (lo, hi).
 bool clip(double a, double d, double lo, double hi, double& t0, double& t1) {
@@ -77,7 +77,7 @@ bool overlaps_square(const Polygon& polygon, double x, double y, double side) {
 }
 
 void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle,
-                               const Pose2& centre, double reach, double margin, double room) {
+                               const Pose2& centre, double reach, double margin, double largest_clearance) {
   grid_ = grid;
   footprint_ = &footprint;
   unknown_is_obstacle_ = unknown_is_obstacle;
@@ -87,11 +87,11 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
   shape.inscribed = footprint.inscribed_radius();
   shape.margin = margin;
   // By whole cells: what was collected for one cycle serves the next.
-  shape.room = std::max(kLeastRoom, std::ceil(room / grid.resolution)) * grid.resolution;
-  room_ = shape.room;
+  shape.largest_clearance = std::max(kLeastClearance, std::ceil(largest_clearance / grid.resolution)) * grid.resolution;
+  largest_clearance_ = shape.largest_clearance;
   shape.resolution = grid.resolution;
   shape.circle = footprint.is_circle();
-  shape.radius = static_cast<int>(std::ceil((reach + shape.outer + shape.room) / grid.resolution)) + 3;
+  shape.radius = static_cast<int>(std::ceil((reach + shape.outer + shape.largest_clearance) / grid.resolution)) + 3;
   const Cell middle = grid.cell_at(centre.x, centre.y);
   first_ = {middle.i - shape.radius, middle.j - shape.radius};
   if (mark_obstacles(shape)) {
@@ -104,12 +104,12 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
 
 // Where its centre lies inside, an outline that touches the midst of obstacles touches their edge too.
 void CollisionChecker::prepare_lists(double margin) {
-  const double room = room_;
+  const double largest_clearance = largest_clearance_;
   ObstacleLists::Window window;
   window.solid = footprint_->inscribed_radius() > 0.0 ? &edges_ : &obstacles_;
   window.core = footprint_->is_circle() ? &inscribed_ : nullptr;
-  window.solid_reach = footprint_->circumscribed_radius() + margin + room;
-  window.core_reach = room + kRounding;
+  window.solid_reach = footprint_->circumscribed_radius() + margin + largest_clearance;
+  window.core_reach = largest_clearance + kRounding;
   window.corner_x = grid_.origin_x + first_.i * grid_.resolution;
   window.corner_y = grid_.origin_y + first_.j * grid_.resolution;
   window.resolution = grid_.resolution;
@@ -187,15 +187,15 @@ bool CollisionChecker::centre_collides(Cell cell, const Footprint& outline) cons
 }
 
 bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading) const {
-  return separation(pose, heading, *footprint_, 0.0) <= 0.0;
+  return clearance(pose, heading, *footprint_, 0.0) <= 0.0;
 }
 
 bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const {
-  return separation(pose, heading, outline, 0.0) <= 0.0;
+  return clearance(pose, heading, outline, 0.0) <= 0.0;
 }
 
-double CollisionChecker::separation(const Pose2& pose, const Rotation& heading, const Footprint& outline,
-                                    double cap) const {
+double CollisionChecker::clearance(const Pose2& pose, const Rotation& heading, const Footprint& outline,
+                                   double cap) const {
   constexpr double kFree = std::numeric_limits<double>::min();
   const Cell cell = grid_.cell_at(pose.x, pose.y);
   const bool reached = in_reach(cell);
@@ -204,7 +204,7 @@ double CollisionChecker::separation(const Pose2& pose, const Rotation& heading, 
   if (reached && &outline == footprint_ && hit_.test(i, j)) return 0.0;
   if (centre_collides(cell, outline)) return 0.0;
   const bool listed = reached && (outline.is_circle() || !outline.sides().empty());
-  cap = std::min(std::max(cap, kRounding), room_);
+  cap = std::min(std::max(cap, kRounding), largest_clearance_);
   const double least = listed ? lists_.smallest_gap(i, j, pose, heading, outline, cap)
                               : smallest_gap(place(pose, heading, outline), cap);
   return least <= 0.0 ? 0.0 : std::max(least - kRounding, kFree);
@@ -255,7 +255,7 @@ double CollisionChecker::gap_to(const Placed& placed, double x, double y) const 
   }
   double most = std::max({x - placed.hi_x, placed.lo_x - (x + side), y - placed.hi_y, placed.lo_y - (y + side)});
   if (placed.outline->sides().empty()) {
-    if (most > room_) return most;
+    if (most > largest_clearance_) return most;
     return overlaps_square(corners_, x, y, side) ? 0.0 : std::max(distance_to_square(corners_, x, y, side), kRounding);
   }
   const double middle_x = x + 0.5 * side - pose.x, middle_y = y + 0.5 * side - pose.y;

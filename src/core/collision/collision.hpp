@@ -20,40 +20,40 @@ namespace hidwa_local_planner {
 /// the inscribed cost is quantised to cells and alone would let it overlap by up to a cell's diagonal.
 class CollisionChecker {
  public:
-  /// Once a cycle. `reach` [m] is how far from `centre` the robot's centre will be asked about; farther poses are
-  /// answered too, only slower. `margin` [m] is how far around a clear position the robot is free too; `room` [m] up to
-  /// which separation() answers, two cells at least. `grid` and `footprint` must outlive the questions.
+  /// Once a cycle. Poses up to `reach` [m] from `centre` are answered fast, farther ones slowly. `margin` [m]: a
+  /// position is clear if the robot is free everywhere within it. `largest_clearance` [m]: clearance() answers up to
+  /// this, two cells at least. `grid` and `footprint` must outlive the questions.
   void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
-               double reach, double margin, double room = 0.0);
+               double reach, double margin, double largest_clearance = 0.0);
 
   bool collides(const Pose2& pose) const {
     return collides(pose, Rotation{std::cos(pose.theta), std::sin(pose.theta)});
   }
-  /// With the heading's cosine and sine given.
+  /// With the cosine and sine of the heading.
   bool collides(const Pose2& pose, const Rotation& heading) const;
   /// As collides(), for an outline that differs from the prepared one by less than the margin.
   bool collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
-  /// 0 where the robot collides; else a distance [m] by which every point of it may move without colliding: at most
-  /// `cap`, itself at most room(), and a lower bound.
-  double separation(const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap) const;
-  double separation(const Pose2& pose, const Rotation& heading, double cap) const {
-    return separation(pose, heading, *footprint_, cap);
+  /// The clearance [m], see docs/design.md; 0 where the robot collides. A lower bound, at most `cap`, which counts up
+  /// to largest_clearance().
+  double clearance(const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap) const;
+  double clearance(const Pose2& pose, const Rotation& heading, double cap) const {
+    return clearance(pose, heading, *footprint_, cap);
   }
   /// True when the robot is free at any heading, at this position and everywhere within the margin around it.
   bool clear(double x, double y) const;
-  double margin() const { return margin_; }  // of clear() [m]
-  double room() const { return room_; }      // the most that separation() answers [m]
+  double margin() const { return margin_; }                        // of clear() [m]
+  double largest_clearance() const { return largest_clearance_; }  // the most that clearance() answers [m]
   /// True when all positions within `distance` [m] of a position are clear.
   bool clear_around(double x, double y, double distance) const;
 
-  /// Obstacle in the sense above; cells beyond the edge are.
+  /// An obstacle in the sense above; cells beyond the map's edge are obstacles.
   bool obstacle(Cell cell) const {
     if (!grid_.contains(cell)) return true;
     const std::uint8_t value = grid_.at(cell);
     return value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle_);
   }
 
-  /// Where the next two answer.
+  /// Whether near_bits() and hit_bits() know the cell.
   bool in_reach(Cell cell) const {
     return static_cast<unsigned>(cell.i - first_.i - rim_) < static_cast<unsigned>(near_.width() - 2 * rim_) &&
            static_cast<unsigned>(cell.j - first_.j - rim_) < static_cast<unsigned>(near_.height() - 2 * rim_);
@@ -65,14 +65,14 @@ class CollisionChecker {
 
  private:
   void mark(std::uint8_t one, std::uint8_t other, bool edge, BitGrid& marked) const;
-  // All that the marks are made by, besides the cells.
+  // What the marks depend on, besides the cells.
   struct Shape {
-    int radius = 0;                                                                   // of the window [cells]
-    double outer = 0.0, inscribed = 0.0, margin = 0.0, room = 0.0, resolution = 0.0;  // [m]
+    int radius = 0;  // of the window [cells]
+    double outer = 0.0, inscribed = 0.0, margin = 0.0, largest_clearance = 0.0, resolution = 0.0;  // [m]
     bool circle = false;
     bool operator==(const Shape& other) const {
       return radius == other.radius && outer == other.outer && inscribed == other.inscribed && margin == other.margin &&
-             room == other.room && resolution == other.resolution && circle == other.circle;
+             largest_clearance == other.largest_clearance && resolution == other.resolution && circle == other.circle;
     }
   };
   bool mark_obstacles(const Shape& shape);
@@ -94,8 +94,8 @@ class CollisionChecker {
   GridView grid_;
   const Footprint* footprint_ = nullptr;
   bool unknown_is_obstacle_ = true;
-  Cell first_;                        // of the window, map cells
-  double margin_ = 0.0, room_ = 0.0;  // [m]
+  Cell first_;                                     // of the window, map cells
+  double margin_ = 0.0, largest_clearance_ = 0.0;  // [m]
   Shape shape_;
   int rim_ = 0;                                // cells at the window's rim that near_ does not answer for
   BitGrid obstacles_;                          // in the window

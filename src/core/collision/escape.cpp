@@ -25,7 +25,7 @@ constexpr double kRolloutSpacing = 0.25;
 // Parts of a straight way.
 constexpr int kParts = 8;
 
-// Heaps of a usual collision: room that is taken once.
+// Clusters of a usual collision: room that is taken once.
 constexpr std::size_t kUsualClusters = 512;
 
 }  // namespace
@@ -96,7 +96,7 @@ void EscapeRule::prepare(double reach, double margin) {
   window_ = {grid_, unknown_is_obstacle_, {middle.i - radius, middle.j - radius}, 2 * radius + 1};
   const AxisLimits slow = slowed().x;
   const double longest = std::max(std::abs(slow.min), std::abs(slow.max)) * sim_time_;
-  heaps_.gather(window_, overlaps_, 1 + static_cast<int>(std::ceil(longest / grid_.resolution)));
+  clusters_.gather(window_, overlaps_, 1 + static_cast<int>(std::ceil(longest / grid_.resolution)));
   list_members();
   make_rest();
   const GridView rest{rest_costs_.data(),
@@ -114,7 +114,7 @@ void EscapeRule::make_rest() {
   for (int j = 0; j < window_.size; ++j) {
     for (int i = 0; i < window_.size; ++i, ++at) {
       const Cell cell{window_.first.i + i, window_.first.j + j};
-      rest_costs_[at] = window_.obstacle(cell) && !heaps_.holds(cell) ? cost::kLethal : cost::kFree;
+      rest_costs_[at] = window_.obstacle(cell) && !clusters_.holds(cell) ? cost::kLethal : cost::kFree;
     }
   }
 }
@@ -122,27 +122,27 @@ void EscapeRule::make_rest() {
 void EscapeRule::list_members() {
   x_.clear();
   y_.clear();
-  for (const ObstacleHeaps::Member& member : heaps_.members()) {
+  for (const ObstacleClusters::Member& member : clusters_.members()) {
     const Point centre = grid_.centre(member.cell);
     x_.push_back(centre.x() - start_.pose.x);
     y_.push_back(centre.y() - start_.pose.y);
   }
   for (std::vector<double>* values : {&x_, &y_, &depths_})
-    values->resize(OutlineDepth::padded(heaps_.members().size()));
+    values->resize(OutlineDepth::padded(clusters_.members().size()));
   Descent descent{std::numeric_limits<double>::infinity(), 0.0};
   descends({start_.pose, {std::cos(start_.pose.theta), std::sin(start_.pose.theta)}}, Ahead::rollout, descent);
   start_total_ = descent.total;
 }
 
 bool EscapeRule::descends(const TurnedPose& at, Ahead ahead, Descent& descent) {
-  const std::vector<ObstacleHeaps::Member>& members = heaps_.members();
+  const std::vector<ObstacleClusters::Member>& members = clusters_.members();
   const TurnedPose here = relative(at.pose, at.heading);
   depth_.of(here.pose, here.heading, x_.data(), y_.data(), members.size(), depths_.data());
   double total = 0.0, deepest = 0.0;
   for (std::size_t k = 0; k < members.size(); ++k) {
     const double limit = ahead == Ahead::rollout ? members[k].limit : members[k].near_limit;
     if (depths_[k] > limit + kSameDepth) return false;
-    if (k > 0 && members[k].heap != members[k - 1].heap) {
+    if (k > 0 && members[k].cluster != members[k - 1].cluster) {
       total += deepest;
       deepest = 0.0;
     }
@@ -187,7 +187,7 @@ bool EscapeRule::ends_better(const Pose2& end, const Descent& descent) const {
 double EscapeRule::distance_to_overlapped(const Pose2& pose) const {
   const double half = 0.5 * grid_.resolution;
   double nearest2 = std::numeric_limits<double>::infinity();
-  for (const ObstacleHeaps::Overlap& overlap : overlaps_) {
+  for (const ObstacleClusters::Overlap& overlap : overlaps_) {
     const Point centre = grid_.centre(overlap.cell);
     const double dx = beyond(pose.x - centre.x(), half), dy = beyond(pose.y - centre.y(), half);
     nearest2 = std::min(nearest2, dx * dx + dy * dy);

@@ -7,7 +7,7 @@
 
 #include "core/collision/collision.hpp"
 #include "core/collision/escape_speed.hpp"
-#include "core/collision/obstacle_heaps.hpp"
+#include "core/collision/obstacle_clusters.hpp"
 #include "core/collision/outline_depth.hpp"
 #include "core/motion/brake_manoeuvre.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
@@ -17,16 +17,16 @@
 
 namespace hidwa_local_planner {
 
-/// What a robot may do that stands in collision. The set S are the obstacle cells that its outline overlaps at this
-/// cycle's pose, those included that the map has just added.
+/// What a robot in collision may do. S is the set of obstacle cells that its outline overlaps at this cycle's pose,
+/// also those that the map has just added.
 ///
-///   1. All obstacles but S and what hangs together with it (ObstacleHeaps) are as ever: see rest().
-///   2. A cell outside S is entered only where it is a neighbour of one in S, no deeper than the robot stands in that
-///   one
-///      and at most half a cell. A rollout looks farther ahead than the next cycle: there, neighbours' neighbours
-///      count.
-///   3. The total depth never grows. Of each heap it is the depth of its deepest cell (OutlineDepth), summed over the
-///      heaps: the same for a wall wherever its cells begin, so that a robot which grazes one can drive along it.
+///   1. All obstacles but S and the clusters it belongs to (ObstacleClusters) count as always: see rest().
+///   2. A cell outside S may be entered only if it is a neighbour of one in S, no deeper than the robot stands in
+///      that one, and at most half a cell deep. A rollout looks farther ahead than the next cycle: there, neighbours
+///      of neighbours count, too.
+///   3. The total depth never grows. It is the depth in the deepest cell of each cluster (OutlineDepth), summed over
+///      the clusters. For a wall it does not depend on where its cells begin, so a robot that grazes one can drive
+///      along it.
 ///   4. It ends less deep, or farther from S, or drives on along what it grazes (at most half a cell deep).
 ///   5. It is so slow that it stops within half a cell (EscapeSpeed), or brakes as hard as it can.
 ///
@@ -43,7 +43,7 @@ class EscapeRule {
   /// Once a cycle, before the candidates are made. `grid` and `footprint` must outlive the questions.
   void look(const Parameters& parameters, const VelocityLimits& limits, const GridView& grid,
             const Footprint& footprint, const Start& start);
-  /// The robot stands in collision: the ordinary rule would refuse everything.
+  /// The robot stands in collision: the ordinary rule would reject everything.
   bool applies() const { return !overlaps_.empty() || centre_inscribed_; }
   /// It overlaps something.
   bool overlaps() const { return !overlaps_.empty(); }
@@ -55,13 +55,13 @@ class EscapeRule {
   /// All obstacles that the ordinary rule holds for.
   const CollisionChecker& rest() const { return rest_; }
 
-  /// Of a way through the heaps, pose by pose.
+  /// Of a way through the clusters, pose by pose.
   struct Descent {
     double least = 0.0;  // total depth so far [m]
     double total = 0.0;  // at the last pose [m]
   };
   Descent start() const { return {start_total_, start_total_}; }
-  /// How long until it is asked again: cells of the heaps that it may enter.
+  /// How long until it is asked again: cells of the clusters that it may enter.
   enum class Ahead { next_cycle, rollout };
   /// False where the robot goes deeper than it may. Poses in order.
   bool descends(const TurnedPose& at, Ahead ahead, Descent& descent);
@@ -99,14 +99,14 @@ class EscapeRule {
   double arm_ = 0.0;  // from the centre to where the outline moves most in a turn [m]
   EscapeSpeed speed_;
   OutlineDepth depth_;
-  std::vector<ObstacleHeaps::Overlap> overlaps_;
+  std::vector<ObstacleClusters::Overlap> overlaps_;
   bool centre_inscribed_ = false;
 
-  ObstacleHeaps heaps_;
-  ObstacleHeaps::Window window_;
+  ObstacleClusters clusters_;
+  ObstacleClusters::Window window_;
   std::vector<std::uint8_t> rest_costs_;  // of the window
   CollisionChecker rest_;
-  std::vector<double> x_, y_;   // centres of the heaps' cells, from the start's position [m]
+  std::vector<double> x_, y_;   // centres of the clusters' cells, from the start's position [m]
   std::vector<double> depths_;  // in them [m]
   double start_total_ = 0.0;    // [m]
 };

@@ -28,7 +28,7 @@ class ObstacleLists {
     double resolution = 0.05;               // [m]
   };
   void prepare(const Window& window);
-  /// The window is as it was prepared, marks and all, but elsewhere: what was collected still holds.
+  /// The window has moved, but it shows the same cells: the lists stay valid.
   void move_to(double corner_x, double corner_y);
 
   /// How far a convex outline, or a circle, at a pose in cell (i, j) of the window is from the nearest obstacle [m], at

@@ -13,15 +13,12 @@ namespace hidwa_local_planner {
 /// How deep the robot's outline reaches into obstacle cells.
 ///
 /// The depth in a cell is the length of the shortest move, in any direction, that takes outline and cell apart:
-///   convex outline  the least overlap over the normals of both shapes' sides (separating axes). The shortest move of
-///   two
-///                   convex polygons is always along one of these normals, so this is exact.
+///   convex outline  the least overlap over the normals of both shapes' sides (separating axes). The shortest move
+///                   of two convex polygons is always along one of these normals, so this is exact.
 ///   circle          radius - distance from the centre to the cell; from within the cell radius + distance to its
-///   nearest
-///                   side. Exact.
-///   other outlines  that of the convex hull where the outline itself shares area with the cell, else 0. No less than
-///   the
-///                   true depth, for what takes the hull out takes the outline out.
+///                   nearest side. Exact.
+///   other outlines  that of the convex hull where the outline itself shares area with the cell, else 0. Never less
+///                   than the true depth, for a move that takes the hull out takes the outline out.
 /// Where every point of the robot moves by d at most, the depth of a convex outline or a circle changes by d at most.
 class OutlineDepth {
  public:

@@ -27,7 +27,7 @@ void RolloutCheck::prepare(const CheckSetup& setup, ClearanceLookup& clearances,
 }
 
 bool RolloutCheck::decide_by_cells(const Tile& tile, const char** reasons) const {
-  if (setup_->escape != nullptr || tile.touched == nullptr) return false;
+  if (setup_->escape != nullptr) return false;  // the cells count what the robot may overlap, too
   if ((tile.touched_any & (cell_class::kHit | cell_class::kNear)) == 0) return true;
   unsigned undecided = 0;
   for (std::size_t c = 0; c < tile.count; ++c) {
@@ -41,10 +41,8 @@ bool RolloutCheck::decide_by_cells(const Tile& tile, const char** reasons) const
 void RolloutCheck::check(const Tile& tile, const char** reasons) {
   last_hit_ = 0;
   most_turn_ = std::max(std::abs(tile.omega), std::abs(setup_->reference.omega)) * tile.dt;
-  Tile seen = tile;
-  if (setup_->escape != nullptr) seen.classes = seen.touched = nullptr;  // they count what it may overlap, too
   for (std::size_t c = 0; c < tile.count; ++c) {
-    if (const char* fault = fault_of(seen, c)) reasons[c] = fault;
+    if (const char* fault = fault_of(tile, c)) reasons[c] = fault;
   }
 }
 
@@ -56,7 +54,8 @@ const char* RolloutCheck::fault_of(const Tile& tile, std::size_t c) {
 }
 
 bool RolloutCheck::free(const Tile& tile, std::size_t c) {
-  if (tile.touched != nullptr) {
+  const bool cells_count = setup_->escape == nullptr;  // else they count what the robot may overlap, too
+  if (cells_count) {
     if ((tile.touched[c] & cell_class::kHit) != 0) return false;
     if ((tile.touched[c] & cell_class::kNear) == 0) return true;
   }
@@ -65,7 +64,7 @@ bool RolloutCheck::free(const Tile& tile, std::size_t c) {
   // No point of the robot moves farther in a step: its centre at the faster of two speeds, its rim by the turn.
   const double step = std::max(std::abs(tile.v[c]), std::abs(setup_->reference.v)) * tile.dt + most_turn_ * radius_;
   double clearance = clearance_at(tile, c, 0);
-  const std::uint8_t* classes = tile.classes != nullptr ? tile.classes + c : nullptr;
+  const std::uint8_t* classes = cells_count ? tile.classes + c : nullptr;
   for (std::size_t k = 0; k < tile.steps;) {
     if (classes != nullptr && ((classes[k * tile.stride] | classes[(k + 1) * tile.stride]) & cell_class::kNear) ==
                                   0) {  // so is what lies between, whatever the heading
@@ -91,7 +90,8 @@ bool RolloutCheck::free(const Tile& tile, std::size_t c) {
 
 // Of a pose of a rollout [m].
 double RolloutCheck::clearance_at(const Tile& tile, std::size_t c, std::size_t k) {
-  if (tile.classes != nullptr && (tile.classes[k * tile.stride + c] & cell_class::kNear) == 0) return margin_;
+  const bool cells_count = setup_->escape == nullptr;
+  if (cells_count && (tile.classes[k * tile.stride + c] & cell_class::kNear) == 0) return margin_;
   return clearances_->at(tile.pose(k, c), {tile.cos_heading[k], tile.sin_heading[k]});
 }
 

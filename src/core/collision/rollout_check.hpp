@@ -6,8 +6,7 @@
 // 2. Otherwise the outline is looked at from pose to pose. A pose's clearance is how far every point of the robot may
 //    move from there: all poses nearer than that are free, and are skipped.
 // 3. Where the clearances at both ends of a step do not cover it, the poses between them are looked at too, at most
-// half
-//    a cell apart.
+//    half a cell apart.
 // 4. For a robot that stands in collision EscapeRule decides what it may overlap, and how.
 //
 // Why it is right: no point of the robot moves farther in a step than its centre does at the faster of two speeds, and

@@ -18,13 +18,11 @@ namespace hidwa_local_planner {
 /// symmetric scenes give equal values.
 ///   l1        cost-blind Manhattan distance, one unit a cell: Nav2's map grid.
 ///   geodesic  around obstacles: 8 neighbours, 5 units straight and 7 diagonally (at most 8 % from Euclidean). Lethal
-///   and
-///             inscribed cells block, though a blocked source still seeds. Blocked cells get values too, from the
-///             reached ones beside them on inwards, so that a robot in one still knows its way; nothing passes through
-///             them.
-/// Computed when first asked for, around the cells of interest only while that is enough: a way that leaves the region
-/// swept cannot be shorter than a bound, and only where a distance exceeds it the whole map is swept. Kept while map
-/// and sources stay the same.
+///             and inscribed cells block; a source counts even where it is blocked. Blocked cells get values, too, from
+///             the reached cells beside them inwards, so a robot in one still knows its way. No way leads through them.
+/// Computed when first asked for, and first around the cells of interest alone. A way that leaves that region has a
+/// known least length; the whole map is swept only where a distance exceeds it. Kept while map and sources stay the
+/// same.
 class DistanceGrids {
  public:
   static constexpr std::int32_t kUnreached = -1;

@@ -11,16 +11,16 @@
 
 namespace hidwa_local_planner {
 
-/// The commands that odometry may still show, and what a base that keeps its limits makes of them: a command takes
-/// effect after the latency and is reached within a period, or as fast as the limits allow, see AxisRamp. Allocates
-/// nothing after its construction.
+/// The commands that odometry may still show, and the motion of a base that carries them out within its limits. A
+/// command takes effect after the latency. The base reaches it within a period, or as fast as the limits allow: see
+/// AxisRamp. Allocates nothing after its construction.
 class CommandHistory {
  public:
   CommandHistory() { sent_.reserve(kMost); }
 
-  /// A cycle of `period` [s] at `now` [s] finds that `command` was sent last: in the cycle before, as far as is known.
-  /// What was sent longer ago than `span` [s] is forgotten, except what was in force then. All that was sent before is
-  /// forgotten where time goes back. A second cycle of the same time takes the place of the first.
+  /// A cycle of `period` [s] at `now` [s] begins; `command` was sent last, in the cycle before. What was sent longer
+  /// ago than `span` [s] is forgotten, except what was in force then. All that was sent before is forgotten where time
+  /// goes back. A second cycle of the same time takes the place of the first.
   void observe(double now, double period, double span, const Twist2& command, const VelocityLimits& limits);
   void forget();
 
@@ -31,8 +31,8 @@ class CommandHistory {
   double elapsed() const { return elapsed_; }
   /// The smallest and the largest velocity that odometry may show, by axis.
   Interval range(double Twist2::*axis) const;
-  /// Where the next command starts from: the last one; on an axis where the base cannot have followed that (the host
-  /// set it to zero, for example) the velocity `reached` that it has by then [m/s, rad/s].
+  /// The velocity from which the next command starts: the last command. Where the base cannot have followed that (the
+  /// host set it to zero, for example) it is the velocity `reached` by then. Each axis alone [m/s, rad/s].
   Twist2 next_start(const VelocityLimits& limits, double period, const Twist2& reached) const;
   /// What the robot does from `age` [s] before the last cycle on until that cycle's own command takes effect.
   void play(const VelocityLimits& limits, double period, double latency, double age, PendingMotion& pending) const;

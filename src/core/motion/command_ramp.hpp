@@ -12,8 +12,8 @@ namespace hidwa_local_planner {
 
 /// One axis on its way from a velocity to a commanded one. A base may get there at once at its limit and then keep the
 /// velocity, or evenly over one control period, or in any way between these two. at() is the way that gets farthest: at
-/// the limit where it speeds up, evenly where it slows down; evenly too where the direction changes. What the limit
-/// does not allow within a period is done at the limit.
+/// the limit where it speeds up, evenly where it slows down; evenly too where the direction changes. A change that
+/// takes longer than a period is made at the limit.
 class AxisRamp {
  public:
   AxisRamp() = default;

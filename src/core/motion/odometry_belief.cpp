@@ -9,7 +9,7 @@
 namespace hidwa_local_planner {
 
 Twist2 reading_tolerance(const Parameters& p, const Twist2& last) {
-  // Inside the motors' dead band the robot stands while the command already grows: that is no disagreement.
+  // Inside the motors' dead band the robot does not move yet although the command grows: such a reading agrees.
   const double omega = std::abs(last.omega);
   const double standing = omega <= std::max(p.min_in_place_vel_theta, p.min_vel_theta) ? omega : 0.0;
   return {p.velocity_reference_tolerance_x, p.velocity_reference_tolerance_theta + standing};

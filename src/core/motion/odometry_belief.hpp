@@ -18,8 +18,8 @@ enum class OdometryReading {
 /// Judges one axis of odometry, reading by reading.
 class AxisBelief {
  public:
-  /// A fast reading is believed once it has agreed with itself for so long [s]; and then, where readings come that do
-  /// not, the last one that did for as long.
+  /// Fast readings are believed once they have agreed with each other for so long [s]. If later ones do not agree, the
+  /// last believed one counts for as long again.
   static constexpr double kLongEnough = 0.3;
 
   /// `explained`: what the commands explain; `tolerance` [unit/s] beyond it still agrees. `axis`: how fast a velocity

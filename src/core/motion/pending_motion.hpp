@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "core/motion/same_time.hpp"
+#include "hidwa_local_planner/core/rest.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
 
-/// The motion until a command that is sent now takes effect: what the commands that were sent but are not yet in effect
-/// make of it. It begins with a velocity and has legs, in each of which both axes change evenly. Allocates nothing
-/// while it has at most kMostLegs legs.
+/// The motion until a command that is sent now takes effect: commands that were sent before are still pending. It
+/// begins with a velocity and has legs, in each of which both axes change evenly. Allocates nothing while it has at
+/// most kMostLegs legs.
 class PendingMotion {
  public:
   static constexpr std::size_t kMostLegs = 1536;  // five for each pending command, and some
@@ -65,10 +66,10 @@ class PendingMotion {
     }
   }
 
-  /// All the time.
-  bool at_rest() const {
-    return begin_ == Twist2{} &&
-           std::all_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.end == Twist2{}; });
+  /// No leg moves.
+  bool rests() const {
+    return commands_rest(begin_) &&
+           std::all_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return commands_rest(leg.end); });
   }
   const Twist2& begin() const { return begin_; }
   const Twist2& end() const { return legs_.empty() ? begin_ : legs_.back().end; }

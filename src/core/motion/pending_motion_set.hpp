@@ -9,9 +9,9 @@
 
 namespace hidwa_local_planner {
 
-/// All pending motions that the robot may be in. Where odometry disagrees with the commands, the robot may do what the
-/// commands say or what odometry says, on each axis alone. The likely motions come first; the unlikely ones after them
-/// count only in the thorough checks.
+/// All pending motions that the robot may be in. Where odometry disagrees with the commands, the robot may follow
+/// either, on each axis alone. The likely motions come first; the unlikely ones after them count only in the thorough
+/// checks.
 class PendingMotionSet {
  public:
   static constexpr std::size_t kMostUnlikely = 6;

@@ -15,7 +15,7 @@ namespace hidwa_local_planner {
 
 /// Rolls all samples out with the unicycle model (Kalliokoski 2022, Eq. 1) in tiles of equal omega: headings are
 /// turned on step by step, once for all candidates of an omega, and positions need multiplication and addition only.
-/// A tile is rolled out when it is asked for. Keeps its memory between cycles.
+/// A tile is rolled out when it is first needed. Keeps its memory between cycles.
 class Rollout {
  public:
   /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start. They

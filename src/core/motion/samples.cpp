@@ -7,7 +7,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-// A robot slower than this turns on the spot as far as its motors are concerned [m/s].
+// A robot slower than this counts as turning on the spot: the motors' dead band for that applies [m/s].
 constexpr double kInPlace = 0.01;
 
 double dead_band(const Parameters& p, double v) {
@@ -49,8 +49,8 @@ void spread(const Interval& interval, int count, std::vector<double>& values) {
 }
 
 Twist2 into_window(const Parameters& p, const VelocityLimits& limits, const DynamicWindow& window,
-                   const Twist2& wanted) {
-  Twist2 u = limits.clamp({into(window.v, wanted.v), into(window.omega, wanted.omega)});
+                   const Twist2& velocity) {
+  Twist2 u = limits.clamp({into(window.v, velocity.v), into(window.omega, velocity.omega)});
   const double band = dead_band(p, u.v);
   if (!in_dead_band(p, u)) return u;
   u.omega = std::abs(u.omega) < 0.5 * band ? 0.0 : std::copysign(band, u.omega);
@@ -74,7 +74,7 @@ void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
   samples_.resize(v_.size() * omega_.size());
   std::size_t count = 0;
   for (const double omega : omega_) {
-    // What only a sample that turns on the spot may be excluded for, and what any other may.
+    // Whether the dead band excludes samples that turn on the spot, and whether it excludes the others.
     const bool no_turn = omega == 0.0 || in_dead_band(p, {0.0, omega});
     const bool no_curve = in_dead_band(p, {kInPlace, omega});
     for (const double v : v_) {
@@ -94,8 +94,8 @@ void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
 
 void Sampler::add_extra(const Parameters& p, const VelocityLimits& limits, const SampleRequest& request) {
   if (p.sample_zero || p.admissibility == Admissibility::braking) samples_.push_back({{}, SampleKind::brake});
-  if (p.sample_operator && request.wanted != nullptr) {
-    samples_.push_back({into_window(p, limits, window_, *request.wanted), SampleKind::operator_command});
+  if (p.sample_operator && request.operator_command != nullptr) {
+    samples_.push_back({into_window(p, limits, window_, *request.operator_command), SampleKind::operator_command});
   }
   if (p.sample_operator && request.blended != nullptr) {
     samples_.push_back({into_window(p, limits, window_, *request.blended), SampleKind::blended});

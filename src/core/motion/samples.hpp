@@ -31,17 +31,17 @@ DynamicWindow dynamic_window(const Parameters& parameters, const VelocityLimits&
 /// Ascending; the values of a symmetric interval are symmetric to the last bit. One value for an empty width.
 void spread(const Interval& interval, int count, std::vector<double>& values);
 
-/// Brings a wanted velocity into the window: each axis to its end; where the wheels cut it, omega is kept and v
+/// Brings a velocity into the window: each axis to its end; where the wheels cut it, omega is kept and v
 /// reduced; out of the motors' dead bands.
 Twist2 into_window(const Parameters& parameters, const VelocityLimits& limits, const DynamicWindow& window,
-                   const Twist2& wanted);
+                   const Twist2& velocity);
 
 struct SampleRequest {
-  Twist2 reference;                 // [m/s, rad/s]
-  Twist2 previous;                  // the last command [m/s, rad/s]
-  const Twist2* wanted = nullptr;   // u_h where it counts
-  const Twist2* blended = nullptr;  // u_ref where it differs from that (authority below 1)
-  double period = 0.05;             // [s]
+  Twist2 reference;                          // [m/s, rad/s]
+  Twist2 previous;                           // the last command [m/s, rad/s]
+  const Twist2* operator_command = nullptr;  // u_h where it counts
+  const Twist2* blended = nullptr;           // u_ref where it differs from that (authority below 1)
+  double period = 0.05;                      // [s]
   int vx_samples = 20;
   int vth_samples = 20;
 };

@@ -64,8 +64,8 @@ bool VelocityLimits::wheels_allow(const Twist2& u) const {
   return std::abs(u.v) + std::abs(u.omega) * half_separation <= wheel_speed + kVelocityEpsilon;
 }
 
-Twist2 VelocityLimits::clamp(const Twist2& wanted) const {
-  Twist2 u{x.clamp(wanted.v), theta.clamp(wanted.omega)};
+Twist2 VelocityLimits::clamp(const Twist2& velocity) const {
+  Twist2 u{x.clamp(velocity.v), theta.clamp(velocity.omega)};
   if (wheels_allow(u)) return u;
   const double largest_omega = wheel_speed / half_separation;
   u.omega = std::min(std::max(u.omega, -largest_omega), largest_omega);
@@ -77,11 +77,11 @@ Twist2 VelocityLimits::clamp(const Twist2& wanted) const {
 Twist2 VelocityLimits::step(const Twist2& reference, const Twist2& target, double dt) const {
   Twist2 u{x.ramp(reference.v, target.v, dt), theta.ramp(reference.omega, target.omega, dt)};
   if (wheels_allow(u)) return u;
-  // omega is kept and v goes down as far as this period allows; what is still too much is taken from the turn.
+  // Keeps omega and slows v down as far as this period allows. If the wheels are still too fast, slows the turn, too.
   const double slowest = x.ramp(reference.v, 0.0, dt);
   const double left = std::max(0.0, wheel_speed - std::abs(u.omega) * half_separation);
-  const double wanted = std::min(std::max(u.v, -left), left);
-  u.v = std::abs(wanted) < std::abs(slowest) ? slowest : wanted;
+  const double slowed = std::min(std::max(u.v, -left), left);
+  u.v = std::abs(slowed) < std::abs(slowest) ? slowest : slowed;
   if (wheels_allow(u)) return u;
   const double turn_left = std::max(0.0, (wheel_speed - std::abs(u.v)) / half_separation);
   const double straightest = theta.ramp(reference.omega, 0.0, dt);

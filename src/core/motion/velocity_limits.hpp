@@ -14,6 +14,8 @@ struct AxisLimits {
   double braking = 0.0;  // > 0 [unit/s^2]
 
   double clamp(double velocity) const;
+  /// The largest speed, in either direction.
+  double fastest() const { return max > -min ? max : -min; }
   /// A velocity that a command may start from: in magnitude no larger than the limit or the last command. So no command
   /// exceeds the larger of the limit and the last command reduced at the braking limit.
   double start_from(double velocity, double last_command) const;
@@ -44,8 +46,8 @@ struct VelocityLimits {
   static VelocityLimits from(const Parameters& parameters);
 
   bool wheels_allow(const Twist2& u) const;
-  /// A wanted velocity brought inside: each axis to its limits; where the wheels cut it, omega is kept and v reduced.
-  Twist2 clamp(const Twist2& wanted) const;
+  /// A velocity brought inside: each axis to its limits; where the wheels cut it, omega is kept and v reduced.
+  Twist2 clamp(const Twist2& velocity) const;
   /// The command of this period: `target` as far as `reference` can move towards it in `dt` [s], wheels included.
   Twist2 step(const Twist2& reference, const Twist2& target, double dt) const;
   /// The brake command: both axes towards rest at their limits.

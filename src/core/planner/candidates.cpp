@@ -14,7 +14,7 @@ void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, c
   SampleRequest request;
   request.reference = cycle.start.reference;
   request.previous = cycle.situation.last_command;
-  request.wanted = steering.active ? &cycle.intent.u_h : nullptr;
+  request.operator_command = steering.active ? &cycle.intent.u_h : nullptr;
   request.blended = steering.active && !(steering.target == cycle.intent.u_h) ? &steering.target : nullptr;
   request.period = cycle.situation.period;
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;

@@ -13,8 +13,8 @@ namespace hidwa_local_planner {
 /// They come in tiles of equal turn. A candidate's number is its place among the samples.
 class Candidates {
  public:
-  /// Once per cycle. `window_limits`: of the dynamic window. While somebody steers, the operator command and what it is
-  /// blended to are candidates too. They are rolled out for `sim_time` [s].
+  /// Once per cycle. `window_limits`: of the dynamic window. While the operator steers, the operator command is a
+  /// candidate, too, and so is its blend with autonomy's choice. They are rolled out for `sim_time` [s].
   void make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering, double sim_time);
 
   std::size_t count() const { return rollout_.candidate_count(); }

@@ -7,7 +7,7 @@ Conclusion follow(const Twist2& sample, const Twist2& command) {
   Conclusion conclusion;
   conclusion.sample = sample;
   conclusion.command = command;
-  conclusion.outcome = at_rest(command) && at_rest(sample) ? Outcome::hold : Outcome::drive;
+  conclusion.outcome = commands_rest(command) && commands_rest(sample) ? Outcome::hold : Outcome::drive;
   return conclusion;
 }
 
@@ -15,14 +15,14 @@ Conclusion pass_through(const Cycle& cycle) {
   Conclusion conclusion;
   conclusion.sample = cycle.limits.clamp(cycle.intent.u_h);
   conclusion.command = cycle.limits.step(cycle.start.reference, conclusion.sample, cycle.situation.period);
-  conclusion.outcome = at_rest(conclusion.command) ? Outcome::hold : Outcome::drive;
+  conclusion.outcome = commands_rest(conclusion.command) ? Outcome::hold : Outcome::drive;
   return conclusion;
 }
 
 Conclusion brake(const Cycle& cycle, Problem kind, const char* problem) {
   Conclusion conclusion;
   conclusion.command = brake_command(cycle.start, cycle.limits, cycle.situation);
-  conclusion.outcome = moves(cycle.start) ? Outcome::brake : Outcome::fail;
+  conclusion.outcome = moves(cycle.start, cycle.parameters) ? Outcome::brake : Outcome::fail;
   conclusion.problem_kind = kind;
   conclusion.problem = problem;
   return conclusion;
@@ -30,7 +30,7 @@ Conclusion brake(const Cycle& cycle, Problem kind, const char* problem) {
 
 Conclusion stop(const Cycle& cycle) {
   Conclusion conclusion = brake(cycle, Problem::none, "");
-  conclusion.outcome = at_rest(conclusion.command) ? Outcome::hold : Outcome::brake;
+  conclusion.outcome = commands_rest(conclusion.command) ? Outcome::hold : Outcome::brake;
   return conclusion;
 }
 

@@ -18,9 +18,9 @@ struct Conclusion {
 Conclusion follow(const Twist2& sample, const Twist2& command);
 /// The operator command is passed through unchecked, within the limits.
 Conclusion pass_through(const Cycle& cycle);
-/// The robot brakes, for there is nothing to follow. A robot at rest fails: nothing else is left.
+/// The robot brakes, since it has no candidate to follow. A robot that stands fails instead.
 Conclusion brake(const Cycle& cycle, Problem kind, const char* problem);
-/// The robot brakes and holds, as it is told to.
+/// The operator or the host stops the robot: it brakes, then holds.
 Conclusion stop(const Cycle& cycle);
 
 }  // namespace hidwa_local_planner

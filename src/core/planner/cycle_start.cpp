@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/planner/cycle_start.hpp"
 
+#include <cmath>
+
 #include "core/motion/late_cycles.hpp"
 
 namespace hidwa_local_planner {

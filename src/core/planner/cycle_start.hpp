@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "core/motion/pending_motion_set.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {
 
@@ -22,19 +21,14 @@ struct CycleStart {
   const Situation* situation = nullptr;       // as measured, but with the pose of now
 };
 
-/// Below these a velocity is rest [m/s, rad/s].
-constexpr double kAtRest = 1e-3;
-
-inline bool at_rest(const Twist2& u) { return std::abs(u.v) < kAtRest && std::abs(u.omega) < kAtRest; }
-
-/// The robot moves, or a pending command is going to move it, whatever odometry shows yet.
-inline bool moves(const CycleStart& start) {
-  return !at_rest(start.reference) || !at_rest(start.velocity) || !at_rest(start.last_command);
+/// The robot moves, or the last command will move it although odometry does not show it yet.
+inline bool moves(const CycleStart& start, const Parameters& parameters) {
+  return !stands(start.last_command, start.velocity, parameters);
 }
 
 /// The control period, or the default one where it is no positive number [s].
 double usable_period(const Situation& situation);
-/// The longest control period of late [s].
+/// The longest control period of the last seconds [s].
 double longest_period(const Situation& situation);
 
 /// The command that brakes from here: both axes towards rest at their limits. After a late cycle it brakes by as much

@@ -14,10 +14,10 @@ constexpr std::size_t kLongestProblem = 200;
 
 void reserve(Decision& decision, const CriticSet& critics) {
   decision.terms.reserve(critics.size() + 1);
-  decision.refusals.reserve(critics.size() + kFirstCritic);
+  decision.rejections.reserve(critics.size() + kFirstCritic);
   decision.problem.reserve(kLongestProblem);
   for (const CriticSet::Entry& entry : critics) {
-    decision.operator_refused_by.reserve(std::max(kLongestProblem, entry.name.size()));
+    decision.operator_rejected_by.reserve(std::max(kLongestProblem, entry.name.size()));
   }
 }
 
@@ -25,13 +25,13 @@ void clear(Decision& decision) {
   Decision empty;
   std::swap(empty.trajectory, decision.trajectory);
   std::swap(empty.terms, decision.terms);
-  std::swap(empty.refusals, decision.refusals);
-  std::swap(empty.operator_refused_by, decision.operator_refused_by);
+  std::swap(empty.rejections, decision.rejections);
+  std::swap(empty.operator_rejected_by, decision.operator_rejected_by);
   std::swap(empty.problem, decision.problem);
   empty.trajectory.clear();
   empty.terms.clear();
-  empty.refusals.clear();
-  empty.operator_refused_by.clear();
+  empty.rejections.clear();
+  empty.operator_rejected_by.clear();
   empty.problem.clear();
   decision = std::move(empty);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A decision that is used again in each cycle, so that its lists and words allocate nothing.
+// Helpers for a decision that every cycle uses again, so that its lists and texts allocate no memory.
 #pragma once
 
 #include "core/planner/conclusion.hpp"
@@ -9,7 +9,7 @@
 
 namespace hidwa_local_planner {
 
-/// Makes room for all that a cycle may come to say with these critics.
+/// Reserves the memory that a decision with these critics may need.
 void reserve(Decision& decision, const CriticSet& critics);
 /// As a new one, but keeps its memory.
 void clear(Decision& decision);

@@ -36,7 +36,7 @@ CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering) {
   view.goal = cycle.situation.goal;
   view.time = cycle.situation.time;
   view.steered = steering.active;
-  view.person_decides =
+  view.operator_decides = view.person_decides =
       steering.active && (cycle.intent.influence == Influence::direct || cycle.situation.goal_latched);
   view.plan = &cycle.situation.plan;
   view.grid = &cycle.grid;

@@ -6,7 +6,7 @@
 // 3. obstacles and distances are prepared as far as the candidates reach (Obstacles, PlanGrids);
 // 4. each tile is checked as far as its cells decide (LazyChecks) and scored (Scores).
 //
-// Where the plan is off the map and nobody steers there is nothing to score by: nothing is scored.
+// If the plan is off the map and nobody steers, critics have nothing to score by: nothing is scored.
 #pragma once
 
 #include "core/distance/plan_grids.hpp"

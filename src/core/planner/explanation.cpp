@@ -58,7 +58,7 @@ void Explanation::judge_operator(const Cycle& cycle, const Twist2& chosen, Decis
   const auto candidate = static_cast<std::size_t>(marked_.operator_command);
   of_.checks.legal(candidate);  // so that what rejects it is known
   const Rejecter rejecter = of_.scores.rejected_by()[candidate];
-  if (rejecter != kNobody) decision.operator_refused_by = of_.critics.name_of(rejecter);
+  if (rejecter != kNobody) decision.operator_rejected_by = of_.critics.name_of(rejecter);
 }
 
 void Explanation::count_rejections(Decision& decision) const {
@@ -70,7 +70,7 @@ void Explanation::count_rejections(Decision& decision) const {
   std::size_t left = rejected_by.size() - decision.legal;
   for (Rejecter rejecter = kCollision; left > 0; ++rejecter) {
     const std::size_t rejected = count(rejecter);
-    if (rejected > 0) decision.refusals.push_back({of_.critics.name_of(rejecter), rejected});
+    if (rejected > 0) decision.rejections.push_back({of_.critics.name_of(rejecter), rejected});
     left -= rejected;
   }
 }
@@ -112,17 +112,17 @@ Planner::Marked Explanation::marked() const {
   return marked;
 }
 
-void Explanation::ask_everyone(const CycleView& view) {
+void Explanation::ask_all_critics(const CycleView& view) {
   full_ = candidates();
   for (std::size_t t = 0; t < of_.candidates.rollout().tile_count(); ++t) {
     const Tile tile = of_.tiles.tile(t);
-    check_everyone(tile);
+    check_all(tile);
     ask_critics(view, tile);
   }
 }
 
 // Both checks of every candidate, the braking check without gaps.
-void Explanation::check_everyone(const Tile& tile) {
+void Explanation::check_all(const Tile& tile) {
   AdmissibilityCheck& admissibility = of_.obstacles.admissibility();
   std::vector<const char*> collides(tile.count, nullptr);
   admissibility.check_rollouts(tile, collides.data());

@@ -2,8 +2,8 @@
 // Says what became of the candidates of a cycle, and why the chosen one was chosen. Changes nothing that is decided.
 //
 // The report of a candidate (candidates()) is made when it is asked for, from what is known then. With Report::full
-// ask_everyone() makes it in the cycle: after the choice, and before the critics are told of the command. What they
-// remember then is still what they judged by.
+// ask_all_critics() makes it in the cycle: after the choice, but before the critics hear of the command, so that they
+// remember what they remembered when they scored.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,7 @@ class Explanation {
   /// How many candidates are legal, and how many each one rejects.
   void count_rejections(Decision& decision) const;
   /// Asks every critic about every candidate, whoever rejected it.
-  void ask_everyone(const CycleView& view);
+  void ask_all_critics(const CycleView& view);
 
   /// See Planner.
   std::vector<CandidateReport> candidates() const;
@@ -56,7 +56,7 @@ class Explanation {
   CandidateReport report_of(const Tile& tile, std::size_t c) const;
   void list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const;
   double deviation(std::size_t candidate) const;
-  void check_everyone(const Tile& tile);
+  void check_all(const Tile& tile);
   void ask_critics(const CycleView& view, const Tile& tile);
 
   Subject of_;

@@ -25,22 +25,23 @@ const char* input_fault(const Cycle& cycle) {
   const GridView& grid = cycle.grid;
   const Situation& situation = cycle.situation;
   if (!grid.valid()) return "the costmap is empty";
-  if (!(situation.pose_age >= 0.0) || situation.pose_age > kOldestPose) return "the pose is too old: look at tf";
+  if (!(situation.pose_age >= 0.0) || situation.pose_age > kOldestPose) return "the pose is too old: check tf";
   if (const char* fault = cycle.footprint.fault()) return fault;
   if (cycle.footprint.circumscribed_radius() > grid.resolution * std::hypot(grid.size_x, grid.size_y)) {
-    return "the footprint is larger than the local map: give it in metres, or a larger map";
+    return "the footprint is larger than the local map: give it in metres, or make the map larger";
   }
   if (!plausible(situation.pose) || !plausible(situation.velocity) || !plausible(situation.last_command)) {
-    return "pose or velocity is not a number, or beyond all bounds: look at odometry and tf";
+    return "the pose or the velocity is not a number, or impossibly large: check odometry and tf";
   }
-  if (!(situation.period > 0.0) || !std::isfinite(situation.period)) return "the control period is not positive";
+  if (!(situation.period > 0.0) || !std::isfinite(situation.period))
+    return "the control period is not positive: set controller_frequency";
   if (situation.plan.empty()) return "the plan is empty";
   const auto bad = [](const Pose2& pose) { return !plausible(pose); };
   if (bad(situation.goal) || std::any_of(situation.plan.begin(), situation.plan.end(), bad)) {
-    return "a pose of the plan is not a number, or beyond all bounds: look at the global planner";
+    return "a pose of the plan is not a number, or impossibly large: check the global planner";
   }
   if (cycle.intent.influence != Influence::none && !is_finite(cycle.intent.u_h)) {
-    return "what the person wants is not a number";
+    return "the operator command is not a number: check the input device";
   }
   return nullptr;
 }

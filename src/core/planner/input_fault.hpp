@@ -5,11 +5,11 @@
 
 namespace hidwa_local_planner {
 
-/// False for what is not a number, or so large that it must be a fault.
+/// False for a value that is not a number, or so large that it must be a fault.
 bool plausible(const Twist2& u);
 bool plausible(const Pose2& q);
 
-/// Why a cycle cannot be planned with its input, in words; null where it can.
+/// The fault of the cycle's input, in words; null where it has none.
 const char* input_fault(const Cycle& cycle);
 
 }  // namespace hidwa_local_planner

@@ -3,7 +3,7 @@
 //
 // 1. Before a tile is scored, the classes of its cells are looked at (check_cells()). They often decide the whole tile,
 //    at next to no cost.
-// 2. All candidates are scored, also those that nobody has checked exactly yet.
+// 2. All candidates are scored, also those that are not checked exactly yet.
 // 3. When the choice wants a candidate, its tile is checked exactly (legal()): the outline along the rollouts, and the
 //    brake manoeuvres. A whole tile at once, since the next candidate mostly belongs to it and shares what was
 //    found.
@@ -40,9 +40,9 @@ class LazyChecks {
 
   /// Whether a scored candidate is legal; checks its tile if need be.
   bool legal(std::size_t candidate);
-  /// The last check, of the candidate that is to be chosen: it brakes safely, without gaps between the poses.
+  /// The last check of the candidate that is to be chosen: can it brake, checked without gaps between the poses?
   bool confirm(std::size_t candidate);
-  /// From now on all that is known of the candidates is complete.
+  /// Checks every candidate: afterwards the rejections are complete.
   void check_all();
   /// Whether any legal candidate moves the robot. Checks all.
   bool any_motion_legal();

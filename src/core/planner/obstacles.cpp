@@ -29,7 +29,7 @@ Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout,
   reach.all = std::min(std::max(rollout.fastest() * rollout.sim_time(), manoeuvres + growth), across);
   // Half a step: what lies between two clear poses is clear. And enough for the poses of a manoeuvre.
   reach.margin = std::max(0.5 * rollout.longest_step(), grid.resolution / 16.0);
-  reach.gap = std::min(growth + 2.0 * grid.resolution, across);
+  reach.clearance = std::min(growth + 2.0 * grid.resolution, across);
   return reach;
 }
 
@@ -47,7 +47,7 @@ void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, bool steered
                                         escape_.applies() ? &escape_ : nullptr};
   reach_ = reach_of(cycle, rollout, setup);
   collision_.prepare(cycle.grid, cycle.footprint, unknown_blocks, situation.pose, reach_.all, reach_.margin,
-                     reach_.gap);
+                     reach_.clearance);
   classes_.prepare(collision_, cycle.grid, unknown_blocks, situation.pose, reach_.all);
   if (escape_.applies()) escape_.prepare(reach_.all, reach_.margin);
   admissibility_.prepare(cycle.parameters, cycle.limits, escape_.applies() ? escape_.rest() : collision_,

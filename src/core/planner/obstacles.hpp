@@ -33,9 +33,9 @@ class Obstacles {
 
  private:
   struct Reach {
-    double all = 0.0;     // see reach() [m]
-    double margin = 0.0;  // around a clear position [m]
-    double gap = 0.0;     // up to which clearances are told [m]
+    double all = 0.0;        // see reach() [m]
+    double margin = 0.0;     // around a clear position [m]
+    double clearance = 0.0;  // the largest that is told [m]
   };
   Reach reach_of(const Cycle& cycle, const Rollout& rollout, const AdmissibilityCheck::Setup& setup) const;
 

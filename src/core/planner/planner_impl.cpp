@@ -83,7 +83,7 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   explanation.note_choice(choice.candidate, choice.rule, steering);
   const Conclusion chosen = follow_choice(cycle, choice);
   explanation.judge_operator(cycle, chosen.sample, decision);
-  if (cycle.sampling.report == Report::full) explanation.ask_everyone(evaluated.view);
+  if (cycle.sampling.report == Report::full) explanation.ask_all_critics(evaluated.view);
 
   const Recovery::Course course = course_of(cycle, choice, chosen, steering);
   const Recovery::Review review = recovery.review(cycle, course, chosen);
@@ -134,7 +134,7 @@ int Planner::Impl::cheapest(const Cycle& cycle) {
 }
 
 Conclusion Planner::Impl::follow_choice(const Cycle& cycle, const Choice& choice) {
-  if (choice.candidate < 0) return brake(cycle, Problem::refused, "every candidate was refused");
+  if (choice.candidate < 0) return brake(cycle, Problem::rejected, "every candidate was rejected");
   explanation.describe_choice(decision);
   const Twist2& sample = evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate));
   return follow(sample, evaluation.obstacles().admissibility().command_for(sample));

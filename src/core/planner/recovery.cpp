@@ -48,12 +48,11 @@ void Recovery::watch_collision(const Cycle& cycle, bool trapped, Conclusion& con
   const double now = cycle.situation.time;
   trapped_.observe(now, trapped);
   if (!trapped) return;
-  const bool moving = !at_rest(cycle.start.reference) || !at_rest(cycle.situation.velocity);
-  if (moving || !trapped_.for_at_least(kLongTrapped, now)) {
+  if (moves(cycle.start, cycle.parameters) || !trapped_.for_at_least(kLongTrapped, now)) {
     if (conclusion.outcome == Outcome::fail) conclusion.outcome = Outcome::brake;
     return;
   }
-  fail(conclusion, Problem::refused,
+  fail(conclusion, Problem::rejected,
        "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared");
 }
 

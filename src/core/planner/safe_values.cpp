@@ -10,7 +10,7 @@ std::vector<std::string> make_safe(Parameters& parameters) {
     parameters.command = CommandPolicy::feasible;
     reasons.push_back(
         "command: feasible is in force, not target: with target the base speeds up at limits of its own, which the "
-        "check for braking cannot know; admissibility: horizon allows target");
+        "braking check cannot know; admissibility: horizon allows target");
   }
   return reasons;
 }

@@ -8,9 +8,9 @@
 
 namespace hidwa_local_planner {
 
-/// With `admissibility: braking` the robot can be steered into nothing. Values with which that cannot be kept are
-/// replaced by safe ones; a robot does not stop driving because of an update. Returns for each a sentence that names
-/// the parameter, the value that is in force instead, and why.
+/// With `admissibility: braking` nobody can steer the robot into an obstacle. Values that would break this promise are
+/// replaced by safe ones, so that a robot does not stop because of an update. Returns a sentence for each: the
+/// parameter, the value in force instead, and why.
 std::vector<std::string> make_safe(Parameters& parameters);
 
 }  // namespace hidwa_local_planner

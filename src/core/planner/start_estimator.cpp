@@ -71,7 +71,7 @@ void StartEstimator::judge_axis(const Axis& axis, const Situation& measured, con
 void StartEstimator::add_prompt_motions(const Situation& measured, const Parameters& parameters,
                                         const VelocityLimits& limits) {
   const double period = usable_period(measured), latency = parameters.control_latency;
-  if (latency <= 0.0 || pending_[0].at_rest()) return;
+  if (latency <= 0.0 || pending_[0].rests()) return;
   const auto count = std::min(std::ceil(latency / period), static_cast<double>(PendingMotionSet::kMostUnlikely));
   for (double part = 0.0; part < count; part += 1.0) {
     PendingMotion& prompt = pending_.add_unlikely();

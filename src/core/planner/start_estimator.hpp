@@ -6,7 +6,7 @@
 // 3. Each axis of odometry is judged against the history (AxisBelief). It gives the reference velocity and the velocity
 //    that is believed. Where odometry says something else than the commands, the robot may do either: both become
 //    pending motions.
-// 4. A base may react sooner than control_latency says: motions with a shorter latency are added as unlikely ones.
+// 4. A base may react sooner than after control_latency: motions with a shorter latency are added as unlikely ones.
 // 5. A pose that is some time old is led on to now, along the pending motion.
 //
 // Why it is right: a reading that is slower than the commands is always believed, since a wall or a hardware stop may

@@ -17,7 +17,7 @@ inline bool tight_ahead(const CollisionChecker& checker, const Tile& tile, std::
   for (std::size_t k = 0; k <= tile.steps && static_cast<double>(k) * tile.dt <= duration; ++k) {
     if (checker.clear_around(tile.x_at(k, c), tile.y_at(k, c), resolution)) continue;
     const Rotation heading{tile.cos_heading[k], tile.sin_heading[k]};
-    if (checker.separation(tile.pose(k, c), heading, resolution) < resolution) return true;
+    if (checker.clearance(tile.pose(k, c), heading, resolution) < resolution) return true;
   }
   return false;
 }

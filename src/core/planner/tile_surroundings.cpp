@@ -65,7 +65,7 @@ void TileSurroundings::clearances(const Tile& tile, std::size_t step, double* fo
   const Rotation heading{tile.cos_heading[step], tile.sin_heading[step]};
   const double most = kMostClearance * cycle_.grid->resolution;
   for (std::size_t c = 0; c < tile.count; ++c) {
-    found[c] = cycle_.checker->separation(tile.pose(step, c), heading, most);
+    found[c] = cycle_.checker->clearance(tile.pose(step, c), heading, most);
   }
 }
 

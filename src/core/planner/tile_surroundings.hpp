@@ -22,7 +22,7 @@ class TileSurroundings final : public Surroundings {
   };
   /// Once a cycle.
   void prepare(const Cycle& cycle) { cycle_ = cycle; }
-  /// Critics will be asked about this tile, and about no other until the next call.
+  /// Until the next call critics ask about this tile alone.
   void begin(Tile& tile) {
     ends_.forget();
     tile.surroundings = this;

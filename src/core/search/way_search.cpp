@@ -193,7 +193,7 @@ WaySearch::Clearance WaySearch::clearance_along(const Node& from, const Move& mo
 
 // Up to a cell [m].
 double WaySearch::clearance_at(const Pose2& position, const Rotation& heading) const {
-  return checker_.separation(position, heading, kClearanceCells * task_.resolution);
+  return checker_.clearance(position, heading, kClearanceCells * task_.resolution);
 }
 
 Fineness WaySearch::fineness(const Node& node) const {

@@ -84,7 +84,7 @@ TEST(ControlLoop, DrivesAlongItsPlanAndTellsThePerson) {
   EXPECT_EQ(bench.person().updates, 6);
   EXPECT_EQ(bench.person().feedback.command, result.command);
   EXPECT_EQ(bench.loop().last_command(), result.command);
-  EXPECT_FALSE(bench.loop().at_rest());
+  EXPECT_FALSE(bench.loop().stands());
 }
 
 TEST(ControlLoop, PlannerAndPersonTakeOneSetAtOnce) {
@@ -158,7 +158,7 @@ TEST(ControlLoop, WhereSomethingIsMissingItBrakes) {
   result = bench.step();
   EXPECT_EQ(result.outcome, Outcome::fail);
   EXPECT_EQ(result.command, Twist2{});
-  EXPECT_TRUE(bench.loop().at_rest());
+  EXPECT_TRUE(bench.loop().stands());
 }
 
 TEST(ControlLoop, TheHostStopsTheRobotWhateverThePersonWants) {

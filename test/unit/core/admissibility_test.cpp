@@ -5,6 +5,7 @@
 
 #include "core/motion/rollout.hpp"
 #include "support/scene.hpp"
+#include "support/tile_filler.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -28,6 +29,7 @@ class Corridor {
   bool can_brake(const Twist2& sample) { return check_.can_brake(sample, 0); }
   bool confirm_braking(const Twist2& sample) { return check_.confirm_braking(sample); }
   AdmissibilityCheck& check() { return check_; }
+  const Scene& scene() const { return scene_; }
   const Pose2& start() const { return start_; }
   const VelocityLimits& limits() const { return limits_; }
 
@@ -147,8 +149,12 @@ TEST(CanBrake, TheFirstStepCountsNotTheSampleItself) {
 const char* rollout_reason(Corridor& corridor, const Parameters& p, const Twist2& sample) {
   Rollout rollout;
   rollout.run(p, corridor.limits(), corridor.start(), {0.5, 0.0}, {{sample, SampleKind::grid}});
+  Tile tile = rollout.tile(0);
+  test::TileFiller tiles;
+  tiles.prepare(corridor.scene());
+  tiles.fill(tile);
   const char* reason = nullptr;
-  corridor.check().check_rollouts(rollout.tile(0), &reason);
+  corridor.check().check_rollouts(tile, &reason);
   return reason;
 }
 
@@ -185,8 +191,12 @@ TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
   fast.sim_time = 1.0;
   rollout.run(fast, limits, {-0.3, 0.0, 0.0}, {1.0, 0.0}, {{{1.0, 0.0}, SampleKind::grid}});
   ASSERT_EQ(rollout.tile(0).steps, 1u);
+  Tile tile = rollout.tile(0);
+  test::TileFiller tiles;
+  tiles.prepare(scene);
+  tiles.fill(tile);
   const char* reason = nullptr;
-  check.check_rollouts(rollout.tile(0), &reason);
+  check.check_rollouts(tile, &reason);
   EXPECT_NE(reason, nullptr);
 }
 

@@ -100,7 +100,7 @@ TEST(Collision, APolygonAroundNothingOfTheOrigin) {
 }
 
 double separation(const CollisionChecker& checker, const Pose2& pose, double cap) {
-  return checker.separation(pose, {std::cos(pose.theta), std::sin(pose.theta)}, cap);
+  return checker.clearance(pose, {std::cos(pose.theta), std::sin(pose.theta)}, cap);
 }
 
 TEST(Separation, UpToTheRoomThatWasAskedFor) {
@@ -109,12 +109,12 @@ TEST(Separation, UpToTheRoomThatWasAskedFor) {
   const Footprint footprint(Polygon{{0.2, 0.1}, {-0.2, 0.1}, {-0.2, -0.1}, {0.2, -0.1}});
   CollisionChecker checker;
   checker.prepare(scene.grid(), footprint, true, {}, 1.0, 0.05, 0.42);
-  EXPECT_NEAR(checker.room(), 0.45, 1e-9);                              // by whole cells
+  EXPECT_NEAR(checker.largest_clearance(), 0.45, 1e-9);                 // by whole cells
   EXPECT_NEAR(separation(checker, {0.575, 0.0, 0.0}, 1.0), 0.2, 1e-8);  // 0.975 - 0.775
   EXPECT_NEAR(separation(checker, {0.575, 0.0, 0.0}, 0.15), 0.15, 1e-8);
   EXPECT_NEAR(separation(checker, {0.0, 0.0, 0.0}, 1.0), 0.45, 1e-8);
   EXPECT_EQ(separation(checker, {0.8, 0.0, 0.0}, 1.0), 0.0);
-  EXPECT_NEAR(prepared(scene, footprint).room(), 0.1, 1e-9);  // two cells at least
+  EXPECT_NEAR(prepared(scene, footprint).largest_clearance(), 0.1, 1e-9);  // two cells at least
 }
 
 TEST(Separation, OfAnOutlineWithADentItIsTheDistance) {

@@ -114,7 +114,7 @@ class Caught {
   Caught(const Caught&) = delete;
   EscapeRule& rule() { return rule_; }
   /// Why it may not; empty where it may.
-  std::string refusal(const Twist2& sample) {
+  std::string rejection(const Twist2& sample) {
     Rollout rollout;
     rollout.run(scene_.parameters, limits_, start_, {}, {{sample, SampleKind::grid}});
     const char* reason = nullptr;
@@ -122,7 +122,7 @@ class Caught {
     if (reason != nullptr) return reason;
     return check_.can_brake(sample, 0) && check_.confirm_braking(sample) ? "" : "cannot brake";
   }
-  bool may(const Twist2& sample) { return refusal(sample).empty(); }
+  bool may(const Twist2& sample) { return rejection(sample).empty(); }
 
  private:
   Scene scene_;
@@ -157,10 +157,10 @@ TEST(EscapeRule, OutAndNeverDeeper) {
   Caught robot(scene, {0.035, 0.0, 0.0});  // 0.235 - 0.225 = 10 mm deep
   EXPECT_NEAR(robot.rule().start().total, 0.01, 1e-9);
   EXPECT_TRUE(robot.may({-0.14, 0.0}));
-  EXPECT_NE(robot.refusal({0.02, 0.0}).find("deeper"), std::string::npos);
-  EXPECT_NE(robot.refusal({-0.2, 0.0}).find("too fast"), std::string::npos);
-  EXPECT_NE(robot.refusal({0.0, 0.2}).find("deeper"), std::string::npos);  // its corners would
-  EXPECT_NE(robot.refusal({}).find("not out"), std::string::npos);
+  EXPECT_NE(robot.rejection({0.02, 0.0}).find("deeper"), std::string::npos);
+  EXPECT_NE(robot.rejection({-0.2, 0.0}).find("too fast"), std::string::npos);
+  EXPECT_NE(robot.rejection({0.0, 0.2}).find("deeper"), std::string::npos);  // its corners would
+  EXPECT_NE(robot.rejection({}).find("not out"), std::string::npos);
 }
 
 // It leaves what is behind it and would come upon a post that it does not overlap, though no deeper than now.
@@ -202,7 +202,7 @@ TEST(EscapeRule, NotDeeperIntoANeighbour) {
   EXPECT_TRUE(robot.may({-0.14, 0.0}));
 }
 
-// Two posts, one behind it and one on its left: they are no one heap, and their depths add up.
+// Two posts, one behind it and one on its left: they are no one cluster, and their depths add up.
 TEST(EscapeRule, DepthsOfSeparateObstaclesAddUp) {
   Scene scene = square();
   scene.at({56, 60}) = cost::kLethal;  // from x = -0.225 to -0.175

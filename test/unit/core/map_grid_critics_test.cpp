@@ -14,9 +14,9 @@ using test::Scene;
 double raw(const std::string& critic, const Scene& scene, const Pose2& last) {
   CriticBench bench(critic, scene);
   bench.prepare();
-  const test::Verdict verdict = bench.score({0.5, 0.0}, {{}, last});
-  EXPECT_FALSE(verdict.rejected()) << verdict.reason;
-  return verdict.raw;
+  const test::CriticAnswer answer = bench.score({0.5, 0.0}, {{}, last});
+  EXPECT_FALSE(answer.rejected()) << answer.reason;
+  return answer.raw;
 }
 
 TEST(MapGridWeight, HalfTheScaleAMetre) {
@@ -79,7 +79,7 @@ TEST(GeodesicLookUp, ABlockedNoseTakesTheCentresValue) {
   EXPECT_EQ(raw("PathAlign", scene, {0.3, 0.0, M_PI / 2}), 0.0);
 }
 
-TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueUnderL1ItRefuses) {
+TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueUnderL1ItRejects) {
   Scene scene = Scene::empty();  // ends at 1.525 m
   scene.parameters.PathAlign_forward_point_distance = 0.3;
   EXPECT_NEAR(raw("PathAlign", scene, {0.5, 1.3, M_PI / 2}), 1.3, 1e-12);
@@ -90,7 +90,7 @@ TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueUnderL1ItRefuses) {
   EXPECT_FALSE(bench.score({0.5, 0.0}, {{}, {0.5, 1.2, M_PI / 2}}).rejected());
 }
 
-TEST(L1LookUp, WhereThePersonDecidesItRefusesNothing) {
+TEST(L1LookUp, WhereThePersonDecidesItRejectsNothing) {
   Scene scene = Scene::empty();  // ends at 1.525 m
   scene.parameters.PathAlign_forward_point_distance = 0.3;
   scene.parameters.map_grid = MapGridDistance::l1;

@@ -133,7 +133,7 @@ TEST_F(OscillationTest, SilentWhileThePersonSteersButItKeepsCount) {
   EXPECT_TRUE(strict.score({0.0, 0.5}, {{}, {}}).rejected());
 }
 
-TEST(OscillationPerson, WhereThePersonDecidesNoSwitchMakesItRefuse) {
+TEST(OscillationPerson, WhereThePersonDecidesNoSwitchMakesItReject) {
   for (const Influence influence : {Influence::direct, Influence::shared}) {
     Scene scene = Scene::empty();
     scene.parameters.oscillation_while_steering = true;

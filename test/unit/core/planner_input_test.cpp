@@ -60,13 +60,13 @@ TEST(BadInput, NumbersThatAreNone) {
 TEST(BadInput, NumbersBeyondAllBounds) {
   Scene far = driving();
   far.situation.pose.x = 1e12;
-  expect_braked(far, 0.3, "beyond all bounds");
+  expect_braked(far, 0.3, "impossibly large");
   Scene fast = driving();
   fast.situation.velocity.v = 1e9;
-  expect_braked(fast, 0.3, "beyond all bounds");
+  expect_braked(fast, 0.3, "impossibly large");
   Scene wild = driving();
   wild.situation.velocity.omega = -1e9;
-  expect_braked(wild, 0.3, "beyond all bounds");
+  expect_braked(wild, 0.3, "impossibly large");
 }
 
 TEST(BadInput, PlanAndGoal) {
@@ -89,16 +89,16 @@ TEST(BadInput, Period) {
   }
 }
 
-TEST(BadInput, ThePersonsWish) {
+TEST(BadInput, TheOperatorCommand) {
   for (const Influence influence : {Influence::shared, Influence::direct}) {
     for (const bool guarded : {true, false}) {
       Scene scene = driving();
       scene.steer({kNan, 0.0});
       scene.intent.influence = influence;
       scene.intent.guarded = guarded;
-      expect_braked(scene, 0.3, "person");
+      expect_braked(scene, 0.3, "operator command");
       scene.intent.u_h = {0.5, kInf};
-      expect_braked(scene, 0.3, "person");
+      expect_braked(scene, 0.3, "operator command");
     }
   }
 }

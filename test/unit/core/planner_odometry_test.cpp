@@ -182,7 +182,7 @@ TEST(SlowOdometry, TheCommandsCountBesideIt) {
   PlannerBench bench(scene);
   const Decision& decision = bench.cycle();
   EXPECT_EQ(decision.outcome, Outcome::brake);
-  EXPECT_EQ(test::refusals_by(decision, "Braking"), decision.candidates);
+  EXPECT_EQ(test::rejections_by(decision, "Braking"), decision.candidates);
   Scene slow = scene;
   slow.situation.last_command = {0.1, 0.0};
   PlannerBench free(slow);

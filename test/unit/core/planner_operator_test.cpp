@@ -25,7 +25,7 @@ TEST(Shared, ThePapersWeightsFollowThePerson) {
     const Decision& decision = bench.cycle();
     EXPECT_TRUE(decision.sample == (Twist2{0.5, omega}));
     EXPECT_EQ(decision.agreement, 1.0);
-    EXPECT_TRUE(decision.operator_refused_by.empty());
+    EXPECT_TRUE(decision.operator_rejected_by.empty());
     EXPECT_NEAR(decision.command.omega, std::copysign(std::min(0.16, std::abs(omega)), omega), 1e-12);
   }
 }
@@ -43,7 +43,7 @@ TEST(Shared, InFrontOfAWallItStopsAndDoesNotTurnAway) {
   scene.fill(1.2, -9.0, 9.0, 9.0);  // cells from x = 1.225 on, the front starts at 0.2
   scene.steer({0.5, 0.0});
   PlannerBench bench(scene);
-  std::string refused_by;
+  std::string rejected_by;
   for (int k = 0; k < 200; ++k) {
     const Decision& decision = bench.drive();
     ASSERT_NE(decision.outcome, Outcome::fail);
@@ -52,10 +52,10 @@ TEST(Shared, InFrontOfAWallItStopsAndDoesNotTurnAway) {
     ASSERT_LT(overlap, 1e-9);
     // Beyond v_max / 2 = 0.25 rad/s a turn costs more than stopping: 800 * 0.25 = 400 * 0.5.
     ASSERT_LE(std::abs(decision.sample.omega), 0.25);
-    refused_by = decision.operator_refused_by;
+    rejected_by = decision.operator_rejected_by;
   }
   EXPECT_TRUE(bench.scene().situation.last_command == Twist2{});
-  EXPECT_EQ(refused_by, "Collision");
+  EXPECT_EQ(rejected_by, "Collision");
   EXPECT_LT(bench.cycle().agreement, 0.5);
   EXPECT_GT(bench.scene().situation.pose.x, 0.5);  // it did approach
 }
@@ -101,7 +101,7 @@ Scene at_the_goal(double v) {
   return scene;
 }
 
-TEST(Direct, AtTheGoalNoCriticRefusesThePerson) {
+TEST(Direct, AtTheGoalNoCriticRejectsThePerson) {
   for (const double v : {0.0, 0.3}) {
     for (const Twist2& wanted : {Twist2{0.5, 0.0}, Twist2{0.4, -0.8}}) {
       Scene scene = at_the_goal(v);
@@ -110,10 +110,10 @@ TEST(Direct, AtTheGoalNoCriticRefusesThePerson) {
       scene.intent.u_h = wanted;
       PlannerBench bench(scene);
       const Decision& decision = bench.cycle();
-      EXPECT_EQ(test::refusals_by(decision, "RotateToGoal"), 0u);
+      EXPECT_EQ(test::rejections_by(decision, "RotateToGoal"), 0u);
       EXPECT_EQ(decision.legal, decision.candidates);
       EXPECT_TRUE(decision.sample == wanted) << decision.sample.v << " " << decision.sample.omega;
-      EXPECT_TRUE(decision.operator_refused_by.empty()) << decision.operator_refused_by;
+      EXPECT_TRUE(decision.operator_rejected_by.empty()) << decision.operator_rejected_by;
     }
   }
 }
@@ -141,7 +141,7 @@ TEST(Direct, ThePersonMayGoBackAndForth) {
   for (int k = 0; k < 12; ++k) {
     bench.scene().intent.u_h = {0.0, k % 2 == 0 ? 0.1 : -0.1};
     const Decision& decision = bench.drive();
-    EXPECT_EQ(test::refusals_by(decision, "Oscillation"), 0u) << k;
+    EXPECT_EQ(test::rejections_by(decision, "Oscillation"), 0u) << k;
     EXPECT_TRUE(decision.sample == bench.scene().intent.u_h) << k;
   }
 }

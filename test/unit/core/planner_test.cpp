@@ -10,7 +10,7 @@ namespace hidwa_local_planner {
 namespace {
 
 using test::PlannerBench;
-using test::refusals_by;
+using test::rejections_by;
 using test::Scene;
 
 Scene driving(double v = 0.5) {
@@ -24,7 +24,7 @@ TEST(PlannerCycle, DrivesAlongAFreePlan) {
   const Decision& decision = bench.cycle();
   EXPECT_EQ(decision.outcome, Outcome::drive);
   EXPECT_TRUE(decision.command == (Twist2{0.5, 0.0}));
-  EXPECT_TRUE(decision.refusals.empty());
+  EXPECT_TRUE(decision.rejections.empty());
   EXPECT_EQ(decision.legal, decision.candidates);
   EXPECT_EQ(decision.candidates, 421u);  // 419, stopping, the last command
   EXPECT_TRUE(decision.problem.empty());
@@ -99,7 +99,7 @@ TEST(PlannerOutcome, NothingLegalBrakesWhileMovingThenFails) {
   EXPECT_EQ(moving.outcome, Outcome::brake);
   EXPECT_NEAR(moving.command.v, 0.175, 1e-12);  // 0.3 - 2.5 * 0.05
   EXPECT_EQ(moving.legal, 0u);
-  EXPECT_EQ(refusals_by(moving, "Collision"), moving.candidates);
+  EXPECT_EQ(rejections_by(moving, "Collision"), moving.candidates);
   EXPECT_FALSE(moving.problem.empty());
   EXPECT_EQ(bench.drive().outcome, Outcome::brake);  // 0.05
   EXPECT_EQ(bench.drive().outcome, Outcome::brake);  // 0.0, from 0.05
@@ -124,7 +124,7 @@ TEST(PlannerOutcome, StopInfluenceBrakesAndHolds) {
   }
 }
 
-TEST(PlannerRefusals, AddUpAndAreNamedInOrder) {
+TEST(PlannerRejections, AddUpAndAreNamedInOrder) {
   Scene scene = driving();
   scene.fill(0.45, -0.35, 0.7, 9.0);  // ahead and to the left
   for (int j = 0; j < scene.size_y; ++j) {
@@ -136,19 +136,19 @@ TEST(PlannerRefusals, AddUpAndAreNamedInOrder) {
   PlannerBench bench(scene);
   const Decision& decision = bench.cycle();
   std::size_t sum = decision.legal;
-  for (const RefusalCount& refusal : decision.refusals) sum += refusal.count;
+  for (const RejectionCount& rejection : decision.rejections) sum += rejection.count;
   EXPECT_EQ(sum, decision.candidates);
-  EXPECT_GT(refusals_by(decision, "Collision"), 0u);
-  EXPECT_GT(refusals_by(decision, "BaseObstacle"), 0u);
+  EXPECT_GT(rejections_by(decision, "Collision"), 0u);
+  EXPECT_GT(rejections_by(decision, "BaseObstacle"), 0u);
   EXPECT_GT(decision.legal, 0u);
-  EXPECT_EQ(decision.refusals.front().name, "Collision");
-  std::size_t refused = 0;
+  EXPECT_EQ(decision.rejections.front().name, "Collision");
+  std::size_t rejected = 0;
   for (const CandidateReport& record : bench.planner().candidates()) {
     EXPECT_EQ(record.legal(), std::isfinite(record.total));
     EXPECT_LE(record.rejections.size(), 1u);
-    refused += !record.legal();
+    rejected += !record.legal();
   }
-  EXPECT_EQ(refused, decision.candidates - decision.legal);
+  EXPECT_EQ(rejected, decision.candidates - decision.legal);
 }
 
 TEST(PlannerMarks, BestWorstAndTheOperatorsOwn) {
@@ -206,16 +206,16 @@ TEST(PlannerConfigure, TakesEffectInTheNextCycleAndPadsTheFootprint) {
 }
 
 TEST(PlannerConfigure, CriticsThatStayKeepWhatTheyLatched) {
-  // In the goal's tolerance at rest RotateToGoal latches; slid out again it must still refuse to drive.
+  // In the goal's tolerance at rest RotateToGoal latches; slid out again it must still reject to drive.
   Scene scene = driving(0.0);
   scene.situation.goal = {0.2, 0.0, 1.5};
   PlannerBench bench(scene);
   bench.cycle();
   ASSERT_TRUE(bench.planner().configure(scene.parameters).empty());
   bench.scene().situation.pose.x = -0.3;
-  EXPECT_GT(refusals_by(bench.cycle(), "RotateToGoal"), 300u);
+  EXPECT_GT(rejections_by(bench.cycle(), "RotateToGoal"), 300u);
   bench.planner().reset();
-  EXPECT_EQ(refusals_by(bench.cycle(), "RotateToGoal"), 0u);
+  EXPECT_EQ(rejections_by(bench.cycle(), "RotateToGoal"), 0u);
 }
 
 TEST(PlannerRepeat, TheSameBits) {

@@ -6,9 +6,9 @@
 namespace hidwa_local_planner {
 namespace {
 
+using test::CriticAnswer;
 using test::CriticBench;
 using test::Scene;
-using test::Verdict;
 
 // Tolerance 0.25 m, stopped below 0.1 m/s, slowing factor 5. The goal at the origin looks along 1.0 rad.
 CriticBench bench_at(double x, double v) {
@@ -24,9 +24,9 @@ const std::vector<Pose2> kEndsAtPointFour{{}, {0.1, 0.0, 0.4}};
 TEST(RotateToGoal, OutsideTheToleranceItSaysNothing) {
   CriticBench bench = bench_at(0.26, 0.4);
   bench.prepare();
-  const Verdict verdict = bench.score({0.5, 0.0}, kEndsAtPointFour);
-  EXPECT_FALSE(verdict.rejected());
-  EXPECT_EQ(verdict.raw, 0.0);
+  const CriticAnswer answer = bench.score({0.5, 0.0}, kEndsAtPointFour);
+  EXPECT_FALSE(answer.rejected());
+  EXPECT_EQ(answer.raw, 0.0);
   EXPECT_EQ(bench.weight(), 32.0);
 }
 
@@ -35,7 +35,7 @@ TEST(RotateToGoal, StillDrivingInsideItMustSlowDown) {
   bench.prepare();
   EXPECT_TRUE(bench.score({0.4, 0.0}, kEndsAtPointFour).rejected());
   EXPECT_TRUE(bench.score({-0.4, 0.0}, kEndsAtPointFour).rejected());
-  const Verdict slower = bench.score({0.3, 0.0}, kEndsAtPointFour);
+  const CriticAnswer slower = bench.score({0.3, 0.0}, kEndsAtPointFour);
   EXPECT_FALSE(slower.rejected());
   EXPECT_NEAR(slower.raw, 0.09 * 5.0 + 0.6, 1e-12);  // v^2 * 5 + |1.0 - 0.4|
 }
@@ -45,21 +45,21 @@ TEST(RotateToGoal, StoppedItOnlyTurns) {
   bench.prepare();
   EXPECT_TRUE(bench.score({0.05, 0.5}, kEndsAtPointFour).rejected());
   EXPECT_TRUE(bench.score({-0.05, 0.5}, kEndsAtPointFour).rejected());
-  const Verdict turning = bench.score({0.0, 0.5}, kEndsAtPointFour);
+  const CriticAnswer turning = bench.score({0.0, 0.5}, kEndsAtPointFour);
   EXPECT_FALSE(turning.rejected());
   EXPECT_NEAR(turning.raw, 0.6, 1e-12);
 }
 
-TEST(RotateToGoal, ItRefusesThePersonNothing) {
+TEST(RotateToGoal, ItRejectsThePersonNothing) {
   for (const Influence influence : {Influence::shared, Influence::direct}) {
     for (const double v : {0.4, 0.1}) {  // still driving; stopped
       CriticBench bench = bench_at(0.24, v);
       bench.scene().intent.influence = influence;
       bench.prepare();
-      const Verdict forwards = bench.score({0.5, 0.0}, kEndsAtPointFour);
+      const CriticAnswer forwards = bench.score({0.5, 0.0}, kEndsAtPointFour);
       EXPECT_FALSE(forwards.rejected()) << forwards.reason;
       EXPECT_FALSE(bench.score({-0.5, 0.5}, kEndsAtPointFour).rejected());
-      // The heading error |1.0 - 0.4|, and v^2 * 5 = 0.25 * 5 while still driving: only the refusal is gone.
+      // The heading error |1.0 - 0.4|, and v^2 * 5 = 0.25 * 5 while still driving: only the rejection is gone.
       EXPECT_NEAR(forwards.raw, v > 0.1 ? 1.25 + 0.6 : 0.6, 1e-12);
       bench.scene().intent = OperatorIntent();
       bench.prepare();

@@ -164,7 +164,7 @@ TEST(ExtraSamples, EachWhereItIsAskedFor) {
   SampleRequest request = driving(0.3, 0.1, 3, 3);
   request.previous = {0.31, 0.07};
   const Twist2 wanted{9.0, -0.33};
-  request.wanted = &wanted;
+  request.operator_command = &wanted;
   const std::size_t grid = make(p, request).size();
   p.sample_zero = true;
   EXPECT_TRUE(contains(make(p, request), {0.0, 0.0}, SampleKind::brake));
@@ -177,7 +177,7 @@ TEST(ExtraSamples, EachWhereItIsAskedFor) {
   p.sample_previous = true;
   EXPECT_TRUE(contains(make(p, request), {0.31, 0.07}, SampleKind::previous));
   EXPECT_EQ(make(p, request).size(), grid + 2);
-  request.wanted = nullptr;
+  request.operator_command = nullptr;
   EXPECT_EQ(make(p, request).size(), grid + 1);
 }
 

@@ -7,9 +7,9 @@
 namespace hidwa_local_planner {
 namespace {
 
+using test::CriticAnswer;
 using test::CriticBench;
 using test::Scene;
-using test::Verdict;
 
 TEST(PreferForward, BackwardsCreepingAndTurning) {
   Scene scene = Scene::empty();
@@ -57,7 +57,7 @@ TEST(BaseObstacle, TheLastCellsCostOrTheSum) {
   EXPECT_EQ(sum.score({0.5, 0.0}, kToTheRight).raw, 0.0 + 10.0 + 100.0 + 252.0);
 }
 
-TEST(BaseObstacle, RefusesLethalInscribedUnknownAndTheEdge) {
+TEST(BaseObstacle, RejectsLethalInscribedUnknownAndTheEdge) {
   CriticBench bench("BaseObstacle", costly());
   bench.prepare();
   EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.2, 0.0, 0.0}, {0.3, 0.0, 0.0}}).rejected());  // passes inscribed
@@ -101,7 +101,7 @@ TEST(ObstacleFootprint, TheOutlinesLargestCostAtTheLastPoseOrTheSum) {
   EXPECT_EQ(sum.score({0.5, 0.0}, poses).raw, 0.0 + 70.0 + 120.0);
 }
 
-TEST(ObstacleFootprint, RefusesLethalUnknownAndTheEdgeUnderTheOutlineOnly) {
+TEST(ObstacleFootprint, RejectsLethalUnknownAndTheEdgeUnderTheOutlineOnly) {
   Scene scene = Scene::empty();
   scene.at({38, 30}) = cost::kLethal;  // at 0.4
   scene.at({22, 30}) = cost::kUnknown;

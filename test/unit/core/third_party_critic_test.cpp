@@ -11,20 +11,20 @@ namespace hidwa_local_planner {
 namespace {
 
 using test::PlannerBench;
-using test::refusals_by;
+using test::rejections_by;
 using test::Scene;
 
-// Says `value` of every candidate, or refuses those that turn left.
+// Says `value` of every candidate, or rejects those that turn left.
 class Opinion : public Critic {
  public:
-  explicit Opinion(double value, bool refuses_left = false, bool refuses_all = false)
-      : value_(value), refuses_left_(refuses_left), refuses_all_(refuses_all) {}
+  explicit Opinion(double value, bool rejects_left = false, bool rejects_all = false)
+      : value_(value), rejects_left_(rejects_left), rejects_all_(rejects_all) {}
   double configure(const Parameters& /*parameters*/, const ParameterSource& own) override {
     return own.number("scale", 2.0);
   }
   void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
     for (std::size_t c = 0; c < tile.count; ++c) {
-      if (refuses_all_ || (refuses_left_ && tile.omega > 0.0)) {
+      if (rejects_all_ || (rejects_left_ && tile.omega > 0.0)) {
         scores.reject(c, "in my opinion");
       } else {
         scores.set(c, value_);
@@ -34,7 +34,7 @@ class Opinion : public Critic {
 
  private:
   double value_;
-  bool refuses_left_, refuses_all_;
+  bool rejects_left_, rejects_all_;
 };
 
 CriticRegistry with(const std::function<std::shared_ptr<Critic>()>& maker) {
@@ -93,29 +93,29 @@ TEST(ThirdPartyCritic, AValueThatItCannotReadIsAFaultOfTheSet) {
   EXPECT_EQ(planner.parameters().sim_time, 1.25);
 }
 
-TEST(ThirdPartyCritic, ItsRefusalsCountUnderItsName) {
+TEST(ThirdPartyCritic, ItsRejectionsCountUnderItsName) {
   PlannerBench bench(asking(), with([] { return std::make_shared<Opinion>(0.0, true); }));
   const Decision& decision = bench.cycle();
-  EXPECT_EQ(refusals_by(decision, "Opinion"), 200u);  // 20 speeds x 10 left turns
+  EXPECT_EQ(rejections_by(decision, "Opinion"), 200u);  // 20 speeds x 10 left turns
   EXPECT_EQ(decision.outcome, Outcome::drive);
 }
 
-TEST(ThirdPartyCritic, RefusingEverythingBrakesThenFails) {
+TEST(ThirdPartyCritic, RejectingEverythingBrakesThenFails) {
   PlannerBench bench(asking(0.2), with([] { return std::make_shared<Opinion>(0.0, false, true); }));
   const Decision first = bench.drive();
   EXPECT_EQ(first.outcome, Outcome::brake);
   EXPECT_NEAR(first.command.v, 0.075, 1e-12);  // 0.2 - 0.125
-  EXPECT_EQ(refusals_by(first, "Opinion"), first.candidates);
+  EXPECT_EQ(rejections_by(first, "Opinion"), first.candidates);
   bench.drive();
   EXPECT_EQ(bench.drive().outcome, Outcome::fail);
 }
 
 TEST(ThirdPartyCritic, IsToldWhereThePersonDecides) {
-  // Refuses left turns for the sake of autonomy.
+  // Rejects left turns for the sake of autonomy.
   struct Considerate : Opinion {
     Considerate() : Opinion(0.0, true) {}
     void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override {
-      if (!cycle.person_decides) Opinion::score(cycle, tile, scores);
+      if (!cycle.operator_decides) Opinion::score(cycle, tile, scores);
     }
   };
   struct Case {
@@ -129,23 +129,23 @@ TEST(ThirdPartyCritic, IsToldWhereThePersonDecides) {
     scene.intent.influence = c.influence;
     scene.situation.goal_latched = c.goal_latched;
     PlannerBench bench(scene, with([] { return std::make_shared<Considerate>(); }));
-    EXPECT_EQ(refusals_by(bench.cycle(), "Opinion") == 0, c.decides);
+    EXPECT_EQ(rejections_by(bench.cycle(), "Opinion") == 0, c.decides);
   }
 }
 
-TEST(ThirdPartyCritic, NotANumberIsARefusalOfTheOneThatSaidIt) {
+TEST(ThirdPartyCritic, NotANumberIsARejectionOfTheOneThatSaidIt) {
   for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                              -std::numeric_limits<double>::infinity()}) {
     PlannerBench bench(asking(0.2), with([value] { return std::make_shared<Opinion>(value); }));
     const Decision& decision = bench.cycle();
     EXPECT_EQ(decision.outcome, Outcome::brake);
     EXPECT_NEAR(decision.command.v, 0.075, 1e-12);
-    EXPECT_EQ(refusals_by(decision, "Opinion"), decision.candidates);
-    EXPECT_EQ(refusals_by(decision, "PathDist"), 0u);
+    EXPECT_EQ(rejections_by(decision, "Opinion"), decision.candidates);
+    EXPECT_EQ(rejections_by(decision, "PathDist"), 0u);
   }
 }
 
-TEST(ThirdPartyCritic, WeightZeroTurnsItOffRefusalsIncluded) {
+TEST(ThirdPartyCritic, WeightZeroTurnsItOffRejectionsIncluded) {
   struct Off : Opinion {
     Off() : Opinion(0.0, false, true) {}
     double configure(const Parameters& /*parameters*/, const ParameterSource& /*own*/) override { return 0.0; }

@@ -170,7 +170,7 @@ TEST(WaySearch, ThroughGapsThatAreWideEnough) {
     EXPECT_EQ(search.run(kEnough) == State::found, cells > 8) << cells;
     Way way;
     search.write(way);
-    if (!way.empty()) EXPECT_TRUE(is_free(scene, way)) << cells;
+    EXPECT_TRUE(way.empty() || is_free(scene, way)) << cells;
   }
 }
 
@@ -212,7 +212,7 @@ TEST(WaySearch, IsRepeatedFromItsBytes) {
     }
     state = search.run(100);
     ASSERT_EQ(other.run(100), state);
-    if (portion % 8 == 0) ASSERT_EQ(fresh.run(100), state);
+    ASSERT_TRUE(portion % 8 != 0 || fresh.run(100) == state);
   }
   Way a, b;
   search.write(a);

@@ -246,7 +246,7 @@ TEST(Gesture, LostTrackingIsLostInputUntilTheClutchIsLetGo) {
       ASSERT_EQ(intent.state, State::lost);
       ASSERT_DOUBLE_EQ(intent.u_h.omega, 0.0);
     }
-    EXPECT_NE(person.machine.advice().find("let go of it"), std::string::npos);
+    EXPECT_NE(person.machine.advice().find("release its clutch"), std::string::npos);
     person.stick(6.2, 0.0F);
     EXPECT_EQ(person.cycle(6.2).state, State::autonomy);
     person.hand(6.25, 0.15);

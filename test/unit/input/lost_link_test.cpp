@@ -90,12 +90,12 @@ TEST(LostLink, LostIsToldAtOnce) {
   expect_intent(person.cycle(1.56), State::lost, Influence::shared, 0.5, 0.0);
 }
 
-TEST(LostLink, AHoldAfterALossEndsWhenItIsRefused) {
+TEST(LostLink, AHoldAfterALossEndsWhenItIsRejected) {
   Person person;
   person.steer(1.0);
-  CycleFeedback refused;
-  refused.operator_command_rejected = true;
-  expect_intent(person.cycle(1.6, refused), State::lost, Influence::shared, 0.5, 0.0);
+  CycleFeedback rejected;
+  rejected.operator_command_rejected = true;
+  expect_intent(person.cycle(1.6, rejected), State::lost, Influence::shared, 0.5, 0.0);
   expect_intent(person.cycle(1.65), State::lost, Influence::none, 0.0, 0.0);
 }
 
@@ -185,13 +185,13 @@ TEST(LostLink, LostFromBlocked) {
   Parameters p;
   p.blocked_time = 0.0;
   Person person(p);
-  CycleFeedback refused;
-  refused.operator_command_rejected = true;
-  refused.at_rest = true;
+  CycleFeedback rejected;
+  rejected.operator_command_rejected = true;
+  rejected.stands = true;
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
-  person.cycle(1.05, refused);
-  EXPECT_EQ(person.cycle(1.1, refused).state, State::blocked);
+  person.cycle(1.05, rejected);
+  EXPECT_EQ(person.cycle(1.1, rejected).state, State::blocked);
   EXPECT_EQ(person.cycle(1.6).state, State::lost);
 }
 

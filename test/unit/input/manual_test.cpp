@@ -242,16 +242,16 @@ TEST(Manual, ANewGoalLeavesControl) {
   expect_manual(person.cycle(1.1), 0.5, 1.0);
 }
 
-TEST(Manual, RefusalsDoNotMakeItBlocked) {
+TEST(Manual, RejectionsDoNotMakeItBlocked) {
   Parameters p = switching();
   p.blocked_time = 0.0;
   Person person(p);
   take(person, 1.0);
-  CycleFeedback refused;
-  refused.operator_command_rejected = refused.at_rest = true;
+  CycleFeedback rejected;
+  rejected.operator_command_rejected = rejected.stands = true;
   person.stick(1.05, 1.0F, 1.0F);
-  EXPECT_EQ(person.cycle(1.05, refused).state, State::manual);
-  EXPECT_EQ(person.cycle(1.1, refused).state, State::manual);
+  EXPECT_EQ(person.cycle(1.05, rejected).state, State::manual);
+  EXPECT_EQ(person.cycle(1.1, rejected).state, State::manual);
 }
 
 TEST(Manual, ControlIsHandedOverBeneathAStop) {

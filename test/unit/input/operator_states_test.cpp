@@ -8,10 +8,10 @@ namespace {
 
 using State = OperatorStateId;
 
-CycleFeedback refused_at_rest() {
+CycleFeedback rejected_at_rest() {
   CycleFeedback feedback;
   feedback.operator_command_rejected = true;
-  feedback.at_rest = true;
+  feedback.stands = true;
   return feedback;
 }
 
@@ -112,37 +112,37 @@ TEST(OperatorStates, TheRobotsOwnSpeedWhereThatIsThePolicy) {
   expect_intent(person.cycle(1.25, feedback), State::hold, Influence::shared, 0.35, 0.0);  // as it was then
 }
 
-TEST(OperatorStates, HoldEndsWhenItIsRefused) {
+TEST(OperatorStates, HoldEndsWhenItIsRejected) {
   Person person;
   person.steer(1.0);
   person.stick(1.1, 0.0F);
-  CycleFeedback refused;
-  refused.operator_command_rejected = true;
-  EXPECT_EQ(person.cycle(1.1, refused).state, State::hold);
+  CycleFeedback rejected;
+  rejected.operator_command_rejected = true;
+  EXPECT_EQ(person.cycle(1.1, rejected).state, State::hold);
   EXPECT_EQ(person.machine.state(), State::hold);  // that cycle was a hold
   EXPECT_EQ(person.cycle(1.15).state, State::autonomy);
   EXPECT_EQ(person.cycle(1.2).state, State::autonomy);
 }
 
-TEST(OperatorStates, HoldStaysWhenRefusedWhereThePaperSaysSo) {
+TEST(OperatorStates, HoldStaysWhenRejectedWhereThePaperSaysSo) {
   Parameters p;
   p.hold_ends_when_refused = false;
   Person person(p);
   person.steer(1.0);
   person.stick(1.1, 0.0F);
-  CycleFeedback refused;
-  refused.operator_command_rejected = true;
-  person.cycle(1.1, refused);
+  CycleFeedback rejected;
+  rejected.operator_command_rejected = true;
+  person.cycle(1.1, rejected);
   EXPECT_EQ(person.cycle(1.15).state, State::hold);
 }
 
-TEST(OperatorStates, ARefusalWhileSteeringDoesNotEndTheHoldAfterIt) {
+TEST(OperatorStates, ARejectionWhileSteeringDoesNotEndTheHoldAfterIt) {
   Person person;
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
-  CycleFeedback refused;
-  refused.operator_command_rejected = true;
-  EXPECT_EQ(person.cycle(1.05, refused).state, State::shared);
+  CycleFeedback rejected;
+  rejected.operator_command_rejected = true;
+  EXPECT_EQ(person.cycle(1.05, rejected).state, State::shared);
   person.stick(1.1, 0.0F);
   EXPECT_EQ(person.cycle(1.1).state, State::hold);
 }
@@ -175,12 +175,12 @@ TEST(OperatorStates, BlockedAndFreed) {
   double time = 1.1;
   for (; time < 2.08; time += 0.05) {  // held from 1.10 on
     person.stick(time, 1.0F);
-    EXPECT_EQ(person.cycle(time, refused_at_rest()).state, State::shared) << time;
+    EXPECT_EQ(person.cycle(time, rejected_at_rest()).state, State::shared) << time;
   }
   person.stick(2.11, 1.0F);
-  expect_intent(person.cycle(2.11, refused_at_rest()), State::blocked, Influence::shared, 0.5, 1.0);
+  expect_intent(person.cycle(2.11, rejected_at_rest()), State::blocked, Influence::shared, 0.5, 1.0);
   person.stick(2.2, -1.0F);
-  expect_intent(person.cycle(2.2, refused_at_rest()), State::blocked, Influence::shared, 0.5, -1.0);
+  expect_intent(person.cycle(2.2, rejected_at_rest()), State::blocked, Influence::shared, 0.5, -1.0);
   person.stick(2.25, -1.0F);
   EXPECT_EQ(person.cycle(2.25, CycleFeedback()).state, State::blocked);  // it moves in this cycle
   person.stick(2.3, -1.0F);
@@ -194,7 +194,7 @@ TEST(OperatorStates, AMomentOfMotionMeasuresTheBlockageAnew) {
     const double time = 1.05 + 0.05 * i;
     person.stick(time, 1.0F);
     const bool moves = i % 15 == 0;  // every 0.75 s < blocked_time
-    EXPECT_EQ(person.cycle(time, moves ? CycleFeedback() : refused_at_rest()).state, State::shared) << time;
+    EXPECT_EQ(person.cycle(time, moves ? CycleFeedback() : rejected_at_rest()).state, State::shared) << time;
   }
 }
 
@@ -203,7 +203,7 @@ TEST(OperatorStates, AReleaseMeasuresTheBlockageAnewWithoutADebriefToo) {
   Person person;
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
-  person.cycle(1.05, refused_at_rest());
+  person.cycle(1.05, rejected_at_rest());
   person.stick(1.1, 0.0F);
   EXPECT_EQ(person.machine.update(1.1).state, State::hold);
   person.stick(2.5, 1.0F);
@@ -216,8 +216,8 @@ TEST(OperatorStates, ReleaseFromBlockedIsARelease) {
   Person person(p);
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
-  person.cycle(1.05, refused_at_rest());
-  EXPECT_EQ(person.cycle(1.1, refused_at_rest()).state, State::blocked);
+  person.cycle(1.05, rejected_at_rest());
+  EXPECT_EQ(person.cycle(1.1, rejected_at_rest()).state, State::blocked);
   person.stick(1.15, 0.0F);
   EXPECT_EQ(person.cycle(1.15).state, State::hold);
 }
@@ -228,7 +228,7 @@ TEST(OperatorStates, AtRestByItselfIsNotBlocked) {
   Person person(p);
   person.steer(1.0);
   CycleFeedback rest;
-  rest.at_rest = true;
+  rest.stands = true;
   person.cycle(1.1, rest);
   EXPECT_EQ(person.cycle(1.15, rest).state, State::shared);
 }

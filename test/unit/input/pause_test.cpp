@@ -133,7 +133,7 @@ TEST(Pause, IsNamedInsteadOfTheLink) {
   planner.now += 0.62;
   planner.cycle(planner.now);
   const std::string advice = planner.machine.advice();
-  EXPECT_NE(advice.find("The planner itself stood still for 0.62 s"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("The planner itself was paused for 0.62 s"), std::string::npos) << advice;
   EXPECT_EQ(advice.find("link"), std::string::npos) << advice;
   EXPECT_EQ(advice.find("fell silent"), std::string::npos) << advice;
   planner.run(11.0, 1.0F);

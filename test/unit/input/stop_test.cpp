@@ -71,14 +71,14 @@ TEST(Stop, ButtonWhileBlocked) {
   Parameters p = with_button();
   p.blocked_time = 0.0;
   Person person(p);
-  CycleFeedback refused;
-  refused.operator_command_rejected = refused.at_rest = true;
+  CycleFeedback rejected;
+  rejected.operator_command_rejected = rejected.stands = true;
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);
-  person.cycle(1.05, refused);
-  EXPECT_EQ(person.cycle(1.1, refused).state, State::blocked);
+  person.cycle(1.05, rejected);
+  EXPECT_EQ(person.cycle(1.1, rejected).state, State::blocked);
   person.button(1.15, kStop, 1.0F);
-  expect_stopped(person.cycle(1.15, refused));
+  expect_stopped(person.cycle(1.15, rejected));
   person.stick(1.2, 1.0F);
   EXPECT_EQ(person.cycle(1.2).state, State::shared);  // the blockage is measured anew
 }
@@ -510,8 +510,8 @@ TEST(Stop, OfADeviceThatDiedEndsInWords) {
   person.machine.stop(false);
   EXPECT_EQ(person.cycle(5.0).state, State::autonomy);
   EXPECT_EQ(person.machine.take_warnings(),
-            "The stop of /joy_1, which asked for it last 4 s ago, has ended: it was let go by the topic stop or by a "
-            "change of mode.");
+            "The stop of /joy_1, which asked for it last 4 s ago, has ended: the topic stop or a change of mode "
+            "released it.");
   EXPECT_EQ(person.machine.take_warnings(), "");
   EXPECT_EQ(person.machine.advice().find("/joy_1 goes on"), std::string::npos);
 }

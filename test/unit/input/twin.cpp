@@ -288,7 +288,7 @@ bool Twin::blocked(const std::vector<Cycle>& past, std::size_t event, double now
     if (history_[e].kind != Event::Kind::cycle) continue;
     for (const Cycle& cycle : past) {
       if (cycle.event != e) continue;
-      if (!steers(cycle.state) || !cycle.feedback.operator_command_rejected || !cycle.feedback.at_rest) return false;
+      if (!steers(cycle.state) || !cycle.feedback.operator_command_rejected || !cycle.feedback.stands) return false;
       if (now - cycle.time >= p_.blocked_time) return true;
     }
   }

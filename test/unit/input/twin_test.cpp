@@ -106,7 +106,7 @@ class Story {
     if (chance(0.05)) latched_ = chance(0.2);
     CycleFeedback f;
     f.operator_command_rejected = held_ ? !chance(0.02) : chance(0.02);
-    f.at_rest = held_ ? !chance(0.02) : chance(0.1);
+    f.stands = held_ ? !chance(0.02) : chance(0.1);
     f.goal_latched = latched_;
     f.command = {uniform(0.0, 0.5), uniform(-1.0, 1.0)};
     return f;

@@ -23,18 +23,18 @@ TEST(CycleRecord, ReadAndWrittenAgainItIsTheSameBytes) {
     braked += record.costmap ? 0 : 1;
     EXPECT_EQ(record.costmap.has_value(), record.observation.fault.empty());
     EXPECT_TRUE(!record.setup || record.plan);
-    EXPECT_TRUE(identical(record.verdict, cycle.verdict));
+    EXPECT_TRUE(identical(record.decision, cycle.decision));
     EXPECT_TRUE(identical(record.intent, cycle.intent));
   }
   EXPECT_EQ(keys, 3);  // cycles 1, 101 and 201
   EXPECT_GT(braked, 0);
 }
 
-// Every field of a verdict counts, to the last bit.
-TEST(CycleRecord, OneBitMakesAVerdictAnother) {
-  const Verdict verdict;
-  EXPECT_TRUE(identical(verdict, Verdict()));
-  std::vector<Verdict> others(9);
+// Every field of a decision counts, to the last bit.
+TEST(CycleRecord, OneBitMakesADecisionAnother) {
+  const DecisionRecord decision;
+  EXPECT_TRUE(identical(decision, DecisionRecord()));
+  std::vector<DecisionRecord> others(9);
   others[0].outcome = Outcome::hold;
   others[1].command.v = -0.0;
   others[2].command.omega = 5e-324;
@@ -44,26 +44,26 @@ TEST(CycleRecord, OneBitMakesAVerdictAnother) {
   others[6].agreement = std::nextafter(1.0, 0.0);
   others[7].candidates = 1;
   others[8].digest = 1;
-  for (std::size_t i = 0; i < others.size(); ++i) EXPECT_FALSE(identical(verdict, others[i])) << i;
+  for (std::size_t i = 0; i < others.size(); ++i) EXPECT_FALSE(identical(decision, others[i])) << i;
 }
 
 TEST(CycleRecord, TheDigestSeesAllThatTheDecisionSays) {
   Decision decision;
   decision.trajectory = {{1.0, 2.0, 3.0}};
   decision.terms = {{"PathDist", 1.0, 2.0}};
-  decision.refusals = {{"Collision", 3}};
+  decision.rejections = {{"Collision", 3}};
   const std::vector<double> totals{1.0, 2.0};
-  const std::uint64_t digest = verdict_of(decision, totals).digest;
-  EXPECT_EQ(verdict_of(decision, totals).digest, digest);
+  const std::uint64_t digest = decision_record(decision, totals).digest;
+  EXPECT_EQ(decision_record(decision, totals).digest, digest);
   std::vector<Decision> others(6, decision);
   others[0].trajectory[0].theta = std::nextafter(3.0, 4.0);
   others[1].terms[0].raw = 1.5;
-  others[2].refusals[0].count = 4;
-  others[3].problem = "x";
-  others[4].operator_refused_by = "x";
+  others[2].rejections[0].count = 4;
+  others[3].problem_kind = Problem::stuck;
+  others[4].operator_rejected_by = "x";
   others[5].escaping = true;
-  for (std::size_t i = 0; i < others.size(); ++i) EXPECT_NE(verdict_of(others[i], totals).digest, digest) << i;
-  EXPECT_NE(verdict_of(decision, {1.0, std::nextafter(2.0, 3.0)}).digest, digest);
+  for (std::size_t i = 0; i < others.size(); ++i) EXPECT_NE(decision_record(others[i], totals).digest, digest) << i;
+  EXPECT_NE(decision_record(decision, {1.0, std::nextafter(2.0, 3.0)}).digest, digest);
 }
 
 /// A key record, of a drive.
@@ -184,7 +184,7 @@ TEST(CycleRecord, ADamagedPartIsNamed) {
   }
   std::vector<Part> twice = all;
   twice.push_back(all[3]);
-  EXPECT_EQ(decode(joined(twice), record), "the record is damaged: it has its part '" + all[3].name + "' twice");
+  EXPECT_EQ(decode(joined(twice), record), "the record is damaged: it has the part '" + all[3].name + "' twice");
 }
 
 TEST(CycleRecord, AnUnknownPartIsPassedOverAndToldWhereItIsCritical) {
@@ -214,7 +214,7 @@ TEST(CycleRecord, WithoutAFaultThereIsAVelocity) {
   ASSERT_EQ(record.observation.fault, "");
   record.observation.velocity.reset();
   CycleRecord read;
-  EXPECT_EQ(decode(bytes_of(record), read), "the record is damaged: no velocity, and nothing is missing");
+  EXPECT_EQ(decode(bytes_of(record), read), "the record is damaged: it has no velocity, and no fault that explains it");
   record.observation.fault = "no odometry";
   record.costmap.reset();
   EXPECT_EQ(decode(bytes_of(record), read), "");

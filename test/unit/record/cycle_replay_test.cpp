@@ -37,9 +37,9 @@ TEST(CycleReplay, EveryCycleOfARandomDriveIsRepeatedToTheBit) {
       }
       const ReplayedCycle repeated = replay.run();
       ASSERT_TRUE(identical(repeated.intent, cycle.intent)) << "seed " << seed << ", cycle " << at;
-      ASSERT_TRUE(identical(repeated.verdict, cycle.verdict)) << "seed " << seed << ", cycle " << at;
+      ASSERT_TRUE(identical(repeated.decision, cycle.decision)) << "seed " << seed << ", cycle " << at;
       ASSERT_TRUE(repeated.identical);
-      ++outcomes[static_cast<std::size_t>(cycle.verdict.outcome)];
+      ++outcomes[static_cast<std::size_t>(cycle.decision.outcome)];
       ++states[static_cast<std::size_t>(cycle.intent.state)];
       ++at;
     }
@@ -132,7 +132,7 @@ TEST(CycleReplay, AStateThatCannotBeReadIsToldWithTheReleaseThatReadsIt) {
       encode(record, bytes);
       CycleReplay replay(critics::built_in());
       EXPECT_EQ(replay.take(bytes), Reading::damaged);
-      EXPECT_EQ(replay.fault(), "what was remembered before the cycle cannot be read: replay it with release 7.8.9");
+      EXPECT_EQ(replay.fault(), "the state before the cycle cannot be read: replay it with release 7.8.9");
       *state = whole;
     }
   }

@@ -53,7 +53,8 @@ TEST(FullReport, TheDecisionIsTheSameToTheBit) {
     for (int cycle = 0; cycle < 2; ++cycle) {  // what critics remember must not have changed either
       const Decision& a = legality.plan(scene.situation, scene.grid(), scene.intent, with(Report::legality));
       const Decision& b = full.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
-      ASSERT_TRUE(identical(record::verdict_of(a, legality.totals()), record::verdict_of(b, full.totals()))) << seed;
+      ASSERT_TRUE(identical(record::decision_record(a, legality.totals()), record::decision_record(b, full.totals())))
+          << seed;
     }
   }
 }

@@ -24,7 +24,7 @@ ControllerOutcome failed(Problem problem, bool escaping = false) {
 
 TEST(ControllerOutcome, WhateverIsToBeSentIsASuccess) {
   Decision decision;
-  decision.problem_kind = Problem::refused;
+  decision.problem_kind = Problem::rejected;
   for (const Outcome outcome : {Outcome::drive, Outcome::brake, Outcome::hold}) {
     CycleResult result;
     result.outcome = outcome;
@@ -43,8 +43,8 @@ TEST(ControllerOutcome, AFailureSaysWhatIsMissing) {
 }
 
 TEST(ControllerOutcome, AFailureSaysWhatTheProblemIs) {
-  EXPECT_EQ(failed(Problem::refused), ControllerOutcome::no_valid_command);
-  EXPECT_EQ(failed(Problem::refused, true), ControllerOutcome::collision);
+  EXPECT_EQ(failed(Problem::rejected), ControllerOutcome::no_valid_command);
+  EXPECT_EQ(failed(Problem::rejected, true), ControllerOutcome::collision);
   EXPECT_EQ(failed(Problem::off_map), ControllerOutcome::missed_path);
   EXPECT_EQ(failed(Problem::stuck), ControllerOutcome::blocked_path);
   EXPECT_EQ(failed(Problem::input), ControllerOutcome::internal_error);
@@ -58,11 +58,11 @@ TEST(ControllerOutcome, WordsNameFaultProblemAndEscape) {
   EXPECT_EQ(in_words(result), "");
   decision.escaping = true;
   EXPECT_EQ(in_words(result), kEscapes);
-  decision.problem = "every candidate was refused";
+  decision.problem = "every candidate was rejected";
   decision.candidates = 30;
-  decision.refusals = {{"Collision", 28}, {"Braking", 0}, {"Oscillation", 2}};
+  decision.rejections = {{"Collision", 28}, {"Braking", 0}, {"Oscillation", 2}};
   EXPECT_EQ(in_words(result),
-            "every candidate was refused (of 30 candidates, Collision refuses 28, Oscillation refuses 2)");
+            "every candidate was rejected (of 30 candidates, Collision rejects 28, Oscillation rejects 2)");
 }
 
 TEST(Controller, BeforeItIsInitializedItSaysSo) {

@@ -63,7 +63,7 @@ TEST(EvaluationMessage, MarksTheChosenAndTheOperators) {
   EXPECT_EQ(message.markers[0].action, visualization_msgs::Marker::DELETEALL);
   EXPECT_FLOAT_EQ(message.markers[1].color.r, 1.0f);  // the dearest
   EXPECT_FLOAT_EQ(message.markers[2].color.g, 1.0f);  // the cheapest
-  EXPECT_EQ(message.markers[3].ns, "refused");
+  EXPECT_EQ(message.markers[3].ns, "rejected");
   EXPECT_EQ(message.markers[4].ns, "operator");
   EXPECT_EQ(message.markers[5].ns, "chosen");
   EXPECT_EQ(message.markers[5].points[1].x, 0.2);

@@ -83,14 +83,14 @@ TEST(OperatorMarkers, TheStateIsWrittenInAColourOfItsOwn) {
   EXPECT_EQ(colours.size(), kStates);
 }
 
-TEST(OperatorMarkers, WhatRefusedTheOwnCommandIsWrittenAndTakenAway) {
+TEST(OperatorMarkers, WhatRejectedTheOwnCommandIsWrittenAndTakenAway) {
   OperatorState state = steered();
   state.refused_by = "ObstacleFootprint";
-  const std::vector<Marker> written = group(to_operator_markers(state, "base_link"), "refusal");
+  const std::vector<Marker> written = group(to_operator_markers(state, "base_link"), "rejection");
   EXPECT_TRUE(shown(written, true));
-  EXPECT_NE(written.front().text.find("refused by ObstacleFootprint"), std::string::npos);
+  EXPECT_NE(written.front().text.find("rejected by ObstacleFootprint"), std::string::npos);
   state.refused_by = "";
-  const std::vector<Marker> taken_away = group(to_operator_markers(state, "base_link"), "refusal");
+  const std::vector<Marker> taken_away = group(to_operator_markers(state, "base_link"), "rejection");
   EXPECT_TRUE(shown(taken_away, false));
   EXPECT_EQ(taken_away.front().id, written.front().id);
 }

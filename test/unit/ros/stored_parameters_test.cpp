@@ -65,7 +65,7 @@ TEST(StoredParameters, AnotherTypeIsAFaultThatNamesWhatIsExpectedAndWhatWasFound
       "TurnLimit/limit: expected a number, found 0,5 (YAML takes it for a text: write numbers like 0.001 or 1.0e-3, "
       "without quotes)",
       "TurnLimit/strict: expected true or false, found 1",
-      "TurnLimit/side: expected a word, found false (YAML takes on, off, yes and no for true and false: write it in "
+      "TurnLimit/side: expected a word, found false (YAML reads on, off, yes and no as true and false: write it in "
       "quotes)",
       "TurnLimit/speeds: expected a list of numbers, found 0.5",
       "TurnLimit/zones: expected a list of words, found {1}"};

@@ -77,8 +77,8 @@ class ArchiveWriter {
   Bytes& bytes_;
 };
 
-/// Reads what ArchiveWriter wrote. Bytes that end too early, or say of themselves what cannot be, give zeros and
-/// failed(); nothing throws.
+/// Reads what ArchiveWriter wrote. Bytes that end too early, or hold an impossible length, give zeros and failed().
+/// Nothing throws.
 class ArchiveReader {
  public:
   ArchiveReader(const std::uint8_t* data, std::size_t size) : at_(data), left_(size) {}
@@ -88,7 +88,7 @@ class ArchiveReader {
     (get(values), ...);
   }
   bool failed() const { return failed_; }
-  /// All was read, and there was enough of it.
+  /// Every byte was read, and none was missing.
   bool complete() const { return !failed_ && left_ == 0; }
 
  private:

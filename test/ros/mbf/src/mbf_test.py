@@ -82,7 +82,7 @@ class MoveBaseFlexTest(unittest.TestCase):
         """Nobody but the planner stops the robot: the last command must be zero."""
         with self.lock:
             self.assertEqual(self.commands[-1], (0.0, 0.0))
-        self.wait('the robot rests', lambda: self.speed() < 0.01)
+        self.wait('the robot stands', lambda: self.speed() < 0.01)
         self.assertEqual(self.contacts, 0)
 
     def test_1_cancelled_in_full_drive_it_brakes_within_the_limits(self):

@@ -113,12 +113,12 @@ TEST_F(Allocations, NoneWhileThePersonSteers) {
 }
 
 // The state, its markers and the stick's motor have much to say now, and nobody listens.
-TEST_F(Allocations, NoneWhileThePersonIsRefused) {
-  ros::param::set(ns("Refuses") + "critics",
+TEST_F(Allocations, NoneWhileThePersonIsRejected) {
+  ros::param::set(ns("Rejects") + "critics",
                   "RotateToGoal, Oscillation, ObstacleFootprint, GoalAlign, PathAlign, PathDist, GoalDist");
-  ros::param::set(ns("Refuses") + "blocked_time", 0.5);
-  ros::param::set(ns("Refuses") + "cycle_budget", -1.0);  // a busy machine would be told so, in the log
-  Host host("Refuses", Host::Listens::no);
+  ros::param::set(ns("Rejects") + "blocked_time", 0.5);
+  ros::param::set(ns("Rejects") + "cycle_budget", -1.0);  // a busy machine would be told so, in the log
+  Host host("Rejects", Host::Listens::no);
   Stick stick;
   ASSERT_TRUE(stick.is_heard());
   ASSERT_TRUE(host.plan_ahead(8.0));
@@ -133,10 +133,10 @@ TEST_F(Allocations, NoneWhileThePersonIsRefused) {
   Stage::get().clear();
 }
 
-TEST_F(Allocations, NoneWhereEverythingIsRefusedButToSaySo) {
-  ros::param::set(ns("Refused") + "critics", "PathDist, TurnLimit");
-  ros::param::set(ns("Refused") + "TurnLimit/limit", -1.0);
-  Host host("Refused", Host::Listens::no);
+TEST_F(Allocations, NoneWhereEverythingIsRejectedButToSaySo) {
+  ros::param::set(ns("Rejected") + "critics", "PathDist, TurnLimit");
+  ros::param::set(ns("Rejected") + "TurnLimit/limit", -1.0);
+  Host host("Rejected", Host::Listens::no);
   ASSERT_TRUE(host.plan_ahead(5.0));
   cycles(host, 40);
   ASSERT_FALSE(success_);

@@ -79,7 +79,7 @@ TEST(Budget, SamplesComeBackWhereThereIsRoomAgain) {
   // Two steps, 8 x 7 and all, of 40 cycles each.
   EXPECT_TRUE(reaches(host, 8, 7, 10.0));
   EXPECT_TRUE(reaches(host, 10, 9, 10.0));
-  EXPECT_TRUE(wait_for([&] { return log.said("all 10 x 9 samples are tried again"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("all 10 x 9 samples are tried"); }, 5.0));
 }
 
 TEST(Budget, ANegativeOneThinsNothing) {

@@ -94,7 +94,7 @@ TEST_F(ControllerTest, CancelledItBrakesToRestAndThenSaysSo) {
     return outcome == ControllerOutcome::canceled;
   };
   EXPECT_TRUE(cycle_until(canceled, 3.0)) << message_;
-  EXPECT_EQ(message_, "canceled: the robot rests");
+  EXPECT_EQ(message_, "canceled: the robot stands");
   // From 0.45 m/s or more by 0.125 m/s a cycle: at least three commands on the way.
   EXPECT_GE(brakes, 3);
   expect_rest();

@@ -88,7 +88,9 @@ TEST_F(OperatorDiagnostics, AHandWithoutItsClutchIsExplained) {
   hand.pose.position.x = hand.pose.orientation.w = 1.0;
   EXPECT_TRUE(cycle_until([&](const Host::Cycle&) {
     publisher.publish(hand);
-    return says("nothing came on nobody_sends_here yet: the hand counts only while the clutch is held");
+    return says(
+        "nothing came on nobody_sends_here yet: the hand steers only while the clutch, a button or axis there, is "
+        "held");
   })) << message();
   EXPECT_EQ(value("input"), "hand_pose");
   EXPECT_EQ(value("device"), ros::this_node::getName());
@@ -103,7 +105,7 @@ TEST_F(OperatorDiagnostics, ALostLinkIsNamed) {
   ASSERT_TRUE(reaches("LOST"));
   ASSERT_TRUE(cycle_until([this](const Host::Cycle&) { return says("fell silent"); }));
   EXPECT_EQ(status().level, DiagnosticStatus::ERROR);
-  EXPECT_TRUE(says("joy fell silent while the person steered: look at the link to " + ros::this_node::getName()))
+  EXPECT_TRUE(says("joy fell silent while the operator steered: check the link to " + ros::this_node::getName()))
       << message();
   EXPECT_EQ(value("state"), "LOST");
   person().sends = true;

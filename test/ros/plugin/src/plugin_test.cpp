@@ -290,13 +290,13 @@ TEST(Plugin, TakesCriticsOfOtherPackages) {
   Host host("Example");
   const Evaluation evaluation =
       evaluation_of(host, "Example", [&host] { return !host.report().rejection_names.empty(); });
-  int refused = 0;
+  int rejected = 0;
   for (const hidwa_local_planner::TrajectoryScore& twist : evaluation.twists) {
     const double omega = std::abs(twist.traj.velocity.angular.z);
     EXPECT_EQ(twist.refused_by == "hidwa_example_critics/TurnLimit", omega > 0.25) << omega;
     if (!twist.refused_by.empty()) {
       EXPECT_EQ(twist.reason, "turns too fast");
-      ++refused;
+      ++rejected;
       continue;
     }
     const auto term = std::find_if(twist.scores.begin(), twist.scores.end(),
@@ -305,7 +305,7 @@ TEST(Plugin, TakesCriticsOfOtherPackages) {
     EXPECT_DOUBLE_EQ(term->raw_score, omega);
     EXPECT_DOUBLE_EQ(term->scale, 3.0);
   }
-  EXPECT_GT(refused, 0);
+  EXPECT_GT(rejected, 0);
   const hidwa_local_planner::Cycle report = host.report();
   const auto name =
       std::find(report.rejection_names.begin(), report.rejection_names.end(), "hidwa_example_critics/TurnLimit");
@@ -411,7 +411,7 @@ INSTANTIATE_TEST_SUITE_P(
                                    "critics: hidwa_broken_critics/NoLibrary is declared, but"},
                       BrokenCritic{"CannotBeMade", "no memory of its own",
                                    "critics: hidwa_broken_critics/CannotBeMade is declared, but"},
-                      BrokenCritic{"CannotBeConfigured", "its table is missing", "does not take its parameters"}),
+                      BrokenCritic{"CannotBeConfigured", "its table is missing", "cannot use its parameters"}),
     [](const auto& critic) { return std::string(critic.param.name); });
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(RobotDescription, WithoutALimitTheParametersHold) {
   Host host("Unlimited");
   ASSERT_TRUE(host.plan_ahead(6.0));
   EXPECT_TRUE(reaches(host, 0.5)) << host.report().fault;
-  EXPECT_TRUE(wait_for([&] { return log.said("have no <limit velocity>: the parameters' limits hold"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("have no <limit velocity>: the limits of the parameters hold"); }, 5.0));
 }
 
 TEST(RobotDescription, AnAbsurdLimitIsHeldByTheParametersAndSaidOnce) {

@@ -98,7 +98,7 @@ TEST_F(ByTwist, AnotherTypeIsNamedAndSteersNothing) {
   start_with(neither);
   ASSERT_TRUE(cycle_until([&](const Host::Cycle&) {
     return log.said("carries geometry_msgs/Pose from " + ros::this_node::getName() +
-                    ": geometry_msgs/Twist or TwistStamped is wanted");
+                    ": send geometry_msgs/Twist or TwistStamped");
   }));
   EXPECT_TRUE(all_cycles([this](const Host::Cycle& c) { return c.success && !state().active; }, 0.5));
   EXPECT_LE(log.times("carries geometry_msgs/Pose"), 1 + (ros::WallTime::now() - begin).toSec() / 5.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/collision/obstacle_heaps.hpp"
+#include "core/collision/obstacle_clusters.hpp"
 
 #include <algorithm>
 
@@ -19,23 +19,23 @@ void visit_neighbours(Cell cell, Visit&& visit) {
 
 }  // namespace
 
-bool ObstacleHeaps::inside(Cell cell) const {
+bool ObstacleClusters::inside(Cell cell) const {
   return static_cast<unsigned>(cell.i - window_.first.i) < static_cast<unsigned>(window_.size) &&
          static_cast<unsigned>(cell.j - window_.first.j) < static_cast<unsigned>(window_.size);
 }
 
-std::size_t ObstacleHeaps::index(Cell cell) const {
+std::size_t ObstacleClusters::index(Cell cell) const {
   return static_cast<std::size_t>(cell.j - window_.first.j) * static_cast<std::size_t>(window_.size) +
          static_cast<std::size_t>(cell.i - window_.first.i);
 }
 
 // Those in the midst of others are never come upon first.
-bool ObstacleHeaps::edge(Cell cell) const {
+bool ObstacleClusters::edge(Cell cell) const {
   return !window_.obstacle({cell.i + 1, cell.j}) || !window_.obstacle({cell.i - 1, cell.j}) ||
          !window_.obstacle({cell.i, cell.j + 1}) || !window_.obstacle({cell.i, cell.j - 1});
 }
 
-void ObstacleHeaps::gather(const Window& window, const std::vector<Overlap>& overlaps, int steps) {
+void ObstacleClusters::gather(const Window& window, const std::vector<Overlap>& overlaps, int steps) {
   window_ = window;
   half_ = 0.5 * window.map.resolution;
   marks_.assign(static_cast<std::size_t>(window.size) * static_cast<std::size_t>(window.size), kNobody);
@@ -48,11 +48,11 @@ void ObstacleHeaps::gather(const Window& window, const std::vector<Overlap>& ove
     ring = next;
   }
   raise_overlapped(overlaps);
-  number_heaps();
+  number_clusters();
 }
 
 // The depths have been handed on: now what the robot may do in the overlapped cells themselves.
-void ObstacleHeaps::raise_overlapped(const std::vector<Overlap>& overlaps) {
+void ObstacleClusters::raise_overlapped(const std::vector<Overlap>& overlaps) {
   for (std::size_t k = 0; k < overlaps.size(); ++k) {
     Member& member = members_[k];
     visit_neighbours(member.cell, [&](Cell beside) {
@@ -64,12 +64,12 @@ void ObstacleHeaps::raise_overlapped(const std::vector<Overlap>& overlaps) {
   }
 }
 
-void ObstacleHeaps::add(const Member& member) {
+void ObstacleClusters::add(const Member& member) {
   marks_[index(member.cell)] = static_cast<int>(members_.size());
   members_.push_back(member);
 }
 
-void ObstacleHeaps::add_overlapped(const std::vector<Overlap>& overlaps) {
+void ObstacleClusters::add_overlapped(const std::vector<Overlap>& overlaps) {
   for (const Overlap& overlap : overlaps) {
     const double depth = std::max(overlap.depth, 0.0);
     add({overlap.cell, depth, depth, kUnnumbered});
@@ -77,7 +77,7 @@ void ObstacleHeaps::add_overlapped(const std::vector<Overlap>& overlaps) {
 }
 
 // The neighbours of the members from `begin` on.
-void ObstacleHeaps::add_ring(std::size_t begin, bool first) {
+void ObstacleClusters::add_ring(std::size_t begin, bool first) {
   const std::size_t end = members_.size();
   for (std::size_t m = begin; m < end; ++m) {
     const double limit = std::min(half_, members_[m].limit);
@@ -86,7 +86,7 @@ void ObstacleHeaps::add_ring(std::size_t begin, bool first) {
 }
 
 // From one of its neighbours; from the deepest where it has more of them. `ring` is where the new members begin.
-void ObstacleHeaps::reach(Cell cell, std::size_t ring, double limit, double near_limit) {
+void ObstacleClusters::reach(Cell cell, std::size_t ring, double limit, double near_limit) {
   if (!inside(cell)) return;
   const int known = marks_[index(cell)];
   if (known == kNobody) {
@@ -99,20 +99,20 @@ void ObstacleHeaps::reach(Cell cell, std::size_t ring, double limit, double near
   member.near_limit = std::max(member.near_limit, near_limit);
 }
 
-void ObstacleHeaps::number_heaps() {
-  int heaps = 0;
+void ObstacleClusters::number_clusters() {
+  int clusters = 0;
   for (std::size_t m = 0; m < members_.size(); ++m) {
-    if (members_[m].heap == kUnnumbered) spread_number(m, heaps++);
+    if (members_[m].cluster == kUnnumbered) spread_number(m, clusters++);
   }
   std::sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
-    if (a.heap != b.heap) return a.heap < b.heap;
+    if (a.cluster != b.cluster) return a.cluster < b.cluster;
     return a.cell.j != b.cell.j ? a.cell.j < b.cell.j : a.cell.i < b.cell.i;
   });
   for (std::size_t m = 0; m < members_.size(); ++m) marks_[index(members_[m].cell)] = static_cast<int>(m);
 }
 
-void ObstacleHeaps::spread_number(std::size_t from, int number) {
-  members_[from].heap = number;
+void ObstacleClusters::spread_number(std::size_t from, int number) {
+  members_[from].cluster = number;
   open_.assign(1, from);
   while (!open_.empty()) {
     const Cell here = members_[open_.back()].cell;
@@ -120,8 +120,8 @@ void ObstacleHeaps::spread_number(std::size_t from, int number) {
     visit_neighbours(here, [&](Cell cell) {
       if (!inside(cell) || !holds(cell)) return;
       Member& member = members_[static_cast<std::size_t>(marks_[index(cell)])];
-      if (member.heap != kUnnumbered) return;
-      member.heap = number;
+      if (member.cluster != kUnnumbered) return;
+      member.cluster = number;
       open_.push_back(static_cast<std::size_t>(marks_[index(cell)]));
     });
   }

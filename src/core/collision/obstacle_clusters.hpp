@@ -8,9 +8,9 @@
 
 namespace hidwa_local_planner {
 
-/// The obstacle cells that the robot overlaps, with those on the obstacles' edges that hang together with them
-/// (8-neighbourhood) so near that it may come upon them. What hangs together is one heap.
-class ObstacleHeaps {
+/// The obstacle cells that the robot overlaps, and those on the obstacles' edges that are connected to them
+/// (8-neighbourhood) and so near that the robot may reach them. Connected cells are one cluster.
+class ObstacleClusters {
  public:
   /// A square part of a map; what lies beyond the map's edge is an obstacle.
   struct Window {
@@ -29,20 +29,20 @@ class ObstacleHeaps {
     Cell cell;
     double depth = 0.0;  // of the robot in it [m]
   };
-  /// How deep the robot may come into a cell [m]: where it stands already, as deep as it does there or, up to half a
-  /// cell, in a neighbour; into any other up to half a cell and no deeper than it stands in the nearest overlapped
-  /// ones.
+  /// How deep the robot may come into a cell [m]. In a cell that it overlaps: as deep as there, or as in a neighbour,
+  /// the latter up to half a cell. In any other: no deeper than in the nearest overlapped cells, and at most half a
+  /// cell.
   struct Member {
     Cell cell;
     double limit = 0.0;
     double near_limit = 0.0;  // likewise until the next cycle: of the others, neighbours of overlapped ones only
-    int heap = 0;             // number
+    int cluster = 0;          // number
   };
 
   /// All of `overlaps` must lie in the window; others are looked for up to so many `steps` away from them [cells].
   void gather(const Window& window, const std::vector<Overlap>& overlaps, int steps);
 
-  /// In the order of their heaps.
+  /// In the order of their clusters.
   const std::vector<Member>& members() const { return members_; }
   /// A cell of the window.
   bool holds(Cell cell) const { return marks_[index(cell)] >= 0; }
@@ -56,7 +56,7 @@ class ObstacleHeaps {
   void raise_overlapped(const std::vector<Overlap>& overlaps);
   void add_ring(std::size_t begin, bool first);
   void reach(Cell cell, std::size_t ring, double limit, double near_limit);
-  void number_heaps();
+  void number_clusters();
   void spread_number(std::size_t from, int number);
 
   Window window_;
