@@ -66,14 +66,14 @@ void MoveSets::make(const SearchTask& task, double radius) {
   MoveSet& tight = sets_[static_cast<std::size_t>(Fineness::tight)];
   MoveSet& touching = sets_[static_cast<std::size_t>(Fineness::touching)];
   open.bin = 2.0 * kUsualCell;
-  open.heading_bin = 6;
+  open.heading_bin = 12;
   fill(task, 3.0 * kUsualCell, open.heading_bin, radius, open);
   tight.bin = 0.5 * cell;
-  tight.heading_bin = 2;
+  tight.heading_bin = 4;
   fill(task, cell, tight.heading_bin, radius, tight);
-  touching.bin = 0.25 * cell;
+  touching.bin = 0.125 * cell;
   touching.heading_bin = 1;
-  fill(task, 0.5 * cell, touching.heading_bin, radius, touching);
+  fill(task, 0.25 * cell, touching.heading_bin, radius, touching);
 }
 
 }  // namespace hidwa_local_planner

@@ -9,8 +9,8 @@
 
 namespace hidwa_local_planner {
 
-/// Headings of a search are whole multiples of this from the start's [rad]: two degrees.
-constexpr int kHeadings = 180;
+/// Headings of a search are whole multiples of this from the start's [rad]: a degree.
+constexpr int kHeadings = 360;
 constexpr double kHeadingStep = 2.0 * M_PI / kHeadings;
 
 /// How closely poses are told apart.

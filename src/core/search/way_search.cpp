@@ -15,7 +15,7 @@ constexpr std::size_t kMostNodes = std::size_t{1} << 18;
 constexpr double kClearanceCells = 1.0;
 
 // The clearance that a move needs: a share of a cell, or of the most that the robot has had so far.
-constexpr double kNeededOfCell = 0.125;
+constexpr double kNeededOfCell = 0.0625;
 constexpr double kNeededOfMost = 0.8;
 
 // Below this share of a cell the robot all but touches.
@@ -207,7 +207,7 @@ std::uint64_t WaySearch::bin_of(const Node& node) const {
   const auto i = static_cast<std::uint64_t>((node.x - task_.origin_x) / set.bin);
   const auto j = static_cast<std::uint64_t>((node.y - task_.origin_y) / set.bin);
   const auto k = static_cast<std::uint64_t>(((node.heading % kHeadings + kHeadings) % kHeadings) / set.heading_bin);
-  return (((static_cast<std::uint64_t>(fine) << 20 | i) << 20 | j) << 8) | k;
+  return (((static_cast<std::uint64_t>(fine) << 20 | i) << 20 | j) << 9) | k;
 }
 
 void WaySearch::push(const Node& node) {

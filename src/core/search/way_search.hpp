@@ -4,9 +4,9 @@
 //
 // 1. A pose is left by moves: turns on the spot, straight on, and arcs, backwards too where the robot can. Poses are
 //    exact. Of all that lie in one bin the quickest is kept. Bins and moves are coarse in the open, half a cell and four
-//    degrees where the outline decides, and half of that where the robot all but touches something.
+//    degrees where the outline decides, and a quarter of that where the robot all but touches something.
 // 2. A move is free if every pose on it is: from a pose the robot goes on by its clearance (no point of it moves
-//    farther), and asks again. It needs an eighth of a cell of clearance. A robot that begins with less needs 80 % of
+//    farther), and asks again. It needs a sixteenth of a cell of clearance. A robot that begins with less needs 80 % of
 //    the most that it has had so far.
 // 3. The quickest comes first: its time so far, and the distance to the target at full speed (TargetDistance). Time
 //    counts more where the clearance is small, and at a change between forwards, backwards and turning.
