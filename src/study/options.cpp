@@ -67,7 +67,8 @@ std::vector<std::string> modes(const std::string& text) {
     }
   }
   if (names.empty()) {
-    throw UsageError("--mode needs some of AUTONOMY,HELPFUL,HOSTILE,AFTERMATH (SHARED: HELPFUL,HOSTILE), not '" + text + "'");
+    throw UsageError("--mode needs some of AUTONOMY,HELPFUL,HOSTILE,AFTERMATH (SHARED: HELPFUL,HOSTILE), not '" + text +
+                     "'");
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());

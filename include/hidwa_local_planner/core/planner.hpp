@@ -45,8 +45,8 @@ enum class Report : std::uint8_t {
 
 /// How much a cycle computes. It is an input of plan(), so that a recorded cycle can be repeated.
 struct Sampling {
-  int vx_samples = 0;   // 0: as in the parameters
-  int vth_samples = 0;  // 0: as in the parameters
+  int vx_samples = 0;    // 0: as in the parameters
+  int vth_samples = 0;   // 0: as in the parameters
   int search_poses = 0;  // of a search for a way; 0: as in the parameters
   Report report = Report::chosen;
 };

@@ -70,7 +70,8 @@ int EscapeTurn::towards_way_out(const Scene& scene) {
   return -1;
 }
 
-// The legal turn on the spot that ends nearest to `angle` from here, if it ends nearer than now; -1 where there is none.
+// The legal turn on the spot that ends nearest to `angle` from here, if it ends nearer than now; -1 where there is
+// none.
 int EscapeTurn::turn_by(const Scene& scene, double angle) const {
   return least_legal(scene.rollout, scene.totals, scene.admissibility, [&](const Tile& tile, std::size_t c) {
     const double left = std::abs(wrap_angle(angle - (tile.heading[tile.steps] - scene.situation.pose.theta)));

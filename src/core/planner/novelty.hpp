@@ -15,7 +15,7 @@ namespace hidwa_local_planner {
 /// nowhere. Remembers the last eight poses, 0.1 m or 20 degrees apart.
 class Novelty {
  public:
-  static constexpr double kApart = 0.1;        // [m]
+  static constexpr double kApart = 0.1;         // [m]
   static constexpr double kTurnedApart = 0.35;  // [rad]
 
   void reset() { count_ = 0; }

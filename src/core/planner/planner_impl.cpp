@@ -112,8 +112,7 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
 // On a way that recovery has found the way looks ahead: rollouts need not, so that close to things more is legal. Only
 // while braking is checked, or they would be all that keeps the robot from collisions.
 Evaluation::Mode Planner::Impl::mode(bool autonomous) const {
-  const bool short_sighted =
-      autonomous && recovery.follows() && parameters.admissibility == Admissibility::braking;
+  const bool short_sighted = autonomous && recovery.follows() && parameters.admissibility == Admissibility::braking;
   return {short_sighted ? std::min(kFollowingTime, parameters.sim_time) : parameters.sim_time, recovery.active()};
 }
 
@@ -121,9 +120,9 @@ Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous)
   Obstacles& around = evaluation.obstacles();
   // In collision only what leads out is worth turning for.
   const bool only_recovery = autonomous && recovery.active() && around.in_collision();
-  const int recovering = recovery.choose(
-      autonomous, {cycle, evaluation.candidates().rollout(), evaluation.scores().totals(), around.admissibility(),
-                   around.escape()});
+  const int recovering =
+      recovery.choose(autonomous, {cycle, evaluation.candidates().rollout(), evaluation.scores().totals(),
+                                   around.admissibility(), around.escape()});
   if (recovering >= 0) return {recovering, ChoiceReport::Rule::recovery};
   const int best = only_recovery ? -1 : cheapest(cycle);
   return {best, best >= 0 ? ChoiceReport::Rule::cheapest : ChoiceReport::Rule::none};

@@ -133,7 +133,8 @@ void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
 
 bool RecoveryMotion::gets_nowhere(const Cycle& cycle) const {
   const VelocityLimits& limits = cycle.limits;
-  const double somewhere = Novelty::kApart / std::max(limits.x.max, 1e-3) + Novelty::kTurnedApart / std::max(limits.theta.max, 1e-3);
+  const double somewhere =
+      Novelty::kApart / std::max(limits.x.max, 1e-3) + Novelty::kTurnedApart / std::max(limits.theta.max, 1e-3);
   return novelty_.time_without(cycle.situation.time) >= std::max(kNowhere, 3.0 * somewhere);
 }
 

@@ -48,7 +48,7 @@ class RecoveryMotion {
   struct Course {
     bool autonomous = false;  // nothing of the rest counts otherwise
     bool stands = false;
-    bool creeps = false;  // turns on the spot so slowly that it gains nothing
+    bool creeps = false;   // turns on the spot so slowly that it gains nothing
     bool trapped = false;  // in collision, and no motion leads out
     bool tight = false;    // it comes near to something soon
     Pose2 soon;            // where it will be once a command takes effect, costmap frame
@@ -70,8 +70,9 @@ class RecoveryMotion {
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_, self.way_,
-       self.part_, self.least_, self.agrees_, self.tight_, self.looked_, self.problem_, self.hopeless_, self.hopeless_at_);
+    io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
+       self.way_, self.part_, self.least_, self.agrees_, self.tight_, self.looked_, self.problem_, self.hopeless_,
+       self.hopeless_at_);
   }
 
  private:

@@ -31,8 +31,8 @@ struct Move {
 
 /// The moves of one fineness, and its bins.
 struct MoveSet {
-  double bin = 0.0;      // side [m]
-  int heading_bin = 1;   // in kHeadingStep
+  double bin = 0.0;     // side [m]
+  int heading_bin = 1;  // in kHeadingStep
   std::vector<Move> moves;
 };
 

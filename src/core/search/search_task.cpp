@@ -82,7 +82,7 @@ bool SearchTask::operator==(const SearchTask& o) const {
 }
 
 bool SearchTask::plausible() const {
-  constexpr int kMostCells = 1 << 14;      // a side
+  constexpr int kMostCells = 1 << 14;  // a side
   constexpr std::size_t kMostCorners = 1 << 12;
   const bool sized = size_x > 0 && size_y > 0 && size_x < kMostCells && size_y < kMostCells &&
                      costs.size() == static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y) &&
@@ -94,8 +94,9 @@ bool SearchTask::plausible() const {
   return robot && body.fault() == nullptr && !body.empty() && grid().contains(grid().cell_at(start.x, start.y));
 }
 
-void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const GridView& grid, const Footprint& footprint,
-                      const Parameters& parameters, const VelocityLimits& limits, SearchTask& task) {
+void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const GridView& grid,
+                      const Footprint& footprint, const Parameters& parameters, const VelocityLimits& limits,
+                      SearchTask& task) {
   task.unknown_is_obstacle = parameters.unknown_is_obstacle;
   task.start = start;
   task.outline.clear();

@@ -39,14 +39,14 @@ struct SearchTask {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.costs, self.size_x, self.size_y, self.resolution, self.origin_x, self.origin_y, self.unknown_is_obstacle,
-       self.start, self.outline, self.radius, self.forward, self.backward, self.turning, self.target,
-       self.near_target);
+       self.start, self.outline, self.radius, self.forward, self.backward, self.turning, self.target, self.near_target);
   }
 };
 
 /// The task of a robot at `start`. The target is the plan from 1.5 m to 2.5 m beyond its pose nearest to the start, as
 /// far as it lies on the map, or its end where that is nearer. Keeps the memory of `task`.
-void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const GridView& grid, const Footprint& footprint,
-                      const Parameters& parameters, const VelocityLimits& limits, SearchTask& task);
+void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const GridView& grid,
+                      const Footprint& footprint, const Parameters& parameters, const VelocityLimits& limits,
+                      SearchTask& task);
 
 }  // namespace hidwa_local_planner

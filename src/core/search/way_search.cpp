@@ -167,8 +167,7 @@ double WaySearch::tightness(const Move& move, double clearance) const {
 }
 
 float WaySearch::needed_from(double clearance, double needed) const {
-  return static_cast<float>(
-      std::max(needed, std::min(kNeededOfCell * task_.resolution, kNeededOfMost * clearance)));
+  return static_cast<float>(std::max(needed, std::min(kNeededOfCell * task_.resolution, kNeededOfMost * clearance)));
 }
 
 WaySearch::Clearance WaySearch::clearance_along(const Node& from, const Move& move) const {
@@ -181,8 +180,8 @@ WaySearch::Clearance WaySearch::clearance_along(const Node& from, const Move& mo
     const double share = std::min(gone, 1.0);
     const Pose2 part = part_of(move, share);
     const Rotation turned = share >= 1.0 ? rotation(from.heading + move.turn) : r.turned(Rotation::of(part.theta));
-    found.at_end = clearance_at(
-        {from.x + r.c * part.x - r.s * part.y, from.y + r.s * part.x + r.c * part.y, 0.0}, turned);
+    found.at_end =
+        clearance_at({from.x + r.c * part.x - r.s * part.y, from.y + r.s * part.x + r.c * part.y, 0.0}, turned);
     if (found.at_end < needed || found.at_end <= 0.0) return {};
     found.least = std::min(found.least, found.at_end);
     if (share >= 1.0) return found;
@@ -253,7 +252,8 @@ double WaySearch::time_between(const Node& a, const Node& b) const {
   const double turn = std::abs(heading_of(b.heading) - heading_of(a.heading));
   const bool backward = b.move == static_cast<std::uint8_t>(MoveKind::backward);
   const double speed = backward ? task_.backward : task_.forward;
-  const double driving = b.move == static_cast<std::uint8_t>(MoveKind::turn) ? 0.0 : std::hypot(b.x - a.x, b.y - a.y) / speed;
+  const double driving =
+      b.move == static_cast<std::uint8_t>(MoveKind::turn) ? 0.0 : std::hypot(b.x - a.x, b.y - a.y) / speed;
   return std::max(driving, task_.turning > 0.0 ? std::abs(wrap_angle(turn)) / task_.turning : 0.0);
 }
 

@@ -3,8 +3,8 @@
 // for Autonomous Vehicles in Unknown Semi-structured Environments") over (x, y, heading).
 //
 // 1. A pose is left by moves: turns on the spot, straight on, and arcs, backwards too where the robot can. Poses are
-//    exact. Of all that lie in one bin the quickest is kept. Bins and moves are coarse in the open, half a cell and four
-//    degrees where the outline decides, and a quarter of that where the robot all but touches something.
+//    exact. Of all that lie in one bin the quickest is kept. Bins and moves are coarse in the open, half a cell and
+//    four degrees where the outline decides, and a quarter of that where the robot all but touches something.
 // 2. A move is free if every pose on it is: from a pose the robot goes on by its clearance (no point of it moves
 //    farther), and asks again. It needs a sixteenth of a cell of clearance. A robot that begins with less needs 80 % of
 //    the most that it has had so far.
@@ -42,7 +42,7 @@ class WaySearch {
     idle,  // not begun, or forgotten
     searching,
     found,
-    no_way,   // everything was looked at
+    no_way,    // everything was looked at
     cut_short  // the memory was not enough
   };
 
@@ -59,9 +59,9 @@ class WaySearch {
 
   /// Where it was not: how far the robot comes, and what is nearest to it there.
   struct End {
-    Pose2 pose;             // the nearest to the target
-    Point obstacle{0, 0};   // centre of the cell, costmap frame [m]
-    double gap = 0.0;       // between it and the outline [m]
+    Pose2 pose;            // the nearest to the target
+    Point obstacle{0, 0};  // centre of the cell, costmap frame [m]
+    double gap = 0.0;      // between it and the outline [m]
     bool obstacle_known = false;
   };
   End end();
@@ -135,9 +135,9 @@ class WaySearch {
   std::vector<Queued> queue_;
   BinTable bins_;
   State state_ = State::idle;
-  std::uint32_t last_ = 0;     // node: the way's end, or the nearest to the target
-  double least_left_ = 0.0;    // of all that were left: distance to the target [m]
-  Polygon placed_;             // the outline at end()
+  std::uint32_t last_ = 0;   // node: the way's end, or the nearest to the target
+  double least_left_ = 0.0;  // of all that were left: distance to the target [m]
+  Polygon placed_;           // the outline at end()
 };
 
 }  // namespace hidwa_local_planner

@@ -65,7 +65,8 @@ bool is_free(const Scene& scene, const Way& way) {
     const double turn = wrap_angle(b.theta - a.theta), chord = distance(a, b);
     // An arc's chord leaves at half its turn; backwards the robot faces away from it.
     const double facing = std::cos(std::atan2(b.y - a.y, b.x - a.x) - a.theta - 0.5 * turn);
-    const double length = std::copysign(std::abs(turn) > 1e-9 ? chord * 0.5 * turn / std::sin(0.5 * turn) : chord, facing);
+    const double length =
+        std::copysign(std::abs(turn) > 1e-9 ? chord * 0.5 * turn / std::sin(0.5 * turn) : chord, facing);
     const int parts = 1 + static_cast<int>(std::max(chord, std::abs(turn) * 0.4) / 0.001);
     for (int p = 0; p <= parts; ++p) {
       const double share = static_cast<double>(p) / parts, angle = share * turn;
