@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/motion/comfort_turn.hpp"
 #include "core/motion/samples.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "core/util/rotation.hpp"
@@ -19,8 +20,9 @@ namespace hidwa_local_planner {
 class Rollout {
  public:
   /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start.
+  /// Only the brake sample is not bound by `comfort`.
   void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-           const std::vector<Sample>& samples);
+           const std::vector<Sample>& samples, const ComfortTurn& comfort = {});
 
   std::size_t tile_count() const { return tiles_.size(); }
   /// Rolls a tile out. Valid until the next tile() or run(); quickest in ascending order.
@@ -42,6 +44,7 @@ class Rollout {
     std::size_t turn = 0;   // blocks of the same turn share their headings
     bool ascending = true;  // in speed
     bool ramped = true;     // velocities ramp from the reference; else they are the sample's from the start
+    bool brake = false;
   };
   // One turn's headings and bounds of speed, at each step.
   struct Turn {
@@ -64,6 +67,7 @@ class Rollout {
 
   Settings settings_;
   VelocityLimits limits_;
+  ComfortTurn comfort_;
   Pose2 start_;
   Twist2 reference_;
   double start_cosine_ = 1.0, start_sine_ = 0.0;

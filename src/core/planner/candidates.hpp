@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "core/motion/comfort_turn.hpp"
 #include "core/motion/rollout.hpp"
 #include "core/motion/samples.hpp"
 #include "core/planner/cycle.hpp"
@@ -15,7 +16,8 @@ class Candidates {
  public:
   /// Once per cycle. `window_limits`: of the dynamic window. While somebody steers, the operator command and what it is
   /// blended to are candidates too.
-  void make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering);
+  void make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering,
+            const ComfortTurn& comfort);
 
   std::size_t count() const { return rollout_.candidate_count(); }
   /// What the candidate asks for [m/s, rad/s].

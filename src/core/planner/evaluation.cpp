@@ -3,12 +3,14 @@
 
 namespace hidwa_local_planner {
 
-Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& steering, bool recovering) {
+Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& steering, bool recovering,
+                                        const ComfortTurn& comfort) {
   const VelocityLimits window_limits = obstacles_.find_overlaps(cycle);
-  candidates_.make(cycle, window_limits, steering);
+  const ComfortTurn bound = obstacles_.in_collision() ? ComfortTurn{} : comfort;
+  candidates_.make(cycle, window_limits, steering, bound);
   const Rollout& rollout = candidates_.rollout();
   scores_.resize(rollout.candidate_count(), rollout.tile_count(), critics_.size());
-  obstacles_.prepare(cycle, rollout, steering.active, !steering.active && recovering);
+  obstacles_.prepare(cycle, rollout, bound, steering.active, !steering.active && recovering);
   prepare_grids(cycle);
   const CycleView view = view_of(cycle, steering);
   if (!grids_.on_map() && !steering.active) return {view, false};

@@ -30,7 +30,7 @@ class Evaluation {
     bool scored = false;  // false where there was nothing to score by
   };
   /// Once per cycle, or twice where the operator command is blended. `recovering`: see Recovery::active().
-  Result evaluate(const Cycle& cycle, const Steering& steering, bool recovering);
+  Result evaluate(const Cycle& cycle, const Steering& steering, bool recovering, const ComfortTurn& comfort = {});
   /// Nothing is evaluated.
   void clear() { scores_.clear(); }
 

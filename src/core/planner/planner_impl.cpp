@@ -60,7 +60,8 @@ Conclusion Planner::Impl::conclude(const Cycle& cycle) {
 
 Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Steering steering = find_steering(cycle);
-  const Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, recovery.active());
+  const ComfortTurn comfort = comfort_of(cycle, steering);
+  Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, recovery.active(), comfort);
   decision.candidates = evaluation.candidates().count();
   decision.escaping = evaluation.obstacles().in_collision();
   if (!evaluated.scored) {
@@ -68,7 +69,11 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
     return brake(cycle, Problem::off_map, "no pose of the plan lies on the local map");
   }
   const bool autonomous = !steering.active && !cycle.situation.goal_latched;
-  const Choice choice = choose(cycle, autonomous);
+  Choice choice = choose(cycle, autonomous);
+  if (comfort.binds() && stands(choice)) {
+    evaluated = evaluation.evaluate(cycle, steering, recovery.active());
+    choice = choose(cycle, autonomous);
+  }
   explanation.note_choice(choice.candidate, choice.rule, steering);
   const Conclusion chosen = follow_choice(cycle, choice);
   explanation.judge_operator(cycle, chosen.sample, decision);
@@ -96,6 +101,15 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
   const int own = scored ? cheapest(cycle) : -1;
   const Twist2 u_nv = own >= 0 ? evaluation.candidates().sample(static_cast<std::size_t>(own)) : Twist2{};
   return {true, {u_nv.v + a * (u_h.v - u_nv.v), u_nv.omega + a * (u_h.omega - u_nv.omega)}};
+}
+
+ComfortTurn Planner::Impl::comfort_of(const Cycle& cycle, const Steering& steering) const {
+  const bool alone = !steering.active && cycle.intent.influence == Influence::none;
+  return alone && !recovery.active() ? ComfortTurn::from(parameters) : ComfortTurn{};
+}
+
+bool Planner::Impl::stands(const Choice& choice) const {
+  return choice.candidate < 0 || evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate)) == Twist2{};
 }
 
 Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous) {
