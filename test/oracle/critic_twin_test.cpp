@@ -37,7 +37,7 @@ void compare_scene(const std::string& name, std::uint64_t seed, Tally& tally) {
   for (const NaiveCandidate& c : candidates) {
     bool refuses = false;
     const double raw = naive.raw(name, c, refuses);
-    const test::Verdict verdict = bench.score(c.u, c.poses, c.dt);
+    const test::Verdict verdict = bench.score(c.u, c.poses, c.dt, c.omegas);
     ASSERT_EQ(verdict.rejected(), refuses) << c.u.v << " " << c.u.omega << " " << verdict.reason;
     ++(refuses ? tally.refused : tally.legal);
     if (!refuses) {

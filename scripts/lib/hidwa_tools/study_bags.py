@@ -20,7 +20,8 @@ from .study_report import ReportError, picture_of, say, write_report
 # As src/study/table.cpp has them.
 COLUMNS = ('id', 'experiment', 'participant', 'condition', 'order', 'setting', 'seed', 'ending', 'arrived', 'duration', 'length',
            'regions_crossed', 'contacts', 'operator_active', 'interventions', 'v_change', 'omega_change', 'agreement',
-           'clearance', 'mode_errors', 'failures', 'brakes')
+           'clearance', 'mode_errors', 'failures', 'brakes', 'acc_rms', 'acc_p99', 'bend_acc_rms', 'jerk_rms', 'jerk_p99', 'at_limit',
+           'bend_at_limit', 'mean_clearance')
 FAR = 1.0              # [m]; up to here clearances are measured, as in drive/result.hpp
 WAY_RATE = 20.0        # [Hz] of the ways kept
 PEOPLE = ('joystick', None)  # operators of the demo, or of a real robot, that are no simulation

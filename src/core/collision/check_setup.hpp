@@ -19,7 +19,7 @@ struct CheckSetup {
   bool turn_out = false;                      // the robot may turn first where no motion leads out of collision
   bool steered = false;                       // by an operator
   EscapeRule* escape = nullptr;               // where it applies
-  ComfortTurn comfort;                        // of commands
+  ComfortTurn comfort{};                      // of commands
 
   /// The robot overlaps something.
   bool escaping() const { return escape != nullptr && escape->overlaps(); }

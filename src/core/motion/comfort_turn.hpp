@@ -15,7 +15,9 @@ struct ComfortTurn {
   double acc = 0.0;   // [rad/s^2]; 0: not bound, the limits alone hold
   double time = 0.0;  // [s]
 
-  static ComfortTurn from(const Parameters& p) { return {p.comfort_acc_lim_theta, p.comfort_turn_time}; }
+  static ComfortTurn from(const Parameters& p) {
+    return p.turns_gently() ? ComfortTurn{p.comfort_acc_lim_theta, p.comfort_turn_time} : ComfortTurn{};
+  }
 
   bool binds() const { return acc > 0.0; }
   /// The limits within which the turn goes from `from` towards that of a sample, `target` [rad/s].

@@ -13,13 +13,13 @@ Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& stee
   obstacles_.prepare(cycle, rollout, bound, steering.active, !steering.active && recovering);
   prepare_grids(cycle);
   const CycleView view = view_of(cycle, steering);
-  if (!grids_.on_map() && !steering.active) return {view, false};
+  if (!grids_.on_map() && !steering.active) return {view, false, bound.binds()};
   critics_.prepare(view);
   checks_.begin();
   // Recovery, and a way out of collision, are chosen among all legal candidates.
   const bool out_of_collision = obstacles_.in_collision() && !steering.active;
   score_tiles(cycle, steering, view, cycle.sampling.report >= Report::legality || recovering || out_of_collision);
-  return {view, true};
+  return {view, true, bound.binds()};
 }
 
 void Evaluation::prepare_grids(const Cycle& cycle) {

@@ -28,8 +28,10 @@ class Evaluation {
   struct Result {
     CycleView view;       // what the critics saw; lives as long as the cycle
     bool scored = false;  // false where there was nothing to score by
+    bool gentle = false;  // `comfort` bound the candidates
   };
-  /// Once per cycle, or twice where the operator command is blended. `recovering`: see Recovery::active().
+  /// Once per cycle, and once more where the operator command is blended or autonomy gives up turning gently.
+  /// `recovering`: see Recovery::active(). In collision `comfort` does not bind.
   Result evaluate(const Cycle& cycle, const Steering& steering, bool recovering, const ComfortTurn& comfort = {});
   /// Nothing is evaluated.
   void clear() { scores_.clear(); }

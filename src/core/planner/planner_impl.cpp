@@ -60,19 +60,18 @@ Conclusion Planner::Impl::conclude(const Cycle& cycle) {
 
 Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Steering steering = find_steering(cycle);
-  const ComfortTurn comfort = comfort_of(cycle, steering);
-  Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, recovery.active(), comfort);
+  Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, recovery.active(), comfort_of(cycle, steering));
+  const bool autonomous = !steering.active && !cycle.situation.goal_latched;
+  Choice choice = evaluated.scored ? choose(cycle, autonomous) : Choice{};
+  if (evaluated.gentle && evaluated.scored && stands(choice)) {
+    evaluated = evaluation.evaluate(cycle, steering, recovery.active());
+    choice = choose(cycle, autonomous);
+  }
   decision.candidates = evaluation.candidates().count();
   decision.escaping = evaluation.obstacles().in_collision();
   if (!evaluated.scored) {
     evaluation.clear();
     return brake(cycle, Problem::off_map, "no pose of the plan lies on the local map");
-  }
-  const bool autonomous = !steering.active && !cycle.situation.goal_latched;
-  Choice choice = choose(cycle, autonomous);
-  if (comfort.binds() && stands(choice)) {
-    evaluated = evaluation.evaluate(cycle, steering, recovery.active());
-    choice = choose(cycle, autonomous);
   }
   explanation.note_choice(choice.candidate, choice.rule, steering);
   const Conclusion chosen = follow_choice(cycle, choice);
@@ -103,11 +102,13 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
   return {true, {u_nv.v + a * (u_h.v - u_nv.v), u_nv.omega + a * (u_h.omega - u_nv.omega)}};
 }
 
+// Autonomy turns gently; the operator and a recovery turn as fast as the limits allow.
 ComfortTurn Planner::Impl::comfort_of(const Cycle& cycle, const Steering& steering) const {
   const bool alone = !steering.active && cycle.intent.influence == Influence::none;
   return alone && !recovery.active() ? ComfortTurn::from(parameters) : ComfortTurn{};
 }
 
+// Nothing is left but to brake to rest: then gentleness gives way, and all that the limits allow is tried.
 bool Planner::Impl::stands(const Choice& choice) const {
   return choice.candidate < 0 || evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate)) == Twist2{};
 }
