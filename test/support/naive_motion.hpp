@@ -23,14 +23,19 @@ inline double naive_ramp_omega(const Parameters& p, double omega, double target,
 /// The limits as a gentle turn from `omega` to `target` has them: evenly over the comfort time, within the comfort
 /// limit.
 inline Parameters naive_gentle(Parameters p, double omega, double target) {
-  const double most =
-      p.comfort_acc_lim_theta * p.comfort_turn_time >= std::abs(target - omega) && p.comfort_turn_time > 0.0
-          ? std::abs(target - omega) / p.comfort_turn_time
-          : p.comfort_acc_lim_theta;
+  if (std::abs(omega) > p.max_vel_theta) return p;  // brought back first
+  double most = p.comfort_acc_lim_theta;
+  if (p.comfort_turn_time > 0.0) most = std::min(most, std::abs(target - omega) / p.comfort_turn_time);
   const double acc = std::min(p.acc_lim_theta, most), braking = std::min(p.braking_theta(), most);
   p.acc_lim_theta = acc;
   p.decel_lim_theta = braking;
   return p;
+}
+
+/// Likewise of a turn that comes to rest at the goal.
+inline Parameters naive_gentle_rest(Parameters p, double omega) {
+  p.comfort_turn_time = 0.0;
+  return naive_gentle(p, omega, 0.0);
 }
 
 inline double naive_wheel_room(const Parameters& p,
@@ -132,7 +137,8 @@ struct NaiveCandidate {
 
 inline std::vector<NaiveCandidate> naive_candidates(const Scene& scene, const Twist2& reference, bool gentle = false) {
   const Parameters& p = scene.parameters;
-  const NaiveWindow w = naive_window(gentle ? naive_gentle(p, 0.0, 1e9) : p, reference, scene.situation.period);
+  const NaiveWindow w =
+      naive_window(gentle ? naive_gentle(p, reference.omega, 1e9) : p, reference, scene.situation.period);
   std::vector<NaiveCandidate> all;
   const auto add = [&all](const Twist2& u, bool brake = false) {
     NaiveCandidate candidate;
@@ -173,7 +179,9 @@ inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vec
         1.0, std::ceil(std::max(speed * T / p.linear_granularity, std::abs(c.u.omega) * T / p.angular_granularity)));
     c.dt = T / n;
     const bool ramps = c.brake || p.generator == Generator::standard;
-    const Parameters turn = gentle && !c.brake ? naive_gentle(p, reference.omega, c.u.omega) : p;
+    Parameters turn = p;
+    if (gentle && !c.brake) turn = naive_gentle(p, reference.omega, c.u.omega);
+    if (gentle && c.brake && scene.situation.goal_latched) turn = naive_gentle_rest(p, reference.omega);
     Twist2 now = ramps ? reference : c.u;
     Pose2 q = scene.situation.pose;
     c.poses = {q};

@@ -99,7 +99,8 @@ class NaivePlanner {
     for (NaiveCandidate& c : candidates_) judge(c);
     choose();
   }
-  bool stands() const { return best_ < 0 || best()->u == Twist2{}; }
+  // Nothing but rest is left, and rest is not what it wants.
+  bool stands() const { return best_ < 0 || (best()->u == Twist2{} && !scene_.situation.goal_latched); }
   bool escapes() const { return heaps_ != nullptr && heaps_->overlaps(); }
 
   // How far the outline's farthest point moves with a command that is braked in the next cycle [m].
@@ -206,9 +207,11 @@ class NaivePlanner {
   }
   Twist2 command_for(const Twist2& sample) const {
     const Twist2 from = reference_.reference();
-    const bool gentle = gentle_ && !(sample == Twist2{});
-    return naive_command(gentle ? naive_gentle(scene_.parameters, from.omega, sample.omega) : scene_.parameters, from,
-                         sample, scene_.situation.period);
+    Parameters p = scene_.parameters;
+    const bool rests = sample == Twist2{};
+    if (gentle_ && !rests) p = naive_gentle(p, from.omega, sample.omega);
+    if (gentle_ && rests && scene_.situation.goal_latched) p = naive_gentle_rest(p, from.omega);
+    return naive_command(p, from, sample, scene_.situation.period);
   }
 
   bool rollout_collides(const NaiveCandidate& c) {

@@ -101,11 +101,12 @@ class ParameterSource {
 };
 
 /// Scores candidates. The life of a critic: configure once and on every change of parameters; then in each cycle
-/// prepare, score for every tile, and debrief; reset on a new goal. With an authority between 0 and 1 a cycle weighs
-/// twice before it is debriefed: once as autonomy, once steered. None may throw, wait or log, but configure may throw;
-/// after the first cycle prepare and score should not allocate.
-/// A rejection is for what is unsafe. A critic that rejects for the sake of autonomy (it should slow down at the goal,
-/// not go back and forth, keep to the plan) must not do so while CycleView::person_decides.
+/// prepare, score for every tile, and debrief; reset on a new goal. A cycle may weigh twice before it is debriefed:
+/// with an authority between 0 and 1 once as autonomy, once steered; and where autonomy finds no way on that is gentle,
+/// once more with all turns. None may throw, wait or log, but configure may throw; after the first cycle prepare and
+/// score should not allocate. A rejection is for what is unsafe. A critic that rejects for the sake of autonomy (it
+/// should slow down at the goal, not go back and forth, keep to the plan) must not do so while
+/// CycleView::person_decides.
 class Critic {
  public:
   virtual ~Critic() = default;

@@ -117,9 +117,9 @@ bool BrakingCheck::can_brake(const Twist2& sample, std::size_t column) {
   return answer.free;
 }
 
-// Braking is not bound by comfort.
 AxisLimits BrakingCheck::turn_limits(double target, bool brakes) const {
-  return brakes ? limits_->theta : setup_->comfort.towards(limits_->theta, setup_->reference.omega, target);
+  const double from = setup_->reference.omega;
+  return brakes ? setup_->comfort.to_rest(limits_->theta, from) : setup_->comfort.towards(limits_->theta, from, target);
 }
 
 // As command_for(): where no wheel couples the axes, a column shares its speed and a tile its turn.
@@ -131,7 +131,8 @@ Twist2 BrakingCheck::quick_command_for(const Twist2& sample, Answer& answer) {
     answer.command_v = limits_->x.ramp(setup_->reference.v, sample.v, setup_->period);
   }
   if (!turn_.known || turn_.sample != sample.omega) {
-    turn_ = {true, sample.omega, turn_limits(sample.omega, false).ramp(setup_->reference.omega, sample.omega, setup_->period)};
+    turn_ = {true, sample.omega,
+             turn_limits(sample.omega, false).ramp(setup_->reference.omega, sample.omega, setup_->period)};
   }
   return {answer.command_v, turn_.command};
 }

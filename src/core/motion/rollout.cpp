@@ -122,7 +122,8 @@ void Rollout::roll_turn(const Block& block) const {
     if (table->size() <= block.steps) table->resize(block.steps + 1);
   }
   const bool euler = settings_.euler;
-  const AxisLimits limits = block.brake ? limits_.theta : comfort_.towards(limits_.theta, reference_.omega, block.omega);
+  const AxisLimits limits = block.brake ? comfort_.to_rest(limits_.theta, reference_.omega)
+                                        : comfort_.towards(limits_.theta, reference_.omega, block.omega);
   double turn = 0.0;  // since the start: what rotated scenes share to the last bit
   double omega = block.ramped ? reference_.omega : block.omega;
   Rotation direction{start_cosine_, start_sine_};

@@ -20,7 +20,7 @@ namespace hidwa_local_planner {
 class Rollout {
  public:
   /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start.
-  /// Only the brake sample is not bound by `comfort`.
+  /// `comfort` binds the brake sample as ComfortTurn::to_rest() says.
   void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
            const std::vector<Sample>& samples, const ComfortTurn& comfort = {});
 

@@ -20,7 +20,7 @@ void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, c
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
   request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
   VelocityLimits limits = window_limits;
-  limits.theta = comfort.widest(limits.theta);
+  limits.theta = comfort.widest(limits.theta, cycle.start.reference.omega);
   sampler_.make(parameters, limits, request);
   rollout_.run(parameters, cycle.limits, cycle.situation.pose, cycle.start.reference, sampler_.samples(),
                comfort);

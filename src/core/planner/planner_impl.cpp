@@ -63,7 +63,7 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, recovery.active(), comfort_of(cycle, steering));
   const bool autonomous = !steering.active && !cycle.situation.goal_latched;
   Choice choice = evaluated.scored ? choose(cycle, autonomous) : Choice{};
-  if (evaluated.gentle && evaluated.scored && stands(choice)) {
+  if (evaluated.gentle && evaluated.scored && gives_way(cycle, choice)) {
     evaluated = evaluation.evaluate(cycle, steering, recovery.active());
     choice = choose(cycle, autonomous);
   }
@@ -104,13 +104,16 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
 
 // Autonomy turns gently; the operator and a recovery turn as fast as the limits allow.
 ComfortTurn Planner::Impl::comfort_of(const Cycle& cycle, const Steering& steering) const {
-  const bool alone = !steering.active && cycle.intent.influence == Influence::none;
-  return alone && !recovery.active() ? ComfortTurn::from(parameters) : ComfortTurn{};
+  return !steering.active && !recovery.active() ? ComfortTurn::from(parameters, cycle.situation.goal_latched)
+                                                : ComfortTurn{};
 }
 
-// Nothing is left but to brake to rest: then gentleness gives way, and all that the limits allow is tried.
-bool Planner::Impl::stands(const Choice& choice) const {
-  return choice.candidate < 0 || evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate)) == Twist2{};
+// Gentleness gives way where nothing is left but to brake to rest: then all that the limits allow is tried. At the goal
+// rest is what it wants.
+bool Planner::Impl::gives_way(const Cycle& cycle, const Choice& choice) const {
+  if (choice.candidate < 0) return true;
+  return !cycle.situation.goal_latched &&
+         evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate)) == Twist2{};
 }
 
 Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous) {

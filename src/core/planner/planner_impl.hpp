@@ -53,7 +53,7 @@ struct Planner::Impl {
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);
   ComfortTurn comfort_of(const Cycle& cycle, const Steering& steering) const;
-  bool stands(const Choice& choice) const;
+  bool gives_way(const Cycle& cycle, const Choice& choice) const;
   Choice choose(const Cycle& cycle, bool autonomous);
   int cheapest(const Cycle& cycle);
   Conclusion follow_choice(const Cycle& cycle, const Choice& choice);
