@@ -22,8 +22,7 @@ void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, c
   VelocityLimits limits = window_limits;
   limits.theta = comfort.widest(limits.theta, cycle.start.reference.omega);
   sampler_.make(parameters, limits, request);
-  rollout_.run(parameters, cycle.limits, cycle.situation.pose, cycle.start.reference, sampler_.samples(),
-               comfort);
+  rollout_.run(parameters, cycle.limits, cycle.situation.pose, cycle.start.reference, sampler_.samples(), comfort);
 }
 
 bool Candidates::is_operator_command(std::size_t candidate) const {
