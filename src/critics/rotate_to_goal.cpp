@@ -15,6 +15,9 @@ constexpr double kStill = 1e-5;
 /// until a new goal: while still driving it rejects what does not slow down and scores speed^2 * slowing_factor plus
 /// the heading error; once stopped, also latched, it rejects driving and scores the heading error [rad]. While the
 /// person steers it scores likewise and rejects nothing.
+///
+/// Autonomy's turn ends gently: the heading error is that of where the turn comes to rest if it slows down within
+/// comfort_acc_lim_theta from the lookahead time on: omega^2 / (2 a) farther (constant deceleration a).
 class RotateToGoal : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;
@@ -31,6 +34,7 @@ class RotateToGoal : public Critic {
   double trans_stopped_velocity_ = 0.1;  // [m/s]
   double slowing_factor_ = 5.0;          // [rad s^2/m^2]
   double lookahead_time_ = -1.0;         // [s]; negative: the end of the rollout
+  double comfort_ = 0.0;                 // [rad/s^2]; 0: the turn need not end gently
   bool in_window_ = false;
   bool rotating_ = false;
   bool rejects_ = true;
@@ -42,6 +46,7 @@ double RotateToGoal::configure(const Parameters& parameters, const ParameterSour
   trans_stopped_velocity_ = parameters.trans_stopped_velocity;
   slowing_factor_ = parameters.RotateToGoal_slowing_factor;
   lookahead_time_ = parameters.RotateToGoal_lookahead_time;
+  comfort_ = parameters.turns_gently() ? parameters.comfort_acc_lim_theta : 0.0;
   return parameters.RotateToGoal_scale;
 }
 
@@ -53,12 +58,15 @@ void RotateToGoal::prepare(const CycleView& cycle) {
 }
 
 double RotateToGoal::heading_error(const Tile& tile, double goal_heading) const {
-  double heading = tile.heading[tile.steps];
+  double heading = tile.heading[tile.steps], omega = tile.omega_at[tile.steps];
   if (lookahead_time_ >= 0.0) {
     const double at = std::min(lookahead_time_ / tile.dt, static_cast<double>(tile.steps));
     const auto k = std::min(static_cast<std::size_t>(at), tile.steps - 1);
-    heading = tile.heading[k] + (at - static_cast<double>(k)) * (tile.heading[k + 1] - tile.heading[k]);
+    const double part = at - static_cast<double>(k);
+    heading = tile.heading[k] + part * (tile.heading[k + 1] - tile.heading[k]);
+    omega = tile.omega_at[k] + part * (tile.omega_at[k + 1] - tile.omega_at[k]);
   }
+  if (rejects_ && comfort_ > 0.0) heading += omega * std::abs(omega) / (2.0 * comfort_);
   return std::abs(wrap_angle(goal_heading - heading));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recorder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,8 +23,9 @@ void Recorder::add(const Cycle& cycle, const Twist2& sent, double period, double
   if (decision.outcome == Outcome::brake) ++result_.brakes;
   add_command(sent);
   add_steering(cycle, period);
+  gentleness_.add(cycle.intent.state == OperatorStateId::autonomy, sent.omega, period);
   const sim::Pose& pose = cycle.world.pose();
-  result_.clearance = setup_.ground->clearance(setup_.footprint, pose, result_.clearance);
+  add_clearance(pose);
   result_.planning_time += spent;
   if (!setup_.keep_samples) return;
   result_.samples.push_back(
@@ -36,6 +38,12 @@ void Recorder::add_command(const Twist2& sent) {
     omega_changes_ += std::abs(sent.omega - last_.omega);
   }
   last_ = sent;
+}
+
+void Recorder::add_clearance(const sim::Pose& pose) {
+  const double clearance = setup_.ground->clearance(setup_.footprint, pose, kFarClearance);
+  result_.clearance = std::min(result_.clearance, clearance);
+  clearances_ += clearance;
 }
 
 void Recorder::add_steering(const Cycle& cycle, double period) {
@@ -55,6 +63,8 @@ DriveResult Recorder::finish(const sim::World& world, Ending ending) {
   result_.length = world.distance();
   result_.contacts = world.contacts();
   result_.regions_crossed = world.regions().crossed();
+  result_.gentleness = gentleness_.result();
+  if (result_.cycles > 0) result_.mean_clearance = clearances_ / static_cast<double>(result_.cycles);
   if (result_.cycles > 1) {
     const auto changes = static_cast<double>(result_.cycles - 1);
     result_.v_change = v_changes_ / changes;

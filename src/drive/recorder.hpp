@@ -11,7 +11,7 @@ namespace drive {
 /// Adds up a drive's figures, cycle by cycle.
 class Recorder {
  public:
-  explicit Recorder(const DriveSetup& setup) : setup_(setup) {}
+  explicit Recorder(const DriveSetup& setup) : setup_(setup), gentleness_(setup.parameters.acc_lim_theta) {}
 
   /// One control cycle of `period` [s] that sent `sent`; planning took `spent` [s].
   void add(const Cycle& cycle, const Twist2& sent, double period, double spent);
@@ -21,6 +21,7 @@ class Recorder {
 
  private:
   void add_command(const Twist2& sent);
+  void add_clearance(const sim::Pose& pose);
   void add_steering(const Cycle& cycle, double period);
 
   const DriveSetup& setup_;
@@ -29,6 +30,8 @@ class Recorder {
   double v_changes_ = 0.0;      // [m/s], summed up
   double omega_changes_ = 0.0;  // [rad/s]
   double agreements_ = 0.0;
+  double clearances_ = 0.0;  // [m]
+  GentlenessMeter gentleness_;
   std::size_t steered_ = 0;  // cycles
   bool steering_ = false;
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drive/gentleness.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -39,11 +40,13 @@ struct DriveResult {
   int contacts = 0;
   int regions_crossed = 0;
   double clearance = kFarClearance;  // [m], of the robot itself at its control cycles, the smallest
+  double mean_clearance = 0.0;       // [m], their mean, each at most kFarClearance
   std::size_t cycles = 0;
-  std::size_t failures = 0;      // cycles without a command
-  std::size_t brakes = 0;        // cycles that braked for want of anything legal
-  double v_change = 0.0;         // [m/s], mean absolute change from command to command
-  double omega_change = 0.0;     // [rad/s], likewise
+  std::size_t failures = 0;   // cycles without a command
+  std::size_t brakes = 0;     // cycles that braked for want of anything legal
+  double v_change = 0.0;      // [m/s], mean absolute change from command to command
+  double omega_change = 0.0;  // [rad/s], likewise
+  Gentleness gentleness;
   int interventions = 0;         // how often the person began to steer
   double operator_active = 0.0;  // [s], steered
   double agreement = 1.0;        // mean over the steered cycles; 1 where there are none

@@ -17,10 +17,11 @@ constexpr std::size_t kNotMeasured = 9;  // columns
 
 const std::vector<std::string>& columns() {
   static const std::vector<std::string> names{
-      "id",        "experiment",      "participant",   "condition", "order",        "setting",
-      "seed",      "ending",          "arrived",       "duration",  "length",       "regions_crossed",
-      "contacts",  "operator_active", "interventions", "v_change",  "omega_change", "agreement",
-      "clearance", "mode_errors",     "failures",      "brakes"};
+      "id",           "experiment",      "participant",   "condition", "order",         "setting",
+      "seed",         "ending",          "arrived",       "duration",  "length",        "regions_crossed",
+      "contacts",     "operator_active", "interventions", "v_change",  "omega_change",  "agreement",
+      "clearance",    "mode_errors",     "failures",      "brakes",    "acc_rms",       "acc_p99",
+      "bend_acc_rms", "jerk_rms",        "jerk_p99",      "at_limit",  "bend_at_limit", "mean_clearance"};
   return names;
 }
 
@@ -54,7 +55,15 @@ Row row_of(const Plan& plan, const Run& run, std::uint64_t world_seed, const Dri
           number(r.clearance),
           std::to_string(driven.errors),
           std::to_string(r.failures),
-          std::to_string(r.brakes)};
+          std::to_string(r.brakes),
+          number(r.gentleness.acc_rms),
+          number(r.gentleness.acc_p99),
+          number(r.gentleness.bend_acc_rms),
+          number(r.gentleness.jerk_rms),
+          number(r.gentleness.jerk_p99),
+          number(r.gentleness.at_limit),
+          number(r.gentleness.bend_at_limit),
+          number(r.mean_clearance)};
 }
 
 const std::string& cell(const Row& row, const std::string& column, const std::vector<std::string>& names) {

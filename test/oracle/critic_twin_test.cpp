@@ -37,7 +37,7 @@ void compare_scene(const std::string& name, std::uint64_t seed, Tally& tally) {
   for (const NaiveCandidate& c : candidates) {
     bool rejects = false;
     const double raw = naive.raw(name, c, rejects);
-    const test::CriticAnswer answer = bench.score(c.u, c.poses, c.dt);
+    const test::CriticAnswer answer = bench.score(c.u, c.poses, c.dt, c.omegas);
     ASSERT_EQ(answer.rejected(), rejects) << c.u.v << " " << c.u.omega << " " << answer.reason;
     ++(rejects ? tally.rejected : tally.legal);
     if (!rejects) {

@@ -45,6 +45,13 @@ class Report(unittest.TestCase):
         self.assertEqual(figures['cycle_us'], {'p50': 2000.0, 'p99': 6000.0, 'max': 6000.0})
         self.assertAlmostEqual(figures['longest_gap_s'], 0.02, places=3)  # 50 Hz
         self.assertAlmostEqual(figures['mean_omega_change'], 0.01)
+        # omega goes to and fro by 0.01 rad/s every 0.02 s: 0.5 rad/s^2, and a change of 1 rad/s^2 in 0.02 s.
+        turns = figures['turns']
+        self.assertAlmostEqual(turns['acc_rms'], 0.5, places=3)
+        self.assertAlmostEqual(turns['acc_p99'], 0.5, places=3)
+        self.assertAlmostEqual(turns['jerk_rms'], 50.0, delta=0.1)
+        self.assertEqual((turns['bend_acc_rms'], turns['at_limit']), (None, None))  # no bends; no limit known
+        self.assertEqual(figures['mean_clearance_m'], 1.0)  # nothing stands there
         self.assertEqual((figures['map'], figures['mode'], figures['host']), ('synthetic', 'joystick', 'compat'))
 
     def test_each_uninterrupted_overlap_is_one_contact(self):

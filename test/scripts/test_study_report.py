@@ -14,7 +14,8 @@ from hidwa_tools import study_report
 
 COLUMNS = ['id', 'experiment', 'participant', 'condition', 'order', 'setting', 'seed', 'ending', 'arrived', 'duration',
            'length', 'regions_crossed', 'contacts', 'operator_active', 'interventions', 'v_change', 'omega_change',
-           'agreement', 'clearance', 'mode_errors', 'failures', 'brakes']
+           'agreement', 'clearance', 'mode_errors', 'failures', 'brakes', 'acc_rms', 'acc_p99', 'bend_acc_rms', 'jerk_rms',
+           'jerk_p99', 'at_limit', 'bend_at_limit', 'mean_clearance']
 
 
 def write_runs(folder, durations):

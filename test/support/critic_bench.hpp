@@ -14,18 +14,19 @@
 
 namespace hidwa_local_planner::test {
 
-/// A tile of one candidate.
+/// A tile of one candidate. `omegas`: of its rollout, at each pose; without any, that of the sample.
 class HandTile {
  public:
-  HandTile(const Twist2& u, const std::vector<Pose2>& poses, double dt = 0.1) : v_(u.v) {
+  HandTile(const Twist2& u, const std::vector<Pose2>& poses, double dt = 0.1, const std::vector<double>& omegas = {})
+      : v_(u.v), omega_at_(omegas) {
     for (const Pose2& q : poses) {
       x_.push_back(q.x);
       y_.push_back(q.y);
       heading_.push_back(q.theta);
       cos_.push_back(std::cos(q.theta));
       sin_.push_back(std::sin(q.theta));
-      omega_at_.push_back(u.omega);
     }
+    omega_at_.resize(poses.size(), u.omega);
     tile_.omega = u.omega;
     tile_.dt = dt;
     tile_.steps = poses.size() - 1;
@@ -44,7 +45,8 @@ class HandTile {
 
  private:
   double v_;
-  std::vector<double> x_, y_, heading_, cos_, sin_, omega_at_;
+  std::vector<double> x_, y_, heading_, cos_, sin_;
+  std::vector<double> omega_at_;
   Tile tile_;
 };
 
@@ -69,8 +71,9 @@ class CriticBench {
     filler_.prepare(scene_);
     critic_->prepare(filler_.view());
   }
-  CriticAnswer score(const Twist2& u, const std::vector<Pose2>& poses, double dt = 0.1) {
-    HandTile hand(u, poses, dt);
+  CriticAnswer score(const Twist2& u, const std::vector<Pose2>& poses, double dt = 0.1,
+                const std::vector<double>& omegas = {}) {
+    HandTile hand(u, poses, dt, omegas);
     filler_.fill(hand.tile());
     CriticAnswer answer;
     const char* reason = nullptr;

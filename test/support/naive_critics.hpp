@@ -218,11 +218,25 @@ class NaiveCritics {
     }
     return c.poses.back().theta;
   }
+  // How much farther a turn goes that ends gently.
+  double rest_of_turn(const NaiveCandidate& c, double time) const {
+    const Parameters& p = scene_.parameters;
+    if (steered() || !p.turns_gently()) return 0.0;
+    double omega = c.omegas.back();
+    for (std::size_t k = 0; time >= 0.0 && k + 1 < c.omegas.size(); ++k) {
+      const double part = time / c.dt - static_cast<double>(k);
+      if (part > 1.0) continue;
+      omega = c.omegas[k] + part * (c.omegas[k + 1] - c.omegas[k]);
+      break;
+    }
+    return omega * std::abs(omega) / 2.0 / p.comfort_acc_lim_theta;
+  }
   double rotate_to_goal(const NaiveCandidate& c, bool& rejects) const {
     const Parameters& p = scene_.parameters;
     const Situation& s = scene_.situation;
     if (std::hypot(s.goal.x - s.pose.x, s.goal.y - s.pose.y) > p.xy_goal_tolerance) return 0.0;
-    const double error = naive_angle(s.goal.theta - heading_at(c, p.RotateToGoal_lookahead_time));
+    const double ahead = p.RotateToGoal_lookahead_time;
+    const double error = naive_angle(s.goal.theta - heading_at(c, ahead) - rest_of_turn(c, ahead));
     if (std::abs(s.velocity.v) <= p.trans_stopped_velocity) {
       rejects = !steered() && std::abs(c.u.v) > 1e-5;
       return error;

@@ -20,6 +20,24 @@ inline double naive_ramp_omega(const Parameters& p, double omega, double target,
   return naive_ramp(omega, target, dt, p.acc_lim_theta, p.braking_theta());
 }
 
+/// The limits as a gentle turn from `omega` to `target` has them: evenly over the comfort time, within the comfort
+/// limit.
+inline Parameters naive_gentle(Parameters p, double omega, double target) {
+  if (std::abs(omega) > p.max_vel_theta) return p;  // brought back first
+  double most = p.comfort_acc_lim_theta;
+  if (p.comfort_turn_time > 0.0) most = std::min(most, std::abs(target - omega) / p.comfort_turn_time);
+  const double acc = std::min(p.acc_lim_theta, most), braking = std::min(p.braking_theta(), most);
+  p.acc_lim_theta = acc;
+  p.decel_lim_theta = braking;
+  return p;
+}
+
+/// Likewise of a turn that comes to rest at the goal.
+inline Parameters naive_gentle_rest(Parameters p, double omega) {
+  p.comfort_turn_time = 0.0;
+  return naive_gentle(p, omega, 0.0);
+}
+
 inline double naive_wheel_room(const Parameters& p,
                                double omega) {  // [m/s] left for driving; infinite without wheels
   if (!p.has_wheel_limit()) return INFINITY;
@@ -109,16 +127,18 @@ inline Twist2 naive_into_window(const Parameters& p, const NaiveWindow& w, const
 struct NaiveCandidate {
   Twist2 u;
   bool brake = false;
-  std::vector<Pose2> poses;  // of the rollout, start included
-  double dt = 0.0;           // [s]
-  std::string rejected_by;   // empty while legal
-  std::vector<double> raw;   // per critic
+  std::vector<Pose2> poses;    // of the rollout, start included
+  std::vector<double> omegas;  // likewise [rad/s]
+  double dt = 0.0;             // [s]
+  std::string rejected_by;     // empty while legal
+  std::vector<double> raw;     // per critic
   double total = 0.0;
 };
 
-inline std::vector<NaiveCandidate> naive_candidates(const Scene& scene, const Twist2& reference) {
+inline std::vector<NaiveCandidate> naive_candidates(const Scene& scene, const Twist2& reference, bool gentle = false) {
   const Parameters& p = scene.parameters;
-  const NaiveWindow w = naive_window(p, reference, scene.situation.period);
+  const NaiveWindow w =
+      naive_window(gentle ? naive_gentle(p, reference.omega, 1e9) : p, reference, scene.situation.period);
   std::vector<NaiveCandidate> all;
   const auto add = [&all](const Twist2& u, bool brake = false) {
     NaiveCandidate candidate;
@@ -146,7 +166,8 @@ inline std::vector<NaiveCandidate> naive_candidates(const Scene& scene, const Tw
 }
 
 /// Rolls every candidate out.
-inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vector<NaiveCandidate>& all) {
+inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vector<NaiveCandidate>& all,
+                           bool gentle = false) {
   const Parameters& p = scene.parameters;
   const double T = p.sim_time;
   double fastest = 0.0;
@@ -158,12 +179,16 @@ inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vec
         1.0, std::ceil(std::max(speed * T / p.linear_granularity, std::abs(c.u.omega) * T / p.angular_granularity)));
     c.dt = T / n;
     const bool ramps = c.brake || p.generator == Generator::standard;
+    Parameters turn = p;
+    if (gentle && !c.brake) turn = naive_gentle(p, reference.omega, c.u.omega);
+    if (gentle && c.brake && scene.situation.goal_latched) turn = naive_gentle_rest(p, reference.omega);
     Twist2 now = ramps ? reference : c.u;
     Pose2 q = scene.situation.pose;
     c.poses = {q};
+    c.omegas = {now.omega};
     for (int k = 0; k < static_cast<int>(n); ++k) {
       Twist2 next = c.u;
-      if (ramps) next = {naive_ramp_v(p, now.v, c.u.v, c.dt), naive_ramp_omega(p, now.omega, c.u.omega, c.dt)};
+      if (ramps) next = {naive_ramp_v(p, now.v, c.u.v, c.dt), naive_ramp_omega(turn, now.omega, c.u.omega, c.dt)};
       const double v = euler ? next.v : (now.v + next.v) / 2;
       const double omega = euler ? next.omega : (now.omega + next.omega) / 2;
       const double heading = euler ? q.theta : q.theta + omega * c.dt / 2;
@@ -171,6 +196,7 @@ inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vec
       q.y += v * std::sin(heading) * c.dt;
       q.theta += omega * c.dt;
       c.poses.push_back(q);
+      c.omegas.push_back(next.omega);
       now = next;
     }
   }

@@ -61,10 +61,11 @@ class NaivePlanner {
       if (!clusters_->overlaps()) slow = scene_;  // only its centre's cell is inscribed
     }
     keep_ = std::max(0.0, gap(scene_.situation.pose, 1.0) - 1e-6);
-    candidates_ = naive_candidates(slow, reference_.reference());
-    naive_roll_out(scene_, reference_.reference(), candidates_);
-    for (NaiveCandidate& c : candidates_) judge(c);
-    choose();
+    gentle_ = scene_.intent.influence == Influence::none && scene_.parameters.turns_gently() && !escapes();
+    try_all(slow);
+    if (!gentle_ || !stands()) return;
+    gentle_ = false;
+    try_all(slow);
   }
   bool stands_in_collision() const { return stands_in_collision_; }
   /// It chooses what leads out of a collision, not what is cheapest.
@@ -92,6 +93,14 @@ class NaivePlanner {
     cycles.push_back(last);
     return cycles;
   }
+  void try_all(const Scene& slow) {
+    candidates_ = naive_candidates(slow, reference_.reference(), gentle_);
+    naive_roll_out(scene_, reference_.reference(), candidates_, gentle_);
+    for (NaiveCandidate& c : candidates_) judge(c);
+    choose();
+  }
+  // Nothing but rest is left, and rest is not what it wants.
+  bool stands() const { return best_ < 0 || (best()->u == Twist2{} && !scene_.situation.goal_latched); }
   bool escapes() const { return clusters_ != nullptr && clusters_->overlaps(); }
 
   // How far the outline's farthest point moves with a command that is braked in the next cycle [m].
@@ -197,7 +206,12 @@ class NaivePlanner {
     return left > 0.0;
   }
   Twist2 command_for(const Twist2& sample) const {
-    return naive_command(scene_.parameters, reference_.reference(), sample, scene_.situation.period);
+    const Twist2 from = reference_.reference();
+    Parameters p = scene_.parameters;
+    const bool rests = sample == Twist2{};
+    if (gentle_ && !rests) p = naive_gentle(p, from.omega, sample.omega);
+    if (gentle_ && rests && scene_.situation.goal_latched) p = naive_gentle_rest(p, from.omega);
+    return naive_command(p, from, sample, scene_.situation.period);
   }
 
   bool rollout_collides(const NaiveCandidate& c) {
@@ -314,6 +328,7 @@ class NaivePlanner {
   std::vector<NaiveCandidate> candidates_;
   int best_ = -1;
   bool stands_in_collision_ = false;
+  bool gentle_ = false;  // its turns are
   std::unique_ptr<NaiveEscape> clusters_;
   std::vector<std::uint8_t> rest_;
   bool doubtful_ = false;

@@ -23,6 +23,7 @@ inline Parameters paper_parameters() {
   p.vth_samples = 20;
   p.RotateToGoal_lookahead_time = -1.0;
   p.sample_zero = p.sample_operator = p.sample_previous = false;
+  p.comfort_acc_lim_theta = 0.0;
   p.tie_break = TieBreak::first;
   p.command = CommandPolicy::target;
   p.admissibility = Admissibility::horizon;

@@ -232,6 +232,8 @@ inline Scene random_scene(std::uint64_t seed) {
   const double inscribed = random.uniform(0.1, 0.25);
   inflate(scene, inscribed, inscribed + random.uniform(0.1, 0.4), random.uniform(2.0, 10.0));
   scene.parameters.RotateToGoal_lookahead_time = random.chance(0.5) ? -1.0 : random.uniform(0.0, 2.2);
+  scene.parameters.comfort_acc_lim_theta = random.chance(0.3) ? 0.0 : random.uniform(0.2, 3.0);
+  scene.parameters.comfort_turn_time = random.chance(0.3) ? 0.0 : random.uniform(0.1, 1.5);
   return scene;
 }
 

@@ -43,6 +43,10 @@ struct Parameters {
   double braking_theta() const {                                                               // [rad/s^2]
     return decel_lim_theta == 0.0 ? acc_lim_theta : std::abs(decel_lim_theta);
   }
+  /// Autonomy turns gently. That takes rollouts whose velocities ramp, and commands that are their first step.
+  bool turns_gently() const {
+    return comfort_acc_lim_theta > 0.0 && generator == Generator::standard && command == CommandPolicy::feasible;
+  }
   bool has_wheel_limit() const { return wheel_radius > 0.0 && wheel_separation > 0.0 && max_wheel_velocity > 0.0; }
 };
 

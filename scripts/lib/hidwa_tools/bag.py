@@ -310,6 +310,7 @@ class Reader:
             'mode': states[-1][1].mode_name if states else mode.data if mode else None, 'footprint': outline}
         info.setdefault('stick', {'axis': planner.get('axis_angular', 0), 'sign': planner.get('axis_angular_sign', 1),
                                   'dead_zone': planner.get('dead_zone', 0.1)})
+        info.setdefault('acc_lim_theta', planner.get('acc_lim_theta'))
         common = dict(
             grid=self.grid, truth=self.truth, plans=self.plans, demo=self.demo, pose_from=self.pose_from,
             regions=_regions(self._last('regions')) if self._has('regions') else [],

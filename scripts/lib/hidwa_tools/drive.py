@@ -133,7 +133,7 @@ class Drive:
         self._info.publish(json.dumps({
             'map': o.map_name, 'mode': parameters.get('mode', 'off'), 'host': host, 'planner': name,
             'operator': o.operator_name, 'start': o.start, 'goal': o.goal, 'rate': o.rate,
-            'footprint': footprint_of(rospy.get_param('/hidwa_sim')),
+            'footprint': footprint_of(rospy.get_param('/hidwa_sim')), 'acc_lim_theta': parameters.get('acc_lim_theta'),
             'stick': {'axis': parameters.get('axis_angular', 0), 'sign': parameters.get('axis_angular_sign', 1),
                       'dead_zone': parameters.get('dead_zone', 0.1)}}))
 

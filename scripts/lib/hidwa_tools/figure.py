@@ -44,7 +44,14 @@ def _title(report, name=None):
     if report['contacts'] is None and estimate is not None:
         contacts += f', estimated clearance {estimate:.2f} m'
     return (f"{name or '{map}, operator: {operator}'.format(**report)} - {arrived} {after} {report['duration_s']:.1f} s and "
-            f"{report['path_length_m']:.1f} m, {contacts}{regions}")
+            f"{report['path_length_m']:.1f} m, {contacts}{regions}{_turns(report)}")
+
+
+def _turns(report):
+    turns = report.get('turns') or {}
+    if turns.get('acc_rms') is None:
+        return ''
+    return f"\nautonomy turned at {turns['acc_rms']:.2f} rad/s^2 (rms), {turns['acc_p99']:.2f} (99 %), jerk {turns['jerk_rms']:.1f} rad/s^3"
 
 
 def _turn(points):

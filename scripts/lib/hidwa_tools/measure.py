@@ -5,9 +5,12 @@ from scipy.ndimage import distance_transform_edt
 
 from . import geometry
 from .drawing import STATE_NAMES, STEERED
+from .gentleness import gentleness
 
 CONTACT_STEP = 0.01     # [s]; between recorded poses the drive is followed in steps no longer than this
 AFTER_RELEASE = 4.0     # [s]; how long after a release the path still counts as bent by it
+FAR = 1.0               # [m]; up to here distances to obstacles are measured, as in src/drive/result.hpp
+CLEARANCE_STEP = 0.1    # [s]
 LONGEST_GAP = 0.35      # [s], simulated; between two commands, where a machine keeps up
 LONGEST_SILENCE = 0.25  # [s]; a state lasts until the next message, but no longer than this
 
@@ -55,6 +58,14 @@ def clearance(grid, footprint, poses, at_most):
         near = centres[(np.abs(centres - [x, y]) <= reach + at_most + size).all(axis=1)]
         at_most = min(at_most, geometry.gap_to_squares(geometry.placed(footprint, x, y, yaw), near, size))
     return at_most
+
+
+def mean_clearance(grid, footprint, truth):
+    """The mean distance [m] from the footprint to the nearest occupied cell along the ground truth (n, 6), every
+    CLEARANCE_STEP, each at most FAR."""
+    times = np.arange(truth[0, 0], truth[-1, 0], CLEARANCE_STEP)
+    poses = truth[np.searchsorted(truth[:, 0], times), 1:4]
+    return float(np.mean([clearance(grid, footprint, poses[i:i + 1], FAR) for i in range(len(poses))]))
 
 
 def count_contacts(grid, footprint, truth):
@@ -169,6 +180,8 @@ def measure(drive):
         'cycle_us': cycle_times(drive),
         'longest_gap_s': longest_gap(drive),
         'mean_omega_change': mean_change(commands[:, 2]),
+        'turns': gentleness(commands, drive.states, info.get('acc_lim_theta')),
+        'mean_clearance_m': round(mean_clearance(drive.grid, drive.footprint, truth), 3) if drive.contacts_known else None,
         'simulator': drive.simulator,
         **{key: info.get(key) for key in ('map', 'mode', 'host', 'planner', 'operator', 'start', 'goal', 'rate')},
     }

@@ -14,13 +14,14 @@ from .bag import read_drives
 from .conditions import MODES, course, driven
 from .drawing import STATE_NAMES, STEERED
 from .errors import BagError
+from .gentleness import FIGURES
 from .options import existing
 from .study_report import ReportError, picture_of, say, write_report
 
 # As src/study/table.cpp has them.
 COLUMNS = ('id', 'experiment', 'participant', 'condition', 'order', 'setting', 'seed', 'ending', 'arrived', 'duration', 'length',
            'regions_crossed', 'contacts', 'operator_active', 'interventions', 'v_change', 'omega_change', 'agreement',
-           'clearance', 'mode_errors', 'failures', 'brakes')
+           'clearance', 'mode_errors', 'failures', 'brakes', *FIGURES, 'mean_clearance')
 FAR = 1.0              # [m]; up to here clearances are measured, as in drive/result.hpp
 WAY_RATE = 20.0        # [Hz] of the ways kept
 PEOPLE = ('joystick', None)  # operators of the demo, or of a real robot, that are no simulation
@@ -77,7 +78,8 @@ def row_of(participant, order, condition, drive):
             'v_change': number(measure.mean_change(commands[:, 1])), 'omega_change': number(measure.mean_change(commands[:, 2])),
             'agreement': number(agreement(drive) if known else None), 'clearance': number(smallest_clearance(drive)),
             'mode_errors': '', 'failures': number(outcomes.count(FAIL) if outcomes else None),
-            'brakes': number(outcomes.count(BRAKE) if outcomes else None)}
+            'brakes': number(outcomes.count(BRAKE) if outcomes else None),
+            **{name: number(figures['turns'][name]) for name in FIGURES}, 'mean_clearance': number(figures['mean_clearance_m'])}
 
 
 def _ending(drive):

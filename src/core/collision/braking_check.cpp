@@ -93,7 +93,10 @@ bool BrakingCheck::nothing_in_reach() const {
 }
 
 Twist2 BrakingCheck::command_for(const Twist2& sample) const {
-  return commands_the_target_ ? sample : limits_->step(setup_->reference, sample, setup_->period);
+  if (commands_the_target_) return sample;
+  VelocityLimits limits = *limits_;
+  limits.theta = turn_limits(sample.omega, sample == Twist2{});
+  return limits.step(setup_->reference, sample, setup_->period);
 }
 
 bool BrakingCheck::can_brake(const Twist2& sample, std::size_t column) {
@@ -114,16 +117,22 @@ bool BrakingCheck::can_brake(const Twist2& sample, std::size_t column) {
   return answer.free;
 }
 
+AxisLimits BrakingCheck::turn_limits(double target, bool brakes) const {
+  const double from = setup_->reference.omega;
+  return brakes ? setup_->comfort.to_rest(limits_->theta, from) : setup_->comfort.towards(limits_->theta, from, target);
+}
+
 // As command_for(): where no wheel couples the axes, a column shares its speed and a tile its turn.
 Twist2 BrakingCheck::quick_command_for(const Twist2& sample, Answer& answer) {
-  if (limits_->wheel_speed > 0.0 || commands_the_target_) return command_for(sample);
+  if (limits_->wheel_speed > 0.0 || commands_the_target_ || sample == Twist2{}) return command_for(sample);
   if (!answer.v_known || answer.sample_v != sample.v) {
     answer.v_known = true;
     answer.sample_v = sample.v;
     answer.command_v = limits_->x.ramp(setup_->reference.v, sample.v, setup_->period);
   }
   if (!turn_.known || turn_.sample != sample.omega) {
-    turn_ = {true, sample.omega, limits_->theta.ramp(setup_->reference.omega, sample.omega, setup_->period)};
+    turn_ = {true, sample.omega,
+             turn_limits(sample.omega, false).ramp(setup_->reference.omega, sample.omega, setup_->period)};
   }
   return {answer.command_v, turn_.command};
 }

@@ -102,6 +102,7 @@ class BrakingCheck {
   ManoeuvreRoller roller_at(const Pose2& start, double spacing) const;
   BrakeManoeuvre manoeuvre(std::size_t motion, const Twist2& command, double hold) const;
   double longest_hold() const;
+  AxisLimits turn_limits(double target, bool brakes) const;
   Twist2 quick_command_for(const Twist2& sample, Answer& answer);
 
   const VelocityLimits* limits_ = nullptr;

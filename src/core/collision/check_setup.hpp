@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/collision/escape.hpp"
+#include "core/motion/comfort_turn.hpp"
 #include "core/motion/pending_motion_set.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
@@ -18,6 +19,7 @@ struct CheckSetup {
   bool turn_out = false;                      // the robot may turn first where no motion leads out of collision
   bool steered = false;                       // by an operator
   EscapeRule* escape = nullptr;               // where it applies
+  ComfortTurn comfort{};                      // of commands
 
   /// The robot overlaps an obstacle.
   bool escaping() const { return escape != nullptr && escape->overlaps(); }

@@ -45,10 +45,11 @@ std::size_t Rollout::Settings::steps(double v, double omega) const {
 }
 
 void Rollout::run(const Parameters& p, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-                  const std::vector<Sample>& samples, double sim_time) {
+                  const std::vector<Sample>& samples, const ComfortTurn& comfort, double sim_time) {
   settings_ = {sim_time, p.linear_granularity, p.angular_granularity, p.integration == Integration::euler,
                p.generator == Generator::standard};
   limits_ = limits;
+  comfort_ = comfort;
   start_ = start;
   reference_ = reference;
   start_cosine_ = std::cos(start.theta);
@@ -83,7 +84,7 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
     // A brake candidate turns and drives on at first: its steps are those of the fastest.
     if (brake) steps = std::max(steps, settings_.steps(fastest_, 0.0));
     const bool same_turn = !tiles_.empty() && tiles_.back().omega == sample.u.omega && tiles_.back().steps == steps &&
-                           tiles_.back().ramped == ramped;
+                           tiles_.back().ramped == ramped && tiles_.back().brake == brake;
     if (!same_turn || tiles_.back().count == kMostColumns) {
       Block block;
       block.omega = sample.u.omega;
@@ -92,6 +93,7 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
       block.first = i;
       block.turn = same_turn ? turns : ++turns;
       block.ramped = ramped;
+      block.brake = brake;
       tiles_.push_back(block);
       longest_step_ = std::max(longest_step_, top_speed * block.dt);
     }
@@ -120,12 +122,14 @@ void Rollout::roll_turn(const Block& block) const {
     if (table->size() <= block.steps) table->resize(block.steps + 1);
   }
   const bool euler = settings_.euler;
+  const AxisLimits limits = block.brake ? comfort_.to_rest(limits_.theta, reference_.omega)
+                                        : comfort_.towards(limits_.theta, reference_.omega, block.omega);
   double turn = 0.0;  // since the start: what rotated scenes share to the last bit
   double omega = block.ramped ? reference_.omega : block.omega;
   Rotation direction{start_cosine_, start_sine_};
   std::size_t k = 0;
   for (; k < block.steps && omega != block.omega; ++k) {
-    const double next = limits_.theta.ramp(omega, block.omega, block.dt);
+    const double next = limits.ramp(omega, block.omega, block.dt);
     const double by = euler ? next * block.dt : 0.5 * (omega + next) * block.dt;
     const Rotation half = Rotation::of(0.5 * by);
     const Rotation middle = direction.turned(half);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/motion/comfort_turn.hpp"
 #include "core/motion/samples.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "core/util/rotation.hpp"
@@ -18,13 +19,14 @@ namespace hidwa_local_planner {
 /// A tile is rolled out when it is first needed. Keeps its memory between cycles.
 class Rollout {
  public:
-  /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start. They
-  /// are rolled out for `sim_time` [s], or for that of the parameters.
+  /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start.
+  /// `comfort` binds the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s], or for that
+  /// of the parameters.
   void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-           const std::vector<Sample>& samples, double sim_time);
+           const std::vector<Sample>& samples, const ComfortTurn& comfort, double sim_time);
   void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-           const std::vector<Sample>& samples) {
-    run(parameters, limits, start, reference, samples, parameters.sim_time);
+           const std::vector<Sample>& samples, const ComfortTurn& comfort = {}) {
+    run(parameters, limits, start, reference, samples, comfort, parameters.sim_time);
   }
 
   std::size_t tile_count() const { return tiles_.size(); }
@@ -48,6 +50,7 @@ class Rollout {
     std::size_t turn = 0;   // blocks of the same turn share their headings
     bool ascending = true;  // in speed
     bool ramped = true;     // velocities ramp from the reference; else they are the sample's from the start
+    bool brake = false;
   };
   // One turn's headings and bounds of speed, at each step.
   struct Turn {
@@ -70,6 +73,7 @@ class Rollout {
 
   Settings settings_;
   VelocityLimits limits_;
+  ComfortTurn comfort_;
   Pose2 start_;
   Twist2 reference_;
   double start_cosine_ = 1.0, start_sine_ = 0.0;

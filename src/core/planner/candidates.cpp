@@ -8,7 +8,7 @@
 namespace hidwa_local_planner {
 
 void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering,
-                      double sim_time) {
+                      const ComfortTurn& comfort, double sim_time) {
   const Parameters& parameters = cycle.parameters;
   const Sampling& sampling = cycle.sampling;
   SampleRequest request;
@@ -19,8 +19,11 @@ void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, c
   request.period = cycle.situation.period;
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
   request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
-  sampler_.make(parameters, window_limits, request);
-  rollout_.run(parameters, cycle.limits, cycle.situation.pose, cycle.start.reference, sampler_.samples(), sim_time);
+  VelocityLimits limits = window_limits;
+  limits.theta = comfort.widest(limits.theta, cycle.start.reference.omega);
+  sampler_.make(parameters, limits, request);
+  rollout_.run(parameters, cycle.limits, cycle.situation.pose, cycle.start.reference, sampler_.samples(), comfort,
+               sim_time);
 }
 
 bool Candidates::is_operator_command(std::size_t candidate) const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "core/motion/comfort_turn.hpp"
 #include "core/motion/rollout.hpp"
 #include "core/motion/samples.hpp"
 #include "core/planner/cycle.hpp"
@@ -15,7 +16,8 @@ class Candidates {
  public:
   /// Once per cycle. `window_limits`: of the dynamic window. While the operator steers, the operator command is a
   /// candidate, too, and so is its blend with autonomy's choice. They are rolled out for `sim_time` [s].
-  void make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering, double sim_time);
+  void make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering,
+            const ComfortTurn& comfort, double sim_time);
 
   std::size_t count() const { return rollout_.candidate_count(); }
   /// What the candidate asks for [m/s, rad/s].

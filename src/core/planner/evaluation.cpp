@@ -6,19 +6,20 @@ namespace hidwa_local_planner {
 Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& steering, const Mode& mode) {
   const bool recovering = mode.recovering && !steering.active;
   const VelocityLimits window_limits = obstacles_.find_overlaps(cycle);
-  candidates_.make(cycle, window_limits, steering, mode.sim_time);
+  const ComfortTurn bound = obstacles_.in_collision() ? ComfortTurn{} : mode.comfort;
+  candidates_.make(cycle, window_limits, steering, bound, mode.sim_time);
   const Rollout& rollout = candidates_.rollout();
   scores_.resize(rollout.candidate_count(), rollout.tile_count(), critics_.size());
-  obstacles_.prepare(cycle, rollout, steering.active, recovering);
+  obstacles_.prepare(cycle, rollout, bound, steering.active, recovering);
   prepare_grids(cycle);
   const CycleView view = view_of(cycle, steering);
-  if (!grids_.on_map() && !steering.active) return {view, false};
+  if (!grids_.on_map() && !steering.active) return {view, false, bound.binds()};
   critics_.prepare(view);
   checks_.begin();
   // Recovery, and a way out of collision, are chosen among all legal candidates.
   const bool out_of_collision = obstacles_.in_collision() && !steering.active;
   score_tiles(cycle, steering, view, cycle.sampling.report >= Report::legality || recovering || out_of_collision);
-  return {view, true};
+  return {view, true, bound.binds()};
 }
 
 void Evaluation::prepare_grids(const Cycle& cycle) {

@@ -28,12 +28,14 @@ class Evaluation {
   struct Result {
     CycleView view;       // what the critics saw; lives as long as the cycle
     bool scored = false;  // false where there was nothing to score by
+    bool gentle = false;  // `comfort` bound the candidates
   };
   struct Mode {
     double sim_time = 0.0;    // how far ahead candidates are rolled out [s]
     bool recovering = false;  // see Recovery::active()
+    ComfortTurn comfort;      // does not bind in collision
   };
-  /// Once per cycle, or twice where the operator command is blended.
+  /// Once per cycle, and once more where the operator command is blended or autonomy gives up turning gently.
   Result evaluate(const Cycle& cycle, const Steering& steering, const Mode& mode);
   /// Nothing is evaluated.
   void clear() { scores_.clear(); }

@@ -33,7 +33,8 @@ Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout,
   return reach;
 }
 
-void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, bool steered, bool turn_out) {
+void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, const ComfortTurn& comfort, bool steered,
+                        bool turn_out) {
   const Situation& situation = cycle.situation;
   const bool unknown_blocks = cycle.parameters.unknown_is_obstacle;
   const AdmissibilityCheck::Setup setup{situation.pose,
@@ -44,7 +45,8 @@ void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, bool steered
                                         longest_period(situation),
                                         turn_out,
                                         steered,
-                                        escape_.applies() ? &escape_ : nullptr};
+                                        escape_.applies() ? &escape_ : nullptr,
+                                        comfort};
   reach_ = reach_of(cycle, rollout, setup);
   collision_.prepare(cycle.grid, cycle.footprint, unknown_blocks, situation.pose, reach_.all, reach_.margin,
                      reach_.clearance);

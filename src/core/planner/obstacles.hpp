@@ -19,7 +19,7 @@ class Obstacles {
   /// slow, and of the usual window hardly any would be slow enough.
   VelocityLimits find_overlaps(const Cycle& cycle);
   /// Once per cycle, for the candidates that were rolled out. `turn_out`: see AdmissibilityCheck::Setup.
-  void prepare(const Cycle& cycle, const Rollout& rollout, bool steered, bool turn_out);
+  void prepare(const Cycle& cycle, const Rollout& rollout, const ComfortTurn& comfort, bool steered, bool turn_out);
 
   /// Sets the cell classes of a tile.
   void classify(Tile& tile) { classes_.classify(tile); }

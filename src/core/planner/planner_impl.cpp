@@ -72,14 +72,18 @@ Conclusion Planner::Impl::conclude(const Cycle& cycle) {
 Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Steering steering = find_steering(cycle);
   const bool autonomous = !steering.active && !cycle.situation.goal_latched;
-  const Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, mode(autonomous));
+  Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, mode(autonomous, comfort_of(cycle, steering)));
+  Choice choice = evaluated.scored ? choose(cycle, autonomous) : Choice{};
+  if (evaluated.gentle && evaluated.scored && gives_way(cycle, choice)) {
+    evaluated = evaluation.evaluate(cycle, steering, mode(autonomous, {}));
+    choice = choose(cycle, autonomous);
+  }
   decision.candidates = evaluation.candidates().count();
   decision.escaping = evaluation.obstacles().in_collision();
   if (!evaluated.scored) {
     evaluation.clear();
     return brake(cycle, Problem::off_map, "no pose of the plan lies on the local map");
   }
-  const Choice choice = choose(cycle, autonomous);
   explanation.note_choice(choice.candidate, choice.rule, steering);
   const Conclusion chosen = follow_choice(cycle, choice);
   explanation.judge_operator(cycle, chosen.sample, decision);
@@ -111,9 +115,24 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
 
 // On a way that recovery has found the way looks ahead: rollouts need not, so that close to things more is legal. Only
 // while braking is checked, or they would be all that keeps the robot from collisions.
-Evaluation::Mode Planner::Impl::mode(bool autonomous) const {
+Evaluation::Mode Planner::Impl::mode(bool autonomous, const ComfortTurn& comfort) const {
   const bool short_sighted = autonomous && recovery.follows() && parameters.admissibility == Admissibility::braking;
-  return {short_sighted ? std::min(kFollowingTime, parameters.sim_time) : parameters.sim_time, recovery.active()};
+  return {short_sighted ? std::min(kFollowingTime, parameters.sim_time) : parameters.sim_time, recovery.active(),
+          comfort};
+}
+
+// Autonomy turns gently; the operator and a recovery turn as fast as the limits allow.
+ComfortTurn Planner::Impl::comfort_of(const Cycle& cycle, const Steering& steering) const {
+  return !steering.active && !recovery.active() ? ComfortTurn::from(parameters, cycle.situation.goal_latched)
+                                                : ComfortTurn{};
+}
+
+// Gentleness gives way where nothing is left but to brake to rest: then all that the limits allow is tried. At the goal
+// rest is what it wants.
+bool Planner::Impl::gives_way(const Cycle& cycle, const Choice& choice) const {
+  if (choice.candidate < 0) return true;
+  return !cycle.situation.goal_latched &&
+         evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate)) == Twist2{};
 }
 
 Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous) {

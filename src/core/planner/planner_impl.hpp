@@ -52,7 +52,9 @@ struct Planner::Impl {
   Conclusion conclude(const Cycle& cycle);
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);
-  Evaluation::Mode mode(bool autonomous) const;
+  Evaluation::Mode mode(bool autonomous, const ComfortTurn& comfort) const;
+  ComfortTurn comfort_of(const Cycle& cycle, const Steering& steering) const;
+  bool gives_way(const Cycle& cycle, const Choice& choice) const;
   Choice choose(const Cycle& cycle, bool autonomous);
   int cheapest(const Cycle& cycle);
   Conclusion follow_choice(const Cycle& cycle, const Choice& choice);
