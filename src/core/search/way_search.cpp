@@ -11,6 +11,9 @@ namespace {
 // Poses that are remembered, and bins.
 constexpr std::size_t kMostNodes = std::size_t{1} << 18;
 
+// Memory is kept for so many stations of a way.
+constexpr std::size_t kUsualStations = 1024;
+
 // Clearances count up to so many cells.
 constexpr double kClearanceCells = 1.0;
 
@@ -235,6 +238,7 @@ double WaySearch::bound(const Node& node) {
 
 void WaySearch::write(Way& way) const {
   way.clear();
+  way.reserve(kUsualStations);
   if (state_ != State::found) return;
   double left = 0.0;
   for (std::size_t n = last_;;) {
