@@ -121,10 +121,11 @@ Evaluation::Mode Planner::Impl::mode(bool autonomous, const ComfortTurn& comfort
           comfort};
 }
 
-// Autonomy turns gently; the operator and a recovery turn as fast as the limits allow.
+// Autonomy turns gently, also along a way that it has found while it drove. The operator, and a robot that has stood,
+// turn as fast as the limits allow.
 ComfortTurn Planner::Impl::comfort_of(const Cycle& cycle, const Steering& steering) const {
-  return !steering.active && !recovery.active() ? ComfortTurn::from(parameters, cycle.situation.goal_latched)
-                                                : ComfortTurn{};
+  const bool gentle = !steering.active && (!recovery.active() || recovery.drives_on());
+  return gentle ? ComfortTurn::from(parameters, cycle.situation.goal_latched) : ComfortTurn{};
 }
 
 // Gentleness gives way where nothing is left but to brake to rest: then all that the limits allow is tried. At the goal

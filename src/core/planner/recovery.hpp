@@ -32,6 +32,8 @@ class Recovery {
   bool active() const { return motion_.active(); }
   /// It follows a way that it has found.
   bool follows() const { return motion_.follows(); }
+  /// It does, and has found it while it drove.
+  bool drives_on() const { return motion_.drives_on(); }
   /// The candidate that gets autonomy going; -1 where there is none, or no need of one. Without `autonomous` it ends.
   int choose(bool autonomous, const RecoveryMotion::Scene& scene);
 

@@ -61,6 +61,8 @@ class RecoveryMotion {
   bool active() const { return escape_.active() || holds_ || phase_ == Phase::follows; }
   /// It follows a way: candidates are rolled out no farther than that needs.
   bool follows() const { return phase_ == Phase::follows; }
+  /// It does, and has found it while it drove.
+  bool drives_on() const { return follows() && ahead_; }
   /// It is not known yet whether a way leads on.
   bool undecided() const { return phase_ == Phase::stops || (phase_ == Phase::searches && problem_.empty()); }
   /// Why no way leads on; empty where that is not known. Valid until the next call of another function.
@@ -71,7 +73,7 @@ class RecoveryMotion {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
-       self.way_, self.part_, self.least_, self.agrees_, self.tight_, self.looked_, self.problem_, self.hopeless_,
+       self.way_, self.part_, self.least_, self.agrees_, self.ahead_, self.tight_, self.looked_, self.problem_, self.hopeless_,
        self.hopeless_at_);
   }
 
@@ -112,7 +114,8 @@ class RecoveryMotion {
   std::uint32_t part_ = 0;  // of the way, that the robot is on
   double least_ = 0.0;      // remaining time on it so far [s]
   ConditionTimer agrees_;   // ordinary scoring would lead on as well, and nothing is near
-  bool tight_ = false;      // something is
+  bool ahead_ = false;      // the way was found while the robot drove
+  bool tight_ = false;      // something is near
   bool impatient_ = false;  // the patience is over
   double looked_ = 0.0;     // ahead, at last [s]
   std::string problem_;
