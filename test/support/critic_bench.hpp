@@ -72,7 +72,7 @@ class CriticBench {
     critic_->prepare(filler_.view());
   }
   CriticAnswer score(const Twist2& u, const std::vector<Pose2>& poses, double dt = 0.1,
-                const std::vector<double>& omegas = {}) {
+                     const std::vector<double>& omegas = {}) {
     HandTile hand(u, poses, dt, omegas);
     filler_.fill(hand.tile());
     CriticAnswer answer;

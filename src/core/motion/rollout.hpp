@@ -20,8 +20,8 @@ namespace hidwa_local_planner {
 class Rollout {
  public:
   /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start.
-  /// `comfort` binds the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s], or for that
-  /// of the parameters.
+  /// `comfort` binds the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s], or for
+  /// that of the parameters.
   void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
            const std::vector<Sample>& samples, const ComfortTurn& comfort, double sim_time);
   void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,

@@ -73,8 +73,8 @@ class RecoveryMotion {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
-       self.way_, self.part_, self.least_, self.agrees_, self.ahead_, self.tight_, self.looked_, self.problem_, self.hopeless_,
-       self.hopeless_at_);
+       self.way_, self.part_, self.least_, self.agrees_, self.ahead_, self.tight_, self.looked_, self.problem_,
+       self.hopeless_, self.hopeless_at_);
   }
 
  private:
