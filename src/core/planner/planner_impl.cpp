@@ -107,7 +107,7 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
   const double a = influence == Influence::shared ? parameters.authority : 1.0;
   const bool active = influence != Influence::none && a > 0.0;
   if (!active || a >= 1.0) return {active, u_h};
-  const bool scored = evaluation.evaluate(cycle, {false, u_h}, {parameters.sim_time, recovery.active()}).scored;
+  const bool scored = evaluation.evaluate(cycle, {false, u_h}, {parameters.sim_time, recovery.active(), {}}).scored;
   const int own = scored ? cheapest(cycle) : -1;
   const Twist2 u_nv = own >= 0 ? evaluation.candidates().sample(static_cast<std::size_t>(own)) : Twist2{};
   return {true, {u_nv.v + a * (u_h.v - u_nv.v), u_nv.omega + a * (u_h.omega - u_nv.omega)}};
