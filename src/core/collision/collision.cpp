@@ -226,9 +226,8 @@ CollisionChecker::Placed CollisionChecker::place(const Pose2& pose, const Rotati
   corners_.resize(outline.outline().size());
   for (std::size_t k = 0; k < corners_.size(); ++k) {
     const Point& p = outline.outline()[k];
-    const double x = pose.x + heading.c * p.x() - heading.s * p.y();
-    const double y = pose.y + heading.s * p.x() + heading.c * p.y();
-    corners_[k] = {x, y};
+    corners_[k] = heading.placed(pose.x, pose.y, p.x(), p.y());
+    const double x = corners_[k].x(), y = corners_[k].y();
     placed.lo_x = std::min(placed.lo_x, x);
     placed.hi_x = std::max(placed.hi_x, x);
     placed.lo_y = std::min(placed.lo_y, y);

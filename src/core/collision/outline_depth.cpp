@@ -73,7 +73,7 @@ void OutlineDepth::drop_untouched(const Pose2& pose, const Rotation& heading, co
   corners_.resize(footprint_->outline().size());
   for (std::size_t k = 0; k < corners_.size(); ++k) {
     const Point& p = footprint_->outline()[k];
-    corners_[k] = {pose.x + heading.c * p.x() - heading.s * p.y(), pose.y + heading.s * p.x() + heading.c * p.y()};
+    corners_[k] = heading.placed(pose.x, pose.y, p.x(), p.y());
   }
   for (std::size_t k = 0; k < count; ++k) {
     if (depth[k] > 0.0 && !overlaps_square(corners_, x[k] - half_, y[k] - half_, 2.0 * half_)) depth[k] = -half_;

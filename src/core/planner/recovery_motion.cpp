@@ -198,10 +198,7 @@ bool RecoveryMotion::late(double now) const {
 
 void RecoveryMotion::follow_way(double now) {
   ahead_ = phase_ == Phase::looks_ahead && !stands_.holds();
-  Way way;
-  std::swap(way, way_);
   enter(Phase::follows, now);
-  std::swap(way, way_);
 }
 
 void RecoveryMotion::fail(double now, const char* how) {

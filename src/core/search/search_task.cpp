@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hidwa_local_planner/core/util/archive.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -73,12 +75,11 @@ void find_target(const std::vector<Pose2>& plan, SearchTask& task) {
 
 }  // namespace
 
-bool SearchTask::operator==(const SearchTask& o) const {
-  return costs == o.costs && size_x == o.size_x && size_y == o.size_y && resolution == o.resolution &&
-         origin_x == o.origin_x && origin_y == o.origin_y && unknown_is_obstacle == o.unknown_is_obstacle &&
-         start.x == o.start.x && start.y == o.start.y && start.theta == o.start.theta && outline == o.outline &&
-         radius == o.radius && forward == o.forward && backward == o.backward && turning == o.turning &&
-         target == o.target && near_target == o.near_target;
+bool SearchTask::operator==(const SearchTask& other) const {
+  Bytes mine, its;
+  ArchiveWriter{mine}(*this);
+  ArchiveWriter{its}(other);
+  return mine == its;
 }
 
 bool SearchTask::plausible() const {

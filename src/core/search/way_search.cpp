@@ -37,12 +37,12 @@ constexpr double kGreed = 1.2;
 // All around the robot so far away nothing is near: poses are coarse there [cells].
 constexpr double kOpenCells = 3.0;
 
+// From 0 to the last of a whole turn.
+int whole(int heading) { return (heading + kHeadings) % kHeadings; }
+
 }  // namespace
 
-Rotation WaySearch::rotation(int heading) const {
-  const int k = heading % kHeadings;
-  return rotations_[static_cast<std::size_t>(k < 0 ? k + kHeadings : k)];
-}
+Rotation WaySearch::rotation(int heading) const { return rotations_[static_cast<std::size_t>(whole(heading))]; }
 
 double WaySearch::heading_of(int heading) const { return wrap_angle(task_.start.theta + heading * kHeadingStep); }
 
@@ -139,9 +139,10 @@ void WaySearch::try_move(std::uint32_t from, const Move& move) {
   const Node start = nodes_[from];
   const Rotation r = rotation(start.heading);
   Node end = start;
-  end.x = start.x + r.c * move.x - r.s * move.y;
-  end.y = start.y + r.s * move.x + r.c * move.y;
-  end.heading = static_cast<std::int16_t>((start.heading + move.turn + kHeadings) % kHeadings);
+  const Point place = r.placed(start.x, start.y, move.x, move.y);
+  end.x = place.x();
+  end.y = place.y();
+  end.heading = static_cast<std::int16_t>(whole(start.heading + move.turn));
   end.parent = static_cast<std::int32_t>(from);
   end.move = static_cast<std::uint8_t>(move.kind);
   end.left = false;
@@ -183,8 +184,8 @@ WaySearch::Clearance WaySearch::clearance_along(const Node& from, const Move& mo
     const double share = std::min(gone, 1.0);
     const Pose2 part = part_of(move, share);
     const Rotation turned = share >= 1.0 ? rotation(from.heading + move.turn) : r.turned(Rotation::of(part.theta));
-    found.at_end =
-        clearance_at({from.x + r.c * part.x - r.s * part.y, from.y + r.s * part.x + r.c * part.y, 0.0}, turned);
+    const Point place = r.placed(from.x, from.y, part.x, part.y);
+    found.at_end = clearance_at({place.x(), place.y(), 0.0}, turned);
     if (found.at_end < needed || found.at_end <= 0.0) return {};
     found.least = std::min(found.least, found.at_end);
     if (share >= 1.0) return found;
@@ -208,7 +209,7 @@ std::uint64_t WaySearch::bin_of(const Node& node) const {
   const MoveSet& set = moves_.of(fine);
   const auto i = static_cast<std::uint64_t>((node.x - task_.origin_x) / set.bin);
   const auto j = static_cast<std::uint64_t>((node.y - task_.origin_y) / set.bin);
-  const auto k = static_cast<std::uint64_t>(((node.heading % kHeadings + kHeadings) % kHeadings) / set.heading_bin);
+  const auto k = static_cast<std::uint64_t>(node.heading / set.heading_bin);
   return (((static_cast<std::uint64_t>(fine) << 20 | i) << 20 | j) << 9) | k;
 }
 
@@ -268,9 +269,7 @@ WaySearch::End WaySearch::end() {
   const Rotation r = rotation(node.heading);
   end.pose = {node.x, node.y, heading_of(node.heading)};
   placed_.clear();
-  for (const Point& p : footprint_.outline()) {
-    placed_.emplace_back(node.x + r.c * p.x() - r.s * p.y(), node.y + r.s * p.x() + r.c * p.y());
-  }
+  for (const Point& p : footprint_.outline()) placed_.push_back(r.placed(node.x, node.y, p.x(), p.y()));
   end.gap = std::numeric_limits<double>::infinity();
   for (int j = 0; j < task_.size_y; ++j) {
     for (int i = 0; i < task_.size_x; ++i) {

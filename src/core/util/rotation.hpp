@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "hidwa_local_planner/core/types.hpp"
+
 namespace hidwa_local_planner {
 
 /// A direction, or a turn from one to another.
@@ -18,6 +20,10 @@ struct Rotation {
             angle * (1.0 - a2 * (1.0 / 6.0) * (1.0 - a2 * (1.0 / 20.0) * (1.0 - a2 * (1.0 / 42.0))))};
   }
   Rotation turned(const Rotation& by) const { return {c * by.c - s * by.s, s * by.c + c * by.s}; }
+  /// Where a point of the robot's frame is when the robot stands at (x, y) in this direction [m].
+  Point placed(double x, double y, double ahead, double left) const {
+    return {x + c * ahead - s * left, y + s * ahead + c * left};
+  }
 };
 
 }  // namespace hidwa_local_planner
