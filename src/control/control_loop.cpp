@@ -142,6 +142,7 @@ void ControlLoop::take_situation(const Observation& observation) {
   situation_.pose_age = observation.pose_age;
   situation_.resumed = std::exchange(resumed_, false);
   situation_.time = observation.timing.now;
+  situation_.moving_obstacles = observation.moving_obstacles;
   take_plan_window(observation);
   check_goal(observation, situation_.goal);
   situation_.goal_latched = goal_checker_.latched();

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// Something that moves, as it was estimated `age` ago: a disc with a velocity.
+struct MovingObstacle {
+  std::uint32_t id = 0;             // of the track
+  Point position{0.0, 0.0};         // of its centre, costmap frame [m]
+  Point velocity{0.0, 0.0};         // relative to the ground, costmap frame [m/s]
+  double radius = 0.0;              // of a disc that holds all of it [m]
+  double position_deviation = 0.0;  // standard deviation along any axis [m]
+  double velocity_deviation = 0.0;  // standard deviation along any axis [m/s]
+  double age = 0.0;                 // of the estimate at the cycle's start [s]
+  // Where a sensor sees it, and saw free space before, costmap frame [m]. These places leave the planner's copy of the
+  // costmap: the disc counts already.
+  std::vector<Point> points;
+};
+
+using MovingObstacles = std::vector<MovingObstacle>;
+
+}  // namespace hidwa_local_planner
