@@ -39,7 +39,13 @@ void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, do
   const Pose2 goal = plan.back();
   const bool is_new = !has_goal_ || frame != frame_ || !same_goal(goal, goal_);
   situation_.plan.reserve(plan.size());  // what no window of it outgrows
-  plan_.set_plan(std::move(plan));
+  if (is_new || paused || plan_.empty()) {
+    plan_choice_.clear();
+    plan_.set_plan(std::move(plan));
+  } else {
+    plan_.reserve(plan.size());
+    plan_choice_.offer(std::move(plan));
+  }
   frame_ = frame;
   // The goal that the latches belong to stays the reference: a sum of tiny changes is a change.
   if (is_new) goal_ = goal;
@@ -49,6 +55,7 @@ void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, do
 
 void ControlLoop::drop_plan(double now, double period) {
   plan_.set_plan({});
+  plan_choice_.clear();
   if (goal_checker_.plan_arrives(now, period)) begin_goal();
 }
 
@@ -126,10 +133,18 @@ void ControlLoop::brake(const Observation& observation, const OperatorIntent& in
 void ControlLoop::decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling,
                          Result& result) {
   fault_brake_.clear();
+  if (plan_choice_.offers()) choose_plan(observation, intent);
   take_situation(observation);
   result.decision = &planner_.plan(situation_, observation.costmap, intent, sampling);
   result.outcome = result.decision->outcome;
   if (result.outcome != Outcome::fail) result.command = result.decision->command;
+}
+
+void ControlLoop::choose_plan(const Observation& observation, const OperatorIntent& intent) {
+  const bool autonomous = intent.influence == Influence::none && intent.state == OperatorStateId::autonomy;
+  const PlanChoice::Scene scene{observation.pose, observation.from_plan,  observation.costmap,
+                                plan_.plan(),     observation.timing.now, autonomous};
+  if (plan_choice_.prefers_offer(scene, parameters())) plan_.set_plan(plan_choice_.take());
 }
 
 void ControlLoop::take_situation(const Observation& observation) {
@@ -165,6 +180,7 @@ void ControlLoop::remember(const Observation& observation, const Result& result)
   feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_rejected_by.empty();
   feedback.goal_latched = goal_checker_.latched();
   stands_ = feedback.stands;
+  if (result.outcome == Outcome::fail) plan_choice_.give_way();
   person_.debrief(observation.timing.now, feedback);
 }
 

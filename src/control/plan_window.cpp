@@ -60,4 +60,8 @@ PlanWindow::Range PlanWindow::around(const Pose2& robot, double behind, double a
   return range;
 }
 
+std::size_t PlanWindow::next_pose() const {
+  return static_cast<std::size_t>(std::lower_bound(arc_.begin(), arc_.end(), progress_ - 1e-9) - arc_.begin());
+}
+
 }  // namespace hidwa_local_planner

@@ -168,9 +168,16 @@ class Run {
     const auto begin = std::chrono::steady_clock::now();
     const control::Result result = loop_.step(observation, setup_.sampling);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-    const Cycle seen{world_.time(), loop_.situation(), observation.costmap,
-                     result.intent, *result.decision,  loop_.planner(),
-                     world_};
+    const Cycle seen{world_.time(),
+                     loop_.situation(),
+                     observation.costmap,
+                     result.intent,
+                     *result.decision,
+                     loop_.planner(),
+                     world_,
+                     loop_,
+                     observation,
+                     result};
     recorder_.add(seen, result.command, control_due_.period(), spent.count());
     if (observer_) observer_(seen);
     world_.command({result.command.v, result.command.omega});

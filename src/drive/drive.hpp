@@ -5,6 +5,7 @@
 
 #include "drive/result.hpp"
 #include "drive/setup.hpp"
+#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
@@ -23,6 +24,9 @@ struct Cycle {
   const Decision& decision;
   const Planner& planner;  // for its candidates()
   const sim::World& world;
+  const control::ControlLoop& loop;
+  const control::Observation& observation;
+  const control::Result& result;
 };
 using Observer = std::function<void(const Cycle&)>;
 

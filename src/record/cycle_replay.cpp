@@ -74,9 +74,7 @@ CycleReplay::Reading CycleReplay::take(const Bytes& bytes) {
 
 // Goes from the record before to this one.
 std::string CycleReplay::follow() {
-  const control::Timing& timing = record_.observation.timing;
-  if (record_.plan && record_.plan->empty()) loop_.drop_plan(timing.now, timing.period);
-  if (record_.plan && !record_.plan->empty()) loop_.set_plan(*record_.plan, "", timing.now, timing.period);
+  if (record_.plan) plan_ = *record_.plan;
   if (record_.costmap && !grids_.advance_by(*record_.costmap)) return "the costmap in the record is damaged";
   if (!load()) return "the state before the cycle cannot be read: replay it with release " + setup_.version;
   return "";
@@ -88,6 +86,7 @@ bool CycleReplay::load() {
   ArchiveReader state(record_.operator_state);
   operator_.machine().load(state);
   if (!changes_.empty()) operator_.configure(changed_);
+  loop_.restore_plan(plan_);
   return loop_.load(record_.loop_state) && state.complete();
 }
 

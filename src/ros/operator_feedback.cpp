@@ -28,7 +28,7 @@ OperatorFeedback::OperatorFeedback(ros::NodeHandle planner, ros::NodeHandle host
 }
 
 void OperatorFeedback::publish(const ros::Time& stamp, const Parameters& parameters, const CycleResult& result,
-                               const OperatorIntent& intent, const OperatorInput::Status& status) {
+                               const control::Prediction& prediction, const OperatorInput::Status& status) {
   if (parameters.rumble_topic != rumble_topic_) {
     if (rumbling_ != 0.0F) send_rumble(0.0F);  // nobody else ends it there
     rumble_topic_ = parameters.rumble_topic;
@@ -36,7 +36,8 @@ void OperatorFeedback::publish(const ros::Time& stamp, const Parameters& paramet
         rumble_topic_.empty() ? ros::Publisher() : host_.advertise<sensor_msgs::JoyFeedbackArray>(rumble_topic_, 1);
     rumbling_ = 0.0F;
   }
-  fill(stamp, result, intent, status);
+  fill(stamp, result, status);
+  fill_next(prediction);
   if (state_.getNumSubscribers() > 0) state_.publish(message_);
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_operator_markers(message_, base_frame_));
   if (!rumble_topic_.empty()) rumble();
@@ -50,8 +51,8 @@ void OperatorFeedback::show_mode(OperatorMode mode) {
   mode_.publish(message);
 }
 
-void OperatorFeedback::fill(const ros::Time& stamp, const CycleResult& result, const OperatorIntent& intent,
-                            const OperatorInput::Status& status) {
+void OperatorFeedback::fill(const ros::Time& stamp, const CycleResult& result, const OperatorInput::Status& status) {
+  const OperatorIntent& intent = result.intent;
   OperatorState& message = message_;
   message.header.stamp = stamp;
   message.header.frame_id = frame_;
@@ -73,6 +74,12 @@ void OperatorFeedback::fill(const ros::Time& stamp, const CycleResult& result, c
   }
   message.input_age = status.age;
   message.dropped = status.dropped;
+}
+
+void OperatorFeedback::fill_next(const control::Prediction& prediction) {
+  message_.next = static_cast<std::uint8_t>(prediction.next());
+  message_.next_name = control::to_string(prediction.next());
+  message_.next_reason = prediction.reason();
 }
 
 // Sent while it rumbles, since motors stop by themselves, and once when it ends.

@@ -13,6 +13,7 @@ namespace hidwa_local_planner {
 Publishing::Publishing(ros::NodeHandle handle, std::string frame) : frame_(std::move(frame)) {
   global_plan_ = handle.advertise<nav_msgs::Path>("global_plan", 1);
   local_plan_ = handle.advertise<nav_msgs::Path>("local_plan", 1);
+  predicted_path_ = handle.advertise<nav_msgs::Path>("predicted_path", 1);
   cycle_ = handle.advertise<Cycle>("cycle", 50);
   evaluation_ = handle.advertise<Evaluation>("evaluation", 1);
   trajectories_ = handle.advertise<visualization_msgs::MarkerArray>("trajectories", 1);
@@ -72,6 +73,20 @@ void Publishing::publish_path(const ros::Publisher& publisher, const ros::Time& 
     path.poses[i].pose = to_message(poses[i]);
   }
   publisher.publish(path);
+}
+
+void Publishing::publish_prediction(const ros::Time& stamp, const std::vector<control::TimedPose>& poses) {
+  if (predicted_path_.getNumSubscribers() == 0) return;
+  nav_msgs::Path path;
+  path.header.stamp = stamp;
+  path.header.frame_id = frame_;
+  path.poses.resize(poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    path.poses[i].header.frame_id = frame_;
+    path.poses[i].header.stamp = stamp + ros::Duration(poses[i].time);
+    path.poses[i].pose = to_message(poses[i].pose);
+  }
+  predicted_path_.publish(path);
 }
 
 void Publishing::publish_evaluation(const ros::Time& stamp, const Planner& planner) {

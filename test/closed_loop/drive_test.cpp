@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <string>
 
 #include <gtest/gtest.h>
 
 #include "drive/drive.hpp"
-#include "drive/outline.hpp"
+#include "office.hpp"
 #include "sim/avoiding_operator.hpp"
 #include "sim/scripted_operator.hpp"
 
@@ -18,22 +17,6 @@ namespace {
 using drive::DriveResult;
 using drive::DriveSample;
 using drive::DriveSetup;
-
-DriveSetup office() {
-  const std::string folder = HIDWA_MAPS;
-  DriveSetup setup;
-  setup.ground =
-      std::make_shared<drive::Ground>(std::make_shared<sim::OccupancyMap>(sim::load_map(folder + "/office.yaml")));
-  const sim::RegionsFile regions = sim::load_regions(folder + "/office_regions.yaml");
-  setup.regions = regions.regions;
-  setup.start = *regions.start;
-  setup.goal = *regions.goal;
-  setup.footprint = drive::telepresence_footprint();
-  setup.outline = drive::circle_outline(0.30, 0.01);
-  setup.limits.latency = 0.05;
-  setup.laser.noise = 0.01;
-  return setup;
-}
 
 // Every step of the commands within the acceleration limits, except where a failure hands the stop to the host.
 void expect_feasible(const DriveResult& result, const Parameters& p) {

@@ -19,6 +19,7 @@
 #include "hidwa_local_planner/control/frame_transform.hpp"
 #include "hidwa_local_planner/control/goal_checker.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
+#include "hidwa_local_planner/control/plan_choice.hpp"
 #include "hidwa_local_planner/control/plan_window.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"
@@ -80,12 +81,15 @@ class ControlLoop {
   void set_footprint(const Polygon& outline) { planner_.set_footprint(outline); }
 
   /// A plan in `frame`, not empty; its last pose is the goal. A new goal, or a plan after a pause, begins afresh: `now`
-  /// and the control period [s].
+  /// and the control period [s]. Another plan to the same goal may have to wait (PlanChoice).
   void set_plan(std::vector<Pose2> plan, const std::string& frame, double now, double period);
+  /// The plan that was followed before a recorded cycle; call load() after it. Nothing else changes.
+  void restore_plan(const std::vector<Pose2>& plan) { plan_.set_plan(plan); }
   /// There is no plan to follow.
   void drop_plan(double now, double period);
   bool has_plan() const { return !plan_.empty(); }
-  const std::vector<Pose2>& plan() const { return plan_.plan(); }  // whole, in its frame
+  const std::vector<Pose2>& plan() const { return plan_.plan(); }   // the one that is followed, whole, in its frame
+  std::size_t next_plan_pose() const { return plan_.next_pose(); }  // the first one from the robot on
   const std::string& plan_frame() const { return frame_; }
   const Pose2& goal() const { return goal_; }  // in the plan's frame
 
@@ -96,9 +100,9 @@ class ControlLoop {
   /// The goal is over, and the host stops the robot: whatever plan comes next has a new goal.
   void finish_goal();
 
-  /// What the loop and its planner remember from cycle to cycle. Call load() after set_plan() with the plan of that
-  /// cycle. It does not change the operator. It returns false for bytes that save() did not write; load the loop again
-  /// then.
+  /// What the loop and its planner remember from cycle to cycle. Call load() after restore_plan() with the plan of
+  /// that cycle. It does not change the operator. It returns false for bytes that save() did not write; load the loop
+  /// again then.
   void save(Bytes& state) const;
   bool load(const Bytes& state);
 
@@ -114,12 +118,14 @@ class ControlLoop {
  private:
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.goal_checker_, self.fault_brake_, self.plan_, self.goal_, self.last_command_, self.resumed_);
+    io(self.goal_checker_, self.fault_brake_, self.plan_, self.plan_choice_, self.goal_, self.last_command_,
+       self.resumed_);
   }
   void begin_goal();
   bool check_goal(const Observation& observation, const Pose2& goal);
   void brake(const Observation& observation, const OperatorIntent& intent, Result& result);
   void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Result& result);
+  void choose_plan(const Observation& observation, const OperatorIntent& intent);
   void take_situation(const Observation& observation);
   void take_plan_window(const Observation& observation);
   void remember(const Observation& observation, const Result& result);
@@ -128,9 +134,10 @@ class ControlLoop {
   Planner planner_;
   GoalChecker goal_checker_;
   FaultBrake fault_brake_;
-  PlanWindow plan_;    // in its own frame
-  std::string frame_;  // the plan's
-  Pose2 goal_;         // in the plan's frame
+  PlanWindow plan_;         // the one that is followed, in its own frame
+  PlanChoice plan_choice_;  // a plan that waits, in the same frame
+  std::string frame_;       // the plan's
+  Pose2 goal_;              // in the plan's frame
   bool has_goal_ = false;
   Situation situation_;  // kept for its memory
   Twist2 last_command_;  // [m/s, rad/s]

@@ -14,6 +14,8 @@ class PlanWindow {
  public:
   /// A new or replaced plan, any frame; progress starts anew at the plan's pose nearest to the robot's first query.
   void set_plan(std::vector<Pose2> plan);
+  /// set_plan() with so many poses, or fewer, then takes no memory of its own.
+  void reserve(std::size_t poses) { arc_.reserve(poses); }
   bool empty() const { return plan_.empty(); }
   const std::vector<Pose2>& plan() const { return plan_; }
 
@@ -25,6 +27,8 @@ class PlanWindow {
   Range around(const Pose2& robot, double behind, double ahead);
   /// Arc length from the plan's start to the progress [m].
   double progress() const { return progress_; }
+  /// The first pose from the progress on.
+  std::size_t next_pose() const;
   /// The progress alone; the plan is the same before and after.
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {

@@ -68,6 +68,7 @@ class CycleReplay {
   std::vector<ParameterChange> changes_;
   control::LoneOperator operator_;
   control::ControlLoop loop_;
+  std::vector<Pose2> plan_;  // that was followed before the cycle, in its own frame
   GridChain grids_;
   Setup setup_;
   Parameters recorded_, changed_;

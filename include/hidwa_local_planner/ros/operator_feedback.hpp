@@ -9,7 +9,7 @@
 #include <std_msgs/String.h>
 
 #include "hidwa_local_planner/OperatorState.h"
-#include "hidwa_local_planner/core/operator_intent.hpp"
+#include "hidwa_local_planner/control/prediction.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/ros/cycle_result.hpp"
 #include "hidwa_local_planner/ros/operator_input.hpp"
@@ -27,14 +27,14 @@ class OperatorFeedback {
 
   /// Once a cycle, from the control thread.
   void publish(const ros::Time& stamp, const Parameters& parameters, const CycleResult& result,
-               const OperatorIntent& intent, const OperatorInput::Status& status);
+               const control::Prediction& prediction, const OperatorInput::Status& status);
   /// The mode in force, from whatever thread changes it (one at a time), also while no cycles run; published
   /// where it changed.
   void show_mode(OperatorMode mode);
 
  private:
-  void fill(const ros::Time& stamp, const CycleResult& result, const OperatorIntent& intent,
-            const OperatorInput::Status& status);
+  void fill(const ros::Time& stamp, const CycleResult& result, const OperatorInput::Status& status);
+  void fill_next(const control::Prediction& prediction);
   void rumble();
   void send_rumble(float intensity);
 

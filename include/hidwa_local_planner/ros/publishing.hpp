@@ -10,6 +10,7 @@
 #include <ros/publisher.h>
 
 #include "hidwa_local_planner/Cycle.h"
+#include "hidwa_local_planner/control/prediction.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"
@@ -33,13 +34,15 @@ class Publishing {
   void publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state, double duration,
                      const Bytes& record);
   void publish_paths(const ros::Time& stamp, const std::vector<Pose2>& window, const std::vector<Pose2>& trajectory);
+  /// Each pose's stamp is when the robot is predicted to be there.
+  void publish_prediction(const ros::Time& stamp, const std::vector<control::TimedPose>& poses);
   void publish_evaluation(const ros::Time& stamp, const Planner& planner);
 
  private:
   void publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose2>& poses);
 
   std::string frame_;
-  ros::Publisher global_plan_, local_plan_, cycle_, evaluation_, trajectories_;
+  ros::Publisher global_plan_, local_plan_, predicted_path_, cycle_, evaluation_, trajectories_;
   // Kept from cycle to cycle for their memory.
   Cycle cycle_message_;
   std::uint32_t cycle_subscribers_ = 0;  // as of the last look

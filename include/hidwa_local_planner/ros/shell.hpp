@@ -123,8 +123,9 @@ class Shell {
   OdometryInput odometry_;
   OperatorInput person_;
   control::ControlLoop loop_;
-  std::string odom_topic_;  // listened to
-  Parameters accepted_;     // the last valid set, in force or about to be
+  std::string odom_topic_;          // listened to
+  Parameters accepted_;             // the last valid set, in force or about to be
+  control::Prediction prediction_;  // of the last cycle
   Publishing publishing_;
   OperatorFeedback feedback_;
   std::unique_ptr<Reconfigure> reconfigure_;

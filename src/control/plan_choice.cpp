@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/control/plan_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "enclosed_obstacle.hpp"
+
+namespace hidwa_local_planner::control {
+namespace {
+
+// navfn's: a cell costs 50 and 0.8 of its cost.
+constexpr double kCostPerMetre = 0.8 / 50.0;
+
+bool on_map(const GridView& grid, const Point& p) { return grid.contains(grid.cell_at(p.x(), p.y())); }
+
+std::uint8_t cost_at(const GridView& grid, const Point& p) {
+  const Cell cell = grid.cell_at(p.x(), p.y());
+  return grid.contains(cell) ? grid.at(cell) : cost::kFree;
+}
+
+// From the robot to the end of a plan, from its pose that is nearest to the robot.
+void lay_out(const std::vector<Pose2>& plan, const FrameTransform& from_plan, const Pose2& robot,
+             std::vector<Point>& way) {
+  way.clear();
+  way.emplace_back(robot.x, robot.y);
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < plan.size(); ++k) {
+    const Pose2 pose = from_plan.apply(plan[k]);
+    way.emplace_back(pose.x, pose.y);
+    const double away = distance(pose, robot);
+    if (away >= least) continue;
+    least = away;
+    nearest = k;
+  }
+  way.erase(way.begin() + 1, way.begin() + 1 + static_cast<std::ptrdiff_t>(nearest));
+}
+
+// The first points, those before the way leaves the map.
+std::size_t points_on_map(const std::vector<Point>& way, const GridView& grid) {
+  std::size_t count = 0;
+  while (count < way.size() && on_map(grid, way[count])) ++count;
+  return count;
+}
+
+bool collides(const GridView& grid, const Point& p) {
+  const std::uint8_t c = cost_at(grid, p);
+  return c == cost::kLethal || c == cost::kInscribed;
+}
+
+// What is between two points is looked at in steps of half a cell at most.
+bool crosses_obstacle(const std::vector<Point>& way, std::size_t count, const GridView& grid) {
+  for (std::size_t k = 1; k < count; ++k) {
+    const Point along = way[k] - way[k - 1];
+    const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / (0.5 * grid.resolution))));
+    for (int s = 1; s <= steps; ++s) {
+      if (collides(grid, way[k - 1] + along * (static_cast<double>(s) / steps))) return true;
+    }
+  }
+  return false;
+}
+
+double cost_of(const std::vector<Point>& way, const GridView& grid) {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    const std::uint8_t c = cost_at(grid, way[k]);
+    const double weight = c == cost::kUnknown ? 1.0 : 1.0 + kCostPerMetre * c;
+    sum += weight * (way[k] - way[k - 1]).norm();
+  }
+  return sum;
+}
+
+}  // namespace
+
+void PlanChoice::clear() {
+  offered_.clear();
+  waits_.reset();
+  gives_way_ = false;
+}
+
+std::vector<Pose2> PlanChoice::take() {
+  std::vector<Pose2> plan = std::move(offered_);
+  clear();
+  return plan;
+}
+
+bool PlanChoice::prefers_offer(const Scene& scene, const Parameters& parameters) {
+  if (!scene.autonomous || gives_way_ || !(parameters.plan_hysteresis > 0.0)) return true;
+  const GridView& grid = scene.costmap;
+  lay_out(scene.followed, scene.from_plan, scene.robot, old_way_);
+  lay_out(offered_, scene.from_plan, scene.robot, new_way_);
+  const std::size_t old_points = points_on_map(old_way_, grid);
+  const std::size_t new_points = points_on_map(new_way_, grid);
+  outline_.assign(old_way_.begin(), old_way_.begin() + static_cast<std::ptrdiff_t>(old_points));
+  outline_.insert(outline_.end(),
+                  std::make_reverse_iterator(new_way_.begin() + static_cast<std::ptrdiff_t>(new_points)),
+                  new_way_.rend());
+  const bool waits = encloses_obstacle(outline_, grid) && !crosses_obstacle(old_way_, old_points, grid) &&
+                     !(cost_of(new_way_, grid) < (1.0 - parameters.plan_hysteresis) * cost_of(old_way_, grid));
+  waits_.observe(scene.now, waits);
+  return !waits || waits_.for_at_least(parameters.plan_hysteresis_time, scene.now);
+}
+
+}  // namespace hidwa_local_planner::control

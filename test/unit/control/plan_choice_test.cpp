@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/control/plan_choice.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "control/enclosed_obstacle.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
+#include "support/random.hpp"
+
+namespace hidwa_local_planner::control {
+namespace {
+
+// 8 m x 8 m around the origin, in cells of 0.1 m.
+struct Map {
+  std::vector<std::uint8_t> costs = std::vector<std::uint8_t>(80 * 80, cost::kFree);
+  GridView grid{costs.data(), 80, 80, 0.1, -4.0, -4.0};
+  void set(double x, double y, std::uint8_t cost) { costs[grid.index(grid.cell_at(x, y))] = cost; }
+  void pillar(double x, double y) {
+    for (int i = -2; i <= 2; ++i) {
+      for (int j = -2; j <= 2; ++j) set(x + 0.1 * i, y + 0.1 * j, cost::kLethal);
+    }
+  }
+};
+
+// From (0, 0) by way of (1.5, y) to (3, 0), a pose every 2 cm or so.
+std::vector<Pose2> round(double y) {
+  std::vector<Pose2> plan;
+  for (int k = 0; k <= 150; ++k) {
+    const double x = 0.02 * k;
+    plan.push_back({x, y * (1.0 - std::abs(x - 1.5) / 1.5), 0.0});
+  }
+  return plan;
+}
+
+class PlanChoiceTest : public testing::Test {
+ protected:
+  PlanChoiceTest() { map_.pillar(1.5, 0.0); }
+  bool prefers(const std::vector<Pose2>& followed, double now, bool autonomous = true) {
+    return choice_.prefers_offer({{0.0, 0.0, 0.0}, {}, map_.grid, followed, now, autonomous}, parameters_);
+  }
+  Map map_;
+  PlanChoice choice_;
+  Parameters parameters_;
+};
+
+TEST_F(PlanChoiceTest, APlanRoundTheOtherSideWaitsForItsTime) {
+  const std::vector<Pose2> left = round(0.8), right = round(-0.8);
+  choice_.offer(right);
+  EXPECT_FALSE(prefers(left, 10.0));
+  EXPECT_FALSE(prefers(left, 10.0 + 0.99 * parameters_.plan_hysteresis_time));
+  choice_.offer(right);  // as a host that plans every second does
+  EXPECT_TRUE(prefers(left, 10.0 + parameters_.plan_hysteresis_time));
+  EXPECT_EQ(choice_.take().size(), right.size());
+  EXPECT_FALSE(choice_.offers());
+}
+
+TEST_F(PlanChoiceTest, APlanOnTheSameSideIsFollowedAtOnceAndEndsTheWaiting) {
+  const std::vector<Pose2> left = round(0.8);
+  choice_.offer(round(-0.8));
+  EXPECT_FALSE(prefers(left, 10.0));
+  choice_.offer(round(0.7));
+  EXPECT_TRUE(prefers(left, 11.0));
+  choice_.take();
+  choice_.offer(round(-0.8));
+  EXPECT_FALSE(prefers(left, 12.0));
+  EXPECT_FALSE(prefers(left, 12.0 + 0.99 * parameters_.plan_hysteresis_time));  // counted from 12 s on
+}
+
+TEST_F(PlanChoiceTest, WhatIsClearlyCheaperIsFollowedAtOnce) {
+  // By (1.5, 2): 2 hypot(1.5, 2) = 5 m. By (1.5, -y): 2 hypot(1.5, y) < 0.8 x 5 m from y < 1.323 on.
+  const std::vector<Pose2> followed = round(2.0);
+  choice_.offer(round(-1.34));
+  EXPECT_FALSE(prefers(followed, 10.0));
+  choice_.offer(round(-1.30));
+  EXPECT_TRUE(prefers(followed, 10.1));
+}
+
+TEST_F(PlanChoiceTest, CostsOfCellsCount) {
+  // Half of the way to the left leads through cells of cost 125: each metre there counts 1 + 0.8 x 125 / 50 = 3.
+  for (int i = 0; i < 15; ++i) {
+    for (int j = 1; j < 12; ++j) map_.set(0.05 + 0.1 * i, 0.05 + 0.1 * j, 125);
+  }
+  const std::vector<Pose2> left = round(0.8);
+  choice_.offer(round(-0.8));  // the same length, without costs: 3.4 m against 1.7 x 3 + 1.7 = 6.8 m
+  EXPECT_TRUE(prefers(left, 10.0));
+}
+
+TEST_F(PlanChoiceTest, NothingWaitsWhereTheOldPlanIsBlocked) {
+  const std::vector<Pose2> left = round(0.8);
+  choice_.offer(round(-0.8));
+  EXPECT_FALSE(prefers(left, 10.0));
+  map_.set(1.55, 0.75, cost::kInscribed);  // on the left way: a robot there touches something
+  EXPECT_TRUE(prefers(left, 10.05));
+}
+
+TEST_F(PlanChoiceTest, UnknownCellsBlockNothing) {
+  const std::vector<Pose2> left = round(0.8);
+  map_.set(1.55, 0.75, cost::kUnknown);
+  choice_.offer(round(-0.8));
+  EXPECT_FALSE(prefers(left, 10.0));
+}
+
+TEST_F(PlanChoiceTest, NothingWaitsForTheOperatorAfterAFailureOrWhereItIsOff) {
+  const std::vector<Pose2> left = round(0.8);
+  choice_.offer(round(-0.8));
+  EXPECT_TRUE(prefers(left, 10.0, false));
+  EXPECT_FALSE(prefers(left, 10.0));
+  choice_.give_way();
+  EXPECT_TRUE(prefers(left, 10.0));
+  choice_.take();
+  parameters_.plan_hysteresis = 0.0;
+  choice_.offer(round(-0.8));
+  EXPECT_TRUE(prefers(left, 10.0));
+}
+
+TEST_F(PlanChoiceTest, TheFrameOfThePlansMayBeAnother) {
+  // The plans' frame lies at (1, 2) in the costmap's and is turned by a right angle: (x, y) there is (1 - y, 2 + x)
+  // here.
+  const FrameTransform from_plan{{1.0, 2.0, 0.5 * M_PI}};
+  const auto in_plan_frame = [&](std::vector<Pose2> plan) {
+    for (Pose2& pose : plan) pose = from_plan.apply_inverse(pose);
+    return plan;
+  };
+  const std::vector<Pose2> left = in_plan_frame(round(0.8));
+  choice_.offer(in_plan_frame(round(-0.8)));
+  EXPECT_FALSE(choice_.prefers_offer({{0.0, 0.0, 0.0}, from_plan, map_.grid, left, 10.0, true}, parameters_));
+  choice_.offer(in_plan_frame(round(0.7)));
+  EXPECT_TRUE(choice_.prefers_offer({{0.0, 0.0, 0.0}, from_plan, map_.grid, left, 10.0, true}, parameters_));
+}
+
+TEST_F(PlanChoiceTest, PlansThatLeaveTheMapOnTwoSidesOfAWallAreOnTwoSides) {
+  // A wall from (1.5, 0) to the map's end; one plan leaves the map above it, one below.
+  for (int i = 0; i < 25; ++i) map_.set(1.5 + 0.1 * i, 0.0, cost::kLethal);
+  std::vector<Pose2> above, below;
+  for (int k = 0; k <= 60; ++k) {
+    above.push_back({0.1 * k, k > 10 ? 0.8 : 0.08 * k, 0.0});
+    below.push_back({0.1 * k, k > 10 ? -0.8 : -0.08 * k, 0.0});
+  }
+  choice_.offer(below);
+  EXPECT_FALSE(prefers(above, 10.0));
+}
+
+TEST_F(PlanChoiceTest, IsRememberedWhole) {
+  const std::vector<Pose2> left = round(0.8);
+  choice_.offer(round(-0.8));
+  EXPECT_FALSE(prefers(left, 10.0));
+  Bytes bytes;
+  ArchiveWriter write(bytes);
+  write(choice_);
+  PlanChoice other;
+  ArchiveReader read(bytes);
+  read(other);
+  ASSERT_TRUE(read.complete());
+  choice_ = other;
+  EXPECT_FALSE(prefers(left, 10.0 + 0.99 * parameters_.plan_hysteresis_time));
+  EXPECT_TRUE(prefers(left, 10.0 + parameters_.plan_hysteresis_time));
+}
+
+// How often a closed line goes round a point: the sum of the angles under which it sees the line's edges.
+int turns_round(const std::vector<Point>& line, const Point& p) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Point a = line[k] - p, b = line[(k + 1) % line.size()] - p;
+    sum += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+  return static_cast<int>(std::lround(sum / (2.0 * M_PI)));
+}
+
+TEST(EnclosedObstacle, IsFoundAsBySummingAngles) {
+  test::Random random(20261122);
+  int enclosed = 0;
+  for (int round = 0; round < 2000; ++round) {
+    Map map;
+    for (int k = 0; k < 12; ++k) map.set(random.uniform(-3.9, 3.9), random.uniform(-3.9, 3.9), cost::kLethal);
+    std::vector<Point> line;
+    const int corners = 3 + round % 9;
+    for (int k = 0; k < corners; ++k) line.emplace_back(random.uniform(-4.5, 4.5), random.uniform(-4.5, 4.5));
+    bool expected = false;
+    for (int j = 0; j < 80; ++j) {
+      for (int i = 0; i < 80; ++i) {
+        if (map.grid.at({i, j}) == cost::kLethal && turns_round(line, map.grid.centre({i, j})) != 0) expected = true;
+      }
+    }
+    EXPECT_EQ(encloses_obstacle(line, map.grid), expected) << round;
+    enclosed += expected ? 1 : 0;
+  }
+  EXPECT_GT(enclosed, 500);
+  EXPECT_LT(enclosed, 1900);
+}
+
+TEST(EnclosedObstacle, NothingLiesInALineOfTwoPointsOrOnNoMap) {
+  Map map;
+  map.pillar(0.0, 0.0);
+  EXPECT_FALSE(encloses_obstacle({{-1.0, 0.0}, {1.0, 0.0}}, map.grid));
+  EXPECT_FALSE(encloses_obstacle({{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}, GridView{}));
+  EXPECT_TRUE(encloses_obstacle({{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}, map.grid));
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::control
