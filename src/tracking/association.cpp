@@ -9,12 +9,12 @@ namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
-constexpr double kGate = 13.8;        // 99.9 % of chi-squared with two degrees of freedom
-constexpr double kFarthest = 0.8;     // from the prediction, whatever the deviations [m]
-constexpr double kShape = 0.08;       // what a body's shape and a changing view do to its centre [m]
-constexpr double kLegOff = 0.17;      // deviation of a leg from the middle of the person [m]
-constexpr double kSmall = 0.13;       // radius of what may be a leg [m]
-constexpr double kLegsApart = 0.75;   // [m]
+constexpr double kGate = 13.8;       // 99.9 % of chi-squared with two degrees of freedom
+constexpr double kFarthest = 0.8;    // from the prediction, whatever the deviations [m]
+constexpr double kShape = 0.08;      // what a body's shape and a changing view do to its centre [m]
+constexpr double kLegOff = 0.17;     // deviation of a leg from the middle of the person [m]
+constexpr double kSmall = 0.13;      // radius of what may be a leg [m]
+constexpr double kLegsApart = 0.75;  // [m]
 
 double room_of(const BodyFit& fit) { return std::hypot(fit.deviation, fit.radius < kSmall ? kLegOff : kShape); }
 

@@ -8,8 +8,9 @@
 namespace hidwa_local_planner {
 namespace tracking {
 
-/// Gives each segment to the track that it fits best: of all pairs within the gate the one with the least mismatch first
-/// (global nearest neighbour), confirmed tracks before the others. A track takes one body, the pieces of one, or two legs.
+/// Gives each segment to the track that it fits best: of all pairs within the gate the one with the least mismatch
+/// first (global nearest neighbour), confirmed tracks before the others. A track takes one body, the pieces of one, or
+/// two legs.
 class Association {
  public:
   /// Sets Segment::track and the segments of each track. Tracks are at the time of the scan.

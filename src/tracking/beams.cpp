@@ -49,7 +49,8 @@ void to_beams(const RangeScan& scan, const TrackerSettings& settings, Beams& out
 }
 
 bool seen_through(const Beams& beams, const Point& place, double beyond) {
-  // Bearings grow or fall from beam to beam, but the sensor may turn while it scans: the nearest on each side are sought.
+  // Bearings grow or fall from beam to beam, but the sensor may turn while it scans: the nearest on each side are
+  // sought.
   double left = M_PI;
   double right = M_PI;
   const Beam* nearest_left = nullptr;

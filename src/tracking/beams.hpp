@@ -16,13 +16,13 @@ enum class PlaceKind : std::uint8_t { unknown, standing, was_free };
 
 /// One beam in the fixed frame.
 struct Beam {
-  Point origin{0.0, 0.0};            // [m]
-  Point direction{1.0, 0.0};         // unit vector
-  double bearing = 0.0;              // of the direction, fixed frame [rad]
-  double length = 0.0;               // seen free; 0: it says nothing [m]
-  bool hit = false;                  // it ends at something
+  Point origin{0.0, 0.0};               // [m]
+  Point direction{1.0, 0.0};            // unit vector
+  double bearing = 0.0;                 // of the direction, fixed frame [rad]
+  double length = 0.0;                  // seen free; 0: it says nothing [m]
+  bool hit = false;                     // it ends at something
   PlaceKind kind = PlaceKind::unknown;  // of where it ends, before this scan
-  std::int32_t track = -1;           // index of the track that it was taken for
+  std::int32_t track = -1;              // index of the track that it was taken for
 
   Point end() const { return origin + length * direction; }
 };

@@ -8,12 +8,14 @@ namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
-constexpr double kCellSize = 0.1;        // [m]
-constexpr float kSettled = 1.0F;         // level from which a cell counts as standing
-constexpr float kMostSettled = 2.0F;     // so it is free again after `settle_time` of free sights
-constexpr std::uint16_t kSights = 2;     // scans that must have seen a cell free
-constexpr double kLongestStep = 0.25;    // between scans, for what stands [s]
-constexpr double kWidestGap = 0.35;      // between beams that bound what was seen [rad]
+constexpr double kCellSize = 0.1;         // [m]
+constexpr float kSettled = 1.0F;          // level from which a cell counts as standing
+constexpr float kMostSettled = 2.0F;      // so it is free again after `settle_time` of free sights
+constexpr std::uint16_t kSights = 2;      // scans that must have seen a cell free
+constexpr double kLongestStep = 0.25;     // between scans, for what stands [s]
+constexpr double kShiftInMargin = 0.5;    // so much of a cell's width the margin along edges takes up
+constexpr std::int64_t kWidestShift = 5;  // cells; beyond nothing is known
+constexpr double kWidestGap = 0.35;       // between beams that bound what was seen [rad]
 
 std::int64_t cell_of(double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / kCellSize)); }
 
@@ -63,23 +65,38 @@ void FreeMemory::centre_on(const Point& sensor) {
   placed_ = true;
 }
 
-PlaceKind FreeMemory::kind(const Point& place, double time) const {
+bool FreeMemory::was_free(const Cell& cell, double time) const {
+  return cell.sights >= kSights && time - cell.free_at <= settings_.free_memory;
+}
+
+PlaceKind FreeMemory::kind(const Point& place, double distance, double time, const Travel& now) const {
   const std::int64_t ix = cell_of(place.x());
   const std::int64_t iy = cell_of(place.y());
-  if (!inside(ix - 1, iy - 1) || !inside(ix + 1, iy + 1)) return PlaceKind::unknown;
-  for (std::int64_t dy = -1; dy <= 1; ++dy) {
-    for (std::int64_t dx = -1; dx <= 1; ++dx) {
-      if (at(ix + dx, iy + dy).standing >= kSettled) return PlaceKind::standing;
+  if (!inside(ix, iy)) return PlaceKind::unknown;
+  const Cell& own = at(ix, iy);
+  bool free = was_free(own, time);
+  std::int64_t around = 1;
+  if (free) {
+    const double shifted = shift({own.free_driven, own.free_turned}, now, distance, settings_.odometry_slip);
+    around += static_cast<std::int64_t>(std::ceil(shifted / kCellSize - kShiftInMargin));
+    around = std::max<std::int64_t>(around, 1);
+    if (around > kWidestShift) return PlaceKind::unknown;
+  }
+  if (!inside(ix - around, iy - around) || !inside(ix + around, iy + around)) return PlaceKind::unknown;
+  for (std::int64_t dy = -around; dy <= around; ++dy) {
+    for (std::int64_t dx = -around; dx <= around; ++dx) {
+      const Cell& cell = at(ix + dx, iy + dy);
+      const bool beside = std::abs(dx) <= 1 && std::abs(dy) <= 1;
+      if (cell.standing >= kSettled && beside) return PlaceKind::standing;
+      free = free && cell.standing < kSettled && was_free(cell, time);
     }
   }
-  const Cell& cell = at(ix, iy);
-  const bool free = cell.sights >= kSights && time - cell.free_at <= settings_.free_memory;
   return free ? PlaceKind::was_free : PlaceKind::unknown;
 }
 
-void FreeMemory::judge(Beams& beams) const {
+void FreeMemory::judge(Beams& beams, const Travel& now) const {
   for (Beam& beam : beams.all) {
-    if (beam.hit) beam.kind = kind(beam.end(), beams.end);
+    if (beam.hit) beam.kind = kind(beam.end(), beam.length, beams.end, now);
   }
 }
 
@@ -159,7 +176,7 @@ void FreeMemory::mark_hits(const Beams& beams, float gain) {
   }
 }
 
-void FreeMemory::mark_free(const Beams& beams, float loss) {
+void FreeMemory::mark_free(const Beams& beams, const Travel& now, float loss) {
   for (const Beam& beam : beams.all) {
     if (beam.length <= 0.0) continue;
     walk(beam.origin, beam.end(), [&](std::int64_t ix, std::int64_t iy) {
@@ -169,17 +186,19 @@ void FreeMemory::mark_free(const Beams& beams, float loss) {
       cell.looked = scan_;
       cell.standing = std::max(cell.standing - loss, 0.0F);
       cell.free_at = beams.end;
+      cell.free_driven = static_cast<float>(now.driven);
+      cell.free_turned = static_cast<float>(now.turned);
       if (cell.sights < kSights) ++cell.sights;
     });
   }
 }
 
-void FreeMemory::take(const Beams& beams, double elapsed) {
+void FreeMemory::take(const Beams& beams, const Travel& now, double elapsed) {
   ++scan_;
   const float step = static_cast<float>(std::min(elapsed, kLongestStep) / settings_.settle_time);
   mark_edges(beams);
   mark_hits(beams, step);
-  mark_free(beams, step);
+  mark_free(beams, now, step);
 }
 
 }  // namespace tracking

@@ -18,8 +18,8 @@ class MotionFilter {
   /// To a later time [s]; `density` is that of the acceleration [m^2/s^3]. An earlier time changes nothing.
   void predict(double time, double density);
 
-  /// Takes a position with its deviation [m]. Returns the square of the innovation over its variance: chi-squared with two
-  /// degrees of freedom.
+  /// Takes a position with its deviation [m]. Returns the square of the innovation over its variance: chi-squared with
+  /// two degrees of freedom.
   double correct(const Point& position, double deviation);
 
   /// What correct() would return.

@@ -33,7 +33,8 @@ bool hidden_beside(const Beams& beams, std::size_t end, bool forward) {
   const Beam& neighbour = beams.all[beside];
   const double length = beams.all[end].length;
   if (neighbour.length <= 0.0) return false;  // nothing known: it is taken for the end
-  return neighbour.length < length - kNearer || (neighbour.kind == PlaceKind::standing && neighbour.length < length + kNearer);
+  return neighbour.length < length - kNearer ||
+         (neighbour.kind == PlaceKind::standing && neighbour.length < length + kNearer);
 }
 
 class SegmentFinder {
@@ -65,7 +66,8 @@ class SegmentFinder {
     if (!beams_.whole_turn) return 0;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t before = i == 0 ? n - 1 : i - 1;
-      const bool joined = movable(beams_.all[i]) && movable(beams_.all[before]) && same_surface(beams_, before, i, 1, noise_);
+      const bool joined =
+          movable(beams_.all[i]) && movable(beams_.all[before]) && same_surface(beams_, before, i, 1, noise_);
       if (!joined && beams_.all[before].length > 0.0) return i;
     }
     return 0;

@@ -58,7 +58,8 @@ std::string fault_of(const RangeScan& scan) {
   if (std::abs(width) > 2.0 * M_PI + 1.5 * std::abs(scan.angle_increment)) {
     return "angle_increment times the number of ranges is more than a turn";
   }
-  if (!(scan.range_min >= 0.0 && scan.range_max > scan.range_min)) return "range_max must be above range_min, and that not below 0";
+  if (!(scan.range_min >= 0.0 && scan.range_max > scan.range_min))
+    return "range_max must be above range_min, and that not below 0";
   const double duration = scan.end() - scan.stamp;
   if (!(duration >= 0.0 && duration <= 2.0)) return "time_increment times the number of ranges must be from 0 to 2 s";
   return "";

@@ -8,20 +8,23 @@ namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
-constexpr double kFirstSpeed = 1.2;       // standard deviation of a velocity that nobody knows yet [m/s]
-constexpr double kAccelerationTime = 0.2; // for which an acceleration lasts [s]
-constexpr double kLegRadius = 0.13;       // bodies below may be legs [m]
-constexpr double kStride = 0.05;          // deviation of the middle of two legs from that of the person [m]
-constexpr double kOneLeg = 0.12;          // deviation of one leg from the person's middle [m]
-constexpr double kThinBody = 0.04;        // deviation of a body that may be a leg [m]
-constexpr double kBias = 0.03;            // what is the same from scan to scan: bodies are not round [m]
-constexpr double kSurprised = 4.5;        // mean mismatch from which the velocity is doubted
-constexpr double kSurpriseShare = 0.3;    // of the newest mismatch in the mean
-constexpr double kStandingRange = 0.25;   // what stays within stands [m]
-constexpr double kSignificant = 2.5;      // deviations
-constexpr double kLeft = 0.12;            // how far from its start a mover must have come [m]
-constexpr double kVacated = 0.3;          // the same where nothing was known of the space [m]
-constexpr int kAssumedRadii = 3;          // measured radii, from which the mean is taken for true
+constexpr double kFirstSpeed = 1.2;        // standard deviation of a velocity that nobody knows yet [m/s]
+constexpr double kAccelerationTime = 0.2;  // for which an acceleration lasts [s]
+constexpr double kLegRadius = 0.13;        // bodies below may be legs [m]
+constexpr double kStride = 0.05;           // deviation of the middle of two legs from that of the person [m]
+constexpr double kOneLeg = 0.12;           // deviation of one leg from the person's middle [m]
+constexpr double kThinBody = 0.04;         // deviation of a body that may be a leg [m]
+constexpr double kBias = 0.03;             // what is the same from scan to scan: bodies are not round [m]
+constexpr double kSurprised = 4.5;         // mean mismatch from which the velocity is doubted
+constexpr double kSurpriseShare = 0.3;     // of the newest mismatch in the mean
+constexpr double kStandingRange = 0.25;    // what stays within stands [m]
+constexpr double kSignificant = 2.5;       // deviations
+constexpr double kLeft = 0.12;             // how far from its start a mover must have come [m]
+constexpr double kVacated = 0.3;           // the same where nothing was known of the space [m]
+constexpr int kFreeSightings = 4;          // in a row, that tell a mover
+constexpr double kVacatedWithin = 5.5;     // distance within which that is tried [m]
+constexpr double kFastest = 5.0;           // whatever seems faster is none [m/s]
+constexpr int kAssumedRadii = 3;           // measured radii, from which the mean is taken for true
 
 bool is_small(const BodyFit& fit) { return fit.radius < kLegRadius; }
 
@@ -49,6 +52,7 @@ Sighting one_body(const Beams& beams, const Segment& segment, const Track& track
   s.body = fit_body(beams, segment, radius, known, settings.range_noise);
   s.small = is_small(s.body);
   s.free_before = mostly_free(segment);
+  s.whole = s.body.radius_seen;
   const double more = !s.small ? 0.0 : track.two_legs ? kOneLeg : kThinBody;
   s.body.deviation = std::hypot(s.body.deviation, track.two_legs ? std::max(more, kStride) : more);
   return s;
@@ -80,12 +84,8 @@ Sighting two_legs(const Beams& beams, const std::vector<Segment>& segments, cons
   }
   s.body.deviation = std::sqrt(variance / n + kStride * kStride);
   s.free_before = 2 * free >= track.segment_count;
+  s.whole = true;
   return s;
-}
-
-// How far odometry may have shifted a standing thing at `distance` since `before` [m].
-double shift(const Travel& before, const Travel& now, double distance, double slip) {
-  return slip * (now.driven - before.driven + distance * (now.turned - before.turned));
 }
 
 bool left_behind(const Track& track, const Beams& beams) {
@@ -115,6 +115,7 @@ Track begin_track(const Sighting& sighting, const Travel& travel) {
   t.began_after = travel;
   t.sightings = 1;
   t.free_sightings = sighting.free_before ? 1 : 0;
+  t.whole_sightings = sighting.whole ? 1 : 0;
   t.two_legs = sighting.legs;
   if (b.radius_seen) {
     t.radius = b.radius;
@@ -139,7 +140,8 @@ void correct_track(Track& track, const Sighting& sighting, const TrackerSettings
   }
   track.two_legs = track.two_legs || sighting.legs;
   ++track.sightings;
-  if (sighting.free_before) ++track.free_sightings;
+  track.free_sightings = sighting.free_before ? track.free_sightings + 1 : 0;
+  if (sighting.whole) ++track.whole_sightings;
   track.seen = b.time;
   track.through = 0.0;
   if ((track.filter.position() - track.stood_at).norm() > kStandingRange) {
@@ -153,10 +155,14 @@ bool known_to_move(const Track& track, const Beams& beams, const Travel& travel,
   if (track.sightings < 3 || age < 0.14 || (track.sightings < 4 && age < 0.3)) return false;
   const double distance = (track.filter.position() - beams.centre).norm();
   const double moved = shift(track.began_after, travel, distance, settings.odometry_slip);
-  const double least = std::max(settings.min_speed, kSignificant * track.filter.velocity_deviation()) + moved / age;
-  if (track.filter.velocity().norm() < least) return false;
-  if (10 * track.free_sightings >= 6 * track.sightings) return track.distance_from_start() > kLeft + moved;
-  return track.distance_from_start() > kVacated + moved && left_behind(track, beams);
+  const double speed = track.filter.velocity().norm();
+  if (speed < settings.min_speed + moved / age || speed > kFastest) return false;
+  const double way = track.distance_from_start() - moved;
+  const bool certain = speed > kSignificant * track.filter.velocity_deviation() + moved / age || way > kVacated;
+  if (!certain) return false;
+  if (track.free_sightings >= std::min(track.sightings - 1, kFreeSightings)) return way > kLeft;
+  if (10 * track.whole_sightings < 8 * track.sightings || distance > kVacatedWithin) return false;
+  return way > kVacated && left_behind(track, beams);
 }
 
 MovingObstacle to_obstacle(const Track& track, double time, const TrackerSettings& settings) {

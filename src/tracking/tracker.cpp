@@ -77,7 +77,7 @@ class Tracker::Impl {
     known_ = true;
     tracking::to_beams(scan, settings_, beams_);
     memory_.centre_on(beams_.centre);
-    memory_.judge(beams_);
+    memory_.judge(beams_, travel_);
     tracking::find_segments(beams_, settings_.range_noise, 2.0 * settings_.max_radius, segments_);
     drop_specks();
     follow();
@@ -85,14 +85,15 @@ class Tracker::Impl {
     end_tracks(elapsed);
     confirm();
     mark_points();
-    memory_.take(beams_, elapsed);
+    memory_.take(beams_, travel_, elapsed);
     publish();
   }
 
   // One point is no body.
   void drop_specks() {
-    segments_.erase(std::remove_if(segments_.begin(), segments_.end(), [](const Segment& s) { return s.points < kFewestPoints; }),
-                    segments_.end());
+    segments_.erase(
+        std::remove_if(segments_.begin(), segments_.end(), [](const Segment& s) { return s.points < kFewestPoints; }),
+        segments_.end());
   }
 
   void follow() {
@@ -146,12 +147,18 @@ class Tracker::Impl {
     return best;
   }
 
+  // A few, from one side of the body to the other.
   void remember_first_points(Track& track) const {
+    std::size_t points = 0;
+    for (int k = 0; k < track.segment_count; ++k)
+      points += segments_[track.segments[static_cast<std::size_t>(k)]].points;
+    const std::size_t most = track.first_points.size();
+    std::size_t passed = 0;
     for (int k = 0; k < track.segment_count; ++k) {
       tracking::for_points(beams_, segments_[track.segments[static_cast<std::size_t>(k)]], [&](std::size_t i) {
-        if (track.first_count < static_cast<int>(track.first_points.size())) {
-          track.first_points[static_cast<std::size_t>(track.first_count++)] = beams_.all[i].end();
-        }
+        const bool taken = points <= most || passed * most / points != (passed + 1) * most / points;
+        if (taken) track.first_points[static_cast<std::size_t>(track.first_count++)] = beams_.all[i].end();
+        ++passed;
       });
     }
   }
@@ -202,7 +209,8 @@ class Tracker::Impl {
       if (!tracks_[i].confirmed) continue;
       for (int k = 0; k < tracks_[i].segment_count; ++k) {
         const Segment& segment = segments_[tracks_[i].segments[static_cast<std::size_t>(k)]];
-        tracking::for_points(beams_, segment, [&](std::size_t b) { beams_.all[b].track = static_cast<std::int32_t>(i); });
+        tracking::for_points(beams_, segment,
+                             [&](std::size_t b) { beams_.all[b].track = static_cast<std::int32_t>(i); });
       }
     }
   }
@@ -217,12 +225,14 @@ class Tracker::Impl {
       o = tracking::to_obstacle(tracks_[i], beams_.end, settings_);
       points.clear();
       for (const Beam& beam : beams_.all) {
-        if (beam.track == static_cast<std::int32_t>(i) && beam.kind == PlaceKind::was_free) points.push_back(beam.end());
+        if (beam.track == static_cast<std::int32_t>(i) && beam.kind == PlaceKind::was_free)
+          points.push_back(beam.end());
       }
       o.points = std::move(points);
     }
     obstacles_.resize(count);
-    std::sort(obstacles_.begin(), obstacles_.end(), [](const MovingObstacle& a, const MovingObstacle& b) { return a.id < b.id; });
+    std::sort(obstacles_.begin(), obstacles_.end(),
+              [](const MovingObstacle& a, const MovingObstacle& b) { return a.id < b.id; });
   }
 
   TrackerSettings settings_;

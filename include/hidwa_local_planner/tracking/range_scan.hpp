@@ -10,8 +10,8 @@
 namespace hidwa_local_planner {
 
 /// One scan of a planar laser, as sensor_msgs/LaserScan means it, and where the sensor was.
-/// A range that is infinite or not below range_max is a beam that met nothing. One that is not a number or below range_min
-/// says nothing.
+/// A range that is infinite or not below range_max is a beam that met nothing. One that is not a number or below
+/// range_min says nothing.
 struct RangeScan {
   double stamp = 0.0;            // of the first beam [s]
   double time_increment = 0.0;   // from beam to beam; 0: all at once [s]
