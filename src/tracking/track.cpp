@@ -16,15 +16,20 @@ constexpr double kOneLeg = 0.12;           // deviation of one leg from the pers
 constexpr double kThinBody = 0.04;         // deviation of a body that may be a leg [m]
 constexpr double kBias = 0.03;             // what is the same from scan to scan: bodies are not round [m]
 constexpr double kSurprised = 4.5;         // mean mismatch from which the velocity is doubted
-constexpr double kSurpriseShare = 0.3;     // of the newest mismatch in the mean
-constexpr double kStandingRange = 0.25;    // what stays within stands [m]
-constexpr double kSignificant = 2.5;       // deviations
-constexpr double kLeft = 0.12;             // how far from its start a mover must have come [m]
-constexpr double kVacated = 0.3;           // the same where nothing was known of the space [m]
-constexpr int kFreeSightings = 4;          // in a row, that tell a mover
-constexpr double kVacatedWithin = 5.5;     // distance within which that is tried [m]
-constexpr double kFastest = 5.0;           // whatever seems faster is none [m/s]
-constexpr int kAssumedRadii = 3;           // measured radii, from which the mean is taken for true
+constexpr double kDoubtTime = 0.2;       // within which a velocity that is off by d / kDoubtTime leads astray by d [s]
+constexpr double kMostDoubt = 2.0;       // [m/s]
+constexpr double kSurpriseShare = 0.3;   // of the newest mismatch in the mean
+constexpr double kStandingRange = 0.25;  // what stays within stands [m]
+constexpr double kSignificant = 2.5;     // deviations
+constexpr double kSettledSpeed = 0.3;    // deviation of a velocity that is known well [m/s]
+constexpr double kLeft = 0.12;           // how far from its start a mover must have come [m]
+constexpr double kVacated = 0.3;         // the same where nothing was known of the space [m]
+constexpr double kVacatedBySmall = 0.6;  // and where it may be a table's legs [m]
+constexpr int kFreeSightings = 4;        // in a row, that tell a mover
+constexpr double kBeginsWithin = 6.5;    // farther away a wall's few points seem to move [m]
+constexpr double kVacatedWithin = 5.5;   // distance within which that is tried [m]
+constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
+constexpr int kAssumedRadii = 3;         // measured radii, from which the mean is taken for true
 
 bool is_small(const BodyFit& fit) { return fit.radius < kLegRadius; }
 
@@ -131,9 +136,10 @@ void predict_track(Track& track, double time, const TrackerSettings& settings) {
 void correct_track(Track& track, const Sighting& sighting, const TrackerSettings& settings) {
   const BodyFit& b = sighting.body;
   predict_track(track, b.time, settings);
+  const double off = (b.centre - track.filter.position()).norm();
   const double mismatch = track.filter.correct(b.centre, b.deviation);
   track.surprise += kSurpriseShare * (std::min(mismatch, 20.0) - track.surprise);
-  if (track.surprise > kSurprised) track.filter.doubt_velocity(0.4 * settings.acceleration);
+  if (track.surprise > kSurprised) track.filter.doubt_velocity(std::min(off / kDoubtTime, kMostDoubt));
   if (b.radius_seen && !sighting.legs) {
     track.radii = std::min(track.radii + 1, 10);
     track.radius += (b.radius - track.radius) / track.radii;
@@ -157,12 +163,15 @@ bool known_to_move(const Track& track, const Beams& beams, const Travel& travel,
   const double moved = shift(track.began_after, travel, distance, settings.odometry_slip);
   const double speed = track.filter.velocity().norm();
   if (speed < settings.min_speed + moved / age || speed > kFastest) return false;
+  if (track.surprise > kSurprised || distance > kBeginsWithin) return false;  // it jumps, as what is none does
   const double way = track.distance_from_start() - moved;
-  const bool certain = speed > kSignificant * track.filter.velocity_deviation() + moved / age || way > kVacated;
+  const bool certain = speed > kSignificant * track.filter.velocity_deviation() + moved / age ||
+                       (way > kVacated && track.filter.velocity_deviation() < kSettledSpeed);
   if (!certain) return false;
   if (track.free_sightings >= std::min(track.sightings - 1, kFreeSightings)) return way > kLeft;
   if (10 * track.whole_sightings < 8 * track.sightings || distance > kVacatedWithin) return false;
-  return way > kVacated && left_behind(track, beams);
+  const bool small = track.two_legs || track.radius < kLegRadius;  // beams pass beside what is thin, too
+  return way > (small ? kVacatedBySmall : kVacated) && left_behind(track, beams);
 }
 
 MovingObstacle to_obstacle(const Track& track, double time, const TrackerSettings& settings) {

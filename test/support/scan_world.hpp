@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A world of walls, posts and walkers, and what a laser on a robot sees of it: each beam against each shape, by formula.
+// A world of walls, posts and walkers, and what a laser on a robot sees of it: each beam against each shape, by
+// formula.
 #pragma once
 
 #include <algorithm>
@@ -91,8 +92,8 @@ struct ScanWorld {
 
   double bearing_of(int beam) const { return -0.5 * laser.view + laser.view * beam / (laser.beams - 1); }
 
-  /// What the laser sees at `time` [s] from its true pose. `seen` counts the beams that meet each walker. The scan holds
-  /// `odometry` as the sensor's pose.
+  /// What the laser sees at `time` [s] from its true pose. `seen` counts the beams that meet each walker. The scan
+  /// holds `odometry` as the sensor's pose.
   RangeScan scan(double time, const Pose2& truth, const Pose2& odometry, Random& random, std::vector<int>& seen) const {
     RangeScan out;
     out.stamp = time;
@@ -130,7 +131,8 @@ struct ScanWorld {
   }
 };
 
-/// A robot that turns on the spot towards each way point, drives there, and begins anew after the last. Its odometry errs.
+/// A robot that turns on the spot towards each way point, drives there, and begins anew after the last. Its odometry
+/// errs.
 class ScanRobot {
  public:
   ScanRobot(std::vector<Point> way, double speed, double turn_rate)

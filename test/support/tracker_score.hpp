@@ -16,18 +16,18 @@ namespace hidwa_local_planner::test {
 
 /// What a drive came to.
 struct TrackerScore {
-  std::vector<double> delays;        // from coming into view to being found [s]
-  std::vector<double> steady;        // errors of velocity, from 1 s after confirmation [m/s]
-  std::vector<double> early;         // and before, or after a change of velocity [m/s]
-  std::vector<double> places;        // errors of position [m]
-  std::vector<double> place_ratios;  // squared error over the variance: 2 on average where the deviations are right
-  std::vector<double> speed_ratios;  // the same of velocities
-  std::vector<double> uncovered;     // how far the body reaches out of the disc [m]
-  std::set<std::uint32_t> false_ids; // tracks far from everybody
+  std::vector<double> delays;         // from coming into view to being found [s]
+  std::vector<double> steady;         // errors of velocity, from 1 s after confirmation [m/s]
+  std::vector<double> early;          // and before, or after a change of velocity [m/s]
+  std::vector<double> places;         // errors of position [m]
+  std::vector<double> place_ratios;   // squared error over the variance: 2 on average where the deviations are right
+  std::vector<double> speed_ratios;   // the same of velocities
+  std::vector<double> uncovered;      // how far the body reaches out of the disc [m]
+  std::set<std::uint32_t> false_ids;  // tracks far from everybody
   std::set<std::uint32_t> true_ids;
-  int visible = 0;                   // scans times walkers that were in view and moved
-  int followed = 0;                  // of these, with a track
-  int false_points = 0;              // points of tracks that lie on something that stands
+  int visible = 0;       // scans times walkers that were in view and moved
+  int followed = 0;      // of these, with a track
+  int false_points = 0;  // points of tracks that lie on something that stands
 };
 
 inline double mean(const std::vector<double>& values) {
@@ -47,16 +47,20 @@ inline double share_below(std::vector<double> values, double share) {
 
 /// A walker as the score follows it.
 struct Watched {
-  double in_view_since = -1.0;   // [s]
-  double found_at = -1.0;        // [s]
-  double steady_since = -1.0;    // its velocity has not changed since [s]
+  double in_view_since = -1.0;  // [s]
+  double found_at = -1.0;       // [s]
+  double steady_since = -1.0;   // its velocity has not changed since [s]
   Point velocity{0.0, 0.0};
 };
 
 class TrackerDrive {
  public:
   TrackerDrive(ScanWorld world, ScanRobot robot, const TrackerSettings& settings, std::uint64_t seed)
-      : world_(std::move(world)), robot_(std::move(robot)), tracker_(settings), random_(seed), watched_(world_.walkers.size()) {}
+      : world_(std::move(world)),
+        robot_(std::move(robot)),
+        tracker_(settings),
+        random_(seed),
+        watched_(world_.walkers.size()) {}
 
   double near = 0.5;  // walkers between these distances count [m]
   double far = 5.0;
@@ -110,7 +114,8 @@ class TrackerDrive {
     for (const Point& p : o.points) {
       bool on_walker = false;
       for (const Walker& walker : world_.walkers) {
-        on_walker = on_walker || (p - robot_.in_odometry(walker.at(time))).norm() < walker.radius + 0.25 + 4.0 * world_.laser.noise;
+        on_walker = on_walker ||
+                    (p - robot_.in_odometry(walker.at(time))).norm() < walker.radius + 0.25 + 4.0 * world_.laser.noise;
       }
       if (!on_walker) ++score_.false_points;
     }
