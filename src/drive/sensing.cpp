@@ -11,6 +11,7 @@ Sensing::Sensing(const DriveSetup& setup)
     : setup_(setup), costmap_(setup.costmap, setup.outline), people_(*setup.ground->map()), noise_(setup.laser_seed) {
   // A beam that meets nothing ends just inside the range: such ends are none.
   constexpr double kShort = 0.1;  // [m]
+  if (setup.tracking == Tracking::laser) tracker_.emplace(setup.tracker);
   if (setup.explore) seen_.emplace(*setup.ground->map(), setup.laser.range_max - kShort);
 }
 
@@ -20,12 +21,16 @@ void Sensing::scan(const sim::World& world) {
   silhouettes_ = sim::Silhouettes(world.movers());
   ids_.clear();
   for (const sim::Mover& mover : world.movers()) ids_.push_back(mover.id);
+  if (tracker_) {
+    cast();
+    track(world.time());
+  }
   is_new_ = true;
 }
 
 void Sensing::update_costmap(const sim::World& world) {
   if (is_new_) {
-    cast();
+    if (!tracker_) cast();
     if (seen_) {
       project(ranges_, setup_.laser, sim::compose(true_pose_, setup_.laser_pose), beams_);
       seen_->add(beams_);
@@ -52,6 +57,19 @@ void Sensing::cast() {
   if (setup_.tracking == Tracking::truth) remember_people(sensor);
 }
 
+void Sensing::track(double now) {
+  RangeScan scan;
+  scan.stamp = now;
+  scan.angle_min = setup_.laser.angle_min();
+  scan.angle_increment = setup_.laser.angle_increment();
+  scan.range_min = setup_.laser.range_min;
+  scan.range_max = setup_.laser.range_max;
+  scan.ranges = ranges_;
+  const sim::Pose sensor = sim::compose(odometry_pose_, setup_.laser_pose);
+  scan.sensor = scan.sensor_end = {sensor.x, sensor.y, sensor.theta};
+  tracker_->update(scan);
+}
+
 void Sensing::remember_people(const sim::Pose& sensor) {
   const sim::Pose in_odometry = sim::compose(odometry_pose_, setup_.laser_pose);
   const auto end = [](const sim::Pose& from, double angle, double range) {
@@ -67,6 +85,11 @@ void Sensing::remember_people(const sim::Pose& sensor) {
 
 MovingObstacles Sensing::moving_obstacles(const sim::World& world, const sim::Pose& map_in_odometry) const {
   if (setup_.tracking == Tracking::none) return {};
+  if (tracker_) {
+    MovingObstacles tracks = tracker_->obstacles();
+    for (MovingObstacle& track : tracks) track.age = world.time() - tracker_->stamp();
+    return tracks;
+  }
   return people_.truth(world.movers(), map_in_odometry);
 }
 

@@ -8,6 +8,7 @@
 #include "drive/people_sight.hpp"
 #include "drive/seen_map.hpp"
 #include "drive/setup.hpp"
+#include "hidwa_local_planner/tracking/tracker.hpp"
 #include "sim/random.hpp"
 #include "sim/silhouettes.hpp"
 #include "sim/world.hpp"
@@ -21,8 +22,8 @@ class Sensing {
   /// `setup` must outlive it.
   explicit Sensing(const DriveSetup& setup);
 
-  /// The laser scans, from where the robot is. Only scans that the costmap takes are cast: the newest at each
-  /// update.
+  /// The laser scans, from where the robot is. Only scans that are taken are cast: without a tracker the
+  /// newest at each update of the costmap.
   void scan(const sim::World& world);
 
   /// The costmap takes the last scan, around where the robot is now.
@@ -38,12 +39,14 @@ class Sensing {
 
  private:
   void cast();
+  void track(double now);
   void remember_people(const sim::Pose& sensor);
 
   const DriveSetup& setup_;
   LocalCostmap costmap_;
   std::optional<SeenMap> seen_;
   PeopleSight people_;
+  std::optional<Tracker> tracker_;
   sim::Random noise_;
   sim::Pose true_pose_;             // of the robot at the last scan, map frame
   sim::Pose odometry_pose_;         // the same in the odometry's frame

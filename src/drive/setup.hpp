@@ -10,6 +10,7 @@
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/tracking/tracker_settings.hpp"
 #include "sim/diff_drive.hpp"
 #include "sim/grid_route.hpp"
 #include "sim/laser.hpp"
@@ -33,8 +34,9 @@ struct Rates {
   double costmap_phase = 0.0;  // [s], how much later than the first control cycle the costmap is updated
 };
 
-/// Where the planner learns of people from: nowhere (they are cells of the costmap alone), or their true states.
-enum class Tracking { none, truth };
+/// Where the planner learns of people from: nowhere (they are cells of the costmap alone), their true states,
+/// or what the tracker makes of the robot's scans.
+enum class Tracking { none, truth, laser };
 
 /// All that a drive depends on: equal setups give equal drives, but for the computing time.
 struct DriveSetup {
@@ -59,6 +61,7 @@ struct DriveSetup {
   std::shared_ptr<sim::OperatorDevice> device;
   std::shared_ptr<sim::People> people;  // who walk around, new ones for each drive: they move; null: nobody
   Tracking tracking = Tracking::none;
+  TrackerSettings tracker;  // with Tracking::laser
   double link_delay = 0.0;  // [s], from the person's hand to the planner
   Rates rates;
 

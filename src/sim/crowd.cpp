@@ -14,14 +14,14 @@ namespace hidwa_local_planner {
 namespace sim {
 namespace {
 
-constexpr double kCrowdStep = 0.01;    // [s]
-constexpr double kShoulders = 0.20;    // [m], nearer to a wall nobody comes
-constexpr double kPursuit = 0.8;       // [m] ahead along the way people head for
-constexpr double kArrived = 0.6;       // [m] from a place
-constexpr double kStuck = 8.0;         // [s] without coming further: another way is looked for
-constexpr double kTogether = 0.9;      // [m] from the middle of a group nobody feels drawn to it
-constexpr double kLeads = 1.2;         // [m] ahead of the middle of a group people wait for it
-constexpr double kTurning = 2.5;       // [rad/s], of heading
+constexpr double kCrowdStep = 0.01;  // [s]
+constexpr double kShoulders = 0.20;  // [m], nearer to a wall nobody comes
+constexpr double kPursuit = 0.8;     // [m] ahead along the way people head for
+constexpr double kArrived = 0.6;     // [m] from a place
+constexpr double kStuck = 8.0;       // [s] without coming further: another way is looked for
+constexpr double kTogether = 0.9;    // [m] from the middle of a group nobody feels drawn to it
+constexpr double kLeads = 1.2;       // [m] ahead of the middle of a group people wait for it
+constexpr double kTurning = 2.5;     // [rad/s], of heading
 
 void check_crowd(const CrowdSetup& s) {
   if (!s.ways) throw std::invalid_argument("a crowd needs places and ways");
@@ -269,8 +269,7 @@ bool Crowd::can_stop(const Eigen::Vector2d& from, const Eigen::Vector2d& velocit
 // People face where they walk; who stands turns to what catches their eye.
 void Crowd::turn(Mover& mover, const Walker& walker, double dt) const {
   constexpr double kWalks = 0.2;  // [m/s]
-  const double aim =
-      mover.velocity.norm() > kWalks ? std::atan2(mover.velocity.y(), mover.velocity.x()) : walker.faces;
+  const double aim = mover.velocity.norm() > kWalks ? std::atan2(mover.velocity.y(), mover.velocity.x()) : walker.faces;
   const double most = kTurning * dt;
   mover.heading = normalized(mover.heading + std::clamp(normalized(aim - mover.heading), -most, most));
 }

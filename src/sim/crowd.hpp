@@ -38,8 +38,8 @@ struct CrowdSetup {
   static constexpr double kClear = 3.0;  // [m]
 };
 
-/// People who walk from place to place, stop, turn and wait, alone and in groups, and who keep clear of walls and of one
-/// another by social forces (social_force.hpp). Neither speed nor acceleration exceeds its bound, and nobody walks
+/// People who walk from place to place, stop, turn and wait, alone and in groups, and who keep clear of walls and of
+/// one another by social forces (social_force.hpp). Neither speed nor acceleration exceeds its bound, and nobody walks
 /// into a wall: a step is taken only if braking from there ends in front of it.
 class Crowd : public People {
  public:
@@ -53,19 +53,19 @@ class Crowd : public People {
   struct Group {
     std::vector<std::size_t> members;
     std::vector<std::size_t> tour;
-    std::size_t stop = 0;         // of the tour: where they go
-    std::size_t place = 0;        // where they go
-    double waits_until = 0.0;     // [s]
-    double strolls_until = 0.0;   // [s]
+    std::size_t stop = 0;        // of the tour: where they go
+    std::size_t place = 0;       // where they go
+    double waits_until = 0.0;    // [s]
+    double strolls_until = 0.0;  // [s]
   };
   struct Walker {
     std::size_t group = 0;
     double speed = 0.0;  // [m/s], that they like
     bool yields = true;
     Route way;
-    std::size_t next = 0;      // of the way: up to here they have come
-    double progress = 0.0;     // [s], when they last came further
-    double faces = 0.0;        // [rad], while they stand
+    std::size_t next = 0;   // of the way: up to here they have come
+    double progress = 0.0;  // [s], when they last came further
+    double faces = 0.0;     // [rad], while they stand
   };
 
   void make_groups();

@@ -16,7 +16,7 @@ namespace sim {
 namespace {
 
 constexpr int kLastWorld = 99;
-constexpr double kFarthestKey = 100.0;   // [m]
+constexpr double kFarthestKey = 100.0;    // [m]
 constexpr double kLongestTrack = 3600.0;  // [s]
 
 // What is wrong with a line, without its place.

@@ -19,8 +19,8 @@ constexpr double kCoarse = 0.15;  // [m], side of the cells on which people's wa
 // Cells of about kCoarse, occupied where any of theirs is: ways on it are found some ten times as fast.
 OccupancyMap coarsened(const OccupancyMap& map) {
   const int k = std::max(1, static_cast<int>(std::lround(kCoarse / map.resolution)));
-  OccupancyMap coarse = make_map((map.width + k - 1) / k, (map.height + k - 1) / k, k * map.resolution, map.origin_x,
-                                 map.origin_y);
+  OccupancyMap coarse =
+      make_map((map.width + k - 1) / k, (map.height + k - 1) / k, k * map.resolution, map.origin_x, map.origin_y);
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
       Cell& cell = coarse.cells[coarse.index(column / k, row / k)];

@@ -20,9 +20,9 @@ struct Mover {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // [m/s]
   double radius = 0.0;                                 // of the disc that holds all of it [m]
   Body body = Body::whole;
-  double heading = 0.0;                                       // where its front is [rad]
-  double gait = 0.0;                                          // phase of its steps [rad]
-  double leapt = -std::numeric_limits<double>::infinity();    // when it last was put somewhere else at once [s]
+  double heading = 0.0;                                     // where its front is [rad]
+  double gait = 0.0;                                        // phase of its steps [rad]
+  double leapt = -std::numeric_limits<double>::infinity();  // when it last was put somewhere else at once [s]
 };
 
 /// The robot, as those around it see it; map frame.

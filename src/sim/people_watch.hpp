@@ -17,12 +17,12 @@ constexpr double kMoves = 0.01;  // [m/s]
 
 /// The first moment of an uninterrupted overlap of the robot with somebody.
 struct Touch {
-  double time = 0.0;         // [s]
-  std::uint32_t id = 0;      // of the mover
-  bool robot_moved = false;  // or stood
-  bool by_robot = false;     // it moved into the mover faster than the mover into it
-  double robot_speed = 0.0;  // of its outermost point [m/s]
-  double speed = 0.0;        // of the mover [m/s]
+  double time = 0.0;                                            // [s]
+  std::uint32_t id = 0;                                         // of the mover
+  bool robot_moved = false;                                     // or stood
+  bool by_robot = false;                                        // it moved into the mover faster than the mover into it
+  double robot_speed = 0.0;                                     // of its outermost point [m/s]
+  double speed = 0.0;                                           // of the mover [m/s]
   double since_leap = std::numeric_limits<double>::infinity();  // of the mover [s]
 };
 
@@ -41,9 +41,9 @@ class PeopleWatch {
   int touches_at_rest() const { return static_cast<int>(touches_.size()) - moving_; }
   /// How often somebody was within kEncounter of the moving robot: each uninterrupted stay counts once.
   int encounters() const { return encounters_; }
-  double closest() const { return closest_; }                 // [m], between outline and disc; infinite: never anybody
-  double personal_space() const { return personal_space_; }   // [s], moving within kPersonalSpace of somebody
-  double standing() const { return standing_; }               // [s], the robot did not move
+  double closest() const { return closest_; }                // [m], between outline and disc; infinite: never anybody
+  double personal_space() const { return personal_space_; }  // [s], moving within kPersonalSpace of somebody
+  double standing() const { return standing_; }              // [s], the robot did not move
 
   static constexpr double kEncounter = 1.0;      // [m]
   static constexpr double kPersonalSpace = 0.5;  // [m]

@@ -105,7 +105,8 @@ class SimNode {
 
   void publish_scan() {
     if (scan_.getNumSubscribers() == 0) return;
-    people_.scan(caster_, p_.laser, compose(world_.pose(), p_.laser_pose), world_.movers(), random_, scan_message_.ranges);
+    people_.scan(caster_, p_.laser, compose(world_.pose(), p_.laser_pose), world_.movers(), random_,
+                 scan_message_.ranges);
     scan_message_.header.stamp = stamp();
     scan_.publish(scan_message_);
   }

@@ -54,8 +54,9 @@ std::string floor_manifest(const Options& o, const std::string& map, const Scene
 int crowd(const Options& options, std::ostream& out, std::ostream& errors) {
   const bool office = options.map.empty();
   const std::string map = office ? share_file("maps/office.yaml") : options.map;
-  const std::string regions =
-      !options.regions.empty() ? options.regions : office ? share_file("maps/office_regions.yaml") : "none";
+  const std::string regions = !options.regions.empty() ? options.regions
+                              : office                 ? share_file("maps/office_regions.yaml")
+                                                       : "none";
   const Scene scene = load_scene(map, regions, options.start, options.goal);
   const std::vector<Setting> settings = options.vary.empty() ? combinations(options.grid) : variations(options.vary);
   std::vector<int> numbers;

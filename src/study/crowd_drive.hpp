@@ -14,8 +14,8 @@ namespace study {
 /// How people on a floor are, besides their seed.
 struct Passers {
   int count = 20;
-  double yielding = 0.5;                                 // share that keeps away from the robot
-  drive::Tracking tracking = drive::Tracking::truth;     // of the planner
+  double yielding = 0.5;                              // share that keeps away from the robot
+  drive::Tracking tracking = drive::Tracking::truth;  // of the planner
 };
 
 /// Where people go on a scene's floor: half of the places lie beside the robot's way. The same for the same seed.

@@ -19,12 +19,13 @@ constexpr double kJustLeapt = 0.5;  // [s]
 constexpr double kNobody = 99.0;    // [m], written where nobody ever was there
 
 const std::vector<std::string>& columns_of_encounters() {
-  static const std::vector<std::string> all{
-      "id",         "world",   "class",           "mode",          "setting",       "seed",
-      "release",    "ending",  "success",         "touched_moving", "touched_at_rest", "touched_wall",
-      "timeout",    "time",    "length",          "touched_after_leap", "moved_into", "encounters",
-      "closest",    "personal_space", "standing", "clearance",     "operator_active", "interventions",
-      "agreement",  "failures", "brakes"};
+  static const std::vector<std::string> all{"id",         "world",          "class",           "mode",
+                                            "setting",    "seed",           "release",         "ending",
+                                            "success",    "touched_moving", "touched_at_rest", "touched_wall",
+                                            "timeout",    "time",           "length",          "touched_after_leap",
+                                            "moved_into", "encounters",     "closest",         "personal_space",
+                                            "standing",   "clearance",      "operator_active", "interventions",
+                                            "agreement",  "failures",       "brakes"};
   return all;
 }
 
@@ -69,7 +70,8 @@ std::vector<Encounters> encounters_of(const Plan& plan, const std::vector<Row>& 
       auto group = std::find_if(groups.begin(), groups.end(), [&](const Encounters& g) {
         return g.setting == name && g.klass == word_of(row, "class") && g.mode == word_of(row, "mode");
       });
-      if (group == groups.end()) group = groups.insert(groups.end(), {word_of(row, "class"), word_of(row, "mode"), name, {}});
+      if (group == groups.end())
+        group = groups.insert(groups.end(), {word_of(row, "class"), word_of(row, "mode"), name, {}});
       group->rows.push_back(row);
     }
   }
@@ -116,7 +118,8 @@ std::string encounter_ranking(const Plan& plan, const std::vector<Row>& rows) {
   std::string csv = "rank,class,mode,setting,n,success,touched_moving,touched_at_rest,timeout,time_of_successes\n";
   int rank = 0;
   for (const Encounters& g : ranked) {
-    csv += std::to_string(++rank) + ',' + g.klass + ',' + g.mode + ',' + g.setting + ',' + std::to_string(g.rows.size());
+    csv +=
+        std::to_string(++rank) + ',' + g.klass + ',' + g.mode + ',' + g.setting + ',' + std::to_string(g.rows.size());
     for (const double v : {g.mean("success"), g.share("touched_moving"), g.share("touched_at_rest"), g.mean("timeout"),
                            g.time_of_successes()}) {
       csv += ',' + number(v);
@@ -146,8 +149,8 @@ Tables encounter_tables() { return {columns_of_encounters(), encounter_summary, 
 Row encounter_row(const Plan& plan, const Run& run, const Scenery& scenery, const drive::DriveResult& r) {
   const drive::PeopleResult& p = r.people;
   // Where a touch ends the drive, none may be; where people may come against a robot that stands, arrival counts.
-  const bool success = r.arrived && r.contacts == 0 && p.contacts_moving == 0 &&
-                       (plan.experiment == "crowd" || p.contacts_at_rest == 0);
+  const bool success =
+      r.arrived && r.contacts == 0 && p.contacts_moving == 0 && (plan.experiment == "crowd" || p.contacts_at_rest == 0);
   int leapt = 0, moved_into = 0;
   for (const sim::Touch& touch : p.touches) {
     leapt += touch.since_leap <= kJustLeapt;
@@ -188,6 +191,8 @@ std::string to_string(drive::Tracking tracking) {
       return "none";
     case drive::Tracking::truth:
       return "truth";
+    case drive::Tracking::laser:
+      return "laser";
   }
   return "unknown";
 }

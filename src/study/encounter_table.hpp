@@ -17,10 +17,10 @@ Tables encounter_tables();
 
 /// Where and when a run took place.
 struct Scenery {
-  std::string world;    // its index, or the map's name
-  std::string klass;    // of worlds, over which means are taken: easy, medium, hard, or the number of people
-  std::uint64_t seed;   // of the world
-  double release;       // [s], on the clock of what moves
+  std::string world;   // its index, or the map's name
+  std::string klass;   // of worlds, over which means are taken: easy, medium, hard, or the number of people
+  std::uint64_t seed;  // of the world
+  double release;      // [s], on the clock of what moves
 };
 
 /// The line of one run.

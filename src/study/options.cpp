@@ -93,7 +93,8 @@ double number_within(const std::string& option, const std::string& text, double 
 drive::Tracking tracking(const std::string& text) {
   if (text == "none") return drive::Tracking::none;
   if (text == "truth") return drive::Tracking::truth;
-  throw UsageError("--tracking is none or truth, not '" + text + "'");
+  if (text == "laser") return drive::Tracking::laser;
+  throw UsageError("--tracking is none, truth or laser, not '" + text + "'");
 }
 
 void read_shard(const std::string& text, Options& options) {
@@ -291,7 +292,9 @@ std::string help() {
   --mode AUTONOMY,HELPFUL,HOSTILE,AFTERMATH
                           barn, dynabarn, crowd: some of them; SHARED: HELPFUL and HOSTILE; AFTERMATH: barn only;
                           default: all but AFTERMATH
-  --tracking none|truth   dynabarn, crowd: what the planner is told of what moves; default: its true states
+  --tracking none|truth|laser
+                          dynabarn, crowd: what the planner is told of what moves: nothing, its true states (default), or
+                          what the tracker makes of the scans
   --seeds N               dynabarn: drives in each world and mode; crowd: drives in each mode; default 10
   --motion linear|spline  dynabarn: between key frames; default linear
   --speed V               dynabarn: max_vel_x [m/s]; default 2.0

@@ -73,7 +73,8 @@ TEST(PeopleSight, RemembersAPointWhileTheCostmapMarksItsCell) {
 // Somebody crosses 2.5 m ahead of a robot on its way through an open square.
 DriveSetup crossing(Tracking tracking) {
   DriveSetup setup;
-  setup.ground = std::make_shared<Ground>(std::make_shared<sim::OccupancyMap>(sim::make_map(240, 160, 0.05, -2.0, -4.0)));
+  setup.ground =
+      std::make_shared<Ground>(std::make_shared<sim::OccupancyMap>(sim::make_map(240, 160, 0.05, -2.0, -4.0)));
   setup.goal = {6.0, 0.0, 0.0};
   setup.footprint = telepresence_footprint();
   setup.outline = circle_outline(0.3, 0.01);
@@ -82,7 +83,8 @@ DriveSetup crossing(Tracking tracking) {
   setup.time_limit = 40.0;
   // To and fro, 1 m/s, from 3 m to the right to 3 m to the left.
   setup.people = std::make_shared<sim::KeyFramePeople>(
-      std::vector<sim::KeyFrameTrack>{{{{0.0, {2.5, -3.0}}, {6.0, {2.5, 3.0}}, {12.0, {2.5, -3.0}}}, sim::KeyMotion::linear}},
+      std::vector<sim::KeyFrameTrack>{
+          {{{0.0, {2.5, -3.0}}, {6.0, {2.5, 3.0}}, {12.0, {2.5, -3.0}}}, sim::KeyMotion::linear}},
       0.3, 0.0);
   return setup;
 }
@@ -111,11 +113,29 @@ TEST(DriveAmongPeople, ThePlannerIsToldWhatIsTrueAndTheLaserSeesIt) {
   }
 }
 
+// The tracker's tracks reach the planner, with their age, and are of the one who is there.
+TEST(DriveAmongPeople, TheTrackerFindsWhoCrosses) {
+  std::size_t told = 0, near = 0;
+  const auto watch = [&](const Cycle& cycle) {
+    for (const MovingObstacle& o : cycle.situation.moving_obstacles) {
+      ++told;
+      EXPECT_GE(o.age, 0.0);
+      EXPECT_LT(o.age, 0.051);  // scans come at 20 Hz
+      near += (o.position - cycle.world.movers()[0].position).norm() < 0.3;
+    }
+  };
+  const DriveResult result = drive(crossing(Tracking::laser), watch);
+  EXPECT_GT(told, result.cycles / 4);
+  EXPECT_GT(near, told * 9 / 10);
+}
+
 TEST(DriveAmongPeople, ATouchIsCountedAndEndsTheDriveWhereItShall) {
   // They run into the robot from behind at 3 m/s, wherever it goes.
   DriveSetup setup = crossing(Tracking::none);
   setup.people = std::make_shared<sim::KeyFramePeople>(
-      std::vector<sim::KeyFrameTrack>{{{{0.0, {-3.0, 0.0}}, {3.0, {6.0, 0.0}}, {4.0, {6.0, 2.0}}}, sim::KeyMotion::linear}}, 0.3, 0.0);
+      std::vector<sim::KeyFrameTrack>{
+          {{{0.0, {-3.0, 0.0}}, {3.0, {6.0, 0.0}}, {4.0, {6.0, 2.0}}}, sim::KeyMotion::linear}},
+      0.3, 0.0);
   setup.end_at_contact = true;
   const DriveResult result = drive(setup);
   EXPECT_EQ(result.ending, Ending::contact);

@@ -44,7 +44,8 @@ std::string trace(const CrowdSetup& setup, double time) {
   std::string text;
   for (double t = 0.0; t < time; t += 0.5) {
     crowd.advance(t, {});
-    for (const Mover& m : crowd.movers()) text += std::to_string(m.position.x()) + ' ' + std::to_string(m.position.y()) + '\n';
+    for (const Mover& m : crowd.movers())
+      text += std::to_string(m.position.x()) + ' ' + std::to_string(m.position.y()) + '\n';
   }
   return text;
 }

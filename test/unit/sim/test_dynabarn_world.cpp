@@ -26,7 +26,8 @@ std::string fault_of(const std::string& text) {
 
 TEST(DynabarnWorlds, AreReadLineByLine) {
   TemporaryFolder folder;
-  const std::string file = folder.write("worlds.txt", "# head\n\n3 easy | a 0:1:2 1.5:-3:4.25 | b_7 0:0:0 2:1:1 4:2:-1.5\r\n12 hard | c 0:9:9 1:8:8\n");
+  const std::string file = folder.write(
+      "worlds.txt", "# head\n\n3 easy | a 0:1:2 1.5:-3:4.25 | b_7 0:0:0 2:1:1 4:2:-1.5\r\n12 hard | c 0:9:9 1:8:8\n");
   const std::vector<DynabarnWorld> worlds = load_dynabarn_worlds(file);
   ASSERT_EQ(worlds.size(), 2U);
   EXPECT_EQ(worlds[0].index, 3);
@@ -60,7 +61,8 @@ TEST(DynabarnWorlds, BrokenFilesAreRefusedWithLineAndRemedy) {
       {"1 easy | a 0:1:2 -1:3:4\n", "out of bounds"},
       {"1 easy | a 1:1:2 2:3:4\n", "first key frame must be at time 0"},
       {"1 easy | a 0:1:2 2:3:4 2:5:6\n", "must rise"}};
-  for (const auto& [text, part] : broken) EXPECT_NE(fault_of(text).find(part), std::string::npos) << text << fault_of(text);
+  for (const auto& [text, part] : broken)
+    EXPECT_NE(fault_of(text).find(part), std::string::npos) << text << fault_of(text);
   EXPECT_NE(fault_of("1 easy\n").find("correct the line, or remove it"), std::string::npos);
   EXPECT_THROW(load_dynabarn_worlds("/nowhere"), std::runtime_error);
 }

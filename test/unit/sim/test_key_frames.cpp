@@ -41,7 +41,8 @@ TEST(KeyFrameTrack, LeapsFromTheLastKeyToTheFirst) {
 
 TEST(KeyFrameTrack, PlaysGazebosSpline) {
   const KeyFrameTrack track(kCorner, KeyMotion::spline);
-  for (const KeyFrame& key : Frames{kCorner[0], kCorner[1]}) expect_at(track.position(key.time), key.position.x(), key.position.y());
+  for (const KeyFrame& key : Frames{kCorner[0], kCorner[1]})
+    expect_at(track.position(key.time), key.position.x(), key.position.y());
   // Segment 0, u = 1/2: (p0 + p1)/2 + (m0 - m1)/8. m0 = (p1 - p0)/2 = (1, 0); m1 = (p2 - p0)/2 = (1, 2).
   expect_at(track.position(0.5), 1.0, -0.25);
   // Segment 1, u = 1/2, m2 = (p2 - p1)/2 = (0, 2): (2, 2) + ((1, 2) - (0, 2))/8.
@@ -61,10 +62,10 @@ TEST(KeyFrameTrack, ItsVelocityIsTheSlopeOfItsPosition) {
 
 TEST(KeyFrameTrack, RefusesWhatIsNoTrack) {
   const double nan = std::nan("");
-  for (const Frames& frames : {Frames{}, Frames{{0.0, {0.0, 0.0}}}, Frames{{1.0, {0.0, 0.0}}, {2.0, {1.0, 0.0}}},
-                               Frames{{0.0, {0.0, 0.0}}, {0.0, {1.0, 0.0}}},
-                               Frames{{0.0, {0.0, 0.0}}, {2.0, {1.0, 0.0}}, {1.0, {1.0, 0.0}}},
-                               Frames{{0.0, {0.0, nan}}, {2.0, {1.0, 0.0}}}}) {
+  for (const Frames& frames :
+       {Frames{}, Frames{{0.0, {0.0, 0.0}}}, Frames{{1.0, {0.0, 0.0}}, {2.0, {1.0, 0.0}}},
+        Frames{{0.0, {0.0, 0.0}}, {0.0, {1.0, 0.0}}}, Frames{{0.0, {0.0, 0.0}}, {2.0, {1.0, 0.0}}, {1.0, {1.0, 0.0}}},
+        Frames{{0.0, {0.0, nan}}, {2.0, {1.0, 0.0}}}}) {
     EXPECT_THROW(KeyFrameTrack(frames, KeyMotion::linear), std::invalid_argument);
   }
 }

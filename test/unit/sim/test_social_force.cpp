@@ -18,7 +18,8 @@ double potential(const Eigen::Vector2d& away, const Eigen::Vector2d& other) {
 
 TEST(SocialForce, RepulsionIsTheSlopeOfThePotential) {
   constexpr double kH = 1e-6;
-  for (const Eigen::Vector2d& away : {Eigen::Vector2d(0.6, 0.2), Eigen::Vector2d(-0.3, 0.9), Eigen::Vector2d(1.2, -0.4)}) {
+  for (const Eigen::Vector2d& away :
+       {Eigen::Vector2d(0.6, 0.2), Eigen::Vector2d(-0.3, 0.9), Eigen::Vector2d(1.2, -0.4)}) {
     for (const Eigen::Vector2d& other : {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(0.8, 0.3)}) {
       const Eigen::Vector2d x(kH, 0.0), y(0.0, kH);
       const Eigen::Vector2d slope((potential(away + x, other) - potential(away - x, other)) / (2.0 * kH),

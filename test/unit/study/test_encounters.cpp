@@ -63,7 +63,8 @@ TEST_F(Encounters, AnEmptyWayIsDrivenAndAFullOneIsNot) {
               1);
   }
   // The first one releases the robot at a time of its own.
-  EXPECT_NE(at("out", "dynabarn-P0400-AUTONOMY-S00001", "release"), at("out", "dynabarn-P0401-AUTONOMY-S00001", "release"));
+  EXPECT_NE(at("out", "dynabarn-P0400-AUTONOMY-S00001", "release"),
+            at("out", "dynabarn-P0401-AUTONOMY-S00001", "release"));
 }
 
 TEST_F(Encounters, ShardsAndResumedStudiesAreTheSame) {
@@ -83,7 +84,8 @@ TEST_F(Encounters, ShardsAndResumedStudiesAreTheSame) {
 }
 
 TEST_F(Encounters, ACrowdIsMetAndItsMeasuresAreKept) {
-  const Ended ended = run("crowd --out @out --people 6 --seeds 1 --mode AUTONOMY,HOSTILE --goal 12,12,0 --tracking none");
+  const Ended ended =
+      run("crowd --out @out --people 6 --seeds 1 --mode AUTONOMY,HOSTILE --goal 12,12,0 --tracking none");
   ASSERT_EQ(ended.code, 0) << ended.errors;
   const std::string id = "crowd-P0001-AUTONOMY-S00001";
   EXPECT_EQ(at("out", id, "class"), "6 people");
