@@ -278,7 +278,7 @@ std::string help() {
   hidwa_study barn --out DIR --worlds FILE
                                 BARN-2D: a Jackal in fields of cylinders, alone and with a person (docs/study.md)
   hidwa_study dynabarn --out DIR --worlds FILE
-                                DynaBARN-2D: a Jackal through courts that cylinders cross (docs/people_in_simulation.md)
+                                DynaBARN-2D: a Jackal through courts that cylinders cross (docs/study.md)
   hidwa_study crowd --out DIR   the demo's robot and route among people who walk around
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
