@@ -46,7 +46,8 @@ class SyntheticDrive:
     """A drive along y = lateral(x) at constant forward speed from x = 0 to x = length."""
 
     def __init__(self, length=10.0, lateral=lambda x: 0.0, blocks=(), regions=(), stick=lambda t: 0.0, arrived=True, people=()):
-        """people: {id: [(time, x, y), ...]}, discs of 0.3 m. blocks: occupied rectangles (x0, y0, x1, y1) on multiples of 0.05 m; stick: deflection over time."""
+        """people: {id: [(time, x, y), ...]}, discs of 0.3 m. blocks: occupied rectangles (x0, y0, x1, y1) on multiples
+        of 0.05 m; stick: deflection over time."""
         self.length, self.lateral, self.blocks, self.regions = length, lateral, blocks, regions
         self.stick, self.arrived = stick, arrived
         self.info = {'map': 'synthetic', 'mode': 'joystick', 'host': 'compat', 'planner': 'HIDWAPlannerROS',

@@ -88,8 +88,8 @@ def statements(rows, crowd):
 
 def table(rows, crowd):
     """All groups as HTML."""
-    head = ('', 'drives', 'success', '95 % interval', 'touched moving', 'touched at rest', 'wall', 'out of time', 'by one that just leapt',
-            'time of successes [s]', 'stood [s]', 'encounters', 'touches moving', 'touches at rest', 'within 0.5 m, moving [s]')
+    head = ('', 'drives', 'success', '95 % interval', 'touched moving', 'touched at rest', 'wall', 'out of time',
+            'by one that just leapt', 'time of successes [s]', 'stood [s]', 'encounters', 'touches moving', 'touches at rest', 'within 0.5 m, moving [s]')
     lines = ['<tr>' + ''.join(f'<th>{h}</th>' for h in head) + '</tr>']
     for key, runs in groups(rows).items():
         f = figures(runs, crowd)
@@ -185,8 +185,8 @@ def write_report(folder, worlds_path=None):
                  'A success is an arrival without a touch while the robot moved.</p>']
     else:
         parts = ['<p>DynaBARN-2D: a Jackal drives 19 m straight through a court that cylinders cross, which mind neither it nor one '
-                 f'another. Between key frames they move by {study["motion"]} interpolation; the robot drives at most {study["speed"]:g} m/s. '
-                 f'The planner is told of them: {told[study["tracking"]]}. Any touch ends a drive and fails, also at rest. This is not '
+                 f'another. Between key frames they move by {study["motion"]} interpolation; the robot drives at most '
+                 f'{study["speed"]:g} m/s. The planner is told of them: {told[study["tracking"]]}. Any touch ends a drive and fails, also at rest. This is not '
                  'the simulator of the DynaBARN benchmark: figures compare planners and settings within it.</p>']
     parts += ['<h2>By class and mode</h2>', table(rows, crowd),
               '<p>Means over worlds; the interval is a bootstrap over worlds.</p>' if not crowd else

@@ -248,7 +248,8 @@ def replayed(bag, *arguments, log='replay'):
 def drive(name, *arguments, expect):
     """One demo; each of the expectations on its report is a test, and so are arrival and the simulator's own counts.
 
-    Nobody walks around unless the arguments say so. A machine that does not keep up with the simulated clock shows nothing of the planner: then slower, down to real time.
+    Nobody walks around unless the arguments say so. A machine that does not keep up with the simulated clock
+    shows nothing of the planner: then slower, down to real time.
     """
     rate, arguments = FASTEST, ('--people', '0', *arguments)
     status, report, output = demo(name, rate, *arguments)
