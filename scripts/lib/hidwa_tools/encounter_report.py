@@ -81,15 +81,16 @@ def statements(rows, crowd):
         f = figures(runs, crowd)
         said.append(f'{_name(key)}: {len(runs)} drives, success {f["success"]:.3f} ({f["low"]:.3f} to {f["high"]:.3f}), touched moving '
                     f'{f["touched_moving"]:.3f}, at rest {f["touched_at_rest"]:.3f}, out of time {f["timeout"]:.3f}, after a leap '
-                    f'{f["touched_after_leap"]:.3f}, {f["time"]:.1f} s; {f["encounters"]} encounters, {f["touches_moving"]} touches moving, '
-                    f'{f["touches_at_rest"]} at rest')
+                    f'{f["touched_after_leap"]:.3f}, {f["time"]:.1f} s; {f["encounters"]} encounters, '
+                    f'{f["touches_moving"]} touches moving, {f["touches_at_rest"]} at rest')
     return said
 
 
 def table(rows, crowd):
     """All groups as HTML."""
     head = ('', 'drives', 'success', '95 % interval', 'touched moving', 'touched at rest', 'wall', 'out of time',
-            'by one that just leapt', 'time of successes [s]', 'stood [s]', 'encounters', 'touches moving', 'touches at rest', 'within 0.5 m, moving [s]')
+            'by one that just leapt', 'time of successes [s]', 'stood [s]', 'encounters', 'touches moving', 'touches at rest',
+            'within 0.5 m, moving [s]')
     lines = ['<tr>' + ''.join(f'<th>{h}</th>' for h in head) + '</tr>']
     for key, runs in groups(rows).items():
         f = figures(runs, crowd)
@@ -186,8 +187,8 @@ def write_report(folder, worlds_path=None):
     else:
         parts = ['<p>DynaBARN-2D: a Jackal drives 19 m straight through a court that cylinders cross, which mind neither it nor one '
                  f'another. Between key frames they move by {study["motion"]} interpolation; the robot drives at most '
-                 f'{study["speed"]:g} m/s. The planner is told of them: {told[study["tracking"]]}. Any touch ends a drive and fails, also at rest. This is not '
-                 'the simulator of the DynaBARN benchmark: figures compare planners and settings within it.</p>']
+                 f'{study["speed"]:g} m/s. The planner is told of them: {told[study["tracking"]]}. Any touch ends a drive and fails, also at rest. '
+                 'This is not the simulator of the DynaBARN benchmark: figures compare planners and settings within it.</p>']
     parts += ['<h2>By class and mode</h2>', table(rows, crowd),
               '<p>Means over worlds; the interval is a bootstrap over worlds.</p>' if not crowd else
               '<p>Means over drives; the interval is a bootstrap over drives. An encounter: somebody within 1 m of the moving robot.</p>']
