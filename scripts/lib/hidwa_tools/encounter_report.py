@@ -187,8 +187,8 @@ def write_report(folder, worlds_path=None):
     else:
         parts = ['<p>DynaBARN-2D: a Jackal drives 19 m straight through a court that cylinders cross, which mind neither it nor one '
                  f'another. Between key frames they move by {study["motion"]} interpolation; the robot drives at most '
-                 f'{study["speed"]:g} m/s. The planner is told of them: {told[study["tracking"]]}. Any touch ends a drive and fails, also at rest. '
-                 'This is not the simulator of the DynaBARN benchmark: '
+                 f'{study["speed"]:g} m/s. The planner is told of them: {told[study["tracking"]]}. Any touch ends a drive and fails, '
+                 'also at rest. This is not the simulator of the DynaBARN benchmark: '
                  'figures compare planners and settings within it.</p>']
     parts += ['<h2>By class and mode</h2>', table(rows, crowd),
               '<p>Means over worlds; the interval is a bootstrap over worlds.</p>' if not crowd else
