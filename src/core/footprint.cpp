@@ -35,14 +35,15 @@ double signed_area(const Polygon& outline) {
 
 bool has_area(const Polygon& outline) { return std::abs(signed_area(outline)) > 1e-9; }
 
+// A side crosses the x axis to the right of the origin.
+bool crosses_positive_x(const Point& a, const Point& b) {
+  return (a.y() > 0.0) != (b.y() > 0.0) && 0.0 < a.x() + (b.x() - a.x()) * (-a.y()) / (b.y() - a.y());
+}
+
 bool contains_origin(const Polygon& outline) {
   bool inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point& a = outline[i];
-    const Point& b = outline[(i + 1) % outline.size()];
-    if ((a.y() > 0.0) != (b.y() > 0.0)) {
-      if (0.0 < a.x() + (b.x() - a.x()) * (-a.y()) / (b.y() - a.y())) inside = !inside;
-    }
+    if (crosses_positive_x(outline[i], outline[(i + 1) % outline.size()])) inside = !inside;
   }
   return inside;
 }
@@ -173,6 +174,18 @@ Footprint Footprint::from_outline(const Polygon& outline, double padding) {
   constexpr double kRoundness = 0.006;  // [m]
   if (corners.size() >= 12 && largest - smallest <= kRoundness) return Footprint({}, largest + padding);
   return Footprint(corners).padded(padding);
+}
+
+double Footprint::distance_to(const Point& point) const {
+  if (is_circle()) return point.norm() - radius_;
+  double nearest = std::numeric_limits<double>::infinity();
+  bool inside = false;
+  for (std::size_t i = 0; i < outline_.size(); ++i) {
+    const Point a = outline_[i] - point, b = outline_[i + 1 < outline_.size() ? i + 1 : 0] - point;
+    nearest = std::min(nearest, distance_to_segment(a, b));
+    inside = inside != crosses_positive_x(a, b);
+  }
+  return inside ? -nearest : nearest;
 }
 
 Footprint Footprint::padded(double padding) const {

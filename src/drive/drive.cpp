@@ -44,6 +44,7 @@ sim::WorldSetup world_setup(const DriveSetup& setup) {
   sim::WorldSetup world;
   world.map = setup.ground->map();
   world.discs = setup.ground->discs();
+  world.people = setup.people;
   world.regions = setup.regions;
   world.footprint = setup.footprint;
   world.limits = setup.limits;
@@ -109,7 +110,7 @@ class Run {
       link_.deliver(now());
       if (control_due_(step)) control();
       if (!ended_) world_.advance(kStep);
-      if (setup_.end_at_contact && world_.contacts() > 0) end(Ending::contact);
+      if (setup_.end_at_contact && touched()) end(Ending::contact);
     }
     return recorder_.finish(world_, ended_ ? ending_ : Ending::out_of_time);
   }
@@ -120,6 +121,8 @@ class Run {
   Twist2 velocity() const { return {world_.odometry().velocity().v, world_.odometry().velocity().omega}; }
   // Localisation is perfect and takes up the odometry's drift.
   sim::Pose map_in_odometry() const { return sim::compose(world_.odometry().pose(), sim::inverse(world_.pose())); }
+
+  bool touched() const { return world_.contacts() > 0 || !world_.watch().touches().empty(); }
 
   void end(Ending ending) {
     ending_ = ending;
@@ -192,6 +195,7 @@ class Run {
     observation.velocity = velocity();
     observation.from_plan.origin = planar(map_in_odometry());
     observation.costmap = sensing_.costmap();
+    observation.moving_obstacles = sensing_.moving_obstacles(world_, map_in_odometry());
     return observation;
   }
 

@@ -15,6 +15,18 @@ bool steers(OperatorStateId state) {
          state == OperatorStateId::blocked;
 }
 
+PeopleResult people_result(const sim::PeopleWatch& watch) {
+  PeopleResult people;
+  people.contacts_moving = watch.touches_moving();
+  people.contacts_at_rest = watch.touches_at_rest();
+  people.encounters = watch.encounters();
+  people.closest = watch.closest();
+  people.personal_space = watch.personal_space();
+  people.standing = watch.standing();
+  people.touches = watch.touches();
+  return people;
+}
+
 }  // namespace
 
 void Recorder::add(const Cycle& cycle, const Twist2& sent, double period, double spent) {
@@ -62,6 +74,7 @@ DriveResult Recorder::finish(const sim::World& world, Ending ending) {
   result_.duration = world.time();
   result_.length = world.distance();
   result_.contacts = world.contacts();
+  result_.people = people_result(world.watch());
   result_.regions_crossed = world.regions().crossed();
   result_.gentleness = gentleness_.result();
   if (result_.cycles > 0) result_.mean_clearance = clearances_ / static_cast<double>(result_.cycles);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "sim/people_watch.hpp"
 #include "sim/polygon.hpp"
 
 namespace hidwa_local_planner {
@@ -31,13 +33,25 @@ struct DriveSample {
 
 constexpr double kFarClearance = 1.0;  // [m], up to here clearances are measured
 
+/// How a drive went among people, see sim::PeopleWatch.
+struct PeopleResult {
+  int contacts_moving = 0;                                   // touches that began while the robot moved
+  int contacts_at_rest = 0;                                  // while it stood
+  int encounters = 0;                                        // with somebody within 1 m of the moving robot
+  double closest = std::numeric_limits<double>::infinity();  // [m], of anybody's disc to the robot itself
+  double personal_space = 0.0;                               // [s], moving within 0.5 m of somebody
+  double standing = 0.0;                                     // [s], the robot stood
+  std::vector<sim::Touch> touches;
+};
+
 /// A drive in figures.
 struct DriveResult {
   Ending ending = Ending::out_of_time;
   bool arrived = false;
   double duration = 0.0;  // [s]
   double length = 0.0;    // [m], driven
-  int contacts = 0;
+  int contacts = 0;       // with what does not move
+  PeopleResult people;
   int regions_crossed = 0;
   double clearance = kFarClearance;  // [m], of the robot itself at its control cycles, the smallest
   double mean_clearance = 0.0;       // [m], their mean, each at most kFarClearance

@@ -10,9 +10,11 @@
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/tracking/tracker_settings.hpp"
 #include "sim/diff_drive.hpp"
 #include "sim/grid_route.hpp"
 #include "sim/laser.hpp"
+#include "sim/mover.hpp"
 #include "sim/odometry.hpp"
 #include "sim/operator.hpp"
 #include "sim/operator_device.hpp"
@@ -31,6 +33,10 @@ struct Rates {
   double stick = 20.0;         // [Hz], of all of the person's messages
   double costmap_phase = 0.0;  // [s], how much later than the first control cycle the costmap is updated
 };
+
+/// Where the planner learns of people from: nowhere (they are cells of the costmap alone), their true states,
+/// or what the tracker makes of the robot's scans.
+enum class Tracking { none, truth, laser };
 
 /// All that a drive depends on: equal setups give equal drives, but for the computing time.
 struct DriveSetup {
@@ -53,6 +59,9 @@ struct DriveSetup {
   std::shared_ptr<sim::Operator> person;  // a new one for each drive: they remember; null: nobody
   // What the person holds, a new one for each drive: axes 0 and 1, button 0, the hand along y. Null: a stick.
   std::shared_ptr<sim::OperatorDevice> device;
+  std::shared_ptr<sim::People> people;  // who walk around, new ones for each drive: they move; null: nobody
+  Tracking tracking = Tracking::none;
+  TrackerSettings tracker;  // with Tracking::laser
   double link_delay = 0.0;  // [s], from the person's hand to the planner
   Rates rates;
 

@@ -8,6 +8,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "node_people.hpp"
+
 namespace hidwa_local_planner {
 namespace sim {
 namespace {
@@ -141,6 +143,8 @@ SimNodeParameters read_parameters(const ros::NodeHandle& node) {
   node.getParam("laser_yaw", p.laser_pose.theta);
   node.getParam("laser_height", p.laser_height);
   read_rates(node, p);
+  p.world.people = read_people(node, p.world);
+  node.getParam("tell_truth", p.tell_truth);
   node.getParam("map_frame", p.map_frame);
   node.getParam("odom_frame", p.odom_frame);
   node.getParam("base_frame", p.base_frame);

@@ -22,6 +22,7 @@ struct SimNodeParameters {
   double odom_rate = 50.0;           // [Hz], simulated time
   double ground_truth_rate = 100.0;  // [Hz]
   double scan_rate = 20.0;           // [Hz]
+  bool tell_truth = false;           // the planner is told the true states of people, as moving_obstacles
   std::string map_frame = "map";
   std::string odom_frame = "odom";
   std::string base_frame = "base_link";

@@ -15,6 +15,7 @@
 
 #include "node_messages.hpp"
 #include "node_parameters.hpp"
+#include "node_people.hpp"
 #include "pacer.hpp"
 
 namespace hidwa_local_planner {
@@ -45,7 +46,8 @@ class SimNode {
         odom_due_(p_.odom_rate),
         truth_due_(p_.ground_truth_rate),
         scan_due_(p_.scan_rate),
-        scan_message_(scan_message(p_.laser, p_.laser_frame, 1.0 / p_.scan_rate)) {
+        scan_message_(scan_message(p_.laser, p_.laser_frame, 1.0 / p_.scan_rate)),
+        people_(node_, p_.map_frame, p_.tell_truth) {
     clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 10);
     odom_ = node_.advertise<nav_msgs::Odometry>("odom", 10);
     truth_ = node_.advertise<nav_msgs::Odometry>("ground_truth", 100);
@@ -85,7 +87,11 @@ class SimNode {
     if (truth_due_(step_)) {
       truth_.publish(odometry_message(stamp(), p_.map_frame, p_.base_frame, world_.pose(), world_.velocity()));
     }
-    if (scan_due_(step_)) publish_scan();
+    if (scan_due_(step_)) {
+      publish_scan();
+      people_.publish(stamp(), world_.movers());
+    }
+    people_.publish_touches(world_.watch());
   }
 
   void publish_odometry() {
@@ -99,7 +105,8 @@ class SimNode {
 
   void publish_scan() {
     if (scan_.getNumSubscribers() == 0) return;
-    scan(caster_, p_.laser, compose(world_.pose(), p_.laser_pose), random_, scan_message_.ranges);
+    people_.scan(caster_, p_.laser, compose(world_.pose(), p_.laser_pose), world_.movers(), random_,
+                 scan_message_.ranges);
     scan_message_.header.stamp = stamp();
     scan_.publish(scan_message_);
   }
@@ -126,6 +133,7 @@ class SimNode {
   std::int64_t step_ = 0;
 
   ros::NodeHandle node_;
+  NodePeople people_;
   ros::Publisher clock_, odom_, truth_, scan_, contacts_, crossed_, regions_;
   ros::Subscriber command_;
   tf2_ros::TransformBroadcaster tf_;

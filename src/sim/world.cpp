@@ -25,6 +25,7 @@ World::World(WorldSetup setup)
       drive_(setup_.limits),
       odometry_(setup_.odometry_noise, setup_.seed),
       regions_(setup_.regions),
+      watch_(setup_.footprint),
       pose_(setup_.start) {
   if (!setup_.map) throw std::invalid_argument("the simulated robot needs a map");
   if (setup_.footprint.size() < 3) throw std::invalid_argument("the footprint needs three corners or more");
@@ -90,6 +91,24 @@ void World::step(double dt) {
   distance_ += std::abs(motion.distance);
   odometry_.step(motion, drive_.velocity(), dt);
   regions_.update(transformed(setup_.footprint, pose_));
+  people_step(dt);
+}
+
+const std::vector<Mover>& World::movers() const {
+  static const std::vector<Mover> nobody;
+  return setup_.people ? setup_.people->movers() : nobody;
+}
+
+RobotSeen World::seen() const {
+  const Velocity& velocity = drive_.velocity();
+  return {{pose_.x, pose_.y},
+          {velocity.v * std::cos(pose_.theta), velocity.v * std::sin(pose_.theta)},
+          circumscribed_radius(setup_.footprint)};
+}
+
+void World::people_step(double dt) {
+  if (setup_.people) setup_.people->advance(time_, seen());
+  watch_.add(time_, dt, pose_, drive_.velocity(), movers());
 }
 
 }  // namespace sim

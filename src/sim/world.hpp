@@ -7,8 +7,10 @@
 
 #include "sim/diff_drive.hpp"
 #include "sim/disc_field.hpp"
+#include "sim/mover.hpp"
 #include "sim/occupancy_map.hpp"
 #include "sim/odometry.hpp"
+#include "sim/people_watch.hpp"
 #include "sim/regions.hpp"
 
 namespace hidwa_local_planner {
@@ -18,6 +20,7 @@ namespace sim {
 struct WorldSetup {
   std::shared_ptr<const OccupancyMap> map;
   std::shared_ptr<const DiscField> discs;  // obstacles besides the map's; null: none
+  std::shared_ptr<People> people;          // who walks around in it; of this world alone; null: nobody
   std::vector<Region> regions;
   Polygon footprint;  // [m], unpadded, robot frame
   DriveLimits limits;
@@ -30,7 +33,7 @@ struct WorldSetup {
 /// and the discs. A
 /// contact is one uninterrupted overlap: the robot is stopped where it first touches, at most a few
 /// micrometres deep, so that the recorded poses show the contact too, and stays until it moves to a pose that
-/// is free.
+/// is free. People do not stop the robot; that they and it touch is what watch() counts, at the same times.
 class World {
  public:
   /// Throws std::invalid_argument where the start overlaps an obstacle or the setup makes no sense.
@@ -51,10 +54,15 @@ class World {
   const Polygon& footprint() const { return setup_.footprint; }
   int contacts() const { return contacts_; }
   bool in_contact() const { return in_contact_; }
+  /// Who is around; empty where there is nobody.
+  const std::vector<Mover>& movers() const;
+  const PeopleWatch& watch() const { return watch_; }
   double distance() const { return distance_; }  // [m], driven so far
 
  private:
   void step(double dt);
+  void people_step(double dt);
+  RobotSeen seen() const;
   bool is_free(const Pose& pose) const;
   // Both move the robot and return what was moved.
   Motion stop_at_obstacle(const Motion& motion);
@@ -64,6 +72,7 @@ class World {
   DiffDrive drive_;
   Odometry odometry_;
   RegionCounter regions_;
+  PeopleWatch watch_;
   Pose pose_;
   Pose last_free_;         // while in contact: the free pose just before it
   double time_ = 0.0;      // [s]

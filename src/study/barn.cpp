@@ -70,7 +70,7 @@ int barn(const Options& options, std::ostream& out, std::ostream& errors) {
   indices.reserve(worlds.size());
   for (const auto& entry : worlds) indices.push_back(entry.first);
   const std::vector<Setting> settings = options.vary.empty() ? combinations(options.grid) : variations(options.vary);
-  const Plan plan = make_barn_plan(indices, options.modes, settings);
+  const Plan plan = make_world_plan("barn", indices, options.modes, settings);
   const std::vector<BarnSubject> subjects = subjects_of(options, plan);
   const auto make = [&](const Run& run) {
     // A world's noise is the same in all modes and settings.

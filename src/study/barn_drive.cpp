@@ -11,9 +11,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/util/words.hpp"
-#include "drive/outline.hpp"
 #include "study/barn_person.hpp"
 #include "study/error.hpp"
+#include "study/jackal.hpp"
 #include "study/table.hpp"
 
 namespace hidwa_local_planner {
@@ -24,26 +24,6 @@ namespace {
 constexpr double kGoalRadius = 1.0;    // [m]
 constexpr double kTimeLimit = 100.0;   // [s]
 constexpr double kOptimalSpeed = 2.0;  // [m/s]
-
-// A Jackal: jackal_navigation's footprint; jackal_control's velocity limits, and the accelerations that
-// launch/params /jackal.yaml states; its front laser, of 270 degrees.
-const sim::Polygon kFootprint{{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, -0.165}};  // [m]
-constexpr double kLaserForward = 0.12;                                                          // [m]
-constexpr double kLaserView = 4.7124;                                                           // [rad]
-constexpr int kBeams = 720;
-constexpr double kLaserNoise = 0.01;  // [m]
-constexpr double kSlip = 0.01;        // of the odometry
-constexpr double kLatency = 0.05;     // [s], one cycle
-
-sim::DriveLimits jackal_limits() {
-  sim::DriveLimits limits;
-  limits.max_vel_x = 2.0;
-  limits.max_vel_theta = 4.0;
-  limits.acc_lim_x = limits.decel_lim_x = 10.0;
-  limits.acc_lim_theta = limits.decel_lim_theta = 20.0;
-  limits.latency = kLatency;
-  return limits;
-}
 
 // The field, its start and its goal, with some room around: what the global plan may use.
 sim::OccupancyMap field(double resolution) {
@@ -96,21 +76,15 @@ void assign_entry(BarnSubject& subject, const std::string& name, const std::stri
 // How long the person of AFTERMATH attacks [s].
 constexpr double kAttacked = 20.0;
 
-// A local costmap must hold what is rolled out, or its edge limits the speed.
-drive::CostmapSettings wide_enough(drive::CostmapSettings costmap, const Parameters& parameters) {
-  const double reach = parameters.max_vel_x * parameters.sim_time + sim::circumscribed_radius(kFootprint);
-  costmap.width = std::max(costmap.width, 2.0 * reach + 0.5);
-  costmap.obstacle_range = std::max(costmap.obstacle_range, 0.75 * costmap.width);  // to its corners
-  costmap.raytrace_range = costmap.obstacle_range + 0.5;
-  return costmap;
-}
-
 std::shared_ptr<sim::Operator> person_of(const std::string& mode, const Parameters& parameters,
                                          const std::shared_ptr<const sim::DiscField>& discs, std::uint64_t seed) {
   const FullDeflection full{parameters.max_vel_x, parameters.max_vel_theta, parameters.exponent};
-  if (mode == "HELPFUL") return std::make_shared<HelpfulPerson>(discs, full);
-  if (mode == "HOSTILE") return std::make_shared<HostilePerson>(discs, full, seed);
-  if (mode == "AFTERMATH") return std::make_shared<HostilePerson>(discs, full, seed, kAttacked);
+  const Room room = [discs](const Eigen::Vector2d& point, double /*ahead*/, double at_most) {
+    return discs->distance(point, at_most);
+  };
+  if (mode == "HELPFUL") return std::make_shared<HelpfulPerson>(room, full);
+  if (mode == "HOSTILE") return std::make_shared<HostilePerson>(room, full, seed);
+  if (mode == "AFTERMATH") return std::make_shared<HostilePerson>(room, full, seed, kAttacked);
   return nullptr;
 }
 
@@ -155,25 +129,13 @@ void assign_barn(BarnSubject& subject, const Assignment& assignment) {
 drive::DriveResult drive_barn(const sim::BarnWorld& world, const BarnSubject& subject, const std::string& mode,
                               std::uint64_t world_seed, std::uint64_t person_seed) {
   const auto discs = std::make_shared<sim::DiscField>(world.cylinders, sim::kBarnCylinder);
-  drive::DriveSetup setup;
+  drive::DriveSetup setup = jackal(subject);
   setup.ground =
       std::make_shared<drive::Ground>(std::make_shared<sim::OccupancyMap>(field(subject.plan_resolution)), discs);
   setup.start = sim::barn_start();
   setup.goal = sim::barn_goal();
   setup.explore = true;
-  setup.plan_radius = subject.plan_radius;
-  setup.footprint = kFootprint;
-  setup.outline = drive::padded_outline(kFootprint, subject.padding);
-  setup.limits = jackal_limits();
-  setup.odometry_noise.slip_x = setup.odometry_noise.slip_theta = kSlip;
-  setup.laser.beams = kBeams;
-  setup.laser.field_of_view = kLaserView;
-  setup.laser.noise = kLaserNoise;
-  setup.laser_pose = {kLaserForward, 0.0, 0.0};
-  setup.parameters = subject.subject.parameters;
-  setup.costmap = wide_enough(subject.costmap, setup.parameters);
   setup.person = person_of(mode, setup.parameters, discs, person_seed);
-  setup.link_delay = subject.subject.link_delay;
   setup.odometry_seed = world_seed;
   setup.laser_seed = world_seed + 1;
   setup.goal_radius = kGoalRadius;

@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kLookAhead = 1.0;  // [s], along an arc
 constexpr double kArcStep = 0.05;   // [s]
-constexpr double kFar = 2.0;        // [m], beyond it a cylinder does not matter
+constexpr double kFar = 2.0;        // [m], beyond it an obstacle does not matter
 
-// Free space between the centre of the robot and the nearest cylinder, the smallest along an arc [m].
-double room_along(const sim::DiscField& discs, const sim::Pose& pose, double v, double omega) {
+// Free space between the centre of the robot and the nearest obstacle, the smallest along an arc [m].
+double room_along(const Room& room, const sim::Pose& pose, double v, double omega) {
   double least = kFar;
   for (double t = kArcStep; t < kLookAhead + 0.5 * kArcStep; t += kArcStep) {
     const sim::Pose at = sim::moved(pose, {v * t, omega * t});
-    least = discs.distance({at.x, at.y}, least);
+    least = room({at.x, at.y}, t, least);
   }
   return least;
 }
@@ -28,9 +28,8 @@ double uniform(sim::Random& random, double low, double high) { return low + (hig
 
 }  // namespace
 
-HostilePerson::HostilePerson(std::shared_ptr<const sim::DiscField> discs, const FullDeflection& full,
-                             std::uint64_t seed, double leaves)
-    : discs_(std::move(discs)), full_(full), random_(seed), leaves_(leaves) {}
+HostilePerson::HostilePerson(Room room, const FullDeflection& full, std::uint64_t seed, double leaves)
+    : room_(std::move(room)), full_(full), random_(seed), leaves_(leaves) {}
 
 sim::Stick HostilePerson::update(const sim::Observation& seen) {
   if (seen.time >= leaves_) return {};
@@ -58,14 +57,13 @@ void HostilePerson::begin_phase(double now) {
 
 // Left 1, right -1; where neither is nearer, as before.
 double HostilePerson::nearer_side(const sim::Pose& pose) const {
-  const double left = room_along(*discs_, pose, full_.v, full_.omega);
-  const double right = room_along(*discs_, pose, full_.v, -full_.omega);
+  const double left = room_along(room_, pose, full_.v, full_.omega);
+  const double right = room_along(room_, pose, full_.v, -full_.omega);
   if (left == right) return side_;
   return left < right ? 1.0 : -1.0;
 }
 
-HelpfulPerson::HelpfulPerson(std::shared_ptr<const sim::DiscField> discs, const FullDeflection& full)
-    : discs_(std::move(discs)), full_(full) {}
+HelpfulPerson::HelpfulPerson(Room room, const FullDeflection& full) : room_(std::move(room)), full_(full) {}
 
 sim::Stick HelpfulPerson::update(const sim::Observation& seen) {
   constexpr double kPeriod = 0.25;  // [s], of decisions
@@ -96,7 +94,7 @@ double HelpfulPerson::decide(const sim::Pose& pose) const {
   if (std::abs(off) < kFaces) return 0.0;
   double best = 0.0, most = -std::numeric_limits<double>::infinity();
   for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-    const double room = room_along(*discs_, pose, full_.v, std::copysign(share * full_.omega, off));
+    const double room = room_along(room_, pose, full_.v, std::copysign(share * full_.omega, off));
     if (room <= most) continue;
     most = room;
     best = share;

@@ -10,6 +10,7 @@
 
 #include "core/util/words.hpp"
 #include "study/barn_drive.hpp"
+#include "study/dynabarn_drive.hpp"
 #include "study/error.hpp"
 
 namespace hidwa_local_planner {
@@ -80,6 +81,22 @@ std::string one_of(const std::string& option, const std::string& text, const std
   return text;
 }
 
+double number_within(const std::string& option, const std::string& text, double least, double greatest) {
+  const std::optional<double> value = number_in(text);
+  if (!value || *value < least || *value > greatest) {
+    throw UsageError(option + " needs a number from " + shortest(least) + " to " + shortest(greatest) + ", not '" +
+                     text + "'");
+  }
+  return *value;
+}
+
+drive::Tracking tracking(const std::string& text) {
+  if (text == "none") return drive::Tracking::none;
+  if (text == "truth") return drive::Tracking::truth;
+  if (text == "laser") return drive::Tracking::laser;
+  throw UsageError("--tracking is none, truth or laser, not '" + text + "'");
+}
+
 void read_shard(const std::string& text, Options& options) {
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) throw UsageError("--shard needs K/N, such as 1/8, not '" + text + "'");
@@ -111,6 +128,16 @@ std::map<std::string, Reader> readers(Options& o) {
       {"--vary", [&o](const std::string& v) { o.vary.push_back(v); }},
       {"--worlds", [&o](const std::string& v) { o.worlds = v; }},
       {"--mode", [&o](const std::string& v) { o.modes = modes(v); }},
+      {"--tracking", [&o](const std::string& v) { o.tracking = tracking(v); }},
+      {"--motion",
+       [&o](const std::string& v) {
+         o.motion =
+             one_of("--motion", v, "linear", "spline") == "linear" ? sim::KeyMotion::linear : sim::KeyMotion::spline;
+       }},
+      {"--speed", [&o](const std::string& v) { o.speed = number_within("--speed", v, 0.1, 2.0); }},
+      {"--seeds", [&o](const std::string& v) { o.seeds = static_cast<int>(whole("--seeds", v, 1, 9999)); }},
+      {"--people", [&o](const std::string& v) { o.people = static_cast<int>(whole("--people", v, 0, 200)); }},
+      {"--yielding", [&o](const std::string& v) { o.yielding = number_within("--yielding", v, 0.0, 1.0); }},
       {"--shard", [&o](const std::string& v) { read_shard(v, o); }},
   };
 }
@@ -122,16 +149,38 @@ std::map<std::string, std::function<void()>> switches(Options& o) {
           {"--no-paths", [&o] { o.paths = false; }}};
 }
 
+// The commands that an option is for; empty: for all.
+std::vector<std::string> commands_of(const std::string& name) {
+  const std::vector<std::string> study{"run", "pilot", "sweep"}, floor{"run", "pilot", "sweep", "crowd"};
+  const std::map<std::string, std::vector<std::string>> of{{"--map", floor},
+                                                           {"--regions", floor},
+                                                           {"--start", floor},
+                                                           {"--goal", floor},
+                                                           {"--participants", study},
+                                                           {"--conditions", study},
+                                                           {"--profile", study},
+                                                           {"--guard", study},
+                                                           {"--worlds", {"barn", "dynabarn"}},
+                                                           {"--mode", {"barn", "dynabarn", "crowd"}},
+                                                           {"--tracking", {"dynabarn", "crowd"}},
+                                                           {"--seeds", {"dynabarn", "crowd"}},
+                                                           {"--motion", {"dynabarn"}},
+                                                           {"--speed", {"dynabarn"}},
+                                                           {"--people", {"crowd"}},
+                                                           {"--yielding", {"crowd"}}};
+  const auto found = of.find(name);
+  return found == of.end() ? std::vector<std::string>{} : found->second;
+}
+
 // Options that say nothing to a command are refused: whoever gives them expects something else.
 void check_option(const std::string& command, const std::string& name) {
-  const std::vector<std::string> of_barn{"--worlds", "--mode"};
-  const std::vector<std::string> of_people{"--map",          "--regions",    "--start",   "--goal",
-                                           "--participants", "--conditions", "--profile", "--guard"};
-  const bool barn = command == "barn";
-  const std::vector<std::string>& others = barn ? of_people : of_barn;
-  if (std::count(others.begin(), others.end(), name) > 0) {
-    throw UsageError(name + " is for " + (barn ? "run, pilot and sweep" : "barn") + ": see hidwa_study --help");
+  const std::vector<std::string> commands = commands_of(name);
+  if (commands.empty() || std::count(commands.begin(), commands.end(), command) > 0) return;
+  std::string all;
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    all += (k == 0 ? "" : k + 1 == commands.size() ? " and " : ", ") + commands[k];
   }
+  throw UsageError(name + " is for " + all + ": see hidwa_study --help");
 }
 
 void read_arguments(const std::vector<std::string>& arguments, Options& options) {
@@ -168,12 +217,24 @@ void check(const Options& o) {
   if (o.command == "sweep" && o.grid.empty() == o.vary.empty()) {
     throw UsageError("sweep needs either --grid or --vary name=value,value,...");
   }
-  if (o.command == "barn" && o.worlds.empty()) throw UsageError("--worlds is missing: a file of BARN worlds");
-  if (o.command == "barn" && !o.grid.empty() && !o.vary.empty())
-    throw UsageError("barn takes --grid or --vary, not both");
-  const bool several = o.command == "sweep" || o.command == "barn";
-  if (!several && !o.grid.empty()) throw UsageError("--grid is for sweep and barn; for one value take --set");
-  if (!several && !o.vary.empty()) throw UsageError("--vary is for sweep and barn; for one value take --set");
+  const bool in_worlds = o.command == "barn" || o.command == "dynabarn";
+  if (in_worlds && o.worlds.empty()) {
+    throw UsageError(std::string("--worlds is missing: a file of ") + (o.command == "barn" ? "BARN" : "DynaBARN") +
+                     " worlds");
+  }
+  if (o.command == "dynabarn" && o.seeds > kSeedsOfWorld) {
+    throw UsageError("--seeds is at most " + std::to_string(kSeedsOfWorld) + " for dynabarn");
+  }
+  if (o.command != "barn" && std::count(o.modes.begin(), o.modes.end(), "AFTERMATH") > 0) {
+    throw UsageError("--mode AFTERMATH is for barn: take some of AUTONOMY,HELPFUL,HOSTILE");
+  }
+  const bool several = in_worlds || o.command == "sweep" || o.command == "crowd";
+  if (several && o.command != "sweep" && !o.grid.empty() && !o.vary.empty())
+    throw UsageError(o.command + " takes --grid or --vary, not both");
+  if (!several && !o.grid.empty())
+    throw UsageError("--grid is for sweep, barn, dynabarn and crowd; for one value take --set");
+  if (!several && !o.vary.empty())
+    throw UsageError("--vary is for sweep, barn, dynabarn and crowd; for one value take --set");
   if (o.command == "pilot") {
     for (const Assignment& set : o.sets) {
       if (set.name == "s_v" || set.name == "s_omega" || set.name == "delta") {
@@ -189,10 +250,11 @@ Options parse_options(const std::vector<std::string>& arguments) {
   Options options;
   options.command = arguments.empty() ? "" : arguments.front();
   if (options.command == "--help" || options.command == "-h") options.command = "help";
-  const std::vector<std::string> commands{"run", "pilot", "sweep", "barn", "merge", "help"};
+  const std::vector<std::string> commands{"run", "pilot", "sweep", "barn", "dynabarn", "crowd", "merge", "help"};
   if (std::count(commands.begin(), commands.end(), options.command) == 0) {
-    throw UsageError((options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
-                     std::string(": hidwa_study run, pilot, sweep, barn or merge; see hidwa_study --help"));
+    throw UsageError(
+        (options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
+        std::string(": hidwa_study run, pilot, sweep, barn, dynabarn, crowd or merge; see hidwa_study --help"));
   }
   if (options.command == "pilot" || options.command == "sweep") {
     options.participants = 8;
@@ -215,6 +277,9 @@ std::string help() {
                                 as it is, then each value alone: the sensitivity to it
   hidwa_study barn --out DIR --worlds FILE
                                 BARN-2D: a Jackal in fields of cylinders, alone and with a person (docs/study.md)
+  hidwa_study dynabarn --out DIR --worlds FILE
+                                DynaBARN-2D: a Jackal through courts that cylinders cross (docs/study.md)
+  hidwa_study crowd --out DIR   the demo's robot and route among people who walk around
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
 
@@ -225,13 +290,21 @@ std::string help() {
   --participants N
   --conditions SJ,SG,SW   some of them
   --mode AUTONOMY,HELPFUL,HOSTILE,AFTERMATH
-                          barn: some of them; SHARED: HELPFUL and HOSTILE;
+                          barn, dynabarn, crowd: some of them; SHARED: HELPFUL and HOSTILE; AFTERMATH: barn only;
                           default: all but AFTERMATH
+  --tracking none|truth|laser
+                          dynabarn, crowd: what the planner is told of what moves: nothing, its true states (default), or
+                          what the tracker makes of the scans
+  --seeds N               dynabarn: drives in each world and mode; crowd: drives in each mode; default 10
+  --motion linear|spline  dynabarn: between key frames; default linear
+  --speed V               dynabarn: max_vel_x [m/s]; default 2.0
+  --people N              crowd; default 20
+  --yielding SHARE        crowd: of the people, who keep away from the robot; the others do not mind it; default 0.5
   --seed N                of everything random; default 1
   --profile default|paper
   --guard none|nearest    SW: the person's own velocity (default, the paper's), or the nearest legal one
   --set NAME=VALUE        a parameter of the planner (docs/parameters.md), participant.TRAIT (see docs/study.md), or
-                          link_delay [s]; barn: also costmap.NAME; may be repeated
+                          link_delay [s]; barn, dynabarn: also costmap.NAME; may be repeated
   --threads N             default: as many as there are cores
   --shard K/N             the K-th of N parts only
   --no-resume             make runs again that are finished; default: keep them

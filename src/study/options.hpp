@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "drive/setup.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
+#include "sim/key_frames.hpp"
 #include "sim/polygon.hpp"
 #include "study/setting.hpp"
 
@@ -16,7 +18,7 @@ namespace study {
 
 /// What the command line says.
 struct Options {
-  std::string command;  // run, pilot, sweep, barn, merge or help
+  std::string command;  // run, pilot, sweep, barn, dynabarn, crowd, merge or help
   std::string out;
   std::string map;                       // empty: the package's office
   std::string regions;                   // likewise; none: no regions
@@ -33,9 +35,15 @@ struct Options {
   std::size_t shard = 1, shards = 1;
   bool resume = true;
   bool paths = true;
-  std::vector<std::string> parts;  // merge
-  std::string worlds;              // barn: the file
-  std::vector<std::string> modes;  // barn
+  std::vector<std::string> parts;                     // merge
+  std::string worlds;                                 // barn, dynabarn: the file
+  std::vector<std::string> modes;                     // barn, dynabarn, crowd
+  int seeds = 10;                                     // dynabarn: of each world; crowd: in all
+  drive::Tracking tracking = drive::Tracking::truth;  // dynabarn, crowd
+  sim::KeyMotion motion = sim::KeyMotion::linear;     // dynabarn
+  double speed = 2.0;                                 // dynabarn: max_vel_x [m/s]
+  int people = 20;                                    // crowd
+  double yielding = 0.5;                              // crowd: share of people who keep away from the robot
 };
 
 /// Reads the arguments after the program's name. Throws UsageError.

@@ -81,9 +81,9 @@ Plan make_plan(const std::string& experiment, int participants, const std::vecto
   return plan;
 }
 
-Plan make_barn_plan(const std::vector<int>& worlds, const std::vector<std::string>& modes,
-                    const std::vector<Setting>& settings) {
-  Plan plan{"barn", settings, {}};
+Plan make_world_plan(const std::string& experiment, const std::vector<int>& worlds,
+                     const std::vector<std::string>& modes, const std::vector<Setting>& settings) {
+  Plan plan{experiment, settings, {}};
   for (const int world : worlds) {
     for (std::size_t setting = 0; setting < settings.size(); ++setting) {
       for (const std::string& mode : modes) {

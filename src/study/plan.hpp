@@ -21,7 +21,7 @@ struct Run {
 
 /// The drives of an experiment, whose they are and in which order.
 struct Plan {
-  std::string experiment;  // run, pilot, sweep or barn
+  std::string experiment;  // run, pilot, sweep, barn, dynabarn or crowd
   std::vector<Setting> settings;
   std::vector<Run> runs;  // by id
 };
@@ -33,10 +33,10 @@ struct Plan {
 Plan make_plan(const std::string& experiment, int participants, const std::vector<std::string>& conditions,
                const std::vector<Setting>& settings, bool balanced);
 
-/// BARN-2D: each of these worlds in every mode with every setting. A run's participant is its world's index, its
-/// condition the mode.
-Plan make_barn_plan(const std::vector<int>& worlds, const std::vector<std::string>& modes,
-                    const std::vector<Setting>& settings);
+/// BARN-2D and its like: each of these worlds in every mode with every setting. A run's participant is its world's
+/// number, its condition the mode.
+Plan make_world_plan(const std::string& experiment, const std::vector<int>& worlds,
+                     const std::vector<std::string>& modes, const std::vector<Setting>& settings);
 
 /// The paper's pilot: four combinations of s_v, s_omega and delta (section IV-A).
 std::vector<Setting> pilot_settings();

@@ -9,6 +9,8 @@
 
 #include "barn.hpp"
 #include "core/util/words.hpp"
+#include "crowd.hpp"
+#include "dynabarn.hpp"
 #include "execution.hpp"
 #include "manifest.hpp"
 #include "share.hpp"
@@ -121,7 +123,10 @@ int program(const std::vector<std::string>& arguments, std::ostream& out, std::o
       return 0;
     }
     if (options.command == "merge") return merge(options, out);
-    return options.command == "barn" ? barn(options, out, errors) : experiment(options, out, errors);
+    if (options.command == "barn") return barn(options, out, errors);
+    if (options.command == "dynabarn") return dynabarn(options, out, errors);
+    if (options.command == "crowd") return crowd(options, out, errors);
+    return experiment(options, out, errors);
   } catch (const UsageError& e) {
     errors << "hidwa_study: " << e.what() << std::endl;
     return 2;

@@ -3,6 +3,7 @@
 
 #include "core/util/words.hpp"
 #include "study/barn_table.hpp"
+#include "study/encounter_table.hpp"
 #include "study/summary.hpp"
 
 namespace hidwa_local_planner {
@@ -31,7 +32,11 @@ std::string digest(const Plan& plan, const std::vector<Row>& rows) {
 
 Tables people_tables() { return {columns(), summary_json, ranking_csv, digest}; }
 
-Tables tables_of(const std::string& experiment) { return experiment == "barn" ? barn_tables() : people_tables(); }
+Tables tables_of(const std::string& experiment) {
+  if (experiment == "barn") return barn_tables();
+  if (experiment == "dynabarn" || experiment == "crowd") return encounter_tables();
+  return people_tables();
+}
 
 }  // namespace study
 }  // namespace hidwa_local_planner

@@ -22,7 +22,7 @@ struct Tables {
 /// Those of the study with simulated people.
 Tables people_tables();
 
-/// Those of an experiment: run, pilot, sweep or barn.
+/// Those of an experiment: run, pilot, sweep, barn, dynabarn or crowd.
 Tables tables_of(const std::string& experiment);
 
 }  // namespace study

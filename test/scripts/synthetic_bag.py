@@ -9,7 +9,7 @@ import rosbag
 from actionlib_msgs.msg import GoalStatus
 from genpy.dynamic import generate_dynamic
 from dynamic_reconfigure.msg import Config, StrParameter
-from geometry_msgs.msg import Point, PoseStamped, Quaternion, Transform, TransformStamped, Twist, Vector3
+from geometry_msgs.msg import Point, Point32, PoseStamped, Quaternion, Transform, TransformStamped, Twist, Vector3
 from move_base_msgs.msg import MoveBaseActionGoal, MoveBaseActionResult
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from sensor_msgs.msg import Joy, LaserScan
@@ -27,28 +27,34 @@ SIZE = (400, 120)      # cells: x from -2 to 18 m, y from -3 to 3 m
 FOOTPRINT = [[0.2, 0.15], [-0.2, 0.15], [-0.2, -0.15], [0.2, -0.15]]
 
 
-def own_message(name):
-    """The class of one of our messages, out of msg/ (no built workspace needed)."""
+def own_message(name, of=None):
+    """The class of one of our messages, out of msg/ (no built workspace needed), or of another one that it is made `of`."""
     with open(os.path.join(ROOT, 'msg', name + '.msg'), encoding='utf-8') as text:
         definition = text.read()
     parts = [definition]
-    for package, cls in (('std_msgs/Header', Header), ('geometry_msgs/Twist', Twist)):
+    for package, cls in (('std_msgs/Header', Header), ('geometry_msgs/Twist', Twist), ('geometry_msgs/Point32', Point32),
+                         ('geometry_msgs/Point', Point), ('geometry_msgs/Vector3', Vector3)):
         parts.append(f'MSG: {package}\n{cls._full_text}')
+    if name == 'MovingObstacles':
+        with open(os.path.join(ROOT, 'msg', 'MovingObstacle.msg'), encoding='utf-8') as text:
+            parts.append('MSG: hidwa_local_planner/MovingObstacle\n' + text.read())
     full = ('\n' + '=' * 80 + '\n').join(parts)
-    return generate_dynamic('hidwa_local_planner/' + name, full)['hidwa_local_planner/' + name]
+    return generate_dynamic('hidwa_local_planner/' + name, full)['hidwa_local_planner/' + (of or name)]
 
 
 class SyntheticDrive:
     """A drive along y = lateral(x) at constant forward speed from x = 0 to x = length."""
 
-    def __init__(self, length=10.0, lateral=lambda x: 0.0, blocks=(), regions=(), stick=lambda t: 0.0, arrived=True):
-        """blocks: occupied rectangles (x0, y0, x1, y1) on multiples of 0.05 m; stick: deflection over time."""
+    def __init__(self, length=10.0, lateral=lambda x: 0.0, blocks=(), regions=(), stick=lambda t: 0.0, arrived=True, people=()):
+        """people: {id: [(time, x, y), ...]}, discs of 0.3 m. blocks: occupied rectangles (x0, y0, x1, y1) on multiples
+        of 0.05 m; stick: deflection over time."""
         self.length, self.lateral, self.blocks, self.regions = length, lateral, blocks, regions
         self.stick, self.arrived = stick, arrived
         self.info = {'map': 'synthetic', 'mode': 'joystick', 'host': 'compat', 'planner': 'HIDWAPlannerROS',
                      'operator': 'script', 'start': [0, 0, 0], 'goal': [length, 0, 0], 'rate': 1.0,
                      'footprint': FOOTPRINT, 'stick': {'axis': 0, 'sign': 1, 'dead_zone': 0.1}}
         self.omit = ()  # topics left out
+        self.people = dict(people)
 
     def write(self, path):
         """Writes the bag; the goal comes 1 s after its begin."""
@@ -58,6 +64,7 @@ class SyntheticDrive:
             self._put('/demo_info', 0.1, String(json.dumps(self.info)))
             self._put('/map', 0.1, self._map())
             self._put('/regions', 0.1, self._markers())
+            self._people()
             goal = MoveBaseActionGoal()
             goal.goal.target_pose.pose.position.x = self.length
             self._put('/move_base/goal', 1.0, goal)
@@ -96,6 +103,17 @@ class SyntheticDrive:
             marker.points = [Point(x, y, 0.0) for x, y in [*polygon, polygon[0]]]
             array.markers.append(marker)
         return array
+
+    def _people(self):
+        kind, part = own_message('MovingObstacles'), own_message('MovingObstacles', 'MovingObstacle')
+        for key, track in self.people.items():
+            for time, x, y in track:
+                message = kind()
+                message.header.stamp, message.header.frame_id = genpy.Time.from_sec(time), 'map'
+                obstacle = part()
+                obstacle.id, obstacle.position.x, obstacle.position.y, obstacle.radius = key, x, y, 0.3
+                message.obstacles = [obstacle]
+                self._put('/moving_obstacles_truth', time, message)
 
     def _plan(self):
         path = Path()

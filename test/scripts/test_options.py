@@ -28,6 +28,12 @@ class Options(unittest.TestCase):
         options = parse([])
         self.assertEqual((options.operator, options.rate, options.map, options.gui), ('avoid', 1.0, None, False))
         self.assertEqual(options.report, os.path.abspath('report'))
+        self.assertEqual((options.people, options.people_seed), (4, 1))
+
+    def test_people(self):
+        self.assertEqual(parse(['--people', '0']).people, 0)
+        self.assertIn("'-1' is no whole number from 0", self.refused('--people=-1'))
+        self.assertIn("'some' is no whole number", self.refused('--people', 'some'))
 
     def test_negative_coordinates(self):
         options = parse(['--map', self.map, '--start', '-7.05,-12.35,3.14', '--goal', '-16.65,32.85,1.57'])

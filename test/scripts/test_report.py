@@ -123,6 +123,23 @@ class Report(unittest.TestCase):
         self.assertEqual(measure.deflections(sticks, 0, -1, 0.1)[0], (1.0, 3.0, -1))
         self.assertEqual(measure.deflections(sticks, 3, 1, 0.1), [])
 
+    def test_people_are_counted_and_drawn(self):
+        # The robot drives at 0.5 m/s from x = 0, 1 s after the bag's begin; it is 0.4 m long and 0.3 m wide.
+        beside = [(t, 5.0, 1.0) for t in np.arange(0.0, 22.0, 0.05)]              # 1.0 - 0.15 - 0.3 = 0.55 m at the least
+        # Stands at x = 8; the front touches when the robot is at 8 - 0.3 - 0.2 = 7.5, the back leaves it at 8.5.
+        ahead = [(t, 8.0, 0.0) for t in np.arange(0.0, 22.0, 0.05)]
+        figures = self.measured(SyntheticDrive(people={3: beside}))
+        self.assertEqual((figures['people'], figures['contacts_moving'], figures['contacts_at_rest']), (1, 0, 0))
+        self.assertAlmostEqual(figures['closest_person_m'], 0.55, places=3)
+        self.assertEqual(figures['personal_space_s'], 0.0)
+        figures = self.measured(SyntheticDrive(people={3: beside, 4: ahead}))
+        self.assertEqual((figures['people'], figures['contacts_moving'], figures['closest_person_m']), (2, 1, 0.0))
+        # From x = 7.0 to 9.0: 2 m at 0.5 m/s.
+        self.assertAlmostEqual(figures['personal_space_s'], 4.0, delta=0.05)
+        path = SyntheticDrive(people={3: beside}).write(os.path.join(self.folder.name, 'people.bag'))
+        self.assertEqual(report.main([path, '--out', self.folder.name]), 0)
+        self.assertGreater(os.path.getsize(os.path.join(self.folder.name, 'report.png')), 10000)
+
     def test_no_arrival(self):
         self.assertFalse(self.measured(SyntheticDrive(arrived=False))['arrived'])
         drive = SyntheticDrive()

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/moving_obstacle.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/tile.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -36,6 +37,7 @@ struct CycleView {
   const GridView* grid = nullptr;
   const Footprint* footprint = nullptr;
   Surroundings* surroundings = nullptr;
+  const MovingObstacles* moving_obstacles = nullptr;  // that count
 
   /// False where no pose of the plan lies on the local map: then no distance is known.
   bool plan_on_map() const { return surroundings->plan_on_map(); }

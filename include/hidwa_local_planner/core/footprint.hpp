@@ -32,6 +32,8 @@ class Footprint {
   };
   /// Empty where the outline is not convex, or a circle.
   const std::vector<Side>& sides() const { return sides_; }
+  /// From a point to the outline, exactly; negative inside. Robot frame [m].
+  double distance_to(const Point& point) const;
   /// The same outline, every side moved outwards by `padding` [m], so that everything within `padding` of it lies
   /// inside. No corner goes farther than twice the padding: the tip of one sharper than 60 degrees is cut off,
   /// `padding` away from it, and a line becomes a rectangle. Where the padding closes a dent, or the outline crosses

@@ -20,6 +20,12 @@ struct MovingObstacle {
   // Where a sensor sees it, and saw free space before, costmap frame [m]. These places leave the planner's copy of the
   // costmap: the disc counts already.
   std::vector<Point> points;
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.id, self.position, self.velocity, self.radius, self.position_deviation, self.velocity_deviation, self.age,
+       self.points);
+  }
 };
 
 using MovingObstacles = std::vector<MovingObstacle>;

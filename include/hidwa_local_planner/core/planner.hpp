@@ -58,7 +58,7 @@ const char* to_string(Outcome outcome);
 
 /// Names stay valid until the planner is configured anew.
 struct RejectionCount {
-  std::string_view name;  // "Collision", "Braking" or a critic
+  std::string_view name;  // "Collision", "Braking", "Moving obstacle" or a critic
   std::size_t count = 0;
 };
 using RefusalCount [[deprecated("is RejectionCount")]] = RejectionCount;
@@ -89,9 +89,9 @@ struct Decision {
   std::vector<Pose2> trajectory;  // its rollout, start pose first; empty when none was chosen
   double step = 0.0;              // time between two of its poses [s]
   std::vector<CriticTerm> terms;  // of the chosen candidate, in the order of the critics
-  // Collision and braking count only the candidates that were checked. With Report::legality, and whenever nothing is
+  // The checks count only the candidates that were checked. With Report::legality, and whenever nothing is
   // legal, these are all.
-  std::vector<RejectionCount> rejections;  // per critic, in order; collision and braking first
+  std::vector<RejectionCount> rejections;  // per critic, in order; the checks first
   std::size_t candidates = 0;
   std::size_t legal = 0;             // not rejected
   double agreement = 1.0;            // 1: the command is the operator command, in [0, 1]
@@ -108,7 +108,7 @@ struct Decision {
 
 /// Who rejects a candidate, and why. Names stay valid until the planner is configured anew.
 struct Rejection {
-  std::string_view name;  // "Collision", "Braking" or a critic
+  std::string_view name;  // "Collision", "Braking", "Moving obstacle" or a critic
   const char* reason = "";
 };
 

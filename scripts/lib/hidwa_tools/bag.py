@@ -9,6 +9,7 @@ import numpy as np
 from . import geometry
 from .bagfile import choose, read_messages
 from .errors import BagError
+from .people import read_people
 from .poses import TF, Frames, clean, odometry_rows, with_speed
 from .recording import plugin_name
 from .seen import Seen
@@ -31,9 +32,12 @@ TOPICS = {'goal': ({'move_base_msgs/MoveBaseActionGoal'}, '/move_base/goal'),
           'joy': ({'sensor_msgs/Joy'}, '/joy'), 'state': ({'hidwa_local_planner/OperatorState'}, '/operator_state'),
           'cycle': ({'hidwa_local_planner/Cycle'}, '/cycle'), 'mode': ({TEXT}, '/mode'), 'info': ({TEXT}, INFO_TOPIC),
           'parameters': ({TEXT}, '/record_drive/parameters'), 'config': ({CONFIG}, '/local_costmap/parameter_updates'),
-          'regions': ({'visualization_msgs/MarkerArray'}, '/regions')}
+          'regions': ({'visualization_msgs/MarkerArray'}, '/regions'),
+          'people': ({'hidwa_local_planner/MovingObstacles'}, '/moving_obstacles_truth')}
 # These are what their whole name says: another topic of the type is something else.
-EXACT = ('truth', 'costmap', 'mode', 'info', 'parameters', 'config', 'regions', 'map', 'amcl')
+EXACT = ('truth', 'costmap', 'mode', 'info', 'parameters', 'config', 'regions', 'map', 'amcl', 'people')
+# What the simulator counts itself.
+COUNTS = ('contacts', 'contacts_moving', 'contacts_at_rest', 'regions_crossed')
 # What a bag without something cannot say, and the remedy.
 LACKS = {'goal': 'no goal (move_base/goal): the whole bag counts as one drive, and whether it arrived is not known',
          'map': 'no map: the floor is drawn from what the laser or the local costmap saw',
@@ -80,6 +84,7 @@ class Drive:
     states: np.ndarray = field(default_factory=lambda: np.zeros((0, 4)))    # time, state, active, omega wanted
     cycles: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))    # time, duration
     simulator: dict = field(default_factory=dict)                           # its own counts, for comparison
+    people: list = field(default_factory=list)                              # who truly was around: people.Person
     outcomes: list = field(default_factory=list)                            # (time, outcome of the cycle)
     agreements: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))  # time, agreement
     demo: bool = True                            # the truth is known
@@ -320,7 +325,8 @@ class Reader:
             cycles=_rows(m, topics['cycle'], lambda c, t: (t, c.duration), 2),
             outcomes=[(time, message.outcome) for time, message in m.get(topics['cycle'])],
             agreements=_rows(m, topics['state'], lambda s, t: (t, s.agreement), 2),
-            simulator={name: m.last('/' + name).data for name in ('contacts', 'regions_crossed') if m.last('/' + name)},
+            simulator={name: m.last('/' + name).data for name in COUNTS if m.last('/' + name)},
+            people=read_people(m.get(topics['people'])),
             lacking=self.lacking, notes=m.notes, used={key: topic for key, topic in topics.items() if topic},
             seen=Seen(m, topics['scan'], topics['costmap'], self.frames, self.base, self.frame, self.truth)
             if not self.demo else None)

@@ -13,7 +13,7 @@ from .drawing import DRIVEN, INK, STATE_NAMES, STEERED, STEERED_COLOUR
 from .measure import first_plan
 
 GRID = '#d9dee3'
-PLANNED, REPLANNED, REGION = '#2a9d3a', '#9bd6a3', '#e08a00'
+PLANNED, REPLANNED, REGION, PEOPLE = '#2a9d3a', '#9bd6a3', '#e08a00', '#6a4c93'
 STATE_COLOURS = ('#c9d6e4', '#d62728', '#f3a1a1', '#7b3294', '#22303c', '#b8860b', '#ff7f0e')
 MARGIN = 2.5  # [m] of map around what was driven and planned
 
@@ -39,12 +39,13 @@ def _title(report, name=None):
     arrived = {True: 'arrived', False: 'did not arrive', None: 'drove'}[report['arrived']]
     after = 'for' if report['arrived'] is None else 'after'
     regions = f", {report['regions_crossed']} of {report['regions']} regions crossed" if report['regions'] else ''
+    people = f", {report['people']} people, {report['contacts_moving']} touched on the move" if report.get('people') else ''
     contacts = 'contacts not known' if report['contacts'] is None else f"{report['contacts']} contacts"
     estimate = (report.get('clearance_estimate') or {}).get('smallest_m')
     if report['contacts'] is None and estimate is not None:
         contacts += f', estimated clearance {estimate:.2f} m'
     return (f"{name or '{map}, operator: {operator}'.format(**report)} - {arrived} {after} {report['duration_s']:.1f} s and "
-            f"{report['path_length_m']:.1f} m, {contacts}{regions}{_turns(report)}")
+            f"{report['path_length_m']:.1f} m, {contacts}{people}{regions}{_turns(report)}")
 
 
 def _turns(report):
@@ -84,6 +85,7 @@ def _map(ax, drive, turned, extent):
             if drive.goal_time < time <= drive.result_time:
                 ax.plot(*view(points).T, color=REPLANNED, lw=0.5, alpha=0.5, zorder=3)
         ax.plot(*view(plan).T, color=PLANNED, lw=2.4, zorder=4)
+    _people(ax, drive, view)
     _driven(ax, drive, view)
     _ends(ax, drive, view)
     ax.set(xlim=extent[:2], ylim=extent[2:], aspect='equal', xticks=[], yticks=[])
@@ -123,6 +125,14 @@ def _driven(ax, drive, view):
         ax.add_collection(LineCollection(segments[chosen], colors=colour, lw=1.7, zorder=order, capstyle='round'))
 
 
+def _people(ax, drive, view):
+    for person in drive.people:
+        track = drive.during(person.track)
+        if len(track):
+            ax.plot(*view(track[:, 1:3]).T, color=PEOPLE, lw=0.8, alpha=0.35, zorder=2.5)
+            ax.plot(*view(track[-1:, 1:3]).T, 'o', color=PEOPLE, ms=4, alpha=0.6, zorder=2.5)
+
+
 def _ends(ax, drive, view):
     truth = drive.driven()
     if drive.footprint is not None:
@@ -154,6 +164,8 @@ def _legend(ax, drive):
     entries.append(line([], [], color=DRIVEN, lw=1.8, label='driven'))
     if drive.demo or len(drive.states):
         entries.append(line([], [], color=STEERED_COLOUR, lw=1.8, label='driven while the person steers'))
+    if drive.people:
+        entries.append(line([], [], color=PEOPLE, lw=1.0, alpha=0.5, marker='o', ms=4, label='people'))
     if drive.grid is None:
         entries.append(line([], [], color=INK, lw=0, marker='.', label='seen on the way'))
     if drive.regions:

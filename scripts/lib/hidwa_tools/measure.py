@@ -6,6 +6,7 @@ from scipy.ndimage import distance_transform_edt
 from . import geometry
 from .drawing import STATE_NAMES, STEERED
 from .gentleness import gentleness
+from .people import measure_people
 
 CONTACT_STEP = 0.01     # [s]; between recorded poses the drive is followed in steps no longer than this
 AFTER_RELEASE = 4.0     # [s]; how long after a release the path still counts as bent by it
@@ -170,6 +171,7 @@ def measure(drive):
         'path_length_m': round(geometry.path_length(truth[:, 1:3]), 3),
         'planned_length_m': round(geometry.path_length(plan), 3) if plan is not None else None,
         'contacts': count_contacts(drive.grid, drive.footprint, truth) if drive.contacts_known else None,
+        **people_figures(drive, truth),
         'regions_crossed': count_regions(drive.regions, drive.footprint, truth) if _regions_known(drive) else None,
         'regions': len(drive.regions) if _regions_known(drive) else None,
         'operator_active_s': round(sum(seconds[name] for name in STEERED), 3) if known else None,
@@ -186,6 +188,13 @@ def measure(drive):
         **{key: info.get(key) for key in ('map', 'mode', 'host', 'planner', 'operator', 'start', 'goal', 'rate')},
     }
     return report if drive.demo else {**report, **_of_real_drive(drive)}
+
+
+def people_figures(drive, truth):
+    """The figures of people.measure_people; None each where the bag does not say who was around, or how the robot is made."""
+    known = drive.footprint is not None and (drive.demo or drive.people)
+    figures = measure_people(drive.people if known else [], drive.footprint, truth)
+    return figures if known else dict.fromkeys(figures)
 
 
 def _regions_known(drive):

@@ -46,6 +46,13 @@ def positive(text):
     return value
 
 
+def count(text):
+    """A whole number from 0."""
+    if not text.isdecimal() or len(text) > 6:
+        raise argparse.ArgumentTypeError(f"'{text}' is no whole number from 0")
+    return int(text)
+
+
 def parser():
     """The argument parser."""
     p = argparse.ArgumentParser(
@@ -65,6 +72,9 @@ def parser():
     p.add_argument('--mode', choices=MODES, default='joystick',
                    help='how the person steers: by stick or by hand in shared control, or by taking control and giving '
                    'it back (default: %(default)s)')
+    p.add_argument('--people', type=count, default=4, metavar='N',
+                   help='how many people walk around; 0: nobody (default: %(default)s)')
+    p.add_argument('--people-seed', type=count, default=1, metavar='N', help='what their ways depend on (default: %(default)s)')
     p.add_argument('--report', default='report', metavar='DIR', help='where the results go (default: %(default)s)')
     p.add_argument('--gui', action='store_true', help='watch in rviz')
     p.add_argument('--rate', type=positive, default=1.0, metavar='N', help='speed of the simulated time (default: 1)')

@@ -13,7 +13,8 @@ PLANNED = ('cycle', 'operator_state', 'mode', 'set_mode', 'take_control', 'stop'
            'parameter_updates')
 SHARED = ('/tf', '/tf_static', '/diagnostics', '/rosout')
 # What the simulated robot says of itself.
-SIMULATED = ('demo_info', 'ground_truth', 'regions', 'contacts', 'regions_crossed')
+SIMULATED = ('demo_info', 'ground_truth', 'moving_obstacles_truth', 'regions', 'contacts', 'contacts_moving', 'contacts_at_rest',
+             'regions_crossed')
 # What was seen, which a simulation can compute again, and the costmaps' parameters.
 SEEN = ('scan', HOST + 'local_costmap/costmap', HOST + 'local_costmap/costmap_updates', HOST + 'local_costmap/footprint',
         HOST + 'local_costmap/parameter_updates', HOST + 'global_costmap/parameter_updates', HOST + 'parameter_updates')

@@ -14,7 +14,7 @@ matplotlib.use('Agg')
 import matplotlib.image as image
 import matplotlib.pyplot as plt
 
-from . import barn_report
+from . import barn_report, encounter_report
 from .drawing import DRIVEN, INK, STEERED_COLOUR
 from .questionnaires import AnswersError, read_answers, statements as answers_statements
 from .statistics import normality, proportion, signed_ranks
@@ -374,7 +374,11 @@ def main(arguments=None):
         print('scripts/study report DIR [MAP.yaml | WORLDS.txt]', file=sys.stderr)
         return 2
     try:
-        if about_study(arguments[0]).get('experiment') == 'barn':
+        experiment = about_study(arguments[0]).get('experiment')
+        if experiment in ('dynabarn', 'crowd'):
+            page = encounter_report.write_report(*(arguments if experiment == 'dynabarn' else arguments[:1]))
+            print('\n'.join([*encounter_report.statements(encounter_report.read_runs(arguments[0]), experiment == 'crowd'), f'==> {page}']))
+        elif experiment == 'barn':
             page = barn_report.write_report(*arguments)
             print('\n'.join([*filter(None, barn_report.statements(barn_report.read_runs(arguments[0]))), f'==> {page}']))
         else:

@@ -248,9 +248,10 @@ def replayed(bag, *arguments, log='replay'):
 def drive(name, *arguments, expect):
     """One demo; each of the expectations on its report is a test, and so are arrival and the simulator's own counts.
 
-    A machine that does not keep up with the simulated clock shows nothing of the planner: then slower, down to real time.
+    Nobody walks around unless the arguments say so. A machine that does not keep up with the simulated clock
+    shows nothing of the planner: then slower, down to real time.
     """
-    rate = FASTEST
+    rate, arguments = FASTEST, ('--people', '0', *arguments)
     status, report, output = demo(name, rate, *arguments)
     while rate > 1.0 and (report['longest_gap_s'] or 0.0) > LONGEST_GAP:
         print(f"    rate {rate:g}: {report['longest_gap_s']:.2f} s of simulated time between two commands; again, slower")
@@ -263,7 +264,7 @@ def drive(name, *arguments, expect):
         'as many cycles as were driven are repeated': replay.cycles > 0.9 * CONTROL_RATE * report['duration_s'],
         f'cycle records take {RECORD_RATE / 1000:g} kB/s at most': replay.bytes < RECORD_RATE * report['duration_s'],
         'the bag shows what the simulator counted': report['simulator'] == {
-            key: report[key] for key in ('contacts', 'regions_crossed')},
+            key: report[key] for key in ('contacts', 'contacts_moving', 'contacts_at_rest', 'regions_crossed')},
         'host is what was built': report['host'] == ('compat' if 'move_base' in host_packages() else 'real'),
         **{text: check(report) for text, check in expect.items()}}
     missed = [text for text, met in expectations.items() if not met]
@@ -317,6 +318,14 @@ def drive_gesture():
 def drive_switching():
     """Through the office with a person who takes control and hands it back."""
     return drive_in_mode('switching', **{'the person is in control for a while': lambda r: r['state_s']['MANUAL'] > 1.0})
+
+
+def drive_people():
+    """Through the office among people who keep away from the robot, as scripts/demo drives by itself."""
+    return drive('drive_people', '--people', '6', '--operator', 'avoid', expect={
+        'six people are there': lambda r: r['people'] == 6,
+        'the robot meets somebody': lambda r: r['closest_person_m'] < 2.0,
+        'nobody is touched by the moving robot': lambda r: r['contacts_moving'] == 0})
 
 
 def drive_none():
@@ -399,10 +408,10 @@ def replay():
 
 # In this order; those after `build` need what it built.
 SUITES = (plain, build, package, compat, ros, python, robot, lint, study, contract, drive_avoid, drive_gesture,
-          drive_switching, drive_none, drive_real_map, drive_steer_left, drive_steer_right, replay)
+          drive_switching, drive_none, drive_people, drive_real_map, drive_steer_left, drive_steer_right, replay)
 ALONE = (plain, build, lint)
 # They wait for simulated time rather than work: two at once.
-PACED = (contract, drive_avoid, drive_gesture, drive_switching, drive_none, drive_real_map, drive_steer_left,
+PACED = (contract, drive_avoid, drive_gesture, drive_switching, drive_none, drive_people, drive_real_map, drive_steer_left,
          drive_steer_right)
 AT_ONCE = 2
 

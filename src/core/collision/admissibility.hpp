@@ -12,9 +12,9 @@
 namespace hidwa_local_planner {
 
 /// Which candidates are free of collision (RolloutCheck), and which of them can still come to rest in free space
-/// (BrakingCheck). Both share the known clearances. For a robot that already stands in collision EscapeRule holds, too.
-/// Where no motion leads out, the robot may turn on the spot if it goes no deeper. An operator may always turn it so,
-/// or have it stand.
+/// (BrakingCheck), before anything that moves can touch it (MoverCheck). The first two share the known clearances. For
+/// a robot that already stands in collision EscapeRule holds, too. Where no motion leads out, the robot may turn on the
+/// spot if it goes no deeper. An operator may always turn it so, or have it stand.
 class AdmissibilityCheck {
  public:
   using Setup = CheckSetup;
@@ -35,13 +35,23 @@ class AdmissibilityCheck {
 
   /// Candidates must be able to brake.
   bool checks_braking() const { return checks_braking_; }
-  /// Every candidate can brake: can_brake() need not be called.
-  bool all_can_brake() const { return braking_.all_can_brake(); }
+  /// Every candidate can brake, and nothing that moves is near: can_brake() and can_rest() need not be called.
+  bool all_can_brake() const { return braking_.all_can_brake() && setup_.movers == nullptr; }
   /// Whether the robot can come to rest in free space after the first command towards a sample, however the base
   /// reaches its commands: poses at most half a cell apart. `column`: of the sample among those of its omega.
   bool can_brake(const Twist2& sample, std::size_t column) { return braking_.can_brake(sample, column); }
+  /// Whether the robot can come to rest, likewise, before anything that moves can touch it.
+  bool can_rest(const Twist2& sample) {
+    return setup_.movers == nullptr || setup_.movers->can_rest(braking_.command_for(sample));
+  }
   /// As can_brake(), without gaps between the poses: for the candidate that is chosen.
   bool confirm_braking(const Twist2& sample) { return braking_.confirm_braking(sample); }
+  /// Likewise can_rest().
+  bool confirm_rest(const Twist2& sample) {
+    return setup_.movers == nullptr || setup_.movers->confirm(braking_.command_for(sample));
+  }
+  /// All that a command must pass before it is sent.
+  bool confirm(const Twist2& sample) { return !checks_braking_ || (confirm_braking(sample) && confirm_rest(sample)); }
   /// The first command towards a sample [m/s, rad/s].
   Twist2 command_for(const Twist2& sample) const { return braking_.command_for(sample); }
   /// The robot overlaps something.

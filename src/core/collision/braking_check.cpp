@@ -43,16 +43,7 @@ double BrakingCheck::reach_of_manoeuvres(const CheckSetup& setup, const Velocity
 }
 
 double BrakingCheck::most_growth(const CheckSetup& setup, const VelocityLimits& limits, double radius, double reach) {
-  // One ramp and one tail: no way to them is farther off than half of what the limits allow in a period.
-  const auto of_command = [&setup](const AxisLimits& axis) {
-    return 0.75 * std::max(axis.acc, axis.braking) * setup.period * setup.period;
-  };
-  Twist2 spread;
-  for (std::size_t motion = 0; motion < setup.pending->all(); ++motion) {
-    const Twist2 own = (*setup.pending)[motion].spread();
-    spread = {std::max(spread.v, own.v), std::max(spread.omega, own.omega)};
-  }
-  return spread.v + of_command(limits.x) + (radius + reach) * (spread.omega + of_command(limits.theta));
+  return most_drift(*setup.pending, limits, setup.period, radius, reach);
 }
 
 void BrakingCheck::Look::forget() {

@@ -4,6 +4,7 @@
 #include "core/collision/escape.hpp"
 #include "core/motion/comfort_turn.hpp"
 #include "core/motion/pending_motion_set.hpp"
+#include "core/movers/mover_check.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
@@ -20,6 +21,7 @@ struct CheckSetup {
   bool steered = false;                       // by an operator
   EscapeRule* escape = nullptr;               // where it applies
   ComfortTurn comfort{};                      // of commands
+  MoverCheck* movers = nullptr;               // where anything that moves is near
 
   /// The robot overlaps an obstacle.
   bool escaping() const { return escape != nullptr && escape->overlaps(); }

@@ -21,10 +21,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "core/motion/command_ramp.hpp"
 #include "core/motion/pending_motion.hpp"
+#include "core/motion/pending_motion_set.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "core/util/rotation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -64,12 +67,30 @@ inline double tail_spread(const AxisLimits& axis, double velocity, double period
   return 0.5 * tail * (period - tail / axis.braking);
 }
 
+/// What a manoeuvre's drift comes to at most [m], for a robot with this radius [m] whose centre gets no farther than
+/// `reach` [m]; see ManoeuvreRoller::drift().
+inline double most_drift(const PendingMotionSet& pending, const VelocityLimits& limits, double period, double radius,
+                         double reach) {
+  // One ramp and one tail: no way to them is farther off than half of what the limits allow in a period.
+  const auto of_command = [period](const AxisLimits& axis) {
+    return 0.75 * std::max(axis.acc, axis.braking) * period * period;
+  };
+  Twist2 spread;
+  for (std::size_t motion = 0; motion < pending.all(); ++motion) {
+    const Twist2 own = pending[motion].spread();
+    spread = {std::max(spread.v, own.v), std::max(spread.omega, own.omega)};
+  }
+  return spread.v + of_command(limits.x) + (radius + reach) * (spread.omega + of_command(limits.theta));
+}
+
 /// Rolls manoeuvres out pose by pose, from one pose on.
 class ManoeuvreRoller {
  public:
-  /// No point within `radius` [m] of the robot's centre moves more than `spacing` [m] between two poses.
-  ManoeuvreRoller(const VelocityLimits& limits, double radius, double spacing, const TurnedPose& start)
-      : limits_(&limits), radius_(radius), spacing_(spacing), at_(start) {}
+  /// No point within `radius` [m] of the robot's centre moves more than `spacing` [m] between two poses, which are no
+  /// more than `longest_step` [s] apart.
+  ManoeuvreRoller(const VelocityLimits& limits, double radius, double spacing, const TurnedPose& start,
+                  double longest_step = std::numeric_limits<double>::infinity())
+      : limits_(&limits), radius_(radius), spacing_(spacing), longest_step_(longest_step), at_(start) {}
 
   /// Calls visit(TurnedPose) for the poses after the start until it returns false, the last one at rest, none when it
   /// does not move at all. Returns what the last visit did.
@@ -96,6 +117,7 @@ class ManoeuvreRoller {
       part(leg.spread);
       stretch(leg.end, leg.duration, [](const TurnedPose&) { return true; });
     }
+    time_ = 0.0;
   }
   /// From here on.
   void set_spacing(double spacing) { spacing_ = spacing; }
@@ -127,6 +149,16 @@ class ManoeuvreRoller {
 
   /// The last pose.
   const TurnedPose& at() const { return at_; }
+  /// When it is there [s]: 0 is where the first part begins, or where what is past of it ends.
+  double time() const { return time_; }
+  /// The step that led there.
+  struct Step {
+    double duration = 0.0;  // [s]
+    double fastest = 0.0;   // no point within the radius moves faster [m/s]
+  };
+  const Step& step() const { return step_; }
+  /// How far a point within the radius may be from where the last pose has it, at the same time [m].
+  double drift() const { return spread_.v + radius_ * spread_.omega + sideways_; }
   /// How far a point within the radius may be from where some pose so far has it [m].
   double growth() const {
     const bool straight = !turned_ && spread_.omega <= 0.0 && !(forward_ && backward_);
@@ -186,11 +218,15 @@ class ManoeuvreRoller {
         std::max(std::abs(u_.v), std::abs(end.v)) + radius_ * std::max(std::abs(u_.omega), std::abs(end.omega));
     const Twist2 begin = u_;
     u_ = end;
-    if (fastest * duration <= 1e-12) return true;
+    if (fastest * duration <= 1e-12) {
+      time_ += duration;
+      return true;
+    }
     forward_ = forward_ || begin.v > 0.0 || end.v > 0.0;
     backward_ = backward_ || begin.v < 0.0 || end.v < 0.0;
-    const int steps = static_cast<int>(std::ceil(fastest * duration / spacing_));
+    const int steps = static_cast<int>(std::ceil(std::max(fastest * duration / spacing_, duration / longest_step_)));
     const double dt = duration / steps;
+    step_ = {dt, fastest};
     for (int k = 0; k < steps; ++k) {
       const double middle = (k + 0.5) / steps;
       const double v = begin.v + middle * (end.v - begin.v);
@@ -203,13 +239,16 @@ class ManoeuvreRoller {
       at_.heading = direction.turned(half);
       sideways_ += std::abs(v) * dt * spread_.omega;
       turned_ = turned_ || turn != 0.0;
+      time_ += dt;
       if (!visit(static_cast<const TurnedPose&>(at_))) return false;
     }
     return true;
   }
 
   const VelocityLimits* limits_;
-  double radius_, spacing_;
+  double radius_, spacing_, longest_step_;
+  double time_ = 0.0;  // [s]
+  Step step_;
   TurnedPose at_;
   Twist2 u_;
   Twist2 spread_;                                             // so far [m, rad]

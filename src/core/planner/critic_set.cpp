@@ -54,7 +54,7 @@ std::vector<std::string> CriticSet::configure(const std::vector<std::string>& na
 }
 
 std::string_view CriticSet::name_of(Rejecter rejecter) const {
-  constexpr std::string_view kNames[] = {"", "Collision", "Braking"};
+  constexpr std::string_view kNames[] = {"", "Collision", "Braking", "Moving obstacle"};
   if (rejecter < kFirstCritic) return kNames[rejecter];
   return entries_[static_cast<std::size_t>(rejecter - kFirstCritic)].name;
 }

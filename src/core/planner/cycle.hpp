@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/motion/velocity_limits.hpp"
+#include "core/movers/mover_check.hpp"
 #include "core/planner/cycle_start.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 
@@ -22,6 +23,7 @@ struct Cycle {
   const Sampling& sampling;
   const Situation& situation;  // with the pose of now
   const CycleStart& start;
+  MoverCheck* movers;  // null where nothing that moves is near
 };
 
 /// What the deviation from the operator command is measured against.

@@ -43,6 +43,7 @@ CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering) {
   view.grid = &cycle.grid;
   view.footprint = &cycle.footprint;
   view.surroundings = &tiles_.surroundings();
+  view.moving_obstacles = &cycle.situation.moving_obstacles;
   return view;
 }
 

@@ -121,18 +121,21 @@ void Explanation::ask_all_critics(const CycleView& view) {
   }
 }
 
-// Both checks of every candidate, the braking check without gaps.
+// All checks of every candidate, those of braking without gaps.
 void Explanation::check_all(const Tile& tile) {
   AdmissibilityCheck& admissibility = of_.obstacles.admissibility();
   std::vector<const char*> collides(tile.count, nullptr);
   admissibility.check_rollouts(tile, collides.data());
   for (std::size_t c = 0; c < tile.count; ++c) {
     CandidateReport& report = full_[tile.first + c];
-    const bool brakes = !admissibility.checks_braking() || (of_.scores.rejected_by()[tile.first + c] != kBraking &&
-                                                            admissibility.confirm_braking(report.sample));
+    const Rejecter by = of_.scores.rejected_by()[tile.first + c];
+    const bool checked = admissibility.checks_braking();
+    const bool brakes = !checked || (by != kBraking && admissibility.confirm_braking(report.sample));
+    const bool rests = !checked || (by != kMovingObstacle && admissibility.confirm_rest(report.sample));
     std::vector<Rejection> rejections;
     if (collides[c] != nullptr) rejections.push_back({of_.critics.name_of(kCollision), collides[c]});
     if (!brakes) rejections.push_back({of_.critics.name_of(kBraking), kCannotBrake});
+    if (!rests) rejections.push_back({of_.critics.name_of(kMovingObstacle), kMayBeTouched});
     if (!rejections.empty()) report.total = std::numeric_limits<double>::infinity();
     // A total that is not a number has no critic that says so.
     if (rejections.empty() && of_.scores.reasons()[tile.first + c] == kNotANumber) rejections = report.rejections;

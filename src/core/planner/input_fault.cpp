@@ -14,11 +14,22 @@ constexpr double kFarthest = 1e6;      // [m, rad]
 
 constexpr double kOldestPose = 10.0;  // [s]
 
+// Of what moves: bullets are none of our business.
+constexpr double kFastestMover = 100.0;  // [m/s]
+constexpr double kLargestMover = 100.0;  // [m]
+
 }  // namespace
 
 bool plausible(const Twist2& u) { return std::abs(u.v) <= kFastest && std::abs(u.omega) <= kFastestTurn; }
 bool plausible(const Pose2& q) {
   return std::abs(q.x) <= kFarthest && std::abs(q.y) <= kFarthest && std::abs(q.theta) <= kFarthest;
+}
+
+bool plausible(const MovingObstacle& mover) {
+  const auto within = [](double value, double most) { return value >= 0.0 && value <= most; };
+  return mover.position.norm() <= kFarthest && mover.velocity.norm() <= kFastestMover &&
+         within(mover.radius, kLargestMover) && within(mover.position_deviation, kLargestMover) &&
+         within(mover.velocity_deviation, kFastestMover) && within(mover.age, kOldestPose);
 }
 
 const char* input_fault(const Cycle& cycle) {
@@ -36,6 +47,10 @@ const char* input_fault(const Cycle& cycle) {
   if (!(situation.period > 0.0) || !std::isfinite(situation.period))
     return "the control period is not positive: set controller_frequency";
   if (situation.plan.empty()) return "the plan is empty";
+  const MovingObstacles& movers = situation.moving_obstacles;
+  if (!std::all_of(movers.begin(), movers.end(), [](const MovingObstacle& mover) { return plausible(mover); })) {
+    return "a moving obstacle is not a number, or impossible: check what publishes moving_obstacles_topic";
+  }
   const auto bad = [](const Pose2& pose) { return !plausible(pose); };
   if (bad(situation.goal) || std::any_of(situation.plan.begin(), situation.plan.end(), bad)) {
     return "a pose of the plan is not a number, or impossibly large: check the global planner";

@@ -52,6 +52,8 @@ void LazyChecks::check_closely(const Tile& tile, TileState& state) {
       scores_.reject(tile.first + c, kCollision, found_[c]);
     } else if (braking && !admissibility.can_brake(tile.sample(c), state.column + c)) {
       scores_.reject(tile.first + c, kBraking, kCannotBrake);
+    } else if (braking && !admissibility.can_rest(tile.sample(c))) {
+      scores_.reject(tile.first + c, kMovingObstacle, kMayBeTouched);
     }
   }
 }
@@ -67,8 +69,14 @@ bool LazyChecks::legal(std::size_t candidate) {
 
 bool LazyChecks::confirm(std::size_t candidate) {
   AdmissibilityCheck& admissibility = obstacles_.admissibility();
-  if (!admissibility.checks_braking() || admissibility.confirm_braking(candidates_.sample(candidate))) return true;
-  scores_.reject(candidate, kBraking, kCannotBrake);
+  const Twist2& sample = candidates_.sample(candidate);
+  if (!admissibility.checks_braking()) return true;
+  if (!admissibility.confirm_braking(sample)) {
+    scores_.reject(candidate, kBraking, kCannotBrake);
+    return false;
+  }
+  if (admissibility.confirm_rest(sample)) return true;
+  scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
   return false;
 }
 

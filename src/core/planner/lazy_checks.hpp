@@ -7,7 +7,8 @@
 // 3. When the choice wants a candidate, its tile is checked exactly (legal()): the outline along the rollouts, and the
 //    brake manoeuvres. A whole tile at once, since the next candidate mostly belongs to it and shares what was
 //    found.
-// 4. The one candidate that is chosen at last passes the braking check without gaps between the poses (confirm()).
+// 4. The one candidate that is chosen at last passes the braking check, and the check for what moves, without gaps
+//    between the poses (confirm()).
 //
 // Why the choice is the same as if all candidates were checked first: a check can only reject, and a rejection only
 // raises the candidate's own total, to infinity; no other total depends on it. So the total of an unchecked candidate
@@ -40,7 +41,8 @@ class LazyChecks {
 
   /// Whether a scored candidate is legal; checks its tile if need be.
   bool legal(std::size_t candidate);
-  /// The last check of the candidate that is to be chosen: can it brake, checked without gaps between the poses?
+  /// The last check of the candidate that is to be chosen: can it brake, and rest before anything
+  /// that moves can touch it, checked without gaps between the poses?
   bool confirm(std::size_t candidate);
   /// Checks every candidate: afterwards the rejections are complete.
   void check_all();

@@ -11,9 +11,9 @@
 
 namespace hidwa_local_planner {
 
-/// The legal candidate with the least `measure(tile, c)`, of equals the cheapest, that passes the braking check without
-/// gaps; -1 where there is none. Infinite measures are left out. All candidates must have been checked. `totals`: of
-/// each candidate, infinite where it is rejected.
+/// The legal candidate with the least `measure(tile, c)`, of equals the cheapest, that passes confirm(); -1 where there
+/// is none. Infinite measures are left out. All candidates must have been checked. `totals`: of each candidate,
+/// infinite where it is rejected.
 template <typename Measure>
 int least_legal(const Rollout& rollout, const std::vector<double>& totals, AdmissibilityCheck& admissibility,
                 Measure&& measure) {
@@ -26,7 +26,7 @@ int least_legal(const Rollout& rollout, const std::vector<double>& totals, Admis
       if (!std::isfinite(total)) continue;
       const double value = measure(tile, c);
       if (!std::isfinite(value) || value > least || (value == least && total >= cost)) continue;
-      if (admissibility.checks_braking() && !admissibility.confirm_braking(tile.sample(c))) continue;
+      if (!admissibility.confirm(tile.sample(c))) continue;
       least = value;
       cost = total;
       best = static_cast<int>(tile.first + c);

@@ -46,7 +46,8 @@ void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, const Comfor
                                         turn_out,
                                         steered,
                                         escape_.applies() ? &escape_ : nullptr,
-                                        comfort};
+                                        comfort,
+                                        cycle.movers};
   reach_ = reach_of(cycle, rollout, setup);
   collision_.prepare(cycle.grid, cycle.footprint, unknown_blocks, situation.pose, reach_.all, reach_.margin,
                      reach_.clearance);

@@ -28,6 +28,7 @@ void Planner::set_footprint(const Polygon& outline) { impl_->set_footprint(outli
 void Planner::reset() {
   impl_->critics.reset();
   impl_->recovery.reset();
+  impl_->movers.forget();
 }
 
 Twist2 Planner::believed(const Twist2& measured) const {
@@ -38,6 +39,7 @@ void Planner::save(Bytes& state) const {
   ArchiveWriter write(state);
   write(impl_->start_estimator, impl_->recovery);
   impl_->critics.save(write);
+  if (impl_->movers.leaving()) write(impl_->movers);
 }
 
 bool Planner::load(const Bytes& state) {
@@ -45,6 +47,7 @@ bool Planner::load(const Bytes& state) {
   reset();
   read(impl_->start_estimator, impl_->recovery);
   impl_->critics.load(read);
+  if (read.more()) read(impl_->movers);
   return read.complete();
 }
 

@@ -51,12 +51,30 @@ void Planner::Impl::set_footprint(const Polygon& given) {
 const Decision& Planner::Impl::plan(const Situation& measured, const GridView& grid, const OperatorIntent& intent,
                                     const Sampling& sampling) {
   const CycleStart start = start_estimator.estimate(measured, parameters, limits, footprint.circumscribed_radius());
-  const Cycle cycle{parameters, limits, footprint, grid, intent, sampling, *start.situation, start};
+  const Cycle cycle{parameters,           limits, footprint, grid, intent, sampling, *start.situation, start,
+                    look_at_movers(start)};
   clear(decision);
   evaluation.clear();
   explanation.clear();
   write(start, conclude(cycle), decision);
   return decision;
+}
+
+// Null where nothing is near. Nothing is asked of a cycle without what it needs: that one brakes.
+MoverCheck* Planner::Impl::look_at_movers(const CycleStart& start) {
+  const Situation& situation = *start.situation;
+  const MovingObstacles& obstacles = situation.moving_obstacles;
+  const bool usable = std::all_of(obstacles.begin(), obstacles.end(), [](const auto& one) { return plausible(one); });
+  if (parameters.admissibility != Admissibility::braking || !usable || footprint.fault() != nullptr) {
+    movers.forget();
+    return nullptr;
+  }
+  const PendingMotionSet& pending = *start.pending;
+  const bool rests = pending[0].rests() && !start.odometry_fast && at_rest(start.velocity, parameters);
+  movers.prepare(parameters, limits, footprint, obstacles,
+                 {situation.pose, start.origin, start.reference, &pending, usable_period(situation),
+                  longest_period(situation), rests});
+  return movers.none_near() ? nullptr : &movers;
 }
 
 Conclusion Planner::Impl::conclude(const Cycle& cycle) {

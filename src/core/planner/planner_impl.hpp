@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The planner's cycle, step by step. Each step is a part with its own state.
 //
-// 1. StartEstimator finds what the cycle starts from: reference velocity, pending motion, pose of now.
+// 1. StartEstimator finds what the cycle starts from: reference velocity, pending motion, pose of now. MoverCheck finds
+//    what moves near the robot.
 // 2. Evaluation makes candidates, samples of the dynamic window rolled out (Candidates),
 // 3. rejects those that collide or cannot brake, as far as the choice needs it (Obstacles, LazyChecks), and
 // 4. scores the rest (Scores).
@@ -40,6 +41,7 @@ struct Planner::Impl {
   StartEstimator start_estimator;
   Evaluation evaluation;
   Selection selection;
+  MoverCheck movers;
   Recovery recovery;
   Explanation explanation;
   Decision decision;  // the output: written, never read
@@ -49,6 +51,7 @@ struct Planner::Impl {
     int candidate = -1;
     ChoiceReport::Rule rule = ChoiceReport::Rule::none;
   };
+  MoverCheck* look_at_movers(const CycleStart& start);
   Conclusion conclude(const Cycle& cycle);
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);

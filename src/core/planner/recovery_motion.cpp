@@ -285,9 +285,7 @@ int RecoveryMotion::cheapest_legal(const Scene& scene) const {
   const auto candidate = static_cast<std::size_t>(least - scene.totals.begin());
   const Tile tile = scene.rollout.tile(scene.rollout.tile_of(candidate));
   const Twist2 sample = tile.sample(candidate - tile.first);
-  return !scene.admissibility.checks_braking() || scene.admissibility.confirm_braking(sample)
-             ? static_cast<int>(candidate)
-             : -1;
+  return scene.admissibility.confirm(sample) ? static_cast<int>(candidate) : -1;
 }
 
 // The remaining time falls, or has lately.

@@ -5,14 +5,17 @@
 
 namespace hidwa_local_planner {
 
-/// Who rejected a candidate: nobody, the collision check, the braking check, or critic number (value - kFirstCritic).
+/// Who rejected a candidate: nobody, the collision check, the braking check, the check for what moves, or critic
+/// number (value - kFirstCritic).
 using Rejecter = std::uint8_t;
 constexpr Rejecter kNobody = 0;
 constexpr Rejecter kCollision = 1;
 constexpr Rejecter kBraking = 2;
-constexpr Rejecter kFirstCritic = 3;
+constexpr Rejecter kMovingObstacle = 3;
+constexpr Rejecter kFirstCritic = 4;
 
 inline constexpr const char* kCannotBrake = "cannot stop in free space";
+inline constexpr const char* kMayBeTouched = "something that moves may touch the robot before it rests";
 inline constexpr const char* kNotANumber = "total is not a number";
 
 }  // namespace hidwa_local_planner

@@ -57,7 +57,7 @@ TEST(PlannerCost, TheTotalIsTheSumOfItsTerms) {
   for (const CriticTerm& term : decision.terms) sum += term.raw * term.weight;
   EXPECT_NEAR(decision.total, sum, 1e-9);
   EXPECT_EQ(decision.terms.back().name, "OperatorDeviation");
-  EXPECT_EQ(decision.terms.size(), 8u);
+  EXPECT_EQ(decision.terms.size(), 9u);
 }
 
 TEST(PlannerCost, AutonomyIsWeighedByItsScale) {

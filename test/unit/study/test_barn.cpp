@@ -166,10 +166,14 @@ TEST(BarnScore, IsBarnsMetric) {
 
 const FullDeflection kFull{0.5, 1.57, 2.0};
 
+Room room_in(const std::shared_ptr<const sim::DiscField>& discs) {
+  return [discs](const Eigen::Vector2d& point, double, double at_most) { return discs->distance(point, at_most); };
+}
+
 TEST(BarnPeople, AHostileOneTurnsToTheNearestCylinderAndFromSideToSide) {
   for (const double side : {-1.0, 1.0}) {
     const auto discs = std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{{0.4, 0.4 * side}}, 0.075);
-    HostilePerson person(discs, kFull, 5);
+    HostilePerson person(room_in(discs), kFull, 5);
     int towards = 0, away = 0, changes = 0;
     double before = 0.0;
     for (int k = 0; k < 2000; ++k) {
@@ -188,7 +192,7 @@ TEST(BarnPeople, AHostileOneTurnsToTheNearestCylinderAndFromSideToSide) {
 TEST(BarnPeople, AHelpfulOneTurnsToWhereThePlanLeads) {
   const auto discs = std::make_shared<sim::DiscField>(std::vector<Eigen::Vector2d>{}, 0.075);
   for (const double side : {-1.0, 1.0}) {
-    HelpfulPerson person(discs, kFull);
+    HelpfulPerson person(room_in(discs), kFull);
     EXPECT_EQ(person.update({1.0, {}, {}}).left, 0.0);  // knows no plan
     person.set_plan({{0.0, 0.0}, {0.0, 0.5 * side}, {0.0, side}});
     EXPECT_EQ(person.update({1.1, {}, {}}).left, 0.0);  // decides every quarter of a second

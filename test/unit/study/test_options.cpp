@@ -68,7 +68,7 @@ TEST(Options, FaultsNameTheOption) {
   EXPECT_NE(fault_of("walk --out a").find("'walk'"), std::string::npos);
   EXPECT_NE(fault_of("run").find("--out"), std::string::npos);
   EXPECT_NE(fault_of("run --out").find("needs a value"), std::string::npos);
-  EXPECT_NE(fault_of("run --out a --speed 3").find("'--speed'"), std::string::npos);
+  EXPECT_NE(fault_of("run --out a --pace 3").find("'--pace'"), std::string::npos);
   EXPECT_NE(fault_of("run --out a stray").find("'stray'"), std::string::npos);
   for (const char* bad :
        {"--participants 0", "--participants 2.5", "--seed -1", "--threads 0", "--conditions SJ,SX", "--conditions ,",

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/movers/mover_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/motion/late_cycles.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// Poses are no farther apart in time [s]: of a candidate, and of the one that is chosen.
+constexpr double kLongStep = 0.05;
+constexpr double kShortStep = 0.01;
+
+// Poses need not be nearer than that by way [m]: time decides.
+constexpr double kAnySpacing = 1e3;
+
+// In periods: if the command to brake comes later by less than this, it counts as punctual; and how far apart the times
+// are at which a late one is looked at.
+constexpr double kPunctual = 0.1;
+constexpr double kLateApart = 0.5;
+
+// Moments that differ by less are one [s].
+constexpr double kSameMoment = 1e-9;
+
+// Memory is kept for so many at once.
+constexpr std::size_t kUsualMovers = 256;
+
+TurnedPose with_heading(const Pose2& pose) { return {pose, {std::cos(pose.theta), std::sin(pose.theta)}}; }
+
+// A point of the costmap frame in the robot's.
+Point seen_from(const TurnedPose& robot, const Point& point) {
+  const double dx = point.x() - robot.pose.x, dy = point.y() - robot.pose.y;
+  return {robot.heading.c * dx + robot.heading.s * dy, robot.heading.c * dy - robot.heading.s * dx};
+}
+
+std::size_t hash_of(const Twist2& command) {
+  std::uint64_t v = 0, omega = 0;
+  std::memcpy(&v, &command.v, sizeof(v));
+  std::memcpy(&omega, &command.omega, sizeof(omega));
+  const std::uint64_t mixed = (v * 0x9E3779B97F4A7C15ULL) ^ ((omega + 0x632BE59BD9B4E019ULL) * 0xC2B2AE3D27D4EB4FULL);
+  return static_cast<std::size_t>(mixed >> 40U);
+}
+
+double speed_at(const Twist2& u, double radius) { return std::abs(u.v) + radius * std::abs(u.omega); }
+
+// Until the command takes effect [s].
+double duration_of(const PendingMotion& pending) {
+  double sum = 0.0;
+  for (std::size_t i = pending.past(); i < pending.legs().size(); ++i) sum += pending.legs()[i].duration;
+  return sum;
+}
+
+// The largest component of a motion [m/s, rad/s].
+Twist2 fastest_of(const PendingMotion& pending) {
+  Twist2 fastest{std::abs(pending.begin().v), std::abs(pending.begin().omega)};
+  for (const PendingMotion::Leg& leg : pending.legs()) {
+    fastest = {std::max(fastest.v, std::abs(leg.end.v)), std::max(fastest.omega, std::abs(leg.end.omega))};
+  }
+  return fastest;
+}
+
+// From a point to where something goes straight on from `from` [m].
+double distance_to_way(const Point& point, const Point& from, const Point& way) {
+  const double length2 = way.squaredNorm();
+  const double part = length2 > 0.0 ? std::clamp((point - from).dot(way) / length2, 0.0, 1.0) : 0.0;
+  return (from + part * way - point).norm();
+}
+
+}  // namespace
+
+MoverCheck::MoverCheck() {
+  near_.reserve(kUsualMovers);
+  progress_.clear_until.reserve(kUsualMovers);
+  for (Look* look : {&coarse_, &fine_}) look->answers.resize(kAnswers);
+  coarse_.step = kLongStep;
+  fine_.fine = true;
+  fine_.step = kShortStep;
+}
+
+void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
+                         const MovingObstacles& movers, const Start& start) {
+  near_.clear();
+  leaving_.begin();
+  if (movers.empty()) return;
+  limits_ = &limits;
+  footprint_ = &footprint;
+  start_ = start;
+  ++cycle_;
+  radius_ = footprint.circumscribed_radius();
+  Twist2 fastest{std::abs(start.reference.v) + limits.x.acc * start.period,
+                 std::abs(start.reference.omega) + limits.theta.acc * start.period};
+  double latency = 0.0;
+  for (std::size_t motion = 0; motion < start.pending->all(); ++motion) {
+    const Twist2 own = fastest_of((*start.pending)[motion]);
+    fastest = {std::max(fastest.v, own.v), std::max(fastest.omega, own.omega)};
+    latency = std::max(latency, duration_of((*start.pending)[motion]));
+  }
+  fastest_ = speed_at(fastest, radius_);
+  // The command for two periods and as late as it may be, braking, and the tail of braking.
+  duration_ = latency + 3.0 * start.period + latest_hold(start.period, start.longest_period) +
+              std::max(limits.x.time_to_rest(fastest.v), limits.theta.time_to_rest(fastest.omega));
+  reach_ = fastest.v * duration_;
+  most_drift_ = most_drift(*start.pending, limits, start.period, radius_, reach_);
+  most_grown_ = most_drift_ + 0.5 * (kLongStep + kLateApart * start.period) * (fastest_ + fastest.omega * reach_);
+  for (const MovingObstacle& mover : movers) add_near(mover, parameters);
+  for (Look* look : {&coarse_, &fine_}) {
+    for (Lead& lead : look->leads) lead.roller.reset();
+  }
+}
+
+// What is too far away to be met until rest, whatever it and the robot do, is left out.
+void MoverCheck::add_near(const MovingObstacle& mover, const Parameters& parameters) {
+  const ReachableSet set(mover, parameters);
+  const Point here(start_.pose.x, start_.pose.y);
+  const double own = radius_ + reach_ + most_grown_ + 0.5 * kLongStep * set.fastest();
+  const double until_rest = duration_;
+  if ((set.position() - here).norm() > own + set.speed_radius(until_rest)) return;
+  if (distance_to_way(here, set.centre(0.0), until_rest * set.velocity()) > own + set.radius(until_rest)) return;
+  Near near;
+  near.set = set;
+  near.leaves = around(set) && leaving_.admit(mover.id, start_.rests);
+  near.closing_speed = fastest_ + set.fastest();
+  near.closing_acc = fastest_ + set.velocity().norm() + set.growth(until_rest);
+  near_.push_back(near);
+}
+
+// The robot is where it may be now, or within the allowance of one short step.
+bool MoverCheck::around(const ReachableSet& set) const {
+  const TurnedPose here = with_heading(start_.pose);
+  const double allowance = most_drift_ + 0.5 * kShortStep * (set.fastest() + fastest_);
+  return footprint_->distance_to(seen_from(here, set.centre(0.0))) <= set.radius(0.0) + allowance &&
+         footprint_->distance_to(seen_from(here, set.position())) <= set.speed_radius(0.0) + allowance;
+}
+
+// Many samples share a first command.
+bool MoverCheck::answer(const Twist2& command, Look& look) {
+  Answer& known = look.answers[hash_of(command) % kAnswers];
+  if (known.cycle == cycle_ && known.command == command) return known.free;
+  known = {command, cycle_, rests_untouched(command, look)};
+  return known.free;
+}
+
+// For each pending motion, and for commands to brake that come after a period or as late as they may: see
+// BrakingCheck.
+bool MoverCheck::rests_untouched(const Twist2& command, Look& look) {
+  const double latest = latest_hold(start_.period, start_.longest_period);
+  const std::size_t motions = look.fine ? start_.pending->all() : start_.pending->likely();
+  const double apart = look.fine ? kLateApart * start_.period : latest;
+  const double parts = latest > kPunctual * start_.period ? std::ceil(latest / apart) : 0.0;
+  // Who brakes between two of these times is elsewhere by half of what the robot does between them.
+  const double between = look.fine ? 0.5 * (parts > 0.0 ? latest / parts : latest) : 0.0;
+  const double elsewhere = between * (speed_at(command, radius_) + std::abs(command.omega) * reach_);
+  for (std::size_t motion = 0; motion < motions; ++motion) {
+    for (double part = parts; part >= 0.0; part -= 1.0) {
+      const double hold = parts > 0.0 ? latest * part / parts : latest;
+      const BrakeManoeuvre manoeuvre{start_.origin, (*start_.pending)[motion], command, start_.period, hold};
+      if (!rolls_free(manoeuvre, look, elsewhere, look.leads[motion])) return false;
+    }
+  }
+  return true;
+}
+
+bool MoverCheck::rolls_free(const BrakeManoeuvre& manoeuvre, const Look& look, double elsewhere, Lead& lead) {
+  const auto roll = [&](ManoeuvreRoller& roller, Progress& progress, double more, auto&& part) {
+    return part([&](const TurnedPose&) { return free_at(roller, more, progress); });
+  };
+  if (!lead.roller) {
+    lead.roller.emplace(*limits_, radius_, kAnySpacing, with_heading(manoeuvre.start), look.step);
+    ManoeuvreRoller& roller = *lead.roller;
+    ManoeuvreRoller past = roller;
+    past.roll_past(manoeuvre.pending);
+    lead.progress.clear_until.assign(near_.size(), -1.0);
+    lead.progress.pose = past.at();
+    lead.progress.time = -1.0;
+    lead.free =
+        roll(roller, lead.progress, 0.0, [&](auto&& visit) { return roller.roll_on(manoeuvre.pending, visit); });
+  }
+  if (!lead.free) return false;
+  ManoeuvreRoller roller = *lead.roller;
+  progress_.clear_until = lead.progress.clear_until;
+  progress_.pose = lead.progress.pose;
+  progress_.time = lead.progress.time;
+  return roll(roller, progress_, elsewhere, [&](auto&& visit) { return roller.roll_to_rest(manoeuvre, visit); });
+}
+
+// The pose that the roller has come to, and where it stood before, the one that it has left.
+bool MoverCheck::free_at(const ManoeuvreRoller& roller, double elsewhere, Progress& progress) const {
+  const double begin = roller.time() - roller.step().duration;
+  const bool stood = progress.time < 0.0 || begin > progress.time + kSameMoment;
+  if (stood && !free_at(progress.pose, begin, roller, elsewhere, progress)) return false;
+  if (!free_at(roller.at(), roller.time(), roller, elsewhere, progress)) return false;
+  for (const Near& near : near_) {
+    if (near.leaves && !leads_away(near, progress.pose, roller.at(), roller.time(), roller.step().duration)) {
+      return false;
+    }
+  }
+  progress.pose = roller.at();
+  progress.time = roller.time();
+  return true;
+}
+
+bool MoverCheck::free_at(const TurnedPose& at, double time, const ManoeuvreRoller& roller, double elsewhere,
+                         Progress& progress) const {
+  const double half = 0.5 * roller.step().duration;
+  const double allowed = std::min(half, 0.5 * kShortStep);
+  const double robot = roller.drift() + elsewhere + allowed * roller.step().fastest;
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    const Near& near = near_[i];
+    if (near.leaves || time + half <= progress.clear_until[i]) continue;
+    if (!clear(near, at, time, robot + allowed * near.set.fastest(), progress.clear_until[i])) return false;
+  }
+  return true;
+}
+
+// Whether the outline stays out of one of the two discs, both larger by `grown` [m]. `clear_until`: as long as what is
+// left cannot be used up.
+bool MoverCheck::clear(const Near& near, const TurnedPose& at, double time, double grown, double& clear_until) const {
+  const ReachableSet& set = near.set;
+  const double most = most_grown_ + 0.5 * kLongStep * set.fastest();
+  const auto apart = [&](const Point& centre, double radius, double closing) {
+    const Point seen = seen_from(at, centre);
+    double gap = seen.norm() - radius_;
+    if (gap <= radius + most) gap = footprint_->distance_to(seen);
+    const double left = gap - radius - most;
+    if (left > 0.0) clear_until = std::max(clear_until, time + left / closing);
+    return gap > radius + grown;
+  };
+  return apart(set.centre(time), set.radius(time), near.closing_acc) ||
+         apart(set.position(), set.speed_radius(time), near.closing_speed);
+}
+
+// In a step the outline gets farther from where the obstacle is expected.
+bool MoverCheck::leads_away(const Near& near, const TurnedPose& from, const TurnedPose& to, double time,
+                            double step) const {
+  const double before = footprint_->distance_to(seen_from(from, near.set.centre(time - step)));
+  return footprint_->distance_to(seen_from(to, near.set.centre(time))) > before;
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Passive safety: whether the robot comes to rest before anything that moves can touch it.
+//
+// 1. Once a cycle the moving obstacles are left out that no command of the cycle can meet before rest.
+// 2. A command's manoeuvre is rolled out in time (brake_manoeuvre.hpp): pending motion, the command, braking to rest.
+// At
+//    no pose until rest may the outline touch where an obstacle may be at that time (ReachableSet: both of its discs).
+// 3. Both discs are larger by the robot's drift, by which a real base may be elsewhere at that time, and by half a step
+//    times the obstacle's fastest and the robot's own speed: so what lies between two poses is covered, too.
+// 4. What is too far away at one time need not be looked at again until both could have met.
+// 5. Where a set is around the robot already when it begins to drive, the robot may leave: the distance from the
+// outline
+//    to where the obstacle is expected grows at every step (Leaving).
+//
+// can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
+// steps, all pending motions, and commands to brake at all times. A robot that stays at rest has nothing to be asked.
+//
+// Why it is right: an obstacle that keeps its bounds and was estimated within three deviations is in its set at every
+// time. Only commands that confirm() passes are sent, so the manoeuvre of the last one stays free of everything that
+// was known then: where nothing passes, carrying out its braking is still safe.
+// test/oracle/mover_twin_test.cpp does the same slowly.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/motion/brake_manoeuvre.hpp"
+#include "core/motion/pending_motion_set.hpp"
+#include "core/motion/velocity_limits.hpp"
+#include "core/movers/leaving.hpp"
+#include "core/movers/reachable_set.hpp"
+#include "hidwa_local_planner/core/footprint.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+
+namespace hidwa_local_planner {
+
+class MoverCheck {
+ public:
+  /// What a cycle starts from. All of it outlives the questions.
+  struct Start {
+    Pose2 pose;                                 // now, costmap frame
+    Pose2 origin;                               // where `pending` begins
+    Twist2 reference;                           // what a command starts from [m/s, rad/s]
+    const PendingMotionSet* pending = nullptr;  // until a command takes effect
+    double period = 0.05;                       // [s]
+    double longest_period = 0.05;               // [s]
+    bool rests = false;                         // the robot stands, and no pending command moves it
+  };
+
+  MoverCheck();
+  /// A new goal, or another cause to begin afresh.
+  void forget() { leaving_.forget(); }
+  /// Once per cycle.
+  void prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
+               const MovingObstacles& movers, const Start& start);
+  /// No command of this cycle can meet anything that moves before rest.
+  bool none_near() const { return near_.empty(); }
+  std::size_t near() const { return near_.size(); }
+
+  /// Whether nothing can touch the robot before it rests, after a first command [m/s, rad/s].
+  bool can_rest(const Twist2& command) { return answer(command, coarse_); }
+  /// Likewise without gaps: for the candidate that is chosen.
+  bool confirm(const Twist2& command) { return answer(command, fine_); }
+
+  /// What it remembers: written only where there is anything.
+  bool leaving() const { return leaving_.any(); }
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.leaving_);
+  }
+
+ private:
+  struct Near {
+    ReachableSet set;
+    bool leaves = false;         // the robot may leave it
+    double closing_speed = 0.0;  // how fast the speed disc and the robot's outline may close up [m/s]
+    double closing_acc = 0.0;    // likewise the acceleration disc
+  };
+  // How far a manoeuvre was looked at.
+  struct Progress {
+    std::vector<double> clear_until;  // [near] not touched before [s]
+    TurnedPose pose;                  // the last one
+    double time = -1.0;               // then; negative before the first [s]
+  };
+  struct Lead {
+    std::optional<ManoeuvreRoller> roller;
+    bool free = false;
+    Progress progress;
+  };
+  static constexpr std::size_t kAnswers = 1024;
+  struct Answer {
+    Twist2 command;
+    std::uint32_t cycle = 0;  // of the answer
+    bool free = false;
+  };
+  // What one kind of look has found in this cycle.
+  struct Look {
+    bool fine = false;
+    double step = 0.0;  // the longest [s]
+    std::array<Lead, PendingMotionSet::kMost> leads;
+    std::vector<Answer> answers;  // by a hash of the command
+  };
+
+  void add_near(const MovingObstacle& mover, const Parameters& parameters);
+  bool around(const ReachableSet& set) const;
+  bool answer(const Twist2& command, Look& look);
+  bool rests_untouched(const Twist2& command, Look& look);
+  bool rolls_free(const BrakeManoeuvre& manoeuvre, const Look& look, double elsewhere, Lead& lead);
+  bool free_at(const ManoeuvreRoller& roller, double elsewhere, Progress& progress) const;
+  bool free_at(const TurnedPose& at, double time, const ManoeuvreRoller& roller, double elsewhere,
+               Progress& progress) const;
+  bool clear(const Near& near, const TurnedPose& at, double time, double grown, double& clear_until) const;
+  bool leads_away(const Near& near, const TurnedPose& from, const TurnedPose& to, double time, double step) const;
+
+  const VelocityLimits* limits_ = nullptr;
+  const Footprint* footprint_ = nullptr;
+  Start start_;
+  double radius_ = 0.0;      // circumscribed [m]
+  double reach_ = 0.0;       // of the robot's centre until rest, in any manoeuvre [m]
+  double most_drift_ = 0.0;  // [m]
+  double most_grown_ = 0.0;  // the robot's part of what sets grow by [m]
+  double fastest_ = 0.0;     // of the outline [m/s]
+  double duration_ = 0.0;    // of the longest manoeuvre [s]
+  std::vector<Near> near_;
+  Leaving leaving_;
+  Look coarse_, fine_;
+  Progress progress_;  // of the manoeuvre that is looked at
+  std::uint32_t cycle_ = 0;
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "hidwa_local_planner/core/moving_obstacle.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// Where a moving obstacle may be at a time t of a cycle [s], costmap frame. With tau = t + the estimate's age it is in
+/// both of two discs: what its acceleration allows, around where its velocity leads it; and what its speed allows,
+/// around where it was.
+///
+///   |x - (p + w tau)| <= r + k s_p + k s_v tau + a tau^2 / 2
+///   |x - p|           <= r + k s_p + s tau                      with s = max(moving_obstacle_speed, |w| + k s_v)
+///
+/// k = 3 deviations.
+class ReachableSet {
+ public:
+  static constexpr double kDeviations = 3.0;
+
+  ReachableSet() = default;
+  ReachableSet(const MovingObstacle& mover, const Parameters& parameters)
+      : position_(mover.position),
+        velocity_(mover.velocity),
+        age_(mover.age),
+        base_(mover.radius + kDeviations * mover.position_deviation),
+        spread_(kDeviations * mover.velocity_deviation),
+        half_acc_(0.5 * parameters.moving_obstacle_acc),
+        fastest_(std::max(parameters.moving_obstacle_speed, mover.velocity.norm() + spread_)) {}
+
+  /// Where it was estimated.
+  const Point& position() const { return position_; }
+  const Point& velocity() const { return velocity_; }
+  /// No point of the set gets outwards faster [m/s].
+  double fastest() const { return fastest_; }
+  /// Of the disc that acceleration allows.
+  Point centre(double t) const { return position_ + (t + age_) * velocity_; }
+  double radius(double t) const {
+    const double tau = t + age_;
+    return base_ + (spread_ + half_acc_ * tau) * tau;
+  }
+  /// How fast that radius grows [m/s].
+  double growth(double t) const { return spread_ + 2.0 * half_acc_ * (t + age_); }
+  /// Of the disc that speed allows, around position().
+  double speed_radius(double t) const { return base_ + fastest_ * (t + age_); }
+
+ private:
+  Point position_{0.0, 0.0}, velocity_{0.0, 0.0};  // [m], [m/s]
+  double age_ = 0.0;                               // [s]
+  double base_ = 0.0;                              // [m]
+  double spread_ = 0.0;                            // [m/s]
+  double half_acc_ = 0.0;                          // [m/s^2]
+  double fastest_ = 0.0;                           // [m/s]
+};
+
+}  // namespace hidwa_local_planner

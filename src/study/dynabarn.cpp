@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynabarn.hpp"
+
+#include <exception>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/util/words.hpp"
+#include "execution.hpp"
+#include "manifest.hpp"
+#include "share.hpp"
+#include "study/dynabarn_drive.hpp"
+#include "study/encounter_table.hpp"
+#include "study/error.hpp"
+#include "study/seed.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+namespace {
+
+const char* const kRobotFile = "launch/params/jackal.yaml";
+const char* const kCourtFile = "launch/params/dynabarn.yaml";
+
+std::map<int, sim::DynabarnWorld> load_courts(const std::string& file) {
+  std::map<int, sim::DynabarnWorld> worlds;
+  try {
+    for (sim::DynabarnWorld& world : sim::load_dynabarn_worlds(file)) worlds.emplace(world.index, std::move(world));
+  } catch (const std::exception& e) {
+    throw UsageError(e.what());
+  }
+  return worlds;
+}
+
+std::vector<int> numbers_of(const std::map<int, sim::DynabarnWorld>& worlds, int seeds) {
+  std::vector<int> numbers;
+  for (const auto& entry : worlds) {
+    for (int seed = 0; seed < seeds; ++seed) numbers.push_back(entry.first * kSeedsOfWorld + seed);
+  }
+  return numbers;
+}
+
+// One court a setting.
+std::vector<DynabarnCourt> courts_of(const Options& options, const Plan& plan) {
+  BarnSubject base = barn_subject(share_file(kRobotFile), share_file(kCourtFile));
+  assign_barn(base, {"max_vel_x", shortest(options.speed)});
+  for (const Assignment& set : options.sets) assign_barn(base, set);
+  std::vector<DynabarnCourt> courts;
+  for (const Setting& setting : plan.settings) {
+    BarnSubject subject = base;
+    for (const Assignment& set : setting) assign_barn(subject, set);
+    const std::vector<std::string> faults = validate(subject.subject.parameters);
+    if (!faults.empty()) throw UsageError("setting " + to_string(setting) + ": " + faults.front());
+    courts.emplace_back(subject, options.tracking, options.motion);
+  }
+  return courts;
+}
+
+std::string court_manifest(const Options& o) {
+  const nlohmann::json manifest = {
+      {"version", HIDWA_VERSION},
+      {"experiment", "dynabarn"},
+      {"seed", o.seed},
+      {"tracking", to_string(o.tracking)},
+      {"motion", o.motion == sim::KeyMotion::linear ? "linear" : "spline"},
+      {"speed", o.speed},
+      {"set", json_of(o.sets)},
+      {"worlds", fingerprint_of_file(o.worlds)},
+      {"parameters", fingerprint_of_file(share_file(kRobotFile)) + " " + fingerprint_of_file(share_file(kCourtFile))},
+      {"paths", o.paths}};
+  return manifest.dump(2) + '\n';
+}
+
+}  // namespace
+
+int dynabarn(const Options& options, std::ostream& out, std::ostream& errors) {
+  const std::map<int, sim::DynabarnWorld> worlds = load_courts(options.worlds);
+  const std::vector<Setting> settings = options.vary.empty() ? combinations(options.grid) : variations(options.vary);
+  const Plan plan = make_world_plan("dynabarn", numbers_of(worlds, options.seeds), options.modes, settings);
+  const std::vector<DynabarnCourt> courts = courts_of(options, plan);
+  const auto make = [&](const Run& run) {
+    // The release and the noise are the same in all modes and settings.
+    const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;
+    const std::uint64_t person = seed_for(options.seed, run.participant, "person " + run.condition);
+    const sim::DynabarnWorld& world = worlds.at(run.participant / kSeedsOfWorld);
+    const double release = release_time(seed);
+    drive::DriveResult result = courts[run.setting].drive(world, run.condition, release, seed, person);
+    Row row = encounter_row(plan, run, {std::to_string(world.index), world.difficulty, seed, release}, result);
+    return Made{std::move(row), std::move(result)};
+  };
+  return execute(options, plan, court_manifest(options), make, out, errors);
+}
+
+}  // namespace study
+}  // namespace hidwa_local_planner

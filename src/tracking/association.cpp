@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/association.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace hidwa_local_planner {
+namespace tracking {
+namespace {
+
+constexpr double kGate = 13.8;       // 99.9 % of chi-squared with two degrees of freedom
+constexpr double kFarthest = 0.8;    // from the prediction, whatever the deviations [m]
+constexpr double kShape = 0.08;      // what a body's shape and a changing view do to its centre [m]
+constexpr double kLegOff = 0.17;     // deviation of a leg from the middle of the person [m]
+constexpr double kSmall = 0.13;      // radius of what may be a leg [m]
+constexpr double kLegsApart = 0.75;  // [m]
+
+double room_of(const BodyFit& fit) { return std::hypot(fit.deviation, fit.radius < kSmall ? kLegOff : kShape); }
+
+// May the track take this segment beside those that it has?
+bool belongs(const Track& track, const BodyFit& fit, const std::vector<BodyFit>& fits) {
+  if (track.segment_count == 0) return true;
+  if (track.segment_count == static_cast<int>(track.segments.size())) return false;
+  const BodyFit& first = fits[track.segments[0]];
+  if (fit.radius < kSmall && first.radius < kSmall) {
+    return track.segment_count == 1 && (fit.centre - first.centre).norm() < kLegsApart;
+  }
+  const double radius = track.two_legs ? 0.0 : track.radius;
+  return (fit.centre - track.filter.position()).norm() < radius;  // a piece that something hides the rest of
+}
+
+}  // namespace
+
+void Association::assign(const Beams& beams, const TrackerSettings& settings, std::vector<Segment>& segments,
+                         std::vector<Track>& tracks) {
+  fits_.clear();
+  for (Segment& s : segments) {
+    s.track = -1;
+    fits_.push_back(fit_body(beams, s, 0.0, false, settings.range_noise));
+  }
+  pairs_.clear();
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    tracks[t].segment_count = 0;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      BodyFit fit = fits_[s];
+      const Segment& segment = segments[s];
+      if ((segment.hidden_first || segment.hidden_last) && tracks[t].radius > fit.radius) {
+        fit = fit_body(beams, segment, tracks[t].radius, true, settings.range_noise);
+      }
+      if ((fit.centre - tracks[t].filter.position()).norm() > kFarthest) continue;
+      const double mismatch = tracks[t].filter.mismatch(fit.centre, room_of(fit));
+      if (mismatch < kGate) pairs_.push_back({mismatch, t, s, tracks[t].confirmed});
+    }
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
+    return std::make_tuple(!a.confirmed, a.mismatch, a.track, a.segment) <
+           std::make_tuple(!b.confirmed, b.mismatch, b.track, b.segment);
+  });
+  for (const Pair& pair : pairs_) {
+    Track& track = tracks[pair.track];
+    if (segments[pair.segment].track >= 0 || !belongs(track, fits_[pair.segment], fits_)) continue;
+    segments[pair.segment].track = static_cast<std::int32_t>(pair.track);
+    track.segments[static_cast<std::size_t>(track.segment_count++)] = pair.segment;
+  }
+}
+
+}  // namespace tracking
+}  // namespace hidwa_local_planner

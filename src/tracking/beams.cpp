@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/beams.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidwa_local_planner {
+namespace tracking {
+namespace {
+
+Pose2 pose_between(const Pose2& a, const Pose2& b, double share) {
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.theta + share * wrap_angle(b.theta - a.theta)};
+}
+
+// Length and hit of a beam; what lies beyond `reach` is free space up to there.
+void set_length(float range, const RangeScan& scan, const TrackerSettings& settings, Beam& beam) {
+  const double r = range;
+  beam.hit = false;
+  beam.length = 0.0;
+  if (std::isnan(r) || r < scan.range_min || r <= 0.0) return;
+  const bool returned = std::isfinite(r) && r < scan.range_max;
+  if (!returned && !settings.no_return_is_free) return;
+  beam.hit = returned && r < settings.reach;
+  beam.length = std::min({r, settings.reach, scan.range_max});
+}
+
+}  // namespace
+
+void to_beams(const RangeScan& scan, const TrackerSettings& settings, Beams& out) {
+  const std::size_t n = scan.ranges.size();
+  out.all.resize(n);
+  out.stamp = scan.stamp;
+  out.time_increment = scan.time_increment;
+  out.increment = std::abs(scan.angle_increment);
+  out.end = scan.end();
+  out.whole_turn = n > 2 && out.increment * static_cast<double>(n) > 2.0 * M_PI - 0.5 * out.increment;
+  const Pose2 middle = pose_between(scan.sensor, scan.sensor_end, 0.5);
+  out.centre = Point(middle.x, middle.y);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.0;
+    const Pose2 sensor = pose_between(scan.sensor, scan.sensor_end, share);
+    Beam& beam = out.all[i];
+    beam = Beam();
+    beam.origin = Point(sensor.x, sensor.y);
+    beam.bearing = sensor.theta + scan.angle_min + scan.angle_increment * static_cast<double>(i);
+    beam.direction = Point(std::cos(beam.bearing), std::sin(beam.bearing));
+    set_length(scan.ranges[i], scan, settings, beam);
+  }
+}
+
+bool seen_through(const Beams& beams, const Point& place, double beyond) {
+  // Bearings grow or fall from beam to beam, but the sensor may turn while it scans: the nearest on each side are
+  // sought.
+  double left = M_PI;
+  double right = M_PI;
+  const Beam* nearest_left = nullptr;
+  const Beam* nearest_right = nullptr;
+  for (const Beam& beam : beams.all) {
+    const Point to = place - beam.origin;
+    const double along = to.dot(beam.direction);
+    if (along <= 0.0) continue;
+    const double across = beam.direction.x() * to.y() - beam.direction.y() * to.x();
+    const double angle = std::abs(across) / along;
+    if (across >= 0.0 && angle < right) {
+      right = angle;
+      nearest_right = &beam;
+    }
+    if (across < 0.0 && angle < left) {
+      left = angle;
+      nearest_left = &beam;
+    }
+  }
+  const double limit = std::tan(std::min(1.5 * beams.increment, 0.2));
+  const auto passes = [&](const Beam* beam, double angle) {
+    return beam != nullptr && angle <= limit && beam->length > (place - beam->origin).norm() + beyond;
+  };
+  return passes(nearest_left, left) && passes(nearest_right, right);
+}
+
+}  // namespace tracking
+}  // namespace hidwa_local_planner

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <string>
+
+#include "hidwa_local_planner/tracking/range_scan.hpp"
+#include "hidwa_local_planner/tracking/tracker_settings.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+struct SettingRange {
+  const char* name;
+  double value;
+  double low;
+  double high;
+  const char* unit;
+};
+
+std::string number_text(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+std::string fault_of(const TrackerSettings& s) {
+  const SettingRange ranges[] = {{"reach", s.reach, 1.0, 30.0, " m"},
+                                 {"range_noise", s.range_noise, 0.001, 0.2, " m"},
+                                 {"odometry_slip", s.odometry_slip, 0.0, 0.5, ""},
+                                 {"free_memory", s.free_memory, 0.5, 60.0, " s"},
+                                 {"settle_time", s.settle_time, 0.2, 10.0, " s"},
+                                 {"stand_time", s.stand_time, 0.5, 30.0, " s"},
+                                 {"coast_time", s.coast_time, 0.1, 5.0, " s"},
+                                 {"min_speed", s.min_speed, 0.05, 2.0, " m/s"},
+                                 {"min_radius", s.min_radius, 0.0, 1.5, " m"},
+                                 {"max_radius", s.max_radius, 0.1, 1.5, " m"},
+                                 {"acceleration", s.acceleration, 0.1, 20.0, " m/s^2"}};
+  for (const SettingRange& r : ranges) {
+    if (!(r.value >= r.low && r.value <= r.high)) {  // also what is not a number
+      return std::string(r.name) + " is " + (std::isfinite(r.value) ? number_text(r.value) : "not finite") +
+             ": it must be from " + number_text(r.low) + " to " + number_text(r.high) + r.unit;
+    }
+  }
+  return "";
+}
+
+std::string fault_of(const RangeScan& scan) {
+  if (!std::isfinite(scan.stamp) || scan.stamp < 0.0) return "the stamp is not a time";
+  if (!is_finite(scan.sensor) || !is_finite(scan.sensor_end)) return "the sensor's pose is not finite";
+  if (scan.ranges.empty()) return "there are no ranges";
+  if (!std::isfinite(scan.angle_min)) return "angle_min is not finite";
+  const double width = scan.angle_increment * static_cast<double>(scan.ranges.size() - 1);
+  if (!std::isfinite(width) || (scan.ranges.size() > 1 && scan.angle_increment == 0.0)) {
+    return "angle_increment must be finite and not 0";
+  }
+  if (std::abs(width) > 2.0 * M_PI + 1.5 * std::abs(scan.angle_increment)) {
+    return "angle_increment times the number of ranges is more than a turn";
+  }
+  if (!(scan.range_min >= 0.0 && scan.range_max > scan.range_min))
+    return "range_max must be above range_min, and that not below 0";
+  const double duration = scan.end() - scan.stamp;
+  if (!(duration >= 0.0 && duration <= 2.0)) return "time_increment times the number of ranges must be from 0 to 2 s";
+  return "";
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidwa_local_planner {
+namespace tracking {
+namespace {
+
+constexpr double kFirstSpeed = 1.2;        // standard deviation of a velocity that nobody knows yet [m/s]
+constexpr double kAccelerationTime = 0.2;  // for which an acceleration lasts [s]
+constexpr double kLegRadius = 0.13;        // bodies below may be legs [m]
+constexpr double kStride = 0.05;           // deviation of the middle of two legs from that of the person [m]
+constexpr double kOneLeg = 0.12;           // deviation of one leg from the person's middle [m]
+constexpr double kThinBody = 0.04;         // deviation of a body that may be a leg [m]
+constexpr double kBias = 0.03;             // what is the same from scan to scan: bodies are not round [m]
+constexpr double kSurprised = 4.5;         // mean mismatch from which the velocity is doubted
+constexpr double kDoubtTime = 0.2;       // within which a velocity that is off by d / kDoubtTime leads astray by d [s]
+constexpr double kMostDoubt = 2.0;       // [m/s]
+constexpr double kSurpriseShare = 0.3;   // of the newest mismatch in the mean
+constexpr double kStandingRange = 0.25;  // what stays within stands [m]
+constexpr double kSignificant = 2.5;     // deviations
+constexpr double kSettledSpeed = 0.3;    // deviation of a velocity that is known well [m/s]
+constexpr double kLeft = 0.12;           // how far from its start a mover must have come [m]
+constexpr double kVacated = 0.3;         // the same where nothing was known of the space [m]
+constexpr double kVacatedBySmall = 0.6;  // and where it may be a table's legs [m]
+constexpr int kFreeSightings = 4;        // in a row, that tell a mover
+constexpr double kBeginsWithin = 6.5;    // farther away a wall's few points seem to move [m]
+constexpr double kVacatedWithin = 5.5;   // distance within which that is tried [m]
+constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
+constexpr int kAssumedRadii = 3;         // measured radii, from which the mean is taken for true
+
+bool is_small(const BodyFit& fit) { return fit.radius < kLegRadius; }
+
+bool mostly_free(const Segment& segment) { return 2 * segment.free_before >= segment.points; }
+
+// The largest of a body's pieces stands for it: the others say on which side it goes on.
+Segment largest_piece(const std::vector<Segment>& segments, const Track& track) {
+  Segment best = segments[track.segments[0]];
+  for (int i = 1; i < track.segment_count; ++i) {
+    const Segment& s = segments[track.segments[static_cast<std::size_t>(i)]];
+    if (s.points > best.points) best = s;
+  }
+  for (int i = 0; i < track.segment_count; ++i) {
+    const Segment& s = segments[track.segments[static_cast<std::size_t>(i)]];
+    if (s.first < best.first) best.hidden_first = true;
+    if (s.first > best.first) best.hidden_last = true;
+  }
+  return best;
+}
+
+Sighting one_body(const Beams& beams, const Segment& segment, const Track& track, const TrackerSettings& settings) {
+  Sighting s;
+  const bool known = track.radii >= kAssumedRadii && !track.two_legs;
+  const double radius = track.radius > 0.0 ? track.radius : 0.5 * settings.min_radius;
+  s.body = fit_body(beams, segment, radius, known, settings.range_noise);
+  s.small = is_small(s.body);
+  s.free_before = mostly_free(segment);
+  s.whole = s.body.radius_seen;
+  const double more = !s.small ? 0.0 : track.two_legs ? kOneLeg : kThinBody;
+  s.body.deviation = std::hypot(s.body.deviation, track.two_legs ? std::max(more, kStride) : more);
+  return s;
+}
+
+bool all_small(const Beams& beams, const std::vector<Segment>& segments, const Track& track, double noise) {
+  for (int i = 0; i < track.segment_count; ++i) {
+    const Segment& s = segments[track.segments[static_cast<std::size_t>(i)]];
+    if (!is_small(fit_body(beams, s, 0.0, false, noise))) return false;
+  }
+  return true;
+}
+
+Sighting two_legs(const Beams& beams, const std::vector<Segment>& segments, const Track& track, double noise) {
+  Sighting s;
+  s.legs = s.small = true;
+  int free = 0;
+  double variance = 0.0;
+  const double n = track.segment_count;
+  for (int i = 0; i < track.segment_count; ++i) {
+    const Segment& segment = segments[track.segments[static_cast<std::size_t>(i)]];
+    const BodyFit leg = fit_body(beams, segment, 0.0, false, noise);
+    s.body.centre += leg.centre / n;
+    s.body.time += leg.time / n;
+    s.body.radius += leg.radius / n;
+    s.body.distance += leg.distance / n;
+    variance += leg.deviation * leg.deviation / n;
+    if (mostly_free(segment)) ++free;
+  }
+  s.body.deviation = std::sqrt(variance / n + kStride * kStride);
+  s.free_before = 2 * free >= track.segment_count;
+  s.whole = true;
+  return s;
+}
+
+bool left_behind(const Track& track, const Beams& beams) {
+  int through = 0;
+  for (int i = 0; i < track.first_count; ++i) {
+    if (seen_through(beams, track.first_points[static_cast<std::size_t>(i)], 0.15)) ++through;
+  }
+  return track.first_count > 0 && 10 * through >= 6 * track.first_count;
+}
+
+}  // namespace
+
+Sighting look(const Beams& beams, const std::vector<Segment>& segments, const Track& track,
+              const TrackerSettings& settings) {
+  if (track.segment_count > 1 && all_small(beams, segments, track, settings.range_noise)) {
+    return two_legs(beams, segments, track, settings.range_noise);
+  }
+  return one_body(beams, largest_piece(segments, track), track, settings);
+}
+
+Track begin_track(const Sighting& sighting, const Travel& travel) {
+  Track t;
+  const BodyFit& b = sighting.body;
+  t.filter = MotionFilter(b.centre, std::hypot(b.deviation, kBias), kFirstSpeed, b.time);
+  t.begin = t.seen = t.stood_since = b.time;
+  t.began_at = t.stood_at = b.centre;
+  t.began_after = travel;
+  t.sightings = 1;
+  t.free_sightings = sighting.free_before ? 1 : 0;
+  t.whole_sightings = sighting.whole ? 1 : 0;
+  t.two_legs = sighting.legs;
+  if (b.radius_seen) {
+    t.radius = b.radius;
+    t.radii = 1;
+  }
+  return t;
+}
+
+void predict_track(Track& track, double time, const TrackerSettings& settings) {
+  track.filter.predict(time, settings.acceleration * settings.acceleration * kAccelerationTime);
+}
+
+void correct_track(Track& track, const Sighting& sighting, const TrackerSettings& settings) {
+  const BodyFit& b = sighting.body;
+  predict_track(track, b.time, settings);
+  const double off = (b.centre - track.filter.position()).norm();
+  const double mismatch = track.filter.correct(b.centre, b.deviation);
+  track.surprise += kSurpriseShare * (std::min(mismatch, 20.0) - track.surprise);
+  if (track.surprise > kSurprised) track.filter.doubt_velocity(std::min(off / kDoubtTime, kMostDoubt));
+  if (b.radius_seen && !sighting.legs) {
+    track.radii = std::min(track.radii + 1, 10);
+    track.radius += (b.radius - track.radius) / track.radii;
+  }
+  track.two_legs = track.two_legs || sighting.legs;
+  ++track.sightings;
+  track.free_sightings = sighting.free_before ? track.free_sightings + 1 : 0;
+  if (sighting.whole) ++track.whole_sightings;
+  track.seen = b.time;
+  track.through = 0.0;
+  if ((track.filter.position() - track.stood_at).norm() > kStandingRange) {
+    track.stood_at = track.filter.position();
+    track.stood_since = b.time;
+  }
+}
+
+bool known_to_move(const Track& track, const Beams& beams, const Travel& travel, const TrackerSettings& settings) {
+  const double age = track.seen - track.begin;
+  if (track.sightings < 3 || age < 0.14 || (track.sightings < 4 && age < 0.3)) return false;
+  const double distance = (track.filter.position() - beams.centre).norm();
+  const double moved = shift(track.began_after, travel, distance, settings.odometry_slip);
+  const double speed = track.filter.velocity().norm();
+  if (speed < settings.min_speed + moved / age || speed > kFastest) return false;
+  if (track.surprise > kSurprised || distance > kBeginsWithin) return false;  // it jumps, as what is none does
+  const double way = track.distance_from_start() - moved;
+  const bool certain = speed > kSignificant * track.filter.velocity_deviation() + moved / age ||
+                       (way > kVacated && track.filter.velocity_deviation() < kSettledSpeed);
+  if (!certain) return false;
+  if (track.free_sightings >= std::min(track.sightings - 1, kFreeSightings)) return way > kLeft;
+  if (10 * track.whole_sightings < 8 * track.sightings || distance > kVacatedWithin) return false;
+  const bool small = track.two_legs || track.radius < kLegRadius;  // beams pass beside what is thin, too
+  return way > (small ? kVacatedBySmall : kVacated) && left_behind(track, beams);
+}
+
+MovingObstacle to_obstacle(const Track& track, double time, const TrackerSettings& settings) {
+  Track now = track;
+  predict_track(now, time, settings);
+  MovingObstacle o;
+  o.id = track.id;
+  o.position = now.filter.position();
+  o.velocity = now.filter.velocity();
+  o.radius = std::max(settings.min_radius, track.two_legs ? 0.0 : track.radius);
+  o.position_deviation = std::hypot(now.filter.position_deviation(), kBias);
+  o.velocity_deviation = now.filter.velocity_deviation();
+  return o;
+}
+
+}  // namespace tracking
+}  // namespace hidwa_local_planner
