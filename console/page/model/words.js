@@ -3,10 +3,10 @@
 
 const STATES = {
   AUTONOMY: ['The robot drives itself', 'Steer at any time: it bends its way to your side.'],
-  SHARED: ['You steer', 'The robot bends its way to your side, and avoids obstacles.'],
+  SHARED: ['You steer', 'It bends its way to your side and avoids obstacles.'],
   HOLD: ['You let go', 'Straight on for a moment, then on to the goal.'],
-  MANUAL: ['You drive', 'The robot goes where the stick says. It stops if you let go.'],
-  STOPPED: ['Stopped', 'The robot stands until the stop ends. The goal is kept.'],
+  MANUAL: ['You drive', 'It goes where the stick says, and stops if you let go.'],
+  STOPPED: ['Stopped', 'It stands until the stop ends. The goal is kept.'],
   LOST: ['Lost your steering', 'Nothing came from your stick. Centre it once to steer again.'],
   BLOCKED: ['Blocked', 'The robot waits: what you ask for is not safe.'],
 };

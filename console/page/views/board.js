@@ -6,16 +6,26 @@ import { Watch } from '../model/scene.js';
 import { Ribbon } from './ribbon.js';
 import { baseMesh, floorMesh, goalMesh, moverMesh, regionMesh, wallMesh } from './solids.js';
 import { onTheme } from './theme.js';
-import { unexplained, wallFaces } from './walls.js';
+import { roomBehind, unexplained, wallFaces } from './walls.js';
 
 const ARC_TIME = 2; // [s] as in the view from above
-const EYES = { height: 1.35, behind: 0.7, tilt: -0.2 }; // [m, m, rad] of the camera on a screen
+const EYES = { height: 1.6, behind: 1.15, tilt: -0.36, near: -0.2 }; // [m, m, rad, rad] of a screen's camera; near: tilts more in front of a wall
+const WALL_MARGIN = 0.25; // [m] between that camera and a wall behind it
 const WALL_HEIGHT = 2.4; // [m]
 const OBSTACLE_HEIGHT = 0.9; // [m] of what the costmap alone knows
 const FAR = 45; // [m]
 const EASE = 0.06; // [s] in which the view follows the newest pose
 const COAST = 0.15; // [s] for which the last velocity carries the pose on
 const SLOW_FRAME = 32; // [ms] frames slower than this are drawn with fewer pixels
+
+/** Whether the browser draws WebGL on the processor: then smooth edges cost too much. */
+function drawsInSoftware() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context && context.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
+  if (context) context.getExtension('WEBGL_lose_context').loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
 
 export class BoardView {
   /** three: the library; canvas: to draw on; scene: model/scene.js. Throws where the browser has no WebGL. */
@@ -24,8 +34,9 @@ export class BoardView {
     this.canvas = canvas;
     this.scene = scene;
     this.unwind = false;
-    this.renderer = new three.WebGLRenderer({ canvas, antialias: true });
-    this.ratio = Math.min(1.5, window.devicePixelRatio || 1);
+    const soft = drawsInSoftware();
+    this.renderer = new three.WebGLRenderer({ canvas, antialias: !soft });
+    this.ratio = Math.min(soft ? 1 : 1.5, window.devicePixelRatio || 1);
     this.frameTime = 0;
     this.stage = new three.Scene();
     this.world = new three.Group(); // inside: coordinates of the map, z up
@@ -47,8 +58,7 @@ export class BoardView {
     const axes = new three.Matrix4().makeBasis(new three.Vector3(0, -1, 0), new three.Vector3(0, 0, 1), new three.Vector3(-1, 0, 0));
     this.seat.quaternion.setFromRotationMatrix(axes);
     this.eyes = new three.PerspectiveCamera(68, 1, 0.05, FAR * 1.5);
-    this.eyes.position.set(0, EYES.height, EYES.behind);
-    this.eyes.rotation.x = EYES.tilt;
+    this.behind = EYES.behind;
     this.seat.add(this.eyes);
     this.rig.add(this.seat);
     this.body = new three.Group();
@@ -74,8 +84,7 @@ export class BoardView {
 
   /** After a headset's session the camera stands where it does on a screen. */
   leaveHeadset() {
-    this.eyes.position.set(0, EYES.height, EYES.behind);
-    this.eyes.rotation.set(EYES.tilt, 0, 0);
+    this.eyes.rotation.set(0, 0, 0);
     this.eyes.scale.set(1, 1, 1);
     this.resize();
   }
@@ -142,7 +151,7 @@ export class BoardView {
   updateMap() {
     const { map } = this.scene;
     this.swap('floor', map ? floorMesh(this.three, map, this.theme) : null);
-    this.swap('walls', map ? this.upright(map, (i) => map.cells[i] >= 65, (i) => map.cells[i] >= 0, WALL_HEIGHT, this.theme.wall) : null);
+    this.swap('walls', map ? this.upright(map, (i) => map.cells[i] >= 65, (i) => map.cells[i] >= 0, WALL_HEIGHT, this.theme.solid) : null);
   }
 
   updateObstacles() {
@@ -197,11 +206,20 @@ export class BoardView {
     this.rig.position.set(shown.x, shown.y, 0);
     // Unwound, the view turns only when the head does (Suomalainen et al. 2022, doi 10.5555/3523760.3523828).
     if (!(inHeadset && this.unwind)) this.rig.rotation.z = shown.yaw;
+    if (!inHeadset) this.placeEyes();
     this.body.position.set(shown.x, shown.y, 0);
     this.body.rotation.z = shown.yaw;
     const { state } = scene;
     ribbons.command.set(state ? arc(shown, state.command.v, state.command.omega, ARC_TIME) : []);
     ribbons.wanted.set(state && state.active ? arc(shown, state.wanted.v, state.wanted.omega, ARC_TIME) : []);
+  }
+
+  /** On a screen one looks over the robot's shoulder, as far behind it as the walls allow. */
+  placeEyes() {
+    const room = roomBehind(this.scene.map, this.shown, EYES.behind, WALL_MARGIN);
+    this.behind += (room - this.behind) * (room < this.behind ? 0.5 : 0.08);
+    this.eyes.position.set(0, EYES.height, this.behind);
+    this.eyes.rotation.x = EYES.tilt + EYES.near * (1 - this.behind / EYES.behind);
   }
 
   /** One frame at the time now [ms]; says whether it drew. In a headset it always draws. */

@@ -3,7 +3,7 @@
 
 const NAMES = [
   'free', 'unknown', 'wall', 'costmap', 'inflation', 'scan', 'plan', 'predicted', 'wanted', 'command', 'robot', 'robot-edge', 'mover', 'region',
-  'goal', 'sky', 'floor', 'floor-line', 'text', 'panel', 'line', 'best', 'worst', 'rejected',
+  'goal', 'solid', 'sky', 'floor', 'floor-line', 'text', 'panel', 'line', 'best', 'worst', 'rejected',
 ];
 
 /** The colours in force, as CSS writes them. */

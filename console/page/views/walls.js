@@ -81,3 +81,13 @@ function occupiedNear(map, x, y, reach) {
   }
   return false;
 }
+
+/** How far one can go back from a pose [m], up to `most`, before a wall of the map is nearer than `margin`. */
+export function roomBehind(map, pose, most, margin) {
+  if (!map) return most;
+  const step = map.resolution;
+  for (let back = 0; back <= most + margin; back += step) {
+    if (occupiedNear(map, pose.x - back * Math.cos(pose.yaw), pose.y - back * Math.sin(pose.yaw), 1)) return Math.max(0, back - margin);
+  }
+  return most;
+}

@@ -22,7 +22,7 @@ class Browser:
         self.profile = tempfile.mkdtemp(prefix='console_browser_')
         options = Options()
         options.binary_location = shutil.which('chromium')
-        for argument in ('--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+        for argument in ('--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--disable-gpu', '--enable-unsafe-swiftshader',
                          '--disable-background-networking', '--no-first-run', '--disable-extensions', '--mute-audio',
                          '--user-data-dir=' + self.profile, '--window-size=%d,%d' % size):
             options.add_argument(argument)
