@@ -2,6 +2,7 @@
 """scripts/demo, once everything is built: launches, drives, records, reports."""
 import fcntl
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -22,6 +23,7 @@ from .report import write_report
 
 PACKAGE = 'hidwa_local_planner'
 RECORDER = 'demo_recorder'
+ADDRESS = 'console: '     # before each address in the log
 LAUNCH_PATIENCE = 180.0  # [s], wall time: a machine that does much else starts Python slowly
 FILES = ('drive.bag', 'drive.bag.active', 'report.json', 'report.png', 'demo.log', 'recorder.log')
 
@@ -70,7 +72,7 @@ def _short(path):
 
 def launch_arguments(o):
     """Arguments of demo.launch."""
-    kind = o.operator if o.operator in ('avoid', 'none', 'joystick') else 'script'
+    kind = o.operator if o.operator in ('avoid', 'none', 'joystick', 'page') else 'script'
     x, y, yaw = o.start
     # roslaunch takes an empty value for none given: what is not there is left out.
     arguments = {'map': o.map, 'regions': o.regions or 'none', 'x': x, 'y': y, 'yaw': yaw, 'operator': kind, 'mode': o.mode,
@@ -80,6 +82,10 @@ def launch_arguments(o):
         arguments['script'] = o.operator
     if o.params:
         arguments['extra_params'] = o.params
+    if o.console:
+        tour = ' '.join(f'--tour={",".join(map(str, pose))}' for pose in (o.goal, o.start))
+        recordings = shlex.quote(os.path.join(o.report, 'recordings'))
+        arguments['console_options'] = f'{tour} --recordings {recordings} {o.console_options}'
     return [f'{name}:={value}' for name, value in arguments.items()]
 
 
@@ -135,6 +141,42 @@ def drive(options, env):
         signal.signal(signal.SIGINT, patient)
 
 
+def serve(options, env):
+    """Launches robot, move_base and the console, says where the page is, and goes on until Ctrl-C."""
+    log = os.path.join(options.report, 'demo.log')
+    port = env['ROS_MASTER_URI'].rsplit(':', 1)[1]
+    say('starting robot, move_base and console')
+    file = os.path.join(package_path(PACKAGE), 'launch', 'demo.launch')
+    launched = Child(['roslaunch', '-p', port, file, *launch_arguments(options)], log, env)
+    try:
+        wait_for_master(launched)
+        deadline = time.monotonic() + LAUNCH_PATIENCE
+        while not _lines(log, ADDRESS):
+            if not launched.running or _could_not_launch(log) or _lines(log, 'FATAL'):
+                raise DemoError(f'the console did not start: {launched.complaint()}')
+            if time.monotonic() > deadline:
+                raise DemoError(f'the console has not started after {LAUNCH_PATIENCE:.0f} s: {launched.complaint()}')
+            time.sleep(0.1)
+        for line in _lines(log, ADDRESS):
+            say(f'open {line[line.index(ADDRESS) + len(ADDRESS):].strip()}')
+        say(f'the robot drives to and fro until Ctrl-C; ROS_MASTER_URI={env["ROS_MASTER_URI"]}')
+        while launched.running:
+            time.sleep(0.2)
+        raise DemoError(f'a node ended: {launched.complaint()}')
+    finally:
+        patient = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        launched.stop()
+        signal.signal(signal.SIGINT, patient)
+
+
+def _lines(log, text):
+    """Lines of the log that hold a text."""
+    if not os.path.exists(log):
+        return []
+    with open(log, encoding='utf-8', errors='replace') as lines:
+        return [line for line in lines if text in line]
+
+
 def _could_not_launch(log):
     """roslaunch goes on without a node that it cannot find."""
     with open(log, encoding='utf-8', errors='replace') as text:
@@ -181,6 +223,8 @@ def run(options):
     lock = prepare_folder(options.report)
     try:
         with tempfile.TemporaryDirectory(prefix='hidwa_demo_') as logs:
+            if options.console:
+                serve(options, environment(logs))
             arrived, text = drive(options, environment(logs))
         if not arrived:
             say(f'the goal was not reached: {text}')

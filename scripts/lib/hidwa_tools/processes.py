@@ -55,6 +55,11 @@ class Child:
         silence = 'it said nothing' if status is None else f'it said nothing, exit status {status}'
         return next((line for line in lines if FAULT.search(line)), lines[-1] if lines else silence)
 
+    def interrupt(self):
+        """Asks the command to end, without waiting."""
+        if self.running:
+            self._process.send_signal(signal.SIGINT)
+
     def stop(self, patience=20.0):
         """Asks the command to end; whatever of its session is left after `patience` [s] is killed."""
         if self.running:
