@@ -154,7 +154,7 @@ class App {
       steering: ({ state, age }) => this.status.set({ steering: state, age }),
       stop: (message) => this.stops(message),
       told: ({ text }) => text && this.status.say(text),
-      delay: ({ delay }) => this.status.delay(delay),
+      delay: ({ delay }) => this.measured(delay),
     });
     this.view = new ViewLink(this.scene, {
       told: (tick) => this.tick(tick),
@@ -176,9 +176,16 @@ class App {
   holds(message) {
     this.holder.show(message);
     this.status.set({ mine: message.held, neutralNeeded: message.neutral_needed });
-    if (message.holder === null && !this.claimed) this.send('claim');
-    this.claimed = true; // only once: who gave the controls back does not take them by itself
+    // Who is alone here need not ask. Who had the controls and gave them back does not take them by itself.
+    if (message.holder === null && message.visitors.length === 1 && !this.held) this.send('claim');
+    this.held = this.held || message.held;
     if (message.held && message.neutral_needed) this.centre();
+  }
+
+  /** The link's delay [ms], with every ping. What was centred before the clocks were compared did not count: centre again. */
+  measured(delay) {
+    this.status.delay(delay);
+    if (this.status.facts.mine && this.status.facts.neutralNeeded) this.centre();
   }
 
   /** A connection that is new, or was cut, asks for neutral once. */

@@ -16,9 +16,10 @@ PHONE = (390, 844)
 
 
 class Browser:
-    """One Chromium with WebGL in software. scripts: sources that run in every page before its own."""
+    """One Chromium with WebGL in software. scripts: sources that run in every page before its own; rules: Chromium's rules for
+    resolving hosts, by which a proxy takes the place of a server without the page's noticing."""
 
-    def __init__(self, size=DESKTOP, scripts=(), dark=False, scale=1.0):
+    def __init__(self, size=DESKTOP, scripts=(), dark=False, scale=1.0, rules=''):
         self.profile = tempfile.mkdtemp(prefix='console_browser_')
         options = Options()
         options.binary_location = shutil.which('chromium')
@@ -26,6 +27,8 @@ class Browser:
                          '--disable-background-networking', '--no-first-run', '--disable-extensions', '--mute-audio',
                          '--user-data-dir=' + self.profile, '--window-size=%d,%d' % size):
             options.add_argument(argument)
+        if rules:
+            options.add_argument('--host-resolver-rules=' + rules)
         options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
         self.driver = webdriver.Chrome(service=Service(shutil.which('chromedriver')), options=options)
         self.driver.set_script_timeout(30)
@@ -125,6 +128,9 @@ def source_of(path):
 
 
 def library():
-    """The folder of the npm packages (three, iwer), or None: HIDWA_CONSOLE_LIB, else where the set-up puts them."""
-    folder = os.environ.get('HIDWA_CONSOLE_LIB', '')
-    return folder if folder and os.path.isdir(folder) else None
+    """The folder of the npm packages that the tests need (scripts/console_libraries --dev)."""
+    space = os.environ.get('HIDWA_SPACE') or os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..')
+    folder = os.path.join(space, 'build', 'console', 'node_modules')
+    if not os.path.isdir(os.path.join(folder, 'iwer')):
+        raise AssertionError("the page's libraries are missing: scripts/console_libraries --dev")
+    return os.path.normpath(folder)

@@ -10,7 +10,7 @@ from PIL import Image
 import scene_bytes
 
 MAPS = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..', 'maps')
-ROBOT = (24.6, 7.2, 1.45)  # [m, m, rad] in front of the first region
+ROBOT = (20.8, 8.3, 0.25)  # [m, m, rad] in front of the first region, with free floor behind
 RADIUS = 0.27  # [m] of the outline
 
 
@@ -60,7 +60,7 @@ def local_costmap(cells, resolution, origin, pose, size=120):
     column = int((pose[0] - origin[0]) / resolution) - size // 2
     row = int((pose[1] - origin[1]) / resolution) - size // 2
     window = numpy.where(cells[row:row + size, column:column + size] == 100, 100, 0).astype(numpy.uint8)
-    window[78:88, 74:84] = 100
+    window[48:56, 92:100] = 100
     lethal = window == 100
     near = lethal.copy()
     for _ in range(10):
@@ -102,7 +102,7 @@ def show(server, pose=ROBOT):
         },
         time=1.0, pose=list(pose), velocity=[0.45, 0.3], state=state(), mode='joystick', footprint=disc(RADIUS), regions=regions(),
         limits={'max_vel_x': 0.5, 'min_vel_x': 0.0, 'max_vel_theta': 1.0, 'acc_lim_x': 2.5, 'acc_lim_theta': 3.2, 'input_timeout': 0.5, 'gesture_range': 0.3},
-        obstacles=[{'id': 1, 'x': pose[0] - 1.2, 'y': pose[1] + 3.4, 'vx': 0.5, 'vy': -0.3, 'r': 0.3},
-                   {'id': 2, 'x': pose[0] + 1.0, 'y': pose[1] + 4.6, 'vx': 0.0, 'vy': -0.8, 'r': 0.3}],
+        obstacles=[{'id': 1, 'x': pose[0] + 3.2, 'y': pose[1] + 2.3, 'vx': -0.5, 'vy': -0.3, 'r': 0.3},
+                   {'id': 2, 'x': pose[0] + 5.6, 'y': pose[1] - 0.6, 'vx': 0.0, 'vy': 0.8, 'r': 0.3}],
         goals={'active': [plan[-1][0], plan[-1][1], 1.5], 'waiting': [[30.0, 18.0, 0.0]], 'start': [5.5, 2.5, 1.57], 'outcome': '', 'text': ''},
         progress={'driven': 12.0, 'to_go': 31.4, 'elapsed': 30.0, 'time_left': 74.0})
