@@ -177,8 +177,8 @@ class App {
     this.holder.show(message);
     this.status.set({ mine: message.held, neutralNeeded: message.neutral_needed });
     // Who is alone here need not ask. Who had the controls and gave them back does not take them by itself.
-    if (message.holder === null && message.visitors.length === 1 && !this.held) this.send('claim');
-    this.held = this.held || message.held;
+    if (message.holder === null && message.visitors.length === 1 && !this.hadControls) this.send('claim');
+    this.hadControls = this.hadControls || message.held;
     if (message.held && message.neutral_needed) this.centre();
   }
 
@@ -202,6 +202,7 @@ class App {
   }
 
   tick(tick) {
+    this.status.facts.headsetOnly = this.mode === 'gesture' && !(this.headset && this.headset.session);
     for (const panel of this.panels) panel.tick(tick);
     if (tick.mode !== undefined) this.showMode(tick.mode);
     if (tick.camera) this.showCamera(tick.camera);
@@ -218,7 +219,6 @@ class App {
     this.mode = mode;
     for (const button of byId('modes').children) button.setAttribute('aria-pressed', String(button.dataset.mode === mode));
     byId('take').hidden = mode !== 'switching';
-    this.status.set({ headsetOnly: mode === 'gesture' && !(this.headset && this.headset.session) });
   }
 
   showCamera({ on }) {

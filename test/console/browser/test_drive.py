@@ -19,8 +19,8 @@ HEADSET = """
     window.device = new IWER.XRDevice(IWER.metaQuest3);
     window.device.installRuntime({forceInstall: true});
     window.lost = false;
-    const emulated = Object.getOwnPropertyDescriptor(XRPose.prototype, 'emulatedPosition');
-    Object.defineProperty(XRPose.prototype, 'emulatedPosition', {get() { return window.lost || emulated.get.call(this); }});
+    // iwer calls every place emulated; a real headset does so only where tracking is lost.
+    Object.defineProperty(XRPose.prototype, 'emulatedPosition', {get() { return window.lost; }});
 """
 
 
