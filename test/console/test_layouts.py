@@ -188,7 +188,8 @@ class Pictures(unittest.TestCase):
             self.assertTrue(red > 200 and green < 40 and blue < 40)
 
     def test_what_is_none(self):
-        for image in (Image(width=4, height=4, encoding='rgb8', step=12, data=b'short'), Image(width=4, height=4, encoding='bayer', step=4)):
+        for image in (Image(width=4, height=4, encoding='rgb8', step=12, data=b'short'),
+                      Image(width=4, height=4, encoding='bayer', step=4)):
             with self.assertRaises(NoPicture):
                 picture_of(image._type, bytes_of(image))
         with self.assertRaises(NoPicture):
