@@ -39,7 +39,7 @@ class Console:
         self.goals = Goals(self._send_goal, lambda: self._publish_cancel.publish(GoalID()), self.scene.progress,
                            () if study else options.tour)
         self.desk = Desk(self, settings, time.monotonic, study is not None)
-        self.feeds = foxglove.Feeds(foxglove.channels_of(self.names), loop.add_callback)
+        self.feeds = foxglove.Feeds(foxglove.channels_of(self.names), self.robot.find, loop.add_callback)
         rospy.Subscriber(self.names.host + '/goal', MoveBaseActionGoal, self._on_goal, queue_size=10)
         rospy.Subscriber(self.names.host + '/result', MoveBaseActionResult, self._on_result, queue_size=10)
         rospy.Subscriber(self.names.host + '/status', GoalStatusArray, self._on_status, queue_size=1)

@@ -77,6 +77,8 @@ class Desk:
         now = self._clock()
         if self._lease.lapse(now):
             self._handed_over()
+        if self._steering.in_mode(self._outputs.mode()):
+            self._show_control()
         for visitor in list(self._visitors):
             self._ping(visitor, now)
             if self._holds(visitor) and visitor.engaged and self._too_slow(visitor, now):

@@ -19,6 +19,7 @@ from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
 from .messages import Malformed
+from .robot import Newest
 from .server import POLICY, Socket
 from .wire import yaw_of
 
@@ -45,51 +46,46 @@ def channels_of(names, obstacles='moving_obstacles'):
             for i, (topic, kind) in enumerate(kinds.items(), 1)]
 
 
-class Feed:
-    """One topic for all clients; what is latched is kept for those who come later. `post(function)` runs it in the server's thread."""
-
-    def __init__(self, channel, post):
-        self._post, self._clients, self._latched = post, [], {}
-        self._subscriber = rospy.Subscriber(channel.topic, rospy.AnyMsg, self._receive, queue_size=channel.kept, tcp_nodelay=True)
-
-    def _receive(self, message):
-        header, stamp = message._connection_header, rospy.get_rostime().to_nsec()
-        self._post(lambda: self._spread(header, stamp, message._buff))
-
-    def _spread(self, header, stamp, data):
-        if header.get('latching') == '1':
-            self._latched[header.get('callerid', '')] = (stamp, data)
-        for client in list(self._clients):
-            client(stamp, data)
-
-    def add(self, client):
-        """A client, a function of (stamp [ns], bytes)."""
-        self._clients.append(client)
-        for stamp, data in self._latched.values():
-            client(stamp, data)
-
-    def remove(self, client):
-        """Whether nobody is left."""
-        self._clients.remove(client)
-        if not self._clients:
-            self._subscriber.unregister()
-        return not self._clients
-
-
 class Feeds:
-    """Those that somebody watches."""
+    """The topics for those that watch them. `find(topic)`: a robot.Newest that there is anyway, or None; `post(function)` runs it in the
+    server's thread."""
 
-    def __init__(self, channels, post):
-        self.channels, self._post, self._feeds = {c.id: c for c in channels}, post, {}
+    def __init__(self, channels, find, post):
+        self.channels, self._find, self._post, self._own = {c.id: c for c in channels}, find, post, {}
 
-    def add(self, channel, client):
-        if channel not in self._feeds:
-            self._feeds[channel] = Feed(self.channels[channel], self._post)
-        self._feeds[channel].add(client)
+    def add(self, number, client):
+        """A client, a function of (stamp [ns], bytes); returns what ends it."""
+        channel = self.channels[number]
+        topic, ended = self._find(channel.topic) or self._watch(channel), []
 
-    def remove(self, channel, client):
-        if self._feeds[channel].remove(client):
-            del self._feeds[channel]
+        def pass_on(stamp, data):
+            if not ended:
+                client(stamp, data)
+
+        def listen(data):
+            stamp = rospy.get_rostime().to_nsec()
+            self._post(lambda: pass_on(stamp, data))
+        topic.listen(listen)
+
+        def end():
+            ended.append(True)
+            topic.forget(listen)
+            self._leave(channel)
+        return end
+
+    def _watch(self, channel):
+        topic, count = self._own.get(channel.id) or (Newest(channel.topic, queue_size=channel.kept), 0)
+        self._own[channel.id] = (topic, count + 1)
+        return topic
+
+    def _leave(self, channel):
+        if channel.id not in self._own:
+            return
+        topic, count = self._own[channel.id]
+        self._own[channel.id] = (topic, count - 1)
+        if count == 1:
+            topic.end()
+            del self._own[channel.id]
 
 
 class Subscription:
@@ -192,8 +188,7 @@ class FoxgloveSocket(Socket):
                 self._status(WARNING, f'subscription {number} is not possible: no such channel, used already, or too many')
                 continue
             client = Subscription(number, channel.kept, self._write)
-            self.subscriptions[number] = (channel.id, client)
-            self.console.feeds.add(channel.id, client)
+            self.subscriptions[number] = self.console.feeds.add(channel.id, client)
 
     def _on_unsubscribe(self, message):
         for number in message['subscriptionIds']:
@@ -201,8 +196,7 @@ class FoxgloveSocket(Socket):
                 self._unsubscribe(number)
 
     def _unsubscribe(self, number):
-        channel, client = self.subscriptions.pop(number)
-        self.console.feeds.remove(channel, client)
+        self.subscriptions.pop(number)()
 
     def _write(self, data, done):
         if not self.ws_connection:

@@ -6,6 +6,7 @@ import time
 
 import rospy
 import tf2_ros
+from tf2_msgs.msg import TFMessage
 
 from hidwa_tools.recording import DEFAULT_PLANNER, HOST, plugin_name
 
@@ -15,18 +16,40 @@ DEFAULT_GLOBAL_PLANNER = 'navfn/NavfnROS'
 
 
 class Newest:
-    """The newest message of a topic, as bytes. `version` counts them, `at` is when it came (monotonic [s])."""
+    """The newest message of a topic, as bytes. `version` counts them, `at` is when it came (monotonic [s]). A process subscribes to a
+    topic only once: rospy gives a latched message to the first subscriber alone. So others listen here."""
 
-    def __init__(self, topic, also=None):
+    def __init__(self, topic, also=None, queue_size=1):
         self.topic, self.data, self.version, self.at, self.kind = rospy.resolve_name(topic), None, 0, None, ''
-        self._also = also
-        self._subscriber = rospy.Subscriber(self.topic, rospy.AnyMsg, self._receive, queue_size=1, buff_size=1 << 24, tcp_nodelay=True)
+        self._also, self._listeners, self._latched, self._lock = also, [], {}, threading.Lock()
+        self._subscriber = rospy.Subscriber(self.topic, rospy.AnyMsg, self._receive, queue_size=queue_size, buff_size=1 << 24,
+                                            tcp_nodelay=True)
 
     def _receive(self, message):
-        self.data, self.at, self.kind = message._buff, time.monotonic(), message._connection_header.get('type', '')
+        header, data = message._connection_header, message._buff
+        self.data, self.at, self.kind = data, time.monotonic(), header.get('type', '')
         self.version += 1
         if self._also:
-            self._also(self.data)
+            self._also(data)
+        with self._lock:
+            if header.get('latching') == '1':
+                self._latched[header.get('callerid', '')] = data
+            listeners = list(self._listeners)
+        for listener in listeners:
+            listener(data)
+
+    def listen(self, listener):
+        """Calls listener(bytes), in rospy's thread: now with what is latched, then with each message."""
+        with self._lock:
+            self._listeners.append(listener)
+            latched = list(self._latched.values())
+        for data in latched:
+            listener(data)
+
+    def forget(self, listener):
+        """The listener is not called any more."""
+        with self._lock:
+            self._listeners.remove(listener)
 
     def age(self):
         """Time since it came [s]; infinite where none did."""
@@ -83,7 +106,19 @@ class Robot:
         self.state, self.mode = Newest(names.of_planner('operator_state')), Newest(names.of_planner('mode'))
         self.obstacles, self.regions = Newest(obstacles_topic), Newest('regions')
         self._buffer = tf2_ros.Buffer(rospy.Duration(10.0))
-        self._listener = tf2_ros.TransformListener(self._buffer)
+        self._tf = Newest('/tf', also=lambda data: self._take_transforms(data, self._buffer.set_transform), queue_size=100)
+        self._tf_static = Newest('/tf_static', also=lambda data: self._take_transforms(data, self._buffer.set_transform_static),
+                                 queue_size=100)
+        self._topics = {value.topic: value for value in vars(self).values() if isinstance(value, Newest)}
+
+    def find(self, topic):
+        """The Newest of a topic that is followed anyway, or None."""
+        return self._topics.get(topic)
+
+    @staticmethod
+    def _take_transforms(data, put):
+        for transform in TFMessage().deserialize(data).transforms:
+            put(transform, 'console')
 
     def _keep_update(self, data):
         with self._lock:

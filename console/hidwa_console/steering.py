@@ -24,12 +24,21 @@ class Steering:
 
     def __init__(self, send, max_age):
         self._send, self.max_age = send, max_age
-        self.neutral_needed, self.active = True, False
+        self.neutral_needed, self.active, self._mode = True, False, None
         self._sent_at, self._late_at, self._centred_at = None, None, None
 
     def demand_neutral(self):
-        """Another holder, another connection."""
+        """Another holder."""
         self.neutral_needed = True
+
+    def in_mode(self, mode):
+        """The planner's mode, or None: in another one it asks for a neutral device again. True if it is another."""
+        if mode == self._mode:
+            return False
+        self._mode = mode
+        self.release()
+        self.demand_neutral()
+        return True
 
     def take(self, command, age, now, timeout, mode, in_control=False):
         """What became of a command: 'steers', 'released', 'late', 'neutral_needed', 'clock' or 'mode'. age [s], or None where
@@ -70,7 +79,7 @@ class Steering:
             self._late_at = now
         if self._late_at is not None and now - self._late_at <= self.max_age:
             return 'late'
-        if mode is not None and DEVICE_OF_MODE.get(mode) is not type(command):
+        if mode is not None and DEVICE_OF_MODE.get(mode) is not type(command) and not is_neutral(command):
             return 'mode'
         return ''
 

@@ -9,7 +9,7 @@ import time
 import tornado.httpclient
 import tornado.websocket
 
-PATIENCE = 20.0  # [s], for anything that is waited for
+PATIENCE = 10.0  # [s], for anything that is waited for
 
 
 class Page:
