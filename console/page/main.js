@@ -236,14 +236,15 @@ class App {
 
   draw(now) {
     requestAnimationFrame((next) => this.draw(next));
+    this.frames += 1;
+    if (this.headset && this.headset.session) return; // nobody looks at the page; the headset draws its own frames
     const follow = byId('follow');
-    if (follow.getAttribute('aria-pressed') !== String(this.above.camera.following)) follow.setAttribute('aria-pressed', String(this.above.camera.following));
+    const following = String(this.above.camera.following);
+    if (follow.getAttribute('aria-pressed') !== following) follow.setAttribute('aria-pressed', following);
     this.above.draw();
     this.velocity.draw();
-    const inHeadset = this.headset && this.headset.session;
     if (!byId('picture-canvas').hidden) this.picture.draw();
-    else if (this.board && !inHeadset) this.board.frame(now);
-    this.frames += 1;
+    else if (this.board) this.board.frame(now);
   }
 }
 

@@ -36,6 +36,7 @@ export class BoardView {
     this.unwind = false;
     const soft = drawsInSoftware();
     this.renderer = new three.WebGLRenderer({ canvas, antialias: !soft });
+    this.renderer.xr.setFramebufferScaleFactor(soft ? 0.5 : 1);
     this.ratio = Math.min(soft ? 1 : 1.5, window.devicePixelRatio || 1);
     this.frameTime = 0;
     this.stage = new three.Scene();

@@ -33,12 +33,17 @@ class Browser:
         self.driver = webdriver.Chrome(service=Service(shutil.which('chromedriver')), options=options)
         self.driver.set_script_timeout(30)
         self.cdp = self.driver.execute_cdp_cmd
-        self.cdp('Emulation.setDeviceMetricsOverride', {'width': size[0], 'height': size[1], 'deviceScaleFactor': scale, 'mobile': size[0] < 600})
+        self.scale, self.mobile = scale, size == PHONE
+        self.resize(*size)
         self.cdp('Emulation.setEmulatedMedia', {'features': [{'name': 'prefers-color-scheme', 'value': 'dark' if dark else 'light'}]})
-        if size[0] < 600:
+        if self.mobile:
             self.cdp('Emulation.setTouchEmulationEnabled', {'enabled': True, 'maxTouchPoints': 5})
         for script in scripts:
             self.cdp('Page.addScriptToEvaluateOnNewDocument', {'source': script})
+
+    def resize(self, width, height):
+        """Another size of the page [CSS pixels]."""
+        self.cdp('Emulation.setDeviceMetricsOverride', {'width': width, 'height': height, 'deviceScaleFactor': self.scale, 'mobile': self.mobile})
 
     def open(self, address):
         """Opens a page and waits until it runs."""

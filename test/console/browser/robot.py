@@ -54,7 +54,8 @@ class Robot:
             rospy.Subscriber('/hand_pose', PoseStamped, lambda m: self._keep(self.hands, m), queue_size=1000),
             rospy.Subscriber('/ground_truth', Odometry, self._place, queue_size=1),
             rospy.Subscriber('/move_base/HIDWAPlannerROS/operator_state', rospy.AnyMsg, self._state, queue_size=1000)]
-        while self.pose is None:
+        # The planner must be there to see the page's first centred stick.
+        while self.pose is None or self.subscribers[-1].get_num_connections() == 0:
             if time.monotonic() > deadline:
                 raise AssertionError('no robot: ' + self.child.complaint())
             time.sleep(0.05)
