@@ -3,6 +3,7 @@
 import asyncio
 import json
 import os
+import shutil
 import socket
 import struct
 import unittest
@@ -17,6 +18,7 @@ from hidwa_local_planner.msg import OperatorState
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
+import paths
 from page_twin import Page, View, read_path, until
 from running import World
 from test_layouts import bytes_of
@@ -522,6 +524,21 @@ class Foxglove(unittest.IsolatedAsyncioTestCase):
         self.assertEqual(len(W.heard.joy), joys + 1)  # the page centred its stick
         view.close()
         page.control.close()
+
+    @unittest.skipUnless(shutil.which('npm') and shutil.which('node'), 'npm and node bring the client')
+    async def test_the_protocols_own_client(self):
+        modules = os.path.join(os.environ.get('HIDWA_SPACE', paths.ROOT), 'build', 'console', 'node_modules')
+        self.assertTrue(os.path.isdir(os.path.join(modules, '@foxglove')), 'run scripts/console_libraries --dev first')
+        client = await asyncio.create_subprocess_exec(
+            'node', os.path.join(os.path.dirname(__file__), 'foxglove_client.mjs'), f'ws://localhost:{W.port}/foxglove',
+            env={**os.environ, 'NODE_PATH': modules}, stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.STDOUT)
+        text = (await client.communicate())[0].decode()
+        self.assertEqual(client.returncode, 0, text)
+        got = json.loads(text.splitlines()[-1])
+        self.assertEqual(got['schemas'], {'map': 'nav_msgs/OccupancyGrid', 'state': 'hidwa_local_planner/OperatorState'})
+        self.assertEqual(got['statuses'], [''])  # the goal was taken
+        # The office: 1240 x 640 cells of a byte, and a header; the state comes because the robot drives to the goal.
+        self.assertGreater(got['bytes']['map'], 1240 * 640)
 
     async def test_malformed(self):
         self.socket.write_message(b'\x07', binary=True)
