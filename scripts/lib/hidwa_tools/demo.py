@@ -247,6 +247,10 @@ def main(arguments=None):
     try:
         return run(options)
     except KeyboardInterrupt:
+        if options.console:
+            print()
+            say('ended; recordings, if any, are in ' + os.path.join(options.report, 'recordings'))
+            return 0
         print('\nscripts/demo: interrupted; all programs that it started have ended', file=sys.stderr)
         return 130
     except (DemoError, BagError) as fault:
