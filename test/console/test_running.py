@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The console beside the planner and a simulated robot: what a page does, the robot does, and what it must not do it cannot."""
 import asyncio
+import http.client
 import json
 import os
 import shutil
 import socket
+import ssl
 import struct
+import subprocess
 import unittest
 import urllib.error
 import urllib.request
@@ -444,6 +447,33 @@ class Refused(unittest.IsolatedAsyncioTestCase):
         page.control.close()
         await self.refused('/foxglove', {'Origin': ''}, port, subprotocols=['foxglove.websocket.v1'])
         await self.refused('/foxglove/' + token, {'Origin': ''}, port, subprotocols=['foxglove.websocket.v1'])  # no --allow-origin
+        child.stop()
+
+
+    async def test_tls(self):
+        key, certificate = (os.path.join(W.folder, name) for name in ('key.pem', 'cert.pem'))
+        subprocess.run(['openssl', 'req', '-x509', '-newkey', 'rsa:2048', '-nodes', '-days', '2', '-subj', '/CN=robot.lan', '-addext',
+                        'subjectAltName=DNS:robot.lan', '-keyout', key, '-out', certificate], check=True, capture_output=True)
+        child, port, token = W.console('--address', '0.0.0.0', '--host-name', 'robot.lan', '--certfile', certificate, '--keyfile', key)
+        self.assertTrue(token)
+        trusted = ssl.create_default_context(cafile=certificate)
+
+        def ask(path, host, data=None):
+            connection = http.client.HTTPSConnection('robot.lan', port, context=trusted)
+            plain = socket.create_connection(('127.0.0.1', port))
+            connection.sock = trusted.wrap_socket(plain, server_hostname='robot.lan')
+            headers = {'Host': f'{host}:{port}', 'Origin': f'https://{host}:{port}'}
+            connection.request('POST' if data else 'GET', path, data, headers)
+            answer = connection.getresponse()
+            answer.read()
+            connection.close()
+            return answer
+        self.assertEqual(ask('/', 'robot.lan').status, 200)
+        self.assertEqual(ask('/', 'evil.example').status, 403)
+        self.assertEqual(ask('/report/report.json', 'robot.lan').status, 403)
+        answer = ask('/login', 'robot.lan', json.dumps({'token': token}))
+        self.assertEqual(answer.status, 204)
+        self.assertIn('Secure', answer.headers['Set-Cookie'])
         child.stop()
 
 
