@@ -449,7 +449,6 @@ class Refused(unittest.IsolatedAsyncioTestCase):
         await self.refused('/foxglove/' + token, {'Origin': ''}, port, subprotocols=['foxglove.websocket.v1'])  # no --allow-origin
         child.stop()
 
-
     async def test_tls(self):
         key, certificate = (os.path.join(W.folder, name) for name in ('key.pem', 'cert.pem'))
         subprocess.run(['openssl', 'req', '-x509', '-newkey', 'rsa:2048', '-nodes', '-days', '2', '-subj', '/CN=robot.lan', '-addext',
