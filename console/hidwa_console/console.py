@@ -145,6 +145,8 @@ class Console:
     def slow_tick(self):
         """Once a second."""
         self.recorder.tick()
+        if self.study:
+            self.study.tick()
         self.device.prepare()
 
     def close(self):

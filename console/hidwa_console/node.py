@@ -23,6 +23,7 @@ from .outputs import Device
 from .planar import rounded
 from .recorder import Recorder
 from .robot import Names, Robot
+from .study import Session
 from .tuning import Tuning, read_presets
 
 PACKAGE = 'hidwa_local_planner'
@@ -140,7 +141,7 @@ def serve(options):
     token = new_token() if options.token else None
     access = Access(port, options.host_name, token, context is not None, options.allow_origin)
     loop = tornado.ioloop.IOLoop.current()
-    console = make(loop, options, access, context is not None)
+    console = make(loop, options, access, context is not None, Session(options.study) if options.study else None)
     application = server.application(console, page_folder(options.page), libraries(), foxglove.FoxgloveSocket)
     http = tornado.httpserver.HTTPServer(application, ssl_options=context, max_body_size=4096, max_header_size=16384,
                                          idle_connection_timeout=60.0)

@@ -73,6 +73,7 @@ def parser():
     p.add_argument('--recordings', default=os.path.join('~', 'hidwa_recordings'), metavar='DIR', help='(default: %(default)s)')
     p.add_argument('--tour', action='append', default=[], type=pose, metavar='X,Y,YAW',
                    help='drive to these poses in turn, for ever, while nobody wants anything else [m, m, rad]')
+    p.add_argument('--study', default='', metavar='DIR', help='a session of scripts/study live --console')
     p.add_argument('--page', default='', metavar='DIR', help="the page's folder (default: where it was installed)")
     return p
 

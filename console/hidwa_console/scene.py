@@ -21,6 +21,7 @@ NO_CYCLE = 1.0            # [s] after which a state is none any more
 STALE_PATH = 1.0          # [s] after which a rollout is none any more
 CANDIDATES_PERIOD = 0.5   # [s]
 MOST_CANDIDATES = 600
+MOST_POINTS = 800          # of a path
 RUMBLE_ENDS = 0.3         # [s] after the last message
 LIMITS = ('max_vel_x', 'min_vel_x', 'max_vel_theta', 'acc_lim_x', 'acc_lim_theta', 'input_timeout', 'gesture_range')
 CIRCLE = [[round(0.3 * math.cos(a), 3), round(0.3 * math.sin(a), 3)] for a in np.linspace(0, 2 * math.pi, 17)[:-1]]  # [m]
@@ -244,6 +245,9 @@ class Scene:
             self.progress.plan(points)
         times = rows[:, 3] - header.stamp
         timed = len(rows) > 1 and rows[-1, 3] > rows[0, 3]
+        if len(rows) > MOST_POINTS:
+            kept = np.linspace(0, len(rows) - 1, MOST_POINTS).round().astype(int)
+            points, times, rows = points[kept], times[kept], rows[kept]
         self.binary[name].put(layouts.path(which, np.column_stack([points, times if timed else np.full(len(rows), np.nan)])))
         return True
 

@@ -31,7 +31,7 @@ HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev 
 HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev nlohmann-json3-dev libgtest-dev"
 # The operator's console: npm brings the browser's libraries; a browser tests the page.
 HIDWA_DEBIAN_CONSOLE="npm"
-HIDWA_DEBIAN_BROWSER="npm chromium chromium-driver python3-selenium"
+HIDWA_DEBIAN_BROWSER="chromium chromium-driver python3-selenium"
 HIDWA_DEBIAN_GUI="rviz libgl1-mesa-dri ros-robot-state-publisher"
 
 # Ubuntu 20.04 with ROS Noetic in /opt/ros/noetic: the real navigation stack is packaged there.
@@ -47,7 +47,7 @@ HIDWA_NOETIC_LINT="python3-catkin-lint"  # other versions of the rest find other
 HIDWA_NOETIC_BENCH=$HIDWA_DEBIAN_BENCH
 HIDWA_NOETIC_ATTACK=$HIDWA_DEBIAN_ATTACK
 HIDWA_NOETIC_CONSOLE=$HIDWA_DEBIAN_CONSOLE
-HIDWA_NOETIC_BROWSER="npm chromium-browser chromium-chromedriver python3-selenium"
+HIDWA_NOETIC_BROWSER="chromium-browser chromium-chromedriver python3-selenium"
 HIDWA_NOETIC_GUI="ros-noetic-rviz ros-noetic-robot-state-publisher"
 
 # hidwa_packages PURPOSE...: the names, for build, run, test, lint, bench, attack, console, browser and gui.

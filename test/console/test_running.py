@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The console beside the planner and a simulated robot: what a page does, the robot does, and what it must not do it cannot."""
 import asyncio
+import http.client
 import json
 import os
+import shutil
 import socket
+import ssl
 import struct
+import subprocess
 import unittest
 import urllib.error
 import urllib.request
@@ -17,6 +21,7 @@ from hidwa_local_planner.msg import OperatorState
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
+import paths
 from page_twin import Page, View, read_path, until
 from running import World
 from test_layouts import bytes_of
@@ -444,6 +449,32 @@ class Refused(unittest.IsolatedAsyncioTestCase):
         await self.refused('/foxglove/' + token, {'Origin': ''}, port, subprotocols=['foxglove.websocket.v1'])  # no --allow-origin
         child.stop()
 
+    async def test_tls(self):
+        key, certificate = (os.path.join(W.folder, name) for name in ('key.pem', 'cert.pem'))
+        subprocess.run(['openssl', 'req', '-x509', '-newkey', 'rsa:2048', '-nodes', '-days', '2', '-subj', '/CN=robot.lan', '-addext',
+                        'subjectAltName=DNS:robot.lan', '-keyout', key, '-out', certificate], check=True, capture_output=True)
+        child, port, token = W.console('--address', '0.0.0.0', '--host-name', 'robot.lan', '--certfile', certificate, '--keyfile', key)
+        self.assertTrue(token)
+        trusted = ssl.create_default_context(cafile=certificate)
+
+        def ask(path, host, data=None):
+            connection = http.client.HTTPSConnection('robot.lan', port, context=trusted)
+            plain = socket.create_connection(('127.0.0.1', port))
+            connection.sock = trusted.wrap_socket(plain, server_hostname='robot.lan')
+            headers = {'Host': f'{host}:{port}', 'Origin': f'https://{host}:{port}'}
+            connection.request('POST' if data else 'GET', path, data, headers)
+            answer = connection.getresponse()
+            answer.read()
+            connection.close()
+            return answer
+        self.assertEqual(ask('/', 'robot.lan').status, 200)
+        self.assertEqual(ask('/', 'evil.example').status, 403)
+        self.assertEqual(ask('/report/report.json', 'robot.lan').status, 403)
+        answer = ask('/login', 'robot.lan', json.dumps({'token': token}))
+        self.assertEqual(answer.status, 204)
+        self.assertIn('Secure', answer.headers['Set-Cookie'])
+        child.stop()
+
 
 class Foxglove(unittest.IsolatedAsyncioTestCase):
     """Another program's view, by the protocol's facts."""
@@ -522,6 +553,21 @@ class Foxglove(unittest.IsolatedAsyncioTestCase):
         self.assertEqual(len(W.heard.joy), joys + 1)  # the page centred its stick
         view.close()
         page.control.close()
+
+    @unittest.skipUnless(shutil.which('npm') and shutil.which('node'), 'npm and node bring the client')
+    async def test_the_protocols_own_client(self):
+        modules = os.path.join(os.environ.get('HIDWA_SPACE', paths.ROOT), 'build', 'console', 'node_modules')
+        self.assertTrue(os.path.isdir(os.path.join(modules, '@foxglove')), 'run scripts/console_libraries --dev first')
+        client = await asyncio.create_subprocess_exec(
+            'node', os.path.join(os.path.dirname(__file__), 'foxglove_client.mjs'), f'ws://localhost:{W.port}/foxglove',
+            env={**os.environ, 'NODE_PATH': modules}, stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.STDOUT)
+        text = (await client.communicate())[0].decode()
+        self.assertEqual(client.returncode, 0, text)
+        got = json.loads(text.splitlines()[-1])
+        self.assertEqual(got['schemas'], {'map': 'nav_msgs/OccupancyGrid', 'state': 'hidwa_local_planner/OperatorState'})
+        self.assertEqual(got['statuses'], [''])  # the goal was taken
+        # The office: 1240 x 640 cells of a byte, and a header; the state comes because the robot drives to the goal.
+        self.assertGreater(got['bytes']['map'], 1240 * 640)
 
     async def test_malformed(self):
         self.socket.write_message(b'\x07', binary=True)

@@ -112,8 +112,9 @@ def environment(logs, port=None):
     return dict(os.environ)
 
 
-def drive(options, env):
-    """Launches, drives and records; (arrived, text)."""
+def drive(options, env, before=lambda launched: None, after=lambda launched: None):
+    """Launches, drives and records; (arrived, text). `before` and `after` are called with the launched nodes running: before
+    anything is recorded, and once the recording is finished."""
     folder = options.report
     log = os.path.join(folder, 'demo.log')
     port = env['ROS_MASTER_URI'].rsplit(':', 1)[1]
@@ -125,13 +126,18 @@ def drive(options, env):
         wait_for_master(launched)
         this = Drive(options, lambda: launched.running and not _could_not_launch(log))
         this.wait_until_ready()
+        before(launched)
         this.describe(host_kind())
         topics = recorded_topics(options.global_planner, options.planner)
         recorder = Child(['rosbag', 'record', '--lz4', '--chunksize=128', '-O', os.path.join(folder, 'drive.bag'), *topics,
                           f'__name:={RECORDER}'], os.path.join(folder, 'recorder.log'), env)
         this.wait_for_recorder('/' + RECORDER, topics, recorder)
         say(f'driving to ({options.goal[0]:.2f}, {options.goal[1]:.2f}), operator: {options.operator_name}, mode: {options.mode}')
-        return this.go()
+        result = this.go()
+        recorder.stop()
+        recorder = None
+        after(launched)
+        return result
     finally:
         # A second Ctrl-C must not leave anything running.
         patient = signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -150,15 +156,7 @@ def serve(options, env):
     launched = Child(['roslaunch', '-p', port, file, *launch_arguments(options)], log, env)
     try:
         wait_for_master(launched)
-        deadline = time.monotonic() + LAUNCH_PATIENCE
-        while not _lines(log, ADDRESS):
-            if not launched.running or _could_not_launch(log) or _lines(log, 'FATAL'):
-                raise DemoError(f'the console did not start: {launched.complaint()}')
-            if time.monotonic() > deadline:
-                raise DemoError(f'the console has not started after {LAUNCH_PATIENCE:.0f} s: {launched.complaint()}')
-            time.sleep(0.1)
-        for line in _lines(log, ADDRESS):
-            say(f'open {line[line.index(ADDRESS) + len(ADDRESS):].strip()}')
+        tell_address(log, launched)
         say(f'the robot drives to and fro until Ctrl-C; ROS_MASTER_URI={env["ROS_MASTER_URI"]}')
         while launched.running:
             time.sleep(0.2)
@@ -167,6 +165,19 @@ def serve(options, env):
         patient = signal.signal(signal.SIGINT, signal.SIG_IGN)
         launched.stop()
         signal.signal(signal.SIGINT, patient)
+
+
+def tell_address(log, launched):
+    """Waits for the console, and says where its page is."""
+    deadline = time.monotonic() + LAUNCH_PATIENCE
+    while not _lines(log, ADDRESS):
+        if not launched.running or _could_not_launch(log) or _lines(log, 'FATAL'):
+            raise DemoError(f'the console did not start: {launched.complaint()}')
+        if time.monotonic() > deadline:
+            raise DemoError(f'the console has not started after {LAUNCH_PATIENCE:.0f} s: {launched.complaint()}')
+        time.sleep(0.1)
+    for line in _lines(log, ADDRESS):
+        say(f'open {line[line.index(ADDRESS) + len(ADDRESS):].strip()}')
 
 
 def _lines(log, text):
@@ -247,6 +258,10 @@ def main(arguments=None):
     try:
         return run(options)
     except KeyboardInterrupt:
+        if options.console:
+            print()
+            say('ended; recordings, if any, are in ' + os.path.join(options.report, 'recordings'))
+            return 0
         print('\nscripts/demo: interrupted; all programs that it started have ended', file=sys.stderr)
         return 130
     except (DemoError, BagError) as fault:

@@ -103,7 +103,7 @@ class Drive:
         conditions = {'the clock': lambda: self._clock.message, 'the robot': lambda: self._truth.message,
                       'the map': lambda: self._map.message, 'the laser': lambda: self._scan.message,
                       'move_base': lambda: self._host.message and self._goal.get_num_connections()}
-        if self._options.operator != 'none':
+        if self._options.operator not in ('none', 'page'):
             conditions['the person (/joy)'] = lambda: self._stick.message
         deadline = time.monotonic() + READY_PATIENCE
         while True:

@@ -45,6 +45,11 @@ class Child:
     def running(self):
         return self._process.poll() is None
 
+    @property
+    def pid(self):
+        """Of the command itself."""
+        return self._process.pid
+
     def complaint(self):
         """The first line in its log that tells of a fault, or the last line; where there is none, its exit status."""
         lines = []
