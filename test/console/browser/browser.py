@@ -22,7 +22,7 @@ class Browser:
     def __init__(self, size=DESKTOP, scripts=(), dark=False, scale=1.0, rules=''):
         self.profile = tempfile.mkdtemp(prefix='console_browser_')
         options = Options()
-        options.binary_location = shutil.which('chromium')
+        options.binary_location = shutil.which('chromium') or shutil.which('chromium-browser')
         for argument in ('--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--disable-gpu', '--enable-unsafe-swiftshader',
                          '--disable-background-networking', '--no-first-run', '--disable-extensions', '--mute-audio',
                          '--user-data-dir=' + self.profile, '--window-size=%d,%d' % size):

@@ -85,6 +85,14 @@ class DriveTest(unittest.TestCase):
             facts = page.app('[app.status.facts, app.mode, app.hands.hand, app.scene.state]')
             raise AssertionError('%s; the page: %s; hands %d, Joy %s' % (fault, facts, len(robot.hands), robot.joys[-1:])) from None
 
+    def turns_left(self, began):
+        """Until the robot was sent to the left since a time; else what it was asked for."""
+        try:
+            wait(lambda: any(omega > 0.1 for _, omega in robot.since(robot.commands, began)), 'the robot turns left', 15.0)
+        except AssertionError as fault:
+            hands = [(round(m.pose.position.x, 2), round(m.pose.position.y, 2)) for m in robot.since(robot.hands, began)]
+            raise AssertionError('%s; %s; hands %s' % (fault, page.app('app.scene.state'), hands[::20])) from None
+
     def press_stick(self, dx, dy):
         x, y, width, _ = page.middle('stick')
         to = (x + 0.36 * width * dx, y + 0.36 * width * dy)
@@ -141,7 +149,7 @@ class Drive(DriveTest):
         at = self.press_stick(-0.9, 0)
         wait(lambda: any(joy.axes[0] > 0.8 for joy in robot.since(robot.joys, began)), 'Joy to the left (+1)')
         wait(lambda: 'SHARED' in robot.since(robot.states, began), 'SHARED')
-        wait(lambda: any(omega > 0.1 for _, omega in robot.since(robot.commands, began)), 'the robot turns left')
+        self.turns_left(began)
         wait(lambda: sense * (robot.pose[1] - y0) > 0.25, 'a deviation to the left of 0.25 m')
         self.assertEqual(page.text('state-title') in ('You steer', 'Blocked'), True)
         self.release_stick(at)
@@ -326,7 +334,7 @@ class HeadsetDrive(DriveTest):
         page.wait(lambda: page.app("app.hands.hand === 'right'"), 'a hand that grips')
         page.js(move)
         self.steers()
-        wait(lambda: any(omega > 0.1 for _, omega in robot.since(robot.commands, began)), 'the robot turns left')
+        self.turns_left(began)
         page.js('window.lost = true')
         wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'lost tracking releases')
         page.js('window.lost = false')
