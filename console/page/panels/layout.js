@@ -25,5 +25,8 @@ export function setUpLayout() {
   for (const panel of PANELS) {
     byId(`tab-${panel}`).addEventListener('click', () => openPanel(document.body.dataset.tab === panel ? null : panel));
   }
-  openPanel(matchMedia('(max-width: 900px)').matches ? null : 'window');
+  const narrow = matchMedia('(max-width: 900px)');
+  const fit = () => openPanel(narrow.matches ? null : 'window');
+  narrow.addEventListener('change', fit);
+  fit();
 }

@@ -51,7 +51,7 @@ export class TuningPanel {
     back.addEventListener('click', () => this.send('undo'));
     actions.append(back);
     for (const preset of presets) {
-      const button = element('button', { type: 'button', textContent: preset.text || preset.name, title: JSON.stringify(preset.values) });
+      const button = element('button', { type: 'button', textContent: preset.name.replaceAll('_', ' '), title: preset.text });
       button.addEventListener('click', () => this.send('preset', { name: preset.name }));
       actions.append(button);
     }

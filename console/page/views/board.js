@@ -13,6 +13,7 @@ const EYES = { height: 1.6, behind: 1.15, tilt: -0.36, near: -0.2 }; // [m, m, r
 const WALL_MARGIN = 0.25; // [m] between that camera and a wall behind it
 const WALL_HEIGHT = 2.4; // [m]
 const OBSTACLE_HEIGHT = 0.9; // [m] of what the costmap alone knows
+const GOAL_NEAR = 0.9; // [m] a nearer goal's post would stand in the eye
 const FAR = 45; // [m]
 const EASE = 0.06; // [s] in which the view follows the newest pose
 const COAST = 0.15; // [s] for which the last velocity carries the pose on
@@ -210,6 +211,7 @@ export class BoardView {
     if (!inHeadset) this.placeEyes();
     this.body.position.set(shown.x, shown.y, 0);
     this.body.rotation.z = shown.yaw;
+    for (const goal of this.goalGroup ? this.goalGroup.children : []) goal.visible = Math.hypot(goal.position.x - shown.x, goal.position.y - shown.y) > GOAL_NEAR;
     const { state } = scene;
     ribbons.command.set(state ? arc(shown, state.command.v, state.command.omega, ARC_TIME) : []);
     ribbons.wanted.set(state && state.active ? arc(shown, state.wanted.v, state.wanted.omega, ARC_TIME) : []);

@@ -11,10 +11,11 @@ export class HeadPanel {
     [this.canvas.width, this.canvas.height] = SIZE;
     this.texture = new three.CanvasTexture(this.canvas);
     this.texture.colorSpace = three.SRGBColorSpace;
-    const material = new three.MeshBasicMaterial({ map: this.texture, fog: false });
+    const material = new three.MeshBasicMaterial({ map: this.texture, fog: false, depthTest: false, transparent: true });
     this.mesh = new three.Mesh(new three.PlaneGeometry(1.2, 0.3), material);
     this.mesh.position.set(0, 0.75, -1.5); // [m] in the seat: x right, y up, z back
     this.mesh.rotation.x = -0.5;
+    this.mesh.renderOrder = 1; // before everything, whatever stands in between
     this.mesh.visible = false;
     board.seat.add(this.mesh);
   }
@@ -33,7 +34,7 @@ export class HeadPanel {
     context.fillRect(0, 0, ...SIZE);
     context.fillStyle = '#fff';
     context.font = '700 92px system-ui, sans-serif';
-    context.fillText(title, 36, 110);
+    context.fillText(title, 36, 110, SIZE[0] - 72);
     context.font = '500 56px system-ui, sans-serif';
     context.fillText(line, 36, 204, SIZE[0] - 72);
     this.texture.needsUpdate = true;

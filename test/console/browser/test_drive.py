@@ -334,7 +334,7 @@ class HeadsetDrive(DriveTest):
         page.wait(lambda: page.app("app.hands.hand === 'right'"), 'a hand that grips')
         page.js(move)
         self.steers()
-        self.turns_left(began)
+        page.wait(lambda: page.app('Boolean(app.scene.state && app.scene.state.wanted.omega > 0.3)'), 'a turn to the left is asked for')
         page.js('window.lost = true')
         wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'lost tracking releases')
         page.js('window.lost = false')
