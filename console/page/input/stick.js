@@ -12,7 +12,8 @@ export class ScreenStick {
     this.steering = steering;
     this.pointer = null;
     base.addEventListener('pointerdown', (event) => this.down(event));
-    base.addEventListener('pointermove', (event) => this.move(event));
+    // Raw updates come at once, moves only with the next frame; a browser without the former has the latter.
+    for (const move of ['pointerrawupdate', 'pointermove']) base.addEventListener(move, (event) => this.move(event));
     base.addEventListener('pointerup', (event) => this.up(event));
     base.addEventListener('pointercancel', (event) => this.lost(event));
     base.addEventListener('lostpointercapture', (event) => this.lost(event));

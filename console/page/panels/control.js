@@ -4,7 +4,6 @@
 const byId = (id) => document.getElementById(id);
 
 const CLAIMS = {
-  granted: 'You have the controls.',
   asked: 'The holder is asked.',
   refused: 'The holder keeps the controls.',
   gone: 'The holder has left: ask again.',
@@ -35,7 +34,7 @@ export class ControlPanel {
   }
 
   claimed({ result }) {
-    this.say(CLAIMS[result] || result);
+    if (CLAIMS[result]) this.say(CLAIMS[result]); // what was granted, the head of the page says
   }
 
   /** The server's message `control`. */
