@@ -47,6 +47,7 @@ hidwa_build() {
   (cd "$HIDWA_SPACE" && colcon build --merge-install --executor sequential --base-paths "${bases[@]}" \
     --build-base build --install-base install --event-handlers console_cohesion- console_start_end+ console_direct+ console_stderr- \
     --cmake-args -DCMAKE_BUILD_TYPE=Release -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-    -DPython3_EXECUTABLE=/usr/bin/python3 --no-warn-unused-cli ${parts[@]+"${parts[@]}"} "$@" | /usr/bin/python3 "$HIDWA_LIB/hidwa_tools/build_progress.py") ||
+    -DPython3_EXECUTABLE=/usr/bin/python3 -DHIDWA_CONSOLE_LIBRARIES="$HIDWA_SPACE/build/console/node_modules" \
+    --no-warn-unused-cli ${parts[@]+"${parts[@]}"} "$@" | /usr/bin/python3 "$HIDWA_LIB/hidwa_tools/build_progress.py") ||
     fail "the build failed; its whole output is in $HIDWA_SPACE/log/latest_build"
 }

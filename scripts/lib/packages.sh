@@ -23,11 +23,15 @@ HIDWA_DEBIAN_BUILD="build-essential cmake catkin python3-setuptools
 HIDWA_DEBIAN_RUN="python3-roslaunch rosout python3-rosparam python3-rostopic python3-rosnode rospack-tools rosbash
   python3-tf2-ros python3-actionlib python3-dynamic-reconfigure python3-diagnostic-msgs
   python3-geometry-msgs python3-map-msgs python3-move-base-msgs python3-nav-msgs python3-rosgraph-msgs python3-sensor-msgs
-  python3-std-msgs python3-visualization-msgs python3-numpy python3-rosbag python3-yaml python3-scipy python3-matplotlib"
+  python3-std-msgs python3-visualization-msgs python3-numpy python3-rosbag python3-yaml python3-scipy python3-matplotlib
+  python3-tornado python3-pil python3-actionlib-msgs python3-tf2-msgs"
 HIDWA_DEBIAN_TEST="ccache librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev"
 HIDWA_DEBIAN_LINT="clang-format clang-tidy cppcheck flake8 shellcheck codespell catkin-lint"
 HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev zlib1g-dev libbenchmark-dev"
 HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev nlohmann-json3-dev libgtest-dev"
+# The operator's console: npm brings the browser's libraries; a browser tests the page.
+HIDWA_DEBIAN_CONSOLE="npm"
+HIDWA_DEBIAN_BROWSER="chromium chromium-driver python3-selenium"
 HIDWA_DEBIAN_GUI="rviz libgl1-mesa-dri ros-robot-state-publisher"
 
 # Ubuntu 20.04 with ROS Noetic in /opt/ros/noetic: the real navigation stack is packaged there.
@@ -36,14 +40,17 @@ HIDWA_NOETIC_BUILD="build-essential cmake libeigen3-dev libyaml-cpp-dev nlohmann
   ros-noetic-dynamic-reconfigure ros-noetic-pluginlib ros-noetic-rosbag ros-noetic-roscpp ros-noetic-rospy
   ros-noetic-tf2-ros ros-noetic-tf2-geometry-msgs ros-noetic-urdf ros-noetic-visualization-msgs"
 HIDWA_NOETIC_RUN="ros-noetic-roslaunch ros-noetic-rosbash ros-noetic-actionlib ros-noetic-move-base-msgs
-  python3-yaml python3-numpy python3-scipy python3-matplotlib"
+  ros-noetic-diagnostic-msgs ros-noetic-map-msgs ros-noetic-tf2-msgs
+  python3-yaml python3-numpy python3-scipy python3-matplotlib python3-tornado python3-pil"
 HIDWA_NOETIC_TEST="ccache libgtest-dev libgmock-dev libbenchmark-dev ros-noetic-rostest ros-noetic-rosunit"
 HIDWA_NOETIC_LINT="python3-catkin-lint"  # other versions of the rest find other things
 HIDWA_NOETIC_BENCH=$HIDWA_DEBIAN_BENCH
 HIDWA_NOETIC_ATTACK=$HIDWA_DEBIAN_ATTACK
+HIDWA_NOETIC_CONSOLE=$HIDWA_DEBIAN_CONSOLE
+HIDWA_NOETIC_BROWSER="chromium-browser chromium-chromedriver python3-selenium"
 HIDWA_NOETIC_GUI="ros-noetic-rviz ros-noetic-robot-state-publisher"
 
-# hidwa_packages PURPOSE...: the names, for build, run, test, lint, bench, attack and gui.
+# hidwa_packages PURPOSE...: the names, for build, run, test, lint, bench, attack, console, browser and gui.
 hidwa_packages() {
   local family=DEBIAN purpose list
   if [ -d "$HIDWA_NOETIC" ]; then family=NOETIC; fi

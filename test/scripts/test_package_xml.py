@@ -20,9 +20,11 @@ OTHER_NAMES = {
     'ZLIB': 'zlib', 'zlib.h': 'zlib', 'ros': 'roscpp', 'xmlrpcpp': 'roscpp', 'boost': 'roscpp',
     'rosbag.h': 'rosbag_storage', 'urdf_parser': 'liburdfdom-dev', 'urdfdom': 'liburdfdom-dev', 'urdfdom_headers': 'liburdfdom-dev',
     'console_bridge': 'libconsole-bridge-dev', 'GTest': 'gtest', 'numpy': 'python3-numpy', 'yaml': 'python3-yaml',
-    'matplotlib': 'python3-matplotlib', 'scipy': 'python3-scipy'}
+    'matplotlib': 'python3-matplotlib', 'scipy': 'python3-scipy', 'tornado': 'python3-tornado', 'PIL': 'python3-pil',
+    'rospkg': 'python3-rospkg'}
+PROGRAMS = ('scripts/*', 'scripts/lib/**/*.py', 'console/*', 'console/hidwa_console/*.py')
 SYSTEM = {'sys', 'Threads'}       # of the compiler and of CMake
-OWN = {NAME, 'hidwa_tools', 'hidwa_bag_test', 'joy_reader', 'quest2ros_joy'}
+OWN = {NAME, 'hidwa_tools', 'hidwa_bag_test', 'hidwa_console', 'joy_reader', 'quest2ros_joy'}
 OPTIONAL = {'rviz', 'robot_state_publisher', 'benchmark'}  # to look at, and to measure: a robot needs neither
 
 
@@ -112,12 +114,12 @@ class PackageXml(unittest.TestCase):
         self.assertEqual(needed - self.depends('depend', 'build_depend', 'buildtool_depend'), set())
 
     def test_what_is_run_is_an_execution_dependency(self):
-        needed = named(imports('scripts/*', 'scripts/lib/**/*.py') | launched())
+        needed = named(imports(*PROGRAMS) | launched())
         self.assertLessEqual({'python3-yaml', 'genpy', 'map_server'}, needed)
         self.assertEqual(needed - self.depends('depend', 'exec_depend'), set())
 
     def test_what_tests_need_is_a_dependency(self):
-        needed = named(imports('test/scripts/*.py', 'test/unit/*.py', 'test/property/*.py', 'cfg/*.cfg') |
+        needed = named(imports('test/scripts/*.py', 'test/console/*.py', 'test/unit/*.py', 'test/property/*.py', 'cfg/*.cfg') |
                        headers('test/unit', 'test/oracle'))
         self.assertIn('gtest', needed)
         self.assertEqual(needed - self.depends('depend', 'exec_depend', 'build_depend', 'test_depend'), set())
@@ -125,7 +127,7 @@ class PackageXml(unittest.TestCase):
     def test_nothing_is_named_that_nothing_needs(self):
         by_name = {'catkin', 'message_generation', 'message_runtime', 'roslaunch'}  # used as programs and by CMake's macros
         needed = named(headers('src', 'include', 'test/unit') | cmake_packages() | launched()
-                       | imports('scripts/*', 'scripts/lib/**/*.py', 'test/scripts/*.py', 'cfg/*.cfg'))
+                       | imports(*PROGRAMS, 'test/scripts/*.py', 'test/console/*.py', 'cfg/*.cfg'))
         named_here = self.depends('depend', 'build_depend', 'buildtool_depend', 'exec_depend', 'test_depend')
         self.assertEqual(named_here - needed - by_name, set())
 

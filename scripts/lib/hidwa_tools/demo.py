@@ -2,6 +2,7 @@
 """scripts/demo, once everything is built: launches, drives, records, reports."""
 import fcntl
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -22,6 +23,7 @@ from .report import write_report
 
 PACKAGE = 'hidwa_local_planner'
 RECORDER = 'demo_recorder'
+ADDRESS = 'console: '     # before each address in the log
 LAUNCH_PATIENCE = 180.0  # [s], wall time: a machine that does much else starts Python slowly
 FILES = ('drive.bag', 'drive.bag.active', 'report.json', 'report.png', 'demo.log', 'recorder.log')
 
@@ -70,7 +72,7 @@ def _short(path):
 
 def launch_arguments(o):
     """Arguments of demo.launch."""
-    kind = o.operator if o.operator in ('avoid', 'none', 'joystick') else 'script'
+    kind = o.operator if o.operator in ('avoid', 'none', 'joystick', 'page') else 'script'
     x, y, yaw = o.start
     # roslaunch takes an empty value for none given: what is not there is left out.
     arguments = {'map': o.map, 'regions': o.regions or 'none', 'x': x, 'y': y, 'yaw': yaw, 'operator': kind, 'mode': o.mode,
@@ -81,6 +83,10 @@ def launch_arguments(o):
         arguments['script'] = o.operator
     if o.params:
         arguments['extra_params'] = o.params
+    if o.console:
+        tour = ' '.join(f'--tour={",".join(map(str, pose))}' for pose in (o.goal, o.start))
+        recordings = shlex.quote(os.path.join(o.report, 'recordings'))
+        arguments['console_options'] = f'{tour} --recordings {recordings} {o.console_options}'
     return [f'{name}:={value}' for name, value in arguments.items()]
 
 
@@ -107,8 +113,9 @@ def environment(logs, port=None):
     return dict(os.environ)
 
 
-def drive(options, env):
-    """Launches, drives and records; (arrived, text)."""
+def drive(options, env, before=lambda launched: None, after=lambda launched: None):
+    """Launches, drives and records; (arrived, text). `before` and `after` are called with the launched nodes running: before
+    anything is recorded, and once the recording is finished."""
     folder = options.report
     log = os.path.join(folder, 'demo.log')
     port = env['ROS_MASTER_URI'].rsplit(':', 1)[1]
@@ -120,13 +127,18 @@ def drive(options, env):
         wait_for_master(launched)
         this = Drive(options, lambda: launched.running and not _could_not_launch(log))
         this.wait_until_ready()
+        before(launched)
         this.describe(host_kind())
         topics = recorded_topics(options.global_planner, options.planner)
         recorder = Child(['rosbag', 'record', '--lz4', '--chunksize=128', '-O', os.path.join(folder, 'drive.bag'), *topics,
                           f'__name:={RECORDER}'], os.path.join(folder, 'recorder.log'), env)
         this.wait_for_recorder('/' + RECORDER, topics, recorder)
         say(f'driving to ({options.goal[0]:.2f}, {options.goal[1]:.2f}), operator: {options.operator_name}, mode: {options.mode}')
-        return this.go()
+        result = this.go()
+        recorder.stop()
+        recorder = None
+        after(launched)
+        return result
     finally:
         # A second Ctrl-C must not leave anything running.
         patient = signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -134,6 +146,47 @@ def drive(options, env):
             if child:
                 child.stop()
         signal.signal(signal.SIGINT, patient)
+
+
+def serve(options, env):
+    """Launches robot, move_base and the console, says where the page is, and goes on until Ctrl-C."""
+    log = os.path.join(options.report, 'demo.log')
+    port = env['ROS_MASTER_URI'].rsplit(':', 1)[1]
+    say('starting robot, move_base and console')
+    file = os.path.join(package_path(PACKAGE), 'launch', 'demo.launch')
+    launched = Child(['roslaunch', '-p', port, file, *launch_arguments(options)], log, env)
+    try:
+        wait_for_master(launched)
+        tell_address(log, launched)
+        say(f'the robot drives to and fro until Ctrl-C; ROS_MASTER_URI={env["ROS_MASTER_URI"]}')
+        while launched.running:
+            time.sleep(0.2)
+        raise DemoError(f'a node ended: {launched.complaint()}')
+    finally:
+        patient = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        launched.stop()
+        signal.signal(signal.SIGINT, patient)
+
+
+def tell_address(log, launched):
+    """Waits for the console, and says where its page is."""
+    deadline = time.monotonic() + LAUNCH_PATIENCE
+    while not _lines(log, ADDRESS):
+        if not launched.running or _could_not_launch(log) or _lines(log, 'FATAL'):
+            raise DemoError(f'the console did not start: {launched.complaint()}')
+        if time.monotonic() > deadline:
+            raise DemoError(f'the console has not started after {LAUNCH_PATIENCE:.0f} s: {launched.complaint()}')
+        time.sleep(0.1)
+    for line in _lines(log, ADDRESS):
+        say(f'open {line[line.index(ADDRESS) + len(ADDRESS):].strip()}')
+
+
+def _lines(log, text):
+    """Lines of the log that hold a text."""
+    if not os.path.exists(log):
+        return []
+    with open(log, encoding='utf-8', errors='replace') as lines:
+        return [line for line in lines if text in line]
 
 
 def _could_not_launch(log):
@@ -185,6 +238,8 @@ def run(options):
     lock = prepare_folder(options.report)
     try:
         with tempfile.TemporaryDirectory(prefix='hidwa_demo_') as logs:
+            if options.console:
+                serve(options, environment(logs))
             arrived, text = drive(options, environment(logs))
         if not arrived:
             say(f'the goal was not reached: {text}')
@@ -207,6 +262,10 @@ def main(arguments=None):
     try:
         return run(options)
     except KeyboardInterrupt:
+        if options.console:
+            print()
+            say('ended; recordings, if any, are in ' + os.path.join(options.report, 'recordings'))
+            return 0
         print('\nscripts/demo: interrupted; all programs that it started have ended', file=sys.stderr)
         return 130
     except (DemoError, BagError) as fault:

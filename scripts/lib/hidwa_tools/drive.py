@@ -19,6 +19,7 @@ from .bag import INFO_TOPIC, SUCCEEDED
 from .drawing import STATE_NAMES
 from .errors import DemoError
 from .geometry import circle
+from .pose_goal import goal_message
 from .recording import plugin_name
 from .wheels import Wheels
 
@@ -63,17 +64,6 @@ def unconnected(node, topics):
     return [topic for topic, nodes in publishers.items() if any((name, topic) not in sent for name in nodes)]
 
 
-def goal_message(goal, name):
-    """A move_base goal [x, y, yaw] [m, m, rad] in the map; `name` is its id."""
-    message = MoveBaseActionGoal()
-    target = message.goal.target_pose
-    message.header.stamp = message.goal_id.stamp = target.header.stamp = rospy.Time.now()
-    message.goal_id.id, target.header.frame_id = name, 'map'
-    target.pose.position.x, target.pose.position.y = goal[:2]
-    target.pose.orientation.z, target.pose.orientation.w = math.sin(goal[2] / 2), math.cos(goal[2] / 2)
-    return message
-
-
 class Drive:
     """A drive with `options` (see options.py); `alive` says whether the launched nodes still run."""
 
@@ -113,7 +103,7 @@ class Drive:
         conditions = {'the clock': lambda: self._clock.message, 'the robot': lambda: self._truth.message,
                       'the map': lambda: self._map.message, 'the laser': lambda: self._scan.message,
                       'move_base': lambda: self._host.message and self._goal.get_num_connections()}
-        if self._options.operator != 'none':
+        if self._options.operator not in ('none', 'page'):
             conditions['the person (/joy)'] = lambda: self._stick.message
         deadline = time.monotonic() + READY_PATIENCE
         while True:

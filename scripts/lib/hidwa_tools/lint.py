@@ -70,7 +70,7 @@ TOOLS = {
                          '--suppress=useInitializationList', '--inline-suppr', '--quiet', '--error-exitcode=1', '--std=c++17',
                          '-I', 'include', '-j', str(os.cpu_count() or 1), 'src',
                          *(path for path in (f'compat/{name}/src' for name in COMPAT) if os.path.isdir(os.path.join(ROOT, path)))],
-    'flake8': lambda: ['flake8', 'scripts', 'test'],
+    'flake8': lambda: ['flake8', 'scripts', 'console', 'test'],
     'shellcheck': lambda: ['shellcheck', '-x', '-e', 'SC1091', *shell_scripts()],
     'codespell': lambda: ['codespell', '-L', WORDS, *files('*.md', '*.rst', '*.hpp', '*.cpp', '*.py', '*.yaml', '*.launch', '*.msg')],
     'catkin_lint': lambda: ['catkin_lint', '--offline', '-W0', '.', *(os.path.join('compat', name) for name in COMPAT)],

@@ -76,6 +76,10 @@ def parser():
                    help='how many people walk around; 0: nobody (default: %(default)s)')
     p.add_argument('--people-seed', type=count, default=1, metavar='N', help='what their ways depend on (default: %(default)s)')
     p.add_argument('--report', default='report', metavar='DIR', help='where the results go (default: %(default)s)')
+    p.add_argument('--console', action='store_true',
+                   help='you steer from a page: serves it, prints its address, and drives to and fro until Ctrl-C; docs/console.md')
+    p.add_argument('--console-options', default='', metavar='"..."',
+                   help="further options of the console's node, for one --console-options=\"--port 8080\"")
     p.add_argument('--gui', action='store_true', help='watch in rviz')
     p.add_argument('--rate', type=positive, default=1.0, metavar='N', help='speed of the simulated time (default: 1)')
     p.add_argument('--timeout', type=positive, default=900.0, metavar='S',
@@ -107,6 +111,8 @@ def parse(arguments):
     options.report = os.path.abspath(options.report)
     if options.map and not (options.regions or (options.start and options.goal)):
         p.error('--map needs --start and --goal too')
+    if options.console:
+        options.operator = 'page'
     if options.operator == 'avoid' and options.map and not options.regions:
         options.operator = 'none'  # nothing there to steer round
     if options.gui and not os.environ.get('DISPLAY'):

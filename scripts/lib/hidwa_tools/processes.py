@@ -45,6 +45,11 @@ class Child:
     def running(self):
         return self._process.poll() is None
 
+    @property
+    def pid(self):
+        """Of the command itself."""
+        return self._process.pid
+
     def complaint(self):
         """The first line in its log that tells of a fault, or the last line; where there is none, its exit status."""
         lines = []
@@ -54,6 +59,11 @@ class Child:
         status = self._process.poll()
         silence = 'it said nothing' if status is None else f'it said nothing, exit status {status}'
         return next((line for line in lines if FAULT.search(line)), lines[-1] if lines else silence)
+
+    def interrupt(self):
+        """Asks the command to end, without waiting."""
+        if self.running:
+            self._process.send_signal(signal.SIGINT)
 
     def stop(self, patience=20.0):
         """Asks the command to end; whatever of its session is left after `patience` [s] is killed."""

@@ -93,6 +93,35 @@ def read_answers(folder, drives, simulated=()):
     return answers
 
 
+def refuse_second_answers(folder, who, condition):
+    """AnswersError if a participant has answered for a condition already."""
+    path = os.path.join(folder, ANSWERS)
+    if os.path.exists(path):
+        for line, row in _table(path, ('participant', 'condition')):
+            if (_participant(path, line, row), row['condition']) == (who, condition):
+                raise AnswersError(f'{path}, line {line}: participant {who} has answered for {condition} already')
+
+
+def add_answers(folder, who, condition, ratings):
+    """Adds a line to questionnaires.csv; ratings: {column: value}. AnswersError where there is one already, or a column is missing."""
+    path = os.path.join(folder, ANSWERS)
+    refuse_second_answers(folder, who, condition)
+    values = {'participant': who, 'condition': condition, **{name: f'{value:g}' for name, value in ratings.items()}}
+    columns = list(values)
+    if os.path.exists(path):
+        with open(path, encoding='utf-8-sig', newline='') as text:
+            columns = next(csv.reader(text, skipinitialspace=True))
+        missing = [name for name in values if name not in columns]
+        if missing:
+            raise AnswersError(f'{path} has no column {missing[0]}; docs/study.md lists the columns')
+    new = not os.path.exists(path)
+    with open(path, 'a', encoding='utf-8', newline='') as out:
+        writer = csv.DictWriter(out, columns, restval='')
+        if new:
+            writer.writeheader()
+        writer.writerow(values)
+
+
 def _list(people):
     return ', '.join(f'participant {who}' for who in sorted(people))
 

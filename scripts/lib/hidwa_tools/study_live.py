@@ -4,6 +4,7 @@ import argparse
 import contextlib
 import json
 import os
+import shlex
 import shutil
 import sys
 import tempfile
@@ -15,9 +16,12 @@ import yaml
 from . import demo, options as demo_options
 from .conditions import MODES, course, driven, next_of, parameters_of, run_name
 from .errors import BagError, DemoError
+from .exchange import read, write
 from .processes import Child, end_on_signals
+from .questionnaires import AnswersError, add_answers, refuse_second_answers
 
 NEEDED_ARGUMENTS = ('mode', 'extra_params', 'record')
+LAST_WORDS = 2.0        # [s] in which the page shows its last text
 ROBOT_PATIENCE = 60.0  # [s], wall time, until move_base and the recorder are there
 
 
@@ -43,6 +47,10 @@ def parser():
     p.add_argument('--params', metavar='FILE.yaml', type=demo_options.existing, help='more parameters, {HIDWAPlannerROS: {...}}')
     p.add_argument('--guard', choices=('none', 'nearest'), default='none',
                    help="in SW: the person's own velocity, even into an obstacle (the paper's), or the nearest legal one")
+    p.add_argument('--console', action='store_true',
+                   help="the participant sits at the console's page: consent, drive and questionnaire there; its answers go to "
+                   'OUT/questionnaires.csv. With the simulated robot only; docs/console.md')
+    p.add_argument('--console-options', default='', metavar='"..."', help="further options of the console's node")
     p.add_argument('--port', type=int, metavar='N', help="the simulation's ROS master, for a device's own node (default: any free one)")
     p.add_argument('--yes', action='store_true', help='do not ask; a condition out of its order is refused all the same')
     return p
@@ -54,6 +62,8 @@ def parse(arguments):
     o, further = p.parse_known_args(demo_options.join_poses(arguments))
     if o.robot and ':=' in o.robot:  # "--robot map:=floor.yaml": robot.launch, with an argument of its
         o.robot, further = '', [o.robot, *further]
+    if o.console and o.robot is not None:
+        p.error('--console is for the simulated robot')
     if o.participant < 1:
         p.error('--participant counts from 1')
     for word in further:
@@ -82,6 +92,11 @@ def admit(o):
     if there:
         raise DemoError(f'participant {o.participant} has driven {o.condition} already, {there[0]}: it is never overwritten; move '
                         'it away to repeat the drive')
+    if o.console:
+        try:
+            refuse_second_answers(o.out, o.participant, o.condition)
+        except AnswersError as fault:
+            raise DemoError(str(fault)) from fault
     place, due = next_of(o.out, o.participant)
     if o.condition != due:
         story = (f'participant {o.participant} is to drive {", ".join(course(o.participant))} in this order, and {due} is next, '
@@ -142,7 +157,11 @@ def keep(bag, path):
 def simulate(o, further, folder, params):
     """Drives the demo's robot into folder/drive.bag; what the host said."""
     arguments = [*further, '--mode', MODES[o.condition], '--report', folder, '--params', params]
-    if not any(word.split('=')[0] == '--operator' for word in further):
+    if o.console:
+        write(os.path.join(folder, 'session.json'), session_of(o))
+        study = f'--study {shlex.quote(folder)} {o.console_options}'
+        arguments += ['--console', f'--console-options={study}']
+    elif not any(word.split('=')[0] == '--operator' for word in further):
         arguments += ['--operator', 'joystick']
     if o.goal:
         arguments += ['--goal', ','.join(map(str, o.goal))]
@@ -153,9 +172,41 @@ def simulate(o, further, folder, params):
         with tempfile.TemporaryDirectory(prefix='hidwa_study_') as logs:
             environment = demo.environment(logs, o.port)
             print(f'ROS_MASTER_URI={environment["ROS_MASTER_URI"]}', flush=True)
+            if o.console:
+                return demo.drive(options, environment, lambda launched: _wait_for_start(folder, launched),
+                                  lambda launched: _wait_for_answers(folder, launched))[1]
             return demo.drive(options, environment)[1]
     finally:
         os.close(lock)
+
+
+class NotWanted(Exception):
+    """The participant does not agree: nothing is stored."""
+
+
+def session_of(o):
+    """What the page knows of the participant."""
+    return {'participant': o.participant, 'condition': o.condition, 'place': next_of(o.out, o.participant)[0]}
+
+
+def _wait_for_start(folder, launched):
+    """Until the participant agreed and began. NotWanted where they do not agree."""
+    demo.tell_address(os.path.join(folder, 'demo.log'), launched)
+    print('==> waiting for the participant, in the page', flush=True)
+    answers = os.path.join(folder, 'answers.json')
+    _wait(lambda: read(answers).get('start') or read(answers).get('consent') is False, launched, None, 'the participant')
+    if read(answers).get('consent') is False:
+        time.sleep(LAST_WORDS)
+        raise NotWanted
+
+
+def _wait_for_answers(folder, launched):
+    """The drive is over: the page asks, until every question is answered."""
+    path = os.path.join(folder, 'session.json')
+    write(path, {**read(path), 'driven': True})
+    print('==> the drive is over; waiting for the answers, in the page', flush=True)
+    _wait(lambda: 'ratings' in read(os.path.join(folder, 'answers.json')), launched, None, 'the answers')
+    time.sleep(LAST_WORDS)
 
 
 def robot_command(o, further, folder, params):
@@ -241,11 +292,20 @@ def run(o, further):
     except DemoError:
         demo.show_log(folder)
         raise
+    except NotWanted:
+        shutil.rmtree(folder)
+        print('not driven: the participant does not agree; nothing was stored')
+        return 1
     except KeyboardInterrupt:
         print(f'\n==> interrupted: the drive does not count; what there is of it stays in {folder}', file=sys.stderr)
         return 130
     path = os.path.join(o.out, name + '.bag')
     keep(os.path.join(folder, 'drive.bag'), path)
+    if o.console:
+        try:
+            add_answers(o.out, o.participant, o.condition, read(os.path.join(folder, 'answers.json'))['ratings'])
+        except AnswersError as fault:
+            raise DemoError(f'the answers stay in {folder}/answers.json: {fault}') from fault
     print(f'==> {said or "driven"}; {path}', flush=True)
     with contextlib.suppress(BagError):
         from .report import write_report

@@ -166,9 +166,26 @@ def contract():
 
 def python():
     """The scripts' own tests."""
+    return unittests('scripts', 'python')
+
+
+def console():
+    """The operator's console beside the planner: its parts, and a page without a browser."""
+    return unittests('console', 'console')
+
+
+def browser():
+    """The operator's page in a headless Chromium, against the running robot; what cannot run here counts as failed."""
+    missing = [name for name in ('chromium', 'chromedriver') if not (shutil.which(name) or shutil.which(name + '-browser'))]
+    if missing:
+        raise Failed(f'{" and ".join(missing)} missing: apt-get install chromium chromium-driver python3-selenium (scripts/test does)')
+    return unittests(os.path.join('console', 'browser'), 'browser')
+
+
+def unittests(folder, log):
+    """Python's unit tests in a folder of test/, counted."""
     _, output = run(in_install('/usr/bin/python3', '-W', 'ignore::ResourceWarning', '-m', 'unittest', 'discover', '-s',
-                               os.path.join(ROOT, 'test', 'scripts')),
-                    'python', check=False)
+                               os.path.join(ROOT, 'test', folder)), log, check=False)
     counts = count_unittest(output)
     if counts.failed:
         print(tail(output, 80))
@@ -407,12 +424,13 @@ def replay():
 
 
 # In this order; those after `build` need what it built.
-SUITES = (plain, build, package, compat, ros, python, robot, lint, study, contract, drive_avoid, drive_gesture,
-          drive_switching, drive_none, drive_people, drive_real_map, drive_steer_left, drive_steer_right, replay)
+SUITES = (plain, build, package, compat, ros, python, console, browser, robot, lint, study, contract, drive_avoid,
+          drive_gesture, drive_switching, drive_none, drive_people, drive_real_map, drive_steer_left, drive_steer_right,
+          replay)
 ALONE = (plain, build, lint)
 # They wait for simulated time rather than work: two at once.
-PACED = (contract, drive_avoid, drive_gesture, drive_switching, drive_none, drive_people, drive_real_map, drive_steer_left,
-         drive_steer_right)
+PACED = (contract, drive_avoid, drive_gesture, drive_switching, drive_none, drive_people, drive_real_map,
+         drive_steer_left, drive_steer_right)
 AT_ONCE = 2
 
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The socket /control: what this page commands, and what became of it. Commands have a socket of their own, so that they
+// never wait behind pictures, and nothing is queued while the socket is down: an old command is not sent at all.
+import { pageName, Socket } from './socket.js';
+
+export class ControlLink {
+  /**
+   * name: how others see this visitor. handlers: welcome(m), control(m), claim(m), steering(m), stop(m), told(m),
+   * delay({rtt, delay}), connection(open).
+   */
+  constructor(name, handlers) {
+    this.handlers = handlers;
+    this.socket = new Socket('/control', {
+      open: () => {
+        this.socket.send({ type: 'hello', page: pageName(), name });
+        handlers.connection(true);
+      },
+      message: (data) => this.take(JSON.parse(data)),
+      closed: (event) => handlers.connection(false, event),
+    });
+  }
+
+  take(message) {
+    if (message.type === 'ping') {
+      this.socket.send({ type: 'pong', id: message.id, t: performance.now() });
+      this.handlers.delay(message);
+    } else if (this.handlers[message.type]) {
+      this.handlers[message.type](message);
+    }
+  }
+
+  /** Sends a command that carries the time of what caused it: an event's timeStamp, or now. */
+  command(type, fields = {}, t = performance.now()) {
+    return this.socket.send({ type, t, ...fields });
+  }
+}

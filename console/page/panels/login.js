@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Being let in: the token comes in the address's fragment, which no log holds, and leaves the address bar at once.
+
+const byId = (id) => document.getElementById(id);
+
+async function offer(token) {
+  const answer = await fetch('/login', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ token }) });
+  return answer.status;
+}
+
+function ask() {
+  return new Promise((resolve) => {
+    const dialog = byId('login');
+    dialog.addEventListener('cancel', (event) => event.preventDefault());
+    dialog.querySelector('form').addEventListener('submit', async (event) => {
+      event.preventDefault();
+      const status = await offer(byId('token').value);
+      if (status === 204) {
+        dialog.close();
+        resolve();
+      } else {
+        byId('login-error').textContent = status === 429 ? 'Too many attempts: wait a minute.' : 'This is not the token.';
+      }
+    });
+    dialog.showModal();
+  });
+}
+
+/** Returns when this browser is admitted. */
+export async function admitted() {
+  const token = new URLSearchParams(location.hash.slice(1)).get('token');
+  if (token) {
+    history.replaceState(null, '', location.pathname);
+    if ((await offer(token)) === 204) return;
+  }
+  if ((await fetch('/login', { cache: 'no-store' })).status !== 204) await ask();
+}

@@ -1,0 +1,364 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page, the console and the simulated robot together: what a person does in the browser, and what the robot does then.
+
+One robot and one browser for all tests. What the robot does is read from ROS topics, not from the page. The page reaches the
+console through a proxy, which holds the link up and cuts it.
+"""
+import time
+import unittest
+
+import browser
+import numpy
+from proxy import Proxy
+from robot import Robot
+
+START = (16.5, 8.3, 0.0)  # [m, m, rad] in a corridor 3.4 m wide that leads east
+ROOM = (15.0, 36.0)       # [m] between which x the tests drive to and fro
+INPUT_TIMEOUT = 0.5       # [s] of the planner
+HEADSET = """
+    window.device = new IWER.XRDevice(IWER.metaQuest3);
+    window.device.installRuntime({forceInstall: true});
+    window.lost = false;
+    // iwer calls every place emulated; a real headset does so only where tracking is lost.
+    Object.defineProperty(XRPose.prototype, 'emulatedPosition', {get() { return window.lost; }});
+"""
+
+
+def setUpModule():
+    global robot, proxy, page
+    libraries = browser.library()
+    robot = Robot(START)
+    unittest.addModuleCleanup(robot.end)
+    proxy = Proxy(robot.port)
+    unittest.addModuleCleanup(proxy.end)
+    page = browser.Browser(scripts=(browser.source_of(libraries + '/iwer/build/iwer.min.js'), HEADSET),
+                           rules='MAP localhost:%d 127.0.0.1:%d' % (robot.port, proxy.port))
+    unittest.addModuleCleanup(page.end)
+
+
+def address():
+    return 'http://localhost:%d/' % robot.port  # the browser goes there by way of the proxy
+
+
+def wait(condition, what, seconds=20.0):
+    return browser.Browser.wait(condition, what, seconds)
+
+
+class DriveTest(unittest.TestCase):
+    def setUp(self):
+        proxy.flush()
+        proxy.mend()
+        page.open(address())
+        page.wait(lambda: page.app('Boolean(app.scene.map && app.scene.robot && app.holder.mine && !app.status.facts.neutralNeeded)'), 'the controls')
+        self.letgo_if_stopped()
+        if page.app('app.mode') != 'joystick':
+            self.mode('joystick')
+
+    def tearDown(self):
+        page.app("(app.send('stop', {on: false}), app.send('cancel'))")
+        wait(lambda: robot.state == '' and abs(robot.speed[0]) < 0.02, 'rest after the goal was cancelled')
+
+    def letgo_if_stopped(self):
+        if not page.js("return document.getElementById('letgo').hidden"):
+            page.click('letgo')
+            page.until("return document.getElementById('letgo').hidden")
+
+    def mode(self, mode):
+        page.js("document.querySelector('[data-mode=%s]').click()" % mode)
+        page.wait(lambda: page.app('app.mode') == mode, 'mode ' + mode)
+
+    def drive_off(self, distance=12.0):
+        """A goal along the corridor, and the robot on its way there."""
+        x = robot.pose[0]
+        east = x + distance <= ROOM[1]
+        goal = x + distance if east else max(ROOM[0], x - distance)
+        page.app("app.send('goal', {x: %g, y: 8.4, yaw: null, append: false})" % goal)
+        # Where it has to turn round first, it drives once it faces the goal.
+        wait(lambda: robot.state == 'AUTONOMY' and robot.speed[0] > 0.25 and abs(robot.speed[1]) < 0.2, 'the robot on its way', 40.0)
+        return 1.0 if east else -1.0
+
+    def steers(self):
+        """Until the operator's command counts; else what the page was told."""
+        try:
+            wait(lambda: robot.state == 'SHARED', 'SHARED', 15.0)
+        except AssertionError as fault:
+            facts = page.app('[app.status.facts, app.mode, app.hands.hand, app.scene.state]')
+            raise AssertionError('%s; the page: %s; hands %d, Joy %s' % (fault, facts, len(robot.hands), robot.joys[-1:])) from None
+
+    def turns_left(self, began):
+        """Until the robot was sent to the left since a time; else what it was asked for."""
+        try:
+            wait(lambda: any(omega > 0.1 for _, omega in robot.since(robot.commands, began)), 'the robot turns left', 15.0)
+        except AssertionError as fault:
+            hands = [(round(m.pose.position.x, 2), round(m.pose.position.y, 2)) for m in robot.since(robot.hands, began)]
+            raise AssertionError('%s; %s; hands %s' % (fault, page.app('app.scene.state'), hands[::20])) from None
+
+    def press_stick(self, dx, dy):
+        x, y, width, _ = page.middle('stick')
+        to = (x + 0.36 * width * dx, y + 0.36 * width * dy)
+        page.mouse('mousePressed', x, y)
+        page.mouse('mouseMoved', *to)
+        return to
+
+    def release_stick(self, at):
+        page.mouse('mouseReleased', *at)
+
+
+class Drive(DriveTest):
+    def test_a_both_views_show_the_robot_where_it_is(self):
+        x, y, _ = robot.pose
+        shown = page.app('[app.scene.robot.x, app.scene.robot.y]')
+        self.assertAlmostEqual(shown[0], x, delta=0.15)
+        self.assertAlmostEqual(shown[1], y, delta=0.15)
+        page.wait(lambda: page.app('Boolean(app.board.base && app.board.shown)'))
+        for view, hide in (('board-canvas', '(app.board.body.visible = %s, app.board.dirty = true)'),
+                           ('above-canvas', '(app.above.%s, app.above.dirty = true)')):
+            off, on = ('false', 'true') if view == 'board-canvas' else ('robot = () => {}', 'robot = Object.getPrototypeOf(app.above).robot')
+            with_robot = numpy.asarray(page.crop(view), dtype=int)
+            page.app(hide % off)
+            changed = page.wait(lambda: self.difference(view, with_robot, 200), 'pixels of the robot in ' + view)
+            page.app(hide % on)
+            if view == 'above-canvas':
+                rows, columns = changed
+                self.assertAlmostEqual(columns.mean(), with_robot.shape[1] / 2, delta=15)
+                self.assertAlmostEqual(rows.mean(), with_robot.shape[0] / 2, delta=15)
+
+    @staticmethod
+    def difference(view, before, least):
+        changed = numpy.nonzero(numpy.abs(numpy.asarray(page.crop(view), dtype=int) - before).max(axis=2) > 20)
+        return changed if changed[0].size >= least else None
+
+    def test_b_a_goal_by_a_click_is_reached(self):
+        began = time.monotonic()
+        x0, y0, _ = robot.pose
+        page.click('go')
+        x, y, _, _ = page.middle('above-canvas')
+        scale = page.app('app.above.camera.scale')
+        ahead = 90
+        page.mouse('mousePressed', x + ahead, y)
+        page.mouse('mouseReleased', x + ahead, y)
+        wait(lambda: robot.state != '', 'the planner runs')
+        wait(lambda: robot.state == '' and robot.since(robot.states, began), 'the goal is reached', 40.0)
+        self.assertAlmostEqual(robot.pose[0], x0 + ahead / scale, delta=0.4)
+        self.assertAlmostEqual(robot.pose[1], y0, delta=0.4)
+
+    def test_c_the_stick_dragged_left_makes_the_robot_deviate_left(self):
+        sense = self.drive_off()
+        y0 = robot.pose[1]
+        began = time.monotonic()
+        at = self.press_stick(-0.9, 0)
+        wait(lambda: any(joy.axes[0] > 0.8 for joy in robot.since(robot.joys, began)), 'Joy to the left (+1)')
+        wait(lambda: 'SHARED' in robot.since(robot.states, began), 'SHARED')
+        self.turns_left(began)
+        wait(lambda: sense * (robot.pose[1] - y0) > 0.25, 'a deviation to the left of 0.25 m')
+        self.assertEqual(page.text('state-title') in ('You steer', 'Blocked'), True)
+        self.release_stick(at)
+        wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'autonomy again')
+
+    def test_d_stop_and_let_go(self):
+        self.drive_off()
+        page.click('stop')
+        wait(lambda: robot.state == 'STOPPED' and robot.speed[0] < 0.01, 'STOPPED and at rest')
+        page.wait(lambda: page.text('state-title') == 'Stopped')
+        page.click('letgo')
+        wait(lambda: robot.state == 'AUTONOMY' and robot.speed[0] > 0.2, 'on its way again')
+
+    def test_e_a_link_cut_while_steering_is_lost_and_the_page_says_so(self):
+        self.drive_off()
+        began = time.monotonic()
+        at = self.press_stick(-0.8, 0)
+        self.steers()
+        proxy.cut()
+        cut = time.monotonic()
+        wait(lambda: 'LOST' in robot.since(robot.states, cut), 'LOST')
+        lost = next(when for when, state in robot.states if when >= cut and state == 'LOST')
+        # The timeout, a cycle, and what a busy machine takes.
+        self.assertLess(lost - cut, INPUT_TIMEOUT + 0.5)
+        last = robot.since(robot.joys, began)[-1]
+        self.assertGreater(abs(last.axes[0]), 0.5, 'no release was sent for it')
+        page.wait(lambda: 'The link is cut' in page.text('notice'))
+        proxy.mend()
+        page.wait(lambda: page.app('Boolean(app.holder.mine)'), 'the controls again')
+        mended = time.monotonic()
+        page.mouse('mouseMoved', at[0] + 3, at[1])
+        time.sleep(0.5)
+        self.assertEqual(robot.steered(mended), [], 'what is still held does not steer')
+        self.release_stick(at)
+        wait(lambda: robot.state == 'AUTONOMY', 'autonomy again')
+
+    def test_f_two_seconds_of_frames_at_once_steer_nothing_and_a_stop_in_them_counts(self):
+        self.drive_off()
+        at = self.press_stick(-0.8, 0)
+        self.steers()
+        proxy.hold()
+        time.sleep(1.0)
+        page.click('stop')
+        time.sleep(1.0)
+        self.assertNotEqual(robot.state, 'STOPPED')
+        flushed = time.monotonic()
+        proxy.flush()
+        self.release_stick(at)
+        wait(lambda: robot.state == 'STOPPED', 'the stop counts')
+        time.sleep(0.5)
+        self.assertEqual(robot.steered(flushed), [])
+        page.click('letgo')
+
+    def test_g_a_stop_stays_when_the_tab_is_hidden_cut_and_closed(self):
+        self.drive_off()
+        page.click('stop')
+        wait(lambda: robot.state == 'STOPPED' and robot.speed[0] < 0.01, 'STOPPED')
+        first = page.driver.current_window_handle
+        page.driver.switch_to.new_window('tab')
+        time.sleep(0.7)
+        self.assertEqual(robot.state, 'STOPPED', 'hidden')
+        page.driver.switch_to.window(first)
+        proxy.cut()
+        time.sleep(0.7)
+        self.assertEqual(robot.state, 'STOPPED', 'cut')
+        proxy.mend()
+        page.wait(lambda: page.app('Boolean(app.holder.mine)'))
+        page.driver.close()
+        page.driver.switch_to.window(page.driver.window_handles[0])
+        time.sleep(0.7)
+        self.assertEqual(robot.state, 'STOPPED', 'closed')
+        began = time.monotonic()
+        page.open(address())
+        page.wait(lambda: page.app('Boolean(app.holder.mine)'), 'the controls', 30.0)
+        page.until("return !document.getElementById('letgo').hidden")
+        self.assertEqual(set(robot.since(robot.states, began)), {'STOPPED'})
+        page.click('letgo')
+        wait(lambda: robot.state == 'AUTONOMY', 'on its way again')
+
+    def test_h_a_hidden_tab_releases_at_once(self):
+        self.drive_off()
+        self.press_stick(-0.8, 0)
+        self.steers()
+        first = page.driver.current_window_handle
+        page.driver.switch_to.new_window('tab')
+        wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'released')
+        quiet = time.monotonic()
+        time.sleep(0.8)
+        self.assertEqual(robot.since(robot.joys, quiet + 0.2), [], 'silence')
+        self.assertNotIn('LOST', robot.since(robot.states, quiet))
+        page.driver.close()
+        page.driver.switch_to.window(first)
+
+    def test_i_a_second_visitor_watches_stops_and_takes_over(self):
+        self.drive_off()
+        first = page.driver.current_window_handle
+        page.driver.switch_to.new_window('tab')
+        second = page.driver.current_window_handle
+        try:
+            page.open(address())
+            page.until("return document.getElementById('claim').textContent === 'Ask for the controls'")
+            began = time.monotonic()
+            at = self.press_stick(-0.9, 0)
+            page.wait(lambda: 'watching' in page.text('notice'))
+            self.release_stick(at)
+            self.assertEqual(robot.steered(began), [])
+            page.click('stop')
+            wait(lambda: robot.state == 'STOPPED', 'a watcher stops')
+            page.app("app.send('stop', {on: false})")
+            time.sleep(0.5)
+            self.assertEqual(robot.state, 'STOPPED', 'a watcher cannot let go')
+            page.click('claim')
+            page.driver.switch_to.window(first)
+            page.until("return !document.getElementById('request').hidden")
+            page.click('request-yes')
+            page.driver.switch_to.window(second)
+            page.wait(lambda: page.app('Boolean(app.holder.mine)'), 'the handover')
+            page.click('letgo')
+            wait(lambda: robot.state == 'AUTONOMY', 'the new holder lets go')
+        finally:
+            page.driver.switch_to.window(second)
+            page.app("app.send('give')")
+            page.driver.close()
+            page.driver.switch_to.window(first)
+            page.app("app.send('claim')")
+            page.wait(lambda: page.app('Boolean(app.holder.mine)'))
+
+    def test_j_take_control_drive_and_give_it_back(self):
+        self.mode('switching')
+        self.drive_off()
+        page.click('take')
+        wait(lambda: robot.state == 'MANUAL', 'MANUAL')
+        wait(lambda: abs(robot.speed[0]) < 0.02, 'no input means stop')
+        at = self.press_stick(0, -0.9)
+        wait(lambda: robot.speed[0] > 0.2, 'forward')
+        self.release_stick(at)
+        wait(lambda: abs(robot.speed[0]) < 0.02, 'rest')
+        self.assertEqual(robot.state, 'MANUAL', 'a centred stick in MANUAL is not lost')
+        page.until("return document.getElementById('take').textContent === 'Give control back'")
+        page.click('take')
+        wait(lambda: robot.state == 'AUTONOMY', 'autonomy again')
+
+
+def carry(what, x):
+    """A script that carries a controller or hand to a place at the side [m], as an arm does: at 0.5 m/s, not in a jump."""
+    return ('const p = window.device.%s.position; const timer = setInterval(() => { p.x += Math.max(-0.01, Math.min(0.01, %g - p.x)); '
+            'if (Math.abs(p.x - %g) < 1e-6) clearInterval(timer); }, 20)' % (what, x, x))
+
+
+class HeadsetDrive(DriveTest):
+    def enter(self):
+        # Few pixels: the processor draws them, and a hand is read once a frame.
+        page.resize(480, 270)
+        self.addCleanup(page.resize, *browser.DESKTOP)
+        page.until("return !document.getElementById('enter').hidden")
+        page.click('enter')
+        page.wait(lambda: page.app('app.headset.frames') > 5, 'frames in the headset')
+
+    def leave(self):
+        page.app('app.headset.leave()')
+        page.wait(lambda: page.app('app.headset.session === null'))
+
+    def test_a_thumbstick_steers_and_blurred_releases(self):
+        self.enter()
+        self.addCleanup(self.leave)
+        self.drive_off()
+        began = time.monotonic()
+        page.js("window.device.controllers.right.updateAxes('thumbstick', -1, 0)")
+        wait(lambda: any(joy.axes[0] > 0.9 for joy in robot.since(robot.joys, began)), 'Joy to the left')
+        self.steers()
+        page.js("window.device.updateVisibilityState('visible-blurred')")
+        wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'released')
+        page.js("window.device.controllers.right.updateAxes('thumbstick', 0, 0); window.device.updateVisibilityState('visible')")
+
+    def hand_test(self, close, move, open_):
+        self.mode('gesture')
+        self.enter()
+        self.addCleanup(self.leave)
+        self.drive_off()
+        began = time.monotonic()
+        page.js(close)
+        page.wait(lambda: page.app("app.hands.hand === 'right'"), 'a hand that grips')
+        page.js(move)
+        self.steers()
+        page.wait(lambda: page.app('Boolean(app.scene.state && app.scene.state.wanted.omega > 0.3)'), 'a turn to the left is asked for')
+        page.js('window.lost = true')
+        wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'lost tracking releases')
+        page.js('window.lost = false')
+        time.sleep(0.5)
+        self.assertIn(robot.state, ('HOLD', 'AUTONOMY'), 'the hand must open first')
+        page.js(open_)
+        page.wait(lambda: page.app('app.hands.mustOpen.size === 0'))
+        page.js(close)
+        page.wait(lambda: page.app("app.hands.hand === 'right'"))
+        page.js(open_)
+        page.wait(lambda: page.app('app.hands.hand === null'))
+
+    def test_b_a_controller_moved_sideways_while_gripped_steers(self):
+        self.hand_test("window.device.controllers.right.position.set(0.25, 1.2, -0.3); window.device.controllers.right.updateButtonValue('squeeze', 1)",
+                       carry('controllers.right', 0.0),
+                       "window.device.controllers.right.updateButtonValue('squeeze', 0)")
+
+    def test_c_a_tracked_hand_steers_by_pinch(self):
+        page.js("window.device.primaryInputMode = 'hand'")
+        self.addCleanup(lambda: page.js("window.device.primaryInputMode = 'controller'"))
+        self.hand_test('window.device.hands.right.position.set(0.25, 1.2, -0.3); window.device.hands.right.updatePinchValue(1)',
+                       carry('hands.right', 0.0),
+                       'window.device.hands.right.updatePinchValue(0)')
+
+
+if __name__ == '__main__':
+    unittest.main()

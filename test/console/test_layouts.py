@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""ROS messages into arrays and on to the page, each against its slow twin: the generated classes, and the reader of the protocol's
+page."""
+import math
+import random
+import struct
+import unittest
+from io import BytesIO
+
+import numpy as np
+import paths  # noqa: F401
+from geometry_msgs.msg import Pose2D, PoseStamped
+from hidwa_local_planner.msg import CriticScore, Evaluation, TrajectoryScore
+from map_msgs.msg import OccupancyGridUpdate
+from nav_msgs.msg import OccupancyGrid, Path
+from sensor_msgs.msg import CompressedImage, Image, LaserScan
+
+import page_twin
+from hidwa_console import layouts, wire
+from hidwa_console.camera import JPEG, PNG, NoPicture, picture_of
+from hidwa_console.outputs import joy_of, position_of
+from hidwa_console.planar import composed, inverse, moved
+from hidwa_console.scene import GridPart
+from hidwa_console.steering import Hand, Stick
+
+
+def bytes_of(message):
+    out = BytesIO()
+    message.serialize(out)
+    return out.getvalue()
+
+
+def some_path(frames):
+    path = Path()
+    path.header.frame_id = 'map'
+    path.header.stamp.secs = 7
+    for i, frame in enumerate(frames):
+        pose = PoseStamped()
+        pose.header.frame_id, pose.header.stamp.secs, pose.header.stamp.nsecs = frame, 7 + i, 500000000
+        pose.pose.position.x, pose.pose.position.y = 0.5 * i, -i
+        pose.pose.orientation.z, pose.pose.orientation.w = math.sin(0.1 * i), math.cos(0.1 * i)
+        path.poses.append(pose)
+    return path
+
+
+class Wire(unittest.TestCase):
+    def test_paths(self):
+        for frames in ([], ['map'] * 5, ['map', 'odom', '', 'map']):
+            header, rows = wire.path(bytes_of(some_path(frames)))
+            self.assertEqual(header, (7.0, 'map'))
+            # The pose i: x = i/2, y = -i, yaw = 2 * 0.1 i, stamp 7.5 + i.
+            expected = [(0.5 * i, -i, 0.2 * i, 7.5 + i) for i in range(len(frames))]
+            np.testing.assert_allclose(rows, np.array(expected).reshape(-1, 4), atol=1e-12)
+
+    def test_grids(self):
+        grid = OccupancyGrid()
+        grid.header.frame_id, grid.info.width, grid.info.height, grid.info.resolution = 'map', 3, 2, 0.05
+        grid.info.origin.position.x, grid.info.origin.orientation.w = -1.0, 1.0
+        grid.data = [0, 100, -1, 50, 99, 0]
+        read = wire.grid(bytes_of(grid))
+        self.assertEqual((read.width, read.height, read.origin, list(read.cells)), (3, 2, (-1.0, 0.0, 0.0), [0, 100, 255, 50, 99, 0]))
+        grid.data = [0] * 5
+        with self.assertRaises(wire.Broken):
+            wire.grid(bytes_of(grid))
+        update = OccupancyGridUpdate(x=1, y=0, width=2, height=1, data=[-1, 7])
+        self.assertEqual(list(wire.grid_update(bytes_of(update)).cells), [255, 7])
+
+    def test_scans(self):
+        scan = LaserScan(angle_min=-1.0, angle_increment=0.25, range_min=0.1, range_max=10.0, ranges=[1.0, float('inf'), 0.5])
+        read = wire.scan(bytes_of(scan))
+        message = layouts.scan((1.0, 2.0, 3.0), read.angle_min, read.angle_increment, read.ranges, read.range_min, read.range_max)
+        self.assertEqual(struct.unpack('<B3x3dffI3H', message), (3, 1.0, 2.0, 3.0, -1.0, 0.25, 3, 1000, 0, 500))
+
+    def test_candidates(self):
+        evaluation = Evaluation(best_index=1)
+        for i in range(3):
+            score = TrajectoryScore(total=-1.0 if i == 2 else 10.0 * i, refused_by='Collision' if i == 2 else '')
+            score.traj.velocity.linear.x, score.traj.velocity.angular.z = 0.5, 0.1 * i
+            score.traj.poses = [Pose2D(0.1 * k, 0.01 * i * k, 0.0) for k in range(1, 11 + i)]
+            score.traj.time_offsets = [0.1 * k for k in range(1, 11 + i)]
+            score.scores = [CriticScore('PathDist', 1.0, 2.0)] * i
+            evaluation.twists.append(score)
+        _, found, best = wire.evaluation(bytes_of(evaluation))
+        self.assertEqual((len(found), best), (3, 1))
+        message = layouts.candidates((0.0, 0.0, 0.0), found, best)
+        self.assertEqual(struct.unpack_from('<B3x3dIII', message), (5, 0.0, 0.0, 0.0, 3, 8, 1))
+        entry = struct.unpack_from('<3f16h', message, struct.calcsize('<B3x3dIII') + 2 * struct.calcsize('<3f16h'))
+        self.assertAlmostEqual(entry[0], -1.0)
+        self.assertAlmostEqual(entry[2], 0.2, places=6)
+        self.assertEqual(entry[3:5], (100, 20))     # the first pose: 0.1 m ahead, 0.01 * 2 * 1 m left
+        self.assertEqual(entry[-2:], (1200, 240))   # the last of 12: 1.2 m, 0.01 * 2 * 12 m
+
+    def test_cut_short_anywhere_it_is_broken_and_nothing_else(self):
+        evaluation = Evaluation(twists=[TrajectoryScore(scores=[CriticScore('a', 1.0, 1.0)])])
+        for message, read in ((some_path(['map', 'odom']), wire.path), (LaserScan(ranges=[1.0] * 4), wire.scan),
+                              (evaluation, wire.evaluation), (CompressedImage(data=b'12345'), wire.compressed_image),
+                              (OccupancyGridUpdate(width=2, height=1, data=[1, 2]), wire.grid_update)):
+            data = bytes_of(message)
+            for length in range(len(data) - 1):
+                try:
+                    read(data[:length])
+                except wire.Broken:
+                    continue
+                self.assertIn(read, (wire.scan, wire.evaluation))  # the last array of a scan is not read, nor the last two numbers
+
+
+class Grids(unittest.TestCase):
+    def test_runs_of_any_length(self):
+        for lengths in ([1], [127], [128], [1, 16384, 2, 128, 300000]):
+            cells = np.concatenate([np.full(n, i % 256, np.uint8) for i, n in enumerate(lengths)])
+            self.assertEqual(page_twin.read_runs(layouts.runs(cells), 0, len(cells)), cells.tolist())
+
+    def test_a_rolling_grid_arrives_as_it_is(self):
+        dice = np.random.RandomState(2)
+        world = dice.choice([0, 50, 100, 255], (60, 60)).astype(np.uint8)
+        part, shown, steps = GridPart(layouts.COSTMAP), None, 0
+        x, y = 20, 20
+        for _ in range(40):
+            x, y = x + dice.randint(-2, 3), y + dice.randint(-2, 3)
+            world[dice.randint(60), dice.randint(60)] ^= 7
+            cells = world[y:y + 15, x:x + 12].copy()
+            grid = wire.Grid(wire.Header(0.0, 'odom'), 0.05, 12, 15, (0.05 * x, 0.05 * y, 0.0), cells.ravel())
+            part.put(grid, (0.05 * x, 0.05 * y, 0.0))
+            message = part.since(shown['version'] if shown else 0)
+            if message is None:
+                continue
+            steps += message[0] == layouts.CHANGE
+            shown = page_twin.read_grid(message) if message[0] == layouts.GRID else page_twin.change_grid(shown, message)
+            self.assertEqual(shown['cells'], cells.ravel().tolist())
+            self.assertEqual(shown['pose'], (0.05 * x, 0.05 * y, 0.0))
+        self.assertGreater(steps, 30)
+
+    def test_who_missed_a_version_gets_it_whole(self):
+        part = GridPart(layouts.COSTMAP)
+        for i in range(3):
+            cells = np.full(6, i, np.uint8)
+            part.put(wire.Grid(wire.Header(0.0, 'odom'), 0.05, 3, 2, (0.0, 0.0, 0.0), cells), (0.0, 0.0, 0.0))
+        self.assertEqual([part.since(seen)[0] for seen in (0, 1, 2)], [layouts.GRID, layouts.GRID, layouts.CHANGE])
+        self.assertIsNone(part.since(3))
+
+
+class Plane(unittest.TestCase):
+    def test_there_and_back(self):
+        dice = random.Random(1)
+        for _ in range(50):
+            a, b = [tuple(dice.uniform(-3, 3) for _ in range(3)) for _ in range(2)]
+            np.testing.assert_allclose(composed(inverse(a), composed(a, b)), b, atol=1e-9)
+            np.testing.assert_allclose(moved(a, [b[:2]])[0], composed(a, b)[:2], atol=1e-9)
+
+
+class Device(unittest.TestCase):
+    def test_a_stick_as_the_parameters_ask_for_it(self):
+        axes, buttons = joy_of(Stick(0.5, -1.0, True), {})
+        self.assertEqual((axes[:2], len(axes), sum(buttons), len(buttons)), ([0.5, -1.0], 8, 0, 11))
+        unity = {'axis_angular': 3, 'axis_angular_sign': -1, 'axis_linear': 9, 'enable_button': 12, 'mode': 'joystick'}
+        axes, buttons = joy_of(Stick(0.5, -1.0, True), unity)
+        self.assertEqual((axes, buttons), ([0, 0, 0, -0.5, 0, 0, 0, 0, 0, -1.0], [0] * 12 + [1]))
+
+    def test_a_hand(self):
+        hand = Hand(0.2, 0.1, -0.3, True)
+        p = {'mode': 'gesture', 'clutch_button': 2}
+        self.assertEqual(joy_of(hand, p)[1][:4], [0, 0, 1, 0])
+        self.assertEqual(joy_of(hand._replace(grip=False), p)[1][:4], [0, 0, 0, 0])
+        self.assertEqual(joy_of(hand, {**p, 'clutch_axis': 3, 'clutch_axis_sign': -1})[0][3], -1.0)
+        self.assertEqual(joy_of(hand._replace(grip=False), {**p, 'clutch_axis': 3, 'clutch_threshold': -0.5})[0][3], -1.0)
+        self.assertEqual(position_of(hand, {}), [0.1, 0.2, -0.3])  # x ahead, y left, z up
+        unity = {'gesture_axis': 'x', 'gesture_axis_sign': -1, 'gesture_linear_axis': 'z'}
+        self.assertEqual(position_of(hand, unity), [-0.2, -0.3, 0.1])
+
+
+class Pictures(unittest.TestCase):
+    def test_compressed_ones_pass(self):
+        for head, form in ((b'\xff\xd8\xff\xe0', JPEG), (b'\x89PNG\r\n\x1a\n', PNG)):
+            image = CompressedImage(format='whatever', data=head + b'rest')
+            image.header.stamp.secs = 4
+            self.assertEqual(picture_of(image._type, bytes_of(image)), struct.pack('<B7xd', form, 4.0) + head + b'rest')
+        with self.assertRaises(NoPicture):
+            picture_of('sensor_msgs/CompressedImage', bytes_of(CompressedImage(data=b'<svg onload=...>')))
+
+    def test_raw_ones_become_jpeg(self):
+        from PIL import Image as Pillow
+        for encoding, pixel in (('rgb8', bytes([250, 0, 0])), ('bgr8', bytes([0, 0, 250]))):
+            image = Image(width=16, height=8, encoding=encoding, step=16 * 3 + 5, data=(pixel * 16 + b'extra') * 8)
+            message = picture_of(image._type, bytes_of(image))
+            picture = Pillow.open(BytesIO(message[16:]))
+            self.assertEqual((message[0], picture.size, picture.format), (JPEG, (16, 8), 'JPEG'))
+            red, green, blue = picture.getpixel((8, 4))
+            self.assertTrue(red > 200 and green < 40 and blue < 40)
+
+    def test_what_is_none(self):
+        for image in (Image(width=4, height=4, encoding='rgb8', step=12, data=b'short'),
+                      Image(width=4, height=4, encoding='bayer', step=4)):
+            with self.assertRaises(NoPicture):
+                picture_of(image._type, bytes_of(image))
+        with self.assertRaises(NoPicture):
+            picture_of('std_msgs/String', b'')
+
+
+if __name__ == '__main__':
+    unittest.main()
