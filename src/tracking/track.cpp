@@ -20,12 +20,12 @@ constexpr double kDoubtTime = 0.2;       // within which a velocity that is off 
 constexpr double kMostDoubt = 2.0;       // [m/s]
 constexpr double kSurpriseShare = 0.3;   // of the newest mismatch in the mean
 constexpr double kStandingRange = 0.25;  // what stays within stands [m]
-constexpr double kSignificant = 2.5;     // deviations
+constexpr double kSignificant = 2.0;     // deviations
 constexpr double kSettledSpeed = 0.3;    // deviation of a velocity that is known well [m/s]
 constexpr double kLeft = 0.12;           // how far from its start a mover must have come [m]
 constexpr double kVacated = 0.3;         // the same where nothing was known of the space [m]
 constexpr double kVacatedBySmall = 0.6;  // and where it may be a table's legs [m]
-constexpr int kFreeSightings = 4;        // in a row, that tell a mover
+constexpr int kFreeSightings = 3;        // in a row, that tell a mover
 constexpr double kBeginsWithin = 6.5;    // farther away a wall's few points seem to move [m]
 constexpr double kVacatedWithin = 5.5;   // distance within which that is tried [m]
 constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
@@ -33,7 +33,7 @@ constexpr int kAssumedRadii = 3;         // measured radii, from which the mean 
 
 bool is_small(const BodyFit& fit) { return fit.radius < kLegRadius; }
 
-bool mostly_free(const Segment& segment) { return 2 * segment.free_before >= segment.points; }
+bool lies_in_free(const Segment& segment) { return 3 * segment.free_before >= segment.points; }
 
 // The largest of a body's pieces stands for it: the others say on which side it goes on.
 Segment largest_piece(const std::vector<Segment>& segments, const Track& track) {
@@ -56,7 +56,7 @@ Sighting one_body(const Beams& beams, const Segment& segment, const Track& track
   const double radius = track.radius > 0.0 ? track.radius : 0.5 * settings.min_radius;
   s.body = fit_body(beams, segment, radius, known, settings.range_noise);
   s.small = is_small(s.body);
-  s.free_before = mostly_free(segment);
+  s.free_before = lies_in_free(segment);
   s.whole = s.body.radius_seen;
   const double more = !s.small ? 0.0 : track.two_legs ? kOneLeg : kThinBody;
   s.body.deviation = std::hypot(s.body.deviation, track.two_legs ? std::max(more, kStride) : more);
@@ -85,7 +85,7 @@ Sighting two_legs(const Beams& beams, const std::vector<Segment>& segments, cons
     s.body.radius += leg.radius / n;
     s.body.distance += leg.distance / n;
     variance += leg.deviation * leg.deviation / n;
-    if (mostly_free(segment)) ++free;
+    if (lies_in_free(segment)) ++free;
   }
   s.body.deviation = std::sqrt(variance / n + kStride * kStride);
   s.free_before = 2 * free >= track.segment_count;
