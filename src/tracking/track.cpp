@@ -14,10 +14,11 @@ constexpr double kLegRadius = 0.13;        // bodies below may be legs [m]
 constexpr double kStride = 0.05;           // deviation of the middle of two legs from that of the person [m]
 constexpr double kOneLeg = 0.12;           // deviation of one leg from the person's middle [m]
 constexpr double kThinBody = 0.04;         // deviation of a body that may be a leg [m]
-constexpr double kBias = 0.03;             // what is the same from scan to scan: bodies are not round [m]
-constexpr double kSurprised = 4.5;         // mean mismatch from which the velocity is doubted
+constexpr double kBias = 0.02;             // what is the same from scan to scan: bodies are not round [m]
+constexpr double kSurprised = 3.5;         // mean mismatch from which the velocity is doubted
 constexpr double kDoubtTime = 0.2;       // within which a velocity that is off by d / kDoubtTime leads astray by d [s]
 constexpr double kMostDoubt = 2.0;       // [m/s]
+constexpr double kStartled = 9.2;         // a single mismatch, of which 1 % should be larger
 constexpr double kSurpriseShare = 0.3;   // of the newest mismatch in the mean
 constexpr double kStandingRange = 0.25;  // what stays within stands [m]
 constexpr double kSignificant = 2.0;     // deviations
@@ -25,7 +26,7 @@ constexpr double kSettledSpeed = 0.3;    // deviation of a velocity that is know
 constexpr double kLeft = 0.12;           // how far from its start a mover must have come [m]
 constexpr double kVacated = 0.3;         // the same where nothing was known of the space [m]
 constexpr double kVacatedBySmall = 0.6;  // and where it may be a table's legs [m]
-constexpr int kFreeSightings = 3;        // in a row, that tell a mover
+constexpr int kFreeSightings = 2;        // in a row, that tell a mover
 constexpr double kBeginsWithin = 6.5;    // farther away a wall's few points seem to move [m]
 constexpr double kVacatedWithin = 5.5;   // distance within which that is tried [m]
 constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
@@ -139,7 +140,7 @@ void correct_track(Track& track, const Sighting& sighting, const TrackerSettings
   const double off = (b.centre - track.filter.position()).norm();
   const double mismatch = track.filter.correct(b.centre, b.deviation);
   track.surprise += kSurpriseShare * (std::min(mismatch, 20.0) - track.surprise);
-  if (track.surprise > kSurprised) track.filter.doubt_velocity(std::min(off / kDoubtTime, kMostDoubt));
+  if (track.surprise > kSurprised || mismatch > kStartled) track.filter.doubt_velocity(std::min(off / kDoubtTime, kMostDoubt));
   if (b.radius_seen && !sighting.legs) {
     track.radii = std::min(track.radii + 1, 10);
     track.radius += (b.radius - track.radius) / track.radii;
