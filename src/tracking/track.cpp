@@ -14,18 +14,19 @@ constexpr double kLegRadius = 0.13;        // bodies below may be legs [m]
 constexpr double kStride = 0.05;           // deviation of the middle of two legs from that of the person [m]
 constexpr double kOneLeg = 0.12;           // deviation of one leg from the person's middle [m]
 constexpr double kThinBody = 0.04;         // deviation of a body that may be a leg [m]
-constexpr double kBias = 0.03;             // what is the same from scan to scan: bodies are not round [m]
-constexpr double kSurprised = 4.5;         // mean mismatch from which the velocity is doubted
+constexpr double kBias = 0.02;             // what is the same from scan to scan: bodies are not round [m]
+constexpr double kSurprised = 3.5;         // mean mismatch from which the velocity is doubted
 constexpr double kDoubtTime = 0.2;       // within which a velocity that is off by d / kDoubtTime leads astray by d [s]
 constexpr double kMostDoubt = 2.0;       // [m/s]
+constexpr double kStartled = 9.2;         // a single mismatch, of which 1 % should be larger
 constexpr double kSurpriseShare = 0.3;   // of the newest mismatch in the mean
 constexpr double kStandingRange = 0.25;  // what stays within stands [m]
-constexpr double kSignificant = 2.5;     // deviations
+constexpr double kSignificant = 2.0;     // deviations
 constexpr double kSettledSpeed = 0.3;    // deviation of a velocity that is known well [m/s]
 constexpr double kLeft = 0.12;           // how far from its start a mover must have come [m]
 constexpr double kVacated = 0.3;         // the same where nothing was known of the space [m]
 constexpr double kVacatedBySmall = 0.6;  // and where it may be a table's legs [m]
-constexpr int kFreeSightings = 4;        // in a row, that tell a mover
+constexpr int kFreeSightings = 2;        // in a row, that tell a mover
 constexpr double kBeginsWithin = 6.5;    // farther away a wall's few points seem to move [m]
 constexpr double kVacatedWithin = 5.5;   // distance within which that is tried [m]
 constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
@@ -33,7 +34,7 @@ constexpr int kAssumedRadii = 3;         // measured radii, from which the mean 
 
 bool is_small(const BodyFit& fit) { return fit.radius < kLegRadius; }
 
-bool mostly_free(const Segment& segment) { return 2 * segment.free_before >= segment.points; }
+bool lies_in_free(const Segment& segment) { return 3 * segment.free_before >= segment.points; }
 
 // The largest of a body's pieces stands for it: the others say on which side it goes on.
 Segment largest_piece(const std::vector<Segment>& segments, const Track& track) {
@@ -56,7 +57,7 @@ Sighting one_body(const Beams& beams, const Segment& segment, const Track& track
   const double radius = track.radius > 0.0 ? track.radius : 0.5 * settings.min_radius;
   s.body = fit_body(beams, segment, radius, known, settings.range_noise);
   s.small = is_small(s.body);
-  s.free_before = mostly_free(segment);
+  s.free_before = lies_in_free(segment);
   s.whole = s.body.radius_seen;
   const double more = !s.small ? 0.0 : track.two_legs ? kOneLeg : kThinBody;
   s.body.deviation = std::hypot(s.body.deviation, track.two_legs ? std::max(more, kStride) : more);
@@ -85,7 +86,7 @@ Sighting two_legs(const Beams& beams, const std::vector<Segment>& segments, cons
     s.body.radius += leg.radius / n;
     s.body.distance += leg.distance / n;
     variance += leg.deviation * leg.deviation / n;
-    if (mostly_free(segment)) ++free;
+    if (lies_in_free(segment)) ++free;
   }
   s.body.deviation = std::sqrt(variance / n + kStride * kStride);
   s.free_before = 2 * free >= track.segment_count;
@@ -139,7 +140,7 @@ void correct_track(Track& track, const Sighting& sighting, const TrackerSettings
   const double off = (b.centre - track.filter.position()).norm();
   const double mismatch = track.filter.correct(b.centre, b.deviation);
   track.surprise += kSurpriseShare * (std::min(mismatch, 20.0) - track.surprise);
-  if (track.surprise > kSurprised) track.filter.doubt_velocity(std::min(off / kDoubtTime, kMostDoubt));
+  if (track.surprise > kSurprised || mismatch > kStartled) track.filter.doubt_velocity(std::min(off / kDoubtTime, kMostDoubt));
   if (b.radius_seen && !sighting.legs) {
     track.radii = std::min(track.radii + 1, 10);
     track.radius += (b.radius - track.radius) / track.radii;

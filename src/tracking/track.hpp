@@ -20,7 +20,7 @@ struct Sighting {
   BodyFit body;
   bool legs = false;         // the body is the middle of two legs
   bool small = false;        // as small as a leg
-  bool free_before = false;  // most of it lies where space was seen free
+  bool free_before = false;  // a third of it lies where space was seen free
   bool whole = false;        // nothing hides a part of it
 };
 
@@ -33,7 +33,7 @@ struct Track {
   int radii = 0;          // how many measured it
   bool two_legs = false;  // they were seen apart once
   int sightings = 0;
-  int free_sightings = 0;    // the last ones, with most points where space was seen free
+  int free_sightings = 0;    // the last ones, where space was seen free
   int whole_sightings = 0;   // with nothing that hides a part of it
   double begin = 0.0;        // [s]
   double seen = 0.0;         // last [s]

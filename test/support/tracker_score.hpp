@@ -129,7 +129,10 @@ class TrackerDrive {
     if ((velocity - watched.velocity).norm() > 0.05) watched.steady_since = time;
     watched.velocity = velocity;
     const double distance = (place - Point(robot_.odometry().x, robot_.odometry().y)).norm();
-    if (beams < 4 || distance > far || distance < near || velocity.norm() < 0.4) {
+    // In view is of whom half or more is seen.
+    const double width = walker.legs ? 0.26 : 2.0 * walker.radius;
+    const double half = 0.5 * width / distance / (world_.laser.view / (world_.laser.beams - 1));
+    if (beams < 4 || beams < half || distance > far || distance < near || velocity.norm() < 0.4) {
       watched.in_view_since = watched.found_at = -1.0;
       return;
     }

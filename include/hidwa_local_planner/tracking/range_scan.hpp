@@ -29,6 +29,14 @@ struct RangeScan {
   }
 };
 
+/// What became of a scan.
+enum class ScanUse {
+  used,
+  repeated,    // not later than the one before: nothing changed
+  after_jump,  // used; time went back or stood still for long, so all that was remembered is forgotten
+  refused,     // fault_of(scan) says why: nothing changed
+};
+
 /// Why a scan cannot be used, in words; empty: it can.
 std::string fault_of(const RangeScan& scan);
 

@@ -10,14 +10,6 @@
 
 namespace hidwa_local_planner {
 
-/// What became of a scan.
-enum class ScanUse {
-  used,
-  repeated,    // not later than the one before: nothing changed
-  after_jump,  // used; time went back or stood still for long, so all that was remembered is forgotten
-  refused,     // fault_of(scan) says why: nothing changed
-};
-
 /// Moving obstacles out of laser scans. A point that lies where space was seen free a moment ago belongs to something
 /// that moves. Points become bodies, bodies are associated with tracks, and each track is a Kalman filter of constant
 /// velocity. The same scans give the same tracks. docs/tracker.md explains it.

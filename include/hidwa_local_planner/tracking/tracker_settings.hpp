@@ -18,7 +18,7 @@ struct TrackerSettings {
   double min_speed = 0.2;         // of what becomes a track [m/s]
   double min_radius = 0.3;        // of what is published [m]
   double max_radius = 0.65;       // what is larger is no mover [m]
-  double acceleration = 1.0;      // a mover's usual one, for the filter [m/s^2]
+  double acceleration = 0.8;      // a mover's usual one, for the filter [m/s^2]
 };
 
 /// Why the settings cannot be used, naming the value and its range; empty: they can.

@@ -193,7 +193,7 @@ def unittests(folder, log):
 
 
 def robot():
-    """The plugin alone, as a robot builds it: it links neither the simulation nor rosbag nor yaml-cpp."""
+    """Plugin and tracker alone, as a robot builds them: they link neither the simulation nor rosbag nor yaml-cpp."""
     folder = os.path.join(WORK, 'robot')
     os.makedirs(folder, exist_ok=True)
     run(in_install('colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', ROOT, '--packages-select',
@@ -204,7 +204,8 @@ def robot():
     library = os.path.join(place, 'libhidwa_local_planner.so')
     _, linked = run(sourced(os.path.join(folder, 'install', 'setup.bash'), 'ldd', library), 'robot_links')
     # The host's own libraries may link what they like.
-    _, needed = run(['readelf', '-d', *sorted(glob.glob(os.path.join(place, 'libhidwa_*.so')))], 'robot_needs')
+    _, needed = run(['readelf', '-d', *sorted(glob.glob(os.path.join(place, 'libhidwa_*.so'))),
+                     os.path.join(place, 'hidwa_local_planner', 'hidwa_tracker')], 'robot_needs')
     unwanted = [line.strip() for line in linked.splitlines() if 'not found' in line] + [
         line.strip() for line in needed.splitlines()
         if 'NEEDED' in line and any(name in line for name in ('hidwa_sim', 'rosbag', 'yaml-cpp'))]
@@ -213,7 +214,11 @@ def robot():
     _, own = run(['nm', '-DC', library], 'robot_symbols')
     if 'hidwa_local_planner::sim::' in own:
         raise Failed('libhidwa_local_planner.so holds parts of the simulation')
-    tools = glob.glob(os.path.join(folder, 'install', 'lib', 'hidwa_local_planner', 'hidwa_*'))
+    programs = os.path.join(folder, 'install', 'lib', 'hidwa_local_planner')
+    tracker = os.path.join(programs, 'hidwa_tracker')  # it runs on the robot
+    if not os.access(tracker, os.X_OK):
+        raise Failed('HIDWA_TOOLS=OFF installs no hidwa_tracker')
+    tools = [path for path in glob.glob(os.path.join(programs, 'hidwa_*')) if path != tracker]
     if tools:
         raise Failed(f'HIDWA_TOOLS=OFF installs {", ".join(tools)}')
     return Counts(passed=3)

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/node_parameters.hpp"
+
+#include <stdexcept>
+
+namespace hidwa_local_planner {
+namespace tracking {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+[[noreturn]] void wrong_type(const ros::NodeHandle& node, const char* name, const char* wanted) {
+  throw std::runtime_error("parameter " + node.resolveName(name) + " must be " + wanted);
+}
+
+void read_value(const ros::NodeHandle& node, const char* name, double& value) {
+  XmlRpcValue given;
+  if (!node.getParam(name, given)) return;
+  if (given.getType() == XmlRpcValue::TypeInt) {
+    value = static_cast<int&>(given);
+  } else if (given.getType() == XmlRpcValue::TypeDouble) {
+    value = static_cast<double&>(given);
+  } else {
+    wrong_type(node, name, "a number (without quotation marks)");
+  }
+}
+
+void read_value(const ros::NodeHandle& node, const char* name, bool& value) {
+  XmlRpcValue given;
+  if (!node.getParam(name, given)) return;
+  if (given.getType() != XmlRpcValue::TypeBoolean) wrong_type(node, name, "true or false");
+  value = static_cast<bool&>(given);
+}
+
+void read_value(const ros::NodeHandle& node, const char* name, std::string& value) {
+  XmlRpcValue given;
+  if (!node.getParam(name, given)) return;
+  if (given.getType() != XmlRpcValue::TypeString) wrong_type(node, name, "a text");
+  value = static_cast<std::string&>(given);
+}
+
+void require_time(const ros::NodeHandle& node, const char* name, double value) {
+  if (value >= 0.0 && value <= 10.0) return;
+  throw std::runtime_error("parameter " + node.resolveName(name) + " must be from 0 to 10 s");
+}
+
+}  // namespace
+
+NodeParameters read_node_parameters(const ros::NodeHandle& node) {
+  NodeParameters p;
+  TrackerSettings& t = p.tracker;
+  read_value(node, "reach", t.reach);
+  read_value(node, "range_noise", t.range_noise);
+  read_value(node, "no_return_is_free", t.no_return_is_free);
+  read_value(node, "odometry_slip", t.odometry_slip);
+  read_value(node, "free_memory", t.free_memory);
+  read_value(node, "settle_time", t.settle_time);
+  read_value(node, "stand_time", t.stand_time);
+  read_value(node, "coast_time", t.coast_time);
+  read_value(node, "min_speed", t.min_speed);
+  read_value(node, "min_radius", t.min_radius);
+  read_value(node, "max_radius", t.max_radius);
+  read_value(node, "acceleration", t.acceleration);
+  read_value(node, "fixed_frame", p.fixed_frame);
+  read_value(node, "transform_timeout", p.transform_timeout);
+  read_value(node, "lag_max", p.lag_max);
+  const std::string fault = fault_of(t);
+  if (!fault.empty()) throw std::runtime_error("parameter " + node.getNamespace() + "/" + fault);
+  if (p.fixed_frame.empty()) throw std::runtime_error("parameter " + node.resolveName("fixed_frame") + " is empty");
+  require_time(node, "transform_timeout", p.transform_timeout);
+  require_time(node, "lag_max", p.lag_max);
+  return p;
+}
+
+}  // namespace tracking
+}  // namespace hidwa_local_planner

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/body_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scan_world.hpp"
+
+namespace hidwa_local_planner::tracking {
+namespace {
+
+using test::Random;
+using test::ScanWorld;
+
+struct Seen {
+  Beams beams;
+  std::vector<Segment> segments;
+};
+
+Seen look_at(const ScanWorld& world, const Pose2& pose, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<int> seen;
+  Seen out;
+  TrackerSettings settings;
+  settings.reach = 20.0;
+  to_beams(world.scan(1.0, pose, pose, random, seen), settings, out.beams);
+  find_segments(out.beams, world.laser.noise, 1.3, out.segments);
+  return out;
+}
+
+// Widths are known to half a beam on each side: at 720 beams over 270 degrees 0.0033 rad, at 3 m 0.01 m.
+TEST(BodyFit, FindsCirclesOfAnySize) {
+  for (double radius : {0.07, 0.25, 0.5}) {
+    for (double distance : {1.0, 2.0, 3.0}) {
+      for (double bearing : {-1.5, 0.0, 0.4, 1.7}) {
+        ScanWorld world;
+        world.laser.noise = 0.0;
+        const Point centre(distance * std::cos(bearing), distance * std::sin(bearing));
+        world.posts.push_back({centre, radius});
+        const Seen seen = look_at(world, Pose2(), 1);
+        ASSERT_EQ(seen.segments.size(), 1u) << radius << " " << distance;
+        const BodyFit fit = fit_body(seen.beams, seen.segments[0], 0.0, false, 0.01);
+        EXPECT_TRUE(fit.radius_seen);
+        EXPECT_NEAR(fit.radius, radius, 0.1 * radius + 0.0035 * distance);
+        EXPECT_LT((fit.centre - centre).norm(), 0.1 * radius + 0.0035 * distance);
+      }
+    }
+  }
+}
+
+// The deviation that the fit claims is that of its errors, or larger: bodies are not as round as these.
+TEST(BodyFit, ClaimsNoMoreThanItKnows) {
+  for (double noise : {0.01, 0.03}) {
+    double ratio = 0.0;
+    int count = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      Random random(seed + 500);
+      ScanWorld world;
+      world.laser.noise = noise;
+      const double distance = random.uniform(1.0, 5.0), bearing = random.uniform(-2.0, 2.0);
+      const Point centre(distance * std::cos(bearing), distance * std::sin(bearing));
+      world.posts.push_back({centre, 0.25});
+      const Seen seen = look_at(world, Pose2(), seed);
+      if (seen.segments.size() != 1) continue;  // noise may split off an edge
+      const BodyFit fit = fit_body(seen.beams, seen.segments[0], 0.25, true, noise);
+      ratio += (fit.centre - centre).squaredNorm() / (fit.deviation * fit.deviation);
+      ++count;
+    }
+    ASSERT_GT(count, 120);
+    EXPECT_LT(ratio / count, 3.0) << noise;   // 2: exact
+    EXPECT_GT(ratio / count, 0.05) << noise;  // not out of all proportion
+  }
+}
+
+// A column hides one half: with the radius known from before, the centre is found from the other edge.
+TEST(BodyFit, KnowsAHiddenBodyByItsRadius) {
+  ScanWorld world;
+  world.laser.noise = 0.0;
+  world.posts.push_back({{3.0, 0.0}, 0.4});
+  world.posts.push_back({{1.5, 0.15}, 0.15});  // from bearing 0 on to the left
+  const Seen seen = look_at(world, Pose2(), 1);
+  const Segment* body = nullptr;
+  for (const Segment& s : seen.segments) {
+    if (s.chord_begin.x() > 2.0) body = &s;
+  }
+  ASSERT_NE(body, nullptr);
+  EXPECT_TRUE(body->hidden_last);
+  EXPECT_FALSE(body->hidden_first);
+  const BodyFit alone = fit_body(seen.beams, *body, 0.0, false, 0.01);
+  const BodyFit known = fit_body(seen.beams, *body, 0.4, true, 0.01);
+  EXPECT_GT((alone.centre - Point(3.0, 0.0)).norm(), 0.15);
+  EXPECT_LT((known.centre - Point(3.0, 0.0)).norm(), 0.05);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::tracking

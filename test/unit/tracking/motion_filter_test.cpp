@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/motion_filter.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "support/scan_world.hpp"
+
+namespace hidwa_local_planner::tracking {
+namespace {
+
+using test::normal;
+using test::Random;
+
+struct Reading {
+  double time;
+  Point place;
+  double deviation;
+};
+
+std::vector<Reading> readings_of(Random& random, const Point& start, const Point& velocity, int count) {
+  std::vector<Reading> readings;
+  double time = 3.0;
+  for (int i = 0; i < count; ++i) {
+    time += random.uniform(0.02, 0.2);
+    const double deviation = random.uniform(0.01, 0.1);
+    const Point noise(deviation * normal(random), deviation * normal(random));
+    readings.push_back({time, start + (time - 3.0) * velocity + noise, deviation});
+  }
+  return readings;
+}
+
+// Without disturbance the filter is a weighted straight-line fit with the prior as one more reading of each: all at once,
+// by the normal equations.
+TEST(MotionFilter, IsTheLeastSquaresFitOfAStraightLine) {
+  Random random(1);
+  for (int trial = 0; trial < 50; ++trial) {
+    const std::vector<Reading> readings =
+        readings_of(random, {random.uniform(-5, 5), random.uniform(-5, 5)}, {random.uniform(-2, 2), random.uniform(-2, 2)}, 12);
+    const Point prior(1.0, 2.0);
+    MotionFilter filter(prior, 0.5, 1.5, 3.0);
+    for (const Reading& r : readings) {
+      filter.predict(r.time, 0.0);
+      filter.correct(r.place, r.deviation);
+    }
+    const double end = readings.back().time;
+    Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
+    Eigen::Matrix2d right = Eigen::Matrix2d::Zero();  // a column an axis
+    const auto add = [&](const Eigen::Vector2d& row, const Point& value, double deviation) {
+      normal_matrix += row * row.transpose() / (deviation * deviation);
+      right += row * value.transpose() / (deviation * deviation);
+    };
+    add({1.0, 3.0 - end}, prior, 0.5);
+    add({0.0, 1.0}, Point(0.0, 0.0), 1.5);
+    for (const Reading& r : readings) add({1.0, r.time - end}, r.place, r.deviation);
+    const Eigen::Matrix2d covariance = normal_matrix.inverse();
+    const Eigen::Matrix2d fitted = covariance * right;
+    EXPECT_LT((filter.position() - Point(fitted.row(0))).norm(), 1e-9);
+    EXPECT_LT((filter.velocity() - Point(fitted.row(1))).norm(), 1e-9);
+    EXPECT_NEAR(filter.position_deviation(), std::sqrt(covariance(0, 0)), 1e-9);
+    EXPECT_NEAR(filter.velocity_deviation(), std::sqrt(covariance(1, 1)), 1e-9);
+  }
+}
+
+// A body that truly follows the model: mismatches and errors have the mean of chi-squared with two degrees of freedom, 2.
+TEST(MotionFilter, DeviationsAreThoseOfTheErrors) {
+  Random random(2);
+  const double density = 0.2, dt = 0.05, deviation = 0.03;
+  double mismatch = 0.0, place = 0.0, speed = 0.0;
+  int count = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    Point p(0.0, 0.0), v(normal(random), normal(random));
+    MotionFilter filter({deviation * normal(random), deviation * normal(random)}, deviation, 1.0, 0.0);
+    for (int i = 1; i <= 60; ++i) {
+      for (int k = 0; k < 20; ++k) {  // white acceleration, nearly
+        const double h = dt / 20.0;
+        p += h * v;
+        v += std::sqrt(density * h) * Point(normal(random), normal(random));
+      }
+      filter.predict(i * dt, density);
+      const double m = filter.correct(p + deviation * Point(normal(random), normal(random)), deviation);
+      if (i % 15 != 0) continue;
+      mismatch += m;
+      place += (filter.position() - p).squaredNorm() / std::pow(filter.position_deviation(), 2);
+      speed += (filter.velocity() - v).squaredNorm() / std::pow(filter.velocity_deviation(), 2);
+      ++count;
+    }
+  }
+  // 1,600 values of variance 4, not all independent: the mean's deviation is below 2 / sqrt(400) = 0.1.
+  EXPECT_NEAR(mismatch / count, 2.0, 0.3);
+  EXPECT_NEAR(place / count, 2.0, 0.3);
+  EXPECT_NEAR(speed / count, 2.0, 0.3);
+}
+
+TEST(MotionFilter, AnEarlierTimeChangesNothing) {
+  MotionFilter filter({1.0, 2.0}, 0.1, 1.0, 5.0);
+  filter.predict(4.0, 1.0);
+  EXPECT_EQ(filter.time(), 5.0);
+  EXPECT_DOUBLE_EQ(filter.position_deviation(), 0.1);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::tracking
