@@ -25,7 +25,7 @@ const std::vector<std::string>& columns_of_encounters() {
                                             "timeout",    "time",           "length",          "touched_after_leap",
                                             "moved_into", "encounters",     "closest",         "personal_space",
                                             "standing",   "clearance",      "operator_active", "interventions",
-                                            "agreement",  "failures",       "brakes"};
+                                            "agreement",  "failures",       "brakes",          "touches"};
   return all;
 }
 
@@ -142,6 +142,17 @@ std::string encounter_digest(const Plan& plan, const std::vector<Row>& rows) {
   return lines;
 }
 
+// Each touch as time:id:moved:by_robot:robot's speed:mover's speed:time since its leap, with bars between them.
+std::string words_of(const std::vector<sim::Touch>& touches) {
+  std::string words;
+  for (const sim::Touch& t : touches) {
+    words += (words.empty() ? "" : "|") + format("%.2f:%u:%d:%d:%.3f:%.3f:%.2f", t.time, static_cast<unsigned>(t.id),
+                                                 t.robot_moved ? 1 : 0, t.by_robot ? 1 : 0, t.robot_speed, t.speed,
+                                                 std::min(t.since_leap, kNobody));
+  }
+  return words.empty() ? "none" : words;
+}
+
 }  // namespace
 
 Tables encounter_tables() { return {columns_of_encounters(), encounter_summary, encounter_ranking, encounter_digest}; }
@@ -182,7 +193,8 @@ Row encounter_row(const Plan& plan, const Run& run, const Scenery& scenery, cons
           std::to_string(r.interventions),
           number(r.agreement),
           std::to_string(r.failures),
-          std::to_string(r.brakes)};
+          std::to_string(r.brakes),
+          words_of(p.touches)};
 }
 
 std::string to_string(drive::Tracking tracking) {

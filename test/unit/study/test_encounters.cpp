@@ -128,7 +128,10 @@ TEST(EncounterRow, TellsTouchesApart) {
     return cell(encounter_row(plan, plan.runs[0], {"4", "easy", 1, 2.0}, result), column, encounter_tables().columns);
   };
   EXPECT_EQ(said("success"), "1");
+  EXPECT_EQ(said("touches"), "none");
   sim::Touch touch;
+  touch.time = 3.5;
+  touch.id = 7;
   touch.since_leap = 0.5;
   result.people.touches = {touch};
   result.people.contacts_at_rest = 1;
@@ -136,6 +139,7 @@ TEST(EncounterRow, TellsTouchesApart) {
   EXPECT_EQ(said("touched_at_rest"), "1");
   EXPECT_EQ(said("touched_moving"), "0");
   EXPECT_EQ(said("touched_after_leap"), "1");
+  EXPECT_EQ(said("touches"), "3.50:7:0:0:0.000:0.000:0.50");
   result.people.touches[0].since_leap = 0.51;
   EXPECT_EQ(said("touched_after_leap"), "0");
 }
