@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 #include "hidwa_local_planner/record/parts.hpp"
 
@@ -104,6 +105,9 @@ bool identical(const OperatorIntent& a, const OperatorIntent& b) { return bytes_
 
 namespace {
 
+// There only where anything moves.
+constexpr const char* kMovingObstacles = "moving_obstacles";
+
 // In the order in which they are written.
 template <typename Record, typename Parts>
 void parts_of(Record& record, Parts& io) {
@@ -147,6 +151,8 @@ void encode(const CycleRecord& record, Bytes& bytes) {
   std::memcpy(bytes.data(), &kFormat, sizeof(kFormat));
   PartWriter parts(bytes);
   parts_of(record, parts);
+  const MovingObstacles& moving = record.observation.moving_obstacles;
+  if (!moving.empty()) parts.input(kMovingObstacles, moving);
 }
 
 std::string decode(const Bytes& bytes, CycleRecord& record) {
@@ -157,6 +163,9 @@ std::string decode(const Bytes& bytes, CycleRecord& record) {
   if (format != kFormat) return of_other_format(format, read);
   PartReader parts(bytes.data() + sizeof(format), bytes.size() - sizeof(format));
   parts_of(record, parts);
+  std::optional<MovingObstacles> moving;
+  parts.input(kMovingObstacles, moving);
+  record.observation.moving_obstacles = moving ? std::move(*moving) : MovingObstacles();
   record.unknown = parts.unknown();
   return parts.fault().empty() ? lacking(record) : parts.fault();
 }

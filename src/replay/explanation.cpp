@@ -134,6 +134,14 @@ const char* name_of(Influence influence) {
   return "?";
 }
 
+std::string about_mover(const MovingObstacle& mover) {
+  return format(
+      "moving obstacle %u at (%.2f m, %.2f m) with (%.2f, %.2f) m/s, radius %.2f m, known within %.2f m and "
+      "%.2f m/s, %.2f s old\n",
+      mover.id, mover.position.x(), mover.position.y(), mover.velocity.x(), mover.velocity.y(), mover.radius,
+      mover.position_deviation, mover.velocity_deviation, mover.age);
+}
+
 }  // namespace
 
 std::string explain(double time, record::CycleReplay& replay, const record::ReplayedCycle& cycle) {
@@ -146,6 +154,7 @@ std::string explain(double time, record::CycleReplay& replay, const record::Repl
                    to_string(cycle.intent.state), name_of(cycle.intent.influence));
     text += format("robot at (%.3f m, %.3f m, %.3f rad), measured %s, last command %s\n", s.pose.x, s.pose.y,
                    s.pose.theta, in_words(s.velocity).c_str(), in_words(s.last_command).c_str());
+    for (const MovingObstacle& mover : s.moving_obstacles) text += about_mover(mover);
     text += count_rejections(replay.planner().candidates());
   } else {
     text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time(),
@@ -175,6 +184,14 @@ Json json_of(const CandidateReport& candidate) {
   for (const CriticTerm& critic : candidate.terms) terms.push_back(critic.raw * critic.weight);
   return {{"u", json_of(candidate.sample)}, {"end", json_of(candidate.poses.back())},     {"sum", candidate.sum()},
           {"total", candidate.total},       {"rejected", rejections_in_words(candidate)}, {"terms", terms}};
+}
+
+// Where it is in this cycle.
+Json json_of(const MovingObstacle& mover) {
+  return {{"id", mover.id},
+          {"position", json_of(Point(mover.position + mover.age * mover.velocity))},
+          {"velocity", json_of(mover.velocity)},
+          {"radius", mover.radius}};
 }
 
 Json json_of(const record::StoredGrid& grid) {
@@ -221,6 +238,7 @@ std::string explain_as_json(double time, record::CycleReplay& replay, const reco
     json["pose"] = json_of(s->pose);
     json["goal"] = json_of(s->goal);
     json["plan"] = list_of(s->plan);
+    json["moving_obstacles"] = list_of(s->moving_obstacles);
   }
   return json.dump() + '\n';
 }

@@ -6,12 +6,17 @@
 namespace hidwa_local_planner {
 
 Diagnostics::Diagnostics(ros::NodeHandle handle, const std::string& name, const CycleStatistics& statistics,
-                         const OperatorInput& person)
-    : statistics_(statistics), person_(person), updater_(handle, ros::NodeHandle("~")) {
+                         const OperatorInput& person, const MovingObstacleInput& moving_obstacles)
+    : statistics_(statistics),
+      person_(person),
+      moving_obstacles_(moving_obstacles),
+      updater_(handle, ros::NodeHandle("~")) {
   updater_.setHardwareID("none");
   updater_.add(name, [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
   updater_.add(name + " operator",
                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report_person(status); });
+  updater_.add(name + " moving obstacles",
+               [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report_moving_obstacles(status); });
   timer_ =
       handle.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
@@ -92,6 +97,24 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
   status.add("age of the last message [s]", person.age);
   status.add("messages", device.messages);
   status.add("messages dropped", person.dropped);
+}
+
+void Diagnostics::report_moving_obstacles(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using Status = diagnostic_msgs::DiagnosticStatus;
+  const MovingObstacleInput::Status known = moving_obstacles_.status();
+  if (known.topic.empty()) {
+    status.summary(Status::OK, "off: moving_obstacles_topic is empty, every obstacle counts as standing still");
+  } else if (known.messages == 0) {
+    status.summary(Status::OK, "nothing came on " + known.topic + " yet: every obstacle counts as standing still");
+  } else if (!known.fault.empty()) {
+    status.summary(Status::WARN, known.topic + ": " + known.fault);
+  } else {
+    status.summary(Status::OK, known.topic + " is heard");
+  }
+  status.add("moving obstacles", known.count);
+  status.add("age of the newest message [s]", known.age);
+  status.add("messages", known.messages);
+  status.add("obstacles refused", known.refused);
 }
 
 void Diagnostics::report_load(diagnostic_updater::DiagnosticStatusWrapper& status, const Load& load) const {

@@ -24,7 +24,8 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
       feedback_(handle_, host_handle_, costmap.getGlobalFrameID(), costmap.getBaseFrameID()) {
   start_parameters();
   host_frequency_.follow(thread_.serve(ros::NodeHandle("~")));
-  diagnostics_ = std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_);
+  diagnostics_ = std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_,
+                                               moving_obstacles_);
   diagnostics_->set("", load());
   description_.give_outline(costmap_, accepted_.footprint_from_urdf);
   update_footprint();
@@ -128,6 +129,11 @@ std::string Shell::listen(const Parameters& parameters) {
       odom_topic_.clear();
       odometry_.subscribe(odometry_thread_.serve(host_handle_), parameters.odom_topic);
       odom_topic_ = parameters.odom_topic;
+    }
+    if (parameters.moving_obstacles_topic != moving_obstacles_topic_) {
+      moving_obstacles_topic_.clear();
+      moving_obstacles_.subscribe(odometry_thread_.serve(host_handle_), parameters.moving_obstacles_topic);
+      moving_obstacles_topic_ = parameters.moving_obstacles_topic;
     }
     person_.listen(host_handle_, parameters);
   } catch (const ros::Exception& error) {

@@ -123,6 +123,7 @@ CycleClock::Tick Shell::watch_time(double now) {
     // The operator's state machine notices that itself: a stop goes on, and an operator who has control keeps it.
     ROS_WARN("%s: time jumped back: odometry from before is forgotten", name_.c_str());
     odometry_.forget();
+    moving_obstacles_.forget();
     explanations_.end();
   }
   const std::string complaint = clock_.complaint();
@@ -152,6 +153,10 @@ Shell::Observation Shell::observe(const control::Timing& timing) {
     lacks(Missing::costmap, "the local costmap is not current: a sensor that it waits for is silent");
   } else if (!lacks(Missing::transform, observe_pose(timing.now, observation))) {
     lacks(Missing::footprint, update_footprint());
+  }
+  if (observation.missing == Missing::nothing) {
+    moving_obstacles_.read(timing.now, loop_.parameters().moving_obstacle_timeout, tf_, costmap_.getGlobalFrameID(),
+                           observation.moving_obstacles);
   }
   return observation;
 }

@@ -7,6 +7,7 @@
 //   setup        release, parameters, footprint: in key records alone
 //   plan         whole, in its own frame: in key records, and where it is another than a cycle before
 //   observation  what was known of the robot, but for the costmap
+//   moving_obstacles  what moves; absent where nothing does
 //   costmap      what changed of it; absent where an input was missing, for then nothing reads it
 //   sampling     samples in force
 //   loop         what ControlLoop remembered before the cycle

@@ -12,6 +12,7 @@
 
 #include "hidwa_local_planner/control/sample_budget.hpp"
 #include "hidwa_local_planner/ros/cycle_statistics.hpp"
+#include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
 #include "hidwa_local_planner/ros/operator_input.hpp"
 
 namespace hidwa_local_planner {
@@ -21,9 +22,9 @@ namespace hidwa_local_planner {
 /// pointer.
 class Diagnostics {
  public:
-  /// The statistics and the operator must outlive it.
+  /// The statistics, the operator and the moving obstacles must outlive it.
   Diagnostics(ros::NodeHandle handle, const std::string& name, const CycleStatistics& statistics,
-              const OperatorInput& person);
+              const OperatorInput& person, const MovingObstacleInput& moving_obstacles);
   /// How the cycles are doing.
   struct Load {
     double period = 0.0;          // of the control cycle [s]
@@ -39,10 +40,12 @@ class Diagnostics {
  private:
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
   void report_person(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void report_moving_obstacles(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void report_load(diagnostic_updater::DiagnosticStatusWrapper& status, const Load& load) const;
 
   const CycleStatistics& statistics_;
   const OperatorInput& person_;
+  const MovingObstacleInput& moving_obstacles_;
   std::string known_fault_;  // the control thread's: what fault_ holds
   std::mutex mutex_;
   std::shared_ptr<const std::string> fault_ = std::make_shared<const std::string>();

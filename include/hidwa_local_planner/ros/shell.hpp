@@ -23,6 +23,7 @@
 #include "hidwa_local_planner/ros/handover.hpp"
 #include "hidwa_local_planner/ros/host_frequency.hpp"
 #include "hidwa_local_planner/ros/message_throttle.hpp"
+#include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
 #include "hidwa_local_planner/ros/odometry_input.hpp"
 #include "hidwa_local_planner/ros/operator_commands.hpp"
 #include "hidwa_local_planner/ros/operator_feedback.hpp"
@@ -121,9 +122,11 @@ class Shell {
   CallbackThread odometry_thread_;
   HostFrequency host_frequency_;
   OdometryInput odometry_;
+  MovingObstacleInput moving_obstacles_;
   OperatorInput person_;
   control::ControlLoop loop_;
-  std::string odom_topic_;          // listened to
+  std::string odom_topic_;  // listened to
+  std::string moving_obstacles_topic_;
   Parameters accepted_;             // the last valid set, in force or about to be
   control::Prediction prediction_;  // of the last cycle
   Publishing publishing_;

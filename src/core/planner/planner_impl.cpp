@@ -51,8 +51,11 @@ void Planner::Impl::set_footprint(const Polygon& given) {
 const Decision& Planner::Impl::plan(const Situation& measured, const GridView& grid, const OperatorIntent& intent,
                                     const Sampling& sampling) {
   const CycleStart start = start_estimator.estimate(measured, parameters, limits, footprint.circumscribed_radius());
-  const Cycle cycle{parameters,           limits, footprint, grid, intent, sampling, *start.situation, start,
-                    look_at_movers(start)};
+  const bool count = movers_count(start);
+  const bool once = count && parameters.moving_obstacles_clear_cells && grid.valid();
+  const GridView seen = once ? explained.without(grid, measured.moving_obstacles) : grid;
+  const Cycle cycle{
+      parameters, limits, footprint, seen, intent, sampling, *start.situation, start, look_at_movers(start, count)};
   clear(decision);
   evaluation.clear();
   explanation.clear();
@@ -60,18 +63,24 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
   return decision;
 }
 
-// Null where nothing is near. Nothing is asked of a cycle without what it needs: that one brakes.
-MoverCheck* Planner::Impl::look_at_movers(const CycleStart& start) {
-  const Situation& situation = *start.situation;
-  const MovingObstacles& obstacles = situation.moving_obstacles;
-  const bool usable = std::all_of(obstacles.begin(), obstacles.end(), [](const auto& one) { return plausible(one); });
-  if (parameters.admissibility != Admissibility::braking || !usable || footprint.fault() != nullptr) {
+// Only where braking is checked: with the rollout alone a mover is what its cells are. What is no number is a fault of
+// the input, and the cycle brakes.
+bool Planner::Impl::movers_count(const CycleStart& start) const {
+  const MovingObstacles& all = start.situation->moving_obstacles;
+  return !all.empty() && parameters.admissibility == Admissibility::braking && footprint.fault() == nullptr &&
+         std::all_of(all.begin(), all.end(), [](const auto& one) { return plausible(one); });
+}
+
+// Null where nothing is near.
+MoverCheck* Planner::Impl::look_at_movers(const CycleStart& start, bool count) {
+  if (!count) {
     movers.forget();
     return nullptr;
   }
+  const Situation& situation = *start.situation;
   const PendingMotionSet& pending = *start.pending;
   const bool rests = pending[0].rests() && !start.odometry_fast && at_rest(start.velocity, parameters);
-  movers.prepare(parameters, limits, footprint, obstacles,
+  movers.prepare(parameters, limits, footprint, situation.moving_obstacles,
                  {situation.pose, start.origin, start.reference, &pending, usable_period(situation),
                   longest_period(situation), rests});
   return movers.none_near() ? nullptr : &movers;

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "core/movers/explained_cells.hpp"
 #include "core/planner/conclusion.hpp"
 #include "core/planner/critic_set.hpp"
 #include "core/planner/cycle.hpp"
@@ -42,6 +43,7 @@ struct Planner::Impl {
   Evaluation evaluation;
   Selection selection;
   MoverCheck movers;
+  ExplainedCells explained;
   Recovery recovery;
   Explanation explanation;
   Decision decision;  // the output: written, never read
@@ -51,7 +53,8 @@ struct Planner::Impl {
     int candidate = -1;
     ChoiceReport::Rule rule = ChoiceReport::Rule::none;
   };
-  MoverCheck* look_at_movers(const CycleStart& start);
+  bool movers_count(const CycleStart& start) const;
+  MoverCheck* look_at_movers(const CycleStart& start, bool count);
   Conclusion conclude(const Cycle& cycle);
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);

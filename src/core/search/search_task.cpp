@@ -95,6 +95,32 @@ bool SearchTask::plausible() const {
   return robot && body.fault() == nullptr && !body.empty() && grid().contains(grid().cell_at(start.x, start.y));
 }
 
+void add_movers(const MovingObstacles& movers, SearchTask& task) {
+  const GridView grid = task.grid();
+  const Footprint body = task.footprint();
+  const double c = std::cos(task.start.theta), s = std::sin(task.start.theta), half = 0.5 * grid.resolution;
+  for (const MovingObstacle& mover : movers) {
+    const Point now = mover.position + mover.age * mover.velocity;
+    const double reach = mover.radius + half;
+    const auto cells = [&](double from, double to, int size) {
+      return std::clamp(static_cast<int>(std::floor(std::clamp((from - to) / grid.resolution, -1e6, 1e6))), 0, size);
+    };
+    const int i0 = cells(now.x() - reach, grid.origin_x, grid.size_x);
+    const int i1 = cells(now.x() + reach + grid.resolution, grid.origin_x, grid.size_x);
+    const int j0 = cells(now.y() - reach, grid.origin_y, grid.size_y);
+    const int j1 = cells(now.y() + reach + grid.resolution, grid.origin_y, grid.size_y);
+    for (int j = j0; j < j1; ++j) {
+      for (int i = i0; i < i1; ++i) {
+        const Point centre = grid.centre({i, j});
+        if ((centre - now).norm() > reach) continue;
+        const double dx = centre.x() - task.start.x, dy = centre.y() - task.start.y;
+        if (body.distance_to({c * dx + s * dy, c * dy - s * dx}) <= grid.resolution) continue;
+        task.costs[grid.index({i, j})] = cost::kLethal;
+      }
+    }
+  }
+}
+
 void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const GridView& grid,
                       const Footprint& footprint, const Parameters& parameters, const VelocityLimits& limits,
                       SearchTask& task) {

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <ros/console.h>
+#include <tf2/exceptions.h>
+
+#include "core/util/words.hpp"
+#include "hidwa_local_planner/ros/conversions.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// What is larger, faster or less known is a fault of its sender.
+constexpr double kLargestRadius = 10.0;     // [m]
+constexpr double kLargestDeviation = 10.0;  // [m, m/s]
+constexpr double kFastestObstacle = 30.0;   // [m/s]
+constexpr double kFarthestObstacle = 1e5;   // [m]
+
+// A stamp may be ahead of the clock by this [s]: clocks differ a little.
+constexpr double kAhead = 0.1;
+
+bool within(double value, double most) { return value >= 0.0 && value <= most; }
+
+// Why an obstacle cannot be used; null where it can.
+const char* fault_of(const MovingObstacleMessage& one) {
+  if (!(std::hypot(one.position.x, one.position.y) <= kFarthestObstacle)) return "its position is not a number";
+  if (!(std::hypot(one.velocity.x, one.velocity.y) <= kFastestObstacle)) {
+    return "its velocity is not a number, or above 30 m/s";
+  }
+  if (!within(one.radius, kLargestRadius)) return "its radius is negative, above 10 m or not a number";
+  if (!within(one.position_deviation, kLargestDeviation) || !within(one.velocity_deviation, kLargestDeviation)) {
+    return "a deviation is negative, above 10 or not a number";
+  }
+  if (one.points.size() > MovingObstacleInput::kMostPoints) return "it has more than 4096 points";
+  return nullptr;
+}
+
+Point turned(const Pose2& frame, double x, double y) {
+  const double c = std::cos(frame.theta), s = std::sin(frame.theta);
+  return {c * x - s * y, s * x + c * y};
+}
+
+void convert(const MovingObstacleMessage& from, const Pose2& frame, double age, MovingObstacle& to) {
+  const Point origin(frame.x, frame.y);
+  to.id = from.id;
+  to.position = origin + turned(frame, from.position.x, from.position.y);
+  to.velocity = turned(frame, from.velocity.x, from.velocity.y);
+  to.radius = from.radius;
+  to.position_deviation = from.position_deviation;
+  to.velocity_deviation = from.velocity_deviation;
+  to.age = age;
+  to.points.clear();
+  for (const geometry_msgs::Point32& point : from.points) {
+    if (std::isfinite(point.x) && std::isfinite(point.y)) to.points.push_back(origin + turned(frame, point.x, point.y));
+  }
+}
+
+// Where a frame was at a time; as tf knows it now where it does not reach that far yet, but by no more than `timeout`
+// [s]. The fault in words.
+std::string find_frame(const tf2::BufferCore& tf, const std::string& to, const std::string& from,
+                       const ros::Time& stamp, double timeout, Pose2& found) {
+  try {
+    try {
+      found = to_transform(tf.lookupTransform(to, from, stamp).transform).origin;
+    } catch (const tf2::ExtrapolationException&) {
+      const geometry_msgs::TransformStamped newest = tf.lookupTransform(to, from, ros::Time(0));
+      if (!newest.header.stamp.isZero() && std::abs((stamp - newest.header.stamp).toSec()) > timeout) throw;
+      found = to_transform(newest.transform).origin;
+    }
+  } catch (const tf2::TransformException& error) {
+    return "no transform from the frame " + from + " of what moves to " + to + ": " + error.what();
+  }
+  return is_finite(found) ? "" : "the transform from the frame " + from + " of what moves is not a number";
+}
+
+}  // namespace
+
+void MovingObstacleInput::subscribe(ros::NodeHandle handle, const std::string& topic) {
+  subscriber_.shutdown();
+  forget();
+  const auto callback = [this](const MovingObstaclesMessage::ConstPtr& message) {
+    receive(message, ros::Time::now().toSec());
+  };
+  std::string resolved;
+  if (!topic.empty()) {
+    subscriber_ =
+        handle.subscribe<MovingObstaclesMessage>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
+    resolved = subscriber_.getTopic();
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status_ = {};
+  status_.topic = std::move(resolved);
+}
+
+void MovingObstacleInput::receive(const MovingObstaclesMessage::ConstPtr& message, double received) {
+  std::size_t refused = 0;
+  for (const MovingObstacleMessage& one : message->obstacles) {
+    const char* fault = fault_of(one);
+    if (fault == nullptr) continue;
+    ++refused;
+    ROS_WARN_THROTTLE(2.0, "moving obstacle %u does not count: %s; check what publishes it", one.id, fault);
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  newest_ = message;
+  received_ = received;
+  ++status_.messages;
+  status_.refused += refused;
+}
+
+void MovingObstacleInput::forget() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  newest_.reset();
+}
+
+void MovingObstacleInput::read(double now, double timeout, const tf2::BufferCore& tf, const std::string& frame,
+                               MovingObstacles& obstacles) {
+  MovingObstaclesMessage::ConstPtr message;
+  double received = 0.0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    message = newest_;
+    received = received_;
+  }
+  obstacles.clear();
+  if (!message) return report(0, 0.0, "");
+  const ros::Time& stamp = message->header.stamp;
+  const double age = now - (stamp.isZero() ? received : stamp.toSec());
+  if (age > timeout) {
+    return report(0, age,
+                  format("the newest message is %.2f s old (moving_obstacle_timeout %.2f s): nothing that "
+                         "moves counts; check what publishes it",
+                         age, timeout));
+  }
+  if (age < -kAhead) return report(0, age, "the newest message is from the future: synchronise the clocks");
+  if (message->obstacles.size() > kMost) {
+    return report(0, age, "a message has more than 256 obstacles: nothing that moves counts; check what publishes it");
+  }
+  Pose2 origin;
+  const std::string from = plain_frame(message->header.frame_id);
+  if (from != plain_frame(frame)) {
+    std::string fault = find_frame(tf, plain_frame(frame), from, stamp, timeout, origin);
+    if (!fault.empty()) return report(0, age, std::move(fault));
+  }
+  for (const MovingObstacleMessage& one : message->obstacles) {
+    if (fault_of(one) == nullptr) convert(one, origin, std::max(0.0, age), obstacles.emplace_back());
+  }
+  const bool all = obstacles.size() == message->obstacles.size();
+  report(obstacles.size(), age, all ? "" : "some obstacles of the newest message cannot be used: see the log");
+}
+
+void MovingObstacleInput::report(std::size_t count, double age, std::string fault) {
+  if (!fault.empty()) ROS_WARN_THROTTLE(2.0, "moving obstacles: %s", fault.c_str());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status_.count = count;
+  status_.age = age;
+  status_.fault.swap(fault);
+}
+
+MovingObstacleInput::Status MovingObstacleInput::status() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return status_;
+}
+
+}  // namespace hidwa_local_planner

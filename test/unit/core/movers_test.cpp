@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What moves: where it may be, whether the robot rests before it can touch it, and cells that it explains.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/motion/brake_manoeuvre.hpp"
+#include "core/movers/explained_cells.hpp"
+#include "core/movers/leaving.hpp"
+#include "core/movers/mover_check.hpp"
+#include "core/movers/reachable_set.hpp"
+#include "core/search/search_task.hpp"
+#include "support/naive_inflation.hpp"
+#include "support/planner_bench.hpp"
+#include "support/random.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::PlannerBench;
+using test::Random;
+using test::rejections_by;
+using test::Scene;
+
+MovingObstacle mover_at(double x, double y, double vx = 0.0, double vy = 0.0) {
+  MovingObstacle mover;
+  mover.id = 7;
+  mover.position = {x, y};
+  mover.velocity = {vx, vy};
+  mover.radius = 0.3;
+  return mover;
+}
+
+TEST(ReachableSets, AreWhatAccelerationAndSpeedAllow) {
+  Parameters p;
+  p.moving_obstacle_acc = 1.5;
+  p.moving_obstacle_speed = 1.8;
+  MovingObstacle mover = mover_at(1.0, 2.0, 0.5, 0.0);
+  mover.position_deviation = 0.02;
+  mover.velocity_deviation = 0.1;
+  mover.age = 0.1;
+  const ReachableSet set(mover, p);
+  // tau = 0.3 + 0.1 s
+  EXPECT_NEAR(set.centre(0.3).x(), 1.0 + 0.5 * 0.4, 1e-12);
+  EXPECT_NEAR(set.radius(0.3), 0.3 + 3 * 0.02 + 3 * 0.1 * 0.4 + 0.5 * 1.5 * 0.4 * 0.4, 1e-12);
+  EXPECT_NEAR(set.speed_radius(0.3), 0.3 + 3 * 0.02 + 1.8 * 0.4, 1e-12);
+  mover.velocity = {3.0, 0.0};  // faster than the parameter says: 3.0 + 3 * 0.1
+  EXPECT_NEAR(ReachableSet(mover, p).fastest(), 3.3, 1e-12);
+}
+
+// The distance to the outline by points a millimetre apart along it, negative where most rays hit an odd number of
+// sides; see Footprint::distance_to().
+TEST(FootprintDistance, IsThatOfPointsAlongTheOutline) {
+  const std::vector<Polygon> outlines{{{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}},
+                                      {{0.4, 0.0}, {0.0, 0.1}, {-0.3, 0.3}, {-0.1, 0.0}, {-0.3, -0.3}, {0.0, -0.1}}};
+  Random random(3);
+  for (const Polygon& outline : outlines) {
+    const Footprint footprint(outline);
+    for (int k = 0; k < 300; ++k) {
+      const Point p(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6));
+      double least = 1e9, turned = 0.0;
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Point a = outline[i], b = outline[(i + 1) % outline.size()];
+        for (int part = 0; part <= 1000; ++part) least = std::min(least, (a + (b - a) * (part / 1000.0) - p).norm());
+        turned += std::atan2((a - p).x() * (b - p).y() - (a - p).y() * (b - p).x(), (a - p).dot(b - p));
+      }
+      const bool inside = std::abs(turned) > M_PI;  // the outline goes once around the point, or not at all
+      EXPECT_NEAR(footprint.distance_to(p), inside ? -least : least, 1e-3);
+    }
+  }
+  EXPECT_NEAR(Footprint({}, 0.25).distance_to({0.3, 0.4}), 0.25, 1e-12);  // 0.5 - 0.25
+}
+
+// One command's manoeuvre in steps of half a millisecond, every mover at every step, both discs at once.
+struct SlowTwin {
+  const VelocityLimits& limits;
+  const Footprint& footprint;
+  const MoverCheck::Start& start;
+
+  /// The least of the larger gap to the two discs [m], over the time until rest.
+  double least_gap(const Twist2& command, const std::vector<ReachableSet>& sets) const {
+    const TurnedPose begin{start.origin, {std::cos(start.origin.theta), std::sin(start.origin.theta)}};
+    ManoeuvreRoller roller(limits, footprint.circumscribed_radius(), 1.0, begin, 0.0005);
+    const BrakeManoeuvre manoeuvre{start.origin, (*start.pending)[0], command, start.period, 0.0};
+    double least = 1e9;
+    roller.roll(manoeuvre, [&](const TurnedPose& at) {
+      for (const ReachableSet& set : sets) {
+        const auto gap = [&](const Point& centre, double radius) {
+          const double dx = centre.x() - at.pose.x, dy = centre.y() - at.pose.y;
+          const double c = std::cos(at.pose.theta), s = std::sin(at.pose.theta);
+          return footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) - radius;
+        };
+        const double t = roller.time();
+        least = std::min(least, std::max(gap(set.centre(t), set.radius(t)), gap(set.position(), set.speed_radius(t))));
+      }
+      return true;
+    });
+    return least;
+  }
+};
+
+// What the twin says is touched is rejected; what it says stays farther away than every allowance is not.
+TEST(MoverChecks, AgreeWithASlowTwin) {
+  Random random(11);
+  int touched = 0, free = 0;
+  const Footprint body({{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}});
+  for (int k = 0; k < 1500; ++k) {
+    Parameters p;
+    p.min_vel_x = -0.3;
+    const VelocityLimits limits = VelocityLimits::from(p);
+    const Twist2 now{random.uniform(0.0, 0.5), random.uniform(-1.0, 1.0)};
+    const PendingMotionSet pending{PendingMotion(now, random.chance(0.5) ? 0.1 : 0.0)};
+    MoverCheck::Start start;
+    start.pose = start.origin = {0.0, 0.0, random.uniform(-3.0, 3.0)};
+    start.reference = now;
+    start.pending = &pending;
+    MovingObstacles movers;
+    std::vector<ReachableSet> sets;
+    for (int i = 0; i < 3; ++i) {
+      const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.65, 1.6);
+      movers.push_back(mover_at(away * std::cos(angle), away * std::sin(angle), random.uniform(-1.5, 1.5),
+                                random.uniform(-1.5, 1.5)));
+      movers.back().id = static_cast<std::uint32_t>(i);
+      movers.back().position_deviation = 0.02;
+      movers.back().velocity_deviation = 0.05;
+      movers.back().age = random.uniform(0.0, 0.1);
+      sets.emplace_back(movers.back(), p);
+    }
+    MoverCheck check;
+    check.prepare(p, limits, body, movers, start);
+    const Twist2 command = limits.step(now, {random.uniform(-0.3, 0.5), random.uniform(-1.0, 1.0)}, start.period);
+    const double gap = SlowTwin{limits, body, start}.least_gap(command, sets);
+    const bool passes = check.none_near() || check.confirm(command);
+    if (gap <= 0.0) {
+      EXPECT_FALSE(passes) << k;
+      ++touched;
+    }
+    // Half a short step at 1.8 + 0.9 m/s, and a drift of some millimetres, all twice: the discs are taken apart.
+    if (gap > 0.08) {
+      EXPECT_TRUE(passes) << k;
+      ++free;
+    }
+  }
+  EXPECT_GT(touched, 200);
+  EXPECT_GT(free, 200);
+}
+
+Scene among(const MovingObstacles& movers, double speed) {
+  Scene scene = Scene::empty(121);
+  scene.situation.velocity = scene.situation.last_command = {speed, 0.0};
+  scene.situation.moving_obstacles = movers;
+  return scene;
+}
+
+TEST(AmongMovers, WhatMayBeTouchedIsRefusedByName) {
+  // 0.8 m ahead comes somebody at 1.5 m/s: 0.3 m of gap to the robot's front.
+  Scene scene = among({mover_at(0.8, 0.0, -1.5)}, 0.4);
+  scene.steer({0.5, 0.0});
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_GT(rejections_by(decision, "Moving obstacle"), 0U);
+  EXPECT_EQ(decision.operator_rejected_by, "Moving obstacle");
+  EXPECT_LT(decision.command.v, 0.4);
+}
+
+TEST(AmongMovers, FarAwayTheyRefuseNothing) {
+  Scene scene = among({mover_at(2.5, 0.0, -0.5)}, 0.4);
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(rejections_by(decision, "Moving obstacle"), 0U);
+  EXPECT_EQ(decision.outcome, Outcome::drive);
+}
+
+TEST(AmongMovers, HorizonAsksNothingOfThem) {
+  Scene scene = among({mover_at(0.8, 0.0, -1.5)}, 0.4);
+  scene.parameters.admissibility = Admissibility::horizon;
+  PlannerBench bench(scene);
+  EXPECT_EQ(rejections_by(bench.cycle(), "Moving obstacle"), 0U);
+}
+
+TEST(AmongMovers, NonsenseIsAFaultAndTheRobotBrakes) {
+  Scene scene = among({mover_at(std::nan(""), 0.0)}, 0.4);
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(decision.outcome, Outcome::brake);
+  EXPECT_NE(decision.problem.find("moving obstacle"), std::string::npos) << decision.problem;
+}
+
+TEST(AmongMovers, ARobotAtRestLeavesWhoStandsAtItAndNeverDrivesTowardsHim) {
+  // The disc begins 0.01 m before the robot's front: 0.51 - 0.3 - 0.2.
+  Scene scene = among({mover_at(0.51, 0.0)}, 0.0);
+  scene.parameters.min_vel_x = -0.3;
+  scene.steer({0.5, 0.0});
+  PlannerBench forward(scene);
+  for (int k = 0; k < 20; ++k) EXPECT_LE(forward.drive().command.v, 0.0);
+  scene.steer({-0.3, 0.0});
+  scene.parameters.linear = LinearPolicy::axis;
+  PlannerBench back(scene);
+  for (int k = 0; k < 20; ++k) back.drive();
+  EXPECT_LT(back.scene().situation.pose.x, -0.1);
+}
+
+// A robot that drives when somebody comes so near must come to rest first.
+TEST(AmongMovers, WhoComesAtARobotThatDrivesIsNotLeft) {
+  Leaving leaving;
+  leaving.begin();
+  EXPECT_FALSE(leaving.admit(1, false));
+  leaving.begin();
+  EXPECT_TRUE(leaving.admit(1, true));
+  leaving.begin();
+  EXPECT_TRUE(leaving.admit(1, false));  // it has been so near since the robot stood
+  leaving.begin();                       // and now it is not
+  leaving.begin();
+  EXPECT_FALSE(leaving.admit(1, false));
+}
+
+TEST(AmongMovers, WhatIsLeftIsSavedAndLoaded) {
+  Scene scene = among({mover_at(0.51, 0.0)}, 0.0);
+  scene.parameters.min_vel_x = -0.3;
+  scene.parameters.linear = LinearPolicy::axis;
+  scene.steer({-0.3, 0.0});
+  PlannerBench one(scene), other(scene);
+  one.drive();
+  Bytes state;
+  one.planner().save(state);
+  ASSERT_TRUE(other.planner().load(state));
+  other.scene().situation = one.scene().situation;
+  const Twist2 expected = one.cycle().command;
+  EXPECT_LT(expected.v, 0.0);
+  EXPECT_TRUE(other.cycle().command == expected);
+  PlannerBench fresh(scene);
+  fresh.scene().situation = one.scene().situation;
+  EXPECT_FALSE(fresh.cycle().command == expected);  // without it, the robot brakes
+}
+
+TEST(AmongMovers, TheSearchTakesThemWhereTheyAreNow) {
+  const Scene scene = Scene::empty(81);
+  SearchTask task;
+  const VelocityLimits limits = VelocityLimits::from(scene.parameters);
+  make_search_task({}, scene.situation.plan, scene.grid(), Footprint(scene.outline), scene.parameters, limits, task);
+  MovingObstacle mover = mover_at(1.0, 0.5, 1.0, 0.0);
+  mover.age = 0.2;  // now at 1.2
+  add_movers({mover}, task);
+  const GridView grid = task.grid();
+  EXPECT_EQ(grid.at(grid.cell_at(1.45, 0.5)), cost::kLethal);
+  EXPECT_EQ(grid.at(grid.cell_at(0.8, 0.5)), cost::kFree);
+  std::fill(task.costs.begin(), task.costs.end(), cost::kFree);
+  add_movers({mover_at(0.3, 0.0)}, task);  // stands in the robot, whose front is at 0.2
+  EXPECT_EQ(grid.at(grid.cell_at(0.15, 0.0)), cost::kFree);
+  EXPECT_EQ(grid.at(grid.cell_at(0.45, 0.0)), cost::kLethal);
+}
+
+// A map with a person in it, whose points leave: the same as a map in which the person never was.
+TEST(ExplainedCell, LeavesTheMapAsIfNobodyHadBeenThere) {
+  Random random(5);
+  for (int k = 0; k < 40; ++k) {
+    Scene empty = Scene::empty(101);
+    for (int wall = 0; wall < 6; ++wall) {
+      const double x = random.uniform(-2.3, 2.3), y = random.uniform(-2.3, 2.3);
+      if (std::hypot(x, y) < 0.75) continue;  // its cells are not the person's
+      empty.fill(x - 0.1, y - 0.1, x + 0.1, y + 0.1);
+    }
+    Scene peopled = empty;
+    MovingObstacle mover = mover_at(0.013, 0.021);
+    for (int i = 0; i < 12; ++i) {
+      const double angle = 2.0 * M_PI * i / 12.0;
+      mover.points.emplace_back(0.013 + 0.25 * std::cos(angle), 0.021 + 0.25 * std::sin(angle));
+      peopled.at(peopled.grid().cell_at(mover.points.back().x(), mover.points.back().y())) = cost::kLethal;
+    }
+    test::inflate(empty, 0.2, 0.55, 4.0);
+    test::inflate(peopled, 0.2, 0.55, 4.0);
+    ExplainedCells cells;
+    const GridView seen = cells.without(peopled.grid(), {mover});
+    EXPECT_EQ(cells.count(), 12U);
+    int different = 0;
+    for (std::size_t c = 0; c < empty.costs.size(); ++c) different += seen.costs[c] != empty.costs[c];
+    EXPECT_EQ(different, 0) << k;
+  }
+}
+
+TEST(ExplainedCell, PointsBeyondTheDiscExplainNothing) {
+  Scene scene = Scene::empty(101);
+  scene.fill(1.0, -0.3, 1.1, 0.3);
+  MovingObstacle mover = mover_at(0.0, 0.0);
+  mover.points.emplace_back(1.05, 0.0);
+  ExplainedCells cells;
+  EXPECT_EQ(cells.without(scene.grid(), {mover}).costs, scene.costs.data());  // no copy
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner

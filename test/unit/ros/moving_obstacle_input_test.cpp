@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <boost/make_shared.hpp>
+
+namespace hidwa_local_planner {
+namespace {
+
+MovingObstacleMessage obstacle(double x, double y, double vx, double vy) {
+  MovingObstacleMessage one;
+  one.id = 3;
+  one.position.x = x;
+  one.position.y = y;
+  one.velocity.x = vx;
+  one.velocity.y = vy;
+  one.radius = 0.3;
+  return one;
+}
+
+MovingObstaclesMessage::Ptr message(const std::string& frame, double stamp) {
+  auto made = boost::make_shared<MovingObstaclesMessage>();
+  made->header.frame_id = frame;
+  made->header.stamp.fromSec(stamp);
+  return made;
+}
+
+class MovingObstacleInputs : public ::testing::Test {
+ protected:
+  void SetUp() override { ros::Time::init(); }
+  // The laser lies at (1, 2) in odom and looks along odom's y axis.
+  void place_laser(double stamp) {
+    geometry_msgs::TransformStamped transform;
+    transform.header.frame_id = "odom";
+    transform.header.stamp.fromSec(stamp);
+    transform.child_frame_id = "laser";
+    transform.transform.translation.x = 1.0;
+    transform.transform.translation.y = 2.0;
+    transform.transform.rotation.z = transform.transform.rotation.w = std::sqrt(0.5);
+    tf_.setTransform(transform, "test");
+  }
+  const MovingObstacles& read(double now) {
+    input_.read(now, 0.5, tf_, "odom", obstacles_);
+    return obstacles_;
+  }
+  tf2::BufferCore tf_;
+  MovingObstacleInput input_;
+  MovingObstacles obstacles_;
+};
+
+TEST_F(MovingObstacleInputs, NothingYetIsNoFault) {
+  EXPECT_TRUE(read(10.0).empty());
+  EXPECT_EQ(input_.status().fault, "");
+}
+
+TEST_F(MovingObstacleInputs, PlacesAreBroughtToTheCostmapAndVelocitiesTurned) {
+  place_laser(10.0);
+  const auto made = message("laser", 10.0);
+  made->obstacles.push_back(obstacle(3.0, 1.0, 0.5, 0.2));
+  made->obstacles.back().points.resize(1);
+  made->obstacles.back().points[0].x = 3.0F;
+  input_.receive(made, 10.05);
+  ASSERT_EQ(read(10.2).size(), 1U);
+  // A quarter to the left: (x, y) becomes (-y, x), and then (1, 2) more.
+  EXPECT_NEAR(obstacles_[0].position.x(), 1.0 - 1.0, 1e-9);
+  EXPECT_NEAR(obstacles_[0].position.y(), 2.0 + 3.0, 1e-9);
+  EXPECT_NEAR(obstacles_[0].velocity.x(), -0.2, 1e-9);
+  EXPECT_NEAR(obstacles_[0].velocity.y(), 0.5, 1e-9);
+  EXPECT_NEAR(obstacles_[0].age, 10.2 - 10.0, 1e-6);
+  ASSERT_EQ(obstacles_[0].points.size(), 1U);
+  EXPECT_NEAR(obstacles_[0].points[0].y(), 2.0 + 3.0, 1e-6);
+}
+
+TEST_F(MovingObstacleInputs, WhereTfIsLateTheNewestTransformIsTaken) {
+  place_laser(9.9);
+  const auto made = message("laser", 10.0);
+  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
+  input_.receive(made, 10.0);
+  EXPECT_EQ(read(10.1).size(), 1U);
+}
+
+TEST_F(MovingObstacleInputs, WithoutATransformNothingCountsAndItSaysSo) {
+  const auto made = message("nowhere", 10.0);
+  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
+  input_.receive(made, 10.0);
+  EXPECT_TRUE(read(10.1).empty());
+  EXPECT_NE(input_.status().fault.find("nowhere"), std::string::npos) << input_.status().fault;
+}
+
+TEST_F(MovingObstacleInputs, WhatIsOldDoesNotCount) {
+  const auto made = message("odom", 10.0);
+  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
+  input_.receive(made, 10.0);
+  EXPECT_EQ(read(10.4).size(), 1U);
+  EXPECT_TRUE(read(10.6).empty());
+  EXPECT_NE(input_.status().fault.find("0.60 s old"), std::string::npos) << input_.status().fault;
+}
+
+TEST_F(MovingObstacleInputs, NonsenseIsRefusedAndTheRestCounts) {
+  const auto made = message("odom", 10.0);
+  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
+  made->obstacles.push_back(obstacle(std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0, 0.0));
+  made->obstacles.push_back(obstacle(1.0, 1.0, 0.0, 0.0));
+  made->obstacles.back().radius = -0.1;
+  made->obstacles.push_back(obstacle(1.0, 1.0, 0.0, std::numeric_limits<double>::infinity()));
+  made->obstacles.push_back(obstacle(1.0, 1.0, 0.0, 0.0));
+  made->obstacles.back().velocity_deviation = std::numeric_limits<double>::quiet_NaN();
+  input_.receive(made, 10.0);
+  EXPECT_EQ(read(10.1).size(), 1U);
+  EXPECT_EQ(input_.status().refused, 4U);
+  EXPECT_EQ(input_.status().count, 1U);
+  EXPECT_NE(input_.status().fault, "");
+}
+
+TEST_F(MovingObstacleInputs, TooManyAreNoList) {
+  const auto made = message("odom", 10.0);
+  made->obstacles.assign(MovingObstacleInput::kMost + 1, obstacle(3.0, 1.0, 0.0, 0.0));
+  input_.receive(made, 10.0);
+  EXPECT_TRUE(read(10.1).empty());
+  EXPECT_NE(input_.status().fault, "");
+}
+
+TEST_F(MovingObstacleInputs, AnEmptyMessageSaysThatNothingMoves) {
+  auto made = message("odom", 10.0);
+  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
+  input_.receive(made, 10.0);
+  EXPECT_EQ(read(10.1).size(), 1U);
+  input_.receive(message("odom", 10.1), 10.1);
+  EXPECT_TRUE(read(10.2).empty());
+  EXPECT_EQ(input_.status().fault, "");
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
