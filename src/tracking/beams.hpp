@@ -24,7 +24,7 @@ struct Beam {
   PlaceKind kind = PlaceKind::unknown;  // of where it ends, before this scan
   std::int32_t track = -1;              // index of the track that it was taken for
 
-  Point end() const { return origin + length * direction; }
+  Point tip() const { return origin + length * direction; }
 };
 
 /// A scan as beams in the fixed frame.

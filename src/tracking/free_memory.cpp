@@ -96,7 +96,7 @@ PlaceKind FreeMemory::kind(const Point& place, double distance, double time, con
 
 void FreeMemory::judge(Beams& beams, const Travel& now) const {
   for (Beam& beam : beams.all) {
-    if (beam.hit) beam.kind = kind(beam.end(), beam.length, beams.end, now);
+    if (beam.hit) beam.kind = kind(beam.tip(), beam.length, beams.end, now);
   }
 }
 
@@ -142,7 +142,7 @@ void FreeMemory::mark_edges(const Beams& beams) {
   std::size_t gap = 0;  // beams that say nothing, since `before`
   const auto connect = [&](const Beam& beam) {
     const bool near = before != nullptr && beams.increment * static_cast<double>(gap + 1) <= kWidestGap;
-    walk(near ? before->end() : beam.end(), beam.end(), [&](std::int64_t ix, std::int64_t iy) { mark_edge(ix, iy); });
+    walk(near ? before->tip() : beam.tip(), beam.tip(), [&](std::int64_t ix, std::int64_t iy) { mark_edge(ix, iy); });
     before = &beam;
     gap = 0;
   };
@@ -166,8 +166,8 @@ void FreeMemory::mark_edges(const Beams& beams) {
 void FreeMemory::mark_hits(const Beams& beams, float gain) {
   for (const Beam& beam : beams.all) {
     if (!beam.hit || beam.track >= 0) continue;
-    const std::int64_t ix = cell_of(beam.end().x());
-    const std::int64_t iy = cell_of(beam.end().y());
+    const std::int64_t ix = cell_of(beam.tip().x());
+    const std::int64_t iy = cell_of(beam.tip().y());
     if (!inside(ix, iy)) continue;
     Cell& cell = at(ix, iy);
     if (cell.looked == scan_) continue;
@@ -179,7 +179,7 @@ void FreeMemory::mark_hits(const Beams& beams, float gain) {
 void FreeMemory::mark_free(const Beams& beams, const Travel& now, float loss) {
   for (const Beam& beam : beams.all) {
     if (beam.length <= 0.0) continue;
-    walk(beam.origin, beam.end(), [&](std::int64_t ix, std::int64_t iy) {
+    walk(beam.origin, beam.tip(), [&](std::int64_t ix, std::int64_t iy) {
       if (!inside(ix, iy)) return;
       Cell& cell = at(ix, iy);
       if (cell.edge == scan_ || cell.looked == scan_) return;

@@ -9,13 +9,14 @@ namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
-constexpr double kUpright = 0.95;      // cosine of how far a laser may be tilted: 18 degrees
-constexpr double kShownFor = 0.5;      // [s]
-constexpr double kDiscHeight = 0.05;   // [m]
-constexpr double kArrowHeight = 0.1;   // above the floor [m]
-constexpr double kTextHeight = 0.6;    // above the floor [m]
+constexpr double kUpright = 0.95;     // cosine of how far a laser may be tilted: 18 degrees
+constexpr double kShownFor = 0.5;     // [s]
+constexpr double kDiscHeight = 0.05;  // [m]
+constexpr double kArrowHeight = 0.1;  // above the floor [m]
+constexpr double kTextHeight = 0.6;   // above the floor [m]
 
-visualization_msgs::Marker marker_of(const MovingObstacles& message, const MovingObstacle& obstacle, const char* group, int type) {
+visualization_msgs::Marker marker_of(const MovingObstacles& message, const MovingObstacle& obstacle, const char* group,
+                                     int type) {
   visualization_msgs::Marker m;
   m.header = message.header;
   m.ns = group;
@@ -98,7 +99,8 @@ void to_range_scan(const sensor_msgs::LaserScan& message, Mounting mounting, Ran
   scan.ranges.assign(message.ranges.begin(), message.ranges.end());
 }
 
-MovingObstacles to_message(const std::vector<ToldObstacle>& obstacles, const std::string& frame, const ros::Time& stamp) {
+MovingObstacles to_message(const std::vector<ToldObstacle>& obstacles, const std::string& frame,
+                           const ros::Time& stamp) {
   MovingObstacles message;
   message.header.frame_id = frame;
   message.header.stamp = stamp;

@@ -27,9 +27,11 @@ Pose2 to_sensor_pose(const geometry_msgs::Transform& sensor);
 /// The scan without its poses. One that is mounted upside down is mirrored.
 void to_range_scan(const sensor_msgs::LaserScan& message, Mounting mounting, RangeScan& scan);
 
-MovingObstacles to_message(const std::vector<ToldObstacle>& obstacles, const std::string& frame, const ros::Time& stamp);
+MovingObstacles to_message(const std::vector<ToldObstacle>& obstacles, const std::string& frame,
+                           const ros::Time& stamp);
 
-/// For rviz: a disc, an arrow as long as one second of its way, and the id and speed of each. They vanish by themselves.
+/// For rviz: a disc, an arrow as long as one second of its way, and the id and speed of each. They vanish by
+/// themselves.
 visualization_msgs::MarkerArray to_markers(const MovingObstacles& message);
 
 }  // namespace tracking

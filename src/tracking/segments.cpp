@@ -21,7 +21,7 @@ bool same_surface(const Beams& beams, std::size_t a, std::size_t b, std::size_t 
   const Beam& other = beams.all[b];
   const double spacing = std::min(one.length, other.length) * beams.increment * static_cast<double>(steps);
   const double limit = std::min(kStep + 3.0 * noise + kStepsPerSpacing * spacing, kWidestStep + 3.0 * noise);
-  return (one.end() - other.end()).norm() <= limit;
+  return (one.tip() - other.tip()).norm() <= limit;
 }
 
 // True where the beam beside a segment's end beam does not show the end of the body itself.
@@ -90,8 +90,8 @@ class SegmentFinder {
     silent_ = 0;
     if (!open_) return;
     open_ = false;
-    current_.chord_begin = beams_.all[current_.first].end();
-    current_.chord_end = beams_.all[current_.last].end();
+    current_.chord_begin = beams_.all[current_.first].tip();
+    current_.chord_end = beams_.all[current_.last].tip();
     if (current_.chord() > widest_) return;
     current_.hidden_first = hidden_beside(beams_, current_.first, false);
     current_.hidden_last = hidden_beside(beams_, current_.last, true);

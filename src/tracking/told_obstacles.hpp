@@ -11,7 +11,8 @@
 namespace hidwa_local_planner {
 namespace tracking {
 
-/// A moving obstacle as the node tells it. The messages' types bear the names of the core's, so no source can include both.
+/// A moving obstacle as the node tells it. The messages' types bear the names of the core's, so no source can include
+/// both.
 struct ToldObstacle {
   std::uint32_t id = 0;
   Point position{0.0, 0.0};         // fixed frame [m]

@@ -18,7 +18,7 @@ constexpr double kBias = 0.02;             // what is the same from scan to scan
 constexpr double kSurprised = 3.5;         // mean mismatch from which the velocity is doubted
 constexpr double kDoubtTime = 0.2;       // within which a velocity that is off by d / kDoubtTime leads astray by d [s]
 constexpr double kMostDoubt = 2.0;       // [m/s]
-constexpr double kStartled = 9.2;         // a single mismatch, of which 1 % should be larger
+constexpr double kStartled = 9.2;        // a single mismatch, of which 1 % should be larger
 constexpr double kSurpriseShare = 0.3;   // of the newest mismatch in the mean
 constexpr double kStandingRange = 0.25;  // what stays within stands [m]
 constexpr double kSignificant = 2.0;     // deviations
@@ -140,7 +140,8 @@ void correct_track(Track& track, const Sighting& sighting, const TrackerSettings
   const double off = (b.centre - track.filter.position()).norm();
   const double mismatch = track.filter.correct(b.centre, b.deviation);
   track.surprise += kSurpriseShare * (std::min(mismatch, 20.0) - track.surprise);
-  if (track.surprise > kSurprised || mismatch > kStartled) track.filter.doubt_velocity(std::min(off / kDoubtTime, kMostDoubt));
+  if (track.surprise > kSurprised || mismatch > kStartled)
+    track.filter.doubt_velocity(std::min(off / kDoubtTime, kMostDoubt));
   if (b.radius_seen && !sighting.legs) {
     track.radii = std::min(track.radii + 1, 10);
     track.radius += (b.radius - track.radius) / track.radii;

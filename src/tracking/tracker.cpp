@@ -157,7 +157,7 @@ class Tracker::Impl {
     for (int k = 0; k < track.segment_count; ++k) {
       tracking::for_points(beams_, segments_[track.segments[static_cast<std::size_t>(k)]], [&](std::size_t i) {
         const bool taken = points <= most || passed * most / points != (passed + 1) * most / points;
-        if (taken) track.first_points[static_cast<std::size_t>(track.first_count++)] = beams_.all[i].end();
+        if (taken) track.first_points[static_cast<std::size_t>(track.first_count++)] = beams_.all[i].tip();
         ++passed;
       });
     }
@@ -226,7 +226,7 @@ class Tracker::Impl {
       points.clear();
       for (const Beam& beam : beams_.all) {
         if (beam.track == static_cast<std::int32_t>(i) && beam.kind == PlaceKind::was_free)
-          points.push_back(beam.end());
+          points.push_back(beam.tip());
       }
       o.points = std::move(points);
     }

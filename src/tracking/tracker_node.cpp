@@ -150,10 +150,12 @@ class TrackerNode {
     using Status = diagnostic_msgs::DiagnosticStatus;
     status.summary(Status::OK, "tracking");
     if (counts_.scans == reported_.scans) {
-      status.mergeSummary(Status::WARN, "no scan on " + scans_.getTopic() + ": check the laser, and scan_topic in the launch file");
+      status.mergeSummary(Status::WARN,
+                          "no scan on " + scans_.getTopic() + ": check the laser, and scan_topic in the launch file");
     }
     if (counts_.late > reported_.late) {
-      status.mergeSummary(Status::WARN, "scans are used late: lighten the machine's load, synchronise its clock with the laser's");
+      status.mergeSummary(Status::WARN,
+                          "scans are used late: lighten the machine's load, synchronise its clock with the laser's");
     }
     if (counts_.refused > reported_.refused) status.mergeSummary(Status::ERROR, "scans are refused: " + scan_fault_);
     if (counts_.without_transform > reported_.without_transform) status.mergeSummary(Status::ERROR, transform_fault_);
@@ -197,7 +199,8 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "hidwa_tracker");
   const ros::NodeHandle private_node("~");  // outlives the error below: the log ends with the last handle
   try {
-    hidwa_local_planner::tracking::TrackerNode node(hidwa_local_planner::tracking::read_node_parameters(private_node), private_node);
+    hidwa_local_planner::tracking::TrackerNode node(hidwa_local_planner::tracking::read_node_parameters(private_node),
+                                                    private_node);
     ros::spin();
   } catch (const std::exception& e) {
     ROS_FATAL("%s", e.what());

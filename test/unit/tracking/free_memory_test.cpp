@@ -16,18 +16,19 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   return (p - a - share * d).norm();
 }
 
-// The slow twin: the polygon of all ends, closed by the sensor; a place's distance from it, and whether it is inside (the
-// crossings of a ray to the right).
+// The slow twin: the polygon of all ends, closed by the sensor; a place's distance from it, and whether it is inside
+// (the crossings of a ray to the right).
 struct SeenPolygon {
   std::vector<Point> corners;
 
   explicit SeenPolygon(const Beams& beams) {
     corners.push_back(beams.centre);
-    for (const Beam& beam : beams.all) corners.push_back(beam.end());
+    for (const Beam& beam : beams.all) corners.push_back(beam.tip());
   }
   double distance(const Point& p) const {  // to what was seen; the sides at the sensor are no edge
     double nearest = 1e9;
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) nearest = std::min(nearest, distance_to_segment(p, corners[i], corners[i + 1]));
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      nearest = std::min(nearest, distance_to_segment(p, corners[i], corners[i + 1]));
     return nearest;
   }
   bool holds(const Point& p) const {
@@ -35,7 +36,8 @@ struct SeenPolygon {
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
       const Point& a = corners[i];
       const Point& b = corners[j];
-      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) in = !in;
+      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+        in = !in;
     }
     return in;
   }

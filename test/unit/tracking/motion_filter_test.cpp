@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "support/scan_world.hpp"
 
@@ -33,13 +33,13 @@ std::vector<Reading> readings_of(Random& random, const Point& start, const Point
   return readings;
 }
 
-// Without disturbance the filter is a weighted straight-line fit with the prior as one more reading of each: all at once,
-// by the normal equations.
+// Without disturbance the filter is a weighted straight-line fit with the prior as one more reading of each: all at
+// once, by the normal equations.
 TEST(MotionFilter, IsTheLeastSquaresFitOfAStraightLine) {
   Random random(1);
   for (int trial = 0; trial < 50; ++trial) {
-    const std::vector<Reading> readings =
-        readings_of(random, {random.uniform(-5, 5), random.uniform(-5, 5)}, {random.uniform(-2, 2), random.uniform(-2, 2)}, 12);
+    const std::vector<Reading> readings = readings_of(random, {random.uniform(-5, 5), random.uniform(-5, 5)},
+                                                      {random.uniform(-2, 2), random.uniform(-2, 2)}, 12);
     const Point prior(1.0, 2.0);
     MotionFilter filter(prior, 0.5, 1.5, 3.0);
     for (const Reading& r : readings) {
@@ -65,7 +65,8 @@ TEST(MotionFilter, IsTheLeastSquaresFitOfAStraightLine) {
   }
 }
 
-// A body that truly follows the model: mismatches and errors have the mean of chi-squared with two degrees of freedom, 2.
+// A body that truly follows the model: mismatches and errors have the mean of chi-squared with two degrees of
+// freedom, 2.
 TEST(MotionFilter, DeviationsAreThoseOfTheErrors) {
   Random random(2);
   const double density = 0.2, dt = 0.05, deviation = 0.03;

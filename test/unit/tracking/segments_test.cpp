@@ -31,8 +31,8 @@ Beams turn_from(int first, std::uint64_t seed) {
 std::vector<std::tuple<int, int, std::size_t>> sorted(const std::vector<Segment>& segments) {
   std::vector<std::tuple<int, int, std::size_t>> out;  // where it begins [mm], how many points
   for (const Segment& s : segments) {
-    out.emplace_back(static_cast<int>(std::lround(1e3 * s.chord_begin.x())), static_cast<int>(std::lround(1e3 * s.chord_begin.y())),
-                     s.points);
+    out.emplace_back(static_cast<int>(std::lround(1e3 * s.chord_begin.x())),
+                     static_cast<int>(std::lround(1e3 * s.chord_begin.y())), s.points);
   }
   std::sort(out.begin(), out.end());
   return out;
@@ -61,10 +61,10 @@ TEST(Segments, AreRunsOfNeighboursThatAreNear) {
     for_points(beams, s, [&](std::size_t) { ++points; });
     EXPECT_EQ(points, s.points);
     for (std::size_t i = s.first; i != s.last; i = (i + 1) % 360) {
-      EXPECT_LT((beams.all[i].end() - beams.all[(i + 1) % 360].end()).norm(), 0.35);
+      EXPECT_LT((beams.all[i].tip() - beams.all[(i + 1) % 360].tip()).norm(), 0.35);
     }
     const std::size_t after = (s.last + 1) % 360;
-    EXPECT_GT((beams.all[s.last].end() - beams.all[after].end()).norm(), 0.12);
+    EXPECT_GT((beams.all[s.last].tip() - beams.all[after].tip()).norm(), 0.12);
   }
 }
 

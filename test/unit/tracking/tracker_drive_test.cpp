@@ -11,12 +11,13 @@ namespace hidwa_local_planner::test {
 namespace {
 
 void show(const char* name, const TrackerScore& s) {
-  std::printf("%s: %d sights, %.1f %% followed; found after %.2f s (median), %.2f s (90 %%), %zu times; velocity %.3f m/s rms, "
-              "95 %% of the first second and changes below %.2f; place %.3f m rms; squared errors over variances %.2f, %.2f; "
-              "false tracks %zu, false points %d\n",
-              name, s.visible, 100.0 * s.followed / std::max(1, s.visible), share_below(s.delays, 0.5), share_below(s.delays, 0.9),
-              s.delays.size(), rms(s.steady), share_below(s.early, 0.95), rms(s.places), mean(s.place_ratios),
-              mean(s.speed_ratios), s.false_ids.size(), s.false_points);
+  std::printf(
+      "%s: %d sights, %.1f %% followed; found after %.2f s (median), %.2f s (90 %%), %zu times; velocity %.3f m/s rms, "
+      "95 %% of the first second and changes below %.2f; place %.3f m rms; squared errors over variances %.2f, %.2f; "
+      "false tracks %zu, false points %d\n",
+      name, s.visible, 100.0 * s.followed / std::max(1, s.visible), share_below(s.delays, 0.5),
+      share_below(s.delays, 0.9), s.delays.size(), rms(s.steady), share_below(s.early, 0.95), rms(s.places),
+      mean(s.place_ratios), mean(s.speed_ratios), s.false_ids.size(), s.false_points);
 }
 
 struct Case {
@@ -71,7 +72,8 @@ INSTANTIATE_TEST_SUITE_P(Walkers, AmongWalkers,
                                          Case{"legs, 0.03 m of noise", 0.03, true, 0.25, 1.0},
                                          Case{"cylinders at 0.9 m/s", 0.01, false, 0.5, 0.9}));
 
-// A person steps out from behind a wall into space that the robot has seen: 0.4 s after four beams meet him he is found.
+// A person steps out from behind a wall into space that the robot has seen: 0.4 s after four beams meet him he is
+// found.
 TEST(TrackerDrive, FindsWhoStepsOutWithin04s) {
   std::vector<double> delays;
   for (int trial = 0; trial < 24; ++trial) {
@@ -142,7 +144,7 @@ TEST(TrackerDrive, DeviationsHold) {
     };
     EXPECT_LT(mean(score.place_ratios), 2.5);  // 2: exact; less: careful
     EXPECT_LT(mean(score.speed_ratios), 2.5);
-    EXPECT_GT(mean(score.speed_ratios), 0.1);  // and of some use
+    EXPECT_GT(mean(score.speed_ratios), 0.1);     // and of some use
     EXPECT_LT(beyond(score.place_ratios), 0.02);  // of a normal error exp(-4.5) = 1.1 % are
     EXPECT_LT(beyond(score.speed_ratios), 0.02);
   }

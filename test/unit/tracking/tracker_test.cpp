@@ -185,8 +185,12 @@ TEST(Tracker, RefusesWhatIsNoScanAndSaysWhy) {
 TEST(Tracker, BearsBrokenRangesAndChangingScans) {
   Watch watch(crossing());
   Random random(11);
-  const float broken[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                          -std::numeric_limits<float>::infinity(), 0.0F, -1.0F, 1e30F};
+  const float broken[] = {std::numeric_limits<float>::quiet_NaN(),
+                          std::numeric_limits<float>::infinity(),
+                          -std::numeric_limits<float>::infinity(),
+                          0.0F,
+                          -1.0F,
+                          1e30F};
   for (int i = 0; i < 60; ++i) {
     watch.world.laser.beams = random.integer(1, 900);
     RangeScan scan = watch.next();
