@@ -12,10 +12,10 @@ namespace hidwa_local_planner::critics {
 namespace {
 
 // Times at which the distance is measured are about so far apart [s].
-constexpr double kLooksApart = 0.2;
+constexpr double kLooksApart = 0.25;
 
 // Candidates of a tile whose speeds are about so far apart are measured [m/s]; the others lie between them.
-constexpr double kSpeedsApart = 0.05;
+constexpr double kSpeedsApart = 0.1;
 
 // Memory is kept for so many candidates of a tile, sides of a footprint, and movers.
 constexpr std::size_t kUsualCandidates = 256;
@@ -117,11 +117,12 @@ bool SocialDistance::far_from_row(const Mover& mover, const Point& at) const {
 // How far along each side's normal, in the costmap frame, the side is from the map's origin.
 void SocialDistance::project_row(const Tile& tile, std::size_t k, const Footprint& footprint) {
   const double cosine = tile.cos_heading[k], sine = tile.sin_heading[k];
-  along_.clear();
+  along_.resize(footprint.sides().size() * knots_.size());
+  double* __restrict along = along_.data();
   for (const Footprint::Side& side : footprint.sides()) {
     const double nx = cosine * side.normal.x() - sine * side.normal.y();
     const double ny = sine * side.normal.x() + cosine * side.normal.y();
-    for (std::size_t i = 0; i < knots_.size(); ++i) along_.push_back(nx * x_[i] + ny * y_[i] + side.offset);
+    for (std::size_t i = 0; i < knots_.size(); ++i) *along++ = nx * x_[i] + ny * y_[i] + side.offset;
   }
 }
 
@@ -131,12 +132,13 @@ void SocialDistance::measure(const Tile& tile, std::size_t k, const Point& at, c
   const double cosine = tile.cos_heading[k], sine = tile.sin_heading[k];
   if (!footprint.sides().empty()) {
     std::fill(gap_.begin(), gap_.end(), -own_radius_);
-    const double* along = along_.data();
+    const double* __restrict along = along_.data();
+    double* __restrict gap = gap_.data();
     for (const Footprint::Side& side : footprint.sides()) {
       const double nx = cosine * side.normal.x() - sine * side.normal.y();
       const double ny = sine * side.normal.x() + cosine * side.normal.y();
       const double point = nx * at.x() + ny * at.y();
-      for (std::size_t i = 0; i < n; ++i) gap_[i] = std::max(gap_[i], point - along[i]);
+      for (std::size_t i = 0; i < n; ++i) gap[i] = std::max(gap[i], point - along[i]);
       along += n;
     }
     return;

@@ -24,8 +24,8 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
       feedback_(handle_, host_handle_, costmap.getGlobalFrameID(), costmap.getBaseFrameID()) {
   start_parameters();
   host_frequency_.follow(thread_.serve(ros::NodeHandle("~")));
-  diagnostics_ = std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_,
-                                               moving_obstacles_);
+  diagnostics_ =
+      std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_, moving_obstacles_);
   diagnostics_->set("", load());
   description_.give_outline(costmap_, accepted_.footprint_from_urdf);
   update_footprint();

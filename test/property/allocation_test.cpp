@@ -111,6 +111,36 @@ TEST_P(Allocations, NoneAfterTheFirstRound) {
   for (const std::uint64_t count : seldom) EXPECT_GT(count, 20U);
 }
 
+// Five movers around the robot, whose points explain cells. As many in each scene: more need more memory once.
+TEST_P(Allocations, NoneAmongMovers) {
+  Random random(17);
+  for (Scene& scene : scenes_) {
+    for (std::uint32_t id = 0; id < 5; ++id) {
+      const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.6, 2.0);
+      MovingObstacle mover;
+      mover.id = id;
+      mover.position =
+          Point(scene.situation.pose.x, scene.situation.pose.y) + away * Point(std::cos(angle), std::sin(angle));
+      mover.velocity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+      mover.radius = 0.3;
+      mover.position_deviation = 0.02;
+      for (int k = 0; k < 8; ++k) mover.points.push_back(mover.position + 0.2 * Point(std::cos(k), std::sin(k)));
+      scene.situation.moving_obstacles.push_back(mover);
+    }
+  }
+  for (int round = 0; round < 2; ++round) {  // in the second one it remembers the first
+    for (const Scene& scene : scenes_) planner_.plan(scene.situation, scene.grid(), scene.intent);
+  }
+  std::uint64_t refused = 0;
+  for (const Scene& scene : scenes_) {
+    const AllocationCounter counter;
+    const Decision& decision = planner_.plan(scene.situation, scene.grid(), scene.intent);
+    ASSERT_EQ(counter.count(), 0U) << scene.situation.time;
+    for (const RejectionCount& rejection : decision.rejections) refused += rejection.name == "Moving obstacle";
+  }
+  EXPECT_GT(refused, 20U);
+}
+
 INSTANTIATE_TEST_SUITE_P(GridsAndBodies, Allocations,
                          ::testing::Values(Case{MapGridDistance::geodesic, Body::circle},
                                            Case{MapGridDistance::geodesic, Body::polygon},

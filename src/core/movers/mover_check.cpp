@@ -74,7 +74,10 @@ double distance_to_way(const Point& point, const Point& from, const Point& way) 
 MoverCheck::MoverCheck() {
   near_.reserve(kUsualMovers);
   progress_.clear_until.reserve(kUsualMovers);
-  for (Look* look : {&coarse_, &fine_}) look->answers.resize(kAnswers);
+  for (Look* look : {&coarse_, &fine_}) {
+    look->answers.resize(kAnswers);
+    for (Lead& lead : look->leads) lead.progress.clear_until.reserve(kUsualMovers);
+  }
   coarse_.step = kLongStep;
   fine_.fine = true;
   fine_.step = kShortStep;

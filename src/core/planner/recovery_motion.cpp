@@ -146,7 +146,7 @@ void RecoveryMotion::begin_search(const Cycle& cycle, Phase phase, const Pose2& 
   }
   hopeless_.clear();
   make_search_task(start, cycle.situation.plan, cycle.grid, cycle.footprint, cycle.parameters, cycle.limits, task_);
-  add_movers(cycle.situation.moving_obstacles, task_);
+  add_movers(cycle.situation.moving_obstacles, cycle.footprint, task_);
   search_.begin(task_);
 }
 

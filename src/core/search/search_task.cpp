@@ -95,9 +95,8 @@ bool SearchTask::plausible() const {
   return robot && body.fault() == nullptr && !body.empty() && grid().contains(grid().cell_at(start.x, start.y));
 }
 
-void add_movers(const MovingObstacles& movers, SearchTask& task) {
+void add_movers(const MovingObstacles& movers, const Footprint& footprint, SearchTask& task) {
   const GridView grid = task.grid();
-  const Footprint body = task.footprint();
   const double c = std::cos(task.start.theta), s = std::sin(task.start.theta), half = 0.5 * grid.resolution;
   for (const MovingObstacle& mover : movers) {
     const Point now = mover.position + mover.age * mover.velocity;
@@ -114,7 +113,7 @@ void add_movers(const MovingObstacles& movers, SearchTask& task) {
         const Point centre = grid.centre({i, j});
         if ((centre - now).norm() > reach) continue;
         const double dx = centre.x() - task.start.x, dy = centre.y() - task.start.y;
-        if (body.distance_to({c * dx + s * dy, c * dy - s * dx}) <= grid.resolution) continue;
+        if (footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) <= grid.resolution) continue;
         task.costs[grid.index({i, j})] = cost::kLethal;
       }
     }

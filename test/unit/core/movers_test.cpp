@@ -242,12 +242,12 @@ TEST(AmongMovers, TheSearchTakesThemWhereTheyAreNow) {
   make_search_task({}, scene.situation.plan, scene.grid(), Footprint(scene.outline), scene.parameters, limits, task);
   MovingObstacle mover = mover_at(1.0, 0.5, 1.0, 0.0);
   mover.age = 0.2;  // now at 1.2
-  add_movers({mover}, task);
+  add_movers({mover}, Footprint(scene.outline), task);
   const GridView grid = task.grid();
   EXPECT_EQ(grid.at(grid.cell_at(1.45, 0.5)), cost::kLethal);
   EXPECT_EQ(grid.at(grid.cell_at(0.8, 0.5)), cost::kFree);
   std::fill(task.costs.begin(), task.costs.end(), cost::kFree);
-  add_movers({mover_at(0.3, 0.0)}, task);  // stands in the robot, whose front is at 0.2
+  add_movers({mover_at(0.3, 0.0)}, Footprint(scene.outline), task);  // stands in the robot, whose front is at 0.2
   EXPECT_EQ(grid.at(grid.cell_at(0.15, 0.0)), cost::kFree);
   EXPECT_EQ(grid.at(grid.cell_at(0.45, 0.0)), cost::kLethal);
 }

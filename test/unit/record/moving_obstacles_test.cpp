@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What moves is part of a record, where anything does.
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/record/cycle_record.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+record::CycleRecord faulty_cycle() {
+  record::CycleRecord cycle;
+  cycle.observation.fault = "no odometry";  // such a record needs no costmap
+  return cycle;
+}
+
+bool holds(const Bytes& bytes, const std::string& text) {
+  return std::search(bytes.begin(), bytes.end(), text.begin(), text.end()) != bytes.end();
+}
+
+TEST(RecordedMovers, ComeBackToTheBit) {
+  record::CycleRecord cycle = faulty_cycle();
+  MovingObstacle mover;
+  mover.id = 42;
+  mover.position = {1.0 / 3.0, -2.0};
+  mover.velocity = {0.1, 0.7};
+  mover.radius = 0.3;
+  mover.position_deviation = 0.01;
+  mover.velocity_deviation = 0.02;
+  mover.age = 0.05;
+  mover.points = {{0.5, 0.25}, {0.1, 0.2}};
+  cycle.observation.moving_obstacles = {mover};
+  Bytes bytes;
+  record::encode(cycle, bytes);
+  record::CycleRecord read;
+  EXPECT_EQ(record::decode(bytes, read), "");
+  EXPECT_TRUE(read.unknown.empty());
+  ASSERT_EQ(read.observation.moving_obstacles.size(), 1U);
+  Bytes before, after;
+  ArchiveWriter{before}(mover);
+  ArchiveWriter{after}(read.observation.moving_obstacles[0]);
+  EXPECT_EQ(before, after);
+}
+
+TEST(RecordedMovers, TakeNoRoomWhereNothingMoves) {
+  Bytes bytes;
+  record::encode(faulty_cycle(), bytes);
+  EXPECT_FALSE(holds(bytes, "moving_obstacles"));
+  record::CycleRecord read;
+  read.observation.moving_obstacles.resize(3);  // of the record read before
+  EXPECT_EQ(record::decode(bytes, read), "");
+  EXPECT_TRUE(read.observation.moving_obstacles.empty());
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
