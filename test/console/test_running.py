@@ -384,7 +384,7 @@ class Refused(unittest.IsolatedAsyncioTestCase):
                 await page.control.write_message(message, isinstance(message, bytes))
             except tornado.websocket.WebSocketClosedError:
                 break
-        await until(lambda: page.closed, 'the end of the connection')
+        await until(lambda: page.closed, f'the end of the connection after {str(messages[0])[:60]}')
         return page.closed
 
     async def test_malformed(self):
