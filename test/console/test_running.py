@@ -127,6 +127,19 @@ class Driving(OnBoard):
             self.assertEqual([j.axes[0] for j in W.heard.joy[before:]].count(0.0), 1)
             await self.drive()
 
+    async def test_who_begins_to_listen_hears_a_neutral_stick_first(self):
+        async def first():
+            listener = await asyncio.create_subprocess_exec('rostopic', 'echo', '-n1', '/joy/axes', stdout=asyncio.subprocess.PIPE)
+            return listener, asyncio.ensure_future(listener.communicate())
+        listener, said = await first()
+        self.assertEqual((await asyncio.wait_for(said, 20.0))[0].decode().split('\n')[0].count('0.0'), 8)
+        await self.drive()
+        await self.steer(0.2, 0.2)
+        listener, said = await first()
+        while not said.done():  # while somebody steers it hears what is steered
+            await self.steer(0.2, 0.1)
+        self.assertIn('0.2', (await said)[0].decode().split('\n')[0])
+
     async def test_cut_while_steering_it_is_lost(self):
         await self.drive()
         watcher = await self.page('b')
