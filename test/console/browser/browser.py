@@ -33,12 +33,16 @@ class Browser:
         self.driver = webdriver.Chrome(service=Service(shutil.which('chromedriver')), options=options)
         self.driver.set_script_timeout(30)
         self.cdp = self.driver.execute_cdp_cmd
-        self.scale, self.mobile = scale, size == PHONE
-        self.resize(*size)
-        self.cdp('Emulation.setEmulatedMedia', {'features': [{'name': 'prefers-color-scheme', 'value': 'dark' if dark else 'light'}]})
+        self.scale, self.mobile, self.size, self.dark, self.scripts = scale, size == PHONE, size, dark, scripts
+        self.prepare()
+
+    def prepare(self):
+        """Size, colours and scripts of the tab that is looked at: a new tab has none of them."""
+        self.resize(*self.size)
+        self.cdp('Emulation.setEmulatedMedia', {'features': [{'name': 'prefers-color-scheme', 'value': 'dark' if self.dark else 'light'}]})
         if self.mobile:
             self.cdp('Emulation.setTouchEmulationEnabled', {'enabled': True, 'maxTouchPoints': 5})
-        for script in scripts:
+        for script in self.scripts:
             self.cdp('Page.addScriptToEvaluateOnNewDocument', {'source': script})
 
     def resize(self, width, height):

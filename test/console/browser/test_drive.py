@@ -222,6 +222,7 @@ class Drive(DriveTest):
         page.wait(lambda: page.app('Boolean(app.holder.mine)'))
         page.driver.close()
         page.driver.switch_to.window(page.driver.window_handles[0])
+        page.prepare()
         time.sleep(0.7)
         self.assertEqual(robot.state, 'STOPPED', 'closed')
         began = time.monotonic()

@@ -121,6 +121,16 @@ class Views(PageTest):
         self.server.show(state=office.state('LOST', active=False))
         self.browser.wait(lambda: 'LOST' in self.browser.text('notice'))
 
+    def test_the_floor_in_the_cameras_picture(self):
+        # A lens 1 m above the floor that looks ahead: 2 m ahead and 0.5 m to the left is seen at
+        # u = cx - fx 0.5 / 2 = 320 - 125 = 195 and v = cy + fy 1 / 2 = 240 + 250 = 490.
+        info = '{fx: 500, fy: 500, cx: 320, cy: 240, pose: [0, 0, 1, -0.5, 0.5, -0.5, 0.5]}'
+        seen = self.browser.app("import('/views/onboard_picture.js')"
+                                '.then(({project}) => [project(%s, 2, 0.5), project(%s, -1, 0)])' % (info, info))
+        self.assertAlmostEqual(seen[0][0], 195, places=6)
+        self.assertAlmostEqual(seen[0][1], 490, places=6)
+        self.assertIsNone(seen[1], 'behind the lens')
+
     def test_candidates_come_on_demand(self):
         self.assertFalse(self.server.wants)
         self.browser.click('candidates')
