@@ -5,7 +5,7 @@ from geometry_msgs.msg import PoseStamped
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool, String
 
-from .steering import Hand
+from .steering import NEUTRAL, Hand, is_neutral
 
 AXES, BUTTONS = 8, 11   # those of a common gamepad; more where a parameter names a higher index
 AXIS_INDEX = {'x': 0, 'y': 1, 'z': 2}
@@ -47,12 +47,26 @@ def position_of(hand, p):
     return place
 
 
+class NeutralFirst(rospy.SubscribeListener):
+    """A planner that starts asks for a neutral stick before anything else: it gets one as soon as it listens, unless somebody steers.
+    `neutral()` gives that message, or None."""
+
+    def __init__(self, neutral):
+        super().__init__()
+        self._neutral = neutral
+
+    def peer_subscribe(self, topic_name, topic_publish, peer_publish):
+        message = self._neutral()
+        if message:
+            peer_publish(message)
+
+
 class Device:
     """The console as a device. `parameters()`: the planner's in force; `names`: robot.Names."""
 
     def __init__(self, names, parameters):
         self._parameters, self._publishers = parameters, {}
-        self._joy, self._hand = None, None
+        self._joy, self._hand, self._last = None, None, NEUTRAL
         self._stop = self._publisher(names.of_planner('stop'), Bool)
         self._take_control = self._publisher(names.of_planner('take_control'), Bool)
         self._set_mode = self._publisher(names.of_planner('set_mode'), String)
@@ -67,7 +81,8 @@ class Device:
     def _publisher(self, topic, kind):
         topic = rospy.resolve_name(topic)
         if topic not in self._publishers:
-            self._publishers[topic] = rospy.Publisher(topic, kind, queue_size=10, tcp_nodelay=True)
+            first = NeutralFirst(self._neutral) if kind is Joy else None
+            self._publishers[topic] = rospy.Publisher(topic, kind, first, queue_size=10, tcp_nodelay=True)
         return self._publishers[topic]
 
     def steer(self, command):
@@ -79,10 +94,18 @@ class Device:
             pose.header.stamp, pose.header.frame_id, pose.pose.orientation.w = now, FRAME, 1.0
             pose.pose.position.x, pose.pose.position.y, pose.pose.position.z = position_of(command, p)
             self._hand.publish(pose)
+        self._last = command
+        self._joy.publish(self._message(command, p, now))
+
+    def _neutral(self):
+        return self._message(NEUTRAL, self._parameters(), rospy.Time.now()) if is_neutral(self._last) else None
+
+    @staticmethod
+    def _message(command, p, now):
         joy = Joy()
         joy.header.stamp, joy.header.frame_id = now, FRAME
         joy.axes, joy.buttons = joy_of(command, p)
-        self._joy.publish(joy)
+        return joy
 
     def stop(self, on):
         """The topic stop."""

@@ -2,6 +2,7 @@
 """A page without a browser: a client of the console's sockets that reads docs/console_protocol.md the slow way, and shares no code
 with the server."""
 import asyncio
+import contextlib
 import json
 import struct
 import time
@@ -9,7 +10,7 @@ import time
 import tornado.httpclient
 import tornado.websocket
 
-PATIENCE = 10.0  # [s], for anything that is waited for
+PATIENCE = 30.0  # [s], for anything that is waited for
 
 
 class Page:
@@ -49,7 +50,8 @@ class Page:
             if message['type'] == 'ping':
                 self.pings += 1
                 if self.pongs:
-                    self.say('pong', id=message['id'], t=self.now())
+                    with contextlib.suppress(tornado.websocket.WebSocketClosedError):  # the server may have ended it meanwhile
+                        self.say('pong', id=message['id'], t=self.now())
             elif message['type'] == 'control':
                 self.told_control = message
             self.heard.append(message)

@@ -18,7 +18,7 @@ import tornado.httpclient
 import tornado.websocket
 from geometry_msgs.msg import PoseStamped
 from hidwa_local_planner.msg import OperatorState
-from sensor_msgs.msg import Joy
+from sensor_msgs.msg import CameraInfo, CompressedImage, Joy
 from std_msgs.msg import Bool
 
 import paths
@@ -126,6 +126,19 @@ class Driving(OnBoard):
             await asyncio.sleep(0.2)  # nothing may come now: silence is what is waited for
             self.assertEqual([j.axes[0] for j in W.heard.joy[before:]].count(0.0), 1)
             await self.drive()
+
+    async def test_who_begins_to_listen_hears_a_neutral_stick_first(self):
+        async def first():
+            listener = await asyncio.create_subprocess_exec('rostopic', 'echo', '-n1', '/joy/axes', stdout=asyncio.subprocess.PIPE)
+            return listener, asyncio.ensure_future(listener.communicate())
+        listener, said = await first()
+        self.assertEqual((await asyncio.wait_for(said, 20.0))[0].decode().split('\n')[0].count('0.0'), 8)
+        await self.drive()
+        await self.steer(0.2, 0.2)
+        listener, said = await first()
+        while not said.done():  # while somebody steers it hears what is steered
+            await self.steer(0.2, 0.1)
+        self.assertIn('0.2', (await said)[0].decode().split('\n')[0])
 
     async def test_cut_while_steering_it_is_lost(self):
         await self.drive()
@@ -341,6 +354,38 @@ class Going(OnBoard):
         whole.close()
 
 
+class Pictures(unittest.IsolatedAsyncioTestCase):
+    """The camera's pictures: the newest, when the page asks."""
+
+    async def test_each_once_and_the_newest(self):
+        child, port, _ = W.console('--camera', '/eye/image/compressed')
+        camera = rospy.Publisher('/eye/image/compressed', CompressedImage, queue_size=1)
+        info = rospy.Publisher('/eye/camera_info', CameraInfo, queue_size=1, latch=True)
+        info.publish(CameraInfo(width=640, height=480, K=[500.0, 0.0, 320.0, 0.0, 501.0, 240.0, 0.0, 0.0, 1.0]))
+        page = await Page(port, 'b' * 32).open()
+        view = await View(page).open()
+        eye = await page.connect('/camera')
+        eye.write_message(json.dumps({'type': 'hello', 'page': page.page}))
+        await until(camera.get_num_connections, 'the console')
+
+        async def picture():
+            eye.write_message(json.dumps({'type': 'next'}))
+            return (await asyncio.wait_for(eye.read_message(), 10.0))[16:]
+        for content in (b'first', b'second'):
+            camera.publish(CompressedImage(format='jpeg', data=b'\xff\xd8\xff' + content))
+            self.assertEqual(await picture(), b'\xff\xd8\xff' + content)
+        with self.assertRaises(asyncio.TimeoutError):
+            eye.write_message(json.dumps({'type': 'next'}))
+            await asyncio.wait_for(asyncio.shield(asyncio.ensure_future(eye.read_message())), 1.0)
+        await until(lambda: view.fields.get('camera', {}).get('info'), 'the calibration')
+        calibration = view.fields['camera']['info']
+        self.assertEqual([calibration[k] for k in ('width', 'fx', 'fy', 'cx', 'cy')], [640, 500.0, 501.0, 320.0, 240.0])
+        self.assertIsNone(calibration['pose'])  # tf does not know its frame
+        eye.close()
+        await until(lambda: not camera.get_num_connections(), 'that nobody watches')
+        child.stop()
+
+
 class Refused(unittest.IsolatedAsyncioTestCase):
     """Who may not come in; and whatever is sent, the node goes on."""
 
@@ -384,7 +429,7 @@ class Refused(unittest.IsolatedAsyncioTestCase):
                 await page.control.write_message(message, isinstance(message, bytes))
             except tornado.websocket.WebSocketClosedError:
                 break
-        await until(lambda: page.closed, 'the end of the connection')
+        await until(lambda: page.closed, f'the end of the connection after {str(messages[0])[:60]}')
         return page.closed
 
     async def test_malformed(self):
