@@ -133,7 +133,10 @@ class Console:
         """Twenty times a second."""
         self.desk.tick()
         views = [s for s in self._sockets if isinstance(s, server.ViewSocket)]
+        ran = self.scene.state is not None
         self.scene.refresh(any(s.candidates for s in views))
+        if self.scene.state is not None and not ran:
+            self.desk.planner_runs()
         stopped = self.desk.stop_on is not None or self.scene.state_name == 'STOPPED'
         self.goals.see(self.scene.pose, time.monotonic(), stopped)
         for view in views:

@@ -86,6 +86,11 @@ class Desk:
         if self.stop_on and now - self._stop_said_at >= STOP_AGAIN:
             self._say_stop(True, now)
 
+    def planner_runs(self):
+        """The planner began to run its cycles."""
+        if self.holder():
+            self._steering.greet()
+
     # -- messages
 
     def _hello(self, visitor, fields):

@@ -68,6 +68,12 @@ class Steering:
             self.active = False
             self._send(NEUTRAL)
 
+    def greet(self):
+        """The planner begins to run: a change of its mode took effect only now, and it counts no device that it has not seen in
+        neutral since. Nothing while something steers."""
+        if not self.active and not self.neutral_needed:
+            self._send(NEUTRAL)
+
     def forget(self):
         """The page was cut off: nothing more is sent, so that the planner notices the loss."""
         self.active, self.neutral_needed = False, True

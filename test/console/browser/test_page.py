@@ -343,11 +343,13 @@ class Panels(PageTest):
         self.assertEqual((self.fields('undo'), self.fields('preset')), ([{}], [{'name': 'pilot_1'}]))
 
     def study(self, stage, **fields):
-        self.server.show(study=dict({'stage': stage, 'participant': 1, 'condition': 'SJ', 'place': 1, 'text': 'text of ' + stage}, **fields))
+        always = {'stage': stage, 'participant': 1, 'condition': 'SJ', 'place': 1, 'text': 'text of ' + stage}
+        self.server.show(study=dict(always, **fields))
         self.browser.wait(lambda: self.browser.text('study-text') == 'text of ' + stage)
 
     def press(self, text):
-        self.browser.js("[...document.querySelectorAll('#study-buttons button')].find((one) => one.textContent === arguments[0]).click()", text)
+        self.browser.js("[...document.querySelectorAll('#study-buttons button')].find((one) => one.textContent === arguments[0]).click()",
+                        text)
 
     def test_a_study_asks_for_consent_first_and_for_every_answer(self):
         self.addCleanup(self.server.show, study=None)
@@ -358,7 +360,8 @@ class Panels(PageTest):
         self.server.show(study={'stage': 'drive', 'participant': 1, 'condition': 'SJ', 'place': 1, 'text': ''})
         self.browser.until("return !document.getElementById('study').open")
         ends = {'low': 0, 'high': 100, 'low_text': 'low', 'high_text': 'high', 'step': 5}
-        self.study('questions', questions=[dict(ends, name='mental', text='How demanding?'), dict(ends, name='effort', text='How hard?')])
+        self.study('questions', questions=[dict(ends, name='mental', text='How demanding?'),
+                                           dict(ends, name='effort', text='How hard?')])
         answer = "const e = document.querySelector('[name=%s]'); e.value = %d; e.dispatchEvent(new Event('input'))"
         self.browser.js(answer % ('mental', 35))
         self.press('Done')
