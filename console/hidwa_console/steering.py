@@ -69,7 +69,8 @@ class Steering:
             self._send(NEUTRAL)
 
     def greet(self):
-        """The planner begins to run: it counts no device that it has not seen in neutral since. Nothing while something steers."""
+        """The planner begins to run: a change of its mode took effect only now, and it counts no device that it has not seen in
+        neutral since. Nothing while something steers."""
         if not self.active and not self.neutral_needed:
             self._send(NEUTRAL)
 

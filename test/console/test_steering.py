@@ -345,6 +345,17 @@ class AtTheDesk(unittest.TestCase):
         other.stick(-1.0)
         self.assertEqual([c.left for c in self.out.sent], [1.0, 0.0, 0.0, -1.0])
 
+    def test_a_planner_that_begins_to_run_sees_a_neutral_device_unless_one_steers(self):
+        self.desk.planner_runs()
+        self.assertEqual(self.out.sent, [], 'nobody has the controls')
+        seat = self.holder()
+        before = len(self.out.sent)
+        self.desk.planner_runs()
+        self.assertEqual([c.left for c in self.out.sent[before:]], [0.0])
+        seat.stick(1.0)
+        self.desk.planner_runs()
+        self.assertEqual([c.left for c in self.out.sent[before:]], [0.0, 1.0])
+
     def test_a_link_that_stands_still_stops_the_robot(self):
         seat = self.holder()
         seat.stick(1.0)

@@ -33,17 +33,22 @@ class Browser:
         self.driver = webdriver.Chrome(service=Service(shutil.which('chromedriver')), options=options)
         self.driver.set_script_timeout(30)
         self.cdp = self.driver.execute_cdp_cmd
-        self.scale, self.mobile = scale, size == PHONE
-        self.resize(*size)
-        self.cdp('Emulation.setEmulatedMedia', {'features': [{'name': 'prefers-color-scheme', 'value': 'dark' if dark else 'light'}]})
+        self.scale, self.mobile, self.size, self.dark, self.scripts = scale, size == PHONE, size, dark, scripts
+        self.prepare()
+
+    def prepare(self):
+        """Size, colours and scripts of the tab that is looked at: a new tab has none of them."""
+        self.resize(*self.size)
+        self.cdp('Emulation.setEmulatedMedia', {'features': [{'name': 'prefers-color-scheme', 'value': 'dark' if self.dark else 'light'}]})
         if self.mobile:
             self.cdp('Emulation.setTouchEmulationEnabled', {'enabled': True, 'maxTouchPoints': 5})
-        for script in scripts:
+        for script in self.scripts:
             self.cdp('Page.addScriptToEvaluateOnNewDocument', {'source': script})
 
     def resize(self, width, height):
         """Another size of the page [CSS pixels]."""
-        self.cdp('Emulation.setDeviceMetricsOverride', {'width': width, 'height': height, 'deviceScaleFactor': self.scale, 'mobile': self.mobile})
+        self.cdp('Emulation.setDeviceMetricsOverride', {
+            'width': width, 'height': height, 'deviceScaleFactor': self.scale, 'mobile': self.mobile})
 
     def open(self, address):
         """Opens a page and waits until it runs."""
@@ -59,7 +64,8 @@ class Browser:
         """The value of an expression (also a promise) in which `app` is the page's application."""
         result = self.driver.execute_async_script(
             'const done = arguments[arguments.length - 1];'
-            "import('/main.js').then(async ({app}) => done({value: await (%s)})).catch((error) => done({error: String(error.stack)}));" % expression)
+            "import('/main.js').then(async ({app}) => done({value: await (%s)}))"
+            '.catch((error) => done({error: String(error.stack)}));' % expression)
         if 'error' in result:
             raise AssertionError(result['error'])
         return result['value']
@@ -97,7 +103,8 @@ class Browser:
         """A mouse event as a person makes it: mousePressed, mouseMoved or mouseReleased."""
         self.cdp('Input.dispatchMouseEvent', {
             'type': kind, 'x': x, 'y': y, 'button': 'left' if kind != 'mouseMoved' or held else 'none',
-            'buttons': 1 if held and kind != 'mouseReleased' else 0, 'clickCount': 0 if kind == 'mouseMoved' else 1, 'pointerType': 'mouse'})
+            'buttons': 1 if held and kind != 'mouseReleased' else 0, 'clickCount': 0 if kind == 'mouseMoved' else 1,
+            'pointerType': 'mouse'})
 
     def key(self, kind, code, key):
         """keyDown or keyUp of a key."""

@@ -53,7 +53,8 @@ class Control(tornado.websocket.WebSocketHandler):
             self.server.received.append((time.monotonic(), message))
             self.server.changed.notify_all()
         if message['type'] == 'hello':
-            self.write_message({'type': 'welcome', 'you': 1, 'max_age': 0.3, 'stop_delay': 1.0, 'input_timeout': 0.5, 'study': False, 'version': 1})
+            self.write_message({'type': 'welcome', 'you': 1, 'max_age': 0.3, 'stop_delay': 1.0, 'input_timeout': 0.5, 'study': False,
+                                'version': 1})
             self.write_message(self.server.control)
 
     def on_close(self):

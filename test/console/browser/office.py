@@ -49,8 +49,9 @@ def way(pose, v, omega, seconds, pieces):
 
 
 def state(name='SHARED', **fields):
-    result = {'id': 1, 'name': name, 'mode': 'joystick', 'active': name in ('SHARED', 'BLOCKED', 'MANUAL'), 'wanted': [0.5, 0.6], 'command': [0.45, 0.3],
-              'agreement': 0.7, 'refused_by': '', 'input_age': 0.02, 'dropped': 0, 'next': 'left', 'next_reason': '', 'age': 0.01}
+    result = {'id': 1, 'name': name, 'mode': 'joystick', 'active': name in ('SHARED', 'BLOCKED', 'MANUAL'),
+              'wanted': [0.5, 0.6], 'command': [0.45, 0.3], 'agreement': 0.7, 'refused_by': '', 'input_age': 0.02, 'dropped': 0,
+              'next': 'left', 'next_reason': '', 'age': 0.01}
     result.update(fields)
     return result
 
@@ -101,8 +102,10 @@ def show(server, pose=ROBOT):
             'candidates': fan(pose),
         },
         time=1.0, pose=list(pose), velocity=[0.45, 0.3], state=state(), mode='joystick', footprint=disc(RADIUS), regions=regions(),
-        limits={'max_vel_x': 0.5, 'min_vel_x': 0.0, 'max_vel_theta': 1.0, 'acc_lim_x': 2.5, 'acc_lim_theta': 3.2, 'input_timeout': 0.5, 'gesture_range': 0.3},
+        limits={'max_vel_x': 0.5, 'min_vel_x': 0.0, 'max_vel_theta': 1.0, 'acc_lim_x': 2.5, 'acc_lim_theta': 3.2,
+                'input_timeout': 0.5, 'gesture_range': 0.3},
         obstacles=[{'id': 1, 'x': pose[0] + 3.2, 'y': pose[1] + 2.3, 'vx': -0.5, 'vy': -0.3, 'r': 0.3},
                    {'id': 2, 'x': pose[0] + 5.6, 'y': pose[1] - 0.6, 'vx': 0.0, 'vy': 0.8, 'r': 0.3}],
-        goals={'active': [plan[-1][0], plan[-1][1], 1.5], 'waiting': [[30.0, 18.0, 0.0]], 'start': [5.5, 2.5, 1.57], 'outcome': '', 'text': ''},
+        goals={'active': [plan[-1][0], plan[-1][1], 1.5], 'waiting': [[30.0, 18.0, 0.0]],
+               'start': [5.5, 2.5, 1.57], 'outcome': '', 'text': ''},
         progress={'driven': 12.0, 'to_go': 31.4, 'elapsed': 30.0, 'time_left': 74.0})

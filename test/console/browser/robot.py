@@ -20,8 +20,8 @@ class Robot:
     def __init__(self, start=(21.5, 8.7, 0.0), options=''):
         self.folder = tempfile.mkdtemp(prefix='console_robot_')
         self.port, self.ros_port = free_port(), free_port()
-        environment = dict(os.environ, ROS_MASTER_URI='http://localhost:%d' % self.ros_port, ROS_HOSTNAME='localhost', ROS_LOG_DIR=self.folder,
-                           ROS_HOME=self.folder)
+        environment = dict(os.environ, ROS_MASTER_URI='http://localhost:%d' % self.ros_port, ROS_HOSTNAME='localhost',
+                           ROS_LOG_DIR=self.folder, ROS_HOME=self.folder)
         os.environ.update({name: environment[name] for name in ('ROS_MASTER_URI', 'ROS_HOSTNAME', 'ROS_LOG_DIR', 'ROS_HOME')})
         self.log = os.path.join(self.folder, 'robot.log')
         page = os.path.join(ROOT, 'console', 'page')

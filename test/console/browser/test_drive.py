@@ -49,7 +49,8 @@ class DriveTest(unittest.TestCase):
         proxy.flush()
         proxy.mend()
         page.open(address())
-        page.wait(lambda: page.app('Boolean(app.scene.map && app.scene.robot && app.holder.mine && !app.status.facts.neutralNeeded)'), 'the controls')
+        ready = 'Boolean(app.scene.map && app.scene.robot && app.holder.mine && !app.status.facts.neutralNeeded)'
+        page.wait(lambda: page.app(ready), 'the controls')
         self.letgo_if_stopped()
         if page.app('app.mode') != 'joystick':
             self.mode('joystick')
@@ -113,7 +114,9 @@ class Drive(DriveTest):
         page.wait(lambda: page.app('Boolean(app.board.base && app.board.shown)'))
         for view, hide in (('board-canvas', '(app.board.body.visible = %s, app.board.dirty = true)'),
                            ('above-canvas', '(app.above.%s, app.above.dirty = true)')):
-            off, on = ('false', 'true') if view == 'board-canvas' else ('robot = () => {}', 'robot = Object.getPrototypeOf(app.above).robot')
+            off, on = 'false', 'true'
+            if view == 'above-canvas':
+                off, on = 'robot = () => {}', 'robot = Object.getPrototypeOf(app.above).robot'
             with_robot = numpy.asarray(page.crop(view), dtype=int)
             page.app(hide % off)
             changed = page.wait(lambda: self.difference(view, with_robot, 200), 'pixels of the robot in ' + view)
@@ -219,6 +222,7 @@ class Drive(DriveTest):
         page.wait(lambda: page.app('Boolean(app.holder.mine)'))
         page.driver.close()
         page.driver.switch_to.window(page.driver.window_handles[0])
+        page.prepare()
         time.sleep(0.7)
         self.assertEqual(robot.state, 'STOPPED', 'closed')
         began = time.monotonic()
@@ -329,7 +333,6 @@ class HeadsetDrive(DriveTest):
         self.enter()
         self.addCleanup(self.leave)
         self.drive_off()
-        began = time.monotonic()
         page.js(close)
         page.wait(lambda: page.app("app.hands.hand === 'right'"), 'a hand that grips')
         page.js(move)
@@ -348,9 +351,9 @@ class HeadsetDrive(DriveTest):
         page.wait(lambda: page.app('app.hands.hand === null'))
 
     def test_b_a_controller_moved_sideways_while_gripped_steers(self):
-        self.hand_test("window.device.controllers.right.position.set(0.25, 1.2, -0.3); window.device.controllers.right.updateButtonValue('squeeze', 1)",
-                       carry('controllers.right', 0.0),
-                       "window.device.controllers.right.updateButtonValue('squeeze', 0)")
+        right = 'window.device.controllers.right'
+        self.hand_test(right + '.position.set(0.25, 1.2, -0.3); ' + right + ".updateButtonValue('squeeze', 1)",
+                       carry('controllers.right', 0.0), right + ".updateButtonValue('squeeze', 0)")
 
     def test_c_a_tracked_hand_steers_by_pinch(self):
         page.js("window.device.primaryInputMode = 'hand'")
