@@ -3,14 +3,12 @@
 //
 // 1. Once a cycle the moving obstacles are left out that no command of the cycle can meet before rest.
 // 2. A command's manoeuvre is rolled out in time (brake_manoeuvre.hpp): pending motion, the command, braking to rest.
-// At
-//    no pose until rest may the outline touch where an obstacle may be at that time (ReachableSet: both of its discs).
+//    At no pose until rest may the outline touch where an obstacle may be at that time (ReachableSet: both discs).
 // 3. Both discs are larger by the robot's drift, by which a real base may be elsewhere at that time, and by half a step
 //    times the obstacle's fastest and the robot's own speed: so what lies between two poses is covered, too.
 // 4. What is too far away at one time need not be looked at again until both could have met.
 // 5. Where a set is around the robot already when it begins to drive, the robot may leave: the distance from the
-// outline
-//    to where the obstacle is expected grows at every step (Leaving).
+//    outline to where the obstacle is expected grows at every step (Leaving).
 //
 // can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
 // steps, all pending motions, and commands to brake at all times. A robot that stays at rest has nothing to be asked.
