@@ -110,7 +110,6 @@ class OnBoard(unittest.IsolatedAsyncioTestCase):
             (page or self.a).stick(left, age=age)
             await asyncio.sleep(0.05)
 
-
     async def steer_until(self, left, state, page=None):
         """Holds the stick there until the planner is in that state, however long its cycles take just now."""
         deadline = time.monotonic() + PATIENCE
