@@ -16,6 +16,10 @@ namespace {
 constexpr double kSamePosition = 1e-3;  // [m]
 constexpr double kSameHeading = 1e-3;   // [rad]
 
+// Two plans lead the same way where they are no farther apart [m]. A robot is on neither side of what fits between
+// them.
+constexpr double kSameWay = 0.15;
+
 bool same_goal(const Pose2& a, const Pose2& b) {
   return distance(a, b) <= kSamePosition && std::abs(wrap_angle(a.theta - b.theta)) <= kSameHeading;
 }
@@ -39,7 +43,7 @@ void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, do
   const Pose2 goal = plan.back();
   const bool is_new = !has_goal_ || frame != frame_ || !same_goal(goal, goal_);
   situation_.plan.reserve(plan.size());  // what no window of it outgrows
-  if (is_new || paused || plan_.empty()) {
+  if (is_new || paused || plan_.empty() || !(parameters().plan_hysteresis > 0.0) || leads_the_same_way(plan)) {
     plan_choice_.clear();
     plan_.set_plan(std::move(plan));
   } else {
@@ -51,6 +55,12 @@ void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, do
   if (is_new) goal_ = goal;
   has_goal_ = true;
   if (is_new || paused) begin_goal();
+}
+
+// Nothing that a robot could go round fits between the two: half of it is inside of the robot.
+bool ControlLoop::leads_the_same_way(const std::vector<Pose2>& plan) const {
+  const double apart = std::min(kSameWay, planner_.footprint().inscribed_radius());
+  return same_way(plan_.plan(), plan_.next_pose(), plan, apart);
 }
 
 void ControlLoop::drop_plan(double now, double period) {

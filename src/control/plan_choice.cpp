@@ -12,6 +12,9 @@
 namespace hidwa_local_planner::control {
 namespace {
 
+// So far ahead plans are compared that may lead the same way [m].
+constexpr double kSameWayFor = 6.0;
+
 // navfn's: a cell costs 50 and 0.8 of its cost.
 constexpr double kCostPerMetre = 0.8 / 50.0;
 
@@ -75,6 +78,22 @@ double cost_of(const std::vector<Point>& way, const GridView& grid) {
 }
 
 }  // namespace
+
+bool same_way(const std::vector<Pose2>& followed, std::size_t from, const std::vector<Pose2>& fresh, double apart) {
+  // As far as the fresh plan is looked at, and some more: it may begin behind the robot, or ahead of it.
+  std::size_t to = from;
+  for (double arc = 0.0; to < followed.size() && arc <= kSameWayFor + 1.0; ++to) {
+    if (to > from) arc += distance(followed[to - 1], followed[to]);
+  }
+  double arc = 0.0;
+  for (std::size_t k = 0; k < fresh.size() && arc <= kSameWayFor; ++k) {
+    if (k > 0) arc += distance(fresh[k - 1], fresh[k]);
+    const auto begin = followed.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto end = followed.begin() + static_cast<std::ptrdiff_t>(to);
+    if (std::none_of(begin, end, [&](const Pose2& pose) { return distance(pose, fresh[k]) <= apart; })) return false;
+  }
+  return true;
+}
 
 void PlanChoice::clear() {
   offered_.clear();

@@ -50,10 +50,8 @@ class SegmentFinder {
       const std::size_t i = (start + k) % n;
       if (movable(beams_.all[i])) {
         take(i);
-      } else if (beams_.all[i].length > 0.0) {
-        close();  // a longer beam, or one that ends at what stands
-      } else if (++silent_ > kSilentBeams) {
-        close();
+      } else if (beams_.all[i].length > 0.0 || ++silent_ > kSilentBeams) {
+        close();  // a longer beam, one that ends at what stands, or too many that say nothing
       }
     }
     close();

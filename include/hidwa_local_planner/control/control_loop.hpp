@@ -125,6 +125,7 @@ class ControlLoop {
   bool check_goal(const Observation& observation, const Pose2& goal);
   void brake(const Observation& observation, const OperatorIntent& intent, Result& result);
   void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Result& result);
+  bool leads_the_same_way(const std::vector<Pose2>& plan) const;
   void choose_plan(const Observation& observation, const OperatorIntent& intent);
   void take_situation(const Observation& observation);
   void take_plan_window(const Observation& observation);

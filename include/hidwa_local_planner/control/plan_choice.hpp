@@ -11,12 +11,14 @@
 // - the operator steers, or the last cycle failed: a new plan is what the robot needs then.
 //
 // A plan on the same side is followed at once. Two plans are on two sides of an obstacle if a lethal cell lies between
-// them, on the local costmap.
+// them, on the local costmap. Where they run so near to each other that nothing fits between them, the map need not be
+// asked (same_way()): so is nearly every plan of a robot that follows the one before.
 //
 // The cost of a plan is its length from the robot to the goal; a metre on the local costmap counts 1 + 0.8 c/50, with
 // the cell's cost c. So does navfn, the host's usual planner, weigh them.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "hidwa_local_planner/control/frame_transform.hpp"
@@ -26,6 +28,10 @@
 #include "hidwa_local_planner/core/util/condition_timer.hpp"
 
 namespace hidwa_local_planner::control {
+
+/// Whether two plans in one frame lead the same way, as far as it matters now: `fresh` stays within `apart` [m] of
+/// `followed`, which counts from its pose `from` on, for the first metres.
+bool same_way(const std::vector<Pose2>& followed, std::size_t from, const std::vector<Pose2>& fresh, double apart);
 
 class PlanChoice {
  public:

@@ -160,6 +160,32 @@ TEST_F(PlanChoiceTest, IsRememberedWhole) {
   EXPECT_TRUE(prefers(left, 10.0 + parameters_.plan_hysteresis_time));
 }
 
+TEST(SameWay, PlansThatRunSideBySideLeadTheSameWay) {
+  const auto shifted = [](double dy) {
+    std::vector<Pose2> plan;
+    for (int k = 0; k <= 200; ++k) plan.push_back({0.05 * k, dy, 0.0});
+    return plan;
+  };
+  const std::vector<Pose2> followed = shifted(0.0);
+  EXPECT_TRUE(same_way(followed, 0, shifted(0.14), 0.15));
+  EXPECT_FALSE(same_way(followed, 0, shifted(0.16), 0.15));
+  EXPECT_FALSE(same_way(followed, 0, round(0.8), 0.15));
+  // The robot is 3 m along the plan; the fresh one begins there.
+  std::vector<Pose2> fresh(followed.begin() + 60, followed.end());
+  EXPECT_TRUE(same_way(followed, 60, fresh, 0.15));
+  // What is farther than 6 m ahead does not count: 3 m + 6 m = 9 m.
+  for (Pose2& pose : fresh) {
+    if (pose.x > 9.2) pose.y = 1.0;
+  }
+  EXPECT_TRUE(same_way(followed, 60, fresh, 0.15));
+  for (Pose2& pose : fresh) {
+    if (pose.x > 8.8) pose.y = 1.0;
+  }
+  EXPECT_FALSE(same_way(followed, 60, fresh, 0.15));
+  // No plan to compare with.
+  EXPECT_FALSE(same_way({}, 0, fresh, 0.15));
+}
+
 // How often a closed line goes round a point: the sum of the angles under which it sees the line's edges.
 int turns_round(const std::vector<Point>& line, const Point& p) {
   double sum = 0.0;
