@@ -43,7 +43,8 @@ void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, do
   const Pose2 goal = plan.back();
   const bool is_new = !has_goal_ || frame != frame_ || !same_goal(goal, goal_);
   situation_.plan.reserve(plan.size());  // what no window of it outgrows
-  if (is_new || paused || plan_.empty() || !(parameters().plan_hysteresis > 0.0) || leads_the_same_way(plan)) {
+  const bool chooses = autonomous_ && parameters().plan_hysteresis > 0.0;
+  if (is_new || paused || plan_.empty() || !chooses || leads_the_same_way(plan)) {
     plan_choice_.clear();
     plan_.set_plan(std::move(plan));
   } else {
@@ -122,6 +123,7 @@ Result ControlLoop::step(const Observation& observation, const Sampling& samplin
   result.intent = person_.update(observation.timing.now);
   OperatorIntent intent = result.intent;
   if (observation.host_stops) intent.influence = Influence::stop;
+  autonomous_ = intent.influence == Influence::none && intent.state == OperatorStateId::autonomy;
   if (observation.fault.empty()) {
     decide(observation, intent, sampling, result);
   } else {
@@ -143,17 +145,16 @@ void ControlLoop::brake(const Observation& observation, const OperatorIntent& in
 void ControlLoop::decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling,
                          Result& result) {
   fault_brake_.clear();
-  if (plan_choice_.offers()) choose_plan(observation, intent);
+  if (plan_choice_.offers()) choose_plan(observation);
   take_situation(observation);
   result.decision = &planner_.plan(situation_, observation.costmap, intent, sampling);
   result.outcome = result.decision->outcome;
   if (result.outcome != Outcome::fail) result.command = result.decision->command;
 }
 
-void ControlLoop::choose_plan(const Observation& observation, const OperatorIntent& intent) {
-  const bool autonomous = intent.influence == Influence::none && intent.state == OperatorStateId::autonomy;
+void ControlLoop::choose_plan(const Observation& observation) {
   const PlanChoice::Scene scene{observation.pose, observation.from_plan,  observation.costmap,
-                                plan_.plan(),     observation.timing.now, autonomous};
+                                plan_.plan(),     observation.timing.now, autonomous_};
   if (plan_choice_.prefers_offer(scene, parameters())) plan_.set_plan(plan_choice_.take());
 }
 

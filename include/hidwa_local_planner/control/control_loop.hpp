@@ -126,7 +126,7 @@ class ControlLoop {
   void brake(const Observation& observation, const OperatorIntent& intent, Result& result);
   void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Result& result);
   bool leads_the_same_way(const std::vector<Pose2>& plan) const;
-  void choose_plan(const Observation& observation, const OperatorIntent& intent);
+  void choose_plan(const Observation& observation);
   void take_situation(const Observation& observation);
   void take_plan_window(const Observation& observation);
   void remember(const Observation& observation, const Result& result);
@@ -143,7 +143,8 @@ class ControlLoop {
   Situation situation_;  // kept for its memory
   Twist2 last_command_;  // [m/s, rad/s]
   bool stands_ = false;
-  bool resumed_ = false;  // no cycle has planned since the last pause of the host
+  bool autonomous_ = true;  // nobody steered in the last cycle, and nobody stopped the robot
+  bool resumed_ = false;    // no cycle has planned since the last pause of the host
 };
 
 }  // namespace hidwa_local_planner::control
