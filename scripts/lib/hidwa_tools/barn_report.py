@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The report of BARN-2D: what hidwa_study barn left in a folder, as one self-contained page and its pictures."""
-import glob
-import html
 import os
 
 import numpy as np
@@ -12,7 +10,7 @@ from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle
 
 from .drawing import DRIVEN, INK, STEERED_COLOUR
-from .study_page import ReportError, embedded, read_table, read_way, write_page
+from .study_page import ReportError, embedded, html_table, read_table, read_way, way_of, world_lines, write_page
 
 MODES = ('AUTONOMY', 'HELPFUL', 'HOSTILE', 'AFTERMATH')
 NUMBERS = ('success', 'collision', 'timeout', 'time', 'metric', 'path_clearance', 'contacts', 'clearance', 'operator_active')
@@ -61,41 +59,30 @@ def table(rows):
     """All groups beside the published figures, as HTML."""
     head = ('', 'worlds', 'success', 'collision', 'timeout', 'time of successes [s]', 'metric', 'contacts',
             'smallest clearance [m]', 'person steers, mean [s]')
-    lines = ['<tr>' + ''.join(f'<th>{h}</th>' for h in head) + '</tr>']
+    lines = []
     for (mode, setting), runs in groups(rows).items():
         f = figures(runs)
-        cells = [mode if setting == 'default' else f'{mode}, {setting}', f'{len(runs)}', f'{f["success"]:.3f}', f'{f["collision"]:.3f}',
-                 f'{f["timeout"]:.3f}', f'{f["time"]:.1f}', f'{f["metric"]:.3f}', f'{f["contacts"]}', f'{f["clearance"]:.3f}',
-                 f'{f["operator_active"]:.1f}']
-        lines.append('<tr>' + ''.join(f'<td>{html.escape(c)}</td>' for c in cells) + '</tr>')
+        lines.append([mode if setting == 'default' else f'{mode}, {setting}', f'{len(runs)}', f'{f["success"]:.3f}',
+                      f'{f["collision"]:.3f}', f'{f["timeout"]:.3f}', f'{f["time"]:.1f}', f'{f["metric"]:.3f}', f'{f["contacts"]}',
+                      f'{f["clearance"]:.3f}', f'{f["operator_active"]:.1f}'])
     p = PUBLISHED
-    lines.append(f'<tr><td>DWA as published, in Gazebo</td><td>50, ten runs each</td><td>{p["success"]:.3f}</td>'
-                 f'<td>{p["collision"]:.3f}</td><td>{p["timeout"]:.3f}</td><td>{p["time"]:.1f}</td><td>{p["metric"]:.3f}</td>'
-                 '<td></td><td></td><td></td></tr>')
-    return '<table>' + ''.join(lines) + '</table>'
+    lines.append(['DWA as published, in Gazebo', '50, ten runs each', f'{p["success"]:.3f}', f'{p["collision"]:.3f}',
+                  f'{p["timeout"]:.3f}', f'{p["time"]:.1f}', f'{p["metric"]:.3f}', '', '', ''])
+    return html_table(head, lines)
 
 
 def load_cylinders(path):
     """{world: centres (n, 2) [m]} of a file of BARN worlds; its head gives the geometry."""
     worlds = {}
     try:
-        with open(path, encoding='utf-8') as text:
-            for line in text:
-                if not line.strip() or line.startswith('#'):
-                    continue
-                index, cells, _ = line.split('|')
-                pairs = np.array([[int(n) for n in cell.split(':')] for cell in cells.split()], float)
-                worlds[str(int(index))] = np.column_stack([-0.5 * LATTICE - LATTICE * pairs[:, 0],
-                                                           0.5 * LATTICE + LATTICE * pairs[:, 1]])
+        for line in world_lines(path):
+            index, cells, _ = line.split('|')
+            pairs = np.array([[int(n) for n in cell.split(':')] for cell in cells.split()], float)
+            worlds[str(int(index))] = np.column_stack([-0.5 * LATTICE - LATTICE * pairs[:, 0],
+                                                       0.5 * LATTICE + LATTICE * pairs[:, 1]])
     except (OSError, ValueError, IndexError) as fault:
         raise ReportError(f'{path} cannot be read as BARN worlds: {fault}') from fault
     return worlds
-
-
-def way_of(folder, row):
-    """The file with a run's way; None where it was not kept."""
-    found = glob.glob(os.path.join(glob.escape(folder), 'paths', glob.escape(row['id']) + '.csv'))
-    return found[0] if found else None
 
 
 def chosen(runs):

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The report of drives among what moves: what hidwa_study dynabarn or crowd left in a folder, as one self-contained page."""
-import glob
-import html
 import json
 import os
 
@@ -13,7 +11,7 @@ from matplotlib.collections import PatchCollection
 from matplotlib.patches import Circle
 
 from .drawing import DRIVEN, INK, STEERED_COLOUR
-from .study_page import ReportError, embedded, read_table, read_way, write_page
+from .study_page import ReportError, embedded, html_table, read_table, read_way, way_of, world_lines, write_page
 
 NUMBERS = ('release', 'success', 'touched_moving', 'touched_at_rest', 'touched_wall', 'timeout', 'time', 'touched_after_leap',
            'moved_into', 'encounters', 'closest', 'personal_space', 'standing', 'operator_active')
@@ -91,28 +89,24 @@ def table(rows, crowd):
     head = ('', 'drives', 'success', '95 % interval', 'touched moving', 'touched at rest', 'wall', 'out of time',
             'by one that just leapt', 'time of successes [s]', 'stood [s]', 'encounters', 'touches moving', 'touches at rest',
             'within 0.5 m, moving [s]')
-    lines = ['<tr>' + ''.join(f'<th>{h}</th>' for h in head) + '</tr>']
+    lines = []
     for key, runs in groups(rows).items():
         f = figures(runs, crowd)
-        cells = [_name(key), f'{len(runs)}', f'{f["success"]:.3f}', f'{f["low"]:.3f} to {f["high"]:.3f}', f'{f["touched_moving"]:.3f}',
-                 f'{f["touched_at_rest"]:.3f}', f'{f["touched_wall"]:.3f}', f'{f["timeout"]:.3f}', f'{f["touched_after_leap"]:.3f}',
-                 f'{f["time"]:.1f}', f'{f["standing"]:.1f}', f'{f["encounters"]}', f'{f["touches_moving"]}', f'{f["touches_at_rest"]}',
-                 f'{f["personal_space"]:.1f}']
-        lines.append('<tr>' + ''.join(f'<td>{html.escape(c)}</td>' for c in cells) + '</tr>')
-    return '<table>' + ''.join(lines) + '</table>'
+        lines.append([_name(key), f'{len(runs)}', f'{f["success"]:.3f}', f'{f["low"]:.3f} to {f["high"]:.3f}',
+                      f'{f["touched_moving"]:.3f}', f'{f["touched_at_rest"]:.3f}', f'{f["touched_wall"]:.3f}', f'{f["timeout"]:.3f}',
+                      f'{f["touched_after_leap"]:.3f}', f'{f["time"]:.1f}', f'{f["standing"]:.1f}', f'{f["encounters"]}',
+                      f'{f["touches_moving"]}', f'{f["touches_at_rest"]}', f'{f["personal_space"]:.1f}'])
+    return html_table(head, lines)
 
 
 def load_tracks(path):
     """{world: [key frames (n, 3): time, x, y]} of a file of DynaBARN worlds."""
     worlds = {}
     try:
-        with open(path, encoding='utf-8') as text:
-            for line in text:
-                if not line.strip() or line.startswith('#'):
-                    continue
-                head, *obstacles = line.split('|')
-                worlds[head.split()[0]] = [np.array([[float(n) for n in word.split(':')] for word in obstacle.split()[1:]])
-                                           for obstacle in obstacles]
+        for line in world_lines(path):
+            head, *obstacles = line.split('|')
+            worlds[head.split()[0]] = [np.array([[float(n) for n in word.split(':')] for word in obstacle.split()[1:]])
+                                       for obstacle in obstacles]
     except (OSError, ValueError, IndexError) as fault:
         raise ReportError(f'{path} cannot be read as DynaBARN worlds: {fault}') from fault
     return worlds
@@ -131,12 +125,6 @@ def place(frames, time, motion):
         return 0.5 * (points[min(i + 1, len(points) - 1)] - points[max(i - 1, 0)])
     return ((2 * u**3 - 3 * u**2 + 1) * points[k] + (u**3 - 2 * u**2 + u) * tangent(k) + (3 * u**2 - 2 * u**3) * points[k + 1] +
             (u**3 - u**2) * tangent(k + 1))
-
-
-def way_of(folder, row):
-    """The file with a run's way; None where it was not kept."""
-    found = glob.glob(os.path.join(glob.escape(folder), 'paths', glob.escape(row['id']) + '.csv'))
-    return found[0] if found else None
 
 
 def shown_runs(rows, most=8):

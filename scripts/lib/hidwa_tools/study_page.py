@@ -2,6 +2,9 @@
 """What the pages of studies share: their fault, the ways of runs, and a self-contained page."""
 import base64
 import csv
+import glob
+import html
+import os
 
 import numpy as np
 
@@ -37,6 +40,25 @@ def read_way(path):
         rows = list(csv.DictReader(text))
     return (np.array([(float(r['x']), float(r['y'])) for r in rows]).reshape(-1, 2),
             np.array([r['state'] in STEERED for r in rows], bool))
+
+
+def way_of(folder, row):
+    """The file with a run's way; None where it was not kept."""
+    found = glob.glob(os.path.join(glob.escape(folder), 'paths', glob.escape(row['id']) + '.csv'))
+    return found[0] if found else None
+
+
+def world_lines(path):
+    """The lines of a file of worlds that hold one."""
+    with open(path, encoding='utf-8') as text:
+        return [line for line in text if line.strip() and not line.startswith('#')]
+
+
+def html_table(head, rows):
+    """A table of words."""
+    lines = ['<tr>' + ''.join(f'<th>{html.escape(cell)}</th>' for cell in head) + '</tr>']
+    lines += ['<tr>' + ''.join(f'<td>{html.escape(cell)}</td>' for cell in row) + '</tr>' for row in rows]
+    return '<table>' + ''.join(lines) + '</table>'
 
 
 def embedded(path):

@@ -18,7 +18,7 @@ from . import barn_report, encounter_report
 from .drawing import DRIVEN, INK, STEERED_COLOUR
 from .questionnaires import AnswersError, read_answers, statements as answers_statements
 from .statistics import normality, proportion, signed_ranks
-from .study_page import ReportError, embedded, read_table, read_way, write_page
+from .study_page import ReportError, embedded, html_table, read_table, read_way, write_page
 
 CONDITIONS = ('SJ', 'SG', 'SW')
 NAMES = {'SJ': 'SJ, shared control by joystick', 'SG': 'SG, shared control by gesture', 'SW': 'SW, switching'}
@@ -266,7 +266,7 @@ def table(rows):
     settings = settings_of(rows)
     head = ['measure'] + [(f'{s}: ' if len(settings) > 1 else '') + c for s in settings for c in CONDITIONS if of(rows, c, s)]
     paper = [c for c in PAPER if any(row['condition'] == c for row in rows)]
-    lines = ['<tr>' + ''.join(f'<th>{html.escape(h)}</th>' for h in head + [f'paper: {c}' for c in paper]) + '</tr>']
+    lines = []
     for measure, name in MEASURES:
         cells = [name]
         for s in settings:
@@ -283,8 +283,8 @@ def table(rows):
         for c in paper:
             value = PAPER[c].get(measure)
             cells.append('' if value is None else f'{value} in all' if measure == 'contacts' else f'{value}')
-        lines.append('<tr>' + ''.join(f'<td>{html.escape(cell)}</td>' for cell in cells) + '</tr>')
-    return '<table>' + ''.join(lines) + '</table>'
+        lines.append(cells)
+    return html_table(head + [f'paper: {c}' for c in paper], lines)
 
 
 def about_study(folder):
@@ -337,9 +337,8 @@ def write_report(folder, map_path=None, floor=None):
     if about.get('remarks'):
         parts += ['<h2>Remarks</h2><ul>', _items(about['remarks']), '</ul>']
     if differences(rows):
-        parts += ['<h2>What differs from the paper, and why</h2><table><tr><th></th><th>here</th><th>the paper</th></tr>',
-                  *('<tr>' + ''.join(f'<td>{html.escape(cell)}</td>' for cell in line) + '</tr>' for line in differences(rows)),
-                  '</table><ul>', _items(reasons(rows, simulated)), '</ul>']
+        parts += ['<h2>What differs from the paper, and why</h2>', html_table(('', 'here', 'the paper'), differences(rows)),
+                  '<ul>', _items(reasons(rows, simulated)), '</ul>']
     parts += ['<h2>By condition</h2><p>Mean (standard deviation), median.</p>', table(rows),
               '<h2>Tests</h2><ul>', _items(statements(rows)), '</ul>']
     if answers:
