@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "sim/grid_route.hpp"
+#include "sim/world_lines.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {
@@ -22,17 +21,12 @@ constexpr int kFarthest = 999;     // cell
 
 using Cells = std::vector<std::pair<int, int>>;
 
-// A fault of a line, without its place.
-struct Fault {
-  std::string text;
-};
-
 int whole(const std::string& text, const std::string& what) {
   char* end = nullptr;
   const long value = std::strtol(text.c_str(), &end, 10);
-  if (text.empty() || *end != '\0') throw Fault{what + " '" + text + "' is not a whole number"};
+  if (text.empty() || *end != '\0') throw LineFault{what + " '" + text + "' is not a whole number"};
   if (value < 0 || value > kFarthest)
-    throw Fault{what + " " + text + " is not within 0 to " + std::to_string(kFarthest)};
+    throw LineFault{what + " " + text + " is not within 0 to " + std::to_string(kFarthest)};
   return static_cast<int>(value);
 }
 
@@ -42,7 +36,7 @@ Cells read_cells(const std::string& list, const std::string& what) {
   for (std::string word; words >> word;) {
     const std::size_t colon = word.find(':');
     if (colon == std::string::npos || word.find(':', colon + 1) != std::string::npos) {
-      throw Fault{what + " '" + word + "' is not two numbers, such as 3:14"};
+      throw LineFault{what + " '" + word + "' is not two numbers, such as 3:14"};
     }
     cells.emplace_back(whole(word.substr(0, colon), what), whole(word.substr(colon + 1), what));
   }
@@ -50,17 +44,17 @@ Cells read_cells(const std::string& list, const std::string& what) {
 }
 
 void check_path(const Cells& path) {
-  if (path.empty()) throw Fault{"there is no path"};
+  if (path.empty()) throw LineFault{"there is no path"};
   for (std::size_t k = 1; k < path.size(); ++k) {
     if (std::abs(path[k].first - path[k - 1].first) > 1 || std::abs(path[k].second - path[k - 1].second) > 1) {
-      throw Fault{"the path leaps from " + std::to_string(path[k - 1].first) + ":" +
-                  std::to_string(path[k - 1].second) + " to " + std::to_string(path[k].first) + ":" +
-                  std::to_string(path[k].second)};
+      throw LineFault{"the path leaps from " + std::to_string(path[k - 1].first) + ":" +
+                      std::to_string(path[k - 1].second) + " to " + std::to_string(path[k].first) + ":" +
+                      std::to_string(path[k].second)};
     }
   }
   if (path.back().second != kRows - 1) {
-    throw Fault{"the path ends in row " + std::to_string(path.back().second) + ", not " + std::to_string(kRows - 1) +
-                ": the line is cut off"};
+    throw LineFault{"the path ends in row " + std::to_string(path.back().second) + ", not " +
+                    std::to_string(kRows - 1) + ": the line is cut off"};
   }
 }
 
@@ -79,17 +73,17 @@ std::vector<std::string> parts_of(const std::string& line) {
 BarnWorld read_world(const std::string& line) {
   const std::vector<std::string> parts = parts_of(line);
   if (parts.size() != 3) {
-    throw Fault{"it has " + std::to_string(parts.size()) + " parts, not three (index | cells | path)"};
+    throw LineFault{"it has " + std::to_string(parts.size()) + " parts, not three (index | cells | path)"};
   }
   BarnWorld world;
   std::istringstream words(parts[0]);
   std::string index, more;
   words >> index >> more;
-  if (!more.empty()) throw Fault{"the index '" + index + " " + more + "' is not one number"};
+  if (!more.empty()) throw LineFault{"the index '" + index + " " + more + "' is not one number"};
   world.index = whole(index, "the index");
   const Cells cells = read_cells(parts[1], "the cell");
   const Cells path = read_cells(parts[2], "the path cell");
-  if (cells.empty()) throw Fault{"there are no cells"};
+  if (cells.empty()) throw LineFault{"there are no cells"};
   check_path(path);
   // The lattice's and the path's geometry, as the head of BARN's file has it.
   for (const auto& [column, row] : cells) {
@@ -112,26 +106,7 @@ double reference_length(const BarnWorld& world) {
 }
 
 std::vector<BarnWorld> load_barn_worlds(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("'" + file + "' cannot be read: give a file of BARN worlds");
-  std::vector<BarnWorld> worlds;
-  std::set<int> indices;
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.find_first_not_of(" \t") == std::string::npos || line.front() == '#') continue;
-    try {
-      worlds.push_back(read_world(line));
-      const int index = worlds.back().index;
-      if (!indices.insert(index).second) throw Fault{"world " + std::to_string(index) + " is there twice"};
-    } catch (const Fault& fault) {
-      throw std::runtime_error("'" + file + "' line " + std::to_string(number) + ": " + fault.text +
-                               "; correct the line, or remove it");
-    }
-  }
-  if (worlds.empty()) throw std::runtime_error("'" + file + "' holds no world: give a file of BARN worlds");
-  return worlds;
+  return read_worlds<BarnWorld>(file, "BARN", read_world);
 }
 
 }  // namespace sim

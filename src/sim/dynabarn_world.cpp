@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include "sim/world_lines.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {
@@ -18,11 +18,6 @@ namespace {
 constexpr int kLastWorld = 99;
 constexpr double kFarthestKey = 100.0;    // [m]
 constexpr double kLongestTrack = 3600.0;  // [s]
-
-// What is wrong with a line, without its place.
-struct LineFault {
-  std::string text;
-};
 
 double figure(const std::string& text, const std::string& key, double least, double greatest) {
   char* end = nullptr;
@@ -114,26 +109,7 @@ std::shared_ptr<KeyFramePeople> dynabarn_people(const DynabarnWorld& world, KeyM
 }
 
 std::vector<DynabarnWorld> load_dynabarn_worlds(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("'" + file + "' cannot be read: give a file of DynaBARN worlds");
-  std::vector<DynabarnWorld> worlds;
-  std::set<int> indices;
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.find_first_not_of(" \t") == std::string::npos || line.front() == '#') continue;
-    try {
-      worlds.push_back(world_of(line));
-      const int index = worlds.back().index;
-      if (!indices.insert(index).second) throw LineFault{"world " + std::to_string(index) + " is there twice"};
-    } catch (const LineFault& fault) {
-      throw std::runtime_error("'" + file + "' line " + std::to_string(number) + ": " + fault.text +
-                               "; correct the line, or remove it");
-    }
-  }
-  if (worlds.empty()) throw std::runtime_error("'" + file + "' holds no world: give a file of DynaBARN worlds");
-  return worlds;
+  return read_worlds<DynabarnWorld>(file, "DynaBARN", world_of);
 }
 
 }  // namespace sim

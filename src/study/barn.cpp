@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "barn.hpp"
 
-#include <exception>
 #include <map>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "study/barn_table.hpp"
 #include "study/error.hpp"
 #include "study/seed.hpp"
+#include "study/worlds.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -21,16 +21,6 @@ namespace {
 
 const char* const kJackal = "launch/params/jackal.yaml";
 const char* const kBarn = "launch/params/barn.yaml";
-
-std::map<int, sim::BarnWorld> load_worlds(const std::string& file) {
-  std::map<int, sim::BarnWorld> worlds;
-  try {
-    for (sim::BarnWorld& world : sim::load_barn_worlds(file)) worlds.emplace(world.index, std::move(world));
-  } catch (const std::exception& e) {
-    throw UsageError(e.what());
-  }
-  return worlds;
-}
 
 BarnSubject subject_of(const Options& options, const BarnSubject& base, const Setting& setting) {
   BarnSubject subject = base;
@@ -44,8 +34,7 @@ std::vector<BarnSubject> subjects_of(const Options& options, const Plan& plan) {
   std::vector<BarnSubject> subjects;
   for (const Setting& setting : plan.settings) {
     subjects.push_back(subject_of(options, base, setting));
-    const std::vector<std::string> faults = validate(subjects.back().subject.parameters);
-    if (!faults.empty()) throw UsageError("setting " + to_string(setting) + ": " + faults.front());
+    check(setting, subjects.back().subject.parameters);
   }
   return subjects;
 }
@@ -65,12 +54,11 @@ std::string manifest(const Options& o) {
 }  // namespace
 
 int barn(const Options& options, std::ostream& out, std::ostream& errors) {
-  const std::map<int, sim::BarnWorld> worlds = load_worlds(options.worlds);
+  const std::map<int, sim::BarnWorld> worlds = worlds_by_index(sim::load_barn_worlds, options.worlds);
   std::vector<int> indices;
   indices.reserve(worlds.size());
   for (const auto& entry : worlds) indices.push_back(entry.first);
-  const std::vector<Setting> settings = options.vary.empty() ? combinations(options.grid) : variations(options.vary);
-  const Plan plan = make_world_plan("barn", indices, options.modes, settings);
+  const Plan plan = make_world_plan("barn", indices, options.modes, settings_of(options));
   const std::vector<BarnSubject> subjects = subjects_of(options, plan);
   const auto make = [&](const Run& run) {
     // A world's noise is the same in all modes and settings.

@@ -26,8 +26,7 @@ std::vector<Subject> subjects_among(const Options& options, const Plan& plan) {
     subject.parameters.cycle_budget = -1.0;  // all samples always: the same on any computer
     for (const Assignment& set : options.sets) assign(subject, set);
     for (const Assignment& set : setting) assign(subject, set);
-    const std::vector<std::string> faults = validate(subject.parameters);
-    if (!faults.empty()) throw UsageError("setting " + to_string(setting) + ": " + faults.front());
+    check(setting, subject.parameters);
     subjects.push_back(subject);
   }
   return subjects;
@@ -58,10 +57,9 @@ int crowd(const Options& options, std::ostream& out, std::ostream& errors) {
                               : office                 ? share_file("maps/office_regions.yaml")
                                                        : "none";
   const Scene scene = load_scene(map, regions, options.start, options.goal);
-  const std::vector<Setting> settings = options.vary.empty() ? combinations(options.grid) : variations(options.vary);
   std::vector<int> numbers;
   for (int k = 1; k <= options.seeds; ++k) numbers.push_back(k);
-  const Plan plan = make_world_plan("crowd", numbers, options.modes, settings);
+  const Plan plan = make_world_plan("crowd", numbers, options.modes, settings_of(options));
   const std::vector<Subject> subjects = subjects_among(options, plan);
   const std::shared_ptr<const sim::FloorWays> ways = ways_of_people(scene, options.seed);
   const Passers passers{options.people, options.yielding, options.tracking};

@@ -31,13 +31,7 @@ std::shared_ptr<const sim::FloorWays> ways_of_people(const Scene& scene, std::ui
 drive::DriveResult drive_among(const Scene& scene, const std::shared_ptr<const sim::FloorWays>& ways,
                                const Subject& subject, const Passers& passers, const std::string& mode,
                                std::uint64_t world_seed, std::uint64_t person_seed) {
-  drive::DriveSetup setup = scene.robot;
-  setup.ground = scene.ground;
-  setup.route = scene.route;
-  setup.start = scene.start;
-  setup.goal = scene.goal;
-  setup.parameters = subject.parameters;
-  setup.link_delay = subject.link_delay;
+  drive::DriveSetup setup = drive_setup(scene, subject, world_seed);
   setup.tracking = passers.tracking;
   sim::CrowdSetup crowd;
   crowd.ways = ways;
@@ -51,8 +45,6 @@ drive::DriveResult drive_among(const Scene& scene, const std::shared_ptr<const s
     return ways->wall_distance(point);
   };
   setup.person = person_among(mode, setup.parameters, room_among(setup.people, walls), person_seed);
-  setup.odometry_seed = world_seed;
-  setup.laser_seed = world_seed + 1;
   return drive::drive(setup);
 }
 

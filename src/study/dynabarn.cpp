@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dynabarn.hpp"
 
-#include <exception>
 #include <map>
 #include <memory>
 #include <string>
@@ -16,6 +15,7 @@
 #include "study/encounter_table.hpp"
 #include "study/error.hpp"
 #include "study/seed.hpp"
+#include "study/worlds.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -23,16 +23,6 @@ namespace {
 
 const char* const kRobotFile = "launch/params/jackal.yaml";
 const char* const kCourtFile = "launch/params/dynabarn.yaml";
-
-std::map<int, sim::DynabarnWorld> load_courts(const std::string& file) {
-  std::map<int, sim::DynabarnWorld> worlds;
-  try {
-    for (sim::DynabarnWorld& world : sim::load_dynabarn_worlds(file)) worlds.emplace(world.index, std::move(world));
-  } catch (const std::exception& e) {
-    throw UsageError(e.what());
-  }
-  return worlds;
-}
 
 std::vector<int> numbers_of(const std::map<int, sim::DynabarnWorld>& worlds, int seeds) {
   std::vector<int> numbers;
@@ -51,8 +41,7 @@ std::vector<DynabarnCourt> courts_of(const Options& options, const Plan& plan) {
   for (const Setting& setting : plan.settings) {
     BarnSubject subject = base;
     for (const Assignment& set : setting) assign_barn(subject, set);
-    const std::vector<std::string> faults = validate(subject.subject.parameters);
-    if (!faults.empty()) throw UsageError("setting " + to_string(setting) + ": " + faults.front());
+    check(setting, subject.subject.parameters);
     courts.emplace_back(subject, options.tracking, options.motion);
   }
   return courts;
@@ -76,9 +65,8 @@ std::string court_manifest(const Options& o) {
 }  // namespace
 
 int dynabarn(const Options& options, std::ostream& out, std::ostream& errors) {
-  const std::map<int, sim::DynabarnWorld> worlds = load_courts(options.worlds);
-  const std::vector<Setting> settings = options.vary.empty() ? combinations(options.grid) : variations(options.vary);
-  const Plan plan = make_world_plan("dynabarn", numbers_of(worlds, options.seeds), options.modes, settings);
+  const std::map<int, sim::DynabarnWorld> worlds = worlds_by_index(sim::load_dynabarn_worlds, options.worlds);
+  const Plan plan = make_world_plan("dynabarn", numbers_of(worlds, options.seeds), options.modes, settings_of(options));
   const std::vector<DynabarnCourt> courts = courts_of(options, plan);
   const auto make = [&](const Run& run) {
     // The release and the noise are the same in all modes and settings.

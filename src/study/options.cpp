@@ -266,6 +266,10 @@ Options parse_options(const std::vector<std::string>& arguments) {
   return options;
 }
 
+std::vector<Setting> settings_of(const Options& options) {
+  return options.vary.empty() ? combinations(options.grid) : variations(options.vary);
+}
+
 std::string help() {
   return R"(hidwa_study: simulated people steer the simulated robot; the same arguments give the same results.
 

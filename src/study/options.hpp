@@ -49,6 +49,9 @@ struct Options {
 /// Reads the arguments after the program's name. Throws UsageError.
 Options parse_options(const std::vector<std::string>& arguments);
 
+/// What --grid or --vary asks for; one empty setting where neither does. Throws UsageError.
+std::vector<Setting> settings_of(const Options& options);
+
 /// What there is to be said by --help.
 std::string help();
 

@@ -64,9 +64,7 @@ Parameters profile(const std::string& name) {
 
 Plan plan_of(const Options& options) {
   const bool pilot = options.command == "pilot";
-  const std::vector<Setting> settings = pilot                  ? pilot_settings()
-                                        : options.vary.empty() ? combinations(options.grid)
-                                                               : variations(options.vary);
+  const std::vector<Setting> settings = pilot ? pilot_settings() : settings_of(options);
   if (settings.size() > 99999) throw UsageError("there are more than 99999 combinations: take fewer values");
   return make_plan(options.command, options.participants, options.conditions, settings, pilot);
 }
@@ -90,8 +88,7 @@ Subject subject_of(const Options& options, const Parameters& base, const Setting
 void check_settings(const Options& options, const Parameters& base, const Plan& plan) {
   for (const Setting& setting : plan.settings) {
     const Subject subject = subject_of(options, base, setting, options.conditions.front(), 1);
-    const std::vector<std::string> faults = validate(subject.parameters);
-    if (!faults.empty()) throw UsageError("setting " + to_string(setting) + ": " + faults.front());
+    check(setting, subject.parameters);
   }
 }
 

@@ -106,17 +106,22 @@ Scene load_scene(const std::string& map, const std::string& regions, const std::
   return scene;
 }
 
-Driven drive_once(const Scene& scene, const Subject& subject, std::uint64_t world_seed, std::uint64_t person_seed) {
+drive::DriveSetup drive_setup(const Scene& scene, const Subject& subject, std::uint64_t world_seed) {
   drive::DriveSetup setup = scene.robot;
   setup.ground = scene.ground;
   setup.route = scene.route;
-  setup.regions = scene.regions;
   setup.start = scene.start;
   setup.goal = scene.goal;
   setup.parameters = subject.parameters;
   setup.link_delay = subject.link_delay;
   setup.odometry_seed = world_seed;
   setup.laser_seed = world_seed + 1;
+  return setup;
+}
+
+Driven drive_once(const Scene& scene, const Subject& subject, std::uint64_t world_seed, std::uint64_t person_seed) {
+  drive::DriveSetup setup = drive_setup(scene, subject, world_seed);
+  setup.regions = scene.regions;
   setup.person = std::make_shared<sim::AvoidingOperator>(steering_traits(subject), learnt_habits(subject),
                                                          *scene.ground->map(), scene.regions, person_seed);
   std::shared_ptr<TakeoverPerson> takeover;

@@ -27,6 +27,9 @@ struct Scene {
 Scene load_scene(const std::string& map, const std::string& regions, const std::optional<sim::Pose>& start,
                  const std::optional<sim::Pose>& goal);
 
+/// A drive of the scene's robot from start to goal. The noise of laser and odometry depends on `world_seed` alone.
+drive::DriveSetup drive_setup(const Scene& scene, const Subject& subject, std::uint64_t world_seed);
+
 /// One drive, and what its person did wrong.
 struct Driven {
   drive::DriveResult result;

@@ -106,6 +106,11 @@ std::vector<Setting> variations(const std::vector<std::string>& varied) {
   return settings;
 }
 
+void check(const Setting& setting, const Parameters& parameters) {
+  const std::vector<std::string> faults = validate(parameters);
+  if (!faults.empty()) throw UsageError("setting " + to_string(setting) + ": " + faults.front());
+}
+
 void assign_file(Parameters& parameters, const std::string& path) {
   YAML::Node root;
   try {

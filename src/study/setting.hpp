@@ -42,6 +42,9 @@ std::vector<Setting> combinations(const std::vector<std::string>& grid);
 /// An empty setting, then each value of `name=v1,v2,...` alone: what matters, and how much. Throws UsageError.
 std::vector<Setting> variations(const std::vector<std::string>& varied);
 
+/// Throws UsageError naming the setting where the parameters that it comes to make no sense.
+void check(const Setting& setting, const Parameters& parameters);
+
 /// Takes the parameters under HIDWAPlannerROS in a YAML file. Throws UsageError.
 void assign_file(Parameters& parameters, const std::string& path);
 
