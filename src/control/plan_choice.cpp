@@ -50,18 +50,13 @@ std::size_t points_on_map(const std::vector<Point>& way, const GridView& grid) {
   return count;
 }
 
-bool collides(const GridView& grid, const Point& p) {
-  const std::uint8_t c = cost_at(grid, p);
-  return c == cost::kLethal || c == cost::kInscribed;
-}
-
 // What is between two points is looked at in steps of half a cell at most.
 bool crosses_obstacle(const std::vector<Point>& way, std::size_t count, const GridView& grid) {
   for (std::size_t k = 1; k < count; ++k) {
     const Point along = way[k] - way[k - 1];
     const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / (0.5 * grid.resolution))));
     for (int s = 1; s <= steps; ++s) {
-      if (collides(grid, way[k - 1] + along * (static_cast<double>(s) / steps))) return true;
+      if (cost::blocks(cost_at(grid, way[k - 1] + along * (static_cast<double>(s) / steps)))) return true;
     }
   }
   return false;

@@ -21,9 +21,7 @@ constexpr double kTurnsFirst = 1.05;  // [rad], a point farther aside is turned 
 
 bool blocks(const GridView& grid, const Point& p) {
   const Cell cell = grid.cell_at(p.x(), p.y());
-  if (!grid.contains(cell)) return false;
-  const std::uint8_t c = grid.at(cell);
-  return c == cost::kLethal || c == cost::kInscribed;
+  return grid.contains(cell) && cost::blocks(grid.at(cell));
 }
 
 // Of a unicycle: midpoint rule.
@@ -95,6 +93,7 @@ void Prediction::roll_out(const ControlLoop& loop, const Observation& observatio
   const Decision& decision = *result.decision;
   const Parameters& p = loop.parameters();
   const VelocityLimits limits = VelocityLimits::from(p);
+  braking_ = limits.x.braking;
   Robot robot{observation.pose, result.command, 0.0};
   poses_.push_back({robot.pose, 0.0});
   const bool own = result.intent.influence == Influence::none && result.outcome == Outcome::drive;
@@ -153,7 +152,7 @@ Twist2 Prediction::pursue(const Robot& robot, const Parameters& p) {
   // The plan leads back: it turns first.
   if (std::abs(bearing) > kTurnsFirst) return {0.0, std::copysign(p.max_vel_theta, bearing)};
   const double curvature = 2.0 * std::sin(bearing) / to.norm();
-  double v = std::min(p.max_vel_x, std::sqrt(2.0 * VelocityLimits::from(p).x.braking * left));
+  double v = std::min(p.max_vel_x, std::sqrt(2.0 * braking_ * left));
   if (std::abs(curvature) * v > p.max_vel_theta) v = p.max_vel_theta / std::abs(curvature);
   return {v, curvature * v};
 }

@@ -39,7 +39,7 @@ bool BaseObstacle::obstacle(const GridView& grid, double x, double y) const {
   const Cell cell = grid.cell_at(x, y);
   if (!grid.contains(cell)) return true;
   const std::uint8_t value = grid.at(cell);
-  return value == cost::kLethal || value == cost::kInscribed || (value == cost::kUnknown && unknown_is_obstacle_);
+  return cost::blocks(value) || (value == cost::kUnknown && unknown_is_obstacle_);
 }
 
 void BaseObstacle::prepare(const CycleView& cycle) {

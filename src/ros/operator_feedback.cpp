@@ -28,7 +28,7 @@ OperatorFeedback::OperatorFeedback(ros::NodeHandle planner, ros::NodeHandle host
 }
 
 void OperatorFeedback::publish(const ros::Time& stamp, const Parameters& parameters, const CycleResult& result,
-                               const control::Prediction& prediction, const OperatorInput::Status& status) {
+                               const control::Prediction* prediction, const OperatorInput::Status& status) {
   if (parameters.rumble_topic != rumble_topic_) {
     if (rumbling_ != 0.0F) send_rumble(0.0F);  // nobody else ends it there
     rumble_topic_ = parameters.rumble_topic;
@@ -37,8 +37,10 @@ void OperatorFeedback::publish(const ros::Time& stamp, const Parameters& paramet
     rumbling_ = 0.0F;
   }
   fill(stamp, result, status);
-  fill_next(prediction);
-  if (state_.getNumSubscribers() > 0) state_.publish(message_);
+  if (prediction != nullptr) {
+    fill_next(*prediction);
+    if (state_wanted()) state_.publish(message_);
+  }
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_operator_markers(message_, base_frame_));
   if (!rumble_topic_.empty()) rumble();
 }

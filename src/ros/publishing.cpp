@@ -76,7 +76,7 @@ void Publishing::publish_path(const ros::Publisher& publisher, const ros::Time& 
 }
 
 void Publishing::publish_prediction(const ros::Time& stamp, const std::vector<control::TimedPose>& poses) {
-  if (predicted_path_.getNumSubscribers() == 0) return;
+  if (!prediction_wanted()) return;
   nav_msgs::Path path;
   path.header.stamp = stamp;
   path.header.frame_id = frame_;

@@ -67,8 +67,8 @@ CycleResult Shell::cycle(bool stop) {
   const CycleResult result = work(now, tick, stop || arriving_);
   explain(now, result);
 
-  feedback_.publish(stamp, loop_.parameters(), result, prediction_, person_.status(now));
-  publishing_.publish_prediction(stamp, prediction_.poses());
+  feedback_.publish(stamp, loop_.parameters(), result, watched_ ? &prediction_ : nullptr, person_.status(now));
+  if (watched_) publishing_.publish_prediction(stamp, prediction_.poses());
   if (result.decision) {
     publishing_.publish_paths(stamp, loop_.situation().plan, result.decision->trajectory);
     if (result.sampling.report != Report::chosen) publishing_.publish_evaluation(stamp, loop_.planner());
@@ -94,7 +94,8 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
   result.sampling = sampling();
   recording_.steps(loop_, observation, result.sampling);
   static_cast<control::Result&>(result) = loop_.step(observation, result.sampling);
-  prediction_.update(loop_, observation, result);
+  watched_ = publishing_.prediction_wanted() || feedback_.state_wanted();
+  if (watched_) prediction_.update(loop_, observation, result);
   result.missing = observation.missing;
   result.fault = observation.fault;
   if (result.decision) watch_odometry(observation, *result.decision);

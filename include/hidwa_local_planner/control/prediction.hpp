@@ -57,6 +57,7 @@ class Prediction {
   std::vector<Point> ahead_;  // the plan from the robot on, costmap frame
   std::vector<double> arc_;   // arc length at each of these points [m]
   std::size_t at_ = 0;        // the point that the predicted robot has come to
+  double braking_ = 0.0;      // [m/s^2]
   double end_ = 0.0;          // arc length where it comes to rest [m]
   bool blocked_ = false;      // an obstacle is there; else the goal
   bool rests_ = false;        // it comes to rest within the horizon

@@ -14,6 +14,9 @@ constexpr std::uint8_t kFree = 0;
 constexpr std::uint8_t kInscribed = 253;
 constexpr std::uint8_t kLethal = 254;
 constexpr std::uint8_t kUnknown = 255;
+
+/// A robot whose centre is in a cell of this cost touches something.
+constexpr bool blocks(std::uint8_t value) { return value == kLethal || value == kInscribed; }
 }  // namespace cost
 
 /// A cell, column i along x and row j along y; may lie outside the grid.

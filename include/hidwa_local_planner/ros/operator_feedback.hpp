@@ -25,9 +25,12 @@ class OperatorFeedback {
   /// the robot's.
   OperatorFeedback(ros::NodeHandle planner, ros::NodeHandle host, std::string frame, std::string base_frame);
 
-  /// Once a cycle, from the control thread.
+  /// Somebody listens to operator_state.
+  bool state_wanted() const { return state_.getNumSubscribers() > 0; }
+  /// Once a cycle, from the control thread. `prediction`: of this cycle; null where nobody
+  /// listened when it was made: then there is no operator_state.
   void publish(const ros::Time& stamp, const Parameters& parameters, const CycleResult& result,
-               const control::Prediction& prediction, const OperatorInput::Status& status);
+               const control::Prediction* prediction, const OperatorInput::Status& status);
   /// The mode in force, from whatever thread changes it (one at a time), also while no cycles run; published
   /// where it changed.
   void show_mode(OperatorMode mode);

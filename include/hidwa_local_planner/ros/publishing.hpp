@@ -29,6 +29,7 @@ class Publishing {
   bool candidates_wanted() const {
     return cycle_wanted() || evaluation_.getNumSubscribers() > 0 || trajectories_.getNumSubscribers() > 0;
   }
+  bool prediction_wanted() const { return predicted_path_.getNumSubscribers() > 0; }
   /// Somebody subscribed to the cycles since the last call.
   bool new_cycle_subscriber();
   void publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state, double duration,

@@ -128,7 +128,8 @@ class Shell {
   std::string odom_topic_;  // listened to
   std::string moving_obstacles_topic_;
   Parameters accepted_;             // the last valid set, in force or about to be
-  control::Prediction prediction_;  // of the last cycle
+  control::Prediction prediction_;  // of the last cycle, where somebody watched
+  bool watched_ = false;
   Publishing publishing_;
   OperatorFeedback feedback_;
   std::unique_ptr<Reconfigure> reconfigure_;

@@ -9,15 +9,13 @@
 namespace hidwa_local_planner {
 namespace {
 
-bool blocked(std::uint8_t value) { return value == cost::kLethal || value == cost::kInscribed; }
-
 double distance_of(const EndDistances::Question& q, const Tile& tile, std::size_t c) {
   const Pose2 last = tile.last_pose(c);
   const double x = last.x + q.forward * tile.cos_heading[tile.steps];
   const double y = last.y + q.forward * tile.sin_heading[tile.steps];
   if (!q.centre_counts) return PlanGrids::at(q.distances, q.grid, x, y);
   const Cell nose = q.grid.cell_at(x, y);
-  if (q.grid.contains(nose) && !blocked(q.grid.at(nose))) {
+  if (q.grid.contains(nose) && !cost::blocks(q.grid.at(nose))) {
     const double distance = PlanGrids::at(q.distances, q.grid, x, y);
     if (distance >= 0.0) return distance;
   }
@@ -62,7 +60,7 @@ void EndDistances::ask_centres(const Question& question, const Tile& tile, std::
   for (std::size_t c = 0; c < count; ++c) {
     const Cell nose{noses.i[first + c], noses.j[first + c]};
     if (found[c] >= 0.0 || nose.i < 0) continue;
-    if (blocked(grid.at({table.box.i + nose.i, table.box.j + nose.j}))) found[c] = of_centres[c];
+    if (cost::blocks(grid.at({table.box.i + nose.i, table.box.j + nose.j}))) found[c] = of_centres[c];
   }
 }
 
