@@ -78,7 +78,7 @@ double SocialDistance::configure(const Parameters& parameters, const ParameterSo
 void SocialDistance::prepare(const CycleView& cycle) {
   movers_.clear();
   own_radius_ = cycle.footprint->circumscribed_radius();
-  for (const MovingObstacle& mover : *cycle.moving_obstacles) {
+  for (const MovingObstacleEstimate& mover : *cycle.moving_obstacles) {
     movers_.push_back({mover.position + mover.age * mover.velocity, mover.velocity, mover.radius});
   }
 }

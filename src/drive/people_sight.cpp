@@ -32,12 +32,13 @@ void PeopleSight::keep_marked(const GridView& costmap) {
   }
 }
 
-MovingObstacles PeopleSight::truth(const std::vector<sim::Mover>& movers, const sim::Pose& map_in_costmap) const {
-  MovingObstacles obstacles;
+MovingObstacleEstimates PeopleSight::truth(const std::vector<sim::Mover>& movers,
+                                           const sim::Pose& map_in_costmap) const {
+  MovingObstacleEstimates obstacles;
   const double c = std::cos(map_in_costmap.theta), s = std::sin(map_in_costmap.theta);
   const auto turned = [c, s](const Eigen::Vector2d& v) { return Point(c * v.x() - s * v.y(), s * v.x() + c * v.y()); };
   for (const sim::Mover& mover : movers) {
-    MovingObstacle obstacle;
+    MovingObstacleEstimate obstacle;
     obstacle.id = mover.id;
     obstacle.position = Point(map_in_costmap.x, map_in_costmap.y) + turned(mover.position);
     obstacle.velocity = turned(mover.velocity);

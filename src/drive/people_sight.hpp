@@ -29,7 +29,7 @@ class PeopleSight {
   void keep_marked(const GridView& costmap);
 
   /// The true state of everybody, without any deviation; `map_in_costmap`: the map's frame in the costmap's.
-  MovingObstacles truth(const std::vector<sim::Mover>& movers, const sim::Pose& map_in_costmap) const;
+  MovingObstacleEstimates truth(const std::vector<sim::Mover>& movers, const sim::Pose& map_in_costmap) const;
 
  private:
   const sim::OccupancyMap& map_;

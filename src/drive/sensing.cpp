@@ -83,11 +83,11 @@ void Sensing::remember_people(const sim::Pose& sensor) {
   }
 }
 
-MovingObstacles Sensing::moving_obstacles(const sim::World& world, const sim::Pose& map_in_odometry) const {
+MovingObstacleEstimates Sensing::moving_obstacles(const sim::World& world, const sim::Pose& map_in_odometry) const {
   if (setup_.tracking == Tracking::none) return {};
   if (tracker_) {
-    MovingObstacles tracks = tracker_->obstacles();
-    for (MovingObstacle& track : tracks) track.age = world.time() - tracker_->stamp();
+    MovingObstacleEstimates tracks = tracker_->obstacles();
+    for (MovingObstacleEstimate& track : tracks) track.age = world.time() - tracker_->stamp();
     return tracks;
   }
   return people_.truth(world.movers(), map_in_odometry);

@@ -30,7 +30,7 @@ class Sensing {
   void update_costmap(const sim::World& world);
 
   /// What the planner is told of people, as the setup's tracking has it, where they are now; costmap frame.
-  MovingObstacles moving_obstacles(const sim::World& world, const sim::Pose& map_in_odometry) const;
+  MovingObstacleEstimates moving_obstacles(const sim::World& world, const sim::Pose& map_in_odometry) const;
 
   GridView costmap() const { return costmap_.view(); }
 

@@ -151,7 +151,7 @@ void encode(const CycleRecord& record, Bytes& bytes) {
   std::memcpy(bytes.data(), &kFormat, sizeof(kFormat));
   PartWriter parts(bytes);
   parts_of(record, parts);
-  const MovingObstacles& moving = record.observation.moving_obstacles;
+  const MovingObstacleEstimates& moving = record.observation.moving_obstacles;
   if (!moving.empty()) parts.input(kMovingObstacles, moving);
 }
 
@@ -163,9 +163,9 @@ std::string decode(const Bytes& bytes, CycleRecord& record) {
   if (format != kFormat) return of_other_format(format, read);
   PartReader parts(bytes.data() + sizeof(format), bytes.size() - sizeof(format));
   parts_of(record, parts);
-  std::optional<MovingObstacles> moving;
+  std::optional<MovingObstacleEstimates> moving;
   parts.input(kMovingObstacles, moving);
-  record.observation.moving_obstacles = moving ? std::move(*moving) : MovingObstacles();
+  record.observation.moving_obstacles = moving ? std::move(*moving) : MovingObstacleEstimates();
   record.unknown = parts.unknown();
   return parts.fault().empty() ? lacking(record) : parts.fault();
 }

@@ -134,7 +134,7 @@ const char* name_of(Influence influence) {
   return "?";
 }
 
-std::string about_mover(const MovingObstacle& mover) {
+std::string about_mover(const MovingObstacleEstimate& mover) {
   return format(
       "moving obstacle %u at (%.2f m, %.2f m) with (%.2f, %.2f) m/s, radius %.2f m, known within %.2f m and "
       "%.2f m/s, %.2f s old\n",
@@ -154,7 +154,7 @@ std::string explain(double time, record::CycleReplay& replay, const record::Repl
                    to_string(cycle.intent.state), name_of(cycle.intent.influence));
     text += format("robot at (%.3f m, %.3f m, %.3f rad), measured %s, last command %s\n", s.pose.x, s.pose.y,
                    s.pose.theta, in_words(s.velocity).c_str(), in_words(s.last_command).c_str());
-    for (const MovingObstacle& mover : s.moving_obstacles) text += about_mover(mover);
+    for (const MovingObstacleEstimate& mover : s.moving_obstacles) text += about_mover(mover);
     text += count_rejections(replay.planner().candidates());
   } else {
     text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time(),
@@ -187,7 +187,7 @@ Json json_of(const CandidateReport& candidate) {
 }
 
 // Where it is in this cycle.
-Json json_of(const MovingObstacle& mover) {
+Json json_of(const MovingObstacleEstimate& mover) {
   return {{"id", mover.id},
           {"position", json_of(Point(mover.position + mover.age * mover.velocity))},
           {"velocity", json_of(mover.velocity)},

@@ -26,7 +26,7 @@ constexpr double kAhead = 0.1;
 bool within(double value, double most) { return value >= 0.0 && value <= most; }
 
 // Why an obstacle cannot be used; null where it can.
-const char* fault_of(const MovingObstacleMessage& one) {
+const char* fault_of(const MovingObstacle& one) {
   if (!(std::hypot(one.position.x, one.position.y) <= kFarthestObstacle)) return "its position is not a number";
   if (!(std::hypot(one.velocity.x, one.velocity.y) <= kFastestObstacle)) {
     return "its velocity is not a number, or above 30 m/s";
@@ -44,7 +44,7 @@ Point turned(const Pose2& frame, double x, double y) {
   return {c * x - s * y, s * x + c * y};
 }
 
-void convert(const MovingObstacleMessage& from, const Pose2& frame, double age, MovingObstacle& to) {
+void convert(const MovingObstacle& from, const Pose2& frame, double age, MovingObstacleEstimate& to) {
   const Point origin(frame.x, frame.y);
   to.id = from.id;
   to.position = origin + turned(frame, from.position.x, from.position.y);
@@ -82,13 +82,12 @@ std::string find_frame(const tf2::BufferCore& tf, const std::string& to, const s
 void MovingObstacleInput::subscribe(ros::NodeHandle handle, const std::string& topic) {
   subscriber_.shutdown();
   forget();
-  const auto callback = [this](const MovingObstaclesMessage::ConstPtr& message) {
+  const auto callback = [this](const MovingObstacles::ConstPtr& message) {
     receive(message, ros::Time::now().toSec());
   };
   std::string resolved;
   if (!topic.empty()) {
-    subscriber_ =
-        handle.subscribe<MovingObstaclesMessage>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
+    subscriber_ = handle.subscribe<MovingObstacles>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
     resolved = subscriber_.getTopic();
   }
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -96,9 +95,9 @@ void MovingObstacleInput::subscribe(ros::NodeHandle handle, const std::string& t
   status_.topic = std::move(resolved);
 }
 
-void MovingObstacleInput::receive(const MovingObstaclesMessage::ConstPtr& message, double received) {
+void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, double received) {
   std::size_t refused = 0;
-  for (const MovingObstacleMessage& one : message->obstacles) {
+  for (const MovingObstacle& one : message->obstacles) {
     const char* fault = fault_of(one);
     if (fault == nullptr) continue;
     ++refused;
@@ -117,8 +116,8 @@ void MovingObstacleInput::forget() {
 }
 
 void MovingObstacleInput::read(double now, double timeout, const tf2::BufferCore& tf, const std::string& frame,
-                               MovingObstacles& obstacles) {
-  MovingObstaclesMessage::ConstPtr message;
+                               MovingObstacleEstimates& obstacles) {
+  MovingObstacles::ConstPtr message;
   double received = 0.0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -145,7 +144,7 @@ void MovingObstacleInput::read(double now, double timeout, const tf2::BufferCore
     std::string fault = find_frame(tf, plain_frame(frame), from, stamp, timeout, origin);
     if (!fault.empty()) return report(0, age, std::move(fault));
   }
-  for (const MovingObstacleMessage& one : message->obstacles) {
+  for (const MovingObstacle& one : message->obstacles) {
     if (fault_of(one) == nullptr) convert(one, origin, std::max(0.0, age), obstacles.emplace_back());
   }
   const bool all = obstacles.size() == message->obstacles.size();

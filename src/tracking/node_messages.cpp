@@ -99,12 +99,11 @@ void to_range_scan(const sensor_msgs::LaserScan& message, Mounting mounting, Ran
   scan.ranges.assign(message.ranges.begin(), message.ranges.end());
 }
 
-MovingObstacles to_message(const std::vector<ToldObstacle>& obstacles, const std::string& frame,
-                           const ros::Time& stamp) {
+MovingObstacles to_message(const MovingObstacleEstimates& obstacles, const std::string& frame, const ros::Time& stamp) {
   MovingObstacles message;
   message.header.frame_id = frame;
   message.header.stamp = stamp;
-  for (const ToldObstacle& o : obstacles) {
+  for (const MovingObstacleEstimate& o : obstacles) {
     MovingObstacle m;
     m.id = o.id;
     m.position.x = o.position.x();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include <geometry_msgs/Transform.h>
 #include <ros/time.h>
@@ -10,8 +9,8 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "hidwa_local_planner/MovingObstacles.h"
+#include "hidwa_local_planner/core/moving_obstacle.hpp"
 #include "hidwa_local_planner/tracking/range_scan.hpp"
-#include "tracking/told_obstacles.hpp"
 
 namespace hidwa_local_planner {
 namespace tracking {
@@ -27,8 +26,7 @@ Pose2 to_sensor_pose(const geometry_msgs::Transform& sensor);
 /// The scan without its poses. One that is mounted upside down is mirrored.
 void to_range_scan(const sensor_msgs::LaserScan& message, Mounting mounting, RangeScan& scan);
 
-MovingObstacles to_message(const std::vector<ToldObstacle>& obstacles, const std::string& frame,
-                           const ros::Time& stamp);
+MovingObstacles to_message(const MovingObstacleEstimates& obstacles, const std::string& frame, const ros::Time& stamp);
 
 /// For rviz: a disc, an arrow as long as one second of its way, and the id and speed of each. They vanish by
 /// themselves.

@@ -176,10 +176,10 @@ bool known_to_move(const Track& track, const Beams& beams, const Travel& travel,
   return way > (small ? kVacatedBySmall : kVacated) && left_behind(track, beams);
 }
 
-MovingObstacle to_obstacle(const Track& track, double time, const TrackerSettings& settings) {
+MovingObstacleEstimate to_obstacle(const Track& track, double time, const TrackerSettings& settings) {
   Track now = track;
   predict_track(now, time, settings);
-  MovingObstacle o;
+  MovingObstacleEstimate o;
   o.id = track.id;
   o.position = now.filter.position();
   o.velocity = now.filter.velocity();

@@ -68,7 +68,7 @@ void correct_track(Track& track, const Sighting& sighting, const TrackerSettings
 bool known_to_move(const Track& track, const Beams& beams, const Travel& travel, const TrackerSettings& settings);
 
 /// The track as others see it at a time [s], without its points.
-MovingObstacle to_obstacle(const Track& track, double time, const TrackerSettings& settings);
+MovingObstacleEstimate to_obstacle(const Track& track, double time, const TrackerSettings& settings);
 
 }  // namespace tracking
 }  // namespace hidwa_local_planner

@@ -59,7 +59,7 @@ class Tracker::Impl {
     known_ = false;
   }
 
-  const MovingObstacles& obstacles() const { return obstacles_; }
+  const MovingObstacleEstimates& obstacles() const { return obstacles_; }
   double stamp() const { return beams_.end; }
   std::size_t candidates() const {
     return static_cast<std::size_t>(
@@ -220,7 +220,7 @@ class Tracker::Impl {
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
       if (!tracks_[i].confirmed) continue;
       if (count == obstacles_.size()) obstacles_.emplace_back();
-      MovingObstacle& o = obstacles_[count++];
+      MovingObstacleEstimate& o = obstacles_[count++];
       std::vector<Point> points = std::move(o.points);
       o = tracking::to_obstacle(tracks_[i], beams_.end, settings_);
       points.clear();
@@ -232,7 +232,7 @@ class Tracker::Impl {
     }
     obstacles_.resize(count);
     std::sort(obstacles_.begin(), obstacles_.end(),
-              [](const MovingObstacle& a, const MovingObstacle& b) { return a.id < b.id; });
+              [](const MovingObstacleEstimate& a, const MovingObstacleEstimate& b) { return a.id < b.id; });
   }
 
   TrackerSettings settings_;
@@ -241,7 +241,7 @@ class Tracker::Impl {
   tracking::Beams beams_;
   std::vector<Segment> segments_;
   std::vector<Track> tracks_;
-  MovingObstacles obstacles_;
+  MovingObstacleEstimates obstacles_;
   tracking::Travel travel_;
   Pose2 sensor_;
   bool known_ = false;
@@ -259,7 +259,7 @@ Tracker::Tracker(Tracker&&) noexcept = default;
 Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
 ScanUse Tracker::update(const RangeScan& scan) { return impl_->update(scan); }
-const MovingObstacles& Tracker::obstacles() const { return impl_->obstacles(); }
+const MovingObstacleEstimates& Tracker::obstacles() const { return impl_->obstacles(); }
 double Tracker::stamp() const { return impl_->stamp(); }
 void Tracker::reset() { impl_->reset(); }
 std::size_t Tracker::candidates() const { return impl_->candidates(); }

@@ -11,6 +11,7 @@
 #include <ros/ros.h>
 #include <tf2_ros/transform_listener.h>
 
+#include "hidwa_local_planner/tracking/tracker.hpp"
 #include "tracking/node_messages.hpp"
 #include "tracking/node_parameters.hpp"
 
@@ -173,7 +174,7 @@ class TrackerNode {
   }
 
   NodeParameters p_;
-  TellingTracker tracker_;
+  Tracker tracker_;
   RangeScan scan_;
   double stamp_before_ = -1.0;  // of the scan before [s]
   double lag_ = 0.0;            // from the end of a scan to its use [s]

@@ -117,7 +117,7 @@ TEST_P(Allocations, NoneAmongMovers) {
   for (Scene& scene : scenes_) {
     for (std::uint32_t id = 0; id < 5; ++id) {
       const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.6, 2.0);
-      MovingObstacle mover;
+      MovingObstacleEstimate mover;
       mover.id = id;
       mover.position =
           Point(scene.situation.pose.x, scene.situation.pose.y) + away * Point(std::cos(angle), std::sin(angle));

@@ -178,14 +178,14 @@ class World {
     return Vec{std::cos(angle), std::sin(angle)} * length;
   }
 
-  MovingObstacle told(const Walker& walker) {
+  MovingObstacleEstimate told(const Walker& walker) {
     const auto ticks = static_cast<std::size_t>(random_.uniform(0.0, bounds_.oldest) / kTick);
     const std::size_t back = walker.past.empty() ? 0 : std::min(ticks, walker.past.size() - 1);
     const Vec p = walker.past.empty() ? walker.p : walker.past[back][0];
     const Vec v = walker.past.empty() ? walker.v : walker.past[back][1];
     const Vec said_p = p + anywhere(error(bounds_.position_error)),
               said_v = v + anywhere(error(bounds_.velocity_error));
-    MovingObstacle one;
+    MovingObstacleEstimate one;
     one.id = walker.id;
     one.position = {said_p.x, said_p.y};
     one.velocity = {said_v.x, said_v.y};

@@ -80,9 +80,9 @@ class TrackerDrive {
   const ScanRobot& robot() const { return robot_; }
 
  private:
-  const MovingObstacle* nearest_to(const Point& place, double within) const {
-    const MovingObstacle* best = nullptr;
-    for (const MovingObstacle& o : tracker_.obstacles()) {
+  const MovingObstacleEstimate* nearest_to(const Point& place, double within) const {
+    const MovingObstacleEstimate* best = nullptr;
+    for (const MovingObstacleEstimate& o : tracker_.obstacles()) {
       const double d = (o.position - place).norm();
       if (d < within) {
         within = d;
@@ -95,11 +95,11 @@ class TrackerDrive {
   void judge(double time, const std::vector<int>& seen) {
     for (std::size_t w = 0; w < watched_.size(); ++w) {
       const Walker& walker = world_.walkers[w];
-      const MovingObstacle* o = nearest_to(robot_.in_odometry(walker.at(time)), walker.radius + 0.5);
+      const MovingObstacleEstimate* o = nearest_to(robot_.in_odometry(walker.at(time)), walker.radius + 0.5);
       if (o != nullptr) score_.true_ids.insert(o->id);
     }
     for (std::size_t w = 0; w < watched_.size(); ++w) judge_walker(w, time, seen[w]);
-    for (const MovingObstacle& o : tracker_.obstacles()) {
+    for (const MovingObstacleEstimate& o : tracker_.obstacles()) {
       double nearest = 1e9;
       for (const Walker& walker : world_.walkers) {
         nearest = std::min(nearest, (o.position - robot_.in_odometry(walker.at(time))).norm() - walker.radius);
@@ -110,7 +110,7 @@ class TrackerDrive {
   }
 
   // A point that a track says may leave the costmap must be on a walker, as far as noise allows.
-  void judge_points(const MovingObstacle& o, double time) {
+  void judge_points(const MovingObstacleEstimate& o, double time) {
     for (const Point& p : o.points) {
       bool on_walker = false;
       for (const Walker& walker : world_.walkers) {
@@ -138,7 +138,7 @@ class TrackerDrive {
     }
     ++score_.visible;
     if (watched.in_view_since < 0.0) watched.in_view_since = time;
-    const MovingObstacle* o = nearest_to(place, walker.radius + 0.5);
+    const MovingObstacleEstimate* o = nearest_to(place, walker.radius + 0.5);
     if (o == nullptr) return;
     ++score_.followed;
     if (watched.found_at < 0.0) {
@@ -148,8 +148,8 @@ class TrackerDrive {
     compare(*o, walker, watched, time, place, velocity);
   }
 
-  void compare(const MovingObstacle& o, const Walker& walker, const Watched& watched, double time, const Point& place,
-               const Point& velocity) {
+  void compare(const MovingObstacleEstimate& o, const Walker& walker, const Watched& watched, double time,
+               const Point& place, const Point& velocity) {
     const double off = (o.position - place).norm();
     const double wrong = (o.velocity - velocity).norm();
     const bool steady = time > watched.found_at + 1.0 && time > watched.steady_since + 1.0;

@@ -49,7 +49,7 @@ struct Observation {
   double pose_age = 0.0;           // [s]
   FrameTransform from_plan;        // of the plan's frame, in the costmap's
   GridView costmap;
-  MovingObstacles moving_obstacles;
+  MovingObstacleEstimates moving_obstacles;
   /// Set after a pause of the host: the robot's velocity, as far as it is known.
   std::optional<Twist2> resumed;
   bool host_stops = false;  // the robot is to brake to rest whatever the operator wants

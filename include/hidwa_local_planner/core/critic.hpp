@@ -37,7 +37,7 @@ struct CycleView {
   const GridView* grid = nullptr;
   const Footprint* footprint = nullptr;
   Surroundings* surroundings = nullptr;
-  const MovingObstacles* moving_obstacles = nullptr;  // that count
+  const MovingObstacleEstimates* moving_obstacles = nullptr;  // that count
 
   /// False where no pose of the plan lies on the local map: then no distance is known.
   bool plan_on_map() const { return surroundings->plan_on_map(); }

@@ -9,7 +9,7 @@
 namespace hidwa_local_planner {
 
 /// Something that moves, as it was estimated `age` ago: a disc with a velocity.
-struct MovingObstacle {
+struct MovingObstacleEstimate {
   std::uint32_t id = 0;             // of the track
   Point position{0.0, 0.0};         // of its centre, costmap frame [m]
   Point velocity{0.0, 0.0};         // relative to the ground, costmap frame [m/s]
@@ -28,6 +28,6 @@ struct MovingObstacle {
   }
 };
 
-using MovingObstacles = std::vector<MovingObstacle>;
+using MovingObstacleEstimates = std::vector<MovingObstacleEstimate>;
 
 }  // namespace hidwa_local_planner

@@ -33,7 +33,7 @@ struct Situation {
   double pose_age = 0.0;        // how old the pose is [s]; the planner adds the motion since then
   bool resumed = false;         // the host paused and others may have driven: last_command is the velocity of now
   double time = 0.0;            // [s]
-  MovingObstacles moving_obstacles;
+  MovingObstacleEstimates moving_obstacles;
 };
 
 /// How much a cycle finds out about its candidates. Each level includes the one before. All levels give the same

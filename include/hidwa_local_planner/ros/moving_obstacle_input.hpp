@@ -9,8 +9,8 @@
 #include <ros/subscriber.h>
 #include <tf2/buffer_core.h>
 
+#include "hidwa_local_planner/MovingObstacles.h"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
-#include "hidwa_local_planner/ros/moving_obstacle_message.hpp"
 
 namespace hidwa_local_planner {
 
@@ -28,13 +28,13 @@ class MovingObstacleInput {
 
   /// `handle` decides the namespace and whose thread serves the messages. An empty topic: to nothing.
   void subscribe(ros::NodeHandle handle, const std::string& topic);
-  void receive(const MovingObstaclesMessage::ConstPtr& message, double received);
+  void receive(const MovingObstacles::ConstPtr& message, double received);
   /// Time jumped back, or the sender is another one.
   void forget();
 
   /// What counts at `now` [s], in `frame`, with its age; replaces what is in `obstacles`.
   void read(double now, double timeout, const tf2::BufferCore& tf, const std::string& frame,
-            MovingObstacles& obstacles);
+            MovingObstacleEstimates& obstacles);
 
   struct Status {
     std::string topic;           // empty: nothing is listened to
@@ -51,7 +51,7 @@ class MovingObstacleInput {
 
   ros::Subscriber subscriber_;
   mutable std::mutex mutex_;
-  MovingObstaclesMessage::ConstPtr newest_;
+  MovingObstacles::ConstPtr newest_;
   double received_ = 0.0;  // [s]
   Status status_;
 };

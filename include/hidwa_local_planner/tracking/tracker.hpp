@@ -25,7 +25,7 @@ class Tracker {
   ScanUse update(const RangeScan& scan);
 
   /// What moves, at `stamp()`, in the fixed frame; `age` is 0. In order of id.
-  const MovingObstacles& obstacles() const;
+  const MovingObstacleEstimates& obstacles() const;
 
   /// The time of obstacles(): the end of the last scan that was used [s].
   double stamp() const;

@@ -19,7 +19,7 @@ bool is_lethal(const GridView& grid, int i, int j) { return grid.at({i, j}) == c
 
 }  // namespace
 
-GridView ExplainedCells::without(const GridView& grid, const MovingObstacles& movers) {
+GridView ExplainedCells::without(const GridView& grid, const MovingObstacleEstimates& movers) {
   reserve(grid);
   find_explained(grid, movers);
   if (taken_.empty()) return grid;
@@ -42,9 +42,9 @@ void ExplainedCells::reserve(const GridView& grid) {
   for (std::vector<int>* values : {&rows_, &before_, &after_}) values->reserve(grid.cell_count());
 }
 
-void ExplainedCells::find_explained(const GridView& grid, const MovingObstacles& movers) {
+void ExplainedCells::find_explained(const GridView& grid, const MovingObstacleEstimates& movers) {
   taken_.clear();
-  for (const MovingObstacle& mover : movers) {
+  for (const MovingObstacleEstimate& mover : movers) {
     // What its disc does not cover is not explained by it.
     const double farthest = mover.radius + ReachableSet::kDeviations * mover.position_deviation +
                             mover.velocity.norm() * mover.age + 2.0 * grid.resolution;

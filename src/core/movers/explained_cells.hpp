@@ -28,7 +28,7 @@ class ExplainedCells {
 
   /// The costmap without what the movers' points explain; `grid` itself where that is nothing. Valid until the next
   /// call.
-  GridView without(const GridView& grid, const MovingObstacles& movers);
+  GridView without(const GridView& grid, const MovingObstacleEstimates& movers);
   /// So many cells were taken out.
   std::size_t count() const { return taken_.size(); }
 
@@ -42,7 +42,7 @@ class ExplainedCells {
     std::size_t size() const { return static_cast<std::size_t>(width()) * static_cast<std::size_t>(j1 - j0); }
   };
   void reserve(const GridView& grid);
-  void find_explained(const GridView& grid, const MovingObstacles& movers);
+  void find_explained(const GridView& grid, const MovingObstacleEstimates& movers);
   Window window_around(const GridView& grid, int reach) const;
   void measure(const GridView& grid, const Window& window, int reach, std::vector<int>& squares);
   void learn_costs(const GridView& grid, const Window& window, int reach);

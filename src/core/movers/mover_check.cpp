@@ -84,7 +84,7 @@ MoverCheck::MoverCheck() {
 }
 
 void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
-                         const MovingObstacles& movers, const Start& start) {
+                         const MovingObstacleEstimates& movers, const Start& start) {
   near_.clear();
   leaving_.begin();
   if (movers.empty()) return;
@@ -108,14 +108,14 @@ void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& lim
   reach_ = fastest.v * duration_;
   most_drift_ = most_drift(*start.pending, limits, start.period, radius_, reach_);
   most_grown_ = most_drift_ + 0.5 * (kLongStep + kLateApart * start.period) * (fastest_ + fastest.omega * reach_);
-  for (const MovingObstacle& mover : movers) add_near(mover, parameters);
+  for (const MovingObstacleEstimate& mover : movers) add_near(mover, parameters);
   for (Look* look : {&coarse_, &fine_}) {
     for (Lead& lead : look->leads) lead.roller.reset();
   }
 }
 
 // What is too far away to be met until rest, whatever it and the robot do, is left out.
-void MoverCheck::add_near(const MovingObstacle& mover, const Parameters& parameters) {
+void MoverCheck::add_near(const MovingObstacleEstimate& mover, const Parameters& parameters) {
   const ReachableSet set(mover, parameters);
   const Point here(start_.pose.x, start_.pose.y);
   const double own = radius_ + reach_ + most_grown_ + 0.5 * kLongStep * set.fastest();

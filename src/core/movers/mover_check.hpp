@@ -53,7 +53,7 @@ class MoverCheck {
   void forget() { leaving_.forget(); }
   /// Once per cycle.
   void prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
-               const MovingObstacles& movers, const Start& start);
+               const MovingObstacleEstimates& movers, const Start& start);
   /// No command of this cycle can meet anything that moves before rest.
   bool none_near() const { return near_.empty(); }
   std::size_t near() const { return near_.size(); }
@@ -102,7 +102,7 @@ class MoverCheck {
     std::vector<Answer> answers;  // by a hash of the command
   };
 
-  void add_near(const MovingObstacle& mover, const Parameters& parameters);
+  void add_near(const MovingObstacleEstimate& mover, const Parameters& parameters);
   bool around(const ReachableSet& set) const;
   bool answer(const Twist2& command, Look& look);
   bool rests_untouched(const Twist2& command, Look& look);

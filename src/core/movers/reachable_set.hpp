@@ -22,7 +22,7 @@ class ReachableSet {
   static constexpr double kDeviations = 3.0;
 
   ReachableSet() = default;
-  ReachableSet(const MovingObstacle& mover, const Parameters& parameters)
+  ReachableSet(const MovingObstacleEstimate& mover, const Parameters& parameters)
       : position_(mover.position),
         velocity_(mover.velocity),
         age_(mover.age),

@@ -25,7 +25,7 @@ bool plausible(const Pose2& q) {
   return std::abs(q.x) <= kFarthest && std::abs(q.y) <= kFarthest && std::abs(q.theta) <= kFarthest;
 }
 
-bool plausible(const MovingObstacle& mover) {
+bool plausible(const MovingObstacleEstimate& mover) {
   const auto within = [](double value, double most) { return value >= 0.0 && value <= most; };
   return mover.position.norm() <= kFarthest && mover.velocity.norm() <= kFastestMover &&
          within(mover.radius, kLargestMover) && within(mover.position_deviation, kLargestMover) &&
@@ -47,8 +47,9 @@ const char* input_fault(const Cycle& cycle) {
   if (!(situation.period > 0.0) || !std::isfinite(situation.period))
     return "the control period is not positive: set controller_frequency";
   if (situation.plan.empty()) return "the plan is empty";
-  const MovingObstacles& movers = situation.moving_obstacles;
-  if (!std::all_of(movers.begin(), movers.end(), [](const MovingObstacle& mover) { return plausible(mover); })) {
+  const MovingObstacleEstimates& movers = situation.moving_obstacles;
+  if (!std::all_of(movers.begin(), movers.end(),
+                   [](const MovingObstacleEstimate& mover) { return plausible(mover); })) {
     return "a moving obstacle is not a number, or impossible: check what publishes moving_obstacles_topic";
   }
   const auto bad = [](const Pose2& pose) { return !plausible(pose); };

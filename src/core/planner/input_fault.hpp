@@ -8,7 +8,7 @@ namespace hidwa_local_planner {
 /// False for a value that is not a number, or so large that it must be a fault.
 bool plausible(const Twist2& u);
 bool plausible(const Pose2& q);
-bool plausible(const MovingObstacle& mover);
+bool plausible(const MovingObstacleEstimate& mover);
 
 /// The fault of the cycle's input, in words; null where it has none.
 const char* input_fault(const Cycle& cycle);

@@ -66,7 +66,7 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
 // Only where braking is checked: with the rollout alone a mover is what its cells are. What is no number is a fault of
 // the input, and the cycle brakes.
 bool Planner::Impl::movers_count(const CycleStart& start) const {
-  const MovingObstacles& all = start.situation->moving_obstacles;
+  const MovingObstacleEstimates& all = start.situation->moving_obstacles;
   return !all.empty() && parameters.admissibility == Admissibility::braking && footprint.fault() == nullptr &&
          std::all_of(all.begin(), all.end(), [](const auto& one) { return plausible(one); });
 }

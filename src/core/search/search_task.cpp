@@ -95,10 +95,10 @@ bool SearchTask::plausible() const {
   return robot && body.fault() == nullptr && !body.empty() && grid().contains(grid().cell_at(start.x, start.y));
 }
 
-void add_movers(const MovingObstacles& movers, const Footprint& footprint, SearchTask& task) {
+void add_movers(const MovingObstacleEstimates& movers, const Footprint& footprint, SearchTask& task) {
   const GridView grid = task.grid();
   const double c = std::cos(task.start.theta), s = std::sin(task.start.theta), half = 0.5 * grid.resolution;
-  for (const MovingObstacle& mover : movers) {
+  for (const MovingObstacleEstimate& mover : movers) {
     const Point now = mover.position + mover.age * mover.velocity;
     const double reach = mover.radius + half;
     const auto cells = [&](double from, double to, int size) {

@@ -24,8 +24,8 @@ using test::Random;
 using test::rejections_by;
 using test::Scene;
 
-MovingObstacle mover_at(double x, double y, double vx = 0.0, double vy = 0.0) {
-  MovingObstacle mover;
+MovingObstacleEstimate mover_at(double x, double y, double vx = 0.0, double vy = 0.0) {
+  MovingObstacleEstimate mover;
   mover.id = 7;
   mover.position = {x, y};
   mover.velocity = {vx, vy};
@@ -37,7 +37,7 @@ TEST(ReachableSets, AreWhatAccelerationAndSpeedAllow) {
   Parameters p;
   p.moving_obstacle_acc = 1.5;
   p.moving_obstacle_speed = 1.8;
-  MovingObstacle mover = mover_at(1.0, 2.0, 0.5, 0.0);
+  MovingObstacleEstimate mover = mover_at(1.0, 2.0, 0.5, 0.0);
   mover.position_deviation = 0.02;
   mover.velocity_deviation = 0.1;
   mover.age = 0.1;
@@ -116,7 +116,7 @@ TEST(MoverChecks, AgreeWithASlowTwin) {
     start.pose = start.origin = {0.0, 0.0, random.uniform(-3.0, 3.0)};
     start.reference = now;
     start.pending = &pending;
-    MovingObstacles movers;
+    MovingObstacleEstimates movers;
     std::vector<ReachableSet> sets;
     for (int i = 0; i < 3; ++i) {
       const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.65, 1.6);
@@ -147,7 +147,7 @@ TEST(MoverChecks, AgreeWithASlowTwin) {
   EXPECT_GT(free, 200);
 }
 
-Scene among(const MovingObstacles& movers, double speed) {
+Scene among(const MovingObstacleEstimates& movers, double speed) {
   Scene scene = Scene::empty(121);
   scene.situation.velocity = scene.situation.last_command = {speed, 0.0};
   scene.situation.moving_obstacles = movers;
@@ -240,7 +240,7 @@ TEST(AmongMovers, TheSearchTakesThemWhereTheyAreNow) {
   SearchTask task;
   const VelocityLimits limits = VelocityLimits::from(scene.parameters);
   make_search_task({}, scene.situation.plan, scene.grid(), Footprint(scene.outline), scene.parameters, limits, task);
-  MovingObstacle mover = mover_at(1.0, 0.5, 1.0, 0.0);
+  MovingObstacleEstimate mover = mover_at(1.0, 0.5, 1.0, 0.0);
   mover.age = 0.2;  // now at 1.2
   add_movers({mover}, Footprint(scene.outline), task);
   const GridView grid = task.grid();
@@ -263,7 +263,7 @@ TEST(ExplainedCell, LeavesTheMapAsIfNobodyHadBeenThere) {
       empty.fill(x - 0.1, y - 0.1, x + 0.1, y + 0.1);
     }
     Scene peopled = empty;
-    MovingObstacle mover = mover_at(0.013, 0.021);
+    MovingObstacleEstimate mover = mover_at(0.013, 0.021);
     for (int i = 0; i < 12; ++i) {
       const double angle = 2.0 * M_PI * i / 12.0;
       mover.points.emplace_back(0.013 + 0.25 * std::cos(angle), 0.021 + 0.25 * std::sin(angle));
@@ -283,7 +283,7 @@ TEST(ExplainedCell, LeavesTheMapAsIfNobodyHadBeenThere) {
 TEST(ExplainedCell, PointsBeyondTheDiscExplainNothing) {
   Scene scene = Scene::empty(101);
   scene.fill(1.0, -0.3, 1.1, 0.3);
-  MovingObstacle mover = mover_at(0.0, 0.0);
+  MovingObstacleEstimate mover = mover_at(0.0, 0.0);
   mover.points.emplace_back(1.05, 0.0);
   ExplainedCells cells;
   EXPECT_EQ(cells.without(scene.grid(), {mover}).costs, scene.costs.data());  // no copy

@@ -35,7 +35,7 @@ TEST(PeopleSight, TellsTheTruthInTheCostmapsFrame) {
   const sim::OccupancyMap map = map_with_wall();
   const PeopleSight sight(map);
   // The map's frame is turned left by 90 degrees in the costmap's, and lies at (1, 2).
-  const MovingObstacles told = sight.truth({mover(7, 3.0, 1.0)}, {1.0, 2.0, M_PI / 2.0});
+  const MovingObstacleEstimates told = sight.truth({mover(7, 3.0, 1.0)}, {1.0, 2.0, M_PI / 2.0});
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(told[0].id, 7U);
   EXPECT_NEAR((told[0].position - Point(1.0 - 1.0, 2.0 + 3.0)).norm(), 0.0, 1e-12);
@@ -94,7 +94,7 @@ TEST(DriveAmongPeople, ThePlannerIsToldWhatIsTrueAndTheLaserSeesIt) {
     std::size_t told = 0, marked = 0, points = 0;
     const auto watch = [&](const Cycle& cycle) {
       told += cycle.situation.moving_obstacles.size();
-      for (const MovingObstacle& o : cycle.situation.moving_obstacles) {
+      for (const MovingObstacleEstimate& o : cycle.situation.moving_obstacles) {
         points += o.points.size();
         // Without slip of the odometry the costmap's frame differs from the map's by the start alone, here nothing.
         EXPECT_NEAR((o.position - cycle.world.movers()[0].position).norm(), 0.0, 1e-9);
@@ -117,7 +117,7 @@ TEST(DriveAmongPeople, ThePlannerIsToldWhatIsTrueAndTheLaserSeesIt) {
 TEST(DriveAmongPeople, TheTrackerFindsWhoCrosses) {
   std::size_t told = 0, near = 0;
   const auto watch = [&](const Cycle& cycle) {
-    for (const MovingObstacle& o : cycle.situation.moving_obstacles) {
+    for (const MovingObstacleEstimate& o : cycle.situation.moving_obstacles) {
       ++told;
       EXPECT_GE(o.age, 0.0);
       EXPECT_LT(o.age, 0.051);  // scans come at 20 Hz

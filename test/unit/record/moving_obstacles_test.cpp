@@ -22,7 +22,7 @@ bool holds(const Bytes& bytes, const std::string& text) {
 
 TEST(RecordedMovers, ComeBackToTheBit) {
   record::CycleRecord cycle = faulty_cycle();
-  MovingObstacle mover;
+  MovingObstacleEstimate mover;
   mover.id = 42;
   mover.position = {1.0 / 3.0, -2.0};
   mover.velocity = {0.1, 0.7};

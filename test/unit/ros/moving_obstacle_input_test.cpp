@@ -11,8 +11,8 @@
 namespace hidwa_local_planner {
 namespace {
 
-MovingObstacleMessage obstacle(double x, double y, double vx, double vy) {
-  MovingObstacleMessage one;
+MovingObstacle obstacle(double x, double y, double vx, double vy) {
+  MovingObstacle one;
   one.id = 3;
   one.position.x = x;
   one.position.y = y;
@@ -22,8 +22,8 @@ MovingObstacleMessage obstacle(double x, double y, double vx, double vy) {
   return one;
 }
 
-MovingObstaclesMessage::Ptr message(const std::string& frame, double stamp) {
-  auto made = boost::make_shared<MovingObstaclesMessage>();
+MovingObstacles::Ptr message(const std::string& frame, double stamp) {
+  auto made = boost::make_shared<MovingObstacles>();
   made->header.frame_id = frame;
   made->header.stamp.fromSec(stamp);
   return made;
@@ -43,13 +43,13 @@ class MovingObstacleInputs : public ::testing::Test {
     transform.transform.rotation.z = transform.transform.rotation.w = std::sqrt(0.5);
     tf_.setTransform(transform, "test");
   }
-  const MovingObstacles& read(double now) {
+  const MovingObstacleEstimates& read(double now) {
     input_.read(now, 0.5, tf_, "odom", obstacles_);
     return obstacles_;
   }
   tf2::BufferCore tf_;
   MovingObstacleInput input_;
-  MovingObstacles obstacles_;
+  MovingObstacleEstimates obstacles_;
 };
 
 TEST_F(MovingObstacleInputs, NothingYetIsNoFault) {

@@ -48,7 +48,7 @@ TEST(Tracker, FollowsWhoCrosses) {
   Watch watch(crossing());
   watch.run(2.0);
   ASSERT_EQ(watch.tracker.obstacles().size(), 1u);
-  const MovingObstacle& o = watch.tracker.obstacles()[0];
+  const MovingObstacleEstimate& o = watch.tracker.obstacles()[0];
   EXPECT_DOUBLE_EQ(watch.tracker.stamp(), watch.time);
   EXPECT_LT((o.position - Point(6.0, 7.0)).norm(), 0.1);  // 4 m + 2 s at 1 m/s
   EXPECT_LT((o.velocity - Point(1.0, 0.0)).norm(), 0.15);
@@ -91,7 +91,7 @@ TEST(Tracker, NeverListsPointsOfAWall) {
   int listed = 0;
   for (int i = 0; i < 100; ++i) {
     watch.tracker.update(watch.next());
-    for (const MovingObstacle& o : watch.tracker.obstacles()) {
+    for (const MovingObstacleEstimate& o : watch.tracker.obstacles()) {
       for (const Point& p : o.points) {
         ++listed;
         EXPECT_LT((p - watch.world.walkers[0].at(watch.time)).norm(), 0.25 + 0.05);
@@ -134,7 +134,7 @@ TEST(Tracker, RepeatedScansChangeNothing) {
   watch.run(2.0);
   const RangeScan scan = watch.next();
   EXPECT_EQ(watch.tracker.update(scan), ScanUse::used);
-  const MovingObstacle before = watch.tracker.obstacles().at(0);
+  const MovingObstacleEstimate before = watch.tracker.obstacles().at(0);
   EXPECT_EQ(watch.tracker.update(scan), ScanUse::repeated);
   RangeScan earlier = scan;
   earlier.stamp -= 0.1;
@@ -199,7 +199,7 @@ TEST(Tracker, BearsBrokenRangesAndChangingScans) {
       if (random.chance(0.5)) r = broken[random.integer(0, 5)];
     }
     EXPECT_NE(watch.tracker.update(scan), ScanUse::refused) << fault_of(scan);
-    for (const MovingObstacle& o : watch.tracker.obstacles()) {
+    for (const MovingObstacleEstimate& o : watch.tracker.obstacles()) {
       EXPECT_TRUE(o.position.allFinite() && o.velocity.allFinite() && o.radius > 0.0);
       EXPECT_TRUE(o.position_deviation > 0.0 && o.velocity_deviation > 0.0);
     }
