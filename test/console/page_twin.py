@@ -30,7 +30,9 @@ class Page:
 
     async def connect(self, path, subprotocols=None):
         request = tornado.httpclient.HTTPRequest(f'ws://localhost:{self.port}{path}', headers={k: v for k, v in self.headers.items() if v})
-        return await tornado.websocket.websocket_connect(request, subprotocols=subprotocols, max_message_size=1 << 24)
+        connection = await tornado.websocket.websocket_connect(request, subprotocols=subprotocols, max_message_size=1 << 24)
+        connection.protocol.stream.set_nodelay(True)  # as browsers do: else a message waits for the answer to the one before
+        return connection
 
     async def open(self, name=''):
         """Opens /control and says hello."""

@@ -2,7 +2,7 @@
 """Measures the page beside the running robot: from a pointer event in the browser to the Joy message at a subscriber, and frames
 drawn a second at 720p with software rendering, while the robot drives on the large map. No test: it prints figures.
 
-    . scripts/env && PYTHONPATH=scripts/lib /usr/bin/python3 -W ignore test/console/browser/measure.py
+    . scripts/env && PYTHONPATH=scripts/lib:$PYTHONPATH /usr/bin/python3 -W ignore test/console/browser/measure.py
 """
 import os
 import time
@@ -39,9 +39,9 @@ def main():
         page.wait(lambda: page.app('Boolean(app.scene.map && app.holder.mine && !app.status.facts.neutralNeeded)'))
         page.app("app.send('goal', {x: 36, y: 8.4, yaw: null, append: false})")
         page.wait(lambda: robot.state == 'AUTONOMY' and robot.speed[0] > 0.3)
-        began, first = time.monotonic(), page.app('app.frames')
+        began, first = time.monotonic(), page.app('[app.frames, app.board.frames]')
         time.sleep(4.0)
-        frames = (page.app('app.frames') - first) / (time.monotonic() - began)
+        frames = [(b - a) / (time.monotonic() - began) for a, b in zip(first, page.app('[app.frames, app.board.frames]'))]
         page.app("(window.moves = [], document.getElementById('stick').addEventListener('pointerrawupdate', (event) => "
                  'window.moves.push([performance.timeOrigin + event.timeStamp, app.steering.position.left])), true)')
         drag(page)
@@ -55,7 +55,7 @@ def main():
             if times:
                 delays.append(min(times))
         print('load of the machine %.1f on %d cores' % (os.getloadavg()[0], os.cpu_count()))
-        print('frames a second: %.1f (the three-dimensional view at %.2f of its pixels)' % (frames, page.app('app.board.ratio')))
+        print('frames a second: %.1f, of the three-dimensional view %.1f at %.2f of its pixels' % (*frames, page.app('app.board.ratio')))
         print('pointer event to Joy, %d of %d moves: p50 %.1f ms, p90 %.1f ms, p99 %.1f ms' % (
             len(delays), len(page.js('return window.moves')), share(delays, 0.5), share(delays, 0.9), share(delays, 0.99)))
     finally:
