@@ -138,6 +138,8 @@ std::map<std::string, Reader> readers(Options& o) {
       {"--seeds", [&o](const std::string& v) { o.seeds = static_cast<int>(whole("--seeds", v, 1, 9999)); }},
       {"--people", [&o](const std::string& v) { o.people = static_cast<int>(whole("--people", v, 0, 200)); }},
       {"--yielding", [&o](const std::string& v) { o.yielding = number_within("--yielding", v, 0.0, 1.0); }},
+      {"--cycles", [&o](const std::string& v) { o.cycles = whole("--cycles", v, 1, 999999999999ULL); }},
+      {"--drive", [&o](const std::string& v) { o.drive = whole("--drive", v, 0, 999999999999ULL); }},
       {"--shard", [&o](const std::string& v) { read_shard(v, o); }},
   };
 }
@@ -152,7 +154,8 @@ std::map<std::string, std::function<void()>> switches(Options& o) {
 // The commands that an option is for; empty: for all.
 std::vector<std::string> commands_of(const std::string& name) {
   const std::vector<std::string> study{"run", "pilot", "sweep"}, floor{"run", "pilot", "sweep", "crowd"};
-  const std::map<std::string, std::vector<std::string>> of{{"--map", floor},
+  const std::vector<std::string> maps{"run", "pilot", "sweep", "crowd", "hostile"};
+  const std::map<std::string, std::vector<std::string>> of{{"--map", maps},
                                                            {"--regions", floor},
                                                            {"--start", floor},
                                                            {"--goal", floor},
@@ -160,13 +163,15 @@ std::vector<std::string> commands_of(const std::string& name) {
                                                            {"--conditions", study},
                                                            {"--profile", study},
                                                            {"--guard", study},
-                                                           {"--worlds", {"barn", "dynabarn"}},
+                                                           {"--worlds", {"barn", "dynabarn", "hostile"}},
                                                            {"--mode", {"barn", "dynabarn", "crowd"}},
                                                            {"--tracking", {"dynabarn", "crowd"}},
                                                            {"--seeds", {"dynabarn", "crowd"}},
                                                            {"--motion", {"dynabarn"}},
                                                            {"--speed", {"dynabarn"}},
                                                            {"--people", {"crowd"}},
+                                                           {"--cycles", {"hostile"}},
+                                                           {"--drive", {"hostile"}},
                                                            {"--yielding", {"crowd"}}};
   const auto found = of.find(name);
   return found == of.end() ? std::vector<std::string>{} : found->second;
@@ -250,11 +255,11 @@ Options parse_options(const std::vector<std::string>& arguments) {
   Options options;
   options.command = arguments.empty() ? "" : arguments.front();
   if (options.command == "--help" || options.command == "-h") options.command = "help";
-  const std::vector<std::string> commands{"run", "pilot", "sweep", "barn", "dynabarn", "crowd", "merge", "help"};
+  const std::vector<std::string> commands{"run", "pilot", "sweep", "barn", "dynabarn", "crowd", "hostile", "merge", "help"};
   if (std::count(commands.begin(), commands.end(), options.command) == 0) {
     throw UsageError(
         (options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
-        std::string(": hidwa_study run, pilot, sweep, barn, dynabarn, crowd or merge; see hidwa_study --help"));
+        std::string(": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, hostile or merge; see hidwa_study --help"));
   }
   if (options.command == "pilot" || options.command == "sweep") {
     options.participants = 8;
@@ -284,6 +289,9 @@ std::string help() {
   hidwa_study dynabarn --out DIR --worlds FILE
                                 DynaBARN-2D: a Jackal through courts that cylinders cross (docs/study.md)
   hidwa_study crowd --out DIR   the demo's robot and route among people who walk around
+  hidwa_study hostile --out DIR --cycles N [--map FILE,FILE] [--worlds FILE]
+                                people who want a collision, in the office, on these maps, in BARN fields and in drawn
+                                scenes; ends with 1 where something within the promise was found (docs/attack.md)
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
 
@@ -304,6 +312,8 @@ std::string help() {
   --speed V               dynabarn: max_vel_x [m/s]; default 2.0
   --people N              crowd; default 20
   --yielding SHARE        crowd: of the people, who keep away from the robot; the others do not mind it; default 0.5
+  --cycles N              hostile: control cycles, at least; default 100000
+  --drive N               hostile: this drive alone, with what happened every 10 ms in a file
   --seed N                of everything random; default 1
   --profile default|paper
   --guard none|nearest    SW: the person's own velocity (default, the paper's), or the nearest legal one

@@ -18,9 +18,9 @@ namespace study {
 
 /// What the command line says.
 struct Options {
-  std::string command;  // run, pilot, sweep, barn, dynabarn, crowd, merge or help
+  std::string command;  // run, pilot, sweep, barn, dynabarn, crowd, hostile, merge or help
   std::string out;
-  std::string map;                       // empty: the package's office
+  std::string map;                       // empty: the package's office; hostile: further ones, with commas between them
   std::string regions;                   // likewise; none: no regions
   std::optional<sim::Pose> start, goal;  // map frame; none: the regions file's
   int participants = 32;
@@ -36,12 +36,14 @@ struct Options {
   bool resume = true;
   bool paths = true;
   std::vector<std::string> parts;                     // merge
-  std::string worlds;                                 // barn, dynabarn: the file
+  std::string worlds;                                 // barn, dynabarn, hostile: the file
   std::vector<std::string> modes;                     // barn, dynabarn, crowd
   int seeds = 10;                                     // dynabarn: of each world; crowd: in all
   drive::Tracking tracking = drive::Tracking::truth;  // dynabarn, crowd
   sim::KeyMotion motion = sim::KeyMotion::linear;     // dynabarn
   double speed = 2.0;                                 // dynabarn: max_vel_x [m/s]
+  std::uint64_t cycles = 100000;                      // hostile: at least so many control cycles
+  std::optional<std::uint64_t> drive;                 // hostile: this one alone
   int people = 20;                                    // crowd
   double yielding = 0.5;                              // crowd: share of people who keep away from the robot
 };

@@ -12,6 +12,7 @@
 #include "crowd.hpp"
 #include "dynabarn.hpp"
 #include "execution.hpp"
+#include "hostile.hpp"
 #include "manifest.hpp"
 #include "share.hpp"
 #include "study/error.hpp"
@@ -119,9 +120,10 @@ int program(const std::vector<std::string>& arguments, std::ostream& out, std::o
       out << help();
       return 0;
     }
-    if (options.command == "merge") return merge(options, out);
+    if (options.command == "merge") return are_hostile(options.parts) ? merge_hostile(options, out) : merge(options, out);
     if (options.command == "barn") return barn(options, out, errors);
     if (options.command == "dynabarn") return dynabarn(options, out, errors);
+    if (options.command == "hostile") return hostile(options, out, errors);
     if (options.command == "crowd") return crowd(options, out, errors);
     return experiment(options, out, errors);
   } catch (const UsageError& e) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/types.hpp"
+#include "walkers.hpp"
 
 namespace hidwa_attack {
 
@@ -20,6 +21,10 @@ struct DriveResult {
   int beyond = 0;                            // commands beyond the bound
   hidwa_local_planner::Twist2 beyond_worst;  // by how much [m/s, rad/s]
   std::vector<double> meetings;              // speeds at which obstacles were met [m/s]
+  int hard = 0;                              // commands beyond the acceleration limits
+  double seconds = 0.0;                      // [s]
+  double stood = 0.0;                        // the longest, with the next metre of the plan open and nobody steering [s]
+  Encounters encounters;                     // with walkers
   // Of drives that stood in collision.
   bool stood_in = false;
   bool came_out = false;

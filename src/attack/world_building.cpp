@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 namespace hidwa_attack {
 namespace {
@@ -136,6 +138,30 @@ const char* name_of(Place place) {
       return "clutter";
   }
   return "";
+}
+
+Scenery cut(const World& ground, double size, const Shape& shape, Random& random) {
+  constexpr int kAttempts = 20000;
+  constexpr double kNear = 0.6;  // [m]
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const Pose2 pose{random.in(0.0, ground.width()), random.in(0.0, ground.height()), random.in(-M_PI, M_PI)};
+    if (ground.lethal(ground.cell(pose.x), ground.cell(pose.y)) || !stands_free(ground, shape, pose)) continue;
+    // Open floor threatens nobody.
+    if (deepest(ground, Placed(shape, pose), kNear) <= -kNear && attempt < kAttempts / 2) continue;
+    const int half = static_cast<int>(0.5 * size / ground.resolution());
+    const int first_i = ground.cell(pose.x) - half, first_j = ground.cell(pose.y) - half;
+    World world(2 * half * ground.resolution(), 2 * half * ground.resolution(), ground.resolution());
+    for (int j = 0; j < world.rows(); ++j) {
+      for (int i = 0; i < world.columns(); ++i) {
+        const bool there = ground.has(first_i + i, first_j + j);
+        world.set(i, j, !there || ground.lethal(first_i + i, first_j + j));
+      }
+    }
+    const Pose2 start{pose.x - first_i * ground.resolution(), pose.y - first_j * ground.resolution(), pose.theta};
+    wall_in(world);
+    return {std::move(world), start};
+  }
+  throw std::invalid_argument("the robot fits nowhere on this ground");
 }
 
 Scenery build(Place place, double size, double resolution, const Shape& shape, Random& random) {

@@ -4,6 +4,7 @@
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "random.hpp"
 #include "spec.hpp"
+#include "walkers.hpp"
 #include "world.hpp"
 
 namespace hidwa_attack {
@@ -13,7 +14,9 @@ using hidwa_local_planner::OperatorIntent;
 /// Somebody who wants a collision. Every few seconds they go about it in another way.
 class Person {
  public:
-  Person(const World& world, std::uint64_t seed) : world_(world), random_(seed) {}
+  /// `walkers` may be null; else they are obstacles too.
+  Person(const World& world, const Walkers* walkers, std::uint64_t seed)
+      : world_(world), walkers_(walkers), random_(seed) {}
 
   /// What they want at `now` [ms], from a robot at this pose with these limits.
   OperatorIntent want(int now, const Pose2& robot, const Parameters& limits);
@@ -40,6 +43,7 @@ class Person {
   Spot ahead(const Pose2& robot);
 
   const World& world_;
+  const Walkers* walkers_;
   Random random_;
   Way way_ = Way::none;
   bool manual_ = false;  // control is taken, else shared

@@ -108,7 +108,9 @@ Spot Person::nearest(const Pose2& robot) const {
       found = {world_.middle(i), world_.middle(j)};
     }
   }
-  return found;
+  if (walkers_ == nullptr || walkers_->all().empty()) return found;
+  const Walker& walker = walkers_->nearest();
+  return std::hypot(walker.p.x - robot.x, walker.p.y - robot.y) < std::sqrt(least) + walker.radius ? walker.p : found;
 }
 
 // What a glance somewhere ahead hits.

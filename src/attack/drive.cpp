@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <ostream>
 #include <stdexcept>
 
 #include "command_watch.hpp"
 #include "contact_watch.hpp"
+#include "device.hpp"
 #include "escape_watch.hpp"
+#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "local_map.hpp"
@@ -16,12 +19,14 @@
 #include "rhythm.hpp"
 #include "route.hpp"
 #include "sensors.hpp"
+#include "stand_watch.hpp"
 #include "start.hpp"
 #include "told.hpp"
 
 namespace hidwa_attack {
 namespace {
 
+namespace control = hidwa_local_planner::control;
 namespace critics = hidwa_local_planner::critics;
 using hidwa_local_planner::Decision;
 using hidwa_local_planner::Influence;
@@ -31,6 +36,7 @@ using hidwa_local_planner::Polygon;
 using hidwa_local_planner::Situation;
 
 constexpr int kAfterTouch = 1000;  // how long a drive goes on [ms]
+constexpr int kWalkers = 2;        // between two steps of walkers [ms]
 
 double braking_x(const Parameters& p) { return p.decel_lim_x != 0.0 ? std::abs(p.decel_lim_x) : p.acc_lim_x; }
 double braking_theta(const Parameters& p) {
@@ -58,6 +64,7 @@ Base::Make make_of(const Spec& spec) {
   make.period = 1e-3 * spec.period;
   make.latency = spec.latency;
   make.reaching = spec.reaching;
+  make.slip = spec.slip;
   return make;
 }
 
@@ -70,20 +77,24 @@ class Run {
         shape_(shape_of(spec.outline)),
         padded_(padded(shape_, spec.parameters.footprint_padding)),
         scenery_(begin()),
-        map_(scenery_.world, side_of_window(spec), inscribed()),
         base_(make_of(spec), scenery_.start, random_.bits()),
         sensors_(spec_, random_.bits()),
         rhythm_(spec, random_.bits()),
-        person_(scenery_.world, random_.bits()),
+        walkers_(spec.walkers, spec.bounds, shape_, scenery_.start, spec.walkers > 0 ? random_.bits() : 0),
+        person_(scenery_.world, &walkers_, random_.bits()),
         route_(scenery_.world, random_.bits()),
         contacts_(scenery_.world, padded_),
+        stand_(scenery_.world, outermost(padded_)),
         escape_(scenery_.world, padded_, spec),
         parameters_(spec.parameters),
+        device_(spec.link, lone_.machine(), spec.link == Link::none ? 0 : random_.bits()),
         trace_(trace) {
     put_in_force();
+    make_maps();
     Polygon outline;
     for (const Spot& corner : told_corners(shape_)) outline.emplace_back(corner.x, corner.y);
     planner_.set_footprint(outline);
+    loop_.set_footprint(outline);
     appears_at_ = spec.start == Start::appearing ? random_.whole(2000, 6000) : -1;
     if (trace_ != nullptr)
       *trace_ << "t,x,y,theta,v,omega,command_v,command_omega,odometry_v,odometry_omega,influence,u_h_v,u_h_omega,"
@@ -98,16 +109,19 @@ class Run {
       if (cycles) cycle(now);
       if (trace_ != nullptr && (cycles || now % 10 == 0)) write(now, cycles);
       base_.step(now);
+      if (spec_.walkers > 0 && now % kWalkers == 0) walkers_.step(base_.pose(), base_.velocity());
       sensors_.record(base_.pose(), base_.velocity());
       contacts_.observe(now, base_.pose(), base_.velocity());
       if (stands_in()) escape_.observe(now, base_.pose(), base_.velocity());
+      driven_ = 1e-3 * (now + 1);
     }
     return result();
   }
 
  private:
   Scenery begin() {
-    Scenery scenery = build(spec_.place, size_of_world(spec_), spec_.resolution, padded_, random_);
+    Scenery scenery = spec_.ground ? cut(*spec_.ground, size_of_world(spec_), padded_, random_)
+                                   : build(spec_.place, size_of_world(spec_), spec_.resolution, padded_, random_);
     if (spec_.start == Start::grazing) scenery.start = grazing_pose(scenery.world, padded_, scenery.start, random_);
     if (spec_.start == Start::stray) put_stray_cells(scenery.world, padded_, scenery.start, random_);
     if (spec_.start == Start::stray) put_cells_around(scenery.world, padded_, scenery.start, random_);
@@ -119,14 +133,39 @@ class Run {
   bool stands_in() const { return spec_.start != Start::free; }
   bool over(int now) const { return !stands_in() && contacts_.touched() && now > contacts_.touched_at() + kAfterTouch; }
 
+  // What is seen of the world: where cells flicker another picture in each cycle, in which more is lethal, never less.
+  void make_maps() {
+    constexpr int kPictures = 4;
+    for (int k = 0; k < (spec_.flicker > 0.0 ? kPictures : 1); ++k) {
+      World seen = scenery_.world;
+      if (spec_.flicker > 0.0) add_flicker(scenery_.world, seen);
+      maps_.emplace_back(seen, side_of_window(spec_), inscribed());
+    }
+  }
+
+  void add_flicker(const World& world, World& seen) {
+    for (int j = 0; j < world.rows(); ++j) {
+      for (int i = 0; i < world.columns(); ++i) {
+        const bool beside =
+            world.lethal(i - 1, j) || world.lethal(i + 1, j) || world.lethal(i, j - 1) || world.lethal(i, j + 1);
+        if (beside && random_.chance(spec_.flicker)) seen.set(i, j, true);
+      }
+    }
+  }
+
+  LocalMap& map() {
+    return maps_[maps_.size() > 1 ? static_cast<std::size_t>(random_.whole(0, static_cast<int>(maps_.size()) - 1)) : 0];
+  }
+
   void put_in_force() {
-    const std::vector<std::string> faults = planner_.configure(parameters_);
+    const std::vector<std::string> faults =
+        spec_.link == Link::none ? planner_.configure(parameters_) : loop_.configure(parameters_);
     if (!faults.empty()) throw std::logic_error(faults.front());
   }
 
   void change_world(int now) {
     put_stray_cells(scenery_.world, padded_, base_.pose(), random_);
-    map_.renew(scenery_.world);
+    for (LocalMap& map : maps_) map.renew(scenery_.world);
     escape_.world_changed(now);
   }
 
@@ -137,13 +176,55 @@ class Run {
     if (spec_.limits_change && random_.chance(0.03)) change_limits();
     const Pose2 pose = sensors_.pose(spec_.pose_age);
     if (stands_in()) escape_.decide(now, base_.pose(), base_.velocity());
-    if (route_.renew(now, pose)) planner_.reset();
+    const bool goal_begins = route_.renew(now, pose);
     intent_ = person_.want(now, base_.pose(), parameters_);
     reading_ = sensors_.odometry(now);
-    const Twist2 command = reading_ ? ask(now, pose) : brake_blindly();
+    const Twist2 command = spec_.link != Link::none ? step_loop(now, pose, goal_begins) : plan(now, pose, goal_begins);
+    stand_.observe(now, {base_.pose(), base_.velocity()}, intent_.influence == Influence::none && !route_.latched(),
+                   route_.points());
     base_.send(now, command);
     last_ = command;
   }
+
+  Twist2 plan(int now, const Pose2& pose, bool goal_begins) {
+    if (goal_begins) planner_.reset();
+    return reading_ ? ask(now, pose) : brake_blindly();
+  }
+
+  // As a plugin: the whole control loop, and a person who steers by messages.
+  Twist2 step_loop(int now, const Pose2& pose, bool goal_begins) {
+    const double time = seconds(now);
+    if (goal_begins) loop_.set_plan(route_.points(), "map", time, 1e-3 * spec_.period);
+    device_.send(time, intent_, parameters_);
+    control::Observation observation;
+    observation.timing.now = time;
+    observation.timing.period = 1e-3 * spec_.period;
+    observation.timing.longest_period = rhythm_.longest();
+    observation.timing.interval = last_cycle_ < 0 ? 0.0 : 1e-3 * (now - last_cycle_);
+    last_cycle_ = now;
+    if (reading_) observation.velocity = *reading_;
+    if (!reading_) observation.fault = "no odometry";
+    observation.pose = pose;
+    observation.pose_age = spec_.age_told ? 1e-3 * spec_.pose_age : 0.0;
+    observation.costmap = view(pose);
+    if (spec_.walkers_told) observation.moving_obstacles = walkers_.told();
+    const control::Result result = loop_.step(observation);
+    outcome_ = result.outcome;
+    escaping_ = result.decision != nullptr && result.decision->escaping;
+    intent_ = result.intent;
+    if (outcome_ == Outcome::fail) return {};
+    commands_.observe(parameters_, observation.timing.period, last_, result.command);
+    return result.command;
+  }
+
+  GridView view(const Pose2& pose) {
+    LocalMap& map = this->map();
+    GridView view = map.around(pose);
+    if (spec_.map_delay >= 0) map.forget_beyond(sensors_.pose(spec_.map_delay), sight());
+    return view;
+  }
+
+  static double seconds(int now) { return 100.0 + 1e-3 * now; }
 
   Twist2 ask(int now, const Pose2& pose) {
     situation_.pose = pose;
@@ -153,11 +234,11 @@ class Run {
     situation_.goal = route_.goal();
     situation_.goal_latched = route_.latched();
     situation_.period = 1e-3 * spec_.period;
-    situation_.time = 100.0 + 1e-3 * now;
+    situation_.time = seconds(now);
     tell_times(situation_, rhythm_.longest(), spec_.age_told ? 1e-3 * spec_.pose_age : 0.0);
-    GridView view = map_.around(pose);
-    if (spec_.map_delay >= 0) map_.forget_beyond(sensors_.pose(spec_.map_delay), sight());
-    const Decision& decision = planner_.plan(situation_, view, intent_);
+    situation_.moving_obstacles.clear();
+    if (spec_.walkers > 0 && spec_.walkers_told) situation_.moving_obstacles = walkers_.told();
+    const Decision& decision = planner_.plan(situation_, view(pose), intent_);
     outcome_ = decision.outcome;
     escaping_ = decision.escaping;
     if (outcome_ == Outcome::fail) return {};
@@ -185,6 +266,13 @@ class Run {
 
   void change_limits() {
     parameters_.max_vel_x = random_.of({1.0, 0.6, 0.3}) * spec_.parameters.max_vel_x;
+    if (spec_.link != Link::none) {
+      using hidwa_local_planner::OperatorMode;
+      parameters_.mode = random_.of({OperatorMode::joystick, OperatorMode::switching, spec_.parameters.mode});
+      parameters_.s_v = random_.in(0.0, 5.0);
+      parameters_.s_omega = random_.in(0.0, 5.0);
+      parameters_.BaseObstacle_scale = random_.in(0.0, 0.1);
+    }
     put_in_force();
   }
 
@@ -193,7 +281,8 @@ class Run {
     if (std::abs(u.v) < 0.05 && std::abs(u.omega) < 0.1) return;
     ++result_.moving;
     const double way = std::min(stopping_distance(u.v, parameters_), 1.0);
-    if (deepest(scenery_.world, Placed(padded_, base_.pose()), way) > -way) ++result_.threatened;
+    const bool walker = spec_.walkers > 0 && walkers_.gap(walkers_.nearest()) < way;
+    if (walker || deepest(scenery_.world, Placed(padded_, base_.pose()), way) > -way) ++result_.threatened;
   }
 
   void write(int now, bool cycles) {
@@ -212,6 +301,10 @@ class Run {
     result_.touched_at = contacts_.touched_at();
     result_.beyond = commands_.count();
     result_.beyond_worst = commands_.worst();
+    result_.hard = commands_.hard();
+    result_.seconds = driven_;
+    result_.stood = stand_.longest();
+    result_.encounters = walkers_.encounters();
     result_.meetings = contacts_.meetings();
     result_.stood_in = stands_in();
     if (!stands_in()) return result_;
@@ -230,17 +323,24 @@ class Run {
   Random random_;
   Shape shape_, padded_;
   Scenery scenery_;
-  LocalMap map_;
+  std::vector<LocalMap> maps_;
   Base base_;
   Sensors sensors_;
   Rhythm rhythm_;
+  Walkers walkers_;
   Person person_;
   Route route_;
   ContactWatch contacts_;
+  StandWatch stand_;
   EscapeWatch escape_;
   CommandWatch commands_;
   Parameters parameters_;  // in force
   Planner planner_{critics::built_in()};
+  control::LoneOperator lone_;
+  control::ControlLoop loop_{critics::built_in(), lone_};
+  Device device_;
+  int last_cycle_ = -1;  // [ms]
+  double driven_ = 0.0;  // [s]
   Situation situation_;
   std::ostream* trace_;
   int appears_at_ = -1;  // [ms]

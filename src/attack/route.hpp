@@ -20,6 +20,7 @@ class Route {
   /// The part around the robot, as long as the parameters ask for.
   void window(const Pose2& robot, const Parameters& parameters, std::vector<Pose2>& part);
   const Pose2& goal() const { return points_.back(); }
+  const std::vector<Pose2>& points() const { return points_; }  // from where the robot was
   /// The position of the goal was reached.
   bool latched() const { return latched_; }
 

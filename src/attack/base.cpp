@@ -68,10 +68,19 @@ void Base::step(int now) {
   const Twist2 before = velocity();
   x_.step(kStep);
   theta_.step(kStep);
-  const double way = 0.5 * (before.v + x_.now()) * kStep, turn = 0.5 * (before.omega + theta_.now()) * kStep;
+  slip(now);
+  const double way = 0.5 * (before.v + x_.now()) * kStep * slips_x_;
+  const double turn = 0.5 * (before.omega + theta_.now()) * kStep * slips_theta_;
   pose_.x += way * std::cos(pose_.theta + 0.5 * turn);
   pose_.y += way * std::sin(pose_.theta + 0.5 * turn);
   pose_.theta += turn;
+}
+
+void Base::slip(int now) {
+  constexpr int kAnew = 500;  // [ms]
+  if (make_.slip <= 0.0 || now % kAnew != 0) return;
+  slips_x_ = 1.0 + random_.in(-make_.slip, make_.slip);
+  slips_theta_ = 1.0 + random_.in(-make_.slip, make_.slip);
 }
 
 }  // namespace hidwa_attack

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "base.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "shape.hpp"
+#include "walkers.hpp"
+#include "world.hpp"
 #include "world_building.hpp"
 
 namespace hidwa_attack {
@@ -26,6 +30,16 @@ enum class Start {
   appearing  // free; later the map adds cells under the outline
 };
 
+/// How the person's wish comes to the planner.
+enum class Link {
+  none,      // straight, as an intent, without the control loop
+  prompt,    // by stick, operator state machine and control loop, as the others too
+  late,      // now and then a second late; then all at once
+  frozen,    // now and then the same message again and again
+  silent,    // now and then not at all
+  nonsense,  // not a number, beyond bounds, axes missing, stamps of any time
+};
+
 /// What one drive is. Times of the host and of the base in whole milliseconds.
 struct Spec {
   Outline outline = Outline::octagon;
@@ -34,6 +48,7 @@ struct Spec {
   int seconds = 20;  // [s]
 
   Place place = Place::posts;
+  std::shared_ptr<const World> ground;  // a part of it instead of a place that is made up; its cells count
   double resolution = 0.05;  // [m]
   Start start = Start::free;
 
@@ -48,8 +63,15 @@ struct Spec {
   Odometry odometry = Odometry::exact;
   int pose_age = 0;      // [ms]
   bool age_told = true;  // the pose's stamp is known
+  double flicker = 0.0;  // probability that a free cell beside a lethal one is seen as lethal, in each cycle
   int map_delay = -1;    // of what is seen [ms]; negative: the whole window is known
   bool limits_change = false;
+  double slip = 0.0;  // what the base drives is off from its wheels by up to this share, drawn anew twice a second
+
+  Link link = Link::none;
+  int walkers = 0;
+  Bounds bounds;         // of walkers
+  bool walkers_told = true;
 };
 
 }  // namespace hidwa_attack

@@ -51,6 +51,7 @@ class Base {
     double period = 0.05;  // within which it reaches commands [s]
     int latency = 100;     // [ms]
     Reaching reaching = Reaching::evenly;
+    double slip = 0.0;  // what is driven is off from what the wheels do by up to this share
   };
   Base(const Make& make, const Pose2& start, std::uint64_t seed)
       : make_(make), x_(make.x), theta_(make.theta), pose_(start), random_(seed) {}
@@ -65,6 +66,7 @@ class Base {
  private:
   void take_up(const Twist2& command);
   double share();
+  void slip(int now);
 
   struct Pending {
     int effect = 0;  // [ms]
@@ -74,6 +76,7 @@ class Base {
   AxisDrive x_, theta_;
   Pose2 pose_;
   Random random_;
+  double slips_x_ = 1.0, slips_theta_ = 1.0;
   std::deque<Pending> pending_;
 };
 
