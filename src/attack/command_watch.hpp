@@ -23,13 +23,14 @@ class CommandWatch {
     const double gain_x = period * std::max(in_force.acc_lim_x, braking(in_force.decel_lim_x, in_force.acc_lim_x));
     const double gain_theta =
         period * std::max(in_force.acc_lim_theta, braking(in_force.decel_lim_theta, in_force.acc_lim_theta));
-    if (std::abs(command.v - last.v) > gain_x + kRounding || std::abs(command.omega - last.omega) > gain_theta + kRounding)
+    if (std::abs(command.v - last.v) > gain_x + kRounding ||
+        std::abs(command.omega - last.omega) > gain_theta + kRounding)
       ++hard_;
     worst_.v = std::max(worst_.v, v);
     worst_.omega = std::max(worst_.omega, omega);
   }
   int count() const { return count_; }            // of commands beyond the bound
-  int hard() const { return hard_; }    // of commands that ask for more than the larger acceleration limit
+  int hard() const { return hard_; }              // of commands that ask for more than the larger acceleration limit
   const Twist2& worst() const { return worst_; }  // how far beyond it [m/s, rad/s]
 
  private:

@@ -7,11 +7,12 @@
 namespace hidwa_attack {
 namespace {
 
-constexpr double kNear = 0.10;     // [m]
-constexpr double kAway = 0.15;     // [m]
-constexpr double kSight = 0.30;    // farther is not measured [m]
-constexpr double kFinest = 2e-5;   // between two looks [m]
-constexpr double kCoarse = 0.005;  // where it is about to come near [m]
+constexpr std::size_t kSecond = 1000;  // [ms]
+constexpr double kNear = 0.10;         // [m]
+constexpr double kAway = 0.15;         // [m]
+constexpr double kSight = 0.30;        // farther is not measured [m]
+constexpr double kFinest = 2e-5;       // between two looks [m]
+constexpr double kCoarse = 0.005;      // where it is about to come near [m]
 
 }  // namespace
 
@@ -20,6 +21,7 @@ ContactWatch::ContactWatch(const World& world, const Shape& padded_shape)
 
 void ContactWatch::observe(int now, const Pose2& pose, const Twist2& velocity) {
   speeds_.push_back(std::abs(velocity.v));
+  if (speeds_.size() > kSecond) speeds_.pop_front();
   moved_ += 1e-3 * (std::abs(velocity.v) + outermost_ * std::abs(velocity.omega));
   const double gap = -depth_;
   const double due = gap > kNear ? std::max(gap - kNear, kCoarse) : std::max(0.9 * gap, kFinest);
@@ -37,9 +39,6 @@ void ContactWatch::look(int now, const Pose2& pose) {
   meetings_.push_back(fastest_of_late());
 }
 
-double ContactWatch::fastest_of_late() const {
-  const std::size_t count = std::min<std::size_t>(speeds_.size(), 1000);
-  return *std::max_element(speeds_.end() - static_cast<std::ptrdiff_t>(count), speeds_.end());
-}
+double ContactWatch::fastest_of_late() const { return *std::max_element(speeds_.begin(), speeds_.end()); }
 
 }  // namespace hidwa_attack

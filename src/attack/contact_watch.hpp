@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "spec.hpp"
@@ -32,13 +33,13 @@ class ContactWatch {
 
   const World& world_;
   Shape shape_;
-  double outermost_;            // [m]
-  double moved_ = 1e9;          // of any of its points since the last look, at most [m]
-  double depth_ = -1.0;         // at the last look; minus the distance to the nearest cell where it is clear [m]
-  double deepest_ = -1.0;       // [m]
-  int touched_at_ = -1;         // [ms]
-  bool away_ = false;           // it was, since the last approach
-  std::vector<double> speeds_;  // |v|, each millisecond [m/s]
+  double outermost_;           // [m]
+  double moved_ = 1e9;         // of any of its points since the last look, at most [m]
+  double depth_ = -1.0;        // at the last look; minus the distance to the nearest cell where it is clear [m]
+  double deepest_ = -1.0;      // [m]
+  int touched_at_ = -1;        // [ms]
+  bool away_ = false;          // it was, since the last approach
+  std::deque<double> speeds_;  // |v|, each millisecond of the last second [m/s]
   std::vector<double> meetings_;
 };
 

@@ -58,7 +58,8 @@ void Device::spoil(double now, StickMessage& message) {
     if (now >= silent_until_ && random_.chance(0.02)) silent_until_ = now + random_.in(0.1, 2.0);
     if (now < silent_until_) return;
   } else if (link_ == Link::nonsense && random_.chance(0.3)) {
-    message.axes[static_cast<std::size_t>(random_.whole(0, 1))] = random_.of({kNaN, kInfinity, -kInfinity, 7.0F, -1e30F});
+    message.axes[static_cast<std::size_t>(random_.whole(0, 1))] =
+        random_.of({kNaN, kInfinity, -kInfinity, 7.0F, -1e30F});
     if (random_.chance(0.2)) message.axes.resize(1);
     if (random_.chance(0.1)) message.axes.clear();
     if (random_.chance(0.1)) message.stamp = random_.of({0.0, -5.0, 1e18, std::numeric_limits<double>::quiet_NaN()});

@@ -35,7 +35,7 @@ class Device {
   std::deque<StickMessage> under_way_;
   StickMessage frozen_;
   double frozen_until_ = 0.0, silent_until_ = 0.0, late_until_ = 0.0;  // [s]
-  double begun_ = -1.0;                                               // [s]
+  double begun_ = -1.0;                                                // [s]
   bool stops_ = false, manual_ = false;
 };
 

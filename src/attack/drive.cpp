@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drive.hpp"
 
+#include <time.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -30,7 +32,6 @@ namespace control = hidwa_local_planner::control;
 namespace critics = hidwa_local_planner::critics;
 using hidwa_local_planner::Decision;
 using hidwa_local_planner::Influence;
-using hidwa_local_planner::Outcome;
 using hidwa_local_planner::Planner;
 using hidwa_local_planner::Polygon;
 using hidwa_local_planner::Situation;
@@ -41,6 +42,12 @@ constexpr int kWalkers = 2;        // between two steps of walkers [ms]
 double braking_x(const Parameters& p) { return p.decel_lim_x != 0.0 ? std::abs(p.decel_lim_x) : p.acc_lim_x; }
 double braking_theta(const Parameters& p) {
   return p.decel_lim_theta != 0.0 ? std::abs(p.decel_lim_theta) : p.acc_lim_theta;
+}
+
+double processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double size_of_world(const Spec& spec) { return spec.parameters.max_vel_x > 1.0 ? 14.0 : 9.0; }
@@ -71,8 +78,9 @@ Base::Make make_of(const Spec& spec) {
 // A robot, its host and its person in a world.
 class Run {
  public:
-  Run(const Spec& spec, std::uint64_t seed, std::ostream* trace)
+  Run(const Spec& spec, std::uint64_t seed, std::ostream* trace, const Onlooker& onlooker)
       : spec_(spec),
+        onlooker_(onlooker),
         random_(seed ^ 0x5eedULL),
         shape_(shape_of(spec.outline)),
         padded_(padded(shape_, spec.parameters.footprint_padding)),
@@ -81,7 +89,7 @@ class Run {
         sensors_(spec_, random_.bits()),
         rhythm_(spec, random_.bits()),
         walkers_(spec.walkers, spec.bounds, shape_, scenery_.start, spec.walkers > 0 ? random_.bits() : 0),
-        person_(scenery_.world, &walkers_, random_.bits()),
+        person_(scenery_.world, &walkers_, spec.relentless, random_.bits()),
         route_(scenery_.world, random_.bits()),
         contacts_(scenery_.world, padded_),
         stand_(scenery_.world, outermost(padded_)),
@@ -179,7 +187,9 @@ class Run {
     const bool goal_begins = route_.renew(now, pose);
     intent_ = person_.want(now, base_.pose(), parameters_);
     reading_ = sensors_.odometry(now);
+    const double begun = onlooker_ ? processor_time() : 0.0;
     const Twist2 command = spec_.link != Link::none ? step_loop(now, pose, goal_begins) : plan(now, pose, goal_begins);
+    if (onlooker_) onlooker_({now, processor_time() - begun, intent_.state, outcome_});
     stand_.observe(now, {base_.pose(), base_.velocity()}, intent_.influence == Influence::none && !route_.latched(),
                    route_.points());
     base_.send(now, command);
@@ -264,6 +274,13 @@ class Run {
     return std::abs(v) * (p.control_latency + 1e-3 * spec_.period) + 0.5 * v * v / braking_x(p);
   }
 
+  // What its outermost point moves while it stops turning.
+  double turning_distance(double omega, const Parameters& p) const {
+    const double angle =
+        std::abs(omega) * (p.control_latency + 1e-3 * spec_.period) + 0.5 * omega * omega / braking_theta(p);
+    return outermost(padded_) * angle;
+  }
+
   void change_limits() {
     parameters_.max_vel_x = random_.of({1.0, 0.6, 0.3}) * spec_.parameters.max_vel_x;
     if (spec_.link != Link::none) {
@@ -280,7 +297,7 @@ class Run {
     const Twist2 u = base_.velocity();
     if (std::abs(u.v) < 0.05 && std::abs(u.omega) < 0.1) return;
     ++result_.moving;
-    const double way = std::min(stopping_distance(u.v, parameters_), 1.0);
+    const double way = std::min(stopping_distance(u.v, parameters_) + turning_distance(u.omega, parameters_), 1.0);
     const bool walker = spec_.walkers > 0 && walkers_.gap(walkers_.nearest()) < way;
     if (walker || deepest(scenery_.world, Placed(padded_, base_.pose()), way) > -way) ++result_.threatened;
   }
@@ -320,6 +337,7 @@ class Run {
   }
 
   const Spec& spec_;
+  const Onlooker& onlooker_;
   Random random_;
   Shape shape_, padded_;
   Scenery scenery_;
@@ -354,8 +372,8 @@ class Run {
 
 }  // namespace
 
-DriveResult drive(const Spec& spec, std::uint64_t seed, std::ostream* trace) {
-  DriveResult result = Run(spec, seed, trace).go();
+DriveResult drive(const Spec& spec, std::uint64_t seed, std::ostream* trace, const Onlooker& onlooker) {
+  DriveResult result = Run(spec, seed, trace, onlooker).go();
   result.seed = seed;
   return result;
 }

@@ -10,14 +10,15 @@ using hidwa_local_planner::Guard;
 using hidwa_local_planner::LinearPolicy;
 using hidwa_local_planner::OperatorMode;
 
-constexpr int kSeconds = 20;              // of a drive [s]
+constexpr int kSeconds = 20;  // of a drive [s]
 constexpr std::uint64_t kOutsideEvery = 20;
 
 // What only a study does.
 const std::vector<Condition>& outside() {
   static const std::vector<Condition> conditions{
       {"out_slip", false, "the base slips by up to 10 %", [](Spec& s, Random&) { s.slip = 0.1; }},
-      {"out_flicker", false, "a fifth of the free cells beside lethal ones flicker: the robot stands in what is not there",
+      {"out_flicker", false,
+       "a fifth of the free cells beside lethal ones flicker: the robot stands in what is not there",
        [](Spec& s, Random&) { s.flicker = 0.2; }},
       {"out_walkers_fast", false, "people of twice the speed and acceleration",
        [](Spec& s, Random&) {
@@ -68,6 +69,7 @@ void give_device(Spec& s, Random& r) {
 void add(Spec& s, bool condition_has_speed, Random& r) {
   if (!condition_has_speed) s.parameters.max_vel_x = r.of({0.5, 1.0, 1.5, 2.0, 2.0});
   if (s.parameters.max_vel_x > 1.0 && s.resolution < 0.05) s.resolution = 0.05;
+  s.relentless = r.chance(0.8);
   give_device(s, r);
   if (s.walkers == 0 && r.chance(0.3)) s.walkers = r.whole(1, 6);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The drives of a hostile study: every promised condition in turn, each on some ground, with somebody at some device, with
-// or without people who walk; and, every twentieth, one outside the promise.
+// The drives of a hostile study: every promised condition in turn, each on some ground, with somebody at some device,
+// with or without people who walk; and, every twentieth, one outside the promise.
 #pragma once
 
 #include <cstdint>

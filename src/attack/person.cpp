@@ -37,6 +37,8 @@ OperatorIntent Person::want(int now, const Pose2& robot, const Parameters& limit
 void Person::change_mind(int now, const Pose2& robot, const Parameters& limits) {
   way_ = random_.of({Way::nearest, Way::chosen, Way::chosen, Way::beside, Way::beside, Way::beside, Way::slalom,
                      Way::slalom, Way::at_random, Way::frozen, Way::alternating, Way::none, Way::none, Way::stop});
+  if (relentless_ && random_.chance(0.7))
+    way_ = random_.of({Way::nearest, Way::chosen, Way::chosen, Way::beside, Way::beside, Way::slalom});
   manual_ = random_.chance(0.5);
   turns_first_ = random_.chance(0.5);
   until_ = now + (way_ == Way::stop ? random_.whole(200, 800) : random_.whole(1000, 4000));

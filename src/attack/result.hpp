@@ -23,8 +23,8 @@ struct DriveResult {
   std::vector<double> meetings;              // speeds at which obstacles were met [m/s]
   int hard = 0;                              // commands beyond the acceleration limits
   double seconds = 0.0;                      // [s]
-  double stood = 0.0;                        // the longest, with the next metre of the plan open and nobody steering [s]
-  Encounters encounters;                     // with walkers
+  double stood = 0.0;     // the longest, with the next metre of the plan open and nobody steering [s]
+  Encounters encounters;  // with walkers
   // Of drives that stood in collision.
   bool stood_in = false;
   bool came_out = false;

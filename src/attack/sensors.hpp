@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
-#include <vector>
 
 #include "random.hpp"
 #include "spec.hpp"
@@ -16,7 +16,10 @@ class Sensors {
   Sensors(const Spec& spec, std::uint64_t seed) : spec_(spec), random_(seed) {}
 
   /// The truth, each millisecond.
-  void record(const Pose2& pose, const Twist2& velocity) { truth_.push_back({pose, velocity}); }
+  void record(const Pose2& pose, const Twist2& velocity) {
+    truth_.push_back({pose, velocity});
+    if (truth_.size() > kRemembered) truth_.pop_front();
+  }
   /// The pose of `age` [ms] ago.
   const Pose2& pose(int age) const { return at(age).pose; }
   /// One reading of odometry at `now` [ms]; none while it is silent.
@@ -37,7 +40,8 @@ class Sensors {
 
   const Spec& spec_;
   Random random_;
-  std::vector<Moment> truth_;
+  static constexpr std::size_t kRemembered = 3000;  // longer than any age [ms]
+  std::deque<Moment> truth_;
   int silent_until_ = 0, dead_from_ = 0;  // [ms]
 };
 

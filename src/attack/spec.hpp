@@ -49,7 +49,7 @@ struct Spec {
 
   Place place = Place::posts;
   std::shared_ptr<const World> ground;  // a part of it instead of a place that is made up; its cells count
-  double resolution = 0.05;  // [m]
+  double resolution = 0.05;             // [m]
   Start start = Start::free;
 
   int latency = 100;  // the base's own; the planner is told parameters.control_latency [ms]
@@ -69,8 +69,9 @@ struct Spec {
   double slip = 0.0;  // what the base drives is off from its wheels by up to this share, drawn anew twice a second
 
   Link link = Link::none;
+  bool relentless = false;  // the person hardly ever rests
   int walkers = 0;
-  Bounds bounds;         // of walkers
+  Bounds bounds;  // of walkers
   bool walkers_told = true;
 };
 

@@ -45,8 +45,8 @@ class StandWatch {
 
   bool open(const hidwa_local_planner::Pose2& at, const std::vector<hidwa_local_planner::Pose2>& plan) const {
     const auto away = [&at](const auto& p) { return std::hypot(p.x - at.x, p.y - at.y); };
-    const auto nearest = std::min_element(plan.begin(), plan.end(),
-                                          [&away](const auto& a, const auto& b) { return away(a) < away(b); });
+    const auto nearest =
+        std::min_element(plan.begin(), plan.end(), [&away](const auto& a, const auto& b) { return away(a) < away(b); });
     if (nearest == plan.end() || away(*nearest) > kBeside || !fits(at.x, at.y)) return false;
     double way = 0.0;
     for (auto one = nearest; one + 1 != plan.end() && way < kAhead; ++one) {

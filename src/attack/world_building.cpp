@@ -143,8 +143,10 @@ const char* name_of(Place place) {
 Scenery cut(const World& ground, double size, const Shape& shape, Random& random) {
   constexpr int kAttempts = 20000;
   constexpr double kNear = 0.6;  // [m]
+  const double edge = outermost(shape) + kNear;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const Pose2 pose{random.in(0.0, ground.width()), random.in(0.0, ground.height()), random.in(-M_PI, M_PI)};
+    const Pose2 pose{random.in(edge, ground.width() - edge), random.in(edge, ground.height() - edge),
+                     random.in(-M_PI, M_PI)};
     if (ground.lethal(ground.cell(pose.x), ground.cell(pose.y)) || !stands_free(ground, shape, pose)) continue;
     // Open floor threatens nobody.
     if (deepest(ground, Placed(shape, pose), kNear) <= -kNear && attempt < kAttempts / 2) continue;

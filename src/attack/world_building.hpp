@@ -16,8 +16,8 @@ struct Scenery {
   Pose2 start;
 };
 
-/// A square of at most `size` [m] cut out of a ground about a free place of it, the nearer to obstacles the likelier; what
-/// lies beyond the ground is lethal. Throws std::invalid_argument where the robot fits nowhere.
+/// A square of at most `size` [m] cut out of a ground about a free place of it, the nearer to obstacles the likelier;
+/// what lies beyond the ground is lethal. Throws std::invalid_argument where the robot fits nowhere.
 Scenery cut(const World& ground, double size, const Shape& shape, Random& random);
 
 /// A walled square of `size` [m] with random obstacles, and a start at least 3 cm from all of them.

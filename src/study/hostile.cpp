@@ -123,14 +123,16 @@ std::string digest(const std::string& json, const std::string& folder) {
   const nlohmann::json all = nlohmann::json::parse(json);
   const nlohmann::json& s = all.at("within");
   std::ostringstream text;
-  text << s.at("cycles").get<long long>() << " cycles in " << s.at("drives").get<long long>() << " drives within the promise: "
+  text << s.at("cycles").get<long long>() << " cycles in " << s.at("drives").get<long long>()
+       << " drives within the promise: "
        << "moving " << std::lround(100.0 * s.at("moving").get<double>()) << " %, threatened "
        << std::lround(100.0 * s.at("threatened").get<double>()) << " %; contacts " << s.at("contacts") << " (worst "
-       << s.at("worst_depth_mm") << " mm), commands beyond " << s.at("commands_beyond_limits") << "; " << s.at("encounters")
-       << " encounters, touched while moving " << s.at("touched_moving") << ", while leaving " << s.at("touched_leaving") << '\n';
+       << s.at("worst_depth_mm") << " mm), commands beyond " << s.at("commands_beyond_limits") << "; "
+       << s.at("encounters") << " encounters, touched while moving " << s.at("touched_moving") << ", while leaving "
+       << s.at("touched_leaving") << '\n';
   for (const auto& [name, sum] : all.at("outside").items()) {
-    text << "outside, " << name << ": " << sum.at("contacts") << " of " << sum.at("drives") << " drives touched something, "
-         << sum.at("touched_moving") << " of " << sum.at("encounters") << " people\n";
+    text << "outside, " << name << ": " << sum.at("contacts") << " of " << sum.at("drives")
+         << " drives touched something, " << sum.at("touched_moving") << " of " << sum.at("encounters") << " people\n";
   }
   for (const auto& index : s.at("found")) text << "found: --drive " << index << '\n';
   text << folder << "/summary.json\n";

@@ -97,7 +97,8 @@ class Sum {
     touched_moving_ += count(touched_moving);
     touched_leaving_ += count(touched_leaving);
     touched_at_rest_ += count(touched_at_rest);
-    if (depth > kTouch || count(beyond) > 0 || count(touched_moving) > 0) found_.push_back(std::strtoull(cells[index].c_str(), nullptr, 10));
+    if (depth > kTouch || count(beyond) > 0 || count(touched_moving) > 0)
+      found_.push_back(std::strtoull(cells[index].c_str(), nullptr, 10));
   }
 
   nlohmann::json json() const {
@@ -139,14 +140,16 @@ HostileFolder::HostileFolder(std::string folder, const std::string& manifest)
   if (error) throw std::runtime_error("'" + folder_ + "' cannot be made: " + error.message());
   const std::string present = read(folder_ + kManifest);
   if (!present.empty() && present != manifest_) {
-    throw UsageError("'" + folder_ + "' holds another study (its hostile.json differs): give another --out, or remove it");
+    throw UsageError("'" + folder_ +
+                     "' holds another study (its hostile.json differs): give another --out, or remove it");
   }
   write(folder_ + kManifest, manifest_);
   read_lines();
 }
 
 HostileFolder::HostileFolder(std::string folder) : folder_(std::move(folder)), manifest_(read(folder_ + kManifest)) {
-  if (manifest_.empty()) throw UsageError("'" + folder_ + "' is no folder of hidwa_study hostile: it has no hostile.json");
+  if (manifest_.empty())
+    throw UsageError("'" + folder_ + "' is no folder of hidwa_study hostile: it has no hostile.json");
   read_lines();
 }
 

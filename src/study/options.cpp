@@ -139,6 +139,7 @@ std::map<std::string, Reader> readers(Options& o) {
       {"--people", [&o](const std::string& v) { o.people = static_cast<int>(whole("--people", v, 0, 200)); }},
       {"--yielding", [&o](const std::string& v) { o.yielding = number_within("--yielding", v, 0.0, 1.0); }},
       {"--cycles", [&o](const std::string& v) { o.cycles = whole("--cycles", v, 1, 999999999999ULL); }},
+      {"--hours", [&o](const std::string& v) { o.hours = number_within("--hours", v, 0.01, 1000.0); }},
       {"--drive", [&o](const std::string& v) { o.drive = whole("--drive", v, 0, 999999999999ULL); }},
       {"--shard", [&o](const std::string& v) { read_shard(v, o); }},
   };
@@ -172,6 +173,7 @@ std::vector<std::string> commands_of(const std::string& name) {
                                                            {"--people", {"crowd"}},
                                                            {"--cycles", {"hostile"}},
                                                            {"--drive", {"hostile"}},
+                                                           {"--hours", {"soak"}},
                                                            {"--yielding", {"crowd"}}};
   const auto found = of.find(name);
   return found == of.end() ? std::vector<std::string>{} : found->second;
@@ -255,11 +257,13 @@ Options parse_options(const std::vector<std::string>& arguments) {
   Options options;
   options.command = arguments.empty() ? "" : arguments.front();
   if (options.command == "--help" || options.command == "-h") options.command = "help";
-  const std::vector<std::string> commands{"run", "pilot", "sweep", "barn", "dynabarn", "crowd", "hostile", "merge", "help"};
+  const std::vector<std::string> commands{"run",   "pilot",   "sweep", "barn",  "dynabarn",
+                                          "crowd", "hostile", "soak",  "merge", "help"};
   if (std::count(commands.begin(), commands.end(), options.command) == 0) {
     throw UsageError(
         (options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
-        std::string(": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, hostile or merge; see hidwa_study --help"));
+        std::string(
+            ": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, hostile, soak or merge; see hidwa_study --help"));
   }
   if (options.command == "pilot" || options.command == "sweep") {
     options.participants = 8;
@@ -292,6 +296,8 @@ std::string help() {
   hidwa_study hostile --out DIR --cycles N [--map FILE,FILE] [--worlds FILE]
                                 people who want a collision, in the office, on these maps, in BARN fields and in drawn
                                 scenes; ends with 1 where something within the promise was found (docs/attack.md)
+  hidwa_study soak --out DIR [--hours H]
+                                one planner for hours of simulated time: memory, cycle time, states (docs/trust.md)
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
 
@@ -312,6 +318,7 @@ std::string help() {
   --speed V               dynabarn: max_vel_x [m/s]; default 2.0
   --people N              crowd; default 20
   --yielding SHARE        crowd: of the people, who keep away from the robot; the others do not mind it; default 0.5
+  --hours H               soak: simulated; default 1
   --cycles N              hostile: control cycles, at least; default 100000
   --drive N               hostile: this drive alone, with what happened every 10 ms in a file
   --seed N                of everything random; default 1

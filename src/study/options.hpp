@@ -18,7 +18,7 @@ namespace study {
 
 /// What the command line says.
 struct Options {
-  std::string command;  // run, pilot, sweep, barn, dynabarn, crowd, hostile, merge or help
+  std::string command;  // run, pilot, sweep, barn, dynabarn, crowd, hostile, soak, merge or help
   std::string out;
   std::string map;                       // empty: the package's office; hostile: further ones, with commas between them
   std::string regions;                   // likewise; none: no regions
@@ -43,6 +43,7 @@ struct Options {
   sim::KeyMotion motion = sim::KeyMotion::linear;     // dynabarn
   double speed = 2.0;                                 // dynabarn: max_vel_x [m/s]
   std::uint64_t cycles = 100000;                      // hostile: at least so many control cycles
+  double hours = 1.0;                                 // soak: simulated [h]
   std::optional<std::uint64_t> drive;                 // hostile: this one alone
   int people = 20;                                    // crowd
   double yielding = 0.5;                              // crowd: share of people who keep away from the robot

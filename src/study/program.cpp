@@ -15,6 +15,7 @@
 #include "hostile.hpp"
 #include "manifest.hpp"
 #include "share.hpp"
+#include "soak.hpp"
 #include "study/error.hpp"
 #include "study/options.hpp"
 #include "study/scene.hpp"
@@ -120,10 +121,12 @@ int program(const std::vector<std::string>& arguments, std::ostream& out, std::o
       out << help();
       return 0;
     }
-    if (options.command == "merge") return are_hostile(options.parts) ? merge_hostile(options, out) : merge(options, out);
+    if (options.command == "merge")
+      return are_hostile(options.parts) ? merge_hostile(options, out) : merge(options, out);
     if (options.command == "barn") return barn(options, out, errors);
     if (options.command == "dynabarn") return dynabarn(options, out, errors);
     if (options.command == "hostile") return hostile(options, out, errors);
+    if (options.command == "soak") return soak(options, out, errors);
     if (options.command == "crowd") return crowd(options, out, errors);
     return experiment(options, out, errors);
   } catch (const UsageError& e) {

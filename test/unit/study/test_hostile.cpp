@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -71,6 +72,17 @@ TEST_F(HostileStudy, AnotherStudysFolderIsRefused) {
   EXPECT_EQ(answer.code, 2);
   EXPECT_NE(answer.errors.find("holds another study"), std::string::npos) << answer.errors;
   EXPECT_EQ(run("hostile --cycles 1 --map nowhere.yaml --out @other").code, 2);
+}
+
+TEST_F(HostileStudy, ASoakOfSixMinutesHolds) {
+  EXPECT_EQ(run("soak --hours 0.1 --out @soak").code, 0);
+  const nlohmann::json summary = nlohmann::json::parse(read("soak/summary.json"));
+  // 360 s at 20 Hz are 7200 cycles; one in ten comes up to 0.1 s late.
+  EXPECT_GT(summary.at("cycles").get<int>(), 6000);
+  EXPECT_LE(summary.at("cycles").get<int>(), 7200);
+  EXPECT_EQ(summary.at("states").size(), 7U) << summary;
+  const std::string minutes = read("soak/minutes.csv");
+  EXPECT_EQ(std::count(minutes.begin(), minutes.end(), '\n'), 7);  // the head and six minutes
 }
 
 // The check of touches can fail: people who are not told of touch the robot, or make it no encounter at all.
