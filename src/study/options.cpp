@@ -297,7 +297,7 @@ std::string help() {
                                 people who want a collision, in the office, on these maps, in BARN fields and in drawn
                                 scenes; ends with 1 where something within the promise was found (docs/attack.md)
   hidwa_study soak --out DIR [--hours H]
-                                one planner for hours of simulated time: memory, cycle time, states (docs/trust.md)
+                                one planner for hours of simulated time: memory, cycle time, states (docs/attack.md)
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
 

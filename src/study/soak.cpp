@@ -145,11 +145,12 @@ int soak(const Options& options, std::ostream& out, std::ostream& /*errors*/) {
   const std::size_t tenth = std::max<std::size_t>(1, minutes.size() / 10);
   // Memory that was reserved counts once it is used for the first time, as the search's in the first tight place.
   const double begin = most_memory(minutes, 0, tenth), most = most_memory(minutes, tenth, minutes.size());
-  const double first = median_p99(minutes, 0, tenth), last = median_p99(minutes, minutes.size() - tenth, minutes.size());
+  const double first = median_p99(minutes, 0, tenth),
+               last = median_p99(minutes, minutes.size() - tenth, minutes.size());
   const bool slower = minutes.size() >= kFewMinutes && last > kSlower * first;
   const bool ended = result.seconds + 0.5 < static_cast<double>(spec.seconds);
-  const bool held =
-      !result.touched && result.encounters.moving == 0 && result.beyond == 0 && most - begin <= kGrowth && !slower && !ended;
+  const bool held = !result.touched && result.encounters.moving == 0 && result.beyond == 0 && most - begin <= kGrowth &&
+                    !slower && !ended;
   const nlohmann::json summary = {{"held", held},
                                   {"seed", options.seed},
                                   {"hours", result.seconds / 3600.0},

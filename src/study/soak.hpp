@@ -8,9 +8,9 @@
 namespace hidwa_local_planner {
 namespace study {
 
-/// hidwa_study soak: one control loop for hours of simulated time, with random goals, people who steer and walk, faults and
-/// changed parameters. Writes minutes.csv and summary.json. 0: memory and cycle time stay flat, every cycle was answered,
-/// every state was seen, nothing was touched; else 1.
+/// hidwa_study soak: one control loop for hours of simulated time, with random goals, people who steer and walk, faults
+/// and changed parameters. Writes minutes.csv and summary.json. 0: memory and cycle time stay flat, every cycle was
+/// answered, every state was seen, nothing was touched; else 1.
 int soak(const Options& options, std::ostream& out, std::ostream& errors);
 
 }  // namespace study

@@ -25,17 +25,18 @@ Count campaign(const char* what, Who who, const Bounds& bounds) {
   Count all;
   for (std::uint64_t seed = 1; seed <= drives; ++seed) all = all + World(seed, who, bounds).run(30.0);
   std::printf("%-34s %6llu encounters, touched moving %llu, leaving %llu, at rest %llu; %.0f m in %.0f s\n", what,
-              static_cast<unsigned long long>(all.encounters), static_cast<unsigned long long>(all.moving),
-              static_cast<unsigned long long>(all.leaving), static_cast<unsigned long long>(all.at_rest), all.driven,
-              all.time);
+              static_cast<unsigned long long>(all.encounters.met),
+              static_cast<unsigned long long>(all.encounters.moving),
+              static_cast<unsigned long long>(all.encounters.leaving),
+              static_cast<unsigned long long>(all.encounters.at_rest), all.driven, all.time);
   return all;
 }
 
 void expect_untouched(const char* what, Who who, const Bounds& bounds = {}) {
   const Count all = campaign(what, who, bounds);
-  EXPECT_EQ(all.moving, 0U);
+  EXPECT_EQ(all.encounters.moving, 0U);
   // It was among people, and drove: 12 drives of 30 s.
-  EXPECT_GT(all.encounters, 8 * drives);
+  EXPECT_GT(all.encounters.met, 8 * drives);
   EXPECT_GT(all.driven, 1.0 * static_cast<double>(drives));
   EXPECT_GT(all.refused, 0U);
 }
@@ -58,7 +59,7 @@ TEST(WalkerAttack, SeesTouchesWhereThePlannerIsToldTooLittle) {
   bounds.told_speed = 0.0;
   bounds.told_errors = 0.0;
   bounds.base_latency = 0.3;
-  EXPECT_GT(campaign("told nothing, latency 0.3 s", Who::hostile, bounds).moving, 0U);
+  EXPECT_GT(campaign("told nothing, latency 0.3 s", Who::hostile, bounds).encounters.moving, 0U);
 }
 
 TEST(WalkerAttack, TableBeyondTheBounds) {
