@@ -9,7 +9,7 @@
 namespace hidwa_attack {
 
 /// Watches the bound on commands: on each axis, in either direction, at most the larger of the limit in force and the
-/// last command reduced at the deceleration limit. Beside it, how far it may be from the last command within a period.
+/// last command reduced at the deceleration limit.
 class CommandWatch {
  public:
   void observe(const Parameters& in_force, double period, const Twist2& last, const Twist2& command) {
@@ -20,14 +20,19 @@ class CommandWatch {
     const double omega = std::max(over(in_force.max_vel_theta, last.omega, theta, command.omega),
                                   over(in_force.max_vel_theta, -last.omega, theta, -command.omega));
     if (v > kRounding || omega > kRounding) ++count_;
-    const double gain_x = period * std::max(in_force.acc_lim_x, braking(in_force.decel_lim_x, in_force.acc_lim_x));
-    const double gain_theta =
-        period * std::max(in_force.acc_lim_theta, braking(in_force.decel_lim_theta, in_force.acc_lim_theta));
-    if (std::abs(command.v - last.v) > gain_x + kRounding ||
-        std::abs(command.omega - last.omega) > gain_theta + kRounding)
-      ++hard_;
     worst_.v = std::max(worst_.v, v);
     worst_.omega = std::max(worst_.omega, omega);
+  }
+  /// A command may be as far from what lies between the last command and the velocity that was read as the larger
+  /// acceleration limit allows within the longest period of late [s].
+  void judge_acceleration(const Parameters& in_force, double longest, const Twist2& last, const Twist2& reading,
+                          const Twist2& command) {
+    const double x = longest * std::max(in_force.acc_lim_x, braking(in_force.decel_lim_x, in_force.acc_lim_x));
+    const double theta =
+        longest * std::max(in_force.acc_lim_theta, braking(in_force.decel_lim_theta, in_force.acc_lim_theta));
+    if (outside(command.v, last.v, reading.v) > x + kRounding ||
+        outside(command.omega, last.omega, reading.omega) > theta + kRounding)
+      ++hard_;
   }
   int count() const { return count_; }            // of commands beyond the bound
   int hard() const { return hard_; }              // of commands that ask for more than the larger acceleration limit
@@ -36,6 +41,10 @@ class CommandWatch {
  private:
   static constexpr double kRounding = 1e-6;
   static double braking(double told, double acc) { return told != 0.0 ? std::abs(told) : acc; }
+  // How far a value is from what lies between two others.
+  static double outside(double value, double a, double b) {
+    return std::max({std::min(a, b) - value, value - std::max(a, b), 0.0});
+  }
   static double over(double limit, double last, double step, double command) {
     return command - std::max({limit, last - step, 0.0});
   }

@@ -190,10 +190,14 @@ class Run {
     const double begun = onlooker_ ? processor_time() : 0.0;
     const Twist2 command = spec_.link != Link::none ? step_loop(now, pose, goal_begins) : plan(now, pose, goal_begins);
     if (onlooker_) onlooker_({now, processor_time() - begun, intent_.state, outcome_});
-    stand_.observe(now, {base_.pose(), base_.velocity()}, intent_.influence == Influence::none && !route_.latched(),
-                   route_.points());
+    stand_.observe(now, {base_.pose(), base_.velocity()}, wants_to_drive(), route_.points());
     base_.send(now, command);
     last_ = command;
+  }
+
+  // Nobody steers, and the host was not told that there is no way.
+  bool wants_to_drive() const {
+    return intent_.influence == Influence::none && !route_.latched() && outcome_ != Outcome::fail;
   }
 
   Twist2 plan(int now, const Pose2& pose, bool goal_begins) {
@@ -223,8 +227,7 @@ class Run {
     escaping_ = result.decision != nullptr && result.decision->escaping;
     intent_ = result.intent;
     if (outcome_ == Outcome::fail) return {};
-    commands_.observe(parameters_, observation.timing.period, last_, result.command);
-    return result.command;
+    return judged(result.command);
   }
 
   GridView view(const Pose2& pose) {
@@ -252,8 +255,13 @@ class Run {
     outcome_ = decision.outcome;
     escaping_ = decision.escaping;
     if (outcome_ == Outcome::fail) return {};
-    commands_.observe(parameters_, situation_.period, last_, decision.command);
-    return decision.command;
+    return judged(decision.command);
+  }
+
+  const Twist2& judged(const Twist2& command) {
+    commands_.observe(parameters_, 1e-3 * spec_.period, last_, command);
+    commands_.judge_acceleration(parameters_, rhythm_.longest(), last_, reading_.value_or(last_), command);
+    return command;
   }
 
   // Without odometry a host brakes from its last command.
