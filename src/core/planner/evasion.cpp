@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace hidwa_local_planner {
@@ -52,7 +53,9 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
   for (std::size_t i = 1; i < branches.size(); ++i) {
     if (branches[i].cost < branches[0].cost - kClearly) better_.push_back(branches[i]);
   }
-  std::stable_sort(better_.begin(), better_.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  std::sort(better_.begin(), better_.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.cost, a.motion.v, a.motion.omega) < std::tie(b.cost, b.motion.v, b.motion.omega);
+  });
   return !better_.empty();
 }
 

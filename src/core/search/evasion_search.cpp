@@ -218,11 +218,31 @@ void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const Sta
     const bool free = go(scene, motions_[i], span, state);
     state.cost = state.nearness + guide.time_left(state.x, state.y, state.heading);
     if (free) {
+      const double time = span.from + kSteps * span.step;
+      state.promise = state.cost + touched_early(scene, state, time);
       next_.push_back(state);
     } else {
       note_touched(state);
     }
   }
+}
+
+// How long before the end it is touched if it goes straight on from where it is at `time`, as a disc [s].
+double EvasionSearch::touched_early(const Scene& scene, const State& state, double time) const {
+  const double rest = scene.delay + horizon_ - time;
+  if (rest <= 0.0) return 0.0;
+  const double own = scene.footprint.inscribed_radius() + kTouches;
+  double first = rest;
+  for (const Mover& mover : movers_) {
+    const double dx = mover.x + mover.vx * time - state.x, dy = mover.y + mover.vy * time - state.y;
+    const double vx = mover.vx - state.v * state.heading.c, vy = mover.vy - state.v * state.heading.s;
+    const double closes = -(dx * vx + dy * vy), radius = own + mover.radius;
+    const double off = dx * dx + dy * dy - radius * radius;
+    if (closes <= 0.0 || off <= 0.0) continue;  // never, or it is looked at already
+    const double speed = vx * vx + vy * vy, root = closes * closes - speed * off;
+    if (root > 0.0) first = std::min(first, (closes - std::sqrt(root)) / speed);
+  }
+  return rest - first;
 }
 
 void EvasionSearch::note_touched(const State& state) {
@@ -242,7 +262,7 @@ bool EvasionSearch::alike(const State& a, const State& b) {
 // The cheapest go into the beam, and the cheapest of those that begin with the own motion.
 void EvasionSearch::keep_best() {
   queue_.clear();
-  for (std::size_t i = 0; i < next_.size(); ++i) queue_.emplace_back(next_[i].cost, static_cast<std::uint32_t>(i));
+  for (std::size_t i = 0; i < next_.size(); ++i) queue_.emplace_back(next_[i].promise, static_cast<std::uint32_t>(i));
   std::make_heap(queue_.begin(), queue_.end(), std::greater<>());
   beam_.clear();
   bool own = false;
@@ -258,7 +278,7 @@ void EvasionSearch::keep_best() {
   const State* cheapest = nullptr;
   for (const auto& left : queue_) {
     const State& state = next_[left.second];
-    if (!own && state.first == 0 && (cheapest == nullptr || state.cost < cheapest->cost)) cheapest = &state;
+    if (!own && state.first == 0 && (cheapest == nullptr || state.promise < cheapest->promise)) cheapest = &state;
   }
   if (cheapest != nullptr) beam_.push_back(*cheapest);
 }

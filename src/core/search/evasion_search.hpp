@@ -8,7 +8,9 @@
 //    something that moves
 //      scale (1 - d / D)^2 exp(-t / 2 s) dt,   D = evasion_distance + (0.1 m/s + s_v) t
 //    with the deviation s_v of its velocity. So far away it counts less, and where it will be is less sure.
-// 4. After each motion the cheapest ways go on, of those that end nearly alike the cheapest one (a beam search).
+// 4. After each motion the cheapest ways go on, of those that end nearly alike the cheapest one (a beam search). A way
+//    that would be touched if it went straight on counts there as if it cost more, by as many seconds as it would be
+//    touched before the end.
 //
 // Each first motion is worth what the cheapest way is that begins with it. Ways that are touched cost more than any
 // other, the sooner the more. Nothing is kept from cycle to cycle, nothing is allocated after the first one.
@@ -86,6 +88,7 @@ class EvasionSearch {
     double nearness = 0.0;  // what coming near has cost so far [s]
     double until = 0.0;     // untouched so long [s]
     double cost = 0.0;      // [s]
+    double promise = 0.0;   // the cost, and more where it leads to a touch as it goes on [s]
     std::uint32_t first = 0;
   };
   // A motion of a level: when, and in what steps.
@@ -102,6 +105,7 @@ class EvasionSearch {
   double nearness(const Scene& scene, const State& state, double time, bool& touched) const;
   bool blocked(const Scene& scene, const State& state) const;
   void extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first, const Span& span);
+  double touched_early(const Scene& scene, const State& state, double time) const;
   void note_touched(const State& state);
   void keep_best();
   static bool alike(const State& a, const State& b);
@@ -113,7 +117,7 @@ class EvasionSearch {
   double fastest_ = 0.0;  // [m/s]
   bool walls_ = true;     // near what is gone on from
   std::vector<State> beam_, next_;
-  std::vector<std::pair<double, std::uint32_t>> queue_;  // cost, of next_
+  std::vector<std::pair<double, std::uint32_t>> queue_;  // promise, of next_
   std::vector<Branch> branches_;                         // [motions]
 };
 

@@ -32,7 +32,7 @@ class PlanGuide {
   double time_left(double x, double y, const Rotation& heading) const;
 
  private:
-  static constexpr std::size_t kMost = 24;
+  static constexpr std::size_t kMost = 12;
   struct Station {
     double x = 0.0, y = 0.0;            // [m]
     double left = 0.0;                  // along the plan [m]
