@@ -12,8 +12,9 @@ namespace hidwa_local_planner::test {
 // vx_samples times vth_samples (and one for omega = 0), less (0, 0), and up to three: braking, the person's
 // and the last command.
 const std::vector<Load>& loads() {
-  static const std::vector<Load> kLoads{{"419", 20, 20},    {"819", 20, 40},      {"2000", 26, 76}, {"2400", 40, 60},
-                                        {"10000", 73, 136}, {"100000", 216, 462}, {"2000x56", 26, 76, 2.6}};
+  static const std::vector<Load> kLoads{{"419", 20, 20},         {"819", 20, 40},    {"2000", 26, 76},
+                                        {"2400", 40, 60},        {"10000", 73, 136}, {"100000", 216, 462},
+                                        {"2000x56", 26, 76, 2.6}};
   return kLoads;
 }
 

@@ -31,17 +31,10 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
   ManoeuvreRoller roller(cycle.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
                          {cycle.start.origin, Rotation::of(cycle.start.origin.theta)}, kPendingStep);
   roller.roll_on(pending, [](const TurnedPose&) { return true; });
-  const EvasionSearch::Scene scene{cycle.parameters,
-                                   cycle.limits,
-                                   cycle.footprint,
-                                   cycle.grid,
-                                   checker,
-                                   roller.at(),
-                                   pending.end(),
-                                   std::max(0.0, roller.time()),
-                                   cycle.movers,
-                                   cycle.start.reference,
-                                   usable_period(situation)};
+  const EvasionSearch::Scene scene{
+      cycle.parameters, cycle.limits,          cycle.footprint,         cycle.grid,
+      checker,          roller.at(),           pending.end(),           std::max(0.0, roller.time()),
+      cycle.movers,     cycle.start.reference, usable_period(situation)};
   better_.clear();
   better_.reserve(64);
   if (!search_.look(scene, situation.moving_obstacles) || search_.untroubled(scene, own)) return false;
@@ -67,8 +60,7 @@ int Evasion::choose(const Cycle& cycle, const Candidates& candidates, LazyChecks
   return -1;
 }
 
-int Evasion::nearest_legal(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks,
-                           const Twist2& motion) {
+int Evasion::nearest_legal(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks, const Twist2& motion) {
   near_.clear();
   reserve_with_spare(near_, candidates.count());
   const double per_v = 1.0 / cycle.limits.x.fastest(), per_omega = 1.0 / cycle.limits.theta.fastest();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Has autonomy get out of the way of what moves, in good time.
 //
-// One velocity kept for sim_time cannot say "wait, then go" or "back off now": what autonomy chooses by that may lead to
-// where the robot will be touched at rest. So its choice stays only if ways begin with it that are about as good as any
-// (EvasionSearch). Else the legal candidate is taken that is nearest to where the best way begins.
+// One velocity kept for sim_time cannot say "wait, then go" or "back off now": what autonomy chooses by that may lead
+// to where the robot will be touched at rest. So its choice stays only if ways begin with it that are about as good as
+// any (EvasionSearch). Else the legal candidate is taken that is nearest to where the best way begins.
 //
 // Why it is safe: it takes legal candidates only, and each of them passes the last checks.
 #pragma once
@@ -30,7 +30,7 @@ class Evasion {
 
   EvasionSearch search_;
   PlanGuide guide_;
-  std::vector<EvasionSearch::Branch> better_;        // cheapest first
+  std::vector<EvasionSearch::Branch> better_;           // cheapest first
   std::vector<std::pair<double, std::uint32_t>> near_;  // candidates, by how far they are from a motion
 };
 

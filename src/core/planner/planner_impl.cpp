@@ -54,10 +54,9 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
   const bool count = movers_count(start);
   const bool once = count && parameters.moving_obstacles_clear_cells && grid.valid();
   const GridView seen = once ? explained.without(grid, measured.moving_obstacles) : grid;
-  const Cycle cycle{parameters,       limits, footprint,
-                    seen,             intent, sampling,
-                    *start.situation, start,  look_at_movers(start, count),
-                    count};
+  const Cycle cycle{
+      parameters, limits, footprint, seen, intent, sampling, *start.situation, start, look_at_movers(start, count),
+      count};
   clear(decision);
   evaluation.clear();
   explanation.clear();

@@ -83,8 +83,7 @@ void EvasionSearch::plan_spans(const Scene& scene) {
     span.step = length / kSteps;
     for (int k = 0; k < kSteps; ++k) {
       const double time = from + (k + 1) * span.step;
-      span.share[static_cast<std::size_t>(k)] =
-          scene.parameters.evasion_scale * span.step * std::exp(-time / kFading);
+      span.share[static_cast<std::size_t>(k)] = scene.parameters.evasion_scale * span.step * std::exp(-time / kFading);
     }
     from += length;
   }
@@ -152,7 +151,8 @@ bool EvasionSearch::go(const Scene& scene, const Twist2& motion, const Span& spa
     state.omega = omega;
     const double time = span.from + (k + 1) * span.step;
     bool touched = false;
-    if (!near_.empty()) state.nearness += span.share[static_cast<std::size_t>(k)] * nearness(scene, state, time, touched);
+    if (!near_.empty())
+      state.nearness += span.share[static_cast<std::size_t>(k)] * nearness(scene, state, time, touched);
     if (!touched && !blocked(scene, state)) continue;
     state.until = time;
     return false;
@@ -183,8 +183,7 @@ void EvasionSearch::list_motions(const Scene& scene, const Twist2& own) {
 }
 
 bool EvasionSearch::may_begin(const Scene& scene, const Twist2& motion) {
-  return scene.movers == nullptr ||
-         scene.movers->can_rest(scene.limits.step(scene.reference, motion, scene.period));
+  return scene.movers == nullptr || scene.movers->can_rest(scene.limits.step(scene.reference, motion, scene.period));
 }
 
 void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const Twist2& own) {
@@ -192,7 +191,8 @@ void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const Twist2
   branches_.clear();
   for (const Twist2& motion : motions_) branches_.push_back({motion, kEver, 0.0});
   beam_.clear();
-  beam_.push_back({scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega});
+  beam_.push_back(
+      {scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega});
   for (int level = 0; level < kLevels && !beam_.empty(); ++level) {
     next_.clear();
     const Span& span = spans_[static_cast<std::size_t>(level)];

@@ -55,9 +55,9 @@ class EvasionSearch {
   };
   /// A first motion, and what the cheapest way costs that begins with it.
   struct Branch {
-    Twist2 motion;        // [m/s, rad/s]
-    double cost = 0.0;    // [s]; infinite where it is not known
-    double until = 0.0;   // untouched so long; infinite where that is the whole time [s]
+    Twist2 motion;       // [m/s, rad/s]
+    double cost = 0.0;   // [s]; infinite where it is not known
+    double until = 0.0;  // untouched so long; infinite where that is the whole time [s]
   };
 
   EvasionSearch();
@@ -77,9 +77,9 @@ class EvasionSearch {
   static constexpr std::size_t kBeam = 8;
 
   struct Mover {
-    double x, y, vx, vy;     // now [m], [m/s]
-    double radius;           // [m]
-    double kept, kept_grows; // D and how fast it grows [m], [m/s]
+    double x, y, vx, vy;      // now [m], [m/s]
+    double radius;            // [m]
+    double kept, kept_grows;  // D and how fast it grows [m], [m/s]
   };
   struct State {
     double x = 0.0, y = 0.0;
@@ -93,8 +93,8 @@ class EvasionSearch {
   };
   // A motion of a level: when, and in what steps.
   struct Span {
-    double from = 0.0, step = 0.0;         // [s]
-    std::array<double, kSteps> share{};    // what a step's nearness costs [s]
+    double from = 0.0, step = 0.0;       // [s]
+    std::array<double, kSteps> share{};  // what a step's nearness costs [s]
   };
 
   void list_motions(const Scene& scene, const Twist2& own);

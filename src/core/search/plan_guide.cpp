@@ -46,8 +46,8 @@ void PlanGuide::prepare(const std::vector<Pose2>& plan, const Pose2& goal, const
   if (!ends_ && points_.size() > 1) {
     const Station& last = points_.back();
     const double on = std::max(0.0, ahead - way) + apart;
-    points_.push_back({last.x + on * last.forward_x, last.y + on * last.forward_y, way + on, last.forward_x,
-                       last.forward_y});
+    points_.push_back(
+        {last.x + on * last.forward_x, last.y + on * last.forward_y, way + on, last.forward_x, last.forward_y});
   }
   const double whole = points_.back().left;
   for (Station& point : points_) point.left = whole - point.left;

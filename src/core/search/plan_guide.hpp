@@ -34,8 +34,8 @@ class PlanGuide {
  private:
   static constexpr std::size_t kMost = 12;
   struct Station {
-    double x = 0.0, y = 0.0;            // [m]
-    double left = 0.0;                  // along the plan [m]
+    double x = 0.0, y = 0.0;                  // [m]
+    double left = 0.0;                        // along the plan [m]
     double forward_x = 1.0, forward_y = 0.0;  // where the plan goes there
   };
   void direct();

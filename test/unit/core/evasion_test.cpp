@@ -76,8 +76,8 @@ struct OpenGround {
                   EvasionSearch::reach(map.parameters, limits));
   }
   EvasionSearch::Scene scene(const Twist2& velocity, double delay = 0.1) {
-    return {map.parameters, limits, body, grid_ = map.grid(), checker, {{0.0, 0.0, 0.0}, {1.0, 0.0}}, velocity, delay,
-            nullptr, velocity, 0.05};
+    return {map.parameters, limits, body,    grid_ = map.grid(), checker, {{0.0, 0.0, 0.0}, {1.0, 0.0}},
+            velocity,       delay,  nullptr, velocity,           0.05};
   }
 
  private:

@@ -38,9 +38,9 @@ TEST(SocialDistances, AreWeighedBySecondsAndFade) {
   // A robot that stands for 1 s, looks 0.25 s apart: the front is at 0.2 and 0.8 - 0.3 - 0.2 = 0.3 m off, of 0.5 m.
   const std::vector<Pose2> stands(9, Pose2{0.0, 0.0, 0.0});
   const double share = 1.0 - 0.3 / 0.5;
-  const double expected = 0.25 * share *
-                          (std::exp(-0.125 / 1.5) + std::exp(-0.375 / 1.5) + std::exp(-0.625 / 1.5) +
-                           std::exp(-0.875 / 1.5));
+  const double expected =
+      0.25 * share *
+      (std::exp(-0.125 / 1.5) + std::exp(-0.375 / 1.5) + std::exp(-0.625 / 1.5) + std::exp(-0.875 / 1.5));
   EXPECT_NEAR(bench.score({0.0, 0.0}, stands, 0.125).raw, expected, 1e-12);
   // 0.75 m from the front, and going away: nothing. Standing in the person: no more than one.
   bench.scene().situation.moving_obstacles = {person_at(1.25, 0.0, 0.5, 0.0)};
@@ -69,8 +69,9 @@ TEST(SocialDistances, CountNothingWithoutADistanceToKeep) {
   EXPECT_EQ(CriticBench("SocialDistance", scene).weight(), 0.0);
 }
 
-// Every candidate of whole cycles. Between measured speeds, 0.1 m/s apart, a person 1.4 m/s fast comes nearer by 0.1 *
-// 1.85 m at most, and off a corner the distance counts as less than it is.
+// Every candidate of whole cycles. Speeds 0.1 m/s apart are measured and those between interpolated: a rollout is up to
+// 0.05 t away from one that is measured, so off by up to 0.05 t / 0.5 at the time t. Its integral with exp(-t / 1.5 s)
+// over 1.7 s is 0.07 s, and with what is looked at every 0.25 s, at the end of each quarter, 0.1 s.
 TEST(SocialDistances, AreWhatASlowTwinSaysOfEveryCandidate) {
   Random random(17);
   for (const bool circle : {true, false}) {
@@ -80,7 +81,8 @@ TEST(SocialDistances, AreWhatASlowTwinSaysOfEveryCandidate) {
       Scene scene = Scene::empty(121);
       if (circle) {
         scene.outline.clear();
-        for (int i = 0; i < 16; ++i) scene.outline.emplace_back(0.25 * std::cos(M_PI * i / 8), 0.25 * std::sin(M_PI * i / 8));
+        for (int i = 0; i < 16; ++i)
+          scene.outline.emplace_back(0.25 * std::cos(M_PI * i / 8), 0.25 * std::sin(M_PI * i / 8));
       }
       scene.situation.velocity = scene.situation.last_command = {random.uniform(0.0, 0.4), random.uniform(-0.5, 0.5)};
       for (int j = 0; j < 3; ++j) {
@@ -99,7 +101,7 @@ TEST(SocialDistances, AreWhatASlowTwinSaysOfEveryCandidate) {
         ASSERT_NE(term, candidate.terms.end());
         const double twin = naive_social_distance(candidate.poses, candidate.step, bench.planner().footprint(),
                                                   scene.situation.moving_obstacles, bench.planner().parameters());
-        EXPECT_NEAR(term->raw, twin, circle ? 0.06 : 0.12) << k;
+        EXPECT_NEAR(term->raw, twin, 0.1) << k;
         off += std::abs(term->raw - twin);
         sum += twin;
         some += twin > 0.0;
