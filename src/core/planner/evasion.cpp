@@ -10,7 +10,7 @@ namespace hidwa_local_planner {
 namespace {
 
 // A way is clearly better if it costs less by this [s].
-constexpr double kClearly = 0.3;
+constexpr double kClearlyBetter = 0.3;
 
 // Of so many better ways the first motion is looked for among the candidates.
 constexpr std::size_t kMostWays = 4;
@@ -44,7 +44,7 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
   search_.run(scene, guide_, own);
   const std::vector<EvasionSearch::Branch>& branches = search_.branches();
   for (std::size_t i = 1; i < branches.size(); ++i) {
-    if (branches[i].cost < branches[0].cost - kClearly) better_.push_back(branches[i]);
+    if (branches[i].cost < branches[0].cost - kClearlyBetter) better_.push_back(branches[i]);
   }
   std::sort(better_.begin(), better_.end(), [](const auto& a, const auto& b) {
     return std::tie(a.cost, a.motion.v, a.motion.omega) < std::tie(b.cost, b.motion.v, b.motion.omega);

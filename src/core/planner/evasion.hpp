@@ -8,6 +8,8 @@
 // Why it is safe: it takes legal candidates only, and each of them passes the last checks.
 #pragma once
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/planner/candidates.hpp"

@@ -20,7 +20,7 @@ constexpr double kAlikePlace = 0.15;
 constexpr double kAlikeHeading = 0.955;
 constexpr double kAlikeSpeed = 0.8;
 
-constexpr std::size_t kUsualMovers = 256;
+constexpr std::size_t kMoversInReach = 256;
 
 constexpr double kEver = std::numeric_limits<double>::infinity();
 
@@ -39,8 +39,8 @@ double towards(const AxisLimits& axis, double from, double to, double dt) {
 }  // namespace
 
 EvasionSearch::EvasionSearch() {
-  movers_.reserve(kUsualMovers);
-  near_.reserve(kUsualMovers);
+  movers_.reserve(kMoversInReach);
+  near_.reserve(kMoversInReach);
   motions_.reserve(64);
   branches_.reserve(64);
   beam_.reserve(kBeam + 1);
