@@ -17,6 +17,9 @@ constexpr double kLooksApart = 0.25;
 // Candidates of a tile whose speeds are about so far apart are measured [m/s]; the others lie between them.
 constexpr double kSpeedsApart = 0.1;
 
+// For rounding [m].
+constexpr double kSpare = 0.01;
+
 // Memory is kept for so many candidates of a tile, sides of a footprint, and movers.
 constexpr std::size_t kUsualCandidates = 256;
 constexpr std::size_t kUsualSides = 32;
@@ -43,6 +46,7 @@ class SocialDistance : public Critic {
     Point velocity;  // [m/s]
     double radius;   // [m]
   };
+  void find_in_reach(const CycleView& cycle, const Tile& tile);
   void choose_knots(const Tile& tile);
   void take_row(const Tile& tile, std::size_t k);
   bool far_from_row(const Mover& mover, const Point& at) const;
@@ -55,6 +59,7 @@ class SocialDistance : public Critic {
   double fading_ = 1.5;      // [s]
   double own_radius_ = 0.0;  // of the footprint, circumscribed [m]
   std::vector<Mover> movers_;
+  std::vector<Mover> in_reach_;     // those of them that any candidate of the tile may come near
   std::vector<std::size_t> knots_;  // candidates of a tile that are measured, ascending
   // Of the knots, at one time:
   std::vector<double> x_, y_;                                 // [m]
@@ -69,6 +74,7 @@ double SocialDistance::configure(const Parameters& parameters, const ParameterSo
   kept_ = parameters.social_distance;
   fading_ = parameters.SocialDistance_fading_time;
   movers_.reserve(kUsualMovers);
+  in_reach_.reserve(kUsualMovers);
   knots_.reserve(kUsualCandidates);
   for (std::vector<double>* values : {&x_, &y_, &gap_, &nearness_, &sum_}) values->reserve(kUsualCandidates);
   along_.reserve(kUsualCandidates * kUsualSides);
@@ -80,6 +86,24 @@ void SocialDistance::prepare(const CycleView& cycle) {
   own_radius_ = cycle.footprint->circumscribed_radius();
   for (const MovingObstacleEstimate& mover : *cycle.moving_obstacles) {
     movers_.push_back({mover.position + mover.age * mover.velocity, mover.velocity, mover.radius});
+  }
+}
+
+// A rollout is no faster than its sample, or than the robot was when it began. What cannot come near within it is near
+// at no time: leaving it out changes nothing.
+void SocialDistance::find_in_reach(const CycleView& cycle, const Tile& tile) {
+  double fastest = std::max(std::abs(cycle.velocity.v), std::abs(cycle.last_command.v));
+  for (const std::size_t knot : knots_) fastest = std::max(fastest, std::abs(tile.v[knot]));
+  const double lasts = static_cast<double>(tile.steps) * tile.dt;
+  const double own = fastest * lasts + own_radius_ + kept_ + kSpare;
+  in_reach_.clear();
+  for (const Mover& mover : movers_) {
+    const Point from(mover.position.x() - cycle.pose.x, mover.position.y() - cycle.pose.y);
+    const Point way = lasts * mover.velocity;
+    const double length2 = way.squaredNorm();
+    const double part = length2 > 0.0 ? std::clamp(-from.dot(way) / length2, 0.0, 1.0) : 0.0;
+    const double most = own + mover.radius;
+    if ((from + part * way).squaredNorm() < most * most) in_reach_.push_back(mover);
   }
 }
 
@@ -154,7 +178,7 @@ bool SocialDistance::look_around(const Tile& tile, std::size_t k, const Footprin
   const double time = static_cast<double>(k) * tile.dt;
   bool any = false;
   take_row(tile, k);
-  for (const Mover& mover : movers_) {
+  for (const Mover& mover : in_reach_) {
     const Point at = mover.position + time * mover.velocity;
     if (far_from_row(mover, at)) continue;
     if (!any) {
@@ -183,6 +207,8 @@ void SocialDistance::interpolate(const Tile& tile, double* raw) const {
 void SocialDistance::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   if (movers_.empty() || tile.steps == 0 || tile.count == 0) return;
   choose_knots(tile);
+  find_in_reach(cycle, tile);
+  if (in_reach_.empty()) return;
   const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(kLooksApart / tile.dt)));
   bool any = false;
   for (std::size_t k = stride; k <= tile.steps; k += stride) {

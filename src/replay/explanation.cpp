@@ -92,6 +92,9 @@ std::string why_chosen(record::CycleReplay& replay) {
   if (replay.planner().choice().rule == ChoiceReport::Rule::recovery) {
     return text + ": not the cheapest; a recovery of stuck autonomy chose it (turn_when_stuck)\n";
   }
+  if (replay.planner().choice().rule == ChoiceReport::Rule::evasion) {
+    return text + ": not the cheapest; it gets out of the way of what moves (evasion_time)\n";
+  }
   const int second = runner_up(all, best);
   if (second < 0) return text + ": the only legal one\n";
   const CandidateReport& next = all[static_cast<std::size_t>(second)];

@@ -7,7 +7,8 @@ namespace hidwa_local_planner::test {
 
 /// cycle/<candidates>/<cells a side>/<body>/<ground>: Planner::plan, another situation every time.
 /// cycle_cached/...: the same situation again and again. cycle_watched/...: as cycle, and all candidates are checked,
-/// as when somebody subscribes to what became of them.
+/// as when somebody subscribes to what became of them. autonomy/...: as cycle, and nobody steers. cycle_among/...,
+/// autonomy_among/...: the same with 20 people around.
 void register_cycles(const Effort& effort);
 
 /// naive_cycle/...: the same situations by naive_cycle().

@@ -35,6 +35,10 @@ class CycleCase {
     const Scene& s = scene(k);
     return planner_.plan(s.situation, s.grid(), s.intent, sampling_);
   }
+  /// From now on nobody steers.
+  void let_drive();
+  /// From now on so many people walk around the robot, at places and with velocities that are the same in every run.
+  void add_people(std::size_t count);
   /// From now on all candidates are checked.
   void watch() { sampling_.report = Report::legality; }
 

@@ -31,6 +31,23 @@ void run_watched_cycle(benchmark::State& state, const Effort& effort, CycleCase&
   run_cycle(state, effort, cycles);
 }
 
+constexpr std::size_t kPeople = 20;
+
+void run_cycle_among(benchmark::State& state, const Effort& effort, CycleCase& cycles) {
+  cycles.add_people(kPeople);
+  run_cycle(state, effort, cycles);
+}
+
+void run_autonomy(benchmark::State& state, const Effort& effort, CycleCase& cycles) {
+  cycles.let_drive();
+  run_cycle(state, effort, cycles);
+}
+
+void run_autonomy_among(benchmark::State& state, const Effort& effort, CycleCase& cycles) {
+  cycles.let_drive();
+  run_cycle_among(state, effort, cycles);
+}
+
 void run_cached_cycle(benchmark::State& state, const Effort& effort, CycleCase& cycles) {
   CycleTimes times;
   times.measure(state, effort, cycles.size(), [&](std::size_t /*k*/) { benchmark::DoNotOptimize(&cycles.plan(0)); });
@@ -100,6 +117,10 @@ void register_cycles(const Effort& effort) {
     add_all("cycle", run_cycle, effort, load_name);
   }
   add_long_rollouts("cycle", run_cycle, effort);
+  add_all("cycle", run_cycle, effort, "2400");
+  add_all("cycle_among", run_cycle_among, effort, "2400");
+  add_all("autonomy", run_autonomy, effort, "2400");
+  add_all("autonomy_among", run_autonomy_among, effort, "2400");
   for (const char* load_name : {"2000", "100000"}) add_all("cycle_cached", run_cached_cycle, effort, load_name);
   for (const char* load_name : {"819", "2000"}) add_all("cycle_watched", run_watched_cycle, effort, load_name);
 }

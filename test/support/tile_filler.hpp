@@ -39,6 +39,7 @@ class TileFiller {
     cycle.plan = &scene_->situation.plan;
     cycle.grid = &grid_;
     cycle.footprint = &footprint_;
+    cycle.moving_obstacles = &scene_->situation.moving_obstacles;
     cycle.surroundings = &surroundings_;
     return cycle;
   }

@@ -136,7 +136,8 @@ struct ChoiceReport {
   enum class Rule {
     none,      // nothing was chosen: a fault, a stop, no legal candidate, or u_h was passed through
     cheapest,  // the smallest total, ties by tie_break
-    recovery   // what gets stuck autonomy going again
+    recovery,  // what gets stuck autonomy going again
+    evasion    // what gets it out of the way of what moves
   };
   Rule rule = Rule::none;
   Twist2 target;         // what the deviation was measured from: u_h, or its blend with autonomy's choice [m/s, rad/s]

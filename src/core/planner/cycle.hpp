@@ -24,6 +24,7 @@ struct Cycle {
   const Situation& situation;  // with the pose of now
   const CycleStart& start;
   MoverCheck* movers;  // null where nothing that moves is near
+  bool among_movers;   // there are some, and they count
 };
 
 /// What the deviation from the operator command is measured against.

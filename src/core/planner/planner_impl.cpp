@@ -55,7 +55,8 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
   const bool once = count && parameters.moving_obstacles_clear_cells && grid.valid();
   const GridView seen = once ? explained.without(grid, measured.moving_obstacles) : grid;
   const Cycle cycle{
-      parameters, limits, footprint, seen, intent, sampling, *start.situation, start, look_at_movers(start, count)};
+      parameters, limits, footprint, seen, intent, sampling, *start.situation, start, look_at_movers(start, count),
+      count};
   clear(decision);
   evaluation.clear();
   explanation.clear();
@@ -104,7 +105,9 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   if (evaluated.gentle && evaluated.scored && gives_way(cycle, choice)) {
     evaluated = evaluation.evaluate(cycle, steering, mode(autonomous, {}));
     choice = choose(cycle, autonomous);
+    evaluated.gentle = false;
   }
+  if (evades(cycle, choice, autonomous)) evade(cycle, steering, evaluated, choice);
   decision.candidates = evaluation.candidates().count();
   decision.escaping = evaluation.obstacles().in_collision();
   if (!evaluated.scored) {
@@ -174,6 +177,24 @@ Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous)
   if (recovering >= 0) return {recovering, ChoiceReport::Rule::recovery};
   const int best = only_recovery ? -1 : cheapest(cycle);
   return {best, best >= 0 ? ChoiceReport::Rule::cheapest : ChoiceReport::Rule::none};
+}
+
+// Only autonomy does, and only where its choice is none of its ways out of a collision.
+bool Planner::Impl::evades(const Cycle& cycle, const Choice& choice, bool autonomous) {
+  if (!cycle.among_movers || !autonomous || choice.candidate < 0 || parameters.evasion_time <= 0.0) return false;
+  if (evaluation.obstacles().in_collision()) return false;
+  return evasion.wanted(cycle, evaluation.obstacles().collision(),
+                        evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate)));
+}
+
+// As fast as the limits allow: gentleness gives way.
+void Planner::Impl::evade(const Cycle& cycle, const Steering& steering, Evaluation::Result& evaluated, Choice& choice) {
+  if (evaluated.gentle) {
+    evaluated = evaluation.evaluate(cycle, steering, mode(true, {}));
+    choice = choose(cycle, true);
+  }
+  const int candidate = evasion.choose(cycle, evaluation.candidates(), evaluation.checks());
+  if (candidate >= 0) choice = {candidate, ChoiceReport::Rule::evasion};
 }
 
 int Planner::Impl::cheapest(const Cycle& cycle) {

@@ -19,6 +19,7 @@
 #include "core/planner/critic_set.hpp"
 #include "core/planner/cycle.hpp"
 #include "core/planner/evaluation.hpp"
+#include "core/planner/evasion.hpp"
 #include "core/planner/explanation.hpp"
 #include "core/planner/recovery.hpp"
 #include "core/planner/selection.hpp"
@@ -45,6 +46,7 @@ struct Planner::Impl {
   MoverCheck movers;
   ExplainedCells explained;
   Recovery recovery;
+  Evasion evasion;
   Explanation explanation;
   Decision decision;  // the output: written, never read
 
@@ -62,6 +64,8 @@ struct Planner::Impl {
   ComfortTurn comfort_of(const Cycle& cycle, const Steering& steering) const;
   bool gives_way(const Cycle& cycle, const Choice& choice) const;
   Choice choose(const Cycle& cycle, bool autonomous);
+  bool evades(const Cycle& cycle, const Choice& choice, bool autonomous);
+  void evade(const Cycle& cycle, const Steering& steering, Evaluation::Result& evaluated, Choice& choice);
   int cheapest(const Cycle& cycle);
   Conclusion follow_choice(const Cycle& cycle, const Choice& choice);
   Recovery::Course course_of(const Cycle& cycle, const Choice& choice, const Conclusion& chosen,

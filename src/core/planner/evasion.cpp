@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/planner/evasion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace hidwa_local_planner {
+namespace {
+
+// A way is clearly better if it costs less by this [s].
+constexpr double kClearlyBetter = 0.3;
+
+// Of so many better ways the first motion is looked for among the candidates.
+constexpr std::size_t kMostWays = 4;
+
+// A candidate is like a motion if each axis differs by no more than this share of its limit.
+constexpr double kLike = 0.2;
+
+// Steps of the pending motion are no longer than this [s].
+constexpr double kPendingStep = 0.05;
+constexpr double kAnyDistance = 1e3;  // [m]
+
+}  // namespace
+
+bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own) {
+  const Situation& situation = cycle.situation;
+  const PendingMotionSet& all = *cycle.start.pending;
+  const PendingMotion& pending = all[all.likely() - 1];
+  ManoeuvreRoller roller(cycle.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
+                         {cycle.start.origin, Rotation::of(cycle.start.origin.theta)}, kPendingStep);
+  roller.roll_on(pending, [](const TurnedPose&) { return true; });
+  const EvasionSearch::Scene scene{
+      cycle.parameters, cycle.limits,          cycle.footprint,         cycle.grid,
+      checker,          roller.at(),           pending.end(),           std::max(0.0, roller.time()),
+      cycle.movers,     cycle.start.reference, usable_period(situation)};
+  better_.clear();
+  better_.reserve(64);
+  if (!search_.look(scene, situation.moving_obstacles) || search_.untroubled(scene, own)) return false;
+  guide_.prepare(situation.plan, situation.goal, scene.start.pose, cycle.limits,
+                 EvasionSearch::reach(cycle.parameters, cycle.limits));
+  if (!guide_.any()) return false;
+  search_.run(scene, guide_, own);
+  const std::vector<EvasionSearch::Branch>& branches = search_.branches();
+  for (std::size_t i = 1; i < branches.size(); ++i) {
+    if (branches[i].cost < branches[0].cost - kClearlyBetter) better_.push_back(branches[i]);
+  }
+  std::sort(better_.begin(), better_.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.cost, a.motion.v, a.motion.omega) < std::tie(b.cost, b.motion.v, b.motion.omega);
+  });
+  return !better_.empty();
+}
+
+int Evasion::choose(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks) {
+  for (std::size_t i = 0; i < std::min(kMostWays, better_.size()); ++i) {
+    const int candidate = nearest_legal(cycle, candidates, checks, better_[i].motion);
+    if (candidate >= 0) return candidate;
+  }
+  return -1;
+}
+
+int Evasion::nearest_legal(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks, const Twist2& motion) {
+  near_.clear();
+  reserve_with_spare(near_, candidates.count());
+  const double per_v = 1.0 / cycle.limits.x.fastest(), per_omega = 1.0 / cycle.limits.theta.fastest();
+  for (std::size_t c = 0; c < candidates.count(); ++c) {
+    const Twist2& u = candidates.sample(c);
+    const double off_v = std::abs(u.v - motion.v) * per_v, off_omega = std::abs(u.omega - motion.omega) * per_omega;
+    if (off_v <= kLike && off_omega <= kLike) near_.emplace_back(off_v + off_omega, static_cast<std::uint32_t>(c));
+  }
+  std::sort(near_.begin(), near_.end());
+  for (const auto& [off, c] : near_) {
+    if (checks.legal(c) && checks.confirm(c)) return static_cast<int>(c);
+  }
+  return -1;
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Has autonomy get out of the way of what moves, in good time.
+//
+// One velocity kept for sim_time cannot say "wait, then go" or "back off now": what autonomy chooses by that may lead
+// to where the robot will be touched at rest. So its choice stays only if ways begin with it that are about as good as
+// any (EvasionSearch). Else the legal candidate is taken that is nearest to where the best way begins.
+//
+// Why it is safe: it takes legal candidates only, and each of them passes the last checks.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/planner/candidates.hpp"
+#include "core/planner/cycle.hpp"
+#include "core/planner/lazy_checks.hpp"
+#include "core/search/evasion_search.hpp"
+#include "core/search/plan_guide.hpp"
+
+namespace hidwa_local_planner {
+
+class Evasion {
+ public:
+  /// Whether another motion is clearly better than `own`, autonomy's choice [m/s, rad/s].
+  bool wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own);
+  /// The candidate that begins the best way that begins with a legal one; -1 where none is better than the choice.
+  int choose(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks);
+
+ private:
+  int nearest_legal(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks, const Twist2& motion);
+
+  EvasionSearch search_;
+  PlanGuide guide_;
+  std::vector<EvasionSearch::Branch> better_;           // cheapest first
+  std::vector<std::pair<double, std::uint32_t>> near_;  // candidates, by how far they are from a motion
+};
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/search/evasion_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace hidwa_local_planner {
+namespace {
+
+constexpr double kFirstMotion = 0.4;    // [s]
+constexpr double kFading = 2.0;         // what comes later by this counts 1/e as much [s]
+constexpr double kUnsure = 0.1;         // how fast D grows for everything that moves [m/s]
+constexpr double kTouches = 0.03;       // what is nearer counts as touched [m]
+constexpr double kTouchedSooner = 100;  // each second sooner costs so many
+
+// Ways that end so near to each other are alike [m], cosine, [m/s].
+constexpr double kAlikePlace = 0.15;
+constexpr double kAlikeHeading = 0.955;
+constexpr double kAlikeSpeed = 0.8;
+
+constexpr std::size_t kMoversInReach = 256;
+
+constexpr double kEver = std::numeric_limits<double>::infinity();
+
+// Of steps up to a radian, which need not be exact.
+Rotation small_turn(double angle) {
+  const double a2 = angle * angle;
+  return {1.0 - a2 * (0.5 - a2 * (1.0 / 24.0 - a2 * (1.0 / 720.0))),
+          angle * (1.0 - a2 * (1.0 / 6.0 - a2 * (1.0 / 120.0 - a2 * (1.0 / 5040.0))))};
+}
+
+double towards(const AxisLimits& axis, double from, double to, double dt) {
+  const double most = (std::abs(to) < std::abs(from) ? axis.braking : axis.acc) * dt;
+  return from < to ? std::min(to, from + most) : std::max(to, from - most);
+}
+
+}  // namespace
+
+EvasionSearch::EvasionSearch() {
+  movers_.reserve(kMoversInReach);
+  near_.reserve(kMoversInReach);
+  motions_.reserve(64);
+  branches_.reserve(64);
+  beam_.reserve(kBeam + 1);
+  next_.reserve(64 * (kBeam + 1));
+  queue_.reserve(64 * (kBeam + 1));
+}
+
+double EvasionSearch::reach(const Parameters& parameters, const VelocityLimits& limits) {
+  return parameters.evasion_time * std::max(limits.x.max, -limits.x.min);
+}
+
+bool EvasionSearch::look(const Scene& scene, const MovingObstacleEstimates& movers) {
+  movers_.clear();
+  const Parameters& p = scene.parameters;
+  horizon_ = p.evasion_time;
+  fastest_ = scene.limits.x.fastest();
+  const double whole = scene.delay + horizon_;
+  for (const MovingObstacleEstimate& mover : movers) {
+    const Point now = mover.position + mover.age * mover.velocity;
+    const double grows = kUnsure + mover.velocity_deviation;
+    const double off = std::hypot(now.x() - scene.start.pose.x, now.y() - scene.start.pose.y);
+    const double closes = (fastest_ + mover.velocity.norm() + grows) * whole;
+    const double radius = mover.radius + mover.position_deviation;
+    if (off > closes + radius + p.evasion_distance + scene.footprint.circumscribed_radius()) continue;
+    movers_.push_back({now.x(), now.y(), mover.velocity.x(), mover.velocity.y(), radius, p.evasion_distance, grows});
+  }
+  if (movers_.empty()) return false;
+  plan_spans(scene);
+  return true;
+}
+
+void EvasionSearch::plan_spans(const Scene& scene) {
+  const double first = std::min(kFirstMotion, horizon_ / kLevels);
+  const double other = (horizon_ - first) / (kLevels - 1);
+  double from = scene.delay;
+  for (int level = 0; level < kLevels; ++level) {
+    const double length = level > 0 ? other : first;
+    Span& span = spans_[static_cast<std::size_t>(level)];
+    span.from = from;
+    span.step = length / kSteps;
+    for (int k = 0; k < kSteps; ++k) {
+      const double time = from + (k + 1) * span.step;
+      span.share[static_cast<std::size_t>(k)] = scene.parameters.evasion_scale * span.step * std::exp(-time / kFading);
+    }
+    from += length;
+  }
+}
+
+// What may come near within a span, from here.
+void EvasionSearch::find_near(const Scene& scene, const State& from, const Span& span) {
+  near_.clear();
+  const double length = kSteps * span.step, end = span.from + length;
+  const double own = scene.footprint.circumscribed_radius() + length * fastest_;
+  for (const Mover& mover : movers_) {
+    // To the middle of where it goes meanwhile.
+    const double middle = span.from + 0.5 * length;
+    const double dx = mover.x + mover.vx * middle - from.x, dy = mover.y + mover.vy * middle - from.y;
+    const double half = 0.5 * length * (std::abs(mover.vx) + std::abs(mover.vy));
+    const double most = own + half + mover.radius + mover.kept + mover.kept_grows * end;
+    if (dx * dx + dy * dy < most * most) near_.push_back(mover);
+  }
+  walls_ = !scene.checker.clear_around(from.x, from.y, length * fastest_);
+}
+
+double EvasionSearch::nearness(const Scene& scene, const State& state, double time, bool& touched) const {
+  const double own = scene.footprint.circumscribed_radius();
+  double sum = 0.0;
+  for (const Mover& mover : near_) {
+    const double dx = mover.x + mover.vx * time - state.x, dy = mover.y + mover.vy * time - state.y;
+    const double kept = mover.kept + mover.kept_grows * time;
+    const double most = own + mover.radius + kept;
+    if (dx * dx + dy * dy >= most * most) continue;
+    const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
+    const double gap = scene.footprint.distance_to(seen) - mover.radius;
+    if (gap >= kept) continue;
+    touched = touched || gap < kTouches;
+    const double share = 1.0 - std::max(0.0, gap) / kept;
+    sum += share * share;
+  }
+  return sum;
+}
+
+// What lies beyond the map is not known, and is free.
+bool EvasionSearch::blocked(const Scene& scene, const State& state) const {
+  if (!walls_ || scene.checker.clear(state.x, state.y)) return false;
+  const GridView& grid = scene.grid;
+  const double margin = scene.footprint.circumscribed_radius() + grid.resolution;
+  if (!grid.contains(grid.cell_at(state.x - margin, state.y - margin)) ||
+      !grid.contains(grid.cell_at(state.x + margin, state.y + margin)) ||
+      !scene.checker.in_reach(grid.cell_at(state.x, state.y))) {
+    return false;
+  }
+  return scene.checker.collides({state.x, state.y, 0.0}, state.heading);
+}
+
+// False where it is touched: then `until` says when.
+bool EvasionSearch::go(const Scene& scene, const Twist2& motion, const Span& span, State& state) const {
+  for (int k = 0; k < kSteps; ++k) {
+    const double v = towards(scene.limits.x, state.v, motion.v, span.step);
+    const double omega = towards(scene.limits.theta, state.omega, motion.omega, span.step);
+    const double way = 0.5 * (state.v + v) * span.step;
+    const Rotation half = small_turn(0.25 * (state.omega + omega) * span.step);
+    const Rotation middle = state.heading.turned(half);
+    state.x += way * middle.c;
+    state.y += way * middle.s;
+    state.heading = middle.turned(half);
+    state.v = v;
+    state.omega = omega;
+    const double time = span.from + (k + 1) * span.step;
+    bool touched = false;
+    if (!near_.empty())
+      state.nearness += span.share[static_cast<std::size_t>(k)] * nearness(scene, state, time, touched);
+    if (!touched && !blocked(scene, state)) continue;
+    state.until = time;
+    return false;
+  }
+  return true;
+}
+
+bool EvasionSearch::untroubled(const Scene& scene, const Twist2& motion) {
+  State state{scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega};
+  for (const Span& span : spans_) {
+    find_near(scene, state, span);
+    if (!go(scene, motion, span, state) || state.nearness > 0.0) return false;
+  }
+  return true;
+}
+
+// 0 is own. All within what the wheels allow.
+void EvasionSearch::list_motions(const Scene& scene, const Twist2& own) {
+  const VelocityLimits& limits = scene.limits;
+  motions_.clear();
+  motions_.push_back(own);
+  const double back = std::min(0.0, limits.x.min), ahead = limits.x.max;
+  const double speeds[] = {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0, 0.5 * back, back};
+  for (const double v : speeds) {
+    if (v == 0.0 && &v != &speeds[3]) continue;
+    for (int turn = -2; turn <= 2; ++turn) motions_.push_back(limits.clamp({v, 0.5 * turn * limits.theta.max}));
+  }
+}
+
+bool EvasionSearch::may_begin(const Scene& scene, const Twist2& motion) {
+  return scene.movers == nullptr || scene.movers->can_rest(scene.limits.step(scene.reference, motion, scene.period));
+}
+
+void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const Twist2& own) {
+  list_motions(scene, own);
+  branches_.clear();
+  for (const Twist2& motion : motions_) branches_.push_back({motion, kEver, 0.0});
+  beam_.clear();
+  beam_.push_back(
+      {scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega});
+  for (int level = 0; level < kLevels && !beam_.empty(); ++level) {
+    next_.clear();
+    const Span& span = spans_[static_cast<std::size_t>(level)];
+    for (const State& from : beam_) extend(scene, guide, from, level == 0 ? 0 : 1, span);
+    if (level + 1 < kLevels) keep_best();
+  }
+  for (const State& state : next_) {
+    Branch& branch = branches_[state.first];
+    if (state.cost >= branch.cost) continue;
+    branch.cost = state.cost;
+    branch.until = kEver;
+  }
+}
+
+// By all motions from `first` on. What is touched goes no farther.
+void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first,
+                           const Span& span) {
+  find_near(scene, from, span);
+  for (std::size_t i = first; i < motions_.size(); ++i) {
+    if (first == 0 && i > 0 && !may_begin(scene, motions_[i])) continue;
+    State state = from;
+    if (first == 0) state.first = static_cast<std::uint32_t>(i);
+    const bool free = go(scene, motions_[i], span, state);
+    state.cost = state.nearness + guide.time_left(state.x, state.y, state.heading);
+    if (free) {
+      const double time = span.from + kSteps * span.step;
+      state.promise = state.cost + touched_early(scene, state, time);
+      next_.push_back(state);
+    } else {
+      note_touched(state);
+    }
+  }
+}
+
+// How long before the end it is touched if it goes straight on from where it is at `time`, as a disc [s].
+double EvasionSearch::touched_early(const Scene& scene, const State& state, double time) const {
+  const double rest = scene.delay + horizon_ - time;
+  if (rest <= 0.0) return 0.0;
+  const double own = scene.footprint.inscribed_radius() + kTouches;
+  double first = rest;
+  for (const Mover& mover : movers_) {
+    const double dx = mover.x + mover.vx * time - state.x, dy = mover.y + mover.vy * time - state.y;
+    const double vx = mover.vx - state.v * state.heading.c, vy = mover.vy - state.v * state.heading.s;
+    const double closes = -(dx * vx + dy * vy), radius = own + mover.radius;
+    const double off = dx * dx + dy * dy - radius * radius;
+    if (closes <= 0.0 || off <= 0.0) continue;  // never, or it is looked at already
+    const double speed = vx * vx + vy * vy, root = closes * closes - speed * off;
+    if (root > 0.0) first = std::min(first, (closes - std::sqrt(root)) / speed);
+  }
+  return rest - first;
+}
+
+void EvasionSearch::note_touched(const State& state) {
+  const double sooner = spans_.back().from + kSteps * spans_.back().step - state.until;
+  const double cost = kTouched + state.cost + kTouchedSooner * sooner * std::exp(-state.until / kFading);
+  Branch& branch = branches_[state.first];
+  if (cost >= branch.cost) return;
+  branch.cost = cost;
+  branch.until = state.until;
+}
+
+bool EvasionSearch::alike(const State& a, const State& b) {
+  return std::abs(a.x - b.x) < kAlikePlace && std::abs(a.y - b.y) < kAlikePlace &&
+         a.heading.c * b.heading.c + a.heading.s * b.heading.s > kAlikeHeading && std::abs(a.v - b.v) < kAlikeSpeed;
+}
+
+// The cheapest go into the beam, and the cheapest of those that begin with the own motion.
+void EvasionSearch::keep_best() {
+  queue_.clear();
+  for (std::size_t i = 0; i < next_.size(); ++i) queue_.emplace_back(next_[i].promise, static_cast<std::uint32_t>(i));
+  std::make_heap(queue_.begin(), queue_.end(), std::greater<>());
+  beam_.clear();
+  bool own = false;
+  while (!queue_.empty() && beam_.size() < kBeam) {
+    const State& best = next_[queue_.front().second];
+    if (std::none_of(beam_.begin(), beam_.end(), [&](const State& kept) { return alike(kept, best); })) {
+      beam_.push_back(best);
+      own = own || best.first == 0;
+    }
+    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+    queue_.pop_back();
+  }
+  const State* cheapest = nullptr;
+  for (const auto& left : queue_) {
+    const State& state = next_[left.second];
+    if (!own && state.first == 0 && (cheapest == nullptr || state.promise < cheapest->promise)) cheapest = &state;
+  }
+  if (cheapest != nullptr) beam_.push_back(*cheapest);
+}
+
+}  // namespace hidwa_local_planner

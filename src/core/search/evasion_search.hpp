@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A search in space and time: which motion now leaves a way that nothing that moves will touch, and gets on.
+//
+// 1. A way is a sequence of motions: a velocity that the robot goes to within its limits and then keeps, the first one
+//    for 0.4 s, the others for equal parts of the rest. There are 6 x 5 of them: ahead, back, at rest, turning.
+// 2. What moves is expected to keep its velocity. A way ends where the outline touches it, at rest too, or a wall.
+// 3. A way costs seconds: what is left to drive from its end (PlanGuide), and for every moment within a distance D of
+//    something that moves
+//      scale (1 - d / D)^2 exp(-t / 2 s) dt,   D = evasion_distance + (0.1 m/s + s_v) t
+//    with the deviation s_v of its velocity. So far away it counts less, and where it will be is less sure.
+// 4. After each motion the cheapest ways go on, of those that end nearly alike the cheapest one (a beam search). A way
+//    that would be touched if it went straight on counts there as if it cost more, by as many seconds as it would be
+//    touched before the end.
+//
+// Each first motion is worth what the cheapest way is that begins with it. Ways that are touched cost more than any
+// other, the sooner the more. Nothing is kept from cycle to cycle, nothing is allocated after the first one.
+// Nothing here makes a command legal: the choice asks for that.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/collision/collision.hpp"
+#include "core/motion/brake_manoeuvre.hpp"
+#include "core/motion/velocity_limits.hpp"
+#include "core/movers/mover_check.hpp"
+#include "core/search/plan_guide.hpp"
+#include "hidwa_local_planner/core/footprint.hpp"
+#include "hidwa_local_planner/core/moving_obstacle.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+
+namespace hidwa_local_planner {
+
+class EvasionSearch {
+ public:
+  /// What a way costs that is touched, at least [s].
+  static constexpr double kTouched = 1e4;
+
+  /// What a cycle starts from. All of it outlives the search.
+  struct Scene {
+    const Parameters& parameters;
+    const VelocityLimits& limits;
+    const Footprint& footprint;
+    const GridView& grid;
+    const CollisionChecker& checker;  // prepared
+    TurnedPose start;                 // where the robot is when a command takes effect
+    Twist2 velocity;                  // then [m/s, rad/s]
+    double delay = 0.0;               // until then [s]
+    MoverCheck* movers = nullptr;     // a first motion is none whose command it rejects; null: all are
+    Twist2 reference;                 // what that command starts from [m/s, rad/s]
+    double period = 0.05;             // [s]
+  };
+  /// A first motion, and what the cheapest way costs that begins with it.
+  struct Branch {
+    Twist2 motion;       // [m/s, rad/s]
+    double cost = 0.0;   // [s]; infinite where it is not known
+    double until = 0.0;  // untouched so long; infinite where that is the whole time [s]
+  };
+
+  EvasionSearch();
+  /// How far ahead it looks [m]: nothing farther from the robot counts.
+  static double reach(const Parameters& parameters, const VelocityLimits& limits);
+  /// Whether anything that moves may come near. Before everything else.
+  bool look(const Scene& scene, const MovingObstacleEstimates& movers);
+  /// Whether nothing comes near if the robot keeps this motion.
+  bool untroubled(const Scene& scene, const Twist2& motion);
+  /// `own`: a first motion of which ways are always followed up; branches()[0] is what it comes to.
+  void run(const Scene& scene, const PlanGuide& guide, const Twist2& own);
+  const std::vector<Branch>& branches() const { return branches_; }
+
+ private:
+  static constexpr int kLevels = 6;
+  static constexpr int kSteps = 4;  // of each motion
+  static constexpr std::size_t kBeam = 8;
+
+  struct Mover {
+    double x, y, vx, vy;      // now [m], [m/s]
+    double radius;            // [m]
+    double kept, kept_grows;  // D and how fast it grows [m], [m/s]
+  };
+  struct State {
+    double x = 0.0, y = 0.0;
+    Rotation heading;
+    double v = 0.0, omega = 0.0;
+    double nearness = 0.0;  // what coming near has cost so far [s]
+    double until = 0.0;     // untouched so long [s]
+    double cost = 0.0;      // [s]
+    double promise = 0.0;   // the cost, and more where it leads to a touch as it goes on [s]
+    std::uint32_t first = 0;
+  };
+  // A motion of a level: when, and in what steps.
+  struct Span {
+    double from = 0.0, step = 0.0;       // [s]
+    std::array<double, kSteps> share{};  // what a step's nearness costs [s]
+  };
+
+  void list_motions(const Scene& scene, const Twist2& own);
+  static bool may_begin(const Scene& scene, const Twist2& motion);
+  void plan_spans(const Scene& scene);
+  void find_near(const Scene& scene, const State& from, const Span& span);
+  bool go(const Scene& scene, const Twist2& motion, const Span& span, State& state) const;
+  double nearness(const Scene& scene, const State& state, double time, bool& touched) const;
+  bool blocked(const Scene& scene, const State& state) const;
+  void extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first, const Span& span);
+  double touched_early(const Scene& scene, const State& state, double time) const;
+  void note_touched(const State& state);
+  void keep_best();
+  static bool alike(const State& a, const State& b);
+
+  std::vector<Mover> movers_, near_;
+  std::vector<Twist2> motions_;
+  std::array<Span, kLevels> spans_;
+  double horizon_ = 0.0;  // [s]
+  double fastest_ = 0.0;  // [m/s]
+  bool walls_ = true;     // near what is gone on from
+  std::vector<State> beam_, next_;
+  std::vector<std::pair<double, std::uint32_t>> queue_;  // promise, of next_
+  std::vector<Branch> branches_;                         // [motions]
+};
+
+}  // namespace hidwa_local_planner

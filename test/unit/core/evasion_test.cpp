@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Getting out of the way of what moves: the time that is left along a plan, ways that nothing touches, and the choice.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/search/evasion_search.hpp"
+#include "core/search/plan_guide.hpp"
+#include "support/planner_bench.hpp"
+#include "support/random.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::PlannerBench;
+using test::Random;
+using test::Scene;
+
+MovingObstacleEstimate disc_at(double x, double y, double vx, double vy) {
+  MovingObstacleEstimate mover;
+  mover.id = 3;
+  mover.position = {x, y};
+  mover.velocity = {vx, vy};
+  mover.radius = 0.3;
+  return mover;
+}
+
+VelocityLimits limits_of(double v, double omega) {
+  VelocityLimits limits;
+  limits.x = {-0.2, v, 2.5, 2.5};
+  limits.theta = {-omega, omega, 3.2, 3.2};
+  return limits;
+}
+
+TEST(PlanGuides, SayHowLongIsLeftOnAndBesideThePlan) {
+  std::vector<Pose2> plan;
+  for (int k = 0; k <= 60; ++k) plan.push_back({0.1 * k, 0.0, 0.0});
+  PlanGuide guide;
+  guide.prepare(plan, {6.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, limits_of(0.5, 1.0), 8.0);
+  ASSERT_TRUE(guide.any());
+  EXPECT_NEAR(guide.time_left(2.0, 0.0, {1.0, 0.0}), (6.0 - 2.0) / 0.5, 1e-9);
+  // It faces back: 0.3 * pi at 1 rad/s more.
+  EXPECT_NEAR(guide.time_left(2.0, 0.0, {-1.0, 0.0}), 4.0 / 0.5 + 0.3 * M_PI, 1e-9);
+  // 1.5 m beside, joined 2 m ahead: 2.5 m of way instead of 2; it faces where it joins, at (2, -1.5) / 2.5.
+  EXPECT_NEAR(guide.time_left(2.0, 1.5, {0.8, -0.6}), (4.0 + 0.5) / 0.5, 1e-9);
+  guide.prepare({}, {}, {}, limits_of(0.5, 1.0), 8.0);
+  EXPECT_FALSE(guide.any());
+}
+
+TEST(PlanGuides, GoOnStraightWhereTheWindowEndsBeforeTheGoal) {
+  const std::vector<Pose2> plan{{0.0, 0.0, 0.0}, {0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  PlanGuide guide;
+  guide.prepare(plan, {9.0, 4.0, 0.0}, {0.0, 0.0, 0.0}, limits_of(1.0, 1.0), 3.0);
+  // From 1.5 m to 2.5 m at 1 m/s.
+  EXPECT_NEAR(guide.time_left(1.5, 0.0, {1.0, 0.0}) - guide.time_left(2.5, 0.0, {1.0, 0.0}), 1.0, 1e-9);
+  guide.prepare(plan, {1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, limits_of(1.0, 1.0), 3.0);
+  EXPECT_NEAR(guide.time_left(1.0, 0.0, {1.0, 0.0}), 0.0, 1e-9);
+}
+
+// A scene without walls, for one search.
+struct OpenGround {
+  Scene map = Scene::empty(301);
+  Footprint body{{{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}}};
+  CollisionChecker checker;
+  VelocityLimits limits = limits_of(0.5, 1.0);
+  PlanGuide guide;
+
+  OpenGround() {
+    map.situation.plan.clear();
+    for (int k = 0; k <= 60; ++k) map.situation.plan.push_back({0.1 * k, 0.0, 0.0});
+    checker.prepare(map.grid(), body, true, {0.0, 0.0, 0.0}, 4.0, 0.05);
+    guide.prepare(map.situation.plan, map.situation.goal, {0.0, 0.0, 0.0}, limits,
+                  EvasionSearch::reach(map.parameters, limits));
+  }
+  EvasionSearch::Scene scene(const Twist2& velocity, double delay = 0.1) {
+    return {map.parameters, limits, body,    grid_ = map.grid(), checker, {{0.0, 0.0, 0.0}, {1.0, 0.0}},
+            velocity,       delay,  nullptr, velocity,           0.05};
+  }
+
+ private:
+  GridView grid_;
+};
+
+// The motion kept from the start on in steps of a millisecond: the least gap less the distance D of that time [m].
+double slow_least_gap(const OpenGround& ground, const Twist2& from, const Twist2& motion, double delay,
+                      const MovingObstacleEstimate& mover) {
+  double x = 0.0, y = 0.0, theta = 0.0, v = from.v, omega = from.omega, least = 1e9;
+  const double dt = 0.001;
+  for (double t = dt; t <= ground.map.parameters.evasion_time; t += dt) {
+    v = ground.limits.x.ramp(v, motion.v, dt);
+    omega = ground.limits.theta.ramp(omega, motion.omega, dt);
+    theta += omega * dt;
+    x += v * std::cos(theta) * dt;
+    y += v * std::sin(theta) * dt;
+    const Point at = mover.position + (delay + t) * mover.velocity;
+    const double dx = at.x() - x, dy = at.y() - y;
+    const Point seen(std::cos(theta) * dx + std::sin(theta) * dy, std::cos(theta) * dy - std::sin(theta) * dx);
+    const double kept = ground.map.parameters.evasion_distance + 0.1 * (delay + t);
+    least = std::min(least, ground.body.distance_to(seen) - mover.radius - kept);
+  }
+  return least;
+}
+
+TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
+  Random random(4);
+  OpenGround ground;
+  int near = 0, far = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Twist2 from{random.uniform(0.0, 0.5), random.uniform(-0.5, 0.5)};
+    const Twist2 motion{random.uniform(-0.2, 0.5), random.uniform(-1.0, 1.0)};
+    const MovingObstacleEstimate mover = disc_at(random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5),
+                                                 random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+    EvasionSearch search;
+    const EvasionSearch::Scene scene = ground.scene(from);
+    const bool untroubled = !search.look(scene, {mover}) || search.untroubled(scene, motion);
+    const double gap = slow_least_gap(ground, from, motion, scene.delay, mover);
+    // Between two looks, 0.13 s apart at most, they close up by half of 0.13 * (1.42 + 0.5 + 0.36) m, and the ramps
+    // differ by a little.
+    if (gap < -0.2) {
+      EXPECT_FALSE(untroubled) << k;
+      ++near;
+    } else if (gap > 0.05) {
+      EXPECT_TRUE(untroubled) << k;
+      ++far;
+    }
+  }
+  EXPECT_GT(near, 50);
+  EXPECT_GT(far, 50);
+}
+
+// From behind somebody comes faster than the robot can drive: straight on every way is touched, and aside none need be.
+TEST(EvasionSearches, FindAWayAside) {
+  OpenGround ground;
+  EvasionSearch search;
+  const EvasionSearch::Scene scene = ground.scene({0.5, 0.0});
+  ASSERT_TRUE(search.look(scene, {disc_at(-1.9, 0.0, 1.0, 0.0)}));
+  EXPECT_FALSE(search.untroubled(scene, {0.5, 0.0}));
+  search.run(scene, ground.guide, {0.5, 0.0});
+  double least = std::numeric_limits<double>::infinity(), turn = 0.0;
+  for (const EvasionSearch::Branch& branch : search.branches()) {
+    if (branch.cost < least) {
+      least = branch.cost;
+      turn = branch.motion.omega;
+    }
+  }
+  EXPECT_LT(least, EvasionSearch::kTouched);
+  EXPECT_NE(turn, 0.0);
+}
+
+TEST(EvasionSearches, WhereNoWayLeadsOutTheLastOneTouchedIsBest) {
+  OpenGround ground;
+  ground.limits.x = {0.0, 0.05, 2.5, 2.5};  // it hardly moves: 0.15 m in 3 s
+  EvasionSearch search;
+  const EvasionSearch::Scene scene = ground.scene({0.0, 0.0});
+  ASSERT_TRUE(search.look(scene, {disc_at(1.6, 0.0, -1.0, 0.0)}));
+  search.run(scene, ground.guide, {0.0, 0.0});
+  for (const EvasionSearch::Branch& branch : search.branches()) EXPECT_GE(branch.cost, EvasionSearch::kTouched);
+}
+
+TEST(EvasionSearches, BeginWithNoMotionThatThePassiveSafetyRejects) {
+  OpenGround ground;
+  Parameters p;
+  const PendingMotionSet pending{PendingMotion({0.4, 0.0}, 0.1)};
+  MoverCheck::Start start;
+  start.reference = {0.4, 0.0};
+  start.pending = &pending;
+  const MovingObstacleEstimates movers{disc_at(0.9, 0.35, -0.3, 0.0)};
+  MoverCheck check;
+  check.prepare(p, ground.limits, ground.body, movers, start);
+  EvasionSearch::Scene scene = ground.scene({0.4, 0.0});
+  scene.movers = &check;
+  scene.reference = start.reference;
+  EvasionSearch search;
+  ASSERT_TRUE(search.look(scene, movers));
+  search.run(scene, ground.guide, {0.0, 0.0});
+  int known = 0, unsafe = 0;
+  for (std::size_t i = 1; i < search.branches().size(); ++i) {
+    const EvasionSearch::Branch& branch = search.branches()[i];
+    const bool safe = check.can_rest(ground.limits.step(scene.reference, branch.motion, scene.period));
+    unsafe += !safe;
+    known += std::isfinite(branch.cost);
+    EXPECT_FALSE(!safe && std::isfinite(branch.cost)) << i;
+  }
+  EXPECT_GT(unsafe, 0);
+  EXPECT_GT(known, 0);
+}
+
+Scene chased(double evasion_time) {
+  Scene scene = Scene::empty(241);
+  scene.parameters.evasion_time = evasion_time;
+  scene.parameters.SocialDistance_scale = 0.0;
+  scene.situation.plan.clear();
+  for (int k = 0; k <= 60; ++k) scene.situation.plan.push_back({0.1 * k, 0.0, 0.0});
+  scene.situation.velocity = scene.situation.last_command = {0.4, 0.0};
+  scene.situation.moving_obstacles = {disc_at(-2.2, 0.0, 1.0, 0.0)};
+  return scene;
+}
+
+// The least gap between outline and disc over some seconds [m].
+double least_gap(PlannerBench& bench, int cycles) {
+  const Footprint body = bench.planner().footprint();
+  double least = 1e9;
+  for (int k = 0; k < cycles; ++k) {
+    bench.drive();
+    Situation& s = bench.scene().situation;
+    MovingObstacleEstimate& mover = s.moving_obstacles.front();
+    mover.position += s.period * mover.velocity;
+    const double dx = mover.position.x() - s.pose.x, dy = mover.position.y() - s.pose.y;
+    const double c = std::cos(s.pose.theta), sine = std::sin(s.pose.theta);
+    least = std::min(least, body.distance_to({c * dx + sine * dy, c * dy - sine * dx}) - mover.radius);
+  }
+  return least;
+}
+
+TEST(Evasions, ARobotIsNotRunOverFromBehindWhereItCanStepAside) {
+  PlannerBench evades(chased(3.0)), stays(chased(0.0));
+  EXPECT_GT(least_gap(evades, 120), 0.0);
+  EXPECT_LT(least_gap(stays, 120), 0.0);
+}
+
+TEST(Evasions, TheirChoiceHasARuleOfItsOwn) {
+  Scene scene = chased(3.0);
+  scene.situation.moving_obstacles = {disc_at(-1.9, 0.0, 1.0, 0.0)};
+  PlannerBench bench(scene);
+  bench.cycle();
+  EXPECT_EQ(bench.planner().choice().rule, ChoiceReport::Rule::evasion);
+}
+
+// With a person who steers, and with nobody around, nothing of it counts.
+TEST(Evasions, ThePersonAndAnEmptyRoomSeeNothingOfThem) {
+  for (const bool steered : {true, false}) {
+    Scene with = chased(3.0), without = chased(0.0);
+    for (Scene* scene : {&with, &without}) {
+      if (steered) {
+        scene->steer({0.4, 0.3});
+      } else {
+        scene->situation.moving_obstacles.clear();
+      }
+    }
+    PlannerBench one(with), other(without);
+    for (int k = 0; k < 60; ++k) {
+      const Twist2 a = one.drive().command, b = other.drive().command;
+      ASSERT_TRUE(a == b) << k;
+    }
+    EXPECT_GT(one.scene().situation.pose.x, 0.3);
+  }
+}
+
+// However much is found out of the candidates, the command is the same.
+TEST(Evasions, AreTheSameForWhoeverWatches) {
+  Random random(8);
+  int evasions = 0;
+  for (int k = 0; k < 60; ++k) {
+    Scene scene = chased(3.0);
+    scene.situation.moving_obstacles.clear();
+    for (int j = 0; j < 4; ++j) {
+      scene.situation.moving_obstacles.push_back(disc_at(random.uniform(-2.0, 2.0), random.uniform(0.7, 2.0),
+                                                         random.uniform(-1.0, 1.0), random.uniform(-1.5, 0.0)));
+      scene.situation.moving_obstacles.back().id = static_cast<std::uint32_t>(j);
+    }
+    PlannerBench one(scene), other(scene);
+    Sampling all;
+    all.report = Report::legality;
+    const Twist2 chosen = one.cycle().command;
+    const Twist2 watched = other.planner().plan(scene.situation, scene.grid(), scene.intent, all).command;
+    EXPECT_TRUE(chosen == watched) << k;
+    evasions += one.planner().choice().rule == ChoiceReport::Rule::evasion;
+  }
+  EXPECT_GT(evasions, 5);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
