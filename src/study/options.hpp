@@ -18,7 +18,7 @@ namespace study {
 
 /// What the command line says.
 struct Options {
-  std::string command;  // run, pilot, sweep, barn, dynabarn, crowd, merge or help
+  std::string command;  // run, pilot, sweep, barn, dynabarn, crowd, passage, gap, merge or help
   std::string out;
   std::string map;                       // empty: the package's office
   std::string regions;                   // likewise; none: no regions
@@ -38,11 +38,13 @@ struct Options {
   std::vector<std::string> parts;                     // merge
   std::string worlds;                                 // barn, dynabarn: the file
   std::vector<std::string> modes;                     // barn, dynabarn, crowd
-  int seeds = 10;                                     // dynabarn: of each world; crowd: in all
+  int seeds = 10;                                     // dynabarn: of each world; crowd, passage: in all
   drive::Tracking tracking = drive::Tracking::truth;  // dynabarn, crowd
   sim::KeyMotion motion = sim::KeyMotion::linear;     // dynabarn
   double speed = 2.0;                                 // dynabarn: max_vel_x [m/s]
   int people = 20;                                    // crowd
+  std::vector<std::string> outlines;                  // gap
+  int phases = 8;                                     // gap
   double yielding = 0.5;                              // crowd: share of people who keep away from the robot
 };
 

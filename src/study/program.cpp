@@ -12,7 +12,9 @@
 #include "crowd.hpp"
 #include "dynabarn.hpp"
 #include "execution.hpp"
+#include "gap.hpp"
 #include "manifest.hpp"
+#include "passage.hpp"
 #include "share.hpp"
 #include "study/error.hpp"
 #include "study/options.hpp"
@@ -123,6 +125,8 @@ int program(const std::vector<std::string>& arguments, std::ostream& out, std::o
     if (options.command == "barn") return barn(options, out, errors);
     if (options.command == "dynabarn") return dynabarn(options, out, errors);
     if (options.command == "crowd") return crowd(options, out, errors);
+    if (options.command == "gap") return gap(options, out, errors);
+    if (options.command == "passage") return passage(options, out, errors);
     return experiment(options, out, errors);
   } catch (const UsageError& e) {
     errors << "hidwa_study: " << e.what() << std::endl;
