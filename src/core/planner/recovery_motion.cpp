@@ -37,6 +37,13 @@ constexpr double kEndsBefore = 0.3;
 constexpr double kFalls = 0.05;
 constexpr double kFallsWithin = 1.0;
 
+// A way is renewed where the clearance on the part of it that takes so long is below this share of what it was when the
+// way was found, at most so often, and by a search of at most so long [s].
+constexpr double kRoomAhead = 3.0;
+constexpr double kNarrower = 0.5;
+constexpr double kRenewAgain = 0.2;
+constexpr double kLongestRenewal = 1.0;
+
 // Ordinary scoring leads on as well if it gains that share of what the way gains, for so long [s].
 constexpr double kAgreement = 0.6;
 constexpr double kAgreesFor = 1.0;
@@ -79,9 +86,16 @@ void RecoveryMotion::enter(Phase phase, double now) {
   }
   if (phase != Phase::searches && phase != Phase::looks_ahead) search_.clear();
   if (phase != Phase::follows) way_.clear();
+  start_way();
+  agrees_.reset();
+}
+
+// At the beginning of the way that there is.
+void RecoveryMotion::start_way() {
   part_ = 0;
   least_ = std::numeric_limits<double>::infinity();
-  agrees_.reset();
+  room_ = -1.0;
+  narrower_ = false;
 }
 
 bool RecoveryMotion::watch(const Cycle& cycle, const Course& course, double patience) {
@@ -128,6 +142,7 @@ void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
     begin_search(cycle, Phase::looks_ahead, course.soon);
   }
   if (phase_ == Phase::looks_ahead) look_ahead(cycle);
+  if (phase_ == Phase::follows) renew(cycle, course.soon);
   if (phase_ == Phase::searches) search(cycle, impatient_ || holds_);
 }
 
@@ -145,6 +160,10 @@ void RecoveryMotion::begin_search(const Cycle& cycle, Phase phase, const Pose2& 
     problem_ = hopeless_;
   }
   hopeless_.clear();
+  set_task(cycle, start);
+}
+
+void RecoveryMotion::set_task(const Cycle& cycle, const Pose2& start) {
   make_search_task(start, cycle.situation.plan, cycle.grid, cycle.footprint, cycle.parameters, cycle.limits, task_);
   add_movers(cycle.situation.moving_obstacles, cycle.footprint, task_);
   search_.begin(task_);
@@ -170,6 +189,38 @@ void RecoveryMotion::look_ahead(const Cycle& cycle) {
     }
     enter(Phase::idle, now);
   }
+}
+
+// The way was found on a map that may have changed, or that did not show yet what lies farther on. While the robot goes
+// on, another is searched from where it will be.
+void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
+  const double now = cycle.situation.time;
+  if (search_.state() != WaySearch::State::searching) {
+    if (!narrower_ || (now >= looked_ && now - looked_ < kRenewAgain)) return;
+    looked_ = now;
+    set_task(cycle, start);
+  }
+  const WaySearch::State state = run(cycle);
+  if (state == WaySearch::State::found) {
+    start_way();
+    since_ = now;
+  }
+  if (state != WaySearch::State::searching || now < looked_ || now - looked_ >= kLongestRenewal) search_.clear();
+}
+
+// Whether the way has become narrower on the map of now.
+void RecoveryMotion::watch_room(const Scene& scene) {
+  const double cell = scene.cycle.grid.resolution;
+  const std::vector<Way::Station>& stations = way_.stations();
+  double room = cell;
+  for (std::size_t k = part_ + 1; k < stations.size() && room > 0.0; ++k) {
+    const Pose2& pose = stations[k].pose;
+    if (stations[part_].left - stations[k].left > kRoomAhead) break;
+    if (scene.collision.clear_around(pose.x, pose.y, cell)) continue;
+    room = std::min(room, scene.collision.clearance(pose, Rotation::of(pose.theta), cell));
+  }
+  if (room_ < 0.0) room_ = room;
+  narrower_ = room <= 0.0 || room < kNarrower * room_;
 }
 
 // The way that is found waits until the robot may take it.
@@ -257,6 +308,7 @@ int RecoveryMotion::follow(const Scene& scene) {
     holds_ = true;
     return stand(scene);
   }
+  watch_room(scene);
   const auto left_after = [&](const Tile& tile, std::size_t c) {
     return way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, kPlaceAhead).remaining();
   };
