@@ -37,12 +37,17 @@ constexpr double kEndsBefore = 0.3;
 constexpr double kFalls = 0.05;
 constexpr double kFallsWithin = 1.0;
 
-// A way is renewed where the clearance on the part of it that takes so long is below this share of what it was when the
-// way was found, at most so often, and by a search of at most so long [s].
-constexpr double kRoomAhead = 3.0;
+// A way is renewed where the clearance ahead is below this share of what it was when the way was found; at most so
+// often, and by a search of at most so long [s].
 constexpr double kNarrower = 0.5;
 constexpr double kRenewAgain = 0.2;
 constexpr double kLongestRenewal = 1.0;
+
+// So fast a robot without clearance follows its way [m/s].
+constexpr double kCreepingSpeed = 0.05;
+
+// So fast it may drive faster where there is more room again: noise gives room and takes it away [m/s^2].
+constexpr double kSpeedsUp = 0.1;
 
 // Ordinary scoring leads on as well if it gains that share of what the way gains, for so long [s].
 constexpr double kAgreement = 0.6;
@@ -78,6 +83,7 @@ void RecoveryMotion::reset() {
 }
 
 void RecoveryMotion::enter(Phase phase, double now) {
+  if (phase == Phase::follows && phase_ != Phase::follows) fastest_ = std::numeric_limits<double>::infinity();
   phase_ = phase;
   since_ = now;
   if (phase == Phase::idle || phase == Phase::follows) {
@@ -93,7 +99,7 @@ void RecoveryMotion::enter(Phase phase, double now) {
 // At the beginning of the way that there is.
 void RecoveryMotion::start_way() {
   part_ = 0;
-  least_ = std::numeric_limits<double>::infinity();
+  least_ = least_left_ = std::numeric_limits<double>::infinity();
   room_ = -1.0;
   narrower_ = false;
 }
@@ -209,18 +215,24 @@ void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
 }
 
 // Whether the way has become narrower on the map of now.
-void RecoveryMotion::watch_room(const Scene& scene) {
-  const double cell = scene.cycle.grid.resolution;
-  const std::vector<Way::Station>& stations = way_.stations();
-  double room = cell;
-  for (std::size_t k = part_ + 1; k < stations.size() && room > 0.0; ++k) {
-    const Pose2& pose = stations[k].pose;
-    if (stations[part_].left - stations[k].left > kRoomAhead) break;
-    if (scene.collision.clear_around(pose.x, pose.y, cell)) continue;
-    room = std::min(room, scene.collision.clearance(pose, Rotation::of(pose.theta), cell));
-  }
-  if (room_ < 0.0) room_ = room;
-  narrower_ = room <= 0.0 || room < kNarrower * room_;
+void RecoveryMotion::watch_room(const Scene& scene, const Way::Place& here) {
+  const Cycle& cycle = scene.cycle;
+  const double cell = cycle.grid.resolution;
+  const Pose2& pose = cycle.situation.pose;
+  const double clearance = scene.collision.clearance(pose, Rotation::of(pose.theta), cell);
+  const WayRoom room = WayRoom::look(way_, part_, scene.collision, cell, clearance, slowest(cycle), cycle.limits.x.max);
+  if (room_ < 0.0) room_ = room.least;
+  const double off = here.left < way_.duration() ? here.off : 0.0;  // a way that begins ahead is not left yet
+  narrower_ = room.least < std::max(kNarrower * room_, off) || room.least <= 0.0;
+  const bool wide = room.least >= cell && clearance >= cell;
+  fastest_ = wide ? room.fastest : std::min(room.fastest, fastest_ + kSpeedsUp * cycle.situation.period);
+}
+
+// Speeds below that cannot be told apart by the samples that there are.
+double RecoveryMotion::slowest(const Cycle& cycle) const {
+  const int samples = cycle.sampling.vx_samples > 0 ? cycle.sampling.vx_samples : cycle.parameters.vx_samples;
+  const double apart = (cycle.limits.x.max - cycle.limits.x.min) / std::max(1, samples - 1);
+  return std::max(kCreepingSpeed, 1.5 * apart);
 }
 
 // The way that is found waits until the robot may take it.
@@ -274,7 +286,7 @@ void RecoveryMotion::describe_end(const char* how, std::string& text) {
 
 int RecoveryMotion::choose(const Scene& scene) {
   const Cycle& cycle = scene.cycle;
-  if (scene.escape.overlaps()) {
+  if (scene.escape.overlaps() && (phase_ != Phase::follows || escape_.active())) {
     if (phase_ != Phase::idle) enter(Phase::idle, cycle.situation.time);
     return escape_.choose(
         {cycle.situation, cycle.grid, scene.rollout, scene.totals, scene.admissibility, scene.escape});
@@ -303,17 +315,18 @@ int RecoveryMotion::follow(const Scene& scene) {
     novelty_.reset();
     return -1;
   }
-  if (!gets_on(here.remaining(), now)) {
+  if (!gets_on(here, now)) {
     enter(Phase::stops, now);
     holds_ = true;
     return stand(scene);
   }
-  watch_room(scene);
+  watch_room(scene, here);
   const auto left_after = [&](const Tile& tile, std::size_t c) {
     return way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, kPlaceAhead).remaining();
   };
   double least = std::numeric_limits<double>::infinity();
   const int best = least_legal(scene.rollout, scene.totals, scene.admissibility, [&](const Tile& tile, std::size_t c) {
+    if (std::abs(tile.v[c]) > fastest_) return std::numeric_limits<double>::infinity();
     const double left = left_after(tile, c);
     least = std::min(least, left);
     return left;
@@ -341,10 +354,12 @@ int RecoveryMotion::cheapest_legal(const Scene& scene) const {
   return scene.admissibility.confirm(sample) ? static_cast<int>(candidate) : -1;
 }
 
-// The remaining time falls, or has lately.
-bool RecoveryMotion::gets_on(double remaining, double now) {
-  if (remaining < least_ - kFalls || now < since_) {
-    least_ = std::min(least_, remaining);
+// The remaining time falls, or has lately: from the robot, or from the nearest place on the way.
+bool RecoveryMotion::gets_on(const Way::Place& here, double now) {
+  const bool falls = here.remaining() < least_ - kFalls || here.left < least_left_ - kFalls;
+  if (falls || now < since_) {
+    least_ = std::min(least_, here.remaining());
+    least_left_ = std::min(least_left_, here.left);
     since_ = now;
   }
   return now - since_ < kFallsWithin;
