@@ -37,12 +37,8 @@ std::vector<GapSubject> subjects_of_gaps(const Options& options, const Plan& pla
 }
 
 std::string manifest_of_gaps(const Options& o) {
-  const nlohmann::json manifest = {{"version", HIDWA_VERSION},
-                                   {"experiment", "gap"},
-                                   {"seed", o.seed},
-                                   {"phases", o.phases},
-                                   {"set", json_of(o.sets)},
-                                   {"paths", o.paths}};
+  const nlohmann::json manifest = {{"version", HIDWA_VERSION}, {"experiment", "gap"},    {"seed", o.seed},
+                                   {"phases", o.phases},       {"set", json_of(o.sets)}, {"paths", o.paths}};
   return manifest.dump(2) + '\n';
 }
 

@@ -27,8 +27,8 @@ constexpr double kFineCell = 0.005;  // of the true map
 constexpr double kPlanCell = 0.05;
 
 constexpr double kCentimetre = 0.01;
-constexpr double kGapPatience = 6.0;   // [s]
-constexpr double kGapTimeLimit = 60.0; // [s]
+constexpr double kGapPatience = 6.0;    // [s]
+constexpr double kGapTimeLimit = 60.0;  // [s]
 
 // A sixteenth: no face of the gap lies on a cell's edge.
 constexpr double kBesidePhase = 1.0 / 16.0;

@@ -268,11 +268,13 @@ Options parse_options(const std::vector<std::string>& arguments) {
   Options options;
   options.command = arguments.empty() ? "" : arguments.front();
   if (options.command == "--help" || options.command == "-h") options.command = "help";
-  const std::vector<std::string> commands{"run", "pilot", "sweep", "barn", "dynabarn", "crowd", "passage", "gap", "merge", "help"};
+  const std::vector<std::string> commands{"run",   "pilot",   "sweep", "barn",  "dynabarn",
+                                          "crowd", "passage", "gap",   "merge", "help"};
   if (std::count(commands.begin(), commands.end(), options.command) == 0) {
     throw UsageError(
         (options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
-        std::string(": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, passage, gap or merge; see hidwa_study --help"));
+        std::string(
+            ": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, passage, gap or merge; see hidwa_study --help"));
   }
   if (options.command == "pilot" || options.command == "sweep") {
     options.participants = 8;

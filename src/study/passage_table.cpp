@@ -15,9 +15,9 @@ namespace study {
 namespace {
 
 const std::vector<std::string>& columns_of_passages() {
-  static const std::vector<std::string> all{"id",       "drive",         "setting",  "seed",     "ending",
-                                            "arrived",  "steady",        "duration", "stops",    "longest_stand",
-                                            "standing", "length",        "contacts", "v_change", "omega_change",
+  static const std::vector<std::string> all{"id",       "drive",          "setting",  "seed",     "ending",
+                                            "arrived",  "steady",         "duration", "stops",    "longest_stand",
+                                            "standing", "length",         "contacts", "v_change", "omega_change",
                                             "acc_rms",  "share_at_limit", "failures", "brakes"};
   return all;
 }
@@ -112,11 +112,12 @@ std::string digest_of_passages(const Plan& plan, const std::vector<Row>& rows) {
   std::string lines;
   for (const Passages& group : passages_of(plan, rows)) {
     lines += group.setting + ": " +
-             format("n %zu, arrived %ld, %.1f s, worst stand %.2f s (%ld above %.0f s), stops %.2f, at most %.0f (%ld "
-                    "above %d), contacts %.0f\n",
-                    group.rows.size(), group.arrived(), group.mean("duration"), group.most("longest_stand"),
-                    group.stood_long(), kLongestStand, group.mean("stops"), group.most("stops"), group.stopped_often(),
-                    kMostStops, group.sum("contacts"));
+             format(
+                 "n %zu, arrived %ld, %.1f s, worst stand %.2f s (%ld above %.0f s), stops %.2f, at most %.0f (%ld "
+                 "above %d), contacts %.0f\n",
+                 group.rows.size(), group.arrived(), group.mean("duration"), group.most("longest_stand"),
+                 group.stood_long(), kLongestStand, group.mean("stops"), group.most("stops"), group.stopped_often(),
+                 kMostStops, group.sum("contacts"));
   }
   return lines;
 }

@@ -10,9 +10,9 @@ namespace study {
 /// How steadily a robot got to its goal, by its commands. It stands while neither axis is asked for more than
 /// kStandsBelow. What comes after it was first as near to its goal as it has to come does not count.
 struct Passage {
-  int stops = 0;              // how often it stood after it had moved
-  double longest_stand = 0.0; // [s], before it first moved too
-  double standing = 0.0;      // [s], in all
+  int stops = 0;               // how often it stood after it had moved
+  double longest_stand = 0.0;  // [s], before it first moved too
+  double standing = 0.0;       // [s], in all
 };
 
 constexpr double kStandsBelow = 0.01;  // [m/s, rad/s]

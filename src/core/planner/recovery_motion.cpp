@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/planner/least_legal.hpp"
+#include "core/planner/way_room.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -43,12 +44,6 @@ constexpr double kNarrower = 0.5;
 constexpr double kRenewAgain = 0.2;
 constexpr double kLongestRenewal = 1.0;
 
-// So fast a robot without clearance follows its way [m/s].
-constexpr double kCreepingSpeed = 0.05;
-
-// So fast it may drive faster where there is more room again: noise gives room and takes it away [m/s^2].
-constexpr double kSpeedsUp = 0.1;
-
 // Ordinary scoring leads on as well if it gains that share of what the way gains, for so long [s].
 constexpr double kAgreement = 0.6;
 constexpr double kAgreesFor = 1.0;
@@ -83,7 +78,6 @@ void RecoveryMotion::reset() {
 }
 
 void RecoveryMotion::enter(Phase phase, double now) {
-  if (phase == Phase::follows && phase_ != Phase::follows) fastest_ = std::numeric_limits<double>::infinity();
   phase_ = phase;
   since_ = now;
   if (phase == Phase::idle || phase == Phase::follows) {
@@ -214,25 +208,12 @@ void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
   if (state != WaySearch::State::searching || now < looked_ || now - looked_ >= kLongestRenewal) search_.clear();
 }
 
-// Whether the way has become narrower on the map of now.
+// Whether the way has become narrower on the map of now, or the robot is farther from it than there is room.
 void RecoveryMotion::watch_room(const Scene& scene, const Way::Place& here) {
-  const Cycle& cycle = scene.cycle;
-  const double cell = cycle.grid.resolution;
-  const Pose2& pose = cycle.situation.pose;
-  const double clearance = scene.collision.clearance(pose, Rotation::of(pose.theta), cell);
-  const WayRoom room = WayRoom::look(way_, part_, scene.collision, cell, clearance, slowest(cycle), cycle.limits.x.max);
-  if (room_ < 0.0) room_ = room.least;
+  const double room = room_ahead(way_, part_, scene.collision, scene.cycle.grid.resolution);
+  if (room_ < 0.0) room_ = room;
   const double off = here.left < way_.duration() ? here.off : 0.0;  // a way that begins ahead is not left yet
-  narrower_ = room.least < std::max(kNarrower * room_, off) || room.least <= 0.0;
-  const bool wide = room.least >= cell && clearance >= cell;
-  fastest_ = wide ? room.fastest : std::min(room.fastest, fastest_ + kSpeedsUp * cycle.situation.period);
-}
-
-// Speeds below that cannot be told apart by the samples that there are.
-double RecoveryMotion::slowest(const Cycle& cycle) const {
-  const int samples = cycle.sampling.vx_samples > 0 ? cycle.sampling.vx_samples : cycle.parameters.vx_samples;
-  const double apart = (cycle.limits.x.max - cycle.limits.x.min) / std::max(1, samples - 1);
-  return std::max(kCreepingSpeed, 1.5 * apart);
+  narrower_ = room <= 0.0 || room < std::max(kNarrower * room_, off);
 }
 
 // The way that is found waits until the robot may take it.
@@ -326,7 +307,6 @@ int RecoveryMotion::follow(const Scene& scene) {
   };
   double least = std::numeric_limits<double>::infinity();
   const int best = least_legal(scene.rollout, scene.totals, scene.admissibility, [&](const Tile& tile, std::size_t c) {
-    if (std::abs(tile.v[c]) > fastest_) return std::numeric_limits<double>::infinity();
     const double left = left_after(tile, c);
     least = std::min(least, left);
     return left;

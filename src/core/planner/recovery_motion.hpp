@@ -25,7 +25,6 @@
 #include "core/planner/cycle.hpp"
 #include "core/planner/escape_turn.hpp"
 #include "core/planner/novelty.hpp"
-#include "core/planner/way_room.hpp"
 #include "core/search/way_search.hpp"
 #include "hidwa_local_planner/core/util/condition_timer.hpp"
 
@@ -75,9 +74,8 @@ class RecoveryMotion {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
-       self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_, self.problem_,
-       self.hopeless_, self.hopeless_at_, self.room_, self.narrower_,
-       self.fastest_);
+       self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_,
+       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_);
   }
 
  private:
@@ -98,7 +96,6 @@ class RecoveryMotion {
   void look_ahead(const Cycle& cycle);
   void renew(const Cycle& cycle, const Pose2& start);
   void watch_room(const Scene& scene, const Way::Place& here);
-  double slowest(const Cycle& cycle) const;
   WaySearch::State run(const Cycle& cycle);
   bool late(double now) const;
   void follow_way(double now);
@@ -119,17 +116,16 @@ class RecoveryMotion {
   SearchTask task_;  // to be filled
   WaySearch search_;
   Way way_;
-  std::uint32_t part_ = 0;  // of the way, that the robot is on
-  double least_ = 0.0;      // remaining time on it so far [s]
-  double least_left_ = 0.0; // likewise, from the nearest place on it [s]
-  ConditionTimer agrees_;   // ordinary scoring would lead on as well, and nothing is near
-  bool ahead_ = false;      // the way was found while the robot drove
-  bool tight_ = false;      // something is near
-  double room_ = -1.0;      // the clearance along the way when it was found; negative: not looked at yet [m]
-  bool narrower_ = false;   // now it is much less
-  double fastest_ = 0.0;    // it follows its way no faster [m/s]
-  bool impatient_ = false;  // the patience is over
-  double looked_ = 0.0;     // ahead, at last [s]
+  std::uint32_t part_ = 0;   // of the way, that the robot is on
+  double least_ = 0.0;       // remaining time on it so far [s]
+  double least_left_ = 0.0;  // likewise, from the nearest place on it [s]
+  ConditionTimer agrees_;    // ordinary scoring would lead on as well, and nothing is near
+  bool ahead_ = false;       // the way was found while the robot drove
+  bool tight_ = false;       // something is near
+  double room_ = -1.0;       // the clearance along the way when it was found; negative: not looked at yet [m]
+  bool narrower_ = false;    // now it is much less
+  bool impatient_ = false;   // the patience is over
+  double looked_ = 0.0;      // ahead, at last [s]
   std::string problem_;
   std::string hopeless_;  // what a search ahead has come to, that found no way
   Pose2 hopeless_at_;     // from there

@@ -2,7 +2,9 @@
 #include "core/planner/way_room.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
+
+#include "core/util/rotation.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -10,27 +12,16 @@ namespace {
 // Stations that come up to so much later count [s].
 constexpr double kRoomAhead = 3.0;
 
-// So gently it slows down before a narrow place [m/s^2].
-constexpr double kSlowsDown = 0.4;
-
 }  // namespace
 
-WayRoom WayRoom::look(const Way& way, std::size_t part, const CollisionChecker& collision, double cell, double here,
-                      double creeping, double full) {
+double room_ahead(const Way& way, std::size_t part, const CollisionChecker& collision, double cell) {
   const std::vector<Way::Station>& stations = way.stations();
-  const auto speed = [&](double clearance) {
-    return creeping + (full - creeping) * std::min(std::max(clearance, 0.0) / cell, 1.0);
-  };
-  WayRoom room{cell, speed(here)};
-  double gone = 0.0;
-  for (std::size_t k = part + 1; k < stations.size(); ++k) {
-    if (stations[part].left - stations[k].left > kRoomAhead) break;
+  double room = cell;
+  for (std::size_t k = part + 1; k < stations.size() && room > 0.0; ++k) {
     const Pose2& pose = stations[k].pose;
-    gone += k > part + 1 ? distance(stations[k - 1].pose, pose) : 0.0;
+    if (stations[part].left - stations[k].left > kRoomAhead) break;
     if (collision.clear_around(pose.x, pose.y, cell)) continue;
-    const double clearance = collision.clearance(pose, Rotation::of(pose.theta), cell);
-    room.least = std::min(room.least, clearance);
-    room.fastest = std::min(room.fastest, std::sqrt(std::pow(speed(clearance), 2) + 2.0 * kSlowsDown * gone));
+    room = std::min(room, collision.clearance(pose, Rotation::of(pose.theta), cell));
   }
   return room;
 }
