@@ -131,7 +131,7 @@ void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
   }
   const bool settled = stands_.for_at_least(cycle.parameters.control_latency + 2.0 * cycle.situation.period, now);
   const bool again = phase_ == Phase::waits && (now - since_ >= kSearchAgain || now < since_);
-  const bool goes_on = search_.state() == WaySearch::State::searching &&
+  const bool goes_on = phase_ != Phase::follows && search_.state() == WaySearch::State::searching &&
                        distance(search_.task().start, cycle.situation.pose) < kSameStart;
   if (settled && goes_on && phase_ != Phase::searches) {
     phase_ = Phase::searches;
@@ -192,12 +192,12 @@ void RecoveryMotion::look_ahead(const Cycle& cycle) {
 }
 
 // The way was found on a map that may have changed, or that did not show yet what lies farther on. While the robot goes
-// on, another is searched from where it will be.
+// on, another is searched from where it will be. One that gets nowhere shall stop and search from there.
 void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
   const double now = cycle.situation.time;
   if (search_.state() != WaySearch::State::searching) {
-    if (!narrower_ || (now >= looked_ && now - looked_ < kRenewAgain)) return;
-    looked_ = now;
+    if (!narrower_ || gets_nowhere(cycle) || (now >= renewed_ && now - renewed_ < kRenewAgain)) return;
+    renewed_ = now;
     set_task(cycle, start);
   }
   const WaySearch::State state = run(cycle);
@@ -205,7 +205,7 @@ void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
     start_way();
     since_ = now;
   }
-  if (state != WaySearch::State::searching || now < looked_ || now - looked_ >= kLongestRenewal) search_.clear();
+  if (state != WaySearch::State::searching || now < renewed_ || now - renewed_ >= kLongestRenewal) search_.clear();
 }
 
 // Whether the way has become narrower on the map of now, or the robot is farther from it than there is room.

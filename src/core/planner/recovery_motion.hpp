@@ -75,7 +75,7 @@ class RecoveryMotion {
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
        self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_,
-       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_);
+       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.renewed_);
   }
 
  private:
@@ -126,6 +126,7 @@ class RecoveryMotion {
   bool narrower_ = false;    // now it is much less
   bool impatient_ = false;   // the patience is over
   double looked_ = 0.0;      // ahead, at last [s]
+  double renewed_ = 0.0;     // a search for a way instead of this one began at last [s]
   std::string problem_;
   std::string hopeless_;  // what a search ahead has come to, that found no way
   Pose2 hopeless_at_;     // from there
