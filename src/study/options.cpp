@@ -12,6 +12,7 @@
 #include "study/barn_drive.hpp"
 #include "study/dynabarn_drive.hpp"
 #include "study/error.hpp"
+#include "study/gap_drive.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -90,6 +91,18 @@ double number_within(const std::string& option, const std::string& text, double 
   return *value;
 }
 
+std::vector<std::string> outlines(const std::string& text) {
+  std::vector<std::string> names;
+  for (const std::string& name : list(text)) {
+    if (std::count(gap_outlines().begin(), gap_outlines().end(), name) == 0) {
+      throw UsageError("--outline needs some of circle,square,long, not '" + text + "'");
+    }
+    if (std::count(names.begin(), names.end(), name) == 0) names.push_back(name);
+  }
+  if (names.empty()) throw UsageError("--outline needs some of circle,square,long");
+  return names;
+}
+
 drive::Tracking tracking(const std::string& text) {
   if (text == "none") return drive::Tracking::none;
   if (text == "truth") return drive::Tracking::truth;
@@ -136,6 +149,8 @@ std::map<std::string, Reader> readers(Options& o) {
        }},
       {"--speed", [&o](const std::string& v) { o.speed = number_within("--speed", v, 0.1, 2.0); }},
       {"--seeds", [&o](const std::string& v) { o.seeds = static_cast<int>(whole("--seeds", v, 1, 9999)); }},
+      {"--outline", [&o](const std::string& v) { o.outlines = outlines(v); }},
+      {"--phases", [&o](const std::string& v) { o.phases = static_cast<int>(whole("--phases", v, 1, 1000)); }},
       {"--people", [&o](const std::string& v) { o.people = static_cast<int>(whole("--people", v, 0, 200)); }},
       {"--yielding", [&o](const std::string& v) { o.yielding = number_within("--yielding", v, 0.0, 1.0); }},
       {"--cycles", [&o](const std::string& v) { o.cycles = whole("--cycles", v, 1, 999999999999ULL); }},
@@ -154,8 +169,8 @@ std::map<std::string, std::function<void()>> switches(Options& o) {
 
 // The commands that an option is for; empty: for all.
 std::vector<std::string> commands_of(const std::string& name) {
-  const std::vector<std::string> study{"run", "pilot", "sweep"}, floor{"run", "pilot", "sweep", "crowd"};
-  const std::vector<std::string> maps{"run", "pilot", "sweep", "crowd", "hostile"};
+  const std::vector<std::string> study{"run", "pilot", "sweep"}, floor{"run", "pilot", "sweep", "crowd", "passage"};
+  const std::vector<std::string> maps{"run", "pilot", "sweep", "crowd", "passage", "hostile"};
   const std::map<std::string, std::vector<std::string>> of{{"--map", maps},
                                                            {"--regions", floor},
                                                            {"--start", floor},
@@ -167,7 +182,9 @@ std::vector<std::string> commands_of(const std::string& name) {
                                                            {"--worlds", {"barn", "dynabarn", "hostile"}},
                                                            {"--mode", {"barn", "dynabarn", "crowd"}},
                                                            {"--tracking", {"dynabarn", "crowd"}},
-                                                           {"--seeds", {"dynabarn", "crowd"}},
+                                                           {"--seeds", {"dynabarn", "crowd", "passage"}},
+                                                           {"--outline", {"gap"}},
+                                                           {"--phases", {"gap"}},
                                                            {"--motion", {"dynabarn"}},
                                                            {"--speed", {"dynabarn"}},
                                                            {"--people", {"crowd"}},
@@ -235,13 +252,14 @@ void check(const Options& o) {
   if (o.command != "barn" && std::count(o.modes.begin(), o.modes.end(), "AFTERMATH") > 0) {
     throw UsageError("--mode AFTERMATH is for barn: take some of AUTONOMY,HELPFUL,HOSTILE");
   }
-  const bool several = in_worlds || o.command == "sweep" || o.command == "crowd";
+  const std::vector<std::string> varied{"sweep", "barn", "dynabarn", "crowd", "passage", "gap"};
+  const bool several = std::count(varied.begin(), varied.end(), o.command) > 0;
   if (several && o.command != "sweep" && !o.grid.empty() && !o.vary.empty())
     throw UsageError(o.command + " takes --grid or --vary, not both");
   if (!several && !o.grid.empty())
-    throw UsageError("--grid is for sweep, barn, dynabarn and crowd; for one value take --set");
+    throw UsageError("--grid is for sweep, barn, dynabarn, crowd, passage and gap; for one value take --set");
   if (!several && !o.vary.empty())
-    throw UsageError("--vary is for sweep, barn, dynabarn and crowd; for one value take --set");
+    throw UsageError("--vary is for sweep, barn, dynabarn, crowd, passage and gap; for one value take --set");
   if (o.command == "pilot") {
     for (const Assignment& set : o.sets) {
       if (set.name == "s_v" || set.name == "s_omega" || set.name == "delta") {
@@ -258,18 +276,20 @@ Options parse_options(const std::vector<std::string>& arguments) {
   options.command = arguments.empty() ? "" : arguments.front();
   if (options.command == "--help" || options.command == "-h") options.command = "help";
   const std::vector<std::string> commands{"run",   "pilot",   "sweep", "barn",  "dynabarn",
-                                          "crowd", "hostile", "soak",  "merge", "help"};
+                                          "crowd", "passage", "gap",   "hostile", "soak", "merge", "help"};
   if (std::count(commands.begin(), commands.end(), options.command) == 0) {
     throw UsageError(
         (options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
         std::string(
-            ": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, hostile, soak or merge; see hidwa_study --help"));
+            ": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, passage, gap, hostile, soak or merge; see hidwa_study "
+            "--help"));
   }
   if (options.command == "pilot" || options.command == "sweep") {
     options.participants = 8;
     options.conditions = {"SJ"};
   }
   options.modes = usual_barn_modes();
+  options.outlines = gap_outlines();
   read_arguments(arguments, options);
   check(options);
   return options;
@@ -298,6 +318,10 @@ std::string help() {
                                 scenes; ends with 1 where something within the promise was found (docs/attack.md)
   hidwa_study soak --out DIR [--hours H]
                                 one planner for hours of simulated time: memory, cycle time, states (docs/attack.md)
+  hidwa_study passage --out DIR --start X,Y,YAW --goal X,Y,YAW
+                                the demo's robot alone through a tight place, and how steadily (docs/recovery.md)
+  hidwa_study gap --out DIR     the narrowest gap that a robot gets through, by cells, noise, outline and where the gap
+                                lies on the grid (docs/gaps.md)
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
 
@@ -313,7 +337,11 @@ std::string help() {
   --tracking none|truth|laser
                           dynabarn, crowd: what the planner is told of what moves: nothing, its true states (default), or
                           what the tracker makes of the scans
-  --seeds N               dynabarn: drives in each world and mode; crowd: drives in each mode; default 10
+  --seeds N               dynabarn: drives in each world and mode; crowd: drives in each mode; passage: drives;
+                          default 10
+  --outline circle,square,long
+                          gap: some of them; default all
+  --phases N              gap: places on the grid, of each outline and setting; default 8
   --motion linear|spline  dynabarn: between key frames; default linear
   --speed V               dynabarn: max_vel_x [m/s]; default 2.0
   --people N              crowd; default 20
@@ -325,7 +353,8 @@ std::string help() {
   --profile default|paper
   --guard none|nearest    SW: the person's own velocity (default, the paper's), or the nearest legal one
   --set NAME=VALUE        a parameter of the planner (docs/parameters.md), participant.TRAIT (see docs/study.md), or
-                          link_delay [s]; barn, dynabarn: also costmap.NAME; may be repeated
+                          link_delay [s]; barn, dynabarn: also costmap.NAME; gap: also costmap.resolution,
+                          costmap.footprint_padding and laser.noise; may be repeated
   --threads N             default: as many as there are cores
   --shard K/N             the K-th of N parts only
   --no-resume             make runs again that are finished; default: keep them

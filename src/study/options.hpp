@@ -18,7 +18,8 @@ namespace study {
 
 /// What the command line says.
 struct Options {
-  std::string command;  // run, pilot, sweep, barn, dynabarn, crowd, hostile, soak, merge or help
+  // run, pilot, sweep, barn, dynabarn, crowd, passage, gap, hostile, soak, merge or help
+  std::string command;
   std::string out;
   std::string map;                       // empty: the package's office; hostile: further ones, with commas between them
   std::string regions;                   // likewise; none: no regions
@@ -38,7 +39,7 @@ struct Options {
   std::vector<std::string> parts;                     // merge
   std::string worlds;                                 // barn, dynabarn, hostile: the file
   std::vector<std::string> modes;                     // barn, dynabarn, crowd
-  int seeds = 10;                                     // dynabarn: of each world; crowd: in all
+  int seeds = 10;                                     // dynabarn: of each world; crowd, passage: in all
   drive::Tracking tracking = drive::Tracking::truth;  // dynabarn, crowd
   sim::KeyMotion motion = sim::KeyMotion::linear;     // dynabarn
   double speed = 2.0;                                 // dynabarn: max_vel_x [m/s]
@@ -46,6 +47,8 @@ struct Options {
   double hours = 1.0;                                 // soak: simulated [h]
   std::optional<std::uint64_t> drive;                 // hostile: this one alone
   int people = 20;                                    // crowd
+  std::vector<std::string> outlines;                  // gap
+  int phases = 8;                                     // gap
   double yielding = 0.5;                              // crowd: share of people who keep away from the robot
 };
 

@@ -13,7 +13,9 @@
 #include "dynabarn.hpp"
 #include "execution.hpp"
 #include "hostile.hpp"
+#include "gap.hpp"
 #include "manifest.hpp"
+#include "passage.hpp"
 #include "share.hpp"
 #include "soak.hpp"
 #include "study/error.hpp"
@@ -128,6 +130,8 @@ int program(const std::vector<std::string>& arguments, std::ostream& out, std::o
     if (options.command == "hostile") return hostile(options, out, errors);
     if (options.command == "soak") return soak(options, out, errors);
     if (options.command == "crowd") return crowd(options, out, errors);
+    if (options.command == "gap") return gap(options, out, errors);
+    if (options.command == "passage") return passage(options, out, errors);
     return experiment(options, out, errors);
   } catch (const UsageError& e) {
     errors << "hidwa_study: " << e.what() << std::endl;

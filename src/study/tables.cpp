@@ -4,6 +4,8 @@
 #include "core/util/words.hpp"
 #include "study/barn_table.hpp"
 #include "study/encounter_table.hpp"
+#include "study/gap_table.hpp"
+#include "study/passage_table.hpp"
 #include "study/summary.hpp"
 
 namespace hidwa_local_planner {
@@ -35,6 +37,8 @@ Tables people_tables() { return {columns(), summary_json, ranking_csv, digest}; 
 Tables tables_of(const std::string& experiment) {
   if (experiment == "barn") return barn_tables();
   if (experiment == "dynabarn" || experiment == "crowd") return encounter_tables();
+  if (experiment == "passage") return passage_tables();
+  if (experiment == "gap") return gap_tables();
   return people_tables();
 }
 

@@ -22,7 +22,7 @@ struct Tables {
 /// Those of the study with simulated people.
 Tables people_tables();
 
-/// Those of an experiment: run, pilot, sweep, barn, dynabarn or crowd.
+/// Those of an experiment: run, pilot, sweep, barn, dynabarn, crowd, passage or gap.
 Tables tables_of(const std::string& experiment);
 
 }  // namespace study

@@ -173,7 +173,7 @@ Planner::Impl::Choice Planner::Impl::choose(const Cycle& cycle, bool autonomous)
   const bool only_recovery = autonomous && recovery.active() && around.in_collision();
   const int recovering =
       recovery.choose(autonomous, {cycle, evaluation.candidates().rollout(), evaluation.scores().totals(),
-                                   around.admissibility(), around.escape()});
+                                   around.collision(), around.admissibility(), around.escape()});
   if (recovering >= 0) return {recovering, ChoiceReport::Rule::recovery};
   const int best = only_recovery ? -1 : cheapest(cycle);
   return {best, best >= 0 ? ChoiceReport::Rule::cheapest : ChoiceReport::Rule::none};

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/planner/least_legal.hpp"
+#include "core/planner/way_room.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -36,6 +37,12 @@ constexpr double kEndsBefore = 0.3;
 // The remaining time falls if it falls by so much [s] in the time after which the robot searches anew [s].
 constexpr double kFalls = 0.05;
 constexpr double kFallsWithin = 1.0;
+
+// A way is renewed where the clearance ahead is below this share of what it was when the way was found; at most so
+// often, and by a search of at most so long [s].
+constexpr double kNarrower = 0.5;
+constexpr double kRenewAgain = 0.2;
+constexpr double kLongestRenewal = 1.0;
 
 // Ordinary scoring leads on as well if it gains that share of what the way gains, for so long [s].
 constexpr double kAgreement = 0.6;
@@ -79,9 +86,16 @@ void RecoveryMotion::enter(Phase phase, double now) {
   }
   if (phase != Phase::searches && phase != Phase::looks_ahead) search_.clear();
   if (phase != Phase::follows) way_.clear();
-  part_ = 0;
-  least_ = std::numeric_limits<double>::infinity();
+  start_way();
   agrees_.reset();
+}
+
+// At the beginning of the way that there is.
+void RecoveryMotion::start_way() {
+  part_ = 0;
+  least_ = least_left_ = std::numeric_limits<double>::infinity();
+  room_ = -1.0;
+  narrower_ = false;
 }
 
 bool RecoveryMotion::watch(const Cycle& cycle, const Course& course, double patience) {
@@ -117,7 +131,7 @@ void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
   }
   const bool settled = stands_.for_at_least(cycle.parameters.control_latency + 2.0 * cycle.situation.period, now);
   const bool again = phase_ == Phase::waits && (now - since_ >= kSearchAgain || now < since_);
-  const bool goes_on = search_.state() == WaySearch::State::searching &&
+  const bool goes_on = phase_ != Phase::follows && search_.state() == WaySearch::State::searching &&
                        distance(search_.task().start, cycle.situation.pose) < kSameStart;
   if (settled && goes_on && phase_ != Phase::searches) {
     phase_ = Phase::searches;
@@ -128,6 +142,7 @@ void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
     begin_search(cycle, Phase::looks_ahead, course.soon);
   }
   if (phase_ == Phase::looks_ahead) look_ahead(cycle);
+  if (phase_ == Phase::follows) renew(cycle, course.soon);
   if (phase_ == Phase::searches) search(cycle, impatient_ || holds_);
 }
 
@@ -145,6 +160,10 @@ void RecoveryMotion::begin_search(const Cycle& cycle, Phase phase, const Pose2& 
     problem_ = hopeless_;
   }
   hopeless_.clear();
+  set_task(cycle, start);
+}
+
+void RecoveryMotion::set_task(const Cycle& cycle, const Pose2& start) {
   make_search_task(start, cycle.situation.plan, cycle.grid, cycle.footprint, cycle.parameters, cycle.limits, task_);
   add_movers(cycle.situation.moving_obstacles, cycle.footprint, task_);
   search_.begin(task_);
@@ -170,6 +189,31 @@ void RecoveryMotion::look_ahead(const Cycle& cycle) {
     }
     enter(Phase::idle, now);
   }
+}
+
+// The way was found on a map that may have changed, or that did not show yet what lies farther on. While the robot goes
+// on, another is searched from where it will be. One that gets nowhere shall stop and search from there.
+void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
+  const double now = cycle.situation.time;
+  if (search_.state() != WaySearch::State::searching) {
+    if (!narrower_ || gets_nowhere(cycle) || (now >= renewed_ && now - renewed_ < kRenewAgain)) return;
+    renewed_ = now;
+    set_task(cycle, start);
+  }
+  const WaySearch::State state = run(cycle);
+  if (state == WaySearch::State::found) {
+    start_way();
+    since_ = now;
+  }
+  if (state != WaySearch::State::searching || now < renewed_ || now - renewed_ >= kLongestRenewal) search_.clear();
+}
+
+// Whether the way has become narrower on the map of now, or the robot is farther from it than there is room.
+void RecoveryMotion::watch_room(const Scene& scene, const Way::Place& here) {
+  const double room = room_ahead(way_, part_, scene.collision, scene.cycle.grid.resolution);
+  if (room_ < 0.0) room_ = room;
+  const double off = here.left < way_.duration() ? here.off : 0.0;  // a way that begins ahead is not left yet
+  narrower_ = room <= 0.0 || room < std::max(kNarrower * room_, off);
 }
 
 // The way that is found waits until the robot may take it.
@@ -223,7 +267,7 @@ void RecoveryMotion::describe_end(const char* how, std::string& text) {
 
 int RecoveryMotion::choose(const Scene& scene) {
   const Cycle& cycle = scene.cycle;
-  if (scene.escape.overlaps()) {
+  if (scene.escape.overlaps() && (phase_ != Phase::follows || escape_.active())) {
     if (phase_ != Phase::idle) enter(Phase::idle, cycle.situation.time);
     return escape_.choose(
         {cycle.situation, cycle.grid, scene.rollout, scene.totals, scene.admissibility, scene.escape});
@@ -252,11 +296,12 @@ int RecoveryMotion::follow(const Scene& scene) {
     novelty_.reset();
     return -1;
   }
-  if (!gets_on(here.remaining(), now)) {
+  if (!gets_on(here, now)) {
     enter(Phase::stops, now);
     holds_ = true;
     return stand(scene);
   }
+  watch_room(scene, here);
   const auto left_after = [&](const Tile& tile, std::size_t c) {
     return way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, kPlaceAhead).remaining();
   };
@@ -289,10 +334,12 @@ int RecoveryMotion::cheapest_legal(const Scene& scene) const {
   return scene.admissibility.confirm(sample) ? static_cast<int>(candidate) : -1;
 }
 
-// The remaining time falls, or has lately.
-bool RecoveryMotion::gets_on(double remaining, double now) {
-  if (remaining < least_ - kFalls || now < since_) {
-    least_ = std::min(least_, remaining);
+// The remaining time falls, or has lately: from the robot, or from the nearest place on the way.
+bool RecoveryMotion::gets_on(const Way::Place& here, double now) {
+  const bool falls = here.remaining() < least_ - kFalls || here.left < least_left_ - kFalls;
+  if (falls || now < since_) {
+    least_ = std::min(least_, here.remaining());
+    least_left_ = std::min(least_left_, here.left);
     since_ = now;
   }
   return now - since_ < kFallsWithin;

@@ -37,6 +37,7 @@ class RecoveryMotion {
     const Cycle& cycle;
     const Rollout& rollout;
     const std::vector<double>& totals;  // of each candidate, infinite where it is rejected
+    const CollisionChecker& collision;  // prepared with the map of now
     AdmissibilityCheck& admissibility;
     EscapeRule& escape;
   };
@@ -73,8 +74,8 @@ class RecoveryMotion {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
-       self.way_, self.part_, self.least_, self.agrees_, self.ahead_, self.tight_, self.looked_, self.problem_,
-       self.hopeless_, self.hopeless_at_);
+       self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_,
+       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.renewed_);
   }
 
  private:
@@ -88,9 +89,13 @@ class RecoveryMotion {
   };
   void enter(Phase phase, double now);
   void advance(const Cycle& cycle, const Course& course);
+  void start_way();
   void begin_search(const Cycle& cycle, Phase phase, const Pose2& start);
+  void set_task(const Cycle& cycle, const Pose2& start);
   void search(const Cycle& cycle, bool may_follow);
   void look_ahead(const Cycle& cycle);
+  void renew(const Cycle& cycle, const Pose2& start);
+  void watch_room(const Scene& scene, const Way::Place& here);
   WaySearch::State run(const Cycle& cycle);
   bool late(double now) const;
   void follow_way(double now);
@@ -100,7 +105,7 @@ class RecoveryMotion {
   int stand(const Scene& scene) const;
   int follow(const Scene& scene);
   int cheapest_legal(const Scene& scene) const;
-  bool gets_on(double remaining, double now);
+  bool gets_on(const Way::Place& here, double now);
 
   Phase phase_ = Phase::idle;
   bool holds_ = false;             // it stands for the search, whatever ordinary scoring prefers
@@ -111,13 +116,17 @@ class RecoveryMotion {
   SearchTask task_;  // to be filled
   WaySearch search_;
   Way way_;
-  std::uint32_t part_ = 0;  // of the way, that the robot is on
-  double least_ = 0.0;      // remaining time on it so far [s]
-  ConditionTimer agrees_;   // ordinary scoring would lead on as well, and nothing is near
-  bool ahead_ = false;      // the way was found while the robot drove
-  bool tight_ = false;      // something is near
-  bool impatient_ = false;  // the patience is over
-  double looked_ = 0.0;     // ahead, at last [s]
+  std::uint32_t part_ = 0;   // of the way, that the robot is on
+  double least_ = 0.0;       // remaining time on it so far [s]
+  double least_left_ = 0.0;  // likewise, from the nearest place on it [s]
+  ConditionTimer agrees_;    // ordinary scoring would lead on as well, and nothing is near
+  bool ahead_ = false;       // the way was found while the robot drove
+  bool tight_ = false;       // something is near
+  double room_ = -1.0;       // the clearance along the way when it was found; negative: not looked at yet [m]
+  bool narrower_ = false;    // now it is much less
+  bool impatient_ = false;   // the patience is over
+  double looked_ = 0.0;      // ahead, at last [s]
+  double renewed_ = 0.0;     // a search for a way instead of this one began at last [s]
   std::string problem_;
   std::string hopeless_;  // what a search ahead has come to, that found no way
   Pose2 hopeless_at_;     // from there

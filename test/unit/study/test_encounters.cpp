@@ -109,7 +109,7 @@ TEST_F(Encounters, WhatMakesNoSenseIsRefused) {
       {"dynabarn --out @o --worlds @worlds.txt --speed 3", "--speed needs a number from 0.1 to 2"},
       {"dynabarn --out @o --worlds @worlds.txt --seeds 101", "--seeds is at most 100"},
       {"dynabarn --out @o --worlds @worlds.txt --people 3", "--people is for crowd"},
-      {"barn --out @o --worlds @worlds.txt --seeds 3", "--seeds is for dynabarn and crowd"},
+      {"barn --out @o --worlds @worlds.txt --seeds 3", "--seeds is for dynabarn, crowd and passage"},
       {"crowd --out @o --motion spline", "--motion is for dynabarn"},
       {"crowd --out @o --yielding 2", "--yielding needs a number from 0 to 1"},
       {"crowd --out @o --people 150 --seeds 1 --map @worlds.txt", "worlds.txt"}};

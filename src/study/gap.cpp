@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gap.hpp"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "execution.hpp"
+#include "manifest.hpp"
+#include "share.hpp"
+#include "study/gap_drive.hpp"
+#include "study/gap_table.hpp"
+#include "study/seed.hpp"
+
+namespace hidwa_local_planner {
+namespace study {
+namespace {
+
+// Cells and noise as they usually are, unless others are asked for.
+std::vector<Setting> settings_of_gaps(const Options& options) {
+  if (!options.grid.empty() || !options.vary.empty()) return settings_of(options);
+  return combinations({"costmap.resolution=0.025,0.05,0.1", "laser.noise=0,0.01,0.03"});
+}
+
+std::vector<GapSubject> subjects_of_gaps(const Options& options, const Plan& plan) {
+  std::vector<GapSubject> subjects;
+  for (const Setting& setting : plan.settings) {
+    GapSubject subject;
+    subject.subject.parameters.cycle_budget = -1.0;  // all samples always: the same on any computer
+    for (const Assignment& set : options.sets) assign_gap(subject, set);
+    for (const Assignment& set : setting) assign_gap(subject, set);
+    check(setting, subject.subject.parameters);
+    subjects.push_back(subject);
+  }
+  return subjects;
+}
+
+std::string manifest_of_gaps(const Options& o) {
+  const nlohmann::json manifest = {{"version", HIDWA_VERSION}, {"experiment", "gap"},    {"seed", o.seed},
+                                   {"phases", o.phases},       {"set", json_of(o.sets)}, {"paths", o.paths}};
+  return manifest.dump(2) + '\n';
+}
+
+}  // namespace
+
+int gap(const Options& options, std::ostream& out, std::ostream& errors) {
+  std::vector<int> phases;
+  for (int k = 1; k <= options.phases; ++k) phases.push_back(k);
+  const Plan plan = make_world_plan("gap", phases, options.outlines, settings_of_gaps(options));
+  const std::vector<GapSubject> subjects = subjects_of_gaps(options, plan);
+  const auto make = [&](const Run& run) {
+    const double phase = static_cast<double>(run.participant - 1) / options.phases;
+    const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;
+    const GapSubject& subject = subjects[run.setting];
+    Narrowest narrowest = narrowest_gap(subject, run.condition, phase, seed);
+    Row row = gap_row(plan, run, phase, subject, narrowest);
+    return Made{std::move(row), std::move(narrowest.result)};
+  };
+  return execute(options, plan, manifest_of_gaps(options), make, out, errors);
+}
+
+}  // namespace study
+}  // namespace hidwa_local_planner
