@@ -168,6 +168,11 @@ std::string Shell::observe_pose(double now, Observation& observation) {
   if (!costmap_.getRobotPose(pose)) {
     return "there is no pose of the robot in " + frame + ": check the transform from " + costmap_.getBaseFrameID();
   }
+  if (const double ahead = pose_ahead_of(now); ahead > loop_.parameters().transform_tolerance) {
+    return "the transform from " + costmap_.getBaseFrameID() + " to " + frame + " is " + worded(ahead) +
+           " s ahead of the clock, so the present pose is not known: set the clocks of its sender and of this machine "
+           "alike (transform_tolerance); if it stays, restart the host";
+  }
   observation.pose = to_pose(pose.pose);
   if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now - pose.header.stamp.toSec());
   if (!is_finite(observation.pose)) return "the robot's pose in " + frame + " is not a number";
@@ -184,6 +189,18 @@ std::string Shell::observe_pose(double now, Observation& observation) {
                                                    : "the transform from " + loop_.plan_frame() + " is not a number";
   } catch (const tf2::TransformException& error) {
     return "no transform from the plan's frame " + loop_.plan_frame() + " to " + frame + ": " + error.what();
+  }
+}
+
+// By how much the newest transform is ahead of `now` [s]. A pose for `now` is then made of what was sent long before, or
+// of nothing newer.
+double Shell::pose_ahead_of(double now) const {
+  try {
+    const ros::Time newest =
+        tf_.lookupTransform(costmap_.getGlobalFrameID(), costmap_.getBaseFrameID(), ros::Time(0)).header.stamp;
+    return newest.toSec() - now;
+  } catch (const tf2::TransformException&) {
+    return 0.0;
   }
 }
 

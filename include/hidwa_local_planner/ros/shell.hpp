@@ -83,6 +83,7 @@ class Shell {
   control::Timing timing(double now, const CycleClock::Tick& tick) const;
   Observation observe(const control::Timing& timing);
   std::string observe_pose(double now, Observation& observation);
+  double pose_ahead_of(double now) const;
   std::string update_footprint();
   Sampling sampling() const;
   void watch_odometry(const Observation& observation, const Decision& decision);

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/guarded_critic.hpp"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include <ros/console.h>
+
+namespace hidwa_local_planner {
+namespace {
+
+constexpr double kSlow = 0.1;  // [s] in one cycle; most hosts call ten times a second or more
+constexpr const char* kThrew = "it failed with an exception";
+
+}  // namespace
+
+GuardedCritic::GuardedCritic(std::string name, std::shared_ptr<Critic> critic)
+    : name_(std::move(name)), critic_(std::move(critic)) {}
+
+template <typename Call>
+bool GuardedCritic::succeeds(const char* what, Call call) const {
+  std::string reason = "something that is no std::exception";
+  try {
+    call();
+    return true;
+  } catch (const std::exception& error) {
+    reason = error.what();
+  } catch (...) {
+  }
+  ROS_ERROR_THROTTLE(1.0,
+                     "the critic %s threw in %s(): %s; a critic must not throw there. Mend it, or take it out of the "
+                     "parameter critics",
+                     name_.c_str(), what, reason.c_str());
+  return false;
+}
+
+template <typename Call>
+bool GuardedCritic::succeeds_in_time(const char* what, Call call) {
+  const auto begin = std::chrono::steady_clock::now();
+  const bool well = succeeds(what, call);
+  spent_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (spent_ > kSlow) {
+    ROS_WARN_THROTTLE(1.0,
+                      "the critic %s took %.2f s in one cycle: meanwhile the robot gets no command. Make it faster, or "
+                      "take it out of the parameter critics",
+                      name_.c_str(), spent_);
+  }
+  return well;
+}
+
+double GuardedCritic::configure(const Parameters& parameters, const ParameterSource& own) {
+  return critic_->configure(parameters, own);
+}
+
+double GuardedCritic::reach() const {
+  double reach = 0.0;
+  succeeds("reach", [&] { reach = critic_->reach(); });
+  return reach;
+}
+
+void GuardedCritic::prepare(const CycleView& cycle) {
+  spent_ = 0.0;
+  prepared_ = succeeds_in_time("prepare", [&] { critic_->prepare(cycle); });
+}
+
+// What it has scored or rejected before it threw stands; the rest is rejected too.
+void GuardedCritic::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
+  if (prepared_ && succeeds_in_time("score", [&] { critic_->score(cycle, tile, scores); })) return;
+  for (std::size_t c = 0; c < scores.count(); ++c) {
+    if (!scores.rejected(c)) scores.reject(c, kThrew);
+  }
+}
+
+void GuardedCritic::debrief(const CycleView& cycle, const Twist2& command) {
+  succeeds("debrief", [&] { critic_->debrief(cycle, command); });
+}
+
+void GuardedCritic::reset() {
+  succeeds("reset", [&] { critic_->reset(); });
+}
+
+void GuardedCritic::save(ArchiveWriter& state) const {
+  succeeds("save", [&] { critic_->save(state); });
+}
+
+void GuardedCritic::load(ArchiveReader& state) {
+  succeeds("load", [&] { critic_->load(state); });
+}
+
+}  // namespace hidwa_local_planner
