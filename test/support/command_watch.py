@@ -87,6 +87,11 @@ class CommandWatch:
         with self._lock:
             return len(self._commands)
 
+    def cycles(self):
+        """What the planner said of its cycles since begin()."""
+        with self._lock:
+            return list(self._cycles)
+
     def speed(self):
         """Of the newest command [m/s]; 0 where there is none."""
         with self._lock:

@@ -109,6 +109,10 @@ class RunningHost:
         self._driving = True
         self._goal.publish(goal)
 
+    def has_goal(self):
+        """A goal was sent and has no result yet."""
+        return self._driving
+
     def go_on(self):
         """Sends the next place where no goal is in hand."""
         if not self._driving:

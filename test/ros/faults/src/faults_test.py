@@ -22,7 +22,7 @@ import rostest  # noqa: E402
 from dynamic_reconfigure.msg import Config, DoubleParameter, IntParameter, StrParameter  # noqa: E402
 from dynamic_reconfigure.srv import Reconfigure  # noqa: E402
 from std_msgs.msg import String  # noqa: E402
-from std_srvs.srv import Empty  # noqa: E402
+from roscpp.srv import Empty  # noqa: E402; as std_srvs has it, which Debian has for C++ alone
 
 from command_watch import PLANNER, CommandWatch  # noqa: E402
 from message_gate import Gate, shift, transforms_with  # noqa: E402
@@ -306,4 +306,4 @@ class Disks(Faults):
 
 if __name__ == '__main__':
     rospy.init_node('faults_test')
-    rostest.rosrun('hidwa_fault_tests', 'faults_test', '__main__', sys.argv)
+    rostest.rosrun('hidwa_fault_tests', 'faults_test', 'faults_test', sys.argv)

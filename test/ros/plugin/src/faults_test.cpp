@@ -167,11 +167,11 @@ TEST_F(Faults, ACostmapThatIsResetWhileItPlans) {
 
 TEST_F(Faults, TransformsFromTheFuture) {
   const LogListener log;
-  Stage::get().robot.ahead = 2.0;
+  Stage::get().robot.transforms_ahead = 2.0;
   brakes_to_rest();
   EXPECT_NE(host().report().fault.find("ahead of the clock"), std::string::npos) << host().report().fault;
   EXPECT_TRUE(wait_for([&] { return log.said("set the clocks of its sender and of this machine alike"); }, 5.0));
-  Stage::get().robot.ahead = 0.0;
+  Stage::get().robot.transforms_ahead = 0.0;
   drive();
 }
 
