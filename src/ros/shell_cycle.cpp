@@ -58,6 +58,8 @@ CycleResult Shell::cycle(bool stop) {
   const auto start = std::chrono::steady_clock::now();
   const ros::Time stamp = ros::Time::now();
   const double now = stamp.toSec();
+  silence_ = std::chrono::duration<double>(start - called_).count();
+  called_ = start;
   take_parameters();
   const CycleClock::Tick tick = watch_time(now);
   watch_hand(now);
@@ -85,9 +87,7 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
   // Most hosts hold this recursive mutex already.
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
   Observation observation = observe(timing(now, tick));
-  const Parameters& p = loop_.parameters();
-  // During the pause the host or another node may have sent commands.
-  if (tick.paused) observation.resumed = odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{});
+  if (tick.paused) observation.resumed = velocity_after_pause(now, tick);
   observation.host_stops = host_stops;
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
@@ -100,6 +100,13 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
   result.fault = observation.fault;
   if (result.decision) watch_odometry(observation, *result.decision);
   return result;
+}
+
+// During a pause the host or another node may have sent commands; while only the clock was set, nobody has.
+Twist2 Shell::velocity_after_pause(double now, const CycleClock::Tick& tick) const {
+  if (!host_was_away(tick, silence_, ros::Time::isSimTime())) return loop_.last_command();
+  const Parameters& p = loop_.parameters();
+  return odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{});
 }
 
 Sampling Shell::sampling() const {

@@ -16,6 +16,7 @@ from std_msgs.msg import UInt32
 from command_watch import PLANNER
 
 PATIENCE = 60.0   # [s], wall time: a busy machine is slow
+PREEMPTED = GoalStatus.PREEMPTED
 STICK_RATE = 20.0  # [Hz]
 
 
@@ -77,7 +78,6 @@ class RunningHost:
         self._places, self._next = places, 0
         self.state, self.result, self.contacts = None, None, 0
         self.pose, self.velocity = None, (0.0, 0.0)
-        self.results = []
         self._goal = rospy.Publisher('/move_base_simple/goal', PoseStamped, queue_size=1)
         self._cancel = rospy.Publisher('/move_base/cancel', GoalID, queue_size=1)
         rospy.Subscriber(PLANNER + '/operator_state', OperatorState, lambda m: setattr(self, 'state', m), queue_size=10)
@@ -88,8 +88,8 @@ class RunningHost:
 
     def _take_result(self, message):
         self.result = message.status.status
-        self.results.append(self.result)
-        self._driving = False
+        if self.result != PREEMPTED:  # the place of that one was taken by a newer one, or it was cancelled here
+            self._driving = False
 
     def _take_truth(self, message):
         at, twist = message.pose.pose.position, message.twist.twist
@@ -120,6 +120,7 @@ class RunningHost:
             self._next += 1
 
     def cancel(self):
+        self._driving = False
         self._cancel.publish(GoalID())
 
     def drives(self, speed=0.3, seconds=PATIENCE):
@@ -131,6 +132,3 @@ class RunningHost:
 
     def stands(self, seconds=PATIENCE):
         return wait_for(lambda: abs(self.velocity[0]) < 1e-3 and abs(self.velocity[1]) < 1e-3, seconds)
-
-
-PREEMPTED, ABORTED = GoalStatus.PREEMPTED, GoalStatus.ABORTED

@@ -179,7 +179,8 @@ def run(options, launched):
         while rospy.get_time() < until:
             if not launched.running:
                 raise RuntimeError('a node ended: ' + launched.complaint())
-            if not host.has_goal() or rospy.get_time() - since_goal > GOAL_TIME:
+            spent = rospy.get_time() - since_goal
+            if spent > GOAL_TIME or (not host.has_goal() and spent > 2.0):
                 host.send_goal(*places.draw())
                 goals, since_goal = goals + 1, rospy.get_time()
             if rospy.get_time() > next_disturbance:
