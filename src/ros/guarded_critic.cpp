@@ -2,6 +2,7 @@
 #include "ros/guarded_critic.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -66,10 +67,27 @@ void GuardedCritic::prepare(const CycleView& cycle) {
 
 // What it has scored or rejected before it threw stands; the rest is rejected too.
 void GuardedCritic::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
-  if (prepared_ && succeeds_in_time("score", [&] { critic_->score(cycle, tile, scores); })) return;
+  if (prepared_ && succeeds_in_time("score", [&] { critic_->score(cycle, tile, scores); })) {
+    complain_of_numbers(scores);
+    return;
+  }
   for (std::size_t c = 0; c < scores.count(); ++c) {
     if (!scores.rejected(c)) scores.reject(c, kThrew);
   }
+}
+
+// The planner rejects candidates with such scores in the critic's name.
+void GuardedCritic::complain_of_numbers(TileScores& scores) const {
+  if (!scores.any_set()) return;
+  const double* raw = scores.set_all();
+  std::size_t c = 0;
+  while (c < scores.count() && (std::isfinite(raw[c]) || scores.rejected(c))) ++c;
+  if (c == scores.count()) return;
+  ROS_ERROR_THROTTLE(
+      1.0,
+      "the critic %s gives scores that are no finite numbers: their candidates are rejected. Mend it (to "
+      "reject, it calls reject()), or take it out of the parameter critics",
+      name_.c_str());
 }
 
 void GuardedCritic::debrief(const CycleView& cycle, const Twist2& command) {

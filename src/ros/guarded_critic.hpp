@@ -9,8 +9,8 @@
 namespace hidwa_local_planner {
 
 /// A critic of another package, which may be wrong. Where it throws, all candidates of that cycle are rejected in its
-/// name: the robot brakes within its limits, then stands. The next cycle asks it anew. Where it keeps a cycle waiting it
-/// is named. Only configure() throws what the critic throws.
+/// name: the robot brakes within its limits, then stands. The next cycle asks it anew. Where it keeps a cycle waiting
+/// it is named. Only configure() throws what the critic throws.
 class GuardedCritic : public Critic {
  public:
   GuardedCritic(std::string name, std::shared_ptr<Critic> critic);
@@ -27,6 +27,7 @@ class GuardedCritic : public Critic {
  private:
   template <typename Call>
   bool succeeds(const char* what, Call call) const;
+  void complain_of_numbers(TileScores& scores) const;
   template <typename Call>
   bool succeeds_in_time(const char* what, Call call);
 

@@ -199,8 +199,8 @@ std::string Shell::observe_pose(double now, Observation& observation) {
   }
 }
 
-// By how much the newest transform is ahead of `now` [s]. A pose for `now` is then made of what was sent long before, or
-// of nothing newer.
+// By how much the newest transform is ahead of `now` [s]. A pose for `now` is then made of what was sent long before,
+// or of nothing newer.
 double Shell::pose_ahead_of(double now) const {
   try {
     const ros::Time newest =

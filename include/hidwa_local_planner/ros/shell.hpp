@@ -106,7 +106,7 @@ class Shell {
   CycleClock clock_;
   std::chrono::steady_clock::time_point called_;  // the newest call; long ago before the first one
   double silence_ = 0.0;                          // before that call [s]
-  std::uint64_t doubted_ = 0;  // readings of odometry
+  std::uint64_t doubted_ = 0;                     // readings of odometry
   CycleStatistics statistics_;
   SampleBudget budget_;
   bool arriving_ = false;  // at the goal, and not at rest yet

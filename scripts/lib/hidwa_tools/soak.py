@@ -22,7 +22,8 @@ GOAL_TIME = 90.0  # for one goal [s]; then the next
 def parse(arguments):
     """The command line."""
     parser = argparse.ArgumentParser(
-        prog='scripts/soak', description='Drives a simulated robot in move_base for hours of simulated time: random goals, people, a stick,\n'
+        prog='scripts/soak',
+        description='Drives a simulated robot in move_base for hours of simulated time: random goals, people, a stick,\n'
         'changes of parameters, faults. Writes a line a minute to soak.csv, and summary.json.',
         formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog='exit status: 0 memory and times stayed flat, no cycle was lost and every command was within its limits; 1 not so;\n'
@@ -52,7 +53,8 @@ class Places:
         while True:
             i, j = self._random.randrange(reach, info.width - reach), self._random.randrange(reach, info.height - reach)
             rows = range(j - reach, j + reach + 1)
-            if all(self._grid.data[row * info.width + i - reach:row * info.width + i + reach + 1] == (2 * reach + 1) * (0,) for row in rows):
+            starts = [row * info.width + i - reach for row in rows]
+            if all(not any(self._grid.data[start:start + 2 * reach + 1]) for start in starts):
                 return (info.origin.position.x + (i + 0.5) * info.resolution, info.origin.position.y + (j + 0.5) * info.resolution)
 
 
@@ -88,9 +90,12 @@ class Disturbances:
             return neutral
 
         def parameters():
-            self._set(Config(doubles=[DoubleParameter('authority', rng.uniform(0.3, 1.0)), DoubleParameter('sim_time', rng.uniform(1.2, 2.0)),
+            before = self._set(Config()).config  # with more or fewer samples for good, times could not be compared
+            self._set(Config(doubles=[DoubleParameter('authority', rng.uniform(0.3, 1.0)),
+                                      DoubleParameter('sim_time', rng.uniform(1.2, 2.0)),
                                       DoubleParameter('max_vel_x', rng.uniform(0.3, 0.5))],
                              ints=[IntParameter('vx_samples', rng.randrange(8, 21)), IntParameter('vth_samples', rng.randrange(8, 21))]))
+            return lambda: self._set(before)
 
         def mode():
             self._mode.publish(rng.choice(('switching', 'off', 'gesture')))

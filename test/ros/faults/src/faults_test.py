@@ -25,7 +25,7 @@ from std_msgs.msg import String  # noqa: E402
 from roscpp.srv import Empty  # noqa: E402; as std_srvs has it, which Debian has for C++ alone
 
 from command_watch import PLANNER, CommandWatch  # noqa: E402
-from message_gate import Gate, shift, transforms_with  # noqa: E402
+from message_gate import Gate, transforms_with  # noqa: E402
 from running_host import PREEMPTED, Journal, RunningHost, Stick, wait_for  # noqa: E402
 
 PLACES = ((30.0, 15.0), (5.5, 8.0))  # far apart in the office [m]
