@@ -10,9 +10,9 @@ sys.path.insert(0, os.path.join(ROOT, 'scripts', 'lib'))
 from hidwa_tools.soak_figures import Minute, lateness, lost, quantile, summary, verdict  # noqa: E402
 
 
-def minute(number, memory=45.0, p99=3.0, lost_cycles=0, faults=()):
+def minute(number, memory=45.0, p99=3.0, lost_cycles=0, load=0.5, faults=()):
     return Minute(minute=number, memory=memory, cycles=1200, p99=p99, late=0, lost=lost_cycles, goals=1, disturbances=6, abrupt=0,
-                  contacts=0, faults=list(faults))
+                  contacts=0, load=load, faults=list(faults))
 
 
 def minutes(count, **series):
@@ -50,6 +50,9 @@ class Verdict(unittest.TestCase):
         slow = verdict(minutes(10, p99=[3.0] * 5 + [6.0] * 5))
         self.assertEqual(slow, ['p99 of the cycle time rose from 3.0 to 6.0 ms'])
         self.assertEqual(verdict(minutes(10, p99=[3.0] * 5 + [4.9] * 5)), [])  # within 2 ms
+
+    def test_times_of_a_busy_machine_are_not_judged(self):
+        self.assertEqual(verdict(minutes(10, p99=[3.0] * 5 + [60.0] * 5, load=[0.5] * 5 + [4.0] * 5)), [])
 
     def test_commands_beyond_the_limits(self):
         self.assertEqual(verdict([minute(1, faults=['v 0.7'])]), ['minute 1: v 0.7'])

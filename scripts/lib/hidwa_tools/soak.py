@@ -199,7 +199,7 @@ def run(options, launched):
             p99=round(1e3 * quantile([cycle.duration for cycle in cycles], 0.99), 2), late=lateness(stamps, watch.period, PAUSE),
             lost=lost([cycle.header.seq for cycle in cycles]), goals=goals - goals_before,
             disturbances=disturbances.count - disturbed_before, abrupt=watch.abrupt_stops(), contacts=host.contacts,
-            faults=watch.faults(jumps=disturbances.odometry)))
+            load=round(os.getloadavg()[0] / (os.cpu_count() or 1), 2), faults=watch.faults(jumps=disturbances.odometry)))
         write(minutes, options.out)
         print(' '.join(f'{name}={value}' for name, value in minutes[-1]._asdict().items()), flush=True)
         if until >= begun + 3600.0 * options.hours:

@@ -6,12 +6,13 @@ import json
 import os
 
 MEMORY_SLACK = 4.0    # [MB] that the host may grow after its first minute
+BUSY = 1.5            # load a core; a minute with more says nothing of times
 SLOWER = 1.5          # p99 of the last third of the minutes over that of the first; and
 SLOWER_BY = 2.0       # [ms] more at the least
 
 # A minute of simulated time. memory: of the host, resident [MB]; p99: of the cycles' time [ms]; late: cycles that came more than
-# half a period late; lost: cycles of which nobody heard; abrupt: zeros that the host sent itself.
-Minute = collections.namedtuple('Minute', 'minute memory cycles p99 late lost goals disturbances abrupt contacts faults')
+# half a period late; lost: cycles of which nobody heard; abrupt: zeros that the host sent itself; load: of the machine, a core.
+Minute = collections.namedtuple('Minute', 'minute memory cycles p99 late lost goals disturbances abrupt contacts load faults')
 
 
 def quantile(values, share):
@@ -32,6 +33,11 @@ def lost(numbers):
     return sum(max(0, after - before - 1) for before, after in zip(numbers, numbers[1:]))
 
 
+def quiet_ones(minutes):
+    """The minutes, from the second on, in which the machine was not too busy to measure times."""
+    return [minute for minute in minutes[1:] if minute.load <= BUSY]
+
+
 def verdict(minutes):
     """What did not hold, in words. Memory and times are judged from the second minute on."""
     found = [f'minute {minute.minute}: {fault}' for minute in minutes for fault in minute.faults]
@@ -40,11 +46,14 @@ def verdict(minutes):
     settled = minutes[1:]
     if len(settled) < 3:
         return found
-    third = max(1, len(settled) // 3)
-    first, last = settled[:third], settled[-third:]
     grown = settled[-1].memory - settled[0].memory
     if grown > MEMORY_SLACK:
         found.append(f'the host grew by {grown:.1f} MB after its first minute ({MEMORY_SLACK:g} MB is allowed)')
+    quiet = quiet_ones(minutes)
+    if len(quiet) < 3:
+        return found
+    third = len(quiet) // 3
+    first, last = quiet[:third], quiet[-third:]
     before, after = (quantile([minute.p99 for minute in part], 0.5) for part in (first, last))
     if after > max(SLOWER * before, before + SLOWER_BY):
         found.append(f'p99 of the cycle time rose from {before:.1f} to {after:.1f} ms')
@@ -62,7 +71,8 @@ def summary(minutes):
         'memory_after_the_first_minute_mb': settled[0].memory if settled else None,
         'memory_at_the_end_mb': settled[-1].memory if settled else None,
         'p99_first_minute_ms': settled[0].p99 if settled else None, 'p99_last_minute_ms': settled[-1].p99 if settled else None,
-        'p99_largest_ms': max((m.p99 for m in settled), default=None), 'found': verdict(minutes)}
+        'p99_largest_ms': max((m.p99 for m in settled), default=None), 'minutes_judged_for_times': len(quiet_ones(minutes)),
+        'found': verdict(minutes)}
 
 
 def write(minutes, folder):
