@@ -19,6 +19,14 @@ constexpr const char* kThrew = "it failed with an exception";
 GuardedCritic::GuardedCritic(std::string name, std::shared_ptr<Critic> critic)
     : name_(std::move(name)), critic_(std::move(critic)) {}
 
+// Once a second; not by ROS time, which hidwa_replay does not have.
+bool GuardedCritic::due() const {
+  const auto now = std::chrono::steady_clock::now();
+  if (now < silent_until_) return false;
+  silent_until_ = now + std::chrono::seconds(1);
+  return true;
+}
+
 template <typename Call>
 bool GuardedCritic::succeeds(const char* what, Call call) const {
   std::string reason = "something that is no std::exception";
@@ -29,10 +37,11 @@ bool GuardedCritic::succeeds(const char* what, Call call) const {
     reason = error.what();
   } catch (...) {
   }
-  ROS_ERROR_THROTTLE(1.0,
-                     "the critic %s threw in %s(): %s; a critic must not throw there. Mend it, or take it out of the "
-                     "parameter critics",
-                     name_.c_str(), what, reason.c_str());
+  if (!due()) return false;
+  ROS_ERROR(
+      "the critic %s threw in %s(): %s; a critic must not throw there. Mend it, or take it out of the "
+      "parameter critics",
+      name_.c_str(), what, reason.c_str());
   return false;
 }
 
@@ -41,11 +50,11 @@ bool GuardedCritic::succeeds_in_time(const char* what, Call call) {
   const auto begin = std::chrono::steady_clock::now();
   const bool well = succeeds(what, call);
   spent_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (spent_ > kSlow) {
-    ROS_WARN_THROTTLE(1.0,
-                      "the critic %s took %.2f s in one cycle: meanwhile the robot gets no command. Make it faster, or "
-                      "take it out of the parameter critics",
-                      name_.c_str(), spent_);
+  if (spent_ > kSlow && due()) {
+    ROS_WARN(
+        "the critic %s took %.2f s in one cycle: meanwhile the robot gets no command. Make it faster, or "
+        "take it out of the parameter critics",
+        name_.c_str(), spent_);
   }
   return well;
 }
@@ -82,9 +91,8 @@ void GuardedCritic::complain_of_numbers(TileScores& scores) const {
   const double* raw = scores.set_all();
   std::size_t c = 0;
   while (c < scores.count() && (std::isfinite(raw[c]) || scores.rejected(c))) ++c;
-  if (c == scores.count()) return;
-  ROS_ERROR_THROTTLE(
-      1.0,
+  if (c == scores.count() || !due()) return;
+  ROS_ERROR(
       "the critic %s gives scores that are no finite numbers: their candidates are rejected. Mend it (to "
       "reject, it calls reject()), or take it out of the parameter critics",
       name_.c_str());

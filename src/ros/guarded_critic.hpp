@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -27,6 +28,7 @@ class GuardedCritic : public Critic {
  private:
   template <typename Call>
   bool succeeds(const char* what, Call call) const;
+  bool due() const;
   void complain_of_numbers(TileScores& scores) const;
   template <typename Call>
   bool succeeds_in_time(const char* what, Call call);
@@ -34,7 +36,8 @@ class GuardedCritic : public Critic {
   const std::string name_;
   const std::shared_ptr<Critic> critic_;
   bool prepared_ = true;
-  double spent_ = 0.0;  // in this cycle [s]
+  double spent_ = 0.0;                                          // in this cycle [s]
+  mutable std::chrono::steady_clock::time_point silent_until_;  // says nothing more before
 };
 
 }  // namespace hidwa_local_planner

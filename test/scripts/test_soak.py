@@ -43,8 +43,13 @@ class Verdict(unittest.TestCase):
         self.assertEqual(verdict(minutes(10, memory=[20.0] + 9 * [45.0])), [])
 
     def test_a_leak(self):
-        leak = verdict(minutes(10, memory=[45.0 + i for i in range(10)]))  # 54 - 46 = 8 MB after the first minute
-        self.assertEqual(leak, ['the host grew by 8.0 MB after its first minute (4 MB is allowed)'])
+        leak = verdict(minutes(10, memory=[45.0 + i for i in range(10)]))  # from 50 to 54 MB
+        self.assertEqual(leak, ['the host grew by 4.0 MB in the second half (2 MB is allowed)'])
+
+    def test_a_step_is_no_leak_but_it_has_its_limit(self):
+        self.assertEqual(verdict(minutes(10, memory=3 * [45.0] + 7 * [60.0])), [])
+        self.assertEqual(verdict(minutes(10, memory=3 * [45.0] + 7 * [62.0])),
+                         ['the host grew by 17.0 MB after its first minute (16 MB is allowed)'])
 
     def test_cycles_that_get_slower(self):
         slow = verdict(minutes(10, p99=[3.0] * 5 + [6.0] * 5))

@@ -5,7 +5,8 @@ import csv
 import json
 import os
 
-MEMORY_SLACK = 4.0    # [MB] that the host may grow after its first minute
+MEMORY_STEPS = 16.0   # [MB] that the host may grow after its first minute: what is needed for the first time, as to search a way
+MEMORY_SLACK = 2.0    # [MB] that it may grow in the second half
 BUSY = 1.5            # load a core; a minute with more says nothing of times
 SLOWER = 1.5          # p99 of the last third of the minutes over that of the first; and
 SLOWER_BY = 2.0       # [ms] more at the least
@@ -46,9 +47,10 @@ def verdict(minutes):
     settled = minutes[1:]
     if len(settled) < 3:
         return found
-    grown = settled[-1].memory - settled[0].memory
-    if grown > MEMORY_SLACK:
-        found.append(f'the host grew by {grown:.1f} MB after its first minute ({MEMORY_SLACK:g} MB is allowed)')
+    for begin, allowed, when in ((0, MEMORY_STEPS, 'after its first minute'), (len(settled) // 2, MEMORY_SLACK, 'in the second half')):
+        grown = settled[-1].memory - settled[begin].memory
+        if grown > allowed:
+            found.append(f'the host grew by {grown:.1f} MB {when} ({allowed:g} MB is allowed)')
     quiet = quiet_ones(minutes)
     if len(quiet) < 3:
         return found
