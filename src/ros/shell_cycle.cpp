@@ -175,7 +175,7 @@ std::string Shell::observe_pose(double now, Observation& observation) {
   if (!costmap_.getRobotPose(pose)) {
     return "there is no pose of the robot in " + frame + ": check the transform from " + costmap_.getBaseFrameID();
   }
-  if (const double ahead = pose_ahead_of(now); ahead > loop_.parameters().transform_tolerance) {
+  if (const double ahead = pose_ahead_of(now, pose.header.stamp); ahead > loop_.parameters().transform_tolerance) {
     return "the transform from " + costmap_.getBaseFrameID() + " to " + frame + " is " + worded(ahead) +
            " s ahead of the clock, so the present pose is not known: set the clocks of its sender and of this machine "
            "alike (transform_tolerance); if it stays, restart the host";
@@ -200,8 +200,9 @@ std::string Shell::observe_pose(double now, Observation& observation) {
 }
 
 // By how much the newest transform is ahead of `now` [s]. A pose for `now` is then made of what was sent long before,
-// or of nothing newer.
-double Shell::pose_ahead_of(double now) const {
+// or of nothing newer. A pose with a stamp of before shows that there is no newer transform: then tf is not asked.
+double Shell::pose_ahead_of(double now, const ros::Time& stamp) const {
+  if (stamp.toSec() < now) return 0.0;
   try {
     const ros::Time newest =
         tf_.lookupTransform(costmap_.getGlobalFrameID(), costmap_.getBaseFrameID(), ros::Time(0)).header.stamp;

@@ -84,7 +84,7 @@ class Shell {
   control::Timing timing(double now, const CycleClock::Tick& tick) const;
   Observation observe(const control::Timing& timing);
   std::string observe_pose(double now, Observation& observation);
-  double pose_ahead_of(double now) const;
+  double pose_ahead_of(double now, const ros::Time& stamp) const;
   std::string update_footprint();
   Twist2 velocity_after_pause(double now, const CycleClock::Tick& tick) const;
   Sampling sampling() const;
