@@ -29,13 +29,14 @@ bool GuardedCritic::due() const {
 
 template <typename Call>
 bool GuardedCritic::succeeds(const char* what, Call call) const {
-  std::string reason = "something that is no std::exception";
+  std::string reason;  // nothing is allocated where all is well
   try {
     call();
     return true;
   } catch (const std::exception& error) {
     reason = error.what();
   } catch (...) {
+    reason = "something that is no std::exception";
   }
   if (!due()) return false;
   ROS_ERROR(

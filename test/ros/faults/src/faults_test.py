@@ -192,11 +192,13 @@ class Changes(Faults):
             Config(strs=[StrParameter('critics', 'PathDist, GoalDist, PathAlign, GoalAlign, BaseObstacle')]),
         )
         before = call(Config()).config
-        answered, end = [0, 0, 0], time.monotonic() + 3.0
+        answered, end = [0, 0, 0], time.monotonic() + 60.0
+        self.addCleanup(modes.publish, 'joystick')
+        self.addCleanup(call, before)
 
         def storm(index):
             for config in itertools.cycle(sets[index:] + sets[:index]):
-                if time.monotonic() > end:
+                if min(answered) >= len(sets) or time.monotonic() > end:
                     return
                 call(config)
                 modes.publish(('joystick', 'switching', 'nonsense')[answered[index] % 3])
@@ -208,7 +210,7 @@ class Changes(Faults):
         for thread in threads:
             thread.join()
         STICK.left = 0.0
-        self.assertGreater(min(answered), 3)
+        self.assertGreaterEqual(min(answered), len(sets))
         self.said('NoSuchCritic')
         call(before)
         modes.publish('joystick')
