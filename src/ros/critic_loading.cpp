@@ -12,6 +12,7 @@
 
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
+#include "ros/guarded_critic.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -35,7 +36,7 @@ std::shared_ptr<Critic> make(const std::shared_ptr<PluginLoader>& plugins, const
     auto loaded = std::make_shared<LoadedCritic>();
     loaded->plugins = plugins;
     loaded->critic = plugins->loader.createInstance(name);
-    return std::shared_ptr<Critic>(loaded, loaded->critic.get());
+    return std::make_shared<GuardedCritic>(name, std::shared_ptr<Critic>(loaded, loaded->critic.get()));
   } catch (const std::exception& error) {
     ROS_ERROR("the critic %s cannot be loaded: %s", name.c_str(), error.what());
   } catch (...) {

@@ -38,6 +38,11 @@ CycleClock::Tick CycleClock::tick(double now, double period, const std::optional
   return tick;
 }
 
+bool host_was_away(const CycleClock::Tick& tick, double silence, bool simulated) {
+  if (!tick.paused || (simulated && !tick.jumped_back)) return tick.paused;
+  return is_pause(silence, tick.period);
+}
+
 std::string CycleClock::complaint() {
   if (complained_ || count_ < kIntervals) return "";
   const double mean = sum_ / count_;  // [s]

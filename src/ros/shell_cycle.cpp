@@ -58,6 +58,8 @@ CycleResult Shell::cycle(bool stop) {
   const auto start = std::chrono::steady_clock::now();
   const ros::Time stamp = ros::Time::now();
   const double now = stamp.toSec();
+  silence_ = std::chrono::duration<double>(start - called_).count();
+  called_ = start;
   take_parameters();
   const CycleClock::Tick tick = watch_time(now);
   watch_hand(now);
@@ -85,9 +87,7 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
   // Most hosts hold this recursive mutex already.
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
   Observation observation = observe(timing(now, tick));
-  const Parameters& p = loop_.parameters();
-  // During the pause the host or another node may have sent commands.
-  if (tick.paused) observation.resumed = odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{});
+  if (tick.paused) observation.resumed = velocity_after_pause(now, tick);
   observation.host_stops = host_stops;
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
@@ -100,6 +100,13 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
   result.fault = observation.fault;
   if (result.decision) watch_odometry(observation, *result.decision);
   return result;
+}
+
+// During a pause the host or another node may have sent commands; while only the clock was set, nobody has.
+Twist2 Shell::velocity_after_pause(double now, const CycleClock::Tick& tick) const {
+  if (!host_was_away(tick, silence_, ros::Time::isSimTime())) return loop_.last_command();
+  const Parameters& p = loop_.parameters();
+  return odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{});
 }
 
 Sampling Shell::sampling() const {
@@ -168,6 +175,11 @@ std::string Shell::observe_pose(double now, Observation& observation) {
   if (!costmap_.getRobotPose(pose)) {
     return "there is no pose of the robot in " + frame + ": check the transform from " + costmap_.getBaseFrameID();
   }
+  if (const double ahead = pose_ahead_of(now, pose.header.stamp); ahead > loop_.parameters().transform_tolerance) {
+    return "the transform from " + costmap_.getBaseFrameID() + " to " + frame + " is " + worded(ahead) +
+           " s ahead of the clock, so the present pose is not known: set the clocks of its sender and of this machine "
+           "alike (transform_tolerance); if it stays, restart the host";
+  }
   observation.pose = to_pose(pose.pose);
   if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now - pose.header.stamp.toSec());
   if (!is_finite(observation.pose)) return "the robot's pose in " + frame + " is not a number";
@@ -184,6 +196,19 @@ std::string Shell::observe_pose(double now, Observation& observation) {
                                                    : "the transform from " + loop_.plan_frame() + " is not a number";
   } catch (const tf2::TransformException& error) {
     return "no transform from the plan's frame " + loop_.plan_frame() + " to " + frame + ": " + error.what();
+  }
+}
+
+// By how much the newest transform is ahead of `now` [s]. A pose for `now` is then made of what was sent long before,
+// or of nothing newer. A pose with a stamp of before shows that there is no newer transform: then tf is not asked.
+double Shell::pose_ahead_of(double now, const ros::Time& stamp) const {
+  if (stamp.toSec() < now) return 0.0;
+  try {
+    const ros::Time newest =
+        tf_.lookupTransform(costmap_.getGlobalFrameID(), costmap_.getBaseFrameID(), ros::Time(0)).header.stamp;
+    return newest.toSec() - now;
+  } catch (const tf2::TransformException&) {
+    return 0.0;
   }
 }
 

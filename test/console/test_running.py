@@ -5,6 +5,7 @@ import http.client
 import json
 import os
 import shutil
+import signal
 import socket
 import ssl
 import struct
@@ -23,6 +24,7 @@ from sensor_msgs.msg import CameraInfo, CompressedImage, Joy
 from std_msgs.msg import Bool
 
 import paths
+from command_watch import CommandWatch
 from page_twin import PATIENCE, Page, View, read_path, until
 from running import World
 from test_layouts import bytes_of
@@ -272,6 +274,34 @@ class Driving(OnBoard):
         self.a.say('take_control', on=False)
         await until(lambda: self.state() == 'AUTONOMY', 'AUTONOMY')
         await self.mode('joystick')
+
+
+class Killed(OnBoard):
+    async def console(self, letter):
+        """Another console, and a page of it that holds its controls; meanwhile our page answers its pings."""
+        child, port, _ = await asyncio.get_running_loop().run_in_executor(None, W.console)
+        page = await Page(port, letter * 32).open(letter)
+        self.pages.append(page)
+        await page.claim()
+        return child, page
+
+    async def test_while_somebody_steers_the_robot_drives_on_by_itself(self):
+        await self.drive()
+        child, page = await self.console('e')
+        await self.drive()
+        watch = CommandWatch()
+        await self.steer_until(0.5, 'SHARED', page)
+        os.kill(child.pid, signal.SIGKILL)
+        await until(lambda: self.state() == 'LOST', 'LOST')
+        begun = watch.count()
+        await until(lambda: watch.count() > begun + 60 and self.view.fields['velocity'][0] > 0.3, 'a robot that drives on')
+        self.assertEqual(self.view.fields['state']['wanted'][1], 0.0)
+        _, again = await self.console('f')
+        await self.steer_until(-0.5, 'SHARED', again)
+        again.stick(0.0)
+        await until(lambda: self.state() in ('HOLD', 'AUTONOMY'), 'the release')
+        self.assertEqual(watch.faults(), [])
+        self.assertEqual(watch.abrupt_stops(), 0)
 
 
 class Going(OnBoard):

@@ -24,7 +24,8 @@ OTHER_NAMES = {
     'rospkg': 'python3-rospkg'}
 PROGRAMS = ('scripts/*', 'scripts/lib/**/*.py', 'console/*', 'console/hidwa_console/*.py')
 SYSTEM = {'sys', 'Threads'}       # of the compiler and of CMake
-OWN = {NAME, 'hidwa_tools', 'hidwa_bag_test', 'hidwa_console', 'joy_reader', 'quest2ros_joy'}
+OWN = {NAME, 'hidwa_tools', 'hidwa_bag_test', 'hidwa_console', 'joy_reader', 'quest2ros_joy', 'command_watch', 'message_gate',
+       'running_host'}
 OPTIONAL = {'rviz', 'robot_state_publisher', 'benchmark'}  # to look at, and to measure: a robot needs neither
 
 

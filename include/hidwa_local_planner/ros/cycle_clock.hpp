@@ -33,4 +33,9 @@ class CycleClock {
   bool complained_ = false;
 };
 
+/// Whether others may have driven since the last call. Without a pause they have not. A clock that was set, or a bag
+/// that begins anew, looks like one: then `silence` [s], which no clock that can be set has measured, tells. A pause of
+/// simulated time may be shorter on the wall (`simulated`), so that only a jump back is judged by it.
+bool host_was_away(const CycleClock::Tick& tick, double silence, bool simulated);
+
 }  // namespace hidwa_local_planner

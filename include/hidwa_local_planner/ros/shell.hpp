@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -83,7 +84,9 @@ class Shell {
   control::Timing timing(double now, const CycleClock::Tick& tick) const;
   Observation observe(const control::Timing& timing);
   std::string observe_pose(double now, Observation& observation);
+  double pose_ahead_of(double now, const ros::Time& stamp) const;
   std::string update_footprint();
+  Twist2 velocity_after_pause(double now, const CycleClock::Tick& tick) const;
   Sampling sampling() const;
   void watch_odometry(const Observation& observation, const Decision& decision);
   void explain(double now, const CycleResult& result);
@@ -101,7 +104,9 @@ class Shell {
   std::string plan_fault_ = "no plan was given yet";  // empty when there is a plan to follow
   CycleRecording recording_;
   CycleClock clock_;
-  std::uint64_t doubted_ = 0;  // readings of odometry
+  std::chrono::steady_clock::time_point called_;  // the newest call; long ago before the first one
+  double silence_ = 0.0;                          // before that call [s]
+  std::uint64_t doubted_ = 0;                     // readings of odometry
   CycleStatistics statistics_;
   SampleBudget budget_;
   bool arriving_ = false;  // at the goal, and not at rest yet

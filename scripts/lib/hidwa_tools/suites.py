@@ -318,6 +318,15 @@ def study():
     return Counts(passed=sum(expectations.values()), failed=len(expectations) - sum(expectations.values()))
 
 
+def soak():
+    """scripts/soak, for a minute: the running host with goals, people, a stick, changes and faults at random."""
+    folder = os.path.join(WORK, 'soak')
+    status, output = run([os.path.join(ROOT, 'scripts', 'soak'), '--no-build', '--hours', '0.0125', '--out', folder], 'soak', check=False)
+    if status:
+        print(tail(output))
+    return Counts(passed=int(status == 0), failed=int(status != 0))
+
+
 def drive_avoid():
     """Through the office with a person who steers round the regions to avoid."""
     return drive('drive_avoid', '--operator', 'avoid', expect={
@@ -430,7 +439,7 @@ def replay():
 
 
 # In this order; those after `build` need what it built.
-SUITES = (plain, build, package, compat, ros, python, console, browser, robot, lint, study, contract, drive_avoid,
+SUITES = (plain, build, package, compat, ros, python, console, browser, robot, lint, study, soak, contract, drive_avoid,
           drive_gesture, drive_switching, drive_none, drive_people, drive_real_map, drive_steer_left, drive_steer_right,
           replay)
 ALONE = (plain, build, lint)

@@ -59,5 +59,34 @@ TEST(CycleClock, ComplainsOnceOfAWrongRate) {
   EXPECT_NE(said.find("controller_frequency"), std::string::npos);
 }
 
+CycleClock::Tick paused(bool jumped_back) {
+  CycleClock::Tick tick;
+  tick.period = 0.05;  // a pause is longer than 0.3 s, see is_pause()
+  tick.paused = true;
+  tick.jumped_back = jumped_back;
+  return tick;
+}
+
+TEST(HostWasAway, NotWithoutAPause) {
+  CycleClock::Tick tick;
+  tick.period = 0.05;
+  EXPECT_FALSE(host_was_away(tick, 10.0, false));
+  EXPECT_FALSE(host_was_away(tick, 10.0, true));
+}
+
+TEST(HostWasAway, AClockThatWasSetIsNoPause) {
+  EXPECT_FALSE(host_was_away(paused(true), 0.05, false));   // back
+  EXPECT_FALSE(host_was_away(paused(true), 0.05, true));    // a bag that begins anew
+  EXPECT_FALSE(host_was_away(paused(false), 0.05, false));  // ahead
+}
+
+TEST(HostWasAway, APauseIsOneWhateverTheClockSays) {
+  EXPECT_TRUE(host_was_away(paused(true), 0.31, false));
+  EXPECT_TRUE(host_was_away(paused(true), 0.31, true));
+  EXPECT_TRUE(host_was_away(paused(false), 0.31, false));
+}
+
+TEST(HostWasAway, SimulatedTimeMayRunFast) { EXPECT_TRUE(host_was_away(paused(false), 0.05, true)); }
+
 }  // namespace
 }  // namespace hidwa_local_planner

@@ -129,7 +129,7 @@ void Robot::step(double dt) {
 
 void Robot::send_transform(const std::string& parent, const std::string& child, const Pose& pose) {
   geometry_msgs::TransformStamped transform;
-  transform.header.stamp = ros::Time::now();
+  transform.header.stamp = ros::Time::now() + ros::Duration(transforms_ahead);
   transform.header.frame_id = parent;
   transform.child_frame_id = child;
   transform.transform.translation.x = pose.x;

@@ -45,6 +45,7 @@ class Robot {
   std::unique_lock<std::mutex> still() { return std::unique_lock<std::mutex>(step_mutex_); }
 
   std::atomic<bool> odometry{true}, laser{true}, base_transform{true}, map_transform{true};
+  std::atomic<double> transforms_ahead{0.0};  // of the clock that stamps the transforms [s]
 
  private:
   void run();

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What only a program that holds the costmap, the plan and the plugin itself can disturb: every command stays finite,
+// within the limits and the accelerations, and after the fault the robot drives on.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <geometry_msgs/TransformStamped.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <sensor_msgs/Joy.h>
+
+#include "change.hpp"
+#include "stage.hpp"
+
+namespace hidwa_plugin_tests {
+namespace {
+
+// The defaults.
+constexpr double kMaxVelX = 0.5;      // [m/s]
+constexpr double kMaxVelTheta = 1.0;  // [rad/s]
+constexpr double kAccX = 2.5;         // [m/s^2], both ways
+constexpr double kAccTheta = 3.2;     // [rad/s^2]
+constexpr double kRounding = 1e-6;
+
+std::string test_name() { return ::testing::UnitTest::GetInstance()->current_test_info()->name(); }
+
+/// A host at 20 Hz of which every command is watched.
+class Faults : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    Robot& robot = Stage::get().robot;
+    robot.odometry = robot.laser = robot.base_transform = robot.map_transform = true;
+    Stage::get().clear();
+    host_ = std::make_unique<Host>("Faults_" + test_name());
+    drive();
+  }
+
+  Host& host() { return *host_; }
+
+  Host::Cycle cycle() {
+    const Host::Cycle c = host_->cycle();
+    const geometry_msgs::Twist& t = c.command;
+    for (const double value : {t.linear.x, t.linear.y, t.linear.z, t.angular.x, t.angular.y, t.angular.z}) {
+      EXPECT_TRUE(std::isfinite(value));
+    }
+    EXPECT_GE(t.linear.x, -kRounding);  // min_vel_x
+    EXPECT_LE(t.linear.x, kMaxVelX + kRounding);
+    EXPECT_LE(std::abs(t.angular.z), kMaxVelTheta + kRounding);
+    EXPECT_LE(std::abs(t.linear.x - last_.linear.x), kAccX * kPeriod * c.late + kRounding) << host_->report().fault;
+    EXPECT_LE(std::abs(t.angular.z - last_.angular.z), kAccTheta * kPeriod * c.late + kRounding);
+    last_ = t;
+    return c;
+  }
+
+  template <typename Done>
+  bool cycle_until(Done done, double seconds = 5.0) {
+    const ros::Time end = ros::Time::now() + ros::Duration(seconds);
+    while (ros::Time::now() < end) {
+      if (done(cycle())) return true;
+    }
+    return false;
+  }
+
+  /// At full speed, on a new plan.
+  void drive() {
+    ASSERT_TRUE(host_->plan_ahead(6.0));
+    goes_on();
+  }
+  void goes_on() {
+    EXPECT_TRUE(cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.45; }, 10.0))
+        << host_->report().fault;
+  }
+  /// Braking commands that succeed, then failure at rest.
+  void brakes_to_rest() {
+    int brakes = 0;
+    EXPECT_TRUE(cycle_until([&](const Host::Cycle& c) {
+      brakes += c.success && c.command.linear.x > 0.0 ? 1 : 0;
+      return !c.success;
+    }));
+    EXPECT_GE(brakes, 1);  // three by 0.125 m/s from 0.45 m/s, fewer where cycles are late
+  }
+
+  /// The newest cycle says so.
+  bool rejected_by(const std::string& name) const {
+    const std::vector<std::string> names = host_->report().rejection_names;
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+  bool critics(const std::string& names) { return Change().set("critics", names).send(*host_); }
+
+  std::unique_ptr<Host> host_;
+  geometry_msgs::Twist last_;
+};
+
+// Plans.
+
+TEST_F(Faults, AnotherPlanInEveryCycle) {
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(host().plan_ahead(3.0 + 0.05 * (i % 7), i % 2 == 0 ? "odom" : "map"));
+    EXPECT_TRUE(cycle().success);
+  }
+  EXPECT_GT(last_.linear.x, 0.4);
+  goes_on();
+}
+
+TEST_F(Faults, APlanFarAway) {
+  std::vector<geometry_msgs::PoseStamped> plan = straight_plan(3.0);
+  for (geometry_msgs::PoseStamped& pose : plan) pose.pose.position.y += 1000.0;
+  ASSERT_TRUE(host().planner().setPlan(plan));
+  brakes_to_rest();
+  EXPECT_NE(host().report().fault.find("map"), std::string::npos) << host().report().fault;
+  drive();
+}
+
+TEST_F(Faults, APlanOfNoNumbers) {
+  std::vector<geometry_msgs::PoseStamped> plan = straight_plan(3.0);
+  plan[5].pose.position.x = std::numeric_limits<double>::quiet_NaN();
+  host().planner().setPlan(plan);
+  brakes_to_rest();
+  EXPECT_NE(host().report().fault.find("plan"), std::string::npos) << host().report().fault;
+  drive();
+}
+
+// The costmap.
+
+costmap_2d::LayeredCostmap& layers() { return *Stage::get().costmap->getLayeredCostmap(); }
+
+TEST_F(Faults, ACostmapThatIsResized) {
+  costmap_2d::Costmap2D& map = *Stage::get().costmap->getCostmap();
+  const unsigned int cells = map.getSizeInCellsX();
+  const double resolution = map.getResolution();
+  for (const unsigned int now : {cells / 2, cells + 60, 20U, cells}) {
+    layers().resizeMap(now, now, resolution, map.getOriginX(), map.getOriginY());
+    for (int i = 0; i < 10; ++i) cycle();
+  }
+  // Finer and coarser.
+  layers().resizeMap(2 * cells, 2 * cells, 0.5 * resolution, map.getOriginX(), map.getOriginY());
+  for (int i = 0; i < 10; ++i) cycle();
+  layers().resizeMap(cells, cells, resolution, map.getOriginX(), map.getOriginY());
+  drive();
+}
+
+TEST_F(Faults, ACostmapThatIsMovedAway) {
+  costmap_2d::Costmap2D& map = *Stage::get().costmap->getCostmap();
+  for (int i = 0; i < 20; ++i) {
+    {
+      const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*map.getMutex());
+      map.updateOrigin(map.getOriginX() + 100.0, map.getOriginY() - 100.0);
+    }
+    cycle();  // the robot is off the map until the costmap follows it again
+  }
+  drive();
+}
+
+TEST_F(Faults, ACostmapThatIsResetWhileItPlans) {
+  std::atomic<bool> resets{true};
+  std::thread resetting([&resets] {
+    while (resets) {
+      Stage::get().costmap->resetLayers();
+      ros::WallDuration(0.001).sleep();
+    }
+  });
+  for (int i = 0; i < 40; ++i) cycle();
+  resets = false;
+  resetting.join();
+  drive();
+}
+
+// Transforms.
+
+TEST_F(Faults, TransformsFromTheFuture) {
+  const LogListener log;
+  Stage::get().robot.transforms_ahead = 2.0;
+  brakes_to_rest();
+  EXPECT_NE(host().report().fault.find("ahead of the clock"), std::string::npos) << host().report().fault;
+  EXPECT_TRUE(wait_for([&] { return log.said("set the clocks of its sender and of this machine alike"); }, 5.0));
+  Stage::get().robot.transforms_ahead = 0.0;
+  drive();
+}
+
+// Critics of other packages.
+
+TEST_F(Faults, ACriticThatThrows) {
+  const LogListener log;
+  ASSERT_TRUE(critics("PathDist, GoalDist, hidwa_broken_critics/Throws"));
+  brakes_to_rest();
+  EXPECT_TRUE(wait_for(
+      [&] { return log.said("the critic hidwa_broken_critics/Throws threw in score(): its table has no such row"); },
+      5.0));
+  EXPECT_TRUE(rejected_by("hidwa_broken_critics/Throws"));
+  ASSERT_TRUE(critics("PathDist, GoalDist"));
+  drive();
+}
+
+TEST_F(Faults, ACriticThatThrowsWhatIsNoException) {
+  const LogListener log;
+  ros::param::set(ros::this_node::getName() + "/" + host().name() + "/Throws/in_prepare", true);
+  ASSERT_TRUE(critics("PathDist, GoalDist, hidwa_broken_critics/Throws"));
+  brakes_to_rest();
+  EXPECT_TRUE(wait_for([&] { return log.said("threw in prepare(): something that is no std::exception"); }, 5.0));
+  ASSERT_TRUE(critics("PathDist, GoalDist"));
+  drive();
+}
+
+TEST_F(Faults, ACriticThatThrowsOnceTheChoiceIsMade) {
+  const LogListener log;
+  ASSERT_TRUE(critics("PathDist, GoalDist, hidwa_broken_critics/ThrowsAtTheEnd"));
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(cycle().success);
+  EXPECT_TRUE(wait_for([&] { return log.said("threw in debrief(): its log is full"); }, 5.0));
+  goes_on();
+}
+
+TEST_F(Faults, ACriticThatHangsForASecond) {
+  const LogListener log;
+  ASSERT_TRUE(critics("PathDist, GoalDist, hidwa_broken_critics/Hangs"));
+  const auto hung = [&](const Host::Cycle& c) {
+    EXPECT_TRUE(c.success);
+    return c.late > 15.0;
+  };
+  EXPECT_TRUE(cycle_until(hung, 10.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("the critic hidwa_broken_critics/Hangs took 1.0"); }, 5.0));
+  EXPECT_TRUE(log.said("take it out of the parameter critics"));
+  ASSERT_TRUE(critics("PathDist, GoalDist"));
+  drive();
+}
+
+TEST_F(Faults, ACriticWhoseScoresAreNoNumbers) {
+  const LogListener log;
+  ASSERT_TRUE(critics("PathDist, GoalDist, hidwa_broken_critics/NotANumber"));
+  brakes_to_rest();
+  EXPECT_TRUE(rejected_by("hidwa_broken_critics/NotANumber"));
+  EXPECT_TRUE(wait_for(
+      [&] { return log.said("the critic hidwa_broken_critics/NotANumber gives scores that are no finite numbers"); },
+      5.0));
+  ASSERT_TRUE(critics("PathDist, GoalDist"));
+  drive();
+}
+
+// The plugin itself.
+
+TEST(Unloading, WhileMessagesArrive) {
+  std::atomic<bool> sends{true};
+  ros::NodeHandle node;
+  const ros::Publisher sticks = node.advertise<sensor_msgs::Joy>("joy", 100);
+  const ros::Publisher odometry = node.advertise<nav_msgs::Odometry>("odom", 100);
+  std::thread sending([&] {
+    sensor_msgs::Joy stick;
+    stick.axes = {0.5F, 0.0F, 0.0F};
+    stick.buttons = {0, 1, 0, 1};
+    nav_msgs::Odometry reading;
+    for (int i = 0; sends; ++i) {
+      stick.header.stamp = reading.header.stamp = ros::Time::now();
+      stick.buttons[0] = i % 2;
+      sticks.publish(stick);
+      odometry.publish(reading);
+      ros::WallDuration(0.0005).sleep();
+    }
+  });
+  for (int i = 0; i < 12; ++i) {
+    Host host("Unloaded_" + std::to_string(i));
+    ASSERT_TRUE(host.plan_ahead(3.0));
+    std::thread changing([&] { Change().set("max_vel_x", 0.3).set("mode", std::string("switching")).send(host); });
+    for (int k = 0; k < 1 + i % 4; ++k) host.cycle();
+    changing.join();
+  }
+  sends = false;
+  sending.join();
+  Stage::get().clear();
+  Host host("Unloaded_last");
+  ASSERT_TRUE(host.plan_ahead(3.0));
+  EXPECT_TRUE(host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0));
+}
+
+}  // namespace
+}  // namespace hidwa_plugin_tests
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "faults_test");
+  ros::NodeHandle node;
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
