@@ -25,7 +25,8 @@ HIDWA_DEBIAN_RUN="python3-roslaunch rosout python3-rosparam python3-rostopic pyt
   python3-geometry-msgs python3-map-msgs python3-move-base-msgs python3-nav-msgs python3-rosgraph-msgs python3-sensor-msgs
   python3-std-msgs python3-visualization-msgs python3-numpy python3-rosbag python3-yaml python3-scipy python3-matplotlib
   python3-tornado python3-pil python3-actionlib-msgs python3-tf2-msgs"
-HIDWA_DEBIAN_TEST="ccache librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev"
+HIDWA_DEBIAN_TEST="ccache librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev
+  libclang-rt-14-dev"  # for the Clang that lint brings: sanitizers and fuzzing
 HIDWA_DEBIAN_LINT="clang-format clang-tidy cppcheck flake8 shellcheck codespell catkin-lint"
 HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev zlib1g-dev libbenchmark-dev"
 HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev nlohmann-json3-dev libgtest-dev"
