@@ -143,6 +143,11 @@ OperatorIntent intent_of(Input& input) {
 
 bool plausible(double period) { return period > 0.0 && period <= 1.0; }
 
+// Braking may make up for a cycle that is late: over the longest period of the last seconds [s].
+double longest(const Situation& situation) {
+  return std::isfinite(situation.longest_period) ? std::max(situation.period, situation.longest_period) : situation.period;
+}
+
 void run(Input input) {
   const Parameters parameters = parameters_of(input);
   Planner planner(critics::built_in());
@@ -161,8 +166,7 @@ void run(Input input) {
     require(std::isfinite(decision.total) && std::isfinite(decision.agreement), "the explanation is not a number");
     const bool believable = std::abs(last.v) <= 20.0 && std::abs(last.omega) <= 50.0;
     if (believable && plausible(situation.period) && decision.problem_kind == Problem::none) {
-      // Braking may go on over the longest period: then the command before it was sent that long ago.
-      require_within_accelerations(decision.command, last, parameters, situation.period);
+      require_within_accelerations(decision.command, last, parameters, longest(situation));
     }
     for (const Pose2& pose : decision.trajectory) require(is_finite(pose), "a pose of the trajectory is not a number");
     situation.last_command = decision.outcome == Outcome::fail ? Twist2{} : decision.command;

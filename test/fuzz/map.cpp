@@ -70,7 +70,7 @@ void require_whole(const sim::RegionsFile& file) {
     for (const auto& corner : region.polygon) require(corner.allFinite(), "a corner is not a number");
   }
   for (const auto& pose : {file.start, file.goal}) {
-    if (pose) require(std::isfinite(pose->x) && std::isfinite(pose->y) && std::isfinite(pose->yaw), "a pose is not a number");
+    if (pose) require(std::isfinite(pose->x) && std::isfinite(pose->y) && std::isfinite(pose->theta), "a pose is not a number");
   }
 }
 

@@ -170,7 +170,6 @@ class Drive {
     last_ = result.command;
     require(person_.machine().advice().size() < 4000, "advice of four thousand characters");
     person_.machine().take_warnings();
-    now_ += kPeriod;
   }
 
   Input input_;
