@@ -166,7 +166,7 @@ void run(Input input) {
     require(std::isfinite(decision.total) && std::isfinite(decision.agreement), "the explanation is not a number");
     const bool believable = std::abs(last.v) <= 20.0 && std::abs(last.omega) <= 50.0;
     if (believable && plausible(situation.period) && decision.problem_kind == Problem::none) {
-      require_within_accelerations(decision.command, last, parameters, longest(situation));
+      require_within_accelerations(decision.command, last, decision.reference, parameters, longest(situation));
     }
     for (const Pose2& pose : decision.trajectory) require(is_finite(pose), "a pose of the trajectory is not a number");
     situation.last_command = decision.outcome == Outcome::fail ? Twist2{} : decision.command;

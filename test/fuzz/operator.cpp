@@ -9,6 +9,7 @@
 #include "fuzz/require.hpp"
 #include "fuzz/small_world.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
+#include "hidwa_local_planner/control/prediction.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/input/gesture_source.hpp"
 #include "hidwa_local_planner/input/stick_reading.hpp"
@@ -168,6 +169,8 @@ class Drive {
     require(is_finite(result.intent.u_h), "the operator command is not a number");
     require_within_limits(result.command, last_, parameters_);
     last_ = result.command;
+    prediction_.update(loop_, seen, result);
+    for (const auto& pose : prediction_.poses()) require(is_finite(pose.pose), "a predicted pose is not a number");
     require(person_.machine().advice().size() < 4000, "advice of four thousand characters");
     person_.machine().take_warnings();
   }
@@ -176,6 +179,7 @@ class Drive {
   SmallWorld world_;
   control::LoneOperator person_;
   control::ControlLoop loop_;
+  control::Prediction prediction_;
   Parameters parameters_;
   Twist2 last_;
   double now_ = 10.0, before_ = 9.95;  // [s]

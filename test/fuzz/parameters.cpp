@@ -45,7 +45,8 @@ void drive(const Parameters& parameters) {
     const control::Result result = loop.step(world.observe(10.0 + 0.05 * cycle, 0.05, last));
     require_within_limits(result.command, last, parameters);
     if (parameters.command == CommandPolicy::feasible || parameters.admissibility == Admissibility::braking) {
-      require_within_accelerations(result.command, last, parameters, 0.05);
+      const Twist2 from = result.decision != nullptr ? result.decision->reference : last;
+      require_within_accelerations(result.command, last, from, parameters, 0.05);
     }
     last = result.command;
   }

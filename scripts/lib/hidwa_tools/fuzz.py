@@ -17,7 +17,8 @@ MEMORY = 2048             # [MB], of a target; one allocation may take half of i
 PATIENCE = 25             # [s], of one input
 OPTIONS = {
     'ASAN_OPTIONS': 'detect_stack_use_after_return=1:strict_string_checks=1:abort_on_error=1:symbolize=1',
-    'UBSAN_OPTIONS': 'print_stacktrace=1'}
+    'UBSAN_OPTIONS': 'print_stacktrace=1',
+    'LSAN_OPTIONS': f'suppressions={ROOT}/test/sanitize/leaks.txt:print_suppressions=0'}
 
 
 class FuzzError(Exception):
@@ -58,7 +59,7 @@ def command_of(name, program, seconds, seed, work):
     grown = os.path.join(work, 'corpus', name)
     os.makedirs(grown, exist_ok=True)
     return [program, f'-max_total_time={seconds}', f'-seed={seed}', f'-rss_limit_mb={MEMORY}', f'-malloc_limit_mb={MEMORY // 2}',
-            f'-timeout={PATIENCE}', '-max_len=8192', '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown, os.path.join(KEPT, name)]
+            f'-timeout={PATIENCE}', '-max_len=16384', '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown, os.path.join(KEPT, name)]
 
 
 def run_target(name, program, seconds, seed, work):
