@@ -185,7 +185,8 @@ void check_rest(std::vector<std::string>& faults, const Parameters& p) {
   }
   const double poses = longest_rollout(p);
   if (poses > kMostPoses || samples * poses > kMostPosesOfAll) {
-    faults.push_back("a rollout has up to " + shortest(std::ceil(poses)) + " poses, above 20000, or all samples' are above " +
+    faults.push_back("a rollout has up to " + shortest(std::ceil(poses)) +
+                     " poses, above 20000, or all samples' are above " +
                      "20000000: raise linear_granularity or angular_granularity, or lower sim_time or the samples");
   }
 }

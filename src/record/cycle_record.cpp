@@ -139,7 +139,8 @@ std::string of_other_format(std::uint16_t format, ArchiveReader& read) {
 constexpr double kMostSamples = 200000.0;
 constexpr int kMostSearchPoses = 1000000;
 bool plausible(const Sampling& s) {
-  const double samples = static_cast<double>(std::max(1, s.vx_samples)) * static_cast<double>(std::max(1, s.vth_samples));
+  const double samples =
+      static_cast<double>(std::max(1, s.vx_samples)) * static_cast<double>(std::max(1, s.vth_samples));
   return samples <= kMostSamples && s.search_poses <= kMostSearchPoses;
 }
 

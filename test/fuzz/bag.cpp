@@ -18,8 +18,8 @@ namespace hidwa_local_planner::fuzz {
 namespace {
 
 std::string write(const std::string& content) {
-  static const std::string path =
-      std::string(access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp") + "/hidwa_fuzz_" + std::to_string(getpid()) + ".bag";
+  static const std::string path = std::string(access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp") + "/hidwa_fuzz_" +
+                                  std::to_string(getpid()) + ".bag";
   std::FILE* file = std::fopen(path.c_str(), "wb");
   require(file != nullptr, "no file can be written");
   std::fwrite(content.data(), 1, content.size(), file);
@@ -34,7 +34,8 @@ void replay_bag(const std::string& path) {
   bag.for_each([&](const Cycle& message) {
     const Bytes bytes(message.record.begin(), message.record.end());
     const record::CycleReplay::Reading reading = cycles.take(bytes);
-    require((reading == record::CycleReplay::Reading::damaged) == !cycles.fault().empty(), "a damaged record without words");
+    require((reading == record::CycleReplay::Reading::damaged) == !cycles.fault().empty(),
+            "a damaged record without words");
     return --left > 0;
   });
 }

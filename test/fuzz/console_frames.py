@@ -31,8 +31,8 @@ SEEDS = [
     {'type': 'goal', 'x': 1.0, 'y': -2.0, 'yaw': 0.5, 'append': True}, {'type': 'cancel'}, {'type': 'home'}, {'type': 'record', 'on': True},
     {'type': 'tune', 'values': {'s_omega': 400.0, 'mode': 'off', 'escape': True}}, {'type': 'preset', 'name': 'pilot_1'},
     {'type': 'study', 'answer': {'stress': {'a': 1.0}, 'again': True}}]
-WORDS = ['NaN', 'Infinity', '1e999', '-0', '9' * 400, '1e-999', 'null', 'true', '[]', '{}', '""', '"\\ud800"', '"\\u0000"', '[' * 50, '{"a":' * 50,
-         '0.1', '9007199254740993', '"stop"', str(2 ** 53), '-1', '"' + 'a' * 300 + '"']
+WORDS = ['NaN', 'Infinity', '1e999', '-0', '9' * 400, '1e-999', 'null', 'true', '[]', '{}', '""', '"\\ud800"', '"\\u0000"',
+         '[' * 50, '{"a":' * 50, '0.1', '9007199254740993', '"stop"', str(2 ** 53), '-1', '"' + 'a' * 300 + '"']
 INTERESTING = [0, 1, 2, 127, 128, 255, 2 ** 16, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1]
 
 
@@ -70,7 +70,8 @@ def mutated_value(value, dice):
             return {k: v for k, v in value.items() if k != name}
         return {**value, name: mutated_value(value[name], dice)}
     if isinstance(value, (int, float)) and not isinstance(value, bool) and dice.random() < 0.6:
-        return dice.choice([value + dice.uniform(-2, 2), -value, value * 10 ** dice.randint(0, 300), dice.choice(INTERESTING), 10 ** dice.randint(0, 500)])
+        return dice.choice([value + dice.uniform(-2, 2), -value, value * 10 ** dice.randint(0, 300), dice.choice(INTERESTING),
+                            10 ** dice.randint(0, 500)])
     return dice.choice([None, True, False, 0, -1, 1e308, 'x' * dice.randint(0, 200), [], {}, [[]], {'': {}}, '\ud800', 10 ** 400])
 
 
@@ -209,7 +210,8 @@ def goals(dice):
     message, buffer = PoseStamped(), BytesIO()
     message.header.frame_id, message.pose.orientation.w, message.pose.position.x = 'map', 1.0, 1.0
     message.serialize(buffer)
-    text = json.dumps({'header': {'frame_id': 'map'}, 'pose': {'position': {'x': 1, 'y': 2, 'z': 0}, 'orientation': {'x': 0, 'y': 0, 'z': 0, 'w': 1}}})
+    pose = {'position': {'x': 1, 'y': 2, 'z': 0}, 'orientation': {'x': 0, 'y': 0, 'z': 0, 'w': 1}}
+    text = json.dumps({'header': {'frame_id': 'map'}, 'pose': pose})
 
     def give(frame):
         encoding, data = frame

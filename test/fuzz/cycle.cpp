@@ -40,7 +40,8 @@ Parameters parameters_of(Input& input) {
   p.moving_obstacles_clear_cells = (choices & 512U) == 0;
   if ((choices & 1024U) != 0) {
     p.critics =
-        "RotateToGoal, Oscillation, BaseObstacle, GoalAlign, PathAlign, PathDist, GoalDist, SocialDistance, PreferForward, "
+        "RotateToGoal, Oscillation, BaseObstacle, GoalAlign, PathAlign, PathDist, GoalDist, SocialDistance, "
+        "PreferForward, "
         "Twirling, ObstacleFootprint";
   }
   if ((choices & 2048U) != 0) {
@@ -57,7 +58,8 @@ Polygon outline_of(Input& input) {
   Polygon outline;
   if (input.flag()) {
     const double radius = input.number(0.1, 0.5);
-    for (int k = 0; k < 16; ++k) outline.emplace_back(radius * std::cos(k * M_PI / 8.0), radius * std::sin(k * M_PI / 8.0));
+    for (int k = 0; k < 16; ++k)
+      outline.emplace_back(radius * std::cos(k * M_PI / 8.0), radius * std::sin(k * M_PI / 8.0));
     return outline;
   }
   if (input.flag()) return {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}};
@@ -87,7 +89,8 @@ Costs costs_of(Input& input) {
     if (costs.cells.size() > count + 256) break;
   }
   costs.cells.resize(count);
-  costs.view = {costs.cells.data(), width, height, input.number(0.02, 0.2), input.number(-4.0, 0.0), input.number(-4.0, 0.0)};
+  costs.view = {costs.cells.data(),     width, height, input.number(0.02, 0.2), input.number(-4.0, 0.0),
+                input.number(-4.0, 0.0)};
   return costs;
 }
 
@@ -145,7 +148,8 @@ bool plausible(double period) { return period > 0.0 && period <= 1.0; }
 
 // Braking may make up for a cycle that is late: over the longest period of the last seconds [s].
 double longest(const Situation& situation) {
-  return std::isfinite(situation.longest_period) ? std::max(situation.period, situation.longest_period) : situation.period;
+  return std::isfinite(situation.longest_period) ? std::max(situation.period, situation.longest_period)
+                                                 : situation.period;
 }
 
 void run(Input input) {

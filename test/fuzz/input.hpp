@@ -36,8 +36,21 @@ class Input {
   double number(double lo, double hi) { return byte() % 8 == 7 ? anything() : within(lo, hi); }
   double anything() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    constexpr double kWild[] = {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity, 0.0, -0.0, 1e-300, 1e300, -1e300,
-                                1e-9, 1e6, -1e6, 1e9, 2147483648.0, 4294967296.0, std::numeric_limits<double>::denorm_min()};
+    constexpr double kWild[] = {std::numeric_limits<double>::quiet_NaN(),
+                                kInfinity,
+                                -kInfinity,
+                                0.0,
+                                -0.0,
+                                1e-300,
+                                1e300,
+                                -1e300,
+                                1e-9,
+                                1e6,
+                                -1e6,
+                                1e9,
+                                2147483648.0,
+                                4294967296.0,
+                                std::numeric_limits<double>::denorm_min()};
     constexpr int kCount = sizeof(kWild) / sizeof(kWild[0]);
     const int which = byte() % (kCount + 1);
     if (which < kCount) return kWild[which];

@@ -60,8 +60,10 @@ void attempt(const Read& read) {
 
 void require_whole(const sim::OccupancyMap& map) {
   require(map.width > 0 && map.height > 0 && map.resolution > 0.0, "a map without cells");
-  require(map.cells.size() == static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height), "cells are missing");
-  require(std::isfinite(map.resolution) && std::isfinite(map.origin_x) && std::isfinite(map.origin_y), "the map lies nowhere");
+  require(map.cells.size() == static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height),
+          "cells are missing");
+  require(std::isfinite(map.resolution) && std::isfinite(map.origin_x) && std::isfinite(map.origin_y),
+          "the map lies nowhere");
 }
 
 void require_whole(const sim::RegionsFile& file) {
@@ -70,7 +72,8 @@ void require_whole(const sim::RegionsFile& file) {
     for (const auto& corner : region.polygon) require(corner.allFinite(), "a corner is not a number");
   }
   for (const auto& pose : {file.start, file.goal}) {
-    if (pose) require(std::isfinite(pose->x) && std::isfinite(pose->y) && std::isfinite(pose->theta), "a pose is not a number");
+    if (pose)
+      require(std::isfinite(pose->x) && std::isfinite(pose->y) && std::isfinite(pose->theta), "a pose is not a number");
   }
 }
 

@@ -69,7 +69,8 @@ void take_movers(std::vector<std::uint8_t>& bytes, bool turned) {
     input.read(now, 0.5, tf, "odom", movers);
     require(movers.size() <= MovingObstacleInput::kMost, "too many moving obstacles");
     for (const MovingObstacleEstimate& mover : movers) {
-      require(mover.position.allFinite() && mover.velocity.allFinite() && std::isfinite(mover.radius), "a mover is not a number");
+      require(mover.position.allFinite() && mover.velocity.allFinite() && std::isfinite(mover.radius),
+              "a mover is not a number");
       require(mover.points.size() <= MovingObstacleInput::kMostPoints, "too many points");
       for (const Point& point : mover.points) require(point.allFinite(), "a point is not a number");
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An operator's devices, what moves, and the host's requests, as messages in any order: each message is taken or refused
-// in words, and every cycle ends with a finite command inside the limits.
+// An operator's devices, what moves, and the host's requests, as messages in any order: each message is taken or
+// refused in words, and every cycle ends with a finite command inside the limits.
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -76,7 +76,8 @@ class Drive {
   void take_stick() {
     input::StickMessage stick;
     for (int k = input_.integer(0, 8); k > 0; --k) stick.axes.push_back(static_cast<float>(input_.number(-1.0, 1.0)));
-    for (int k = input_.integer(0, 12); k > 0; --k) stick.buttons.push_back(input_.integer(0, 31) == 31 ? -7 : input_.integer(0, 1));
+    for (int k = input_.integer(0, 12); k > 0; --k)
+      stick.buttons.push_back(input_.integer(0, 31) == 31 ? -7 : input_.integer(0, 1));
     give(stamped(stick));
   }
   void take_twist() {
@@ -154,8 +155,10 @@ class Drive {
     seen.timing.jumped_back = now_ < before_;
     before_ = now_;
     if (input_.integer(0, 7) == 7) seen.velocity = Twist2{input_.number(-1.0, 1.0), input_.number(-2.0, 2.0)};
-    if (input_.integer(0, 7) == 7) seen.pose = {input_.number(-1.0, 1.0), input_.number(-1.0, 1.0), input_.number(-4.0, 4.0)};
-    if (input_.integer(0, 7) == 7) seen.from_plan.origin = {input_.number(-1.0, 1.0), input_.number(-1.0, 1.0), input_.number(-4.0, 4.0)};
+    if (input_.integer(0, 7) == 7)
+      seen.pose = {input_.number(-1.0, 1.0), input_.number(-1.0, 1.0), input_.number(-4.0, 4.0)};
+    if (input_.integer(0, 7) == 7)
+      seen.from_plan.origin = {input_.number(-1.0, 1.0), input_.number(-1.0, 1.0), input_.number(-4.0, 4.0)};
     if (input_.integer(0, 7) == 7) seen.fault = "something is missing";
     if (!seen.fault.empty() && input_.flag()) seen.velocity.reset();
     seen.host_stops = input_.integer(0, 15) == 15;

@@ -18,13 +18,15 @@ constexpr int kMostRecords = 8;
 bool expensive(const record::CycleReplay& replay) {
   const Parameters& p = replay.parameters();
   const Sampling& s = replay.record().sampling;
-  const long vx = s.vx_samples > 0 ? s.vx_samples : p.vx_samples, vth = s.vth_samples > 0 ? s.vth_samples : p.vth_samples;
+  const long vx = s.vx_samples > 0 ? s.vx_samples : p.vx_samples,
+             vth = s.vth_samples > 0 ? s.vth_samples : p.vth_samples;
   return vx * vth > 5000 || std::max(s.search_poses, p.search_poses) > 20000 || replay.grid().costs.size() > 100000;
 }
 
 void take(record::CycleReplay& replay, const Bytes& bytes) {
   const record::CycleReplay::Reading reading = replay.take(bytes);
-  require((reading == record::CycleReplay::Reading::damaged) == !replay.fault().empty(), "a damaged record without words");
+  require((reading == record::CycleReplay::Reading::damaged) == !replay.fault().empty(),
+          "a damaged record without words");
   if (reading != record::CycleReplay::Reading::ready || expensive(replay)) return;
   const record::ReplayedCycle cycle = replay.run();
   require(is_finite(cycle.decision.command), "the command is not a number");

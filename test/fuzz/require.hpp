@@ -32,13 +32,14 @@ inline void require_within_limits(const Twist2& command, const Twist2& last, con
 
 /// From the last command, or from `reference`, the velocity that the cycle started from, the command changes by no more
 /// than the limits allow in `period` [s].
-inline void require_within_accelerations(const Twist2& command, const Twist2& last, const Twist2& reference, const Parameters& p,
-                                         double period) {
+inline void require_within_accelerations(const Twist2& command, const Twist2& last, const Twist2& reference,
+                                         const Parameters& p, double period) {
   constexpr double kRounding = 1e-9;
   const auto change = [](double to, double a, double b) { return std::min(std::abs(to - a), std::abs(to - b)); };
   require(change(command.v, last.v, reference.v) <= std::max(p.acc_lim_x, p.braking_x()) * period + kRounding,
           "the command accelerates beyond acc_lim_x");
-  require(change(command.omega, last.omega, reference.omega) <= std::max(p.acc_lim_theta, p.braking_theta()) * period + kRounding,
+  require(change(command.omega, last.omega, reference.omega) <=
+              std::max(p.acc_lim_theta, p.braking_theta()) * period + kRounding,
           "the command accelerates beyond acc_lim_theta");
 }
 

@@ -42,8 +42,8 @@ def table(found):
     lines, below = [f'    {"":10}{"lines":>16}{"":9}{"branches":>16}'], []
     for part, share in found.items():
         of_lines, of_branches = percent(share.lines_run, share.lines), percent(share.branches_run, share.branches)
-        lines.append(f'    {part:10}{share.lines_run:>7} of {share.lines:>5} {of_lines:6.1f} %{share.branches_run:>9} of {share.branches:>5} '
-                     f'{of_branches:6.1f} %')
+        lines.append(f'    {part:10}{share.lines_run:>7} of {share.lines:>5} {of_lines:6.1f} %'
+                     f'{share.branches_run:>9} of {share.branches:>5} {of_branches:6.1f} %')
         if not share.lines or of_lines < LINES or of_branches < BRANCHES:
             below.append(part)
     return lines, below
@@ -51,12 +51,12 @@ def table(found):
 
 def worst_files(rows, most=15):
     """The files that miss most, as lines to print."""
-    own = [row for row in rows if part_of(row['filename'])]
-    def missing(row):
-        return int(row['line_total']) - int(row['line_covered']) + int(row['branch_total']) - int(row['branch_covered'])
-    own.sort(key=missing, reverse=True)
-    return [f"    {row['filename']}: {int(row['line_total']) - int(row['line_covered'])} lines, "
-            f"{int(row['branch_total']) - int(row['branch_covered'])} branches are not run" for row in own[:most] if missing(row)]
+    missed = []
+    for row in rows:
+        lines, branches = (int(row[f'{kind}_total']) - int(row[f'{kind}_covered']) for kind in ('line', 'branch'))
+        if part_of(row['filename']) and lines + branches:
+            missed.append((-lines - branches, f"    {row['filename']}: {lines} lines, {branches} branches are not run"))
+    return [words for _, words in sorted(missed)[:most]]
 
 
 def rows_of(root, folder):

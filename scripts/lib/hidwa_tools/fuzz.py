@@ -30,15 +30,16 @@ def configure_options():
     compiler = compilers.clang()
     if not compilers.fuzzes(compiler):
         raise FuzzError(f'no Clang with libFuzzer here: {compilers.REMEDY}')
-    return [f'-DCMAKE_CXX_COMPILER={compiler}', '-DHIDWA_FUZZ=ON', '-DHIDWA_SANITIZE=address,undefined', '-DCMAKE_BUILD_TYPE=Debug',
-            '-DCMAKE_CXX_FLAGS_DEBUG=-O1']
+    return [f'-DCMAKE_CXX_COMPILER={compiler}', '-DHIDWA_FUZZ=ON', '-DHIDWA_SANITIZE=address,undefined',
+            '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1']
 
 
 def build(folder, suites='fuzz'):
     """Builds the targets into a folder."""
     os.makedirs(folder, exist_ok=True)
     log = os.path.join(folder, 'fuzz.log')
-    commands = (['cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', f'-DHIDWA_TEST_SUITES={suites}', *configure_options()],
+    commands = (['cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', f'-DHIDWA_TEST_SUITES={suites}',
+                 *configure_options()],
                 ['cmake', '--build', folder, '-j', CORES])
     with open(log, 'w', encoding='utf-8') as out:
         for command in commands:
@@ -49,7 +50,7 @@ def build(folder, suites='fuzz'):
 def programs(folder):
     """{target: its program} of a build folder."""
     found = sorted(glob.glob(os.path.join(folder, 'test', 'fuzz', 'hidwa_fuzz_*')))
-    return {os.path.basename(path)[len('hidwa_fuzz_'):]: path for path in found if os.access(path, os.X_OK) and os.path.isfile(path)}
+    return {os.path.basename(path)[len('hidwa_fuzz_'):]: path for path in found if os.path.isfile(path) and os.access(path, os.X_OK)}
 
 
 def command_of(name, program, seconds, seed, work):
@@ -59,7 +60,8 @@ def command_of(name, program, seconds, seed, work):
     grown = os.path.join(work, 'corpus', name)
     os.makedirs(grown, exist_ok=True)
     return [program, f'-max_total_time={seconds}', f'-seed={seed}', f'-rss_limit_mb={MEMORY}', f'-malloc_limit_mb={MEMORY // 2}',
-            f'-timeout={PATIENCE}', '-max_len=16384', '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown, os.path.join(KEPT, name)]
+            f'-timeout={PATIENCE}', '-max_len=16384', '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown,
+            os.path.join(KEPT, name)]
 
 
 def run_target(name, program, seconds, seed, work):
@@ -100,8 +102,9 @@ def main(arguments=None):
     """scripts/fuzz"""
     parser = argparse.ArgumentParser(
         prog='scripts/fuzz', formatter_class=argparse.RawDescriptionHelpFormatter,
-        description='Installs what is missing, builds the targets of test/fuzz with libFuzzer, address and undefined-behaviour sanitizer, and\n'
-        'gives each bytes that the fuzzer thinks of. The console has a fuzzer of its own. docs/trust.md says what each target takes.',
+        description='Installs what is missing, builds the targets of test/fuzz with libFuzzer, address and undefined-behaviour\n'
+        'sanitizer, and gives each bytes that the fuzzer thinks of. The console has a fuzzer of its own. docs/trust.md says what\n'
+        'each target takes.',
         epilog='exit status: 0 nothing was found; 1 something was; 2 something did not run\n'
         'environment: HIDWA_SPACE and HIDWA_INSTALL: scripts/build --help')
     parser.add_argument('targets', nargs='*', metavar='TARGET', help='only these (default: all)')

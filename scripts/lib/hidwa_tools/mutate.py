@@ -24,6 +24,10 @@ PARTS = ('CMakeLists.txt', 'cmake', 'src', 'include', 'test', 'launch', 'maps', 
 SUITES = ('unit/core', 'unit/input', 'unit/control', 'unit/record', 'oracle', 'property', 'attack')
 CLOSED_LOOP = ('unit/drive', 'closed_loop')  # with --closed-loop: they take as long as all others together
 LEFT_OUT = ('hidwa_vector_width_test',)  # it reads the instructions of an optimised build
+# With --quick only what is left: these take minutes each.
+LONG = tuple(f'hidwa_{name}' for name in (
+    'property_test', 'walker_attack_test', 'attack_test', 'choice_twin_test', 'planner_twin_test', 'check_all_test', 'authority_test',
+    'twins_test', 'unit_record', 'closed_loop_test', 'drive_test'))
 MEMORY = 6 << 30     # [byte], of a test: a fault may ask for all there is
 BAR = 95.0           # [%]
 CORES = os.cpu_count() or 1
@@ -43,11 +47,11 @@ def files_below(path):
 class Tests:
     """The tests of the build folder, and how long each takes without a fault."""
 
-    def __init__(self, build):
+    def __init__(self, build, left_out):
         self._build, self._kills, self.time = build, {}, {}
         listing = subprocess.run(['ctest', '--show-only=json-v1'], cwd=build, stdout=subprocess.PIPE, check=True).stdout
         tests = json.loads(listing)['tests']
-        self._commands = {t['name']: t['command'] for t in tests if t['name'] not in LEFT_OUT and 'command' in t}
+        self._commands = {t['name']: t['command'] for t in tests if t['name'] not in left_out and 'command' in t}
 
     def measure(self):
         """Runs all of them; one that fails without a fault finds nothing."""
@@ -113,8 +117,8 @@ class Tree:
         with open(os.path.join(FOLDER, 'configure.log'), 'wb') as log:
             done = subprocess.run(
                 ['cmake', '-S', self.source, '-B', self.build, '-GNinja', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_UNITY=OFF',
-                 f'-DHIDWA_TEST_SUITES={";".join(self._suites)}', f'-DHIDWA_TOOLS={self._tools}', '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -DNDEBUG',
-                 '-DCMAKE_LINK_DEPENDS_NO_SHARED=ON'], stdout=log, stderr=log, check=False)
+                 f'-DHIDWA_TEST_SUITES={";".join(self._suites)}', f'-DHIDWA_TOOLS={self._tools}',
+                 '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -DNDEBUG', '-DCMAKE_LINK_DEPENDS_NO_SHARED=ON'], stdout=log, stderr=log, check=False)
         if done.returncode:
             raise MutateError(f'cmake failed: see {FOLDER}/configure.log')
 
@@ -151,7 +155,8 @@ def chosen(options):
     every = [m for path in mutation.sources(ROOT, FOLDERS) if path.startswith(options.folder)
              for m in mutation.mutants_of_file(ROOT, path)]
     order = mutation.shuffled(every, options.seed)
-    return len(every), [m for m in order if m.key() not in equivalent], {m.key(): equivalent[m.key()] for m in order if m.key() in equivalent}
+    left_out = {m.key(): equivalent[m.key()] for m in order if m.key() in equivalent}
+    return len(every), [m for m in order if m.key() not in left_out], left_out
 
 
 def earlier(path):
@@ -174,7 +179,7 @@ def run(options):
     print(f'==> building; {total} places can be changed, {len(left_out)} of them in a way that nothing can notice', flush=True)
     if not tree.make():
         raise MutateError(f'the build failed: see {FOLDER}/build.log')
-    tests = Tests(tree.build)
+    tests = Tests(tree.build, LEFT_OUT + (LONG if options.quick else ()))
     print('==> the tests without a fault', flush=True)
     tests.measure()
     counts = {'found': 0, 'survived': 0, 'no code': 0}
@@ -185,9 +190,10 @@ def run(options):
             if counts['found'] + counts['survived'] >= options.count:
                 break
             begin, row = time.monotonic(), known.get(mutant.key())
-            if row is None or row['outcome'] == 'survived':
+            if row is None or (row['outcome'] == 'survived' and not options.quick):
                 outcome, test = judge(tree, tests, mutant)
-                row = {'outcome': outcome, 'test': test, 'seconds': f'{time.monotonic() - begin:.0f}', 'line': mutant.line, 'mutant': mutant.key()}
+                row = {'outcome': outcome, 'test': test, 'seconds': f'{time.monotonic() - begin:.0f}', 'line': mutant.line,
+                       'mutant': mutant.key()}
             counts[row['outcome']] += 1
             table.writerow(row)
             out.flush()
@@ -209,6 +215,8 @@ def main(arguments=None):
     parser.add_argument('--seed', type=int, default=1, metavar='N', help='other faults (1)')
     parser.add_argument('--folder', default='src/', metavar='FOLDER', help='only there, as src/core/motion')
     parser.add_argument('--jobs', type=int, default=CORES, metavar='N', help='compilers at the same time (one a core)')
+    parser.add_argument('--quick', action='store_true',
+                        help='only the tests that take seconds; --go-on then asks the others about what they left')
     parser.add_argument('--closed-loop', action='store_true', help='ask whole drives too, where nothing else finds the fault')
     parser.add_argument('--go-on', action='store_true', help='take over what a run before has found; try its survivors again')
     options = parser.parse_args(arguments)

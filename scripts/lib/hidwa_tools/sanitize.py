@@ -9,8 +9,8 @@ ADDRESS, THREAD = 'address,undefined', 'thread'
 UNFIT = ('hidwa_vector_width_test',)
 # What one CI run has time for: whole drives and campaigns take many times as long as all else together.
 SHORT_LABELS = ('closed_loop', 'attack', 'ways', 'fuzz')
-SHORT_TESTS = UNFIT + ('hidwa_property_test', 'hidwa_walker_attack_test', 'hidwa_choice_twin_test', 'hidwa_planner_twin_test', 'hidwa_study_test',
-                       'hidwa_barn_test', 'hidwa_encounters_test', 'hidwa_drive_test', 'hidwa_check_all_test', 'hidwa_twins_test')
+SHORT_TESTS = UNFIT + tuple(f'hidwa_{name}_test' for name in (
+    'property', 'walker_attack', 'choice_twin', 'planner_twin', 'check_all', 'twins', 'study', 'barn', 'encounters', 'drive'))
 SUPPRESSIONS = os.path.join('test', 'sanitize')  # what is not ours, by name
 
 # {name: (compiler, sanitizers, with ROS)}
@@ -22,7 +22,7 @@ FORMS = {
 def environment(root):
     """How the sanitizers are told what to do. What is not ours is named in the files of suppressions, with the reason."""
     folder = os.path.join(root, SUPPRESSIONS)
-    return {'ASAN_OPTIONS': 'detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1:new_delete_type_mismatch=1',
+    return {'ASAN_OPTIONS': 'detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1',
             'LSAN_OPTIONS': f'suppressions={folder}/leaks.txt:print_suppressions=0',
             'UBSAN_OPTIONS': f'print_stacktrace=1:suppressions={folder}/undefined.txt',
             'TSAN_OPTIONS': f'suppressions={folder}/threads.txt:second_deadlock_stack=1:history_size=4'}

@@ -557,10 +557,10 @@ def sanitize_host(name, compiler, sanitizers):
     space = os.path.join(WORK, name)
     os.makedirs(space, exist_ok=True)
     options = sanitize.flags(sanitizers)
-    environment = {**os.environ, **sanitize.environment(ROOT), 'HIDWA_SPACE': space, 'CXX': compiler, 'CXXFLAGS': options, 'LDFLAGS': options,
-                   'HIDWA_INSTALL': 'skip'}
-    done = subprocess.run([sys.executable, '-m', __spec__.name, 'build', 'package', 'ros'], env=environment, stdout=subprocess.PIPE, text=True,
-                          check=False)
+    environment = {**os.environ, **sanitize.environment(ROOT), 'HIDWA_SPACE': space, 'CXX': compiler, 'CXXFLAGS': options,
+                   'LDFLAGS': options, 'HIDWA_INSTALL': 'skip'}
+    done = subprocess.run([sys.executable, '-m', __spec__.name, 'build', 'package', 'ros'], env=environment, stdout=subprocess.PIPE,
+                          text=True, check=False)
     print('\n'.join(done.stdout.splitlines()[:-2]), flush=True)
     return Counts.read(done.stdout) or Counts(failed=1)
 
@@ -575,9 +575,10 @@ def main(arguments=None):
         epilog='suites:\n' + '\n'.join(f'  {suite.__name__:18}{suite.__doc__.splitlines()[0]}' for suite in SUITES)
         + '\n\nenvironment: HIDWA_DATA=DIR real maps (default: ../shared/data); HIDWA_UNDERLAY and more: scripts/build --help')
     parser.add_argument('--sanitize', nargs='*', choices=list(sanitize.FORMS), metavar='FORM',
-                        help='instead: every test under sanitizers, or only these forms: ' + ', '.join(sanitize.FORMS) + '; takes hours')
+                        help=f'instead: every test under sanitizers, or only these forms: {", ".join(sanitize.FORMS)}; takes hours')
     parser.add_argument('--coverage', action='store_true',
-                        help=f'instead: the share of lines and branches that run; fails below {coverage_of.LINES:g} and {coverage_of.BRANCHES:g} %%')
+                        help='instead: the share of lines and branches that run; '
+                        f'fails below {coverage_of.LINES:g} and {coverage_of.BRANCHES:g} %%')
     parser.add_argument('suites', nargs='*', metavar='SUITE', help='only these (default: all; what is built is used as it is)')
     options = parser.parse_args(arguments)
     for name in options.suites:

@@ -45,7 +45,8 @@ void StartEstimator::remember_command(const Situation& measured, const Parameter
     commands_.forget();
     odometry_.forget();
   }
-  commands_.observe(usable_time(measured), period, parameters.control_latency + period + usable_age(measured), last, limits);
+  commands_.observe(usable_time(measured), period, parameters.control_latency + period + usable_age(measured), last,
+                    limits);
 }
 
 // A command starts from the last one, or from where odometry is slower; never from a reading that is faster.
@@ -55,7 +56,8 @@ void StartEstimator::judge_axis(const Axis& axis, const Situation& measured, con
   const double last = commands_.last().*u;
   const double reading = plausible(measured.velocity) ? measured.velocity.*u : last;
   const double tolerance = reading_tolerance(parameters, commands_.last()).*u;
-  const OdometryReading judged = axis.belief.judge(usable_time(measured), reading, commands_.range(u), tolerance, axis.limits);
+  const OdometryReading judged =
+      axis.belief.judge(usable_time(measured), reading, commands_.range(u), tolerance, axis.limits);
   const bool doubted = judged == OdometryReading::doubted, fast = judged == OdometryReading::faster;
   const bool as_commanded =
       judged == OdometryReading::agrees && parameters.velocity_reference == VelocityReference::command;

@@ -89,14 +89,20 @@ TEST(BadInput, Period) {
   }
 }
 
-// Nothing of the time since is made up for, either: the robot brakes by one period.
+// A second passed since the cycle before, and braking may make up for as much as the longest period: 2.5 * 0.1 m/s.
+// Where that is no period, for none: 2.5 * 0.05 m/s.
 TEST(BadInput, TheLongestPeriod) {
-  for (const double longest : {kNan, kInf, -1.0, 1e300}) {
+  const auto braked_by = [](double longest) {
     Scene scene = driving();
     scene.situation.longest_period = longest;
     scene.situation.plan.clear();
-    expect_braked(scene, 0.3, "plan");
-  }
+    PlannerBench bench(scene);
+    bench.cycle();
+    bench.scene().situation.time += 1.0;
+    return 0.3 - bench.cycle().command.v;
+  };
+  EXPECT_NEAR(braked_by(0.1), 0.25, 1e-12);
+  for (const double longest : {kNan, kInf, -1.0, 1e300}) EXPECT_NEAR(braked_by(longest), 0.125, 1e-12) << longest;
 }
 
 // Not even where the pose was led on from: that would take for ever.

@@ -217,7 +217,8 @@ TEST(CycleRecord, WithoutAFaultThereIsAVelocity) {
   record.observation.velocity.reset();
   CycleRecord read;
   EXPECT_EQ(decode(bytes_of(record), read), "the record is damaged: it has no velocity, and no fault that explains it");
-  for (const auto& [vx, vth, search] : {std::array{2000, 101, 0}, {1000000000, 0, 0}, {0, 200001, 0}, {5, 5, 1000001}}) {
+  for (const auto& [vx, vth, search] :
+       {std::array{2000, 101, 0}, {1000000000, 0, 0}, {0, 200001, 0}, {5, 5, 1000001}}) {
     record.sampling.vx_samples = vx;
     record.sampling.vth_samples = vth;
     record.sampling.search_poses = search;
