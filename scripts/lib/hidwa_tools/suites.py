@@ -117,19 +117,20 @@ def plain():
 def ctest_sanitized(name, options, which):
     """The tests that need no ROS, from a build folder of that name made with these options of CMake."""
     folder = os.path.join(WORK, name)
-    run(['cmake', '-S', ROOT, '-B', folder, '-UHIDWA_TEST_SUITES', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_UNITY=ON', *options],
-        f'{name}_configure')
+    run(['cmake', '-S', ROOT, '-B', folder, '-UHIDWA_TEST_SUITES', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_UNITY=ON',
+         *options], f'{name}_configure')
     run(['cmake', '--build', folder, '-j', JOBS], f'{name}_build')
     os.environ.update(sanitize.environment(ROOT))
     return ctest(folder, name, which=which)
 
 
 def sanitized():
-    """The same tests but the long ones under address and undefined-behaviour sanitizer; seconds of each fuzz target."""
+    """The unit tests under address and undefined-behaviour sanitizer; seconds of each fuzz target."""
     if not compilers.fuzzes(compilers.clang()):
         print(f'    no Clang with libFuzzer: by GCC, and the fuzz targets only repeat their corpus ({compilers.REMEDY})')
-        return ctest_sanitized('sanitized', sanitize.cmake_options('g++', sanitize.ADDRESS), sanitize.ctest_options(short=True))
-    counts = ctest_sanitized('sanitized', fuzz.configure_options(), sanitize.ctest_options(short=True))
+        options = sanitize.cmake_options('g++', sanitize.ADDRESS)
+        return ctest_sanitized('sanitized', [*options, *sanitize.SHORT_BUILD], sanitize.ctest_options())
+    counts = ctest_sanitized('sanitized', [*fuzz.configure_options(), *sanitize.SHORT_BUILD], sanitize.ctest_options())
     well, found = fuzz.run(os.path.join(WORK, 'sanitized'), FUZZ_SECONDS, 1)
     return counts + Counts(passed=len(well), failed=len(found))
 
@@ -543,7 +544,7 @@ def sanitize_all(names):
             total += sanitize_host(name, compiler, sanitizers)
         else:
             try:
-                counts = ctest_sanitized(name, sanitize.cmake_options(compiler, sanitizers), sanitize.ctest_options(short=False))
+                counts = ctest_sanitized(name, sanitize.cmake_options(compiler, sanitizers), sanitize.ctest_options())
             except Failed as fault:
                 print(f'    {fault}')
                 counts = Counts(failed=1)
