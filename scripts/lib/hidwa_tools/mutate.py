@@ -4,6 +4,7 @@ tests that need no ROS whether they notice."""
 import argparse
 import csv
 import filecmp
+import functools
 import json
 import os
 import resource
@@ -53,9 +54,21 @@ class Tests:
         tests = json.loads(listing)['tests']
         self._commands = {t['name']: t['command'] for t in tests if t['name'] not in left_out and 'command' in t}
 
-    def measure(self):
-        """Runs all of them; one that fails without a fault finds nothing."""
-        for name in self._commands:
+    def linked_with(self, path):
+        """Tests whose program has the library in it that a source file belongs to."""
+        library = f"libhidwa_{path.split('/')[1]}."
+        return [name for name, words in self._commands.items() if library in self._libraries(words)]
+
+    @functools.lru_cache(maxsize=None)
+    def _libraries_of(self, program):
+        return subprocess.run(['ldd', program], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False).stdout
+
+    def _libraries(self, words):
+        return ' '.join(self._libraries_of(word) for word in words if word.startswith(self._build) and os.path.isfile(word))
+
+    def measure(self, names):
+        """Runs these; one that fails without a fault finds nothing."""
+        for name in sorted(names):
             begin = time.monotonic()
             if self._run(name, 3600.0):
                 raise MutateError(f'{name} fails without any fault: see {self._build}/{name}.log')
@@ -79,15 +92,18 @@ class Tests:
                     os.killpg(child.pid, signal.SIGKILL)
                     child.wait()
 
-    def order(self, folder):
-        """Those first that have found most faults of this folder in their time; among the others the shortest."""
+    def order(self, path):
+        """Those first that have found most faults of this file's folder in their time; among the others the shortest."""
+        folder = os.path.dirname(path)
+
         def worth(name):
             return (self._kills.get((folder, name), 0) + 0.1) / (self.time[name] + 0.5)
-        return sorted(self._commands, key=worth, reverse=True)
+        return sorted(self.linked_with(path), key=worth, reverse=True)
 
-    def finds(self, folder):
-        """The test that fails now; None where all pass."""
-        for name in self.order(folder):
+    def finds(self, path):
+        """The test that fails now, with a fault in this file; None where all pass."""
+        folder = os.path.dirname(path)
+        for name in self.order(path):
             if self._run(name, 10.0 + 4.0 * self.time[name]):
                 self._kills[folder, name] = self._kills.get((folder, name), 0) + 1
                 return name
@@ -118,7 +134,8 @@ class Tree:
             done = subprocess.run(
                 ['cmake', '-S', self.source, '-B', self.build, '-GNinja', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_UNITY=OFF',
                  f'-DHIDWA_TEST_SUITES={";".join(self._suites)}', f'-DHIDWA_TOOLS={self._tools}',
-                 '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -DNDEBUG', '-DCMAKE_LINK_DEPENDS_NO_SHARED=ON'], stdout=log, stderr=log, check=False)
+                 '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -DNDEBUG', '-DCMAKE_LINK_DEPENDS_NO_SHARED=ON'],
+                stdout=log, stderr=log, check=False)
         if done.returncode:
             raise MutateError(f'cmake failed: see {FOLDER}/configure.log')
 
@@ -143,7 +160,7 @@ def judge(tree, tests, mutant):
     try:
         if not tree.make():
             return 'no code', ''
-        found = tests.finds(os.path.dirname(mutant.path))
+        found = tests.finds(mutant.path)
         return ('found', found) if found else ('survived', '')
     finally:
         tree.write(mutant, mutant.before)
@@ -171,7 +188,7 @@ def run(options):
     """The figures, {what became of them: number}."""
     total, order, left_out = chosen(options)
     os.makedirs(FOLDER, exist_ok=True)
-    results = os.path.join(FOLDER, 'mutants.csv')
+    results = os.path.join(FOLDER, f"mutants{options.folder.strip('/').replace('/', '_').replace('src', '', 1)}.csv")
     known = earlier(results) if options.go_on else {}
     tree = Tree(options.jobs, options.closed_loop)
     tree.copy()
@@ -181,7 +198,7 @@ def run(options):
         raise MutateError(f'the build failed: see {FOLDER}/build.log')
     tests = Tests(tree.build, LEFT_OUT + (LONG if options.quick else ()))
     print('==> the tests without a fault', flush=True)
-    tests.measure()
+    tests.measure({name for path in {mutant.path for mutant in order} for name in tests.linked_with(path)})
     counts = {'found': 0, 'survived': 0, 'no code': 0}
     with open(results, 'w', encoding='utf-8', newline='') as out:
         table = csv.DictWriter(out, ['outcome', 'test', 'seconds', 'line', 'mutant'])
