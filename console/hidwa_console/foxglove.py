@@ -18,7 +18,7 @@ from sensor_msgs.msg import Joy, LaserScan
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import MarkerArray
 
-from .messages import Malformed
+from .messages import FARTHEST, Malformed
 from .robot import Newest
 from .server import POLICY, Socket
 from .wire import yaw_of
@@ -125,6 +125,8 @@ def goal_of(encoding, data):
         raise Malformed(f'it is no geometry_msgs/PoseStamped: {fault}') from None
     if not all(math.isfinite(v) for v in values) or not isinstance(frame, str):
         raise Malformed('the goal is not finite')
+    if max(abs(values[0]), abs(values[1])) > FARTHEST:
+        raise Malformed(f'the goal is farther than {FARTHEST:g} m')
     if abs(math.sqrt(sum(v * v for v in values[2:])) - 1.0) > 0.1:
         raise Malformed("the goal's quaternion is none")
     return frame.lstrip('/'), values[0], values[1], float(yaw_of(*values[2:]))

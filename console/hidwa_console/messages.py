@@ -6,6 +6,7 @@ import re
 
 LARGEST = 4096   # [byte], of a message
 FARTHEST = 1e5   # [m], of a goal
+LARGEST_INTEGER = 2 ** 31 - 1  # as a parameter; ROS has no larger ones
 PAGE = re.compile(r'[0-9a-f]{32}')
 NAME = re.compile(r'[A-Za-z_][A-Za-z0-9_]{0,63}')
 MODES = ('off', 'joystick', 'gesture', 'switching')
@@ -79,6 +80,8 @@ def parameters(value):
         pattern(NAME)(name)
         if not isinstance(given, (bool, int, float, str)) or (isinstance(given, float) and not math.isfinite(given)):
             raise Malformed(f'has no value for {name}')
+        if isinstance(given, int) and abs(given) > LARGEST_INTEGER:
+            raise Malformed(f'has too large a number for {name}')
     return value
 
 

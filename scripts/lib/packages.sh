@@ -25,10 +25,16 @@ HIDWA_DEBIAN_RUN="python3-roslaunch rosout python3-rosparam python3-rostopic pyt
   python3-geometry-msgs python3-map-msgs python3-move-base-msgs python3-nav-msgs python3-rosgraph-msgs python3-sensor-msgs
   python3-std-msgs python3-visualization-msgs python3-numpy python3-rosbag python3-yaml python3-scipy python3-matplotlib
   python3-tornado python3-pil python3-actionlib-msgs python3-tf2-msgs"
-HIDWA_DEBIAN_TEST="ccache librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev"
+HIDWA_DEBIAN_TEST="ccache librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev
+  libclang-rt-14-dev"  # for the Clang that lint brings: sanitizers and fuzzing
 HIDWA_DEBIAN_LINT="clang-format clang-tidy cppcheck flake8 shellcheck codespell catkin-lint"
 HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev zlib1g-dev libbenchmark-dev"
 HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev nlohmann-json3-dev libgtest-dev"
+# scripts/test --coverage, and scripts/mutate. Fuzzing takes Clang with its run-time libraries, which may be packaged apart.
+HIDWA_DEBIAN_COVERAGE="gcovr ninja-build"
+HIDWA_DEBIAN_MUTATE="build-essential cmake ninja-build ccache python3 libeigen3-dev nlohmann-json3-dev libyaml-cpp-dev
+  liburdfdom-dev zlib1g-dev libgtest-dev"
+HIDWA_DEBIAN_FUZZ="clang libclang-rt-14-dev"
 # The operator's console: npm brings the browser's libraries; a browser tests the page.
 HIDWA_DEBIAN_CONSOLE="npm"
 HIDWA_DEBIAN_BROWSER="chromium chromium-driver python3-selenium"
@@ -46,11 +52,14 @@ HIDWA_NOETIC_TEST="ccache libgtest-dev libgmock-dev libbenchmark-dev ros-noetic-
 HIDWA_NOETIC_LINT="python3-catkin-lint"  # other versions of the rest find other things
 HIDWA_NOETIC_BENCH=$HIDWA_DEBIAN_BENCH
 HIDWA_NOETIC_ATTACK=$HIDWA_DEBIAN_ATTACK
+HIDWA_NOETIC_COVERAGE=$HIDWA_DEBIAN_COVERAGE
+HIDWA_NOETIC_MUTATE=$HIDWA_DEBIAN_MUTATE
+HIDWA_NOETIC_FUZZ="clang"  # its run-time libraries are in there
 HIDWA_NOETIC_CONSOLE=$HIDWA_DEBIAN_CONSOLE
 HIDWA_NOETIC_BROWSER="chromium-browser chromium-chromedriver python3-selenium"
 HIDWA_NOETIC_GUI="ros-noetic-rviz ros-noetic-robot-state-publisher"
 
-# hidwa_packages PURPOSE...: the names, for build, run, test, lint, bench, attack, console, browser and gui.
+# hidwa_packages PURPOSE...: the names, for build, run, test, lint, bench, attack, coverage, mutate, fuzz, console, browser and gui.
 hidwa_packages() {
   local family=DEBIAN purpose list
   if [ -d "$HIDWA_NOETIC" ]; then family=NOETIC; fi

@@ -18,11 +18,8 @@ constexpr double kSameWayFor = 6.0;
 // navfn's: a cell costs 50 and 0.8 of its cost.
 constexpr double kCostPerMetre = 0.8 / 50.0;
 
-bool on_map(const GridView& grid, const Point& p) { return grid.contains(grid.cell_at(p.x(), p.y())); }
-
 std::uint8_t cost_at(const GridView& grid, const Point& p) {
-  const Cell cell = grid.cell_at(p.x(), p.y());
-  return grid.contains(cell) ? grid.at(cell) : cost::kFree;
+  return grid.holds(p) ? grid.at(grid.cell_at(p.x(), p.y())) : cost::kFree;
 }
 
 // From the robot to the end of a plan, from its pose that is nearest to the robot.
@@ -46,7 +43,7 @@ void lay_out(const std::vector<Pose2>& plan, const FrameTransform& from_plan, co
 // The first points, those before the way leaves the map.
 std::size_t points_on_map(const std::vector<Point>& way, const GridView& grid) {
   std::size_t count = 0;
-  while (count < way.size() && on_map(grid, way[count])) ++count;
+  while (count < way.size() && grid.holds(way[count])) ++count;
   return count;
 }
 

@@ -20,8 +20,7 @@ constexpr double kMoves = 0.02;       // [m], a point that is nearer is reached
 constexpr double kTurnsFirst = 1.05;  // [rad], a point farther aside is turned to on the spot (60 degrees)
 
 bool blocks(const GridView& grid, const Point& p) {
-  const Cell cell = grid.cell_at(p.x(), p.y());
-  return grid.contains(cell) && cost::blocks(grid.at(cell));
+  return grid.holds(p) && cost::blocks(grid.at(grid.cell_at(p.x(), p.y())));
 }
 
 // Of a unicycle: midpoint rule.
@@ -57,6 +56,11 @@ void Prediction::update(const ControlLoop& loop, const Observation& observation,
     reason_ = observation.fault;
     return;
   }
+  // A robot that stops does so wherever it is, and where it is may be no number.
+  if (result.decision->problem_kind == Problem::input || !is_finite(observation.pose)) {
+    reason_ = result.decision->problem;
+    return;
+  }
   lay_out(loop, observation);
   find_end(observation, loop.planner().footprint().inscribed_radius());
   roll_out(loop, observation, result);
@@ -71,6 +75,7 @@ void Prediction::lay_out(const ControlLoop& loop, const Observation& observation
   at_ = 0;
   for (std::size_t k = loop.next_plan_pose(); k < loop.plan().size(); ++k) {
     const Pose2 pose = observation.from_plan.apply(loop.plan()[k]);
+    if (!is_finite(pose)) break;
     const Point point(pose.x, pose.y);
     arc_.push_back(ahead_.empty() ? 0.0 : arc_.back() + (point - ahead_.back()).norm());
     ahead_.push_back(point);
@@ -134,7 +139,7 @@ void Prediction::follow_choice(const Decision& decision, double longest, Robot& 
 Twist2 Prediction::turn_to_goal(const Robot& robot, const ControlLoop& loop) const {
   const double left = wrap_angle(loop.situation().goal.theta - robot.pose.theta);
   const Parameters& p = loop.parameters();
-  if (std::abs(left) <= p.yaw_goal_tolerance) return {};
+  if (!(std::abs(left) > p.yaw_goal_tolerance)) return {};
   return {0.0, std::copysign(std::min(p.max_vel_theta, std::abs(left) / kStep), left)};
 }
 

@@ -5,6 +5,7 @@
 #include "hidwa_local_planner/core/parameters.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "core/util/words.hpp"
@@ -164,6 +165,16 @@ void check_operator(std::vector<std::string>& faults, const Parameters& p) {
   }
 }
 
+// What a cycle rolls out at most: more takes longer than any control period, and memory that a robot does not have.
+constexpr double kMostPoses = 2e4;
+constexpr double kMostPosesOfAll = 2e7;
+
+// Poses of the longest rollout (Rollout::Settings::steps).
+double longest_rollout(const Parameters& p) {
+  const double fastest = std::max(p.max_vel_x, -p.min_vel_x);
+  return p.sim_time * std::max(fastest / p.linear_granularity, p.max_vel_theta / p.angular_granularity);
+}
+
 void check_rest(std::vector<std::string>& faults, const Parameters& p) {
   check_operator(faults, p);
   if (p.odom_topic.empty()) faults.push_back("odom_topic is empty: name the robot's nav_msgs/Odometry topic");
@@ -171,6 +182,12 @@ void check_rest(std::vector<std::string>& faults, const Parameters& p) {
   const double samples = static_cast<double>(p.vx_samples) * static_cast<double>(p.vth_samples);
   if (samples > 200000.0) {
     faults.push_back("vx_samples * vth_samples = " + shortest(samples) + " is above 200000: lower either");
+  }
+  const double poses = longest_rollout(p);
+  if (poses > kMostPoses || samples * poses > kMostPosesOfAll) {
+    faults.push_back("a rollout has up to " + shortest(std::ceil(poses)) +
+                     " poses, above 20000, or all samples' are above " +
+                     "20000000: raise linear_granularity or angular_granularity, or lower sim_time or the samples");
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/record/cycle_record.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -134,10 +135,20 @@ std::string of_other_format(std::uint16_t format, ArchiveReader& read) {
          ": replay it with the release that recorded it" + (release.empty() ? "" : ", " + release);
 }
 
+// More than parameters may ask for (validate()).
+constexpr double kMostSamples = 200000.0;
+constexpr int kMostSearchPoses = 1000000;
+bool plausible(const Sampling& s) {
+  const double samples =
+      static_cast<double>(std::max(1, s.vx_samples)) * static_cast<double>(std::max(1, s.vth_samples));
+  return samples <= kMostSamples && s.search_poses <= kMostSearchPoses;
+}
+
 // What ControlLoop::step() relies on.
 std::string lacking(const CycleRecord& record) {
   const auto no = [](const char* part) { return std::string("the record has no part '") + part + "'"; };
   if (record.setup && !record.plan) return no("plan");
+  if (!plausible(record.sampling)) return "the record is damaged: no planner tries so many samples";
   if (!record.observation.fault.empty()) return "";
   if (!record.costmap) return no("costmap");
   if (!record.observation.velocity) return "the record is damaged: it has no velocity, and no fault that explains it";

@@ -60,8 +60,9 @@ OccupancyMap load_map(const std::string& yaml_path) {
   if (!file.root().IsMap()) file.fail("is not a map_server YAML (image, resolution, origin, ...)");
   const auto resolution = file.as<double>(file.root()["resolution"], "resolution");
   const auto origin = file.as<std::vector<double>>(file.root()["origin"], "origin");
-  if (!(resolution > 0.0)) file.fail("'resolution' must be positive [m]");
+  if (!(resolution > 0.0) || !std::isfinite(resolution)) file.fail("'resolution' must be positive [m]");
   if (origin.size() != 3) file.fail("'origin' must be [x, y, yaw]");
+  if (!std::isfinite(origin[0]) || !std::isfinite(origin[1])) file.fail("'origin' is not a number");
   if (origin[2] != 0.0) file.fail("'origin' has a yaw other than 0, which is not supported: rotate the image instead");
   const Thresholds thresholds = read_thresholds(file);
   const GreyImage image = read_pgm(image_path(file, yaml_path));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/pgm.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
 #include <istream>
@@ -9,6 +10,9 @@
 namespace hidwa_local_planner {
 namespace sim {
 namespace {
+
+// Of a map of 1000 x 1000 pixels.
+constexpr std::size_t kReserved = 1000000;
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   throw std::runtime_error("image '" + path + "': " + what);
@@ -50,7 +54,7 @@ GreyImage read_pgm(const std::string& path) {
   if (image.width > 100000 || image.height > 100000) fail(path, "is wider or higher than 100000 pixels");
   if (magic == "P5") in.get();  // one white space ends the header
   const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  image.pixels.reserve(count);
+  image.pixels.reserve(std::min(count, kReserved));  // a header may lie
   for (std::size_t i = 0; i < count; ++i) {
     int value = 0;
     if (magic == "P5") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/regions.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "yaml_file.hpp"
@@ -9,11 +11,16 @@ namespace hidwa_local_planner {
 namespace sim {
 namespace {
 
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
 std::optional<Pose> read_pose(const YamlFile& file, const std::string& key) {
   const YAML::Node node = file.root()[key];
   if (!node) return std::nullopt;
   const auto values = file.as<std::vector<double>>(node, key);
   if (values.size() != 3) file.fail("'" + key + "' must be [x, y, yaw]");
+  if (!all_finite(values)) file.fail("'" + key + "' has a value that is not a number");
   return Pose{values[0], values[1], values[2]};
 }
 
@@ -24,6 +31,7 @@ Region read_region(const YamlFile& file, const YAML::Node& node, const std::stri
   const auto corners = file.as<std::vector<std::vector<double>>>(node["polygon"], entry + ".polygon");
   for (const std::vector<double>& corner : corners) {
     if (corner.size() != 2) file.fail("'" + entry + ".polygon': each corner must be [x, y]");
+    if (!all_finite(corner)) file.fail("'" + entry + ".polygon' has a corner that is not a number");
     region.polygon.emplace_back(corner[0], corner[1]);
   }
   if (region.polygon.size() < 3) file.fail("'" + entry + ".polygon' needs three corners or more");

@@ -90,6 +90,7 @@ class Messages(unittest.TestCase):
                {**self.GOOD, 't': None}, {**self.GOOD, 'type': 'Stick'}, {**self.GOOD, 'type': ['stick']}, {'type': 'stick'}, [], 7,
                {'type': 'mode', 'mode': 'fly'}, {'type': 'hello', 'page': 'A' * 32}, {'type': 'goal', 'x': 1e9, 'y': 0},
                {'type': 'tune', 'values': {}}, {'type': 'tune', 'values': {'a b': 1}}, {'type': 'tune', 'values': {'a': [1]}},
+               {'type': 'tune', 'values': {'a': 10 ** 400}}, {'type': 'tune', 'values': {'a': -2 ** 31}},
                {'type': 'give', 'to': 1.5}, {'type': 'stop', 't': 0, 'on': 'true'}]
         texts = [json.dumps(b) for b in bad] + ['', '{', 'NaN', '[' * 100000, json.dumps(self.GOOD).replace('0.5', 'NaN'),
                                                 json.dumps(self.GOOD).replace('0.5', '1e999'), json.dumps({**self.GOOD, 'x': 'y' * 5000})]

@@ -39,6 +39,11 @@ struct GridView {
     return static_cast<unsigned>(c.i) < static_cast<unsigned>(size_x) &&
            static_cast<unsigned>(c.j) < static_cast<unsigned>(size_y);
   }
+  /// Whether a point lies on the map; no number does not. For points that nobody has looked at yet.
+  bool holds(const Point& p) const {
+    const double i = (p.x() - origin_x) / resolution, j = (p.y() - origin_y) / resolution;
+    return i >= 0.0 && j >= 0.0 && i < size_x && j < size_y;
+  }
   std::size_t index(Cell c) const {
     return static_cast<std::size_t>(c.j) * static_cast<std::size_t>(size_x) + static_cast<std::size_t>(c.i);
   }

@@ -17,6 +17,7 @@ import subprocess
 import sys
 import time
 
+from . import compilers, coverage as coverage_of, fuzz, sanitize
 from .counting import Counts, count_ctest, count_unittest
 from .lint import lint as run_tools
 from .measure import LONGEST_GAP
@@ -29,6 +30,7 @@ DATA = os.path.abspath(os.environ.get('HIDWA_DATA', os.path.join(ROOT, '..', 'sh
 WORK = os.path.join(SPACE, 'build', 'tests')  # what the tests build and write
 JOBS = str(os.cpu_count() or 1)
 LIMIT = 1200.0        # [s], of one command
+FUZZ_SECONDS = 5      # [s], of each target in the short form
 FASTEST = 3.0         # simulated seconds a second, of the drives
 CONTROL_RATE = 20.0   # [Hz], of the drives
 RECORD_RATE = 100e3   # [byte/s], of cycle records
@@ -80,11 +82,11 @@ def in_install(*command):
     return sourced(os.path.join(ROOT, 'scripts', 'env'), *command)
 
 
-def ctest(folder, log, wrap=lambda *command: list(command), jobs=JOBS):
-    """Runs ctest in a build folder and counts."""
-    _, listing = run(wrap('ctest', '--show-only=json-v1'), log + '_list', cwd=folder)
+def ctest(folder, log, wrap=lambda *command: list(command), jobs=JOBS, which=()):
+    """Runs ctest in a build folder and counts; `which`: options that choose the tests."""
+    _, listing = run(wrap('ctest', '--show-only=json-v1', *which), log + '_list', cwd=folder)
     since = time.time() - 1.0
-    _, output = run(wrap('ctest', '-j', jobs, '--output-on-failure'), log, cwd=folder, check=False)
+    _, output = run(wrap('ctest', '-j', jobs, '--output-on-failure', *which), log, cwd=folder, check=False)
     counts = count_ctest(output, listing[listing.index('{'):], since)
     if counts.failed:
         print(tail(output, 80))
@@ -110,6 +112,27 @@ def plain():
          '-DHIDWA_BENCHMARKS=ON', f'-DHIDWA_WERROR={werror()}', '-DHIDWA_UNITY=ON', '-DCMAKE_BUILD_TYPE=Release'], 'plain_configure')
     run(['cmake', '--build', folder, '-j', JOBS], 'plain_build')
     return ctest(folder, 'plain')
+
+
+def ctest_sanitized(name, options, which):
+    """The tests that need no ROS, from a build folder of that name made with these options of CMake."""
+    folder = os.path.join(WORK, name)
+    run(['cmake', '-S', ROOT, '-B', folder, '-UHIDWA_TEST_SUITES', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_UNITY=ON',
+         *options], f'{name}_configure')
+    run(['cmake', '--build', folder, '-j', JOBS], f'{name}_build')
+    os.environ.update(sanitize.environment(ROOT))
+    return ctest(folder, name, which=which)
+
+
+def sanitized():
+    """The unit tests under address and undefined-behaviour sanitizer; seconds of each fuzz target."""
+    if not compilers.fuzzes(compilers.clang()):
+        print(f'    no Clang with libFuzzer: by GCC, and the fuzz targets only repeat their corpus ({compilers.REMEDY})')
+        options = sanitize.cmake_options('g++', sanitize.ADDRESS)
+        return ctest_sanitized('sanitized', [*options, *sanitize.SHORT_BUILD], sanitize.ctest_options())
+    counts = ctest_sanitized('sanitized', [*fuzz.configure_options(), *sanitize.SHORT_BUILD], sanitize.ctest_options())
+    well, found = fuzz.run(os.path.join(WORK, 'sanitized'), FUZZ_SECONDS, 1)
+    return counts + Counts(passed=len(well), failed=len(found))
 
 
 def build():
@@ -439,10 +462,10 @@ def replay():
 
 
 # In this order; those after `build` need what it built.
-SUITES = (plain, build, package, compat, ros, python, console, browser, robot, lint, study, soak, contract, drive_avoid,
+SUITES = (plain, sanitized, build, package, compat, ros, python, console, browser, robot, lint, study, soak, contract, drive_avoid,
           drive_gesture, drive_switching, drive_none, drive_people, drive_real_map, drive_steer_left, drive_steer_right,
           replay)
-ALONE = (plain, build, lint)
+ALONE = (plain, sanitized, build, lint)
 # They wait for simulated time rather than work: two at once.
 PACED = (contract, drive_avoid, drive_gesture, drive_switching, drive_none, drive_people, drive_real_map,
          drive_steer_left, drive_steer_right)
@@ -496,6 +519,62 @@ def use_ccache():
         os.environ.setdefault('CMAKE_CXX_COMPILER_LAUNCHER', 'ccache')
 
 
+def coverage():
+    """Which lines and branches of the parts that decide run; fails below the bar."""
+    folder = os.path.join(WORK, 'coverage')
+    if not shutil.which('gcovr'):
+        raise Failed('gcovr is missing: apt-get install gcovr (scripts/test --coverage does)')
+    run(['cmake', '-S', ROOT, '-B', folder, f'-DHIDWA_TEST_SUITES={";".join(coverage_of.SUITES)}', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON',
+         '-DHIDWA_COVERAGE=ON', '-DCMAKE_CXX_COMPILER=g++', '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O0 -DNDEBUG'],
+        'coverage_configure')
+    run(['cmake', '--build', folder, '-j', JOBS], 'coverage_build')
+    for old in glob.glob(os.path.join(folder, '**', '*.gcda'), recursive=True):
+        os.remove(old)
+    counts = ctest(folder, 'coverage', which=['-E', '^(' + '|'.join(sanitize.UNFIT) + ')$'])
+    rows = coverage_of.rows_of(ROOT, folder)
+    lines, below = coverage_of.table(coverage_of.shares(rows))
+    print('\n'.join(lines + coverage_of.worst_files(rows)))
+    print(f'    line by line: {folder}/html/index.html')
+    for part in below:
+        print(f'    {part} is below {coverage_of.LINES:g} % of the lines or {coverage_of.BRANCHES:g} % of the branches')
+    return counts + Counts(passed=len(coverage_of.PARTS) - len(below), failed=len(below))
+
+
+def sanitize_all(names):
+    """Counts of the long forms: every test that needs no ROS, or the host with the plugin, by each compiler and sanitizer."""
+    total = Counts()
+    for name in names:
+        compiler, sanitizers, with_ros = sanitize.FORMS[name]
+        print(f'==> {name}: {compiler}, {sanitizers}', flush=True)
+        if compiler == 'clang++' and not compilers.fuzzes(compilers.clang()):
+            print(f'    skipped, absent: Clang with its run-time libraries ({compilers.REMEDY})')
+            total += Counts(skipped=1)
+        elif with_ros:
+            total += sanitize_host(name, compiler, sanitizers)
+        else:
+            try:
+                counts = ctest_sanitized(name, sanitize.cmake_options(compiler, sanitizers), sanitize.ctest_options())
+            except Failed as fault:
+                print(f'    {fault}')
+                counts = Counts(failed=1)
+            print(f'    {name}: {counts}', flush=True)
+            total += counts
+    return total
+
+
+def sanitize_host(name, compiler, sanitizers):
+    """Host, plugin, tools and rostests, all built with the sanitizer, in a space of their own."""
+    space = os.path.join(WORK, name)
+    os.makedirs(space, exist_ok=True)
+    options = sanitize.flags(sanitizers)
+    environment = {**os.environ, **sanitize.environment(ROOT), 'HIDWA_SPACE': space, 'CXX': compiler, 'CXXFLAGS': options,
+                   'LDFLAGS': options, 'HIDWA_INSTALL': 'skip'}
+    done = subprocess.run([sys.executable, '-m', __spec__.name, 'build', 'package', 'ros'], env=environment, stdout=subprocess.PIPE,
+                          text=True, check=False)
+    print('\n'.join(done.stdout.splitlines()[:-2]), flush=True)
+    return Counts.read(done.stdout) or Counts(failed=1)
+
+
 def main(arguments=None):
     """scripts/test"""
     names = [suite.__name__ for suite in SUITES]
@@ -505,6 +584,11 @@ def main(arguments=None):
         '"N passed, N failed, N skipped"; exit status 0 only if nothing failed.',
         epilog='suites:\n' + '\n'.join(f'  {suite.__name__:18}{suite.__doc__.splitlines()[0]}' for suite in SUITES)
         + '\n\nenvironment: HIDWA_DATA=DIR real maps (default: ../shared/data); HIDWA_UNDERLAY and more: scripts/build --help')
+    parser.add_argument('--sanitize', nargs='*', choices=list(sanitize.FORMS), metavar='FORM',
+                        help=f'instead: every test under sanitizers, or only these forms: {", ".join(sanitize.FORMS)}; takes hours')
+    parser.add_argument('--coverage', action='store_true',
+                        help='instead: the share of lines and branches that run; '
+                        f'fails below {coverage_of.LINES:g} and {coverage_of.BRANCHES:g} %%')
     parser.add_argument('suites', nargs='*', metavar='SUITE', help='only these (default: all; what is built is used as it is)')
     options = parser.parse_args(arguments)
     for name in options.suites:
@@ -512,6 +596,11 @@ def main(arguments=None):
             parser.error(f"there is no suite '{name}'; there are {', '.join(names)}")
     end_on_signals()
     use_ccache()
+    if options.coverage or options.sanitize is not None:
+        os.environ.setdefault('CMAKE_BUILD_PARALLEL_LEVEL', JOBS)
+        total = run_suite(coverage, True) if options.coverage else sanitize_all(options.sanitize or list(sanitize.FORMS))
+        print(total, flush=True)
+        return 1 if total.failed or not total.passed else 0
     total, built, begin = Counts(), True, time.monotonic()
     wanted = [suite for suite in SUITES if not options.suites or suite.__name__ in options.suites]
     paced = [suite for suite in wanted if suite in PACED]

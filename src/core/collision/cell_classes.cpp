@@ -23,11 +23,11 @@ void find_cells(const Table& t, const double* __restrict x, const double* __rest
                 std::size_t count) {
   const double corner_x = t.corner_x, corner_y = t.corner_y, scale = t.cells_per_metre;
   const int shift = t.shift;
-  const auto wrap = static_cast<std::int32_t>(t.wrap);
+  const std::uint32_t wrap = t.wrap;
   for (std::size_t c = 0; c < count; ++c) {
     const auto i = static_cast<std::int32_t>((x[c] - corner_x) * scale);
-    const auto j = static_cast<std::int32_t>((y[c] - corner_y) * scale);
-    index[c] = (i + (j << shift)) & wrap;
+    const auto j = static_cast<std::uint32_t>(static_cast<std::int32_t>((y[c] - corner_y) * scale));
+    index[c] = static_cast<std::int32_t>((static_cast<std::uint32_t>(i) + (j << shift)) & wrap);
   }
 }
 

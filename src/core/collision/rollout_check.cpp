@@ -73,7 +73,7 @@ bool RolloutCheck::free(const Tile& tile, std::size_t c) {
       continue;
     }
     if (clearance >= step) {  // all poses within the clearance are free
-      k = std::min(tile.steps, k + static_cast<std::size_t>(std::min(clearance / step, 1e6)));
+      k = std::min(tile.steps, k + static_cast<std::size_t>(step > 0.0 ? std::min(clearance / step, 1e6) : 1e6));
       if (k < tile.steps) clearance = std::max(clearance_at(tile, c, k), kTouching);
       continue;
     }

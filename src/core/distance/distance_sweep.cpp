@@ -52,8 +52,9 @@ bool take_from(const std::int16_t* __restrict from, const std::int16_t* __restri
                const std::int16_t* __restrict row, std::int16_t* __restrict taken, std::size_t count,
                std::int16_t straight, std::int16_t diagonal) {
   std::int16_t changed = 0;
+  const std::int16_t *before = from - kLanes, *behind = from + kLanes;
   for (std::size_t k = 0; k < count; ++k) {
-    const std::int16_t side = smaller(from[k - kLanes], from[k + kLanes]);
+    const std::int16_t side = smaller(before[k], behind[k]);
     const auto across = static_cast<std::int16_t>(side + diagonal);
     const auto along = static_cast<std::int16_t>(from[k] + straight);
     const auto offer = static_cast<std::int16_t>(smaller(across, along) + mask[k]);

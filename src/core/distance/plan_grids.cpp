@@ -6,6 +6,12 @@
 #include <cstdlib>
 
 namespace hidwa_local_planner {
+namespace {
+
+// Between two poses of a plan that far apart is no plan, and its filling takes no longer than this.
+constexpr double kMostParts = 1e5;
+
+}  // namespace
 
 PlanGrids::PlanGrids()
     : path_(distances_, kPath),
@@ -51,7 +57,7 @@ void PlanGrids::find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Ce
       const Cell before = grid_.cell_at(plan[k - 1].x, plan[k - 1].y);
       if (std::max(std::abs(cell.i - before.i), std::abs(cell.j - before.j)) > 1) {
         const double gap = distance(plan[k - 1], plan[k]);
-        const int parts = static_cast<int>(std::ceil(gap / (0.5 * grid_.resolution)));
+        const int parts = static_cast<int>(std::min(std::ceil(gap / (0.5 * grid_.resolution)), kMostParts));
         for (int part = 1; part < parts; ++part) {
           const double t = static_cast<double>(part) / parts;
           const Cell between = grid_.cell_at(plan[k - 1].x + t * (plan[k].x - plan[k - 1].x),

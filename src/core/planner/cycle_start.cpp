@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/motion/late_cycles.hpp"
+#include "core/planner/input_fault.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -15,10 +16,12 @@ double slower_of(double reference, double last) {
 
 }  // namespace
 
-double usable_period(const Situation& s) { return s.period > 0.0 ? s.period : Situation().period; }
+double usable_period(const Situation& s) { return plausible_period(s.period) ? s.period : Situation().period; }
+double usable_time(const Situation& s) { return plausible_time(s.time) ? s.time : 0.0; }
+double usable_age(const Situation& s) { return plausible_age(s.pose_age) ? s.pose_age : 0.0; }
 
 double longest_period(const Situation& s) {
-  return s.longest_period > s.period && std::isfinite(s.longest_period) ? s.longest_period : s.period;
+  return s.longest_period > s.period && plausible_period(s.longest_period) ? s.longest_period : s.period;
 }
 
 Twist2 brake_command(const CycleStart& start, const VelocityLimits& limits, const Situation& situation) {

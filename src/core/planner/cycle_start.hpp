@@ -26,8 +26,11 @@ inline bool moves(const CycleStart& start, const Parameters& parameters) {
   return !stands(start.last_command, start.velocity, parameters);
 }
 
-/// The control period, or the default one where it is no positive number [s].
+/// The control period, or the default one where it cannot be one; the time and the pose's age, or 0 where they cannot
+/// be any [s]. The cycle brakes there, since its input has a fault.
 double usable_period(const Situation& situation);
+double usable_time(const Situation& situation);
+double usable_age(const Situation& situation);
 /// The longest control period of the last seconds [s].
 double longest_period(const Situation& situation);
 

@@ -12,7 +12,13 @@ constexpr double kFastest = 20.0;      // [m/s]
 constexpr double kFastestTurn = 50.0;  // [rad/s]
 constexpr double kFarthest = 1e6;      // [m, rad]
 
-constexpr double kOldestPose = 10.0;  // [s]
+constexpr double kLatest = 1e12;         // [s], some 30,000 years
+constexpr double kOldestPose = 10.0;     // [s]
+constexpr double kLongestPeriod = 10.0;  // [s]
+
+// So that the cells up to kFarthest away can be counted by an int.
+constexpr double kFinestCell = 1e-3;   // [m]
+constexpr double kCoarsestCell = 1e3;  // [m]
 
 // Of what moves: bullets are none of our business.
 constexpr double kFastestMover = 100.0;  // [m/s]
@@ -32,11 +38,23 @@ bool plausible(const MovingObstacleEstimate& mover) {
          within(mover.velocity_deviation, kFastestMover) && within(mover.age, kOldestPose);
 }
 
+bool plausible(const GridView& grid) {
+  return grid.valid() && grid.resolution >= kFinestCell && grid.resolution <= kCoarsestCell &&
+         std::abs(grid.origin_x) <= kFarthest && std::abs(grid.origin_y) <= kFarthest;
+}
+
+bool plausible_time(double time) { return std::abs(time) <= kLatest; }
+bool plausible_age(double age) { return age >= 0.0 && age <= kOldestPose; }
+bool plausible_period(double period) { return period > 0.0 && period <= kLongestPeriod; }
+
 const char* input_fault(const Cycle& cycle) {
   const GridView& grid = cycle.grid;
   const Situation& situation = cycle.situation;
   if (!grid.valid()) return "the costmap is empty";
-  if (!(situation.pose_age >= 0.0) || situation.pose_age > kOldestPose) return "the pose is too old: check tf";
+  if (!plausible(grid)) {
+    return "the costmap's resolution is below 1 mm or above 1 km, or its origin is no place: check its parameters";
+  }
+  if (!plausible_age(situation.pose_age)) return "the pose is too old: check tf";
   if (const char* fault = cycle.footprint.fault()) return fault;
   if (cycle.footprint.circumscribed_radius() > grid.resolution * std::hypot(grid.size_x, grid.size_y)) {
     return "the footprint is larger than the local map: give it in metres, or make the map larger";
@@ -44,8 +62,10 @@ const char* input_fault(const Cycle& cycle) {
   if (!plausible(situation.pose) || !plausible(situation.velocity) || !plausible(situation.last_command)) {
     return "the pose or the velocity is not a number, or impossibly large: check odometry and tf";
   }
-  if (!(situation.period > 0.0) || !std::isfinite(situation.period))
-    return "the control period is not positive: set controller_frequency";
+  if (!plausible_time(situation.time)) return "the time is not a number: check the clock";
+  if (!plausible_period(situation.period)) {
+    return "the control period is not positive, or above 10 s: set controller_frequency";
+  }
   if (situation.plan.empty()) return "the plan is empty";
   const MovingObstacleEstimates& movers = situation.moving_obstacles;
   if (!std::all_of(movers.begin(), movers.end(),

@@ -50,9 +50,10 @@ void Planner::Impl::set_footprint(const Polygon& given) {
 
 const Decision& Planner::Impl::plan(const Situation& measured, const GridView& grid, const OperatorIntent& intent,
                                     const Sampling& sampling) {
-  const CycleStart start = start_estimator.estimate(measured, parameters, limits, footprint.circumscribed_radius());
+  const double radius = footprint.fault() == nullptr ? footprint.circumscribed_radius() : 0.0;
+  const CycleStart start = start_estimator.estimate(measured, parameters, limits, radius);
   const bool count = movers_count(start);
-  const bool once = count && parameters.moving_obstacles_clear_cells && grid.valid();
+  const bool once = count && parameters.moving_obstacles_clear_cells && plausible(grid);
   const GridView seen = once ? explained.without(grid, measured.moving_obstacles) : grid;
   const Cycle cycle{
       parameters, limits, footprint, seen, intent, sampling, *start.situation, start, look_at_movers(start, count),

@@ -17,7 +17,7 @@ constexpr double kAdvanceSpacing = 0.01;
 
 CycleStart StartEstimator::estimate(const Situation& measured, const Parameters& parameters,
                                     const VelocityLimits& limits, double radius) {
-  const double period = usable_period(measured), age = measured.pose_age;
+  const double period = usable_period(measured), age = usable_age(measured);
   remember_command(measured, parameters, limits);
   PendingMotion& as_commanded = pending_.first();
   commands_.play(limits, period, parameters.control_latency, age, as_commanded);
@@ -45,7 +45,8 @@ void StartEstimator::remember_command(const Situation& measured, const Parameter
     commands_.forget();
     odometry_.forget();
   }
-  commands_.observe(measured.time, period, parameters.control_latency + period + measured.pose_age, last, limits);
+  commands_.observe(usable_time(measured), period, parameters.control_latency + period + usable_age(measured), last,
+                    limits);
 }
 
 // A command starts from the last one, or from where odometry is slower; never from a reading that is faster.
@@ -55,7 +56,8 @@ void StartEstimator::judge_axis(const Axis& axis, const Situation& measured, con
   const double last = commands_.last().*u;
   const double reading = plausible(measured.velocity) ? measured.velocity.*u : last;
   const double tolerance = reading_tolerance(parameters, commands_.last()).*u;
-  const OdometryReading judged = axis.belief.judge(measured.time, reading, commands_.range(u), tolerance, axis.limits);
+  const OdometryReading judged =
+      axis.belief.judge(usable_time(measured), reading, commands_.range(u), tolerance, axis.limits);
   const bool doubted = judged == OdometryReading::doubted, fast = judged == OdometryReading::faster;
   const bool as_commanded =
       judged == OdometryReading::agrees && parameters.velocity_reference == VelocityReference::command;
@@ -75,15 +77,15 @@ void StartEstimator::add_prompt_motions(const Situation& measured, const Paramet
   const auto count = std::min(std::ceil(latency / period), static_cast<double>(PendingMotionSet::kMostUnlikely));
   for (double part = 0.0; part < count; part += 1.0) {
     PendingMotion& prompt = pending_.add_unlikely();
-    commands_.play(limits, period, latency * part / count, measured.pose_age, prompt);
-    prompt.mark_past(measured.pose_age);
+    commands_.play(limits, period, latency * part / count, usable_age(measured), prompt);
+    prompt.mark_past(usable_age(measured));
   }
 }
 
 // Where odometry is slower than the commands, as odometry says: that motion is the last of the likely ones.
 const Situation* StartEstimator::with_pose_of_now(const Situation& measured, const VelocityLimits& limits,
                                                   double radius) {
-  if (measured.pose_age <= 0.0 || !plausible(measured.pose)) return &measured;
+  if (usable_age(measured) <= 0.0 || !plausible(measured.pose)) return &measured;
   const Rotation heading{std::cos(measured.pose.theta), std::sin(measured.pose.theta)};
   ManoeuvreRoller roller(limits, radius, kAdvanceSpacing, {measured.pose, heading});
   roller.roll_past(pending_[pending_.likely() - 1]);

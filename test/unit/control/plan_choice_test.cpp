@@ -144,6 +144,22 @@ TEST_F(PlanChoiceTest, PlansThatLeaveTheMapOnTwoSidesOfAWallAreOnTwoSides) {
   EXPECT_FALSE(prefers(above, 10.0));
 }
 
+// Nobody has looked at the plan yet: no cell is asked for that cannot be counted.
+TEST_F(PlanChoiceTest, APoseThatIsNoPlaceLiesOffTheMap) {
+  std::vector<Pose2> followed = round(0.9);
+  for (const double bad : {std::nan(""), HUGE_VAL, -1e300}) {
+    std::vector<Pose2> plan = round(-0.9);
+    plan.back().x = bad;
+    choice_.offer(std::move(plan));
+    EXPECT_FALSE(prefers(followed, 0.0));  // until its end the two lead round the pillar
+    choice_.clear();
+  }
+  EXPECT_TRUE(map_.grid.holds({-4.0, 3.99}));
+  EXPECT_FALSE(map_.grid.holds({-4.01, 0.0}));
+  EXPECT_FALSE(map_.grid.holds({0.0, 4.0}));
+  EXPECT_FALSE(map_.grid.holds({0.0, std::nan("")}));
+}
+
 TEST_F(PlanChoiceTest, IsRememberedWhole) {
   const std::vector<Pose2> left = round(0.8);
   choice_.offer(round(-0.8));

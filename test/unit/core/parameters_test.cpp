@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <stdexcept>
 
@@ -92,6 +93,37 @@ TEST(Validate, EveryNumberIsHeldToItsRange) {
     set_parameter(p, info.name, std::nan(""));
     EXPECT_TRUE(names(validate(p), info.name)) << info.name;
   }
+}
+
+// The larger of what speed and turn need, each over the whole sim_time.
+TEST(Parameters, RolloutsWithoutEndAreRefused) {
+  const auto refused = [](const std::function<void(Parameters&)>& change) {
+    Parameters p;
+    p.vx_samples = p.vth_samples = 20;
+    p.max_vel_x = 1.0;
+    p.max_vel_theta = 1.0;
+    p.sim_time = 10.0;
+    change(p);
+    return !validate(p).empty();
+  };
+  EXPECT_FALSE(refused([](Parameters& p) { p.linear_granularity = 0.001; }));  // 10 m / 1 mm = 10,000 poses of 400
+  EXPECT_FALSE(refused([](Parameters& p) { p.angular_granularity = 0.001; }));
+  EXPECT_TRUE(refused([](Parameters& p) {  // 30,000 poses
+    p.linear_granularity = 0.001;
+    p.max_vel_x = 3.0;
+  }));
+  EXPECT_TRUE(refused([](Parameters& p) {  // as many backwards
+    p.linear_granularity = 0.001;
+    p.min_vel_x = -3.0;
+  }));
+  EXPECT_TRUE(refused([](Parameters& p) {  // 30,000 of a turn
+    p.angular_granularity = 0.001;
+    p.max_vel_theta = 3.0;
+  }));
+  EXPECT_TRUE(refused([](Parameters& p) {  // 10,000 poses of 2,500 samples
+    p.linear_granularity = 0.001;
+    p.vx_samples = p.vth_samples = 50;
+  }));
 }
 
 TEST(Validate, ReturnsEveryFaultAtOnce) {

@@ -82,11 +82,82 @@ TEST(BadInput, PlanAndGoal) {
 }
 
 TEST(BadInput, Period) {
-  for (const double period : {0.0, -0.05, kNan}) {
+  for (const double period : {0.0, -0.05, kNan, kInf, 10.5, 1e300}) {
     Scene scene = driving();
     scene.situation.period = period;
     expect_braked(scene, 0.3, "period");
   }
+}
+
+// A second passed since the cycle before, and braking may make up for as much as the longest period: 2.5 * 0.1 m/s.
+// Where that is no period, for none: 2.5 * 0.05 m/s.
+TEST(BadInput, TheLongestPeriod) {
+  const auto braked_by = [](double longest) {
+    Scene scene = driving();
+    scene.situation.longest_period = longest;
+    scene.situation.plan.clear();
+    PlannerBench bench(scene);
+    bench.cycle();
+    bench.scene().situation.time += 1.0;
+    return 0.3 - bench.cycle().command.v;
+  };
+  EXPECT_NEAR(braked_by(0.1), 0.25, 1e-12);
+  for (const double longest : {kNan, kInf, -1.0, 1e300}) EXPECT_NEAR(braked_by(longest), 0.125, 1e-12) << longest;
+}
+
+// Not even where the pose was led on from: that would take for ever.
+TEST(BadInput, TheAgeOfThePose) {
+  for (const double age : {kNan, kInf, -0.01, 10.5, 1e12}) {
+    Scene scene = driving();
+    scene.situation.pose_age = age;
+    expect_braked(scene, 0.3, "too old");
+  }
+}
+
+TEST(BadInput, TheTime) {
+  for (const double time : {kNan, kInf, -kInf, 1e13}) {
+    Scene scene = driving();
+    scene.situation.time = time;
+    expect_braked(scene, 0.3, "time");
+    scene.situation.pose_age = 0.1;  // led on by what was commanded when
+    expect_braked(scene, 0.3, "time");
+  }
+}
+
+// A cell of 1 um could not be counted, nor one that is a continent away.
+TEST(BadInput, TheGeometryOfTheMap) {
+  for (const double resolution : {1e-6, 2e3, kInf}) {
+    Scene scene = driving();
+    scene.resolution = resolution;
+    expect_braked(scene, 0.3, "resolution");
+  }
+  for (const double origin : {kNan, kInf, 1e7}) {
+    Scene scene = driving();
+    scene.origin_x = origin;
+    expect_braked(scene, 0.3, "origin");
+    scene = driving();
+    scene.origin_y = -origin;
+    // What moves is looked for on the map, too.
+    scene.situation.moving_obstacles.emplace_back();
+    scene.situation.moving_obstacles.back().points = {{0.0, 0.0}, {kNan, 1e300}};
+    expect_braked(scene, 0.3, "origin");
+  }
+}
+
+// Whose pose has to be led on: the outline's size counts for that, and is none here.
+TEST(BadInput, AFootprintWithoutEndAndAnOldPose) {
+  Scene scene = driving();
+  scene.situation.pose_age = 0.1;
+  scene.outline = {{kInf, 0.1}, {-0.1, 0.1}, {0.0, -0.1}};
+  expect_braked(scene, 0.3, "not a number");
+}
+
+// Two poses 2000 km apart: what lies between is looked at, but not for seconds.
+TEST(OddInput, APlanThatLeapsFar) {
+  Scene scene = driving();
+  for (int k = 0; k < 40; ++k) scene.situation.plan.push_back({k % 2 == 0 ? 9e5 : -9e5, 0.0, 0.0});
+  PlannerBench bench(scene);
+  EXPECT_EQ(bench.cycle().outcome, Outcome::drive);
 }
 
 TEST(BadInput, TheOperatorCommand) {

@@ -62,6 +62,21 @@ OperatorCommand command_of_hand(const Parameters& p, const Eigen::Vector3d& move
   return source.command();
 }
 
+// Held all along, the clutch engages nothing after a loss: the origin is forgotten with it.
+TEST(Gesture, AHandThatIsLostIsNoLongerEngaged) {
+  GestureSource source;
+  source.configure(by_hand(), true);
+  Buttons held;
+  held.clutch = true;
+  source.take_buttons(Buttons(), 1.0);
+  source.take_buttons(held, 1.0);
+  source.read(hand_at(1.0, 0.0, 0.1, 0.0), 1.0);
+  ASSERT_TRUE(source.engaged());
+  source.lose();
+  EXPECT_FALSE(source.engaged());
+  EXPECT_FALSE(source.command().active);
+}
+
 TEST(Gesture, DisplacementThroughTheMap) {
   const Parameters p = by_hand();
   EXPECT_FALSE(command_of_hand(p, {0.0, 0.0, 0.0}).active);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/record/cycle_record.hpp"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "support/recorded_drive.hpp"
@@ -215,6 +217,14 @@ TEST(CycleRecord, WithoutAFaultThereIsAVelocity) {
   record.observation.velocity.reset();
   CycleRecord read;
   EXPECT_EQ(decode(bytes_of(record), read), "the record is damaged: it has no velocity, and no fault that explains it");
+  for (const auto& [vx, vth, search] :
+       {std::array{2000, 101, 0}, {1000000000, 0, 0}, {0, 200001, 0}, {5, 5, 1000001}}) {
+    record.sampling.vx_samples = vx;
+    record.sampling.vth_samples = vth;
+    record.sampling.search_poses = search;
+    EXPECT_EQ(decode(bytes_of(record), read), "the record is damaged: no planner tries so many samples") << vx;
+  }
+  record.sampling = {};
   record.observation.fault = "no odometry";
   record.costmap.reset();
   EXPECT_EQ(decode(bytes_of(record), read), "");

@@ -50,12 +50,17 @@ TEST(Map, FaultsAreNamed) {
   folder.write("a.pgm", "P2 2 1 255 0 255");
   folder.write("short.pgm", "P2 2 2 255 0 255");
   folder.write("picture.png", "\x89PNG");
+  folder.write("vast.pgm", "P5 100000 100000 255 0");  // 80 GB, if it were true
   const auto fault = [&](const std::string& text) {
     return error_of([&] { load_map(folder.write("map.yaml", text)); });
   };
   EXPECT_NE(fault(yaml("a.pgm", "[0, 0, 0.5]")).find("yaw"), std::string::npos);
   EXPECT_NE(fault(yaml("missing.pgm")).find("missing.pgm"), std::string::npos);
   EXPECT_NE(fault(yaml("short.pgm")).find("ends before"), std::string::npos);
+  EXPECT_NE(fault(yaml("vast.pgm")).find("ends before"), std::string::npos);
+  EXPECT_NE(fault(yaml("a.pgm", "[.nan, 0, 0]")).find("'origin'"), std::string::npos);
+  EXPECT_NE(fault(yaml("a.pgm", "[0, .inf, 0]")).find("'origin'"), std::string::npos);
+  EXPECT_NE(fault("resolution: .inf\norigin: [0, 0, 0]\n").find("'resolution'"), std::string::npos);
   EXPECT_NE(fault(yaml("picture.png")).find("PGM"), std::string::npos);
   EXPECT_NE(fault("image: a.pgm\n").find("resolution"), std::string::npos);
   EXPECT_NE(fault(yaml("a.pgm") + "mode: scale\n").find("trinary"), std::string::npos);

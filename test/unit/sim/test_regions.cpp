@@ -33,6 +33,9 @@ TEST(Regions, FaultsAreNamed) {
   EXPECT_NE(fault("regions: [{name: a, polygon: [[0, 0], [1, 0]]}]\n").find("regions[0]"), std::string::npos);
   EXPECT_NE(fault("regions: [{polygon: [[0, 0], [1, 0], [1, 1]]}]\n").find("regions[0].name"), std::string::npos);
   EXPECT_NE(fault("regions: []\ngoal: [1, 2]\n").find("goal"), std::string::npos);
+  EXPECT_NE(fault("regions: []\ngoal: [1, 2, .nan]\n").find("'goal' has a value"), std::string::npos);
+  EXPECT_NE(fault("regions: [{name: a, polygon: [[0, 0], [1, .inf], [1, 1]]}]\n").find("corner that is not a number"),
+            std::string::npos);
 }
 
 TEST(RegionCounter, EachRegionCountsOnce) {

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/fuzz, once everything needed is installed: builds the targets of test/fuzz with libFuzzer and runs them."""
+import argparse
+import glob
+import os
+import re
+import subprocess
+import sys
+
+from . import compilers
+from .plain_build import CORES, ROOT, SPACE
+
+FOLDER = os.path.join(SPACE, 'build', 'fuzz')
+KEPT = os.path.join(ROOT, 'test', 'fuzz', 'corpus')
+CONSOLE = 'console'       # the one target in Python
+MEMORY = 2048             # [MB], of a target; one allocation may take half of it
+PATIENCE = 25             # [s], of one input
+OPTIONS = {
+    'ASAN_OPTIONS': 'detect_stack_use_after_return=1:strict_string_checks=1:abort_on_error=1:symbolize=1',
+    'UBSAN_OPTIONS': 'print_stacktrace=1',
+    'LSAN_OPTIONS': f'suppressions={ROOT}/test/sanitize/leaks.txt:print_suppressions=0'}
+
+
+class FuzzError(Exception):
+    """It cannot go on; the text says why."""
+
+
+def configure_options():
+    """What CMake is told besides."""
+    compiler = compilers.clang()
+    if not compilers.fuzzes(compiler):
+        raise FuzzError(f'no Clang with libFuzzer here: {compilers.REMEDY}')
+    return [f'-DCMAKE_CXX_COMPILER={compiler}', '-DHIDWA_FUZZ=ON', '-DHIDWA_SANITIZE=address,undefined',
+            '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1']
+
+
+def build(folder, suites='fuzz'):
+    """Builds the targets into a folder."""
+    os.makedirs(folder, exist_ok=True)
+    log = os.path.join(folder, 'fuzz.log')
+    commands = (['cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', f'-DHIDWA_TEST_SUITES={suites}',
+                 *configure_options()],
+                ['cmake', '--build', folder, '-j', CORES])
+    with open(log, 'w', encoding='utf-8') as out:
+        for command in commands:
+            if subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, check=False).returncode:
+                raise FuzzError(f'the build failed; its whole output is in {log}')
+
+
+def programs(folder):
+    """{target: its program} of a build folder."""
+    found = sorted(glob.glob(os.path.join(folder, 'test', 'fuzz', 'hidwa_fuzz_*')))
+    return {os.path.basename(path)[len('hidwa_fuzz_'):]: path for path in found if os.path.isfile(path) and os.access(path, os.X_OK)}
+
+
+def command_of(name, program, seconds, seed, work):
+    """How a target is called: what it finds out goes into `work`, the kept corpus is only read."""
+    if name == CONSOLE:
+        return ['/usr/bin/python3', program, '--seconds', str(seconds), '--seed', str(seed)]
+    grown = os.path.join(work, 'corpus', name)
+    os.makedirs(grown, exist_ok=True)
+    return [program, f'-max_total_time={seconds}', f'-seed={seed}', f'-rss_limit_mb={MEMORY}', f'-malloc_limit_mb={MEMORY // 2}',
+            f'-timeout={PATIENCE}', '-max_len=16384', '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown,
+            os.path.join(KEPT, name)]
+
+
+def run_target(name, program, seconds, seed, work):
+    """(whether nothing was found, what to say about it)."""
+    log = os.path.join(work, name + '.log')
+    with open(log, 'wb') as out:
+        status = subprocess.run(command_of(name, program, seconds, seed, work), stdout=out, stderr=out, check=False,
+                                env={**os.environ, **OPTIONS}).returncode
+    with open(log, encoding='utf-8', errors='replace') as text:
+        said = text.read()
+    inputs = re.findall(r'number_of_executed_units: (\d+)|^(\d+) inputs', said, re.MULTILINE)
+    number = ''.join(inputs[-1]) if inputs else 'no'
+    if status == 0 and inputs:
+        return True, f'{number} inputs, nothing found'
+    kept = re.findall(r'Test unit written to (\S+)', said)
+    return False, f'FOUND something, exit status {status}: {log}' + (f'; repeat: {program} {kept[-1]}' if kept else '')
+
+
+def run(folder, seconds, seed, only=()):
+    """(targets without a finding, targets with one)."""
+    targets = {**programs(folder), CONSOLE: os.path.join(ROOT, 'test', 'fuzz', 'console_frames.py')}
+    for name in only:
+        if name not in targets:
+            raise FuzzError(f"there is no target '{name}'; there are {', '.join(targets)}")
+    work = os.path.join(folder, 'found')
+    os.makedirs(work, exist_ok=True)
+    well, found = [], []
+    for name, program in targets.items():
+        if only and name not in only:
+            continue
+        clean, words = run_target(name, program, seconds, seed, work)
+        print(f'    {name:12} {words}', flush=True)
+        (well if clean else found).append(name)
+    return well, found
+
+
+def main(arguments=None):
+    """scripts/fuzz"""
+    parser = argparse.ArgumentParser(
+        prog='scripts/fuzz', formatter_class=argparse.RawDescriptionHelpFormatter,
+        description='Installs what is missing, builds the targets of test/fuzz with libFuzzer, address and undefined-behaviour\n'
+        'sanitizer, and gives each bytes that the fuzzer thinks of. The console has a fuzzer of its own. docs/trust.md says what\n'
+        'each target takes.',
+        epilog='exit status: 0 nothing was found; 1 something was; 2 something did not run\n'
+        'environment: HIDWA_SPACE and HIDWA_INSTALL: scripts/build --help')
+    parser.add_argument('targets', nargs='*', metavar='TARGET', help='only these (default: all)')
+    parser.add_argument('--seconds', type=int, default=60, metavar='N', help='of each target [s] (60)')
+    parser.add_argument('--seed', type=int, default=1, metavar='N', help='other inputs (1)')
+    parser.add_argument('--no-build', action='store_true', help='run what is built')
+    options = parser.parse_args(arguments)
+    try:
+        if not options.no_build:
+            print('==> building', flush=True)
+            build(FOLDER)
+        print(f'==> {options.seconds} s of each target; logs and findings in {FOLDER}/found', flush=True)
+        return 1 if run(FOLDER, options.seconds, options.seed, options.targets)[1] else 0
+    except (FuzzError, OSError) as fault:
+        print(f'scripts/fuzz: {fault}', file=sys.stderr)
+        return 2
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/mutate, once everything needed is installed: puts deliberate faults into a copy of the sources, one at a time, and asks the
+tests that need no ROS whether they notice."""
+import argparse
+import csv
+import filecmp
+import functools
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+from . import mutation
+
+ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
+SPACE = os.environ.get('HIDWA_SPACE', ROOT)
+FOLDER = os.path.join(SPACE, 'build', 'mutate')
+FOLDERS = ('src/core', 'src/input', 'src/control')
+EQUIVALENT = os.path.join(ROOT, 'test', 'mutation', 'equivalent.txt')
+PARTS = ('CMakeLists.txt', 'cmake', 'src', 'include', 'test', 'launch', 'maps', 'urdf', 'scripts')  # what the tests need
+SUITES = ('unit/core', 'unit/input', 'unit/control', 'unit/record', 'oracle', 'property', 'attack')
+CLOSED_LOOP = ('unit/drive', 'closed_loop')  # with --closed-loop: they take as long as all others together
+LEFT_OUT = ('hidwa_vector_width_test',)  # it reads the instructions of an optimised build
+# With --quick only what is left: these take minutes each.
+LONG = tuple(f'hidwa_{name}' for name in (
+    'property_test', 'walker_attack_test', 'attack_test', 'choice_twin_test', 'planner_twin_test', 'check_all_test', 'authority_test',
+    'twins_test', 'unit_record', 'closed_loop_test', 'drive_test'))
+MEMORY = 6 << 30     # [byte], of a test: a fault may ask for all there is
+BAR = 95.0           # [%]
+CORES = os.cpu_count() or 1
+
+
+class MutateError(Exception):
+    """It cannot go on; the text says why."""
+
+
+def files_below(path):
+    """The files of a folder, or the file."""
+    if os.path.isfile(path):
+        return [path]
+    return [os.path.join(place, name) for place, _, names in os.walk(path) for name in names]
+
+
+class Tests:
+    """The tests of the build folder, and how long each takes without a fault."""
+
+    def __init__(self, build, left_out):
+        self._build, self._kills, self.time = build, {}, {}
+        listing = subprocess.run(['ctest', '--show-only=json-v1'], cwd=build, stdout=subprocess.PIPE, check=True).stdout
+        tests = json.loads(listing)['tests']
+        self._commands = {t['name']: t['command'] for t in tests if t['name'] not in left_out and 'command' in t}
+
+    def linked_with(self, path):
+        """Tests whose program has the library in it that a source file belongs to."""
+        library = f"libhidwa_{path.split('/')[1]}."
+        return [name for name, words in self._commands.items() if library in self._libraries(words)]
+
+    @functools.lru_cache(maxsize=None)
+    def _libraries_of(self, program):
+        return subprocess.run(['ldd', program], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False).stdout
+
+    def _libraries(self, words):
+        return ' '.join(self._libraries_of(word) for word in words if word.startswith(self._build) and os.path.isfile(word))
+
+    def measure(self, names):
+        """Runs these; one that fails without a fault finds nothing."""
+        for name in sorted(names):
+            begin = time.monotonic()
+            if self._run(name, 3600.0):
+                raise MutateError(f'{name} fails without any fault: see {self._build}/{name}.log')
+            self.time[name] = time.monotonic() - begin
+            print(f'    {name}: {self.time[name]:.1f} s', flush=True)
+
+    def _run(self, name, patience):
+        """Exit status, or 'time'."""
+        def bound():
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        with open(os.path.join(self._build, name + '.log'), 'wb') as log:
+            child = subprocess.Popen(self._commands[name], cwd=self._build, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
+                                     preexec_fn=bound, start_new_session=True, env={**os.environ, 'GTEST_FAIL_FAST': '1'})
+            try:
+                return child.wait(patience)
+            except subprocess.TimeoutExpired:
+                return 'time'
+            finally:
+                if child.poll() is None:
+                    os.killpg(child.pid, signal.SIGKILL)
+                    child.wait()
+
+    def order(self, path):
+        """Those first that have found most faults of this file's folder in their time; among the others the shortest."""
+        folder = os.path.dirname(path)
+
+        def worth(name):
+            return (self._kills.get((folder, name), 0) + 0.1) / (self.time[name] + 0.5)
+        return sorted(self.linked_with(path), key=worth, reverse=True)
+
+    def finds(self, path):
+        """The test that fails now, with a fault in this file; None where all pass."""
+        folder = os.path.dirname(path)
+        for name in self.order(path):
+            if self._run(name, 10.0 + 4.0 * self.time[name]):
+                self._kills[folder, name] = self._kills.get((folder, name), 0) + 1
+                return name
+        return None
+
+
+class Tree:
+    """A copy of the sources, and its build."""
+
+    def __init__(self, jobs, closed_loop):
+        self.source, self.build, self._jobs = os.path.join(FOLDER, 'source'), os.path.join(FOLDER, 'build'), str(jobs)
+        self._suites, self._tools = (SUITES + CLOSED_LOOP, 'ON') if closed_loop else (SUITES, 'OFF')
+
+    def copy(self):
+        """As the sources are now; a file that is the same keeps its time, so that little is built anew."""
+        wanted = {os.path.relpath(path, ROOT) for part in PARTS for path in files_below(os.path.join(ROOT, part))}
+        for path in wanted:
+            from_, to = os.path.join(ROOT, path), os.path.join(self.source, path)
+            if not os.path.exists(to) or not filecmp.cmp(from_, to, shallow=False):
+                os.makedirs(os.path.dirname(to), exist_ok=True)
+                shutil.copy(from_, to)
+        for path in files_below(self.source):
+            if os.path.relpath(path, self.source) not in wanted:
+                os.remove(path)
+
+    def configure(self):
+        with open(os.path.join(FOLDER, 'configure.log'), 'wb') as log:
+            done = subprocess.run(
+                ['cmake', '-S', self.source, '-B', self.build, '-GNinja', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_UNITY=OFF',
+                 f'-DHIDWA_TEST_SUITES={";".join(self._suites)}', f'-DHIDWA_TOOLS={self._tools}',
+                 '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -DNDEBUG', '-DCMAKE_LINK_DEPENDS_NO_SHARED=ON'],
+                stdout=log, stderr=log, check=False)
+        if done.returncode:
+            raise MutateError(f'cmake failed: see {FOLDER}/configure.log')
+
+    def make(self):
+        """Whether it builds."""
+        with open(os.path.join(FOLDER, 'build.log'), 'wb') as log:
+            return subprocess.run(['ninja', '-C', self.build, '-j', self._jobs], stdout=log, stderr=log, check=False).returncode == 0
+
+    def write(self, mutant, text):
+        """The mutant's line becomes `text`."""
+        path = os.path.join(self.source, mutant.path)
+        with open(path, encoding='utf-8') as file:
+            lines = file.read().split('\n')
+        lines[mutant.line - 1] = text
+        with open(path, 'w', encoding='utf-8') as file:
+            file.write('\n'.join(lines))
+
+
+def judge(tree, tests, mutant):
+    """(what became of it, the test that found it)."""
+    tree.write(mutant, mutant.after)
+    try:
+        if not tree.make():
+            return 'no code', ''
+        found = tests.finds(mutant.path)
+        return ('found', found) if found else ('survived', '')
+    finally:
+        tree.write(mutant, mutant.before)
+
+
+def chosen(options):
+    """The mutants in the order in which they are tried, and those that are left out, with their reasons."""
+    equivalent = mutation.read_equivalents(EQUIVALENT)
+    every = [m for path in mutation.sources(ROOT, FOLDERS) if path.startswith(options.folder)
+             for m in mutation.mutants_of_file(ROOT, path)]
+    order = mutation.shuffled(every, options.seed)
+    left_out = {m.key(): equivalent[m.key()] for m in order if m.key() in equivalent}
+    return len(every), [m for m in order if m.key() not in left_out], left_out
+
+
+def earlier(path):
+    """Results of a run before: {key: row}."""
+    if not os.path.exists(path):
+        return {}
+    with open(path, encoding='utf-8', newline='') as text:
+        return {row['mutant']: row for row in csv.DictReader(text)}
+
+
+def run(options):
+    """The figures, {what became of them: number}."""
+    total, order, left_out = chosen(options)
+    os.makedirs(FOLDER, exist_ok=True)
+    results = os.path.join(FOLDER, f"mutants{options.folder.strip('/').replace('/', '_').replace('src', '', 1)}.csv")
+    known = earlier(results) if options.go_on else {}
+    tree = Tree(options.jobs, options.closed_loop)
+    tree.copy()
+    tree.configure()
+    print(f'==> building; {total} places can be changed, {len(left_out)} of them in a way that nothing can notice', flush=True)
+    if not tree.make():
+        raise MutateError(f'the build failed: see {FOLDER}/build.log')
+    tests = Tests(tree.build, LEFT_OUT + (LONG if options.quick else ()))
+    print('==> the tests without a fault', flush=True)
+    tests.measure({name for path in {mutant.path for mutant in order} for name in tests.linked_with(path)})
+    counts = {'found': 0, 'survived': 0, 'no code': 0}
+    with open(results, 'w', encoding='utf-8', newline='') as out:
+        table = csv.DictWriter(out, ['outcome', 'test', 'seconds', 'line', 'mutant'])
+        table.writeheader()
+        for mutant in order:
+            if counts['found'] + counts['survived'] >= options.count:
+                break
+            begin, row = time.monotonic(), known.get(mutant.key())
+            if row is None or (row['outcome'] == 'survived' and not options.quick):
+                outcome, test = judge(tree, tests, mutant)
+                row = {'outcome': outcome, 'test': test, 'seconds': f'{time.monotonic() - begin:.0f}', 'line': mutant.line,
+                       'mutant': mutant.key()}
+            counts[row['outcome']] += 1
+            table.writerow(row)
+            out.flush()
+            print(f"{counts['found'] + counts['survived']:4d} {row['outcome']:9} {row['seconds']:>4} s {row['test']:28} "
+                  f"{mutant.path}:{mutant.line}: {mutant.before.strip()} -> {mutant.after.strip()}", flush=True)
+    return counts
+
+
+def main(arguments=None):
+    """scripts/mutate"""
+    parser = argparse.ArgumentParser(
+        prog='scripts/mutate', formatter_class=argparse.RawDescriptionHelpFormatter,
+        description='Installs what is missing, builds core, input and control with one deliberate fault at a time (an operator or a\n'
+        'constant changed), and runs the tests that need no ROS until one fails. The seed chooses the faults. Ends with the share\n'
+        'that was found; build/mutate/mutants.csv has a row each. It takes hours; docs/trust.md has the figures.',
+        epilog=f'exit status: 0 at least {BAR:g} % were found; 1 fewer; 2 something did not run\n'
+        'Faults that change nothing that can be seen are listed with their reasons in test/mutation/equivalent.txt.')
+    parser.add_argument('--count', type=int, default=200, metavar='N', help='faults (200)')
+    parser.add_argument('--seed', type=int, default=1, metavar='N', help='other faults (1)')
+    parser.add_argument('--folder', default='src/', metavar='FOLDER', help='only there, as src/core/motion')
+    parser.add_argument('--jobs', type=int, default=CORES, metavar='N', help='compilers at the same time (one a core)')
+    parser.add_argument('--quick', action='store_true',
+                        help='only the tests that take seconds; --go-on then asks the others about what they left')
+    parser.add_argument('--closed-loop', action='store_true', help='ask whole drives too, where nothing else finds the fault')
+    parser.add_argument('--go-on', action='store_true', help='take over what a run before has found; try its survivors again')
+    options = parser.parse_args(arguments)
+    try:
+        counts = run(options)
+    except (MutateError, OSError, ValueError, subprocess.SubprocessError) as fault:
+        print(f'scripts/mutate: {fault}', file=sys.stderr)
+        return 2
+    tried = counts['found'] + counts['survived']
+    share = 100.0 * counts['found'] / tried if tried else 0.0
+    print(f"{tried} faults, {counts['found']} found, {counts['survived']} survived: {share:.1f} % "
+          f"({counts['no code']} more do not compile)")
+    return 0 if share >= BAR else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/test --sanitize: the tests under sanitizers, each combination in a build folder of its own."""
+import os
+
+from . import compilers
+
+ADDRESS, THREAD = 'address,undefined', 'thread'
+# Left out everywhere: it reads the instructions of an optimised build.
+UNFIT = ('hidwa_vector_width_test',)
+# What one CI run has time for: whole drives and campaigns take many times as long as all else together, and are not even built.
+SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/core;unit/input;unit/control;unit/record;unit/robot;fuzz')
+SUPPRESSIONS = os.path.join('test', 'sanitize')  # what is not ours, by name
+
+# {name: (compiler, sanitizers, with ROS)}
+FORMS = {
+    'gcc-address': ('g++', ADDRESS, False), 'clang-address': ('clang++', ADDRESS, False), 'gcc-thread': ('g++', THREAD, False),
+    'clang-thread': ('clang++', THREAD, False), 'ros-address': ('g++', ADDRESS, True), 'ros-thread': ('g++', THREAD, True)}
+
+
+def environment(root):
+    """How the sanitizers are told what to do. What is not ours is named in the files of suppressions, with the reason."""
+    folder = os.path.join(root, SUPPRESSIONS)
+    return {'ASAN_OPTIONS': 'detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1',
+            'LSAN_OPTIONS': f'suppressions={folder}/leaks.txt:print_suppressions=0',
+            'UBSAN_OPTIONS': f'print_stacktrace=1:suppressions={folder}/undefined.txt',
+            'TSAN_OPTIONS': f'suppressions={folder}/threads.txt:second_deadlock_stack=1:history_size=4'}
+
+
+def cmake_options(compiler, sanitizers):
+    """What CMake is told: light optimisation, and assertions stay."""
+    found = compilers.clang() if compiler == 'clang++' else compiler
+    return [f'-DCMAKE_CXX_COMPILER={found}', f'-DHIDWA_SANITIZE={sanitizers}', '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1']
+
+
+def ctest_options():
+    """Which tests are left out."""
+    return ['-E', '^(' + '|'.join(UNFIT) + ')$']
+
+
+def flags(sanitizers):
+    """For packages that do not know HIDWA_SANITIZE: the compiler's and the linker's."""
+    own = [f'-fsanitize={sanitizers}', '-fno-sanitize-recover=all', '-fno-omit-frame-pointer', '-g1']
+    if 'undefined' in sanitizers:
+        own.append('-fsanitize=float-cast-overflow')
+    return ' '.join(own)
