@@ -269,37 +269,7 @@ void check(const Options& o) {
   }
 }
 
-}  // namespace
-
-Options parse_options(const std::vector<std::string>& arguments) {
-  Options options;
-  options.command = arguments.empty() ? "" : arguments.front();
-  if (options.command == "--help" || options.command == "-h") options.command = "help";
-  const std::vector<std::string> commands{"run",   "pilot",   "sweep", "barn",  "dynabarn",
-                                          "crowd", "passage", "gap",   "hostile", "soak", "merge", "help"};
-  if (std::count(commands.begin(), commands.end(), options.command) == 0) {
-    throw UsageError(
-        (options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
-        std::string(
-            ": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, passage, gap, hostile, soak or merge; see hidwa_study "
-            "--help"));
-  }
-  if (options.command == "pilot" || options.command == "sweep") {
-    options.participants = 8;
-    options.conditions = {"SJ"};
-  }
-  options.modes = usual_barn_modes();
-  options.outlines = gap_outlines();
-  read_arguments(arguments, options);
-  check(options);
-  return options;
-}
-
-std::vector<Setting> settings_of(const Options& options) {
-  return options.vary.empty() ? combinations(options.grid) : variations(options.vary);
-}
-
-std::string help() {
+std::string commands_help() {
   return R"(hidwa_study: simulated people steer the simulated robot; the same arguments give the same results.
 
   hidwa_study run   --out DIR   conditions SJ, SG and SW, 32 participants
@@ -325,7 +295,11 @@ std::string help() {
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
 
-  --map FILE.yaml         the map; default: the package's office
+)";
+}
+
+std::string options_help() {
+  return R"(  --map FILE.yaml         the map; default: the package's office
   --regions FILE.yaml     regions to avoid, with start and goal; none: no regions
   --start X,Y,YAW         [m, m, rad]; default: the regions file's
   --goal X,Y,YAW
@@ -364,6 +338,37 @@ In DIR: runs.csv, summary.json, ranking.csv (several settings), paths/, timing.j
 Ends with 0; 1 where a run could not be made; 2 where the arguments make no sense.
 )";
 }
+
+}  // namespace
+
+Options parse_options(const std::vector<std::string>& arguments) {
+  Options options;
+  options.command = arguments.empty() ? "" : arguments.front();
+  if (options.command == "--help" || options.command == "-h") options.command = "help";
+  const std::vector<std::string> commands{"run",     "pilot", "sweep",   "barn", "dynabarn", "crowd",
+                                          "passage", "gap",   "hostile", "soak", "merge",    "help"};
+  if (std::count(commands.begin(), commands.end(), options.command) == 0) {
+    throw UsageError((options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
+                     std::string(": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, passage, gap, hostile, soak "
+                                 "or merge; see hidwa_study "
+                                 "--help"));
+  }
+  if (options.command == "pilot" || options.command == "sweep") {
+    options.participants = 8;
+    options.conditions = {"SJ"};
+  }
+  options.modes = usual_barn_modes();
+  options.outlines = gap_outlines();
+  read_arguments(arguments, options);
+  check(options);
+  return options;
+}
+
+std::vector<Setting> settings_of(const Options& options) {
+  return options.vary.empty() ? combinations(options.grid) : variations(options.vary);
+}
+
+std::string help() { return commands_help() + options_help(); }
 
 }  // namespace study
 }  // namespace hidwa_local_planner
