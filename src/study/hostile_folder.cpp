@@ -25,30 +25,32 @@ const char* const kSummary = "/summary.json";
 constexpr double kTouch = 1e-4;  // deeper than this counts [m]
 
 // The columns of drives.csv, in their order.
-enum Column : std::size_t {
-  index,
-  condition,
-  promised,
-  place,
-  outline,
-  link,
-  seed,
-  cycles,
-  moving,
-  threatened,
-  depth_mm,
-  touched_at_s,
-  beyond,
-  beyond_v,
-  beyond_omega,
-  hard,
-  stood_s,
-  walkers,
-  met,
-  touched_moving,
-  touched_leaving,
-  touched_at_rest,
-  columns
+struct Column {
+  enum Index : std::size_t {
+    index,
+    condition,
+    promised,
+    place,
+    outline,
+    link,
+    seed,
+    cycles,
+    moving,
+    threatened,
+    depth_mm,
+    touched_at_s,
+    beyond,
+    beyond_v,
+    beyond_omega,
+    hard,
+    stood_s,
+    walkers,
+    met,
+    touched_moving,
+    touched_leaving,
+    touched_at_rest,
+    columns
+  };
 };
 constexpr const char* kHead =
     "index,condition,promised,place,outline,link,seed,cycles,moving,threatened,depth_mm,touched_at_s,beyond,beyond_v,"
@@ -78,27 +80,27 @@ std::vector<std::string> cells_of(const std::string& line) {
 class Sum {
  public:
   void add(const std::vector<std::string>& cells) {
-    const auto number = [&cells](Column column) { return std::strtod(cells[column].c_str(), nullptr); };
-    const auto count = [&number](Column column) { return static_cast<long long>(number(column)); };
+    const auto number = [&cells](std::size_t column) { return std::strtod(cells[column].c_str(), nullptr); };
+    const auto count = [&number](std::size_t column) { return static_cast<long long>(number(column)); };
     ++drives_;
-    cycles_ += count(cycles);
-    moving_ += count(moving);
-    threatened_ += count(threatened);
-    const double depth = 1e-3 * number(depth_mm);
+    cycles_ += count(Column::cycles);
+    moving_ += count(Column::moving);
+    threatened_ += count(Column::threatened);
+    const double depth = 1e-3 * number(Column::depth_mm);
     contacts_ += depth > kTouch;
     worst_depth_ = std::max(worst_depth_, depth);
-    beyond_ += count(beyond);
-    hard_ += count(hard);
-    if (number(stood_s) > stood_) {
-      stood_ = number(stood_s);
-      stood_index_ = cells[index];
+    beyond_ += count(Column::beyond);
+    hard_ += count(Column::hard);
+    if (number(Column::stood_s) > stood_) {
+      stood_ = number(Column::stood_s);
+      stood_index_ = cells[Column::index];
     }
-    met_ += count(met);
-    touched_moving_ += count(touched_moving);
-    touched_leaving_ += count(touched_leaving);
-    touched_at_rest_ += count(touched_at_rest);
-    if (depth > kTouch || count(beyond) > 0 || count(touched_moving) > 0)
-      found_.push_back(std::strtoull(cells[index].c_str(), nullptr, 10));
+    met_ += count(Column::met);
+    touched_moving_ += count(Column::touched_moving);
+    touched_leaving_ += count(Column::touched_leaving);
+    touched_at_rest_ += count(Column::touched_at_rest);
+    if (depth > kTouch || count(Column::beyond) > 0 || count(Column::touched_moving) > 0)
+      found_.push_back(std::strtoull(cells[Column::index].c_str(), nullptr, 10));
   }
 
   nlohmann::json json() const {
@@ -158,8 +160,8 @@ void HostileFolder::read_lines() {
   std::istringstream text(read(folder_ + kDrives));
   for (std::string line; std::getline(text, line);) {
     const std::vector<std::string> cells = cells_of(line);
-    if (line != kHead && cells.size() == columns && !text.eof()) {
-      lines_[std::strtoull(cells[index].c_str(), nullptr, 10)] = line;
+    if (line != kHead && cells.size() == Column::columns && !text.eof()) {
+      lines_[std::strtoull(cells[Column::index].c_str(), nullptr, 10)] = line;
     }
   }
 }
@@ -180,8 +182,8 @@ std::string HostileFolder::finish() {
   std::string text = std::string(kHead) + '\n';
   for (const auto& [drive, line] : lines_) {
     const std::vector<std::string> cells = cells_of(line);
-    if (cells[promised] == "1") within.add(cells);
-    (cells[promised] == "1" ? by_condition : outside)[cells[condition]].add(cells);
+    if (cells[Column::promised] == "1") within.add(cells);
+    (cells[Column::promised] == "1" ? by_condition : outside)[cells[Column::condition]].add(cells);
     text += line + '\n';
   }
   nlohmann::json conditions = nlohmann::json::object(), beyond = nlohmann::json::object();
