@@ -25,7 +25,7 @@ OTHER_NAMES = {
 PROGRAMS = ('scripts/*', 'scripts/lib/**/*.py', 'console/*', 'console/hidwa_console/*.py')
 SYSTEM = {'sys', 'Threads'}       # of the compiler and of CMake
 OWN = {NAME, 'hidwa_tools', 'hidwa_bag_test', 'hidwa_console', 'joy_reader', 'quest2ros_joy', 'command_watch', 'message_gate',
-       'running_host'}
+       'running_host', 'console_frames'}
 OPTIONAL = {'rviz', 'robot_state_publisher', 'benchmark'}  # to look at, and to measure: a robot needs neither
 
 

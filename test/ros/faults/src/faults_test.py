@@ -227,6 +227,7 @@ class Clocks(Faults):
     def test_back(self):
         """As a bag that is played in a loop; twice."""
         for _ in range(2):
+            self.assertTrue(wait_for(lambda: HOST.drives() and rospy.get_time() > 6.0), 'there is no time to go back to')
             LOG.begin()
             GATE.shift -= 5.0
             self.said('time jumped back')
