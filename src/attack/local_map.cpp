@@ -83,7 +83,8 @@ void LocalMap::forget_beyond(const Pose2& sensor, double sight) {
     for (int column = 0; column < size_; ++column) {
       const double dx = (first_i_ + column + 0.5) * resolution_ - sensor.x;
       const double dy = (first_j_ + row + 0.5) * resolution_ - sensor.y;
-      if (dx * dx + dy * dy > sight * sight) window_[static_cast<std::size_t>(row * size_ + column)] = 0;
+      if (dx * dx + dy * dy > sight * sight)
+        window_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(column)] = 0;
     }
   }
 }

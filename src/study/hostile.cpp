@@ -77,7 +77,8 @@ Ground ground_of_fields(const std::string& file) {
   auto world = std::make_shared<World>(kAcross * kWidth, rows * kHeight, kResolution);
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const double x = (static_cast<double>(k % kAcross) + 0.9) * kWidth;
-    const double y = (static_cast<double>(k / kAcross) + 0.05) * kHeight;
+    const std::size_t row = k / kAcross;
+    const double y = (static_cast<double>(row) + 0.05) * kHeight;
     for (const Eigen::Vector2d& cylinder : fields[k].cylinders) {
       const double left = x + cylinder.x(), bottom = y + cylinder.y(), radius = sim::kBarnCylinder;
       for (int j = world->cell(bottom - radius); j <= world->cell(bottom + radius); ++j) {

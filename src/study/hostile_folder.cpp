@@ -195,7 +195,7 @@ std::string HostileFolder::finish() {
                             {"conditions", conditions},
                             {"outside", beyond}};
   write(folder_ + kDrives, text);
-  const std::string json = summary.dump(2) + '\n';
+  std::string json = summary.dump(2) + '\n';
   write(folder_ + kSummary, json);
   return json;
 }

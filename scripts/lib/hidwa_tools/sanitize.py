@@ -7,8 +7,8 @@ from . import compilers
 ADDRESS, THREAD = 'address,undefined', 'thread'
 # Left out everywhere: it reads the instructions of an optimised build.
 UNFIT = ('hidwa_vector_width_test',)
-# What one CI run has time for: whole drives and campaigns take many times as long as all else together, and are not even built.
-SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/core;unit/input;unit/control;unit/record;unit/robot;fuzz')
+# What one CI run has time for: whole drives, campaigns and records take many times as long as all else together, and are not even built.
+SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/core;unit/input;unit/control;unit/robot;fuzz')
 SUPPRESSIONS = os.path.join('test', 'sanitize')  # what is not ours, by name
 
 # {name: (compiler, sanitizers, with ROS)}

@@ -32,17 +32,24 @@ class Asker : public Critic {
   Question question_;
 };
 
+/// What a cycle came to. The names of terms are the planner's: it lives as long.
+struct Asked {
+  std::shared_ptr<Planner> planner;
+  std::vector<CandidateReport> records;
+  const CandidateReport& operator[](std::size_t candidate) const { return records[candidate]; }
+};
+
 // Plans one cycle in which an Asker comes before `others`.
-std::vector<CandidateReport> ask(const Scene& scene, const std::string& others, const Question& question) {
+Asked ask(const Scene& scene, const std::string& others, const Question& question) {
   CriticRegistry registry = critics::built_in();
   registry.add("Asker", [&question] { return std::make_shared<Asker>(question); });
-  Planner planner(std::move(registry));
+  const auto planner = std::make_shared<Planner>(std::move(registry));
   Parameters parameters = scene.parameters;
   parameters.critics = "Asker" + (others.empty() ? "" : ", " + others);
-  EXPECT_EQ(planner.configure(parameters), std::vector<std::string>{});
-  planner.set_footprint(scene.outline);
-  planner.plan(scene.situation, scene.grid(), scene.intent);
-  return planner.candidates();
+  EXPECT_EQ(planner->configure(parameters), std::vector<std::string>{});
+  planner->set_footprint(scene.outline);
+  planner->plan(scene.situation, scene.grid(), scene.intent);
+  return {planner, planner->candidates()};
 }
 
 Scene autonomous(std::uint64_t seed) {
