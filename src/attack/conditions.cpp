@@ -79,15 +79,20 @@ void anything(Spec& s, Random& r) {
   if (r.chance(0.2)) s.limits_change = true;
 }
 
-const std::vector<Condition>& table() {
-  static const std::vector<Condition> conditions = {
-      // Outlines.
+// Outlines.
+std::vector<Condition> outlines() {
+  return {
       {"octagon", true, "octagon of 0.30 m", [](Spec& s, Random&) { s.outline = Outline::octagon; }},
       {"long_rectangle", true, "0.9 m x 0.4 m", [](Spec& s, Random&) { s.outline = Outline::long_rectangle; }},
       {"off_centre", true, "0.65 m x 0.40 m, centre near one end",
        [](Spec& s, Random&) { s.outline = Outline::off_centre; }},
       {"circle", true, "circle of 0.25 m", [](Spec& s, Random&) { s.outline = Outline::circle; }},
-      // Rates, speeds, limits, latencies.
+  };
+}
+
+// Rates, speeds, limits, latencies.
+std::vector<Condition> rates() {
+  return {
       {"rate_5", true, "5 Hz", [](Spec& s, Random&) { rate(s, 5); }},
       {"rate_10", true, "10 Hz", [](Spec& s, Random&) { rate(s, 10); }},
       {"rate_40", true, "40 Hz", [](Spec& s, Random&) { rate(s, 40); }},
@@ -111,7 +116,12 @@ const std::vector<Condition>& table() {
          latency(s, 300);
          s.latency = r.whole(0, 300);
        }},
-      // How commands are reached.
+  };
+}
+
+// How commands are reached.
+std::vector<Condition> reaching() {
+  return {
       {"at_limit", true, "the base ramps at its limits", [](Spec& s, Random&) { s.reaching = Reaching::at_limit; }},
       {"at_limit_5hz_2ms", true, "at its limits, 5 Hz and 2 m/s",
        [](Spec& s, Random& r) {
@@ -149,7 +159,12 @@ const std::vector<Condition>& table() {
          fast(s, r.of({0.5, 1.0, 2.0}));
          half_steps(s, r);
        }},
-      // Late cycles.
+  };
+}
+
+// Late cycles.
+std::vector<Condition> lateness() {
+  return {
       {"late", true, "20 % of the cycles up to two periods late", [](Spec& s, Random&) { late(s, false); }},
       {"late_10hz", true, "the same at 10 Hz",
        [](Spec& s, Random&) {
@@ -158,7 +173,12 @@ const std::vector<Condition>& table() {
        }},
       {"late_catching_up", true, "the same, and the host catches up as ros::Rate does",
        [](Spec& s, Random&) { late(s, true); }},
-      // Odometry and pose.
+  };
+}
+
+// Odometry and pose.
+std::vector<Condition> sensing() {
+  return {
       {"odometry_noisy", true, "5 % off", [](Spec& s, Random&) { s.odometry = Odometry::noisy; }},
       {"odometry_outliers", true, "1 % up to 10 m/s and 20 rad/s",
        [](Spec& s, Random&) { s.odometry = Odometry::outliers; }},
@@ -169,7 +189,12 @@ const std::vector<Condition>& table() {
        }},
       {"odometry_silent", true, "0.3 to 1.5 s of silence", [](Spec& s, Random&) { s.odometry = Odometry::silent; }},
       {"pose_50ms", true, "the pose is 50 ms old", [](Spec& s, Random&) { s.pose_age = 50; }},
-      // Options for which the claim is made.
+  };
+}
+
+// Options for which the claim is made.
+std::vector<Condition> options() {
+  return {
       {"reference_odometry", true, "velocity_reference: odometry",
        [](Spec& s, Random&) { s.parameters.velocity_reference = VelocityReference::odometry; }},
       {"reference_odometry_delayed", true, "the same, odometry late by the latency",
@@ -197,7 +222,12 @@ const std::vector<Condition>& table() {
          fast(s, 1.0);
        }},
       {"anything", true, "all of these at random", anything},
-      // Starts in collision.
+  };
+}
+
+// Starts in collision.
+std::vector<Condition> starts() {
+  return {
       {"stray_cells", true, "starts with cells under the outline", [](Spec& s, Random&) { s.start = Start::stray; }},
       {"grazing", true, "starts in the edge of an obstacle",
        [](Spec& s, Random& r) {
@@ -206,7 +236,12 @@ const std::vector<Condition>& table() {
        }},
       {"appearing", true, "the map adds cells under the robot while it drives",
        [](Spec& s, Random&) { s.start = Start::appearing; }},
-      // Outside the promise.
+  };
+}
+
+// Outside the promise.
+std::vector<Condition> outside() {
+  return {
       {"out_latency_more", false, "latency 0.1 s more than told", [](Spec& s, Random&) { s.latency += 100; }},
       {"out_weak_brakes", false, "decelerations half of those told",
        [](Spec& s, Random&) {
@@ -234,15 +269,25 @@ const std::vector<Condition>& table() {
       {"out_horizon", false, "admissibility: horizon",
        [](Spec& s, Random&) { s.parameters.admissibility = Admissibility::horizon; }},
   };
-  return conditions;
+}
+
+std::vector<Condition> table() {
+  std::vector<Condition> table;
+  for (const auto group : {outlines, rates, reaching, lateness, sensing, options, starts, outside}) {
+    for (const Condition& condition : group()) table.push_back(condition);
+  }
+  return table;
 }
 
 }  // namespace
 
-const std::vector<Condition>& all_conditions() { return table(); }
+const std::vector<Condition>& all_conditions() {
+  static const std::vector<Condition> conditions = table();
+  return conditions;
+}
 
 const Condition* find_condition(const std::string& name) {
-  for (const Condition& condition : table()) {
+  for (const Condition& condition : all_conditions()) {
     if (name == condition.name) return &condition;
   }
   return nullptr;
