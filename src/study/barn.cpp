@@ -11,9 +11,9 @@
 #include "share.hpp"
 #include "study/barn_drive.hpp"
 #include "study/barn_table.hpp"
-#include "study/error.hpp"
 #include "study/seed.hpp"
 #include "study/worlds.hpp"
+#include "subjects.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -21,23 +21,6 @@ namespace {
 
 const char* const kJackal = "launch/params/jackal.yaml";
 const char* const kBarn = "launch/params/barn.yaml";
-
-BarnSubject subject_of(const Options& options, const BarnSubject& base, const Setting& setting) {
-  BarnSubject subject = base;
-  for (const Assignment& set : options.sets) assign_barn(subject, set);
-  for (const Assignment& set : setting) assign_barn(subject, set);
-  return subject;
-}
-
-std::vector<BarnSubject> subjects_of(const Options& options, const Plan& plan) {
-  const BarnSubject base = barn_subject(share_file(kJackal), share_file(kBarn));
-  std::vector<BarnSubject> subjects;
-  for (const Setting& setting : plan.settings) {
-    subjects.push_back(subject_of(options, base, setting));
-    check(setting, subjects.back().subject.parameters);
-  }
-  return subjects;
-}
 
 std::string manifest(const Options& o) {
   const nlohmann::json manifest = {
@@ -59,7 +42,8 @@ int barn(const Options& options, std::ostream& out, std::ostream& errors) {
   indices.reserve(worlds.size());
   for (const auto& entry : worlds) indices.push_back(entry.first);
   const Plan plan = make_world_plan("barn", indices, options.modes, settings_of(options));
-  const std::vector<BarnSubject> subjects = subjects_of(options, plan);
+  const BarnSubject jackal = barn_subject(share_file(kJackal), share_file(kBarn));
+  const std::vector<BarnSubject> subjects = drivers_of(options, plan, jackal, assign_barn);
   const auto make = [&](const Run& run) {
     // A world's noise is the same in all modes and settings.
     const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;

@@ -9,7 +9,7 @@ namespace hidwa_local_planner {
 namespace study {
 
 /// `hidwa_study crowd`. Returns the exit code.
-int crowd(const Options& options, std::ostream& out, std::ostream& errors);
+int crowd(Options options, std::ostream& out, std::ostream& errors);
 
 }  // namespace study
 }  // namespace hidwa_local_planner

@@ -13,9 +13,9 @@
 #include "share.hpp"
 #include "study/dynabarn_drive.hpp"
 #include "study/encounter_table.hpp"
-#include "study/error.hpp"
 #include "study/seed.hpp"
 #include "study/worlds.hpp"
+#include "subjects.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -34,14 +34,10 @@ std::vector<int> numbers_of(const std::map<int, sim::DynabarnWorld>& worlds, int
 
 // One court a setting.
 std::vector<DynabarnCourt> courts_of(const Options& options, const Plan& plan) {
-  BarnSubject base = barn_subject(share_file(kRobotFile), share_file(kCourtFile));
-  assign_barn(base, {"max_vel_x", shortest(options.speed)});
-  for (const Assignment& set : options.sets) assign_barn(base, set);
+  BarnSubject jackal = barn_subject(share_file(kRobotFile), share_file(kCourtFile));
+  assign_barn(jackal, {"max_vel_x", shortest(options.speed)});
   std::vector<DynabarnCourt> courts;
-  for (const Setting& setting : plan.settings) {
-    BarnSubject subject = base;
-    for (const Assignment& set : setting) assign_barn(subject, set);
-    check(setting, subject.subject.parameters);
+  for (const BarnSubject& subject : drivers_of(options, plan, jackal, assign_barn)) {
     courts.emplace_back(subject, options.tracking, options.motion);
   }
   return courts;

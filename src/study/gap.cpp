@@ -12,6 +12,7 @@
 #include "study/gap_drive.hpp"
 #include "study/gap_table.hpp"
 #include "study/seed.hpp"
+#include "subjects.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -23,17 +24,10 @@ std::vector<Setting> settings_of_gaps(const Options& options) {
   return combinations({"costmap.resolution=0.025,0.05,0.1", "laser.noise=0,0.01,0.03"});
 }
 
-std::vector<GapSubject> subjects_of_gaps(const Options& options, const Plan& plan) {
-  std::vector<GapSubject> subjects;
-  for (const Setting& setting : plan.settings) {
-    GapSubject subject;
-    subject.subject.parameters.cycle_budget = -1.0;  // all samples always: the same on any computer
-    for (const Assignment& set : options.sets) assign_gap(subject, set);
-    for (const Assignment& set : setting) assign_gap(subject, set);
-    check(setting, subject.subject.parameters);
-    subjects.push_back(subject);
-  }
-  return subjects;
+GapSubject robot_at_gaps() {
+  GapSubject subject;
+  subject.subject.parameters.cycle_budget = -1.0;  // all samples always: the same on any computer
+  return subject;
 }
 
 std::string manifest_of_gaps(const Options& o) {
@@ -48,7 +42,7 @@ int gap(const Options& options, std::ostream& out, std::ostream& errors) {
   std::vector<int> phases;
   for (int k = 1; k <= options.phases; ++k) phases.push_back(k);
   const Plan plan = make_world_plan("gap", phases, options.outlines, settings_of_gaps(options));
-  const std::vector<GapSubject> subjects = subjects_of_gaps(options, plan);
+  const std::vector<GapSubject> subjects = drivers_of(options, plan, robot_at_gaps(), assign_gap);
   const auto make = [&](const Run& run) {
     const double phase = static_cast<double>(run.participant - 1) / options.phases;
     const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;

@@ -9,7 +9,7 @@ namespace hidwa_local_planner {
 namespace study {
 
 /// `hidwa_study passage`. Returns the exit code.
-int passage(const Options& options, std::ostream& out, std::ostream& errors);
+int passage(Options options, std::ostream& out, std::ostream& errors);
 
 }  // namespace study
 }  // namespace hidwa_local_planner

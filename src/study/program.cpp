@@ -12,6 +12,7 @@
 #include "crowd.hpp"
 #include "dynabarn.hpp"
 #include "execution.hpp"
+#include "floor.hpp"
 #include "gap.hpp"
 #include "hostile.hpp"
 #include "manifest.hpp"
@@ -32,15 +33,6 @@ std::string fingerprint(const sim::OccupancyMap& map) {
   for (const sim::Cell cell : map.cells) hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x100000001b3ULL;
   return format("%d x %d, %.4f m, %.4f %.4f, %016llx", map.width, map.height, map.resolution, map.origin_x,
                 map.origin_y, static_cast<unsigned long long>(hash));
-}
-
-nlohmann::json json_of(const sim::Pose& pose) { return {pose.x, pose.y, pose.theta}; }
-
-void fill_in(Options& options) {
-  if (options.regions.empty()) {
-    options.regions = options.map.empty() ? share_file("maps/office_regions.yaml") : "none";
-  }
-  if (options.map.empty()) options.map = share_file("maps/office.yaml");
 }
 
 std::string manifest(const Options& o, const Plan& plan, const Scene& scene) {
@@ -97,11 +89,11 @@ void check_settings(const Options& options, const Parameters& base, const Plan& 
 }
 
 int experiment(Options options, std::ostream& out, std::ostream& errors) {
-  fill_in(options);
+  name_floor(options);
   const Plan plan = plan_of(options);
   const Parameters base = profile(options.profile);
   check_settings(options, base, plan);
-  const Scene scene = load_scene(options.map, options.regions, options.start, options.goal);
+  const Scene scene = scene_of(options);
   const auto make = [&](const Run& run) {
     // Everybody has the same world in all conditions and settings, and their own luck in each condition.
     const std::uint64_t world = seed_for(options.seed, run.participant, "world") % kSeeds;
