@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "execution.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -75,19 +73,19 @@ int execute(const Options& options, const Plan& plan, const std::string& manifes
   }
   if (kept > 0) errors << kept << " runs are finished already and kept" << std::endl;
 
-  const std::size_t threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t threads = threads_for(options.threads);
   Timing timing;
   std::mutex mutex;
   Progress progress(errors, wanted.size());
-  const auto make_and_keep = [&](const Run& run) {
-    const Made made = make(run);
+  const auto make_and_keep = [&](std::size_t number) {
+    const Made made = make(wanted[number]);
     store.keep(made.row, options.paths ? path_csv(made.result) : "");
     const std::lock_guard<std::mutex> lock(mutex);
     timing.simulated += made.result.duration;
     timing.planning += made.result.planning_time;
     timing.cycles += made.result.cycles;
   };
-  make_runs(wanted, threads, make_and_keep, [&progress] { progress.step(); });
+  make_runs(wanted.size(), threads, make_and_keep, [&progress] { progress.step(); });
   store.write("timing.json", timing_json(threads, wanted.size(), kept, progress.elapsed(), timing));
   const std::size_t finished = store.finish(plan);
   out << tables.digest(plan, store.rows(plan));

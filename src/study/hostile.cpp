@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hostile.hpp"
 
-#include <algorithm>
-#include <atomic>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -10,7 +9,6 @@
 #include <mutex>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -25,6 +23,7 @@
 #include "sim/barn_world.hpp"
 #include "sim/occupancy_map.hpp"
 #include "study/error.hpp"
+#include "study/runner.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -164,31 +163,16 @@ int hostile(const Options& options, std::ostream& out, std::ostream& errors) {
   for (std::uint64_t index = options.shard - 1; index < all; index += options.shards) {
     if (folder.lines().count(index) == 0) wanted.push_back(index);
   }
-  const std::size_t threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-  std::atomic<std::size_t> next{0};
   std::mutex mutex;
-  std::exception_ptr fault;
   Progress progress(errors, wanted.size());
-  const auto work = [&] {
-    for (std::size_t k = next++; k < wanted.size(); k = next++) {
-      try {
-        const HostileDrive drive = hidwa_attack::hostile_drive(options.seed, wanted[k], grounds);
-        const DriveResult result = hidwa_attack::drive(drive.spec, drive.seed);
-        const std::lock_guard<std::mutex> lock(mutex);
-        folder.keep(wanted[k], hostile_line(wanted[k], drive, result));
-        progress.step();
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (!fault) fault = std::current_exception();
-        next = wanted.size();
-      }
-    }
+  const auto make_and_keep = [&](std::size_t number) {
+    const std::uint64_t index = wanted[number];
+    const HostileDrive drive = hidwa_attack::hostile_drive(options.seed, index, grounds);
+    const DriveResult result = hidwa_attack::drive(drive.spec, drive.seed);
+    const std::lock_guard<std::mutex> lock(mutex);
+    folder.keep(index, hostile_line(index, drive, result));
   };
-  std::vector<std::thread> others;
-  for (std::size_t k = 1; k < threads; ++k) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
-  if (fault) std::rethrow_exception(fault);
+  make_runs(wanted.size(), threads_for(options.threads), make_and_keep, [&progress] { progress.step(); });
   const std::string summary = folder.finish();
   out << digest(summary, options.out) << std::flush;
   return nlohmann::json::parse(summary).at("held").get<bool>() ? 0 : 1;

@@ -6,20 +6,25 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace hidwa_local_planner {
 namespace study {
 
-void make_runs(const std::vector<Run>& runs, std::size_t threads, const std::function<void(const Run&)>& make,
+std::size_t threads_for(std::size_t asked) {
+  return asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void make_runs(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& make,
                const std::function<void()>& made) {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};
   std::mutex mutex;
   std::exception_ptr failure;
   const auto work = [&] {
-    for (std::size_t i = next++; i < runs.size() && !failed; i = next++) {
+    for (std::size_t i = next++; i < count && !failed; i = next++) {
       try {
-        make(runs[i]);
+        make(i);
         const std::lock_guard<std::mutex> lock(mutex);
         made();
       } catch (...) {
@@ -30,7 +35,7 @@ void make_runs(const std::vector<Run>& runs, std::size_t threads, const std::fun
     }
   };
   std::vector<std::thread> workers;
-  for (std::size_t i = 1; i < std::min(threads, runs.size()); ++i) workers.emplace_back(work);
+  for (std::size_t i = 1; i < std::min(threads, count); ++i) workers.emplace_back(work);
   work();
   for (std::thread& worker : workers) worker.join();
   if (failure) std::rethrow_exception(failure);

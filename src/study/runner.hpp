@@ -3,16 +3,16 @@
 
 #include <cstddef>
 #include <functional>
-#include <vector>
-
-#include "study/plan.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
 
-/// Makes runs on several threads. `make` is called once for each, from any of them; `made` after each, one at
-/// a time. The first exception ends it, after the runs under way, and is thrown on.
-void make_runs(const std::vector<Run>& runs, std::size_t threads, const std::function<void(const Run&)>& make,
+/// As many threads as asked for; 0: as many as the computer has cores.
+std::size_t threads_for(std::size_t asked);
+
+/// Makes `count` runs on several threads. `make` is called once with each number below `count`, from any of them;
+/// `made` after each, one at a time. The first exception ends it, after the runs under way, and is thrown on.
+void make_runs(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& make,
                const std::function<void()>& made);
 
 }  // namespace study
