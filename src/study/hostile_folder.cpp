@@ -14,14 +14,14 @@
 
 #include "core/util/words.hpp"
 #include "study/error.hpp"
+#include "study/store.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-const char* const kManifest = "/hostile.json";
-const char* const kDrives = "/drives.csv";
-const char* const kSummary = "/summary.json";
+const char* const kManifest = "hostile.json";
+const char* const kDrives = "drives.csv";
 constexpr double kTouch = 1e-4;  // deeper than this counts [m]
 
 // The columns of drives.csv, in their order.
@@ -56,17 +56,11 @@ constexpr const char* kHead =
     "index,condition,promised,place,outline,link,seed,cycles,moving,threatened,depth_mm,touched_at_s,beyond,beyond_v,"
     "beyond_omega,hard,stood_s,walkers,met,touched_moving,touched_leaving,touched_at_rest";
 
-std::string read(const std::string& path) {
+std::string read(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   return file ? text.str() : "";
-}
-
-void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) throw std::runtime_error("'" + path + "' cannot be written");
 }
 
 std::vector<std::string> cells_of(const std::string& line) {
@@ -139,25 +133,25 @@ HostileFolder::HostileFolder(std::string folder, const std::string& manifest)
     : folder_(std::move(folder)), manifest_(manifest) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
-  if (error) throw std::runtime_error("'" + folder_ + "' cannot be made: " + error.message());
-  const std::string present = read(folder_ + kManifest);
+  if (error) throw std::runtime_error("'" + folder_.string() + "' cannot be made: " + error.message());
+  const std::string present = read(folder_ / kManifest);
   if (!present.empty() && present != manifest_) {
-    throw UsageError("'" + folder_ +
+    throw UsageError("'" + folder_.string() +
                      "' holds another study (its hostile.json differs): give another --out, or remove it");
   }
-  write(folder_ + kManifest, manifest_);
+  Store(folder_).write(kManifest, manifest_);
   read_lines();
 }
 
-HostileFolder::HostileFolder(std::string folder) : folder_(std::move(folder)), manifest_(read(folder_ + kManifest)) {
+HostileFolder::HostileFolder(std::string folder) : folder_(std::move(folder)), manifest_(read(folder_ / kManifest)) {
   if (manifest_.empty())
-    throw UsageError("'" + folder_ + "' is no folder of hidwa_study hostile: it has no hostile.json");
+    throw UsageError("'" + folder_.string() + "' is no folder of hidwa_study hostile: it has no hostile.json");
   read_lines();
 }
 
 // A line that was cut short is made again.
 void HostileFolder::read_lines() {
-  std::istringstream text(read(folder_ + kDrives));
+  std::istringstream text(read(folder_ / kDrives));
   for (std::string line; std::getline(text, line);) {
     const std::vector<std::string> cells = cells_of(line);
     if (line != kHead && cells.size() == Column::columns && !text.eof()) {
@@ -169,11 +163,11 @@ void HostileFolder::read_lines() {
 void HostileFolder::keep(std::uint64_t drive, const std::string& line) {
   lines_[drive] = line;
   std::error_code error;
-  const bool fresh = std::filesystem::file_size(folder_ + kDrives, error) == 0 || error;
-  std::ofstream file(folder_ + kDrives, std::ios::app);
+  const bool fresh = std::filesystem::file_size(folder_ / kDrives, error) == 0 || error;
+  std::ofstream file(folder_ / kDrives, std::ios::app);
   if (fresh) file << kHead << '\n';
   file << line << '\n';
-  if (!file.flush()) throw std::runtime_error("'" + folder_ + kDrives + "' cannot be written");
+  if (!file.flush()) throw std::runtime_error("'" + (folder_ / kDrives).string() + "' cannot be written");
 }
 
 std::string HostileFolder::finish() {
@@ -194,9 +188,9 @@ std::string HostileFolder::finish() {
                             {"within", within.json()},
                             {"conditions", conditions},
                             {"outside", beyond}};
-  write(folder_ + kDrives, text);
+  Store(folder_).write(kDrives, text);
   std::string json = summary.dump(2) + '\n';
-  write(folder_ + kSummary, json);
+  Store(folder_).write("summary.json", json);
   return json;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -31,7 +32,8 @@ class HostileFolder {
  private:
   void read_lines();
 
-  std::string folder_, manifest_;
+  std::filesystem::path folder_;
+  std::string manifest_;
   std::map<std::uint64_t, std::string> lines_;
 };
 

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "attack/drive.hpp"
 #include "attack/hostile.hpp"
 #include "core/util/words.hpp"
+#include "study/store.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -117,12 +117,6 @@ double median_p99(const std::vector<Minute>& minutes, std::size_t first, std::si
   return quantile(values, 0.5);
 }
 
-void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush()) throw std::runtime_error("'" + path + "' cannot be written");
-}
-
 std::string csv(const std::vector<Minute>& minutes) {
   std::string text = "minute,memory_mb,p50_ms,p99_ms,cycles\n";
   for (std::size_t k = 0; k < minutes.size(); ++k) {
@@ -165,8 +159,9 @@ int soak(const Options& options, std::ostream& out, std::ostream& /*errors*/) {
                                   {"commands_beyond_limits", result.beyond},
                                   {"encounters", result.encounters.met},
                                   {"touched_moving", result.encounters.moving}};
-  write(options.out + "/minutes.csv", csv(minutes));
-  write(options.out + "/summary.json", summary.dump(2) + '\n');
+  const Store store(options.out);
+  store.write("minutes.csv", csv(minutes));
+  store.write("summary.json", summary.dump(2) + '\n');
   out << summary.dump(2) << '\n' << options.out << "/minutes.csv\n" << std::flush;
   return held ? 0 : 1;
 }
