@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fuzz/input.hpp"
+#include "fuzz/mover.hpp"
 #include "fuzz/require.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
@@ -120,13 +121,7 @@ void look(Input& input, Situation& situation) {
   }
   situation.moving_obstacles.clear();
   for (int k = input.integer(0, 4); k > 0; --k) {
-    MovingObstacleEstimate mover;
-    mover.position = {input.number(-3.0, 3.0), input.number(-3.0, 3.0)};
-    mover.velocity = {input.number(-2.0, 2.0), input.number(-2.0, 2.0)};
-    mover.radius = input.number(0.0, 0.5);
-    mover.position_deviation = input.number(0.0, 0.2);
-    mover.velocity_deviation = input.number(0.0, 0.5);
-    mover.age = input.number(0.0, 0.5);
+    MovingObstacleEstimate mover = mover_of(input, 3.0, 0.5);
     for (int point = input.integer(0, 8); point > 0; --point) {
       const double x = mover.position.x() + input.number(-0.3, 0.3), y = mover.position.y() + input.number(-0.3, 0.3);
       mover.points.emplace_back(x, y);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fuzz/input.hpp"
+#include "fuzz/mover.hpp"
 #include "fuzz/require.hpp"
 #include "fuzz/small_world.hpp"
 #include "hidwa_local_planner/control/operator.hpp"
@@ -135,13 +136,7 @@ class Drive {
 
   void add_movers(MovingObstacleEstimates& movers) {
     for (int k = input_.integer(0, 3); k > 0; --k) {
-      MovingObstacleEstimate mover;
-      mover.position = {input_.number(-2.0, 2.0), input_.number(-2.0, 2.0)};
-      mover.velocity = {input_.number(-2.0, 2.0), input_.number(-2.0, 2.0)};
-      mover.radius = input_.number(0.0, 0.5);
-      mover.position_deviation = input_.number(0.0, 0.2);
-      mover.velocity_deviation = input_.number(0.0, 0.2);
-      mover.age = input_.number(0.0, 0.5);
+      MovingObstacleEstimate mover = mover_of(input_, 2.0, 0.2);
       const double x = input_.number(-2.0, 2.0), y = input_.number(-2.0, 2.0);
       mover.points = {mover.position, {x, y}};
       movers.push_back(mover);

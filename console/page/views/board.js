@@ -17,8 +17,7 @@ const GOAL_NEAR = 0.9; // [m] a nearer goal's post would stand in the eye
 const FAR = 45; // [m]
 const EASE = 0.06; // [s] in which the view follows the newest pose
 const COAST = 0.15; // [s] for which the last velocity carries the pose on
-const SLOW_FRAME = 40; // [ms] frames slower than this are drawn with fewer pixels
-const SOFT_PAUSE = 28; // [ms] between two frames that the processor draws: a stick's events would wait behind more of them
+const SLOW_FRAME = 32; // [ms] frames slower than this are drawn with fewer pixels
 
 /** Whether the browser draws WebGL on the processor: then smooth edges cost too much. */
 function drawsInSoftware() {
@@ -37,12 +36,10 @@ export class BoardView {
     this.scene = scene;
     this.unwind = false;
     const soft = drawsInSoftware();
-    this.pause = soft ? SOFT_PAUSE : 0;
     this.renderer = new three.WebGLRenderer({ canvas, antialias: !soft });
     this.renderer.xr.setFramebufferScaleFactor(soft ? 0.5 : 1);
     this.ratio = Math.min(soft ? 1 : 1.5, window.devicePixelRatio || 1);
     this.frameTime = 0;
-    this.frames = 0; // drawn since the start
     this.stage = new three.Scene();
     this.world = new three.Group(); // inside: coordinates of the map, z up
     this.world.rotation.x = -Math.PI / 2;
@@ -230,14 +227,12 @@ export class BoardView {
 
   /** One frame at the time now [ms]; says whether it drew. In a headset it always draws. */
   frame(now) {
-    if (this.last && now - this.last < this.pause && !this.renderer.xr.isPresenting) return false;
     const passed = Math.min(200, now - (this.last || now));
     this.last = now;
     const moved = this.follow(now, passed);
     const changed = this.update();
     if (!moved && !changed && !this.dirty && !this.renderer.xr.isPresenting) return false;
     this.dirty = false;
-    this.frames += 1;
     this.placeRobot();
     const began = performance.now();
     this.renderer.render(this.stage, this.eyes);
