@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
@@ -17,6 +16,7 @@
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "local_map.hpp"
 #include "person.hpp"
+#include "processor_time.hpp"
 #include "rhythm.hpp"
 #include "route.hpp"
 #include "sensors.hpp"
@@ -41,12 +41,6 @@ constexpr int kWalkers = 2;        // between two steps of walkers [ms]
 double braking_x(const Parameters& p) { return p.decel_lim_x != 0.0 ? std::abs(p.decel_lim_x) : p.acc_lim_x; }
 double braking_theta(const Parameters& p) {
   return p.decel_lim_theta != 0.0 ? std::abs(p.decel_lim_theta) : p.acc_lim_theta;
-}
-
-double processor_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double size_of_world(const Spec& spec) { return spec.parameters.max_vel_x > 1.0 ? 14.0 : 9.0; }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ways/drive.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -12,6 +10,7 @@
 
 #include "attack/base.hpp"
 #include "attack/contact_watch.hpp"
+#include "attack/processor_time.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "ways/grid_plan.hpp"
@@ -22,6 +21,7 @@ namespace {
 
 namespace control = hidwa_local_planner::control;
 namespace critics = hidwa_local_planner::critics;
+using hidwa_attack::processor_time;
 using hidwa_local_planner::Outcome;
 using hidwa_local_planner::Twist2;
 
@@ -32,12 +32,6 @@ constexpr double kSoon = 5.0;      // within which a robot is nearer [s]
 constexpr double kOpen = 10.0;     // how long a scene is driven of which nothing is asked [s]
 constexpr double kAnswer = 2.0;    // beyond the patience: a robot without a way says so [s]
 constexpr double kLongest = 40.0;  // [s]
-
-double processor_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 hidwa_attack::Base::Make base_of(const hidwa_local_planner::Parameters& p) {
   hidwa_attack::Base::Make make;
