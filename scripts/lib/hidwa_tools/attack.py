@@ -5,7 +5,8 @@ import os
 import subprocess
 import sys
 
-from .plain_build import CORES, SPACE, BuildError, build
+from .places import SPACE
+from .plain_build import CORES, BuildError, build
 
 FOLDER = os.path.join(SPACE, 'build', 'attack')
 PROGRAM = os.path.join(FOLDER, 'test', 'attack', 'hidwa_attack')

@@ -7,7 +7,8 @@ import subprocess
 import sys
 
 from .bounds import judge
-from .plain_build import ROOT, SPACE, BuildError, build
+from .places import ROOT, SPACE
+from .plain_build import BuildError, build
 
 FOLDER = os.path.join(SPACE, 'build', 'bench')
 RATIOS = os.path.join(ROOT, 'test', 'benchmark', 'ratios.json')

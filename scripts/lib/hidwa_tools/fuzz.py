@@ -8,7 +8,8 @@ import subprocess
 import sys
 
 from . import compilers
-from .plain_build import CORES, ROOT, SPACE
+from .places import ROOT, SPACE
+from .plain_build import CORES
 
 FOLDER = os.path.join(SPACE, 'build', 'fuzz')
 KEPT = os.path.join(ROOT, 'test', 'fuzz', 'corpus')

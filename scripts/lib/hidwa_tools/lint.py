@@ -8,9 +8,9 @@ import shutil
 import subprocess
 import sys
 
-ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
+from .places import ROOT, SPACE
+
 CLANG = 14        # the version of clang-format and clang-tidy that the style was made with; others find other things
-SPACE = os.environ.get('HIDWA_SPACE', ROOT)
 WORDS = 'ot,fro,expcet,kinf'  # codespell takes these for misspelt: optimal time, to and fro, a misspelt key in a test
 MADE = ('.git', 'build', 'install', 'log', 'report')  # by whoever works here
 COMPAT = ('nav_core', 'costmap_2d', 'map_server', 'move_base')

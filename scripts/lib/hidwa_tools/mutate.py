@@ -15,9 +15,8 @@ import sys
 import time
 
 from . import mutation
+from .places import ROOT, SPACE
 
-ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
-SPACE = os.environ.get('HIDWA_SPACE', ROOT)
 FOLDER = os.path.join(SPACE, 'build', 'mutate')
 FOLDERS = ('src/core', 'src/input', 'src/control')
 EQUIVALENT = os.path.join(ROOT, 'test', 'mutation', 'equivalent.txt')

@@ -3,8 +3,8 @@
 import os
 import subprocess
 
-ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
-SPACE = os.environ.get('HIDWA_SPACE', ROOT)
+from .places import ROOT
+
 CORES = str(os.cpu_count() or 1)
 
 

@@ -11,8 +11,8 @@ import tempfile
 import time
 import xmlrpc.client
 
-ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
-SPACE = os.environ.get('HIDWA_SPACE', ROOT)
+from .places import ROOT, SPACE
+
 LAUNCH = os.path.join(ROOT, 'test', 'ros', 'faults', 'launch', 'robot.launch')
 CLEARANCE = 0.7   # of a place where the robot is sent [m]
 QUIET = (4.0, 12.0)  # between two disturbances [s]

@@ -21,11 +21,10 @@ from . import compilers, coverage as coverage_of, fuzz, sanitize
 from .counting import Counts, count_ctest, count_unittest
 from .lint import lint as run_tools
 from .measure import LONGEST_GAP
+from .places import ROOT, SPACE
 from .processes import end_on_signals
 from .side_by_side import side_by_side
 
-ROOT = os.environ.get('HIDWA_ROOT', os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..', '..')))
-SPACE = os.environ.get('HIDWA_SPACE', ROOT)
 DATA = os.path.abspath(os.environ.get('HIDWA_DATA', os.path.join(ROOT, '..', 'shared', 'data')))
 WORK = os.path.join(SPACE, 'build', 'tests')  # what the tests build and write
 JOBS = str(os.cpu_count() or 1)

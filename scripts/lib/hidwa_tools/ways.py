@@ -6,7 +6,8 @@ import subprocess
 import sys
 
 from .options import existing
-from .plain_build import CORES, ROOT, SPACE, BuildError, build
+from .places import ROOT, SPACE
+from .plain_build import CORES, BuildError, build
 
 FOLDER = os.path.join(SPACE, 'build', 'ways')
 PROGRAM = os.path.join(FOLDER, 'test', 'ways', 'hidwa_ways')
