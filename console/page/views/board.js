@@ -40,6 +40,7 @@ export class BoardView {
     this.renderer.xr.setFramebufferScaleFactor(soft ? 0.5 : 1);
     this.ratio = Math.min(soft ? 1 : 1.5, window.devicePixelRatio || 1);
     this.frameTime = 0;
+    this.frames = 0; // drawn since the start
     this.stage = new three.Scene();
     this.world = new three.Group(); // inside: coordinates of the map, z up
     this.world.rotation.x = -Math.PI / 2;
@@ -233,6 +234,7 @@ export class BoardView {
     const changed = this.update();
     if (!moved && !changed && !this.dirty && !this.renderer.xr.isPresenting) return false;
     this.dirty = false;
+    this.frames += 1;
     this.placeRobot();
     const began = performance.now();
     this.renderer.render(this.stage, this.eyes);
