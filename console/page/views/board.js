@@ -19,6 +19,11 @@ const EASE = 0.06; // [s] in which the view follows the newest pose
 const COAST = 0.15; // [s] for which the last velocity carries the pose on
 const SLOW_FRAME = 32; // [ms] frames slower than this are drawn with fewer pixels
 
+// Where the processor draws, each frame keeps the stick's events waiting: so few pixels, so long between two frames.
+const SOFT_PIXELS = 45000;
+const SOFT_RATIO = 0.3; // at least
+const SOFT_PAUSE = 40; // [ms]
+
 /** Whether the browser draws WebGL on the processor: then smooth edges cost too much. */
 function drawsInSoftware() {
   const context = document.createElement('canvas').getContext('webgl2');
@@ -35,10 +40,10 @@ export class BoardView {
     this.canvas = canvas;
     this.scene = scene;
     this.unwind = false;
-    const soft = drawsInSoftware();
-    this.renderer = new three.WebGLRenderer({ canvas, antialias: !soft });
-    this.renderer.xr.setFramebufferScaleFactor(soft ? 0.5 : 1);
-    this.ratio = Math.min(soft ? 1 : 1.5, window.devicePixelRatio || 1);
+    this.soft = drawsInSoftware();
+    this.renderer = new three.WebGLRenderer({ canvas, antialias: !this.soft });
+    this.renderer.xr.setFramebufferScaleFactor(this.soft ? 0.5 : 1);
+    this.ratio = Math.min(1.5, window.devicePixelRatio || 1);
     this.frameTime = 0;
     this.frames = 0; // drawn since the start
     this.stage = new three.Scene();
@@ -111,7 +116,8 @@ export class BoardView {
   resize() {
     const box = this.canvas.parentElement.getBoundingClientRect();
     if (this.renderer.xr.isPresenting || box.width < 1 || box.height < 1) return;
-    this.renderer.setPixelRatio(this.ratio);
+    const most = this.soft ? Math.max(SOFT_RATIO, Math.sqrt(SOFT_PIXELS / (box.width * box.height))) : this.ratio;
+    this.renderer.setPixelRatio(Math.min(this.ratio, most));
     this.renderer.setSize(box.width, box.height, false);
     this.eyes.aspect = box.width / box.height;
     this.eyes.updateProjectionMatrix();
@@ -228,6 +234,7 @@ export class BoardView {
 
   /** One frame at the time now [ms]; says whether it drew. In a headset it always draws. */
   frame(now) {
+    if (this.soft && now - this.last < SOFT_PAUSE && !this.renderer.xr.isPresenting) return false;
     const passed = Math.min(200, now - (this.last || now));
     this.last = now;
     const moved = this.follow(now, passed);
@@ -244,6 +251,7 @@ export class BoardView {
 
   /** Draws with fewer pixels where the machine is slow. */
   adapt(passed, drawing) {
+    if (this.soft) return;
     this.frameTime += (Math.min(100, Math.max(passed, drawing)) - this.frameTime) * 0.05;
     if (this.frameTime < SLOW_FRAME || this.ratio <= 0.6 || this.renderer.xr.isPresenting) return;
     this.ratio = Math.max(0.6, this.ratio * 0.8);

@@ -10,7 +10,7 @@ import time
 import browser
 from robot import Robot
 
-MOVES = 200
+MOVES = 1000
 PERIOD = 0.04  # [s] between two moves; another one than the stick's own repetition
 
 
@@ -55,7 +55,7 @@ def main():
             if times:
                 delays.append(min(times))
         print('load of the machine %.1f on %d cores' % (os.getloadavg()[0], os.cpu_count()))
-        print('frames a second: %.1f, of the three-dimensional view %.1f at %.2f of its pixels' % (*frames, page.app('app.board.ratio')))
+        print('frames a second: %.1f, of the three-dimensional view %.1f at %.2f of its pixels' % (*frames, page.app('app.board.renderer.getPixelRatio()')))
         print('pointer event to Joy, %d of %d moves: p50 %.1f ms, p90 %.1f ms, p99 %.1f ms' % (
             len(delays), len(page.js('return window.moves')), share(delays, 0.5), share(delays, 0.9), share(delays, 0.99)))
     finally:
