@@ -16,11 +16,11 @@ constexpr double kFarthestCorner = 20.0;
 
 bool is_finite_point(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 
-double distance_to_segment(const Point& a, const Point& b) {
+double squared_distance_to_segment(const Point& a, const Point& b) {
   const Point d = b - a;
   const double length2 = d.squaredNorm();
   const double t = length2 > 0.0 ? std::clamp(-a.dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (a + t * d).norm();
+  return (a + t * d).squaredNorm();
 }
 
 double signed_area(const Polygon& outline) {
@@ -154,7 +154,8 @@ Footprint::Footprint(Polygon outline, double radius) : outline_(std::move(outlin
   inscribed_ = outline_.empty() ? 0.0 : std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline_.size(); ++i) {
     circumscribed_ = std::max(circumscribed_, outline_[i].norm());
-    inscribed_ = std::min(inscribed_, distance_to_segment(outline_[i], outline_[(i + 1) % outline_.size()]));
+    const double squared = squared_distance_to_segment(outline_[i], outline_[(i + 1) % outline_.size()]);
+    inscribed_ = std::min(inscribed_, std::sqrt(squared));
   }
   if (!contains_origin(outline_)) inscribed_ = 0.0;
   sides_ = convex_sides(outline_);
@@ -182,10 +183,10 @@ double Footprint::distance_to(const Point& point) const {
   bool inside = false;
   for (std::size_t i = 0; i < outline_.size(); ++i) {
     const Point a = outline_[i] - point, b = outline_[i + 1 < outline_.size() ? i + 1 : 0] - point;
-    nearest = std::min(nearest, distance_to_segment(a, b));
+    nearest = std::min(nearest, squared_distance_to_segment(a, b));
     inside = inside != crosses_positive_x(a, b);
   }
-  return inside ? -nearest : nearest;
+  return inside ? -std::sqrt(nearest) : std::sqrt(nearest);
 }
 
 Footprint Footprint::padded(double padding) const {

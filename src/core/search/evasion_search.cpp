@@ -24,24 +24,11 @@ constexpr std::size_t kMoversInReach = 256;
 
 constexpr double kEver = std::numeric_limits<double>::infinity();
 
-// Of steps up to a radian, which need not be exact.
-Rotation small_turn(double angle) {
-  const double a2 = angle * angle;
-  return {1.0 - a2 * (0.5 - a2 * (1.0 / 24.0 - a2 * (1.0 / 720.0))),
-          angle * (1.0 - a2 * (1.0 / 6.0 - a2 * (1.0 / 120.0 - a2 * (1.0 / 5040.0))))};
-}
-
-double towards(const AxisLimits& axis, double from, double to, double dt) {
-  const double most = (std::abs(to) < std::abs(from) ? axis.braking : axis.acc) * dt;
-  return from < to ? std::min(to, from + most) : std::max(to, from - most);
-}
-
 }  // namespace
 
 EvasionSearch::EvasionSearch() {
   movers_.reserve(kMoversInReach);
   near_.reserve(kMoversInReach);
-  motions_.reserve(64);
   branches_.reserve(64);
   beam_.reserve(kBeam + 1);
   next_.reserve(64 * (kBeam + 1));
@@ -49,7 +36,7 @@ EvasionSearch::EvasionSearch() {
 }
 
 double EvasionSearch::reach(const Parameters& parameters, const VelocityLimits& limits) {
-  return parameters.evasion_time * std::max(limits.x.max, -limits.x.min);
+  return parameters.evasion_time * limits.x.fastest();
 }
 
 bool EvasionSearch::look(const Scene& scene, const MovingObstacleEstimates& movers) {
@@ -80,10 +67,10 @@ void EvasionSearch::plan_spans(const Scene& scene) {
     const double length = level > 0 ? other : first;
     Span& span = spans_[static_cast<std::size_t>(level)];
     span.from = from;
-    span.step = length / kSteps;
-    for (int k = 0; k < kSteps; ++k) {
-      const double time = from + (k + 1) * span.step;
-      span.share[static_cast<std::size_t>(k)] = scene.parameters.evasion_scale * span.step * std::exp(-time / kFading);
+    span.step = length / static_cast<double>(MotionFan::kSteps);
+    for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
+      const double time = from + static_cast<double>(k + 1) * span.step;
+      span.share[k] = scene.parameters.evasion_scale * span.step * std::exp(-time / kFading);
     }
     from += length;
   }
@@ -92,7 +79,7 @@ void EvasionSearch::plan_spans(const Scene& scene) {
 // What may come near within a span, from here.
 void EvasionSearch::find_near(const Scene& scene, const State& from, const Span& span) {
   near_.clear();
-  const double length = kSteps * span.step, end = span.from + length;
+  const double length = span.length(), end = span.end();
   const double own = scene.footprint.circumscribed_radius() + length * fastest_;
   for (const Mover& mover : movers_) {
     // To the middle of where it goes meanwhile.
@@ -136,35 +123,34 @@ bool EvasionSearch::blocked(const Scene& scene, const State& state) const {
   return scene.checker.collides({state.x, state.y, 0.0}, state.heading);
 }
 
-// False where it is touched: then `until` says when.
-bool EvasionSearch::go(const Scene& scene, const Twist2& motion, const Span& span, State& state) const {
-  for (int k = 0; k < kSteps; ++k) {
-    const double v = towards(scene.limits.x, state.v, motion.v, span.step);
-    const double omega = towards(scene.limits.theta, state.omega, motion.omega, span.step);
-    const double way = 0.5 * (state.v + v) * span.step;
-    const Rotation half = small_turn(0.25 * (state.omega + omega) * span.step);
-    const Rotation middle = state.heading.turned(half);
-    state.x += way * middle.c;
-    state.y += way * middle.s;
-    state.heading = middle.turned(half);
-    state.v = v;
-    state.omega = omega;
-    const double time = span.from + (k + 1) * span.step;
+// Along the i-th motion of the fan, which unfolds from this state. False where it is touched: then `until` says when.
+bool EvasionSearch::go(const Scene& scene, std::size_t i, const Span& span, State& state) const {
+  const MotionFan::Speed& speed = fan_.speed(i);
+  const MotionFan::Turn& turn = fan_.turn(i);
+  for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
+    state.x += speed.way[k] * turn.middle[k].c;
+    state.y += speed.way[k] * turn.middle[k].s;
+    state.heading = turn.heading[k];
+    const double time = span.from + static_cast<double>(k + 1) * span.step;
     bool touched = false;
-    if (!near_.empty())
-      state.nearness += span.share[static_cast<std::size_t>(k)] * nearness(scene, state, time, touched);
+    if (!near_.empty()) state.nearness += span.share[k] * nearness(scene, state, time, touched);
     if (!touched && !blocked(scene, state)) continue;
     state.until = time;
     return false;
   }
+  state.v = speed.last;
+  state.omega = turn.last;
   return true;
 }
 
 bool EvasionSearch::untroubled(const Scene& scene, const Twist2& motion) {
   State state{scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega};
+  fan_.clear();
+  fan_.add(motion);
   for (const Span& span : spans_) {
     find_near(scene, state, span);
-    if (!go(scene, motion, span, state) || state.nearness > 0.0) return false;
+    fan_.unfold(scene.limits, state.heading, {state.v, state.omega}, span.step);
+    if (!go(scene, 0, span, state) || state.nearness > 0.0) return false;
   }
   return true;
 }
@@ -172,14 +158,15 @@ bool EvasionSearch::untroubled(const Scene& scene, const Twist2& motion) {
 // 0 is own. All within what the wheels allow.
 void EvasionSearch::list_motions(const Scene& scene, const Twist2& own) {
   const VelocityLimits& limits = scene.limits;
-  motions_.clear();
-  motions_.push_back(own);
-  const double back = std::min(0.0, limits.x.min), ahead = limits.x.max;
-  const double speeds[] = {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0, 0.5 * back, back};
-  for (const double v : speeds) {
-    if (v == 0.0 && &v != &speeds[3]) continue;
-    for (int turn = -2; turn <= 2; ++turn) motions_.push_back(limits.clamp({v, 0.5 * turn * limits.theta.max}));
-  }
+  fan_.clear();
+  fan_.add(own);
+  const double back = limits.x.min, ahead = limits.x.max;
+  const auto add_turns = [&](double v) {
+    for (int turn = -2; turn <= 2; ++turn) fan_.add(limits.clamp({v, 0.5 * turn * limits.theta.max}));
+  };
+  for (const double v : {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0}) add_turns(v);
+  if (back >= 0.0) return;
+  for (const double v : {0.5 * back, back}) add_turns(v);
 }
 
 bool EvasionSearch::may_begin(const Scene& scene, const Twist2& motion) {
@@ -189,7 +176,7 @@ bool EvasionSearch::may_begin(const Scene& scene, const Twist2& motion) {
 void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const Twist2& own) {
   list_motions(scene, own);
   branches_.clear();
-  for (const Twist2& motion : motions_) branches_.push_back({motion, kEver, 0.0});
+  for (std::size_t i = 0; i < fan_.size(); ++i) branches_.push_back({fan_.motion(i), kEver, 0.0});
   beam_.clear();
   beam_.push_back(
       {scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega});
@@ -211,15 +198,15 @@ void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const Twist2
 void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first,
                            const Span& span) {
   find_near(scene, from, span);
-  for (std::size_t i = first; i < motions_.size(); ++i) {
-    if (first == 0 && i > 0 && !may_begin(scene, motions_[i])) continue;
+  fan_.unfold(scene.limits, from.heading, {from.v, from.omega}, span.step);
+  for (std::size_t i = first; i < fan_.size(); ++i) {
+    if (first == 0 && i > 0 && !may_begin(scene, fan_.motion(i))) continue;
     State state = from;
     if (first == 0) state.first = static_cast<std::uint32_t>(i);
-    const bool free = go(scene, motions_[i], span, state);
+    const bool free = go(scene, i, span, state);
     state.cost = state.nearness + guide.time_left(state.x, state.y, state.heading);
     if (free) {
-      const double time = span.from + kSteps * span.step;
-      state.promise = state.cost + touched_early(scene, state, time);
+      state.promise = state.cost + touched_early(scene, state, span.end());
       next_.push_back(state);
     } else {
       note_touched(state);
@@ -246,7 +233,7 @@ double EvasionSearch::touched_early(const Scene& scene, const State& state, doub
 }
 
 void EvasionSearch::note_touched(const State& state) {
-  const double sooner = spans_.back().from + kSteps * spans_.back().step - state.until;
+  const double sooner = spans_.back().end() - state.until;
   const double cost = kTouched + state.cost + kTouchedSooner * sooner * std::exp(-state.until / kFading);
   Branch& branch = branches_[state.first];
   if (cost >= branch.cost) return;

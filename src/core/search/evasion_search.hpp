@@ -27,6 +27,7 @@
 #include "core/motion/brake_manoeuvre.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "core/movers/mover_check.hpp"
+#include "core/search/motion_fan.hpp"
 #include "core/search/plan_guide.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
@@ -73,7 +74,6 @@ class EvasionSearch {
 
  private:
   static constexpr int kLevels = 6;
-  static constexpr int kSteps = 4;  // of each motion
   static constexpr std::size_t kBeam = 8;
 
   struct Mover {
@@ -93,15 +93,17 @@ class EvasionSearch {
   };
   // A motion of a level: when, and in what steps.
   struct Span {
-    double from = 0.0, step = 0.0;       // [s]
-    std::array<double, kSteps> share{};  // what a step's nearness costs [s]
+    double from = 0.0, step = 0.0;                  // [s]
+    std::array<double, MotionFan::kSteps> share{};  // what a step's nearness costs [s]
+    double length() const { return static_cast<double>(share.size()) * step; }
+    double end() const { return from + length(); }
   };
 
   void list_motions(const Scene& scene, const Twist2& own);
   static bool may_begin(const Scene& scene, const Twist2& motion);
   void plan_spans(const Scene& scene);
   void find_near(const Scene& scene, const State& from, const Span& span);
-  bool go(const Scene& scene, const Twist2& motion, const Span& span, State& state) const;
+  bool go(const Scene& scene, std::size_t i, const Span& span, State& state) const;
   double nearness(const Scene& scene, const State& state, double time, bool& touched) const;
   bool blocked(const Scene& scene, const State& state) const;
   void extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first, const Span& span);
@@ -111,7 +113,7 @@ class EvasionSearch {
   static bool alike(const State& a, const State& b);
 
   std::vector<Mover> movers_, near_;
-  std::vector<Twist2> motions_;
+  MotionFan fan_;
   std::array<Span, kLevels> spans_;
   double horizon_ = 0.0;  // [s]
   double fastest_ = 0.0;  // [m/s]

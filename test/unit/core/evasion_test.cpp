@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/search/evasion_search.hpp"
+#include "core/search/motion_fan.hpp"
 #include "core/search/plan_guide.hpp"
 #include "support/planner_bench.hpp"
 #include "support/random.hpp"
@@ -58,6 +59,42 @@ TEST(PlanGuides, GoOnStraightWhereTheWindowEndsBeforeTheGoal) {
   EXPECT_NEAR(guide.time_left(1.5, 0.0, {1.0, 0.0}) - guide.time_left(2.5, 0.0, {1.0, 0.0}), 1.0, 1e-9);
   guide.prepare(plan, {1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, limits_of(1.0, 1.0), 3.0);
   EXPECT_NEAR(guide.time_left(1.0, 0.0, {1.0, 0.0}), 0.0, 1e-9);
+}
+
+// Each motion by itself, step by step, with the angle as a number.
+TEST(MotionFans, LeadWhereEachMotionLeadsAlone) {
+  Random random(9);
+  for (int k = 0; k < 200; ++k) {
+    const VelocityLimits limits = limits_of(random.uniform(0.2, 2.0), random.uniform(0.3, 3.0));
+    const Twist2 from{random.uniform(-0.2, 2.0), random.uniform(-2.0, 2.0)};
+    const double begin = random.uniform(-M_PI, M_PI), step = random.uniform(0.02, 0.2);
+    const double speeds[] = {0.0, random.uniform(-0.2, 2.0)}, turns[] = {0.0, random.uniform(-3.0, 3.0), 1.0};
+    MotionFan fan;
+    for (const double v : speeds) {
+      for (const double omega : turns) fan.add({v, omega});
+    }
+    fan.unfold(limits, {std::cos(begin), std::sin(begin)}, from, step);
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+      EXPECT_EQ(fan.motion(i).v, speeds[i / 3]);
+      EXPECT_EQ(fan.motion(i).omega, turns[i % 3]);
+      double theta = begin, v = from.v, omega = from.omega;
+      for (std::size_t n = 0; n < MotionFan::kSteps; ++n) {
+        const double next_v = limits.x.ramp(v, speeds[i / 3], step);
+        const double next_omega = limits.theta.ramp(omega, turns[i % 3], step);
+        const double turned = 0.5 * (omega + next_omega) * step;
+        EXPECT_NEAR(fan.speed(i).way[n], 0.5 * (v + next_v) * step, 1e-12);
+        EXPECT_NEAR(fan.turn(i).middle[n].c, std::cos(theta + 0.5 * turned), 1e-12);
+        EXPECT_NEAR(fan.turn(i).middle[n].s, std::sin(theta + 0.5 * turned), 1e-12);
+        theta += turned;
+        EXPECT_NEAR(fan.turn(i).heading[n].c, std::cos(theta), 1e-12);
+        EXPECT_NEAR(fan.turn(i).heading[n].s, std::sin(theta), 1e-12);
+        v = next_v;
+        omega = next_omega;
+      }
+      EXPECT_EQ(fan.speed(i).last, v);
+      EXPECT_EQ(fan.turn(i).last, omega);
+    }
+  }
 }
 
 // A scene without walls, for one search.
