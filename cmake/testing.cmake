@@ -59,7 +59,7 @@ function(hidwa_add_gtest name)
   endif()
   if(ARG_TIMEOUT)
     math(EXPR timeout "${HIDWA_TIMEOUT_FACTOR} * ${ARG_TIMEOUT}")
-    list(APPEND properties TIMEOUT ${timeout})
+    list(APPEND properties TIMEOUT ${timeout} COST ${ARG_TIMEOUT})  # what takes longest begins first
   endif()
   set(results gtest-${target}.xml)
   hidwa_register_test(${target} RESULTS ${results} DEPENDS ${target} PROPERTIES ${properties}
