@@ -141,7 +141,7 @@ class App {
   makePanels() {
     const say = (text) => this.status.say(text);
     this.holder = new ControlPanel(this.send, say);
-    this.goals = new GoalPanel(this.above.pointer, this.send);
+    this.goals = new GoalPanel(this.above.pointer, this.send, say);
     this.panels = [this.goals, new TuningPanel(byId('panel-tuning'), this.send, say), new RecordingPanel(this.send), new StudyPanel(this.send), this.status];
   }
 
@@ -155,6 +155,7 @@ class App {
       stop: (message) => this.stops(message),
       told: ({ text }) => text && this.status.say(text),
       delay: ({ delay }) => this.measured(delay),
+      silent: (milliseconds) => this.status.delay(milliseconds),
     });
     this.view = new ViewLink(this.scene, {
       told: (tick) => this.tick(tick),
