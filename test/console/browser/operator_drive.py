@@ -15,7 +15,10 @@ PAD = """
     window.rumbled = [];
     window.pad = {index: 0, connected: true, id: 'pad', mapping: 'standard', axes: [0, 0, 0, 0], timestamp: 0,
                   buttons: Array.from({length: 16}, () => ({pressed: false, value: 0})),
-                  vibrationActuator: {playEffect: (kind, how) => { window.rumbled.push(how.strongMagnitude); return Promise.resolve('complete'); }}};
+                  vibrationActuator: {playEffect: (kind, how) => {
+                    window.rumbled.push(how.strongMagnitude);
+                    return Promise.resolve('complete');
+                  }}};
     navigator.getGamepads = () => window.padOn ? [window.pad] : [];
 """
 CAMERA = '/eye/image'

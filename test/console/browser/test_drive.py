@@ -7,6 +7,7 @@ import time
 import unittest
 
 import browser
+import elsewhere
 import numpy
 import operator_drive
 import stage
@@ -303,6 +304,10 @@ class Gamepad(operator_drive.Gamepad, DriveTest):
 
 
 class SlowLink(operator_drive.SlowLink, DriveTest):
+    pass
+
+
+class Elsewhere(elsewhere.Elsewhere, DriveTest):
     pass
 
 
