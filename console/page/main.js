@@ -16,7 +16,7 @@ import { announce, describe, MODES, refusal } from './model/words.js';
 import { ControlPanel } from './panels/control.js';
 import { GoalPanel } from './panels/goals.js';
 import { setUpLayout } from './panels/layout.js';
-import { admitted } from './panels/login.js';
+import { admitted, admittedStill } from './panels/login.js';
 import { RecordingPanel } from './panels/recording.js';
 import { Status } from './panels/status.js';
 import { StudyPanel } from './panels/study.js';
@@ -168,6 +168,7 @@ class App {
       this.steering.cut('device'); // nothing can be sent; what is held must be centred first
       this.holder.gone();
       this.status.delay(null);
+      admittedStill();
     } else {
       this.steering.wake();
     }

@@ -26,10 +26,12 @@ def jpeg():
 
 
 class Elsewhere:
-    def console(self):
-        """(port, token) of a console that listens on every address."""
-        folder, port = stage.robot.folder, free_port()
+    def console(self, port):
+        """(process, token) of a console that listens on every address."""
+        folder = stage.robot.folder
         key, certificate, log = (os.path.join(folder, name) for name in ('key.pem', 'cert.pem', 'elsewhere.log'))
+        if os.path.exists(log):
+            os.remove(log)
         subprocess.run(['openssl', 'req', '-x509', '-newkey', 'rsa:2048', '-nodes', '-days', '2', '-subj', '/CN=robot.lan', '-addext',
                         'subjectAltName=DNS:robot.lan', '-keyout', key, '-out', certificate], check=True, capture_output=True)
         child = Child([sys.executable, os.path.join(ROOT, 'console', 'console'), '--address', '0.0.0.0', '--port', str(port), '--host-name',
@@ -42,14 +44,15 @@ class Elsewhere:
                 return re.search(r'https://robot\.lan:%d/#token=(\S+)' % port, text.read())
         found = stage.wait(lambda: token() or not child.running, 'the address with the token', 60.0)
         self.assertIsNot(found, True, 'the console ended: ' + child.complaint())
-        return port, found.group(1)
+        return child, found.group(1)
 
     def test_a_token_lets_in_and_the_page_steers(self):
         import rospy
         from sensor_msgs.msg import CompressedImage
         camera = rospy.Publisher(CAMERA, CompressedImage, queue_size=1)
         self.addCleanup(camera.unregister)
-        port, token = self.console()
+        port = free_port()
+        child, token = self.console(port)
         page = browser.Browser(rules='MAP robot.lan 127.0.0.1', arguments=('--ignore-certificate-errors',))
         self.addCleanup(page.end)
         address = 'https://robot.lan:%d/' % port
@@ -58,7 +61,8 @@ class Elsewhere:
         asked = "return document.getElementById('login').open"
         page.until(asked)
         self.assertEqual(page.js('return location.href'), address, 'the token is out of the address bar')
-        enter = "document.getElementById('token').value = arguments[0]; document.querySelector('#login form').requestSubmit()"
+        enter = ("document.getElementById('login-error').textContent = ''; document.getElementById('token').value = arguments[0]; "
+                 "document.querySelector('#login form').requestSubmit()")
         page.js(enter, 'wrong too')
         page.until("return document.getElementById('login-error').textContent === 'This is not the token.'")
         page.js(enter, token)
@@ -93,6 +97,20 @@ class Elsewhere:
         seen = page.wait(lambda: colour() or None, 'the compressed picture')
         self.assertLess(max(abs(a - b) for a, b in zip(seen, COLOUR)), 12)
         self.assertEqual(page.faults(), [])
+
+        child.stop()
+        page.wait(lambda: 'The link is cut' in page.text('notice'), 'that the link is cut')
+        self.assertFalse(page.js(asked), 'nobody is there to ask')
+        _, other = self.console(port)  # as roslaunch starts it anew, with another token
+        page.until(asked, 30.0)
+        page.js(enter, token)
+        page.until("return document.getElementById('login-error').textContent === 'This is not the token.'")
+        page.js(enter, other)
+        # Who had the controls of the console before takes them on purpose.
+        page.until("return document.getElementById('who-text').textContent === 'Nobody has the controls.'")
+        page.click('claim')
+        self.at_the_controls(page)
+        self.assertFalse(page.js(asked))
 
     @staticmethod
     def at_the_controls(page):
