@@ -36,6 +36,7 @@ class App {
     this.scene = emptyScene();
     this.frames = 0; // drawn since the start
     this.mode = null;
+    this.rumble = 0; // [share of full]
     setUpLayout();
     this.status = new Status(this.scene);
     this.send = (type, fields, t) => this.control.command(type, fields, t);
@@ -208,9 +209,11 @@ class App {
     for (const panel of this.panels) panel.tick(tick);
     if (tick.mode !== undefined) this.showMode(tick.mode);
     if (tick.camera) this.showCamera(tick.camera);
-    if (tick.rumble) {
-      this.gamepads.rumble(tick.rumble);
-      if (this.headset) this.headset.rumble(tick.rumble);
+    if (tick.rumble !== undefined) this.rumble = tick.rumble;
+    if (this.rumble > 0) {
+      // Again with each tick: it comes when it changes, and a motor stops by itself.
+      this.gamepads.rumble(this.rumble);
+      if (this.headset) this.headset.rumble(this.rumble);
     }
     const manual = Boolean(this.scene.state && this.scene.state.name === 'MANUAL');
     this.steering.manual = manual && this.holder.mine;

@@ -16,31 +16,21 @@ from page_twin import Page, View, until
 
 
 class Demo(unittest.IsolatedAsyncioTestCase):
-    async def test_it_prints_the_address_drives_from_goal_to_goal_and_ends_on_ctrl_c(self):
+    async def test_it_prints_the_address_drives_and_ends_on_ctrl_c(self):
         with tempfile.TemporaryDirectory(prefix='hidwa_demo_test_') as folder:
             log = os.path.join(folder, 'log')
             page = os.path.join(paths.ROOT, 'console', 'page')
             library = os.path.join(paths.ROOT, 'scripts', 'lib')
             environment = {**os.environ, 'PYTHONPATH': os.pathsep.join([library, os.environ.get('PYTHONPATH', '')])}
-            # The tour goes to the goal and back to the start; the goal is 1.2 m ahead, so both are reached soon.
             child = Child([sys.executable, '-m', 'hidwa_tools.demo', '--no-build', '--console', '--report', os.path.join(folder, 'report'),
                            '--goal', '5.5,3.7,1.57', f'--console-options=--port 0 --page {page}'], log, environment)
             self.addCleanup(child.stop)
             port = await self.port(child, log)
             visitor = await Page(port, 'a' * 32).open()
             view = await View(visitor).open()
-            seen = []
-
-            def goal():
-                active = (view.fields.get('goals') or {}).get('active')
-                if active and active not in seen:
-                    seen.append(active)
-                return len(seen)
-            await until(lambda: goal() == 1, 'the first goal')
-            self.assertEqual(seen[0][:2], [5.5, 3.7])
+            await until(lambda: (view.fields.get('goals') or {}).get('active'), 'a goal')
+            self.assertEqual(view.fields['goals']['active'][:2], [5.5, 3.7])
             await until(lambda: view.fields['velocity'][0] > 0.2, 'a robot that drives')
-            await until(lambda: goal() == 2, 'the goal after it')
-            self.assertLess(abs(seen[1][0] - 5.5) + abs(seen[1][1] - 2.5), 0.01, 'the start of launch/demo.launch')
             view.close()
             child.interrupt()
             deadline = time.monotonic() + 30.0

@@ -47,7 +47,7 @@ class Headset(test_page.PageTest):
     def heading(self):
         return self.browser.app(HEADING)
 
-    def test_the_view_turns_with_the_robot_unless_it_unwinds(self):
+    def test_the_view_turns_with_the_robot_unless_it_unwinds_and_controllers_rumble(self):
         self.turn(0.3)
         self.assertAlmostEqual(self.heading(), 0.3, delta=0.03)
         self.browser.js("const e = document.getElementById('unwind'); e.checked = true; e.dispatchEvent(new Event('change'))")
@@ -57,14 +57,16 @@ class Headset(test_page.PageTest):
         self.browser.js('window.device.quaternion.set(0, %r, 0, %r)' % (math.sin(half), math.cos(half)))  # the head turns left by 0.7
         self.browser.wait(lambda: abs(self.heading() - 1.0) < 0.03, 'the head turns the view')
 
-    def test_the_controller_rumbles(self):
+        self.check_rumble()
+
+    def check_rumble(self):
         self.browser.js('window.pulsed = []')
         self.browser.wait(lambda: self.browser.app('app.headset.session.inputSources.length') > 0, 'controllers')
         self.browser.app('[...app.headset.session.inputSources].forEach(({gamepad}) => { gamepad.hapticActuators[0].pulse = '
                          '(strength) => { window.pulsed.push(strength); return Promise.resolve(true); }; })')
         self.addCleanup(self.server.show, rumble=0.0)
         self.server.show(rumble=0.6)
-        self.browser.until('return window.pulsed.includes(0.6)')
+        self.browser.until('return window.pulsed.filter((one) => one === 0.6).length > 5')  # for as long as it is so
 
 
 if __name__ == '__main__':

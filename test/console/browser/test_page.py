@@ -402,6 +402,8 @@ class Gamepad(PageTest):
         self.assertTrue(self.server.wait(lambda all: any(one['type'] == 'stick' and not one['held'] for one in all)))
         self.settle()
         self.assertEqual(sum(not one['held'] for one in self.sticks()), 1)
+        self.browser.js('window.pad.buttons[0].pressed = true')
+        self.assertTrue(self.server.wait(lambda all: any(one['type'] == 'take_control' and one['on'] for one in all)))
 
     def test_its_stop_is_held_and_stays_after_a_cut(self):
         self.browser.js('window.pad.buttons[1].pressed = true')
