@@ -183,6 +183,7 @@ class Camera:
         self.assertTrue(page.js("return document.getElementById('picture-canvas').hidden"), 'the view of the map again')
         for publisher in (*kept, camera):
             publisher.unregister()
+        page.wait(lambda: not page.app('app.cameraOn'), 'no picture comes any more')
 
 
 class Gamepad:
