@@ -13,7 +13,8 @@ export class ControlLink {
    */
   constructor(name, handlers) {
     this.handlers = handlers;
-    this.pinged = null; // [ms], when the last ping came
+    this.pings = 0;
+    this.pinged = 0; // [ms], when the last one came
     setInterval(() => this.watch(), WATCH);
     this.socket = new Socket('/control', {
       open: () => {
@@ -22,7 +23,7 @@ export class ControlLink {
       },
       message: (data) => this.take(JSON.parse(data)),
       closed: (event) => {
-        this.pinged = null;
+        this.pings = 0;
         handlers.connection(false, event);
       },
     });
@@ -30,13 +31,14 @@ export class ControlLink {
 
   /** A link that stands still brings no ping that could say so. */
   watch() {
-    if (this.pinged === null) return;
+    if (this.pings < 2) return; // it has no rhythm yet
     const due = performance.now() - this.pinged - PERIOD;
     if (due > WATCH) this.handlers.silent(due);
   }
 
   take(message) {
     if (message.type === 'ping') {
+      this.pings += 1;
       this.pinged = performance.now();
       this.socket.send({ type: 'pong', id: message.id, t: performance.now() });
       this.handlers.delay(message);
