@@ -16,7 +16,7 @@ import { announce, describe, MODES, refusal } from './model/words.js';
 import { ControlPanel } from './panels/control.js';
 import { GoalPanel } from './panels/goals.js';
 import { setUpLayout } from './panels/layout.js';
-import { admitted } from './panels/login.js';
+import { admitted, admittedStill } from './panels/login.js';
 import { RecordingPanel } from './panels/recording.js';
 import { Status } from './panels/status.js';
 import { StudyPanel } from './panels/study.js';
@@ -36,6 +36,7 @@ class App {
     this.scene = emptyScene();
     this.frames = 0; // drawn since the start
     this.mode = null;
+    this.rumble = 0; // [share of full]
     setUpLayout();
     this.status = new Status(this.scene);
     this.send = (type, fields, t) => this.control.command(type, fields, t);
@@ -141,7 +142,7 @@ class App {
   makePanels() {
     const say = (text) => this.status.say(text);
     this.holder = new ControlPanel(this.send, say);
-    this.goals = new GoalPanel(this.above.pointer, this.send);
+    this.goals = new GoalPanel(this.above.pointer, this.send, say);
     this.panels = [this.goals, new TuningPanel(byId('panel-tuning'), this.send, say), new RecordingPanel(this.send), new StudyPanel(this.send), this.status];
   }
 
@@ -155,6 +156,7 @@ class App {
       stop: (message) => this.stops(message),
       told: ({ text }) => text && this.status.say(text),
       delay: ({ delay }) => this.measured(delay),
+      silent: (milliseconds) => this.status.delay(milliseconds),
     });
     this.view = new ViewLink(this.scene, {
       told: (tick) => this.tick(tick),
@@ -167,6 +169,7 @@ class App {
       this.steering.cut('device'); // nothing can be sent; what is held must be centred first
       this.holder.gone();
       this.status.delay(null);
+      admittedStill();
     } else {
       this.steering.wake();
     }
@@ -206,9 +209,11 @@ class App {
     for (const panel of this.panels) panel.tick(tick);
     if (tick.mode !== undefined) this.showMode(tick.mode);
     if (tick.camera) this.showCamera(tick.camera);
-    if (tick.rumble) {
-      this.gamepads.rumble(tick.rumble);
-      if (this.headset) this.headset.rumble(tick.rumble);
+    if (tick.rumble !== undefined) this.rumble = tick.rumble;
+    if (this.rumble > 0) {
+      // Again with each tick: it comes when it changes, and a motor stops by itself.
+      this.gamepads.rumble(this.rumble);
+      if (this.headset) this.headset.rumble(this.rumble);
     }
     const manual = Boolean(this.scene.state && this.scene.state.name === 'MANUAL');
     this.steering.manual = manual && this.holder.mine;

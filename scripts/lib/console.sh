@@ -25,3 +25,8 @@ hidwa_console_libraries() {
     say "npm could not install them: the page comes without its view from on board"
   fi
 }
+
+# Whether what npm brought is in the install space too; also true where npm brought nothing.
+hidwa_console_installed() {
+  [ ! -d "$HIDWA_CONSOLE_SPACE/node_modules/three" ] || [ -d "$HIDWA_SPACE/install/share/hidwa_local_planner/console/lib/three" ]
+}

@@ -25,7 +25,7 @@ from std_msgs.msg import Bool
 
 import paths
 from command_watch import CommandWatch
-from page_twin import PATIENCE, Page, View, read_path, until
+from page_twin import PATIENCE, Page, View, until
 from running import World
 from test_layouts import bytes_of
 
@@ -305,23 +305,6 @@ class Killed(OnBoard):
 
 
 class Going(OnBoard):
-    async def test_goals_in_a_row_and_back(self):
-        await self.drive()
-        self.a.say('cancel')
-        await until(lambda: self.view.fields['goals']['active'] is None and abs(self.view.fields['velocity'][0]) < 0.01, 'rest')
-        self.assertEqual(self.view.fields['goals']['outcome'], 'cancelled')
-        x, y, _ = self.view.fields['pose']
-        self.a.say('goal', x=x, y=y, yaw=None)
-        self.a.say('goal', x=x, y=y, yaw=None, append=True)
-        await until(lambda: self.view.fields['goals']['outcome'] == 'reached' and not self.view.fields['goals']['waiting'], 'both')
-        self.a.say('home')
-        await until(lambda: self.view.fields['goals']['active'] == self.view.fields['goals']['start'], 'the way home')
-        await until(lambda: self.view.fields['progress'] and self.view.fields['progress']['to_go'] > 0.0, 'progress')
-        self.assertGreaterEqual(self.view.fields['progress']['time_left'], 1)
-        await until(lambda: self.view.binary.get((4, 0)) and read_path(self.view.binary[(4, 0)]), 'a plan')
-        end = read_path(self.view.binary[(4, 0)])[-1]
-        self.assertLess(abs(end[0] - self.view.fields['goals']['start'][0]) + abs(end[1] - self.view.fields['goals']['start'][1]), 0.3)
-
     async def test_parameters_of_the_panel_and_no_others(self):
         await until(lambda: self.view.fields.get('tuning', {}).get('parameters'), 'the panel')
         known = {p['name'] for p in self.view.fields['tuning']['parameters']}
@@ -348,21 +331,6 @@ class Going(OnBoard):
         await until(lambda: value('delta') == 1.0 and value('s_omega') == 400.0, "the preset's values")
         self.a.say('undo')
         await until(lambda: value('delta') == 2.0, 'the old value')
-
-    async def test_a_recording_and_its_report(self):
-        await self.drive()
-        self.a.say('record', on=True)
-        await until(lambda: self.view.fields['record']['seconds'] >= 3, 'three seconds')
-        self.a.say('record', on=False)
-        await until(lambda: self.view.fields['record']['report'] in ('ready', 'failed'), 'the report')
-        record = self.view.fields['record']
-        self.assertEqual(record['report'], 'ready', record)
-        self.assertTrue(os.path.getsize(record['file']) > 10000)
-        client = tornado.httpclient.AsyncHTTPClient()
-        report = json.loads((await client.fetch(f'http://localhost:{W.port}/report/report.json')).body)
-        self.assertIn('duration_s', report)
-        picture = (await client.fetch(f'http://localhost:{W.port}/report/report.png')).body
-        self.assertEqual(picture[:4], b'\x89PNG')
 
     async def test_candidates_on_demand(self):
         await self.drive()

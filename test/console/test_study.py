@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A participant in the page: what is asked when, and that a whole condition ends in a bag and a line of questionnaires.csv."""
+"""A participant in the page: what is asked when, and what No means. test_study_in_page.py sits through a whole condition."""
 import asyncio
-import csv
 import os
 import re
 import sys
@@ -15,7 +14,7 @@ from hidwa_tools.exchange import read, write
 from hidwa_tools.processes import Child
 from hidwa_tools.questionnaires import RANGES, AnswersError, add_answers, read_answers
 
-from page_twin import Page, View, until
+from page_twin import Page, View
 
 RATINGS = {q['name']: q['low'] + i for i, q in enumerate(QUESTIONS[:6])}
 RATINGS.update({q['name']: 7 - i for i, q in enumerate(QUESTIONS[6:])})
@@ -107,32 +106,6 @@ class Live(unittest.IsolatedAsyncioTestCase):
             await asyncio.sleep(0.1)
         with open(log, encoding='utf-8') as text:
             return text.read()
-
-    async def test_a_condition_in_the_page(self):
-        with tempfile.TemporaryDirectory() as out:
-            with open(os.path.join(out, 'index.html'), 'w', encoding='utf-8') as page:
-                page.write('<!doctype html><title>empty</title>')
-            child, log = self.start(out, 'SJ')
-            page, view = await self.page(child, log)
-            await until(lambda: (view.fields.get('study') or {}).get('stage') == 'consent', 'the question')
-            await page.claim()
-            page.say('study', answer={'consent': True})
-            await until(lambda: view.fields['study']['stage'] == 'ready', 'consent')
-            page.say('goal', x=9.0, y=9.0)
-            await until(lambda: page.last('told', what='goal', ok=False), 'that goals are fixed')
-            page.say('study', answer={'start': True})
-            deadline = time.monotonic() + 60.0
-            while view.fields['study']['stage'] != 'questions':
-                self.assertLess(time.monotonic(), deadline, view.fields['study'])
-                await asyncio.sleep(0.1)
-            page.say('study', answer={'ratings': RATINGS})
-            said = await self.ended(child, log)
-            self.assertIn('p01_o1_SJ.bag', said)
-            study = os.path.join(out, 'study')
-            self.assertGreater(os.path.getsize(os.path.join(study, 'p01_o1_SJ.bag')), 10000, said)
-            with open(os.path.join(study, 'questionnaires.csv'), encoding='utf-8', newline='') as text:
-                rows = list(csv.DictReader(text))
-            self.assertEqual([(row['participant'], row['condition'], row['effort']) for row in rows], [('1', 'SJ', '4')])
 
     async def test_no(self):
         with tempfile.TemporaryDirectory() as out:

@@ -3,25 +3,43 @@
 // never wait behind pictures, and nothing is queued while the socket is down: an old command is not sent at all.
 import { pageName, Socket } from './socket.js';
 
+const PERIOD = 500; // [ms] between two pings: while one waits for its answer the server sends no other
+const WATCH = 250; // [ms]
+
 export class ControlLink {
   /**
    * name: how others see this visitor. handlers: welcome(m), control(m), claim(m), steering(m), stop(m), told(m),
-   * delay({rtt, delay}), connection(open).
+   * delay({rtt, delay}), silent(ms: for how long a ping has been due), connection(open).
    */
   constructor(name, handlers) {
     this.handlers = handlers;
+    this.pings = 0;
+    this.pinged = 0; // [ms], when the last one came
+    setInterval(() => this.watch(), WATCH);
     this.socket = new Socket('/control', {
       open: () => {
         this.socket.send({ type: 'hello', page: pageName(), name });
         handlers.connection(true);
       },
       message: (data) => this.take(JSON.parse(data)),
-      closed: (event) => handlers.connection(false, event),
+      closed: (event) => {
+        this.pings = 0;
+        handlers.connection(false, event);
+      },
     });
+  }
+
+  /** A link that stands still brings no ping that could say so. */
+  watch() {
+    if (this.pings < 2) return; // it has no rhythm yet
+    const due = performance.now() - this.pinged - PERIOD;
+    if (due > WATCH) this.handlers.silent(due);
   }
 
   take(message) {
     if (message.type === 'ping') {
+      this.pings += 1;
+      this.pinged = performance.now();
       this.socket.send({ type: 'pong', id: message.id, t: performance.now() });
       this.handlers.delay(message);
     } else if (this.handlers[message.type]) {

@@ -4,10 +4,12 @@
 const byId = (id) => document.getElementById(id);
 
 export class GoalPanel {
-  /** pointer: views/map_pointer.js; send(type, fields): to the server. */
-  constructor(pointer, send) {
+  /** pointer: views/map_pointer.js; send(type, fields): to the server; say(text): to the person. */
+  constructor(pointer, send, say) {
     this.pointer = pointer;
     this.send = send;
+    this.say = say;
+    this.outcome = null; // of the last goal; null: the server has not said it yet
     this.arming = null; // the button that waits for a place
     byId('go').addEventListener('click', () => this.arm('go'));
     byId('add').addEventListener('click', () => this.arm('add'));
@@ -37,5 +39,15 @@ export class GoalPanel {
     if (!goals) return;
     byId('cancel').hidden = !goals.active && goals.waiting.length === 0;
     byId('skip').hidden = goals.waiting.length === 0;
+    this.tell(goals);
+  }
+
+  /** How a goal ended; not what ended before this page was there. */
+  tell({ outcome, text }) {
+    const before = this.outcome;
+    this.outcome = outcome;
+    if (before === null || before === outcome) return;
+    if (outcome === 'reached') this.say('The goal is reached.');
+    if (outcome === 'failed') this.say(`The goal was not reached${text ? `: ${text}` : '.'}`);
   }
 }

@@ -11,8 +11,8 @@ async function offer(token) {
 function ask() {
   return new Promise((resolve) => {
     const dialog = byId('login');
-    dialog.addEventListener('cancel', (event) => event.preventDefault());
-    dialog.querySelector('form').addEventListener('submit', async (event) => {
+    dialog.oncancel = (event) => event.preventDefault();
+    dialog.querySelector('form').onsubmit = async (event) => {
       event.preventDefault();
       const status = await offer(byId('token').value);
       if (status === 204) {
@@ -21,12 +21,12 @@ function ask() {
       } else {
         byId('login-error').textContent = status === 429 ? 'Too many attempts: wait a minute.' : 'This is not the token.';
       }
-    });
+    };
     dialog.showModal();
   });
 }
 
-/** Returns when this browser is admitted. */
+/** Returns when this browser is admitted. Throws where the server does not answer. */
 export async function admitted() {
   const token = new URLSearchParams(location.hash.slice(1)).get('token');
   if (token) {
@@ -34,4 +34,14 @@ export async function admitted() {
     if ((await offer(token)) === 204) return;
   }
   if ((await fetch('/login', { cache: 'no-store' })).status !== 204) await ask();
+}
+
+let asking = false;
+
+/** Asks for the token again where the server has begun anew with another one. */
+export async function admittedStill() {
+  if (asking) return;
+  asking = true;
+  await admitted().catch(() => {}); // the link is down; it is tried again
+  asking = false;
 }

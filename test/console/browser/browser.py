@@ -17,15 +17,15 @@ PHONE = (390, 844)
 
 class Browser:
     """One Chromium with WebGL in software. scripts: sources that run in every page before its own; rules: Chromium's rules for
-    resolving hosts, by which a proxy takes the place of a server without the page's noticing."""
+    resolving hosts, by which a proxy takes the place of a server without the page's noticing; arguments: more of Chromium's."""
 
-    def __init__(self, size=DESKTOP, scripts=(), dark=False, scale=1.0, rules=''):
+    def __init__(self, size=DESKTOP, scripts=(), dark=False, scale=1.0, rules='', arguments=()):
         self.profile = tempfile.mkdtemp(prefix='console_browser_')
         options = Options()
         options.binary_location = shutil.which('chromium') or shutil.which('chromium-browser')
         for argument in ('--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--disable-gpu', '--enable-unsafe-swiftshader',
                          '--disable-background-networking', '--no-first-run', '--disable-extensions', '--mute-audio',
-                         '--user-data-dir=' + self.profile, '--window-size=%d,%d' % size):
+                         '--user-data-dir=' + self.profile, '--window-size=%d,%d' % size, *arguments):
             options.add_argument(argument)
         if rules:
             options.add_argument('--host-resolver-rules=' + rules)

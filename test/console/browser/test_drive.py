@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page, the console and the simulated robot together: what a person does in the browser, and what the robot does then.
 
-One robot and one browser for all tests. What the robot does is read from ROS topics, not from the page. The page reaches the
-console through a proxy, which holds the link up and cuts it.
+One robot and one browser for all tests (stage.py).
 """
 import time
 import unittest
 
 import browser
+import elsewhere
 import numpy
-from proxy import Proxy
-from robot import Robot
+import operator_drive
+import stage
+from stage import DriveTest, address, wait
 
-START = (16.5, 8.3, 0.0)  # [m, m, rad] in a corridor 3.4 m wide that leads east
-ROOM = (15.0, 36.0)       # [m] between which x the tests drive to and fro
 INPUT_TIMEOUT = 0.5       # [s] of the planner
 HEADSET = """
     window.device = new IWER.XRDevice(IWER.metaQuest3);
@@ -26,83 +25,8 @@ HEADSET = """
 
 def setUpModule():
     global robot, proxy, page
-    libraries = browser.library()
-    robot = Robot(START)
-    unittest.addModuleCleanup(robot.end)
-    proxy = Proxy(robot.port)
-    unittest.addModuleCleanup(proxy.end)
-    page = browser.Browser(scripts=(browser.source_of(libraries + '/iwer/build/iwer.min.js'), HEADSET),
-                           rules='MAP localhost:%d 127.0.0.1:%d' % (robot.port, proxy.port))
-    unittest.addModuleCleanup(page.end)
-
-
-def address():
-    return 'http://localhost:%d/' % robot.port  # the browser goes there by way of the proxy
-
-
-def wait(condition, what, seconds=20.0):
-    return browser.Browser.wait(condition, what, seconds)
-
-
-class DriveTest(unittest.TestCase):
-    def setUp(self):
-        proxy.flush()
-        proxy.mend()
-        page.open(address())
-        ready = 'Boolean(app.scene.map && app.scene.robot && app.holder.mine && !app.status.facts.neutralNeeded)'
-        page.wait(lambda: page.app(ready), 'the controls')
-        self.letgo_if_stopped()
-        if page.app('app.mode') != 'joystick':
-            self.mode('joystick')
-
-    def tearDown(self):
-        page.app("(app.send('stop', {on: false}), app.send('cancel'))")
-        wait(lambda: robot.state == '' and abs(robot.speed[0]) < 0.02, 'rest after the goal was cancelled')
-
-    def letgo_if_stopped(self):
-        if not page.js("return document.getElementById('letgo').hidden"):
-            page.click('letgo')
-            page.until("return document.getElementById('letgo').hidden")
-
-    def mode(self, mode):
-        page.js("document.querySelector('[data-mode=%s]').click()" % mode)
-        page.wait(lambda: page.app('app.mode') == mode, 'mode ' + mode)
-
-    def drive_off(self, distance=12.0):
-        """A goal along the corridor, and the robot on its way there."""
-        x = robot.pose[0]
-        east = x + distance <= ROOM[1]
-        goal = x + distance if east else max(ROOM[0], x - distance)
-        page.app("app.send('goal', {x: %g, y: 8.4, yaw: null, append: false})" % goal)
-        # Where it has to turn round first, it drives once it faces the goal.
-        wait(lambda: robot.state == 'AUTONOMY' and robot.speed[0] > 0.25 and abs(robot.speed[1]) < 0.2, 'the robot on its way', 40.0)
-        return 1.0 if east else -1.0
-
-    def steers(self):
-        """Until the operator's command counts; else what the page was told."""
-        try:
-            wait(lambda: robot.state == 'SHARED', 'SHARED', 15.0)
-        except AssertionError as fault:
-            facts = page.app('[app.status.facts, app.mode, app.hands.hand, app.scene.state]')
-            raise AssertionError('%s; the page: %s; hands %d, Joy %s' % (fault, facts, len(robot.hands), robot.joys[-1:])) from None
-
-    def turns_left(self, began):
-        """Until the robot was sent to the left since a time; else what it was asked for."""
-        try:
-            wait(lambda: any(omega > 0.1 for _, omega in robot.since(robot.commands, began)), 'the robot turns left', 15.0)
-        except AssertionError as fault:
-            hands = [(round(m.pose.position.x, 2), round(m.pose.position.y, 2)) for m in robot.since(robot.hands, began)]
-            raise AssertionError('%s; %s; hands %s' % (fault, page.app('app.scene.state'), hands[::20])) from None
-
-    def press_stick(self, dx, dy):
-        x, y, width, _ = page.middle('stick')
-        to = (x + 0.36 * width * dx, y + 0.36 * width * dy)
-        page.mouse('mousePressed', x, y)
-        page.mouse('mouseMoved', *to)
-        return to
-
-    def release_stick(self, at):
-        page.mouse('mouseReleased', *at)
+    iwer = browser.source_of(browser.library() + '/iwer/build/iwer.min.js')
+    robot, proxy, page = stage.begin((iwer, HEADSET, operator_drive.PAD), '--camera ' + operator_drive.CAMERA)
 
 
 class Drive(DriveTest):
@@ -361,6 +285,30 @@ class HeadsetDrive(DriveTest):
         self.hand_test('window.device.hands.right.position.set(0.25, 1.2, -0.3); window.device.hands.right.updatePinchValue(1)',
                        carry('hands.right', 0.0),
                        'window.device.hands.right.updatePinchValue(0)')
+
+
+class Goals(operator_drive.Goals, DriveTest):
+    pass
+
+
+class Panels(operator_drive.Panels, DriveTest):
+    pass
+
+
+class Camera(operator_drive.Camera, DriveTest):
+    pass
+
+
+class Gamepad(operator_drive.Gamepad, DriveTest):
+    pass
+
+
+class SlowLink(operator_drive.SlowLink, DriveTest):
+    pass
+
+
+class Elsewhere(elsewhere.Elsewhere, DriveTest):
+    pass
 
 
 if __name__ == '__main__':

@@ -372,6 +372,14 @@ class Panels(PageTest):
         self.assertEqual(self.fields('study'), [
             {'answer': {'consent': True}}, {'answer': {'start': True}}, {'answer': {'ratings': {'mental': 35, 'effort': 50}}}])
 
+    def test_says_how_a_goal_ended(self):
+        goals = {'active': [30.0, 18.0, 0.0], 'waiting': [], 'start': None, 'outcome': '', 'text': ''}
+        self.server.show(goals=goals)
+        self.browser.wait(lambda: self.browser.app('app.scene.goals.length') == 1)
+        self.assertEqual(self.browser.text('notice'), '')
+        self.server.show(goals=dict(goals, active=None, outcome='failed', text='no plan leads there'))
+        self.browser.wait(lambda: self.browser.text('notice') == 'The goal was not reached: no plan leads there')
+
     def test_says_that_it_records(self):
         self.server.show(record={'on': True, 'file': 'drive.bag', 'seconds': 75, 'report': 'none', 'text': ''})
         self.browser.wait(lambda: self.browser.text('record') == 'Recording, 1 min 15 s: end it')
@@ -394,6 +402,8 @@ class Gamepad(PageTest):
         self.assertTrue(self.server.wait(lambda all: any(one['type'] == 'stick' and not one['held'] for one in all)))
         self.settle()
         self.assertEqual(sum(not one['held'] for one in self.sticks()), 1)
+        self.browser.js('window.pad.buttons[0].pressed = true')
+        self.assertTrue(self.server.wait(lambda all: any(one['type'] == 'take_control' and one['on'] for one in all)))
 
     def test_its_stop_is_held_and_stays_after_a_cut(self):
         self.browser.js('window.pad.buttons[1].pressed = true')
