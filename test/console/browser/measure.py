@@ -55,7 +55,8 @@ def main():
             if times:
                 delays.append(min(times))
         print('load of the machine %.1f on %d cores' % (os.getloadavg()[0], os.cpu_count()))
-        print('frames a second: %.1f, of the three-dimensional view %.1f at %.2f of its pixels' % (*frames, page.app('app.board.renderer.getPixelRatio()')))
+        ratio = page.app('app.board.renderer.getPixelRatio()')
+        print('frames a second: %.1f, of the three-dimensional view %.1f at %.2f of its pixels' % (*frames, ratio))
         print('pointer event to Joy, %d of %d moves: p50 %.1f ms, p90 %.1f ms, p99 %.1f ms' % (
             len(delays), len(page.js('return window.moves')), share(delays, 0.5), share(delays, 0.9), share(delays, 0.99)))
     finally:
