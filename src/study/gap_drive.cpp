@@ -18,9 +18,10 @@ namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-// The room: the wall with the gap stands across its middle. Lengths in [m].
+// The room: the wall with the gap stands across its middle, from wall to wall. Lengths in [m].
 constexpr double kRoomLength = 4.4;
 constexpr double kRoomWidth = 2.6;
+constexpr double kOuterWall = 0.1;
 constexpr double kWall = 0.2;
 constexpr double kAway = 1.5;        // start and goal, from the wall's middle
 constexpr double kFineCell = 0.005;  // of the true map
@@ -39,12 +40,15 @@ sim::OccupancyMap room(double cell) {
   return sim::make_map(length, width, cell, -0.5 * length * cell, -0.5 * width * cell);
 }
 
+// Closed all round: who arrives came through the gap.
 sim::OccupancyMap room_with_gap(double gap) {
   sim::OccupancyMap map = room(kFineCell);
   for (int row = 0; row < map.height; ++row) {
-    if (std::abs(map.center_y(row)) < 0.5 * gap) continue;
     for (int column = 0; column < map.width; ++column) {
-      if (std::abs(map.center_x(column)) < 0.5 * kWall) map.cells[map.index(column, row)] = sim::Cell::kOccupied;
+      const double x = std::abs(map.center_x(column)), y = std::abs(map.center_y(row));
+      const bool outer = x > 0.5 * kRoomLength - kOuterWall || y > 0.5 * kRoomWidth - kOuterWall;
+      const bool across = x < 0.5 * kWall && y > 0.5 * gap;
+      if (outer || across) map.cells[map.index(column, row)] = sim::Cell::kOccupied;
     }
   }
   return map;

@@ -211,7 +211,13 @@ void read_arguments(const std::vector<std::string>& arguments, Options& options)
   const std::map<std::string, Reader> with_value = readers(options);
   const std::map<std::string, std::function<void()>> without = switches(options);
   for (std::size_t i = 1; i < arguments.size(); ++i) {
-    const std::string& name = arguments[i];
+    std::string name = arguments[i];
+    std::optional<std::string> joined;  // --name=value
+    const std::size_t equals = name.find('=');
+    if (name.compare(0, 2, "--") == 0 && equals != std::string::npos) {
+      joined = name.substr(equals + 1);
+      name.resize(equals);
+    }
     if (name == "--help" || name == "-h") {
       options.command = "help";
       return;
@@ -220,9 +226,10 @@ void read_arguments(const std::vector<std::string>& arguments, Options& options)
     const auto reader = with_value.find(name);
     const auto toggle = without.find(name);
     if (reader != with_value.end()) {
-      if (i + 1 == arguments.size()) throw UsageError(name + " needs a value: see hidwa_study --help");
-      reader->second(arguments[++i]);
+      if (!joined && i + 1 == arguments.size()) throw UsageError(name + " needs a value: see hidwa_study --help");
+      reader->second(joined ? *joined : arguments[++i]);
     } else if (toggle != without.end()) {
+      if (joined) throw UsageError(name + " takes no value: see hidwa_study --help");
       toggle->second();
     } else if (options.command == "merge" && !name.empty() && name.front() != '-') {
       options.parts.push_back(name);

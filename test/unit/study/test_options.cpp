@@ -38,6 +38,19 @@ TEST(Options, DefaultsAreThePapersNumbers) {
   EXPECT_EQ(pilot.conditions, std::vector<std::string>{"SJ"});
 }
 
+TEST(Options, TakeTheirValuesAfterAnEqualsSignToo) {
+  const Options o = parse("sweep --out=a --start=-6.8,-4.9,1.5 --set=delta=1 --grid=s_v=1,2 --no-paths");
+  EXPECT_EQ(o.out, "a");
+  EXPECT_EQ(o.start->x, -6.8);
+  ASSERT_EQ(o.sets.size(), 1u);
+  EXPECT_EQ(o.sets.front().name, "delta");
+  EXPECT_EQ(o.sets.front().value, "1");
+  EXPECT_EQ(o.grid, std::vector<std::string>{"s_v=1,2"});
+  EXPECT_FALSE(o.paths);
+  EXPECT_NE(fault_of("run --out=a --no-paths=1").find("--no-paths takes no value"), std::string::npos);
+  EXPECT_NE(fault_of("run --out=a --nothing=1").find("there is no option '--nothing'"), std::string::npos);
+}
+
 TEST(Options, AreRead) {
   const Options o = parse(
       "sweep --out a --map m.yaml --regions r.yaml --start 1,2,0.5 --goal 3,4,-1 --participants 5 --conditions SW,SJ "
