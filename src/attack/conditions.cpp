@@ -258,6 +258,13 @@ std::vector<Condition> outside() {
        [](Spec& s, Random&) {
          late(s, false);
          s.late_most = 5.0;
+         s.surprises = true;
+       }},
+      {"out_late_unannounced", false, "20 % of the cycles up to two periods late, later than any of the last 3 s",
+       [](Spec& s, Random&) {
+         late(s, false);
+         rate(s, 10);
+         s.surprises = true;
        }},
       {"out_pose_unknown_age", false, "the pose is 0.1 s old and nobody knows",
        [](Spec& s, Random&) {

@@ -186,6 +186,14 @@ class Run {
     stand_.observe(now, {base_.pose(), base_.velocity()}, wants_to_drive(), route_.points());
     base_.send(now, command);
     last_ = command;
+    rhythm_.plan_next(now, rests(now));
+  }
+
+  // No command is on its way either.
+  bool rests(int now) {
+    const Twist2 u = base_.velocity();
+    if (u.v != 0.0 || u.omega != 0.0 || last_.v != 0.0 || last_.omega != 0.0) rests_from_ = now + spec_.latency + 1;
+    return now >= rests_from_;
   }
 
   // Nobody steers, and the host was not told that there is no way.
@@ -359,6 +367,7 @@ class Run {
   control::ControlLoop loop_{critics::built_in(), lone_};
   Device device_;
   int last_cycle_ = -1;  // [ms]
+  int rests_from_ = 0;   // [ms]
   double driven_ = 0.0;  // [s]
   Situation situation_;
   std::ostream* trace_;

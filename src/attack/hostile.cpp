@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hostile.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "conditions.hpp"
 
 namespace hidwa_attack {
@@ -66,12 +69,26 @@ void give_device(Spec& s, Random& r) {
   if (r.chance(0.2)) s.limits_change = true;
 }
 
+// How far a robot drives and how long it takes from the last cycle that did not know of somebody until it rests: who
+// appears nearer cannot be allowed for.
+void keep_out_of_reach(Spec& s) {
+  const Parameters& p = s.parameters;
+  const double dec_x = p.decel_lim_x != 0.0 ? std::abs(p.decel_lim_x) : p.acc_lim_x;
+  const double dec_theta = p.decel_lim_theta != 0.0 ? std::abs(p.decel_lim_theta) : p.acc_lim_theta;
+  const double waits = p.control_latency + 1e-3 * s.period * (2.0 + s.late_most);
+  const double v = s.parameters.max_vel_x, omega = p.max_vel_theta;
+  const double way = v * waits + 0.5 * v * v / dec_x;
+  const double turn = outermost(shape_of(s.outline)) * (omega * waits + 0.5 * omega * omega / dec_theta);
+  s.bounds.appear = way + turn + s.bounds.speed * (waits + std::max(v / dec_x, omega / dec_theta));
+}
+
 void add(Spec& s, bool condition_has_speed, Random& r) {
   if (!condition_has_speed) s.parameters.max_vel_x = r.of({0.5, 1.0, 1.5, 2.0, 2.0});
   if (s.parameters.max_vel_x > 1.0 && s.resolution < 0.05) s.resolution = 0.05;
   s.relentless = r.chance(0.8);
   give_device(s, r);
   if (s.walkers == 0 && r.chance(0.3)) s.walkers = r.whole(1, 6);
+  if (s.walkers > 0) keep_out_of_reach(s);
 }
 
 const char* place_of(const Spec& spec) { return name_of(spec.place); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 
 #include "random.hpp"
@@ -17,16 +18,25 @@ class Rhythm {
         share_(spec.late_share),
         most_(spec.late_most),
         catches_up_(spec.catches_up),
-        random_(seed) {}
+        surprises_(spec.surprises),
+        random_(seed) {
+    // The host has run before, and was late.
+    if (share_ > 0.0) cycles_ = {-static_cast<int>((1.0 + most_) * period_), 0};
+  }
 
   bool due(int now) const { return now >= next_; }
-  /// A cycle takes place at `now` [ms]. A host that catches up keeps to its grid until it is a whole period behind.
+  /// A cycle takes place at `now` [ms].
   void tick(int now) {
-    cycles_.push_back(now);
+    if (cycles_.empty() || now > cycles_.back()) cycles_.push_back(now);
     while (cycles_.front() < now - kMemory) cycles_.pop_front();
+  }
+  /// When the next one is. A host that catches up keeps to its grid until it is a whole period behind. Where the
+  /// robot does not rest the next one is no later than longest(), unless the spec asks for surprises.
+  void plan_next(int now, bool rests) {
     const bool keeps = catches_up_ && now - grid_ <= period_;
     grid_ = (keeps ? grid_ : now) + period_;
     next_ = std::max(grid_ + lateness(), now + 1);
+    if (!surprises_ && !rests) next_ = std::min(next_, now + static_cast<int>(std::lround(1e3 * longest())));
   }
   /// The larger of the period and the longest interval of the last 3 s, which counts up to three periods [s].
   double longest() const {
@@ -41,7 +51,7 @@ class Rhythm {
 
   int period_;  // [ms]
   double share_, most_;
-  bool catches_up_;
+  bool catches_up_, surprises_;
   Random random_;
   int grid_ = 0, next_ = 0;  // when the cycle should be, and when it is [ms]
   std::deque<int> cycles_;   // [ms]

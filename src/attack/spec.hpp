@@ -59,6 +59,7 @@ struct Spec {
   double late_share = 0.0;  // of the cycles
   double late_most = 0.0;   // [periods]
   bool catches_up = false;  // after a late cycle, as ros::Rate does
+  bool surprises = false;   // later than any of the last 3 s, also while the robot moves
 
   Odometry odometry = Odometry::exact;
   int pose_age = 0;      // [ms]

@@ -10,7 +10,9 @@ namespace {
 
 constexpr double kClose = 1.0;            // of the moving robot: an encounter [m]
 constexpr double kIdle = 0.6;             // at a robot at rest; then somebody else comes [s]
-constexpr double kLost = 6.0;             // so far away somebody else comes [m]
+constexpr double kAppears = 3.0;          // from the robot's centre, at least [m]
+constexpr double kWidest = 0.4;           // the radius of the widest [m]
+constexpr double kLost = 3.0;             // so much farther away than that somebody else comes [m]
 constexpr std::size_t kRemembered = 200;  // steps
 
 Spot operator+(const Spot& a, const Spot& b) { return {a.x + b.x, a.y + b.y}; }
@@ -65,14 +67,16 @@ void Walkers::place(Walker& walker) {
   const Spot robot{pose_.x, pose_.y};
   Walker fresh;
   fresh.id = ++ids_;
-  fresh.p = robot + anywhere(random_.in(3.0, 4.5));
+  fresh.p = robot + anywhere(appears() + random_.in(0.0, 1.5));
   fresh.v = capped({random_.in(-1.0, 1.0), random_.in(-1.0, 1.0)}, bounds_.speed);
-  fresh.radius = random_.in(0.15, 0.4);
+  fresh.radius = random_.in(0.15, kWidest);
   fresh.way = random_.of(
       {Walker::Way::chase, Walker::Way::intercept, Walker::Way::pounce, Walker::Way::wait, Walker::Way::cut});
   fresh.stroll = unit(robot - fresh.p) * random_.in(0.3, bounds_.speed);
   walker = fresh;
 }
+
+double Walkers::appears() const { return std::max(kAppears, bounds_.appear + outermost_ + kWidest); }
 
 double Walkers::error(double third) { return 3.0 * third * (random_.chance(0.5) ? 1.0 : random_.in(0.0, 1.0)); }
 
@@ -145,7 +149,7 @@ void Walkers::look() {
     // Who touches a robot at rest touches it still when it sets off: counted once.
     walker.touches = apart <= 0.0;
     walker.idle = apart <= 0.5 && !moves ? walker.idle + kStep : 0.0;
-    if (walker.idle > kIdle || walker.touches || apart > kLost) place(walker);
+    if (walker.idle > kIdle || walker.touches || apart > appears() + kLost) place(walker);
   }
 }
 

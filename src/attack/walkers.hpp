@@ -24,6 +24,7 @@ struct Bounds {
   double position_error = 0.03, velocity_error = 0.1;  // a third of the largest error [m, m/s]
   double oldest = 0.15;                                // age of an estimate [s]
   double told_errors = 1.0;                            // times the errors: what the planner is told of them
+  double appear = 0.0;  // nobody appears nearer to the robot's edge [m], and 3 m from its centre
 };
 
 /// What became of it.
@@ -66,6 +67,7 @@ class Walkers {
 
  private:
   double speed_of_edge() const { return std::abs(velocity_.v) + outermost_ * std::abs(velocity_.omega); }
+  double appears() const;
   void place(Walker& walker);
   Spot wish_of(const Walker& walker) const;
   void move(Walker& walker);

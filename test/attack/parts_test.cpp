@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The campaign's own arithmetic: a measure that is wrong finds nothing, or what is not there.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -132,25 +133,59 @@ TEST(Base, TakesACommandUpAfterItsLatencyAndDrivesAnArc) {
   EXPECT_NEAR(base.pose().y, 0.5 * (1.0 - std::cos(0.9995)), 1e-6);
 }
 
-TEST(Rhythm, LateCyclesAreLateByWhatTheyShould) {
-  Spec spec;
-  spec.late_share = 0.2;
-  spec.late_most = 2.0;
-  Rhythm rhythm(spec, 5);
-  int last = 0, late = 0, cycles = 0, longest = 0;
+struct Lateness {
+  int cycles = 0, late = 0, longest = 0, unannounced = 0;  // longest [ms]
+};
+
+// 200 s of a host. Unannounced: later than it had told at the cycle before.
+Lateness lateness_of(Rhythm& rhythm, int period, bool rests) {
+  Lateness found;
+  int last = 0, told = 0;
   for (int now = 0; now < 200000; ++now) {
     if (!rhythm.due(now)) continue;
     rhythm.tick(now);
-    if (now > 0) longest = std::max(longest, now - last);
-    late += now > 0 && now - last > spec.period;
+    rhythm.plan_next(now, rests);
+    if (now > 0) {
+      found.longest = std::max(found.longest, now - last);
+      found.late += now - last > period;
+      found.unannounced += now - last > told;
+    }
+    told = static_cast<int>(std::lround(1e3 * rhythm.longest()));
     last = now;
-    ++cycles;
+    ++found.cycles;
   }
-  EXPECT_NEAR(static_cast<double>(late) / cycles, 0.2, 0.02);
-  EXPECT_GT(longest, 140);
-  EXPECT_LE(longest, 150);  // 50 ms and two periods
+  return found;
+}
+
+Spec late_host(double share) {
+  Spec spec;  // 50 ms
+  spec.late_share = share;
+  spec.late_most = 2.0;
+  return spec;
+}
+
+TEST(Rhythm, LateCyclesAreLateByWhatTheyShould) {
+  Spec spec = late_host(0.2);
+  spec.surprises = true;
+  Rhythm rhythm(spec, 5);
+  EXPECT_EQ(rhythm.longest(), 0.15) << "it was late before: 50 ms and two periods";
+  const Lateness found = lateness_of(rhythm, spec.period, false);
+  EXPECT_NEAR(static_cast<double>(found.late) / found.cycles, 0.2, 0.02);
+  EXPECT_GT(found.longest, 140);
+  EXPECT_LE(found.longest, 150);
   EXPECT_GT(rhythm.longest(), 0.1);
   EXPECT_LE(rhythm.longest(), 0.15);
+}
+
+// One cycle of a hundred is late: after 3 s without one the next is a surprise.
+TEST(Rhythm, NoCycleIsLaterThanToldWhereTheRobotMoves) {
+  Spec spec = late_host(0.01);
+  Rhythm moving(spec, 5), resting(spec, 5);
+  EXPECT_EQ(lateness_of(moving, spec.period, false).unannounced, 0);
+  EXPECT_GT(lateness_of(resting, spec.period, true).unannounced, 5);
+  spec.surprises = true;
+  Rhythm surprising(spec, 5);
+  EXPECT_GT(lateness_of(surprising, spec.period, false).unannounced, 5);
 }
 
 TEST(CommandWatch, TheLimitOrTheLastCommandReduced) {

@@ -119,6 +119,39 @@ TEST(Walkers, KeepTheirBounds) {
   }
 }
 
+TEST(Walkers, NobodyAppearsNearerThanHeMay) {
+  hidwa_attack::Bounds bounds;
+  bounds.appear = 5.0;
+  const hidwa_attack::Shape circle{{}, 0.25};
+  hidwa_attack::Walkers walkers(6, bounds, circle, {}, 11);
+  std::uint32_t newest = 0;
+  int appeared = 0;
+  for (int k = 0; k < 20000; ++k) {
+    for (const hidwa_attack::Walker& walker : walkers.all()) {
+      if (walker.id <= newest) continue;
+      EXPECT_GE(walkers.gap(walker), k == 0 ? 5.0 : 5.0 - 0.005) << "it may have walked a step";
+      newest = walker.id;
+      ++appeared;
+    }
+    walkers.step({0.0, 0.0, 0.0}, {0.0, 0.0});
+  }
+  EXPECT_GT(appeared, 12) << "who touched is gone, and somebody else came";
+}
+
+// 2 m/s, 2.5 m/s2, 0.1 s of latency and two periods of 50 ms: 0.2 s and 0.8 s until it rests, in which it drives
+// 0.4 m + 0.8 m, and a walker of 1.8 m/s walks 1.8 m. Turning adds more.
+TEST(Hostile, WhoAppearsIsOutOfReachOfAFastRobot) {
+  bool found = false;
+  for (std::uint64_t index = 0; index < 400; ++index) {
+    const hidwa_attack::Spec spec = hidwa_attack::hostile_drive(1, index, {}).spec;
+    const bool known = spec.parameters.max_vel_x == 2.0 && spec.parameters.decel_lim_x == 0.0 && spec.walkers > 0;
+    if (!known) continue;
+    EXPECT_GE(spec.bounds.appear, 3.0);
+    found = true;
+  }
+  EXPECT_TRUE(found);
+}
+
 TEST(Walkers, GapIsFromEdgeToEdge) {
   const hidwa_attack::Shape square{{{0.3, 0.2}, {-0.3, 0.2}, {-0.3, -0.2}, {0.3, -0.2}}, 0.0};
   hidwa_attack::Walkers walkers(1, {}, square, {1.0, 2.0, 0.5 * M_PI}, 3);
