@@ -18,7 +18,7 @@ constexpr double kCrowdStep = 0.01;  // [s]
 constexpr double kShoulders = 0.20;  // [m], nearer to a wall nobody comes
 constexpr double kPursuit = 0.8;     // [m] ahead along the way people head for
 constexpr double kArrived = 0.6;     // [m] from a place
-constexpr double kStuck = 8.0;       // [s] without coming further: another way is looked for
+constexpr double kStuck = 8.0;       // [s] without coming further: they go somewhere else
 constexpr double kTogether = 0.9;    // [m] from the middle of a group nobody feels drawn to it
 constexpr double kLeads = 1.2;       // [m] ahead of the middle of a group people wait for it
 constexpr double kTurning = 2.5;     // [rad/s], of heading
@@ -166,12 +166,17 @@ void Crowd::step(double now, double dt, const RobotSeen& robot) {
 void Crowd::plan(Group& group, double now) {
   if (now < group.waits_until) return;
   const Eigen::Vector2d& place = setup_.ways->place(group.place);
+  const bool stuck = std::any_of(group.members.begin(), group.members.end(),
+                                 [&](std::size_t member) { return now > walkers_[member].progress + kStuck; });
   const bool arrived = std::any_of(group.members.begin(), group.members.end(), [&](std::size_t member) {
     return walkers_[member].way.empty() || (movers_[member].position - place).norm() < kArrived;
   });
   if (arrived) {
     set_out(group, now);
     group.waits_until = now + setup_.longest_stay * random_.uniform();
+  } else if (stuck) {
+    set_out(group, now);
+    return;
   } else if (now > group.strolls_until) {
     group.waits_until = now + 1.0 + 2.0 * random_.uniform();
     group.strolls_until = group.waits_until - setup_.mean_stroll * std::log(1.0 - random_.uniform());
@@ -190,7 +195,6 @@ Eigen::Vector2d Crowd::wanted_velocity(std::size_t person, double now) {
   const Group& group = groups_[walker.group];
   const Eigen::Vector2d& here = movers_[person].position;
   if (now < group.waits_until || walker.way.empty()) return {0.0, 0.0};
-  if (now > walker.progress + kStuck) find_way(person, now);
   if (walker.way.empty()) return {0.0, 0.0};
   while (walker.next + 1 < walker.way.size() && (walker.way[walker.next] - here).norm() < kPursuit) {
     ++walker.next;

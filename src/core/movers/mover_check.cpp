@@ -25,6 +25,10 @@ constexpr double kLateApart = 0.5;
 // Moments that differ by less are one [s].
 constexpr double kSameMoment = 1e-9;
 
+// What is slower stands, and may be left [m/s]; the robot's outermost point is no faster then [m/s].
+constexpr double kStands = 0.3;
+constexpr double kLeavesAt = 0.15;
+
 // Memory is kept for so many at once.
 constexpr std::size_t kUsualMovers = 256;
 
@@ -103,6 +107,8 @@ void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& lim
   }
   fastest_ = speed_at(fastest, radius_);
   // The command for two periods and as late as it may be, braking, and the tail of braking.
+  creeps_for_ =
+      latency + start.period + latest_hold(start.period, start.longest_period) + limits.x.time_to_rest(kLeavesAt);
   duration_ = latency + 3.0 * start.period + latest_hold(start.period, start.longest_period) +
               std::max(limits.x.time_to_rest(fastest.v), limits.theta.time_to_rest(fastest.omega));
   reach_ = fastest.v * duration_;
@@ -124,18 +130,19 @@ void MoverCheck::add_near(const MovingObstacleEstimate& mover, const Parameters&
   if (distance_to_way(here, set.centre(0.0), until_rest * set.velocity()) > own + set.radius(until_rest)) return;
   Near near;
   near.set = set;
-  near.leaves = around(set) && leaving_.admit(mover.id, start_.rests);
+  near.leaves = around(set) && set.velocity().norm() <= kStands && leaving_.admit(mover.id, start_.rests);
   near.closing_speed = fastest_ + set.fastest();
   near.closing_acc = fastest_ + set.velocity().norm() + set.growth(until_rest);
   near_.push_back(near);
 }
 
-// The robot is where it may be now, or within the allowance of one short step.
+// The robot is where it may be before even a robot that creeps can rest, or within the allowance of one short step.
 bool MoverCheck::around(const ReachableSet& set) const {
   const TurnedPose here = with_heading(start_.pose);
   const double allowance = most_drift_ + 0.5 * kShortStep * (set.fastest() + fastest_);
-  return footprint_->distance_to(seen_from(here, set.centre(0.0))) <= set.radius(0.0) + allowance &&
-         footprint_->distance_to(seen_from(here, set.position())) <= set.speed_radius(0.0) + allowance;
+  const double t = creeps_for_;
+  return footprint_->distance_to(seen_from(here, set.centre(t))) <= set.radius(t) + allowance &&
+         footprint_->distance_to(seen_from(here, set.position())) <= set.speed_radius(t) + allowance;
 }
 
 // Many samples share a first command.
@@ -196,9 +203,9 @@ bool MoverCheck::free_at(const ManoeuvreRoller& roller, double elsewhere, Progre
   if (stood && !free_at(progress.pose, begin, roller, elsewhere, progress)) return false;
   if (!free_at(roller.at(), roller.time(), roller, elsewhere, progress)) return false;
   for (const Near& near : near_) {
-    if (near.leaves && !leads_away(near, progress.pose, roller.at(), roller.time(), roller.step().duration)) {
-      return false;
-    }
+    if (!near.leaves) continue;
+    const bool creeps = roller.step().fastest <= kLeavesAt;
+    if (!creeps || !leads_away(near, progress.pose, roller.at(), roller.time(), roller.step().duration)) return false;
   }
   progress.pose = roller.at();
   progress.time = roller.time();

@@ -8,7 +8,8 @@
 //    times the obstacle's fastest and the robot's own speed: so what lies between two poses is covered, too.
 // 4. What is too far away at one time need not be looked at again until both could have met.
 // 5. Where a set is around the robot already when it begins to drive, the robot may leave: the distance from the
-//    outline to where the obstacle is expected grows at every step (Leaving).
+//    outline to where the obstacle is expected grows at every step (Leaving). It creeps, and leaves only what stands:
+//    who walks past is soon gone.
 //
 // can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
 // steps, all pending motions, and commands to brake at all times. A robot that stays at rest has nothing to be asked.
@@ -122,6 +123,7 @@ class MoverCheck {
   double most_grown_ = 0.0;  // the robot's part of what sets grow by [m]
   double fastest_ = 0.0;     // of the outline [m/s]
   double duration_ = 0.0;    // of the longest manoeuvre [s]
+  double creeps_for_ = 0.0;  // one of a robot that creeps [s]
   std::vector<Near> near_;
   Leaving leaving_;
   Look coarse_, fine_;

@@ -24,17 +24,28 @@ constexpr double kAnyDistance = 1e3;  // [m]
 
 }  // namespace
 
-bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own) {
+bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own,
+                     const ComfortTurn& comfort) {
   const Situation& situation = cycle.situation;
   const PendingMotionSet& all = *cycle.start.pending;
   const PendingMotion& pending = all[all.likely() - 1];
   ManoeuvreRoller roller(cycle.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
                          {cycle.start.origin, Rotation::of(cycle.start.origin.theta)}, kPendingStep);
   roller.roll_on(pending, [](const TurnedPose&) { return true; });
-  const EvasionSearch::Scene scene{
-      cycle.parameters, cycle.limits,          cycle.footprint,         cycle.grid,
-      checker,          roller.at(),           pending.end(),           std::max(0.0, roller.time()),
-      cycle.movers,     cycle.start.reference, usable_period(situation)};
+  VelocityLimits gentle = cycle.limits;
+  gentle.theta = comfort.widest(cycle.limits.theta, cycle.start.reference.omega);
+  gently_ = comfort.binds();
+  EvasionSearch::Scene scene{cycle.parameters,
+                             gentle,
+                             cycle.footprint,
+                             cycle.grid,
+                             checker,
+                             roller.at(),
+                             pending.end(),
+                             std::max(0.0, roller.time()),
+                             cycle.movers,
+                             cycle.start.reference,
+                             usable_period(situation)};
   better_.clear();
   better_.reserve(64);
   if (!search_.look(scene, situation.moving_obstacles) || search_.untroubled(scene, own)) return false;
@@ -42,6 +53,11 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
                  EvasionSearch::reach(cycle.parameters, cycle.limits));
   if (!guide_.any()) return false;
   search_.run(scene, guide_, own);
+  if (gently_ && search_.cheapest() >= EvasionSearch::kTouched) {
+    gently_ = false;
+    gentle = cycle.limits;
+    search_.run(scene, guide_, own);
+  }
   const std::vector<EvasionSearch::Branch>& branches = search_.branches();
   for (std::size_t i = 1; i < branches.size(); ++i) {
     if (branches[i].cost < branches[0].cost - kClearlyBetter) better_.push_back(branches[i]);

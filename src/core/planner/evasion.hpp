@@ -23,7 +23,10 @@ namespace hidwa_local_planner {
 class Evasion {
  public:
   /// Whether another motion is clearly better than `own`, autonomy's choice [m/s, rad/s].
-  bool wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own);
+  /// `comfort`: how it turns where that is enough to stay untouched.
+  bool wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own, const ComfortTurn& comfort);
+  /// The better motions turn no faster than `comfort` said.
+  bool gently() const { return gently_; }
   /// The candidate that begins the best way that begins with a legal one; -1 where none is better than the choice.
   int choose(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks);
 
@@ -32,6 +35,7 @@ class Evasion {
 
   EvasionSearch search_;
   PlanGuide guide_;
+  bool gently_ = false;
   std::vector<EvasionSearch::Branch> better_;           // cheapest first
   std::vector<std::pair<double, std::uint32_t>> near_;  // candidates, by how far they are from a motion
 };

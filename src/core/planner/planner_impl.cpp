@@ -185,13 +185,15 @@ bool Planner::Impl::evades(const Cycle& cycle, const Choice& choice, bool autono
   if (!cycle.among_movers || !autonomous || choice.candidate < 0 || parameters.evasion_time <= 0.0) return false;
   if (evaluation.obstacles().in_collision()) return false;
   return evasion.wanted(cycle, evaluation.obstacles().collision(),
-                        evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate)));
+                        evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate)),
+                        ComfortTurn::from(parameters));
 }
 
-// As fast as the limits allow: gentleness gives way.
+// Gentleness gives way where it would be touched.
 void Planner::Impl::evade(const Cycle& cycle, const Steering& steering, Evaluation::Result& evaluated, Choice& choice) {
-  if (evaluated.gentle) {
-    evaluated = evaluation.evaluate(cycle, steering, mode(true, {}));
+  if (evaluated.gentle != evasion.gently()) {
+    evaluated = evaluation.evaluate(cycle, steering,
+                                    mode(true, evasion.gently() ? ComfortTurn::from(parameters) : ComfortTurn{}));
     choice = choose(cycle, true);
   }
   const int candidate = evasion.choose(cycle, evaluation.candidates(), evaluation.checks());

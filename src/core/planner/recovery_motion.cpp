@@ -53,6 +53,7 @@ constexpr double kSamePlace = 0.3;
 
 constexpr std::size_t kLongestText = 200;
 constexpr const char* kNoWay = "no way for this outline through the local map";
+constexpr const char* kBlocked = "what moves has blocked the only way for 30 s";
 
 // Where a candidate brings the robot that follows it for a while and then brakes: braking takes it half as far as
 // driving on would.
@@ -83,6 +84,7 @@ void RecoveryMotion::enter(Phase phase, double now) {
   if (phase == Phase::idle || phase == Phase::follows) {
     holds_ = false;
     problem_.clear();
+    wait_.reset();
   }
   if (phase != Phase::searches && phase != Phase::looks_ahead) search_.clear();
   if (phase != Phase::follows) way_.clear();
@@ -165,7 +167,9 @@ void RecoveryMotion::begin_search(const Cycle& cycle, Phase phase, const Pose2& 
 
 void RecoveryMotion::set_task(const Cycle& cycle, const Pose2& start) {
   make_search_task(start, cycle.situation.plan, cycle.grid, cycle.footprint, cycle.parameters, cycle.limits, task_);
-  add_movers(cycle.situation.moving_obstacles, cycle.footprint, task_);
+  const MovingObstacleEstimates& movers = cycle.situation.moving_obstacles;
+  if (wait_.counts_movers(cycle)) add_movers(movers, cycle.footprint, task_);
+  if (wait_.alone()) remove_movers(movers, task_);
   search_.begin(task_);
 }
 
@@ -183,7 +187,7 @@ void RecoveryMotion::look_ahead(const Cycle& cycle) {
   if (state == WaySearch::State::found) {
     follow_way(now);
   } else if (state != WaySearch::State::searching || late(now)) {
-    if (state == WaySearch::State::no_way) {
+    if (state == WaySearch::State::no_way && !wait_.try_without()) {
       describe_end(kNoWay, hopeless_);
       hopeless_at_ = search_.task().start;
     }
@@ -222,7 +226,11 @@ void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
   const WaySearch::State state = way_.empty() ? run(cycle) : WaySearch::State::found;
   switch (state) {
     case WaySearch::State::found:
-      if (may_follow) follow_way(now);
+      if (wait_.alone()) {
+        wait_for_movers(now);
+      } else if (may_follow) {
+        follow_way(now);
+      }
       break;
     case WaySearch::State::searching:
       if (late(now)) fail(now, "no way was found in time through the local map");
@@ -232,8 +240,23 @@ void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
       break;
     case WaySearch::State::no_way:
     case WaySearch::State::idle:
-      fail(now, kNoWay);
+      conclude_no_way(cycle);
   }
+}
+
+void RecoveryMotion::conclude_no_way(const Cycle& cycle) {
+  const double now = cycle.situation.time;
+  if (!wait_.try_without()) return fail(now, kNoWay);
+  since_ = now;
+  set_task(cycle, search_.task().start);
+}
+
+// The way that there would be is not driven.
+void RecoveryMotion::wait_for_movers(double now) {
+  problem_.reserve(kLongestText);
+  wait_.begin(now);
+  enter(Phase::waits, now);
+  if (wait_.over(now)) problem_ = kBlocked;
 }
 
 bool RecoveryMotion::late(double now) const {
@@ -248,6 +271,7 @@ void RecoveryMotion::follow_way(double now) {
 
 void RecoveryMotion::fail(double now, const char* how) {
   describe_end(how, problem_);
+  wait_.reset();
   enter(Phase::waits, now);
 }
 

@@ -8,7 +8,9 @@
 //    remaining time, followed for some tenths of a second and then braked. What critics reject is not taken.
 // 3. That ends at the way's end, or where the cheapest candidate has led on as well for a second. If the remaining time
 //    stops falling, the robot stands and searches anew.
-// 4. If there is no way, the cycle fails and says why. It searches again after two seconds.
+// 4. If there is no way, the cycle fails and says why. It searches again after two seconds. If only what moves is in
+// the
+//    way, it waits for that instead (MoverWait).
 // 5. Before a tight place the search begins while the robot drives on. Where it finds a way the robot follows that, in
 //    good time: one that cannot drive backwards may come to where no way leads on.
 //
@@ -24,6 +26,7 @@
 
 #include "core/planner/cycle.hpp"
 #include "core/planner/escape_turn.hpp"
+#include "core/planner/mover_wait.hpp"
 #include "core/planner/novelty.hpp"
 #include "core/search/way_search.hpp"
 #include "hidwa_local_planner/core/util/condition_timer.hpp"
@@ -64,8 +67,12 @@ class RecoveryMotion {
   bool follows() const { return phase_ == Phase::follows; }
   /// It does, and has found it while it drove.
   bool drives_on() const { return follows() && ahead_; }
-  /// It is not known yet whether a way leads on.
-  bool undecided() const { return phase_ == Phase::stops || (phase_ == Phase::searches && problem_.empty()); }
+  /// It is not known yet whether a way leads on, or it waits for what moves to go.
+  bool undecided() const {
+    return phase_ == Phase::stops || (problem_.empty() && (phase_ == Phase::searches || waits_for_movers()));
+  }
+  /// Nothing else is in the way.
+  bool waits_for_movers() const { return phase_ == Phase::waits && wait_.waits(); }
   /// Why no way leads on; empty where that is not known. Valid until the next call of another function.
   const char* problem() const { return problem_.c_str(); }
   /// For how long autonomy has stood [s].
@@ -75,7 +82,7 @@ class RecoveryMotion {
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
        self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_,
-       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.renewed_);
+       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.renewed_, self.wait_);
   }
 
  private:
@@ -100,6 +107,8 @@ class RecoveryMotion {
   bool late(double now) const;
   void follow_way(double now);
   void fail(double now, const char* how);
+  void conclude_no_way(const Cycle& cycle);
+  void wait_for_movers(double now);
   void describe_end(const char* how, std::string& text);
   bool gets_nowhere(const Cycle& cycle) const;
   int stand(const Scene& scene) const;
@@ -128,6 +137,7 @@ class RecoveryMotion {
   double looked_ = 0.0;      // ahead, at last [s]
   double renewed_ = 0.0;     // a search for a way instead of this one began at last [s]
   std::string problem_;
+  MoverWait wait_;
   std::string hopeless_;  // what a search ahead has come to, that found no way
   Pose2 hopeless_at_;     // from there
 };

@@ -13,6 +13,8 @@ constexpr double kFirstMotion = 0.4;    // [s]
 constexpr double kFading = 2.0;         // what comes later by this counts 1/e as much [s]
 constexpr double kUnsure = 0.1;         // how fast D grows for everything that moves [m/s]
 constexpr double kTouches = 0.03;       // what is nearer counts as touched [m]
+constexpr double kTurning = 0.04;       // what a change of omega costs [s per rad/s]
+constexpr double kSpeeding = 0.2;       // what a change of v costs [s per m/s]
 constexpr double kTouchedSooner = 100;  // each second sooner costs so many
 
 // Ways that end so near to each other are alike [m], cosine, [m/s].
@@ -194,6 +196,12 @@ void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const Twist2
   }
 }
 
+double EvasionSearch::cheapest() const {
+  double least = kEver;
+  for (const Branch& branch : branches_) least = std::min(least, branch.cost);
+  return least;
+}
+
 // By all motions from `first` on. What is touched goes no farther.
 void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first,
                            const Span& span) {
@@ -204,7 +212,8 @@ void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const Sta
     State state = from;
     if (first == 0) state.first = static_cast<std::uint32_t>(i);
     const bool free = go(scene, i, span, state);
-    state.cost = state.nearness + guide.time_left(state.x, state.y, state.heading);
+    state.unrest += kTurning * std::abs(state.omega - from.omega) + kSpeeding * std::abs(state.v - from.v);
+    state.cost = state.nearness + state.unrest + guide.time_left(state.x, state.y, state.heading);
     if (free) {
       state.promise = state.cost + touched_early(scene, state, span.end());
       next_.push_back(state);

@@ -7,7 +7,8 @@
 // 3. A way costs seconds: what is left to drive from its end (PlanGuide), and for every moment within a distance D of
 //    something that moves
 //      scale (1 - d / D)^2 exp(-t / 2 s) dt,   D = evasion_distance + (0.1 m/s + s_v) t
-//    with the deviation s_v of its velocity. So far away it counts less, and where it will be is less sure.
+//    with the deviation s_v of its velocity. So far away it counts less, and where it will be is less sure. A change of
+//    velocity costs a little, so that of ways that are nearly as good the calm one is taken.
 // 4. After each motion the cheapest ways go on, of those that end nearly alike the cheapest one (a beam search). A way
 //    that would be touched if it went straight on counts there as if it cost more, by as many seconds as it would be
 //    touched before the end.
@@ -71,6 +72,8 @@ class EvasionSearch {
   /// `own`: a first motion of which ways are always followed up; branches()[0] is what it comes to.
   void run(const Scene& scene, const PlanGuide& guide, const Twist2& own);
   const std::vector<Branch>& branches() const { return branches_; }
+  /// What the cheapest of them costs [s].
+  double cheapest() const;
 
  private:
   static constexpr int kLevels = 6;
@@ -86,6 +89,7 @@ class EvasionSearch {
     Rotation heading;
     double v = 0.0, omega = 0.0;
     double nearness = 0.0;  // what coming near has cost so far [s]
+    double unrest = 0.0;    // what changes of velocity have cost [s]
     double until = 0.0;     // untouched so long [s]
     double cost = 0.0;      // [s]
     double promise = 0.0;   // the cost, and more where it leads to a touch as it goes on [s]

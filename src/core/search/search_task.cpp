@@ -95,28 +95,47 @@ bool SearchTask::plausible() const {
   return robot && body.fault() == nullptr && !body.empty() && grid().contains(grid().cell_at(start.x, start.y));
 }
 
+namespace {
+
+// Cells whose middle is within `reach` of a point.
+template <typename Visit>
+void for_cells_within(const Point& point, double reach, const GridView& grid, Visit&& visit) {
+  const auto cells = [&](double from, double to, int size) {
+    return std::clamp(static_cast<int>(std::floor(std::clamp((from - to) / grid.resolution, -1e6, 1e6))), 0, size);
+  };
+  const int i0 = cells(point.x() - reach, grid.origin_x, grid.size_x);
+  const int i1 = cells(point.x() + reach + grid.resolution, grid.origin_x, grid.size_x);
+  const int j0 = cells(point.y() - reach, grid.origin_y, grid.size_y);
+  const int j1 = cells(point.y() + reach + grid.resolution, grid.origin_y, grid.size_y);
+  for (int j = j0; j < j1; ++j) {
+    for (int i = i0; i < i1; ++i) {
+      if ((grid.centre({i, j}) - point).norm() <= reach) visit(Cell{i, j});
+    }
+  }
+}
+
+Point position_now(const MovingObstacleEstimate& mover) { return mover.position + mover.age * mover.velocity; }
+
+}  // namespace
+
 void add_movers(const MovingObstacleEstimates& movers, const Footprint& footprint, SearchTask& task) {
   const GridView grid = task.grid();
-  const double c = std::cos(task.start.theta), s = std::sin(task.start.theta), half = 0.5 * grid.resolution;
+  const double c = std::cos(task.start.theta), s = std::sin(task.start.theta);
   for (const MovingObstacleEstimate& mover : movers) {
-    const Point now = mover.position + mover.age * mover.velocity;
-    const double reach = mover.radius + half;
-    const auto cells = [&](double from, double to, int size) {
-      return std::clamp(static_cast<int>(std::floor(std::clamp((from - to) / grid.resolution, -1e6, 1e6))), 0, size);
-    };
-    const int i0 = cells(now.x() - reach, grid.origin_x, grid.size_x);
-    const int i1 = cells(now.x() + reach + grid.resolution, grid.origin_x, grid.size_x);
-    const int j0 = cells(now.y() - reach, grid.origin_y, grid.size_y);
-    const int j1 = cells(now.y() + reach + grid.resolution, grid.origin_y, grid.size_y);
-    for (int j = j0; j < j1; ++j) {
-      for (int i = i0; i < i1; ++i) {
-        const Point centre = grid.centre({i, j});
-        if ((centre - now).norm() > reach) continue;
-        const double dx = centre.x() - task.start.x, dy = centre.y() - task.start.y;
-        if (footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) <= grid.resolution) continue;
-        task.costs[grid.index({i, j})] = cost::kLethal;
-      }
-    }
+    for_cells_within(position_now(mover), mover.radius + 0.5 * grid.resolution, grid, [&](const Cell& cell) {
+      const double dx = grid.centre(cell).x() - task.start.x, dy = grid.centre(cell).y() - task.start.y;
+      if (footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) <= grid.resolution) return;
+      task.costs[grid.index(cell)] = cost::kLethal;
+    });
+  }
+}
+
+void remove_movers(const MovingObstacleEstimates& movers, SearchTask& task) {
+  constexpr double kBeside = 0.1;  // [m]
+  const GridView grid = task.grid();
+  for (const MovingObstacleEstimate& mover : movers) {
+    for_cells_within(position_now(mover), mover.radius + kBeside, grid,
+                     [&](const Cell& cell) { task.costs[grid.index(cell)] = 0; });
   }
 }
 

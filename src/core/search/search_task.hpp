@@ -45,6 +45,8 @@ struct SearchTask {
 
 /// Makes obstacles of what moves, where it is now: all of it but what overlaps the robot at the start.
 void add_movers(const MovingObstacleEstimates& movers, const Footprint& footprint, SearchTask& task);
+/// As if they were not there: what is within 0.1 m of their edge is theirs.
+void remove_movers(const MovingObstacleEstimates& movers, SearchTask& task);
 /// The task of a robot at `start`. The target is the plan from 1.5 m to 2.5 m beyond its pose nearest to the start, as
 /// far as it lies on the map, or its end where that is nearer. Keeps the memory of `task`.
 void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const GridView& grid,

@@ -266,6 +266,48 @@ TEST(Evasions, TheirChoiceHasARuleOfItsOwn) {
   EXPECT_EQ(bench.planner().choice().rule, ChoiceReport::Rule::evasion);
 }
 
+// Who comes towards it is turned away from gently; from one who comes from behind it turns as fast as the limits allow:
+// gently it would be touched. The limits are 0.8 and 3.2 rad/s2, and 50 ms a cycle.
+TEST(Evasions, TurnGentlyWhereThatIsEnough) {
+  double gentle = 0.0, urgent = 0.0;
+  for (const bool behind : {false, true}) {
+    Scene scene = chased(3.0);
+    scene.parameters.comfort_acc_lim_theta = 0.8;
+    scene.situation.moving_obstacles = {behind ? disc_at(-1.9, 0.0, 1.0, 0.0) : disc_at(4.0, 0.1, -0.6, 0.0)};
+    PlannerBench bench(scene);
+    double last = 0.0;
+    for (int k = 0; k < 25; ++k) {
+      const double omega = bench.drive().command.omega;
+      Situation& s = bench.scene().situation;
+      s.moving_obstacles.front().position += s.period * s.moving_obstacles.front().velocity;
+      const bool evades = bench.planner().choice().rule == ChoiceReport::Rule::evasion;
+      if (evades) (behind ? urgent : gentle) = std::max(behind ? urgent : gentle, std::abs(omega - last));
+      last = omega;
+    }
+  }
+  EXPECT_GT(gentle, 0.01);
+  EXPECT_LE(gentle, 0.8 * 0.05 + 1e-9);
+  EXPECT_GT(urgent, 0.1);
+  EXPECT_LE(urgent, 3.2 * 0.05 + 1e-9);
+}
+
+// Two ways out, to the left and to the right, are equally near: the one that it turns to already is calmer.
+TEST(EvasionSearches, OfTwoWaysTheCalmOneIsBetter) {
+  for (const double turns : {0.5, -0.5}) {
+    OpenGround ground;
+    EvasionSearch search;
+    const EvasionSearch::Scene scene = ground.scene({0.3, turns});
+    ASSERT_TRUE(search.look(scene, {disc_at(2.2, 0.0, -0.8, 0.0)}));
+    search.run(scene, ground.guide, {0.3, 0.0});
+    double left = 1e9, right = 1e9;
+    for (const EvasionSearch::Branch& branch : search.branches()) {
+      if (branch.motion.omega > 0.0) left = std::min(left, branch.cost);
+      if (branch.motion.omega < 0.0) right = std::min(right, branch.cost);
+    }
+    EXPECT_LT(turns > 0.0 ? left : right, turns > 0.0 ? right : left);
+  }
+}
+
 // With a person who steers, and with nobody around, nothing of it counts.
 TEST(Evasions, ThePersonAndAnEmptyRoomSeeNothingOfThem) {
   for (const bool steered : {true, false}) {

@@ -129,6 +129,51 @@ TEST(Recovery, WhereThereIsNoneItSaysSo) {
   EXPECT_LT(std::hypot(bench.scene().situation.pose.x, bench.scene().situation.pose.y), 0.03);
 }
 
+// A corridor of 0.9 m that somebody closes, who stands 0.4 m from the robot's edge; or a wall before him does.
+Scene in_a_corridor(bool walled) {
+  Scene scene = round_robot();
+  scene.fill(-1.0, 0.45, 2.0, 0.6);
+  scene.fill(-1.0, -0.6, 2.0, -0.45);
+  scene.fill(-1.0, -0.6, -0.5, 0.6);
+  if (walled) scene.fill(0.65, -0.6, 0.75, 0.6);
+  test::inflate(scene, 0.304, 0.8, 3.0);
+  MovingObstacleEstimate somebody;
+  somebody.id = 1;
+  somebody.position = {1.0, 0.0};
+  somebody.radius = 0.3;
+  scene.situation.moving_obstacles = {somebody};
+  return scene;
+}
+
+// 30 s of waiting, 3 s for what leads there: 50 ms a cycle.
+TEST(Recovery, WaitsForWhomBlocksTheOnlyWay) {
+  PlannerBench bench(in_a_corridor(false));
+  int first = -1;
+  std::string problem;
+  for (int k = 0; k < 800 && first < 0; ++k) {
+    const Decision& decision = bench.drive();
+    if (decision.outcome == Outcome::fail) first = k;
+    problem = decision.problem;
+  }
+  EXPECT_GE(first, 600);
+  EXPECT_LE(first, 660 + 40);  // it asks again every 2 s
+  EXPECT_NE(problem.find("what moves has blocked the only way"), std::string::npos) << problem;
+  // He goes, and the way is free.
+  bench.scene().situation.moving_obstacles.clear();
+  for (int k = 0; k < 200; ++k) bench.drive();
+  EXPECT_GT(bench.scene().situation.pose.x, 0.9);
+}
+
+TEST(Recovery, DoesNotWaitWhereAWallIsInTheWayToo) {
+  PlannerBench bench(in_a_corridor(true));
+  int first = -1;
+  for (int k = 0; k < 400 && first < 0; ++k) {
+    if (bench.drive().outcome == Outcome::fail) first = k;
+  }
+  EXPECT_GE(first, 0);
+  EXPECT_LE(first, 160);  // the patience, two searches of 2.4 s at most, and some cycles
+}
+
 // A rectangle that is long ahead of its centre and faces away from the plan. What stands on its right is 0.35 m away,
 // and its front 0.5 m long: it can only turn left, which is the longer way.
 Scene beside_a_thing() {
@@ -168,6 +213,12 @@ void expect_remembered_whole(const Scene& scene, bool& drove, bool& failed) {
     drove = drove || bench.planner().choice().rule == ChoiceReport::Rule::recovery;
     failed = failed || decision.outcome == Outcome::fail;
   }
+}
+
+TEST(Recovery, WaitingIsRememberedWhole) {
+  bool drove = false, failed = false;
+  expect_remembered_whole(in_a_corridor(false), drove, failed);
+  EXPECT_FALSE(failed);
 }
 
 TEST(Recovery, IsRememberedWhole) {
