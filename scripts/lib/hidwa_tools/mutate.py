@@ -49,9 +49,16 @@ class Tests:
 
     def __init__(self, build, left_out):
         self._build, self._kills, self.time = build, {}, {}
-        listing = subprocess.run(['ctest', '--show-only=json-v1'], cwd=build, stdout=subprocess.PIPE, check=True).stdout
-        tests = json.loads(listing)['tests']
-        self._commands = {t['name']: t['command'] for t in tests if t['name'] not in left_out and 'command' in t}
+        self.names = [test['name'] for test in self._listing() if test['name'] not in left_out]  # of their programs too
+        self._commands = {}
+
+    def _listing(self):
+        listing = subprocess.run(['ctest', '--show-only=json-v1'], cwd=self._build, stdout=subprocess.PIPE, check=True).stdout
+        return json.loads(listing)['tests']
+
+    def find_programs(self):
+        """Once they are built."""
+        self._commands = {test['name']: test['command'] for test in self._listing() if test['name'] in self.names and 'command' in test}
 
     def linked_with(self, path):
         """Tests whose program has the library in it that a source file belongs to."""
@@ -138,10 +145,11 @@ class Tree:
         if done.returncode:
             raise MutateError(f'cmake failed: see {FOLDER}/configure.log')
 
-    def make(self):
-        """Whether it builds."""
+    def make(self, programs):
+        """Whether they build."""
+        command = ['ninja', '-C', self.build, '-j', self._jobs, *programs]
         with open(os.path.join(FOLDER, 'build.log'), 'wb') as log:
-            return subprocess.run(['ninja', '-C', self.build, '-j', self._jobs], stdout=log, stderr=log, check=False).returncode == 0
+            return subprocess.run(command, stdout=log, stderr=log, check=False).returncode == 0
 
     def write(self, mutant, text):
         """The mutant's line becomes `text`."""
@@ -157,7 +165,7 @@ def judge(tree, tests, mutant):
     """(what became of it, the test that found it)."""
     tree.write(mutant, mutant.after)
     try:
-        if not tree.make():
+        if not tree.make(tests.names):
             return 'no code', ''
         found = tests.finds(mutant.path)
         return ('found', found) if found else ('survived', '')
@@ -193,9 +201,10 @@ def run(options):
     tree.copy()
     tree.configure()
     print(f'==> building; {total} places can be changed, {len(left_out)} of them in a way that nothing can notice', flush=True)
-    if not tree.make():
-        raise MutateError(f'the build failed: see {FOLDER}/build.log')
     tests = Tests(tree.build, LEFT_OUT + (LONG if options.quick else ()))
+    if not tree.make(tests.names):
+        raise MutateError(f'the build failed: see {FOLDER}/build.log')
+    tests.find_programs()
     print('==> the tests without a fault', flush=True)
     tests.measure({name for path in {mutant.path for mutant in order} for name in tests.linked_with(path)})
     counts = {'found': 0, 'survived': 0, 'no code': 0}

@@ -17,6 +17,15 @@ TEST(BacklogGate, EmptyStampsAlwaysPass) {
   for (int i = 0; i < 100; ++i) EXPECT_EQ(gate.judge(0.0, 10.0 + i, kLimit), Arrival::live);
 }
 
+// Received at one and the same time, so that no drift comes in: late by just the bound is live, by 2^-10 s more is not.
+TEST(BacklogGate, AtTheBoundIsLive) {
+  BacklogGate gate;
+  EXPECT_EQ(gate.judge(10.0, 10.0, kLimit), Arrival::live);
+  EXPECT_EQ(gate.judge(9.5, 10.0, kLimit), Arrival::live);  // lag 10 - 9.5 = 0.5
+  EXPECT_EQ(gate.excess(), 0.5);
+  EXPECT_EQ(gate.judge(9.5 - 0x1p-10, 10.0, kLimit), Arrival::backlog);
+}
+
 // The sender's clock is ahead by 1000 s: lags are -1000 s and only their excess counts.
 TEST(BacklogGate, ClockOffsetDoesNotMatter) {
   for (const double offset : {-1000.0, 0.0, 1e6}) {
