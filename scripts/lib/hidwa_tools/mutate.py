@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import time
+import xml.etree.ElementTree
 
 from . import mutation
 from .places import ROOT, SPACE
@@ -27,9 +28,12 @@ LEFT_OUT = ('hidwa_vector_width_test',)  # it reads the instructions of an optim
 # With --quick only what is left: these take minutes each.
 LONG = tuple(f'hidwa_{name}' for name in (
     'property_test', 'walker_attack_test', 'attack_test', 'choice_twin_test', 'planner_twin_test', 'check_all_test', 'authority_test',
-    'twins_test', 'unit_record', 'closed_loop_test', 'drive_test'))
+    'unit_record', 'closed_loop_test', 'drive_test'))
 MEMORY = 6 << 30     # [byte], of a test: a fault may ask for all there is
 BAR = 95.0           # [%]
+SLOW_CASE = 3.0      # [s], of one case of a program
+SLOW = ' (slow cases)'
+OUTPUT = '--gtest_output=xml:'
 CORES = os.cpu_count() or 1
 
 
@@ -42,6 +46,16 @@ def files_below(path):
     if os.path.isfile(path):
         return [path]
     return [os.path.join(place, name) for place, _, names in os.walk(path) for name in names]
+
+
+def slow_cases(command):
+    """{name: seconds} of the cases that took long, out of what a GoogleTest program has written; of another program none."""
+    for word in command:
+        if word.startswith(OUTPUT):
+            cases = xml.etree.ElementTree.parse(word[len(OUTPUT):]).getroot().iter('testcase')
+            times = {f"{case.get('classname')}.{case.get('name')}": float(case.get('time', 0.0)) for case in cases}
+            return {name: seconds for name, seconds in times.items() if seconds > SLOW_CASE}
+    return {}
 
 
 class Tests:
@@ -72,14 +86,25 @@ class Tests:
     def _libraries(self, words):
         return ' '.join(self._libraries_of(word) for word in words if word.startswith(self._build) and os.path.isfile(word))
 
-    def measure(self, names):
-        """Runs these; one that fails without a fault finds nothing."""
+    def measure(self, names, quick):
+        """Runs these; one that fails without a fault finds nothing. Of a program whose cases take seconds, those become a test
+        of their own that comes later; with `quick` none at all."""
         for name in sorted(names):
             begin = time.monotonic()
             if self._run(name, 3600.0):
                 raise MutateError(f'{name} fails without any fault: see {self._build}/{name}.log')
             self.time[name] = time.monotonic() - begin
             print(f'    {name}: {self.time[name]:.1f} s', flush=True)
+            self._set_apart(name, quick)
+
+    def _set_apart(self, name, quick):
+        slow = slow_cases(self._commands[name])
+        if not slow:
+            return
+        command, seconds, cases = self._commands[name], sum(slow.values()), ':'.join(sorted(slow))
+        self._commands[name], self.time[name] = [*command, '--gtest_filter=-' + cases], max(0.0, self.time[name] - seconds)
+        if not quick:
+            self._commands[name + SLOW], self.time[name + SLOW] = [*command, '--gtest_filter=' + cases], seconds
 
     def _run(self, name, patience):
         """Exit status, or 'time'."""
@@ -206,7 +231,7 @@ def run(options):
         raise MutateError(f'the build failed: see {FOLDER}/build.log')
     tests.find_programs()
     print('==> the tests without a fault', flush=True)
-    tests.measure({name for path in {mutant.path for mutant in order} for name in tests.linked_with(path)})
+    tests.measure({name for path in {mutant.path for mutant in order} for name in tests.linked_with(path)}, options.quick)
     counts = {'found': 0, 'survived': 0, 'no code': 0}
     with open(results, 'w', encoding='utf-8', newline='') as out:
         table = csv.DictWriter(out, ['outcome', 'test', 'seconds', 'line', 'mutant'])

@@ -167,6 +167,23 @@ TEST(BacklogGate, ALinkThatBecameSlowerIsTakenAsItIs) {
   EXPECT_LT(slower_after([](double) { return 1.04; }), 0.0);           // 1.02 s more
 }
 
+// What its lag is beyond the best one may be input_lag_max, and no bit more.
+TEST(BacklogGate, AtTheBoundALinkIsTakenAsItIs) {
+  double excess = 0.0;
+  const auto after_two_seconds = [&excess](double lag_max) {
+    BacklogGate gate;
+    gate.judge(9.0, 9.0, kLimit);
+    for (int i = 0; i < 32; ++i) gate.judge(10.0 + i / 16.0, 10.625 + i / 16.0, kLimit);
+    const Arrival arrival = gate.judge(12.0, 12.625, {0.5, lag_max});  // 32 / 16 = 2 s after the first
+    excess = gate.excess();
+    return arrival;
+  };
+  EXPECT_EQ(after_two_seconds(1.0), Arrival::slower_link);
+  EXPECT_NEAR(excess, 0.625, 1e-3);
+  EXPECT_EQ(after_two_seconds(excess), Arrival::slower_link);
+  EXPECT_EQ(after_two_seconds(std::nextafter(excess, 0.0)), Arrival::backlog);
+}
+
 TEST(BacklogGate, ALagThatGrowsIsNotTakenAsItIs) {
   EXPECT_LT(slower_after([](double time) { return 0.55 + 0.06 * time; }), 0.0);  // 0.12 s in 2 s
   EXPECT_LT(slower_after([](double time) { return 0.6 + 0.1 * std::sin(9.0 * time); }), 0.0);
