@@ -142,6 +142,23 @@ TEST(ControlLoop, TheWindowOfThePlanIsInTheCostmapsFrame) {
   EXPECT_NEAR(situation.goal.y, 0.5, 1e-9);
 }
 
+TEST(ControlLoop, TheWindowReachesAsFarAheadAsTheParametersSay) {
+  const auto last_pose = [](bool automatic) {
+    Bench bench;
+    Parameters wanted = bench.parameters();
+    wanted.forward_prune_auto = automatic;
+    wanted.forward_prune_distance = 0.5;
+    wanted.max_vel_x = 0.5;
+    wanted.sim_time = 2.0;
+    EXPECT_TRUE(bench.loop().configure(wanted).empty());
+    bench.plan(straight(2.5));
+    bench.step();
+    return bench.loop().situation().plan.back().x;
+  };
+  EXPECT_NEAR(last_pose(false), 0.5, 1e-9);
+  EXPECT_NEAR(last_pose(true), 1.2, 1e-9);  // 1.2 x 0.5 m/s x 2 s
+}
+
 TEST(ControlLoop, WhereSomethingIsMissingItBrakes) {
   Bench bench;
   bench.plan(straight(2.5));

@@ -115,6 +115,16 @@ TEST_F(PlanChoiceTest, UnknownCellsCostWhatFreeOnesDo) {
   EXPECT_FALSE(prefers(left, 10.0));
 }
 
+// Both lead round the pillar, then a way back to where the robot is, and its distance from their two ends is the same.
+TEST_F(PlanChoiceTest, OfARoundTripTheWholeWayCounts) {
+  const auto trip = [](double y) {
+    return std::vector<Pose2>{{0.0, 0.0, 0.0},  {1.5, y, 0.0},    {3.0, 0.0, 0.0},
+                              {3.0, -2.0, 0.0}, {0.0, -2.0, 0.0}, {0.0, 0.0, 0.0}};
+  };
+  choice_.offer(trip(-0.8));
+  EXPECT_FALSE(prefers(trip(0.8), 10.0));
+}
+
 TEST_F(PlanChoiceTest, UnknownCellsBlockNothing) {
   const std::vector<Pose2> left = round(0.8);
   map_.set(1.55, 0.75, cost::kUnknown);
@@ -251,6 +261,18 @@ TEST(EnclosedObstacle, IsFoundAsBySummingAngles) {
   }
   EXPECT_GT(enclosed, 500);
   EXPECT_LT(enclosed, 1900);
+}
+
+// The view is the middle half of a larger map: rows 20 to 59, y = -2 m to 2 m. What lies below and above it is not seen.
+TEST(EnclosedObstacle, IsLookedForOnTheMapOnly) {
+  const std::vector<Point> round{{-3.0, -3.5}, {3.0, -3.5}, {3.0, 3.5}, {-3.0, 3.5}};
+  for (const double y : {-2.05, -1.95, 1.95, 2.05}) {
+    Map map;
+    map.set(0.05, y, cost::kLethal);
+    const GridView part{map.costs.data() + 20 * 80, 80, 40, 0.1, -4.0, -2.0};
+    EXPECT_TRUE(encloses_obstacle(round, map.grid)) << y;
+    EXPECT_EQ(encloses_obstacle(round, part), std::abs(y) < 2.0) << y;
+  }
 }
 
 TEST(EnclosedObstacle, NothingLiesInALineOfTwoPointsOrOnNoMap) {
