@@ -195,6 +195,21 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
   for (const int often : {open, near, hit, blocked}) EXPECT_GT(often, 100);
 }
 
+// Rows of the grid of samples go from slow to fast: what is quicker to look at must be known as such.
+TEST(Tiles, KnowWhetherTheirSpeedsAscend) {
+  int ascending = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Scene scene = test::random_scene(seed);
+    const Cycle cycle(scene);
+    for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
+      const Tile tile = cycle.rollout.tile(t);
+      EXPECT_EQ(tile.ascending, std::is_sorted(tile.v, tile.v + tile.count)) << "seed " << seed << ", tile " << t;
+      ascending += tile.ascending && tile.count > 1;
+    }
+  }
+  EXPECT_GT(ascending, 100);
+}
+
 TEST(EndCells, AreThoseOfThePointsAhead) {
   Random random(3);
   int outside = 0, inside = 0;

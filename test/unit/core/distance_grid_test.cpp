@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/distance/distance_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +73,28 @@ TEST(GeodesicGrid, NoWayIsUnreached) {
   const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{1, 1}});
   EXPECT_EQ(distances.units({7, 7}), DistanceGrid::kUnreached);
   EXPECT_EQ(distances.units({4, 1}), 15);  // the wall itself: three straight steps
+}
+
+// Ways from u, w = (0, -11) to (0, 11), through a wall along w = 0 that is open at u = -11 and at u = 10: to the first 11
+// diagonals, 2 x 11 x 7 = 154; to the other 10 and a step, 2 x (10 x 7 + 5) = 150. The cells of interest end at u = 0, and the
+// shorter way leads through the last cells that are looked at beyond them, whichever side that is.
+TEST(GeodesicGrid, TheRoomAroundTheInterestIsWide) {
+  const auto cell = [](int side, int u, int w) {
+    const Cell cells[] = {{50 + u, 50 + w}, {50 - u, 50 + w}, {50 + w, 50 + u}, {50 + w, 50 - u}};
+    return cells[side];
+  };
+  for (int side = 0; side < 4; ++side) {
+    Scene scene = Scene::empty(101);
+    for (int u = -50; u <= 50; ++u) {
+      if (u != -11 && u != 10) scene.at(cell(side, u, 0)) = cost::kLethal;
+    }
+    DistanceGrids grids;
+    grids.prepare(scene.grid(), MapGridDistance::geodesic);
+    const Cell a = cell(side, -30, -15), b = cell(side, 0, 15);
+    grids.set_interest({std::min(a.i, b.i), std::min(a.j, b.j), std::abs(a.i - b.i) + 1, std::abs(a.j - b.j) + 1});
+    grids.set_sources(0, {cell(side, 0, -11)});
+    EXPECT_EQ(grids.units(0, cell(side, 0, 11)), 150) << side;
+  }
 }
 
 TEST(L1Grid, IsBlindToCosts) {
