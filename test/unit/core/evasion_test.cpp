@@ -61,6 +61,27 @@ TEST(PlanGuides, GoOnStraightWhereTheWindowEndsBeforeTheGoal) {
   EXPECT_NEAR(guide.time_left(1.0, 0.0, {1.0, 0.0}), 0.0, 1e-9);
 }
 
+// Hosts send poses twice: at the start, where the robot is, and at the end.
+TEST(PlanGuides, RepeatedPosesLeadNowhere) {
+  const std::vector<Pose2> once{{0.0, 0.0, 0.0}, {0.0, 0.5, 0.0}, {0.0, 1.0, 0.0}};
+  std::vector<Pose2> twice;
+  for (const Pose2& pose : once) twice.insert(twice.end(), 2, pose);
+  for (const std::vector<Pose2>& plan : {once, twice}) {
+    PlanGuide guide;
+    guide.prepare(plan, {9.0, 4.0, 0.0}, {0.0, 0.0, 0.0}, limits_of(1.0, 1.0), 3.0);
+    for (const double y : {0.0, 1.0, 1.5}) {  // a metre on, along the plan and straight on from its end, at 1 m/s
+      EXPECT_NEAR(guide.time_left(0.0, y, {0.0, 1.0}) - guide.time_left(0.0, y + 1.0, {0.0, 1.0}), 1.0, 1e-9) << y;
+    }
+  }
+}
+
+TEST(PlanGuides, TwoPosesAreAPlan) {
+  PlanGuide guide;
+  guide.prepare({{0.0, 0.0, 0.0}, {0.0, 0.3, 0.0}}, {0.0, 0.3, 0.0}, {0.0, 0.0, 0.0}, limits_of(1.0, 1.0), 3.0);
+  ASSERT_TRUE(guide.any());
+  EXPECT_NEAR(guide.time_left(0.0, 0.1, {0.0, 1.0}), 0.3 - 0.1, 1e-9);
+}
+
 // Each motion by itself, step by step, with the angle as a number.
 TEST(MotionFans, LeadWhereEachMotionLeadsAlone) {
   Random random(9);
