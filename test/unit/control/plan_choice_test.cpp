@@ -227,6 +227,10 @@ TEST(SameWay, PlansThatRunSideBySideLeadTheSameWay) {
     if (pose.x > 8.8) pose.y = 1.0;
   }
   EXPECT_FALSE(same_way(followed, 60, fresh, 0.15));
+  // A fresh plan may begin a metre ahead of the robot: its 6.5th metre lies beside the followed one's 7.5th.
+  std::vector<Pose2> coarse;
+  for (int k = 0; k <= 20; ++k) coarse.push_back({0.5 * k, 0.0, 0.0});
+  EXPECT_TRUE(same_way(coarse, 0, {coarse.begin() + 2, coarse.end()}, 0.15));
   // No plan to compare with.
   EXPECT_FALSE(same_way({}, 0, fresh, 0.15));
 }

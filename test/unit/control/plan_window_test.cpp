@@ -72,6 +72,15 @@ TEST(PlanWindow, ALoopCannotPullToTheWrongBranch) {
   }
 }
 
+// The way back along y = 1 begins 2 m ahead, where the search for the nearest stretch ends; so far the robot may have come.
+TEST(PlanWindow, AStretchThatBeginsWhereTheSearchEndsIsFound) {
+  PlanWindow window;
+  window.set_plan({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}});
+  window.around({0.0, 0.0, 0.0}, 1.0, 2.0);
+  window.around({0.0, 0.9, 0.0}, 1.0, 2.0);
+  EXPECT_EQ(window.progress(), 2.0);
+}
+
 TEST(PlanWindow, AReplanStartsAnew) {
   PlanWindow window;
   window.set_plan(straight(10.0));
