@@ -75,9 +75,10 @@ TEST(GeodesicGrid, NoWayIsUnreached) {
   EXPECT_EQ(distances.units({4, 1}), 15);  // the wall itself: three straight steps
 }
 
-// Ways from u, w = (0, -11) to (0, 11), through a wall along w = 0 that is open at u = -11 and at u = 10: to the first 11
-// diagonals, 2 x 11 x 7 = 154; to the other 10 and a step, 2 x (10 x 7 + 5) = 150. The cells of interest end at u = 0, and the
-// shorter way leads through the last cells that are looked at beyond them, whichever side that is.
+// Ways from u, w = (-1, -13) to (0, 13), through a wall along w = 0 that is open at u = -12 and at u = 10. A cell up or down
+// costs 5 and aside 2 more: 26 x 5 + 2 x (11 + 12) = 176 through the one, 26 x 5 + 2 x (11 + 10) = 172 through the other. The
+// cells of interest end at u = 0, and the shorter way leads through the last cells that are looked at beyond them, whichever
+// side that is.
 TEST(GeodesicGrid, TheRoomAroundTheInterestIsWide) {
   const auto cell = [](int side, int u, int w) {
     const Cell cells[] = {{50 + u, 50 + w}, {50 - u, 50 + w}, {50 + w, 50 + u}, {50 + w, 50 - u}};
@@ -86,14 +87,14 @@ TEST(GeodesicGrid, TheRoomAroundTheInterestIsWide) {
   for (int side = 0; side < 4; ++side) {
     Scene scene = Scene::empty(101);
     for (int u = -50; u <= 50; ++u) {
-      if (u != -11 && u != 10) scene.at(cell(side, u, 0)) = cost::kLethal;
+      if (u != -12 && u != 10) scene.at(cell(side, u, 0)) = cost::kLethal;
     }
     DistanceGrids grids;
     grids.prepare(scene.grid(), MapGridDistance::geodesic);
     const Cell a = cell(side, -30, -15), b = cell(side, 0, 15);
     grids.set_interest({std::min(a.i, b.i), std::min(a.j, b.j), std::abs(a.i - b.i) + 1, std::abs(a.j - b.j) + 1});
-    grids.set_sources(0, {cell(side, 0, -11)});
-    EXPECT_EQ(grids.units(0, cell(side, 0, 11)), 150) << side;
+    grids.set_sources(0, {cell(side, -1, -13)});
+    EXPECT_EQ(grids.units(0, cell(side, 0, 13)), 172) << side;
   }
 }
 
