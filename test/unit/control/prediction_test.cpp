@@ -208,8 +208,15 @@ TEST_F(Predictions, AReasonIsGivenWhereItDoesNotJustFollowThePlan) {
   EXPECT_TRUE(prediction_.poses().empty());
   EXPECT_EQ(prediction_.reason(), "no transform");
   EXPECT_EQ(prediction_.next(), NextMove::stop);
-  EXPECT_STREQ(to_string(NextMove::left), "left");
-  EXPECT_STREQ(to_string(NextMove::recover), "recover");
+}
+
+TEST(NextMoves, HaveNames) {
+  const std::pair<NextMove, const char*> names[] = {{NextMove::straight, "straight"},
+                                                    {NextMove::left, "left"},
+                                                    {NextMove::right, "right"},
+                                                    {NextMove::stop, "stop"},
+                                                    {NextMove::recover, "recover"}};
+  for (const auto& [move, name] : names) EXPECT_STREQ(to_string(move), name);
 }
 
 // At the goal, with 1.5 rad to turn at 1 rad/s at most.
