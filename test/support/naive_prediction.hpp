@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Slow twin of control::Prediction: the whole plan is looked at, in arc length, and every 0.1 s the robot is asked anew.
+// Slow twin of control::Prediction: the whole plan is looked at, in arc length, and every 0.1 s the robot is asked
+// anew.
 #pragma once
 
 #include <algorithm>
@@ -102,7 +103,8 @@ class NaivePrediction {
     const double aside = wrap_angle(std::atan2(way_[target].y - q.y, way_[target].x - q.x) - q.theta);
     if (aside > 1.05) return {0.0, p_.max_vel_theta};
     if (aside < -1.05) return {0.0, -p_.max_vel_theta};
-    // v^2 = 2 b s before the end; omega = v * curvature, and the arc through the target has curvature 2 sin(aside) / away.
+    // v^2 = 2 b s before the end; omega = v * curvature, and the arc through the target has curvature 2 sin(aside) /
+    // away.
     const double curvature = 2.0 * std::sin(aside) / away;
     double v = std::min(p_.max_vel_x, std::sqrt(2.0 * limits_.x.braking * left));
     if (std::abs(v * curvature) > p_.max_vel_theta) v = p_.max_vel_theta / std::abs(curvature);

@@ -267,7 +267,8 @@ TEST(EnclosedObstacle, IsFoundAsBySummingAngles) {
   EXPECT_LT(enclosed, 1900);
 }
 
-// The view is the middle half of a larger map: rows 20 to 59, y = -2 m to 2 m. What lies below and above it is not seen.
+// The view is the middle half of a larger map: rows 20 to 59, y = -2 m to 2 m. What lies below and above it is not
+// seen.
 TEST(EnclosedObstacle, IsLookedForOnTheMapOnly) {
   const std::vector<Point> round{{-3.0, -3.5}, {3.0, -3.5}, {3.0, 3.5}, {-3.0, 3.5}};
   for (const double y : {-2.05, -1.95, 1.95, 2.05}) {
@@ -287,8 +288,8 @@ TEST(EnclosedObstacle, NothingLiesInALineOfTwoPointsOrOnNoMap) {
   EXPECT_TRUE(encloses_obstacle({{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}, map.grid));
 }
 
-// Edges up and down in turn, 0.05 m apart: the line goes round x = -2.45, -2.35, ..., between its first two crossings of a
-// row, its next two, and so on. Those from the 65th on, at x = 0.7, are not looked at.
+// Edges up and down in turn, 0.05 m apart: the line goes round x = -2.45, -2.35, ..., between its first two crossings
+// of a row, its next two, and so on. Those from the 65th on, at x = 0.7, are not looked at.
 TEST(EnclosedObstacle, IsLookedForAmongTheFirst64Crossings) {
   std::vector<Point> zigzag;
   for (int k = 0; k < 100; ++k) zigzag.emplace_back(-2.5 + 0.05 * k, k % 2 == 0 ? -1.0 : 1.0);

@@ -72,7 +72,8 @@ TEST(PlanWindow, ALoopCannotPullToTheWrongBranch) {
   }
 }
 
-// The way back along y = 1 begins 2 m ahead, where the search for the nearest stretch ends; so far the robot may have come.
+// The way back along y = 1 begins 2 m ahead, where the search for the nearest stretch ends; so far the robot may have
+// come.
 TEST(PlanWindow, AStretchThatBeginsWhereTheSearchEndsIsFound) {
   PlanWindow window;
   window.set_plan({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}});

@@ -90,7 +90,8 @@ TEST_F(Predictions, RestsAtTheGoal) {
   EXPECT_NEAR(prediction_.poses().back().pose.theta, 0.0, 1e-9);
 }
 
-// The obstacle reaches from 0.6 m to 0.7 m: the first pose of the plan in it is at 0.625 m. The robot's inscribed radius is 0.2 m.
+// The obstacle reaches from 0.6 m to 0.7 m: the first pose of the plan in it is at 0.625 m. The robot's inscribed
+// radius is 0.2 m.
 TEST_F(Predictions, RestsBeforeAnObstacleOnThePlan) {
   plan_to(3.0);
   costs_[40 * 80 + 46] = costs_[39 * 80 + 46] = cost::kLethal;
@@ -100,8 +101,8 @@ TEST_F(Predictions, RestsBeforeAnObstacleOnThePlan) {
   EXPECT_NEAR(prediction_.poses().back().pose.theta, 0.0, 1e-9);
 }
 
-// The plan's second leg is turned by 40 degrees = 0.70 rad, more than the 0.35 rad that are called a turn; by 10 degrees =
-// 0.17 rad it is none.
+// The plan's second leg is turned by 40 degrees = 0.70 rad, more than the 0.35 rad that are called a turn; by 10
+// degrees = 0.17 rad it is none.
 TEST_F(Predictions, ABendIsATurnToItsSide) {
   const std::pair<double, NextMove> bends[] = {
       {0.70, NextMove::left}, {-0.70, NextMove::right}, {0.17, NextMove::straight}, {-0.17, NextMove::straight}};

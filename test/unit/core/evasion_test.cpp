@@ -178,8 +178,8 @@ TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
     const EvasionSearch::Scene scene = ground.scene(from);
     const bool untroubled = !search.look(scene, {mover}) || search.untroubled(scene, motion);
     const double gap = slow_least_gap(ground, from, motion, scene.delay, mover);
-    // Between two looks, 0.13 s apart at most, they close up by half of 0.13 * (1.42 + 0.5 + 0.36 + 0.2) m, and the ramps
-    // differ by a little.
+    // Between two looks, 0.13 s apart at most, they close up by half of 0.13 * (1.42 + 0.5 + 0.36 + 0.2) m, and the
+    // ramps differ by a little.
     if (gap < -0.2) {
       EXPECT_FALSE(untroubled) << k;
       ++near;

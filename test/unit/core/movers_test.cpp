@@ -147,8 +147,8 @@ TEST(MoverChecks, AgreeWithASlowTwin) {
   EXPECT_GT(free, 200);
 }
 
-// Cycles of up to 0.15 s where 0.05 s are asked for: the first command to brake comes up to 2 x (0.15 - 0.05) = 0.2 s late,
-// and the robot must rest untouched whenever it comes.
+// Cycles of up to 0.15 s where 0.05 s are asked for: the first command to brake comes up to 2 x (0.15 - 0.05) = 0.2 s
+// late, and the robot must rest untouched whenever it comes.
 TEST(MoverChecks, AgreeWithASlowTwinWhereCyclesAreLate) {
   Random random(12);
   int touched = 0, free = 0;

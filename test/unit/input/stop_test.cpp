@@ -556,7 +556,8 @@ TEST(Stop, NamesWithoutNumberDoNotPileUp) {
   expect_stopped(person.cycle(9.0));
 }
 
-// 16 are remembered, itself among them: of a stick whose node was forgotten a pull counts only once it was seen otherwise.
+// 16 are remembered, itself among them: of a stick whose node was forgotten a pull counts only once it was seen
+// otherwise.
 TEST(Stop, SixteenNamesAreRemembered) {
   for (const int others : {15, 16}) {
     StopRequest stop;
