@@ -54,7 +54,8 @@ class Faults(unittest.TestCase):
 
 class SlowCases(unittest.TestCase):
     REPORT = '''<testsuites>
-        <testsuite name="Way"><testcase name="Long" time="3.5" classname="Way"/><testcase name="Short" time="0.1" classname="Way"/></testsuite>
+        <testsuite name="Way"><testcase name="Long" time="3.5" classname="Way"/><testcase name="Brief" time="0.1"
+        classname="Way"/></testsuite>
         <testsuite name="All/Way"><testcase name="Long/1" time="9" classname="All/Way"/></testsuite></testsuites>'''
 
     def test_they_are_named_as_the_program_names_them(self):

@@ -274,7 +274,7 @@ TEST(EnclosedObstacle, IsLookedForOnTheMapOnly) {
   for (const double y : {-2.05, -1.95, 1.95, 2.05}) {
     Map map;
     map.set(0.05, y, cost::kLethal);
-    const GridView part{map.costs.data() + 20 * 80, 80, 40, 0.1, -4.0, -2.0};
+    const GridView part{map.costs.data() + map.grid.index({0, 20}), 80, 40, 0.1, -4.0, -2.0};
     EXPECT_TRUE(encloses_obstacle(round, map.grid)) << y;
     EXPECT_EQ(encloses_obstacle(round, part), std::abs(y) < 2.0) << y;
   }
@@ -292,6 +292,7 @@ TEST(EnclosedObstacle, NothingLiesInALineOfTwoPointsOrOnNoMap) {
 // of a row, its next two, and so on. Those from the 65th on, at x = 0.7, are not looked at.
 TEST(EnclosedObstacle, IsLookedForAmongTheFirst64Crossings) {
   std::vector<Point> zigzag;
+  zigzag.reserve(100);
   for (int k = 0; k < 100; ++k) zigzag.emplace_back(-2.5 + 0.05 * k, k % 2 == 0 ? -1.0 : 1.0);
   for (const double x : {-2.45, 0.65, 0.75}) {
     Map map;

@@ -141,8 +141,10 @@ TEST_F(Predictions, AreAsASlowTwinSays) {
     SCOPED_TRACE(round);
     std::fill(costs_.begin(), costs_.end(), cost::kFree);
     for (int k = random.integer(0, 20); k > 0; --k) {
-      const int i = random.integer(44, 74), j = random.integer(20, 60);
-      for (int d = 0; d < 4; ++d) costs_[static_cast<std::size_t>((j + d / 2) * 80 + i + d % 2)] = cost::kLethal;
+      const Cell corner{random.integer(44, 74), random.integer(20, 60)};
+      for (int d = 0; d < 4; ++d) {
+        costs_[seen_.costmap.index({corner.i + d % 2, corner.j + d / 2})] = cost::kLethal;
+      }
     }
     parameters_.max_vel_x = random.uniform(0.3, 1.0);
     parameters_.max_vel_theta = random.uniform(0.4, 1.5);
