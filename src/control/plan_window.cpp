@@ -44,7 +44,6 @@ PlanWindow::Range PlanWindow::around(const Pose2& robot, double behind, double a
   const double from = first ? 0.0 : progress_;
   const double to = first ? arc_.back() : progress_ + kSearchAhead;
   Projection best{from, std::numeric_limits<double>::infinity()};
-  if (first) best.arc = 0.0;
   for (std::size_t i = 0; i + 1 < plan_.size() && arc_[i] <= to; ++i) {
     if (arc_[i + 1] < from) continue;
     const Projection p = project(plan_[i], plan_[i + 1], arc_[i], arc_[i + 1], robot);

@@ -52,6 +52,22 @@ class Faults(unittest.TestCase):
                 mutation.read_equivalents(file.name)
 
 
+class SlowCases(unittest.TestCase):
+    REPORT = '''<testsuites>
+        <testsuite name="Way"><testcase name="Long" time="3.5" classname="Way"/><testcase name="Brief" time="0.1"
+        classname="Way"/></testsuite>
+        <testsuite name="All/Way"><testcase name="Long/1" time="9" classname="All/Way"/></testsuite></testsuites>'''
+
+    def test_they_are_named_as_the_program_names_them(self):
+        with tempfile.NamedTemporaryFile('w', suffix='.xml') as file:
+            file.write(self.REPORT)
+            file.flush()
+            self.assertEqual(mutate.slow_cases(['program', '--gtest_output=xml:' + file.name]), {'Way.Long': 3.5, 'All/Way.Long/1': 9.0})
+
+    def test_a_program_that_writes_no_report_has_none(self):
+        self.assertEqual(mutate.slow_cases(['/usr/bin/python3', 'test.py']), {})
+
+
 def row(name, lines, lines_run, branches=10, branches_run=10):
     return {'filename': name, 'line_total': str(lines), 'line_covered': str(lines_run), 'branch_total': str(branches),
             'branch_covered': str(branches_run)}

@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import time
+import xml.etree.ElementTree
 
 from . import mutation
 from .places import ROOT, SPACE
@@ -27,9 +28,12 @@ LEFT_OUT = ('hidwa_vector_width_test',)  # it reads the instructions of an optim
 # With --quick only what is left: these take minutes each.
 LONG = tuple(f'hidwa_{name}' for name in (
     'property_test', 'walker_attack_test', 'attack_test', 'choice_twin_test', 'planner_twin_test', 'check_all_test', 'authority_test',
-    'twins_test', 'unit_record', 'closed_loop_test', 'drive_test'))
+    'unit_record', 'closed_loop_test', 'drive_test'))
 MEMORY = 6 << 30     # [byte], of a test: a fault may ask for all there is
 BAR = 95.0           # [%]
+SLOW_CASE = 3.0      # [s], of one case of a program
+SLOW = ' (slow cases)'
+OUTPUT = '--gtest_output=xml:'
 CORES = os.cpu_count() or 1
 
 
@@ -44,14 +48,31 @@ def files_below(path):
     return [os.path.join(place, name) for place, _, names in os.walk(path) for name in names]
 
 
+def slow_cases(command):
+    """{name: seconds} of the cases that took long, out of what a GoogleTest program has written; of another program none."""
+    for word in command:
+        if word.startswith(OUTPUT):
+            cases = xml.etree.ElementTree.parse(word[len(OUTPUT):]).getroot().iter('testcase')
+            times = {f"{case.get('classname')}.{case.get('name')}": float(case.get('time', 0.0)) for case in cases}
+            return {name: seconds for name, seconds in times.items() if seconds > SLOW_CASE}
+    return {}
+
+
 class Tests:
     """The tests of the build folder, and how long each takes without a fault."""
 
     def __init__(self, build, left_out):
         self._build, self._kills, self.time = build, {}, {}
-        listing = subprocess.run(['ctest', '--show-only=json-v1'], cwd=build, stdout=subprocess.PIPE, check=True).stdout
-        tests = json.loads(listing)['tests']
-        self._commands = {t['name']: t['command'] for t in tests if t['name'] not in left_out and 'command' in t}
+        self.names = [test['name'] for test in self._listing() if test['name'] not in left_out]  # of their programs too
+        self._commands = {}
+
+    def _listing(self):
+        listing = subprocess.run(['ctest', '--show-only=json-v1'], cwd=self._build, stdout=subprocess.PIPE, check=True).stdout
+        return json.loads(listing)['tests']
+
+    def find_programs(self):
+        """Once they are built."""
+        self._commands = {test['name']: test['command'] for test in self._listing() if test['name'] in self.names and 'command' in test}
 
     def linked_with(self, path):
         """Tests whose program has the library in it that a source file belongs to."""
@@ -65,14 +86,25 @@ class Tests:
     def _libraries(self, words):
         return ' '.join(self._libraries_of(word) for word in words if word.startswith(self._build) and os.path.isfile(word))
 
-    def measure(self, names):
-        """Runs these; one that fails without a fault finds nothing."""
+    def measure(self, names, quick):
+        """Runs these; one that fails without a fault finds nothing. Of a program whose cases take seconds, those become a test
+        of their own that comes later; with `quick` none at all."""
         for name in sorted(names):
             begin = time.monotonic()
             if self._run(name, 3600.0):
                 raise MutateError(f'{name} fails without any fault: see {self._build}/{name}.log')
             self.time[name] = time.monotonic() - begin
             print(f'    {name}: {self.time[name]:.1f} s', flush=True)
+            self._set_apart(name, quick)
+
+    def _set_apart(self, name, quick):
+        slow = slow_cases(self._commands[name])
+        if not slow:
+            return
+        command, seconds, cases = self._commands[name], sum(slow.values()), ':'.join(sorted(slow))
+        self._commands[name], self.time[name] = [*command, '--gtest_filter=-' + cases], max(0.0, self.time[name] - seconds)
+        if not quick:
+            self._commands[name + SLOW], self.time[name + SLOW] = [*command, '--gtest_filter=' + cases], seconds
 
     def _run(self, name, patience):
         """Exit status, or 'time'."""
@@ -138,10 +170,11 @@ class Tree:
         if done.returncode:
             raise MutateError(f'cmake failed: see {FOLDER}/configure.log')
 
-    def make(self):
-        """Whether it builds."""
+    def make(self, programs):
+        """Whether they build."""
+        command = ['ninja', '-C', self.build, '-j', self._jobs, *programs]
         with open(os.path.join(FOLDER, 'build.log'), 'wb') as log:
-            return subprocess.run(['ninja', '-C', self.build, '-j', self._jobs], stdout=log, stderr=log, check=False).returncode == 0
+            return subprocess.run(command, stdout=log, stderr=log, check=False).returncode == 0
 
     def write(self, mutant, text):
         """The mutant's line becomes `text`."""
@@ -157,7 +190,7 @@ def judge(tree, tests, mutant):
     """(what became of it, the test that found it)."""
     tree.write(mutant, mutant.after)
     try:
-        if not tree.make():
+        if not tree.make(tests.names):
             return 'no code', ''
         found = tests.finds(mutant.path)
         return ('found', found) if found else ('survived', '')
@@ -193,11 +226,12 @@ def run(options):
     tree.copy()
     tree.configure()
     print(f'==> building; {total} places can be changed, {len(left_out)} of them in a way that nothing can notice', flush=True)
-    if not tree.make():
-        raise MutateError(f'the build failed: see {FOLDER}/build.log')
     tests = Tests(tree.build, LEFT_OUT + (LONG if options.quick else ()))
+    if not tree.make(tests.names):
+        raise MutateError(f'the build failed: see {FOLDER}/build.log')
+    tests.find_programs()
     print('==> the tests without a fault', flush=True)
-    tests.measure({name for path in {mutant.path for mutant in order} for name in tests.linked_with(path)})
+    tests.measure({name for path in {mutant.path for mutant in order} for name in tests.linked_with(path)}, options.quick)
     counts = {'found': 0, 'survived': 0, 'no code': 0}
     with open(results, 'w', encoding='utf-8', newline='') as out:
         table = csv.DictWriter(out, ['outcome', 'test', 'seconds', 'line', 'mutant'])

@@ -38,7 +38,7 @@ void PlanGuide::prepare(const std::vector<Pose2>& plan, const Pose2& goal, const
     const double step = distance(plan[i], plan[i + 1]);
     way += step;
     since += step;
-    if (since < apart && i + 2 < plan.size()) continue;
+    if (since <= 0.0 || (since < apart && i + 2 < plan.size())) continue;  // a repeated pose leads nowhere
     points_.push_back({plan[i + 1].x, plan[i + 1].y, way, 1.0, 0.0});
     since = 0.0;
   }

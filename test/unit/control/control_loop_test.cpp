@@ -60,6 +60,7 @@ class Bench {
     seen_.resumed.reset();
     return result;
   }
+  void pillar(double x, double y) { scene_.fill(x - 0.2, y - 0.2, x + 0.2, y + 0.2); }
   Person& person() { return person_; }
   ControlLoop& loop() { return loop_; }
   Observation& seen() { return seen_; }
@@ -140,6 +141,63 @@ TEST(ControlLoop, TheWindowOfThePlanIsInTheCostmapsFrame) {
   EXPECT_NEAR(situation.plan.back().y, 0.5, 1e-9);
   EXPECT_NEAR(situation.plan.back().theta, M_PI / 2, 1e-9);
   EXPECT_NEAR(situation.goal.y, 0.5, 1e-9);
+}
+
+TEST(ControlLoop, TheWindowReachesAsFarAheadAsTheParametersSay) {
+  const auto last_pose = [](bool automatic) {
+    Bench bench;
+    Parameters wanted = bench.parameters();
+    wanted.forward_prune_auto = automatic;
+    wanted.forward_prune_distance = 0.5;
+    wanted.max_vel_x = 0.5;
+    wanted.sim_time = 2.0;
+    EXPECT_TRUE(bench.loop().configure(wanted).empty());
+    bench.plan(straight(2.5));
+    bench.step();
+    return bench.loop().situation().plan.back().x;
+  };
+  EXPECT_NEAR(last_pose(false), 0.5, 1e-9);
+  EXPECT_NEAR(last_pose(true), 1.2, 1e-9);  // 1.2 x 0.5 m/s x 2 s
+}
+
+// From (0, 0) by way of (1.2, y) to (2.4, 0), a pose every 0.1 m of x.
+std::vector<Pose2> round_by(double y) {
+  std::vector<Pose2> plan;
+  for (int k = 0; k <= 24; ++k) plan.push_back({0.1 * k, y * (1.0 - std::abs(k - 12) / 12.0), 0.0});
+  return plan;
+}
+
+// A host plans round the pillar on the left, then on the right, which is as long: 2 x hypot(1.2, 0.9) = 3 m.
+TEST(ControlLoop, APlanRoundTheOtherSideWaitsWhileAutonomyDrives) {
+  Bench bench;
+  bench.pillar(1.2, 0.0);
+  const auto side = [&bench] { return bench.loop().plan()[12].y; };
+  bench.plan(round_by(0.9));
+  bench.step();
+  bench.plan(round_by(-0.9));
+  for (int k = 0; k < 60; ++k) {  // 60 x 0.05 s = 3 s = plan_hysteresis_time, the first of them at 0 s
+    bench.step();
+    ASSERT_EQ(side(), 0.9) << k;
+  }
+  bench.step();
+  bench.step();
+  EXPECT_EQ(side(), -0.9);
+
+  bench.plan(round_by(0.9));
+  bench.step();
+  EXPECT_EQ(side(), -0.9);
+  bench.plan(round_by(-0.8));  // on this side: at once, and what waited is forgotten
+  EXPECT_EQ(side(), -0.8);
+  bench.step();
+  EXPECT_EQ(side(), -0.8);
+
+  bench.plan(round_by(0.9));
+  bench.person().intent.state = OperatorStateId::shared;
+  bench.person().intent.influence = Influence::shared;
+  bench.step();
+  EXPECT_EQ(side(), 0.9);  // who steers chooses the side
+  bench.plan(round_by(-0.9));
+  EXPECT_EQ(side(), -0.9);
 }
 
 TEST(ControlLoop, WhereSomethingIsMissingItBrakes) {

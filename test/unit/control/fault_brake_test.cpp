@@ -43,6 +43,16 @@ TEST(FaultBrake, AtRestItFails) {
   EXPECT_FALSE(brake.answer(10.0, Twist2{}, Twist2{}, Parameters(), kPeriod).success);
 }
 
+// Without a measured velocity it brakes for 0.5 / 2 = 0.25 s and a period, and no longer.
+TEST(FaultBrake, HowFastItIsUnknownItBrakesUntilItMustRest) {
+  FaultBrake brake;
+  const Parameters p = braking(2.0, 4.0);
+  const auto brakes = [&](double now) { return brake.answer(now, {}, Twist2{}, p, 0.0625).success; };
+  EXPECT_TRUE(brakes(10.0));
+  EXPECT_TRUE(brakes(10.3125));
+  EXPECT_FALSE(brakes(10.3125 + 0x1p-20));
+}
+
 TEST(FaultBrake, BrakesToRestAndThenFails) {
   FaultBrake brake;
   const Parameters p = braking(2.0, 4.0);

@@ -17,6 +17,13 @@ Parameters stopped_below(double v, double omega) {
 const Parameters kDefaults = stopped_below(0.1, 0.1);
 const Pose2 kGoal{2.0, 1.0, 3.1};
 
+TEST(GoalChecker, APlanInTheMomentOfTheLastCycleComesAfterNoPause) {
+  GoalChecker checker;
+  checker.cycle(10.0);
+  EXPECT_FALSE(checker.plan_arrives(10.0, 0.05));
+  EXPECT_TRUE(checker.plan_arrives(9.99, 0.05));  // the clock was set back
+}
+
 TEST(GoalChecker, NeedsPositionHeadingAndRest) {
   GoalChecker checker;
   EXPECT_FALSE(checker.update({1.74, 1.0, 3.1}, {}, kGoal, kDefaults));  // 0.26 m away

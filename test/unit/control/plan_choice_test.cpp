@@ -97,6 +97,34 @@ TEST_F(PlanChoiceTest, NothingWaitsWhereTheOldPlanIsBlocked) {
   EXPECT_TRUE(prefers(left, 10.05));
 }
 
+TEST_F(PlanChoiceTest, NorWhereSomethingStandsBetweenTwoOfItsPoses) {
+  const std::vector<Pose2> left = {{0.0, 0.0, 0.0}, {1.5, 0.8, 0.0}, {3.0, 0.0, 0.0}};
+  choice_.offer(round(-0.8));
+  EXPECT_FALSE(prefers(left, 10.0));
+  map_.set(2.25, 0.4, cost::kInscribed);  // half-way between the last two
+  EXPECT_TRUE(prefers(left, 10.05));
+}
+
+// A metre of unknown cells counts as a free one. Both ways are 2 hypot(1.5, 0.8) = 3.4 m long.
+TEST_F(PlanChoiceTest, UnknownCellsCostWhatFreeOnesDo) {
+  const std::vector<Pose2> left = round(0.8);
+  for (int i = 0; i < 30; ++i) {
+    for (int j = 1; j < 12; ++j) map_.set(0.05 + 0.1 * i, -0.35 - 0.1 * j, cost::kUnknown);
+  }
+  choice_.offer(round(-0.8));
+  EXPECT_FALSE(prefers(left, 10.0));
+}
+
+// Both lead round the pillar, then a way back to where the robot is, and its distance from their two ends is the same.
+TEST_F(PlanChoiceTest, OfARoundTripTheWholeWayCounts) {
+  const auto trip = [](double y) {
+    return std::vector<Pose2>{{0.0, 0.0, 0.0},  {1.5, y, 0.0},    {3.0, 0.0, 0.0},
+                              {3.0, -2.0, 0.0}, {0.0, -2.0, 0.0}, {0.0, 0.0, 0.0}};
+  };
+  choice_.offer(trip(-0.8));
+  EXPECT_FALSE(prefers(trip(0.8), 10.0));
+}
+
 TEST_F(PlanChoiceTest, UnknownCellsBlockNothing) {
   const std::vector<Pose2> left = round(0.8);
   map_.set(1.55, 0.75, cost::kUnknown);
@@ -185,6 +213,7 @@ TEST(SameWay, PlansThatRunSideBySideLeadTheSameWay) {
   const std::vector<Pose2> followed = shifted(0.0);
   EXPECT_TRUE(same_way(followed, 0, shifted(0.14), 0.15));
   EXPECT_FALSE(same_way(followed, 0, shifted(0.16), 0.15));
+  EXPECT_TRUE(same_way(followed, 0, shifted(0.25), 0.25));  // at the bound
   EXPECT_FALSE(same_way(followed, 0, round(0.8), 0.15));
   // The robot is 3 m along the plan; the fresh one begins there.
   std::vector<Pose2> fresh(followed.begin() + 60, followed.end());
@@ -198,6 +227,10 @@ TEST(SameWay, PlansThatRunSideBySideLeadTheSameWay) {
     if (pose.x > 8.8) pose.y = 1.0;
   }
   EXPECT_FALSE(same_way(followed, 60, fresh, 0.15));
+  // A fresh plan may begin a metre ahead of the robot: its 6.5th metre lies beside the followed one's 7.5th.
+  std::vector<Pose2> coarse;
+  for (int k = 0; k <= 20; ++k) coarse.push_back({0.5 * k, 0.0, 0.0});
+  EXPECT_TRUE(same_way(coarse, 0, {coarse.begin() + 2, coarse.end()}, 0.15));
   // No plan to compare with.
   EXPECT_FALSE(same_way({}, 0, fresh, 0.15));
 }
@@ -234,12 +267,38 @@ TEST(EnclosedObstacle, IsFoundAsBySummingAngles) {
   EXPECT_LT(enclosed, 1900);
 }
 
+// The view is the middle half of a larger map: rows 20 to 59, y = -2 m to 2 m. What lies below and above it is not
+// seen.
+TEST(EnclosedObstacle, IsLookedForOnTheMapOnly) {
+  const std::vector<Point> round{{-3.0, -3.5}, {3.0, -3.5}, {3.0, 3.5}, {-3.0, 3.5}};
+  for (const double y : {-2.05, -1.95, 1.95, 2.05}) {
+    Map map;
+    map.set(0.05, y, cost::kLethal);
+    const GridView part{map.costs.data() + map.grid.index({0, 20}), 80, 40, 0.1, -4.0, -2.0};
+    EXPECT_TRUE(encloses_obstacle(round, map.grid)) << y;
+    EXPECT_EQ(encloses_obstacle(round, part), std::abs(y) < 2.0) << y;
+  }
+}
+
 TEST(EnclosedObstacle, NothingLiesInALineOfTwoPointsOrOnNoMap) {
   Map map;
   map.pillar(0.0, 0.0);
   EXPECT_FALSE(encloses_obstacle({{-1.0, 0.0}, {1.0, 0.0}}, map.grid));
   EXPECT_FALSE(encloses_obstacle({{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}, GridView{}));
   EXPECT_TRUE(encloses_obstacle({{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}, map.grid));
+}
+
+// Edges up and down in turn, 0.05 m apart: the line goes round x = -2.45, -2.35, ..., between its first two crossings
+// of a row, its next two, and so on. Those from the 65th on, at x = 0.7, are not looked at.
+TEST(EnclosedObstacle, IsLookedForAmongTheFirst64Crossings) {
+  std::vector<Point> zigzag;
+  zigzag.reserve(100);
+  for (int k = 0; k < 100; ++k) zigzag.emplace_back(-2.5 + 0.05 * k, k % 2 == 0 ? -1.0 : 1.0);
+  for (const double x : {-2.45, 0.65, 0.75}) {
+    Map map;
+    map.set(x, 0.05, cost::kLethal);
+    EXPECT_EQ(encloses_obstacle(zigzag, map.grid), x < 0.7) << x;
+  }
 }
 
 }  // namespace

@@ -40,6 +40,15 @@ TEST(PlanWindow, ProgressNeverGoesBack) {
   EXPECT_NEAR(before, 9.3, 1e-9);  // 4.0 + 5.0 + 0.3
 }
 
+// Outside of a corner the nearest place is the corner itself, 1 m along the plan; not where its leg would lead on.
+TEST(PlanWindow, OutsideOfACornerItIsAtTheCorner) {
+  PlanWindow window;
+  window.set_plan({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}});
+  window.around({1.2, -0.1, 0.0}, 1.0, 2.0);
+  EXPECT_NEAR(window.progress(), 1.0, 1e-9);
+  EXPECT_EQ(window.next_pose(), 1u);
+}
+
 TEST(PlanWindow, TheFirstQuerySearchesTheWholePlan) {
   PlanWindow window;
   window.set_plan(straight(30.0));
@@ -61,6 +70,16 @@ TEST(PlanWindow, ALoopCannotPullToTheWrongBranch) {
     window.around({x, 0.3, 0.0}, 1.0, 2.0);
     ASSERT_NEAR(window.progress(), x, 1e-9);
   }
+}
+
+// The way back along y = 1 begins 2 m ahead, where the search for the nearest stretch ends; so far the robot may have
+// come.
+TEST(PlanWindow, AStretchThatBeginsWhereTheSearchEndsIsFound) {
+  PlanWindow window;
+  window.set_plan({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}});
+  window.around({0.0, 0.0, 0.0}, 1.0, 2.0);
+  window.around({0.0, 0.9, 0.0}, 1.0, 2.0);
+  EXPECT_EQ(window.progress(), 2.0);
 }
 
 TEST(PlanWindow, AReplanStartsAnew) {

@@ -69,6 +69,14 @@ TEST(SampleBudget, TwoOutliersInFiveChangeNothingThreeDo) {
   EXPECT_EQ(cycles(budget, 1, 1.0), Event::thinning_began);
 }
 
+// 2.8 s for 20 x 20 candidates where 1 s is to be had: 0.7 of that affords 400 x 0.7 / 2.8 = 100 = 10 x 10, and so many
+// are left.
+TEST(SampleBudget, AsManyAreLeftAsCanBeAfforded) {
+  SampleBudget budget = budget_for(20, 20);
+  for (int i = 0; i < 3; ++i) budget.observe(2.8, 1.0);
+  expect_samples(budget, 10, 10);
+}
+
 TEST(SampleBudget, TheFirstThreeCyclesMayThin) {
   SampleBudget budget = budget_for(20, 20);
   EXPECT_EQ(cycles(budget, 2, 0.05), Event::none);

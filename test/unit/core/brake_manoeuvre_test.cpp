@@ -38,6 +38,21 @@ std::vector<Pose2> poses(const BrakeManoeuvre& m, const VelocityLimits& l, doubl
 // T that is b T / 2 over T instead of T / 2, b T^2 / 8 more.
 double tail(double braking) { return braking * 0.05 * 0.05 / 8.0; }
 
+// From 0.1 m/s to 0.5, to -0.7 and to 0.2 m/s, in 1 s each, and to 0.4 rad/s in the last of them.
+TEST(PendingMotions, AreBoundedLegByLeg) {
+  PendingMotion motion;
+  motion.begin({0.1, 0.0});
+  motion.add({0.5, 0.0}, 1.0, {0.01, 0.0});
+  motion.add({-0.7, 0.0}, 1.0, {0.02, 0.03});
+  motion.add({0.2, 0.4}, 1.0);
+  EXPECT_EQ(motion.fastest(), 0.7);
+  EXPECT_NEAR(motion.reach(), 0.5 + 0.7 + 0.7, 1e-12);
+  EXPECT_NEAR(motion.reach(2.0), 0.5 + 0.7 + 1.0, 1e-12);  // 0.2 + 2 x 0.4 m/s in the last
+  EXPECT_NEAR(motion.spread().v, 0.01 + 0.02, 1e-12);
+  EXPECT_NEAR(motion.spread().omega, 0.03, 1e-12);
+  EXPECT_EQ(PendingMotion({-0.3, 0.0}, 1.0).fastest(), 0.3);
+}
+
 TEST(BrakeManoeuvreDistance, StraightOn) {
   // 0.1 s at 0.5, 0.05 s from 0.5 to 0.4, then 0.4^2 / (2 * 2) and the tail.
   const PendingMotion steady({0.5, 0.0}, 0.1);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of cells that are made and read many at a time, against one cell or one pose at a time.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -50,6 +52,70 @@ TEST(BitGrid, BitsBecomeBytes) {
   }
 }
 
+BitGrid random_bits(Random& random, int width, int height) {
+  BitGrid grid;
+  grid.reset(width, height);
+  const double share = random.pick({0.02, 0.5, 0.97});
+  for (int j = 0; j < height; ++j) {
+    for (int i = 0; i < width; ++i) {
+      if (random.chance(share)) grid.set(i, j);
+    }
+  }
+  return grid;
+}
+
+bool holds(const BitGrid& grid, int i, int j) {
+  return i >= 0 && i < grid.width() && j >= 0 && j < grid.height() && grid.test(i, j);
+}
+
+// Rows that reach 3, 1, 0 cells to the sides; below 0 a row and those after it reach nothing.
+TEST(BitGrid, DilatedAsCellByCell) {
+  Random random(3);
+  for (int round = 0; round < 100; ++round) {
+    const BitGrid grid = random_bits(random, random.integer(1, 200), random.integer(1, 12));
+    std::vector<int> reach;
+    for (int widest = random.integer(-1, 70); reach.size() < 5; widest = random.integer(-1, std::max(widest, -1))) {
+      reach.push_back(widest);
+    }
+    BitGrid out;
+    grid.dilate(reach, out);
+    for (int j = 0; j < grid.height(); ++j) {
+      for (int i = 0; i < grid.width(); ++i) {
+        bool expected = false;
+        for (int dy = -4; dy <= 4; ++dy) {
+          const int wide = reach[static_cast<std::size_t>(std::abs(dy))];
+          for (int dx = -wide; dx <= wide; ++dx) expected = expected || holds(grid, i + dx, j + dy);
+        }
+        ASSERT_EQ(out.test(i, j), expected) << i << ", " << j << " in round " << round;
+      }
+    }
+  }
+}
+
+TEST(BitGrid, EdgesAndRangesAsCellByCell) {
+  Random random(4);
+  for (int round = 0; round < 100; ++round) {
+    const BitGrid grid = random_bits(random, random.integer(1, 200), random.integer(1, 12));
+    BitGrid edges;
+    grid.find_edges(edges);
+    for (int j = 0; j < grid.height(); ++j) {
+      for (int i = 0; i < grid.width(); ++i) {
+        const bool surrounded =
+            holds(grid, i - 1, j) && holds(grid, i + 1, j) && holds(grid, i, j - 1) && holds(grid, i, j + 1);
+        ASSERT_EQ(edges.test(i, j), grid.test(i, j) && !surrounded) << i << ", " << j << " in round " << round;
+      }
+      const int from = random.integer(0, grid.width() - 1), to = random.integer(from, grid.width() - 1);
+      bool any = false;
+      for (int i = from; i <= to; ++i) any = any || grid.test(i, j);
+      EXPECT_EQ(grid.any(j, from, to), any) << from << " to " << to;
+      const std::uint64_t bits = grid.bits(j, from);
+      for (int b = 0; b < 64 && from + b < grid.width(); ++b) {
+        ASSERT_EQ((bits >> b) & 1U, grid.test(from + b, j) ? 1U : 0U);
+      }
+    }
+  }
+}
+
 // The candidates of a random scene, and what the tables are made of.
 struct Cycle {
   explicit Cycle(const Scene& scene)
@@ -86,7 +152,11 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
   int open = 0, near = 0, hit = 0, blocked = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scene scene = test::random_scene(seed);
+    Scene scene = test::random_scene(seed);
+    if (seed % 4 == 0) {  // a table of more than 64 cells a row: 1 m/s x 3 s = 3 m to either side
+      scene.parameters.sim_time = 3.0;
+      scene.situation.last_command.v = 1.0;
+    }
     Cycle cycle(scene);
     const Pose2& start = scene.situation.pose;
     const bool unknown = scene.parameters.unknown_is_obstacle;
@@ -123,6 +193,21 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
   }
   std::printf("%d tiles near nothing; poses: %d near, %d hits, %d blocked\n", open, near, hit, blocked);
   for (const int often : {open, near, hit, blocked}) EXPECT_GT(often, 100);
+}
+
+// Rows of the grid of samples go from slow to fast: what is quicker to look at must be known as such.
+TEST(Tiles, KnowWhetherTheirSpeedsAscend) {
+  int ascending = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Scene scene = test::random_scene(seed);
+    const Cycle cycle(scene);
+    for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
+      const Tile tile = cycle.rollout.tile(t);
+      EXPECT_EQ(tile.ascending, std::is_sorted(tile.v, tile.v + tile.count)) << "seed " << seed << ", tile " << t;
+      ascending += tile.ascending && tile.count > 1;
+    }
+  }
+  EXPECT_GT(ascending, 100);
 }
 
 TEST(EndCells, AreThoseOfThePointsAhead) {

@@ -66,6 +66,11 @@ double depth_of(const Footprint& footprint, const Pose2& pose, double x, double 
   return depths[0];
 }
 
+TEST(OutlineDepth, TakesWholeFours) {
+  const std::size_t room[][2] = {{0, 0}, {1, 4}, {4, 4}, {5, 8}, {17, 20}};
+  for (const auto& [count, padded] : room) EXPECT_EQ(OutlineDepth::padded(count), padded) << count;
+}
+
 // Cells of 0.05 m with the centre given.
 TEST(OutlineDepth, TheShortestWayOut) {
   const Footprint square(Polygon{{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});

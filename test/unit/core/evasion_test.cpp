@@ -61,6 +61,27 @@ TEST(PlanGuides, GoOnStraightWhereTheWindowEndsBeforeTheGoal) {
   EXPECT_NEAR(guide.time_left(1.0, 0.0, {1.0, 0.0}), 0.0, 1e-9);
 }
 
+// Hosts send poses twice: at the start, where the robot is, and at the end.
+TEST(PlanGuides, RepeatedPosesLeadNowhere) {
+  const std::vector<Pose2> once{{0.0, 0.0, 0.0}, {0.0, 0.5, 0.0}, {0.0, 1.0, 0.0}};
+  std::vector<Pose2> twice;
+  for (const Pose2& pose : once) twice.insert(twice.end(), 2, pose);
+  for (const std::vector<Pose2>& plan : {once, twice}) {
+    PlanGuide guide;
+    guide.prepare(plan, {9.0, 4.0, 0.0}, {0.0, 0.0, 0.0}, limits_of(1.0, 1.0), 3.0);
+    for (const double y : {0.0, 1.0, 1.5}) {  // a metre on, along the plan and straight on from its end, at 1 m/s
+      EXPECT_NEAR(guide.time_left(0.0, y, {0.0, 1.0}) - guide.time_left(0.0, y + 1.0, {0.0, 1.0}), 1.0, 1e-9) << y;
+    }
+  }
+}
+
+TEST(PlanGuides, TwoPosesAreAPlan) {
+  PlanGuide guide;
+  guide.prepare({{0.0, 0.0, 0.0}, {0.0, 0.3, 0.0}}, {0.0, 0.3, 0.0}, {0.0, 0.0, 0.0}, limits_of(1.0, 1.0), 3.0);
+  ASSERT_TRUE(guide.any());
+  EXPECT_NEAR(guide.time_left(0.0, 0.1, {0.0, 1.0}), 0.3 - 0.1, 1e-9);
+}
+
 // Each motion by itself, step by step, with the angle as a number.
 TEST(MotionFans, LeadWhereEachMotionLeadsAlone) {
   Random random(9);
@@ -132,11 +153,11 @@ double slow_least_gap(const OpenGround& ground, const Twist2& from, const Twist2
     theta += omega * dt;
     x += v * std::cos(theta) * dt;
     y += v * std::sin(theta) * dt;
-    const Point at = mover.position + (delay + t) * mover.velocity;
+    const Point at = mover.position + (mover.age + delay + t) * mover.velocity;
     const double dx = at.x() - x, dy = at.y() - y;
     const Point seen(std::cos(theta) * dx + std::sin(theta) * dy, std::cos(theta) * dy - std::sin(theta) * dx);
-    const double kept = ground.map.parameters.evasion_distance + 0.1 * (delay + t);
-    least = std::min(least, ground.body.distance_to(seen) - mover.radius - kept);
+    const double kept = ground.map.parameters.evasion_distance + (0.1 + mover.velocity_deviation) * (delay + t);
+    least = std::min(least, ground.body.distance_to(seen) - mover.radius - mover.position_deviation - kept);
   }
   return least;
 }
@@ -148,14 +169,17 @@ TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
   for (int k = 0; k < 400; ++k) {
     const Twist2 from{random.uniform(0.0, 0.5), random.uniform(-0.5, 0.5)};
     const Twist2 motion{random.uniform(-0.2, 0.5), random.uniform(-1.0, 1.0)};
-    const MovingObstacleEstimate mover = disc_at(random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5),
-                                                 random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+    MovingObstacleEstimate mover = disc_at(random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5),
+                                           random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+    mover.position_deviation = random.uniform(0.0, 0.3);
+    mover.velocity_deviation = random.uniform(0.0, 0.2);
+    mover.age = random.uniform(0.0, 0.2);
     EvasionSearch search;
     const EvasionSearch::Scene scene = ground.scene(from);
     const bool untroubled = !search.look(scene, {mover}) || search.untroubled(scene, motion);
     const double gap = slow_least_gap(ground, from, motion, scene.delay, mover);
-    // Between two looks, 0.13 s apart at most, they close up by half of 0.13 * (1.42 + 0.5 + 0.36) m, and the ramps
-    // differ by a little.
+    // Between two looks, 0.13 s apart at most, they close up by half of 0.13 * (1.42 + 0.5 + 0.36 + 0.2) m, and the
+    // ramps differ by a little.
     if (gap < -0.2) {
       EXPECT_FALSE(untroubled) << k;
       ++near;
@@ -195,6 +219,26 @@ TEST(EvasionSearches, WhereNoWayLeadsOutTheLastOneTouchedIsBest) {
   ASSERT_TRUE(search.look(scene, {disc_at(1.6, 0.0, -1.0, 0.0)}));
   search.run(scene, ground.guide, {0.0, 0.0});
   for (const EvasionSearch::Branch& branch : search.branches()) EXPECT_GE(branch.cost, EvasionSearch::kTouched);
+}
+
+// The own motion, and six speeds, each with five turns.
+TEST(EvasionSearches, TryAllSpeedsAndTurnsOfTheLimits) {
+  OpenGround ground;
+  ground.limits = limits_of(0.9, 0.4);  // and 0.2 m/s back
+  EvasionSearch search;
+  const EvasionSearch::Scene scene = ground.scene({0.0, 0.0});
+  ASSERT_TRUE(search.look(scene, {disc_at(1.6, 0.0, -1.0, 0.0)}));
+  search.run(scene, ground.guide, {0.123, 0.0});
+  ASSERT_EQ(search.branches().size(), 1u + 6u * 5u);
+  EXPECT_EQ(search.branches()[0].motion, (Twist2{0.123, 0.0}));
+  for (const double v : {0.9, 0.6, 0.3, 0.0, -0.1, -0.2}) {
+    for (const double omega : {-0.4, -0.2, 0.0, 0.2, 0.4}) {
+      const auto is_it = [&](const EvasionSearch::Branch& branch) {
+        return std::abs(branch.motion.v - v) < 1e-12 && std::abs(branch.motion.omega - omega) < 1e-12;
+      };
+      EXPECT_EQ(std::count_if(search.branches().begin(), search.branches().end(), is_it), 1) << v << ", " << omega;
+    }
+  }
 }
 
 TEST(EvasionSearches, BeginWithNoMotionThatThePassiveSafetyRejects) {

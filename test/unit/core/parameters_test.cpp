@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -146,6 +147,38 @@ TEST(Validate, ReturnsEveryFaultAtOnce) {
         "axis_angular_sign", "axis_linear_sign", "odom_topic", "critics", "vx_samples"}) {
     EXPECT_TRUE(names(faults, name)) << name;
   }
+}
+
+// A device that cannot be read is refused when it is set, with what to set.
+TEST(Validate, TellsWhatADeviceLacks) {
+  const auto faults_with = [](auto&& change) {
+    Parameters p;
+    change(p);
+    std::string all;
+    for (const std::string& fault : validate(p)) all += fault + '\n';
+    return all;
+  };
+  EXPECT_EQ(faults_with([](Parameters&) {}), "");
+  EXPECT_EQ(faults_with([](Parameters& p) { p.axis_linear_sign = 0; }).find("axis_linear_sign = 0: set 1"), 0u);
+  EXPECT_EQ(faults_with([](Parameters& p) { p.clutch_axis_sign = 0; }).find("clutch_axis_sign = 0: set 1"), 0u);
+  EXPECT_EQ(faults_with([](Parameters& p) { p.gesture_axis_sign = 0; }).find("gesture_axis_sign = 0: set 1"), 0u);
+  EXPECT_EQ(faults_with([](Parameters& p) { p.gesture_linear_sign = 0; }).find("gesture_linear_sign = 0: set 1"), 0u);
+  EXPECT_EQ(faults_with([](Parameters& p) { p.gesture_frame = "hand"; }).find("gesture_frame and gesture_parent_frame"),
+            0u);
+  const auto by_hand = [](Parameters& p) {
+    p.mode = OperatorMode::gesture;
+    p.clutch_button = p.clutch_axis = -1;
+    p.gesture_topic.clear();
+  };
+  EXPECT_NE(faults_with(by_hand).find("needs a clutch: set clutch_button or clutch_axis"), std::string::npos);
+  EXPECT_NE(faults_with(by_hand).find("needs a hand: set gesture_topic"), std::string::npos);
+  const auto with_axis = [&](Parameters& p) {
+    by_hand(p);
+    p.clutch_axis = 0;
+    p.gesture_frame = "hand";
+    p.gesture_parent_frame = "room";
+  };
+  EXPECT_EQ(faults_with(with_axis), "");
 }
 
 TEST(BrakingLimits, EitherSignAndZeroForTheAcceleration) {

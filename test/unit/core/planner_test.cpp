@@ -242,5 +242,13 @@ TEST(PlannerGoal, TurnsOnTheSpotOnceThere) {
   EXPECT_EQ(bench.scene().situation.pose.x, 0.0);
 }
 
+// As they stand in cycle messages.
+TEST(Outcomes, HaveNames) {
+  EXPECT_STREQ(to_string(Outcome::drive), "DRIVE");
+  EXPECT_STREQ(to_string(Outcome::brake), "BRAKE");
+  EXPECT_STREQ(to_string(Outcome::fail), "FAIL");
+  EXPECT_STREQ(to_string(Outcome::hold), "HOLD");
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner

@@ -17,6 +17,15 @@ TEST(BacklogGate, EmptyStampsAlwaysPass) {
   for (int i = 0; i < 100; ++i) EXPECT_EQ(gate.judge(0.0, 10.0 + i, kLimit), Arrival::live);
 }
 
+// Received at one and the same time, so that no drift comes in: late by just the bound is live, by 2^-10 s more is not.
+TEST(BacklogGate, AtTheBoundIsLive) {
+  BacklogGate gate;
+  EXPECT_EQ(gate.judge(10.0, 10.0, kLimit), Arrival::live);
+  EXPECT_EQ(gate.judge(9.5, 10.0, kLimit), Arrival::live);  // lag 10 - 9.5 = 0.5
+  EXPECT_EQ(gate.excess(), 0.5);
+  EXPECT_EQ(gate.judge(9.5 - 0x1p-10, 10.0, kLimit), Arrival::backlog);
+}
+
 // The sender's clock is ahead by 1000 s: lags are -1000 s and only their excess counts.
 TEST(BacklogGate, ClockOffsetDoesNotMatter) {
   for (const double offset : {-1000.0, 0.0, 1e6}) {
@@ -156,6 +165,23 @@ TEST(BacklogGate, ALinkThatBecameSlowerIsTakenAsItIs) {
   EXPECT_NEAR(slower_after([](double time) { return 0.62 + 0.045 * std::sin(9.0 * time); }), 2.0, 0.051);
   EXPECT_NEAR(slower_after([](double) { return 1.01; }), 2.0, 0.051);  // 0.99 s more
   EXPECT_LT(slower_after([](double) { return 1.04; }), 0.0);           // 1.02 s more
+}
+
+// What its lag is beyond the best one may be input_lag_max, and no bit more.
+TEST(BacklogGate, AtTheBoundALinkIsTakenAsItIs) {
+  double excess = 0.0;
+  const auto after_two_seconds = [&excess](double lag_max) {
+    BacklogGate gate;
+    gate.judge(9.0, 9.0, kLimit);
+    for (int i = 0; i < 32; ++i) gate.judge(10.0 + i / 16.0, 10.625 + i / 16.0, kLimit);
+    const Arrival arrival = gate.judge(12.0, 12.625, {0.5, lag_max});  // 32 / 16 = 2 s after the first
+    excess = gate.excess();
+    return arrival;
+  };
+  EXPECT_EQ(after_two_seconds(1.0), Arrival::slower_link);
+  EXPECT_NEAR(excess, 0.625, 1e-3);
+  EXPECT_EQ(after_two_seconds(excess), Arrival::slower_link);
+  EXPECT_EQ(after_two_seconds(std::nextafter(excess, 0.0)), Arrival::backlog);
 }
 
 TEST(BacklogGate, ALagThatGrowsIsNotTakenAsItIs) {

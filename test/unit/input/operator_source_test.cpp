@@ -312,5 +312,17 @@ TEST(OperatorSource, WhoSubscribesIsToldWhatEachModeListensTo) {
   EXPECT_EQ(described(p), "");
 }
 
+TEST(OperatorSource, SentencesStandApartByOneSpace) {
+  std::string text;
+  const auto with = [&text](const char* sentence) {
+    add_sentence(text, sentence);
+    return text;
+  };
+  EXPECT_EQ(with(""), "");
+  EXPECT_EQ(with("One."), "One.");
+  EXPECT_EQ(with(""), "One.");
+  EXPECT_EQ(with("Two."), "One. Two.");
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner::input

@@ -31,6 +31,16 @@ struct Planner : Person {
   double now = 100.0;  // [s]
 };
 
+TEST(PauseDetector, TellsOfWhatAnybodyNotices) {
+  PauseDetector pauses;
+  pauses.report(0.29, 10.0);
+  EXPECT_EQ(pauses.advice(10.0), "");
+  pauses.report(0.3, 10.0);
+  EXPECT_NE(pauses.advice(10.0).find("paused for 0.3 s"), std::string::npos);
+  EXPECT_NE(pauses.advice(19.99), "");
+  EXPECT_EQ(pauses.advice(20.0), "");  // told of for 10 s
+}
+
 TEST(Pause, IsNoSilenceWhoWakesUpFirst) {
   for (const bool message_first : {true, false}) {
     Planner planner;

@@ -556,5 +556,24 @@ TEST(Stop, NamesWithoutNumberDoNotPileUp) {
   expect_stopped(person.cycle(9.0));
 }
 
+// 16 are remembered, itself among them: of a stick whose node was forgotten a pull counts only once it was seen
+// otherwise.
+TEST(Stop, SixteenNamesAreRemembered) {
+  for (const int others : {15, 16}) {
+    StopRequest stop;
+    StopReading reading;
+    reading.shape = {2, 2};
+    const auto pull_of = [&](const std::string& name, float back) {
+      reading.back = back;
+      stop.take("stick", name, reading, true, Parameters(), 1.0);
+    };
+    pull_of("/first", 0.0F);
+    for (int i = 0; i < others; ++i) pull_of("/joy_" + std::to_string(i), 0.0F);
+    EXPECT_FALSE(stop.requested());
+    pull_of("/first", 1.0F);
+    EXPECT_EQ(stop.requested(), others == 15);
+  }
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner::input

@@ -58,6 +58,19 @@ TEST(Twist, TheRobotsOwnSpeedWhereThatIsThePolicy) {
   expect_intent(person.cycle(1.1), State::hold, Influence::shared, 0.35, 0.0);
 }
 
+// No command was driven yet whose speed the hold could keep: the Twist's own does not count, so it is 0.
+TEST(Twist, WithTheRobotsOwnSpeedAHoldBeforeTheFirstCommandStands) {
+  Parameters p = by_twist();
+  p.linear = LinearPolicy::current;
+  Person person(p);
+  person.twist(1.0, 0.0, 0.0);
+  person.machine.update(1.0);
+  person.twist(1.05, 0.3, 0.6);
+  expect_intent(person.machine.update(1.05), State::shared, Influence::shared, 0.0, 0.6);
+  person.twist(1.1, 0.0, 0.0);
+  expect_intent(person.machine.update(1.1), State::hold, Influence::shared, 0.0, 0.0);
+}
+
 // Whoever has control has all of it.
 TEST(Twist, IsTheControlItselfInManual) {
   for (const LinearPolicy linear : {LinearPolicy::v_max, LinearPolicy::axis, LinearPolicy::current}) {
