@@ -109,7 +109,9 @@ class App {
     try {
       const three = await import(THREE_URL);
       this.board = new BoardView(three, byId('board-canvas'), this.scene);
-      await this.makeHeadset(three);
+      const panel = new HeadPanel(three, this.board, () => this.headText());
+      this.headset = new Headset(this.board, this.hands, (why) => this.cut(why), panel);
+      this.offerHeadset(); // a browser may take long to look for one; the page does not wait
     } catch (error) {
       console.warn('no view from on board:', error.message);
       byId('plain').hidden = false;
@@ -117,9 +119,7 @@ class App {
     }
   }
 
-  async makeHeadset(three) {
-    const panel = new HeadPanel(three, this.board, () => this.headText());
-    this.headset = new Headset(this.board, this.hands, (why) => this.cut(why), panel);
+  async offerHeadset() {
     if (!(await Headset.available())) return;
     byId('enter').hidden = false;
     byId('unwind-label').hidden = false;

@@ -139,7 +139,7 @@ OperatorIntent intent_of(Input& input) {
   return intent;
 }
 
-bool plausible(double period) { return period > 0.0 && period <= 1.0; }
+bool plausible(double period) { return period >= 1e-3 && period <= 1.0; }
 
 // Braking may make up for a cycle that is late: over the longest period of the last seconds [s].
 double longest(const Situation& situation) {

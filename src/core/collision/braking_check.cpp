@@ -22,12 +22,6 @@ constexpr double kSameDistance = 1e-6;
 // Poses need not lie nearer to each other [m].
 constexpr double kFinest = 1e-4;
 
-// In periods: if the command to brake comes later by less than this, it counts as punctual.
-constexpr double kSoon = 0.1;
-
-// In periods: how far apart the times are at which a late command to brake is checked.
-constexpr double kHoldsApart = 0.5;
-
 TurnedPose turned(const Pose2& pose) { return {pose, {std::cos(pose.theta), std::sin(pose.theta)}}; }
 
 }  // namespace
@@ -148,8 +142,7 @@ ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) cons
 bool BrakingCheck::stops_freely(const Twist2& command, Look& look) {
   const double latest = longest_hold();
   const std::size_t motions = look.fine ? setup_->pending->all() : setup_->pending->likely();
-  const double apart = look.fine ? kHoldsApart * setup_->period : latest;
-  const double parts = latest > kSoon * setup_->period ? std::ceil(latest / apart) : 0.0;
+  const double parts = late_parts(latest, look.fine ? late_times_apart(latest, setup_->period) : latest, setup_->period);
   for (std::size_t motion = 0; motion < motions; ++motion) {
     for (double part = parts; part >= 0.0; part -= 1.0) {
       const double hold = parts > 0.0 ? latest * part / parts : latest;

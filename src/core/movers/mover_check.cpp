@@ -17,11 +17,6 @@ constexpr double kShortStep = 0.01;
 // Poses need not be nearer than that by way [m]: time decides.
 constexpr double kAnySpacing = 1e3;
 
-// In periods: if the command to brake comes later by less than this, it counts as punctual; and how far apart the times
-// are at which a late one is looked at.
-constexpr double kPunctual = 0.1;
-constexpr double kLateApart = 0.5;
-
 // Moments that differ by less are one [s].
 constexpr double kSameMoment = 1e-9;
 
@@ -107,13 +102,13 @@ void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& lim
   }
   fastest_ = speed_at(fastest, radius_);
   // The command for two periods and as late as it may be, braking, and the tail of braking.
-  creeps_for_ =
-      latency + start.period + latest_hold(start.period, start.longest_period) + limits.x.time_to_rest(kLeavesAt);
-  duration_ = latency + 3.0 * start.period + latest_hold(start.period, start.longest_period) +
+  const double late = latest_hold(start.period, start.longest_period);
+  creeps_for_ = latency + start.period + late + limits.x.time_to_rest(kLeavesAt);
+  duration_ = latency + 3.0 * start.period + late +
               std::max(limits.x.time_to_rest(fastest.v), limits.theta.time_to_rest(fastest.omega));
   reach_ = fastest.v * duration_;
   most_drift_ = most_drift(*start.pending, limits, start.period, radius_, reach_);
-  most_grown_ = most_drift_ + 0.5 * (kLongStep + kLateApart * start.period) * (fastest_ + fastest.omega * reach_);
+  most_grown_ = most_drift_ + 0.5 * (kLongStep + late_times_apart(late, start.period)) * (fastest_ + fastest.omega * reach_);
   for (const MovingObstacleEstimate& mover : movers) add_near(mover, parameters);
   for (Look* look : {&coarse_, &fine_}) {
     for (Lead& lead : look->leads) lead.roller.reset();
@@ -158,8 +153,7 @@ bool MoverCheck::answer(const Twist2& command, Look& look) {
 bool MoverCheck::rests_untouched(const Twist2& command, Look& look) {
   const double latest = latest_hold(start_.period, start_.longest_period);
   const std::size_t motions = look.fine ? start_.pending->all() : start_.pending->likely();
-  const double apart = look.fine ? kLateApart * start_.period : latest;
-  const double parts = latest > kPunctual * start_.period ? std::ceil(latest / apart) : 0.0;
+  const double parts = late_parts(latest, look.fine ? late_times_apart(latest, start_.period) : latest, start_.period);
   // Who brakes between two of these times is elsewhere by half of what the robot does between them.
   const double between = look.fine ? 0.5 * (parts > 0.0 ? latest / parts : latest) : 0.0;
   const double elsewhere = between * (speed_at(command, radius_) + std::abs(command.omega) * reach_);

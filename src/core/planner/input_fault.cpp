@@ -14,7 +14,8 @@ constexpr double kFarthest = 1e6;      // [m, rad]
 
 constexpr double kLatest = 1e12;         // [s], some 30,000 years
 constexpr double kOldestPose = 10.0;     // [s]
-constexpr double kLongestPeriod = 10.0;  // [s]
+constexpr double kShortestPeriod = 1e-3;  // [s]
+constexpr double kLongestPeriod = 10.0;   // [s]
 
 // So that the cells up to kFarthest away can be counted by an int.
 constexpr double kFinestCell = 1e-3;   // [m]
@@ -45,7 +46,7 @@ bool plausible(const GridView& grid) {
 
 bool plausible_time(double time) { return std::abs(time) <= kLatest; }
 bool plausible_age(double age) { return age >= 0.0 && age <= kOldestPose; }
-bool plausible_period(double period) { return period > 0.0 && period <= kLongestPeriod; }
+bool plausible_period(double period) { return period >= kShortestPeriod && period <= kLongestPeriod; }
 
 const char* input_fault(const Cycle& cycle) {
   const GridView& grid = cycle.grid;
@@ -64,7 +65,7 @@ const char* input_fault(const Cycle& cycle) {
   }
   if (!plausible_time(situation.time)) return "the time is not a number: check the clock";
   if (!plausible_period(situation.period)) {
-    return "the control period is not positive, or above 10 s: set controller_frequency";
+    return "the control period is below 1 ms or above 10 s: set controller_frequency";
   }
   if (situation.plan.empty()) return "the plan is empty";
   const MovingObstacleEstimates& movers = situation.moving_obstacles;

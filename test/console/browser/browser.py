@@ -31,7 +31,7 @@ class Browser:
             options.add_argument('--host-resolver-rules=' + rules)
         options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
         self.driver = webdriver.Chrome(service=Service(shutil.which('chromedriver')), options=options)
-        self.driver.set_script_timeout(30)
+        self.driver.set_script_timeout(90)
         self.cdp = self.driver.execute_cdp_cmd
         self.scale, self.mobile, self.size, self.dark, self.scripts = scale, size == PHONE, size, dark, scripts
         self.prepare()

@@ -82,7 +82,7 @@ TEST(BadInput, PlanAndGoal) {
 }
 
 TEST(BadInput, Period) {
-  for (const double period : {0.0, -0.05, kNan, kInf, 10.5, 1e300}) {
+  for (const double period : {0.0, -0.05, 1e-9, 9e-4, kNan, kInf, 10.5, 1e300}) {
     Scene scene = driving();
     scene.situation.period = period;
     expect_braked(scene, 0.3, "period");
