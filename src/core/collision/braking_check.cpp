@@ -142,7 +142,8 @@ ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) cons
 bool BrakingCheck::stops_freely(const Twist2& command, Look& look) {
   const double latest = longest_hold();
   const std::size_t motions = look.fine ? setup_->pending->all() : setup_->pending->likely();
-  const double parts = late_parts(latest, look.fine ? late_times_apart(latest, setup_->period) : latest, setup_->period);
+  const double parts =
+      late_parts(latest, look.fine ? late_times_apart(latest, setup_->period) : latest, setup_->period);
   for (std::size_t motion = 0; motion < motions; ++motion) {
     for (double part = parts; part >= 0.0; part -= 1.0) {
       const double hold = parts > 0.0 ? latest * part / parts : latest;

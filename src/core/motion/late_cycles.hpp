@@ -16,8 +16,8 @@ inline double late_brake_period(double elapsed, double period, double longest) {
 /// row may be late. Since each brakes as above, together they delay the braking no more than the latest one does alone.
 inline double latest_hold(double period, double longest) { return 2.0 * std::max(0.0, longest - period); }
 
-/// How far apart the times until the latest hold [s] are at which a late command to brake is looked at [s]: half a period.
-/// A very short period, or a very late cycle, makes no more of them than can be looked at.
+/// How far apart the times until the latest hold [s] are at which a late command to brake is looked at [s]: half a
+/// period. A very short period, or a very late cycle, makes no more of them than can be looked at.
 inline double late_times_apart(double latest, double period) { return std::max({0.5 * period, 0.01, latest / 200.0}); }
 
 /// In how many parts these times lie, no more than `apart` [s] from each other; 0: it is punctual, that is late by less

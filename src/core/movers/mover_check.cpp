@@ -108,7 +108,8 @@ void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& lim
               std::max(limits.x.time_to_rest(fastest.v), limits.theta.time_to_rest(fastest.omega));
   reach_ = fastest.v * duration_;
   most_drift_ = most_drift(*start.pending, limits, start.period, radius_, reach_);
-  most_grown_ = most_drift_ + 0.5 * (kLongStep + late_times_apart(late, start.period)) * (fastest_ + fastest.omega * reach_);
+  most_grown_ =
+      most_drift_ + 0.5 * (kLongStep + late_times_apart(late, start.period)) * (fastest_ + fastest.omega * reach_);
   for (const MovingObstacleEstimate& mover : movers) add_near(mover, parameters);
   for (Look* look : {&coarse_, &fine_}) {
     for (Lead& lead : look->leads) lead.roller.reset();

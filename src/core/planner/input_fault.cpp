@@ -12,8 +12,8 @@ constexpr double kFastest = 20.0;      // [m/s]
 constexpr double kFastestTurn = 50.0;  // [rad/s]
 constexpr double kFarthest = 1e6;      // [m, rad]
 
-constexpr double kLatest = 1e12;         // [s], some 30,000 years
-constexpr double kOldestPose = 10.0;     // [s]
+constexpr double kLatest = 1e12;          // [s], some 30,000 years
+constexpr double kOldestPose = 10.0;      // [s]
 constexpr double kShortestPeriod = 1e-3;  // [s]
 constexpr double kLongestPeriod = 10.0;   // [s]
 

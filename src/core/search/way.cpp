@@ -11,7 +11,7 @@ namespace {
 constexpr double kRadianLength = 0.4;
 
 // The speed at which a robot gets back to its way [m/s]: low, so that it keeps to it.
-constexpr double kBackSpeed = 0.04;
+constexpr double kBackSpeed = 0.1;
 
 }  // namespace
 

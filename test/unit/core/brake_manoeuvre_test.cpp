@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/motion/brake_manoeuvre.hpp"
+#include "core/motion/late_cycles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,20 @@ TEST(PendingMotions, AreBoundedLegByLeg) {
   EXPECT_NEAR(motion.spread().v, 0.01 + 0.02, 1e-12);
   EXPECT_NEAR(motion.spread().omega, 0.03, 1e-12);
   EXPECT_EQ(PendingMotion({-0.3, 0.0}, 1.0).fastest(), 0.3);
+}
+
+// A cycle that comes 0.15 s after the last one, at 0.05 s, and another such: 2 (0.15 - 0.05) = 0.2 s later.
+TEST(LateCycles, AreLookedAtHalfAPeriodApartButNotWithoutEnd) {
+  EXPECT_NEAR(latest_hold(0.05, 0.15), 0.2, 1e-12);
+  const auto parts = [](double latest, double period) {
+    return late_parts(latest, late_times_apart(latest, period), period);
+  };
+  EXPECT_EQ(parts(0.19, 0.05), 8.0);    // 7.6 parts of 0.025 s
+  EXPECT_EQ(parts(0.19, 0.001), 19.0);  // of 0.01 s: half a period is less
+  EXPECT_EQ(parts(19.9, 0.05), 200.0);  // of 0.0995 s: half a period would be 796
+  EXPECT_EQ(parts(0.006, 0.05), 1.0);
+  EXPECT_EQ(parts(0.004, 0.05), 0.0);  // below 0.005 s it is punctual
+  EXPECT_EQ(parts(0.0, 0.05), 0.0);
 }
 
 TEST(BrakeManoeuvreDistance, StraightOn) {

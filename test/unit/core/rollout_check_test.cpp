@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The check of rollouts, which skips what it can, against the outline at every pose by itself.
+#include "core/collision/rollout_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/collision/admissibility.hpp"
+#include "core/collision/cell_classes.hpp"
+#include "core/motion/rollout.hpp"
+#include "core/motion/samples.hpp"
+#include "support/random_scene.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::Scene;
+
+// The candidates of a random scene, and their check.
+struct CheckedCycle {
+  explicit CheckedCycle(const Scene& scene)
+      : limits(VelocityLimits::from(scene.parameters)),
+        footprint(Footprint::from_outline(scene.outline, scene.parameters.footprint_padding)),
+        grid(scene.grid()),
+        pending(PendingMotion(scene.situation.last_command, scene.parameters.control_latency)) {
+    const Situation& s = scene.situation;
+    const bool unknown = scene.parameters.unknown_is_obstacle;
+    SampleRequest request;
+    request.reference = request.previous = s.last_command;
+    request.period = s.period;
+    request.vx_samples = scene.parameters.vx_samples;
+    request.vth_samples = scene.parameters.vth_samples;
+    sampler.make(scene.parameters, limits, request);
+    rollout.run(scene.parameters, limits, s.pose, s.last_command, sampler.samples());
+    const double reach = std::max(std::abs(s.last_command.v), rollout.fastest()) * scene.parameters.sim_time;
+    checker.prepare(grid, footprint, unknown, s.pose, reach, grid.resolution, 2.0 * grid.resolution);
+    classes.prepare(checker, grid, unknown, s.pose, reach);
+    check.prepare(scene.parameters, limits, checker, footprint, grid.resolution,
+                  {s.pose, s.pose, s.last_command, &pending, s.period, s.period});
+  }
+  VelocityLimits limits;
+  Footprint footprint;
+  GridView grid;
+  PendingMotionSet pending;
+  Sampler sampler;
+  Rollout rollout;
+  CollisionChecker checker;
+  CellClasses classes;
+  AdmissibilityCheck check;
+};
+
+// Of the places between two poses of a rollout, `parts` of them, the least clearance [m], up to a cell.
+double least_between(const CheckedCycle& cycle, const Tile& tile, std::size_t c, std::size_t k, int parts) {
+  const Pose2 a = tile.pose(k - 1, c), b = tile.pose(k, c);
+  double least = cycle.grid.resolution;
+  for (int part = 0; part <= parts; ++part) {
+    const double t = static_cast<double>(part) / parts;
+    const Pose2 pose{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.theta + t * (b.theta - a.theta)};
+    least = std::min(least, cycle.checker.clearance(pose, Rotation::of(pose.theta), cycle.grid.resolution));
+  }
+  return least;
+}
+
+// A pose that collides rejects its rollout. A rollout that is rejected comes nearer than an eighth of a cell to
+// something: so much a clearance that is remembered may be too small.
+TEST(RolloutCheck, AsEveryPoseByItself) {
+  int free = 0, rejected = 0, by_a_pose = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    const Scene scene = test::random_scene(seed);
+    CheckedCycle cycle(scene);
+    if (cycle.checker.collides(scene.situation.pose)) continue;
+    for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
+      Tile tile = cycle.rollout.tile(t);
+      cycle.classes.classify(tile);
+      std::vector<const char*> reasons(tile.count, nullptr);
+      cycle.check.check_rollouts(tile, reasons.data());
+      for (std::size_t c = 0; c < tile.count; ++c) {
+        bool collides = false;
+        for (std::size_t k = 1; k <= tile.steps && !collides; ++k) collides = cycle.checker.collides(tile.pose(k, c));
+        by_a_pose += collides;
+        if (collides) {
+          ASSERT_NE(reasons[c], nullptr) << "seed " << seed << ", tile " << t << ", candidate " << c;
+        }
+        ++(reasons[c] == nullptr ? free : rejected);
+        if (reasons[c] == nullptr || collides) continue;
+        double least = cycle.grid.resolution;
+        for (std::size_t k = 1; k <= tile.steps; ++k) least = std::min(least, least_between(cycle, tile, c, k, 32));
+        ASSERT_LT(least, cycle.grid.resolution / 8.0) << "seed " << seed << ", tile " << t << ", candidate " << c;
+      }
+    }
+  }
+  std::printf("%d free, %d rejected, %d of them by a pose\n", free, rejected, by_a_pose);
+  for (const int often : {free, rejected, by_a_pose}) EXPECT_GT(often, 1000);
+  EXPECT_GT(rejected, by_a_pose);  // some by what lies between
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
