@@ -238,7 +238,7 @@ TEST(WaySearch, DamagedBytesAreNoSearch) {
   }
 }
 
-// The remaining time beside a way: that of the nearest place on it, and 0.04 m/s to get there.
+// The remaining time beside a way: that of the nearest place on it, and 0.1 m/s to get there.
 TEST(Way, TellsTheRemainingTime) {
   Way way;
   way.add({{0.0, 0.0, 0.0}, 3.0});
@@ -247,7 +247,7 @@ TEST(Way, TellsTheRemainingTime) {
   const Way::Place beside = way.nearest({0.5, 0.02, 0.0}, 0, 10.0);
   EXPECT_EQ(beside.part, 0U);
   EXPECT_NEAR(beside.left, 2.0, 1e-12);                       // half of the first part
-  EXPECT_NEAR(beside.remaining(), 2.0 + 0.02 / 0.04, 1e-12);  // and back
+  EXPECT_NEAR(beside.remaining(), 2.0 + 0.02 / 0.1, 1e-12);  // and back
   const Way::Place turning = way.nearest({1.0, 0.0, 0.4}, 0, 10.0);
   EXPECT_EQ(turning.part, 1U);
   EXPECT_NEAR(turning.remaining(), 0.6, 1e-12);
