@@ -104,7 +104,7 @@ void Prediction::roll_out(const ControlLoop& loop, const Observation& observatio
   const bool own = result.intent.influence == Influence::none && result.outcome == Outcome::drive;
   if (own) follow_choice(decision, p.sim_time, robot);
   // A robot that is stuck does what its way wants, which nobody can foresee from the plan.
-  if (decision.recovering || result.outcome == Outcome::fail) return;
+  if (decision.recovering || decision.waiting || result.outcome == Outcome::fail) return;
   const auto steps = static_cast<std::size_t>(std::lround(kHorizon / kStep));
   while (poses_.size() <= steps) {
     const bool turns = loop.situation().goal_latched;
@@ -166,7 +166,9 @@ void Prediction::name_next(const ControlLoop& loop, const Result& result) {
   const Decision& decision = *result.decision;
   const bool latched = loop.situation().goal_latched;
   const double turn = wrap_angle(poses_.back().pose.theta - poses_.front().pose.theta);
-  if (decision.recovering) {
+  if (decision.waiting) {
+    reason_ = "it waits for what moves and blocks the only way";
+  } else if (decision.recovering) {
     next_ = NextMove::recover;
     reason_ = "autonomy is stuck: it searches a way for its outline, or follows one";
   } else if (result.outcome == Outcome::fail || result.outcome == Outcome::brake) {

@@ -26,7 +26,7 @@ class NaivePrediction {
     poses.push_back({seen.pose, 0.0});
     u_ = result.command;
     if (result.intent.influence == Influence::none && result.outcome == Outcome::drive) as_chosen();
-    if (result.decision->recovering || result.outcome == Outcome::fail) return;
+    if (result.decision->recovering || result.decision->waiting || result.outcome == Outcome::fail) return;
     while (poses.size() < 31) {  // 3 s
       u_ = limits_.step(u_, wanted(), 0.1);
       rests = commands_rest(u_);
@@ -41,6 +41,7 @@ class NaivePrediction {
   control::NextMove next() const {
     const double turn = wrap_angle(poses.back().pose.theta - poses.front().pose.theta);
     const bool turns = std::abs(turn) >= 0.35;
+    if (result_.decision->waiting) return control::NextMove::stop;
     if (result_.decision->recovering) return control::NextMove::recover;
     if (result_.outcome == Outcome::fail || result_.outcome == Outcome::brake) return control::NextMove::stop;
     if (turns && (latched_ || !rests)) return turn > 0.0 ? control::NextMove::left : control::NextMove::right;

@@ -123,6 +123,7 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Recovery::Course course = course_of(cycle, choice, chosen, steering);
   const Recovery::Review review = recovery.review(cycle, course, chosen);
   decision.recovering = recovery.active();
+  decision.waiting = recovery.waiting();
   if (review.reset_critics) critics.reset();
   const Outcome outcome = review.conclusion.outcome;
   if (outcome == Outcome::brake || outcome == Outcome::fail) evaluation.checks().check_all();  // to say why

@@ -29,6 +29,8 @@ class Recovery {
 
   /// RecoveryMotion decides what is driven.
   bool active() const { return motion_.active(); }
+  /// Autonomy waits for what moves to go: nothing else is in its way.
+  bool waiting() const { return motion_.waiting(); }
   /// It follows a way that it has found.
   bool follows() const { return motion_.follows(); }
   /// It does, and has found it while it drove.

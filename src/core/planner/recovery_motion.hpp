@@ -73,6 +73,8 @@ class RecoveryMotion {
   }
   /// Nothing else is in the way.
   bool waits_for_movers() const { return phase_ == Phase::waits && wait_.waits(); }
+  /// It waits for what moves, and now and then searches whether it is gone.
+  bool waiting() const { return wait_.waits() && (phase_ == Phase::waits || phase_ == Phase::searches); }
   /// Why no way leads on; empty where that is not known. Valid until the next call of another function.
   const char* problem() const { return problem_.c_str(); }
   /// For how long autonomy has stood [s].

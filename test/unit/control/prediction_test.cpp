@@ -41,7 +41,7 @@ class Predictions : public testing::Test {
     loop_.set_plan(plan_, "map", seen_.timing.now, 0.05);
     result_ = loop_.step(seen_);
     decision_ = *result_.decision;
-    decision_.recovering = false;
+    decision_.recovering = decision_.waiting = false;
     result_.decision = &decision_;
     result_.outcome = Outcome::drive;
     change(result_, decision_);
@@ -166,6 +166,7 @@ TEST_F(Predictions, AreAsASlowTwinSays) {
       result.outcome = random.pick({Outcome::drive, Outcome::drive, Outcome::drive, Outcome::brake, Outcome::fail});
       if (random.chance(0.2)) result.intent.influence = Influence::shared;
       decision.recovering = random.chance(0.1);
+      decision.waiting = random.chance(0.1);
       decision.sample = {random.uniform(0.0, parameters_.max_vel_x), random.uniform(-0.4, 0.4)};
       decision.step = random.pick({0.05, 0.085, 0.3, 0.0});
       decision.trajectory = {seen_.pose};
@@ -205,6 +206,9 @@ TEST_F(Predictions, AReasonIsGivenWhereItDoesNotJustFollowThePlan) {
   predicted([](Result&, Decision& decision) { decision.recovering = true; });
   EXPECT_EQ(prediction_.next(), NextMove::recover);
   EXPECT_NE(prediction_.reason().find("stuck"), std::string::npos);
+  predicted([](Result&, Decision& decision) { decision.waiting = true; });
+  EXPECT_EQ(prediction_.next(), NextMove::stop);
+  EXPECT_EQ(prediction_.reason(), "it waits for what moves and blocks the only way");
   seen_.fault = "no transform";
   seen_.velocity.reset();
   prediction_.update(loop_, seen_, loop_.step(seen_));

@@ -148,19 +148,22 @@ Scene in_a_corridor(bool walled) {
 // 30 s of waiting, 3 s for what leads there: 50 ms a cycle.
 TEST(Recovery, WaitsForWhomBlocksTheOnlyWay) {
   PlannerBench bench(in_a_corridor(false));
-  int first = -1;
+  int first = -1, waiting = 0;
   std::string problem;
   for (int k = 0; k < 800 && first < 0; ++k) {
     const Decision& decision = bench.drive();
+    waiting += decision.waiting;
     if (decision.outcome == Outcome::fail) first = k;
     problem = decision.problem;
   }
   EXPECT_GE(first, 600);
   EXPECT_LE(first, 660 + 40);  // it asks again every 2 s
   EXPECT_NE(problem.find("what moves has blocked the only way"), std::string::npos) << problem;
+  EXPECT_GE(waiting, 590);
   // He goes, and the way is free.
   bench.scene().situation.moving_obstacles.clear();
   for (int k = 0; k < 200; ++k) bench.drive();
+  EXPECT_FALSE(bench.drive().waiting);
   EXPECT_GT(bench.scene().situation.pose.x, 0.9);
 }
 
@@ -168,7 +171,9 @@ TEST(Recovery, DoesNotWaitWhereAWallIsInTheWayToo) {
   PlannerBench bench(in_a_corridor(true));
   int first = -1;
   for (int k = 0; k < 400 && first < 0; ++k) {
-    if (bench.drive().outcome == Outcome::fail) first = k;
+    const Decision& decision = bench.drive();
+    EXPECT_FALSE(decision.waiting);
+    if (decision.outcome == Outcome::fail) first = k;
   }
   EXPECT_GE(first, 0);
   EXPECT_LE(first, 160);  // the patience, two searches of 2.4 s at most, and some cycles

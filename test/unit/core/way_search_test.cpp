@@ -246,7 +246,7 @@ TEST(Way, TellsTheRemainingTime) {
   way.add({{1.0, 0.0, 1.0}, 0.0});
   const Way::Place beside = way.nearest({0.5, 0.02, 0.0}, 0, 10.0);
   EXPECT_EQ(beside.part, 0U);
-  EXPECT_NEAR(beside.left, 2.0, 1e-12);                       // half of the first part
+  EXPECT_NEAR(beside.left, 2.0, 1e-12);                      // half of the first part
   EXPECT_NEAR(beside.remaining(), 2.0 + 0.02 / 0.1, 1e-12);  // and back
   const Way::Place turning = way.nearest({1.0, 0.0, 0.4}, 0, 10.0);
   EXPECT_EQ(turning.part, 1U);
