@@ -199,6 +199,39 @@ TEST(Recovery, TurnsTheLongWayRound) {
   EXPECT_LT(driven(scene), 0.1);  // or this scene shows nothing
 }
 
+// Its wheels slip: of what is commanded it does that share. For how long it follows its way before it stands [s]; 5 where
+// it does not within 5 s.
+double follows_with_slip(double share) {
+  PlannerBench bench(beside_a_thing());
+  for (int k = 0, follows = 0; k < 200 && follows < 5; ++k) {
+    const Decision& decision = bench.drive();
+    follows = decision.recovering && !(decision.command == Twist2{}) ? follows + 1 : 0;
+  }
+  Situation& s = bench.scene().situation;
+  const double began = s.time;
+  while (s.time < began + 5.0) {
+    const Decision& decision = bench.cycle();
+    EXPECT_TRUE(decision.recovering);
+    if (decision.command == Twist2{}) return s.time - began;
+    s.last_command = s.velocity = decision.command;
+    s.pose.x += share * decision.command.v * std::cos(s.pose.theta) * s.period;
+    s.pose.y += share * decision.command.v * std::sin(s.pose.theta) * s.period;
+    s.pose.theta += share * decision.command.omega * s.period;
+    s.time += s.period;
+  }
+  return 5.0;
+}
+
+// The remaining time must fall by 0.05 s within 1 s: with 3.5 % of the motion it falls by 0.035 s.
+TEST(Recovery, StandsWhereItDoesNotGetOnAlongItsWay) {
+  for (const double share : {0.0, 0.035}) {
+    const double time = follows_with_slip(share);
+    EXPECT_GE(time, 0.9) << share;
+    EXPECT_LE(time, 2.5) << share;  // and braking to rest
+  }
+  EXPECT_GT(follows_with_slip(0.5), 2.5);
+}
+
 // Saved and loaded at each cycle, while it searches, follows and waits: the next decision is the same to the bit.
 void expect_remembered_whole(const Scene& scene, bool& drove, bool& failed) {
   PlannerBench bench(scene), copy(scene);
