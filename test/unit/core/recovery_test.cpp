@@ -199,8 +199,8 @@ TEST(Recovery, TurnsTheLongWayRound) {
   EXPECT_LT(driven(scene), 0.1);  // or this scene shows nothing
 }
 
-// Its wheels slip: of what is commanded it does that share. For how long it follows its way before it stands [s]; 5 where
-// it does not within 5 s.
+// Its wheels slip: of what is commanded it does that share. For how long it follows its way before it stands [s]; 5
+// where it does not within 5 s.
 double follows_with_slip(double share) {
   PlannerBench bench(beside_a_thing());
   for (int k = 0, follows = 0; k < 200 && follows < 5; ++k) {
