@@ -8,9 +8,8 @@
 //    remaining time, followed for some tenths of a second and then braked. What critics reject is not taken.
 // 3. That ends at the way's end, or where the cheapest candidate has led on as well for a second. If the remaining time
 //    stops falling, the robot stands and searches anew.
-// 4. If there is no way, the cycle fails and says why. It searches again after two seconds. If only what moves is in
-// the
-//    way, it waits for that instead (MoverWait).
+// 4. If there is no way, the cycle fails and says why. It searches again after two seconds. Where only what moves is in
+//    the way, it waits for that instead (MoverWait).
 // 5. Before a tight place the search begins while the robot drives on. Where it finds a way the robot follows that, in
 //    good time: one that cannot drive backwards may come to where no way leads on.
 //
@@ -69,12 +68,12 @@ class RecoveryMotion {
   bool drives_on() const { return follows() && ahead_; }
   /// It is not known yet whether a way leads on, or it waits for what moves to go.
   bool undecided() const {
-    return phase_ == Phase::stops || (problem_.empty() && (phase_ == Phase::searches || waits_for_movers()));
+    return phase_ == Phase::stops || waiting() || (problem_.empty() && phase_ == Phase::searches);
   }
-  /// Nothing else is in the way.
-  bool waits_for_movers() const { return phase_ == Phase::waits && wait_.waits(); }
-  /// It waits for what moves, and now and then searches whether it is gone.
-  bool waiting() const { return wait_.waits() && (phase_ == Phase::waits || phase_ == Phase::searches); }
+  /// It waits for what moves, and now and then searches whether it is gone. After some time it fails instead.
+  bool waiting() const {
+    return problem_.empty() && wait_.waits() && (phase_ == Phase::waits || phase_ == Phase::searches);
+  }
   /// Why no way leads on; empty where that is not known. Valid until the next call of another function.
   const char* problem() const { return problem_.c_str(); }
   /// For how long autonomy has stood [s].

@@ -153,7 +153,10 @@ TEST(Recovery, WaitsForWhomBlocksTheOnlyWay) {
   for (int k = 0; k < 800 && first < 0; ++k) {
     const Decision& decision = bench.drive();
     waiting += decision.waiting;
-    if (decision.outcome == Outcome::fail) first = k;
+    if (decision.outcome == Outcome::fail) {
+      EXPECT_FALSE(decision.waiting) << "it has given up";
+      first = k;
+    }
     problem = decision.problem;
   }
   EXPECT_GE(first, 600);
