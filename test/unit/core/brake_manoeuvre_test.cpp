@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/motion/brake_manoeuvre.hpp"
-#include "core/motion/late_cycles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/motion/command_history.hpp"
+#include "core/motion/late_cycles.hpp"
 #include "support/naive_manoeuvre.hpp"
 #include "support/naive_reference.hpp"
 #include "support/random.hpp"

@@ -12,17 +12,17 @@
 #include "core/collision/cell_classes.hpp"
 #include "core/collision/collision.hpp"
 #include "core/distance/end_cells.hpp"
-#include "core/motion/rollout.hpp"
-#include "core/motion/samples.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"
+#include "support/scene_rollout.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
 using test::Random;
 using test::Scene;
+using test::SceneRollout;
 
 TEST(BitGrid, MarksTheCellsThatHoldOneOfTwoValues) {
   Random random(1);
@@ -116,30 +116,6 @@ TEST(BitGrid, EdgesAndRangesAsCellByCell) {
   }
 }
 
-// The candidates of a random scene, and what the tables are made of.
-struct Cycle {
-  explicit Cycle(const Scene& scene)
-      : limits(VelocityLimits::from(scene.parameters)),
-        footprint(Footprint::from_outline(scene.outline, scene.parameters.footprint_padding)),
-        grid(scene.grid()) {
-    const Situation& s = scene.situation;
-    SampleRequest request;
-    request.reference = request.previous = s.last_command;
-    request.period = s.period;
-    request.vx_samples = scene.parameters.vx_samples;
-    request.vth_samples = scene.parameters.vth_samples;
-    sampler.make(scene.parameters, limits, request);
-    rollout.run(scene.parameters, limits, s.pose, s.last_command, sampler.samples());
-    reach = std::max(std::abs(s.last_command.v), rollout.fastest()) * scene.parameters.sim_time;
-  }
-  VelocityLimits limits;
-  Footprint footprint;
-  GridView grid;
-  Sampler sampler;
-  Rollout rollout;
-  double reach = 0.0;  // [m]
-};
-
 std::uint8_t cost_class(const Scene& scene, const GridView& grid, double x, double y) {
   const Cell cell = grid.cell_at(x, y);
   const std::uint8_t value = grid.contains(cell) ? grid.at(cell) : cost::kLethal;
@@ -157,7 +133,7 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
       scene.parameters.sim_time = 3.0;
       scene.situation.last_command.v = 1.0;
     }
-    Cycle cycle(scene);
+    SceneRollout cycle(scene);
     const Pose2& start = scene.situation.pose;
     const bool unknown = scene.parameters.unknown_is_obstacle;
     CollisionChecker checker;
@@ -200,7 +176,7 @@ TEST(Tiles, KnowWhetherTheirSpeedsAscend) {
   int ascending = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Scene scene = test::random_scene(seed);
-    const Cycle cycle(scene);
+    const SceneRollout cycle(scene);
     for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
       const Tile tile = cycle.rollout.tile(t);
       EXPECT_EQ(tile.ascending, std::is_sorted(tile.v, tile.v + tile.count)) << "seed " << seed << ", tile " << t;
@@ -215,7 +191,7 @@ TEST(EndCells, AreThoseOfThePointsAhead) {
   int outside = 0, inside = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Scene scene = test::random_scene(seed);
-    Cycle cycle(scene);
+    SceneRollout cycle(scene);
     EndCells ends;
     const kernel::CellBox box{random.integer(-3, 10), random.integer(-3, 10), random.integer(5, 60),
                               random.integer(5, 60)};

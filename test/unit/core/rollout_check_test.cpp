@@ -5,50 +5,32 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/collision/admissibility.hpp"
 #include "core/collision/cell_classes.hpp"
-#include "core/motion/rollout.hpp"
-#include "core/motion/samples.hpp"
 #include "support/random_scene.hpp"
+#include "support/scene_rollout.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
 using test::Scene;
 
-// The candidates of a random scene, and their check.
-struct CheckedCycle {
+// The candidates of a scene, and their check.
+struct CheckedCycle : test::SceneRollout {
   explicit CheckedCycle(const Scene& scene)
-      : limits(VelocityLimits::from(scene.parameters)),
-        footprint(Footprint::from_outline(scene.outline, scene.parameters.footprint_padding)),
-        grid(scene.grid()),
-        pending(PendingMotion(scene.situation.last_command, scene.parameters.control_latency)) {
+      : SceneRollout(scene), pending(PendingMotion(scene.situation.last_command, scene.parameters.control_latency)) {
     const Situation& s = scene.situation;
     const bool unknown = scene.parameters.unknown_is_obstacle;
-    SampleRequest request;
-    request.reference = request.previous = s.last_command;
-    request.period = s.period;
-    request.vx_samples = scene.parameters.vx_samples;
-    request.vth_samples = scene.parameters.vth_samples;
-    sampler.make(scene.parameters, limits, request);
-    rollout.run(scene.parameters, limits, s.pose, s.last_command, sampler.samples());
-    const double reach = std::max(std::abs(s.last_command.v), rollout.fastest()) * scene.parameters.sim_time;
     checker.prepare(grid, footprint, unknown, s.pose, reach, grid.resolution, 2.0 * grid.resolution);
     classes.prepare(checker, grid, unknown, s.pose, reach);
     check.prepare(scene.parameters, limits, checker, footprint, grid.resolution,
                   {s.pose, s.pose, s.last_command, &pending, s.period, s.period});
   }
-  VelocityLimits limits;
-  Footprint footprint;
-  GridView grid;
   PendingMotionSet pending;
-  Sampler sampler;
-  Rollout rollout;
   CollisionChecker checker;
   CellClasses classes;
   AdmissibilityCheck check;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/rollout.hpp"
+#include "core/motion/samples.hpp"
+#include "support/scene.hpp"
+
+namespace hidwa_local_planner::test {
+
+/// The candidates of a scene, rolled out from its pose and last command.
+struct SceneRollout {
+  explicit SceneRollout(const Scene& scene)
+      : limits(VelocityLimits::from(scene.parameters)),
+        footprint(Footprint::from_outline(scene.outline, scene.parameters.footprint_padding)),
+        grid(scene.grid()) {
+    const Situation& s = scene.situation;
+    SampleRequest request;
+    request.reference = request.previous = s.last_command;
+    request.period = s.period;
+    request.vx_samples = scene.parameters.vx_samples;
+    request.vth_samples = scene.parameters.vth_samples;
+    sampler.make(scene.parameters, limits, request);
+    rollout.run(scene.parameters, limits, s.pose, s.last_command, sampler.samples());
+    reach = std::max(std::abs(s.last_command.v), rollout.fastest()) * scene.parameters.sim_time;
+  }
+  VelocityLimits limits;
+  Footprint footprint;
+  GridView grid;
+  Sampler sampler;
+  Rollout rollout;
+  double reach = 0.0;  // [m]
+};
+
+}  // namespace hidwa_local_planner::test
