@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "braking.hpp"
 #include "spec.hpp"
 
 namespace hidwa_attack {
@@ -13,8 +14,8 @@ namespace hidwa_attack {
 class CommandWatch {
  public:
   void observe(const Parameters& in_force, double period, const Twist2& last, const Twist2& command) {
-    const double x = period * braking(in_force.decel_lim_x, in_force.acc_lim_x);
-    const double theta = period * braking(in_force.decel_lim_theta, in_force.acc_lim_theta);
+    const double x = period * braking_x(in_force);
+    const double theta = period * braking_theta(in_force);
     const double v =
         std::max(over(in_force.max_vel_x, last.v, x, command.v), over(-in_force.min_vel_x, -last.v, x, -command.v));
     const double omega = std::max(over(in_force.max_vel_theta, last.omega, theta, command.omega),
@@ -27,9 +28,8 @@ class CommandWatch {
   /// acceleration limit allows within the longest period of late [s].
   void judge_acceleration(const Parameters& in_force, double longest, const Twist2& last, const Twist2& reading,
                           const Twist2& command) {
-    const double x = longest * std::max(in_force.acc_lim_x, braking(in_force.decel_lim_x, in_force.acc_lim_x));
-    const double theta =
-        longest * std::max(in_force.acc_lim_theta, braking(in_force.decel_lim_theta, in_force.acc_lim_theta));
+    const double x = longest * std::max(in_force.acc_lim_x, braking_x(in_force));
+    const double theta = longest * std::max(in_force.acc_lim_theta, braking_theta(in_force));
     if (outside(command.v, last.v, reading.v) > x + kRounding ||
         outside(command.omega, last.omega, reading.omega) > theta + kRounding)
       ++hard_;
@@ -40,7 +40,6 @@ class CommandWatch {
 
  private:
   static constexpr double kRounding = 1e-6;
-  static double braking(double told, double acc) { return told != 0.0 ? std::abs(told) : acc; }
   // How far a value is from what lies between two others.
   static double outside(double value, double a, double b) {
     return std::max({std::min(a, b) - value, value - std::max(a, b), 0.0});

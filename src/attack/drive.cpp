@@ -7,6 +7,7 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "braking.hpp"
 #include "command_watch.hpp"
 #include "contact_watch.hpp"
 #include "device.hpp"
@@ -37,11 +38,6 @@ using hidwa_local_planner::Situation;
 
 constexpr int kAfterTouch = 1000;  // how long a drive goes on [ms]
 constexpr int kWalkers = 2;        // between two steps of walkers [ms]
-
-double braking_x(const Parameters& p) { return p.decel_lim_x != 0.0 ? std::abs(p.decel_lim_x) : p.acc_lim_x; }
-double braking_theta(const Parameters& p) {
-  return p.decel_lim_theta != 0.0 ? std::abs(p.decel_lim_theta) : p.acc_lim_theta;
-}
 
 double size_of_world(const Spec& spec) { return spec.parameters.max_vel_x > 1.0 ? 14.0 : 9.0; }
 

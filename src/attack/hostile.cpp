@@ -2,8 +2,8 @@
 #include "hostile.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "braking.hpp"
 #include "conditions.hpp"
 
 namespace hidwa_attack {
@@ -73,10 +73,9 @@ void give_device(Spec& s, Random& r) {
 // appears nearer cannot be allowed for.
 void keep_out_of_reach(Spec& s) {
   const Parameters& p = s.parameters;
-  const double dec_x = p.decel_lim_x != 0.0 ? std::abs(p.decel_lim_x) : p.acc_lim_x;
-  const double dec_theta = p.decel_lim_theta != 0.0 ? std::abs(p.decel_lim_theta) : p.acc_lim_theta;
+  const double dec_x = braking_x(p), dec_theta = braking_theta(p);
   const double waits = p.control_latency + 1e-3 * s.period * (2.0 + s.late_most);
-  const double v = s.parameters.max_vel_x, omega = p.max_vel_theta;
+  const double v = p.max_vel_x, omega = p.max_vel_theta;
   const double way = v * waits + 0.5 * v * v / dec_x;
   const double turn = outermost(shape_of(s.outline)) * (omega * waits + 0.5 * omega * omega / dec_theta);
   s.bounds.appear = way + turn + s.bounds.speed * (waits + std::max(v / dec_x, omega / dec_theta));

@@ -85,7 +85,7 @@ void SocialDistance::prepare(const CycleView& cycle) {
   movers_.clear();
   own_radius_ = cycle.footprint->circumscribed_radius();
   for (const MovingObstacleEstimate& mover : *cycle.moving_obstacles) {
-    movers_.push_back({mover.position + mover.age * mover.velocity, mover.velocity, mover.radius});
+    movers_.push_back({mover.position_now(), mover.velocity, mover.radius});
   }
 }
 

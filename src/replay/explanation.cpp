@@ -192,7 +192,7 @@ Json json_of(const CandidateReport& candidate) {
 // Where it is in this cycle.
 Json json_of(const MovingObstacleEstimate& mover) {
   return {{"id", mover.id},
-          {"position", json_of(Point(mover.position + mover.age * mover.velocity))},
+          {"position", json_of(mover.position_now())},
           {"velocity", json_of(mover.velocity)},
           {"radius", mover.radius}};
 }

@@ -195,7 +195,6 @@ Eigen::Vector2d Crowd::wanted_velocity(std::size_t person, double now) {
   const Group& group = groups_[walker.group];
   const Eigen::Vector2d& here = movers_[person].position;
   if (now < group.waits_until || walker.way.empty()) return {0.0, 0.0};
-  if (walker.way.empty()) return {0.0, 0.0};
   while (walker.next + 1 < walker.way.size() && (walker.way[walker.next] - here).norm() < kPursuit) {
     ++walker.next;
     walker.progress = now;

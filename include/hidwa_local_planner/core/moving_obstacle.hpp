@@ -21,6 +21,9 @@ struct MovingObstacleEstimate {
   // costmap: the disc counts already.
   std::vector<Point> points;
 
+  /// Where its centre is at the cycle's start if it keeps its velocity, costmap frame [m].
+  Point position_now() const { return position + age * velocity; }
+
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.id, self.position, self.velocity, self.radius, self.position_deviation, self.velocity_deviation, self.age,

@@ -140,15 +140,12 @@ ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) cons
 // For each pending motion, and whether the command to brake comes after a period or as late as it may. In a turn,
 // braking at another time leads elsewhere: the ends, and to be sure what lies between.
 bool BrakingCheck::stops_freely(const Twist2& command, Look& look) {
-  const double latest = longest_hold();
   const std::size_t motions = look.fine ? setup_->pending->all() : setup_->pending->likely();
-  const double parts =
-      late_parts(latest, look.fine ? late_times_apart(latest, setup_->period) : latest, setup_->period);
+  const LateTimes times(longest_hold(), setup_->period, look.fine);
   for (std::size_t motion = 0; motion < motions; ++motion) {
-    for (double part = parts; part >= 0.0; part -= 1.0) {
-      const double hold = parts > 0.0 ? latest * part / parts : latest;
-      if (!free_all_along(manoeuvre(motion, command, hold), look, look.leads[motion])) return false;
-    }
+    const bool free = times.all_of(
+        [&](double hold) { return free_all_along(manoeuvre(motion, command, hold), look, look.leads[motion]); });
+    if (!free) return false;
   }
   return true;
 }

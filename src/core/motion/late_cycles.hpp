@@ -26,4 +26,25 @@ inline double late_parts(double latest, double apart, double period) {
   return latest > 0.1 * period ? std::ceil(latest / apart) : 0.0;
 }
 
+/// When a late command to brake is looked at: as late as it may come, on time, and between these where `closely`.
+class LateTimes {
+ public:
+  LateTimes(double latest, double period, bool closely)
+      : latest_(latest), parts_(late_parts(latest, closely ? late_times_apart(latest, period) : latest, period)) {}
+
+  /// How far apart they are [s]; where it is punctual, how late it may be.
+  double apart() const { return parts_ > 0.0 ? latest_ / parts_ : latest_; }
+  /// Whether visit(hold) is true for all of them, the latest first. hold: how late it comes [s].
+  template <typename Visit>
+  bool all_of(Visit&& visit) const {
+    for (double part = parts_; part >= 0.0; part -= 1.0) {
+      if (!visit(parts_ > 0.0 ? latest_ * part / parts_ : latest_)) return false;
+    }
+    return true;
+  }
+
+ private:
+  double latest_, parts_;
+};
+
 }  // namespace hidwa_local_planner

@@ -152,18 +152,17 @@ bool MoverCheck::answer(const Twist2& command, Look& look) {
 // For each pending motion, and for commands to brake that come after a period or as late as they may: see
 // BrakingCheck.
 bool MoverCheck::rests_untouched(const Twist2& command, Look& look) {
-  const double latest = latest_hold(start_.period, start_.longest_period);
   const std::size_t motions = look.fine ? start_.pending->all() : start_.pending->likely();
-  const double parts = late_parts(latest, look.fine ? late_times_apart(latest, start_.period) : latest, start_.period);
+  const LateTimes times(latest_hold(start_.period, start_.longest_period), start_.period, look.fine);
   // Who brakes between two of these times is elsewhere by half of what the robot does between them.
-  const double between = look.fine ? 0.5 * (parts > 0.0 ? latest / parts : latest) : 0.0;
+  const double between = look.fine ? 0.5 * times.apart() : 0.0;
   const double elsewhere = between * (speed_at(command, radius_) + std::abs(command.omega) * reach_);
   for (std::size_t motion = 0; motion < motions; ++motion) {
-    for (double part = parts; part >= 0.0; part -= 1.0) {
-      const double hold = parts > 0.0 ? latest * part / parts : latest;
+    const bool free = times.all_of([&](double hold) {
       const BrakeManoeuvre manoeuvre{start_.origin, (*start_.pending)[motion], command, start_.period, hold};
-      if (!rolls_free(manoeuvre, look, elsewhere, look.leads[motion])) return false;
-    }
+      return rolls_free(manoeuvre, look, elsewhere, look.leads[motion]);
+    });
+    if (!free) return false;
   }
   return true;
 }

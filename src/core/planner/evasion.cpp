@@ -32,20 +32,20 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
   ManoeuvreRoller roller(cycle.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
                          {cycle.start.origin, Rotation::of(cycle.start.origin.theta)}, kPendingStep);
   roller.roll_on(pending, [](const TurnedPose&) { return true; });
-  VelocityLimits gentle = cycle.limits;
-  gentle.theta = comfort.widest(cycle.limits.theta, cycle.start.reference.omega);
+  VelocityLimits limits = cycle.limits;  // of the search: gentle ones first
+  limits.theta = comfort.widest(cycle.limits.theta, cycle.start.reference.omega);
   gently_ = comfort.binds();
-  EvasionSearch::Scene scene{cycle.parameters,
-                             gentle,
-                             cycle.footprint,
-                             cycle.grid,
-                             checker,
-                             roller.at(),
-                             pending.end(),
-                             std::max(0.0, roller.time()),
-                             cycle.movers,
-                             cycle.start.reference,
-                             usable_period(situation)};
+  const EvasionSearch::Scene scene{cycle.parameters,
+                                   limits,
+                                   cycle.footprint,
+                                   cycle.grid,
+                                   checker,
+                                   roller.at(),
+                                   pending.end(),
+                                   std::max(0.0, roller.time()),
+                                   cycle.movers,
+                                   cycle.start.reference,
+                                   usable_period(situation)};
   better_.clear();
   better_.reserve(64);
   if (!search_.look(scene, situation.moving_obstacles) || search_.untroubled(scene, own)) return false;
@@ -55,7 +55,7 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
   search_.run(scene, guide_, own);
   if (gently_ && search_.cheapest() >= EvasionSearch::kTouched) {
     gently_ = false;
-    gentle = cycle.limits;
+    limits = cycle.limits;
     search_.run(scene, guide_, own);
   }
   const std::vector<EvasionSearch::Branch>& branches = search_.branches();

@@ -19,6 +19,8 @@ class MoverWait {
     in_task_ = !alone_ && !cycle.situation.moving_obstacles.empty();
     return in_task_;
   }
+  /// What moves counts in the search that goes on.
+  bool with_movers() const { return in_task_; }
   /// A search found no way. True: search again, without what moves.
   bool try_without() {
     if (!in_task_) return false;

@@ -54,6 +54,7 @@ constexpr double kSamePlace = 0.3;
 constexpr std::size_t kLongestText = 200;
 constexpr const char* kNoWay = "no way for this outline through the local map";
 constexpr const char* kBlocked = "what moves has blocked the only way for 30 s";
+static_assert(MoverWait::kLongest == 30.0, "the text says so");
 
 // Where a candidate brings the robot that follows it for a while and then brakes: braking takes it half as far as
 // driving on would.
@@ -187,7 +188,7 @@ void RecoveryMotion::look_ahead(const Cycle& cycle) {
   if (state == WaySearch::State::found) {
     follow_way(now);
   } else if (state != WaySearch::State::searching || late(now)) {
-    if (state == WaySearch::State::no_way && !wait_.try_without()) {
+    if (state == WaySearch::State::no_way && !wait_.with_movers()) {
       describe_end(kNoWay, hopeless_);
       hopeless_at_ = search_.task().start;
     }

@@ -48,7 +48,7 @@ bool EvasionSearch::look(const Scene& scene, const MovingObstacleEstimates& move
   fastest_ = scene.limits.x.fastest();
   const double whole = scene.delay + horizon_;
   for (const MovingObstacleEstimate& mover : movers) {
-    const Point now = mover.position + mover.age * mover.velocity;
+    const Point now = mover.position_now();
     const double grows = kUnsure + mover.velocity_deviation;
     const double off = std::hypot(now.x() - scene.start.pose.x, now.y() - scene.start.pose.y);
     const double closes = (fastest_ + mover.velocity.norm() + grows) * whole;

@@ -25,6 +25,9 @@ constexpr double kNearTarget = 0.15;
 // Memory is kept for so many points of it.
 constexpr std::size_t kUsualTarget = 256;
 
+// What is marked so near to the edge of something that moves is its own [m].
+constexpr double kBeside = 0.1;
+
 void copy_costs(const GridView& grid, const Pose2& pose, SearchTask& task) {
   const int reach = static_cast<int>(std::ceil(kSnapshotReach / grid.resolution));
   const Cell middle = grid.cell_at(pose.x, pose.y);
@@ -73,6 +76,23 @@ void find_target(const std::vector<Pose2>& plan, SearchTask& task) {
   }
 }
 
+// Cells whose middle is within `reach` of a point.
+template <typename Visit>
+void for_cells_within(const Point& point, double reach, const GridView& grid, Visit&& visit) {
+  const auto cells = [&](double from, double to, int size) {
+    return std::clamp(static_cast<int>(std::floor(std::clamp((from - to) / grid.resolution, -1e6, 1e6))), 0, size);
+  };
+  const int i0 = cells(point.x() - reach, grid.origin_x, grid.size_x);
+  const int i1 = cells(point.x() + reach + grid.resolution, grid.origin_x, grid.size_x);
+  const int j0 = cells(point.y() - reach, grid.origin_y, grid.size_y);
+  const int j1 = cells(point.y() + reach + grid.resolution, grid.origin_y, grid.size_y);
+  for (int j = j0; j < j1; ++j) {
+    for (int i = i0; i < i1; ++i) {
+      if ((grid.centre({i, j}) - point).norm() <= reach) visit(Cell{i, j});
+    }
+  }
+}
+
 }  // namespace
 
 bool SearchTask::operator==(const SearchTask& other) const {
@@ -95,34 +115,11 @@ bool SearchTask::plausible() const {
   return robot && body.fault() == nullptr && !body.empty() && grid().contains(grid().cell_at(start.x, start.y));
 }
 
-namespace {
-
-// Cells whose middle is within `reach` of a point.
-template <typename Visit>
-void for_cells_within(const Point& point, double reach, const GridView& grid, Visit&& visit) {
-  const auto cells = [&](double from, double to, int size) {
-    return std::clamp(static_cast<int>(std::floor(std::clamp((from - to) / grid.resolution, -1e6, 1e6))), 0, size);
-  };
-  const int i0 = cells(point.x() - reach, grid.origin_x, grid.size_x);
-  const int i1 = cells(point.x() + reach + grid.resolution, grid.origin_x, grid.size_x);
-  const int j0 = cells(point.y() - reach, grid.origin_y, grid.size_y);
-  const int j1 = cells(point.y() + reach + grid.resolution, grid.origin_y, grid.size_y);
-  for (int j = j0; j < j1; ++j) {
-    for (int i = i0; i < i1; ++i) {
-      if ((grid.centre({i, j}) - point).norm() <= reach) visit(Cell{i, j});
-    }
-  }
-}
-
-Point position_now(const MovingObstacleEstimate& mover) { return mover.position + mover.age * mover.velocity; }
-
-}  // namespace
-
 void add_movers(const MovingObstacleEstimates& movers, const Footprint& footprint, SearchTask& task) {
   const GridView grid = task.grid();
   const double c = std::cos(task.start.theta), s = std::sin(task.start.theta);
   for (const MovingObstacleEstimate& mover : movers) {
-    for_cells_within(position_now(mover), mover.radius + 0.5 * grid.resolution, grid, [&](const Cell& cell) {
+    for_cells_within(mover.position_now(), mover.radius + 0.5 * grid.resolution, grid, [&](const Cell& cell) {
       const double dx = grid.centre(cell).x() - task.start.x, dy = grid.centre(cell).y() - task.start.y;
       if (footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) <= grid.resolution) return;
       task.costs[grid.index(cell)] = cost::kLethal;
@@ -131,11 +128,10 @@ void add_movers(const MovingObstacleEstimates& movers, const Footprint& footprin
 }
 
 void remove_movers(const MovingObstacleEstimates& movers, SearchTask& task) {
-  constexpr double kBeside = 0.1;  // [m]
   const GridView grid = task.grid();
   for (const MovingObstacleEstimate& mover : movers) {
-    for_cells_within(position_now(mover), mover.radius + kBeside, grid,
-                     [&](const Cell& cell) { task.costs[grid.index(cell)] = 0; });
+    for_cells_within(mover.position_now(), mover.radius + kBeside, grid,
+                     [&](const Cell& cell) { task.costs[grid.index(cell)] = cost::kFree; });
   }
 }
 
