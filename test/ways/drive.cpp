@@ -54,7 +54,7 @@ class Drive {
         map_(scene.world, kLocalMap, inscribed(scene.body.shape)),
         base_(base_of(parameters_), scene.start, scene.seed),
         contacts_(scene.world, hidwa_attack::padded(scene.body.shape, parameters_.footprint_padding)),
-        target_(through_target(scene)),
+        target_(finding.answer == Class::sure ? through_or_farther(scene) : through_target(scene)),
         loop_(critics::built_in(), person_) {
     const std::vector<std::string> faults = loop_.configure(parameters_);
     if (!faults.empty()) throw std::logic_error(faults.front());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ways/proof.hpp"
 
@@ -97,6 +98,8 @@ double step_of(const Scene& scene) { return std::min(0.025, scene.margin()); }
 double through_distance(const Scene& scene) { return std::min(0.3, 2.0 * inscribed(scene.body.shape)); }
 
 Target through_target(const Scene& scene) { return {scene.plan, kFurther, kFurther + 2.0 * kStretch}; }
+
+Target through_or_farther(const Scene& scene) { return {scene.plan, kFurther, std::numeric_limits<double>::infinity()}; }
 
 Finding examine(const Scene& scene) {
   Finding finding;

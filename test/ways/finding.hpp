@@ -34,6 +34,8 @@ Finding examine(const Scene& scene);
 /// Where a drive is through: so near to this [m]. No wall fits between, since robot and plan are each at least an
 /// inscribed radius from it.
 Target through_target(const Scene& scene);
+/// The same and all of the plan after it: a robot that comes back to its plan farther on is through as well.
+Target through_or_farther(const Scene& scene);
 double through_distance(const Scene& scene);
 
 }  // namespace hidwa_ways

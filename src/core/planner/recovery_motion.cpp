@@ -13,13 +13,14 @@
 namespace hidwa_local_planner {
 namespace {
 
-// A search may take so long, and so long while the robot drives on; where there is no way the next one begins so long
-// after it [s].
-constexpr double kLongestSearch = 2.4;
+// A search may take so long until the robot says so, and so long in all, since its map grows old; so long while the
+// robot drives on; where there is no way the next one begins so long after it [s].
+constexpr double kPromptSearch = 1.2;
+constexpr double kLongestSearch = 8.0;
 constexpr double kLongestAhead = 5.0;
 constexpr double kSearchAgain = 2.0;
 
-// A search goes on for a robot that has come no farther from where it began [m].
+// A way is followed by a robot that has come no farther from where its search began [m].
 constexpr double kSameStart = 0.1;
 
 // For so long a robot may get nowhere [s], and for three times what its limits take to get somewhere.
@@ -30,6 +31,13 @@ constexpr double kFollowed = 0.4;
 
 // A place on the way up to so much later counts [s].
 constexpr double kPlaceAhead = 2.0;
+
+// The speed at which a robot counts to get back to its way [m/s]: low, so that it keeps to it.
+constexpr double kLeastBackSpeed = 0.04;
+constexpr double kMostBackSpeed = 0.1;
+
+// Where a way turns back it leads on from so near [m].
+constexpr double kNearTurn = 0.02;
 
 // The way ends so long before its end [s].
 constexpr double kEndsBefore = 0.3;
@@ -44,17 +52,27 @@ constexpr double kNarrower = 0.5;
 constexpr double kRenewAgain = 0.2;
 constexpr double kLongestRenewal = 1.0;
 
+// It is renewed by one that takes little more, or clearly less if the robot has to turn back for it [s].
+constexpr double kLittleMore = 0.5;
+constexpr double kClearlyLess = 0.5;
+
 // Ordinary scoring leads on as well if it gains that share of what the way gains, for so long [s].
 constexpr double kAgreement = 0.6;
 constexpr double kAgreesFor = 1.0;
 
-// What was found out while the robot drove holds so near to where that search began [m].
+// A search goes on, and what it has found out holds, so near to where it began [m]: the robot has come from there.
 constexpr double kSamePlace = 0.3;
 
 constexpr std::size_t kLongestText = 200;
 constexpr const char* kNoWay = "no way for this outline through the local map";
+constexpr const char* kLate = "no way was found in time through the local map";
 constexpr const char* kBlocked = "what moves has blocked the only way for 30 s";
 static_assert(MoverWait::kLongest == 30.0, "the text says so");
+
+// The robot keeps the closer to a way the less room that has; it has at most a cell.
+double back_speed(double room, double cell) {
+  return std::clamp(kMostBackSpeed * room / std::min(cell, kUsualCell), kLeastBackSpeed, kMostBackSpeed);
+}
 
 // Where a candidate brings the robot that follows it for a while and then brakes: braking takes it half as far as
 // driving on would.
@@ -98,7 +116,7 @@ void RecoveryMotion::start_way() {
   part_ = 0;
   least_ = least_left_ = std::numeric_limits<double>::infinity();
   room_ = -1.0;
-  narrower_ = false;
+  narrower_ = blocked_ = false;
 }
 
 bool RecoveryMotion::watch(const Cycle& cycle, const Course& course, double patience) {
@@ -113,6 +131,7 @@ bool RecoveryMotion::watch(const Cycle& cycle, const Course& course, double pati
   rests_.observe(now, course.stands || course.creeps);
   novelty_.observe(cycle.situation.pose, now);
   tight_ = course.tight;
+  if (distance(hopeless_at_, cycle.situation.pose) >= kSamePlace) hopeless_.clear();
   impatient_ = rests_.for_at_least(patience, now);
   if (course.trapped) {
     if (!impatient_ || escape_.active()) return false;
@@ -135,9 +154,10 @@ void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
   const bool settled = stands_.for_at_least(cycle.parameters.control_latency + 2.0 * cycle.situation.period, now);
   const bool again = phase_ == Phase::waits && (now - since_ >= kSearchAgain || now < since_);
   const bool goes_on = phase_ != Phase::follows && search_.state() == WaySearch::State::searching &&
-                       distance(search_.task().start, cycle.situation.pose) < kSameStart;
+                       distance(search_.task().start, cycle.situation.pose) < kSamePlace;
   if (settled && goes_on && phase_ != Phase::searches) {
     phase_ = Phase::searches;
+    recall(cycle.situation.pose);
   } else if (settled && (ordinary || phase_ == Phase::stops || again)) {
     begin_search(cycle, Phase::searches, cycle.situation.pose);
   } else if (phase_ == Phase::idle && tight_ && !(now >= looked_ && now - looked_ < kSearchAgain)) {
@@ -158,12 +178,14 @@ bool RecoveryMotion::gets_nowhere(const Cycle& cycle) const {
 
 void RecoveryMotion::begin_search(const Cycle& cycle, Phase phase, const Pose2& start) {
   enter(phase, cycle.situation.time);
-  // What is known already is said at once; the map may have changed since.
-  if (phase == Phase::searches && problem_.empty() && distance(hopeless_at_, start) < kSamePlace) {
-    problem_ = hopeless_;
-  }
-  hopeless_.clear();
+  if (phase == Phase::searches) recall(start);
   set_task(cycle, start);
+}
+
+// What is known already is said at once; the map may have changed since.
+void RecoveryMotion::recall(const Pose2& start) {
+  if (problem_.empty() && distance(hopeless_at_, start) < kSamePlace) problem_ = hopeless_;
+  hopeless_.clear();
 }
 
 void RecoveryMotion::set_task(const Cycle& cycle, const Pose2& start) {
@@ -175,16 +197,16 @@ void RecoveryMotion::set_task(const Cycle& cycle, const Pose2& start) {
 }
 
 // A portion of the search. The way that it finds is written.
-WaySearch::State RecoveryMotion::run(const Cycle& cycle) {
+WaySearch::State RecoveryMotion::run(const Cycle& cycle, Way& way) {
   const int poses = cycle.sampling.search_poses > 0 ? cycle.sampling.search_poses : cycle.parameters.search_poses;
   const WaySearch::State state = search_.run(poses);
-  if (state == WaySearch::State::found) search_.write(way_);
+  if (state == WaySearch::State::found) search_.write(way);
   return state;
 }
 
 void RecoveryMotion::look_ahead(const Cycle& cycle) {
   const double now = cycle.situation.time;
-  const WaySearch::State state = run(cycle);
+  const WaySearch::State state = run(cycle, way_);
   if (state == WaySearch::State::found) {
     follow_way(now);
   } else if (state != WaySearch::State::searching || late(now)) {
@@ -205,36 +227,49 @@ void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
     renewed_ = now;
     set_task(cycle, start);
   }
-  const WaySearch::State state = run(cycle);
-  if (state == WaySearch::State::found) {
+  const WaySearch::State state = run(cycle, renewal_);
+  if (state == WaySearch::State::found && leads_better(search_.task().start)) {
+    std::swap(way_, renewal_);
     start_way();
     since_ = now;
   }
   if (state != WaySearch::State::searching || now < renewed_ || now - renewed_ >= kLongestRenewal) search_.clear();
 }
 
+// Two ways of much the same length take turns otherwise, and the robot turns to and fro between them.
+bool RecoveryMotion::leads_better(const Pose2& start) const {
+  if (blocked_) return true;
+  const std::size_t end = way_.end_of_parts(start, part_, kPlaceAhead, kUsualCell);
+  const bool turns_back = way_.direction_from(part_) * renewal_.direction_from(0) < 0;
+  const double more = renewal_.duration() - way_.nearest(start, part_, end, kMostBackSpeed).remaining();
+  return more < (turns_back ? -kClearlyLess : kLittleMore);
+}
+
 // Whether the way has become narrower on the map of now, or the robot is farther from it than there is room.
-void RecoveryMotion::watch_room(const Scene& scene, const Way::Place& here) {
-  const double room = room_ahead(way_, part_, scene.collision, scene.cycle.grid.resolution);
+void RecoveryMotion::watch_room(const Way::Place& here, double room) {
   if (room_ < 0.0) room_ = room;
   const double off = here.left < way_.duration() ? here.off : 0.0;  // a way that begins ahead is not left yet
-  narrower_ = room <= 0.0 || room < std::max(kNarrower * room_, off);
+  blocked_ = room <= 0.0;
+  narrower_ = blocked_ || room < std::max(kNarrower * room_, off);
 }
 
 // The way that is found waits until the robot may take it.
 void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
   const double now = cycle.situation.time;
-  const WaySearch::State state = way_.empty() ? run(cycle) : WaySearch::State::found;
+  const WaySearch::State state = way_.empty() ? run(cycle, way_) : WaySearch::State::found;
   switch (state) {
     case WaySearch::State::found:
       if (wait_.alone()) {
         wait_for_movers(now);
+      } else if (distance(search_.task().start, cycle.situation.pose) >= kSameStart) {
+        begin_search(cycle, Phase::searches, cycle.situation.pose);
       } else if (may_follow) {
         follow_way(now);
       }
       break;
     case WaySearch::State::searching:
-      if (late(now)) fail(now, "no way was found in time through the local map");
+      if (late(now)) fail(now, kLate);
+      if (now - since_ >= kPromptSearch && problem_.empty() && !wait_.waits()) describe_end(kLate, problem_);
       break;
     case WaySearch::State::cut_short:
       fail(now, "no way was found through the local map, and the memory for more is used up");
@@ -267,6 +302,7 @@ bool RecoveryMotion::late(double now) const {
 
 void RecoveryMotion::follow_way(double now) {
   ahead_ = phase_ == Phase::looks_ahead && !stands_.holds();
+  hopeless_.clear();
   enter(Phase::follows, now);
 }
 
@@ -314,7 +350,11 @@ int RecoveryMotion::follow(const Scene& scene) {
     enter(Phase::idle, now);
     return -1;
   }
-  const Way::Place here = way_.nearest(scene.cycle.situation.pose, part_, kPlaceAhead);
+  const double room = room_ahead(way_, part_, scene.collision, scene.cycle.grid.resolution);
+  const double back = back_speed(room, scene.cycle.grid.resolution);
+  const Pose2& pose = scene.cycle.situation.pose;
+  const std::size_t end = way_.end_of_parts(pose, part_, kPlaceAhead, std::max(room, kNearTurn));
+  const Way::Place here = way_.nearest(pose, part_, end, back);
   part_ = static_cast<std::uint32_t>(here.part);
   if (here.left <= kEndsBefore || agrees_.for_at_least(kAgreesFor, now)) {
     enter(Phase::idle, now);
@@ -326,9 +366,9 @@ int RecoveryMotion::follow(const Scene& scene) {
     holds_ = true;
     return stand(scene);
   }
-  watch_room(scene, here);
+  watch_room(here, room);
   const auto left_after = [&](const Tile& tile, std::size_t c) {
-    return way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, kPlaceAhead).remaining();
+    return way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, end, back).remaining();
   };
   double least = std::numeric_limits<double>::infinity();
   const int best = least_legal(scene.rollout, scene.totals, scene.admissibility, [&](const Tile& tile, std::size_t c) {

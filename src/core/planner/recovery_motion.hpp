@@ -19,6 +19,7 @@
 // braking check without gaps. It must see all of them, so every candidate is checked before (Evaluation::evaluate()).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -66,9 +67,10 @@ class RecoveryMotion {
   bool follows() const { return phase_ == Phase::follows; }
   /// It does, and has found it while it drove.
   bool drives_on() const { return follows() && ahead_; }
-  /// It is not known yet whether a way leads on, or it waits for what moves to go.
+  /// It is not known yet whether a way leads on, or one does and is followed from the next cycle on, or it waits for
+  /// what moves to go.
   bool undecided() const {
-    return phase_ == Phase::stops || waiting() || (problem_.empty() && phase_ == Phase::searches);
+    return phase_ == Phase::stops || waiting() || (problem_.empty() && phase_ == Phase::searches) || begins();
   }
   /// It waits for what moves, and now and then searches whether it is gone. After some time it fails instead.
   bool waiting() const {
@@ -83,7 +85,8 @@ class RecoveryMotion {
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
        self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_,
-       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.renewed_, self.wait_);
+       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.blocked_,
+       self.renewed_, self.wait_);
   }
 
  private:
@@ -95,16 +98,19 @@ class RecoveryMotion {
     follows,      // the way
     waits         // there is none
   };
+  bool begins() const { return phase_ == Phase::follows && std::isinf(least_); }
   void enter(Phase phase, double now);
   void advance(const Cycle& cycle, const Course& course);
   void start_way();
   void begin_search(const Cycle& cycle, Phase phase, const Pose2& start);
+  void recall(const Pose2& start);
   void set_task(const Cycle& cycle, const Pose2& start);
   void search(const Cycle& cycle, bool may_follow);
   void look_ahead(const Cycle& cycle);
   void renew(const Cycle& cycle, const Pose2& start);
-  void watch_room(const Scene& scene, const Way::Place& here);
-  WaySearch::State run(const Cycle& cycle);
+  void watch_room(const Way::Place& here, double room);
+  WaySearch::State run(const Cycle& cycle, Way& way);
+  bool leads_better(const Pose2& start) const;
   bool late(double now) const;
   void follow_way(double now);
   void fail(double now, const char* how);
@@ -126,6 +132,7 @@ class RecoveryMotion {
   SearchTask task_;  // to be filled
   WaySearch search_;
   Way way_;
+  Way renewal_;  // to take the place of it; of this cycle alone
   std::uint32_t part_ = 0;   // of the way, that the robot is on
   double least_ = 0.0;       // remaining time on it so far [s]
   double least_left_ = 0.0;  // likewise, from the nearest place on it [s]
@@ -134,6 +141,7 @@ class RecoveryMotion {
   bool tight_ = false;       // something is near
   double room_ = -1.0;       // the clearance along the way when it was found; negative: not looked at yet [m]
   bool narrower_ = false;    // now it is much less
+  bool blocked_ = false;     // now there is none
   bool impatient_ = false;   // the patience is over
   double looked_ = 0.0;      // ahead, at last [s]
   double renewed_ = 0.0;     // a search for a way instead of this one began at last [s]

@@ -7,9 +7,6 @@
 namespace hidwa_local_planner {
 namespace {
 
-// Cells of more than this are coarse for a robot: steps do not grow with them [m].
-constexpr double kUsualCell = 0.05;
-
 // Arcs turn by so many turns of their fineness.
 constexpr int kArcTurns[] = {0, 1, -1, 2, -2};
 
@@ -60,7 +57,8 @@ Pose2 part_of(const Move& move, double share) {
   return {radius * std::sin(angle), radius * (1.0 - std::cos(angle)), angle};
 }
 
-void MoveSets::make(const SearchTask& task, double radius) {
+void MoveSets::make(const SearchTask& task, double radius, Pass pass) {
+  const bool coarse = pass == Pass::coarse;
   const double cell = std::min(task.resolution, kUsualCell);
   MoveSet& open = sets_[static_cast<std::size_t>(Fineness::open)];
   MoveSet& tight = sets_[static_cast<std::size_t>(Fineness::tight)];
@@ -68,9 +66,9 @@ void MoveSets::make(const SearchTask& task, double radius) {
   open.bin = 2.0 * kUsualCell;
   open.heading_bin = 12;
   fill(task, 3.0 * kUsualCell, open.heading_bin, radius, open);
-  tight.bin = 0.5 * cell;
-  tight.heading_bin = 4;
-  fill(task, cell, tight.heading_bin, radius, tight);
+  tight.bin = (coarse ? 1.0 : 0.5) * cell;
+  tight.heading_bin = coarse ? 6 : 4;
+  fill(task, (coarse ? 1.5 : 1.0) * cell, tight.heading_bin, radius, tight);
   touching.bin = 0.125 * cell;
   touching.heading_bin = 1;
   fill(task, 0.25 * cell, touching.heading_bin, radius, touching);

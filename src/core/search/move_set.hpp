@@ -13,6 +13,12 @@ namespace hidwa_local_planner {
 constexpr int kHeadings = 360;
 constexpr double kHeadingStep = 2.0 * M_PI / kHeadings;
 
+/// Cells of more than this are coarse for a robot: what is small does not grow with them [m].
+constexpr double kUsualCell = 0.05;
+
+/// A search looks coarsely first, and closely where it has found nothing.
+enum class Pass : std::uint8_t { coarse = 0, close };
+
 /// How closely poses are told apart.
 enum class Fineness : std::uint8_t { open = 0, tight, touching };
 
@@ -39,7 +45,7 @@ struct MoveSet {
 class MoveSets {
  public:
   /// For the robot of a task. `radius` [m] reaches from its centre to its farthest point.
-  void make(const SearchTask& task, double radius);
+  void make(const SearchTask& task, double radius, Pass pass);
   const MoveSet& of(Fineness fineness) const { return sets_[static_cast<std::size_t>(fineness)]; }
 
  private:

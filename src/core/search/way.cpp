@@ -10,12 +10,7 @@ namespace {
 // So long is a radian [m].
 constexpr double kRadianLength = 0.4;
 
-// The speed at which a robot gets back to its way [m/s]: low, so that it keeps to it.
-constexpr double kBackSpeed = 0.1;
-
 }  // namespace
-
-double Way::Place::remaining() const { return left + off / kBackSpeed; }
 
 void Way::reverse() { std::reverse(stations_.begin(), stations_.end()); }
 
@@ -28,18 +23,55 @@ Way::Place Way::place_on(const Pose2& pose, std::size_t part) const {
   const double length2 = dx * dx + dy * dy + dt * dt;
   const double share = length2 > 0.0 ? std::clamp((x * dx + y * dy + t * dt) / length2, 0.0, 1.0) : 0.0;
   const double ox = x - share * dx, oy = y - share * dy, ot = t - share * dt;
-  return {part, a.left + share * (b.left - a.left), std::sqrt(ox * ox + oy * oy + ot * ot)};
+  return {part, a.left + share * (b.left - a.left), std::sqrt(ox * ox + oy * oy + ot * ot), 0.0};
 }
 
-Way::Place Way::nearest(const Pose2& pose, std::size_t from, double ahead) const {
+Way::Place Way::nearest(const Pose2& pose, std::size_t from, std::size_t end, double back_speed) const {
+  const auto place_at = [&](std::size_t part) {
+    Place place = place_on(pose, part);
+    place.back = place.off / back_speed;
+    return place;
+  };
   from = std::min(from, stations_.size() - 1);
-  const double until = stations_[from].left - ahead;
-  Place best = place_on(pose, from);
-  for (std::size_t part = from + 1; part + 1 < stations_.size() && stations_[part].left >= until; ++part) {
-    const Place place = place_on(pose, part);
+  Place best = place_at(from);
+  for (std::size_t part = from + 1; part < end; ++part) {
+    const Place place = place_at(part);
     if (place.remaining() < best.remaining()) best = place;
   }
   return best;
+}
+
+std::size_t Way::end_of_parts(const Pose2& pose, std::size_t from, double ahead, double near) const {
+  from = std::min(from, stations_.size() - 1);
+  const double until = stations_[from].left - ahead;
+  int direction = direction_of(from);
+  std::size_t part = from + 1;
+  for (; part + 1 < stations_.size() && stations_[part].left >= until; ++part) {
+    const int next = direction_of(part);
+    if (direction * next < 0 && length_between(pose, stations_[part].pose) > near) break;
+    if (next != 0) direction = next;
+  }
+  return part;
+}
+
+double Way::length_between(const Pose2& a, const Pose2& b) const {
+  return std::hypot(a.x - b.x, a.y - b.y, kRadianLength * wrap_angle(a.theta - b.theta));
+}
+
+int Way::direction_from(std::size_t from) const {
+  for (std::size_t part = from; part + 1 < stations_.size(); ++part) {
+    if (const int direction = direction_of(part); direction != 0) return direction;
+  }
+  return 0;
+}
+
+// 1 forwards, -1 backwards, 0 on the spot.
+int Way::direction_of(std::size_t part) const {
+  if (part + 1 >= stations_.size()) return 0;
+  const Pose2& a = stations_[part].pose;
+  const Pose2& b = stations_[part + 1].pose;
+  const double along = (b.x - a.x) * std::cos(a.theta) + (b.y - a.y) * std::sin(a.theta);
+  return std::abs(along) < 1e-6 ? 0 : (along > 0.0 ? 1 : -1);
 }
 
 }  // namespace hidwa_local_planner

@@ -26,8 +26,9 @@ class Way {
     std::size_t part = 0;  // from this station to the next
     double left = 0.0;     // from there to the end [s]
     double off = 0.0;      // the distance to it [m]
+    double back = 0.0;     // the time to get there [s]
     /// From the pose that was asked about [s].
-    double remaining() const;
+    double remaining() const { return left + back; }
   };
 
   void clear() { stations_.clear(); }
@@ -39,9 +40,14 @@ class Way {
   bool empty() const { return stations_.empty(); }
   const std::vector<Station>& stations() const { return stations_; }
   double duration() const { return stations_.empty() ? 0.0 : stations_.front().left; }  // [s]
-  /// The place with the least remaining time among those from part `from` on, up to `ahead` [s] later. The way must
-  /// not be empty.
-  Place nearest(const Pose2& pose, std::size_t from, double ahead) const;
+  /// The place with the least remaining time among the parts from `from` on, before `end`. The robot gets back to its
+  /// way at `back_speed` [m/s]: the lower it is, the closer it keeps to it. The way must not be empty.
+  Place nearest(const Pose2& pose, std::size_t from, std::size_t end, double back_speed) const;
+  /// Up to which part the way counts for a robot on part `from`: up to `ahead` [s] later, and up to where it turns back,
+  /// forwards to backwards or the other way round, until the robot is within `near` [m] of there.
+  std::size_t end_of_parts(const Pose2& pose, std::size_t from, double ahead, double near) const;
+  /// How the robot drives next from part `from` on: 1 forwards, -1 backwards, 0 not at all.
+  int direction_from(std::size_t from) const;
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
@@ -49,6 +55,8 @@ class Way {
   }
 
  private:
+  double length_between(const Pose2& a, const Pose2& b) const;
+  int direction_of(std::size_t part) const;
   Place place_on(const Pose2& pose, std::size_t part) const;
 
   std::vector<Station> stations_;

@@ -11,6 +11,9 @@ namespace {
 // Poses that are remembered, and bins.
 constexpr std::size_t kMostNodes = std::size_t{1} << 18;
 
+// That can be left: once in each pass.
+constexpr std::int64_t kMostPoses = 2 * std::int64_t{kMostNodes};
+
 // Memory is kept for so many stations of a way.
 constexpr std::size_t kUsualStations = 1024;
 
@@ -21,7 +24,7 @@ constexpr double kClearanceCells = 1.0;
 constexpr double kNeededOfCell = 0.0625;
 constexpr double kNeededOfMost = 0.8;
 
-// Below this share of a cell the robot all but touches.
+// Below this share of a cell of usual size the robot all but touches.
 constexpr double kTouchesBelow = 0.25;
 
 // How much longer a move counts without any clearance, and where it has less than a robot usually needs.
@@ -32,7 +35,7 @@ constexpr double kTouchingFactor = 10.0;
 constexpr double kChangeTime = 0.3;
 
 // The distance to the target counts so much: above 1 it finds sooner, and a way that is longer by no more than that.
-constexpr double kGreed = 1.2;
+constexpr double kGreed = 1.6;
 
 // All around the robot so far away nothing is near: poses are coarse there [cells].
 constexpr double kOpenCells = 3.0;
@@ -51,12 +54,13 @@ void WaySearch::begin(const SearchTask& task) {
   task_ = task;
   if (!same_robot) footprint_ = task_.footprint();
   prepare();
-  add_start();
+  poses_ = 0;
+  begin_pass(Pass::coarse);
 }
 
 // A search that is under way here is gone on with, if it is the same one.
 void WaySearch::repeat(bool searching, const SearchTask& task, std::int64_t poses) {
-  if (!searching || poses < 0 || poses > static_cast<std::int64_t>(kMostNodes) || !task.plausible()) return clear();
+  if (!searching || poses < 0 || poses > kMostPoses || !task.plausible()) return clear();
   if (state_ != State::searching || poses < poses_ || !(task == task_)) begin(task);
   run(static_cast<int>(poses - poses_));
 }
@@ -68,7 +72,6 @@ void WaySearch::prepare() {
   checker_.prepare(task_.grid(), footprint_, task_.unknown_is_obstacle, middle, across, task_.resolution / 16.0,
                    kClearanceCells * task_.resolution);
   to_target_.prepare(task_, checker_);
-  moves_.make(task_, footprint_.circumscribed_radius());
   rotations_.resize(kHeadings);
   for (int k = 0; k < kHeadings; ++k) {
     const double heading = task_.start.theta + k * kHeadingStep;
@@ -77,13 +80,18 @@ void WaySearch::prepare() {
   nodes_.reserve(kMostNodes);
   queue_.reserve(2 * kMostNodes);
   placed_.reserve(footprint_.outline().size());
+}
+
+void WaySearch::begin_pass(Pass pass) {
+  pass_ = pass;
+  moves_.make(task_, footprint_.circumscribed_radius(), pass);
   nodes_.clear();
   queue_.clear();
   bins_.reset(kMostNodes);
   state_ = State::no_way;
-  poses_ = 0;
   last_ = 0;
   least_left_ = std::numeric_limits<double>::infinity();
+  add_start();
 }
 
 void WaySearch::add_start() {
@@ -106,6 +114,7 @@ WaySearch::State WaySearch::run(int poses) {
       std::pop_heap(queue_.begin(), queue_.end());
       queue_.pop_back();
     }
+    if (queue_.empty() && pass_ == Pass::coarse) begin_pass(Pass::close);
     if (queue_.empty()) {
       state_ = State::no_way;
       break;
@@ -200,7 +209,7 @@ double WaySearch::clearance_at(const Pose2& position, const Rotation& heading) c
 }
 
 Fineness WaySearch::fineness(const Node& node) const {
-  if (node.clearance < kTouchesBelow * task_.resolution) return Fineness::touching;
+  if (node.clearance < kTouchesBelow * std::min(task_.resolution, kUsualCell)) return Fineness::touching;
   return checker_.clear_around(node.x, node.y, kOpenCells * task_.resolution) ? Fineness::open : Fineness::tight;
 }
 

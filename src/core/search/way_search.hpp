@@ -3,8 +3,9 @@
 // for Autonomous Vehicles in Unknown Semi-structured Environments") over (x, y, heading).
 //
 // 1. A pose is left by moves: turns on the spot, straight on, and arcs, backwards too where the robot can. Poses are
-//    exact. Of all that lie in one bin the quickest is kept. Bins and moves are coarse in the open, half a cell and
-//    four degrees where the outline decides, and a quarter of that where the robot all but touches something.
+//    exact. Of all that lie in one bin the quickest is kept. Bins and moves are coarse in the open, a cell and six
+//    degrees where the outline decides, and an eighth of a cell and a degree where the robot all but touches something.
+//    Where that finds nothing all is searched once more, with half a cell and four degrees.
 // 2. A move is free if every pose on it is: from a pose the robot goes on by its clearance (no point of it moves
 //    farther), and asks again. It needs a sixteenth of a cell of clearance. A robot that begins with less needs 80 % of
 //    the most that it has had so far.
@@ -53,6 +54,8 @@ class WaySearch {
   /// Goes on, from at most `poses` poses.
   State run(int poses);
   State state() const { return state_; }
+  /// How closely it looks, or looked at last.
+  Pass pass() const { return pass_; }
   const SearchTask& task() const { return task_; }
   /// Where it was found: the way, from the start to the target.
   void write(Way& way) const;
@@ -104,6 +107,7 @@ class WaySearch {
 
   void repeat(bool searching, const SearchTask& task, std::int64_t poses);
   void prepare();
+  void begin_pass(Pass pass);
   void add_start();
   void leave(std::uint32_t from);
   void try_move(std::uint32_t from, const Move& move);
@@ -126,6 +130,7 @@ class WaySearch {
 
   SearchTask task_;
   std::int64_t poses_ = 0;  // that were left
+  Pass pass_ = Pass::coarse;
   Footprint footprint_;
   CollisionChecker checker_;
   TargetDistance to_target_;

@@ -202,6 +202,36 @@ TEST(Recovery, TurnsTheLongWayRound) {
   EXPECT_LT(driven(scene), 0.1);  // or this scene shows nothing
 }
 
+// In a pocket it faces the wall behind it. With few poses a cycle the search takes longer than the 1.2 s after which the
+// robot says so: the host is told, the search goes on, and the way is taken.
+TEST(Recovery, SaysThatItTakesLongAndGoesOnSearching) {
+  Scene scene = Scene::empty(81, 0.05);
+  scene.parameters = Parameters();
+  scene.parameters.search_poses = 10;
+  scene.outline = {{0.35, 0.2}, {-0.35, 0.2}, {-0.35, -0.2}, {0.35, -0.2}};
+  scene.situation.pose.theta = 3.1;
+  scene.fill(-0.5, 0.45, 1.0, 0.55);
+  scene.fill(-0.5, -0.55, 1.0, -0.45);
+  scene.fill(-0.6, -0.55, -0.5, 0.55);
+  test::inflate(scene, 0.2, 0.55, 3.0);
+  PlannerBench bench(scene);
+  int first = -1, last = -1, drives = -1;
+  for (int k = 0; k < 400 && drives < 0; ++k) {
+    const Decision& decision = bench.drive();
+    if (decision.outcome == Outcome::fail) {
+      EXPECT_NE(std::string(decision.problem).find("no way was found in time"), std::string::npos) << decision.problem;
+      if (first < 0) first = k;
+      last = k;
+    }
+    if (decision.recovering && !(decision.command == Twist2{})) drives = k;
+  }
+  // The search begins when it has stood for the latency of 0.1 s and two cycles of 0.05 s: 1.4 s in all.
+  EXPECT_GE(first, 26);
+  EXPECT_LE(first, 30);
+  EXPECT_GT(last, first + 10);
+  EXPECT_EQ(drives, last + 2);  // found in the cycle between
+}
+
 // Its wheels slip: of what is commanded it does that share. For how long it follows its way before it stands [s]; 5
 // where it does not within 5 s.
 double follows_with_slip(double share) {
