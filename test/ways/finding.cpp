@@ -99,7 +99,9 @@ double through_distance(const Scene& scene) { return std::min(0.3, 2.0 * inscrib
 
 Target through_target(const Scene& scene) { return {scene.plan, kFurther, kFurther + 2.0 * kStretch}; }
 
-Target through_or_farther(const Scene& scene) { return {scene.plan, kFurther, std::numeric_limits<double>::infinity()}; }
+Target through_or_farther(const Scene& scene) {
+  return {scene.plan, kFurther, std::numeric_limits<double>::infinity()};
+}
 
 Finding examine(const Scene& scene) {
   Finding finding;

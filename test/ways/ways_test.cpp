@@ -35,8 +35,8 @@ TEST(Ways, EveryWayIsDrivenAndNothingIsTouched) {
   EXPECT_EQ(all.failed, all.none);
 }
 
-// Scenes that were missed once: the search took too long (0.025 m and 0.1 m cells), a way that turns back was left before
-// it did, two ways took turns, or a robot that crept into a corner said so too late.
+// Scenes that were missed once: the search took too long (0.025 m and 0.1 m cells), a way that turns back was left
+// before it did, two ways took turns, or a robot that crept into a corner said so too late.
 TEST(Ways, OfThoseMissedOnceNoneIs) {
   const struct {
     const char* kind;

@@ -238,7 +238,7 @@ void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
 
 // Two ways of much the same length take turns otherwise, and the robot turns to and fro between them.
 bool RecoveryMotion::leads_better(const Pose2& start) const {
-  if (blocked_) return true;
+  if (blocked_ || way_.empty()) return true;
   const std::size_t end = way_.end_of_parts(start, part_, kPlaceAhead, kUsualCell);
   const bool turns_back = way_.direction_from(part_) * renewal_.direction_from(0) < 0;
   const double more = renewal_.duration() - way_.nearest(start, part_, end, kMostBackSpeed).remaining();

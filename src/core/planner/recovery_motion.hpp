@@ -85,8 +85,8 @@ class RecoveryMotion {
   static void archive(Self& self, Archive& io) {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
        self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_,
-       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.blocked_,
-       self.renewed_, self.wait_);
+       self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.blocked_, self.renewed_,
+       self.wait_);
   }
 
  private:
@@ -132,7 +132,7 @@ class RecoveryMotion {
   SearchTask task_;  // to be filled
   WaySearch search_;
   Way way_;
-  Way renewal_;  // to take the place of it; of this cycle alone
+  Way renewal_;              // to take the place of it; of this cycle alone
   std::uint32_t part_ = 0;   // of the way, that the robot is on
   double least_ = 0.0;       // remaining time on it so far [s]
   double least_left_ = 0.0;  // likewise, from the nearest place on it [s]

@@ -43,8 +43,8 @@ class Way {
   /// The place with the least remaining time among the parts from `from` on, before `end`. The robot gets back to its
   /// way at `back_speed` [m/s]: the lower it is, the closer it keeps to it. The way must not be empty.
   Place nearest(const Pose2& pose, std::size_t from, std::size_t end, double back_speed) const;
-  /// Up to which part the way counts for a robot on part `from`: up to `ahead` [s] later, and up to where it turns back,
-  /// forwards to backwards or the other way round, until the robot is within `near` [m] of there.
+  /// Up to which part the way counts for a robot on part `from`: up to `ahead` [s] later, and up to where it turns
+  /// back, forwards to backwards or the other way round, until the robot is within `near` [m] of there.
   std::size_t end_of_parts(const Pose2& pose, std::size_t from, double ahead, double near) const;
   /// How the robot drives next from part `from` on: 1 forwards, -1 backwards, 0 not at all.
   int direction_from(std::size_t from) const;

@@ -202,8 +202,8 @@ TEST(Recovery, TurnsTheLongWayRound) {
   EXPECT_LT(driven(scene), 0.1);  // or this scene shows nothing
 }
 
-// In a pocket it faces the wall behind it. With few poses a cycle the search takes longer than the 1.2 s after which the
-// robot says so: the host is told, the search goes on, and the way is taken.
+// In a pocket it faces the wall behind it. With few poses a cycle the search takes longer than the 1.2 s after which
+// the robot says so: the host is told, the search goes on, and the way is taken.
 TEST(Recovery, SaysThatItTakesLongAndGoesOnSearching) {
   Scene scene = Scene::empty(81, 0.05);
   scene.parameters = Parameters();
