@@ -119,6 +119,11 @@ void RecoveryMotion::start_way() {
   narrower_ = blocked_ = false;
 }
 
+// One that ends where the robot stands leads nowhere.
+bool RecoveryMotion::begins_way() const {
+  return phase_ == Phase::follows && std::isinf(least_) && way_.duration() > kEndsBefore;
+}
+
 bool RecoveryMotion::watch(const Cycle& cycle, const Course& course, double patience) {
   const double now = cycle.situation.time;
   stands_.observe(now, course.autonomous && course.stands);

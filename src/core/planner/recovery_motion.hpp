@@ -19,7 +19,6 @@
 // braking check without gaps. It must see all of them, so every candidate is checked before (Evaluation::evaluate()).
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -70,7 +69,7 @@ class RecoveryMotion {
   /// It is not known yet whether a way leads on, or one does and is followed from the next cycle on, or it waits for
   /// what moves to go.
   bool undecided() const {
-    return phase_ == Phase::stops || waiting() || (problem_.empty() && phase_ == Phase::searches) || begins();
+    return phase_ == Phase::stops || waiting() || (problem_.empty() && phase_ == Phase::searches) || begins_way();
   }
   /// It waits for what moves, and now and then searches whether it is gone. After some time it fails instead.
   bool waiting() const {
@@ -98,7 +97,7 @@ class RecoveryMotion {
     follows,      // the way
     waits         // there is none
   };
-  bool begins() const { return phase_ == Phase::follows && std::isinf(least_); }
+  bool begins_way() const;
   void enter(Phase phase, double now);
   void advance(const Cycle& cycle, const Course& course);
   void start_way();
