@@ -43,14 +43,17 @@ TEST(Ways, OfThoseMissedOnceNoneIs) {
     std::uint64_t seed;
   } scenes[] = {{"posts", 61019},    {"dead_end", 61138}, {"doorway", 60006},  {"doorway", 61104}, {"doorway", 61140},
                 {"corridor", 50014}, {"corridor", 50038}, {"corridor", 61015}, {"corner", 50015},  {"boxes", 61094}};
+  std::size_t driven = 0;
   for (const auto& scene : scenes) {
     for (const Kind& kind : drawn_kinds()) {
       if (kind.name != scene.kind) continue;
+      ++driven;
       const Result result = run_scene(kind, scene.seed, nullptr).result;
       EXPECT_TRUE(result.good()) << in_words(result) << "; --scene " << scene.kind << " --seed " << scene.seed;
       EXPECT_NE(result.answer, Class::open);
     }
   }
+  EXPECT_EQ(driven, std::size(scenes));
 }
 
 TEST(Ways, TheSameSeedIsTheSameDrive) {

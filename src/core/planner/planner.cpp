@@ -44,10 +44,12 @@ void Planner::save(Bytes& state) const {
 
 bool Planner::load(const Bytes& state) {
   ArchiveReader read(state);
-  reset();
-  read(impl_->start_estimator, impl_->recovery);
+  impl_->critics.reset();
+  impl_->movers.forget();
+  read(impl_->start_estimator, impl_->recovery);  // a search that is under way here already is gone on with
   impl_->critics.load(read);
   if (read.more()) read(impl_->movers);
+  if (!read.complete()) reset();
   return read.complete();
 }
 

@@ -71,6 +71,8 @@ bool Recovery::watch_rest(const Cycle& cycle, const Course& known, Conclusion& c
   if (course.trapped || !known.autonomous) return forget;
   if (*motion_.problem() != '\0') {
     fail(conclusion, Problem::stuck, motion_.problem());
+  } else if (motion_.begins_way() && conclusion.outcome == Outcome::hold) {
+    return forget;
   } else if (!motion_.undecided() && motion_.standing_time(cycle.situation.time) > p.blocked_time) {
     fail(conclusion, Problem::stuck, "autonomy is stuck: standing still is its best legal candidate");
   }

@@ -13,9 +13,10 @@
 namespace hidwa_local_planner {
 namespace {
 
-// A search may take so long until the robot says so, and so long in all, since its map grows old; so long while the
-// robot drives on; where there is no way the next one begins so long after it [s].
+// A search may take so long until the robot says so, once in so long at one place; so long in all, since its map grows
+// old, and so long while the robot drives on; where there is no way the next one begins so long after it [s].
 constexpr double kPromptSearch = 1.2;
+constexpr double kSaysAgain = 20.0;
 constexpr double kLongestSearch = 8.0;
 constexpr double kLongestAhead = 5.0;
 constexpr double kSearchAgain = 2.0;
@@ -109,6 +110,7 @@ void RecoveryMotion::enter(Phase phase, double now) {
   if (phase != Phase::follows) way_.clear();
   start_way();
   agrees_.reset();
+  told_ = false;
 }
 
 // At the beginning of the way that there is.
@@ -233,17 +235,20 @@ void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
     set_task(cycle, start);
   }
   const WaySearch::State state = run(cycle, renewal_);
-  if (state == WaySearch::State::found && leads_better(search_.task().start)) {
-    std::swap(way_, renewal_);
-    start_way();
-    since_ = now;
+  if (state == WaySearch::State::found) {
+    if (leads_better(search_.task().start)) {
+      std::swap(way_, renewal_);
+      start_way();
+      since_ = now;
+    }
+    room_ = -1.0;  // what there is of it now was found good
   }
   if (state != WaySearch::State::searching || now < renewed_ || now - renewed_ >= kLongestRenewal) search_.clear();
 }
 
 // Two ways of much the same length take turns otherwise, and the robot turns to and fro between them.
 bool RecoveryMotion::leads_better(const Pose2& start) const {
-  if (blocked_ || way_.empty()) return true;
+  if (blocked_) return true;
   const std::size_t end = way_.end_of_parts(start, part_, kPlaceAhead, kUsualCell);
   const bool turns_back = way_.direction_from(part_) * renewal_.direction_from(0) < 0;
   const double more = renewal_.duration() - way_.nearest(start, part_, end, kMostBackSpeed).remaining();
@@ -264,17 +269,21 @@ void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
   const WaySearch::State state = way_.empty() ? run(cycle, way_) : WaySearch::State::found;
   switch (state) {
     case WaySearch::State::found:
+      problem_.clear();
       if (wait_.alone()) {
         wait_for_movers(now);
-      } else if (distance(search_.task().start, cycle.situation.pose) >= kSameStart) {
+      } else if (!still_leads(cycle)) {
         begin_search(cycle, Phase::searches, cycle.situation.pose);
       } else if (may_follow) {
         follow_way(now);
       }
       break;
     case WaySearch::State::searching:
-      if (late(now)) fail(now, kLate);
-      if (now - since_ >= kPromptSearch && problem_.empty() && !wait_.waits()) describe_end(kLate, problem_);
+      if (late(now)) {
+        fail(now, kLate);
+      } else {
+        say_that_it_takes_long(cycle);
+      }
       break;
     case WaySearch::State::cut_short:
       fail(now, "no way was found through the local map, and the memory for more is used up");
@@ -283,6 +292,28 @@ void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
     case WaySearch::State::idle:
       conclude_no_way(cycle);
   }
+}
+
+// From where the robot is, to where the plan leads now.
+bool RecoveryMotion::still_leads(const Cycle& cycle) const {
+  const Pose2& end = way_.stations().back().pose;
+  const std::vector<Pose2>& plan = cycle.situation.plan;
+  const double near = std::max(kSamePlace, 2.0 * cycle.grid.resolution);
+  return distance(way_.stations().front().pose, cycle.situation.pose) < kSameStart &&
+         std::any_of(plan.begin(), plan.end(), [&](const Pose2& pose) { return distance(pose, end) < near; });
+}
+
+// One cycle fails. A host that takes its time for another plan, and begins afresh then, is not told again and again.
+void RecoveryMotion::say_that_it_takes_long(const Cycle& cycle) {
+  const double now = cycle.situation.time;
+  if (told_) problem_.clear();
+  const bool long_ago =
+      now < told_time_ || now - told_time_ >= kSaysAgain || distance(told_at_, search_.task().start) >= kSamePlace;
+  told_ = now - since_ >= kPromptSearch && problem_.empty() && long_ago && !wait_.with_movers() && !wait_.waits();
+  if (!told_) return;
+  describe_end(kLate, problem_);
+  told_time_ = now;
+  told_at_ = search_.task().start;
 }
 
 void RecoveryMotion::conclude_no_way(const Cycle& cycle) {
@@ -297,7 +328,7 @@ void RecoveryMotion::wait_for_movers(double now) {
   problem_.reserve(kLongestText);
   wait_.begin(now);
   enter(Phase::waits, now);
-  if (wait_.over(now)) problem_ = kBlocked;
+  problem_ = wait_.over(now) ? kBlocked : "";
 }
 
 bool RecoveryMotion::late(double now) const {
@@ -406,9 +437,10 @@ int RecoveryMotion::cheapest_legal(const Scene& scene) const {
 
 // The remaining time falls, or has lately: from the robot, or from the nearest place on the way.
 bool RecoveryMotion::gets_on(const Way::Place& here, double now) {
-  const bool falls = here.remaining() < least_ - kFalls || here.left < least_left_ - kFalls;
+  const double remaining = here.left + here.off / kMostBackSpeed;  // whatever room the way has in this cycle
+  const bool falls = remaining < least_ - kFalls || here.left < least_left_ - kFalls;
   if (falls || now < since_) {
-    least_ = std::min(least_, here.remaining());
+    least_ = std::min(least_, remaining);
     least_left_ = std::min(least_left_, here.left);
     since_ = now;
   }

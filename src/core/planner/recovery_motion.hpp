@@ -9,7 +9,8 @@
 // 3. That ends at the way's end, or where the cheapest candidate has led on as well for a second. If the remaining time
 //    stops falling, the robot stands and searches anew.
 // 4. If there is no way, the cycle fails and says why. It searches again after two seconds. Where only what moves is in
-//    the way, it waits for that instead (MoverWait).
+//    the way, it waits for that instead (MoverWait). A search that takes long makes one cycle fail, so that the host
+//    may make another plan, and goes on.
 // 5. Before a tight place the search begins while the robot drives on. Where it finds a way the robot follows that, in
 //    good time: one that cannot drive backwards may come to where no way leads on.
 //
@@ -66,16 +67,18 @@ class RecoveryMotion {
   bool follows() const { return phase_ == Phase::follows; }
   /// It does, and has found it while it drove.
   bool drives_on() const { return follows() && ahead_; }
-  /// It is not known yet whether a way leads on, or one does and is followed from the next cycle on, or it waits for
-  /// what moves to go.
+  /// It is not known yet whether a way leads on, or it waits for what moves to go.
   bool undecided() const {
-    return phase_ == Phase::stops || waiting() || (problem_.empty() && phase_ == Phase::searches) || begins_way();
+    return phase_ == Phase::stops || waiting() || (problem_.empty() && phase_ == Phase::searches);
   }
+  /// A way was found in this cycle, and is followed from the next one on.
+  bool begins_way() const;
   /// It waits for what moves, and now and then searches whether it is gone. After some time it fails instead.
   bool waiting() const {
     return problem_.empty() && wait_.waits() && (phase_ == Phase::waits || phase_ == Phase::searches);
   }
-  /// Why no way leads on; empty where that is not known. Valid until the next call of another function.
+  /// Why no way leads on, or in one cycle that the search takes long; empty where that is not known. Valid until the
+  /// next call of another function.
   const char* problem() const { return problem_.c_str(); }
   /// For how long autonomy has stood [s].
   double standing_time(double now) const { return stands_.time(now); }
@@ -85,7 +88,7 @@ class RecoveryMotion {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
        self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_,
        self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.blocked_, self.renewed_,
-       self.wait_);
+       self.wait_, self.told_, self.told_time_, self.told_at_);
   }
 
  private:
@@ -97,7 +100,6 @@ class RecoveryMotion {
     follows,      // the way
     waits         // there is none
   };
-  bool begins_way() const;
   void enter(Phase phase, double now);
   void advance(const Cycle& cycle, const Course& course);
   void start_way();
@@ -110,6 +112,8 @@ class RecoveryMotion {
   void watch_room(const Way::Place& here, double room);
   WaySearch::State run(const Cycle& cycle, Way& way);
   bool leads_better(const Pose2& start) const;
+  bool still_leads(const Cycle& cycle) const;
+  void say_that_it_takes_long(const Cycle& cycle);
   bool late(double now) const;
   void follow_way(double now);
   void fail(double now, const char* how);
@@ -146,8 +150,11 @@ class RecoveryMotion {
   double renewed_ = 0.0;     // a search for a way instead of this one began at last [s]
   std::string problem_;
   MoverWait wait_;
-  std::string hopeless_;  // what a search ahead has come to, that found no way
-  Pose2 hopeless_at_;     // from there
+  std::string hopeless_;     // what a search ahead has come to, that found no way
+  Pose2 hopeless_at_;        // from there
+  bool told_ = false;        // in the last cycle: that the search takes long
+  double told_time_ = -1e9;  // at last [s]
+  Pose2 told_at_;
 };
 
 }  // namespace hidwa_local_planner

@@ -44,7 +44,8 @@ Way::Place Way::nearest(const Pose2& pose, std::size_t from, std::size_t end, do
 std::size_t Way::end_of_parts(const Pose2& pose, std::size_t from, double ahead, double near) const {
   from = std::min(from, stations_.size() - 1);
   const double until = stations_[from].left - ahead;
-  int direction = direction_of(from);
+  int direction = 0;  // of the last part that drives
+  for (std::size_t p = from + 1; direction == 0 && p > 0; --p) direction = direction_of(p - 1);
   std::size_t part = from + 1;
   for (; part + 1 < stations_.size() && stations_[part].left >= until; ++part) {
     const int next = direction_of(part);

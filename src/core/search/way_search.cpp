@@ -24,7 +24,7 @@ constexpr double kClearanceCells = 1.0;
 constexpr double kNeededOfCell = 0.0625;
 constexpr double kNeededOfMost = 0.8;
 
-// Below this share of a cell of usual size the robot all but touches.
+// Below this share of a cell, of 0.05 m at most, the robot all but touches.
 constexpr double kTouchesBelow = 0.25;
 
 // How much longer a move counts without any clearance, and where it has less than a robot usually needs.
@@ -55,6 +55,8 @@ void WaySearch::begin(const SearchTask& task) {
   if (!same_robot) footprint_ = task_.footprint();
   prepare();
   poses_ = 0;
+  nearest_ = Node();
+  least_left_ = std::numeric_limits<double>::infinity();
   begin_pass(Pass::coarse);
 }
 
@@ -90,7 +92,6 @@ void WaySearch::begin_pass(Pass pass) {
   bins_.reset(kMostNodes);
   state_ = State::no_way;
   last_ = 0;
-  least_left_ = std::numeric_limits<double>::infinity();
   add_start();
 }
 
@@ -101,7 +102,7 @@ void WaySearch::add_start() {
   node.clearance = static_cast<float>(clearance_at(task_.start, rotation(0)));
   node.needed = needed_from(node.clearance, 0.0);
   if (node.clearance <= 0.0F || bound(node) < 0.0) {
-    nodes_.push_back(node);  // the end() of a robot that comes nowhere
+    nearest_ = node;  // the end() of a robot that comes nowhere
     return;
   }
   state_ = State::searching;
@@ -134,9 +135,10 @@ void WaySearch::leave(std::uint32_t from) {
   const double left = to_target_.at(node.x, node.y);
   if (left >= 0.0 && left < least_left_) {
     least_left_ = left;
-    last_ = from;
+    nearest_ = node;
   }
   if (left == 0.0) {
+    last_ = from;
     state_ = State::found;
     return;
   }
@@ -273,8 +275,8 @@ double WaySearch::time_between(const Node& a, const Node& b) const {
 
 WaySearch::End WaySearch::end() {
   End end;
-  if (nodes_.empty()) return end;
-  const Node& node = nodes_[last_];
+  if (rotations_.empty()) return end;  // never begun
+  const Node& node = nearest_;
   const Rotation r = rotation(node.heading);
   end.pose = {node.x, node.y, heading_of(node.heading)};
   placed_.clear();

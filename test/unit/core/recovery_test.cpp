@@ -179,7 +179,7 @@ TEST(Recovery, DoesNotWaitWhereAWallIsInTheWayToo) {
     if (decision.outcome == Outcome::fail) first = k;
   }
   EXPECT_GE(first, 0);
-  EXPECT_LE(first, 160);  // the patience, two searches of 2.4 s at most, and some cycles
+  EXPECT_LE(first, 160);  // the patience, two searches of much less than 8 s, and some cycles
 }
 
 // A rectangle that is long ahead of its centre and faces away from the plan. What stands on its right is 0.35 m away,
@@ -202,34 +202,78 @@ TEST(Recovery, TurnsTheLongWayRound) {
   EXPECT_LT(driven(scene), 0.1);  // or this scene shows nothing
 }
 
-// In a pocket it faces the wall behind it. With few poses a cycle the search takes longer than the 1.2 s after which
-// the robot says so: the host is told, the search goes on, and the way is taken.
-TEST(Recovery, SaysThatItTakesLongAndGoesOnSearching) {
+// In a pocket it faces the wall behind it.
+Scene in_a_pocket() {
   Scene scene = Scene::empty(81, 0.05);
   scene.parameters = Parameters();
-  scene.parameters.search_poses = 10;
   scene.outline = {{0.35, 0.2}, {-0.35, 0.2}, {-0.35, -0.2}, {0.35, -0.2}};
   scene.situation.pose.theta = 3.1;
   scene.fill(-0.5, 0.45, 1.0, 0.55);
   scene.fill(-0.5, -0.55, 1.0, -0.45);
   scene.fill(-0.6, -0.55, -0.5, 0.55);
   test::inflate(scene, 0.2, 0.55, 3.0);
+  return scene;
+}
+
+// With few poses a cycle the search takes longer than the 1.2 s after which the robot says so: once the host is told,
+// the search goes on, and the way is taken.
+TEST(Recovery, SaysThatItTakesLongAndGoesOnSearching) {
+  Scene scene = in_a_pocket();
+  scene.parameters.search_poses = 10;
   PlannerBench bench(scene);
-  int first = -1, last = -1, drives = -1;
+  int failed = -1, drives = -1;
   for (int k = 0; k < 400 && drives < 0; ++k) {
     const Decision& decision = bench.drive();
     if (decision.outcome == Outcome::fail) {
+      EXPECT_EQ(failed, -1) << "told again in cycle " << k;
       EXPECT_NE(std::string(decision.problem).find("no way was found in time"), std::string::npos) << decision.problem;
-      if (first < 0) first = k;
-      last = k;
+      failed = k;
     }
     if (decision.recovering && !(decision.command == Twist2{})) drives = k;
   }
   // The search begins when it has stood for the latency of 0.1 s and two cycles of 0.05 s: 1.4 s in all.
-  EXPECT_GE(first, 26);
-  EXPECT_LE(first, 30);
-  EXPECT_GT(last, first + 10);
-  EXPECT_EQ(drives, last + 2);  // found in the cycle between
+  EXPECT_GE(failed, 26);
+  EXPECT_LE(failed, 30);
+  EXPECT_GT(drives, failed + 10);
+}
+
+// A host that begins afresh after the failure, since it took its time for another plan, is not told again: the second
+// search has the time that it takes.
+TEST(Recovery, IsNotToldAgainAndAgain) {
+  Scene scene = in_a_pocket();
+  scene.parameters.search_poses = 10;
+  PlannerBench bench(scene);
+  int failures = 0, drives = -1;
+  for (int k = 0; k < 400 && drives < 0; ++k) {
+    const Decision& decision = bench.drive();
+    if (decision.outcome == Outcome::fail) {
+      ++failures;
+      bench.planner().reset();
+    }
+    if (decision.recovering && !(decision.command == Twist2{})) drives = k;
+  }
+  EXPECT_EQ(failures, 1);
+  EXPECT_GT(drives, 60);
+}
+
+// While it searches the plan comes to lead elsewhere: the way that is found leads to where the plan was, and is not
+// taken.
+TEST(Recovery, TakesNoWayToAnOldPlan) {
+  Scene scene = in_a_pocket();
+  scene.fill(-2.1, -2.1, -0.6, 2.1);
+  scene.parameters.search_poses = 10;
+  PlannerBench bench(scene);
+  for (int k = 0; k < 10; ++k) bench.drive();
+  std::vector<Pose2>& plan = bench.scene().situation.plan;
+  plan.clear();
+  for (int i = 0; i < 36; ++i) plan.push_back({-0.05 * i, 0.0, M_PI});  // ahead of it, into the wall
+  bench.scene().situation.goal = plan.back();
+  bool failed = false;
+  for (int k = 0; k < 800 && !failed; ++k) {
+    const Decision& decision = bench.drive();
+    EXPECT_LT(bench.scene().situation.pose.x, 0.3);
+    failed = decision.outcome == Outcome::fail && bench.scene().situation.time > 20.0;
+  }
 }
 
 // Its wheels slip: of what is commanded it does that share. For how long it follows its way before it stands [s]; 5
@@ -284,6 +328,30 @@ void expect_remembered_whole(const Scene& scene, bool& drove, bool& failed) {
     drove = drove || bench.planner().choice().rule == ChoiceReport::Rule::recovery;
     failed = failed || decision.outcome == Outcome::fail;
   }
+}
+
+// A planner that has seen nothing else goes on from the state alone: while a search goes on, and while a way that is
+// found waits for the patience. The robot is not where an empty state would have it.
+TEST(Recovery, GoesOnFromItsStateAlone) {
+  Scene scene = in_a_pocket();
+  scene.situation.pose.x = 0.2;
+  scene.parameters.blocked_time = 3.0;
+  scene.parameters.search_poses = 20;
+  PlannerBench bench(scene);
+  bool drove = false;
+  for (int k = 0; k < 60; ++k) {
+    PlannerBench fresh(scene);
+    Bytes state;
+    bench.planner().save(state);
+    ASSERT_TRUE(fresh.planner().load(state));
+    fresh.scene() = bench.scene();
+    const Decision other = fresh.cycle();
+    const Decision& decision = bench.drive();
+    ASSERT_EQ(decision.command, other.command) << k;
+    ASSERT_EQ(decision.outcome, other.outcome) << k;
+    drove = drove || (decision.recovering && !(decision.command == Twist2{}));
+  }
+  EXPECT_TRUE(drove);
 }
 
 TEST(Recovery, WaitingIsRememberedWhole) {

@@ -294,7 +294,8 @@ TEST(Way, IsFollowedToWhereItTurnsBack) {
   EXPECT_EQ(way.end_of_parts({0.5, 0.0, 0.46}, 0, 10.0, 0.02), 3U);
   EXPECT_EQ(way.end_of_parts({0.5, 0.03, 0.5}, 0, 10.0, 0.02), 2U);
   EXPECT_EQ(way.end_of_parts({0.5, 0.03, 0.5}, 0, 10.0, 0.04), 3U);
-  EXPECT_EQ(way.end_of_parts({0.3, 0.0, 0.0}, 2, 10.0, 0.02), 3U);  // it is on the last one already
+  EXPECT_EQ(way.end_of_parts({0.5, 0.03, 0.5}, 1, 10.0, 0.02), 2U);  // it turns already
+  EXPECT_EQ(way.end_of_parts({0.3, 0.0, 0.0}, 2, 10.0, 0.02), 3U);   // it is on the last one already
 }
 
 }  // namespace
