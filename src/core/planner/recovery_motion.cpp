@@ -33,9 +33,8 @@ constexpr double kFollowed = 0.4;
 // A place on the way up to so much later counts [s].
 constexpr double kPlaceAhead = 2.0;
 
-// The speed at which a robot counts to get back to its way [m/s]: low, so that it keeps to it.
-constexpr double kLeastBackSpeed = 0.04;
-constexpr double kMostBackSpeed = 0.1;
+// A robot counts to get back to its way at this speed, whatever room that has [m/s].
+constexpr double kBackSpeed = 0.1;
 
 // Where a way turns back it leads on from so near [m].
 constexpr double kNearTurn = 0.02;
@@ -69,11 +68,6 @@ constexpr const char* kNoWay = "no way for this outline through the local map";
 constexpr const char* kLate = "no way was found in time through the local map";
 constexpr const char* kBlocked = "what moves has blocked the only way for 30 s";
 static_assert(MoverWait::kLongest == 30.0, "the text says so");
-
-// The robot keeps the closer to a way the less room that has; it has at most a cell.
-double back_speed(double room, double cell) {
-  return std::clamp(kMostBackSpeed * room / std::min(cell, kUsualCell), kLeastBackSpeed, kMostBackSpeed);
-}
 
 // Where a candidate brings the robot that follows it for a while and then brakes: braking takes it half as far as
 // driving on would.
@@ -251,7 +245,7 @@ bool RecoveryMotion::leads_better(const Pose2& start) const {
   if (blocked_) return true;
   const std::size_t end = way_.end_of_parts(start, part_, kPlaceAhead, kUsualCell);
   const bool turns_back = way_.direction_from(part_) * renewal_.direction_from(0) < 0;
-  const double more = renewal_.duration() - way_.nearest(start, part_, end, kMostBackSpeed).remaining();
+  const double more = renewal_.duration() - way_.nearest(start, part_, end, kUsualCell).remaining();
   return more < (turns_back ? -kClearlyLess : kLittleMore);
 }
 
@@ -387,10 +381,9 @@ int RecoveryMotion::follow(const Scene& scene) {
     return -1;
   }
   const double room = room_ahead(way_, part_, scene.collision, scene.cycle.grid.resolution);
-  const double back = back_speed(room, scene.cycle.grid.resolution);
   const Pose2& pose = scene.cycle.situation.pose;
   const std::size_t end = way_.end_of_parts(pose, part_, kPlaceAhead, std::max(room, kNearTurn));
-  const Way::Place here = way_.nearest(pose, part_, end, back);
+  const Way::Place here = way_.nearest(pose, part_, end, room);
   part_ = static_cast<std::uint32_t>(here.part);
   if (here.left <= kEndsBefore || agrees_.for_at_least(kAgreesFor, now)) {
     enter(Phase::idle, now);
@@ -404,7 +397,7 @@ int RecoveryMotion::follow(const Scene& scene) {
   }
   watch_room(here, room);
   const auto left_after = [&](const Tile& tile, std::size_t c) {
-    return way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, end, back).remaining();
+    return way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, end, room).remaining();
   };
   double least = std::numeric_limits<double>::infinity();
   const int best = least_legal(scene.rollout, scene.totals, scene.admissibility, [&](const Tile& tile, std::size_t c) {
@@ -437,7 +430,7 @@ int RecoveryMotion::cheapest_legal(const Scene& scene) const {
 
 // The remaining time falls, or has lately: from the robot, or from the nearest place on the way.
 bool RecoveryMotion::gets_on(const Way::Place& here, double now) {
-  const double remaining = here.left + here.off / kMostBackSpeed;  // whatever room the way has in this cycle
+  const double remaining = here.left + here.off / kBackSpeed;  // whatever room the way has in this cycle
   const bool falls = remaining < least_ - kFalls || here.left < least_left_ - kFalls;
   if (falls || now < since_) {
     least_ = std::min(least_, remaining);

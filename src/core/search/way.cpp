@@ -10,6 +10,10 @@ namespace {
 // So long is a radian [m].
 constexpr double kRadianLength = 0.4;
 
+// Back to a way, within its room and beyond [m/s].
+constexpr double kBackSpeed = 0.1;
+constexpr double kSlowBackSpeed = 0.04;
+
 }  // namespace
 
 void Way::reverse() { std::reverse(stations_.begin(), stations_.end()); }
@@ -26,10 +30,11 @@ Way::Place Way::place_on(const Pose2& pose, std::size_t part) const {
   return {part, a.left + share * (b.left - a.left), std::sqrt(ox * ox + oy * oy + ot * ot), 0.0};
 }
 
-Way::Place Way::nearest(const Pose2& pose, std::size_t from, std::size_t end, double back_speed) const {
+Way::Place Way::nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const {
   const auto place_at = [&](std::size_t part) {
     Place place = place_on(pose, part);
-    place.back = place.off / back_speed;
+    const double within = std::min(place.off, room);
+    place.back = within / kBackSpeed + (place.off - within) / kSlowBackSpeed;
     return place;
   };
   from = std::min(from, stations_.size() - 1);

@@ -41,8 +41,9 @@ class Way {
   const std::vector<Station>& stations() const { return stations_; }
   double duration() const { return stations_.empty() ? 0.0 : stations_.front().left; }  // [s]
   /// The place with the least remaining time among the parts from `from` on, before `end`. The robot gets back to its
-  /// way at `back_speed` [m/s]: the lower it is, the closer it keeps to it. The way must not be empty.
-  Place nearest(const Pose2& pose, std::size_t from, std::size_t end, double back_speed) const;
+  /// way at 0.1 m/s within the `room` [m] that the way has, and at 0.04 m/s where nothing is known to be free: the
+  /// lower that is, the closer it keeps to it. The way must not be empty.
+  Place nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const;
   /// Up to which part the way counts for a robot on part `from`: up to `ahead` [s] later, and up to where it turns
   /// back, forwards to backwards or the other way round, until the robot is within `near` [m] of there.
   std::size_t end_of_parts(const Pose2& pose, std::size_t from, double ahead, double near) const;
