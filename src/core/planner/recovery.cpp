@@ -69,11 +69,10 @@ bool Recovery::watch_rest(const Cycle& cycle, const Course& known, Conclusion& c
                   std::abs(conclusion.sample.omega) < kCreeps * cycle.limits.theta.max;
   const bool forget = motion_.watch(cycle, course, p.turn_when_stuck ? 0.5 * p.blocked_time : -1.0);
   if (course.trapped || !known.autonomous) return forget;
+  const bool about_to_drive = motion_.begins_way() && conclusion.outcome == Outcome::hold;
   if (*motion_.problem() != '\0') {
     fail(conclusion, Problem::stuck, motion_.problem());
-  } else if (motion_.begins_way() && conclusion.outcome == Outcome::hold) {
-    return forget;
-  } else if (!motion_.undecided() && motion_.standing_time(cycle.situation.time) > p.blocked_time) {
+  } else if (!about_to_drive && !motion_.undecided() && motion_.standing_time(cycle.situation.time) > p.blocked_time) {
     fail(conclusion, Problem::stuck, "autonomy is stuck: standing still is its best legal candidate");
   }
   return forget;

@@ -33,9 +33,6 @@ constexpr double kFollowed = 0.4;
 // A place on the way up to so much later counts [s].
 constexpr double kPlaceAhead = 2.0;
 
-// A robot counts to get back to its way at this speed, whatever room that has [m/s].
-constexpr double kBackSpeed = 0.1;
-
 // Where a way turns back it leads on from so near [m].
 constexpr double kNearTurn = 0.02;
 
@@ -52,9 +49,9 @@ constexpr double kNarrower = 0.5;
 constexpr double kRenewAgain = 0.2;
 constexpr double kLongestRenewal = 1.0;
 
-// It is renewed by one that takes little more, or clearly less if the robot has to turn back for it [s].
-constexpr double kLittleMore = 0.5;
-constexpr double kClearlyLess = 0.5;
+// It is renewed by one that takes no more than this longer; if the robot has to turn back for it, by one that takes
+// less by this [s].
+constexpr double kAboutAsLong = 0.5;
 
 // Ordinary scoring leads on as well if it gains that share of what the way gains, for so long [s].
 constexpr double kAgreement = 0.6;
@@ -158,7 +155,7 @@ void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
                        distance(search_.task().start, cycle.situation.pose) < kSamePlace;
   if (settled && goes_on && phase_ != Phase::searches) {
     phase_ = Phase::searches;
-    recall(cycle.situation.pose);
+    recall();
   } else if (settled && (ordinary || phase_ == Phase::stops || again)) {
     begin_search(cycle, Phase::searches, cycle.situation.pose);
   } else if (phase_ == Phase::idle && tight_ && !(now >= looked_ && now - looked_ < kSearchAgain)) {
@@ -179,13 +176,13 @@ bool RecoveryMotion::gets_nowhere(const Cycle& cycle) const {
 
 void RecoveryMotion::begin_search(const Cycle& cycle, Phase phase, const Pose2& start) {
   enter(phase, cycle.situation.time);
-  if (phase == Phase::searches) recall(start);
+  if (phase == Phase::searches) recall();
   set_task(cycle, start);
 }
 
-// What is known already is said at once; the map may have changed since.
-void RecoveryMotion::recall(const Pose2& start) {
-  if (problem_.empty() && distance(hopeless_at_, start) < kSamePlace) problem_ = hopeless_;
+// What is known already of the place where the robot stands is said at once; the map may have changed since.
+void RecoveryMotion::recall() {
+  if (problem_.empty()) problem_ = hopeless_;
   hopeless_.clear();
 }
 
@@ -246,7 +243,7 @@ bool RecoveryMotion::leads_better(const Pose2& start) const {
   const std::size_t end = way_.end_of_parts(start, part_, kPlaceAhead, kUsualCell);
   const bool turns_back = way_.direction_from(part_) * renewal_.direction_from(0) < 0;
   const double more = renewal_.duration() - way_.nearest(start, part_, end, kUsualCell).remaining();
-  return more < (turns_back ? -kClearlyLess : kLittleMore);
+  return more < (turns_back ? -kAboutAsLong : kAboutAsLong);
 }
 
 // Whether the way has become narrower on the map of now, or the robot is farther from it than there is room.
@@ -430,7 +427,7 @@ int RecoveryMotion::cheapest_legal(const Scene& scene) const {
 
 // The remaining time falls, or has lately: from the robot, or from the nearest place on the way.
 bool RecoveryMotion::gets_on(const Way::Place& here, double now) {
-  const double remaining = here.left + here.off / kBackSpeed;  // whatever room the way has in this cycle
+  const double remaining = here.left + here.off / Way::kBackSpeed;  // whatever room the way has in this cycle
   const bool falls = remaining < least_ - kFalls || here.left < least_left_ - kFalls;
   if (falls || now < since_) {
     least_ = std::min(least_, remaining);

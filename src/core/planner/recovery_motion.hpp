@@ -104,7 +104,7 @@ class RecoveryMotion {
   void advance(const Cycle& cycle, const Course& course);
   void start_way();
   void begin_search(const Cycle& cycle, Phase phase, const Pose2& start);
-  void recall(const Pose2& start);
+  void recall();
   void set_task(const Cycle& cycle, const Pose2& start);
   void search(const Cycle& cycle, bool may_follow);
   void look_ahead(const Cycle& cycle);

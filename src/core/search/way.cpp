@@ -10,15 +10,18 @@ namespace {
 // So long is a radian [m].
 constexpr double kRadianLength = 0.4;
 
-// Back to a way, within its room and beyond [m/s].
-constexpr double kBackSpeed = 0.1;
+// Back to a way where it is not known to have room [m/s].
 constexpr double kSlowBackSpeed = 0.04;
+
+double length_between(const Pose2& a, const Pose2& b) {
+  return std::hypot(a.x - b.x, a.y - b.y, kRadianLength * wrap_angle(a.theta - b.theta));
+}
 
 }  // namespace
 
 void Way::reverse() { std::reverse(stations_.begin(), stations_.end()); }
 
-Way::Place Way::place_on(const Pose2& pose, std::size_t part) const {
+Way::Place Way::place_on(const Pose2& pose, std::size_t part, double room) const {
   const Station& a = stations_[part];
   const Station& b = stations_[std::min(part + 1, stations_.size() - 1)];
   const double dx = b.pose.x - a.pose.x, dy = b.pose.y - a.pose.y;
@@ -27,20 +30,15 @@ Way::Place Way::place_on(const Pose2& pose, std::size_t part) const {
   const double length2 = dx * dx + dy * dy + dt * dt;
   const double share = length2 > 0.0 ? std::clamp((x * dx + y * dy + t * dt) / length2, 0.0, 1.0) : 0.0;
   const double ox = x - share * dx, oy = y - share * dy, ot = t - share * dt;
-  return {part, a.left + share * (b.left - a.left), std::sqrt(ox * ox + oy * oy + ot * ot), 0.0};
+  const double off = std::sqrt(ox * ox + oy * oy + ot * ot), within = std::min(off, room);
+  return {part, a.left + share * (b.left - a.left), off, within / kBackSpeed + (off - within) / kSlowBackSpeed};
 }
 
 Way::Place Way::nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const {
-  const auto place_at = [&](std::size_t part) {
-    Place place = place_on(pose, part);
-    const double within = std::min(place.off, room);
-    place.back = within / kBackSpeed + (place.off - within) / kSlowBackSpeed;
-    return place;
-  };
   from = std::min(from, stations_.size() - 1);
-  Place best = place_at(from);
+  Place best = place_on(pose, from, room);
   for (std::size_t part = from + 1; part < end; ++part) {
-    const Place place = place_at(part);
+    const Place place = place_on(pose, part, room);
     if (place.remaining() < best.remaining()) best = place;
   }
   return best;
@@ -58,10 +56,6 @@ std::size_t Way::end_of_parts(const Pose2& pose, std::size_t from, double ahead,
     if (next != 0) direction = next;
   }
   return part;
-}
-
-double Way::length_between(const Pose2& a, const Pose2& b) const {
-  return std::hypot(a.x - b.x, a.y - b.y, kRadianLength * wrap_angle(a.theta - b.theta));
 }
 
 int Way::direction_from(std::size_t from) const {

@@ -14,6 +14,9 @@ namespace hidwa_local_planner {
 /// a line through (x, y, heading), on which a radian is as long as 0.4 m.
 class Way {
  public:
+  /// Within the room that a way has the robot gets back to it at this speed [m/s].
+  static constexpr double kBackSpeed = 0.1;
+
   struct Station {
     Pose2 pose;         // costmap frame
     double left = 0.0;  // to the end [s]
@@ -41,7 +44,7 @@ class Way {
   const std::vector<Station>& stations() const { return stations_; }
   double duration() const { return stations_.empty() ? 0.0 : stations_.front().left; }  // [s]
   /// The place with the least remaining time among the parts from `from` on, before `end`. The robot gets back to its
-  /// way at 0.1 m/s within the `room` [m] that the way has, and at 0.04 m/s where nothing is known to be free: the
+  /// way at kBackSpeed within the `room` [m] that the way has, and at 0.04 m/s where nothing is known to be free: the
   /// lower that is, the closer it keeps to it. The way must not be empty.
   Place nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const;
   /// Up to which part the way counts for a robot on part `from`: up to `ahead` [s] later, and up to where it turns
@@ -56,9 +59,8 @@ class Way {
   }
 
  private:
-  double length_between(const Pose2& a, const Pose2& b) const;
   int direction_of(std::size_t part) const;
-  Place place_on(const Pose2& pose, std::size_t part) const;
+  Place place_on(const Pose2& pose, std::size_t part, double room) const;
 
   std::vector<Station> stations_;
 };

@@ -91,7 +91,6 @@ void WaySearch::begin_pass(Pass pass) {
   queue_.clear();
   bins_.reset(kMostNodes);
   state_ = State::no_way;
-  last_ = 0;
   add_start();
 }
 

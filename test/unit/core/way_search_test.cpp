@@ -100,18 +100,23 @@ TEST(WaySearch, StraightOnWhereNothingIs) {
   EXPECT_EQ(way.stations().back().left, 0.0);
 }
 
+// Boxes anywhere. False where one lies under the robot.
+bool clutter(Scene& scene, Random& random, int boxes) {
+  for (int k = 0; k < boxes; ++k) {
+    const double x = random.uniform(-1.9, 1.6), y = random.uniform(-1.9, 1.6), side = random.uniform(0.1, 0.4);
+    scene.fill(x, y, x + side, y + side);
+  }
+  return test::naive_overlap(scene.grid(), {scene.outline, 0.0}, scene.situation.pose, true) <= 0.0;
+}
+
 TEST(WaySearch, WaysAreFree) {
   int found = 0, none = 0, turned = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
     Scene scene = room();
     Random random(seed);
     scene.situation.pose.theta = random.uniform(-M_PI, M_PI);
     if (random.chance(0.5)) scene.parameters.min_vel_x = -0.25;
-    for (int k = 0; k < 14; ++k) {
-      const double x = random.uniform(-1.9, 1.6), y = random.uniform(-1.9, 1.6), side = random.uniform(0.1, 0.4);
-      scene.fill(x, y, x + side, y + side);
-    }
-    if (test::naive_overlap(scene.grid(), {scene.outline, 0.0}, scene.situation.pose, true) > 0.0) continue;
+    if (!clutter(scene, random, 14)) continue;
     WaySearch search;
     search.begin(task_of(scene));
     const State state = search.run(kEnough);
@@ -128,7 +133,7 @@ TEST(WaySearch, WaysAreFree) {
     }
   }
   EXPECT_GE(found, 15);  // or these scenes show nothing
-  EXPECT_GE(none, 2);
+  EXPECT_GE(none, 3);
   EXPECT_GE(turned, 5);
 }
 
@@ -183,11 +188,7 @@ TEST(WaySearch, LooksCloselyWhereItHasFoundNothing) {
     Random random(seed);
     scene.situation.pose.theta = random.uniform(-M_PI, M_PI);
     scene.parameters.min_vel_x = -0.25;
-    for (int k = 0; k < 18; ++k) {
-      const double x = random.uniform(-1.9, 1.6), y = random.uniform(-1.9, 1.6), side = random.uniform(0.1, 0.4);
-      scene.fill(x, y, x + side, y + side);
-    }
-    if (test::naive_overlap(scene.grid(), {scene.outline, 0.0}, scene.situation.pose, true) > 0.0) continue;
+    if (!clutter(scene, random, 18)) continue;
     WaySearch search;
     search.begin(task_of(scene));
     if (search.run(kEnough) != State::found) continue;
@@ -286,8 +287,8 @@ TEST(Way, TellsTheRemainingTime) {
   EXPECT_EQ(way.end_of_parts({0.0, 0.0, 0.0}, 0, 0.5, 0.02), 1U);  // the second part begins 2 s later
 }
 
-// 0.5 m forwards, a turn of 0.5 rad, and 0.5 m backwards: 0.03 m beside the end of the first part the last one leads on
-// sooner, and 0.03 m / 0.02 m/s is what the robot has to get back for it.
+// 0.5 m forwards, a turn of 0.5 rad, and 0.5 m backwards: the last part counts once the robot is within `near` of where
+// that begins.
 TEST(Way, IsFollowedToWhereItTurnsBack) {
   Way way;
   way.add({{0.0, 0.0, 0.0}, 2.5});
