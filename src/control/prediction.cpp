@@ -167,7 +167,7 @@ void Prediction::name_next(const ControlLoop& loop, const Result& result) {
   const bool latched = loop.situation().goal_latched;
   const double turn = wrap_angle(poses_.back().pose.theta - poses_.front().pose.theta);
   if (decision.waiting) {
-    reason_ = "it waits for what moves and blocks the only way";
+    reason_ = "it waits for what moves to go";
   } else if (decision.recovering) {
     next_ = NextMove::recover;
     reason_ = "autonomy is stuck: it searches a way for its outline, or follows one";

@@ -98,7 +98,7 @@ struct Decision {
   std::string operator_rejected_by;  // what rejected the operator command; empty where it was legal
   bool escaping = false;             // the robot stands in collision
   bool recovering = false;           // autonomy is stuck: it searches or follows a way
-  bool waiting = false;              // it waits for what moves, which alone blocks the way
+  bool waiting = false;              // it stands for what moves, or waits for that to clear the only way
   Pose2 pose;                        // where the robot is taken to be, costmap frame
   Twist2 velocity;                   // what is believed of the measured one [m/s, rad/s]
   bool odometry_doubted = false;     // a reading was faster than the commands explain, and is not believed

@@ -123,7 +123,7 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Recovery::Course course = course_of(cycle, choice, chosen, steering);
   const Recovery::Review review = recovery.review(cycle, course, chosen);
   decision.recovering = recovery.active();
-  decision.waiting = recovery.waiting();
+  decision.waiting = review.waits;
   if (review.reset_critics) critics.reset();
   const Outcome outcome = review.conclusion.outcome;
   if (outcome == Outcome::brake || outcome == Outcome::fail) evaluation.checks().check_all();  // to say why
@@ -219,6 +219,7 @@ Recovery::Course Planner::Impl::course_of(const Cycle& cycle, const Choice& choi
   course.autonomous = !steering.active && !situation.goal_latched;
   course.steered = steering.active;
   course.trapped = trapped(choice, chosen.sample);
+  course.yields = yields(cycle, choice, chosen.sample);
   if (!course.autonomous || !parameters.turn_when_stuck) return course;
   course.soon = situation.pose;
   if (choice.candidate < 0) return course;
@@ -229,6 +230,13 @@ Recovery::Course Planner::Impl::course_of(const Cycle& cycle, const Choice& choi
   course.tight = tight_ahead(evaluation.obstacles().collision(), tile, c, kTightWithin, cycle.grid.resolution);
   course.soon = pose_within(tile, c, parameters.control_latency + situation.period);
   return course;
+}
+
+// The robot stands because something moves: evasion has chosen that, or no motion is legal near it.
+bool Planner::Impl::yields(const Cycle& cycle, const Choice& choice, const Twist2& sample) {
+  if (choice.candidate < 0 || !(sample == Twist2{})) return false;
+  if (choice.rule == ChoiceReport::Rule::evasion) return true;
+  return cycle.movers != nullptr && !evaluation.checks().any_motion_legal();
 }
 
 // The robot stands in collision and no legal motion leads out. Standing may be the operator's choice.

@@ -71,6 +71,7 @@ struct Planner::Impl {
   Recovery::Course course_of(const Cycle& cycle, const Choice& choice, const Conclusion& chosen,
                              const Steering& steering);
   bool trapped(const Choice& choice, const Twist2& sample);
+  bool yields(const Cycle& cycle, const Choice& choice, const Twist2& sample);
 };
 
 }  // namespace hidwa_local_planner

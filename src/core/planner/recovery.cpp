@@ -41,7 +41,8 @@ Recovery::Review Recovery::review(const Cycle& cycle, const Course& course, Conc
   watch_collision(cycle, course.trapped, conclusion);
   const bool recovers = watch_rest(cycle, course, conclusion);
   const bool turns_anew = watch_last_turn(cycle, course.steered, conclusion);
-  return {conclusion, recovers || turns_anew};
+  const bool waits = conclusion.outcome == Outcome::hold && yields(course, cycle.situation.time);
+  return {conclusion, recovers || turns_anew, waits || motion_.waiting()};
 }
 
 void Recovery::watch_collision(const Cycle& cycle, bool trapped, Conclusion& conclusion) {
@@ -56,9 +57,15 @@ void Recovery::watch_collision(const Cycle& cycle, bool trapped, Conclusion& con
        "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared");
 }
 
+// Who stands for what moves is not stuck, for some time.
+bool Recovery::yields(const Course& course, double now) const {
+  return course.yields && motion_.standing_time(now) < MoverWait::kLongest;
+}
+
 // True when the critics must forget.
 bool Recovery::watch_rest(const Cycle& cycle, const Course& known, Conclusion& conclusion) {
   const Parameters& p = cycle.parameters;
+  const double now = cycle.situation.time;
   RecoveryMotion::Course course;
   course.autonomous = known.autonomous;
   course.tight = known.tight;
@@ -70,9 +77,10 @@ bool Recovery::watch_rest(const Cycle& cycle, const Course& known, Conclusion& c
   const bool forget = motion_.watch(cycle, course, p.turn_when_stuck ? 0.5 * p.blocked_time : -1.0);
   if (course.trapped || !known.autonomous) return forget;
   const bool about_to_drive = motion_.begins_way() && conclusion.outcome == Outcome::hold;
-  if (*motion_.problem() != '\0') {
+  if (*motion_.problem() != '\0' && !yields(known, now)) {
     fail(conclusion, Problem::stuck, motion_.problem());
-  } else if (!about_to_drive && !motion_.undecided() && motion_.standing_time(cycle.situation.time) > p.blocked_time) {
+  } else if (!about_to_drive && !motion_.undecided() && !yields(known, now) &&
+             motion_.standing_time(now) > p.blocked_time) {
     fail(conclusion, Problem::stuck, "autonomy is stuck: standing still is its best legal candidate");
   }
   return forget;

@@ -29,8 +29,6 @@ class Recovery {
 
   /// RecoveryMotion decides what is driven.
   bool active() const { return motion_.active(); }
-  /// Autonomy waits for what moves to go: nothing else is in its way.
-  bool waiting() const { return motion_.waiting(); }
   /// It follows a way that it has found.
   bool follows() const { return motion_.follows(); }
   /// It does, and has found it while it drove.
@@ -43,12 +41,14 @@ class Recovery {
     bool autonomous = false;  // nobody steers, and the goal's position is not reached
     bool steered = false;     // the operator command counts
     bool trapped = false;     // the robot stands in collision and no legal motion leads out
+    bool yields = false;      // it stands because of what moves
     bool tight = false;       // it comes near to something soon, if it follows what was chosen
     Pose2 soon;               // where it will be once a command takes effect, costmap frame
   };
   struct Review {
     Conclusion conclusion;
     bool reset_critics = false;  // what they forbid may be what gets the robot going
+    bool waits = false;          // for what moves to go
   };
   /// Once per cycle that was planned: what the cycle comes to in view of those before it.
   Review review(const Cycle& cycle, const Course& course, Conclusion conclusion);
@@ -61,6 +61,7 @@ class Recovery {
  private:
   void watch_collision(const Cycle& cycle, bool trapped, Conclusion& conclusion);
   bool watch_rest(const Cycle& cycle, const Course& known, Conclusion& conclusion);
+  bool yields(const Course& course, double now) const;
   bool watch_last_turn(const Cycle& cycle, bool steered, Conclusion& conclusion);
 
   RecoveryMotion motion_;

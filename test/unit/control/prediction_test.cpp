@@ -208,7 +208,7 @@ TEST_F(Predictions, AReasonIsGivenWhereItDoesNotJustFollowThePlan) {
   EXPECT_NE(prediction_.reason().find("stuck"), std::string::npos);
   predicted([](Result&, Decision& decision) { decision.waiting = true; });
   EXPECT_EQ(prediction_.next(), NextMove::stop);
-  EXPECT_EQ(prediction_.reason(), "it waits for what moves and blocks the only way");
+  EXPECT_EQ(prediction_.reason(), "it waits for what moves to go");
   seen_.fault = "no transform";
   seen_.velocity.reset();
   prediction_.update(loop_, seen_, loop_.step(seen_));

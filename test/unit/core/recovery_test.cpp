@@ -173,6 +173,34 @@ TEST(Recovery, WaitsForWhomBlocksTheOnlyWay) {
   EXPECT_GT(bench.scene().situation.pose.x, 0.9);
 }
 
+// Two come along the corridor side by side, and never get there: autonomy stands for them, by choice where they are 2 m
+// away, and because nothing else is legal where they are 0.1 m from its edge. 30 s of that are 600 cycles.
+TEST(Recovery, IsNotStuckWhileItStandsForWhatMoves) {
+  for (const double away : {2.0, 0.73}) {
+    Scene scene = in_a_corridor(false);
+    scene.parameters.evasion_time = 3.0;
+    scene.situation.moving_obstacles.resize(2, scene.situation.moving_obstacles.front());
+    scene.situation.moving_obstacles.back().id = 2;
+    PlannerBench bench(scene);
+    int stood = 0, waited = 0, first = -1;
+    for (int k = 0; k < 900 && first < 0; ++k) {
+      Situation& s = bench.scene().situation;
+      for (const int side : {0, 1}) {
+        s.moving_obstacles[static_cast<std::size_t>(side)].position = {s.pose.x + away, side == 0 ? -0.15 : 0.15};
+        s.moving_obstacles[static_cast<std::size_t>(side)].velocity = {-0.9, 0.0};
+      }
+      const Decision& decision = bench.drive();
+      const bool stands = decision.command == Twist2{};
+      stood = stands ? stood + 1 : 0;
+      waited += stands && decision.waiting;
+      if (decision.outcome == Outcome::fail) first = stood;
+    }
+    EXPECT_GE(first, 590) << away << ": it has stood so long when it first fails";
+    EXPECT_LE(first, 700) << away;
+    EXPECT_GE(waited, 500) << away;
+  }
+}
+
 TEST(Recovery, DoesNotWaitWhereAWallIsInTheWayToo) {
   PlannerBench bench(in_a_corridor(true));
   int first = -1;
