@@ -16,7 +16,10 @@ constexpr double kLegOff = 0.17;     // deviation of a leg from the middle of th
 constexpr double kSmall = 0.13;      // radius of what may be a leg [m]
 constexpr double kLegsApart = 0.75;  // [m]
 
-double room_of(const BodyFit& fit) { return std::hypot(fit.deviation, fit.radius < kSmall ? kLegOff : kShape); }
+Eigen::Matrix2d room_of(const BodyFit& fit) {
+  const double shape = fit.radius < kSmall ? kLegOff : kShape;
+  return fit.covariance + shape * shape * Eigen::Matrix2d::Identity();
+}
 
 // May the track take this segment beside those that it has?
 bool belongs(const Track& track, const BodyFit& fit, const std::vector<BodyFit>& fits) {
@@ -37,7 +40,7 @@ void Association::assign(const Beams& beams, const TrackerSettings& settings, st
   fits_.clear();
   for (Segment& s : segments) {
     s.track = -1;
-    fits_.push_back(fit_body(beams, s, 0.0, false, settings.range_noise));
+    fits_.push_back(fit_body(beams, s, settings.range_noise));
   }
   pairs_.clear();
   for (std::size_t t = 0; t < tracks.size(); ++t) {
@@ -45,10 +48,12 @@ void Association::assign(const Beams& beams, const TrackerSettings& settings, st
     for (std::size_t s = 0; s < segments.size(); ++s) {
       BodyFit fit = fits_[s];
       const Segment& segment = segments[s];
-      if ((segment.hidden_first || segment.hidden_last) && tracks[t].radius > fit.radius) {
-        fit = fit_body(beams, segment, tracks[t].radius, true, settings.range_noise);
+      const Point& expected = tracks[t].filter.position();
+      if ((fit.centre - expected).norm() > kFarthest + tracks[t].radius) continue;
+      if (tracks[t].radius > fit.radius) {
+        fit = fit_body(beams, segment, known_radius(tracks[t], settings), settings.range_noise);
       }
-      if ((fit.centre - tracks[t].filter.position()).norm() > kFarthest) continue;
+      if ((fit.centre - expected).norm() > kFarthest) continue;
       const double mismatch = tracks[t].filter.mismatch(fit.centre, room_of(fit));
       if (mismatch < kGate) pairs_.push_back({mismatch, t, s, tracks[t].confirmed});
     }

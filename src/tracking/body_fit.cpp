@@ -3,6 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 namespace hidwa_local_planner {
 namespace tracking {
@@ -10,6 +15,7 @@ namespace {
 
 constexpr double kSmallestBody = 0.03;  // radius [m]
 constexpr double kNotRound = 0.015;     // how far a real surface is from a circle [m]
+constexpr double kNarrower = 3.0;       // deviations, by which a body is narrower than it was: some of it is hidden
 
 // A segment in polar coordinates about the sensor, bearings relative to that of its first beam and growing.
 struct Polar {
@@ -55,44 +61,159 @@ double centre_distance(const Beams& beams, const Segment& segment, const Polar& 
   return above / below;
 }
 
-// Bearing of the centre: from the edges that are in view.
-double middle_of(const Polar& p, double half) {
-  if (p.hidden_low && !p.hidden_high) return std::max(p.high - half, p.low);
-  if (p.hidden_high && !p.hidden_low) return std::min(p.low + half, p.high);
-  return 0.5 * (p.low + p.high);
+// The middle of the beams' times.
+double time_of(const Beams& beams, const Segment& segment) {
+  double sum = 0.0;
+  for_points(beams, segment, [&](std::size_t i) { sum += beams.time_of(i); });
+  return sum / static_cast<double>(segment.points);
+}
+
+// A circle about a centre in polar coordinates, fitted to the arc in view: maximum a posteriori by Gauss-Newton.
+class ArcFit {
+ public:
+  using Unknowns = Eigen::Vector3d;  // bearing of the centre from the first beam [rad], its distance, the radius [m]
+
+  ArcFit(const Beams& beams, const Segment& segment, const Polar& polar, const KnownRadius& known, double range_noise)
+      : beams_(beams), segment_(segment), polar_(polar), known_(known) {
+    // What a real surface is off is much the same in neighbouring beams: it counts as so many errors only.
+    const double alike = std::max(1.0, static_cast<double>(segment.points) / kBumps);
+    range_variance_ = range_noise * range_noise + kNotRound * kNotRound * alike;
+  }
+
+  // From a circle that touches the nearest point.
+  bool run(double nearest) {
+    first_ = x_ = Unknowns(0.5 * (polar_.low + polar_.high), nearest + known_.mean, known_.mean);
+    for (int i = 0; i < kSteps; ++i) {
+      collect();
+      Unknowns step = information_.ldlt().solve(right_);
+      if (!step.allFinite()) return false;
+      step = step.cwiseMax(-kLongest).cwiseMin(kLongest);
+      x_ += step;
+      x_.z() = std::min(std::max(x_.z(), kSmallestBody), kLargest);
+      x_.y() = std::max(x_.y(), x_.z() + kSmallestBody);
+    }
+    collect();
+    covariance_ = information_.inverse();
+    return covariance_.allFinite();
+  }
+
+  double middle() const { return x_(0); }
+  double distance() const { return x_(1); }
+  double radius() const { return x_(2); }
+  double radius_deviation() const { return std::sqrt(covariance_(2, 2)); }
+
+  // Of the centre, along the line of sight and across.
+  Eigen::Matrix2d covariance() const {
+    Eigen::Matrix2d c;
+    c << covariance_(1, 1), x_(1) * covariance_(0, 1), x_(1) * covariance_(0, 1), x_(1) * x_(1) * covariance_(0, 0);
+    return c;
+  }
+
+ private:
+  static constexpr int kSteps = 6;
+  static constexpr double kBumps = 5.0;    // independent errors of a surface
+  static constexpr double kLongest = 0.2;  // step [rad], [m]
+  static constexpr double kLargest = 1.5;  // radius [m]
+  static constexpr double kGrazing = 0.9;  // what hits it farther from its middle says little [radii]
+
+  void take(double residual, const Unknowns& slope, double variance) {
+    information_ += slope * slope.transpose() / variance;
+    right_ += slope * (residual / variance);
+  }
+
+  void collect() {
+    information_.setZero();
+    right_.setZero();
+    const double r = x_(2), d = x_(1);
+    take(known_.mean - r, {0.0, 0.0, 1.0}, known_.deviation * known_.deviation);
+    const double half = std::asin(std::min(r / d, 0.98));
+    take(first_(0) - x_(0), {1.0, 0.0, 0.0}, half * half);  // some of it was hit
+    take_points();
+    take_edge(polar_.low, half, -1.0, polar_.hidden_low);
+    take_edge(polar_.high, half, 1.0, polar_.hidden_high);
+  }
+
+  void take_points() {
+    const double r = x_(2), d = x_(1);
+    for_points(beams_, segment_, [&](std::size_t i) {
+      const Beam& beam = beams_.all[i];
+      const double a = wrap_angle(beam.bearing - polar_.reference) - x_(0);
+      const double s = std::sin(a), c = std::cos(a), off = d * s;
+      if (std::abs(off) > kGrazing * r || c <= 0.0) return;
+      const double q = std::sqrt(r * r - off * off);
+      take(beam.length - (d * c - q), {off * (1.0 - d * c / q), c + d * s * s / q, -r / q}, range_variance_);
+    });
+  }
+
+  // The circle ends at an edge, or beyond one that is hidden.
+  void take_edge(double edge, double half, double side, bool hidden) {
+    const double residual = edge - (x_(0) + side * half);
+    if (hidden && side * residual <= 0.0) return;
+    const double d = x_(1), c = d * std::cos(half);
+    const double deviation = 0.3 * beams_.increment + kNotRound / d;
+    take(residual, {1.0, -side * std::tan(half) / d, side / c}, deviation * deviation);
+  }
+
+  const Beams& beams_;
+  const Segment& segment_;
+  const Polar& polar_;
+  const KnownRadius& known_;
+  double range_variance_ = 0.0;  // [m^2]
+  Unknowns first_, x_, right_;
+  Eigen::Matrix3d information_, covariance_;
+};
+
+Eigen::Matrix2d turned(const Eigen::Matrix2d& covariance, double angle) {
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  return turn * covariance * turn.transpose();
+}
+
+Point along(double bearing, double length) { return length * Point(std::cos(bearing), std::sin(bearing)); }
+
+double nearest_range(const Beams& beams, const Segment& segment) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for_points(beams, segment, [&](std::size_t i) { nearest = std::min(nearest, beams.all[i].length); });
+  return nearest;
 }
 
 }  // namespace
 
-BodyFit fit_body(const Beams& beams, const Segment& segment, double known_radius, bool insist, double range_noise) {
+BodyFit fit_body(const Beams& beams, const Segment& segment, double range_noise) {
   const Polar p = polar_of(beams, segment);
   BodyFit fit;
   fit.radius_seen = !p.hidden_low && !p.hidden_high;
-  const double seen_half = 0.5 * (p.high - p.low);
-  double half = std::min(seen_half, 1.4);
-  double middle = 0.5 * (p.low + p.high);
-  double d = centre_distance(beams, segment, p, middle, half);
-  fit.radius = std::max(d * std::sin(half), kSmallestBody);
-  if (insist || (!fit.radius_seen && fit.radius < known_radius)) {
-    const double measured = fit.radius;
-    fit.radius = known_radius;
-    for (int i = 0; i < 3; ++i) {
-      half = std::asin(std::min(fit.radius / std::max(d, fit.radius), 0.98));
-      middle = middle_of(p, half);
-      d = centre_distance(beams, segment, p, middle, half);
-    }
-    if (fit.radius_seen) fit.radius = measured;
-  }
-  const double bearing = p.reference + middle;
-  fit.centre = p.origin + d * Point(std::cos(bearing), std::sin(bearing));
-  fit.distance = d;
-  const double across = 0.3 * beams.increment * d;
-  const double along = range_noise / std::sqrt(static_cast<double>(segment.points));
+  const double half = std::min(0.5 * (p.high - p.low), 1.4);
+  const double middle = 0.5 * (p.low + p.high);
+  fit.distance = centre_distance(beams, segment, p, middle, half);
+  fit.radius = std::max(fit.distance * std::sin(half), kSmallestBody);
+  fit.centre = p.origin + along(p.reference + middle, fit.distance);
+  const double across = 0.3 * beams.increment * fit.distance;
+  const double ahead = range_noise / std::sqrt(static_cast<double>(segment.points));
   const double hidden = fit.radius_seen ? 0.0 : 0.3 * fit.radius;
-  fit.deviation = std::sqrt(across * across + along * along + hidden * hidden + kNotRound * kNotRound);
-  double sum = 0.0;
-  for_points(beams, segment, [&](std::size_t i) { sum += beams.time_of(i); });
-  fit.time = sum / static_cast<double>(segment.points);
+  fit.blur(std::sqrt(across * across + ahead * ahead + hidden * hidden + kNotRound * kNotRound));
+  fit.radius_deviation = std::sqrt(across * across + hidden * hidden + kNotRound * kNotRound);
+  fit.time = time_of(beams, segment);
+  return fit;
+}
+
+BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownRadius& radius, double range_noise) {
+  BodyFit fit = fit_body(beams, segment, range_noise);
+  Polar p = polar_of(beams, segment);
+  const double short_of = radius.mean - fit.radius;
+  if (fit.radius_seen && short_of > kNarrower * std::hypot(radius.deviation, fit.radius_deviation)) {
+    p.hidden_low = p.hidden_high = true;  // by something that is not seen to be nearer
+    fit.radius_seen = false;
+  }
+  if (fit.radius_seen) return fit;
+  ArcFit arc(beams, segment, p, radius, range_noise);
+  if (!arc.run(nearest_range(beams, segment))) return fit;
+  const double bearing = p.reference + arc.middle();
+  fit.centre = p.origin + along(bearing, arc.distance());
+  fit.distance = arc.distance();
+  fit.radius = arc.radius();
+  fit.radius_deviation = arc.radius_deviation();
+  fit.covariance = turned(arc.covariance(), bearing);
+  fit.blur(kNotRound);
   return fit;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+
 #include "tracking/beams.hpp"
 #include "tracking/segments.hpp"
 
@@ -12,14 +14,26 @@ struct BodyFit {
   Point centre{0.0, 0.0};    // fixed frame [m]
   double radius = 0.0;       // [m]
   bool radius_seen = false;  // both sides were in view: the radius is measured, not assumed
-  double deviation = 0.0;    // standard deviation of the centre, along any axis [m]
+  double radius_deviation = 0.0;  // [m]
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  // of the centre [m^2]
   double time = 0.0;         // when it was measured [s]
   double distance = 0.0;     // of the centre from the sensor [m]
+
+  /// Adds an error that has this deviation along any axis [m].
+  void blur(double deviation) { covariance.diagonal().array() += deviation * deviation; }
 };
 
-/// Fits a circle to a segment. `known_radius` [m] is used where the segment does not show the body's width; with
-/// `insist` it is used anyway.
-BodyFit fit_body(const Beams& beams, const Segment& segment, double known_radius, bool insist, double range_noise);
+/// What is known of a body's radius before it is seen [m].
+struct KnownRadius {
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+/// Fits a circle to a segment, by its edges alone.
+BodyFit fit_body(const Beams& beams, const Segment& segment, double range_noise);
+
+/// The same of a body whose radius is known. Where something hides an edge, the circle is fitted to the arc in view.
+BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownRadius& radius, double range_noise);
 
 }  // namespace tracking
 }  // namespace hidwa_local_planner

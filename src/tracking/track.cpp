@@ -9,16 +9,12 @@ namespace tracking {
 namespace {
 
 constexpr double kFirstSpeed = 1.2;        // standard deviation of a velocity that nobody knows yet [m/s]
-constexpr double kAccelerationTime = 0.2;  // for which an acceleration lasts [s]
 constexpr double kLegRadius = 0.13;        // bodies below may be legs [m]
 constexpr double kStride = 0.05;           // deviation of the middle of two legs from that of the person [m]
 constexpr double kOneLeg = 0.12;           // deviation of one leg from the person's middle [m]
 constexpr double kThinBody = 0.04;         // deviation of a body that may be a leg [m]
 constexpr double kBias = 0.02;             // what is the same from scan to scan: bodies are not round [m]
-constexpr double kSurprised = 3.5;         // mean mismatch from which the velocity is doubted
-constexpr double kDoubtTime = 0.2;       // within which a velocity that is off by d / kDoubtTime leads astray by d [s]
-constexpr double kMostDoubt = 2.0;       // [m/s]
-constexpr double kStartled = 9.2;        // a single mismatch, of which 1 % should be larger
+constexpr double kSurprised = 3.5;       // mean mismatch of what jumps about
 constexpr double kSurpriseShare = 0.3;   // of the newest mismatch in the mean
 constexpr double kStandingRange = 0.25;  // what stays within stands [m]
 constexpr double kSignificant = 2.0;     // deviations
@@ -30,7 +26,9 @@ constexpr int kFreeSightings = 2;        // in a row, that tell a mover
 constexpr double kBeginsWithin = 6.5;    // farther away a wall's few points seem to move [m]
 constexpr double kVacatedWithin = 5.5;   // distance within which that is tried [m]
 constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
-constexpr int kAssumedRadii = 3;         // measured radii, from which the mean is taken for true
+constexpr double kUsualRange = 0.15;     // deviation of a radius that nobody knows yet [m]
+constexpr double kUnsureRadius = 0.1;    // a single sight may have missed an edge [m]
+constexpr double kRadiusFloor = 0.02;    // a radius is known no better: arms, legs, coats [m]
 
 bool is_small(const BodyFit& fit) { return fit.radius < kLegRadius; }
 
@@ -53,21 +51,19 @@ Segment largest_piece(const std::vector<Segment>& segments, const Track& track) 
 
 Sighting one_body(const Beams& beams, const Segment& segment, const Track& track, const TrackerSettings& settings) {
   Sighting s;
-  const bool known = track.radii >= kAssumedRadii && !track.two_legs;
-  const double radius = track.radius > 0.0 ? track.radius : 0.5 * settings.min_radius;
-  s.body = fit_body(beams, segment, radius, known, settings.range_noise);
+  s.body = fit_body(beams, segment, known_radius(track, settings), settings.range_noise);
   s.small = is_small(s.body);
   s.free_before = lies_in_free(segment);
   s.whole = s.body.radius_seen;
   const double more = !s.small ? 0.0 : track.two_legs ? kOneLeg : kThinBody;
-  s.body.deviation = std::hypot(s.body.deviation, track.two_legs ? std::max(more, kStride) : more);
+  s.body.blur(track.two_legs ? std::max(more, kStride) : more);
   return s;
 }
 
 bool all_small(const Beams& beams, const std::vector<Segment>& segments, const Track& track, double noise) {
   for (int i = 0; i < track.segment_count; ++i) {
     const Segment& s = segments[track.segments[static_cast<std::size_t>(i)]];
-    if (!is_small(fit_body(beams, s, 0.0, false, noise))) return false;
+    if (!is_small(fit_body(beams, s, noise))) return false;
   }
   return true;
 }
@@ -76,19 +72,18 @@ Sighting two_legs(const Beams& beams, const std::vector<Segment>& segments, cons
   Sighting s;
   s.legs = s.small = true;
   int free = 0;
-  double variance = 0.0;
   const double n = track.segment_count;
   for (int i = 0; i < track.segment_count; ++i) {
     const Segment& segment = segments[track.segments[static_cast<std::size_t>(i)]];
-    const BodyFit leg = fit_body(beams, segment, 0.0, false, noise);
+    const BodyFit leg = fit_body(beams, segment, noise);
     s.body.centre += leg.centre / n;
     s.body.time += leg.time / n;
     s.body.radius += leg.radius / n;
     s.body.distance += leg.distance / n;
-    variance += leg.deviation * leg.deviation / n;
+    s.body.covariance += leg.covariance / (n * n);
     if (lies_in_free(segment)) ++free;
   }
-  s.body.deviation = std::sqrt(variance / n + kStride * kStride);
+  s.body.blur(kStride);
   s.free_before = 2 * free >= track.segment_count;
   s.whole = true;
   return s;
@@ -104,6 +99,11 @@ bool left_behind(const Track& track, const Beams& beams) {
 
 }  // namespace
 
+KnownRadius known_radius(const Track& track, const TrackerSettings& settings) {
+  if (track.radius > 0.0) return {track.radius, track.two_legs ? kUsualRange : track.radius_deviation};
+  return {0.5 * settings.min_radius, kUsualRange};
+}
+
 Sighting look(const Beams& beams, const std::vector<Segment>& segments, const Track& track,
               const TrackerSettings& settings) {
   if (track.segment_count > 1 && all_small(beams, segments, track, settings.range_noise)) {
@@ -112,10 +112,11 @@ Sighting look(const Beams& beams, const std::vector<Segment>& segments, const Tr
   return one_body(beams, largest_piece(segments, track), track, settings);
 }
 
-Track begin_track(const Sighting& sighting, const Travel& travel) {
+Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerSettings& settings) {
   Track t;
   const BodyFit& b = sighting.body;
-  t.filter = MotionFilter(b.centre, std::hypot(b.deviation, kBias), kFirstSpeed, b.time);
+  t.filter = ManoeuvreFilter(b.centre, b.covariance + kBias * kBias * Eigen::Matrix2d::Identity(), kFirstSpeed, b.time,
+                             settings.acceleration);
   t.begin = t.seen = t.stood_since = b.time;
   t.began_at = t.stood_at = b.centre;
   t.began_after = travel;
@@ -125,26 +126,21 @@ Track begin_track(const Sighting& sighting, const Travel& travel) {
   t.two_legs = sighting.legs;
   if (b.radius_seen) {
     t.radius = b.radius;
+    t.radius_deviation = std::max(b.radius_deviation, kUnsureRadius);
     t.radii = 1;
   }
   return t;
 }
 
-void predict_track(Track& track, double time, const TrackerSettings& settings) {
-  track.filter.predict(time, settings.acceleration * settings.acceleration * kAccelerationTime);
-}
-
-void correct_track(Track& track, const Sighting& sighting, const TrackerSettings& settings) {
+void correct_track(Track& track, const Sighting& sighting) {
   const BodyFit& b = sighting.body;
-  predict_track(track, b.time, settings);
-  const double off = (b.centre - track.filter.position()).norm();
-  const double mismatch = track.filter.correct(b.centre, b.deviation);
+  track.filter.predict(b.time);
+  const double mismatch = track.filter.correct(b.centre, b.covariance);
   track.surprise += kSurpriseShare * (std::min(mismatch, 20.0) - track.surprise);
-  if (track.surprise > kSurprised || mismatch > kStartled)
-    track.filter.doubt_velocity(std::min(off / kDoubtTime, kMostDoubt));
   if (b.radius_seen && !sighting.legs) {
     track.radii = std::min(track.radii + 1, 10);
     track.radius += (b.radius - track.radius) / track.radii;
+    track.radius_deviation = std::max(kRadiusFloor, kUnsureRadius / track.radii);
   }
   track.two_legs = track.two_legs || sighting.legs;
   ++track.sightings;
@@ -177,15 +173,15 @@ bool known_to_move(const Track& track, const Beams& beams, const Travel& travel,
 }
 
 MovingObstacleEstimate to_obstacle(const Track& track, double time, const TrackerSettings& settings) {
-  Track now = track;
-  predict_track(now, time, settings);
+  ManoeuvreFilter now = track.filter;
+  now.predict(time);
   MovingObstacleEstimate o;
   o.id = track.id;
-  o.position = now.filter.position();
-  o.velocity = now.filter.velocity();
+  o.position = now.position();
+  o.velocity = now.velocity();
   o.radius = std::max(settings.min_radius, track.two_legs ? 0.0 : track.radius);
-  o.position_deviation = std::hypot(now.filter.position_deviation(), kBias);
-  o.velocity_deviation = now.filter.velocity_deviation();
+  o.position_deviation = std::hypot(now.position_deviation(), kBias);
+  o.velocity_deviation = now.velocity_deviation();
   return o;
 }
 

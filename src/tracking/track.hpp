@@ -28,8 +28,9 @@ struct Sighting {
 struct Track {
   std::uint32_t id = 0;    // from when it is confirmed
   bool confirmed = false;  // it moves
-  MotionFilter filter;
+  ManoeuvreFilter filter;
   double radius = 0.0;    // of the body; 0: not known [m]
+  double radius_deviation = 0.0;  // [m]
   int radii = 0;          // how many measured it
   bool two_legs = false;  // they were seen apart once
   int sightings = 0;
@@ -51,17 +52,17 @@ struct Track {
   double distance_from_start() const { return (filter.position() - began_at).norm(); }
 };
 
+/// What a track knows of its body's radius, or what is usual.
+KnownRadius known_radius(const Track& track, const TrackerSettings& settings);
+
 /// What a track's segments in this scan amount to. There must be one at least.
 Sighting look(const Beams& beams, const std::vector<Segment>& segments, const Track& track,
               const TrackerSettings& settings);
 
 /// A track that begins with a sighting.
-Track begin_track(const Sighting& sighting, const Travel& travel);
+Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerSettings& settings);
 
-/// Brings a track to a later time [s].
-void predict_track(Track& track, double time, const TrackerSettings& settings);
-
-void correct_track(Track& track, const Sighting& sighting, const TrackerSettings& settings);
+void correct_track(Track& track, const Sighting& sighting);
 
 /// True once a track is known to move: it left its place faster and farther than noise and odometry explain, and it
 /// either stands where space was seen free, or its first place is seen through now.

@@ -97,11 +97,11 @@ class Tracker::Impl {
   }
 
   void follow() {
-    for (Track& t : tracks_) tracking::predict_track(t, 0.5 * (beams_.stamp + beams_.end), settings_);
+    for (Track& t : tracks_) t.filter.predict(0.5 * (beams_.stamp + beams_.end));
     association_.assign(beams_, settings_, segments_, tracks_);
     for (Track& t : tracks_) {
       if (t.segment_count == 0) continue;
-      tracking::correct_track(t, tracking::look(beams_, segments_, t, settings_), settings_);
+      tracking::correct_track(t, tracking::look(beams_, segments_, t, settings_));
     }
   }
 
@@ -117,7 +117,7 @@ class Tracker::Impl {
         const std::size_t other = other_leg(i, first.body.centre);
         if (other < segments_.size()) seed.segments[static_cast<std::size_t>(seed.segment_count++)] = other;
       }
-      Track track = tracking::begin_track(tracking::look(beams_, segments_, seed, settings_), travel_);
+      Track track = tracking::begin_track(tracking::look(beams_, segments_, seed, settings_), travel_, settings_);
       track.segments = seed.segments;
       track.segment_count = seed.segment_count;
       remember_first_points(track);

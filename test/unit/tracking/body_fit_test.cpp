@@ -2,6 +2,7 @@
 #include "tracking/body_fit.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include "support/scan_world.hpp"
 
@@ -27,6 +28,12 @@ Seen look_at(const ScanWorld& world, const Pose2& pose, std::uint64_t seed) {
   return out;
 }
 
+// The square of the centre's error over its variance: chi-squared with two degrees of freedom.
+double mismatch(const BodyFit& fit, const Point& centre) {
+  const Point error = fit.centre - centre;
+  return error.dot(fit.covariance.inverse() * error);
+}
+
 // Widths are known to half a beam on each side: at 720 beams over 270 degrees 0.0033 rad, at 3 m 0.01 m.
 TEST(BodyFit, FindsCirclesOfAnySize) {
   for (double radius : {0.07, 0.25, 0.5}) {
@@ -38,7 +45,7 @@ TEST(BodyFit, FindsCirclesOfAnySize) {
         world.posts.push_back({centre, radius});
         const Seen seen = look_at(world, Pose2(), 1);
         ASSERT_EQ(seen.segments.size(), 1u) << radius << " " << distance;
-        const BodyFit fit = fit_body(seen.beams, seen.segments[0], 0.0, false, 0.01);
+        const BodyFit fit = fit_body(seen.beams, seen.segments[0], 0.01);
         EXPECT_TRUE(fit.radius_seen);
         EXPECT_NEAR(fit.radius, radius, 0.1 * radius + 0.0035 * distance);
         EXPECT_LT((fit.centre - centre).norm(), 0.1 * radius + 0.0035 * distance);
@@ -61,8 +68,8 @@ TEST(BodyFit, ClaimsNoMoreThanItKnows) {
       world.posts.push_back({centre, 0.25});
       const Seen seen = look_at(world, Pose2(), seed);
       if (seen.segments.size() != 1) continue;  // noise may split off an edge
-      const BodyFit fit = fit_body(seen.beams, seen.segments[0], 0.25, true, noise);
-      ratio += (fit.centre - centre).squaredNorm() / (fit.deviation * fit.deviation);
+      const BodyFit fit = fit_body(seen.beams, seen.segments[0], {0.25, 0.02}, noise);
+      ratio += mismatch(fit, centre);
       ++count;
     }
     ASSERT_GT(count, 120);
@@ -85,8 +92,8 @@ TEST(BodyFit, KnowsAHiddenBodyByItsRadius) {
   ASSERT_NE(body, nullptr);
   EXPECT_TRUE(body->hidden_last);
   EXPECT_FALSE(body->hidden_first);
-  const BodyFit alone = fit_body(seen.beams, *body, 0.0, false, 0.01);
-  const BodyFit known = fit_body(seen.beams, *body, 0.4, true, 0.01);
+  const BodyFit alone = fit_body(seen.beams, *body, 0.01);
+  const BodyFit known = fit_body(seen.beams, *body, {0.4, 0.02}, 0.01);
   EXPECT_GT((alone.centre - Point(3.0, 0.0)).norm(), 0.15);
   EXPECT_LT((known.centre - Point(3.0, 0.0)).norm(), 0.05);
 }
