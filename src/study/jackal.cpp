@@ -49,7 +49,7 @@ drive::DriveSetup jackal(const BarnSubject& subject) {
   setup.odometry_noise.slip_x = setup.odometry_noise.slip_theta = kSlip;
   setup.laser.beams = kBeams;
   setup.laser.field_of_view = kLaserView;
-  setup.laser.noise = kLaserNoise;
+  setup.laser.noise = setup.tracker.range_noise = kLaserNoise;
   setup.laser_pose = {kLaserForward, 0.0, 0.0};
   setup.parameters = subject.subject.parameters;
   setup.costmap = wide_enough(subject.costmap, setup.parameters);

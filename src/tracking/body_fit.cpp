@@ -14,7 +14,9 @@ namespace tracking {
 namespace {
 
 constexpr double kSmallestBody = 0.03;  // radius [m]
-constexpr double kNotRound = 0.015;     // how far a real surface is from a circle [m]
+constexpr double kUneven = 0.015;       // how far a real surface is from a circle, before it is seen [m]
+constexpr double kUnevenSights = 5.0;   // so many points' worth of that
+constexpr double kGrazing = 0.9;        // what hits a body farther from its middle says little [radii]
 constexpr double kNarrower = 3.0;       // deviations, by which a body is narrower than it was: some of it is hidden
 
 // A segment in polar coordinates about the sensor, bearings relative to that of its first beam and growing.
@@ -77,7 +79,7 @@ class ArcFit {
       : beams_(beams), segment_(segment), polar_(polar), known_(known) {
     // What a real surface is off is much the same in neighbouring beams: it counts as so many errors only.
     const double alike = std::max(1.0, static_cast<double>(segment.points) / kBumps);
-    range_variance_ = range_noise * range_noise + kNotRound * kNotRound * alike;
+    range_variance_ = range_noise * range_noise + kUneven * kUneven * alike;
   }
 
   // From a circle that touches the nearest point.
@@ -114,7 +116,6 @@ class ArcFit {
   static constexpr double kBumps = 5.0;    // independent errors of a surface
   static constexpr double kLongest = 0.2;  // step [rad], [m]
   static constexpr double kLargest = 1.5;  // radius [m]
-  static constexpr double kGrazing = 0.9;  // what hits it farther from its middle says little [radii]
 
   void take(double residual, const Unknowns& slope, double variance) {
     information_ += slope * slope.transpose() / variance;
@@ -150,7 +151,7 @@ class ArcFit {
     const double residual = edge - (x_(0) + side * half);
     if (hidden && side * residual <= 0.0) return;
     const double d = x_(1), c = d * std::cos(half);
-    const double deviation = 0.3 * beams_.increment + kNotRound / d;
+    const double deviation = 0.3 * beams_.increment + kUneven / d;
     take(residual, {1.0, -side * std::tan(half) / d, side / c}, deviation * deviation);
   }
 
@@ -176,10 +177,24 @@ double nearest_range(const Beams& beams, const Segment& segment) {
   return nearest;
 }
 
-}  // namespace
+// How far the points are from the circle: the variance of their ranges beyond that of the noise, with a few points' worth
+// of what is usual.
+double unevenness(const Beams& beams, const Segment& segment, const BodyFit& fit, double range_noise) {
+  double sum = kUnevenSights * kUneven * kUneven;
+  double count = kUnevenSights;
+  for_points(beams, segment, [&](std::size_t i) {
+    const Beam& beam = beams.all[i];
+    const Point to = fit.centre - beam.origin;
+    const double off = beam.direction.x() * to.y() - beam.direction.y() * to.x();
+    if (std::abs(off) > kGrazing * fit.radius) return;
+    const double short_of = beam.length - (beam.direction.dot(to) - std::sqrt(fit.radius * fit.radius - off * off));
+    sum += short_of * short_of - range_noise * range_noise;
+    count += 1.0;
+  });
+  return std::sqrt(std::max(sum, 0.0) / count);
+}
 
-BodyFit fit_body(const Beams& beams, const Segment& segment, double range_noise) {
-  const Polar p = polar_of(beams, segment);
+BodyFit fit_edges(const Beams& beams, const Segment& segment, const Polar& p) {
   BodyFit fit;
   fit.radius_seen = !p.hidden_low && !p.hidden_high;
   const double half = std::min(0.5 * (p.high - p.low), 1.4);
@@ -187,12 +202,24 @@ BodyFit fit_body(const Beams& beams, const Segment& segment, double range_noise)
   fit.distance = centre_distance(beams, segment, p, middle, half);
   fit.radius = std::max(fit.distance * std::sin(half), kSmallestBody);
   fit.centre = p.origin + along(p.reference + middle, fit.distance);
+  fit.time = time_of(beams, segment);
+  return fit;
+}
+
+void judge_edges(const Beams& beams, const Segment& segment, double range_noise, BodyFit& fit) {
   const double across = 0.3 * beams.increment * fit.distance;
   const double ahead = range_noise / std::sqrt(static_cast<double>(segment.points));
   const double hidden = fit.radius_seen ? 0.0 : 0.3 * fit.radius;
-  fit.blur(std::sqrt(across * across + ahead * ahead + hidden * hidden + kNotRound * kNotRound));
-  fit.radius_deviation = std::sqrt(across * across + hidden * hidden + kNotRound * kNotRound);
-  fit.time = time_of(beams, segment);
+  fit.unevenness = unevenness(beams, segment, fit, range_noise);
+  fit.blur(std::sqrt(across * across + ahead * ahead + hidden * hidden + fit.unevenness * fit.unevenness));
+  fit.radius_deviation = std::sqrt(across * across + hidden * hidden + fit.unevenness * fit.unevenness);
+}
+
+}  // namespace
+
+BodyFit fit_body(const Beams& beams, const Segment& segment, double range_noise) {
+  BodyFit fit = fit_edges(beams, segment, polar_of(beams, segment));
+  judge_edges(beams, segment, range_noise, fit);
   return fit;
 }
 
@@ -213,7 +240,8 @@ BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownRadius& 
   fit.radius = arc.radius();
   fit.radius_deviation = arc.radius_deviation();
   fit.covariance = turned(arc.covariance(), bearing);
-  fit.blur(kNotRound);
+  fit.unevenness = unevenness(beams, segment, fit, range_noise);
+  fit.blur(fit.unevenness);
   return fit;
 }
 

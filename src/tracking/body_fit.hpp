@@ -16,6 +16,7 @@ struct BodyFit {
   bool radius_seen = false;  // both sides were in view: the radius is measured, not assumed
   double radius_deviation = 0.0;  // [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  // of the centre [m^2]
+  double unevenness = 0.0;   // how far its surface is from the circle (rms), beyond the noise [m]
   double time = 0.0;         // when it was measured [s]
   double distance = 0.0;     // of the centre from the sensor [m]
 

@@ -13,7 +13,8 @@ constexpr double kLegRadius = 0.13;        // bodies below may be legs [m]
 constexpr double kStride = 0.05;           // deviation of the middle of two legs from that of the person [m]
 constexpr double kOneLeg = 0.12;           // deviation of one leg from the person's middle [m]
 constexpr double kThinBody = 0.04;         // deviation of a body that may be a leg [m]
-constexpr double kBias = 0.02;             // what is the same from scan to scan: bodies are not round [m]
+constexpr double kBias = 0.01;             // what is the same from scan to scan: bodies are not round [m]
+constexpr double kUnevenShare = 0.1;       // of the newest unevenness in the mean
 constexpr double kSurprised = 3.5;       // mean mismatch of what jumps about
 constexpr double kSurpriseShare = 0.3;   // of the newest mismatch in the mean
 constexpr double kStandingRange = 0.25;  // what stays within stands [m]
@@ -115,8 +116,8 @@ Sighting look(const Beams& beams, const std::vector<Segment>& segments, const Tr
 Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerSettings& settings) {
   Track t;
   const BodyFit& b = sighting.body;
-  t.filter = ManoeuvreFilter(b.centre, b.covariance + kBias * kBias * Eigen::Matrix2d::Identity(), kFirstSpeed, b.time,
-                             settings.acceleration);
+  t.filter = ManoeuvreFilter(b.centre, b.covariance, kFirstSpeed, b.time, settings.acceleration);
+  t.unevenness = b.unevenness;
   t.begin = t.seen = t.stood_since = b.time;
   t.began_at = t.stood_at = b.centre;
   t.began_after = travel;
@@ -143,6 +144,7 @@ void correct_track(Track& track, const Sighting& sighting) {
     track.radius_deviation = std::max(kRadiusFloor, kUnsureRadius / track.radii);
   }
   track.two_legs = track.two_legs || sighting.legs;
+  track.unevenness += kUnevenShare * (b.unevenness - track.unevenness);
   ++track.sightings;
   track.free_sightings = sighting.free_before ? track.free_sightings + 1 : 0;
   if (sighting.whole) ++track.whole_sightings;
@@ -180,7 +182,7 @@ MovingObstacleEstimate to_obstacle(const Track& track, double time, const Tracke
   o.position = now.position();
   o.velocity = now.velocity();
   o.radius = std::max(settings.min_radius, track.two_legs ? 0.0 : track.radius);
-  o.position_deviation = std::hypot(now.position_deviation(), kBias);
+  o.position_deviation = std::hypot(now.position_deviation(), std::max(track.unevenness, kBias));
   o.velocity_deviation = now.velocity_deviation();
   return o;
 }
