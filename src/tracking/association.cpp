@@ -51,7 +51,7 @@ void Association::assign(const Beams& beams, const TrackerSettings& settings, st
       const Point& expected = tracks[t].filter.position();
       if ((fit.centre - expected).norm() > kFarthest + tracks[t].radius) continue;
       if (tracks[t].radius > fit.radius) {
-        fit = fit_body(beams, segment, known_radius(tracks[t], settings), settings.range_noise);
+        fit = fit_body(beams, segment, known_shape(tracks[t]), settings.range_noise);
       }
       if ((fit.centre - expected).norm() > kFarthest) continue;
       const double mismatch = tracks[t].filter.mismatch(fit.centre, room_of(fit));

@@ -14,10 +14,11 @@ namespace tracking {
 namespace {
 
 constexpr double kSmallestBody = 0.03;  // radius [m]
-constexpr double kUneven = 0.015;       // how far a real surface is from a circle, before it is seen [m]
-constexpr double kUnevenSights = 5.0;   // so many points' worth of that
+constexpr double kUnevenSights = 5.0;   // so many points' worth of the usual one
+constexpr double kWrongRadius = 0.15;   // deviation of a radius that does not fit what is seen [m]
+constexpr double kThin = 0.13;          // too few beams meet what is thinner to tell its curve [m]
 constexpr double kGrazing = 0.9;        // what hits a body farther from its middle says little [radii]
-constexpr double kNarrower = 3.0;       // deviations, by which a body is narrower than it was: some of it is hidden
+constexpr double kContradicts = 3.0;    // deviations, by which a width is not what it was
 
 // A segment in polar coordinates about the sensor, bearings relative to that of its first beam and growing.
 struct Polar {
@@ -75,16 +76,16 @@ class ArcFit {
  public:
   using Unknowns = Eigen::Vector3d;  // bearing of the centre from the first beam [rad], its distance, the radius [m]
 
-  ArcFit(const Beams& beams, const Segment& segment, const Polar& polar, const KnownRadius& known, double range_noise)
+  ArcFit(const Beams& beams, const Segment& segment, const Polar& polar, const KnownShape& known, double range_noise)
       : beams_(beams), segment_(segment), polar_(polar), known_(known) {
     // What a real surface is off is much the same in neighbouring beams: it counts as so many errors only.
     const double alike = std::max(1.0, static_cast<double>(segment.points) / kBumps);
-    range_variance_ = range_noise * range_noise + kUneven * kUneven * alike;
+    range_variance_ = range_noise * range_noise + known.unevenness * known.unevenness * alike;
   }
 
   // From a circle that touches the nearest point.
   bool run(double nearest) {
-    first_ = x_ = Unknowns(0.5 * (polar_.low + polar_.high), nearest + known_.mean, known_.mean);
+    first_ = x_ = Unknowns(0.5 * (polar_.low + polar_.high), nearest + known_.radius, known_.radius);
     for (int i = 0; i < kSteps; ++i) {
       collect();
       Unknowns step = information_.ldlt().solve(right_);
@@ -126,7 +127,7 @@ class ArcFit {
     information_.setZero();
     right_.setZero();
     const double r = x_(2), d = x_(1);
-    take(known_.mean - r, {0.0, 0.0, 1.0}, known_.deviation * known_.deviation);
+    take(known_.radius - r, {0.0, 0.0, 1.0}, known_.deviation * known_.deviation);
     const double half = std::asin(std::min(r / d, 0.98));
     take(first_(0) - x_(0), {1.0, 0.0, 0.0}, half * half);  // some of it was hit
     take_points();
@@ -151,14 +152,14 @@ class ArcFit {
     const double residual = edge - (x_(0) + side * half);
     if (hidden && side * residual <= 0.0) return;
     const double d = x_(1), c = d * std::cos(half);
-    const double deviation = 0.3 * beams_.increment + kUneven / d;
+    const double deviation = 0.3 * beams_.increment + known_.unevenness / d;
     take(residual, {1.0, -side * std::tan(half) / d, side / c}, deviation * deviation);
   }
 
   const Beams& beams_;
   const Segment& segment_;
   const Polar& polar_;
-  const KnownRadius& known_;
+  const KnownShape& known_;
   double range_variance_ = 0.0;  // [m^2]
   Unknowns first_, x_, right_;
   Eigen::Matrix3d information_, covariance_;
@@ -180,7 +181,7 @@ double nearest_range(const Beams& beams, const Segment& segment) {
 // How far the points are from the circle: the variance of their ranges beyond that of the noise, with a few points' worth
 // of what is usual.
 double unevenness(const Beams& beams, const Segment& segment, const BodyFit& fit, double range_noise) {
-  double sum = kUnevenSights * kUneven * kUneven;
+  double sum = kUnevenSights * KnownShape::kUnevenness * KnownShape::kUnevenness;
   double count = kUnevenSights;
   for_points(beams, segment, [&](std::size_t i) {
     const Beam& beam = beams.all[i];
@@ -223,16 +224,19 @@ BodyFit fit_body(const Beams& beams, const Segment& segment, double range_noise)
   return fit;
 }
 
-BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownRadius& radius, double range_noise) {
+BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownShape& shape, double range_noise) {
   BodyFit fit = fit_body(beams, segment, range_noise);
   Polar p = polar_of(beams, segment);
-  const double short_of = radius.mean - fit.radius;
-  if (fit.radius_seen && short_of > kNarrower * std::hypot(radius.deviation, fit.radius_deviation)) {
-    p.hidden_low = p.hidden_high = true;  // by something that is not seen to be nearer
+  KnownShape known = shape;
+  const double wider = fit.radius - known.radius, doubt = kContradicts * std::hypot(known.deviation, fit.radius_deviation);
+  if (fit.radius_seen && wider < -doubt) {
+    // Something hides it that is not seen to be nearer, or the radius is wrong: the arc says which.
+    p.hidden_low = p.hidden_high = true;
     fit.radius_seen = false;
+    known.deviation = std::max(known.deviation, kWrongRadius);
   }
-  if (fit.radius_seen) return fit;
-  ArcFit arc(beams, segment, p, radius, range_noise);
+  if (fit.radius_seen && fit.radius < kThin) return fit;
+  ArcFit arc(beams, segment, p, known, range_noise);
   if (!arc.run(nearest_range(beams, segment))) return fit;
   const double bearing = p.reference + arc.middle();
   fit.centre = p.origin + along(bearing, arc.distance());
@@ -241,7 +245,7 @@ BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownRadius& 
   fit.radius_deviation = arc.radius_deviation();
   fit.covariance = turned(arc.covariance(), bearing);
   fit.unevenness = unevenness(beams, segment, fit, range_noise);
-  fit.blur(fit.unevenness);
+  fit.blur(std::max(fit.unevenness, wider > doubt ? wider : 0.0));  // somebody else may be a part of it
   return fit;
 }
 

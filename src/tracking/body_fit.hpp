@@ -24,17 +24,20 @@ struct BodyFit {
   void blur(double deviation) { covariance.diagonal().array() += deviation * deviation; }
 };
 
-/// What is known of a body's radius before it is seen [m].
-struct KnownRadius {
-  double mean = 0.0;
-  double deviation = 0.0;
+/// What is known of a body before it is seen.
+struct KnownShape {
+  double radius = 0.0;             // [m]
+  double deviation = 0.0;          // of the radius [m]
+  double unevenness = kUnevenness; // of its surface, rms [m]
+
+  static constexpr double kUnevenness = 0.015;  // usual [m]
 };
 
 /// Fits a circle to a segment, by its edges alone.
 BodyFit fit_body(const Beams& beams, const Segment& segment, double range_noise);
 
-/// The same of a body whose radius is known. Where something hides an edge, the circle is fitted to the arc in view.
-BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownRadius& radius, double range_noise);
+/// The same of a body of which something is known. Where something hides an edge, the circle is fitted to the arc in view.
+BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownShape& shape, double range_noise);
 
 }  // namespace tracking
 }  // namespace hidwa_local_planner

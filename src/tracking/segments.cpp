@@ -12,6 +12,9 @@ constexpr std::size_t kSilentBeams = 2;   // may lie between two points of a sur
 constexpr double kStep = 0.12;            // between neighbouring points of a surface, at no distance [m]
 constexpr double kStepsPerSpacing = 2.5;  // more at a distance: so many times the distance between beams
 constexpr double kWidestStep = 0.35;      // [m]
+constexpr int kMostCuts = 3;              // of a cut surface
+constexpr double kBeyond = 0.5;           // half of a large body [m]
+constexpr double kDent = 0.08;            // depth of a dent where two bodies meet [m]
 constexpr double kNearer = 0.1;           // a neighbour nearer by so much may hide something [m]
 
 bool movable(const Beam& beam) { return beam.hit && beam.kind != PlaceKind::standing; }
@@ -33,6 +36,7 @@ bool hidden_beside(const Beams& beams, std::size_t end, bool forward) {
   const Beam& neighbour = beams.all[beside];
   const double length = beams.all[end].length;
   if (neighbour.length <= 0.0) return false;  // nothing known: it is taken for the end
+  if (!neighbour.hit && neighbour.length < length + kBeyond) return true;  // it may go on beyond the reach
   return neighbour.length < length - kNearer ||
          (neighbour.kind == PlaceKind::standing && neighbour.length < length + kNearer);
 }
@@ -88,12 +92,85 @@ class SegmentFinder {
     silent_ = 0;
     if (!open_) return;
     open_ = false;
-    current_.chord_begin = beams_.all[current_.first].tip();
-    current_.chord_end = beams_.all[current_.last].tip();
-    if (current_.chord() > widest_) return;
-    current_.hidden_first = hidden_beside(beams_, current_.first, false);
-    current_.hidden_last = hidden_beside(beams_, current_.last, true);
-    out_.push_back(current_);
+    add(current_, 0);
+  }
+
+  // Bodies that touch each other make one surface with a dent. Only what came into free space is taken apart: a corner
+  // of a room is none.
+  void add(const Segment& segment, int depth) {
+    Segment near, far;
+    if (depth < kMostCuts && 3 * segment.free_before >= segment.points && cut(segment, near, far)) {
+      add(near, depth + 1);
+      add(far, depth + 1);
+      return;
+    }
+    out_.push_back(segment);
+    Segment& added = out_.back();
+    added.chord_begin = beams_.all[added.first].tip();
+    added.chord_end = beams_.all[added.last].tip();
+    if (added.chord() > widest_) {
+      out_.pop_back();
+      return;
+    }
+    added.hidden_first = added.hidden_first || hidden_beside(beams_, added.first, false);
+    added.hidden_last = added.hidden_last || hidden_beside(beams_, added.last, true);
+  }
+
+  // Cuts a surface at its deepest dent, where that is deep enough. What lies on the dent's other side may hide more.
+  bool cut(const Segment& segment, Segment& before, Segment& after) {
+    const std::size_t at = deepest_dent(segment);
+    if (at == segment.last) return false;
+    before = after = Segment();
+    before.first = segment.first;
+    before.last = at;
+    after.first = at + 1 == beams_.all.size() ? 0 : at + 1;
+    while (!beams_.all[after.first].hit) after.first = after.first + 1 == beams_.all.size() ? 0 : after.first + 1;
+    after.last = segment.last;
+    before.hidden_first = segment.hidden_first;
+    before.hidden_last = after.hidden_first = true;
+    after.hidden_last = segment.hidden_last;
+    for (Segment* s : {&before, &after}) {
+      for_points(beams_, *s, [&](std::size_t i) {
+        ++s->points;
+        if (beams_.all[i].kind == PlaceKind::was_free) ++s->free_before;
+      });
+    }
+    return true;
+  }
+
+  // The point farthest behind the convex hull of the surface, seen from the sensor; the last one if none is deep.
+  std::size_t deepest_dent(const Segment& segment) {
+    hull_.clear();
+    const Point& eye = beams_.all[segment.first].origin;
+    const Point begin = beams_.all[segment.first].tip() - eye, end = beams_.all[segment.last].tip() - eye;
+    const double side = begin.x() * end.y() - begin.y() * end.x() >= 0.0 ? 1.0 : -1.0;
+    // On which side of the line from a to b a point lies: positive, behind it.
+    const auto behind = [&](const Point& a, const Point& b, const Point& p) {
+      const Point u = b - a, v = p - a;
+      return -side * (u.x() * v.y() - u.y() * v.x());
+    };
+    for_points(beams_, segment, [&](std::size_t i) {
+      const Point tip = beams_.all[i].tip();
+      while (hull_.size() > 1 &&
+             behind(beams_.all[hull_[hull_.size() - 2]].tip(), tip, beams_.all[hull_.back()].tip()) >= 0.0) {
+        hull_.pop_back();
+      }
+      hull_.push_back(i);
+    });
+    std::size_t deepest = segment.last, corner = 0;
+    double depth = kDent + 3.0 * noise_;
+    for_points(beams_, segment, [&](std::size_t i) {
+      if (i == hull_[corner] && corner + 1 < hull_.size()) {
+        ++corner;
+        return;
+      }
+      const Point a = beams_.all[hull_[corner - 1]].tip(), b = beams_.all[hull_[corner]].tip();
+      const double deep = behind(a, b, beams_.all[i].tip()) / (b - a).norm();
+      if (deep <= depth) return;
+      depth = deep;
+      deepest = i;
+    });
+    return deepest;
   }
 
   const Beams& beams_;
@@ -103,6 +180,7 @@ class SegmentFinder {
   Segment current_;
   bool open_ = false;
   std::size_t silent_ = 0;
+  std::vector<std::size_t> hull_;  // beams
 };
 
 }  // namespace

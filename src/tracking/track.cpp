@@ -27,9 +27,11 @@ constexpr int kFreeSightings = 2;        // in a row, that tell a mover
 constexpr double kBeginsWithin = 6.5;    // farther away a wall's few points seem to move [m]
 constexpr double kVacatedWithin = 5.5;   // distance within which that is tried [m]
 constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
-constexpr double kUsualRange = 0.15;     // deviation of a radius that nobody knows yet [m]
-constexpr double kUnsureRadius = 0.1;    // a single sight may have missed an edge [m]
-constexpr double kRadiusFloor = 0.02;    // a radius is known no better: arms, legs, coats [m]
+constexpr double kUsualRadius = 0.25;    // of a body that nobody knows yet [m]
+constexpr double kUsualRange = 0.15;     // and its deviation [m]
+constexpr double kRadiusFloor = 0.03;    // a radius is known no better: arms, legs, coats [m]
+constexpr double kArcFloor = 0.1;        // the same by arcs alone [m]
+constexpr double kLegsTogether = 0.3;    // what is larger and in one piece is no pair of legs [m]
 
 bool is_small(const BodyFit& fit) { return fit.radius < kLegRadius; }
 
@@ -52,7 +54,7 @@ Segment largest_piece(const std::vector<Segment>& segments, const Track& track) 
 
 Sighting one_body(const Beams& beams, const Segment& segment, const Track& track, const TrackerSettings& settings) {
   Sighting s;
-  s.body = fit_body(beams, segment, known_radius(track, settings), settings.range_noise);
+  s.body = fit_body(beams, segment, known_shape(track), settings.range_noise);
   s.small = is_small(s.body);
   s.free_before = lies_in_free(segment);
   s.whole = s.body.radius_seen;
@@ -90,6 +92,15 @@ Sighting two_legs(const Beams& beams, const std::vector<Segment>& segments, cons
   return s;
 }
 
+// The fit has taken what was known of the radius into account. Arcs err alike from scan to scan: they say less.
+void learn_radius(const Sighting& sighting, const TrackerSettings& settings, Track& track) {
+  if (sighting.legs) return;
+  const BodyFit& b = sighting.body;
+  const double known = track.sightings > 0 ? track.radius_deviation : kUsualRange;
+  track.radius = std::min(b.radius, settings.max_radius);
+  track.radius_deviation = std::max(b.radius_deviation, b.radius_seen ? kRadiusFloor : std::min(known, kArcFloor));
+}
+
 bool left_behind(const Track& track, const Beams& beams) {
   int through = 0;
   for (int i = 0; i < track.first_count; ++i) {
@@ -100,9 +111,9 @@ bool left_behind(const Track& track, const Beams& beams) {
 
 }  // namespace
 
-KnownRadius known_radius(const Track& track, const TrackerSettings& settings) {
-  if (track.radius > 0.0) return {track.radius, track.two_legs ? kUsualRange : track.radius_deviation};
-  return {0.5 * settings.min_radius, kUsualRange};
+KnownShape known_shape(const Track& track) {
+  if (track.radius > 0.0 && !track.two_legs) return {track.radius, track.radius_deviation, track.unevenness};
+  return {kUsualRadius, kUsualRange};
 }
 
 Sighting look(const Beams& beams, const std::vector<Segment>& segments, const Track& track,
@@ -121,29 +132,22 @@ Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerS
   t.begin = t.seen = t.stood_since = b.time;
   t.began_at = t.stood_at = b.centre;
   t.began_after = travel;
+  learn_radius(sighting, settings, t);
   t.sightings = 1;
   t.free_sightings = sighting.free_before ? 1 : 0;
   t.whole_sightings = sighting.whole ? 1 : 0;
   t.two_legs = sighting.legs;
-  if (b.radius_seen) {
-    t.radius = b.radius;
-    t.radius_deviation = std::max(b.radius_deviation, kUnsureRadius);
-    t.radii = 1;
-  }
   return t;
 }
 
-void correct_track(Track& track, const Sighting& sighting) {
+void correct_track(Track& track, const Sighting& sighting, const TrackerSettings& settings) {
   const BodyFit& b = sighting.body;
   track.filter.predict(b.time);
   const double mismatch = track.filter.correct(b.centre, b.covariance);
   track.surprise += kSurpriseShare * (std::min(mismatch, 20.0) - track.surprise);
-  if (b.radius_seen && !sighting.legs) {
-    track.radii = std::min(track.radii + 1, 10);
-    track.radius += (b.radius - track.radius) / track.radii;
-    track.radius_deviation = std::max(kRadiusFloor, kUnsureRadius / track.radii);
-  }
-  track.two_legs = track.two_legs || sighting.legs;
+  learn_radius(sighting, settings, track);
+  if (sighting.legs) track.two_legs = true;
+  if (!sighting.legs && b.radius_seen && b.radius > kLegsTogether) track.two_legs = false;
   track.unevenness += kUnevenShare * (b.unevenness - track.unevenness);
   ++track.sightings;
   track.free_sightings = sighting.free_before ? track.free_sightings + 1 : 0;

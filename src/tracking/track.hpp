@@ -32,7 +32,6 @@ struct Track {
   double radius = 0.0;    // of the body; 0: not known [m]
   double radius_deviation = 0.0;  // [m]
   double unevenness = 0.0;        // of its surface, of late [m]
-  int radii = 0;          // how many measured it
   bool two_legs = false;  // they were seen apart once
   int sightings = 0;
   int free_sightings = 0;    // the last ones, where space was seen free
@@ -53,8 +52,8 @@ struct Track {
   double distance_from_start() const { return (filter.position() - began_at).norm(); }
 };
 
-/// What a track knows of its body's radius, or what is usual.
-KnownRadius known_radius(const Track& track, const TrackerSettings& settings);
+/// What a track knows of its body, or what is usual.
+KnownShape known_shape(const Track& track);
 
 /// What a track's segments in this scan amount to. There must be one at least.
 Sighting look(const Beams& beams, const std::vector<Segment>& segments, const Track& track,
@@ -63,7 +62,7 @@ Sighting look(const Beams& beams, const std::vector<Segment>& segments, const Tr
 /// A track that begins with a sighting.
 Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerSettings& settings);
 
-void correct_track(Track& track, const Sighting& sighting);
+void correct_track(Track& track, const Sighting& sighting, const TrackerSettings& settings);
 
 /// True once a track is known to move: it left its place faster and farther than noise and odometry explain, and it
 /// either stands where space was seen free, or its first place is seen through now.

@@ -101,7 +101,7 @@ class Tracker::Impl {
     association_.assign(beams_, settings_, segments_, tracks_);
     for (Track& t : tracks_) {
       if (t.segment_count == 0) continue;
-      tracking::correct_track(t, tracking::look(beams_, segments_, t, settings_));
+      tracking::correct_track(t, tracking::look(beams_, segments_, t, settings_), settings_);
     }
   }
 
