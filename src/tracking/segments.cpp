@@ -14,7 +14,7 @@ constexpr double kStepsPerSpacing = 2.5;  // more at a distance: so many times t
 constexpr double kWidestStep = 0.35;      // [m]
 constexpr int kMostCuts = 3;              // of a cut surface
 constexpr double kBeyond = 0.5;           // half of a large body [m]
-constexpr double kDent = 0.08;            // depth of a dent where two bodies meet [m]
+constexpr double kDent = 0.03;            // depth of a dent where two bodies meet, without noise [m]
 constexpr double kNearer = 0.1;           // a neighbour nearer by so much may hide something [m]
 
 bool movable(const Beam& beam) { return beam.hit && beam.kind != PlaceKind::standing; }
@@ -158,7 +158,7 @@ class SegmentFinder {
       hull_.push_back(i);
     });
     std::size_t deepest = segment.last, corner = 0;
-    double depth = kDent + 3.0 * noise_;
+    double depth = kDent + 5.0 * noise_;
     for_points(beams_, segment, [&](std::size_t i) {
       if (i == hull_[corner] && corner + 1 < hull_.size()) {
         ++corner;
