@@ -11,11 +11,11 @@ namespace tracking {
 namespace {
 
 constexpr double kAccelerationTime = 0.2;  // for which an acceleration lasts [s]
-constexpr double kSteadyShare = 0.25;      // of the usual acceleration, while somebody walks on
+constexpr double kSteadyShare = 0.2;       // of the usual acceleration, while somebody walks on
 constexpr double kLeapDensity = 10.0;      // a leap of 1 m/s (deviation) within 0.1 s [m^2/s^3]
 
 // How often a model takes the place of another, from (row) to (column) [1/s].
-constexpr double kRates[3][3] = {{0.0, 0.2, 0.02}, {2.0, 0.0, 0.05}, {5.0, 5.0, 0.0}};
+constexpr double kRates[3][3] = {{0.0, 0.1, 0.02}, {2.0, 0.0, 0.05}, {5.0, 5.0, 0.0}};
 
 Eigen::Matrix2d isotropic(double deviation) { return deviation * deviation * Eigen::Matrix2d::Identity(); }
 

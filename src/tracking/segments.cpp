@@ -14,6 +14,7 @@ constexpr double kStepsPerSpacing = 2.5;  // more at a distance: so many times t
 constexpr double kWidestStep = 0.35;      // [m]
 constexpr int kMostCuts = 3;              // of a cut surface
 constexpr double kBeyond = 0.5;           // half of a large body [m]
+constexpr double kDentNoise = 5.0;        // deviations of a range more
 constexpr double kDent = 0.03;            // depth of a dent where two bodies meet, without noise [m]
 constexpr double kNearer = 0.1;           // a neighbour nearer by so much may hide something [m]
 
@@ -43,8 +44,11 @@ bool hidden_beside(const Beams& beams, std::size_t end, bool forward) {
 
 class SegmentFinder {
  public:
-  SegmentFinder(const Beams& beams, double noise, double widest, std::vector<Segment>& out)
-      : beams_(beams), noise_(noise), widest_(widest), out_(out) {}
+  SegmentFinder(const Beams& beams, double noise, double widest, std::vector<Segment>& out,
+                std::vector<std::size_t>& hull)
+      : beams_(beams), noise_(noise), widest_(widest), out_(out), hull_(hull) {
+    hull_.reserve(beams.all.size());
+  }
 
   void run() {
     out_.clear();
@@ -120,52 +124,56 @@ class SegmentFinder {
   bool cut(const Segment& segment, Segment& before, Segment& after) {
     const std::size_t at = deepest_dent(segment);
     if (at == segment.last) return false;
-    before = after = Segment();
-    before.first = segment.first;
+    before = after = segment;
     before.last = at;
-    after.first = at + 1 == beams_.all.size() ? 0 : at + 1;
-    while (!beams_.all[after.first].hit) after.first = after.first + 1 == beams_.all.size() ? 0 : after.first + 1;
-    after.last = segment.last;
-    before.hidden_first = segment.hidden_first;
+    after.first = next(at);
+    while (!beams_.all[after.first].hit) after.first = next(after.first);
     before.hidden_last = after.hidden_first = true;
-    after.hidden_last = segment.hidden_last;
-    for (Segment* s : {&before, &after}) {
-      for_points(beams_, *s, [&](std::size_t i) {
-        ++s->points;
-        if (beams_.all[i].kind == PlaceKind::was_free) ++s->free_before;
-      });
-    }
+    count(before);
+    count(after);
     return true;
   }
 
-  // The point farthest behind the convex hull of the surface, seen from the sensor; the last one if none is deep.
-  std::size_t deepest_dent(const Segment& segment) {
+  std::size_t next(std::size_t i) const { return i + 1 == beams_.all.size() ? 0 : i + 1; }
+
+  void count(Segment& segment) const {
+    segment.points = segment.free_before = 0;
+    for_points(beams_, segment, [&](std::size_t i) {
+      ++segment.points;
+      if (beams_.all[i].kind == PlaceKind::was_free) ++segment.free_before;
+    });
+  }
+
+  // Twice the area of the triangle from the sensor's side of a line through two beams' ends: positive, behind it.
+  double behind(std::size_t a, std::size_t b, std::size_t i, double side) const {
+    const Point u = beams_.all[b].tip() - beams_.all[a].tip(), v = beams_.all[i].tip() - beams_.all[a].tip();
+    return side * (u.y() * v.x() - u.x() * v.y());
+  }
+
+  // The side of the convex hull that faces the sensor (Andrew's monotone chain: beams come in the order of bearing).
+  void find_hull(const Segment& segment, double side) {
     hull_.clear();
+    for_points(beams_, segment, [&](std::size_t i) {
+      while (hull_.size() > 1 && behind(hull_[hull_.size() - 2], i, hull_.back(), side) >= 0.0) hull_.pop_back();
+      hull_.push_back(i);
+    });
+  }
+
+  // The point farthest behind the hull; the last one if none is deep.
+  std::size_t deepest_dent(const Segment& segment) {
     const Point& eye = beams_.all[segment.first].origin;
     const Point begin = beams_.all[segment.first].tip() - eye, end = beams_.all[segment.last].tip() - eye;
     const double side = begin.x() * end.y() - begin.y() * end.x() >= 0.0 ? 1.0 : -1.0;
-    // On which side of the line from a to b a point lies: positive, behind it.
-    const auto behind = [&](const Point& a, const Point& b, const Point& p) {
-      const Point u = b - a, v = p - a;
-      return -side * (u.x() * v.y() - u.y() * v.x());
-    };
-    for_points(beams_, segment, [&](std::size_t i) {
-      const Point tip = beams_.all[i].tip();
-      while (hull_.size() > 1 &&
-             behind(beams_.all[hull_[hull_.size() - 2]].tip(), tip, beams_.all[hull_.back()].tip()) >= 0.0) {
-        hull_.pop_back();
-      }
-      hull_.push_back(i);
-    });
+    find_hull(segment, side);
     std::size_t deepest = segment.last, corner = 0;
-    double depth = kDent + 5.0 * noise_;
+    double depth = kDent + kDentNoise * noise_;
     for_points(beams_, segment, [&](std::size_t i) {
-      if (i == hull_[corner] && corner + 1 < hull_.size()) {
-        ++corner;
+      if (i == hull_[corner]) {
+        corner = std::min(corner + 1, hull_.size() - 1);
         return;
       }
-      const Point a = beams_.all[hull_[corner - 1]].tip(), b = beams_.all[hull_[corner]].tip();
-      const double deep = behind(a, b, beams_.all[i].tip()) / (b - a).norm();
+      const std::size_t a = hull_[corner - 1], b = hull_[corner];
+      const double deep = behind(a, b, i, side) / (beams_.all[b].tip() - beams_.all[a].tip()).norm();
       if (deep <= depth) return;
       depth = deep;
       deepest = i;
@@ -177,16 +185,17 @@ class SegmentFinder {
   double noise_;
   double widest_;
   std::vector<Segment>& out_;
+  std::vector<std::size_t>& hull_;  // indices of beams
   Segment current_;
   bool open_ = false;
   std::size_t silent_ = 0;
-  std::vector<std::size_t> hull_;  // beams
 };
 
 }  // namespace
 
-void find_segments(const Beams& beams, double range_noise, double widest, std::vector<Segment>& out) {
-  SegmentFinder(beams, range_noise, widest, out).run();
+void find_segments(const Beams& beams, double range_noise, double widest, std::vector<Segment>& out,
+                   std::vector<std::size_t>& hull) {
+  SegmentFinder(beams, range_noise, widest, out, hull).run();
 }
 
 }  // namespace tracking

@@ -24,8 +24,10 @@ struct Segment {
   double chord() const { return (chord_end - chord_begin).norm(); }
 };
 
-/// Segments of a scan, those wider than `widest` [m] left out.
-void find_segments(const Beams& beams, double range_noise, double widest, std::vector<Segment>& out);
+/// Segments of a scan, those wider than `widest` [m] left out. Bodies that touch each other are taken apart at the dent
+/// between them. `hull` is room to work in.
+void find_segments(const Beams& beams, double range_noise, double widest, std::vector<Segment>& out,
+                   std::vector<std::size_t>& hull);
 
 /// Calls visit(beam index) for each beam of a segment that ends at something.
 template <typename Visit>

@@ -78,7 +78,7 @@ class Tracker::Impl {
     tracking::to_beams(scan, settings_, beams_);
     memory_.centre_on(beams_.centre);
     memory_.judge(beams_, travel_);
-    tracking::find_segments(beams_, settings_.range_noise, 2.0 * settings_.max_radius, segments_);
+    tracking::find_segments(beams_, settings_.range_noise, 2.0 * settings_.max_radius, segments_, hull_);
     drop_specks();
     follow();
     begin_tracks();
@@ -240,6 +240,7 @@ class Tracker::Impl {
   tracking::Association association_;
   tracking::Beams beams_;
   std::vector<Segment> segments_;
+  std::vector<std::size_t> hull_;
   std::vector<Track> tracks_;
   MovingObstacleEstimates obstacles_;
   tracking::Travel travel_;

@@ -24,7 +24,8 @@ Seen look_at(const ScanWorld& world, const Pose2& pose, std::uint64_t seed) {
   TrackerSettings settings;
   settings.reach = 20.0;
   to_beams(world.scan(1.0, pose, pose, random, seen), settings, out.beams);
-  find_segments(out.beams, world.laser.noise, 1.3, out.segments);
+  std::vector<std::size_t> hull;
+  find_segments(out.beams, world.laser.noise, 1.3, out.segments, hull);
   return out;
 }
 
@@ -96,6 +97,50 @@ TEST(BodyFit, KnowsAHiddenBodyByItsRadius) {
   const BodyFit known = fit_body(seen.beams, *body, {0.4, 0.02}, 0.01);
   EXPECT_GT((alone.centre - Point(3.0, 0.0)).norm(), 0.15);
   EXPECT_LT((known.centre - Point(3.0, 0.0)).norm(), 0.05);
+}
+
+// Both edges are hidden, and what is in view is not its middle: the curve of the arc tells where the centre is.
+TEST(BodyFit, KnowsABodyByItsArc) {
+  double squares = 0.0, ratio = 0.0;
+  int count = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    ScanWorld world;
+    world.laser.noise = 0.01;
+    const Point centre(3.0, 0.0);
+    world.posts.push_back({centre, 0.5});
+    world.posts.push_back({{1.5, -0.3}, 0.2});   // bearings below -0.06
+    world.posts.push_back({{1.5, 0.335}, 0.15});  // and above 0.12
+    const Seen seen = look_at(world, Pose2(), seed);
+    for (const Segment& s : seen.segments) {
+      if (s.chord_begin.x() < 2.0 || !s.hidden_first || !s.hidden_last) continue;
+      const BodyFit fit = fit_body(seen.beams, s, {0.5, 0.02}, 0.01);
+      EXPECT_FALSE(fit.radius_seen);
+      squares += (fit.centre - centre).squaredNorm();
+      ratio += mismatch(fit, centre);
+      ++count;
+    }
+  }
+  ASSERT_GT(count, 80);
+  EXPECT_LT(std::sqrt(squares / count), 0.06);  // the arc's middle is 0.1 m off
+  EXPECT_LT(ratio / count, 3.0);
+}
+
+// An edge is in view, and the radius is not known: the arc tells it.
+TEST(BodyFit, LearnsARadiusFromAnArc) {
+  ScanWorld world;
+  world.laser.noise = 0.005;
+  world.posts.push_back({{3.0, 0.0}, 0.5});
+  world.posts.push_back({{1.5, 0.25}, 0.2});
+  const Seen seen = look_at(world, Pose2(), 1);
+  bool found = false;
+  for (const Segment& s : seen.segments) {
+    if (s.chord_begin.x() < 2.0) continue;
+    const BodyFit fit = fit_body(seen.beams, s, {0.25, 0.15}, 0.005);
+    EXPECT_NEAR(fit.radius, 0.5, 0.1);
+    EXPECT_LT(std::abs(fit.radius - 0.5), 3.0 * fit.radius_deviation);
+    found = true;
+  }
+  EXPECT_TRUE(found);
 }
 
 }  // namespace

@@ -103,5 +103,58 @@ TEST(MotionFilter, AnEarlierTimeChangesNothing) {
   EXPECT_DOUBLE_EQ(filter.position_deviation(), 0.1);
 }
 
+// A walker's track after `steps` readings of 0.05 s each, since a leap from one velocity to another.
+ManoeuvreFilter after_leap(Random& random, const Point& from, const Point& to, double deviation, int steps) {
+  const Eigen::Matrix2d covariance = deviation * deviation * Eigen::Matrix2d::Identity();
+  const auto noise = [&] { return Point(deviation * normal(random), deviation * normal(random)); };
+  Point p(0.0, 0.0);
+  ManoeuvreFilter filter(p + noise(), covariance, 1.2, 0.0, 0.8);
+  for (int i = 1; i <= 60 + steps; ++i) {
+    p += 0.05 * (i <= 60 ? from : to);
+    filter.predict(0.05 * i);
+    filter.correct(p + noise(), covariance);
+  }
+  return filter;
+}
+
+double rms_after_leap(const Point& from, const Point& to, int steps, double& told) {
+  Random random(9);
+  double squares = 0.0;
+  told = 0.0;
+  const int trials = 200;
+  for (int i = 0; i < trials; ++i) {
+    const ManoeuvreFilter filter = after_leap(random, from, to, 0.015, steps);
+    squares += (filter.velocity() - to).squaredNorm();
+    told += filter.velocity_deviation() / trials;
+  }
+  return std::sqrt(squares / (2.0 * trials));  // along an axis
+}
+
+// Who walks on is known well, and the deviation says so.
+TEST(ManoeuvreFilter, KnowsWhoWalksOn) {
+  double told = 0.0;
+  const double error = rms_after_leap({1.2, 0.5}, {1.2, 0.5}, 20, told);
+  EXPECT_LT(error, 0.05);
+  EXPECT_LT(told, 0.08);
+  EXPECT_GT(told, error);
+}
+
+// Two readings after a leap of 2 m/s the filter knows that it knows little, after five the new velocity.
+TEST(ManoeuvreFilter, FollowsALeap) {
+  double told = 0.0;
+  EXPECT_LT(rms_after_leap({1.0, 0.0}, {-1.0, 0.0}, 2, told), 1.5);
+  EXPECT_GT(told, 0.3);
+  const double error = rms_after_leap({1.0, 0.0}, {-1.0, 0.0}, 5, told);
+  EXPECT_LT(error, 0.25);
+  EXPECT_LT(error, 2.0 * told);
+}
+
+TEST(ManoeuvreFilter, AnEarlierTimeChangesNothing) {
+  ManoeuvreFilter filter({1.0, 2.0}, 0.01 * Eigen::Matrix2d::Identity(), 1.0, 5.0, 0.8);
+  filter.predict(4.0);
+  EXPECT_EQ(filter.time(), 5.0);
+  EXPECT_DOUBLE_EQ(filter.position_deviation(), 0.1);
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner::tracking
