@@ -178,8 +178,8 @@ double nearest_range(const Beams& beams, const Segment& segment) {
   return nearest;
 }
 
-// How far the points are from the circle: the variance of their ranges beyond that of the noise, with a few points' worth
-// of what is usual.
+// How far the points are from the circle: the variance of their ranges beyond that of the noise, with a few points'
+// worth of what is usual.
 double unevenness(const Beams& beams, const Segment& segment, const BodyFit& fit, double range_noise) {
   double sum = kUnevenSights * KnownShape::kUnevenness * KnownShape::kUnevenness;
   double count = kUnevenSights;
@@ -228,7 +228,8 @@ BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownShape& s
   BodyFit fit = fit_body(beams, segment, range_noise);
   Polar p = polar_of(beams, segment);
   KnownShape known = shape;
-  const double wider = fit.radius - known.radius, doubt = kContradicts * std::hypot(known.deviation, fit.radius_deviation);
+  const double wider = fit.radius - known.radius,
+               doubt = kContradicts * std::hypot(known.deviation, fit.radius_deviation);
   if (fit.radius_seen && wider < -doubt) {
     // Something hides it that is not seen to be nearer, or the radius is wrong: the arc says which.
     p.hidden_low = p.hidden_high = true;

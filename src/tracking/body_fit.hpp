@@ -11,14 +11,14 @@ namespace tracking {
 
 /// A round body, of which beams see one side.
 struct BodyFit {
-  Point centre{0.0, 0.0};    // fixed frame [m]
-  double radius = 0.0;       // [m]
-  bool radius_seen = false;  // both sides were in view: the radius is measured, not assumed
-  double radius_deviation = 0.0;  // [m]
+  Point centre{0.0, 0.0};                                // fixed frame [m]
+  double radius = 0.0;                                   // [m]
+  bool radius_seen = false;                              // both sides were in view: the radius is measured, not assumed
+  double radius_deviation = 0.0;                         // [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  // of the centre [m^2]
-  double unevenness = 0.0;   // how far its surface is from the circle (rms), beyond the noise [m]
-  double time = 0.0;         // when it was measured [s]
-  double distance = 0.0;     // of the centre from the sensor [m]
+  double unevenness = 0.0;  // how far its surface is from the circle (rms), beyond the noise [m]
+  double time = 0.0;        // when it was measured [s]
+  double distance = 0.0;    // of the centre from the sensor [m]
 
   /// Adds an error that has this deviation along any axis [m].
   void blur(double deviation) { covariance.diagonal().array() += deviation * deviation; }
@@ -26,9 +26,9 @@ struct BodyFit {
 
 /// What is known of a body before it is seen.
 struct KnownShape {
-  double radius = 0.0;             // [m]
-  double deviation = 0.0;          // of the radius [m]
-  double unevenness = kUnevenness; // of its surface, rms [m]
+  double radius = 0.0;              // [m]
+  double deviation = 0.0;           // of the radius [m]
+  double unevenness = kUnevenness;  // of its surface, rms [m]
 
   static constexpr double kUnevenness = 0.015;  // usual [m]
 };
@@ -36,7 +36,8 @@ struct KnownShape {
 /// Fits a circle to a segment, by its edges alone.
 BodyFit fit_body(const Beams& beams, const Segment& segment, double range_noise);
 
-/// The same of a body of which something is known. Where something hides an edge, the circle is fitted to the arc in view.
+/// The same of a body of which something is known. Where something hides an edge, the circle is fitted to the arc in
+/// view.
 BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownShape& shape, double range_noise);
 
 }  // namespace tracking

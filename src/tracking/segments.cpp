@@ -36,7 +36,7 @@ bool hidden_beside(const Beams& beams, std::size_t end, bool forward) {
   const std::size_t beside = forward ? (border ? 0 : end + 1) : (border ? n - 1 : end - 1);
   const Beam& neighbour = beams.all[beside];
   const double length = beams.all[end].length;
-  if (neighbour.length <= 0.0) return false;  // nothing known: it is taken for the end
+  if (neighbour.length <= 0.0) return false;                               // nothing known: it is taken for the end
   if (!neighbour.hit && neighbour.length < length + kBeyond) return true;  // it may go on beyond the reach
   return neighbour.length < length - kNearer ||
          (neighbour.kind == PlaceKind::standing && neighbour.length < length + kNearer);

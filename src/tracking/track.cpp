@@ -8,13 +8,13 @@ namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
-constexpr double kFirstSpeed = 1.2;        // standard deviation of a velocity that nobody knows yet [m/s]
-constexpr double kLegRadius = 0.13;        // bodies below may be legs [m]
-constexpr double kStride = 0.05;           // deviation of the middle of two legs from that of the person [m]
-constexpr double kOneLeg = 0.12;           // deviation of one leg from the person's middle [m]
-constexpr double kThinBody = 0.04;         // deviation of a body that may be a leg [m]
-constexpr double kBias = 0.005;            // what is the same from scan to scan: bodies are not round [m]
-constexpr double kUnevenShare = 0.1;       // of the newest unevenness in the mean
+constexpr double kFirstSpeed = 1.2;      // standard deviation of a velocity that nobody knows yet [m/s]
+constexpr double kLegRadius = 0.13;      // bodies below may be legs [m]
+constexpr double kStride = 0.05;         // deviation of the middle of two legs from that of the person [m]
+constexpr double kOneLeg = 0.12;         // deviation of one leg from the person's middle [m]
+constexpr double kThinBody = 0.04;       // deviation of a body that may be a leg [m]
+constexpr double kBias = 0.005;          // what is the same from scan to scan: bodies are not round [m]
+constexpr double kUnevenShare = 0.1;     // of the newest unevenness in the mean
 constexpr double kSurprised = 3.5;       // mean mismatch of what jumps about
 constexpr double kSurpriseShare = 0.3;   // of the newest mismatch in the mean
 constexpr double kStandingRange = 0.25;  // what stays within stands [m]

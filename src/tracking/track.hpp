@@ -29,10 +29,10 @@ struct Track {
   std::uint32_t id = 0;    // from when it is confirmed
   bool confirmed = false;  // it moves
   ManoeuvreFilter filter;
-  double radius = 0.0;    // of the body; 0: not known [m]
+  double radius = 0.0;            // of the body; 0: not known [m]
   double radius_deviation = 0.0;  // [m]
   double unevenness = 0.0;        // of its surface, of late [m]
-  bool two_legs = false;  // they were seen apart once
+  bool two_legs = false;          // they were seen apart once
   int sightings = 0;
   int free_sightings = 0;    // the last ones, where space was seen free
   int whole_sightings = 0;   // with nothing that hides a part of it

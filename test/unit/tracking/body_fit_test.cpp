@@ -108,7 +108,7 @@ TEST(BodyFit, KnowsABodyByItsArc) {
     world.laser.noise = 0.01;
     const Point centre(3.0, 0.0);
     world.posts.push_back({centre, 0.5});
-    world.posts.push_back({{1.5, -0.3}, 0.2});   // bearings below -0.06
+    world.posts.push_back({{1.5, -0.3}, 0.2});    // bearings below -0.06
     world.posts.push_back({{1.5, 0.335}, 0.15});  // and above 0.12
     const Seen seen = look_at(world, Pose2(), seed);
     for (const Segment& s : seen.segments) {

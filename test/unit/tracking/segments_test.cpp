@@ -127,8 +127,9 @@ TEST(Segments, AreCutAtTheDeepestDent) {
   int cuts = 0, whole = 0;
   for (std::uint64_t trial = 0; trial < 60; ++trial) {
     const double apart = random.uniform(0.1, 0.5), noise = 0.002;
-    const Beams beams = see({{{5.0, 3.0 + 0.5 * apart}, 0.25}, {{5.0 + random.uniform(-0.1, 0.1), 3.0 - 0.5 * apart}, 0.25}},
-                            noise, PlaceKind::was_free, trial);
+    const Beams beams =
+        see({{{5.0, 3.0 + 0.5 * apart}, 0.25}, {{5.0 + random.uniform(-0.1, 0.1), 3.0 - 0.5 * apart}, 0.25}}, noise,
+            PlaceKind::was_free, trial);
     std::vector<Segment> segments;
     find(beams, noise, segments);
     ASSERT_FALSE(segments.empty());
