@@ -21,6 +21,8 @@ using tracking::Track;
 
 constexpr double kLongestGap = 2.0;       // between scans; after a longer one nothing is known [s]
 constexpr double kSeenThrough = 0.2;      // a track whose place is seen through for so long is gone [s]
+constexpr double kWalked = 1.0;           // who has come so far has walked [m]
+constexpr double kStirred = 2.0;          // what has not is dropped so long after it stopped [s]
 constexpr double kCandidateCoast = 0.25;  // for how long a candidate may be out of sight [s]
 constexpr double kLegsApart = 0.55;       // of two legs that begin a track [m]
 constexpr double kSameBody = 0.3;         // tracks that are nearer to each other follow one body [m]
@@ -178,10 +180,16 @@ class Tracker::Impl {
   bool is_over(const Track& t, double elapsed) const {
     const double unseen = beams_.end - t.seen;
     if (!t.confirmed) {
-      return unseen > std::max(kCandidateCoast, 1.5 * elapsed) || beams_.end - t.stood_since > settings_.stand_time;
+      return unseen > std::max(kCandidateCoast, 1.5 * elapsed) || beams_.end - t.stood_since > stand_time(t);
     }
     return unseen > settings_.coast_time + elapsed || t.through >= std::max(kSeenThrough, 1.5 * elapsed) ||
-           t.seen - t.stood_since > settings_.stand_time;
+           t.seen - t.stood_since > stand_time(t);
+  }
+
+  // Who has walked may walk on. What has only stirred, a door or a chair, is the costmap's soon.
+  double stand_time(const Track& t) const {
+    const bool walked = t.confirmed && (t.stood_at - t.began_at).norm() > kWalked;
+    return walked ? settings_.stand_time : std::min(settings_.stand_time, kStirred);
   }
 
   // True for the later of two tracks in one place, or for the one that is not confirmed.

@@ -64,9 +64,20 @@ TEST(Tracker, WhoStopsIsTheCostmapsAgain) {
   Watch watch(crossing(2.0));
   watch.run(2.5);
   EXPECT_EQ(watch.tracker.obstacles().size(), 1u);
-  watch.run(3.5);  // stand_time is 2 s, from when the last 0.25 m began
+  watch.run(9.0);  // stand_time is 10 s, from when the last 0.25 m began: who has walked may walk on
+  EXPECT_EQ(watch.tracker.obstacles().size(), 1u);
+  watch.run(2.5);
   EXPECT_TRUE(watch.tracker.obstacles().empty());
   watch.run(2.0);
+  EXPECT_TRUE(watch.tracker.obstacles().empty());
+}
+
+// 0.8 m, as a door or a chair.
+TEST(Tracker, WhatHasOnlyStirredIsTheCostmapsSoon) {
+  Watch watch(crossing(0.8));
+  watch.run(1.3);
+  EXPECT_EQ(watch.tracker.obstacles().size(), 1u);
+  watch.run(3.5);  // 2 s, from when the last 0.25 m began
   EXPECT_TRUE(watch.tracker.obstacles().empty());
 }
 
