@@ -54,6 +54,12 @@ class Report(unittest.TestCase):
         self.assertEqual(figures['mean_clearance_m'], 1.0)  # nothing stands there
         self.assertEqual((figures['map'], figures['mode'], figures['host']), ('synthetic', 'joystick', 'compat'))
 
+    def test_mean_clearance_ends_with_the_drive(self):
+        drive = read_drive(SyntheticDrive().write(os.path.join(self.folder.name, 'drive.bag')))
+        truth = drive.truth[[0, -1]].copy()
+        truth[:, 0] = 15.96, 22.26  # in steps of 0.1 s the last one is 9e-14 s late
+        self.assertEqual(measure.mean_clearance(drive.grid, drive.footprint, truth), 1.0)
+
     def test_each_uninterrupted_overlap_is_one_contact(self):
         # The footprint's sides run along y = +-0.15: the first block reaches 0.05 m into them, the second twice,
         # the third stands 0.05 m clear of them.

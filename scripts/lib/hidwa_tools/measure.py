@@ -64,7 +64,7 @@ def clearance(grid, footprint, poses, at_most):
 def mean_clearance(grid, footprint, truth):
     """The mean distance [m] from the footprint to the nearest occupied cell along the ground truth (n, 6), every
     CLEARANCE_STEP, each at most FAR."""
-    times = np.arange(truth[0, 0], truth[-1, 0], CLEARANCE_STEP)
+    times = np.minimum(np.arange(truth[0, 0], truth[-1, 0], CLEARANCE_STEP), truth[-1, 0])  # rounding passes the end
     poses = truth[np.searchsorted(truth[:, 0], times), 1:4]
     return float(np.mean([clearance(grid, footprint, poses[i:i + 1], FAR) for i in range(len(poses))]))
 
