@@ -21,6 +21,9 @@ constexpr double kLongestSearch = 8.0;
 constexpr double kLongestAhead = 5.0;
 constexpr double kSearchAgain = 2.0;
 
+// Ways that come so near to one place are compared there [m].
+constexpr double kSameEnd = 0.1;
+
 // A way is followed by a robot that has come no farther from where its search began [m].
 constexpr double kSameStart = 0.1;
 
@@ -237,12 +240,14 @@ void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
   if (state != WaySearch::State::searching || now < renewed_ || now - renewed_ >= kLongestRenewal) search_.clear();
 }
 
-// Two ways of much the same length take turns otherwise, and the robot turns to and fro between them.
+// Two ways of much the same length take turns otherwise, and the robot turns to and fro between them. The other one may
+// lead on beyond the end of this one: it was begun later.
 bool RecoveryMotion::leads_better(const Pose2& start) const {
   if (blocked_) return true;
   const std::size_t end = way_.end_of_parts(start, part_, kPlaceAhead, kUsualCell);
   const bool turns_back = way_.direction_from(part_) * renewal_.direction_from(0) < 0;
-  const double more = renewal_.duration() - way_.nearest(start, part_, end, kUsualCell).remaining();
+  const double more = renewal_.time_until_near(way_.stations().back().pose, kSameEnd) -
+                      way_.nearest(start, part_, end, kUsualCell).remaining();
   return more < (turns_back ? -kAboutAsLong : kAboutAsLong);
 }
 

@@ -44,6 +44,13 @@ Way::Place Way::nearest(const Pose2& pose, std::size_t from, std::size_t end, do
   return best;
 }
 
+double Way::time_until_near(const Pose2& pose, double near) const {
+  for (const Station& station : stations_) {
+    if (distance(station.pose, pose) <= near) return duration() - station.left;
+  }
+  return duration();
+}
+
 std::size_t Way::end_of_parts(const Pose2& pose, std::size_t from, double ahead, double near) const {
   from = std::min(from, stations_.size() - 1);
   const double until = stations_[from].left - ahead;

@@ -47,6 +47,9 @@ class Way {
   /// way at kBackSpeed within the `room` [m] that the way has, and at 0.04 m/s where nothing is known to be free: the
   /// lower that is, the closer it keeps to it. The way must not be empty.
   Place nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const;
+  /// How long it takes from its beginning to the first station that is so `near` [m] to a pose, whatever the heading;
+  /// all of its duration where none is [s].
+  double time_until_near(const Pose2& pose, double near) const;
   /// Up to which part the way counts for a robot on part `from`: up to `ahead` [s] later, and up to where it turns
   /// back, forwards to backwards or the other way round, until the robot is within `near` [m] of there.
   std::size_t end_of_parts(const Pose2& pose, std::size_t from, double ahead, double near) const;

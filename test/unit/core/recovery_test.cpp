@@ -341,6 +341,34 @@ TEST(Recovery, StandsWhereItDoesNotGetOnAlongItsWay) {
   EXPECT_GT(follows_with_slip(0.5), 2.5);
 }
 
+// A corridor 0.75 m wide, its way in the middle. 0.6 m before it, a cell is marked that the way passes 1 cm away. Where
+// a new way ends, another 2.5 m on, does not speak against it: the robot keeps to the other side. Beside the cell it
+// has 0.04 m to share on its left.
+TEST(Recovery, KeepsAwayFromACellNearTheEndOfItsWay) {
+  Scene scene = round_robot();
+  const Scene wide = Scene::empty(161, 0.05);
+  scene.size_x = scene.size_y = 161;
+  scene.origin_x = scene.origin_y = wide.origin_x;
+  scene.costs = wide.costs;
+  scene.situation.plan.clear();
+  for (int i = -20; i <= 75; ++i) scene.situation.plan.push_back({0.05 * i, 0.0, 0.0});
+  scene.fill(0.3, -3.9, 3.5, -0.36);
+  scene.fill(0.3, 0.36, 3.5, 3.9);
+  Scene marked = scene;
+  marked.fill(1.9, -0.36, 1.95, -0.32);
+  for (Scene* one : {&scene, &marked}) test::inflate(*one, 0.304, 0.8, 3.0);
+  PlannerBench bench(scene);
+  const Pose2& pose = bench.scene().situation.pose;
+  bool followed = false;
+  for (int k = 0; k < 100 && pose.x < 1.9; ++k) {
+    if (pose.x > 1.3 && bench.scene().costs != marked.costs) bench.scene().costs = marked.costs;
+    followed = drives_on_a_way(bench.drive()) || followed;
+  }
+  EXPECT_TRUE(followed);
+  EXPECT_GE(pose.x, 1.9);
+  EXPECT_GT(pose.y, 0.01);
+}
+
 // Saved and loaded at each cycle, while it searches, follows and waits: the next decision is the same to the bit.
 // `afresh`: loaded by a planner that has seen nothing else.
 void expect_remembered_whole(const Scene& scene, bool& drove, bool& failed, bool afresh = false) {

@@ -287,6 +287,18 @@ TEST(Way, TellsTheRemainingTime) {
   EXPECT_EQ(way.end_of_parts({0.0, 0.0, 0.0}, 0, 0.5, 0.02), 1U);  // the second part begins 2 s later
 }
 
+TEST(Way, TimeUntilItIsNearAPose) {
+  Way way;
+  way.add({{0.0, 0.0, 0.0}, 3.0});
+  way.add({{1.0, 0.0, 0.0}, 1.0});
+  way.add({{1.2, 0.0, 0.0}, 0.5});
+  EXPECT_EQ(way.time_until_near({1.0, 0.1, 2.0}, 0.1), 2.0);  // 3.0 - 1.0, whatever the heading
+  EXPECT_EQ(way.time_until_near({1.2, 0.0, 0.0}, 0.1), 2.5);  // the station before is 0.2 m away
+  EXPECT_EQ(way.time_until_near({0.0, 0.1, 0.0}, 0.1), 0.0);
+  EXPECT_EQ(way.time_until_near({0.5, 0.0, 0.0}, 0.1), 3.0);  // no station
+  EXPECT_EQ(Way().time_until_near({0.5, 0.0, 0.0}, 0.1), 0.0);
+}
+
 // 0.5 m forwards, a turn of 0.5 rad, and 0.5 m backwards: the last part counts once the robot is within `near` of where
 // that begins.
 TEST(Way, IsFollowedToWhereItTurnsBack) {
