@@ -72,13 +72,20 @@ int Way::direction_from(std::size_t from) const {
   return 0;
 }
 
-// 1 forwards, -1 backwards, 0 on the spot.
 int Way::direction_of(std::size_t part) const {
-  if (part + 1 >= stations_.size()) return 0;
-  const Pose2& a = stations_[part].pose;
-  const Pose2& b = stations_[part + 1].pose;
+  return part + 1 < stations_.size() ? direction_between(stations_[part].pose, stations_[part + 1].pose) : 0;
+}
+
+// 1 forwards, -1 backwards, 0 on the spot.
+int Way::direction_between(const Pose2& a, const Pose2& b) {
   const double along = (b.x - a.x) * std::cos(a.theta) + (b.y - a.y) * std::sin(a.theta);
   return std::abs(along) < 1e-6 ? 0 : (along > 0.0 ? 1 : -1);
+}
+
+Pose2 Way::mean_of(const Pose2& before, const Pose2& own, const Pose2& next) {
+  const double turn = wrap_angle(before.theta - own.theta) + wrap_angle(next.theta - own.theta);
+  return {0.25 * (before.x + 2.0 * own.x + next.x), 0.25 * (before.y + 2.0 * own.y + next.y),
+          wrap_angle(own.theta + 0.25 * turn)};
 }
 
 }  // namespace hidwa_local_planner

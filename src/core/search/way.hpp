@@ -39,6 +39,10 @@ class Way {
   void add(const Station& station) { stations_.push_back(station); }
   /// Turns the order of the stations round.
   void reverse();
+  /// A station between two parts that drive in the same direction goes to the mean of its neighbours and, twice,
+  /// itself, where `may_go(from, to)`, of two poses, allows it. Times stay as they are.
+  template <typename MayGo>
+  void smooth(const MayGo& may_go);
 
   bool empty() const { return stations_.empty(); }
   const std::vector<Station>& stations() const { return stations_; }
@@ -63,9 +67,24 @@ class Way {
 
  private:
   int direction_of(std::size_t part) const;
+  static int direction_between(const Pose2& a, const Pose2& b);
+  static Pose2 mean_of(const Pose2& before, const Pose2& own, const Pose2& next);
   Place place_on(const Pose2& pose, std::size_t part, double room) const;
 
   std::vector<Station> stations_;
 };
+
+template <typename MayGo>
+void Way::smooth(const MayGo& may_go) {
+  Pose2 before;  // where the last one was
+  for (std::size_t k = 0; k + 1 < stations_.size(); ++k) {
+    const Pose2 own = stations_[k].pose;
+    if (k > 0 && direction_of(k) != 0 && direction_of(k) == direction_between(before, own)) {
+      const Pose2 to = mean_of(before, own, stations_[k + 1].pose);
+      if (may_go(own, to)) stations_[k].pose = to;
+    }
+    before = own;
+  }
+}
 
 }  // namespace hidwa_local_planner

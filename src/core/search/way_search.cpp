@@ -37,6 +37,10 @@ constexpr double kChangeTime = 0.3;
 // The distance to the target counts so much: above 1 it finds sooner, and a way that is longer by no more than that.
 constexpr double kGreed = 1.6;
 
+// A way is smoothed so often. Twice takes away most of the weaving; more often, stations that stay where they are stand
+// out, and a robot stops there.
+constexpr int kSmoothings = 2;
+
 // All around the robot so far away nothing is near: poses are coarse there [cells].
 constexpr double kOpenCells = 3.0;
 
@@ -260,6 +264,15 @@ void WaySearch::write(Way& way) const {
     n = static_cast<std::size_t>(node.parent);
   }
   way.reverse();
+  for (int k = 0; k < kSmoothings; ++k) smooth(way);
+}
+
+// The headings of a way step by step are those of its moves: a robot that keeps to them weaves. No station comes nearer
+// to anything.
+void WaySearch::smooth(Way& way) const {
+  way.smooth([&](const Pose2& from, const Pose2& to) {
+    return clearance_at(to, Rotation::of(to.theta)) >= clearance_at(from, Rotation::of(from.theta));
+  });
 }
 
 // At the limits: what clearances and changes count besides is for choosing a way [s].

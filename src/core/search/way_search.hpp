@@ -58,7 +58,7 @@ class WaySearch {
   /// How closely it looks, or looked at last; for tests.
   Pass pass() const { return pass_; }
   const SearchTask& task() const { return task_; }
-  /// Where it was found: the way, from the start to the target.
+  /// Where it was found: the way, smoothed, from the start to the target.
   void write(Way& way) const;
 
   /// Where it was not: how far the robot comes, and what is nearest to it there.
@@ -127,6 +127,7 @@ class WaySearch {
   double bound(const Node& node);
   Rotation rotation(int heading) const;
   double heading_of(int heading) const;
+  void smooth(Way& way) const;
   double time_between(const Node& a, const Node& b) const;
 
   SearchTask task_;

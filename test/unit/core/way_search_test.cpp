@@ -316,5 +316,42 @@ TEST(Way, IsFollowedToWhereItTurnsBack) {
   EXPECT_EQ(way.end_of_parts({0.3, 0.0, 0.0}, 2, 10.0, 0.02), 3U);   // it is on the last one already
 }
 
+// Headings that alternate by 0.1 rad come to their mean, and a station beside the line halfway to it.
+TEST(Way, SmoothsWhereItGoesOn) {
+  Way way;
+  for (const Pose2& pose : {Pose2{0.0, 0.0, 3.1}, {-0.1, 0.0, -3.1}, {-0.2, 0.02, 3.1}, {-0.3, 0.0, -3.1}}) {
+    way.add({pose, 1.0});
+  }
+  Way stays = way;
+  stays.smooth([](const Pose2&, const Pose2&) { return false; });
+  way.smooth([](const Pose2& from, const Pose2& to) { return distance(from, to) < 0.011; });
+  const double mean = M_PI;  // of 3.1 and -3.1 = 3.1832: their neighbours have the other one
+  for (const std::size_t k : {1U, 2U}) EXPECT_NEAR(wrap_angle(way.stations()[k].pose.theta - mean), 0.0, 1e-12) << k;
+  EXPECT_NEAR(way.stations()[1].pose.y, 0.25 * 0.02, 1e-12);
+  EXPECT_NEAR(way.stations()[2].pose.y, 0.5 * 0.02, 1e-12);
+  for (const std::size_t k : {0U, 1U, 2U, 3U}) {
+    EXPECT_NEAR(way.stations()[k].pose.x, -0.1 * static_cast<double>(k), 1e-12);
+    EXPECT_EQ(way.stations()[k].left, 1.0);
+    EXPECT_EQ(stays.stations()[k].pose.y, k == 2 ? 0.02 : 0.0);
+  }
+  EXPECT_EQ(way.stations()[0].pose.theta, 3.1);
+  EXPECT_EQ(way.stations()[3].pose.theta, -3.1);
+}
+
+// 0.1 m and 0.1 m forwards, a turn, and as far backwards twice: only what is halfway forwards or backwards moves.
+TEST(Way, SmoothsNoTurn) {
+  Way way;
+  for (const Pose2& pose :
+       {Pose2{0.0, 0.0, 0.0}, {0.1, 0.01, 0.0}, {0.2, 0.0, 0.0}, {0.2, 0.0, 0.1}, {0.1, 0.01, 0.1}, {0.0, 0.0, 0.1}}) {
+    way.add({pose, 1.0});
+  }
+  const Way before = way;
+  way.smooth([](const Pose2&, const Pose2&) { return true; });
+  for (const std::size_t k : {0U, 1U, 2U, 3U, 4U, 5U}) {
+    const bool moves = k == 1 || k == 4;
+    EXPECT_NEAR(distance(way.stations()[k].pose, before.stations()[k].pose), moves ? 0.005 : 0.0, 1e-12) << k;
+  }
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner
