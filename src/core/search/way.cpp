@@ -10,12 +10,17 @@ namespace {
 // So long is a radian [m].
 constexpr double kRadianLength = 0.4;
 
+// Parts that turn by more are bent [rad].
+constexpr double kBent = 0.22;
+
 // Back to a way where it is not known to have room [m/s].
 constexpr double kSlowBackSpeed = 0.04;
 
 double length_between(const Pose2& a, const Pose2& b) {
   return std::hypot(a.x - b.x, a.y - b.y, kRadianLength * wrap_angle(a.theta - b.theta));
 }
+
+bool is_bent(const Pose2& a, const Pose2& b) { return std::abs(wrap_angle(b.theta - a.theta)) > kBent; }
 
 }  // namespace
 
@@ -80,6 +85,16 @@ int Way::direction_of(std::size_t part) const {
 int Way::direction_between(const Pose2& a, const Pose2& b) {
   const double along = (b.x - a.x) * std::cos(a.theta) + (b.y - a.y) * std::sin(a.theta);
   return std::abs(along) < 1e-6 ? 0 : (along > 0.0 ? 1 : -1);
+}
+
+// A part that is bent, with one end that stays, would point elsewhere than the robot faces there, and could not be
+// followed.
+bool Way::lies_between(const Pose2& before, std::size_t k, bool stayed) const {
+  const Pose2& own = stations_[k].pose;
+  const int direction = direction_between(before, own);
+  if (direction == 0 || direction_of(k) != direction) return false;
+  const bool next_stays = direction_of(k + 1) != direction;
+  return !(stayed && is_bent(before, own)) && !(next_stays && is_bent(own, stations_[k + 1].pose));
 }
 
 Pose2 Way::mean_of(const Pose2& before, const Pose2& own, const Pose2& next) {

@@ -67,6 +67,7 @@ class Way {
 
  private:
   int direction_of(std::size_t part) const;
+  bool lies_between(const Pose2& before, std::size_t k, bool stayed) const;
   static int direction_between(const Pose2& a, const Pose2& b);
   static Pose2 mean_of(const Pose2& before, const Pose2& own, const Pose2& next);
   Place place_on(const Pose2& pose, std::size_t part, double room) const;
@@ -77,12 +78,13 @@ class Way {
 template <typename MayGo>
 void Way::smooth(const MayGo& may_go) {
   Pose2 before;  // where the last one was
+  bool stayed = true;
   for (std::size_t k = 0; k + 1 < stations_.size(); ++k) {
     const Pose2 own = stations_[k].pose;
-    if (k > 0 && direction_of(k) != 0 && direction_of(k) == direction_between(before, own)) {
-      const Pose2 to = mean_of(before, own, stations_[k + 1].pose);
-      if (may_go(own, to)) stations_[k].pose = to;
-    }
+    const bool between = k > 0 && lies_between(before, k, stayed);
+    const Pose2 to = between ? mean_of(before, own, stations_[k + 1].pose) : own;
+    stayed = !between || !may_go(own, to);
+    if (!stayed) stations_[k].pose = to;
     before = own;
   }
 }

@@ -37,8 +37,8 @@ constexpr double kChangeTime = 0.3;
 // The distance to the target counts so much: above 1 it finds sooner, and a way that is longer by no more than that.
 constexpr double kGreed = 1.6;
 
-// A way is smoothed so often. Twice takes away most of the weaving; more often, stations that stay where they are stand
-// out, and a robot stops there.
+// A way is smoothed so often. Twice takes away most of the weaving; more often, stations that stay stand out, and a
+// robot stops there.
 constexpr int kSmoothings = 2;
 
 // All around the robot so far away nothing is near: poses are coarse there [cells].

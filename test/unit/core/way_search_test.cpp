@@ -353,5 +353,43 @@ TEST(Way, SmoothsNoTurn) {
   }
 }
 
+// Arcs of 0.4 rad. Beside the ends, which stay, none moves, nor beside one that stays: the way would leave its start in
+// another direction than the robot faces. Where the arcs are of 0.2 rad all may move.
+TEST(Way, SmoothsNothingBesideAStationThatStaysInABend) {
+  for (const double turn : {0.2, 0.4}) {
+    Way way;
+    for (int k = 0; k < 6; ++k) {
+      const double angle = turn * k;
+      way.add({{0.4 * std::sin(angle), 0.4 * (1.0 - std::cos(angle)), angle}, 1.0});
+    }
+    const Way before = way;
+    way.smooth([](const Pose2&, const Pose2&) { return true; });
+    // A quarter of the second difference of a circle's points: 0.25 * 2 * 0.4 * (1 - cos 0.2).
+    const double moved = turn < 0.3 ? 0.5 * 0.4 * (1.0 - std::cos(turn)) : 0.0;
+    for (std::size_t k = 1; k < 5; ++k) {
+      EXPECT_NEAR(distance(way.stations()[k].pose, before.stations()[k].pose), moved, 1e-12) << turn << ' ' << k;
+    }
+  }
+}
+
+// Straight on, a bend of 0.4 rad between two stations that move, straight on.
+TEST(Way, SmoothsABendAmongStationsThatMove) {
+  Way way;
+  for (const Pose2& pose : {Pose2{0.0, 0.0, 0.0},
+                            {0.1, 0.0, 0.0},
+                            {0.2, 0.0, 0.0},
+                            {0.3, 0.02, 0.4},
+                            {0.39, 0.059, 0.4},
+                            {0.48, 0.098, 0.4}}) {
+    way.add({pose, 1.0});
+  }
+  way.smooth([](const Pose2&, const Pose2&) { return true; });
+  EXPECT_NEAR(way.stations()[1].pose.theta, 0.0, 1e-12);
+  EXPECT_NEAR(way.stations()[2].pose.theta, 0.25 * 0.4, 1e-12);
+  EXPECT_NEAR(way.stations()[2].pose.y, 0.25 * 0.02, 1e-12);
+  EXPECT_NEAR(way.stations()[3].pose.theta, 0.75 * 0.4, 1e-12);
+  EXPECT_NEAR(way.stations()[4].pose.theta, 0.4, 1e-12);
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner
