@@ -9,8 +9,13 @@
 namespace hidwa_local_planner {
 namespace {
 
-// A way is clearly better if it costs less by this [s].
+// A way is clearly better if it costs less by this [s]; if the robot is on its way there already, by that. Else what a
+// turn has gained so far ends it, and it begins anew.
 constexpr double kClearlyBetter = 0.3;
+constexpr double kStillBetter = 0.1;
+
+// The motion that it has chosen counts as so much better [s]: of two that are nearly as good it keeps to one.
+constexpr double kKeeps = 0.1;
 
 // Of so many better ways the first motion is looked for among the candidates.
 constexpr std::size_t kMostWays = 4;
@@ -48,19 +53,25 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
                                    usable_period(situation)};
   better_.clear();
   better_.reserve(64);
+  own_.reserve(2);
   if (!search_.look(scene, situation.moving_obstacles) || search_.untroubled(scene, own)) return false;
   guide_.prepare(situation.plan, situation.goal, scene.start.pose, cycle.limits,
                  EvasionSearch::reach(cycle.parameters, cycle.limits));
   if (!guide_.any()) return false;
-  search_.run(scene, guide_, own);
+  own_.assign(1, own);
+  if (goes_on_) own_.push_back(motion_);
+  search_.run(scene, guide_, own_);
   if (gently_ && search_.cheapest() >= EvasionSearch::kTouched) {
     gently_ = false;
     limits = cycle.limits;
-    search_.run(scene, guide_, own);
+    search_.run(scene, guide_, own_);
   }
   const std::vector<EvasionSearch::Branch>& branches = search_.branches();
+  const double better_by = goes_on_ ? kStillBetter : kClearlyBetter;
   for (std::size_t i = 1; i < branches.size(); ++i) {
-    if (branches[i].cost < branches[0].cost - kClearlyBetter) better_.push_back(branches[i]);
+    if (!(branches[i].cost < branches[0].cost - better_by)) continue;
+    better_.push_back(branches[i]);
+    if (goes_on_ && i == 1) better_.back().cost -= kKeeps;
   }
   std::sort(better_.begin(), better_.end(), [](const auto& a, const auto& b) {
     return std::tie(a.cost, a.motion.v, a.motion.omega) < std::tie(b.cost, b.motion.v, b.motion.omega);
@@ -71,7 +82,9 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
 int Evasion::choose(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks) {
   for (std::size_t i = 0; i < std::min(kMostWays, better_.size()); ++i) {
     const int candidate = nearest_legal(cycle, candidates, checks, better_[i].motion);
-    if (candidate >= 0) return candidate;
+    if (candidate < 0) continue;
+    motion_ = better_[i].motion;
+    return candidate;
   }
   return -1;
 }

@@ -30,12 +30,24 @@ class Evasion {
   /// The candidate that begins the best way that begins with a legal one; -1 where none is better than the choice.
   int choose(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks);
 
+  /// After each cycle: whether the command was its choice. To go on it asks for less than to begin.
+  void note(bool chose) { goes_on_ = chose; }
+  /// What it remembers: written only where there is anything.
+  bool goes_on() const { return goes_on_; }
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.goes_on_, self.motion_);
+  }
+
  private:
   int nearest_legal(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks, const Twist2& motion);
 
   EvasionSearch search_;
   PlanGuide guide_;
+  std::vector<Twist2> own_;  // autonomy's choice, and where it goes on the motion that it has chosen [m/s, rad/s]
   bool gently_ = false;
+  bool goes_on_ = false;                                // it has chosen in the cycle before
+  Twist2 motion_;                                       // that [m/s, rad/s]
   std::vector<EvasionSearch::Branch> better_;           // cheapest first
   std::vector<std::pair<double, std::uint32_t>> near_;  // candidates, by how far they are from a motion
 };

@@ -94,6 +94,7 @@ Conclusion Planner::Impl::conclude(const Cycle& cycle) {
   const char* fault = stops ? nullptr : input_fault(cycle);
   if (fault == nullptr && !stops && !passes) return drive(cycle);
   recovery.interrupt();
+  evasion.note(false);
   if (fault != nullptr) return brake(cycle, Problem::input, fault);
   return stops ? stop(cycle) : pass_through(cycle);
 }
@@ -109,6 +110,7 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
     evaluated.gentle = false;
   }
   if (evades(cycle, choice, autonomous)) evade(cycle, steering, evaluated, choice);
+  evasion.note(choice.rule == ChoiceReport::Rule::evasion);
   decision.candidates = evaluation.candidates().count();
   decision.escaping = evaluation.obstacles().in_collision();
   if (!evaluated.scored) {

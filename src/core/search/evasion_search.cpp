@@ -22,7 +22,13 @@ constexpr double kAlikePlace = 0.15;
 constexpr double kAlikeHeading = 0.955;
 constexpr double kAlikeSpeed = 0.8;
 
+// A robot that is slower rests [m/s].
+constexpr double kRests = 0.03;
+
 constexpr std::size_t kMoversInReach = 256;
+
+// Room for so many own motions.
+constexpr std::size_t kMostOwn = 2;
 
 constexpr double kEver = std::numeric_limits<double>::infinity();
 
@@ -32,9 +38,9 @@ EvasionSearch::EvasionSearch() {
   movers_.reserve(kMoversInReach);
   near_.reserve(kMoversInReach);
   branches_.reserve(64);
-  beam_.reserve(kBeam + 1);
-  next_.reserve(64 * (kBeam + 1));
-  queue_.reserve(64 * (kBeam + 1));
+  beam_.reserve(kBeam + kMostOwn);
+  next_.reserve(64 * (kBeam + kMostOwn));
+  queue_.reserve(64 * (kBeam + kMostOwn));
 }
 
 double EvasionSearch::reach(const Parameters& parameters, const VelocityLimits& limits) {
@@ -83,22 +89,46 @@ void EvasionSearch::find_near(const Scene& scene, const State& from, const Span&
   near_.clear();
   const double length = span.length(), end = span.end();
   const double own = scene.footprint.circumscribed_radius() + length * fastest_;
+  const Stopping stops = stopping(scene, fastest_);
   for (const Mover& mover : movers_) {
     // To the middle of where it goes meanwhile.
     const double middle = span.from + 0.5 * length;
     const double dx = mover.x + mover.vx * middle - from.x, dy = mover.y + mover.vy * middle - from.y;
     const double half = 0.5 * length * (std::abs(mover.vx) + std::abs(mover.vy));
-    const double most = own + half + mover.radius + mover.kept + mover.kept_grows * end;
+    const double stopping_way = stops.way + stops.room + stops.time * (std::abs(mover.vx) + std::abs(mover.vy));
+    const double most = own + half + mover.radius + std::max(mover.kept + mover.kept_grows * end, stopping_way);
     if (dx * dx + dy * dy < most * most) near_.push_back(mover);
   }
   walls_ = !scene.checker.clear_around(from.x, from.y, length * fastest_);
 }
 
-double EvasionSearch::nearness(const Scene& scene, const State& state, double time, bool& touched) const {
+// Until a command takes effect, two periods, and half of the braking: the robot is half as fast then.
+EvasionSearch::Stopping EvasionSearch::stopping(const Scene& scene, double speed) {
+  if (speed < kRests) return {};
+  const Parameters& p = scene.parameters;
+  const double time = p.control_latency + 2.0 * scene.period + 0.5 * speed / scene.limits.x.braking;
+  return {time, 0.5 * speed * time, 0.5 * p.moving_obstacle_acc * time * time};
+}
+
+// Whether a mover, `off` from the robot now, may be where the robot is when it has stopped.
+bool EvasionSearch::must_stop(const Scene& scene, const State& state, const Mover& mover, const Point& off,
+                              const Stopping& stops) {
+  const double dx = off.x() + stops.time * mover.vx - stops.way * state.heading.c;
+  const double dy = off.y() + stops.time * mover.vy - stops.way * state.heading.s;
+  const double reach = mover.radius + stops.room, most = scene.footprint.circumscribed_radius() + reach;
+  if (dx * dx + dy * dy >= most * most) return false;
+  const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
+  return scene.footprint.distance_to(seen) < reach;
+}
+
+// What ends the way sets `touched`.
+double EvasionSearch::nearness(const Scene& scene, const State& state, double time, const Stopping& stops,
+                               bool& touched) const {
   const double own = scene.footprint.circumscribed_radius();
   double sum = 0.0;
   for (const Mover& mover : near_) {
     const double dx = mover.x + mover.vx * time - state.x, dy = mover.y + mover.vy * time - state.y;
+    touched = touched || (stops.time > 0.0 && must_stop(scene, state, mover, {dx, dy}, stops));
     const double kept = mover.kept + mover.kept_grows * time;
     const double most = own + mover.radius + kept;
     if (dx * dx + dy * dy >= most * most) continue;
@@ -135,7 +165,10 @@ bool EvasionSearch::go(const Scene& scene, std::size_t i, const Span& span, Stat
     state.heading = turn.heading[k];
     const double time = span.from + static_cast<double>(k + 1) * span.step;
     bool touched = false;
-    if (!near_.empty()) state.nearness += span.share[k] * nearness(scene, state, time, touched);
+    if (!near_.empty()) {
+      const Stopping stops = stopping(scene, std::abs(speed.way[k]) / span.step);
+      state.nearness += span.share[k] * nearness(scene, state, time, stops, touched);
+    }
     if (!touched && !blocked(scene, state)) continue;
     state.until = time;
     return false;
@@ -157,11 +190,12 @@ bool EvasionSearch::untroubled(const Scene& scene, const Twist2& motion) {
   return true;
 }
 
-// 0 is own. All within what the wheels allow.
-void EvasionSearch::list_motions(const Scene& scene, const Twist2& own) {
+// The own ones first. All within what the wheels allow.
+void EvasionSearch::list_motions(const Scene& scene, const std::vector<Twist2>& own) {
   const VelocityLimits& limits = scene.limits;
   fan_.clear();
-  fan_.add(own);
+  for (const Twist2& motion : own) fan_.add(motion);
+  own_ = own.size();
   const double back = limits.x.min, ahead = limits.x.max;
   const auto add_turns = [&](double v) {
     for (int turn = -2; turn <= 2; ++turn) fan_.add(limits.clamp({v, 0.5 * turn * limits.theta.max}));
@@ -175,7 +209,7 @@ bool EvasionSearch::may_begin(const Scene& scene, const Twist2& motion) {
   return scene.movers == nullptr || scene.movers->can_rest(scene.limits.step(scene.reference, motion, scene.period));
 }
 
-void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const Twist2& own) {
+void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const std::vector<Twist2>& own) {
   list_motions(scene, own);
   branches_.clear();
   for (std::size_t i = 0; i < fan_.size(); ++i) branches_.push_back({fan_.motion(i), kEver, 0.0});
@@ -185,7 +219,7 @@ void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const Twist2
   for (int level = 0; level < kLevels && !beam_.empty(); ++level) {
     next_.clear();
     const Span& span = spans_[static_cast<std::size_t>(level)];
-    for (const State& from : beam_) extend(scene, guide, from, level == 0 ? 0 : 1, span);
+    for (const State& from : beam_) extend(scene, guide, from, level == 0 ? 0 : own_, span);
     if (level + 1 < kLevels) keep_best();
   }
   for (const State& state : next_) {
@@ -255,28 +289,34 @@ bool EvasionSearch::alike(const State& a, const State& b) {
          a.heading.c * b.heading.c + a.heading.s * b.heading.s > kAlikeHeading && std::abs(a.v - b.v) < kAlikeSpeed;
 }
 
-// The cheapest go into the beam, and the cheapest of those that begin with the own motion.
+// The cheapest go into the beam, of those that end nearly alike one; and in any case the cheapest of those that begin
+// with each of the own motions.
 void EvasionSearch::keep_best() {
   queue_.clear();
   for (std::size_t i = 0; i < next_.size(); ++i) queue_.emplace_back(next_[i].promise, static_cast<std::uint32_t>(i));
   std::make_heap(queue_.begin(), queue_.end(), std::greater<>());
   beam_.clear();
-  bool own = false;
   while (!queue_.empty() && beam_.size() < kBeam) {
     const State& best = next_[queue_.front().second];
     if (std::none_of(beam_.begin(), beam_.end(), [&](const State& kept) { return alike(kept, best); })) {
       beam_.push_back(best);
-      own = own || best.first == 0;
     }
     std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
     queue_.pop_back();
   }
-  const State* cheapest = nullptr;
-  for (const auto& left : queue_) {
-    const State& state = next_[left.second];
-    if (!own && state.first == 0 && (cheapest == nullptr || state.promise < cheapest->promise)) cheapest = &state;
+  for (std::size_t first = 0; first < own_; ++first) {
+    if (std::any_of(beam_.begin(), beam_.end(), [&](const State& kept) { return kept.first == first; })) continue;
+    if (const State* best = best_of(first)) beam_.push_back(*best);
   }
-  if (cheapest != nullptr) beam_.push_back(*cheapest);
+}
+
+// Null where no way is left that begins with this motion.
+const EvasionSearch::State* EvasionSearch::best_of(std::size_t first) const {
+  const State* best = nullptr;
+  for (const State& state : next_) {
+    if (state.first == first && (best == nullptr || state.promise < best->promise)) best = &state;
+  }
+  return best;
 }
 
 }  // namespace hidwa_local_planner

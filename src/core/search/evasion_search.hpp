@@ -3,7 +3,9 @@
 //
 // 1. A way is a sequence of motions: a velocity that the robot goes to within its limits and then keeps, the first one
 //    for 0.4 s, the others for equal parts of the rest. There are 6 x 5 of them: ahead, back, at rest, turning.
-// 2. What moves is expected to keep its velocity. A way ends where the outline touches it, at rest too, or a wall.
+// 2. What moves is expected to keep its velocity. A way ends where the outline touches it, at rest too, or a wall; and
+//    where passive safety would not let the robot drive on, for the mover may be there, within moving_obstacle_acc,
+//    before the robot has come to rest. Else it trusts in ways out that are closed to it when it comes there.
 // 3. A way costs seconds: what is left to drive from its end (PlanGuide), and for every moment within a distance D of
 //    something that moves
 //      scale (1 - d / D)^2 exp(-t / 2 s) dt,   D = evasion_distance + (0.1 m/s + s_v) t
@@ -69,8 +71,9 @@ class EvasionSearch {
   bool look(const Scene& scene, const MovingObstacleEstimates& movers);
   /// Whether nothing comes near if the robot keeps this motion.
   bool untroubled(const Scene& scene, const Twist2& motion);
-  /// `own`: a first motion of which ways are always followed up; branches()[0] is what it comes to.
-  void run(const Scene& scene, const PlanGuide& guide, const Twist2& own);
+  /// `own`: first motions of which ways are always followed up; branches() begins with what they come to. There is one
+  /// at least.
+  void run(const Scene& scene, const PlanGuide& guide, const std::vector<Twist2>& own);
   const std::vector<Branch>& branches() const { return branches_; }
   /// What the cheapest of them costs [s].
   double cheapest() const;
@@ -103,21 +106,31 @@ class EvasionSearch {
     double end() const { return from + length(); }
   };
 
-  void list_motions(const Scene& scene, const Twist2& own);
+  void list_motions(const Scene& scene, const std::vector<Twist2>& own);
   static bool may_begin(const Scene& scene, const Twist2& motion);
   void plan_spans(const Scene& scene);
   void find_near(const Scene& scene, const State& from, const Span& span);
   bool go(const Scene& scene, std::size_t i, const Span& span, State& state) const;
-  double nearness(const Scene& scene, const State& state, double time, bool& touched) const;
+  struct Stopping {
+    double time = 0.0;  // until the robot rests, about; 0 where it does [s]
+    double way = 0.0;   // until then [m]
+    double room = 0.0;  // by which a mover may be elsewhere then [m]
+  };
+  static Stopping stopping(const Scene& scene, double speed);
+  static bool must_stop(const Scene& scene, const State& state, const Mover& mover, const Point& off,
+                        const Stopping& stops);
+  double nearness(const Scene& scene, const State& state, double time, const Stopping& stops, bool& touched) const;
   bool blocked(const Scene& scene, const State& state) const;
   void extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first, const Span& span);
   double touched_early(const Scene& scene, const State& state, double time) const;
   void note_touched(const State& state);
   void keep_best();
+  const State* best_of(std::size_t first) const;
   static bool alike(const State& a, const State& b);
 
   std::vector<Mover> movers_, near_;
   MotionFan fan_;
+  std::size_t own_ = 0;  // so many of its motions are own ones
   std::array<Span, kLevels> spans_;
   double horizon_ = 0.0;  // [s]
   double fastest_ = 0.0;  // [m/s]

@@ -199,7 +199,7 @@ TEST(EvasionSearches, FindAWayAside) {
   const EvasionSearch::Scene scene = ground.scene({0.5, 0.0});
   ASSERT_TRUE(search.look(scene, {disc_at(-1.9, 0.0, 1.0, 0.0)}));
   EXPECT_FALSE(search.untroubled(scene, {0.5, 0.0}));
-  search.run(scene, ground.guide, {0.5, 0.0});
+  search.run(scene, ground.guide, {{0.5, 0.0}});
   double least = std::numeric_limits<double>::infinity(), turn = 0.0;
   for (const EvasionSearch::Branch& branch : search.branches()) {
     if (branch.cost < least) {
@@ -217,7 +217,7 @@ TEST(EvasionSearches, WhereNoWayLeadsOutTheLastOneTouchedIsBest) {
   EvasionSearch search;
   const EvasionSearch::Scene scene = ground.scene({0.0, 0.0});
   ASSERT_TRUE(search.look(scene, {disc_at(1.6, 0.0, -1.0, 0.0)}));
-  search.run(scene, ground.guide, {0.0, 0.0});
+  search.run(scene, ground.guide, {{0.0, 0.0}});
   for (const EvasionSearch::Branch& branch : search.branches()) EXPECT_GE(branch.cost, EvasionSearch::kTouched);
 }
 
@@ -228,7 +228,7 @@ TEST(EvasionSearches, TryAllSpeedsAndTurnsOfTheLimits) {
   EvasionSearch search;
   const EvasionSearch::Scene scene = ground.scene({0.0, 0.0});
   ASSERT_TRUE(search.look(scene, {disc_at(1.6, 0.0, -1.0, 0.0)}));
-  search.run(scene, ground.guide, {0.123, 0.0});
+  search.run(scene, ground.guide, {{0.123, 0.0}});
   ASSERT_EQ(search.branches().size(), 1u + 6u * 5u);
   EXPECT_EQ(search.branches()[0].motion, (Twist2{0.123, 0.0}));
   for (const double v : {0.9, 0.6, 0.3, 0.0, -0.1, -0.2}) {
@@ -239,6 +239,32 @@ TEST(EvasionSearches, TryAllSpeedsAndTurnsOfTheLimits) {
       EXPECT_EQ(std::count_if(search.branches().begin(), search.branches().end(), is_it), 1) << v << ", " << omega;
     }
   }
+}
+
+// What an own motion is worth is known even where another motion ends nearly alike and costs less: else it counts as
+// hopeless, and the robot leaves its choice for one that is hardly different.
+TEST(EvasionSearches, KnowWhatTheOwnMotionsAreWorth) {
+  Random random(12);
+  OpenGround ground;
+  int alike = 0;
+  for (int k = 0; k < 300; ++k) {
+    const EvasionSearch::Scene scene = ground.scene({random.uniform(0.0, 0.5), random.uniform(-0.5, 0.5)});
+    MovingObstacleEstimates movers;
+    for (int n = 0; n < 6; ++n) {
+      movers.push_back(disc_at(random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5), random.uniform(-1.0, 1.0),
+                               random.uniform(-1.0, 1.0)));
+    }
+    EvasionSearch search;
+    if (!search.look(scene, movers)) continue;
+    const Twist2 own{random.uniform(0.0, 0.5), random.uniform(-1.0, 1.0)};
+    const Twist2 other{random.uniform(0.0, 0.5), random.uniform(-1.0, 1.0)};
+    search.run(scene, ground.guide, {own, other});
+    for (const std::size_t i : {0, 1}) EXPECT_TRUE(std::isfinite(search.branches()[i].cost)) << k;
+    EXPECT_EQ(search.branches()[1].motion, other);
+    alike += std::any_of(search.branches().begin() + 2, search.branches().end(),
+                         [](const EvasionSearch::Branch& branch) { return std::isinf(branch.cost); });
+  }
+  EXPECT_GT(alike, 100);  // others are lost to one that is alike
 }
 
 TEST(EvasionSearches, BeginWithNoMotionThatThePassiveSafetyRejects) {
@@ -256,7 +282,7 @@ TEST(EvasionSearches, BeginWithNoMotionThatThePassiveSafetyRejects) {
   scene.reference = start.reference;
   EvasionSearch search;
   ASSERT_TRUE(search.look(scene, movers));
-  search.run(scene, ground.guide, {0.0, 0.0});
+  search.run(scene, ground.guide, {{0.0, 0.0}});
   int known = 0, unsafe = 0;
   for (std::size_t i = 1; i < search.branches().size(); ++i) {
     const EvasionSearch::Branch& branch = search.branches()[i];
@@ -302,6 +328,25 @@ TEST(Evasions, ARobotIsNotRunOverFromBehindWhereItCanStepAside) {
   EXPECT_LT(least_gap(stays, 120), 0.0);
 }
 
+// People who walk straight at the robot, from behind or towards it, and never give way. Faster ones than 0.5 m/s cannot
+// be outrun, and the robot may turn at 1 rad/s: not all can be avoided. A robot that trusts in ways that passive safety
+// closes when it comes there is touched by 20 and 30 of these 40, at rest; this one by 9 and 19.
+TEST(Evasions, StepAsideInGoodTime) {
+  for (const bool behind : {true, false}) {
+    Random random(5);
+    int touched = 0;
+    for (int k = 0; k < 40; ++k) {
+      Scene scene = chased(3.0);
+      const double speed = random.uniform(0.6, 1.3), across = random.uniform(-0.3, 0.3);
+      scene.situation.moving_obstacles = {behind ? disc_at(-random.uniform(1.5, 3.0), across, speed, 0.0)
+                                                 : disc_at(random.uniform(2.5, 5.0), across, -speed, 0.0)};
+      PlannerBench bench(scene);
+      touched += least_gap(bench, 140) < 0.0;
+    }
+    EXPECT_LE(touched, behind ? 10 : 20) << behind;
+  }
+}
+
 TEST(Evasions, TheirChoiceHasARuleOfItsOwn) {
   Scene scene = chased(3.0);
   scene.situation.moving_obstacles = {disc_at(-1.9, 0.0, 1.0, 0.0)};
@@ -342,7 +387,7 @@ TEST(EvasionSearches, OfTwoWaysTheCalmOneIsBetter) {
     EvasionSearch search;
     const EvasionSearch::Scene scene = ground.scene({0.3, turns});
     ASSERT_TRUE(search.look(scene, {disc_at(2.2, 0.0, -0.8, 0.0)}));
-    search.run(scene, ground.guide, {0.3, 0.0});
+    search.run(scene, ground.guide, {{0.3, 0.0}});
     double left = 1e9, right = 1e9;
     for (const EvasionSearch::Branch& branch : search.branches()) {
       if (branch.motion.omega > 0.0) left = std::min(left, branch.cost);
@@ -350,6 +395,64 @@ TEST(EvasionSearches, OfTwoWaysTheCalmOneIsBetter) {
     }
     EXPECT_LT(turns > 0.0 ? left : right, turns > 0.0 ? right : left);
   }
+}
+
+// People who come across an open floor.
+Scene among_people(Random& random) {
+  Scene scene = chased(3.0);
+  scene.situation.moving_obstacles.clear();
+  for (std::uint32_t id = 0; id < 4; ++id) {
+    scene.situation.moving_obstacles.push_back(disc_at(random.uniform(-2.0, 2.0), random.uniform(0.7, 2.0),
+                                                       random.uniform(-1.0, 1.0), random.uniform(-1.5, 0.0)));
+    scene.situation.moving_obstacles.back().id = id;
+  }
+  return scene;
+}
+
+// One that evades goes on for a smaller gain than another begins for in its place. What it remembers is saved.
+TEST(Evasions, GoOnForLessThanTheyBegin) {
+  Random random(8);
+  int only_goes_on = 0, both = 0;
+  for (int k = 0; k < 40; ++k) {
+    PlannerBench bench(among_people(random));
+    bool evaded = false;
+    for (int cycle = 0; cycle < 40; ++cycle) {
+      PlannerBench loaded(bench.scene()), begins(bench.scene());
+      Bytes state;
+      bench.planner().save(state);
+      ASSERT_TRUE(loaded.planner().load(state));
+      begins.cycle();
+      EXPECT_TRUE(loaded.cycle().command == bench.drive().command) << k;
+      for (MovingObstacleEstimate& mover : bench.scene().situation.moving_obstacles) {
+        mover.position += bench.scene().situation.period * mover.velocity;
+      }
+      const bool evades = bench.planner().choice().rule == ChoiceReport::Rule::evasion;
+      const bool anew = begins.planner().choice().rule == ChoiceReport::Rule::evasion;
+      if (evaded) {
+        only_goes_on += evades && !anew;
+        both += evades && anew;
+      }
+      evaded = evades;
+    }
+  }
+  EXPECT_GT(only_goes_on, 10);
+  EXPECT_GT(both, 10);
+}
+
+// Nothing is remembered of it where it did not decide: records are no longer for it.
+TEST(Evasions, AreForgottenByANewGoal) {
+  Scene scene = chased(3.0);
+  scene.situation.moving_obstacles = {disc_at(-1.9, 0.0, 1.0, 0.0)};
+  PlannerBench bench(scene);
+  Bytes before, evading, after;
+  bench.planner().save(before);
+  bench.cycle();
+  ASSERT_EQ(bench.planner().choice().rule, ChoiceReport::Rule::evasion);
+  bench.planner().save(evading);
+  bench.planner().reset();
+  bench.planner().save(after);
+  EXPECT_GT(evading.size(), after.size());
+  EXPECT_TRUE(bench.planner().load(before));
 }
 
 // With a person who steers, and with nobody around, nothing of it counts.
@@ -377,13 +480,7 @@ TEST(Evasions, AreTheSameForWhoeverWatches) {
   Random random(8);
   int evasions = 0;
   for (int k = 0; k < 60; ++k) {
-    Scene scene = chased(3.0);
-    scene.situation.moving_obstacles.clear();
-    for (int j = 0; j < 4; ++j) {
-      scene.situation.moving_obstacles.push_back(disc_at(random.uniform(-2.0, 2.0), random.uniform(0.7, 2.0),
-                                                         random.uniform(-1.0, 1.0), random.uniform(-1.5, 0.0)));
-      scene.situation.moving_obstacles.back().id = static_cast<std::uint32_t>(j);
-    }
+    const Scene scene = among_people(random);
     PlannerBench one(scene), other(scene);
     Sampling all;
     all.report = Report::legality;
