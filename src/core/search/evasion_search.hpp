@@ -17,9 +17,8 @@
 //
 // Each first motion is worth what the cheapest way is that begins with it. Ways that are touched cost more than any
 // other, the sooner the more. The own motions, autonomy's choice and what was chosen before, are followed up to the end
-// even where another motion ends nearly alike: what they are worth is always known. Nothing is kept from cycle to cycle,
-// nothing is allocated after the first one.
-// Nothing here makes a command legal: the choice asks for that.
+// even where another motion ends nearly alike: what they are worth is always known. Nothing is kept from cycle to
+// cycle, nothing is allocated after the first one. Nothing here makes a command legal: the choice asks for that.
 #pragma once
 
 #include <array>
