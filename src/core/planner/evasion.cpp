@@ -59,7 +59,7 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
                  EvasionSearch::reach(cycle.parameters, cycle.limits));
   if (!guide_.any()) return false;
   own_.assign(1, own);
-  if (goes_on_) own_.push_back(motion_);
+  if (goes_on_ && is_finite(motion_)) own_.push_back(cycle.limits.clamp(motion_));  // not where it was loaded damaged
   search_.run(scene, guide_, own_);
   if (gently_ && search_.cheapest() >= EvasionSearch::kTouched) {
     gently_ = false;
@@ -71,7 +71,7 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
   for (std::size_t i = 1; i < branches.size(); ++i) {
     if (!(branches[i].cost < branches[0].cost - better_by)) continue;
     better_.push_back(branches[i]);
-    if (goes_on_ && i == 1) better_.back().cost -= kKeeps;
+    if (i < own_.size()) better_.back().cost -= kKeeps;
   }
   std::sort(better_.begin(), better_.end(), [](const auto& a, const auto& b) {
     return std::tie(a.cost, a.motion.v, a.motion.omega) < std::tie(b.cost, b.motion.v, b.motion.omega);

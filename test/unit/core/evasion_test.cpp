@@ -2,6 +2,7 @@
 // Getting out of the way of what moves: the time that is left along a plan, ways that nothing touches, and the choice.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -453,6 +454,22 @@ TEST(Evasions, AreForgottenByANewGoal) {
   bench.planner().save(after);
   EXPECT_GT(evading.size(), after.size());
   EXPECT_TRUE(bench.planner().load(before));
+}
+
+// What was chosen is the last number of the state.
+TEST(Evasions, ANumberThatIsNoneIsNotGoneOnWith) {
+  Scene scene = chased(3.0);
+  scene.situation.moving_obstacles = {disc_at(-1.9, 0.0, 1.0, 0.0)};
+  PlannerBench bench(scene), damaged(scene);
+  bench.cycle();
+  ASSERT_EQ(bench.planner().choice().rule, ChoiceReport::Rule::evasion);
+  Bytes state;
+  bench.planner().save(state);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  std::memcpy(state.data() + state.size() - sizeof(none), &none, sizeof(none));
+  ASSERT_TRUE(damaged.planner().load(state));
+  EXPECT_TRUE(is_finite(damaged.cycle().command));
+  EXPECT_EQ(damaged.planner().choice().rule, ChoiceReport::Rule::evasion);
 }
 
 // With a person who steers, and with nobody around, nothing of it counts.
