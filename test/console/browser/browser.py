@@ -70,12 +70,12 @@ class Browser:
             raise AssertionError(result['error'])
         return result['value']
 
-    def until(self, script, seconds=15.0):
+    def until(self, script, seconds=45.0):
         """Waits until a function body in the page says true."""
         self.wait(lambda: self.js(script), script, seconds)
 
     @staticmethod
-    def wait(condition, what='the condition', seconds=15.0):
+    def wait(condition, what='the condition', seconds=45.0):
         """Waits until condition() is true and returns its value."""
         end = time.monotonic() + seconds
         while True:
