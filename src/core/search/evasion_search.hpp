@@ -113,7 +113,7 @@ class EvasionSearch {
   void find_near(const Scene& scene, const State& from, const Span& span);
   bool go(const Scene& scene, std::size_t i, const Span& span, State& state) const;
   struct Stopping {
-    double time = 0.0;  // until the robot rests, about; 0 where it does [s]
+    double time = 0.0;  // until the robot rests, less half of the braking; 0 where it does [s]
     double way = 0.0;   // until then [m]
     double room = 0.0;  // by which a mover may be elsewhere then [m]
   };
