@@ -11,11 +11,23 @@ std::mutex& only_one() {
   return mutex;
 }
 
+// A % as it is, or as a character's number ("&#37;", "&#x25;").
+bool may_hold_format(const std::string& text) {
+  return text.find('%') != std::string::npos || text.find("&#") != std::string::npos;
+}
+
 }  // namespace
 
-UrdfLog::UrdfLog()
-    : alone_(only_one()), before_(console_bridge::getOutputHandler()), thread_(std::this_thread::get_id()) {
-  console_bridge::useOutputHandler(this);
+UrdfLog::UrdfLog(const std::string& text)
+    : alone_(only_one()),
+      before_(console_bridge::getOutputHandler()),
+      silent_(may_hold_format(text)),
+      thread_(std::this_thread::get_id()) {
+  if (silent_) {
+    console_bridge::noOutputHandler();
+  } else {
+    console_bridge::useOutputHandler(this);
+  }
 }
 
 UrdfLog::~UrdfLog() {
@@ -24,6 +36,8 @@ UrdfLog::~UrdfLog() {
 }
 
 std::string UrdfLog::errors() const {
+  if (silent_) return "where is not known: urdfdom cannot report about a text with a % or a &#";
+  if (errors_.empty()) return "no <robot> in it";
   constexpr std::size_t kMost = 3;
   std::string text;
   for (std::size_t i = 0; i < std::min(kMost, errors_.size()); ++i) text += (i == 0 ? "" : "; ") + errors_[i];

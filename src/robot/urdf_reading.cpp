@@ -130,13 +130,12 @@ std::string no_urdf(const std::string& why) {
 UrdfReading read_urdf(const std::string& text, const std::string& base_frame) {
   UrdfReading reading;
   try {
-    const UrdfLog log;
+    const UrdfLog log(text);
     const urdf::ModelInterfaceSharedPtr urdf = urdf::parseURDF(text);
     if (urdf && urdf->getRoot()) {
       reading.model = model_of(*urdf, base_frame, reading.warning);
     } else {
-      const std::string errors = log.errors();
-      reading.fault = no_urdf(errors.empty() ? "no <robot> in it" : errors);
+      reading.fault = no_urdf(log.errors());
     }
   } catch (const std::exception& error) {
     reading.fault = no_urdf(error.what());

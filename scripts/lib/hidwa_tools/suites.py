@@ -22,7 +22,7 @@ from .counting import Counts, count_ctest, count_unittest
 from .lint import lint as run_tools
 from .measure import LONGEST_GAP
 from .places import ROOT, SPACE
-from .processes import end_on_signals
+from .processes import Child, end_on_signals
 from .side_by_side import side_by_side
 
 DATA = os.path.abspath(os.environ.get('HIDWA_DATA', os.path.join(ROOT, '..', 'shared', 'data')))
@@ -129,7 +129,9 @@ def sanitized():
         print(f'    no Clang with libFuzzer: by GCC, and the fuzz targets only repeat their corpus ({compilers.REMEDY})')
         options = sanitize.cmake_options('g++', sanitize.ADDRESS)
         return ctest_sanitized('sanitized', [*options, *sanitize.SHORT_BUILD], sanitize.ctest_options())
+    os.environ['GTEST_FILTER'] = '-' + ':'.join(LONG_CASES)
     counts = ctest_sanitized('sanitized', [*fuzz.configure_options(), *sanitize.SHORT_BUILD], sanitize.ctest_options())
+    del os.environ['GTEST_FILTER']
     well, found = fuzz.run(os.path.join(WORK, 'sanitized'), FUZZ_SECONDS, 1)
     return counts + Counts(passed=len(well), failed=len(found))
 
@@ -469,6 +471,12 @@ ALONE = (plain, sanitized, build, lint)
 PACED = (contract, drive_avoid, drive_gesture, drive_switching, drive_none, drive_people, drive_real_map,
          drive_steer_left, drive_steer_right)
 AT_ONCE = 2
+# They only compile and read: with what the processor has left beside suites that wait, and done before the paced ones.
+BESIDE = (robot, lint)
+# Cases that do one thing for long, of which the sanitizers see all in the first moments: left to the long forms.
+LONG_CASES = ('Recovery.PastCornersThatThePlanHugs', 'Evasions.StepAsideInGoodTime', 'Evasions.GoOnForLessThanTheyBegin',
+              'WaySearch.LooksCloselyWhereItHasFoundNothing', 'WaySearch.WaysAreFree',
+              'Surroundings.CentresAreBlockedWhereTheirCellsSay')
 
 
 def cpu_seconds():
@@ -493,6 +501,35 @@ def run_suite(suite, built):
         counts = Counts(failed=1)
     print(f'    {suite.__name__}: {counts.passed} ok, {counts.failed} not ok, {counts.skipped} left out, '
           f'{time.monotonic() - begin:.0f} s, {cpu_seconds() - cpu:.0f} s of CPU', flush=True)
+    return counts
+
+
+def start_beside(suites):
+    """Suites that begin now, in a process of lowest priority; None without suites."""
+    if not suites:
+        return None
+    os.makedirs(WORK, exist_ok=True)
+    path = os.path.join(WORK, 'beside.out')
+    open(path, 'wb').close()
+    names = [suite.__name__ for suite in suites]
+    return Child(['nice', '-n', '19', sys.executable, '-m', __spec__.name, *names], path, dict(os.environ)), path
+
+
+def end_beside(started):
+    """Counts of what start_beside began, once it has ended."""
+    if started is None:
+        return Counts()
+    child, path = started
+    while child.running:
+        time.sleep(0.2)
+    child.stop()
+    with open(path, encoding='utf-8', errors='replace') as text:
+        output = text.read()
+    counts = Counts.read(output)
+    if counts is None:
+        print(f'==> beside\n{tail(output)}\n    beside: did not run to its end')
+        return Counts(failed=1)
+    print('\n'.join(output.splitlines()[:-2]), flush=True)  # without its own sums
     return counts
 
 
@@ -574,6 +611,36 @@ def sanitize_host(name, compiler, sanitizers):
     return Counts.read(done.stdout) or Counts(failed=1)
 
 
+def run_all(wanted):
+    """Counts of suites, in their order; those that wait share the machine."""
+    total, built, started = Counts(), True, None
+    paced = [suite for suite in wanted if suite in PACED]
+    beside = [suite for suite in wanted if suite in BESIDE]
+    if len(paced) < 2:
+        paced = []
+    if len(wanted) == len(beside):
+        beside = []
+    try:
+        for suite in wanted:
+            if built and suite not in ALONE and beside:
+                started, beside = start_beside(beside), []
+            if built and suite in BESIDE and started:
+                continue
+            if built and suite in paced:
+                if suite is paced[0]:
+                    total += end_beside(started)
+                    started = None
+                    total += run_paced(paced)
+                continue
+            counts = run_suite(suite, built)
+            built = built and not (suite is build and counts.failed)
+            total += counts
+        return total + end_beside(started)
+    finally:
+        if started:
+            started[0].stop()
+
+
 def main(arguments=None):
     """scripts/test"""
     names = [suite.__name__ for suite in SUITES]
@@ -600,17 +667,8 @@ def main(arguments=None):
         total = run_suite(coverage, True) if options.coverage else sanitize_all(options.sanitize or list(sanitize.FORMS))
         print(total, flush=True)
         return 1 if total.failed or not total.passed else 0
-    total, built, begin = Counts(), True, time.monotonic()
-    wanted = [suite for suite in SUITES if not options.suites or suite.__name__ in options.suites]
-    paced = [suite for suite in wanted if suite in PACED]
-    for suite in wanted:
-        if suite in PACED and built and len(paced) > 1:
-            if suite is paced[0]:
-                total += run_paced(paced)
-            continue
-        counts = run_suite(suite, built)
-        built = built and not (suite is build and counts.failed)
-        total += counts
+    begin = time.monotonic()
+    total = run_all([suite for suite in SUITES if not options.suites or suite.__name__ in options.suites])
     print(f'==> {time.monotonic() - begin:.0f} s in all; logs in {WORK}')
     print(total, flush=True)
     return 1 if total.failed or not total.passed else 0

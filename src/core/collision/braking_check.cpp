@@ -12,6 +12,8 @@ namespace {
 // Poses that are looked at for depth in collision, in cells: of a candidate, and of the one that is chosen.
 constexpr double kDepthSpacing = 1.0 / 8.0;
 constexpr double kFineDepthSpacing = 1.0 / 128.0;
+// They are so many at most: a robot that spins, and takes a minute to stop, would be looked at without end.
+constexpr double kMostDepthPoses = 2048.0;
 
 // Columns of samples that room is made for at once.
 constexpr std::size_t kUsualColumns = 128;
@@ -196,7 +198,12 @@ bool BrakingCheck::goes_deeper(const Twist2& command, Look& look) const {
   return false;
 }
 
+// `spacing` is in cells, and wider where the manoeuvre is long. One that could not even be looked at as candidates are
+// is taken to lead deeper.
 bool BrakingCheck::goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeLead& lead) const {
+  const auto spacing_for = [&](double way) { return std::max(spacing * resolution_, way / kMostDepthPoses); };
+  const double apart = spacing_for(manoeuvre.reach(*limits_, radius_));
+  if (!(apart <= kDepthSpacing * resolution_)) return true;
   const auto visit_into = [this](EscapeRule::Descent& descent) {
     return [this, &descent](const TurnedPose& at) {
       return setup_->escape->descends(at, EscapeRule::Ahead::next_cycle, descent);
@@ -204,14 +211,16 @@ bool BrakingCheck::goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, 
   };
   if (!lead.roller) {
     lead.descent = setup_->escape->start();
-    lead.roller = roller_at(manoeuvre.start, spacing * resolution_);
+    lead.roller = roller_at(manoeuvre.start, spacing_for(manoeuvre.pending.reach(radius_)));
     lead.deeper = !lead.roller->roll_on(manoeuvre.pending, visit_into(lead.descent));
   }
   if (lead.deeper) return true;
   // However the base reaches the command: at its limits, or evenly.
   EscapeRule::Descent ramped = lead.descent, even = lead.descent;
-  return !ManoeuvreRoller(*lead.roller).roll_to_rest(manoeuvre, visit_into(ramped)) ||
-         !ManoeuvreRoller(*lead.roller).roll_evenly_to_rest(manoeuvre, visit_into(even));
+  ManoeuvreRoller ramp = *lead.roller;
+  ramp.set_spacing(apart);
+  ManoeuvreRoller evenly = ramp;
+  return !ramp.roll_to_rest(manoeuvre, visit_into(ramped)) || !evenly.roll_evenly_to_rest(manoeuvre, visit_into(even));
 }
 
 }  // namespace hidwa_local_planner

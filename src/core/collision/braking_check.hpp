@@ -73,7 +73,7 @@ class BrakingCheck {
   // What one kind of look has found so far.
   struct Look {
     bool fine = false;
-    double depth_spacing = 0.0;  // of poses that are looked at for depth in collision, in cells
+    double depth_spacing = 0.0;  // of poses that are looked at for depth in collision, in cells at least
     Leads leads;
     EscapeLeads escape_leads;
     void forget();

@@ -102,6 +102,29 @@ TEST(UrdfReading, FaultsNameTheJoint) {
   EXPECT_TRUE(has(read_urdf(orphan, "base_link").fault, "lost_joint")) << read_urdf(orphan, "base_link").fault;
 }
 
+// urdfdom logs "... material 'NAME' ..." with NAME as part of printf's format.
+TEST(UrdfReading, NamesAreNoFormats) {
+  for (const std::string name : {"%s%s%s%s", "%n%n", "&#37;s&#37;s", "&#x25;s&#x25;n", "100%"}) {
+    std::string material = "<material name='";
+    material.append(name).append("'><color rgba='x'/></material>");
+    const std::string links = "<link name='base_link'/>" + joint_text("j", "fixed", "base_link", name, "0 0 0");
+    for (const std::string& inside : {material, links, links + "<link name='" + name + "'/>", links + material}) {
+      const UrdfReading reading = read_urdf("<robot name='" + name + "'>" + inside + "</robot>", "base_link");
+      EXPECT_NE(reading.model.has_value(), !reading.fault.empty());
+      if (!reading.model) {
+        EXPECT_TRUE(has(reading.fault, "with a %")) << reading.fault;
+      }
+    }
+  }
+}
+
+TEST(UrdfReading, APercentSignMayStandInAGoodText) {
+  const std::string good = base_text();
+  const UrdfReading reading = read_urdf("<!-- 50% of the load -->" + good, "base_link");
+  ASSERT_TRUE(reading.model) << reading.fault;
+  EXPECT_EQ(reading.model->links.size(), read_urdf(good, "base_link").model->links.size());
+}
+
 TEST(UrdfReading, LinksInACircleEnd) {
   const std::string circle = joint_text("a", "fixed", "base_link", "one", "0 0 0") + "<link name='one'/>" +
                              joint_text("b", "fixed", "one", "two", "0 0 0") + "<link name='two'/>" +
@@ -113,6 +136,8 @@ TEST(UrdfReading, LinksInACircleEnd) {
 TEST(UrdfReading, TheLogOfOthersComesBack) {
   console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
   read_urdf("nonsense", "base_link");
+  EXPECT_EQ(console_bridge::getOutputHandler(), before);
+  read_urdf("50% nonsense", "base_link");
   EXPECT_EQ(console_bridge::getOutputHandler(), before);
   console_bridge::restorePreviousOutputHandler();
   EXPECT_EQ(console_bridge::getOutputHandler(), before);
