@@ -9,6 +9,7 @@
 #include <tf2/exceptions.h>
 
 #include "core/util/words.hpp"
+#include "detector_messages.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 
 namespace hidwa_local_planner {
@@ -82,17 +83,28 @@ std::string find_frame(const tf2::BufferCore& tf, const std::string& to, const s
 void MovingObstacleInput::subscribe(ros::NodeHandle handle, const std::string& topic) {
   subscriber_.shutdown();
   forget();
-  const auto callback = [this](const MovingObstacles::ConstPtr& message) {
-    receive(message, ros::Time::now().toSec());
+  const auto callback = [this](const topic_tools::ShapeShifter::ConstPtr& message) {
+    receive(*message, ros::Time::now().toSec());
   };
   std::string resolved;
   if (!topic.empty()) {
-    subscriber_ = handle.subscribe<MovingObstacles>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
+    subscriber_ =
+        handle.subscribe<topic_tools::ShapeShifter>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
     resolved = subscriber_.getTopic();
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   status_ = {};
   status_.topic = std::move(resolved);
+}
+
+void MovingObstacleInput::receive(const topic_tools::ShapeShifter& message, double received) {
+  const DetectedObstacles detected = read_detected(message);
+  if (detected.message) return receive(detected.message, received);
+  ROS_WARN_THROTTLE(2.0, "moving obstacles: %s", detected.fault.c_str());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  unreadable_ = detected.fault;
+  ++status_.messages;
+  ++status_.refused;
 }
 
 void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, double received) {
@@ -105,6 +117,7 @@ void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, doub
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_ = message;
+  unreadable_.clear();
   received_ = received;
   ++status_.messages;
   status_.refused += refused;
@@ -113,19 +126,22 @@ void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, doub
 void MovingObstacleInput::forget() {
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_.reset();
+  unreadable_.clear();
 }
 
 void MovingObstacleInput::read(double now, double timeout, const tf2::BufferCore& tf, const std::string& frame,
                                MovingObstacleEstimates& obstacles) {
   MovingObstacles::ConstPtr message;
   double received = 0.0;
+  std::string unreadable;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     message = newest_;
     received = received_;
+    unreadable = unreadable_;
   }
   obstacles.clear();
-  if (!message) return report(0, 0.0, "");
+  if (!message) return report(0, 0.0, std::move(unreadable));
   const ros::Time& stamp = message->header.stamp;
   const double age = now - (stamp.isZero() ? received : stamp.toSec());
   if (age > timeout) {
@@ -148,7 +164,8 @@ void MovingObstacleInput::read(double now, double timeout, const tf2::BufferCore
     if (fault_of(one) == nullptr) convert(one, origin, std::max(0.0, age), obstacles.emplace_back());
   }
   const bool all = obstacles.size() == message->obstacles.size();
-  report(obstacles.size(), age, all ? "" : "some obstacles of the newest message cannot be used: see the log");
+  report(obstacles.size(), age,
+         all ? std::move(unreadable) : "some obstacles of the newest message cannot be used: see the log");
 }
 
 void MovingObstacleInput::report(std::size_t count, double age, std::string fault) {

@@ -51,6 +51,29 @@ void take_odometry(std::vector<std::uint8_t>& bytes) {
   if (settled) require(is_finite(*settled), "the velocity is not a number");
 }
 
+void require_movers(MovingObstacleInput& input, const tf2::BufferCore& tf, double now) {
+  MovingObstacleEstimates movers;
+  input.read(now, 0.5, tf, "odom", movers);
+  require(movers.size() <= MovingObstacleInput::kMost, "too many moving obstacles");
+  for (const MovingObstacleEstimate& mover : movers) {
+    require(mover.position.allFinite() && mover.velocity.allFinite() && std::isfinite(mover.radius),
+            "a mover is not a number");
+    require(mover.points.size() <= MovingObstacleInput::kMostPoints, "too many points");
+    for (const Point& point : mover.points) require(point.allFinite(), "a point is not a number");
+  }
+}
+
+// Of another package: whatever it holds, it is read or refused.
+void take_detected(std::vector<std::uint8_t>& bytes, const char* type, const char* md5) {
+  topic_tools::ShapeShifter message;
+  message.morph(md5, type, "", "");
+  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  message.read(stream);
+  MovingObstacleInput input;
+  input.receive(message, 10.0);
+  require_movers(input, tf2::BufferCore(), 10.0);
+}
+
 void take_movers(std::vector<std::uint8_t>& bytes, bool turned) {
   const auto message = boost::make_shared<MovingObstacles>();
   if (!read(bytes, *message)) return;
@@ -64,17 +87,7 @@ void take_movers(std::vector<std::uint8_t>& bytes, bool turned) {
   tf.setTransform(transform, "fuzz", turned);
   MovingObstacleInput input;
   input.receive(message, 10.0);
-  MovingObstacleEstimates movers;
-  for (const double now : {10.0, message->header.stamp.toSec()}) {
-    input.read(now, 0.5, tf, "odom", movers);
-    require(movers.size() <= MovingObstacleInput::kMost, "too many moving obstacles");
-    for (const MovingObstacleEstimate& mover : movers) {
-      require(mover.position.allFinite() && mover.velocity.allFinite() && std::isfinite(mover.radius),
-              "a mover is not a number");
-      require(mover.points.size() <= MovingObstacleInput::kMostPoints, "too many points");
-      for (const Point& point : mover.points) require(point.allFinite(), "a point is not a number");
-    }
-  }
+  for (const double now : {10.0, message->header.stamp.toSec()}) require_movers(input, tf, now);
 }
 
 }  // namespace
@@ -84,11 +97,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace hidwa_local_planner::fuzz;
   ros::Time::init();
   Input input(data, size);
-  const int kind = input.integer(0, 3);
+  const int kind = input.integer(0, 5);
   const std::string text = input.rest();
   std::vector<std::uint8_t> bytes(text.begin(), text.end());
   if (kind == 0) take_plan(bytes);
   if (kind == 1) take_odometry(bytes);
-  if (kind >= 2) take_movers(bytes, kind == 2);
+  if (kind == 2 || kind == 3) take_movers(bytes, kind == 2);
+  if (kind == 4) take_detected(bytes, "people_msgs/People", "18722f4b8db20cc2369740732357847b");
+  if (kind == 5) take_detected(bytes, "costmap_converter/ObstacleArrayMsg", "8a1bdcde72c65ca7d3ce8ebf52d43516");
   return 0;
 }

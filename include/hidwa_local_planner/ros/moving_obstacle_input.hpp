@@ -8,13 +8,15 @@
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 #include <tf2/buffer_core.h>
+#include <topic_tools/shape_shifter.h>
 
 #include "hidwa_local_planner/MovingObstacles.h"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
 
 namespace hidwa_local_planner {
 
-/// What moves, as a tracker tells it. Thread-safe; both sides hold the lock for a pointer and some words only.
+/// What moves, as a tracker tells it: hidwa_local_planner/MovingObstacles, people_msgs/People or
+/// costmap_converter/ObstacleArrayMsg. Thread-safe; both sides hold the lock for a pointer and some words only.
 ///
 /// A message counts from its stamp on for moving_obstacle_timeout, until the next one comes. Its places are brought
 /// into the costmap's frame by the transform at its stamp; velocities are only turned, whether or not their frame
@@ -28,7 +30,10 @@ class MovingObstacleInput {
 
   /// `handle` decides the namespace and whose thread serves the messages. An empty topic: to nothing.
   void subscribe(ros::NodeHandle handle, const std::string& topic);
+  /// `received` [s] counts where there is no stamp.
   void receive(const MovingObstacles::ConstPtr& message, double received);
+  /// Of any type. One that is none of these is refused: the message before counts until it is too old.
+  void receive(const topic_tools::ShapeShifter& message, double received);
   /// Time jumped back, or the sender is another one.
   void forget();
 
@@ -52,7 +57,8 @@ class MovingObstacleInput {
   ros::Subscriber subscriber_;
   mutable std::mutex mutex_;
   MovingObstacles::ConstPtr newest_;
-  double received_ = 0.0;  // [s]
+  std::string unreadable_;  // why a message since then is none
+  double received_ = 0.0;   // [s]
   Status status_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The person's device on /diagnostics, and what to do about it.
+// The person's device, and what moves, on /diagnostics, and what to do about it.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/PoseStamped.h>
+#include <topic_tools/shape_shifter.h>
 
 #include "person.hpp"
 
@@ -12,11 +13,11 @@ using diagnostic_msgs::DiagnosticStatus;
 
 class OperatorDiagnostics : public Operated {
  protected:
-  OperatorDiagnostics() {
+  explicit OperatorDiagnostics(const std::string& part = "operator") {
     subscriber_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
-        "/diagnostics", 50, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& message) {
+        "/diagnostics", 50, [this, part](const diagnostic_msgs::DiagnosticArray::ConstPtr& message) {
           const std::string name =
-              std::string(": ") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + " operator";
+              std::string(": ") + ::testing::UnitTest::GetInstance()->current_test_info()->name() + " " + part;
           const std::lock_guard<std::mutex> lock(mutex_);
           for (const DiagnosticStatus& status : message->status) {
             if (status.name.size() < name.size()) continue;
@@ -130,6 +131,56 @@ TEST_F(OperatorDiagnostics, AStickThatSendsOnlyChangesIsExplained) {
   })) << message();
   EXPECT_TRUE(says("autorepeat_rate to 20")) << message();
   EXPECT_TRUE(says("input_timeout to 0")) << message();
+}
+
+// A message of a type whose package is not needed: this header, and a list of nobody.
+topic_tools::ShapeShifter nobody(const std::string& type, const std::string& md5) {
+  std_msgs::Header header;
+  header.stamp = ros::Time::now();
+  header.frame_id = "odom";
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(header) + 4U, 0);
+  const auto size = static_cast<std::uint32_t>(bytes.size());
+  ros::serialization::OStream out(bytes.data(), size);
+  out.next(header);
+  topic_tools::ShapeShifter message;
+  message.morph(md5, type, "Header header", "");
+  ros::serialization::IStream in(bytes.data(), size);
+  message.read(in);
+  return message;
+}
+
+class DetectorDiagnostics : public OperatorDiagnostics {
+ protected:
+  DetectorDiagnostics() : OperatorDiagnostics("moving obstacles") {}
+  /// Whether a detector that sends this type leads to these words.
+  bool says_of(const std::string& type, const std::string& md5, const std::string& part) {
+    set("moving_obstacles_topic", topic_);
+    start();
+    drive();
+    publisher_ = nobody(type, md5).advertise(node_, topic_, 1);
+    return cycle_until([&](const Host::Cycle&) {
+      publisher_.publish(nobody(type, md5));
+      return says(part);
+    });
+  }
+  const std::string topic_ = in_namespace("people");
+  ros::Publisher publisher_;
+};
+
+TEST_F(DetectorDiagnostics, PeopleAreHeard) {
+  EXPECT_TRUE(says_of("people_msgs/People", "18722f4b8db20cc2369740732357847b", " is heard")) << message();
+  EXPECT_EQ(value("moving obstacles"), "0");
+}
+
+TEST_F(DetectorDiagnostics, ObstacleArraysAreHeard) {
+  EXPECT_TRUE(says_of("costmap_converter/ObstacleArrayMsg", "8a1bdcde72c65ca7d3ce8ebf52d43516", " is heard"))
+      << message();
+}
+
+TEST_F(DetectorDiagnostics, AnotherTypeIsNamed) {
+  EXPECT_TRUE(says_of("std_msgs/Header", "2176decaecbce78abc3b96ef049fabed", "std_msgs/Header came: send "))
+      << message();
+  EXPECT_EQ(status().level, DiagnosticStatus::WARN);
 }
 
 }  // namespace
