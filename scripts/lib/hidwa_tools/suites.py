@@ -130,8 +130,10 @@ def sanitized():
         options = sanitize.cmake_options('g++', sanitize.ADDRESS)
         return ctest_sanitized('sanitized', [*options, *sanitize.SHORT_BUILD], sanitize.ctest_options())
     os.environ['GTEST_FILTER'] = '-' + ':'.join(LONG_CASES)
-    counts = ctest_sanitized('sanitized', [*fuzz.configure_options(), *sanitize.SHORT_BUILD], sanitize.ctest_options())
-    del os.environ['GTEST_FILTER']
+    try:
+        counts = ctest_sanitized('sanitized', [*fuzz.configure_options(), *sanitize.SHORT_BUILD], sanitize.ctest_options())
+    finally:
+        del os.environ['GTEST_FILTER']
     well, found = fuzz.run(os.path.join(WORK, 'sanitized'), FUZZ_SECONDS, 1)
     return counts + Counts(passed=len(well), failed=len(found))
 
