@@ -604,13 +604,17 @@ def sanitize_host(name, compiler, sanitizers):
     """Host, plugin, tools and rostests, all built with the sanitizer, in a space of their own."""
     space = os.path.join(WORK, name)
     os.makedirs(space, exist_ok=True)
+    folder = os.path.join(space, 'findings')
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
     options = sanitize.flags(sanitizers)
-    environment = {**os.environ, **sanitize.environment(ROOT), 'HIDWA_SPACE': space, 'CXX': compiler, 'CXXFLAGS': options,
-                   'LDFLAGS': options, 'HIDWA_INSTALL': 'skip'}
+    environment = {**os.environ, **sanitize.with_ros(sanitize.environment(ROOT), folder), 'HIDWA_SPACE': space, 'CXX': compiler,
+                   'CXXFLAGS': options, 'LDFLAGS': options, 'HIDWA_INSTALL': 'skip'}
     done = subprocess.run([sys.executable, '-m', __spec__.name, 'build', 'package', 'ros'], env=environment, stdout=subprocess.PIPE,
                           text=True, check=False)
-    print('\n'.join(done.stdout.splitlines()[:-2]), flush=True)
-    return Counts.read(done.stdout) or Counts(failed=1)
+    found = sanitize.findings(folder)
+    print('\n'.join(done.stdout.splitlines()[:-2] + [f'    found: {line}' for line in found]), flush=True)
+    return (Counts.read(done.stdout) or Counts(failed=1)) + Counts(passed=not found, failed=len(found))
 
 
 def run_all(wanted):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A Twist steers instead of the stick: with and without a header, and what is neither.
 #include <cmath>
+#include <mutex>
 
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/TwistStamped.h>
@@ -24,11 +25,17 @@ class ByTwist : public Operated {
       geometry_msgs::Twist wanted;
       wanted.linear.x = v_;
       wanted.angular.z = omega_;
-      publisher_.publish(message_of(wanted));
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (publisher_) publisher_.publish(message_of(wanted));
     });
     drive();
   }
-  void TearDown() override { timer_.stop(); }
+  // The timer may just be at it.
+  void TearDown() override {
+    timer_.stop();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    publisher_.shutdown();
+  }
 
   void expect_steered() {
     v_ = 0.3;
@@ -46,6 +53,7 @@ class ByTwist : public Operated {
 
   ros::NodeHandle node_;
   std::atomic<double> v_{0.0}, omega_{0.0};
+  std::mutex mutex_;  // of the publisher
   ros::Publisher publisher_;
   ros::WallTimer timer_;
 };
