@@ -26,7 +26,8 @@ MoveBase::MoveBase(tf2_ros::Buffer& tf) : tf_(tf) {
 }
 
 MoveBase::~MoveBase() {
-  server_.reset();    // ends the goal in hand
+  server_->shutdown();  // ends the goal in hand, which still says so
+  server_.reset();
   planning_.reset();  // no plan is made any more
 }
 
