@@ -8,7 +8,7 @@ import unittest
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
 sys.path.insert(0, os.path.join(ROOT, 'scripts', 'lib'))
 
-from hidwa_tools import coverage, mutation, mutate  # noqa: E402
+from hidwa_tools import coverage, mutation, mutate, sanitize  # noqa: E402
 
 
 def faults(line, path='src/core/a.cpp'):
@@ -71,6 +71,33 @@ class SlowCases(unittest.TestCase):
 def row(name, lines, lines_run, branches=10, branches_run=10):
     return {'filename': name, 'line_total': str(lines), 'line_covered': str(lines_run), 'branch_total': str(branches),
             'branch_covered': str(branches_run)}
+
+
+class Findings(unittest.TestCase):
+    """What sanitized programs of a rostest leave in files."""
+
+    def read(self, **files):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                with open(os.path.join(folder, name), 'w', encoding='utf-8') as file:
+                    file.write(text)
+            return sanitize.findings(folder)
+
+    def test_each_is_a_line(self):
+        race = 'WARNING: ThreadSanitizer: data race (pid=1)\n  #0 f\nSUMMARY: ThreadSanitizer: data race a.cpp:3 in f\n'
+        undefined = 'a.cpp:7:3: runtime error: division by zero\n    #0 g\n'
+        self.assertEqual(self.read(tsan_1=race + race, ubsa_2=undefined),
+                         ['tsan_1: ThreadSanitizer: data race a.cpp:3 in f'] * 2 + ['ubsa_2: a.cpp:7:3: runtime error: division by zero'])
+
+    def test_what_is_not_understood_counts_too_and_nothing_does_not(self):
+        self.assertEqual(self.read(tsan_1='FATAL: something\n', tsan_2='\n'), ['tsan_1: FATAL: something\n'])
+        self.assertEqual(self.read(), [])
+
+    def test_programs_are_told_where_to(self):
+        told = sanitize.with_ros(sanitize.environment('/root'), '/found')
+        for name, file in {'ASAN_OPTIONS': 'asan', 'UBSAN_OPTIONS': 'ubsa', 'TSAN_OPTIONS': 'tsan'}.items():
+            self.assertIn(f':log_path=/found/{file}', told[name])
+        self.assertEqual(told['LSAN_OPTIONS'], sanitize.environment('/root')['LSAN_OPTIONS'])
 
 
 class Coverage(unittest.TestCase):
