@@ -68,6 +68,7 @@ class Bytes {
 topic_tools::ShapeShifter message(std::vector<std::uint8_t> bytes, const std::string& type, const std::string& sum) {
   topic_tools::ShapeShifter shape;
   shape.morph(sum, type, "", "");
+  if (bytes.empty()) return shape;  // to read none, it would copy from null
   ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
   shape.read(stream);
   return shape;

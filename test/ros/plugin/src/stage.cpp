@@ -45,6 +45,7 @@ Robot::~Robot() {
 void Robot::command(const geometry_msgs::Twist& twist) {
   const std::lock_guard<std::mutex> lock(mutex_);
   command_ = twist;
+  since_command_ = 0.0;
 }
 
 Pose Robot::pose() const {
@@ -93,6 +94,8 @@ void Robot::step(double dt) {
   nav_msgs::Odometry message;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    since_command_ += dt;
+    if (since_command_ > command_lasts) command_ = geometry_msgs::Twist();
     const double middle = pose_.theta + 0.5 * command_.angular.z * dt;
     pose_.x += command_.linear.x * std::cos(middle) * dt;
     pose_.y += command_.linear.x * std::sin(middle) * dt;

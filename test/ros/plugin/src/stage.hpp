@@ -46,6 +46,8 @@ class Robot {
 
   std::atomic<bool> odometry{true}, laser{true}, base_transform{true}, map_transform{true};
   std::atomic<double> transforms_ahead{0.0};  // of the clock that stamps the transforms [s]
+  /// How long it does what it was told without being told again, as a base that watches its commands [s].
+  std::atomic<double> command_lasts{std::numeric_limits<double>::infinity()};
 
  private:
   void run();
@@ -59,6 +61,7 @@ class Robot {
   mutable std::mutex mutex_;
   Pose pose_;
   geometry_msgs::Twist command_;
+  double since_command_ = 0.0;  // [s]
   bool wall_ = false;
   double wall_heading_ = 0.0, wall_distance_ = 0.0;  // its normal, and its distance from the origin of odom
   double room_ = std::numeric_limits<double>::infinity();
