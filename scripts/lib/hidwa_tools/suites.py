@@ -29,6 +29,7 @@ DATA = os.path.abspath(os.environ.get('HIDWA_DATA', os.path.join(ROOT, '..', 'sh
 WORK = os.path.join(SPACE, 'build', 'tests')  # what the tests build and write
 JOBS = str(os.cpu_count() or 1)
 LIMIT = 1200.0        # [s], of one command
+LONG_LIMIT = 6 * 3600.0  # [s], of all tests of a long form
 FUZZ_SECONDS = 5      # [s], of each target in the short form
 FASTEST = 3.0         # simulated seconds a second, of the drives
 CONTROL_RATE = 20.0   # [Hz], of the drives
@@ -46,17 +47,17 @@ class Absent(Exception):
     """A suite is skipped; the text names what is absent."""
 
 
-def run(command, log, cwd=ROOT, check=True):
-    """Runs a command into WORK/log.log and returns (exit status, output). What it started ends with it."""
+def run(command, log, cwd=ROOT, check=True, limit=LIMIT):
+    """Runs a command into WORK/log.log, for `limit` seconds at most; (exit status, output). What it started ends with it."""
     os.makedirs(WORK, exist_ok=True)
     path = os.path.join(WORK, log + '.log')
     with open(path, 'w', encoding='utf-8') as out:
         process = subprocess.Popen(command, cwd=cwd, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
                                    start_new_session=True)
         try:
-            status = process.wait(LIMIT)
+            status = process.wait(limit)
         except subprocess.TimeoutExpired:
-            status = f'none after {LIMIT:.0f} s'
+            status = f'none after {limit:.0f} s'
         finally:
             if process.poll() is None:
                 os.killpg(process.pid, signal.SIGTERM)
@@ -81,11 +82,11 @@ def in_install(*command):
     return sourced(os.path.join(ROOT, 'scripts', 'env'), *command)
 
 
-def ctest(folder, log, wrap=lambda *command: list(command), jobs=JOBS, which=()):
-    """Runs ctest in a build folder and counts; `which`: options that choose the tests."""
+def ctest(folder, log, wrap=lambda *command: list(command), jobs=JOBS, which=(), limit=LIMIT):
+    """Runs ctest in a build folder and counts; `which`: options that choose the tests; `limit`: seconds for all."""
     _, listing = run(wrap('ctest', '--show-only=json-v1', *which), log + '_list', cwd=folder)
     since = time.time() - 1.0
-    _, output = run(wrap('ctest', '-j', jobs, '--output-on-failure', *which), log, cwd=folder, check=False)
+    _, output = run(wrap('ctest', '-j', jobs, '--output-on-failure', *which), log, cwd=folder, check=False, limit=limit)
     counts = count_ctest(output, listing[listing.index('{'):], since)
     if counts.failed:
         print(tail(output, 80))
@@ -120,7 +121,7 @@ def ctest_sanitized(name, options, which):
          *options], f'{name}_configure')
     run(['cmake', '--build', folder, '-j', JOBS], f'{name}_build')
     os.environ.update(sanitize.environment(ROOT))
-    return ctest(folder, name, which=which)
+    return ctest(folder, name, which=which, limit=LONG_LIMIT)
 
 
 def sanitized():
@@ -568,7 +569,7 @@ def coverage():
     run(['cmake', '--build', folder, '-j', JOBS], 'coverage_build')
     for old in glob.glob(os.path.join(folder, '**', '*.gcda'), recursive=True):
         os.remove(old)
-    counts = ctest(folder, 'coverage', which=['-E', '^(' + '|'.join(sanitize.UNFIT) + ')$'])
+    counts = ctest(folder, 'coverage', which=['-E', '^(' + '|'.join(sanitize.UNFIT) + ')$'], limit=LONG_LIMIT)
     rows = coverage_of.rows_of(ROOT, folder)
     lines, below = coverage_of.table(coverage_of.shares(rows))
     print('\n'.join(lines + coverage_of.worst_files(rows)))
