@@ -54,7 +54,8 @@ def cmake_options(compiler, sanitizers):
     """What CMake is told: assertions stay, and light optimisation; more for threads, whose tests take ten times as long."""
     found = compilers.clang() if compiler == 'clang++' else compiler
     level = '-O2' if sanitizers == THREAD else '-O1'
-    return [f'-DCMAKE_CXX_COMPILER={found}', f'-DHIDWA_SANITIZE={sanitizers}', '-DCMAKE_BUILD_TYPE=Debug', f'-DCMAKE_CXX_FLAGS_DEBUG={level}']
+    return [f'-DCMAKE_CXX_COMPILER={found}', f'-DHIDWA_SANITIZE={sanitizers}', '-DCMAKE_BUILD_TYPE=Debug',
+            f'-DCMAKE_CXX_FLAGS_DEBUG={level}']
 
 
 def ctest_options():
