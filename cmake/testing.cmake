@@ -76,3 +76,29 @@ function(hidwa_add_program_test name)
     COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/test/support/program_test.py
       ${HIDWA_TEST_RESULTS}/${results} ${test} ${ARG_COMMAND})
 endfunction()
+
+set(HIDWA_FUZZ_MUTATIONS 20 CACHE STRING "Mutations of each file of the corpus that the tests try")
+
+# hidwa_add_fuzz_target(name LIBRARIES lib ... [SOURCES file ...]): out of name.cpp, which has LLVMFuzzerTestOneInput. With
+# HIDWA_FUZZ a program of libFuzzer (scripts/fuzz); always a test that gives it the kept corpus and some fixed mutations of it.
+function(hidwa_add_fuzz_target name)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES;SOURCES" ${ARGN})
+  set(kinds replay)
+  if(HIDWA_FUZZ)
+    list(APPEND kinds fuzz)
+  endif()
+  foreach(kind ${kinds})
+    set(target hidwa_${kind}_${name})
+    add_executable(${target} ${name}.cpp ${ARG_SOURCES})
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/test ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES})
+    hidwa_warnings(${target})
+    hidwa_arithmetic(${target})
+  endforeach()
+  target_sources(hidwa_replay_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test/fuzz/replay.cpp)
+  if(HIDWA_FUZZ)
+    target_link_options(hidwa_fuzz_${name} PRIVATE -fsanitize=fuzzer)
+  endif()
+  hidwa_add_program_test(fuzz_${name}_test PROPERTIES LABELS fuzz
+    COMMAND $<TARGET_FILE:hidwa_replay_${name}> --mutations=${HIDWA_FUZZ_MUTATIONS} ${PROJECT_SOURCE_DIR}/test/fuzz/corpus/${name})
+endfunction()

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cycle_bag.hpp"
 
+#include <new>
 #include <set>
+#include <stdexcept>
 
 #include <ros/message_traits.h>
 #include <rosbag/view.h>
@@ -55,6 +57,10 @@ void CycleBag::for_each(const std::function<bool(const Cycle&)>& call) {
     }
   } catch (const ros::Exception& error) {  // rosbag's own are of this kind
     if (fault_.empty()) fault_ = std::string("the bag is damaged (") + error.what() + ")";
+  } catch (const std::bad_alloc&) {  // roscpp takes what a length asks for
+    if (fault_.empty()) fault_ = "the bag is damaged (a message promises more than there is memory for)";
+  } catch (const std::length_error&) {
+    if (fault_.empty()) fault_ = "the bag is damaged (a message promises more than there can be)";
   }
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The tools that judge the tests: deliberate faults, coverage, fuzzing."""
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -98,6 +99,23 @@ class Findings(unittest.TestCase):
         for name, file in {'ASAN_OPTIONS': 'asan', 'UBSAN_OPTIONS': 'ubsa', 'TSAN_OPTIONS': 'tsan'}.items():
             self.assertIn(f':log_path=/found/{file}', told[name])
         self.assertEqual(told['LSAN_OPTIONS'], sanitize.environment('/root')['LSAN_OPTIONS'])
+
+
+class Threads(unittest.TestCase):
+    """What the thread sanitizer is not given has no threads."""
+
+    def test_no_other_library_starts_one(self):
+        starts = re.compile(r'\bstd::(jthread|thread|async)\s*[({]|\bstd::(jthread|thread)\s+\w+|<std::thread>|pthread_create')
+        for top in ('src', os.path.join('include', 'hidwa_local_planner')):
+            for folder, _, names in os.walk(os.path.join(ROOT, top)):
+                part = os.path.relpath(folder, os.path.join(ROOT, top)).split(os.sep)[0]
+                for name in names if part not in sanitize.LIBRARIES_WITH_THREADS else ():
+                    with open(os.path.join(folder, name), encoding='utf-8') as text:
+                        self.assertNotRegex(text.read(), starts, f'{part}/{name}: THREAD_SUITES of sanitize.py lack its tests')
+
+    def test_those_that_do_are_known_by_it(self):
+        with open(os.path.join(ROOT, 'src', 'study', 'runner.cpp'), encoding='utf-8') as text:
+            self.assertIn('std::thread', text.read())
 
 
 class Coverage(unittest.TestCase):

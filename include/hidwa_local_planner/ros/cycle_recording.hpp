@@ -30,7 +30,7 @@ class CycleRecording {
  private:
   record::CycleRecorder recorder_;
   bool wanted_ = false;
-  const Bytes nothing_;
+  const Bytes nothing_{};
 };
 
 }  // namespace hidwa_local_planner

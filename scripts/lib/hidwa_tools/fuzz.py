@@ -14,6 +14,8 @@ from .plain_build import CORES
 FOLDER = os.path.join(SPACE, 'build', 'fuzz')
 KEPT = os.path.join(ROOT, 'test', 'fuzz', 'corpus')
 CONSOLE = 'console'       # the one target in Python
+WITH_ROS = os.path.join(FOLDER, 'ros')  # the space of those that take ROS to read
+NEED_ROS = ('messages', 'bag')
 MEMORY = 2048             # [MB], of a target; one allocation may take half of it
 PATIENCE = 25             # [s], of one input
 OPTIONS = {
@@ -35,22 +37,32 @@ def configure_options():
             '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1']
 
 
-def build(folder, suites='fuzz'):
-    """Builds the targets into a folder."""
-    os.makedirs(folder, exist_ok=True)
-    log = os.path.join(folder, 'fuzz.log')
-    commands = (['cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', f'-DHIDWA_TEST_SUITES={suites}',
-                 *configure_options()],
-                ['cmake', '--build', folder, '-j', CORES])
+def run_logged(commands, log, **more):
+    """One after the other."""
+    os.makedirs(os.path.dirname(log), exist_ok=True)
     with open(log, 'w', encoding='utf-8') as out:
         for command in commands:
-            if subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, check=False).returncode:
+            if subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, check=False, **more).returncode:
                 raise FuzzError(f'the build failed; its whole output is in {log}')
 
 
+def build(folder, suites='fuzz'):
+    """Builds the targets that need no ROS into a folder."""
+    run_logged((['cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', f'-DHIDWA_TEST_SUITES={suites}',
+                 *configure_options()],
+                ['cmake', '--build', folder, '-j', CORES]), os.path.join(folder, 'fuzz.log'))
+
+
+def build_with_ros():
+    """Builds the others, and what they link to, as scripts/build does."""
+    run_logged([[os.path.join(ROOT, 'scripts', 'build'), '--tests', '-DHIDWA_TEST_SUITES=fuzz/ros', *configure_options()]],
+               os.path.join(WITH_ROS, 'fuzz.log'), env={**os.environ, 'HIDWA_SPACE': WITH_ROS})
+
+
 def programs(folder):
-    """{target: its program} of a build folder."""
-    found = sorted(glob.glob(os.path.join(folder, 'test', 'fuzz', 'hidwa_fuzz_*')))
+    """{target: its program} of a build folder, or of a space that has been built with ROS."""
+    places = (os.path.join('test', 'fuzz'), os.path.join('build', 'hidwa_local_planner', 'devel', 'lib', 'hidwa_local_planner'))
+    found = sorted(path for place in places for path in glob.glob(os.path.join(folder, place, 'hidwa_fuzz_*')))
     return {os.path.basename(path)[len('hidwa_fuzz_'):]: path for path in found if os.path.isfile(path) and os.access(path, os.X_OK)}
 
 
@@ -60,9 +72,15 @@ def command_of(name, program, seconds, seed, work):
         return ['/usr/bin/python3', program, '--seconds', str(seconds), '--seed', str(seed)]
     grown = os.path.join(work, 'corpus', name)
     os.makedirs(grown, exist_ok=True)
-    return [program, f'-max_total_time={seconds}', f'-seed={seed}', f'-rss_limit_mb={MEMORY}', f'-malloc_limit_mb={MEMORY // 2}',
+    sourced = ['bash', '-c', '. "$0" && exec "$@"', os.path.join(ROOT, 'scripts', 'env')] if name in NEED_ROS else []
+    return [*sourced, program, f'-max_total_time={seconds}', f'-seed={seed}', f'-rss_limit_mb={MEMORY}', f'-malloc_limit_mb={MEMORY // 2}',
             f'-timeout={PATIENCE}', '-max_len=16384', '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown,
             os.path.join(KEPT, name)]
+
+
+def environment_of(name):
+    """What a target finds in its environment."""
+    return {**os.environ, **OPTIONS, **({'HIDWA_SPACE': WITH_ROS} if name in NEED_ROS else {})}
 
 
 def run_target(name, program, seconds, seed, work):
@@ -70,7 +88,7 @@ def run_target(name, program, seconds, seed, work):
     log = os.path.join(work, name + '.log')
     with open(log, 'wb') as out:
         status = subprocess.run(command_of(name, program, seconds, seed, work), stdout=out, stderr=out, check=False,
-                                env={**os.environ, **OPTIONS}).returncode
+                                env=environment_of(name)).returncode
     with open(log, encoding='utf-8', errors='replace') as text:
         said = text.read()
     inputs = re.findall(r'number_of_executed_units: (\d+)|^(\d+) inputs', said, re.MULTILINE)
@@ -81,9 +99,11 @@ def run_target(name, program, seconds, seed, work):
     return False, f'FOUND something, exit status {status}: {log}' + (f'; repeat: {program} {kept[-1]}' if kept else '')
 
 
-def run(folder, seconds, seed, only=()):
+def run(folder, seconds, seed, only=(), no_ros=False):
     """(targets without a finding, targets with one)."""
     targets = {**programs(folder), CONSOLE: os.path.join(ROOT, 'test', 'fuzz', 'console_frames.py')}
+    if folder == FOLDER and not no_ros:
+        targets.update(programs(WITH_ROS))
     for name in only:
         if name not in targets:
             raise FuzzError(f"there is no target '{name}'; there are {', '.join(targets)}")
@@ -112,13 +132,17 @@ def main(arguments=None):
     parser.add_argument('--seconds', type=int, default=60, metavar='N', help='of each target [s] (60)')
     parser.add_argument('--seed', type=int, default=1, metavar='N', help='other inputs (1)')
     parser.add_argument('--no-build', action='store_true', help='run what is built')
+    parser.add_argument('--no-ros', action='store_true', help=f'leave out those that need ROS ({", ".join(NEED_ROS)})')
     options = parser.parse_args(arguments)
     try:
         if not options.no_build:
             print('==> building', flush=True)
-            build(FOLDER)
+            if not options.targets or set(options.targets) - set(NEED_ROS):
+                build(FOLDER)
+            if not options.no_ros and (not options.targets or set(options.targets) & set(NEED_ROS)):
+                build_with_ros()
         print(f'==> {options.seconds} s of each target; logs and findings in {FOLDER}/found', flush=True)
-        return 1 if run(FOLDER, options.seconds, options.seed, options.targets)[1] else 0
+        return 1 if run(FOLDER, options.seconds, options.seed, options.targets, options.no_ros)[1] else 0
     except (FuzzError, OSError) as fault:
         print(f'scripts/fuzz: {fault}', file=sys.stderr)
         return 2

@@ -141,7 +141,7 @@ def sanitized():
 
 def build():
     """The colcon build of everything; tests that need no ROS are not built twice."""
-    run([os.path.join(ROOT, 'scripts', 'build'), '--tests', '-DHIDWA_TEST_SUITES=unit/ros'], 'build')
+    run([os.path.join(ROOT, 'scripts', 'build'), '--tests', '-DHIDWA_TEST_SUITES=unit/ros;fuzz/ros'], 'build')
     return Counts(passed=1)
 
 

@@ -2,7 +2,6 @@
 // Messages of other packages, byte by byte as their definitions lay them out.
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -12,58 +11,17 @@
 #include <boost/make_shared.hpp>
 
 #include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
+#include "support/wire_bytes.hpp"
 
 namespace hidwa_local_planner {
 namespace {
+
+using Bytes = test::WireBytes;
 
 constexpr char kPeople[] = "people_msgs/People";
 constexpr char kPeopleSum[] = "18722f4b8db20cc2369740732357847b";
 constexpr char kArray[] = "costmap_converter/ObstacleArrayMsg";
 constexpr char kArraySum[] = "8a1bdcde72c65ca7d3ce8ebf52d43516";
-
-// ROS's wire format: little-endian; texts and lists begin with their length.
-class Bytes {
- public:
-  template <typename Number>
-  Bytes& add(Number number) {
-    const std::size_t at = bytes_.size();
-    bytes_.resize(at + sizeof number);
-    std::memcpy(bytes_.data() + at, &number, sizeof number);
-    return *this;
-  }
-  Bytes& count(std::size_t n) { return add(static_cast<std::uint32_t>(n)); }
-  Bytes& text(const std::string& text) {
-    count(text.size());
-    bytes_.insert(bytes_.end(), text.begin(), text.end());
-    return *this;
-  }
-  Bytes& numbers(const std::vector<double>& numbers) {
-    for (const double number : numbers) add(number);
-    return *this;
-  }
-  Bytes& header(const std::string& frame, std::uint32_t seconds) {
-    return add(std::uint32_t{0}).add(seconds).add(std::uint32_t{0}).text(frame);
-  }
-  Bytes& person(const std::string& name, double x, double y, double vx, double vy) {
-    text(name).numbers({x, y, 0.0, vx, vy, 0.0, 0.75});
-    return count(1).text("tag").count(2).text("").text("value");
-  }
-  Bytes& obstacle(std::int64_t id, const std::vector<Point>& vertices, double radius, double vx, double vy,
-                  const std::vector<double>& variances) {
-    header("", 0).count(vertices.size());
-    for (const Point& p : vertices) add(static_cast<float>(p.x())).add(static_cast<float>(p.y())).add(0.0F);
-    add(radius).add(id).numbers({0.0, 0.0, 0.0, 1.0}).numbers({vx, vy, 0.0, 0.0, 0.0, 0.0});
-    std::vector<double> covariance(36, 0.0);
-    covariance[0] = variances[0];
-    covariance[1] = covariance[6] = variances[1];
-    covariance[7] = variances[2];
-    return numbers(covariance);
-  }
-  std::vector<std::uint8_t>& all() { return bytes_; }
-
- private:
-  std::vector<std::uint8_t> bytes_;
-};
 
 topic_tools::ShapeShifter message(std::vector<std::uint8_t> bytes, const std::string& type, const std::string& sum) {
   topic_tools::ShapeShifter shape;

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the first files of corpus/messages and corpus/bag: a message of each kind, and a recorded drive as bags.
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <nav_msgs/Odometry.h>
+#include <nav_msgs/Path.h>
+#include <ros/serialization.h>
+
+#include "hidwa_local_planner/MovingObstacles.h"
+#include "support/recorded_drive.hpp"
+#include "support/wire_bytes.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+namespace fs = std::filesystem;
+using test::WireBytes;
+
+void write(const fs::path& path, int kind, const std::vector<std::uint8_t>& bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file.put(static_cast<char>(kind));  // as messages.cpp reads it
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+template <typename Message>
+std::vector<std::uint8_t> bytes_of(const Message& message) {
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return bytes;
+}
+
+nav_msgs::Path path() {
+  nav_msgs::Path path;
+  for (int k = 0; k < 5; ++k) {
+    path.poses.emplace_back();
+    path.poses.back().header.frame_id = "map";
+    path.poses.back().pose.position.x = 0.1 * k;
+    path.poses.back().pose.orientation.w = 1.0;
+  }
+  return path;
+}
+
+nav_msgs::Odometry odometry() {
+  nav_msgs::Odometry odometry;
+  odometry.header.stamp = ros::Time(10.0);
+  odometry.header.frame_id = "odom";
+  odometry.child_frame_id = "base_link";
+  odometry.pose.pose.orientation.w = 1.0;
+  odometry.twist.twist.linear.x = 0.3;
+  return odometry;
+}
+
+MovingObstacles movers(const std::string& frame) {
+  MovingObstacles movers;
+  movers.header.stamp = ros::Time(9.9);
+  movers.header.frame_id = frame;
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    movers.obstacles.emplace_back();
+    movers.obstacles.back().id = k;
+    movers.obstacles.back().position.x = 2.0 + k;
+    movers.obstacles.back().velocity.y = 0.5;
+    movers.obstacles.back().radius = 0.25;
+    movers.obstacles.back().points.resize(k);
+  }
+  return movers;
+}
+
+void write_messages(const fs::path& folder) {
+  write(folder / "path", 0, bytes_of(path()));
+  write(folder / "odometry", 1, bytes_of(odometry()));
+  write(folder / "movers_elsewhere", 2, bytes_of(movers("laser")));
+  write(folder / "movers", 3, bytes_of(movers("odom")));
+  WireBytes people;
+  people.header("odom", 10).count(2).person("anna", 3.0, 1.0, 0.5, -0.25).person("bo", -2.0, 0.0, 0.0, 0.0);
+  write(folder / "people", 4, people.all());
+  WireBytes array;
+  array.header("odom", 10).count(2);
+  array.obstacle(7, {{1.0, 1.0}, {3.0, 1.0}, {3.0, 3.0}}, 0.25, 0.5, 0.25, {1.0, 0.1, 1.0});
+  array.obstacle(8, {{1.0, -1.0}}, 0.3, 0.0, 0.4, {0.1, 0.0, 0.1});
+  write(folder / "obstacles", 5, array.all());
+}
+
+// A bag of recorded cycles, as bag.cpp reads its bytes.
+void write_bag(const fs::path& path, char compression, int cycles) {
+  std::ofstream file(path, std::ios::binary);
+  file.put(1).put(compression).put(static_cast<char>(200));  // not cut; chunks of 12800 bytes
+  test::RecordedDrive drive(1, OperatorMode::joystick);
+  char time = 10;
+  for (const test::RecordedDrive::Cycle& cycle : drive.run(cycles)) {
+    const std::size_t size = cycle.record.size();
+    file.put(0).put(++time).put(0).put(0);  // the topic, its time, a cycle well formed ...
+    file.put(time).put(0);                  // ... of that time
+    file.put(static_cast<char>(size & 0xffU)).put(static_cast<char>(size >> 8U));
+    file.write(reinterpret_cast<const char*>(cycle.record.data()), static_cast<std::streamsize>(size));
+  }
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
+
+int main(int argc, char** argv) {
+  using namespace hidwa_local_planner;
+  if (argc != 2) {
+    std::fprintf(stderr, "hidwa_wire_seeds FOLDER\n");
+    return 2;
+  }
+  const fs::path folder(argv[1]);
+  for (const char* name : {"messages", "bag"}) fs::create_directories(folder / name);
+  write_messages(folder / "messages");
+  write_bag(folder / "bag" / "plain", 0, 2);
+  write_bag(folder / "bag" / "bz2", 1, 2);
+  write_bag(folder / "bag" / "lz4", 2, 1);
+  return 0;
+}
