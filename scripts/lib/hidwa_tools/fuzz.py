@@ -72,10 +72,10 @@ def command_of(name, program, seconds, seed, work):
         return ['/usr/bin/python3', program, '--seconds', str(seconds), '--seed', str(seed)]
     grown = os.path.join(work, 'corpus', name)
     os.makedirs(grown, exist_ok=True)
-    sourced = ['bash', '-c', '. "$0" && exec "$@"', os.path.join(ROOT, 'scripts', 'env')] if name in NEED_ROS else []
-    return [*sourced, program, f'-max_total_time={seconds}', f'-seed={seed}', f'-rss_limit_mb={MEMORY}', f'-malloc_limit_mb={MEMORY // 2}',
-            f'-timeout={PATIENCE}', '-max_len=16384', '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown,
-            os.path.join(KEPT, name)]
+    sourced = ['bash', '-c', '. "$1" && shift && exec "$@"', 'scripts/fuzz', os.path.join(ROOT, 'scripts', 'env')]
+    return [*(sourced if name in NEED_ROS else ()), program, f'-max_total_time={seconds}', f'-seed={seed}',
+            f'-rss_limit_mb={MEMORY}', f'-malloc_limit_mb={MEMORY // 2}', f'-timeout={PATIENCE}', '-max_len=16384',
+            '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown, os.path.join(KEPT, name)]
 
 
 def environment_of(name):

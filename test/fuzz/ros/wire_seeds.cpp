@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes the first files of corpus/messages and corpus/bag: a message of each kind, and a recorded drive as bags.
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <nav_msgs/Path.h>
 #include <ros/serialization.h>
 
+#include "hidwa_local_planner/Cycle.h"
 #include "hidwa_local_planner/MovingObstacles.h"
 #include "support/recorded_drive.hpp"
 #include "support/wire_bytes.hpp"
@@ -101,6 +103,21 @@ void write_bag(const fs::path& path, char compression, int cycles) {
   }
 }
 
+// A bag with one cycle whose list of names is longer than memory.
+void write_lie(const fs::path& path) {
+  Cycle message;
+  std::vector<std::uint8_t> bytes = bytes_of(message);
+  // The header's 16 bytes, the outcome, two texts' lengths, twelve numbers of 8 bytes and four of 4: 16 + 1 + 8 + 96 +
+  // 16 = 137.
+  std::fill_n(bytes.begin() + 137, 4, std::uint8_t{0xff});
+  std::ofstream file(path, std::ios::binary);
+  file.put(1).put(0).put(static_cast<char>(200));
+  file.put(0).put(10).put(0).put(1).put(0);   // the topic, its time, bytes as they are, the type of cycles
+  const std::size_t size = bytes.size() - 1;  // 0 stands for 1
+  file.put(static_cast<char>(size & 0xffU)).put(static_cast<char>(size >> 8U));
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner
 
@@ -116,5 +133,6 @@ int main(int argc, char** argv) {
   write_bag(folder / "bag" / "plain", 0, 2);
   write_bag(folder / "bag" / "bz2", 1, 2);
   write_bag(folder / "bag" / "lz4", 2, 1);
+  write_lie(folder / "bag" / "mended_length");
   return 0;
 }
