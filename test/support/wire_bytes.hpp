@@ -39,7 +39,7 @@ class WireBytes {
     return count(1).text("tag").count(2).text("").text("value");
   }
   WireBytes& obstacle(std::int64_t id, const std::vector<Point>& vertices, double radius, double vx, double vy,
-                  const std::vector<double>& variances) {
+                      const std::vector<double>& variances) {
     header("", 0).count(vertices.size());
     for (const Point& p : vertices) add(static_cast<float>(p.x())).add(static_cast<float>(p.y())).add(0.0F);
     add(radius).add(id).numbers({0.0, 0.0, 0.0, 1.0}).numbers({vx, vy, 0.0, 0.0, 0.0, 0.0});
