@@ -17,6 +17,7 @@
 #include "attack/drive.hpp"
 #include "attack/hostile.hpp"
 #include "core/util/words.hpp"
+#include "study/progress.hpp"
 #include "study/store.hpp"
 
 namespace hidwa_local_planner {
@@ -57,8 +58,8 @@ double quantile(std::vector<double>& values, double share) {
 /// Looks on, minute by minute; no memory grows with the hours but a line a minute, which is reserved.
 class Watch {
  public:
-  explicit Watch(double hours) {
-    minutes_.reserve(static_cast<std::size_t>(60.0 * hours) + 2);
+  Watch(double hours, std::ostream& told) : progress_(told, minutes_of(hours), "minutes") {
+    minutes_.reserve(minutes_of(hours) + 2);
     times_.reserve(2000);
   }
   void see(const CycleSeen& cycle) {
@@ -75,12 +76,17 @@ class Watch {
 
  private:
   static constexpr std::size_t kMemoryEvery = 100;  // cycles
+  static std::size_t minutes_of(double hours) { return static_cast<std::size_t>(std::ceil(60.0 * hours)); }
   void end_minute(int next) {
-    if (!times_.empty()) minutes_.push_back({memory_, quantile(times_, 0.5), quantile(times_, 0.99), times_.size()});
+    if (!times_.empty()) {
+      minutes_.push_back({memory_, quantile(times_, 0.5), quantile(times_, 0.99), times_.size()});
+      progress_.step();
+    }
     times_.clear();
     minute_ = next;
   }
 
+  Progress progress_;
   int minute_ = 0;
   double memory_ = 0.0;        // [MB]
   std::vector<double> times_;  // of this minute [ms]
@@ -128,10 +134,10 @@ std::string csv(const std::vector<Minute>& minutes) {
 
 }  // namespace
 
-int soak(const Options& options, std::ostream& out, std::ostream& /*errors*/) {
+int soak(const Options& options, std::ostream& out, std::ostream& errors) {
   std::filesystem::create_directories(options.out);
   const Spec spec = spec_of(options.hours);
-  Watch watch(options.hours);
+  Watch watch(options.hours, errors);
   const DriveResult result =
       hidwa_attack::drive(spec, options.seed, nullptr, [&watch](const CycleSeen& cycle) { watch.see(cycle); });
   watch.finish();
