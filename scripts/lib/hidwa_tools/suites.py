@@ -29,7 +29,7 @@ DATA = os.path.abspath(os.environ.get('HIDWA_DATA', os.path.join(ROOT, '..', 'sh
 WORK = os.path.join(SPACE, 'build', 'tests')  # what the tests build and write
 JOBS = str(os.cpu_count() or 1)
 LIMIT = 1200.0        # [s], of one command
-LONG_LIMIT = 6 * 3600.0  # [s], of all tests of a long form
+LONG_LIMIT = 6 * 3600.0  # [s], of one command of a long form
 FUZZ_SECONDS = 5      # [s], of each target in the short form
 FASTEST = 3.0         # simulated seconds a second, of the drives
 CONTROL_RATE = 20.0   # [Hz], of the drives
@@ -119,7 +119,7 @@ def ctest_sanitized(name, options, which):
     folder = os.path.join(WORK, name)
     run(['cmake', '-S', ROOT, '-B', folder, '-UHIDWA_TEST_SUITES', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_UNITY=ON',
          *options], f'{name}_configure')
-    run(['cmake', '--build', folder, '-j', JOBS], f'{name}_build')
+    run(['cmake', '--build', folder, '-j', JOBS], f'{name}_build', limit=LONG_LIMIT)
     os.environ.update(sanitize.environment(ROOT))
     return ctest(folder, name, which=which, limit=LONG_LIMIT)
 
@@ -566,7 +566,7 @@ def coverage():
     run(['cmake', '-S', ROOT, '-B', folder, f'-DHIDWA_TEST_SUITES={";".join(coverage_of.SUITES)}', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON',
          '-DHIDWA_COVERAGE=ON', '-DCMAKE_CXX_COMPILER=g++', '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O0 -DNDEBUG'],
         'coverage_configure')
-    run(['cmake', '--build', folder, '-j', JOBS], 'coverage_build')
+    run(['cmake', '--build', folder, '-j', JOBS], 'coverage_build', limit=LONG_LIMIT)
     for old in glob.glob(os.path.join(folder, '**', '*.gcda'), recursive=True):
         os.remove(old)
     counts = ctest(folder, 'coverage', which=['-E', '^(' + '|'.join(sanitize.UNFIT) + ')$'], limit=LONG_LIMIT)
