@@ -10,6 +10,7 @@ import sys
 from . import compilers
 from .places import ROOT, SPACE
 from .plain_build import CORES
+from .processes import sourced
 
 FOLDER = os.path.join(SPACE, 'build', 'fuzz')
 KEPT = os.path.join(ROOT, 'test', 'fuzz', 'corpus')
@@ -72,10 +73,10 @@ def command_of(name, program, seconds, seed, work):
         return ['/usr/bin/python3', program, '--seconds', str(seconds), '--seed', str(seed)]
     grown = os.path.join(work, 'corpus', name)
     os.makedirs(grown, exist_ok=True)
-    sourced = ['bash', '-c', '. "$1" && shift && exec "$@"', 'scripts/fuzz', os.path.join(ROOT, 'scripts', 'env')]
-    return [*(sourced if name in NEED_ROS else ()), program, f'-max_total_time={seconds}', f'-seed={seed}',
-            f'-rss_limit_mb={MEMORY}', f'-malloc_limit_mb={MEMORY // 2}', f'-timeout={PATIENCE}', '-max_len=16384',
-            '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown, os.path.join(KEPT, name)]
+    command = [program, f'-max_total_time={seconds}', f'-seed={seed}', f'-rss_limit_mb={MEMORY}', f'-malloc_limit_mb={MEMORY // 2}',
+               f'-timeout={PATIENCE}', '-max_len=16384', '-print_final_stats=1', f'-artifact_prefix={work}/{name}-', grown,
+               os.path.join(KEPT, name)]
+    return sourced(os.path.join(ROOT, 'scripts', 'env'), *command) if name in NEED_ROS else command
 
 
 def environment_of(name):
@@ -99,15 +100,15 @@ def run_target(name, program, seconds, seed, work):
     return False, f'FOUND something, exit status {status}: {log}' + (f'; repeat: {program} {kept[-1]}' if kept else '')
 
 
-def run(folder, seconds, seed, only=(), no_ros=False):
-    """(targets without a finding, targets with one)."""
-    targets = {**programs(folder), CONSOLE: os.path.join(ROOT, 'test', 'fuzz', 'console_frames.py')}
-    if folder == FOLDER and not no_ros:
-        targets.update(programs(WITH_ROS))
+def run(folders, seconds, seed, only=()):
+    """(targets without a finding, targets with one) of build folders; what is found goes into the first one."""
+    targets = {CONSOLE: os.path.join(ROOT, 'test', 'fuzz', 'console_frames.py')}
+    for folder in folders:
+        targets.update(programs(folder))
     for name in only:
         if name not in targets:
             raise FuzzError(f"there is no target '{name}'; there are {', '.join(targets)}")
-    work = os.path.join(folder, 'found')
+    work = os.path.join(folders[0], 'found')
     os.makedirs(work, exist_ok=True)
     well, found = [], []
     for name, program in targets.items():
@@ -135,14 +136,17 @@ def main(arguments=None):
     parser.add_argument('--no-ros', action='store_true', help=f'leave out those that need ROS ({", ".join(NEED_ROS)})')
     options = parser.parse_args(arguments)
     try:
+        wanted = set(options.targets)
+        with_ros = not options.no_ros and (not wanted or wanted & set(NEED_ROS))
         if not options.no_build:
             print('==> building', flush=True)
-            if not options.targets or set(options.targets) - set(NEED_ROS):
+            if not wanted or wanted - set(NEED_ROS):
                 build(FOLDER)
-            if not options.no_ros and (not options.targets or set(options.targets) & set(NEED_ROS)):
+            if with_ros:
                 build_with_ros()
         print(f'==> {options.seconds} s of each target; logs and findings in {FOLDER}/found', flush=True)
-        return 1 if run(FOLDER, options.seconds, options.seed, options.targets, options.no_ros)[1] else 0
+        folders = [FOLDER, WITH_ROS] if with_ros else [FOLDER]
+        return 1 if run(folders, options.seconds, options.seed, options.targets)[1] else 0
     except (FuzzError, OSError) as fault:
         print(f'scripts/fuzz: {fault}', file=sys.stderr)
         return 2

@@ -19,6 +19,11 @@ def free_port():
         return probe.getsockname()[1]
 
 
+def sourced(setup, *command):
+    """The command in a shell that has sourced a setup file."""
+    return ['bash', '-c', 'setup=$1; shift; . "$setup" && exec "$@"', 'sourced', setup, *command]
+
+
 def _end_with_parent():
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # ignored where the parent was started in the background
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGINT)

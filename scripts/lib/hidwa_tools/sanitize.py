@@ -14,9 +14,8 @@ UNFIT_CASES = '-Allocations.NoneWhileThePersonSteers'
 # What one CI run has time for: whole drives, campaigns and records take many times as long as all else together, and are not even built.
 SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/core;unit/input;unit/control;unit/robot;fuzz')
 # A program with one thread has no race to find: the thread sanitizer takes the folders whose tests start threads of their own.
-# No other library starts one.
+# No other library without ROS starts one; test/scripts looks.
 THREAD_SUITES = ('unit/robot', 'unit/study', 'attack', 'ways')
-LIBRARIES_WITH_THREADS = ('attack', 'robot', 'ros', 'study')  # in src
 SUPPRESSIONS = os.path.join('test', 'sanitize')  # what is not ours, by name
 
 # {name: (compiler, sanitizers, with ROS)}

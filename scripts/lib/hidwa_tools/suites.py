@@ -22,14 +22,15 @@ from .counting import Counts, count_ctest, count_unittest
 from .lint import lint as run_tools
 from .measure import LONGEST_GAP
 from .places import ROOT, SPACE
-from .processes import Child, end_on_signals
+from .processes import Child, end_on_signals, sourced
 from .side_by_side import side_by_side
 
 DATA = os.path.abspath(os.environ.get('HIDWA_DATA', os.path.join(ROOT, '..', 'shared', 'data')))
 WORK = os.path.join(SPACE, 'build', 'tests')  # what the tests build and write
 JOBS = str(os.cpu_count() or 1)
 LIMIT = 1200.0        # [s], of one command
-LONG_LIMIT = 6 * 3600.0  # [s], of one command of a long form
+LONG_LIMIT = 6 * 3600.0  # [s], of one command of a long form, which says so to the suites that it starts:
+LIMIT_NAME = 'HIDWA_COMMAND_LIMIT'
 FUZZ_SECONDS = 5      # [s], of each target in the short form
 FASTEST = 3.0         # simulated seconds a second, of the drives
 CONTROL_RATE = 20.0   # [Hz], of the drives
@@ -47,8 +48,9 @@ class Absent(Exception):
     """A suite is skipped; the text names what is absent."""
 
 
-def run(command, log, cwd=ROOT, check=True, limit=LIMIT):
-    """Runs a command into WORK/log.log, for `limit` seconds at most; (exit status, output). What it started ends with it."""
+def run(command, log, cwd=ROOT, check=True):
+    """Runs a command into WORK/log.log and returns (exit status, output). What it started ends with it."""
+    limit = float(os.environ.get(LIMIT_NAME, LIMIT))
     os.makedirs(WORK, exist_ok=True)
     path = os.path.join(WORK, log + '.log')
     with open(path, 'w', encoding='utf-8') as out:
@@ -73,20 +75,15 @@ def tail(output, lines=40):
     return '\n'.join('    | ' + line for line in output.splitlines()[-lines:])
 
 
-def sourced(setup, *command):
-    """The command in a shell that has sourced a setup file."""
-    return ['bash', '-c', 'setup=$1; shift; . "$setup" && exec "$@"', 'scripts/test', setup, *command]
-
-
 def in_install(*command):
     return sourced(os.path.join(ROOT, 'scripts', 'env'), *command)
 
 
-def ctest(folder, log, wrap=lambda *command: list(command), jobs=JOBS, which=(), limit=LIMIT):
-    """Runs ctest in a build folder and counts; `which`: options that choose the tests; `limit`: seconds for all."""
+def ctest(folder, log, wrap=lambda *command: list(command), jobs=JOBS, which=()):
+    """Runs ctest in a build folder and counts; `which`: options that choose the tests."""
     _, listing = run(wrap('ctest', '--show-only=json-v1', *which), log + '_list', cwd=folder)
     since = time.time() - 1.0
-    _, output = run(wrap('ctest', '-j', jobs, '--output-on-failure', *which), log, cwd=folder, check=False, limit=limit)
+    _, output = run(wrap('ctest', '-j', jobs, '--output-on-failure', *which), log, cwd=folder, check=False)
     counts = count_ctest(output, listing[listing.index('{'):], since)
     if counts.failed:
         print(tail(output, 80))
@@ -119,9 +116,9 @@ def ctest_sanitized(name, options, which):
     folder = os.path.join(WORK, name)
     run(['cmake', '-S', ROOT, '-B', folder, '-UHIDWA_TEST_SUITES', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_UNITY=ON',
          *options], f'{name}_configure')
-    run(['cmake', '--build', folder, '-j', JOBS], f'{name}_build', limit=LONG_LIMIT)
+    run(['cmake', '--build', folder, '-j', JOBS], f'{name}_build')
     os.environ.update(sanitize.environment(ROOT))
-    return ctest(folder, name, which=which, limit=LONG_LIMIT)
+    return ctest(folder, name, which=which)
 
 
 def sanitized():
@@ -135,7 +132,7 @@ def sanitized():
         counts = ctest_sanitized('sanitized', [*fuzz.configure_options(), *sanitize.SHORT_BUILD], sanitize.ctest_options())
     finally:
         del os.environ['GTEST_FILTER']
-    well, found = fuzz.run(os.path.join(WORK, 'sanitized'), FUZZ_SECONDS, 1)
+    well, found = fuzz.run([os.path.join(WORK, 'sanitized')], FUZZ_SECONDS, 1)
     return counts + Counts(passed=len(well), failed=len(found))
 
 
@@ -566,10 +563,10 @@ def coverage():
     run(['cmake', '-S', ROOT, '-B', folder, f'-DHIDWA_TEST_SUITES={";".join(coverage_of.SUITES)}', '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON',
          '-DHIDWA_COVERAGE=ON', '-DCMAKE_CXX_COMPILER=g++', '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O0 -DNDEBUG'],
         'coverage_configure')
-    run(['cmake', '--build', folder, '-j', JOBS], 'coverage_build', limit=LONG_LIMIT)
+    run(['cmake', '--build', folder, '-j', JOBS], 'coverage_build')
     for old in glob.glob(os.path.join(folder, '**', '*.gcda'), recursive=True):
         os.remove(old)
-    counts = ctest(folder, 'coverage', which=['-E', '^(' + '|'.join(sanitize.UNFIT) + ')$'], limit=LONG_LIMIT)
+    counts = ctest(folder, 'coverage', which=['-E', '^(' + '|'.join(sanitize.UNFIT) + ')$'])
     rows = coverage_of.rows_of(ROOT, folder)
     lines, below = coverage_of.table(coverage_of.shares(rows))
     print('\n'.join(lines + coverage_of.worst_files(rows)))
@@ -670,6 +667,7 @@ def main(arguments=None):
     end_on_signals()
     use_ccache()
     if options.coverage or options.sanitize is not None:
+        os.environ[LIMIT_NAME] = str(LONG_LIMIT)
         os.environ.setdefault('CMAKE_BUILD_PARALLEL_LEVEL', JOBS)
         total = run_suite(coverage, True) if options.coverage else sanitize_all(options.sanitize or list(sanitize.FORMS))
         print(total, flush=True)
