@@ -49,6 +49,9 @@ CycleBag::CycleBag(const std::string& path, const std::string& topic)
 }
 
 void CycleBag::for_each(const std::function<bool(const Cycle&)>& call) {
+  const auto damaged = [this](const std::string& why) {
+    if (fault_.empty()) fault_ = "the bag is damaged (" + why + ")";
+  };
   try {
     rosbag::View view(file_.bag(), rosbag::TopicQuery(topic_));
     for (const rosbag::MessageInstance& message : view) {
@@ -56,11 +59,11 @@ void CycleBag::for_each(const std::function<bool(const Cycle&)>& call) {
       if (cycle && !call(*cycle)) return;
     }
   } catch (const ros::Exception& error) {  // rosbag's own are of this kind
-    if (fault_.empty()) fault_ = std::string("the bag is damaged (") + error.what() + ")";
+    damaged(error.what());
   } catch (const std::bad_alloc&) {  // roscpp takes what a length asks for
-    if (fault_.empty()) fault_ = "the bag is damaged (a message promises more than there is memory for)";
+    damaged("a message promises more than there is memory for");
   } catch (const std::length_error&) {
-    if (fault_.empty()) fault_ = "the bag is damaged (a message promises more than there can be)";
+    damaged("a message promises more than there can be");
   }
 }
 

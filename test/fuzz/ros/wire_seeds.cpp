@@ -88,18 +88,27 @@ void write_messages(const fs::path& folder) {
   write(folder / "obstacles", 5, array.all());
 }
 
-// A bag of recorded cycles, as bag.cpp reads its bytes.
-void write_bag(const fs::path& path, char compression, int cycles) {
+// What bag.cpp reads first: not cut, the compression, chunks of 12800 bytes.
+std::ofstream begin_bag(const fs::path& path, char compression) {
   std::ofstream file(path, std::ios::binary);
-  file.put(1).put(compression).put(static_cast<char>(200));  // not cut; chunks of 12800 bytes
+  file.put(1).put(compression).put(static_cast<char>(200));
+  return file;
+}
+
+// A text, after the two bytes that bag.cpp reads its length from.
+void put(std::ofstream& file, std::size_t length, const std::uint8_t* bytes, std::size_t size) {
+  file.put(static_cast<char>(length & 0xffU)).put(static_cast<char>(length >> 8U));
+  file.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+}
+
+void write_bag(const fs::path& path, char compression, int cycles) {
+  std::ofstream file = begin_bag(path, compression);
   test::RecordedDrive drive(1, OperatorMode::joystick);
   char time = 10;
   for (const test::RecordedDrive::Cycle& cycle : drive.run(cycles)) {
-    const std::size_t size = cycle.record.size();
     file.put(0).put(++time).put(0).put(0);  // the topic, its time, a cycle well formed ...
     file.put(time).put(0);                  // ... of that time
-    file.put(static_cast<char>(size & 0xffU)).put(static_cast<char>(size >> 8U));
-    file.write(reinterpret_cast<const char*>(cycle.record.data()), static_cast<std::streamsize>(size));
+    put(file, cycle.record.size(), cycle.record.data(), cycle.record.size());
   }
 }
 
@@ -110,12 +119,9 @@ void write_lie(const fs::path& path) {
   // The header's 16 bytes, the outcome, two texts' lengths, twelve numbers of 8 bytes and four of 4: 16 + 1 + 8 + 96 +
   // 16 = 137.
   std::fill_n(bytes.begin() + 137, 4, std::uint8_t{0xff});
-  std::ofstream file(path, std::ios::binary);
-  file.put(1).put(0).put(static_cast<char>(200));
-  file.put(0).put(10).put(0).put(1).put(0);   // the topic, its time, bytes as they are, the type of cycles
-  const std::size_t size = bytes.size() - 1;  // 0 stands for 1
-  file.put(static_cast<char>(size & 0xffU)).put(static_cast<char>(size >> 8U));
-  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream file = begin_bag(path, 0);
+  file.put(0).put(10).put(0).put(1).put(0);  // the topic, its time, bytes as they are, the type of cycles
+  put(file, bytes.size() - 1, bytes.data(), bytes.size());  // a length of 0 stands for 1
 }
 
 }  // namespace
