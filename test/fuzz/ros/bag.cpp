@@ -11,7 +11,6 @@
 #include <string>
 
 #include <rosbag/bag.h>
-#include <topic_tools/shape_shifter.h>
 
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
@@ -19,6 +18,7 @@
 #include "hidwa_local_planner/record/cycle_replay.hpp"
 #include "replay/cycle_bag.hpp"
 #include "replay/options.hpp"
+#include "support/shape.hpp"
 
 namespace hidwa_local_planner::fuzz {
 namespace {
@@ -38,17 +38,13 @@ Cycle cycle_of(Input& input) {
 
 // Of the type of cycles, of another release's or of something else; whether its bytes are one or not.
 topic_tools::ShapeShifter raw_of(Input& input) {
-  topic_tools::ShapeShifter message;
   const int kind = input.integer(0, 2);
-  message.morph(kind == 1 ? std::string(32, '0') : ros::message_traits::MD5Sum<Cycle>::value(),
-                kind == 2 ? "std_msgs/String" : ros::message_traits::DataType<Cycle>::value(),
-                ros::message_traits::Definition<Cycle>::value(), "");
   std::string bytes = input.text(static_cast<std::size_t>(input.integer(1, kMostBytes)));
   if (bytes.empty()) bytes.push_back('\0');
-  ros::serialization::IStream stream(reinterpret_cast<std::uint8_t*>(bytes.data()),
-                                     static_cast<std::uint32_t>(bytes.size()));
-  message.read(stream);
-  return message;
+  return test::shape_of({bytes.begin(), bytes.end()},
+                        kind == 2 ? "std_msgs/String" : ros::message_traits::DataType<Cycle>::value(),
+                        kind == 1 ? std::string(32, '0') : ros::message_traits::MD5Sum<Cycle>::value(),
+                        ros::message_traits::Definition<Cycle>::value());
 }
 
 void write_bag(Input& input, const std::string& path) {

@@ -15,6 +15,7 @@
 #include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
 #include "hidwa_local_planner/ros/odometry_input.hpp"
 #include "hidwa_local_planner/ros/plan_message.hpp"
+#include "support/shape.hpp"
 
 namespace hidwa_local_planner::fuzz {
 namespace {
@@ -64,13 +65,9 @@ void require_movers(MovingObstacleInput& input, const tf2::BufferCore& tf, doubl
 }
 
 // Of another package: whatever it holds, it is read or refused.
-void take_detected(std::vector<std::uint8_t>& bytes, const char* type, const char* md5) {
-  topic_tools::ShapeShifter message;
-  message.morph(md5, type, "", "");
-  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  message.read(stream);
+void take_detected(const std::vector<std::uint8_t>& bytes, const char* type, const char* md5) {
   MovingObstacleInput input;
-  input.receive(message, 10.0);
+  input.receive(test::shape_of(bytes, type, md5), 10.0);
   require_movers(input, tf2::BufferCore(), 10.0);
 }
 

@@ -11,6 +11,7 @@
 #include <boost/make_shared.hpp>
 
 #include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
+#include "support/shape.hpp"
 #include "support/wire_bytes.hpp"
 
 namespace hidwa_local_planner {
@@ -23,20 +24,11 @@ constexpr char kPeopleSum[] = "18722f4b8db20cc2369740732357847b";
 constexpr char kArray[] = "costmap_converter/ObstacleArrayMsg";
 constexpr char kArraySum[] = "8a1bdcde72c65ca7d3ce8ebf52d43516";
 
-topic_tools::ShapeShifter message(std::vector<std::uint8_t> bytes, const std::string& type, const std::string& sum) {
-  topic_tools::ShapeShifter shape;
-  shape.morph(sum, type, "", "");
-  if (bytes.empty()) return shape;  // to read none, it would copy from null
-  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  shape.read(stream);
-  return shape;
-}
-
 class DetectorMessages : public ::testing::Test {
  protected:
   void SetUp() override { ros::Time::init(); }
   void receive(Bytes bytes, const std::string& type, const std::string& sum) {
-    input_.receive(message(bytes.all(), type, sum), 10.0);
+    input_.receive(test::shape_of(bytes.all(), type, sum), 10.0);
     input_.read(10.1, 0.5, tf_, "odom", obstacles_);
   }
   void receive_array(const Bytes& bytes) { receive(bytes, kArray, kArraySum); }
@@ -117,7 +109,7 @@ TEST_F(DetectorMessages, OursComesAsItIs) {
   EXPECT_TRUE(obstacles_.empty());
   EXPECT_NE(input_.status().fault.find("cannot be read"), std::string::npos) << input_.status().fault;
   const std::vector<std::uint8_t> bytes(wire.message_start, wire.buf.get() + wire.num_bytes);
-  input_.receive(message(bytes, ros::message_traits::datatype(ours), ros::message_traits::md5sum(ours)), 10.0);
+  input_.receive(test::shape_of(bytes, ros::message_traits::datatype(ours), ros::message_traits::md5sum(ours)), 10.0);
   input_.read(10.1, 0.5, tf_, "odom", obstacles_);
   ASSERT_EQ(obstacles_.size(), 1U);
   EXPECT_EQ(obstacles_[0].radius, 0.4);
@@ -160,7 +152,7 @@ TEST_F(DetectorMessages, EveryBeginningIsReadOrRefused) {
     std::vector<std::uint8_t> all = Bytes(bytes).all();
     for (std::size_t length = 0; length < all.size(); ++length) {
       input_.forget();
-      input_.receive(message({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(length)}, type, sum), 10.0);
+      input_.receive(test::shape_of({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(length)}, type, sum), 10.0);
       input_.read(10.1, 0.5, tf_, "odom", obstacles_);
       ASSERT_TRUE(obstacles_.empty()) << type << ' ' << length;
       ASSERT_NE(input_.status().fault, "");
