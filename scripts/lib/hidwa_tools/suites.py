@@ -566,7 +566,8 @@ def coverage():
     run(['cmake', '--build', folder, '-j', JOBS], 'coverage_build')
     for old in glob.glob(os.path.join(folder, '**', '*.gcda'), recursive=True):
         os.remove(old)
-    counts = ctest(folder, 'coverage', which=['-E', '^(' + '|'.join(sanitize.UNFIT) + ')$'])
+    os.environ['GTEST_FILTER'] = '-' + ':'.join(LONG_CASES)
+    counts = ctest(folder, 'coverage', which=['-E', '^(' + '|'.join(sanitize.UNFIT + coverage_of.LONG) + ')$'])
     rows = coverage_of.rows_of(ROOT, folder)
     lines, below = coverage_of.table(coverage_of.shares(rows))
     print('\n'.join(lines + coverage_of.worst_files(rows)))
