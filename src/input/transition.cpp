@@ -4,8 +4,8 @@
 namespace hidwa_local_planner::input {
 
 OperatorStateId next_state(OperatorStateId present, const Facts& facts) {
-  if (!facts.enabled) return OperatorStateId::autonomy;
   if (facts.stop) return OperatorStateId::stopped;
+  if (!facts.enabled) return OperatorStateId::autonomy;
   // A loss matters where something was in effect; it lasts until the input comes back, a stop in between or not.
   const bool can_lose = is_steering(present) || present == OperatorStateId::manual ||
                         present == OperatorStateId::lost || present == OperatorStateId::stopped;

@@ -72,7 +72,7 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
   reported_messages_ = device.messages;
 
   status.summary(Status::OK, to_string(person.state));
-  if (person.mode == OperatorMode::off) {
+  if (person.mode == OperatorMode::off && person.state != OperatorStateId::stopped) {
     status.summary(Status::OK, "off: nobody steers (parameter mode, or the topic set_mode)");
   } else if (device.messages == 0) {
     // Nothing wrong: autonomy drives. (Merging would drop the words of what is well.)

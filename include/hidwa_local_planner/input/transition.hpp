@@ -17,9 +17,9 @@ struct Facts {
   bool at_goal = false;  // the goal is latched: steering and holding no longer count
 };
 
-/// The state machine proper: a pure function. The first rule that applies decides, in this order: off, stopped, lost,
-/// manual, steering, holding, autonomy. Stopping outranks a loss: a robot that was told to stop stays so until it is
-/// told otherwise.
+/// The state machine proper: a pure function. The first rule that applies decides, in this order: stopped, off, lost,
+/// manual, steering, holding, autonomy. Stopping outranks all: a robot that was told to stop stays so until it is told
+/// otherwise.
 OperatorStateId next_state(OperatorStateId present, const Facts& facts);
 
 /// The operator is bending the motion: SHARED or BLOCKED.

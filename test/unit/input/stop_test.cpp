@@ -329,9 +329,40 @@ TEST(Stop, OutlivesAChangeOfMode) {
   person.p.mode = OperatorMode::switching;
   person.machine.configure(person.p);
   expect_stopped(person.cycle(1.05));
-  person.p.mode = OperatorMode::off;  // nobody steers: nobody stops
+  person.p.mode =
+      OperatorMode::off;  // nobody listens to the device any more, and whoever changed the mode let go of it
   person.machine.configure(person.p);
-  expect_intent(person.cycle(1.1), State::autonomy, Influence::none, 0.0, 0.0);
+  expect_stopped(person.cycle(1.1));
+  expect_stopped(person.cycle(1.95));
+  expect_intent(person.cycle(2.05), State::autonomy, Influence::none, 0.0, 0.0);  // 1 s after the device's last message
+  EXPECT_NE(person.machine.take_warnings().find("has ended"), std::string::npos);
+}
+
+TEST(Stop, InWordsCountsWhereNobodyMaySteer) {
+  Person person;
+  person.p.mode = OperatorMode::off;
+  person.machine.configure(person.p);
+  EXPECT_EQ(person.cycle(1.0).state, State::autonomy);
+  person.machine.stop(true);
+  expect_stopped(person.cycle(1.05));
+  expect_stopped(person.cycle(9.0));
+  person.machine.stop(false);
+  EXPECT_EQ(person.cycle(9.05).state, State::autonomy);
+}
+
+TEST(Stop, InWordsOutlivesAChangeToOff) {
+  Person person;
+  person.steer(1.0);
+  person.machine.stop(true);
+  expect_stopped(person.cycle(1.05));
+  person.p.mode = OperatorMode::off;
+  person.machine.configure(person.p);
+  expect_stopped(person.cycle(9.0));
+  person.p.mode = OperatorMode::joystick;
+  person.machine.configure(person.p);
+  expect_stopped(person.cycle(9.05));
+  person.machine.stop(false);
+  EXPECT_EQ(person.cycle(9.1).state, State::autonomy);
 }
 
 TEST(Stop, APullGoesOnWhereAnotherButtonIsChosen) {

@@ -95,7 +95,7 @@ TEST(Transition, Table) {
       }
       EXPECT_GE(rows, 1) << to_string(from) << " bits " << bits;
       f.enabled = false;
-      EXPECT_EQ(next_state(from, f), State::autonomy);
+      EXPECT_EQ(next_state(from, f), f.stop ? State::stopped : State::autonomy);
     }
   }
   for (std::size_t i = 0; i < used.size(); ++i) EXPECT_GT(used[i], 0) << "row " << i << " is of no use";
