@@ -43,6 +43,7 @@ nlohmann::json json_of(const Summary& s) {
           {"beyond_v", s.beyond_v},
           {"beyond_omega", s.beyond_omega},
           {"beyond_seed", s.beyond_seed},
+          {"hard", s.hard},
           {"moving", s.moving},
           {"threatened", s.threatened},
           {"meetings", s.meetings.size()},
@@ -79,6 +80,7 @@ std::string how_to_repeat(const Summary& s, int seconds) {
   std::string lines;
   if (s.contacts > 0) lines += repeat(s, s.worst_seed, seconds);
   if (s.beyond > 0 && (s.contacts == 0 || s.beyond_seed != s.worst_seed)) lines += repeat(s, s.beyond_seed, seconds);
+  if (lines.empty() && !s.found.empty()) lines += repeat(s, s.found.front(), seconds);
   return lines;
 }
 

@@ -19,6 +19,7 @@ Summary::Summary(const Condition& of, const std::vector<DriveResult>& all)
       worst_seed = one.seed;
     }
     beyond += one.beyond;
+    hard += one.hard;
     beyond_v = std::max(beyond_v, one.beyond_worst.v);
     beyond_omega = std::max(beyond_omega, one.beyond_worst.omega);
     if (one.beyond_worst.v + one.beyond_worst.omega > worst_beyond) {
@@ -32,7 +33,7 @@ Summary::Summary(const Condition& of, const std::vector<DriveResult>& all)
     too_fast += one.fastest_inside > 1.02 * one.speed_bound;
     worst_growth = std::max(worst_growth, one.growth);
     worst_excess = std::max(worst_excess, one.excess);
-    if (one.touched || one.beyond > 0) found.push_back(one.seed);
+    if (one.touched || one.beyond > 0 || one.hard > 0) found.push_back(one.seed);
   }
   moving = cycles > 0 ? static_cast<double>(moved) / cycles : 0.0;
   std::sort(meetings.begin(), meetings.end());

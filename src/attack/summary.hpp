@@ -22,6 +22,7 @@ struct Summary {
   int beyond = 0;                             // commands beyond the bound
   double beyond_v = 0.0, beyond_omega = 0.0;  // by how much at most [m/s, rad/s]
   std::uint64_t beyond_seed = 0;
+  int hard = 0;                  // commands beyond the acceleration limits
   double moving = 0.0;           // share of cycles
   int threatened = 0;            // moving cycles with an obstacle inside the stopping distance
   std::vector<double> meetings;  // speeds at which obstacles were met, ascending [m/s]
@@ -31,7 +32,7 @@ struct Summary {
 
   /// Of the speeds at which obstacles were met, `share` in [0, 1]; 0 where none was met [m/s].
   double meeting(double share) const;
-  bool held() const { return contacts == 0 && beyond == 0; }
+  bool held() const { return contacts == 0 && beyond == 0 && hard == 0; }
 };
 
 }  // namespace hidwa_attack

@@ -93,7 +93,8 @@ class Sum {
     touched_moving_ += count(Column::touched_moving);
     touched_leaving_ += count(Column::touched_leaving);
     touched_at_rest_ += count(Column::touched_at_rest);
-    if (depth > kTouch || count(Column::beyond) > 0 || count(Column::touched_moving) > 0)
+    const bool too_much = count(Column::beyond) > 0 || count(Column::hard) > 0;
+    if (depth > kTouch || too_much || count(Column::touched_moving) > 0)
       found_.push_back(std::strtoull(cells[Column::index].c_str(), nullptr, 10));
   }
 

@@ -50,6 +50,7 @@ TEST_P(Attack, Holds) {
   EXPECT_EQ(summary.contacts, 0) << "drives that touched, worst by " << 1e3 * summary.worst_depth << " mm; alone:\n"
                                  << how_to_repeat(summary, kSeconds);
   EXPECT_EQ(summary.beyond, 0) << "commands beyond the bound; alone:\n" << how_to_repeat(summary, kSeconds);
+  EXPECT_EQ(summary.hard, 0) << "commands beyond the acceleration limits; alone:\n" << how_to_repeat(summary, kSeconds);
   // Who stands still touches nothing; of those that begin in collision some have no way out.
   EXPECT_GT(summary.moving, summary.stood_in > 0 ? 0.05 : 0.2);
 }
