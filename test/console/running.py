@@ -70,6 +70,10 @@ class World:
         with open(path, encoding='utf-8', errors='replace') as text:
             return text.read()
 
+    def newest_log(self):
+        """What the console that was started last has said."""
+        return self.log(f'console_{self._consoles}')
+
     def end(self):
         for child in reversed(self._children):
             child.stop()

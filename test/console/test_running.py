@@ -24,6 +24,7 @@ from sensor_msgs.msg import CameraInfo, CompressedImage, Joy
 from std_msgs.msg import Bool
 
 import paths
+from hidwa_console.server import MOST_SOCKETS, TRY_LATER
 from command_watch import CommandWatch
 from page_twin import PATIENCE, Page, View, until
 from running import World
@@ -452,6 +453,23 @@ class Refused(unittest.IsolatedAsyncioTestCase):
 
     async def test_too_many(self):
         self.assertEqual(await self.closed(*['{"type": "claim"}'] * 2000), 1008)
+
+    async def test_too_many_sockets(self):
+        page = Page(W.port)
+        sockets = [await page.connect('/control') for _ in range(MOST_SOCKETS)]
+        refused = await page.connect('/control')
+        self.assertIsNone(await asyncio.wait_for(refused.read_message(), PATIENCE))
+        self.assertEqual(refused.close_code, TRY_LATER)
+        for one in sockets:
+            one.close()
+            while await asyncio.wait_for(one.read_message(), PATIENCE) is not None:
+                pass
+
+    async def test_a_token_that_can_be_read_on_the_way_is_said(self):
+        child, _, token = W.console('--address', '0.0.0.0', '--host-name', 'robot.lan')
+        self.assertTrue(token)  # beyond loopback one is needed
+        self.assertIn('everybody on the way can read and change what is sent, the token too', W.newest_log())
+        child.stop()
 
     async def test_bytes_that_are_no_request(self):
         for data in (b'\x00' * 100, b'GET / HTTP/1.1\r\n' + b'A: ' + b'b' * 100000 + b'\r\n\r\n',

@@ -19,6 +19,7 @@ sys.path[0:0] = [os.path.join(ROOT, 'console'), os.path.join(ROOT, 'scripts', 'l
 
 from hidwa_console import messages, wire  # noqa: E402
 from hidwa_console.desk import Desk, Settings, Visitor  # noqa: E402
+from hidwa_console.steering import Stick  # noqa: E402
 
 SLOWEST = 2.0  # [s], of one frame
 PAGE = '0123456789abcdef' * 2
@@ -95,8 +96,9 @@ class Outputs:
     """What the desk asks for; nothing of it leaves."""
 
     def steer(self, command):
+        most = 1.0 if isinstance(command, Stick) else 100.0  # a stick's deflection, or metres
         for value in command:
-            require(isinstance(value, bool) or abs(value) <= 100.0, f'{command} steers')
+            require(isinstance(value, bool) or abs(value) <= most, f'{command} steers')
 
     def stop(self, on):
         require(isinstance(on, bool), f'stop({on!r})')

@@ -39,6 +39,10 @@ class Verdict(unittest.TestCase):
         self.assertEqual(verdict(minutes(10)), [])
         self.assertEqual(summary(minutes(10))['cycles'], 12000)
 
+    def test_a_minute_without_a_cycle_is_found(self):
+        asleep = [*minutes(3), minute(4)._replace(cycles=0)]
+        self.assertEqual(verdict(asleep), ['minute 4: the planner was not called once'])
+
     def test_the_first_minute_may_grow(self):
         self.assertEqual(verdict(minutes(10, memory=[20.0] + 9 * [45.0])), [])
 

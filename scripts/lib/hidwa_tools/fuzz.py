@@ -120,6 +120,19 @@ def run(folders, seconds, seed, only=()):
     return well, found
 
 
+def build_and_run(only=(), seconds=60, seed=1, with_ros=True, build_first=True):
+    """As run(), of the targets in `only` or of all; builds what they need before."""
+    with_ros = with_ros and (not only or bool(set(only) & set(NEED_ROS)))
+    if build_first:
+        print('==> building', flush=True)
+        if not only or set(only) - set(NEED_ROS):
+            build(FOLDER)
+        if with_ros:
+            build_with_ros()
+    print(f'==> {seconds} s of each target; logs and findings in {FOLDER}/found', flush=True)
+    return run([FOLDER, WITH_ROS] if with_ros else [FOLDER], seconds, seed, only)
+
+
 def main(arguments=None):
     """scripts/fuzz"""
     parser = argparse.ArgumentParser(
@@ -136,17 +149,7 @@ def main(arguments=None):
     parser.add_argument('--no-ros', action='store_true', help=f'leave out those that need ROS ({", ".join(NEED_ROS)})')
     options = parser.parse_args(arguments)
     try:
-        wanted = set(options.targets)
-        with_ros = not options.no_ros and (not wanted or wanted & set(NEED_ROS))
-        if not options.no_build:
-            print('==> building', flush=True)
-            if not wanted or wanted - set(NEED_ROS):
-                build(FOLDER)
-            if with_ros:
-                build_with_ros()
-        print(f'==> {options.seconds} s of each target; logs and findings in {FOLDER}/found', flush=True)
-        folders = [FOLDER, WITH_ROS] if with_ros else [FOLDER]
-        return 1 if run(folders, options.seconds, options.seed, options.targets)[1] else 0
+        return 1 if build_and_run(options.targets, options.seconds, options.seed, not options.no_ros, not options.no_build)[1] else 0
     except (FuzzError, OSError) as fault:
         print(f'scripts/fuzz: {fault}', file=sys.stderr)
         return 2

@@ -18,10 +18,13 @@ SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/core;unit/input;u
 THREAD_SUITES = ('unit/robot', 'unit/study', 'attack', 'ways')
 SUPPRESSIONS = os.path.join('test', 'sanitize')  # what is not ours, by name
 
+FUZZ = 'fuzz'  # not the tests, but a minute of each fuzz target
+
 # {name: (compiler, sanitizers, with ROS)}
 FORMS = {
     'gcc-address': ('g++', ADDRESS, False), 'clang-address': ('clang++', ADDRESS, False), 'gcc-thread': ('g++', THREAD, False),
-    'clang-thread': ('clang++', THREAD, False), 'ros-address': ('g++', ADDRESS, True), 'ros-thread': ('g++', THREAD, True)}
+    'clang-thread': ('clang++', THREAD, False), 'ros-address': ('g++', ADDRESS, True), 'ros-thread': ('g++', THREAD, True),
+    FUZZ: ('clang++', ADDRESS, False)}
 
 
 def environment(root):

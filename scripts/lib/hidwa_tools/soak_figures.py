@@ -42,6 +42,7 @@ def quiet_ones(minutes):
 def verdict(minutes):
     """What did not hold, in words. Memory and times are judged from the second minute on."""
     found = [f'minute {minute.minute}: {fault}' for minute in minutes for fault in minute.faults]
+    found += [f'minute {minute.minute}: the planner was not called once' for minute in minutes if not minute.cycles]
     if sum(minute.lost for minute in minutes):
         found.append(f'{sum(minute.lost for minute in minutes)} cycles of which nobody heard')
     settled = minutes[1:]

@@ -578,7 +578,7 @@ def coverage():
 
 
 def sanitize_all(names):
-    """Counts of the long forms: every test that needs no ROS, or the host with the plugin, by each compiler and sanitizer."""
+    """Counts of the long forms: every test that needs no ROS, or the host with the plugin, by each compiler and sanitizer; fuzzing."""
     total = Counts()
     for name in names:
         compiler, sanitizers, with_ros = sanitize.FORMS[name]
@@ -586,16 +586,20 @@ def sanitize_all(names):
         if compiler == 'clang++' and not compilers.fuzzes(compilers.clang()):
             print(f'    skipped, absent: Clang with its run-time libraries ({compilers.REMEDY})')
             total += Counts(skipped=1)
-        elif with_ros:
-            total += sanitize_host(name, compiler, sanitizers)
-        else:
-            try:
+            continue
+        try:
+            if name == sanitize.FUZZ:
+                well, found = fuzz.build_and_run()
+                counts = Counts(passed=len(well), failed=len(found))
+            elif with_ros:
+                counts = sanitize_host(name, compiler, sanitizers)
+            else:
                 counts = ctest_sanitized(name, sanitize.cmake_options(compiler, sanitizers), sanitize.ctest_options())
-            except Failed as fault:
-                print(f'    {fault}')
-                counts = Counts(failed=1)
-            print(f'    {name}: {counts}', flush=True)
-            total += counts
+        except (Failed, fuzz.FuzzError) as fault:
+            print(f'    {fault}')
+            counts = Counts(failed=1)
+        print(f'    {name}: {counts}', flush=True)
+        total += counts
     return total
 
 
