@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include <ros/console.h>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kSlow = 0.1;  // [s] in one cycle; most hosts call ten times a second or more
 constexpr const char* kThrew = "it failed with an exception";
+constexpr const char* kNoReason = "something that is no std::exception";
 
 }  // namespace
 
@@ -36,7 +38,7 @@ bool GuardedCritic::succeeds(const char* what, Call call) const {
   } catch (const std::exception& error) {
     reason = error.what();
   } catch (...) {
-    reason = "something that is no std::exception";
+    reason = kNoReason;
   }
   if (!due()) return false;
   ROS_ERROR(
@@ -60,8 +62,17 @@ bool GuardedCritic::succeeds_in_time(const char* what, Call call) {
   return well;
 }
 
+// Who configures the planner knows no names.
 double GuardedCritic::configure(const Parameters& parameters, const ParameterSource& own) {
-  return critic_->configure(parameters, own);
+  std::string reason;
+  try {
+    return critic_->configure(parameters, own);
+  } catch (const std::exception& error) {
+    reason = error.what();
+  } catch (...) {
+    reason = kNoReason;
+  }
+  throw std::runtime_error(name_ + ": " + reason + "; mend them, or take it out of the parameter critics");
 }
 
 double GuardedCritic::reach() const {

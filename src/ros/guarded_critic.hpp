@@ -11,7 +11,7 @@ namespace hidwa_local_planner {
 
 /// A critic of another package, which may be wrong. Where it throws, all candidates of that cycle are rejected in its
 /// name: the robot brakes within its limits, then stands. The next cycle asks it anew. Where it keeps a cycle waiting
-/// it is named. Only configure() throws what the critic throws.
+/// it is named. Only configure() throws: a std::runtime_error that names the critic.
 class GuardedCritic : public Critic {
  public:
   GuardedCritic(std::string name, std::shared_ptr<Critic> critic);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,7 @@ class Told : public Critic {
 
   double configure(const Parameters& /*parameters*/, const ParameterSource& /*own*/) override {
     if (score_throws) throw std::runtime_error("no such table");
+    if (prepare_throws) throw 42;
     return 2.0;
   }
   double reach() const override { throw std::runtime_error("unknown"); }
@@ -91,8 +93,24 @@ TEST_F(GuardedCritics, OnlyConfigureThrows) {
   EXPECT_EQ(guarded_.reach(), 0.0);
   EXPECT_NO_THROW(guarded_.debrief(view_, Twist2{}));
   EXPECT_NO_THROW(guarded_.reset());
+  EXPECT_EQ(guarded_.configure(Parameters(), ParameterSource()), 2.0);
+}
+
+TEST_F(GuardedCritics, WhatCannotBeConfiguredIsNamedWhateverItThrows) {
+  const auto said = [this] {
+    try {
+      guarded_.configure(Parameters(), ParameterSource());
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
   told_->score_throws = true;
-  EXPECT_THROW(guarded_.configure(Parameters(), ParameterSource()), std::runtime_error);
+  EXPECT_EQ(said(), "other/Told: no such table; mend them, or take it out of the parameter critics");
+  told_->score_throws = false;
+  told_->prepare_throws = true;
+  EXPECT_EQ(said(),
+            "other/Told: something that is no std::exception; mend them, or take it out of the parameter critics");
 }
 
 }  // namespace

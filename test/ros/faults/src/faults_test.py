@@ -3,6 +3,7 @@
 """Faults in the running host. Each: the robot drives, something breaks, every command stays finite, within the limits and the
 accelerations, the log names what is wrong, and when it is over the robot drives on. Nothing is touched meanwhile."""
 import itertools
+import json
 import math
 import os
 import resource
@@ -49,12 +50,22 @@ class Faults(unittest.TestCase):
         LOG.begin()
         WATCH.begin()
 
+    def drives_on(self, cycles=40):
+        """So many cycles more, enough to brake to rest in, and none of them fails; then the robot moves."""
+        self.commands(cycles)
+        self.assertNotIn('FAIL', WATCH.outcomes(), LOG.lines[-5:])
+        self.assertTrue(HOST.drives(0.1), f'the robot does not drive on; {LOG.lines[-5:]}')
+
+    def commands(self, count):
+        """Waits for so many more."""
+        begun = WATCH.count()
+        self.assertTrue(wait_for(lambda: HOST.go_on() or WATCH.count() > begun + count), 'no commands come any more')
+
     def over(self, abrupt=0, jumps=False):
         """The fault is over: the robot drives on, and nothing was wrong with any command. `abrupt`: so many zeros of the host
         itself are part of it, at most."""
         GATE.heal()
-        begun = WATCH.count()
-        self.assertTrue(wait_for(lambda: HOST.go_on() or WATCH.count() > begun + 20), 'no commands come any more')
+        self.commands(20)
         self.assertTrue(HOST.drives(), f'the robot does not drive on; {LOG.lines[-5:]}')
         self.assertEqual(WATCH.faults(jumps), [])
         self.assertLessEqual(WATCH.abrupt_stops(), abrupt)
@@ -85,7 +96,7 @@ class Transforms(Faults):
             return transform
         for child in ('base_link', 'odom'):
             GATE.disturb('tf', transforms_with(child, aside))
-            time.sleep(2.0)
+            self.drives_on()
         self.over()
 
     def test_in_the_future(self):
@@ -109,28 +120,28 @@ class Costmap(Faults):
 
     def test_cleared_while_it_plans(self):
         clear = rospy.ServiceProxy('/move_base/clear_costmaps', Empty)
-        end = time.monotonic() + 2.0
-        cleared = 0
-        while time.monotonic() < end:
+        cleared = itertools.count()
+
+        def enough():
             clear()
-            cleared += 1
-        self.assertGreater(cleared, 3)
+            return next(cleared) > 3 and WATCH.count() > 40
+        self.assertTrue(wait_for(enough))
+        self.assertNotIn('FAIL', WATCH.outcomes())
         self.over()
 
 
 class Odometry(Faults):
     def test_frozen(self):
-        """The same reading again and again, with stamps of now; the person turns the robot meanwhile."""
-        kept = []
-
-        def freeze(message):
-            kept[:] = kept or [message]
-            message.twist = kept[0].twist
-            return message
-        GATE.disturb('odom', freeze)
+        """The same reading again and again, with stamps of now; the person turns the robot meanwhile, or lets go of it."""
+        GATE.disturb('odom', frozen())
         self.steer(0.9)
-        time.sleep(2.0)
+        self.drives_on()
+        self.assertTrue(wait_for(lambda: HOST.go_on() or HOST.velocity[1] > 0.7), 'the robot does not turn')
+        LOG.begin()
+        GATE.disturb('odom', frozen())
         STICK.left = 0.0
+        self.said('faster than the commands explain')
+        self.drives_on()
         self.over(jumps=True)
 
     def test_jumping(self):
@@ -147,7 +158,8 @@ class Odometry(Faults):
         GATE.disturb('odom', jump)
         self.said('faster than the commands explain')
         self.said('its velocity is not a number; check the sender')
-        self.over(jumps=True)
+        self.drives_on()
+        self.over()  # each command starts from the one before it, whatever was read
 
     def test_at_one_hertz(self):
         last = [0.0]
@@ -159,9 +171,23 @@ class Odometry(Faults):
             return message
         GATE.disturb('odom', thin)
         self.said('s old (odom_timeout 0.50 s)')
-        wait_for(lambda: False, 3.0)  # it brakes and goes on, again and again
-        self.assertIn('BRAKE', WATCH.outcomes())
+
+        def in_turn():
+            names = iter([cycle.outcome_name for cycle in WATCH.cycles()])
+            return all(name in names for name in ('BRAKE', 'DRIVE', 'BRAKE', 'DRIVE'))
+        self.assertTrue(wait_for(lambda: HOST.go_on() or in_turn()), 'it does not brake and go on')
         self.over(jumps=True)
+
+
+def frozen():
+    """A disturbance of odometry: its first reading again and again."""
+    kept = []
+
+    def freeze(message):
+        kept[:] = kept or [message]
+        message.twist = kept[0].twist
+        return message
+    return freeze
 
 
 class Goals(Faults):
@@ -182,25 +208,28 @@ class Changes(Faults):
         """Good and bad sets as fast as they are answered, by three at once, while somebody steers."""
         call = rospy.ServiceProxy(PLANNER + '/set_parameters', Reconfigure)
         modes = rospy.Publisher(PLANNER + '/set_mode', String, queue_size=10)
-        sets = (
+        good = (
             Config(doubles=[DoubleParameter('max_vel_x', 0.3), DoubleParameter('sim_time', 1.2)]),
             Config(doubles=[DoubleParameter('max_vel_x', 0.5), DoubleParameter('sim_time', 1.7)]),
             Config(ints=[IntParameter('vx_samples', 5), IntParameter('vth_samples', 5)]),
             Config(ints=[IntParameter('vx_samples', 20), IntParameter('vth_samples', 20)]),
-            Config(strs=[StrParameter('critics', 'PathDist, GoalDist, NoSuchCritic')]),  # refused
-            Config(doubles=[DoubleParameter('max_vel_x', -3.0)]),  # refused
             Config(strs=[StrParameter('critics', 'PathDist, GoalDist, PathAlign, GoalAlign, BaseObstacle')]),
         )
+        bad = (
+            Config(strs=[StrParameter('critics', 'PathDist, GoalDist, NoSuchCritic')], doubles=[DoubleParameter('sim_time', 1.3)]),
+            Config(doubles=[DoubleParameter('max_vel_x', -3.0), DoubleParameter('sim_time', 1.4)]),
+        )
         before = call(Config()).config
+        answers = []  # each set, and what its answer says is in force
         answered, end = [0, 0, 0], time.monotonic() + 60.0
         self.addCleanup(modes.publish, 'joystick')
         self.addCleanup(call, before)
 
         def storm(index):
-            for config in itertools.cycle(sets[index:] + sets[:index]):
-                if min(answered) >= len(sets) or time.monotonic() > end:
+            for config in itertools.cycle((good + bad)[index:] + (good + bad)[:index]):
+                if min(answered) >= len(good + bad) or time.monotonic() > end:
                     return
-                call(config)
+                answers.append((config, call(config).config))
                 modes.publish(('joystick', 'switching', 'nonsense')[answered[index] % 3])
                 answered[index] += 1
         threads = [threading.Thread(target=storm, args=(index,)) for index in range(3)]
@@ -210,11 +239,22 @@ class Changes(Faults):
         for thread in threads:
             thread.join()
         STICK.left = 0.0
-        self.assertGreaterEqual(min(answered), len(sets))
+        self.assertGreaterEqual(min(answered), len(good + bad))
         self.said('NoSuchCritic')
+        for config, answer in answers:
+            wanted, in_force = values(config), values(answer)
+            for name, value in wanted.items():
+                self.assertEqual(in_force[name] == value, config in good, f'{name} = {in_force[name]} after {wanted}')
+            self.assertIn(in_force['max_vel_x'], (0.3, 0.5, values(before)['max_vel_x']))
+            self.assertNotIn('NoSuchCritic', in_force['critics'])
         call(before)
         modes.publish('joystick')
         self.over()
+
+
+def values(config):
+    """Of a set of parameters, by name."""
+    return {entry.name: entry.value for kind in (config.bools, config.ints, config.doubles, config.strs) for entry in kind}
 
 
 class Clocks(Faults):
@@ -229,8 +269,13 @@ class Clocks(Faults):
         for _ in range(2):
             self.assertTrue(wait_for(lambda: HOST.drives() and rospy.get_time() > 6.0), 'there is no time to go back to')
             LOG.begin()
+            WATCH.begin()
+            GATE.drop('odom')  # of the new time there is none yet
             GATE.shift -= 5.0
             self.said('time jumped back')
+            self.said('no odometry on')
+            self.assertTrue(HOST.stands())
+            self.assertIn('BRAKE', WATCH.outcomes())
             self.over()
 
 
@@ -253,8 +298,14 @@ class Devices(Faults):
         STICK.sends = False
         self.assertTrue(wait_for(lambda: HOST.state_name() == 'LOST'), HOST.state_name())
         self.assertTrue(wait_for(lambda: not HOST.state.active and HOST.state.wanted.angular.z == 0.0), 'the lost stick still steers')
+        STICK.sends = True  # as it was left: deflected
         self.over()
-        self.assertEqual(HOST.state_name(), 'LOST')  # until it is there again
+        self.assertEqual(HOST.state_name(), 'LOST')  # until it was seen centred
+        STICK.left = 0.0
+        self.assertTrue(wait_for(lambda: HOST.state_name() != 'LOST'))
+        self.steer(0.8)
+        STICK.left = 0.0
+        self.over()
 
     def test_unplugged_and_plugged_in_again(self):
         """A joystick whose file goes away, as when its cable is pulled."""
@@ -304,6 +355,12 @@ class Disks(Faults):
             finally:
                 recorder.send_signal(signal.SIGINT)
                 recorder.wait()
+            report = subprocess.run([os.path.join(paths.ROOT, 'scripts', 'report'), bag + '.active', '--out', folder],
+                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual(report.returncode, 0, report.stdout)
+            with open(os.path.join(folder, 'report.json'), encoding='utf-8') as written:
+                self.assertGreater(json.load(written)['path_length_m'], 0.0)
+            self.assertGreater(os.path.getsize(os.path.join(folder, 'report.png')), 0)
 
 
 if __name__ == '__main__':

@@ -10,7 +10,9 @@
 namespace hidwa_plugin_tests {
 namespace {
 
-constexpr double kStep = 2.5 * kPeriod + 1e-6;  // acc_lim_x of the launch file x period [m/s]
+// The defaults of acc_lim_x and acc_lim_theta x period [m/s, rad/s].
+constexpr double kStep = 2.5 * kPeriod + 1e-6;
+constexpr double kTurnStep = 3.2 * kPeriod + 1e-6;
 
 class MissingInput : public ::testing::Test {
  protected:
@@ -22,8 +24,8 @@ class MissingInput : public ::testing::Test {
   void drive(const std::string& frame = "odom") {
     ASSERT_TRUE(host_.plan_ahead(6.0, frame));
     const auto fast = [this](const Host::Cycle& c) {
-      last_ = c.command.linear.x;
-      return c.success && last_ > 0.45;
+      last_ = c.command;
+      return c.success && last_.linear.x > 0.45;
     };
     ASSERT_TRUE(host_.cycle_until(fast, 10.0)) << host_.report().fault;
   }
@@ -34,17 +36,19 @@ class MissingInput : public ::testing::Test {
     int brakes = 0;
     const bool failed = host_.cycle_until(
         [&](const Host::Cycle& c) {
-          EXPECT_LE(std::abs(c.command.linear.x - last_), c.success ? kStep * c.late : 1.0);
-          last_ = c.command.linear.x;
+          EXPECT_LE(std::abs(c.command.linear.x - last_.linear.x), kStep * c.late);
+          EXPECT_LE(std::abs(c.command.angular.z - last_.angular.z), kTurnStep * c.late);
+          last_ = c.command;
           const bool braking = c.success && host_.report().outcome == hidwa_local_planner::Cycle::BRAKE;
           brakes += braking ? 1 : 0;
           return !c.success;
         },
         5.0);
     EXPECT_TRUE(failed);
-    // From 0.45 m/s or more by 0.125 m/s a cycle: at least three braking commands on the way.
+    // From 0.45 m/s or more by 0.125 m/s a cycle, or 0.6 rad/s by 0.16: at least three braking commands on the way.
     EXPECT_GE(brakes, 3);
-    EXPECT_EQ(last_, 0.0);
+    EXPECT_EQ(last_.linear.x, 0.0);
+    EXPECT_EQ(last_.angular.z, 0.0);
     EXPECT_NE(host_.report().fault.find(reason), std::string::npos) << host_.report().fault;
   }
 
@@ -54,7 +58,7 @@ class MissingInput : public ::testing::Test {
   }
 
   Host host_;
-  double last_ = 0.0;  // command [m/s]
+  geometry_msgs::Twist last_;  // command
 };
 
 TEST_F(MissingInput, NoPlanYet) {
@@ -86,7 +90,7 @@ TEST_F(MissingInput, PlanInAFrameThatNobodyKnows) {
 TEST_F(MissingInput, TransformOfThePlanGrowsOld) {
   drive("map");
   Stage::get().robot.map_transform = false;
-  expect_braking_then_failure("transform");
+  expect_braking_then_failure("the transform from the plan's frame map to odom is ");
   Stage::get().robot.map_transform = true;
   expect_driving_again();
 }
@@ -102,8 +106,29 @@ TEST_F(MissingInput, PoseOfTheRobot) {
 TEST_F(MissingInput, Odometry) {
   drive();
   Stage::get().robot.odometry = false;
-  expect_braking_then_failure("odometry");
+  expect_braking_then_failure("s old (odom_timeout 0.50 s)");
+  // Who begins now has never heard of any.
+  Host other("Planner_Odometry_Never");
+  ASSERT_TRUE(other.plan_ahead(3.0));
+  const auto failed = [&other](const Host::Cycle& c) {
+    EXPECT_EQ(c.command.linear.x, 0.0);
+    return !c.success && other.report().fault.find("no odometry on /odom yet: check odom_topic") != std::string::npos;
+  };
+  EXPECT_TRUE(other.cycle_until(failed, 5.0)) << other.report().fault;
   Stage::get().robot.odometry = true;
+  expect_driving_again();
+}
+
+TEST_F(MissingInput, WhileItTurns) {
+  ASSERT_TRUE(host_.planner().setPlan(straight_plan(6.0, "odom", 1.5)));
+  const auto turns = [this](const Host::Cycle& c) {
+    last_ = c.command;
+    return c.success && last_.angular.z > 0.6;
+  };
+  ASSERT_TRUE(host_.cycle_until(turns, 10.0)) << host_.report().fault;
+  EXPECT_TRUE(host_.planner().setPlan({}));
+  expect_braking_then_failure("plan is empty");
+  ASSERT_TRUE(host_.plan_ahead(3.0));
   expect_driving_again();
 }
 

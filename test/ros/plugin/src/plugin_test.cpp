@@ -262,8 +262,8 @@ TEST(Plugin, SaysASmallMapAndAShortHorizon) {
   EXPECT_TRUE(wait_for([&] { return log.said("set its width and height"); }, 5.0));
 }
 
-/// The first evaluation of a planner that drives 2 m ahead, once `ready`.
-Evaluation evaluation_of(Host& host, const std::string& name, const std::function<bool()>& ready) {
+/// The first evaluation of a planner that drives 2 m ahead that is `ready`.
+Evaluation evaluation_of(Host& host, const std::string& name, const std::function<bool(const Evaluation&)>& ready) {
   Evaluation evaluation;
   ros::NodeHandle node("~/" + name);
   std::mutex mutex;
@@ -276,11 +276,18 @@ Evaluation evaluation_of(Host& host, const std::string& name, const std::functio
   EXPECT_TRUE(host.cycle_until(
       [&](const Host::Cycle&) {
         const std::lock_guard<std::mutex> lock(mutex);
-        return !evaluation.twists.empty() && ready();
+        return !evaluation.twists.empty() && ready(evaluation);
       },
       5.0));
   const std::lock_guard<std::mutex> lock(mutex);
   return evaluation;
+}
+
+/// How many candidates it rejected in that cycle.
+std::size_t rejections_by(const std::string& critic, const hidwa_local_planner::Cycle& report) {
+  const std::vector<std::string>& names = report.rejection_names;
+  const auto name = std::find(names.begin(), names.end(), critic);
+  return name == names.end() ? 0 : report.rejection_counts[static_cast<std::size_t>(name - names.begin())];
 }
 
 TEST(Plugin, TakesCriticsOfOtherPackages) {
@@ -290,7 +297,7 @@ TEST(Plugin, TakesCriticsOfOtherPackages) {
   ros::param::set(at + "TurnLimit/scale", 3.0);
   Host host("Example");
   const Evaluation evaluation =
-      evaluation_of(host, "Example", [&host] { return !host.report().rejection_names.empty(); });
+      evaluation_of(host, "Example", [&host](const Evaluation&) { return !host.report().rejection_names.empty(); });
   int rejected = 0;
   for (const hidwa_local_planner::TrajectoryScore& twist : evaluation.twists) {
     const double omega = std::abs(twist.traj.velocity.angular.z);
@@ -307,11 +314,30 @@ TEST(Plugin, TakesCriticsOfOtherPackages) {
     EXPECT_DOUBLE_EQ(term->scale, 3.0);
   }
   EXPECT_GT(rejected, 0);
-  const hidwa_local_planner::Cycle report = host.report();
-  const auto name =
-      std::find(report.rejection_names.begin(), report.rejection_names.end(), "hidwa_example_critics/TurnLimit");
-  ASSERT_NE(name, report.rejection_names.end());
-  EXPECT_GT(report.rejection_counts[static_cast<std::size_t>(name - report.rejection_names.begin())], 0u);
+  EXPECT_GT(rejections_by("hidwa_example_critics/TurnLimit", host.report()), 0u);
+}
+
+// The others stay: it drives, no faster than they are.
+TEST(Plugin, ScoresThatAreNoNumbersRejectTheirCandidatesAlone) {
+  const std::string critic = "hidwa_broken_critics/HalfNotANumber";
+  ros::param::set(ns("Half") + "critics", "PathDist, GoalDist, " + critic);
+  Host host("Half");
+  hidwa_local_planner::Cycle report;  // of the same cycle
+  const Evaluation evaluation = evaluation_of(host, "Half", [&](const Evaluation& newest) {
+    report = host.report();
+    return report.header.stamp == newest.header.stamp && report.command.linear.x > 0.15;
+  });
+  EXPECT_EQ(report.outcome, hidwa_local_planner::Cycle::DRIVE);
+  EXPECT_LE(report.command.linear.x, 0.2 + 1e-9);
+  std::size_t fast = 0;
+  for (const hidwa_local_planner::TrajectoryScore& twist : evaluation.twists) {
+    const bool no_number = twist.traj.velocity.linear.x > 0.2;
+    EXPECT_EQ(twist.refused_by, no_number ? critic : "") << twist.traj.velocity.linear.x;
+    fast += no_number ? 1 : 0;
+  }
+  EXPECT_GT(fast, 0u);
+  EXPECT_LT(fast, evaluation.twists.size());
+  EXPECT_EQ(rejections_by(critic, report), fast);
 }
 
 TEST(Plugin, ACriticOfAnotherPackageTakesWordsAndListsAndMeasuresDistances) {
@@ -330,7 +356,7 @@ TEST(Plugin, ACriticOfAnotherPackageTakesWordsAndListsAndMeasuresDistances) {
             "unknown parameter SlowNear/scael of the critic SlowNear: it has no effect; do you mean SlowNear/scale?");
       },
       5.0));
-  const Evaluation evaluation = evaluation_of(host, "Lists", [] { return true; });
+  const Evaluation evaluation = evaluation_of(host, "Lists", [](const Evaluation&) { return true; });
   int on_path = 0, beside = 0;
   for (const hidwa_local_planner::TrajectoryScore& twist : evaluation.twists) {
     const auto term = std::find_if(twist.scores.begin(), twist.scores.end(),

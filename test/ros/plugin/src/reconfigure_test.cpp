@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // dynamic_reconfigure: a change counts in the next cycle, a set that does not validate is refused whole.
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -68,14 +69,32 @@ TEST(Reconfigure, NamesOfChoicesAndCriticsAreChecked) {
       << host.report().fault;
 }
 
+/// A critic, why it cannot be used, and what is said when it is refused.
+struct Refusal {
+  std::string critic, reason, words;
+};
+
 TEST(Reconfigure, ACriticThatCannotBeUsedIsRefusedWhileDriving) {
+  const LogListener log;
   Host host("Broken");
   drive(host);
-  for (const char* name : {"NotInTheLibrary", "NoLibrary", "CannotBeMade", "CannotBeConfigured"}) {
+  const std::string broken = "the critic hidwa_broken_critics/";
+  const std::string remedy = " is declared, but its library cannot be loaded; rebuild its package";
+  for (const Refusal& refusal :
+       {Refusal{"NotInTheLibrary", broken + "NotInTheLibrary cannot be loaded: ", "NotInTheLibrary" + remedy},
+        Refusal{"NoLibrary", broken + "NoLibrary cannot be loaded: ", "NoLibrary" + remedy},
+        Refusal{"CannotBeMade", broken + "CannotBeMade cannot be loaded: no memory of its own",
+                "CannotBeMade" + remedy},
+        Refusal{"CannotBeConfigured",
+                "hidwa_broken_critics/CannotBeConfigured: its table is missing; mend them, or take it out",
+                "one of them cannot use its parameters"}}) {
+    SCOPED_TRACE(refusal.critic);
     Change change;
-    ASSERT_TRUE(change.set("critics", std::string("PathDist, ") + name).send(host));
-    EXPECT_NE(change.text("critics").find("GoalAlign"), std::string::npos) << name;
-    for (int i = 0; i < 5; ++i) EXPECT_NEAR(host.cycle().command.linear.x, 0.5, 1e-3) << name;
+    ASSERT_TRUE(change.set("critics", "PathDist, " + refusal.critic).send(host));
+    EXPECT_NE(change.text("critics").find("GoalAlign"), std::string::npos);
+    for (int i = 0; i < 5; ++i) EXPECT_NEAR(host.cycle().command.linear.x, 0.5, 1e-3);
+    EXPECT_TRUE(wait_for([&] { return log.said(refusal.reason); }, 5.0));
+    EXPECT_TRUE(wait_for([&] { return log.said("parameters refused: critics: " + refusal.words); }, 5.0));
   }
 }
 

@@ -172,8 +172,9 @@ void Stage::clear() {
       10.0);
 }
 
-std::vector<geometry_msgs::PoseStamped> straight_plan(double ahead, const std::string& frame) {
-  const Pose start = Stage::get().robot.pose();
+std::vector<geometry_msgs::PoseStamped> straight_plan(double ahead, const std::string& frame, double left) {
+  Pose start = Stage::get().robot.pose();
+  start.theta += left;
   std::vector<geometry_msgs::PoseStamped> plan;
   const int steps = static_cast<int>(std::lround(std::abs(ahead) / 0.05));
   for (int i = 0; i <= steps; ++i) {

@@ -84,8 +84,10 @@ class Stage {
   ros::AsyncSpinner spinner_;
 };
 
-/// Straight from the robot's pose, `ahead` [m] along its heading (behind it when negative), in `frame`.
-std::vector<geometry_msgs::PoseStamped> straight_plan(double ahead, const std::string& frame = "odom");
+/// Straight from the robot's pose, `ahead` [m] along its heading (behind it when negative), in `frame`; `left` [rad] of
+/// that heading.
+std::vector<geometry_msgs::PoseStamped> straight_plan(double ahead, const std::string& frame = "odom",
+                                                      double left = 0.0);
 
 /// A planner loaded as a host does it, in a namespace of its own, and the control loop round it.
 class Host {
