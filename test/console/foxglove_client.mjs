@@ -20,9 +20,13 @@ function finish(code) {
   process.exit(code);
 }
 
+function finishOnceAllIsThere() {
+  if (got.bytes.map && got.bytes.state && got.statuses.length > 0) { finish(0); }
+}
+
 client.on('error', (error) => { got.statuses.push(String(error.message || error)); finish(1); });
 client.on('serverInfo', (info) => { got.server = info; });
-client.on('status', (status) => { got.statuses.push(status.message); });
+client.on('status', (status) => { got.statuses.push(status.message); finishOnceAllIsThere(); });
 client.on('advertise', (channels) => {
   got.topics += channels.length;
   for (const channel of channels) {
@@ -37,6 +41,6 @@ client.on('advertise', (channels) => {
 });
 client.on('message', ({ subscriptionId, data }) => {
   got.bytes[names.get(subscriptionId)] = data.byteLength;
-  if (got.bytes.map && got.bytes.state) { finish(0); }
+  finishOnceAllIsThere();
 });
 setTimeout(() => finish(2), 20000);

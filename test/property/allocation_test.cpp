@@ -162,6 +162,8 @@ TEST(AllocationCounter, SeesEveryKindOfAllocation) {
   const std::vector<Wide> aligned(3);
   EXPECT_EQ(counter.count(), 3U);
   const std::unique_ptr<int[]> array(new int[grown.size() + aligned.size()]());
+  int* volatile const seen = array.get();  // what nobody sees a compiler may leave out
+  EXPECT_NE(seen, nullptr);
   EXPECT_EQ(counter.count(), 4U);
 }
 

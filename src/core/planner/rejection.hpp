@@ -14,8 +14,9 @@ constexpr Rejecter kBraking = 2;
 constexpr Rejecter kMovingObstacle = 3;
 constexpr Rejecter kFirstCritic = 4;
 
-inline constexpr const char* kCannotBrake = "cannot stop in free space";
-inline constexpr const char* kMayBeTouched = "something that moves may touch the robot before it rests";
-inline constexpr const char* kNotANumber = "total is not a number";
+// Arrays: a reason is known again by its address, and a literal may have another one in each source file.
+inline constexpr char kCannotBrake[] = "cannot stop in free space";
+inline constexpr char kMayBeTouched[] = "something that moves may touch the robot before it rests";
+inline constexpr char kNotANumber[] = "total is not a number";
 
 }  // namespace hidwa_local_planner
