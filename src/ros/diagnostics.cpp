@@ -72,8 +72,9 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
   reported_messages_ = device.messages;
 
   status.summary(Status::OK, to_string(person.state));
-  if (person.mode == OperatorMode::off && person.state != OperatorStateId::stopped) {
-    status.summary(Status::OK, "off: nobody steers (parameter mode, or the topic set_mode)");
+  if (person.mode == OperatorMode::off) {
+    const std::string off = "off: nobody steers (parameter mode, or the topic set_mode)";
+    status.summary(Status::OK, person.state == OperatorStateId::stopped ? "STOPPED; " + off : off);
   } else if (device.messages == 0) {
     // Nothing wrong: autonomy drives. (Merging would drop the words of what is well.)
     status.summary(Status::OK, "nothing came on " + device.topic + " yet: start the device's node, or set mode off");

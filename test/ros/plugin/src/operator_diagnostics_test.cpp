@@ -2,6 +2,7 @@
 // The person's device, and what moves, on /diagnostics, and what to do about it.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/PoseStamped.h>
+#include <std_msgs/Bool.h>
 #include <topic_tools/shape_shifter.h>
 
 #include "person.hpp"
@@ -76,6 +77,20 @@ TEST_F(OperatorDiagnostics, NothingCameYet) {
   EXPECT_EQ(value("device"), "none yet");
   EXPECT_EQ(value("rate [Hz]"), "0");
   EXPECT_LT(std::atof(value("age of the last message [s]").c_str()), 0.0);
+}
+
+TEST_F(OperatorDiagnostics, AStopCountsWhereNobodySteersAndIsSaid) {
+  set("mode", "off");
+  start();
+  drive();
+  const std::string off = "off: nobody steers (parameter mode, or the topic set_mode)";
+  ASSERT_TRUE(cycle_until([&](const Host::Cycle&) { return message() == off; })) << message();
+  ASSERT_TRUE(say<std_msgs::Bool>("stop", true));
+  EXPECT_TRUE(cycle_until([](const Host::Cycle& c) { return at_rest(c); }));
+  EXPECT_TRUE(cycle_until([&](const Host::Cycle&) { return message() == "STOPPED; " + off; })) << message();
+  ASSERT_TRUE(say<std_msgs::Bool>("stop", false));
+  EXPECT_TRUE(cycle_until([&](const Host::Cycle& c) { return c.command.linear.x > 0.45 && message() == off; }))
+      << message();
 }
 
 TEST_F(OperatorDiagnostics, AHandWithoutItsClutchIsExplained) {
