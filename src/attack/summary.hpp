@@ -32,7 +32,7 @@ struct Summary {
 
   /// Of the speeds at which obstacles were met, `share` in [0, 1]; 0 where none was met [m/s].
   double meeting(double share) const;
-  bool held() const { return contacts == 0 && beyond == 0 && hard == 0; }
+  bool held() const { return found.empty(); }
 };
 
 }  // namespace hidwa_attack

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -14,7 +15,19 @@ namespace {
 
 constexpr double kSlow = 0.1;  // [s] in one cycle; most hosts call ten times a second or more
 constexpr const char* kThrew = "it failed with an exception";
-constexpr const char* kNoReason = "something that is no std::exception";
+
+/// What the call threw, in words; nothing where all is well, and then nothing is allocated.
+template <typename Call>
+std::optional<std::string> failure_of(Call call) {
+  try {
+    call();
+    return std::nullopt;
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "something that is no std::exception";
+  }
+}
 
 }  // namespace
 
@@ -31,20 +44,13 @@ bool GuardedCritic::due() const {
 
 template <typename Call>
 bool GuardedCritic::succeeds(const char* what, Call call) const {
-  std::string reason;  // nothing is allocated where all is well
-  try {
-    call();
-    return true;
-  } catch (const std::exception& error) {
-    reason = error.what();
-  } catch (...) {
-    reason = kNoReason;
-  }
+  const std::optional<std::string> reason = failure_of(call);
+  if (!reason) return true;
   if (!due()) return false;
   ROS_ERROR(
       "the critic %s threw in %s(): %s; a critic must not throw there. Mend it, or take it out of the "
       "parameter critics",
-      name_.c_str(), what, reason.c_str());
+      name_.c_str(), what, reason->c_str());
   return false;
 }
 
@@ -64,15 +70,10 @@ bool GuardedCritic::succeeds_in_time(const char* what, Call call) {
 
 // Who configures the planner knows no names.
 double GuardedCritic::configure(const Parameters& parameters, const ParameterSource& own) {
-  std::string reason;
-  try {
-    return critic_->configure(parameters, own);
-  } catch (const std::exception& error) {
-    reason = error.what();
-  } catch (...) {
-    reason = kNoReason;
-  }
-  throw std::runtime_error(name_ + ": " + reason + "; mend them, or take it out of the parameter critics");
+  double scale = 0.0;
+  const std::optional<std::string> reason = failure_of([&] { scale = critic_->configure(parameters, own); });
+  if (!reason) return scale;
+  throw std::runtime_error(name_ + ": " + *reason + "; mend them, or take it out of the parameter critics");
 }
 
 double GuardedCritic::reach() const {

@@ -121,17 +121,24 @@ def ctest_sanitized(name, options, which):
     return ctest(folder, name, which=which)
 
 
+@contextlib.contextmanager
+def without_long_cases():
+    """Programs of GoogleTest leave out the cases that do one thing for long."""
+    os.environ['GTEST_FILTER'] = '-' + ':'.join(LONG_CASES)
+    try:
+        yield
+    finally:
+        del os.environ['GTEST_FILTER']
+
+
 def sanitized():
     """The unit tests under address and undefined-behaviour sanitizer; seconds of each fuzz target."""
     if not compilers.fuzzes(compilers.clang()):
         print(f'    no Clang with libFuzzer: by GCC, and the fuzz targets only repeat their corpus ({compilers.REMEDY})')
         options = sanitize.cmake_options('g++', sanitize.ADDRESS)
         return ctest_sanitized('sanitized', [*options, *sanitize.SHORT_BUILD], sanitize.ctest_options())
-    os.environ['GTEST_FILTER'] = '-' + ':'.join(LONG_CASES)
-    try:
+    with without_long_cases():
         counts = ctest_sanitized('sanitized', [*fuzz.configure_options(), *sanitize.SHORT_BUILD], sanitize.ctest_options())
-    finally:
-        del os.environ['GTEST_FILTER']
     well, found = fuzz.run([os.path.join(WORK, 'sanitized')], FUZZ_SECONDS, 1)
     return counts + Counts(passed=len(well), failed=len(found))
 
@@ -566,8 +573,8 @@ def coverage():
     run(['cmake', '--build', folder, '-j', JOBS], 'coverage_build')
     for old in glob.glob(os.path.join(folder, '**', '*.gcda'), recursive=True):
         os.remove(old)
-    os.environ['GTEST_FILTER'] = '-' + ':'.join(LONG_CASES)
-    counts = ctest(folder, 'coverage', which=['-E', '^(' + '|'.join(sanitize.UNFIT + coverage_of.LONG) + ')$'])
+    with without_long_cases():
+        counts = ctest(folder, 'coverage', which=sanitize.ctest_options(coverage_of.LONG))
     rows = coverage_of.rows_of(ROOT, folder)
     lines, below = coverage_of.table(coverage_of.shares(rows))
     print('\n'.join(lines + coverage_of.worst_files(rows)))

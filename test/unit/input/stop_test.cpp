@@ -329,8 +329,8 @@ TEST(Stop, OutlivesAChangeOfMode) {
   person.p.mode = OperatorMode::switching;
   person.machine.configure(person.p);
   expect_stopped(person.cycle(1.05));
-  person.p.mode =
-      OperatorMode::off;  // nobody listens to the device any more, and whoever changed the mode let go of it
+  // Nobody listens to the device any more, and whoever changed the mode let go of it.
+  person.p.mode = OperatorMode::off;
   person.machine.configure(person.p);
   expect_stopped(person.cycle(1.1));
   expect_stopped(person.cycle(1.95));
