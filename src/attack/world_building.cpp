@@ -59,7 +59,8 @@ void add_walls(World& world, Random& random) {
   const int count = static_cast<int>(world.width() * world.height() * random.in(0.08, 0.16));
   for (int k = 0; k < count; ++k) {
     const Spot from = anywhere(world, random);
-    draw(world, from, farther(from, direction(random), random.in(0.5, 3.0)), 0.71 * world.resolution(), true);
+    const double length = random.in(0.5, 3.0);
+    draw(world, from, farther(from, direction(random), length), 0.71 * world.resolution(), true);
   }
 }
 

@@ -77,8 +77,9 @@ std::vector<Eigen::Vector2d> choose_places(const OccupancyMap& map, const Eigen:
   std::vector<Eigen::Vector2d> places;
   constexpr int kTries = 200000;
   for (int tries = 0; places.size() < count && tries < kTries; ++tries) {
-    const Eigen::Vector2d point(map.origin_x + random.uniform() * map.width * map.resolution,
-                                map.origin_y + random.uniform() * map.height * map.resolution);
+    const double up = random.uniform() * map.height * map.resolution,
+                 right = random.uniform() * map.width * map.resolution;
+    const Eigen::Vector2d point(map.origin_x + right, map.origin_y + up);
     const int column = coarse.column(point.x()), row = coarse.row(point.y());
     if (!coarse.inside(column, row) || coarse.cells[coarse.index(column, row)] != Cell::kFree) continue;
     if (walls.at_cell(column, row) < clearance) continue;

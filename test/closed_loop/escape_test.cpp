@@ -196,7 +196,8 @@ Scene random_start(std::uint64_t seed) {
     scene.fill(x, y, x + side, y + side);
   }
   for (int k = 0; k < noise; ++k) {
-    scene.at(scene.grid().cell_at(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6))) = cost::kLethal;
+    const double y = random.uniform(-0.6, 0.6), x = random.uniform(-0.6, 0.6);
+    scene.at(scene.grid().cell_at(x, y)) = cost::kLethal;
   }
   for (int k = 0; k < walls; ++k) {
     const double angle = random.uniform(-M_PI, M_PI), off = random.uniform(0.15, 0.8);

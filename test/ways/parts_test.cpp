@@ -19,7 +19,10 @@ using hidwa_attack::Random;
 TEST(Ground, AgreesWithSeparatingAxes) {
   Random random(1);
   World world(3.0, 3.0, 0.05);
-  for (int k = 0; k < 120; ++k) world.set(random.whole(0, 59), random.whole(0, 59), true);
+  for (int k = 0; k < 120; ++k) {
+    const int i = random.whole(0, 59), j = random.whole(0, 59);
+    world.set(i, j, true);
+  }
   wall_in(world);
   const Ground ground(world);
   int overlaps = 0, misses = 0;

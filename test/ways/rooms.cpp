@@ -34,7 +34,10 @@ double thickness(const Measure& measure, Random& random) {
 }
 
 void add_posts(World& world, int count, Random& random) {
-  for (int k = 0; k < count; ++k) fill_disc(world, anywhere(random), random.in(0.04, 0.15), true);
+  for (int k = 0; k < count; ++k) {
+    const double radius = random.in(0.04, 0.15);
+    fill_disc(world, anywhere(random), radius, true);
+  }
 }
 
 // A wall from a place on in a direction.
@@ -55,8 +58,8 @@ Site boxes(const Measure& measure, Random& random) {
   Site site{room(measure), kMiddle};
   for (int count = static_cast<int>(81.0 * random.in(0.3, 0.7)); count > 0; --count) {
     const Spot at = anywhere(random);
-    const double length = random.in(0.2, 1.0);
-    fill_box(site.world, {at.x, at.y, direction(random)}, length, random.in(0.1, 0.6), true);
+    const double length = random.in(0.2, 1.0), width = random.in(0.1, 0.6);
+    fill_box(site.world, {at.x, at.y, direction(random)}, length, width, true);
   }
   return site;
 }

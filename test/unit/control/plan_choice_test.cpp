@@ -250,10 +250,13 @@ TEST(EnclosedObstacle, IsFoundAsBySummingAngles) {
   int enclosed = 0;
   for (int round = 0; round < 2000; ++round) {
     Map map;
-    for (int k = 0; k < 12; ++k) map.set(random.uniform(-3.9, 3.9), random.uniform(-3.9, 3.9), cost::kLethal);
+    for (int k = 0; k < 12; ++k) {
+      const double x = random.uniform(-3.9, 3.9), y = random.uniform(-3.9, 3.9);
+      map.set(x, y, cost::kLethal);
+    }
     std::vector<Point> line;
     const int corners = 3 + round % 9;
-    for (int k = 0; k < corners; ++k) line.emplace_back(random.uniform(-4.5, 4.5), random.uniform(-4.5, 4.5));
+    for (int k = 0; k < corners; ++k) line.push_back(Point{random.uniform(-4.5, 4.5), random.uniform(-4.5, 4.5)});
     bool expected = false;
     for (int j = 0; j < 80; ++j) {
       for (int i = 0; i < 80; ++i) {

@@ -151,7 +151,8 @@ PendingMotion random_way(test::Random& random) {
   PendingMotion way;
   way.begin(random_velocity(random));
   for (int legs = random.integer(0, 3); legs > 0; --legs) {
-    way.add(random.chance(0.3) ? way.end() : random_velocity(random), random.uniform(0.0, 0.1));
+    const double duration = random.uniform(0.0, 0.1);
+    way.add(random.chance(0.3) ? way.end() : random_velocity(random), duration);
   }
   return way;
 }

@@ -72,7 +72,8 @@ bool holds(const BitGrid& grid, int i, int j) {
 TEST(BitGrid, DilatedAsCellByCell) {
   Random random(3);
   for (int round = 0; round < 100; ++round) {
-    const BitGrid grid = random_bits(random, random.integer(1, 200), random.integer(1, 12));
+    const int width = random.integer(1, 200), height = random.integer(1, 12);
+    const BitGrid grid = random_bits(random, width, height);
     std::vector<int> reach;
     for (int widest = random.integer(-1, 70); reach.size() < 5; widest = random.integer(-1, std::max(widest, -1))) {
       reach.push_back(widest);
@@ -95,7 +96,8 @@ TEST(BitGrid, DilatedAsCellByCell) {
 TEST(BitGrid, EdgesAndRangesAsCellByCell) {
   Random random(4);
   for (int round = 0; round < 100; ++round) {
-    const BitGrid grid = random_bits(random, random.integer(1, 200), random.integer(1, 12));
+    const int width = random.integer(1, 200), height = random.integer(1, 12);
+    const BitGrid grid = random_bits(random, width, height);
     BitGrid edges;
     grid.find_edges(edges);
     for (int j = 0; j < grid.height(); ++j) {

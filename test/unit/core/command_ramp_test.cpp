@@ -77,7 +77,7 @@ TEST(AxisRamp, NothingToDo) {
 // Random velocities that the limits allow within the period, or not.
 struct Ramp {
   Ramp(test::Random& random)
-      : limits(axis(random.uniform(0.5, 5.0), random.uniform(0.5, 5.0))), from(random.uniform(-1.0, 1.0)) {
+      : limits{-5.0, 5.0, random.uniform(0.5, 5.0), random.uniform(0.5, 5.0)}, from(random.uniform(-1.0, 1.0)) {
     const double most = 0.1 * random.uniform(0.2, 5.0);
     to = random.chance(0.3) ? -random.uniform(0.0, 1.0) * from : from + random.uniform(-most, most);
     if (random.chance(0.3)) from *= 0.05, to *= 0.05;

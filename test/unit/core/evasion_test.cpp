@@ -30,6 +30,12 @@ MovingObstacleEstimate disc_at(double x, double y, double vx, double vy) {
   return mover;
 }
 
+MovingObstacleEstimate random_disc(Random& random) {
+  const double x = random.uniform(-2.5, 2.5), y = random.uniform(-2.5, 2.5);
+  const double vx = random.uniform(-1.0, 1.0), vy = random.uniform(-1.0, 1.0);
+  return disc_at(x, y, vx, vy);
+}
+
 VelocityLimits limits_of(double v, double omega) {
   VelocityLimits limits;
   limits.x = {-0.2, v, 2.5, 2.5};
@@ -87,7 +93,8 @@ TEST(PlanGuides, TwoPosesAreAPlan) {
 TEST(MotionFans, LeadWhereEachMotionLeadsAlone) {
   Random random(9);
   for (int k = 0; k < 200; ++k) {
-    const VelocityLimits limits = limits_of(random.uniform(0.2, 2.0), random.uniform(0.3, 3.0));
+    const double acc_x = random.uniform(0.2, 2.0), acc_theta = random.uniform(0.3, 3.0);
+    const VelocityLimits limits = limits_of(acc_x, acc_theta);
     const Twist2 from{random.uniform(-0.2, 2.0), random.uniform(-2.0, 2.0)};
     const double begin = random.uniform(-M_PI, M_PI), step = random.uniform(0.02, 0.2);
     const double speeds[] = {0.0, random.uniform(-0.2, 2.0)}, turns[] = {0.0, random.uniform(-3.0, 3.0), 1.0};
@@ -170,8 +177,7 @@ TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
   for (int k = 0; k < 400; ++k) {
     const Twist2 from{random.uniform(0.0, 0.5), random.uniform(-0.5, 0.5)};
     const Twist2 motion{random.uniform(-0.2, 0.5), random.uniform(-1.0, 1.0)};
-    MovingObstacleEstimate mover = disc_at(random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5),
-                                           random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+    MovingObstacleEstimate mover = random_disc(random);
     mover.position_deviation = random.uniform(0.0, 0.3);
     mover.velocity_deviation = random.uniform(0.0, 0.2);
     mover.age = random.uniform(0.0, 0.2);
@@ -252,8 +258,7 @@ TEST(EvasionSearches, KnowWhatTheOwnMotionsAreWorth) {
     const EvasionSearch::Scene scene = ground.scene({random.uniform(0.0, 0.5), random.uniform(-0.5, 0.5)});
     MovingObstacleEstimates movers;
     for (int n = 0; n < 6; ++n) {
-      movers.push_back(disc_at(random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5), random.uniform(-1.0, 1.0),
-                               random.uniform(-1.0, 1.0)));
+      movers.push_back(random_disc(random));
     }
     EvasionSearch search;
     if (!search.look(scene, movers)) continue;
@@ -403,8 +408,9 @@ Scene among_people(Random& random) {
   Scene scene = chased(3.0);
   scene.situation.moving_obstacles.clear();
   for (std::uint32_t id = 0; id < 4; ++id) {
-    scene.situation.moving_obstacles.push_back(disc_at(random.uniform(-2.0, 2.0), random.uniform(0.7, 2.0),
-                                                       random.uniform(-1.0, 1.0), random.uniform(-1.5, 0.0)));
+    const double x = random.uniform(-2.0, 2.0), y = random.uniform(0.7, 2.0);
+    const double vx = random.uniform(-1.0, 1.0), vy = random.uniform(-1.5, 0.0);
+    scene.situation.moving_obstacles.push_back(disc_at(x, y, vx, vy));
     scene.situation.moving_obstacles.back().id = id;
   }
   return scene;

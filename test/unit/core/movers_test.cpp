@@ -59,7 +59,7 @@ TEST(FootprintDistance, IsThatOfPointsAlongTheOutline) {
   for (const Polygon& outline : outlines) {
     const Footprint footprint(outline);
     for (int k = 0; k < 300; ++k) {
-      const Point p(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6));
+      const Point p{random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6)};
       double least = 1e9, turned = 0.0;
       for (std::size_t i = 0; i < outline.size(); ++i) {
         const Point a = outline[i], b = outline[(i + 1) % outline.size()];
@@ -120,8 +120,8 @@ TEST(MoverChecks, AgreeWithASlowTwin) {
     std::vector<ReachableSet> sets;
     for (int i = 0; i < 3; ++i) {
       const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.65, 1.6);
-      movers.push_back(mover_at(away * std::cos(angle), away * std::sin(angle), random.uniform(-1.5, 1.5),
-                                random.uniform(-1.5, 1.5)));
+      const double vx = random.uniform(-1.5, 1.5), vy = random.uniform(-1.5, 1.5);
+      movers.push_back(mover_at(away * std::cos(angle), away * std::sin(angle), vx, vy));
       movers.back().id = static_cast<std::uint32_t>(i);
       movers.back().position_deviation = 0.02;
       movers.back().velocity_deviation = 0.05;
@@ -163,8 +163,8 @@ TEST(MoverChecks, AgreeWithASlowTwinWhereCyclesAreLate) {
     start.pending = &pending;
     start.longest_period = 0.15;
     const double angle = random.uniform(-0.6, 0.6), away = random.uniform(0.7, 1.3);
-    MovingObstacleEstimates movers{
-        mover_at(away * std::cos(angle), away * std::sin(angle), random.uniform(-0.6, 0.1), random.uniform(-0.3, 0.3))};
+    const double vx = random.uniform(-0.6, 0.1), vy = random.uniform(-0.3, 0.3);
+    MovingObstacleEstimates movers{mover_at(away * std::cos(angle), away * std::sin(angle), vx, vy)};
     movers[0].position_deviation = movers[0].velocity_deviation = 0.01;
     const std::vector<ReachableSet> sets{ReachableSet(movers[0], p)};
     MoverCheck check;

@@ -86,8 +86,8 @@ TEST(SocialDistances, AreWhatASlowTwinSaysOfEveryCandidate) {
       scene.situation.velocity = scene.situation.last_command = {random.uniform(0.0, 0.4), random.uniform(-0.5, 0.5)};
       for (int j = 0; j < 3; ++j) {
         const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.9, 2.0);
-        scene.situation.moving_obstacles.push_back(person_at(away * std::cos(angle), away * std::sin(angle),
-                                                             random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)));
+        const double vx = random.uniform(-1.0, 1.0), vy = random.uniform(-1.0, 1.0);
+        scene.situation.moving_obstacles.push_back(person_at(away * std::cos(angle), away * std::sin(angle), vx, vy));
         scene.situation.moving_obstacles.back().id = static_cast<std::uint32_t>(j);
       }
       PlannerBench bench(scene);

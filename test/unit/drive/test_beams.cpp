@@ -69,7 +69,8 @@ TEST(ClearAlong, FreesTheCellsOfTheLineUpToTheRange) {
   sim::Random random(7);
   for (int scene = 0; scene < 400; ++scene) {
     RollingGrid grid(2.0, 0.05);
-    grid.follow(uniform(random, -3.0, 3.0), uniform(random, -3.0, 3.0));
+    const double x = uniform(random, -3.0, 3.0), y = uniform(random, -3.0, 3.0);
+    grid.follow(x, y);
     fill(grid, cost::kLethal);
     const GridView view = grid.view();
     Beams beams;

@@ -52,7 +52,9 @@ TEST(RollingGrid, KeepsWhatStaysAndForgetsWhatLeaves) {
   const auto corner = [](double origin) { return std::lround(origin / 0.05); };
   for (int step = 0; step < 300; ++step) {
     const double stride = step % 40 == 39 ? 3.0 : 0.2;
-    grid.follow(x += uniform(random, -stride, stride), y += uniform(random, -stride, stride));
+    x += uniform(random, -stride, stride);
+    y += uniform(random, -stride, stride);
+    grid.follow(x, y);
     const long i0 = corner(grid.origin_x()), j0 = corner(grid.origin_y());
     const auto leaves = [&](const std::pair<long, long>& c) {
       return c.first < i0 || c.second < j0 || c.first >= i0 + grid.cells() || c.second >= j0 + grid.cells();

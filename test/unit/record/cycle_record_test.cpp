@@ -150,8 +150,8 @@ TEST(CycleRecord, TheOrderOfPartsDoesNotMatter) {
   Random random(5);
   for (int k = 0; k < 20; ++k) {
     const auto last = static_cast<int>(parts.size()) - 1;
-    std::swap(parts[static_cast<std::size_t>(random.integer(0, last))],
-              parts[static_cast<std::size_t>(random.integer(0, last))]);
+    const int one = random.integer(0, last), other = random.integer(0, last);
+    std::swap(parts[static_cast<std::size_t>(one)], parts[static_cast<std::size_t>(other)]);
     CycleRecord record;
     ASSERT_EQ(decode(joined(parts), record), "");
     EXPECT_EQ(bytes_of(record), bytes);

@@ -20,7 +20,7 @@ const Polygon kRectangle{{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, 
 
 std::vector<Eigen::Vector2d> random_centres(Random& random) {
   std::vector<Eigen::Vector2d> centres;
-  for (int k = 0; k < 40; ++k) centres.emplace_back(uniform(random, -2.0, 2.0), uniform(random, -1.0, 3.0));
+  for (int k = 0; k < 40; ++k) centres.push_back({uniform(random, -2.0, 2.0), uniform(random, -1.0, 3.0)});
   return centres;
 }
 
@@ -86,7 +86,7 @@ TEST(DiscField, RangeAgreesWithTheNaiveTwin) {
     const std::vector<Eigen::Vector2d> centres = random_centres(random);
     const DiscField field(centres, kRadius);
     for (int k = 0; k < 400; ++k) {
-      const Eigen::Vector2d from(uniform(random, -4.0, 4.0), uniform(random, -3.0, 5.0));
+      const Eigen::Vector2d from{uniform(random, -4.0, 4.0), uniform(random, -3.0, 5.0)};
       const double angle = k % 8 == 0 ? 0.5 * M_PI * (k / 8) : uniform(random, -7.0, 7.0);
       const double longest = uniform(random, 0.5, 8.0);
       const double expected = naive_range(centres, from, angle, longest);

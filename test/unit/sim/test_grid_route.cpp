@@ -86,7 +86,7 @@ TEST(GridRoute, MadeForOneStartGivesTheSameWay) {
   for (int scene = 0; scene < 200; ++scene) {
     const OccupancyMap map = random_map(random, 40, 30, 0.06);
     const Eigen::Vector2d goal(map.center_x(20), map.center_y(15));
-    const Eigen::Vector2d start(uniform(random, -1.5, 0.9), uniform(random, 0.5, 2.4));  // now and then outside
+    const Eigen::Vector2d start{uniform(random, -1.5, 0.9), uniform(random, 0.5, 2.4)};  // now and then outside
     const Route all = GridRoute(map, clearance, goal).from(start);
     const Route one = GridRoute(map, clearance, goal, start).from(start);
     ASSERT_EQ(all.size(), one.size()) << scene;

@@ -57,8 +57,8 @@ TEST(Silhouettes, RangesAreThoseOfAMarchAlongTheRay) {
   for (int scene = 0; scene < 40; ++scene) {
     std::vector<Mover> movers;
     for (int k = 0; k < 6; ++k) {
-      movers.push_back(somebody(6.0 * random.uniform() - 3.0, 6.0 * random.uniform() - 3.0,
-                                0.2 + 0.3 * random.uniform(), k % 2 == 0 ? Body::legs : Body::whole));
+      const double x = 6.0 * random.uniform() - 3.0, y = 6.0 * random.uniform() - 3.0;
+      movers.push_back(somebody(x, y, 0.2 + 0.3 * random.uniform(), k % 2 == 0 ? Body::legs : Body::whole));
       movers.back().heading = 6.0 * random.uniform();
       movers.back().gait = 6.0 * random.uniform();
       movers.back().velocity = {random.uniform(), random.uniform()};

@@ -78,7 +78,7 @@ TEST(FreeMemory, IsTheInsideOfWhatWasSeenLessAMargin) {
     }
     const SeenPolygon polygon(beams);
     for (int i = 0; i < 3000; ++i) {
-      const Point place(pose.x + random.uniform(-7.0, 7.0), pose.y + random.uniform(-7.0, 7.0));
+      const Point place{pose.x + random.uniform(-7.0, 7.0), pose.y + random.uniform(-7.0, 7.0)};
       if ((place - beams.centre).norm() < 0.3) continue;
       const bool was_free = asked(memory, beams, place) == PlaceKind::was_free;
       const double edge = polygon.distance(place);

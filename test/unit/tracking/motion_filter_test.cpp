@@ -27,7 +27,7 @@ std::vector<Reading> readings_of(Random& random, const Point& start, const Point
   for (int i = 0; i < count; ++i) {
     time += random.uniform(0.02, 0.2);
     const double deviation = random.uniform(0.01, 0.1);
-    const Point noise(deviation * normal(random), deviation * normal(random));
+    const Point noise{deviation * normal(random), deviation * normal(random)};
     readings.push_back({time, start + (time - 3.0) * velocity + noise, deviation});
   }
   return readings;
@@ -38,8 +38,9 @@ std::vector<Reading> readings_of(Random& random, const Point& start, const Point
 TEST(MotionFilter, IsTheLeastSquaresFitOfAStraightLine) {
   Random random(1);
   for (int trial = 0; trial < 50; ++trial) {
-    const std::vector<Reading> readings = readings_of(random, {random.uniform(-5, 5), random.uniform(-5, 5)},
-                                                      {random.uniform(-2, 2), random.uniform(-2, 2)}, 12);
+    const Point start{random.uniform(-5, 5), random.uniform(-5, 5)},
+        velocity{random.uniform(-2, 2), random.uniform(-2, 2)};
+    const std::vector<Reading> readings = readings_of(random, start, velocity, 12);
     const Point prior(1.0, 2.0);
     MotionFilter filter(prior, 0.5, 1.5, 3.0);
     for (const Reading& r : readings) {
@@ -73,16 +74,16 @@ TEST(MotionFilter, DeviationsAreThoseOfTheErrors) {
   double mismatch = 0.0, place = 0.0, speed = 0.0;
   int count = 0;
   for (int trial = 0; trial < 400; ++trial) {
-    Point p(0.0, 0.0), v(normal(random), normal(random));
+    Point p(0.0, 0.0), v{normal(random), normal(random)};
     MotionFilter filter({deviation * normal(random), deviation * normal(random)}, deviation, 1.0, 0.0);
     for (int i = 1; i <= 60; ++i) {
       for (int k = 0; k < 20; ++k) {  // white acceleration, nearly
         const double h = dt / 20.0;
         p += h * v;
-        v += std::sqrt(density * h) * Point(normal(random), normal(random));
+        v += std::sqrt(density * h) * Point{normal(random), normal(random)};
       }
       filter.predict(i * dt, density);
-      const double m = filter.correct(p + deviation * Point(normal(random), normal(random)), deviation);
+      const double m = filter.correct(p + deviation * Point{normal(random), normal(random)}, deviation);
       if (i % 15 != 0) continue;
       mismatch += m;
       place += (filter.position() - p).squaredNorm() / std::pow(filter.position_deviation(), 2);
@@ -106,7 +107,7 @@ TEST(MotionFilter, AnEarlierTimeChangesNothing) {
 // A walker's track after `steps` readings of 0.05 s each, since a leap from one velocity to another.
 ManoeuvreFilter after_leap(Random& random, const Point& from, const Point& to, double deviation, int steps) {
   const Eigen::Matrix2d covariance = deviation * deviation * Eigen::Matrix2d::Identity();
-  const auto noise = [&] { return Point(deviation * normal(random), deviation * normal(random)); };
+  const auto noise = [&] { return Point{deviation * normal(random), deviation * normal(random)}; };
   Point p(0.0, 0.0);
   ManoeuvreFilter filter(p + noise(), covariance, 1.2, 0.0, 0.8);
   for (int i = 1; i <= 60 + steps; ++i) {
