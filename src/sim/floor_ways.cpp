@@ -77,6 +77,7 @@ std::vector<Eigen::Vector2d> choose_places(const OccupancyMap& map, const Eigen:
   std::vector<Eigen::Vector2d> places;
   constexpr int kTries = 200000;
   for (int tries = 0; places.size() < count && tries < kTries; ++tries) {
+    // What a seed means hangs on the order of the draws.
     const double up = random.uniform() * map.height * map.resolution,
                  right = random.uniform() * map.width * map.resolution;
     const Eigen::Vector2d point(map.origin_x + right, map.origin_y + up);

@@ -230,8 +230,8 @@ inline Scene random_scene(std::uint64_t seed) {
   const double outer = naive_outer_radius({scene.outline, 0.0}) + scene.parameters.footprint_padding;
   const double keep_free = random.chance(0.9) ? outer + 0.1 : 0.0;
   add_obstacles(random, scene, random.integer(0, 25), keep_free);
-  const double inscribed = random.uniform(0.1, 0.25), decay = random.uniform(2.0, 10.0);
-  inflate(scene, inscribed, inscribed + random.uniform(0.1, 0.4), decay);
+  const double inscribed = random.uniform(0.1, 0.25), scaling = random.uniform(2.0, 10.0);
+  inflate(scene, inscribed, inscribed + random.uniform(0.1, 0.4), scaling);
   scene.parameters.RotateToGoal_lookahead_time = random.chance(0.5) ? -1.0 : random.uniform(0.0, 2.2);
   scene.parameters.comfort_acc_lim_theta = random.chance(0.3) ? 0.0 : random.uniform(0.2, 3.0);
   scene.parameters.comfort_turn_time = random.chance(0.3) ? 0.0 : random.uniform(0.1, 1.5);

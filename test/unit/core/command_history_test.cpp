@@ -375,9 +375,9 @@ void compare_with_twin(std::uint64_t seed, Checked& checked) {
       cycle.time += random.chance(0.8) ? period : random.pick({0.0, 0.45 * period, 1.7 * period, 6.0 * period});
       if (random.chance(0.02)) cycle.time -= random.uniform(0.0, 5.0);
       // Not all that a period allows: at exactly that, rounding decides how the twin and the history take it.
-      const double allowed = random.uniform(0.5, 0.99) * period;
+      const double elapsed = random.uniform(0.5, 0.99) * period;
       cycle.last_command =
-          limits.step(cycle.last_command, {random.uniform(-2.0, 2.0), random.uniform(-4.0, 4.0)}, allowed);
+          limits.step(cycle.last_command, {random.uniform(-2.0, 2.0), random.uniform(-4.0, 4.0)}, elapsed);
       if (random.chance(0.05)) cycle.last_command = {random.uniform(-1.0, 1.0), random.uniform(-2.0, 2.0)};
       cycles.push_back(cycle);
     }

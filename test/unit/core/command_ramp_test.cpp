@@ -15,6 +15,11 @@ constexpr double kPeriod = 0.05;  // [s]
 
 AxisLimits axis(double acc, double braking) { return {-5.0, 5.0, acc, braking}; }
 
+AxisLimits random_axis(test::Random& random) {
+  const double acc = random.uniform(0.5, 5.0), braking = random.uniform(0.5, 5.0);
+  return axis(acc, braking);
+}
+
 TEST(AxisRamp, SpeedingUpIsDoneAtTheLimit) {
   // 0.05 m/s at 2.5 m/s^2 take 0.02 s; evenly 0.05 s.
   const AxisRamp ramp(axis(2.5, 2.5), 0.3, 0.35, kPeriod);
@@ -76,8 +81,7 @@ TEST(AxisRamp, NothingToDo) {
 
 // Random velocities that the limits allow within the period, or not.
 struct Ramp {
-  Ramp(test::Random& random)
-      : limits{-5.0, 5.0, random.uniform(0.5, 5.0), random.uniform(0.5, 5.0)}, from(random.uniform(-1.0, 1.0)) {
+  Ramp(test::Random& random) : limits(random_axis(random)), from(random.uniform(-1.0, 1.0)) {
     const double most = 0.1 * random.uniform(0.2, 5.0);
     to = random.chance(0.3) ? -random.uniform(0.0, 1.0) * from : from + random.uniform(-most, most);
     if (random.chance(0.3)) from *= 0.05, to *= 0.05;

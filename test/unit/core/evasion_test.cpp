@@ -93,8 +93,8 @@ TEST(PlanGuides, TwoPosesAreAPlan) {
 TEST(MotionFans, LeadWhereEachMotionLeadsAlone) {
   Random random(9);
   for (int k = 0; k < 200; ++k) {
-    const double acc_x = random.uniform(0.2, 2.0), acc_theta = random.uniform(0.3, 3.0);
-    const VelocityLimits limits = limits_of(acc_x, acc_theta);
+    const double max_v = random.uniform(0.2, 2.0), max_omega = random.uniform(0.3, 3.0);
+    const VelocityLimits limits = limits_of(max_v, max_omega);
     const Twist2 from{random.uniform(-0.2, 2.0), random.uniform(-2.0, 2.0)};
     const double begin = random.uniform(-M_PI, M_PI), step = random.uniform(0.02, 0.2);
     const double speeds[] = {0.0, random.uniform(-0.2, 2.0)}, turns[] = {0.0, random.uniform(-3.0, 3.0), 1.0};
