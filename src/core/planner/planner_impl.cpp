@@ -38,6 +38,7 @@ std::vector<std::string> Planner::Impl::configure(const Parameters& given, const
   reserve(decision, critics);
   parameters = given;
   make_safe(parameters);
+  if (parameters.turn_when_stuck) recovery.reserve();
   limits = VelocityLimits::from(given);
   set_footprint(outline);
   return {};
@@ -234,10 +235,11 @@ Recovery::Course Planner::Impl::course_of(const Cycle& cycle, const Choice& choi
   return course;
 }
 
-// The robot stands because something moves: evasion has chosen that, or no motion is legal near it.
+// What moves decides: evasion has chosen, or the robot stands since no motion is legal near it.
 bool Planner::Impl::yields(const Cycle& cycle, const Choice& choice, const Twist2& sample) {
-  if (choice.candidate < 0 || !(sample == Twist2{})) return false;
+  if (choice.candidate < 0) return false;
   if (choice.rule == ChoiceReport::Rule::evasion) return true;
+  if (!(sample == Twist2{})) return false;
   return cycle.movers != nullptr && !evaluation.checks().any_motion_legal();
 }
 

@@ -71,6 +71,7 @@ bool Recovery::watch_rest(const Cycle& cycle, const Course& known, Conclusion& c
   course.tight = known.tight;
   course.soon = known.soon;
   course.trapped = trapped_.holds();
+  course.yields = known.yields;
   course.stands = conclusion.outcome == Outcome::hold || conclusion.outcome == Outcome::fail || course.trapped;
   course.creeps = conclusion.outcome == Outcome::drive && conclusion.sample.v == 0.0 &&
                   std::abs(conclusion.sample.omega) < kCreeps * cycle.limits.theta.max;

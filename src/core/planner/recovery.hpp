@@ -22,6 +22,8 @@ namespace hidwa_local_planner {
 
 class Recovery {
  public:
+  /// All the memory that is large.
+  void reserve() { motion_.reserve(); }
   /// A new goal.
   void reset();
   /// Nothing was chosen: the robot was stopped, or driven directly, or the input had a fault.

@@ -129,7 +129,8 @@ bool RecoveryMotion::watch(const Cycle& cycle, const Course& course, double pati
     stands_ = stands;
     return false;
   }
-  rests_.observe(now, course.stands || course.creeps);
+  rests_.observe(now, (course.stands || course.creeps) && !course.yields);
+  if (course.yields) novelty_.reset();
   novelty_.observe(cycle.situation.pose, now);
   tight_ = course.tight;
   if (distance(hopeless_at_, cycle.situation.pose) >= kSamePlace) hopeless_.clear();

@@ -45,6 +45,8 @@ class RecoveryMotion {
     EscapeRule& escape;
   };
 
+  /// The memory of its search.
+  void reserve() { search_.reserve(); }
   void reset();
   /// The candidate that leads on; -1 where there is none, or no need of one.
   int choose(const Scene& scene);
@@ -54,6 +56,7 @@ class RecoveryMotion {
     bool stands = false;
     bool creeps = false;   // turns on the spot so slowly that it gains nothing
     bool trapped = false;  // in collision, and no motion leads out
+    bool yields = false;   // to what moves: that it gets nowhere does not count
     bool tight = false;    // it comes near to something soon
     Pose2 soon;            // where it will be once a command takes effect, costmap frame
   };

@@ -95,7 +95,8 @@ void EvasionSearch::find_near(const Scene& scene, const State& from, const Span&
     const double middle = span.from + 0.5 * length;
     const double dx = mover.x + mover.vx * middle - from.x, dy = mover.y + mover.vy * middle - from.y;
     const double half = 0.5 * length * (std::abs(mover.vx) + std::abs(mover.vy));
-    const double stopping_way = stops.way + stops.room + stops.time * (std::abs(mover.vx) + std::abs(mover.vy));
+    const double stopping_way =
+        std::abs(stops.way) + stops.room + stops.time * (std::abs(mover.vx) + std::abs(mover.vy));
     const double most = own + half + mover.radius + std::max(mover.kept + mover.kept_grows * end, stopping_way);
     if (dx * dx + dy * dy < most * most) near_.push_back(mover);
   }
@@ -103,32 +104,35 @@ void EvasionSearch::find_near(const Scene& scene, const State& from, const Span&
 }
 
 // Until a command takes effect, two periods, and half of the braking: the robot is half as fast then.
-EvasionSearch::Stopping EvasionSearch::stopping(const Scene& scene, double speed) {
+EvasionSearch::Stopping EvasionSearch::stopping(const Scene& scene, double v) {
+  const double speed = std::abs(v);
   if (speed < kRests) return {};
   const Parameters& p = scene.parameters;
   const double time = p.control_latency + 2.0 * scene.period + 0.5 * speed / scene.limits.x.braking;
-  return {time, 0.5 * speed * time, 0.5 * p.moving_obstacle_acc * time * time};
+  return {time, 0.5 * v * time, 0.5 * p.moving_obstacle_acc * time * time};
 }
 
-// Whether a mover, `off` from the robot now, may be where the robot is when it has stopped.
-bool EvasionSearch::must_stop(const Scene& scene, const State& state, const Mover& mover, const Point& off,
-                              const Stopping& stops) {
-  const double dx = off.x() + stops.time * mover.vx - stops.way * state.heading.c;
-  const double dy = off.y() + stops.time * mover.vy - stops.way * state.heading.s;
-  const double reach = mover.radius + stops.room, most = scene.footprint.circumscribed_radius() + reach;
-  if (dx * dx + dy * dy >= most * most) return false;
-  const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
-  return scene.footprint.distance_to(seen) < reach;
+// Whether something that moves may be where the robot is when it has stopped.
+bool EvasionSearch::must_stop(const Scene& scene, const State& state, double time) const {
+  const Stopping stops = stopping(scene, state.v);
+  if (stops.time <= 0.0) return false;
+  const double own = scene.footprint.circumscribed_radius() + stops.room, then = time + stops.time;
+  const double x = state.x + stops.way * state.heading.c, y = state.y + stops.way * state.heading.s;
+  return std::any_of(near_.begin(), near_.end(), [&](const Mover& mover) {
+    const double dx = mover.x + mover.vx * then - x, dy = mover.y + mover.vy * then - y;
+    const double most = own + mover.radius;
+    if (dx * dx + dy * dy >= most * most) return false;
+    const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
+    return scene.footprint.distance_to(seen) < mover.radius + stops.room;
+  });
 }
 
 // What ends the way sets `touched`.
-double EvasionSearch::nearness(const Scene& scene, const State& state, double time, const Stopping& stops,
-                               bool& touched) const {
+double EvasionSearch::nearness(const Scene& scene, const State& state, double time, bool& touched) const {
   const double own = scene.footprint.circumscribed_radius();
   double sum = 0.0;
   for (const Mover& mover : near_) {
     const double dx = mover.x + mover.vx * time - state.x, dy = mover.y + mover.vy * time - state.y;
-    touched = touched || (stops.time > 0.0 && must_stop(scene, state, mover, {dx, dy}, stops));
     const double kept = mover.kept + mover.kept_grows * time;
     const double most = own + mover.radius + kept;
     if (dx * dx + dy * dy >= most * most) continue;
@@ -155,26 +159,37 @@ bool EvasionSearch::blocked(const Scene& scene, const State& state) const {
   return scene.checker.collides({state.x, state.y, 0.0}, state.heading);
 }
 
-// Along the i-th motion of the fan, which unfolds from this state. False where it is touched: then `until` says when.
+// Along the i-th motion of the fan, which unfolds from this state; where passive safety would not let the robot drive
+// on, it brakes, and rests until the motion ends. False where it is touched: then `until` says when.
 bool EvasionSearch::go(const Scene& scene, std::size_t i, const Span& span, State& state) const {
   const MotionFan::Speed& speed = fan_.speed(i);
   const MotionFan::Turn& turn = fan_.turn(i);
+  bool rests = false;
   for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
-    state.x += speed.way[k] * turn.middle[k].c;
-    state.y += speed.way[k] * turn.middle[k].s;
-    state.heading = turn.heading[k];
     const double time = span.from + static_cast<double>(k + 1) * span.step;
-    bool touched = false;
-    if (!near_.empty()) {
-      const Stopping stops = stopping(scene, std::abs(speed.way[k]) / span.step);
-      state.nearness += span.share[k] * nearness(scene, state, time, stops, touched);
+    if (!rests) {
+      State next = state;
+      next.x += speed.way[k] * turn.middle[k].c;
+      next.y += speed.way[k] * turn.middle[k].s;
+      next.heading = turn.heading[k];
+      next.v = speed.v[k];
+      rests = must_stop(scene, next, time);
+      if (rests) {
+        const double way = 0.5 * state.v * std::abs(state.v) / scene.limits.x.braking;
+        state.x += way * state.heading.c;
+        state.y += way * state.heading.s;
+        state.v = 0.0;
+      } else {
+        state = next;
+      }
     }
+    bool touched = false;
+    if (!near_.empty()) state.nearness += span.share[k] * nearness(scene, state, time, touched);
     if (!touched && !blocked(scene, state)) continue;
     state.until = time;
     return false;
   }
-  state.v = speed.last;
-  state.omega = turn.last;
+  state.omega = rests ? 0.0 : turn.last;
   return true;
 }
 
@@ -185,7 +200,9 @@ bool EvasionSearch::untroubled(const Scene& scene, const Twist2& motion) {
   for (const Span& span : spans_) {
     find_near(scene, state, span);
     fan_.unfold(scene.limits, state.heading, {state.v, state.omega}, span.step);
-    if (!go(scene, 0, span, state) || state.nearness > 0.0) return false;
+    const bool free = go(scene, 0, span, state);
+    const bool stopped = state.v != fan_.speed(0).v.back();
+    if (!free || stopped || state.nearness > 0.0) return false;
   }
   return true;
 }

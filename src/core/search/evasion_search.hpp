@@ -3,9 +3,11 @@
 //
 // 1. A way is a sequence of motions: a velocity that the robot goes to within its limits and then keeps, the first one
 //    for 0.4 s, the others for equal parts of the rest. There are 6 x 5 of them: ahead, back, at rest, turning.
-// 2. What moves is expected to keep its velocity. A way ends where the outline touches it, at rest too, or a wall; and
-//    where passive safety would not let the robot drive on, for the mover may be there, within moving_obstacle_acc,
-//    before the robot has come to rest. Else it trusts in ways out that are closed to it when it comes there.
+// 2. What moves is expected to keep its velocity. A way ends where the outline touches it, at rest too, or a wall.
+// Where
+//    passive safety would not let the robot drive on, for the mover may be there, within moving_obstacle_acc, before
+//    the robot has come to rest, it brakes, and waits until the motion ends. Else it trusts in ways out that are closed
+//    to it when it comes there.
 // 3. A way costs seconds: what is left to drive from its end (PlanGuide), and for every moment within a distance D of
 //    something that moves
 //      scale (1 - d / D)^2 exp(-t / 2 s) dt,   D = evasion_distance + (0.1 m/s + s_v) t
@@ -117,10 +119,9 @@ class EvasionSearch {
     double way = 0.0;   // until then [m]
     double room = 0.0;  // by which a mover may be elsewhere then [m]
   };
-  static Stopping stopping(const Scene& scene, double speed);
-  static bool must_stop(const Scene& scene, const State& state, const Mover& mover, const Point& off,
-                        const Stopping& stops);
-  double nearness(const Scene& scene, const State& state, double time, const Stopping& stops, bool& touched) const;
+  static Stopping stopping(const Scene& scene, double v);
+  bool must_stop(const Scene& scene, const State& state, double time) const;
+  double nearness(const Scene& scene, const State& state, double time, bool& touched) const;
   bool blocked(const Scene& scene, const State& state) const;
   void extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first, const Span& span);
   double touched_early(const Scene& scene, const State& state, double time) const;

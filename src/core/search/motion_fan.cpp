@@ -40,12 +40,11 @@ void MotionFan::add(const Twist2& motion) {
 void MotionFan::unfold(const VelocityLimits& limits, const Rotation& heading, const Twist2& velocity, double step) {
   for (Speed& speed : speeds_) {
     double v = velocity.v;
-    for (double& way : speed.way) {
+    for (std::size_t k = 0; k < kSteps; ++k) {
       const double next = limits.x.ramp(v, speed.target, step);
-      way = 0.5 * (v + next) * step;
-      v = next;
+      speed.way[k] = 0.5 * (v + next) * step;
+      v = speed.v[k] = next;
     }
-    speed.last = v;
   }
   for (Turn& turn : turns_) {
     double omega = velocity.omega;

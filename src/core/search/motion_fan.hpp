@@ -21,7 +21,7 @@ class MotionFan {
   struct Speed {
     double target = 0.0;             // [m/s]
     std::array<double, kSteps> way;  // of each step [m]
-    double last = 0.0;               // after the last step [m/s]
+    std::array<double, kSteps> v;    // after it [m/s]
   };
   struct Turn {
     double target = 0.0;                   // [rad/s]

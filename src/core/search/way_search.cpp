@@ -11,6 +11,8 @@ namespace {
 // Poses that are remembered, and bins.
 constexpr std::size_t kMostNodes = std::size_t{1} << 18;
 
+constexpr std::size_t kMostQueued = 2 * kMostNodes;
+
 // That can be left: once in each pass.
 constexpr std::int64_t kMostPoses = 2 * std::int64_t{kMostNodes};
 
@@ -53,6 +55,15 @@ Rotation WaySearch::rotation(int heading) const { return rotations_[static_cast<
 
 double WaySearch::heading_of(int heading) const { return wrap_angle(task_.start.theta + heading * kHeadingStep); }
 
+void WaySearch::reserve() {
+  if (nodes_.capacity() >= kMostNodes) return;
+  nodes_.resize(kMostNodes);  // written once: reserved memory is provided when it is first used
+  nodes_.clear();
+  queue_.resize(kMostQueued);
+  queue_.clear();
+  bins_.reset(kMostNodes);
+}
+
 void WaySearch::begin(const SearchTask& task) {
   const bool same_robot = task.outline == task_.outline && task.radius == task_.radius && !footprint_.empty();
   task_ = task;
@@ -83,8 +94,7 @@ void WaySearch::prepare() {
     const double heading = task_.start.theta + k * kHeadingStep;
     rotations_[static_cast<std::size_t>(k)] = {std::cos(heading), std::sin(heading)};
   }
-  nodes_.reserve(kMostNodes);
-  queue_.reserve(2 * kMostNodes);
+  reserve();
   placed_.reserve(footprint_.outline().size());
 }
 

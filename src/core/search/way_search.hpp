@@ -48,6 +48,8 @@ class WaySearch {
     cut_short  // the memory was not enough
   };
 
+  /// Takes the memory that a search may need, and has the system provide it: else the first one does within a cycle.
+  void reserve();
   /// Forgets the search.
   void clear() { state_ = State::idle; }
   /// Takes a copy of the task.

@@ -119,8 +119,8 @@ TEST(MotionFans, LeadWhereEachMotionLeadsAlone) {
         EXPECT_NEAR(fan.turn(i).heading[n].s, std::sin(theta), 1e-12);
         v = next_v;
         omega = next_omega;
+        EXPECT_EQ(fan.speed(i).v[n], v);
       }
-      EXPECT_EQ(fan.speed(i).last, v);
       EXPECT_EQ(fan.turn(i).last, omega);
     }
   }
@@ -226,6 +226,29 @@ TEST(EvasionSearches, WhereNoWayLeadsOutTheLastOneTouchedIsBest) {
   ASSERT_TRUE(search.look(scene, {disc_at(1.6, 0.0, -1.0, 0.0)}));
   search.run(scene, ground.guide, {{0.0, 0.0}});
   for (const EvasionSearch::Branch& branch : search.branches()) EXPECT_GE(branch.cost, EvasionSearch::kTouched);
+}
+
+// It comes to rest farther back: what is in front does not stop it. Now the gap is 0.80 - 0.3 - 0.3 = 0.2 m, and grows
+// by 0.5 - 0.3 m/s.
+TEST(EvasionSearches, MayBackAwayFromWhatComes) {
+  OpenGround ground;
+  ground.limits.x.min = -0.5;
+  EvasionSearch search;
+  const EvasionSearch::Scene scene = ground.scene({-0.5, 0.0});
+  ASSERT_TRUE(search.look(scene, {disc_at(0.80, 0.0, -0.3, 0.0)}));
+  search.run(scene, ground.guide, {{-0.5, 0.0}});
+  EXPECT_LT(search.branches()[0].cost, EvasionSearch::kTouched);
+}
+
+// Somebody crosses at x = 0.9 m and is in front when passive safety stops the robot: with its front at 0.5 m, 0.1 m
+// before him. It waits there, untouched.
+TEST(EvasionSearches, WaitWherePassiveSafetyStopsThem) {
+  OpenGround ground;
+  EvasionSearch search;
+  const EvasionSearch::Scene scene = ground.scene({0.5, 0.0});
+  ASSERT_TRUE(search.look(scene, {disc_at(0.9, -0.7, 0.0, 1.0)}));
+  search.run(scene, ground.guide, {{0.5, 0.0}});
+  EXPECT_LT(search.branches()[0].cost, EvasionSearch::kTouched);
 }
 
 // The own motion, and six speeds, each with five turns.
@@ -355,7 +378,7 @@ TEST(Evasions, StepAsideInGoodTime) {
 
 TEST(Evasions, TheirChoiceHasARuleOfItsOwn) {
   Scene scene = chased(3.0);
-  scene.situation.moving_obstacles = {disc_at(-1.9, 0.0, 1.0, 0.0)};
+  scene.situation.moving_obstacles = {disc_at(2.0, 0.0, -1.0, 0.0)};
   PlannerBench bench(scene);
   bench.cycle();
   EXPECT_EQ(bench.planner().choice().rule, ChoiceReport::Rule::evasion);
@@ -449,7 +472,7 @@ TEST(Evasions, GoOnForLessThanTheyBegin) {
 // Nothing is remembered of it where it did not decide: records are no longer for it.
 TEST(Evasions, AreForgottenByANewGoal) {
   Scene scene = chased(3.0);
-  scene.situation.moving_obstacles = {disc_at(-1.9, 0.0, 1.0, 0.0)};
+  scene.situation.moving_obstacles = {disc_at(2.0, 0.0, -1.0, 0.0)};
   PlannerBench bench(scene);
   Bytes before, evading, after;
   bench.planner().save(before);
@@ -465,7 +488,7 @@ TEST(Evasions, AreForgottenByANewGoal) {
 // What was chosen is the last number of the state.
 TEST(Evasions, ANumberThatIsNoneIsNotGoneOnWith) {
   Scene scene = chased(3.0);
-  scene.situation.moving_obstacles = {disc_at(-1.9, 0.0, 1.0, 0.0)};
+  scene.situation.moving_obstacles = {disc_at(2.0, 0.0, -1.0, 0.0)};
   PlannerBench bench(scene), damaged(scene);
   bench.cycle();
   ASSERT_EQ(bench.planner().choice().rule, ChoiceReport::Rule::evasion);
