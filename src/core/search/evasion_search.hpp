@@ -4,10 +4,9 @@
 // 1. A way is a sequence of motions: a velocity that the robot goes to within its limits and then keeps, the first one
 //    for 0.4 s, the others for equal parts of the rest. There are 6 x 5 of them: ahead, back, at rest, turning.
 // 2. What moves is expected to keep its velocity. A way ends where the outline touches it, at rest too, or a wall.
-// Where
-//    passive safety would not let the robot drive on, for the mover may be there, within moving_obstacle_acc, before
-//    the robot has come to rest, it brakes, and waits until the motion ends. Else it trusts in ways out that are closed
-//    to it when it comes there.
+//    Passive safety would not let the robot drive on where the mover may be there, within moving_obstacle_acc, before
+//    the robot has come to rest: there it brakes, and waits until the motion ends. Else it trusts in ways out that are
+//    closed to it when it comes there.
 // 3. A way costs seconds: what is left to drive from its end (PlanGuide), and for every moment within a distance D of
 //    something that moves
 //      scale (1 - d / D)^2 exp(-t / 2 s) dt,   D = evasion_distance + (0.1 m/s + s_v) t
