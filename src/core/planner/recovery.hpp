@@ -43,7 +43,7 @@ class Recovery {
     bool autonomous = false;  // nobody steers, and the goal's position is not reached
     bool steered = false;     // the operator command counts
     bool trapped = false;     // the robot stands in collision and no legal motion leads out
-    bool yields = false;      // it stands because of what moves
+    bool yields = false;      // what moves decides: it evades, or stands for that
     bool tight = false;       // it comes near to something soon, if it follows what was chosen
     Pose2 soon;               // where it will be once a command takes effect, costmap frame
   };

@@ -114,6 +114,7 @@ EvasionSearch::Stopping EvasionSearch::stopping(const Scene& scene, double v) {
 
 // Whether something that moves may be where the robot is when it has stopped.
 bool EvasionSearch::must_stop(const Scene& scene, const State& state, double time) const {
+  if (near_.empty()) return false;
   const Stopping stops = stopping(scene, state.v);
   if (stops.time <= 0.0) return false;
   const double own = scene.footprint.circumscribed_radius() + stops.room, then = time + stops.time;
@@ -159,37 +160,42 @@ bool EvasionSearch::blocked(const Scene& scene, const State& state) const {
   return scene.checker.collides({state.x, state.y, 0.0}, state.heading);
 }
 
-// Along the i-th motion of the fan, which unfolds from this state; where passive safety would not let the robot drive
-// on, it brakes, and rests until the motion ends. False where it is touched: then `until` says when.
+// The k-th step of a motion, that ends at `time`. Where passive safety would not let the robot drive on, it brakes
+// instead: false.
+bool EvasionSearch::drive_on(const Scene& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn,
+                             std::size_t k, double time, State& state) const {
+  State next = state;
+  next.x += speed.way[k] * turn.middle[k].c;
+  next.y += speed.way[k] * turn.middle[k].s;
+  next.heading = turn.heading[k];
+  next.v = speed.v[k];
+  if (!must_stop(scene, next, time)) {
+    state = next;
+    return true;
+  }
+  const double way = 0.5 * state.v * std::abs(state.v) / scene.limits.x.braking;
+  state.x += way * state.heading.c;
+  state.y += way * state.heading.s;
+  state.v = 0.0;
+  return false;
+}
+
+// Along the i-th motion of the fan, which unfolds from this state. A robot that has to brake rests until the motion
+// ends. False where it is touched: then `until` says when.
 bool EvasionSearch::go(const Scene& scene, std::size_t i, const Span& span, State& state) const {
   const MotionFan::Speed& speed = fan_.speed(i);
   const MotionFan::Turn& turn = fan_.turn(i);
-  bool rests = false;
+  bool drives = true;
   for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
     const double time = span.from + static_cast<double>(k + 1) * span.step;
-    if (!rests) {
-      State next = state;
-      next.x += speed.way[k] * turn.middle[k].c;
-      next.y += speed.way[k] * turn.middle[k].s;
-      next.heading = turn.heading[k];
-      next.v = speed.v[k];
-      rests = must_stop(scene, next, time);
-      if (rests) {
-        const double way = 0.5 * state.v * std::abs(state.v) / scene.limits.x.braking;
-        state.x += way * state.heading.c;
-        state.y += way * state.heading.s;
-        state.v = 0.0;
-      } else {
-        state = next;
-      }
-    }
+    drives = drives && drive_on(scene, speed, turn, k, time, state);
     bool touched = false;
     if (!near_.empty()) state.nearness += span.share[k] * nearness(scene, state, time, touched);
     if (!touched && !blocked(scene, state)) continue;
     state.until = time;
     return false;
   }
-  state.omega = rests ? 0.0 : turn.last;
+  state.omega = drives ? turn.last : 0.0;
   return true;
 }
 

@@ -112,6 +112,8 @@ class EvasionSearch {
   static bool may_begin(const Scene& scene, const Twist2& motion);
   void plan_spans(const Scene& scene);
   void find_near(const Scene& scene, const State& from, const Span& span);
+  bool drive_on(const Scene& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn, std::size_t k,
+                double time, State& state) const;
   bool go(const Scene& scene, std::size_t i, const Span& span, State& state) const;
   struct Stopping {
     double time = 0.0;  // until the robot rests, less half of the braking; 0 where it does [s]
