@@ -24,6 +24,7 @@ constexpr double kLeft = 0.12;           // how far from its start a mover must 
 constexpr double kVacated = 0.3;         // the same where nothing was known of the space [m]
 constexpr double kVacatedBySmall = 0.6;  // and where it may be a table's legs [m]
 constexpr int kFreeSightings = 2;        // in a row, that tell a mover
+constexpr int kVacatedSightings = 3;     // likewise, of a body that something hides in part
 constexpr double kBeginsWithin = 6.5;    // farther away a wall's few points seem to move [m]
 constexpr double kVacatedWithin = 5.5;   // distance within which that is tried [m]
 constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
@@ -160,6 +161,10 @@ void correct_track(Track& track, const Sighting& sighting, const TrackerSettings
   }
 }
 
+void look_back(Track& track, const Beams& beams) {
+  track.vacated_sightings = left_behind(track, beams) ? track.vacated_sightings + 1 : 0;
+}
+
 bool known_to_move(const Track& track, const Beams& beams, const Travel& travel, const TrackerSettings& settings) {
   const double age = track.seen - track.begin;
   if (track.sightings < 3 || age < 0.14 || (track.sightings < 4 && age < 0.3)) return false;
@@ -173,9 +178,11 @@ bool known_to_move(const Track& track, const Beams& beams, const Travel& travel,
                        (way > kVacated && track.filter.velocity_deviation() < kSettledSpeed);
   if (!certain) return false;
   if (track.free_sightings >= std::min(track.sightings - 1, kFreeSightings)) return way > kLeft;
-  if (10 * track.whole_sightings < 8 * track.sightings || distance > kVacatedWithin) return false;
+  if (track.vacated_sightings == 0 || distance > kVacatedWithin) return false;
   const bool small = track.two_legs || track.radius < kLegRadius;  // beams pass beside what is thin, too
-  return way > (small ? kVacatedBySmall : kVacated) && left_behind(track, beams);
+  const bool whole = 10 * track.whole_sightings >= 8 * track.sightings;
+  if (!whole && (small || track.vacated_sightings < kVacatedSightings)) return false;
+  return way > (small ? kVacatedBySmall : kVacated);
 }
 
 MovingObstacleEstimate to_obstacle(const Track& track, double time, const TrackerSettings& settings) {

@@ -34,12 +34,13 @@ struct Track {
   double unevenness = 0.0;        // of its surface, of late [m]
   bool two_legs = false;          // they were seen apart once
   int sightings = 0;
-  int free_sightings = 0;    // the last ones, where space was seen free
-  int whole_sightings = 0;   // with nothing that hides a part of it
-  double begin = 0.0;        // [s]
-  double seen = 0.0;         // last [s]
-  double through = 0.0;      // for how long beams passed through where it should be [s]
-  Point began_at{0.0, 0.0};  // [m]
+  int free_sightings = 0;     // the last ones, where space was seen free
+  int vacated_sightings = 0;  // the last ones, when its first place was seen through
+  int whole_sightings = 0;    // with nothing that hides a part of it
+  double begin = 0.0;         // [s]
+  double seen = 0.0;          // last [s]
+  double through = 0.0;       // for how long beams passed through where it should be [s]
+  Point began_at{0.0, 0.0};   // [m]
   Travel began_after;
   Point stood_at{0.0, 0.0};             // it has not left the surroundings of this place [m]
   double stood_since = 0.0;             // [s]
@@ -64,8 +65,13 @@ Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerS
 
 void correct_track(Track& track, const Sighting& sighting, const TrackerSettings& settings);
 
+/// Whether the place where it was seen first is seen through in this scan. For each sighting of a track that is not
+/// confirmed.
+void look_back(Track& track, const Beams& beams);
+
 /// True once a track is known to move: it left its place faster and farther than noise and odometry explain, and it
-/// either stands where space was seen free, or its first place is seen through now.
+/// either stands where space was seen free, or its first place is seen through now; in three scans in a row where it is
+/// not seen whole.
 bool known_to_move(const Track& track, const Beams& beams, const Travel& travel, const TrackerSettings& settings);
 
 /// The track as others see it at a time [s], without its points.

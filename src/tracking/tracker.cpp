@@ -205,7 +205,9 @@ class Tracker::Impl {
 
   void confirm() {
     for (Track& t : tracks_) {
-      if (t.confirmed || t.segment_count == 0 || !tracking::known_to_move(t, beams_, travel_, settings_)) continue;
+      if (t.confirmed || t.segment_count == 0) continue;
+      tracking::look_back(t, beams_);
+      if (!tracking::known_to_move(t, beams_, travel_, settings_)) continue;
       t.confirmed = true;
       t.id = ++last_id_;
     }

@@ -14,7 +14,7 @@ struct TrackerSettings {
   double free_memory = 8.0;       // how long seen free space counts [s]
   double settle_time = 1.0;       // what has stood so long belongs to the costmap [s]
   double stand_time = 10.0;       // a track that stood so long is dropped [s]
-  double coast_time = 0.8;        // a track that was not seen so long is dropped [s]
+  double coast_time = 2.0;        // a track that was not seen so long is dropped [s]
   double min_speed = 0.2;         // of what becomes a track [m/s]
   double min_radius = 0.3;        // of what is published [m]
   double max_radius = 0.65;       // what is larger is no mover [m]

@@ -45,13 +45,13 @@ class Goals:
         x0 = robot.pose[0]
         self.press_map('go', 4.5)
         page.wait(lambda: len(self.goals()) == 1, 'the first goal')
-        self.press_map('add', 0.6)
+        self.press_map('add', 1.6)
         page.wait(lambda: len(self.goals()) == 2, 'the second goal')
         page.click('skip')
         page.wait(lambda: len(self.goals()) == 1, 'the first one was passed over')
         second = self.goals()[0]
-        self.assertAlmostEqual(second[0], x0 + 0.6, delta=0.4)
-        self.press_map('add', 1.1)
+        self.assertAlmostEqual(second[0], x0 + 1.6, delta=0.4)
+        self.press_map('add', 2.1)
         page.wait(lambda: len(self.goals()) == 2, 'another one')
         third = self.goals()[1]
         page.wait(lambda: ' m, ' in page.text('left') and ' s' in page.text('left'), 'the way and the time that are left')

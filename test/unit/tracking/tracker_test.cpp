@@ -72,6 +72,47 @@ TEST(Tracker, WhoStopsIsTheCostmapsAgain) {
   EXPECT_TRUE(watch.tracker.obstacles().empty());
 }
 
+// 1 m to the robot's left and on to behind it, where its laser sees nothing: beyond 135 degrees, that is 1 m further.
+TEST(Tracker, WhoWalksOutOfViewIsStillThereFor2S) {
+  ScanWorld world = test::hall();
+  Walker walker;
+  walker.at = [](double time) { return Point(6.0, 6.0 - time); };
+  world.walkers.push_back(walker);
+  Watch watch(world);
+  watch.run(3.3);  // at -1.3 m behind it: the last edge of 0.25 m is out of view
+  const double left = watch.time;
+  watch.run(1.5);
+  ASSERT_EQ(watch.tracker.obstacles().size(), 1u);
+  const MovingObstacleEstimate& o = watch.tracker.obstacles()[0];
+  EXPECT_LT((o.position - walker.at(watch.time)).norm(), 0.2);
+  EXPECT_GT(o.velocity_deviation, 0.05);  // nobody has seen whether he walks on
+  watch.run(1.0);
+  EXPECT_GT(watch.time - left, 2.0);
+  EXPECT_TRUE(watch.tracker.obstacles().empty());
+}
+
+// Another walks at half the distance, half as fast, and hides his front all the time and the space that he comes into.
+TEST(Tracker, FollowsWhoIsNeverSeenWhole) {
+  ScanWorld world = test::hall();
+  Walker behind, before;
+  behind.radius = 0.4;
+  behind.at = [](double time) { return Point(5.0 + time, 8.0); };
+  // Its shadow at 4 m is 1 m wide and begins at the other's middle.
+  before.at = [behind](double time) { return Point(7.0 + 0.5 * (behind.at(time).x() + 0.5 - 7.0), 6.0); };
+  world.walkers = {behind, before};
+  Watch watch(world);
+  watch.run(0.7);
+  const Point now = behind.at(watch.time);
+  std::size_t found = 0;
+  for (const MovingObstacleEstimate& o : watch.tracker.obstacles()) {
+    if ((o.position - now).norm() > 0.3) continue;
+    ++found;
+    EXPECT_LT((o.velocity - Point(1.0, 0.0)).norm(), 0.3);
+    EXPECT_TRUE(o.points.empty());  // no beam has seen that space free
+  }
+  EXPECT_EQ(found, 1u);
+}
+
 // 0.8 m, as a door or a chair.
 TEST(Tracker, WhatHasOnlyStirredIsTheCostmapsSoon) {
   Watch watch(crossing(0.8));
