@@ -72,6 +72,29 @@ TEST(Tracker, WhoStopsIsTheCostmapsAgain) {
   EXPECT_TRUE(watch.tracker.obstacles().empty());
 }
 
+// He stops after 2 s. stand_time, 10 s, counts from when he began the last 0.25 m, 1.75 s or a little later. He walks
+// on about then, and has not come 0.25 m when it ends.
+TEST(Tracker, WhoWalksOnWhenHeIsAboutToBeDroppedIsTold) {
+  int told = 0;
+  for (double start = 11.4; start < 12.0; start += 0.1) {
+    ScanWorld world = test::hall();
+    Walker walker;
+    walker.at = [start](double time) { return Point(4.0 + std::min(time, 2.0) + std::max(0.0, time - start), 7.0); };
+    world.walkers.push_back(walker);
+    Watch watch(world);
+    watch.run(start);
+    if (watch.tracker.obstacles().empty()) break;  // dropped before
+    ++told;
+    const std::uint32_t id = watch.tracker.obstacles()[0].id;
+    for (int scan = 0; scan < 20; ++scan) {
+      watch.run(kStep);
+      ASSERT_EQ(watch.tracker.obstacles().size(), 1u) << "walks on at " << start << " s, at " << watch.time << " s";
+      EXPECT_EQ(watch.tracker.obstacles()[0].id, id);
+    }
+  }
+  EXPECT_GE(told, 3);
+}
+
 // 1 m to the robot's left and on to behind it, where its laser sees nothing: beyond 135 degrees, that is 1 m further.
 TEST(Tracker, WhoWalksOutOfViewIsStillThereFor2S) {
   ScanWorld world = test::hall();
