@@ -201,6 +201,41 @@ TEST(Recovery, IsNotStuckWhileItStandsForWhatMoves) {
   }
 }
 
+// A pen of 3 x 3 m that the plan leads out of: there is no way, and each cycle fails. Then somebody walks at the robot.
+TEST(Recovery, DoesNotStopARobotThatEvades) {
+  Scene scene = round_robot();
+  scene.parameters.evasion_time = 3.0;
+  for (double x = 1.05; x < 1.95; x += 0.05) scene.situation.plan.push_back({x, 0.0, 0.0});
+  scene.fill(-1.6, 1.5, 1.6, 1.6);
+  scene.fill(-1.6, -1.6, 1.6, -1.5);
+  scene.fill(-1.6, -1.6, -1.5, 1.6);
+  scene.fill(1.5, -1.6, 1.6, 1.6);
+  test::inflate(scene, 0.304, 0.8, 3.0);
+  PlannerBench bench(scene);
+  int failures = 0;
+  for (int k = 0; k < 800 && failures < 40; ++k) failures += bench.drive().outcome == Outcome::fail;
+  ASSERT_EQ(failures, 40);
+  Situation& s = bench.scene().situation;
+  MovingObstacleEstimate somebody;
+  somebody.id = 1;
+  somebody.radius = 0.3;
+  const Point ahead(std::cos(s.pose.theta), std::sin(s.pose.theta));
+  somebody.position = Point(s.pose.x, s.pose.y) - 1.8 * ahead;
+  somebody.velocity = 0.6 * ahead;
+  s.moving_obstacles = {somebody};
+  int evades = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Decision& decision = bench.drive();
+    Point& at = bench.scene().situation.moving_obstacles.front().position;
+    at += s.period * somebody.velocity;
+    if (bench.planner().choice().rule != ChoiceReport::Rule::evasion) continue;
+    ++evades;
+    EXPECT_NE(decision.outcome, Outcome::fail) << k << ": " << decision.problem;
+    EXPECT_GT((at - Point(s.pose.x, s.pose.y)).norm(), 0.6) << k;  // 0.3 m and 0.31 m, less 1 cm
+  }
+  EXPECT_GT(evades, 10);
+}
+
 TEST(Recovery, DoesNotWaitWhereAWallIsInTheWayToo) {
   PlannerBench bench(in_a_corridor(true));
   int first = -1;
