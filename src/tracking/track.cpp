@@ -178,11 +178,16 @@ bool known_to_move(const Track& track, const Beams& beams, const Travel& travel,
                        (way > kVacated && track.filter.velocity_deviation() < kSettledSpeed);
   if (!certain) return false;
   if (track.free_sightings >= std::min(track.sightings - 1, kFreeSightings)) return way > kLeft;
-  if (track.vacated_sightings == 0 || distance > kVacatedWithin) return false;
+  if (distance > kVacatedWithin) return false;
   const bool small = track.two_legs || track.radius < kLegRadius;  // beams pass beside what is thin, too
   const bool whole = 10 * track.whole_sightings >= 8 * track.sightings;
-  if (!whole && (small || track.vacated_sightings < kVacatedSightings)) return false;
-  return way > (small ? kVacatedBySmall : kVacated);
+  if (!whole && small) return false;
+  return track.vacated_sightings >= (whole ? 1 : kVacatedSightings) && way > (small ? kVacatedBySmall : kVacated);
+}
+
+bool walks(const Track& track, const TrackerSettings& settings) {
+  return track.filter.velocity().norm() >
+         std::max(settings.min_speed, kSignificant * track.filter.velocity_deviation());
 }
 
 MovingObstacleEstimate to_obstacle(const Track& track, double time, const TrackerSettings& settings) {

@@ -65,14 +65,17 @@ Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerS
 
 void correct_track(Track& track, const Sighting& sighting, const TrackerSettings& settings);
 
-/// Whether the place where it was seen first is seen through in this scan. For each sighting of a track that is not
-/// confirmed.
+/// Counts the scans in a row in which the place where it was seen first is seen through. For each sighting of a track
+/// that is not confirmed.
 void look_back(Track& track, const Beams& beams);
 
 /// True once a track is known to move: it left its place faster and farther than noise and odometry explain, and it
 /// either stands where space was seen free, or its first place is seen through now; in three scans in a row where it is
 /// not seen whole.
 bool known_to_move(const Track& track, const Beams& beams, const Travel& travel, const TrackerSettings& settings);
+
+/// Whether it goes faster now than noise explains. Who has just begun to walk is still near where he stood.
+bool walks(const Track& track, const TrackerSettings& settings);
 
 /// The track as others see it at a time [s], without its points.
 MovingObstacleEstimate to_obstacle(const Track& track, double time, const TrackerSettings& settings);

@@ -26,7 +26,6 @@ constexpr double kStirred = 2.0;          // what has not is dropped so long aft
 constexpr double kCandidateCoast = 0.25;  // for how long a candidate may be out of sight [s]
 constexpr double kLegsApart = 0.55;       // of two legs that begin a track [m]
 constexpr double kSameBody = 0.3;         // tracks that are nearer to each other follow one body [m]
-constexpr double kCertain = 2.0;          // a speed of so many deviations is one
 constexpr std::size_t kMostTracks = 128;
 constexpr std::size_t kFewestPoints = 2;
 
@@ -184,12 +183,7 @@ class Tracker::Impl {
       return unseen > std::max(kCandidateCoast, 1.5 * elapsed) || beams_.end - t.stood_since > stand_time(t);
     }
     return unseen > settings_.coast_time + elapsed || t.through >= std::max(kSeenThrough, 1.5 * elapsed) ||
-           (t.seen - t.stood_since > stand_time(t) && !walks(t));
-  }
-
-  // Who has just begun to walk is still near where he stood.
-  bool walks(const Track& t) const {
-    return t.filter.velocity().norm() > std::max(settings_.min_speed, kCertain * t.filter.velocity_deviation());
+           (t.seen - t.stood_since > stand_time(t) && !tracking::walks(t, settings_));
   }
 
   // Who has walked may walk on. What has only stirred, a door or a chair, is the costmap's soon.

@@ -110,13 +110,18 @@ TEST(Recovery, OutOfACollisionByTurningFirst) {
   EXPECT_GT(overlap(without), 0.0);  // or this scene shows nothing
 }
 
+// A square of walls around the origin, from `inner` to `outer` [m].
+void wall_in(Scene& scene, double inner, double outer) {
+  scene.fill(-outer, -outer, outer, -inner);
+  scene.fill(-outer, inner, outer, outer);
+  scene.fill(-outer, -outer, -inner, outer);
+  scene.fill(inner, -outer, outer, outer);
+}
+
 // Walled in on all sides: standing is right, and the host is told.
 TEST(Recovery, WhereThereIsNoneItSaysSo) {
   Scene scene = round_robot();
-  scene.fill(-0.6, -0.6, 0.6, -0.33);
-  scene.fill(-0.6, 0.33, 0.6, 0.6);
-  scene.fill(-0.6, -0.6, -0.33, 0.6);
-  scene.fill(0.33, -0.6, 0.6, 0.6);
+  wall_in(scene, 0.33, 0.6);
   PlannerBench bench(scene);
   int failures = 0;
   std::string problem;
@@ -206,10 +211,7 @@ TEST(Recovery, DoesNotStopARobotThatEvades) {
   Scene scene = round_robot();
   scene.parameters.evasion_time = 3.0;
   for (double x = 1.05; x < 1.95; x += 0.05) scene.situation.plan.push_back({x, 0.0, 0.0});
-  scene.fill(-1.6, 1.5, 1.6, 1.6);
-  scene.fill(-1.6, -1.6, 1.6, -1.5);
-  scene.fill(-1.6, -1.6, -1.5, 1.6);
-  scene.fill(1.5, -1.6, 1.6, 1.6);
+  wall_in(scene, 1.5, 1.6);
   test::inflate(scene, 0.304, 0.8, 3.0);
   PlannerBench bench(scene);
   int failures = 0;

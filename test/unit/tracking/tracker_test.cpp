@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/tracking/tracker.hpp"
 
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -19,13 +20,17 @@ using test::Walker;
 constexpr double kStep = 0.05;  // [s]
 const Pose2 kPlace{7.0, 4.0, 0.5 * M_PI};
 
-// Somebody crosses the hall 3 m ahead of the robot, and may stop at a time [s].
-ScanWorld crossing(double stops_at = 1e9) {
+ScanWorld hall_with(std::function<Point(double)> at) {
   ScanWorld world = test::hall();
   Walker walker;
-  walker.at = [stops_at](double time) { return Point(4.0 + 1.0 * std::min(time, stops_at), 7.0); };
+  walker.at = std::move(at);
   world.walkers.push_back(walker);
   return world;
+}
+
+// Somebody crosses the hall 3 m ahead of the robot, and may stop at a time [s].
+ScanWorld crossing(double stops_at = 1e9) {
+  return hall_with([stops_at](double time) { return Point(4.0 + 1.0 * std::min(time, stops_at), 7.0); });
 }
 
 struct Watch {
@@ -77,11 +82,8 @@ TEST(Tracker, WhoStopsIsTheCostmapsAgain) {
 TEST(Tracker, WhoWalksOnWhenHeIsAboutToBeDroppedIsTold) {
   int told = 0;
   for (double start = 11.4; start < 12.0; start += 0.1) {
-    ScanWorld world = test::hall();
-    Walker walker;
-    walker.at = [start](double time) { return Point(4.0 + std::min(time, 2.0) + std::max(0.0, time - start), 7.0); };
-    world.walkers.push_back(walker);
-    Watch watch(world);
+    Watch watch(hall_with(
+        [start](double time) { return Point(4.0 + std::min(time, 2.0) + std::max(0.0, time - start), 7.0); }));
     watch.run(start);
     if (watch.tracker.obstacles().empty()) break;  // dropped before
     ++told;
@@ -97,17 +99,14 @@ TEST(Tracker, WhoWalksOnWhenHeIsAboutToBeDroppedIsTold) {
 
 // 1 m to the robot's left and on to behind it, where its laser sees nothing: beyond 135 degrees, that is 1 m further.
 TEST(Tracker, WhoWalksOutOfViewIsStillThereFor2S) {
-  ScanWorld world = test::hall();
-  Walker walker;
-  walker.at = [](double time) { return Point(6.0, 6.0 - time); };
-  world.walkers.push_back(walker);
-  Watch watch(world);
+  const auto at = [](double time) { return Point(6.0, 6.0 - time); };
+  Watch watch(hall_with(at));
   watch.run(3.3);  // at -1.3 m behind it: the last edge of 0.25 m is out of view
   const double left = watch.time;
   watch.run(1.5);
   ASSERT_EQ(watch.tracker.obstacles().size(), 1u);
   const MovingObstacleEstimate& o = watch.tracker.obstacles()[0];
-  EXPECT_LT((o.position - walker.at(watch.time)).norm(), 0.2);
+  EXPECT_LT((o.position - at(watch.time)).norm(), 0.2);
   EXPECT_GT(o.velocity_deviation, 0.05);  // nobody has seen whether he walks on
   watch.run(1.0);
   EXPECT_GT(watch.time - left, 2.0);
