@@ -30,7 +30,12 @@ inline bool is_finite(const Pose2& q) { return std::isfinite(q.x) && std::isfini
 
 /// The angle in (-pi, pi] that equals `angle` [rad] up to whole turns.
 inline double wrap_angle(double angle) {
-  const double wrapped = std::remainder(angle, 2.0 * M_PI);
+  constexpr double kTurn = 2.0 * M_PI;
+  // std::remainder() is slow. Within half a turn, and one turn off, these are the same bits: differences are exact.
+  if (angle > -M_PI && angle <= M_PI) return angle;
+  if (angle > M_PI && angle < 3.0 * M_PI) return angle - kTurn;
+  if (angle < -M_PI && angle > -3.0 * M_PI) return -(-angle - kTurn);
+  const double wrapped = std::remainder(angle, kTurn);
   return wrapped <= -M_PI ? M_PI : wrapped;
 }
 

@@ -9,13 +9,8 @@
 namespace hidwa_local_planner {
 namespace {
 
-// No lethal cell is so near [cells]; its square is still a number.
-constexpr int kNone = 10000;
-
 // Memory is kept for so many explained cells.
 constexpr std::size_t kUsualCells = 4096;
-
-bool is_lethal(const GridView& grid, int i, int j) { return grid.at({i, j}) == cost::kLethal; }
 
 }  // namespace
 
@@ -23,15 +18,16 @@ GridView ExplainedCells::without(const GridView& grid, const MovingObstacleEstim
   reserve(grid);
   find_explained(grid, movers);
   if (taken_.empty()) return grid;
-  const int reach = static_cast<int>(std::ceil(kFarthestCost / grid.resolution));
-  const Window window = window_around(grid, reach);
+  const int reach =
+      static_cast<int>(std::min<double>(std::ceil(kFarthestCost / grid.resolution), LethalDistances::kMost));
+  const CellWindow window = window_around(grid, reach);
   costs_.assign(grid.costs, grid.costs + grid.cell_count());
   GridView copy = grid;
   copy.costs = costs_.data();
-  measure(grid, window, reach, before_);
+  before_.measure(grid, window, reach);
   learn_costs(grid, window, reach);
   for (const Cell& cell : taken_) costs_[grid.index(cell)] = cost::kInscribed;  // at most: mend() says what
-  measure(copy, window, reach, after_);
+  after_.measure(copy, window, reach);
   mend(grid, window);
   return copy;
 }
@@ -39,7 +35,7 @@ GridView ExplainedCells::without(const GridView& grid, const MovingObstacleEstim
 void ExplainedCells::reserve(const GridView& grid) {
   taken_.reserve(kUsualCells);
   costs_.reserve(grid.cell_count());
-  for (std::vector<int>* values : {&rows_, &before_, &after_}) values->reserve(grid.cell_count());
+  for (LethalDistances* distances : {&before_, &after_}) distances->reserve(grid.size_x, grid.size_y);
 }
 
 void ExplainedCells::find_explained(const GridView& grid, const MovingObstacleEstimates& movers) {
@@ -67,8 +63,8 @@ void ExplainedCells::find_explained(const GridView& grid, const MovingObstacleEs
   taken_.erase(std::unique(taken_.begin(), taken_.end(), same), taken_.end());
 }
 
-ExplainedCells::Window ExplainedCells::window_around(const GridView& grid, int reach) const {
-  Window window{grid.size_x, 0, grid.size_y, 0};
+CellWindow ExplainedCells::window_around(const GridView& grid, int reach) const {
+  CellWindow window{grid.size_x, 0, grid.size_y, 0};
   for (const Cell& cell : taken_) {
     window.i0 = std::min(window.i0, cell.i);
     window.i1 = std::max(window.i1, cell.i + 1);
@@ -80,62 +76,47 @@ ExplainedCells::Window ExplainedCells::window_around(const GridView& grid, int r
           std::max(0, window.j0 - 2 * reach), std::min(grid.size_y, window.j1 + 2 * reach)};
 }
 
-// Squared distances in cells to the nearest lethal cell of the window, up to `reach`; farther ones are larger. Along
-// the rows first, then over the columns.
-void ExplainedCells::measure(const GridView& grid, const Window& window, int reach, std::vector<int>& squares) {
-  rows_.assign(window.size(), kNone);
-  squares.assign(window.size(), kNone * kNone);
-  for (int j = window.j0; j < window.j1; ++j) {
-    int last = -1;
-    for (int i = window.i0; i < window.i1; ++i) {
-      if (is_lethal(grid, i, j)) last = i;
-      if (last >= 0 && i - last <= reach) rows_[window.index(i, j)] = i - last;
-    }
-    int next = -1;
-    for (int i = window.i1 - 1; i >= window.i0; --i) {
-      if (is_lethal(grid, i, j)) next = i;
-      int& nearest = rows_[window.index(i, j)];
-      if (next >= 0 && next - i <= reach) nearest = std::min(nearest, next - i);
-    }
-  }
-  for (int j = window.j0; j < window.j1; ++j) {
-    const int first = std::max(window.j0, j - reach), last = std::min(window.j1 - 1, j + reach);
-    int* own = squares.data() + window.index(window.i0, j);
-    for (int other = first; other <= last; ++other) {
-      const int* along = rows_.data() + window.index(window.i0, other);
-      const int across = (other - j) * (other - j);
-      for (int k = 0; k < window.width(); ++k) {
-        own[k] = std::min(own[k], across + along[k] * along[k]);
-      }
+// What costs nothing was not measured, and there is nothing to learn from it or to mend.
+template <typename Visit>
+void ExplainedCells::visit_measured(const GridView& grid, const CellWindow& window, const Visit& visit) const {
+  for (int strip = 0; strip < before_.strips(); ++strip) {
+    const int first = window.i0 + strip * LethalDistances::kColumns;
+    const int count = std::min(LethalDistances::kColumns, window.i1 - first);
+    for (int j = window.j0; j < window.j1; ++j) {
+      const LethalDistances::Square* before = before_.row(strip, j);
+      if (before != nullptr) visit(before, strip, j, grid.index({first, j}), count);
     }
   }
 }
 
 // The largest cost that a cell at each distance has: that of inflation, or above.
-void ExplainedCells::learn_costs(const GridView& grid, const Window& window, int reach) {
-  cost_at_.assign(static_cast<std::size_t>(reach) * static_cast<std::size_t>(reach) + 1, cost::kFree);
-  for (int j = window.j0; j < window.j1; ++j) {
-    for (int i = window.i0; i < window.i1; ++i) {
-      const int square = before_[window.index(i, j)];
-      const std::uint8_t value = grid.at({i, j});
-      if (square > reach * reach || value >= cost::kLethal) continue;
-      std::uint8_t& known = cost_at_[static_cast<std::size_t>(square)];
-      known = std::max(known, value);
-    }
-  }
+void ExplainedCells::learn_costs(const GridView& grid, const CellWindow& window, int reach) {
+  const int farthest = reach * reach;
+  cost_at_.assign(static_cast<std::size_t>(farthest) + 1, cost::kFree);
+  visit_measured(grid, window,
+                 [&](const LethalDistances::Square* before, int /*strip*/, int /*j*/, std::size_t index, int count) {
+                   for (int k = 0; k < count; ++k) {
+                     const std::uint8_t value = grid.costs[index + static_cast<std::size_t>(k)];
+                     if (before[k] > farthest || value >= cost::kLethal) continue;
+                     std::uint8_t& known = cost_at_[static_cast<std::size_t>(before[k])];
+                     known = std::max(known, value);
+                   }
+                 });
 }
 
-void ExplainedCells::mend(const GridView& grid, const Window& window) {
-  for (int j = window.j0; j < window.j1; ++j) {
-    for (int i = window.i0; i < window.i1; ++i) {
-      const std::size_t k = window.index(i, j);
-      if (before_[k] == after_[k] || grid.at({i, j}) == cost::kUnknown) continue;
-      const bool near = static_cast<std::size_t>(after_[k]) < cost_at_.size();
-      const std::uint8_t value = near ? cost_at_[static_cast<std::size_t>(after_[k])] : cost::kFree;
-      std::uint8_t& mended = costs_[grid.index({i, j})];
-      mended = std::min(mended, value);
-    }
-  }
+void ExplainedCells::mend(const GridView& grid, const CellWindow& window) {
+  visit_measured(grid, window,
+                 [&](const LethalDistances::Square* before, int strip, int j, std::size_t index, int count) {
+                   const LethalDistances::Square* after = after_.row(strip, j);
+                   if (std::equal(before, before + count, after)) return;
+                   for (int k = 0; k < count; ++k) {
+                     const std::size_t cell = index + static_cast<std::size_t>(k);
+                     if (before[k] == after[k] || grid.costs[cell] == cost::kUnknown) continue;
+                     const bool near = static_cast<std::size_t>(after[k]) < cost_at_.size();
+                     const std::uint8_t value = near ? cost_at_[static_cast<std::size_t>(after[k])] : cost::kFree;
+                     costs_[cell] = std::min(costs_[cell], value);
+                   }
+                 });
 }
 
 }  // namespace hidwa_local_planner

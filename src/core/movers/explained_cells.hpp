@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/movers/lethal_distances.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
 
@@ -23,7 +24,8 @@ namespace hidwa_local_planner {
 
 class ExplainedCells {
  public:
-  /// How far around a lethal cell costs are taken to be its own, at most [m].
+  /// How far around a lethal cell costs are taken to be its own, at most [m]; on fine maps LethalDistances::kMost
+  /// cells.
   static constexpr double kFarthestCost = 1.0;
 
   /// The costmap without what the movers' points explain; `grid` itself where that is nothing. Valid until the next
@@ -33,25 +35,17 @@ class ExplainedCells {
   std::size_t count() const { return taken_.size(); }
 
  private:
-  struct Window {
-    int i0 = 0, i1 = 0, j0 = 0, j1 = 0;  // cells, ends not included
-    int width() const { return i1 - i0; }
-    std::size_t index(int i, int j) const {
-      return static_cast<std::size_t>(j - j0) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(i - i0);
-    }
-    std::size_t size() const { return static_cast<std::size_t>(width()) * static_cast<std::size_t>(j1 - j0); }
-  };
   void reserve(const GridView& grid);
   void find_explained(const GridView& grid, const MovingObstacleEstimates& movers);
-  Window window_around(const GridView& grid, int reach) const;
-  void measure(const GridView& grid, const Window& window, int reach, std::vector<int>& squares);
-  void learn_costs(const GridView& grid, const Window& window, int reach);
-  void mend(const GridView& grid, const Window& window);
+  CellWindow window_around(const GridView& grid, int reach) const;
+  void learn_costs(const GridView& grid, const CellWindow& window, int reach);
+  void mend(const GridView& grid, const CellWindow& window);
+  template <typename Visit>
+  void visit_measured(const GridView& grid, const CellWindow& window, const Visit& visit) const;
 
   std::vector<std::uint8_t> costs_;
   std::vector<Cell> taken_;
-  std::vector<int> rows_;            // [window] to the nearest lethal cell of the same row [cells]
-  std::vector<int> before_, after_;  // [window] squared distance to the nearest lethal cell, with and without the taken
+  LethalDistances before_, after_;     // with and without the taken
   std::vector<std::uint8_t> cost_at_;  // by squared distance [cells^2]
 };
 
