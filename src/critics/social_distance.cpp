@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "critics/built_in_entry.hpp"
+#include "critics/side_gaps.hpp"
 #include "hidwa_local_planner/core/critic.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 
@@ -20,10 +22,11 @@ constexpr double kSpeedsApart = 0.1;
 // For rounding [m].
 constexpr double kSpare = 0.01;
 
-// Memory is kept for so many candidates of a tile, sides of a footprint, and movers.
+// Memory is kept for so many candidates of a tile, sides of a footprint, movers, and looks.
 constexpr std::size_t kUsualCandidates = 256;
 constexpr std::size_t kUsualSides = 32;
 constexpr std::size_t kUsualMovers = 64;
+constexpr std::size_t kUsualLooks = 16;
 
 /// Coming near to what moves, where robot and mover are at the same time, if the mover keeps its velocity. With the
 /// distance d(t) from the footprint to the nearest mover's disc, D = social_distance and T =
@@ -46,26 +49,40 @@ class SocialDistance : public Critic {
     Point velocity;  // [m/s]
     double radius;   // [m]
   };
-  void find_in_reach(const CycleView& cycle, const Tile& tile);
+  struct Disc {
+    Point centre;
+    double radius;
+  };
+  // One time at which the distance is measured, and what any candidate may come near then.
+  struct Look {
+    std::size_t step = 0;
+    double share = 0.0;              // of the integral [s]
+    std::size_t first = 0, end = 0;  // of in_reach_
+  };
+  void plan_looks(const CycleView& cycle, const Tile& tile);
   void choose_knots(const Tile& tile);
   void take_row(const Tile& tile, std::size_t k);
-  bool far_from_row(const Mover& mover, const Point& at) const;
-  void project_row(const Tile& tile, std::size_t k, const Footprint& footprint);
-  void measure(const Tile& tile, std::size_t k, const Point& at, const Footprint& footprint);
-  bool look_around(const Tile& tile, std::size_t k, const Footprint& footprint);
+  bool far_from_row(const Disc& disc) const;
+  bool look_around(const Tile& tile, const Look& look, const Footprint& footprint);
+  void measure_one_by_one(const Tile& tile, std::size_t k, const Footprint& footprint);
   void interpolate(const Tile& tile, double* raw) const;
 
   double kept_ = 0.5;        // social_distance [m]
   double fading_ = 1.5;      // [s]
   double own_radius_ = 0.0;  // of the footprint, circumscribed [m]
   std::vector<Mover> movers_;
-  std::vector<Mover> in_reach_;     // those of them that any candidate of the tile may come near
+  // The looks of a cycle's tiles, which mostly are alike.
+  std::vector<Look> looks_;
+  std::vector<Disc> in_reach_;  // at the looks
+  double dt_ = 0.0;             // of the tiles [s]
+  std::size_t steps_ = 0;
+  double fastest_ = -1.0;           // of their candidates [m/s]
   std::vector<std::size_t> knots_;  // candidates of a tile that are measured, ascending
-  // Of the knots, at one time:
-  std::vector<double> x_, y_;                                 // [m]
-  std::vector<double> along_;                                 // [sides * knots] along each side's normal [m]
-  std::vector<double> gap_;                                   // [m]
-  std::vector<double> nearness_;                              // 1 - d / D
+  // Of the knots, and of the last one again up to a whole number of SideGaps::kPad, at one time:
+  std::vector<double> x_, y_;  // [m]
+  SideGaps sides_;
+  std::vector<Disc> near_;                                    // there
+  std::vector<double> gap_;                                   // to the nearest of them [m]
   std::vector<double> sum_;                                   // over all times
   double lo_x_ = 0.0, hi_x_ = 0.0, lo_y_ = 0.0, hi_y_ = 0.0;  // around them [m]
 };
@@ -74,36 +91,48 @@ double SocialDistance::configure(const Parameters& parameters, const ParameterSo
   kept_ = parameters.social_distance;
   fading_ = parameters.SocialDistance_fading_time;
   movers_.reserve(kUsualMovers);
-  in_reach_.reserve(kUsualMovers);
+  looks_.reserve(kUsualLooks);
+  in_reach_.reserve(kUsualLooks * kUsualMovers);
+  near_.reserve(kUsualMovers);
   knots_.reserve(kUsualCandidates);
-  for (std::vector<double>* values : {&x_, &y_, &gap_, &nearness_, &sum_}) values->reserve(kUsualCandidates);
-  along_.reserve(kUsualCandidates * kUsualSides);
+  for (std::vector<double>* values : {&x_, &y_, &gap_, &sum_}) values->reserve(kUsualCandidates);
+  sides_.reserve(kUsualCandidates, kUsualSides, kUsualMovers);
   return kept_ > 0.0 ? parameters.SocialDistance_scale : 0.0;
 }
 
 void SocialDistance::prepare(const CycleView& cycle) {
   movers_.clear();
+  fastest_ = -1.0;
   own_radius_ = cycle.footprint->circumscribed_radius();
   for (const MovingObstacleEstimate& mover : *cycle.moving_obstacles) {
     movers_.push_back({mover.position_now(), mover.velocity, mover.radius});
   }
 }
 
-// A rollout is no faster than its sample, or than the robot was when it began. What cannot come near within it is near
-// at no time: leaving it out changes nothing.
-void SocialDistance::find_in_reach(const CycleView& cycle, const Tile& tile) {
+// A rollout is no faster than its sample, or than the robot was when it began. What is farther away at a look than it
+// comes until then is not near: leaving it out changes nothing.
+void SocialDistance::plan_looks(const CycleView& cycle, const Tile& tile) {
   double fastest = std::max(std::abs(cycle.velocity.v), std::abs(cycle.last_command.v));
   for (const std::size_t knot : knots_) fastest = std::max(fastest, std::abs(tile.v[knot]));
-  const double lasts = static_cast<double>(tile.steps) * tile.dt;
-  const double own = fastest * lasts + own_radius_ + kept_ + kSpare;
+  if (fastest <= fastest_ && tile.dt == dt_ && tile.steps == steps_) return;
+  fastest_ = fastest;
+  dt_ = tile.dt;
+  steps_ = tile.steps;
+  looks_.clear();
   in_reach_.clear();
-  for (const Mover& mover : movers_) {
-    const Point from(mover.position.x() - cycle.pose.x, mover.position.y() - cycle.pose.y);
-    const Point way = lasts * mover.velocity;
-    const double length2 = way.squaredNorm();
-    const double part = length2 > 0.0 ? std::clamp(-from.dot(way) / length2, 0.0, 1.0) : 0.0;
-    const double most = own + mover.radius;
-    if ((from + part * way).squaredNorm() < most * most) in_reach_.push_back(mover);
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(kLooksApart / dt_)));
+  const double lasts = static_cast<double>(stride) * dt_;
+  for (std::size_t k = stride; k <= steps_; k += stride) {
+    const double time = static_cast<double>(k) * dt_;
+    const double own = fastest * time + own_radius_ + kept_ + kSpare;
+    Look look{k, lasts * std::exp(-(time - 0.5 * lasts) / fading_), in_reach_.size(), 0};
+    for (const Mover& mover : movers_) {
+      const Point at = mover.position + time * mover.velocity;
+      const double dx = at.x() - cycle.pose.x, dy = at.y() - cycle.pose.y, most = own + mover.radius;
+      if (dx * dx + dy * dy < most * most) in_reach_.push_back({at, mover.radius});
+    }
+    look.end = in_reach_.size();
+    if (look.end > look.first) looks_.push_back(look);
   }
 }
 
@@ -114,14 +143,16 @@ void SocialDistance::choose_knots(const Tile& tile) {
     const bool end = c == 0 || c + 1 == tile.count;
     if (end || !tile.ascending || tile.v[c + 1] - tile.v[knots_.back()] > kSpeedsApart) knots_.push_back(c);
   }
-  for (std::vector<double>* values : {&x_, &y_, &gap_, &nearness_}) values->resize(knots_.size());
+  const std::size_t padded = (knots_.size() + SideGaps::kPad - 1) / SideGaps::kPad * SideGaps::kPad;
+  for (std::vector<double>* values : {&x_, &y_, &gap_}) values->resize(padded);
   sum_.assign(knots_.size(), 0.0);
 }
 
 void SocialDistance::take_row(const Tile& tile, std::size_t k) {
-  for (std::size_t i = 0; i < knots_.size(); ++i) {
-    x_[i] = tile.x_at(k, knots_[i]);
-    y_[i] = tile.y_at(k, knots_[i]);
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    const std::size_t knot = knots_[std::min(i, knots_.size() - 1)];
+    x_[i] = tile.x_at(k, knot);
+    y_[i] = tile.y_at(k, knot);
   }
   const auto [lo_x, hi_x] = std::minmax_element(x_.begin(), x_.end());
   const auto [lo_y, hi_y] = std::minmax_element(y_.begin(), y_.end());
@@ -131,67 +162,41 @@ void SocialDistance::take_row(const Tile& tile, std::size_t k) {
   hi_y_ = *hi_y;
 }
 
-bool SocialDistance::far_from_row(const Mover& mover, const Point& at) const {
-  const double dx = std::max({lo_x_ - at.x(), at.x() - hi_x_, 0.0});
-  const double dy = std::max({lo_y_ - at.y(), at.y() - hi_y_, 0.0});
-  const double most = own_radius_ + mover.radius + kept_;
+bool SocialDistance::far_from_row(const Disc& disc) const {
+  const double dx = std::max({lo_x_ - disc.centre.x(), disc.centre.x() - hi_x_, 0.0});
+  const double dy = std::max({lo_y_ - disc.centre.y(), disc.centre.y() - hi_y_, 0.0});
+  const double most = own_radius_ + disc.radius + kept_;
   return dx * dx + dy * dy >= most * most;
 }
 
-// How far along each side's normal, in the costmap frame, the side is from the map's origin.
-void SocialDistance::project_row(const Tile& tile, std::size_t k, const Footprint& footprint) {
-  const double cosine = tile.cos_heading[k], sine = tile.sin_heading[k];
-  along_.resize(footprint.sides().size() * knots_.size());
-  double* __restrict along = along_.data();
-  for (const Footprint::Side& side : footprint.sides()) {
-    const double nx = cosine * side.normal.x() - sine * side.normal.y();
-    const double ny = sine * side.normal.x() + cosine * side.normal.y();
-    for (std::size_t i = 0; i < knots_.size(); ++i) *along++ = nx * x_[i] + ny * y_[i] + side.offset;
+// The gap to the nearest mover; false where none is near.
+bool SocialDistance::look_around(const Tile& tile, const Look& look, const Footprint& footprint) {
+  take_row(tile, look.step);
+  near_.clear();
+  for (std::size_t i = look.first; i < look.end; ++i) {
+    if (!far_from_row(in_reach_[i])) near_.push_back(in_reach_[i]);
   }
+  if (near_.empty()) return false;
+  if (footprint.sides().empty()) {
+    measure_one_by_one(tile, look.step, footprint);
+    return true;
+  }
+  sides_.place(footprint, tile.cos_heading[look.step], tile.sin_heading[look.step], x_, y_);
+  for (const Disc& disc : near_) sides_.add(disc.centre, disc.radius);
+  sides_.measure(-own_radius_, gap_);
+  return true;
 }
 
-// How far the footprint is from a point, at step k.
-void SocialDistance::measure(const Tile& tile, std::size_t k, const Point& at, const Footprint& footprint) {
-  const std::size_t n = knots_.size();
+void SocialDistance::measure_one_by_one(const Tile& tile, std::size_t k, const Footprint& footprint) {
   const double cosine = tile.cos_heading[k], sine = tile.sin_heading[k];
-  if (!footprint.sides().empty()) {
-    std::fill(gap_.begin(), gap_.end(), -own_radius_);
-    const double* __restrict along = along_.data();
-    double* __restrict gap = gap_.data();
-    for (const Footprint::Side& side : footprint.sides()) {
-      const double nx = cosine * side.normal.x() - sine * side.normal.y();
-      const double ny = sine * side.normal.x() + cosine * side.normal.y();
-      const double point = nx * at.x() + ny * at.y();
-      for (std::size_t i = 0; i < n; ++i) gap[i] = std::max(gap[i], point - along[i]);
-      along += n;
-    }
-    return;
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const double dx = at.x() - x_[i], dy = at.y() - y_[i];
-    gap_[i] = footprint.distance_to({cosine * dx + sine * dy, cosine * dy - sine * dx});
-  }
-}
-
-// Nearness of all movers at step k; false where none is near.
-bool SocialDistance::look_around(const Tile& tile, std::size_t k, const Footprint& footprint) {
-  const double time = static_cast<double>(k) * tile.dt;
-  bool any = false;
-  take_row(tile, k);
-  for (const Mover& mover : in_reach_) {
-    const Point at = mover.position + time * mover.velocity;
-    if (far_from_row(mover, at)) continue;
-    if (!any) {
-      std::fill(nearness_.begin(), nearness_.end(), 0.0);
-      project_row(tile, k, footprint);
-    }
-    any = true;
-    measure(tile, k, at, footprint);
-    for (std::size_t i = 0; i < knots_.size(); ++i) {
-      nearness_[i] = std::max(nearness_[i], 1.0 - std::max(0.0, gap_[i] - mover.radius) / kept_);
+  std::fill(gap_.begin(), gap_.end(), std::numeric_limits<double>::infinity());
+  for (const Disc& disc : near_) {
+    for (std::size_t i = 0; i < gap_.size(); ++i) {
+      const double dx = disc.centre.x() - x_[i], dy = disc.centre.y() - y_[i];
+      const double off = footprint.distance_to({cosine * dx + sine * dy, cosine * dy - sine * dx});
+      gap_[i] = std::min(gap_[i], off - disc.radius);
     }
   }
-  return any;
 }
 
 void SocialDistance::interpolate(const Tile& tile, double* raw) const {
@@ -207,16 +212,15 @@ void SocialDistance::interpolate(const Tile& tile, double* raw) const {
 void SocialDistance::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   if (movers_.empty() || tile.steps == 0 || tile.count == 0) return;
   choose_knots(tile);
-  find_in_reach(cycle, tile);
-  if (in_reach_.empty()) return;
-  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(kLooksApart / tile.dt)));
+  plan_looks(cycle, tile);
   bool any = false;
-  for (std::size_t k = stride; k <= tile.steps; k += stride) {
-    if (!look_around(tile, k, *cycle.footprint)) continue;
+  for (const Look& look : looks_) {
+    if (!look_around(tile, look, *cycle.footprint)) continue;
     any = true;
-    const double lasts = static_cast<double>(stride) * tile.dt;
-    const double share = lasts * std::exp(-(static_cast<double>(k) * tile.dt - 0.5 * lasts) / fading_);
-    for (std::size_t i = 0; i < knots_.size(); ++i) sum_[i] += share * nearness_[i];
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+      const double nearness = 1.0 - std::max(0.0, gap_[i]) / kept_;
+      sum_[i] += look.share * std::max(0.0, nearness);
+    }
   }
   if (any) interpolate(tile, scores.set_all());
 }

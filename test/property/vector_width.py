@@ -5,12 +5,13 @@
 The compiler says nothing when it no longer vectorises a loop, and every result stays the same: only the time grows.
 Exit status: 0 they do; 1 some do not; 77 the library has no such clones by its nature."""
 import argparse
+import os
 import re
 import subprocess
 import sys
 
 # What the innermost loops must hold: packed operations, without the v of AVX. In the clone for AVX2 on 256 bits.
-PACKED = {
+OF_CORE = {
     'bound_rows': ('subpd', 'addpd'),
     'find_cells': ('subpd', 'mulpd', 'cvttpd2dq'),         # of CellClasses
     'find_corners': ('mulpd', 'addpd', 'cvttpd2dq'),
@@ -24,8 +25,13 @@ PACKED = {
     'kernel::sum_up': ('mulpd', 'addpd', 'andpd'),
     'least_beyond': ('mulpd', 'addpd'),
     'least_inside': ('mulpd', 'subpd'),
+    'least_of_rows': ('paddw', 'pminsw'),
     'take_from': ('paddw', 'pminsw'),
 }
+OF_CRITICS = {
+    'critics::least_gaps': ('subpd',),
+}
+PACKED = {'libhidwa_core.so': OF_CORE, 'libhidwa_critics.so': OF_CRITICS}
 CLONES = {'avx2': ('v', '%ymm'), 'default': ('', '%xmm')}
 SKIPPED = 77
 
@@ -73,10 +79,10 @@ def missing(body, clone, operations):
     return [operation for operation in operations if prefix + operation not in held]
 
 
-def judge(listing):
+def judge(listing, packed):
     """What is wrong, one line a function."""
     found, faults = functions(listing), []
-    for name, operations in PACKED.items():
+    for name, operations in packed.items():
         for clone in CLONES:
             if (name, clone) not in found:
                 faults.append(f'{name}: the library holds no clone of it for {clone}')
@@ -85,14 +91,14 @@ def judge(listing):
             if lost:
                 faults.append(f"{name}, clone for {clone}: no loop of it holds a packed {', '.join(lost)}")
     faults += [f'{name}: marked HIDWA_VECTOR_CLONES, but what its loops must hold is not listed here'
-               for name in sorted({name for name, _ in found} - set(PACKED))]
+               for name in sorted({name for name, _ in found} - set(packed))]
     return faults
 
 
 def main():
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('library', help='libhidwa_core.so')
+    parser.add_argument('library', help=' or '.join(PACKED))
     parser.add_argument('--objdump', default='objdump', help='the disassembler')
     parser.add_argument('--compiler', default='GNU', help='who compiled it, in the words of CMake')
     options = parser.parse_args()
@@ -106,8 +112,9 @@ def main():
     if options.compiler != 'GNU':
         print(f'skipped: clones are made by GCC only, and this library was compiled by {options.compiler}')
         return SKIPPED
-    faults = judge(objdump('--disassemble', '--demangle', '--no-show-raw-insn'))
-    print('\n'.join(faults) if faults else f'{len(PACKED)} functions, each vectorised in {len(CLONES)} clones')
+    packed = PACKED[os.path.basename(options.library)]
+    faults = judge(objdump('--disassemble', '--demangle', '--no-show-raw-insn'), packed)
+    print('\n'.join(faults) if faults else f'{len(packed)} functions, each vectorised in {len(CLONES)} clones')
     return 1 if faults else 0
 
 

@@ -8,7 +8,7 @@ from . import compilers
 
 ADDRESS, THREAD = 'address,undefined', 'thread'
 # Left out everywhere: it reads the instructions of an optimised build.
-UNFIT = ('hidwa_vector_width_test',)
+UNFIT = ('hidwa_vector_width_core_test', 'hidwa_vector_width_critics_test')
 # Slow cycles say so in words, which allocates.
 UNFIT_CASES = '-Allocations.NoneWhileThePersonSteers'
 # What one CI run has time for: whole drives, campaigns and records take many times as long as all else together, and are not even built.

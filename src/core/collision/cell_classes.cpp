@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/collision/rounding.hpp"
-#include "core/util/vector_clones.hpp"
+#include "hidwa_local_planner/core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner {
 namespace {

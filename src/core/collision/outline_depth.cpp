@@ -8,7 +8,7 @@
 
 #include "core/collision/collision.hpp"
 #include "core/util/convex_hull.hpp"
-#include "core/util/vector_clones.hpp"
+#include "hidwa_local_planner/core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner {
 namespace {

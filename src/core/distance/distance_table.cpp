@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "core/distance/distance_grid.hpp"
-#include "core/util/vector_clones.hpp"
+#include "hidwa_local_planner/core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner {
 namespace {

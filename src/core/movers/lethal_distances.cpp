@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/util/vector_clones.hpp"
+#include "hidwa_local_planner/core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner {
 namespace {

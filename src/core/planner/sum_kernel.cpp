@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/util/vector_clones.hpp"
+#include "hidwa_local_planner/core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner::kernel {
 
