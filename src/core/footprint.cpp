@@ -156,6 +156,9 @@ Footprint::Footprint(Polygon outline, double radius) : outline_(std::move(outlin
     circumscribed_ = std::max(circumscribed_, outline_[i].norm());
     const double squared = squared_distance_to_segment(outline_[i], outline_[(i + 1) % outline_.size()]);
     inscribed_ = std::min(inscribed_, std::sqrt(squared));
+    const Point way = outline_[(i + 1) % outline_.size()] - outline_[i];
+    const double length2 = way.squaredNorm();
+    edges_.push_back({way.x(), way.y(), length2 > 0.0 ? 1.0 / length2 : 0.0});
   }
   if (!contains_origin(outline_)) inscribed_ = 0.0;
   sides_ = convex_sides(outline_);
@@ -177,14 +180,22 @@ Footprint Footprint::from_outline(const Polygon& outline, double padding) {
   return Footprint(corners).padded(padding);
 }
 
+// Many a cycle: without a division. A ray from the point along x crosses an edge where the point is to its left and the
+// edge goes up, or to its right and it goes down.
 double Footprint::distance_to(const Point& point) const {
   if (is_circle()) return point.norm() - radius_;
   double nearest = std::numeric_limits<double>::infinity();
   bool inside = false;
-  for (std::size_t i = 0; i < outline_.size(); ++i) {
-    const Point a = outline_[i] - point, b = outline_[i + 1 < outline_.size() ? i + 1 : 0] - point;
-    nearest = std::min(nearest, squared_distance_to_segment(a, b));
-    inside = inside != crosses_positive_x(a, b);
+  const std::size_t count = outline_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Edge& edge = edges_[i];
+    const double ax = outline_[i].x() - point.x(), ay = outline_[i].y() - point.y();
+    const double by = outline_[i + 1 < count ? i + 1 : 0].y() - point.y();
+    const double share = std::clamp(-(ax * edge.x + ay * edge.y) * edge.per_squared_length, 0.0, 1.0);
+    const double x = ax + share * edge.x, y = ay + share * edge.y;
+    nearest = std::min(nearest, x * x + y * y);
+    const bool left = ax * edge.y > ay * edge.x;
+    inside = inside != ((ay > 0.0) != (by > 0.0) && left == (by > ay));
   }
   return inside ? -std::sqrt(nearest) : std::sqrt(nearest);
 }

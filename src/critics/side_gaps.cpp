@@ -9,27 +9,40 @@
 namespace hidwa_local_planner::critics {
 namespace {
 
-struct Discs {
-  const double* points;  // [discs * sides]
-  const double* radii;   // [discs]
-  std::size_t count, sides;
+struct Sides {
+  const double *normal_x, *normal_y, *offset;
+  std::size_t count;
 };
 
 HIDWA_VECTOR_CLONES
-void least_gaps(const Discs& discs, const double* along, std::size_t places, double least, double* gaps) {
+void place_sides(const Sides& sides, const double* x, const double* y, std::size_t places, double* along) {
   static_assert(SideGaps::kPad % 4 == 0);
+  for (std::size_t side = 0; side < sides.count; ++side) {
+    const double nx = sides.normal_x[side], ny = sides.normal_y[side], offset = sides.offset[side];
+    for (std::size_t i = 0; i < places; i += 4) {
+      Four px, py;
+      std::memcpy(&px, x + i, sizeof(px));
+      std::memcpy(&py, y + i, sizeof(py));
+      const Four here = nx * px + ny * py + offset;
+      std::memcpy(along + side * places + i, &here, sizeof(here));
+    }
+  }
+}
+
+HIDWA_VECTOR_CLONES
+void least_gaps(const Sides& sides, const double* along, std::size_t places, const std::vector<SideGaps::Disc>& discs,
+                double least, double* gaps) {
   for (std::size_t i = 0; i < places; i += 4) {
     Four nearest = Four{} + std::numeric_limits<double>::infinity();
-    const double* point = discs.points;
-    for (std::size_t disc = 0; disc < discs.count; ++disc) {
+    for (const SideGaps::Disc& disc : discs) {
       Four most = Four{} + least;
-      for (std::size_t side = 0; side < discs.sides; ++side) {
+      for (std::size_t side = 0; side < sides.count; ++side) {
         Four own;
         std::memcpy(&own, along + side * places + i, sizeof(own));
-        const Four beyond = *point++ - own;
+        const Four beyond = sides.normal_x[side] * disc.x + sides.normal_y[side] * disc.y - own;
         most = most < beyond ? beyond : most;
       }
-      const Four gap = most - discs.radii[disc];
+      const Four gap = most - disc.radius;
       nearest = gap < nearest ? gap : nearest;
     }
     std::memcpy(gaps + i, &nearest, sizeof(nearest));
@@ -38,38 +51,29 @@ void least_gaps(const Discs& discs, const double* along, std::size_t places, dou
 
 }  // namespace
 
-void SideGaps::reserve(std::size_t places, std::size_t sides, std::size_t discs) {
-  normals_.reserve(sides);
+void SideGaps::reserve(std::size_t places, std::size_t sides) {
+  for (std::vector<double>* values : {&normal_x_, &normal_y_, &offset_}) values->reserve(sides);
   along_.reserve(sides * places);
-  points_.reserve(sides * discs);
-  radii_.reserve(discs);
 }
 
-void SideGaps::place(const Footprint& footprint, double cosine, double sine, const std::vector<double>& x,
-                     const std::vector<double>& y) {
-  places_ = x.size();
-  normals_.clear();
-  points_.clear();
-  radii_.clear();
-  along_.resize(footprint.sides().size() * places_);
-  double* along = along_.data();
-  for (const Footprint::Side& side : footprint.sides()) {
-    const Normal normal{cosine * side.normal.x() - sine * side.normal.y(),
-                        sine * side.normal.x() + cosine * side.normal.y()};
-    normals_.push_back(normal);
-    for (std::size_t i = 0; i < places_; ++i) *along++ = normal.x * x[i] + normal.y * y[i] + side.offset;
+void SideGaps::turn(const Footprint& footprint, double cosine, double sine) {
+  const std::size_t count = footprint.sides().size();
+  for (std::vector<double>* values : {&normal_x_, &normal_y_, &offset_}) values->resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Footprint::Side& side = footprint.sides()[k];
+    normal_x_[k] = cosine * side.normal.x() - sine * side.normal.y();
+    normal_y_[k] = sine * side.normal.x() + cosine * side.normal.y();
+    offset_[k] = side.offset;
   }
 }
 
-void SideGaps::add(const Point& centre, double radius) {
-  for (const Normal& normal : normals_) points_.push_back(normal.x * centre.x() + normal.y * centre.y());
-  radii_.push_back(radius);
-}
-
-void SideGaps::measure(double least, std::vector<double>& gaps) const {
-  gaps.resize(places_);
-  least_gaps({points_.data(), radii_.data(), radii_.size(), normals_.size()}, along_.data(), places_, least,
-             gaps.data());
+void SideGaps::measure(const std::vector<double>& x, const std::vector<double>& y, const std::vector<Disc>& discs,
+                       double least, std::vector<double>& gaps) {
+  const Sides sides{normal_x_.data(), normal_y_.data(), offset_.data(), offset_.size()};
+  along_.resize(sides.count * x.size());
+  gaps.resize(x.size());
+  place_sides(sides, x.data(), y.data(), x.size(), along_.data());
+  least_gaps(sides, along_.data(), x.size(), discs, least, gaps.data());
 }
 
 }  // namespace hidwa_local_planner::critics

@@ -49,10 +49,7 @@ class SocialDistance : public Critic {
     Point velocity;  // [m/s]
     double radius;   // [m]
   };
-  struct Disc {
-    Point centre;
-    double radius;
-  };
+  using Disc = SideGaps::Disc;
   // One time at which the distance is measured, and what any candidate may come near then.
   struct Look {
     std::size_t step = 0;
@@ -96,7 +93,7 @@ double SocialDistance::configure(const Parameters& parameters, const ParameterSo
   near_.reserve(kUsualMovers);
   knots_.reserve(kUsualCandidates);
   for (std::vector<double>* values : {&x_, &y_, &gap_, &sum_}) values->reserve(kUsualCandidates);
-  sides_.reserve(kUsualCandidates, kUsualSides, kUsualMovers);
+  sides_.reserve(kUsualCandidates, kUsualSides);
   return kept_ > 0.0 ? parameters.SocialDistance_scale : 0.0;
 }
 
@@ -113,7 +110,9 @@ void SocialDistance::prepare(const CycleView& cycle) {
 // comes until then is not near: leaving it out changes nothing.
 void SocialDistance::plan_looks(const CycleView& cycle, const Tile& tile) {
   double fastest = std::max(std::abs(cycle.velocity.v), std::abs(cycle.last_command.v));
-  for (const std::size_t knot : knots_) fastest = std::max(fastest, std::abs(tile.v[knot]));
+  for (std::size_t c = 0; c < tile.count; c += tile.ascending ? std::max<std::size_t>(tile.count - 1, 1) : 1) {
+    fastest = std::max(fastest, std::abs(tile.v[c]));
+  }
   if (fastest <= fastest_ && tile.dt == dt_ && tile.steps == steps_) return;
   fastest_ = fastest;
   dt_ = tile.dt;
@@ -129,7 +128,7 @@ void SocialDistance::plan_looks(const CycleView& cycle, const Tile& tile) {
     for (const Mover& mover : movers_) {
       const Point at = mover.position + time * mover.velocity;
       const double dx = at.x() - cycle.pose.x, dy = at.y() - cycle.pose.y, most = own + mover.radius;
-      if (dx * dx + dy * dy < most * most) in_reach_.push_back({at, mover.radius});
+      if (dx * dx + dy * dy < most * most) in_reach_.push_back({at.x(), at.y(), mover.radius});
     }
     look.end = in_reach_.size();
     if (look.end > look.first) looks_.push_back(look);
@@ -154,17 +153,19 @@ void SocialDistance::take_row(const Tile& tile, std::size_t k) {
     x_[i] = tile.x_at(k, knot);
     y_[i] = tile.y_at(k, knot);
   }
-  const auto [lo_x, hi_x] = std::minmax_element(x_.begin(), x_.end());
-  const auto [lo_y, hi_y] = std::minmax_element(y_.begin(), y_.end());
-  lo_x_ = *lo_x;
-  hi_x_ = *hi_x;
-  lo_y_ = *lo_y;
-  hi_y_ = *hi_y;
+  lo_x_ = hi_x_ = x_[0];
+  lo_y_ = hi_y_ = y_[0];
+  for (std::size_t i = 1; i < knots_.size(); ++i) {
+    lo_x_ = std::min(lo_x_, x_[i]);
+    hi_x_ = std::max(hi_x_, x_[i]);
+    lo_y_ = std::min(lo_y_, y_[i]);
+    hi_y_ = std::max(hi_y_, y_[i]);
+  }
 }
 
 bool SocialDistance::far_from_row(const Disc& disc) const {
-  const double dx = std::max({lo_x_ - disc.centre.x(), disc.centre.x() - hi_x_, 0.0});
-  const double dy = std::max({lo_y_ - disc.centre.y(), disc.centre.y() - hi_y_, 0.0});
+  const double dx = std::max({lo_x_ - disc.x, disc.x - hi_x_, 0.0});
+  const double dy = std::max({lo_y_ - disc.y, disc.y - hi_y_, 0.0});
   const double most = own_radius_ + disc.radius + kept_;
   return dx * dx + dy * dy >= most * most;
 }
@@ -181,9 +182,8 @@ bool SocialDistance::look_around(const Tile& tile, const Look& look, const Footp
     measure_one_by_one(tile, look.step, footprint);
     return true;
   }
-  sides_.place(footprint, tile.cos_heading[look.step], tile.sin_heading[look.step], x_, y_);
-  for (const Disc& disc : near_) sides_.add(disc.centre, disc.radius);
-  sides_.measure(-own_radius_, gap_);
+  sides_.turn(footprint, tile.cos_heading[look.step], tile.sin_heading[look.step]);
+  sides_.measure(x_, y_, near_, -own_radius_, gap_);
   return true;
 }
 
@@ -192,7 +192,7 @@ void SocialDistance::measure_one_by_one(const Tile& tile, std::size_t k, const F
   std::fill(gap_.begin(), gap_.end(), std::numeric_limits<double>::infinity());
   for (const Disc& disc : near_) {
     for (std::size_t i = 0; i < gap_.size(); ++i) {
-      const double dx = disc.centre.x() - x_[i], dy = disc.centre.y() - y_[i];
+      const double dx = disc.x - x_[i], dy = disc.y - y_[i];
       const double off = footprint.distance_to({cosine * dx + sine * dy, cosine * dy - sine * dx});
       gap_[i] = std::min(gap_[i], off - disc.radius);
     }
@@ -211,8 +211,9 @@ void SocialDistance::interpolate(const Tile& tile, double* raw) const {
 
 void SocialDistance::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   if (movers_.empty() || tile.steps == 0 || tile.count == 0) return;
-  choose_knots(tile);
   plan_looks(cycle, tile);
+  if (looks_.empty()) return;
+  choose_knots(tile);
   bool any = false;
   for (const Look& look : looks_) {
     if (!look_around(tile, look, *cycle.footprint)) continue;

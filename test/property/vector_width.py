@@ -30,6 +30,7 @@ OF_CORE = {
 }
 OF_CRITICS = {
     'critics::least_gaps': ('subpd',),
+    'critics::place_sides': ('mulpd', 'addpd'),
 }
 PACKED = {'libhidwa_core.so': OF_CORE, 'libhidwa_critics.so': OF_CRITICS}
 CLONES = {'avx2': ('v', '%ymm'), 'default': ('', '%xmm')}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
@@ -42,9 +44,15 @@ class Footprint {
   Footprint padded(double padding) const;
 
  private:
+  // From a corner to the next one.
+  struct Edge {
+    double x, y;                // [m]
+    double per_squared_length;  // [1/m^2]; 0 where it has no length
+  };
   const char* fault_of_corners() const;
 
   Polygon outline_;
+  std::vector<Edge> edges_;  // of each corner
   std::vector<Side> sides_;
   double radius_ = 0.0;
   double inscribed_ = 0.0;

@@ -24,10 +24,10 @@ GridView ExplainedCells::without(const GridView& grid, const MovingObstacleEstim
   costs_.assign(grid.costs, grid.costs + grid.cell_count());
   GridView copy = grid;
   copy.costs = costs_.data();
-  before_.measure(grid, window, reach);
+  measure(grid, window, reach, before_);
   learn_costs(grid, window, reach);
   for (const Cell& cell : taken_) costs_[grid.index(cell)] = cost::kInscribed;  // at most: mend() says what
-  after_.measure(copy, window, reach);
+  measure(copy, window, reach, after_);
   mend(grid, window);
   return copy;
 }
@@ -76,6 +76,14 @@ CellWindow ExplainedCells::window_around(const GridView& grid, int reach) const 
           std::max(0, window.j0 - 2 * reach), std::min(grid.size_y, window.j1 + 2 * reach)};
 }
 
+// Costs farther from what was taken are not its own.
+void ExplainedCells::measure(const GridView& grid, const CellWindow& window, int reach,
+                             LethalDistances& distances) const {
+  distances.begin(window, reach);
+  for (const Cell& cell : taken_) distances.want_around(cell);
+  distances.measure(grid);
+}
+
 // What costs nothing was not measured, and there is nothing to learn from it or to mend.
 template <typename Visit>
 void ExplainedCells::visit_measured(const GridView& grid, const CellWindow& window, const Visit& visit) const {
@@ -102,6 +110,8 @@ void ExplainedCells::learn_costs(const GridView& grid, const CellWindow& window,
                      known = std::max(known, value);
                    }
                  });
+  // No distance costs less than a larger one.
+  for (std::size_t k = cost_at_.size() - 1; k > 0; --k) cost_at_[k - 1] = std::max(cost_at_[k - 1], cost_at_[k]);
 }
 
 void ExplainedCells::mend(const GridView& grid, const CellWindow& window) {

@@ -38,6 +38,7 @@ class ExplainedCells {
   void reserve(const GridView& grid);
   void find_explained(const GridView& grid, const MovingObstacleEstimates& movers);
   CellWindow window_around(const GridView& grid, int reach) const;
+  void measure(const GridView& grid, const CellWindow& window, int reach, LethalDistances& distances) const;
   void learn_costs(const GridView& grid, const CellWindow& window, int reach);
   void mend(const GridView& grid, const CellWindow& window);
   template <typename Visit>

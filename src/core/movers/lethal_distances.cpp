@@ -44,23 +44,34 @@ void LethalDistances::reserve(int size_x, int size_y) {
   const std::size_t rows = strips_of(size_x) * static_cast<std::size_t>(size_y);
   one_row_.reserve(strips_of(size_x) * kColumns);
   for (std::vector<Square>* values : {&along_, &squares_}) values->reserve(rows * kColumns);
-  for (std::vector<std::uint8_t>* flags : {&near_, &measured_}) flags->reserve(rows);
+  for (std::vector<std::uint8_t>* flags : {&wanted_, &near_, &measured_}) flags->reserve(rows);
 }
 
-void LethalDistances::measure(const GridView& grid, const CellWindow& window, int reach) {
+void LethalDistances::begin(const CellWindow& window, int reach) {
   window_ = window;
   reach_ = reach;
   strips_ = static_cast<int>(strips_of(window.width()));
   const std::size_t rows = strips_of(window.width()) * static_cast<std::size_t>(window.height());
   one_row_.resize(strips_of(window.width()) * kColumns);
   for (std::vector<Square>* values : {&along_, &squares_}) values->resize(rows * kColumns);
-  for (std::vector<std::uint8_t>* flags : {&near_, &measured_}) flags->assign(rows, 0);
-  for (int j = window.j0; j < window.j1; ++j) measure_row(grid, j);
+  for (std::vector<std::uint8_t>* flags : {&wanted_, &near_, &measured_}) flags->assign(rows, 0);
+}
+
+void LethalDistances::want_around(const Cell& cell) {
+  const int first = std::max(window_.j0, cell.j - reach_), last = std::min(window_.j1 - 1, cell.j + reach_);
+  const int left = std::max(window_.i0, cell.i - reach_), right = std::min(window_.i1 - 1, cell.i + reach_);
+  for (int strip = (left - window_.i0) / kColumns; strip <= (right - window_.i0) / kColumns; ++strip) {
+    std::memset(wanted_.data() + index(strip, first), 1, static_cast<std::size_t>(last - first + 1));
+  }
+}
+
+void LethalDistances::measure(const GridView& grid) {
+  for (int j = window_.j0; j < window_.j1; ++j) measure_row(grid, j);
   for (int strip = 0; strip < strips_; ++strip) {
-    for (int j = window.j0; j < window.j1; ++j) {
-      if (free(grid, strip, j)) continue;
+    for (int j = window_.j0; j < window_.j1; ++j) {
       const std::size_t k = index(strip, j);
-      const int first = std::max(window.j0, j - reach), last = std::min(window.j1 - 1, j + reach);
+      if (wanted_[k] == 0 || free(grid, strip, j)) continue;
+      const int first = std::max(window_.j0, j - reach_), last = std::min(window_.j1 - 1, j + reach_);
       const std::size_t other = index(strip, first);
       measured_[k] = 1;
       least_of_rows(along_.data() + other * kColumns, near_.data() + other, last - first + 1, first - j,

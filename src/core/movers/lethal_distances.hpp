@@ -16,10 +16,10 @@ struct CellWindow {
   int height() const { return j1 - j0; }
 };
 
-/// How far the cells of a window that cost anything are from the nearest lethal cell of it.
+/// How far cells of a window are from the nearest lethal cell of it.
 ///
-/// The window is cut into strips of kColumns columns. A strip's row is measured where one of its cells is not free.
-/// Along the rows first, then over the columns: squares add up.
+/// The window is cut into strips of kColumns columns. A strip's row is measured where it is wanted and one of its cells
+/// is not free. Along the rows first, then over the columns: squares add up.
 class LethalDistances {
  public:
   using Square = std::int16_t;         // of a distance [cells^2]
@@ -28,9 +28,12 @@ class LethalDistances {
 
   /// For windows of a grid of this size.
   void reserve(int size_x, int size_y);
-  /// `reach`: as far as it looks, at most kMost [cells]. Up to there squares are exact; those of cells that are farther
-  /// are larger than reach^2.
-  void measure(const GridView& grid, const CellWindow& window, int reach);
+  /// The next window. `reach`: as far as it looks, at most kMost [cells]. Nothing is wanted yet.
+  void begin(const CellWindow& window, int reach);
+  /// What is within the reach of a cell of the window, along both axes, is wanted.
+  void want_around(const Cell& cell);
+  /// Up to the reach squares are exact; those of cells that are farther are larger than its square.
+  void measure(const GridView& grid);
 
   int strips() const { return strips_; }
   /// Row j of a strip, kColumns squares, those beyond the window without meaning; null where it was not measured.
@@ -53,6 +56,7 @@ class LethalDistances {
   int strips_ = 0;
   std::vector<Square> one_row_;                // [columns] to the nearest lethal cell of the same row
   std::vector<Square> along_, squares_;        // [strips * rows * kColumns] in the row, and in all rows
+  std::vector<std::uint8_t> wanted_;           // [strips * rows]
   std::vector<std::uint8_t> near_, measured_;  // [strips * rows] whether a lethal cell of the row is near; as row()
 };
 

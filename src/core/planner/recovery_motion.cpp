@@ -368,7 +368,7 @@ int RecoveryMotion::choose(const Scene& scene) {
   }
   escape_.reset();
   if (phase_ == Phase::follows) return follow(scene);
-  return holds_ ? stand(scene) : -1;
+  return holds_ && !waiting() ? stand(scene) : -1;
 }
 
 int RecoveryMotion::stand(const Scene& scene) const {

@@ -9,7 +9,8 @@
 // 3. That ends at the way's end, or where the cheapest candidate has led on as well for a second. If the remaining time
 //    stops falling, the robot stands and searches anew.
 // 4. If there is no way, the cycle fails and says why. It searches again after two seconds. Where only what moves is in
-//    the way, it waits for that instead (MoverWait). A search that takes long makes one cycle fail, so that the host
+//    the way, it waits for that instead (MoverWait), and ordinary scoring may move up to it: who gives way to robots
+//    sees so that it wants to pass. A search that takes long makes one cycle fail, so that the host
 //    may make another plan, and goes on.
 // 5. Before a tight place the search begins while the robot drives on. Where it finds a way the robot follows that, in
 //    good time: one that cannot drive backwards may come to where no way leads on.

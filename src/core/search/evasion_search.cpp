@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 
 namespace hidwa_local_planner {
@@ -182,9 +183,9 @@ bool EvasionSearch::drive_on(const Scene& scene, const MotionFan::Speed& speed, 
 
 // Along the i-th motion of the fan, which unfolds from this state. A robot that has to brake rests until the motion
 // ends. False where it is touched: then `until` says when.
-bool EvasionSearch::go(const Scene& scene, std::size_t i, const Span& span, State& state) const {
-  const MotionFan::Speed& speed = fan_.speed(i);
-  const MotionFan::Turn& turn = fan_.turn(i);
+bool EvasionSearch::go(const Scene& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const {
+  const MotionFan::Speed& speed = fan.speed(i);
+  const MotionFan::Turn& turn = fan.turn(i);
   bool drives = true;
   for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
     const double time = span.from + static_cast<double>(k + 1) * span.step;
@@ -201,13 +202,13 @@ bool EvasionSearch::go(const Scene& scene, std::size_t i, const Span& span, Stat
 
 bool EvasionSearch::untroubled(const Scene& scene, const Twist2& motion) {
   State state{scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega};
-  fan_.clear();
-  fan_.add(motion);
+  first_fan_.clear();
+  first_fan_.add(motion);
   for (const Span& span : spans_) {
     find_near(scene, state, span);
-    fan_.unfold(scene.limits, state.heading, {state.v, state.omega}, span.step);
-    const bool free = go(scene, 0, span, state);
-    const bool stopped = state.v != fan_.speed(0).v.back();
+    first_fan_.unfold(scene.limits, state.heading, {state.v, state.omega}, span.step);
+    const bool free = go(scene, first_fan_, 0, span, state);
+    const bool stopped = state.v != first_fan_.speed(0).v.back();
     if (!free || stopped || state.nearness > 0.0) return false;
   }
   return true;
@@ -216,16 +217,20 @@ bool EvasionSearch::untroubled(const Scene& scene, const Twist2& motion) {
 // The own ones first. All within what the wheels allow.
 void EvasionSearch::list_motions(const Scene& scene, const std::vector<Twist2>& own) {
   const VelocityLimits& limits = scene.limits;
-  fan_.clear();
-  for (const Twist2& motion : own) fan_.add(motion);
-  own_ = own.size();
   const double back = limits.x.min, ahead = limits.x.max;
-  const auto add_turns = [&](double v) {
-    for (int turn = -2; turn <= 2; ++turn) fan_.add(limits.clamp({v, 0.5 * turn * limits.theta.max}));
+  const auto add = [&](MotionFan& fan, std::initializer_list<double> speeds, std::initializer_list<double> turns) {
+    for (const double v : speeds) {
+      for (const double turn : turns) fan.add(limits.clamp({v, turn * limits.theta.max}));
+    }
   };
-  for (const double v : {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0}) add_turns(v);
-  if (back >= 0.0) return;
-  for (const double v : {0.5 * back, back}) add_turns(v);
+  first_fan_.clear();
+  for (const Twist2& motion : own) first_fan_.add(motion);
+  own_ = own.size();
+  add(first_fan_, {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0}, {-1.0, -0.5, 0.0, 0.5, 1.0});
+  if (back < 0.0) add(first_fan_, {0.5 * back, back}, {-1.0, -0.5, 0.0, 0.5, 1.0});
+  next_fan_.clear();
+  add(next_fan_, {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0}, {-1.0, 0.0, 1.0});
+  if (back < 0.0) add(next_fan_, {0.5 * back, back}, {-1.0, 0.0, 1.0});
 }
 
 bool EvasionSearch::may_begin(const Scene& scene, const Twist2& motion) {
@@ -235,14 +240,14 @@ bool EvasionSearch::may_begin(const Scene& scene, const Twist2& motion) {
 void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const std::vector<Twist2>& own) {
   list_motions(scene, own);
   branches_.clear();
-  for (std::size_t i = 0; i < fan_.size(); ++i) branches_.push_back({fan_.motion(i), kEver, 0.0});
+  for (std::size_t i = 0; i < first_fan_.size(); ++i) branches_.push_back({first_fan_.motion(i), kEver, 0.0});
   beam_.clear();
   beam_.push_back(
       {scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega});
   for (int level = 0; level < kLevels && !beam_.empty(); ++level) {
     next_.clear();
     const Span& span = spans_[static_cast<std::size_t>(level)];
-    for (const State& from : beam_) extend(scene, guide, from, level == 0 ? 0 : own_, span);
+    for (const State& from : beam_) extend(scene, guide, from, level == 0 ? first_fan_ : next_fan_, span);
     if (level + 1 < kLevels) keep_best();
   }
   for (const State& state : next_) {
@@ -259,16 +264,17 @@ double EvasionSearch::cheapest() const {
   return least;
 }
 
-// By all motions from `first` on. What is touched goes no farther.
-void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first,
+// By all motions of the fan. What is touched goes no farther.
+void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const State& from, MotionFan& fan,
                            const Span& span) {
+  const bool begins = &fan == &first_fan_;
   find_near(scene, from, span);
-  fan_.unfold(scene.limits, from.heading, {from.v, from.omega}, span.step);
-  for (std::size_t i = first; i < fan_.size(); ++i) {
-    if (first == 0 && i > 0 && !may_begin(scene, fan_.motion(i))) continue;
+  fan.unfold(scene.limits, from.heading, {from.v, from.omega}, span.step);
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    if (begins && i > 0 && !may_begin(scene, fan.motion(i))) continue;
     State state = from;
-    if (first == 0) state.first = static_cast<std::uint32_t>(i);
-    const bool free = go(scene, i, span, state);
+    if (begins) state.first = static_cast<std::uint32_t>(i);
+    const bool free = go(scene, fan, i, span, state);
     state.unrest += kTurning * std::abs(state.omega - from.omega) + kSpeeding * std::abs(state.v - from.v);
     state.cost = state.nearness + state.unrest + guide.time_left(state.x, state.y, state.heading);
     if (free) {

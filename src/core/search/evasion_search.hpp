@@ -2,7 +2,8 @@
 // A search in space and time: which motion now leaves a way that nothing that moves will touch, and gets on.
 //
 // 1. A way is a sequence of motions: a velocity that the robot goes to within its limits and then keeps, the first one
-//    for 0.4 s, the others for equal parts of the rest. There are 6 x 5 of them: ahead, back, at rest, turning.
+//    for 0.4 s, the others for equal parts of the rest: ahead, back, at rest, turning. There are 6 x 5 first motions,
+//    and 6 x 3 of the others: more of those are slower, and no better.
 // 2. What moves is expected to keep its velocity. A way ends where the outline touches it, at rest too, or a wall.
 //    Passive safety would not let the robot drive on where the mover may be there, within moving_obstacle_acc, before
 //    the robot has come to rest: there it brakes, and waits until the motion ends. Else it trusts in ways out that are
@@ -114,7 +115,7 @@ class EvasionSearch {
   void find_near(const Scene& scene, const State& from, const Span& span);
   bool drive_on(const Scene& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn, std::size_t k,
                 double time, State& state) const;
-  bool go(const Scene& scene, std::size_t i, const Span& span, State& state) const;
+  bool go(const Scene& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const;
   struct Stopping {
     double time = 0.0;  // until the robot rests, less half of the braking; 0 where it does [s]
     double way = 0.0;   // until then [m]
@@ -124,7 +125,7 @@ class EvasionSearch {
   bool must_stop(const Scene& scene, const State& state, double time) const;
   double nearness(const Scene& scene, const State& state, double time, bool& touched) const;
   bool blocked(const Scene& scene, const State& state) const;
-  void extend(const Scene& scene, const PlanGuide& guide, const State& from, std::size_t first, const Span& span);
+  void extend(const Scene& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
   double touched_early(const Scene& scene, const State& state, double time) const;
   void note_touched(const State& state);
   void keep_best();
@@ -132,8 +133,8 @@ class EvasionSearch {
   static bool alike(const State& a, const State& b);
 
   std::vector<Mover> movers_, near_;
-  MotionFan fan_;
-  std::size_t own_ = 0;  // so many of its motions are own ones
+  MotionFan first_fan_, next_fan_;  // of a way's first motion, and of the others
+  std::size_t own_ = 0;             // so many of its motions are own ones
   std::array<Span, kLevels> spans_;
   double horizon_ = 0.0;  // [s]
   double fastest_ = 0.0;  // [m/s]

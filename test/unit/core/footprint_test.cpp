@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/core/footprint.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -76,6 +77,40 @@ TEST(FootprintCircle, FewOrUnevenCornersAreAPolygon) {
   Polygon outline = round_outline(16, 0.3);
   outline[3] *= 1.05;
   EXPECT_FALSE(Footprint::from_outline(outline, 0.0).is_circle());
+}
+
+// Along each edge in small steps; inside is what the outline goes once around.
+double naive_distance(const Polygon& outline, const Point& point) {
+  constexpr int kSteps = 2000;
+  double nearest = std::numeric_limits<double>::infinity(), turned = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point a = outline[i] - point, b = outline[(i + 1) % outline.size()] - point;
+    for (int k = 0; k <= kSteps; ++k) nearest = std::min(nearest, (a + (b - a) * k / kSteps).norm());
+    turned += wrap_angle(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x()));
+  }
+  return std::abs(turned) > M_PI ? -nearest : nearest;
+}
+
+TEST(FootprintDistance, IsThatToTheNearestPlaceOfAnyEdge) {
+  test::Random random(12);
+  int inside = 0;
+  for (int k = 0; k < 300; ++k) {
+    Polygon outline = random.chance(0.5) ? test::random_star_outline(random) : test::random_convex_outline(random);
+    if (random.chance(0.5)) std::reverse(outline.begin(), outline.end());
+    const double most = random.pick({0.3, 1.0});
+    const Point point(random.uniform(-most, most), random.uniform(-most, most));
+    const double expected = naive_distance(outline, point), found = Footprint(outline).distance_to(point);
+    // Off by no more than half a step, of edges no longer than 2 m.
+    ASSERT_NEAR(found, expected, 0.5e-3) << k;
+    inside += found < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(inside, 60);
+  EXPECT_DOUBLE_EQ(Footprint({}, 0.3).distance_to({0.3, 0.4}), 0.2);
+  // On the corner, beside it, and with a corner twice.
+  const Footprint square({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
+  EXPECT_DOUBLE_EQ(square.distance_to({0.2, 0.2}), 0.0);
+  EXPECT_DOUBLE_EQ(square.distance_to({0.5, 0.6}), 0.5);  // (0.3, 0.4) from the corner
+  EXPECT_DOUBLE_EQ(square.distance_to({0.0, 0.15}), -0.05);
 }
 
 TEST(FootprintPadding, EverySideMovesOutwards) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -59,13 +60,22 @@ TEST(LethalDistances, AreThoseToEachLethalCell) {
     const int i0 = random.integer(0, map.view.size_x - 1), j0 = random.integer(0, map.view.size_y - 1);
     const CellWindow window{i0, random.integer(i0 + 1, map.view.size_x), j0, random.integer(j0 + 1, map.view.size_y)};
     const int reach = random.pick({1, 4, 20, LethalDistances::kMost});
-    distances.measure(map.view, window, reach);
+    distances.begin(window, reach);
+    std::vector<Cell> around;
+    for (int n = random.integer(0, 3); n > 0; --n) {
+      around.push_back({random.integer(window.i0, window.i1 - 1), random.integer(window.j0, window.j1 - 1)});
+      distances.want_around(around.back());
+    }
+    distances.measure(map.view);
     for (int strip = 0; strip < distances.strips(); ++strip) {
       const int from = window.i0 + strip * LethalDistances::kColumns;
       const int to = std::min(from + LethalDistances::kColumns, window.i1);
       for (int j = window.j0; j < window.j1; ++j) {
         const LethalDistances::Square* row = distances.row(strip, j);
-        ASSERT_EQ(row == nullptr, all_free(map.view, from, to, j));
+        const bool wanted = std::any_of(around.begin(), around.end(), [&](const Cell& cell) {
+          return std::abs(cell.j - j) <= reach && cell.i - reach < to && cell.i + reach >= from;
+        });
+        ASSERT_EQ(row != nullptr, wanted && !all_free(map.view, from, to, j));
         left_out += row == nullptr ? 1 : 0;
         for (int i = from; row != nullptr && i < to; ++i) {
           const int square = naive_square(map.view, window, i, j);
