@@ -2,6 +2,7 @@
 // A cycle allocates nothing while nobody subscribes: the host's two calls a cycle, minus what the costmap and
 // tf allocate when they are asked the same.
 #include <atomic>
+#include <cmath>
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/Joy.h>
@@ -31,6 +32,14 @@ std::size_t of_the_host(const std::string& plan_frame) {
     stage.tf.lookupTransform(stage.costmap->getGlobalFrameID(), plan_frame, ros::Time(0));
   }
   return allocations_of_this_thread() - before;
+}
+
+/// As the costmap sees it.
+bool faces(double theta) {
+  geometry_msgs::PoseStamped pose;
+  if (!Stage::get().costmap->getRobotPose(pose)) return false;
+  return std::abs(std::remainder(2.0 * std::atan2(pose.pose.orientation.z, pose.pose.orientation.w) - theta,
+                                 2.0 * M_PI)) < 1e-3;
 }
 
 /// At 20 Hz on the topic `joy`.
@@ -130,6 +139,10 @@ TEST_F(Allocations, NoneWhileThePersonIsRejected) {
                   "RotateToGoal, Oscillation, ObstacleFootprint, GoalAlign, PathAlign, PathDist, GoalDist");
   ros::param::set(ns("Rejects") + "blocked_time", 0.5);
   ros::param::set(ns("Rejects") + "cycle_budget", -1.0);  // a busy machine would be told so, in the log
+  // A wall across the grid marks other cells as the robot turns, with corners nearer to it than the wall: it would be
+  // told that it collides, again and again. Along the grid's columns it marks the same cells from anywhere.
+  Stage::get().robot.face(0.0);
+  ASSERT_TRUE(wait_for([] { return faces(0.0); }, 5.0));
   Host host("Rejects", Host::Listens::no);
   Stick stick;
   const LogListener log;

@@ -53,6 +53,11 @@ Pose Robot::pose() const {
   return pose_;
 }
 
+void Robot::face(double theta) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  pose_.theta = theta;
+}
+
 void Robot::wall_ahead(double ahead) {
   const std::lock_guard<std::mutex> lock(mutex_);
   wall_ = true;

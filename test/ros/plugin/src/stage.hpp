@@ -35,6 +35,8 @@ class Robot {
   ~Robot();
   void command(const geometry_msgs::Twist& twist);
   Pose pose() const;
+  /// Turns it at once to this heading [rad].
+  void face(double theta);
   /// A wall that only the laser sees, `ahead` [m] of the robot's centre and across its way; without end, and
   /// the robot drives through it.
   void wall_ahead(double ahead);
