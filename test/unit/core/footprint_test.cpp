@@ -98,7 +98,8 @@ TEST(FootprintDistance, IsThatToTheNearestPlaceOfAnyEdge) {
     Polygon outline = random.chance(0.5) ? test::random_star_outline(random) : test::random_convex_outline(random);
     if (random.chance(0.5)) std::reverse(outline.begin(), outline.end());
     const double most = random.pick({0.3, 1.0});
-    const Point point(random.uniform(-most, most), random.uniform(-most, most));
+    const double x = random.uniform(-most, most), y = random.uniform(-most, most);
+    const Point point(x, y);
     const double expected = naive_distance(outline, point), found = Footprint(outline).distance_to(point);
     // Off by no more than half a step, of edges no longer than 2 m.
     ASSERT_NEAR(found, expected, 0.5e-3) << k;
