@@ -61,7 +61,8 @@ void LethalDistances::want_around(const Cell& cell) {
   const int first = std::max(window_.j0, cell.j - reach_), last = std::min(window_.j1 - 1, cell.j + reach_);
   const int left = std::max(window_.i0, cell.i - reach_), right = std::min(window_.i1 - 1, cell.i + reach_);
   for (int strip = (left - window_.i0) / kColumns; strip <= (right - window_.i0) / kColumns; ++strip) {
-    std::memset(wanted_.data() + index(strip, first), 1, static_cast<std::size_t>(last - first + 1));
+    std::memset(wanted_.data() + index(strip, first), 1,
+                static_cast<std::size_t>(last) - static_cast<std::size_t>(first) + 1);
   }
 }
 
