@@ -93,7 +93,7 @@ void LethalDistances::measure_row(const GridView& grid, int j) {
   if (!measure_along(grid.costs + grid.index({window_.i0, j}), one_row_.data())) return;
   for (int strip = 0; strip < strips_; ++strip) {
     const std::size_t k = index(strip, j);
-    const Square* from = one_row_.data() + strip * kColumns;
+    const Square* from = one_row_.data() + static_cast<std::size_t>(strip) * kColumns;
     near_[k] = std::any_of(from, from + kColumns, [](Square square) { return square < kNone; }) ? 1 : 0;
     if (near_[k] != 0) std::copy_n(from, kColumns, along_.data() + k * kColumns);
   }
