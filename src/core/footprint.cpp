@@ -35,9 +35,11 @@ double signed_area(const Polygon& outline) {
 
 bool has_area(const Polygon& outline) { return std::abs(signed_area(outline)) > 1e-9; }
 
-// A side crosses the x axis to the right of the origin.
+double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// A side crosses the x axis to the right of the origin: upwards with the origin to its left, or downwards to its right.
 bool crosses_positive_x(const Point& a, const Point& b) {
-  return (a.y() > 0.0) != (b.y() > 0.0) && 0.0 < a.x() + (b.x() - a.x()) * (-a.y()) / (b.y() - a.y());
+  return (a.y() > 0.0) != (b.y() > 0.0) && (cross(a, b) > 0.0) == (b.y() > a.y());
 }
 
 bool contains_origin(const Polygon& outline) {
@@ -52,8 +54,6 @@ Point left_normal(const Point& from, const Point& to) {
   const Point d = (to - from).normalized();
   return {-d.y(), d.x()};
 }
-
-double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Where two sides through `corner` meet, once each has moved by `padding` along its normal, of length 1.
 Point meeting(const Point& corner, const Point& one, const Point& other, double padding) {
@@ -158,7 +158,7 @@ Footprint::Footprint(Polygon outline, double radius) : outline_(std::move(outlin
     inscribed_ = std::min(inscribed_, std::sqrt(squared));
     const Point way = outline_[(i + 1) % outline_.size()] - outline_[i];
     const double length2 = way.squaredNorm();
-    edges_.push_back({way.x(), way.y(), length2 > 0.0 ? 1.0 / length2 : 0.0});
+    edges_.push_back({way, length2 > 0.0 ? 1.0 / length2 : 0.0});
   }
   if (!contains_origin(outline_)) inscribed_ = 0.0;
   sides_ = convex_sides(outline_);
@@ -180,22 +180,16 @@ Footprint Footprint::from_outline(const Polygon& outline, double padding) {
   return Footprint(corners).padded(padding);
 }
 
-// Many a cycle: without a division. A ray from the point along x crosses an edge where the point is to its left and the
-// edge goes up, or to its right and it goes down.
+// Many a cycle: without a division.
 double Footprint::distance_to(const Point& point) const {
   if (is_circle()) return point.norm() - radius_;
   double nearest = std::numeric_limits<double>::infinity();
   bool inside = false;
-  const std::size_t count = outline_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Edge& edge = edges_[i];
-    const double ax = outline_[i].x() - point.x(), ay = outline_[i].y() - point.y();
-    const double by = outline_[i + 1 < count ? i + 1 : 0].y() - point.y();
-    const double share = std::clamp(-(ax * edge.x + ay * edge.y) * edge.per_squared_length, 0.0, 1.0);
-    const double x = ax + share * edge.x, y = ay + share * edge.y;
-    nearest = std::min(nearest, x * x + y * y);
-    const bool left = ax * edge.y > ay * edge.x;
-    inside = inside != ((ay > 0.0) != (by > 0.0) && left == (by > ay));
+  for (std::size_t i = 0; i < outline_.size(); ++i) {
+    const Point a = outline_[i] - point, b = outline_[i + 1 < outline_.size() ? i + 1 : 0] - point;
+    const double share = std::clamp(-a.dot(edges_[i].way) * edges_[i].per_squared_length, 0.0, 1.0);
+    nearest = std::min(nearest, (a + share * edges_[i].way).squaredNorm());
+    inside = inside != crosses_positive_x(a, b);
   }
   return inside ? -std::sqrt(nearest) : std::sqrt(nearest);
 }

@@ -46,7 +46,7 @@ class Footprint {
  private:
   // From a corner to the next one.
   struct Edge {
-    double x, y;                // [m]
+    Point way;                  // [m]
     double per_squared_length;  // [1/m^2]; 0 where it has no length
   };
   const char* fault_of_corners() const;

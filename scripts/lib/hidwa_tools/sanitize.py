@@ -7,7 +7,7 @@ import re
 from . import compilers
 
 ADDRESS, THREAD = 'address,undefined', 'thread'
-# Left out everywhere: it reads the instructions of an optimised build.
+# Left out everywhere: they read the instructions of an optimised build.
 UNFIT = ('hidwa_vector_width_core_test', 'hidwa_vector_width_critics_test')
 # Slow cycles say so in words, which allocates.
 UNFIT_CASES = '-Allocations.NoneWhileThePersonSteers'

@@ -24,10 +24,10 @@ GridView ExplainedCells::without(const GridView& grid, const MovingObstacleEstim
   costs_.assign(grid.costs, grid.costs + grid.cell_count());
   GridView copy = grid;
   copy.costs = costs_.data();
-  measure(grid, window, reach, before_);
-  learn_costs(grid, window, reach);
   for (const Cell& cell : taken_) costs_[grid.index(cell)] = cost::kInscribed;  // at most: mend() says what
+  measure(grid, window, reach, before_);
   measure(copy, window, reach, after_);
+  learn_costs(grid, window, reach);
   mend(grid, window);
   return copy;
 }
@@ -84,49 +84,49 @@ void ExplainedCells::measure(const GridView& grid, const CellWindow& window, int
   distances.measure(grid);
 }
 
-// What costs nothing was not measured, and there is nothing to learn from it or to mend.
+// Row by row of a strip. What costs nothing was not measured, and there is nothing to learn from it or to mend; what
+// was taken costs something before and after.
 template <typename Visit>
 void ExplainedCells::visit_measured(const GridView& grid, const CellWindow& window, const Visit& visit) const {
   for (int strip = 0; strip < before_.strips(); ++strip) {
     const int first = window.i0 + strip * LethalDistances::kColumns;
     const int count = std::min(LethalDistances::kColumns, window.i1 - first);
     for (int j = window.j0; j < window.j1; ++j) {
-      const LethalDistances::Square* before = before_.row(strip, j);
-      if (before != nullptr) visit(before, strip, j, grid.index({first, j}), count);
+      const LethalDistances::Square *before = before_.row(strip, j), *after = after_.row(strip, j);
+      if (before != nullptr) visit(before, after, grid.index({first, j}), count);
     }
   }
 }
 
 // The largest cost that a cell at each distance has: that of inflation, or above.
 void ExplainedCells::learn_costs(const GridView& grid, const CellWindow& window, int reach) {
+  using Square = LethalDistances::Square;
   const int farthest = reach * reach;
   cost_at_.assign(static_cast<std::size_t>(farthest) + 1, cost::kFree);
-  visit_measured(grid, window,
-                 [&](const LethalDistances::Square* before, int /*strip*/, int /*j*/, std::size_t index, int count) {
-                   for (int k = 0; k < count; ++k) {
-                     const std::uint8_t value = grid.costs[index + static_cast<std::size_t>(k)];
-                     if (before[k] > farthest || value >= cost::kLethal) continue;
-                     std::uint8_t& known = cost_at_[static_cast<std::size_t>(before[k])];
-                     known = std::max(known, value);
-                   }
-                 });
+  visit_measured(grid, window, [&](const Square* before, const Square* /*after*/, std::size_t first, int count) {
+    for (int k = 0; k < count; ++k) {
+      const std::uint8_t value = grid.costs[first + static_cast<std::size_t>(k)];
+      if (before[k] > farthest || value >= cost::kLethal) continue;
+      std::uint8_t& known = cost_at_[static_cast<std::size_t>(before[k])];
+      known = std::max(known, value);
+    }
+  });
   // No distance costs less than a larger one.
   for (std::size_t k = cost_at_.size() - 1; k > 0; --k) cost_at_[k - 1] = std::max(cost_at_[k - 1], cost_at_[k]);
 }
 
 void ExplainedCells::mend(const GridView& grid, const CellWindow& window) {
-  visit_measured(grid, window,
-                 [&](const LethalDistances::Square* before, int strip, int j, std::size_t index, int count) {
-                   const LethalDistances::Square* after = after_.row(strip, j);
-                   if (std::equal(before, before + count, after)) return;
-                   for (int k = 0; k < count; ++k) {
-                     const std::size_t cell = index + static_cast<std::size_t>(k);
-                     if (before[k] == after[k] || grid.costs[cell] == cost::kUnknown) continue;
-                     const bool near = static_cast<std::size_t>(after[k]) < cost_at_.size();
-                     const std::uint8_t value = near ? cost_at_[static_cast<std::size_t>(after[k])] : cost::kFree;
-                     costs_[cell] = std::min(costs_[cell], value);
-                   }
-                 });
+  using Square = LethalDistances::Square;
+  visit_measured(grid, window, [&](const Square* before, const Square* after, std::size_t first, int count) {
+    if (std::equal(before, before + count, after)) return;
+    for (int k = 0; k < count; ++k) {
+      const std::size_t cell = first + static_cast<std::size_t>(k);
+      if (before[k] == after[k] || grid.costs[cell] == cost::kUnknown) continue;
+      const bool near = static_cast<std::size_t>(after[k]) < cost_at_.size();
+      const std::uint8_t value = near ? cost_at_[static_cast<std::size_t>(after[k])] : cost::kFree;
+      costs_[cell] = std::min(costs_[cell], value);
+    }
+  });
 }
 
 }  // namespace hidwa_local_planner

@@ -218,19 +218,20 @@ bool EvasionSearch::untroubled(const Scene& scene, const Twist2& motion) {
 void EvasionSearch::list_motions(const Scene& scene, const std::vector<Twist2>& own) {
   const VelocityLimits& limits = scene.limits;
   const double back = limits.x.min, ahead = limits.x.max;
-  const auto add = [&](MotionFan& fan, std::initializer_list<double> speeds, std::initializer_list<double> turns) {
-    for (const double v : speeds) {
-      for (const double turn : turns) fan.add(limits.clamp({v, turn * limits.theta.max}));
-    }
+  const auto add = [&](MotionFan& fan, double v, std::initializer_list<double> turns) {
+    for (const double turn : turns) fan.add(limits.clamp({v, turn * limits.theta.max}));
+  };
+  const auto add_speed = [&](double v) {
+    add(first_fan_, v, {-1.0, -0.5, 0.0, 0.5, 1.0});
+    add(next_fan_, v, {-1.0, 0.0, 1.0});
   };
   first_fan_.clear();
+  next_fan_.clear();
   for (const Twist2& motion : own) first_fan_.add(motion);
   own_ = own.size();
-  add(first_fan_, {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0}, {-1.0, -0.5, 0.0, 0.5, 1.0});
-  if (back < 0.0) add(first_fan_, {0.5 * back, back}, {-1.0, -0.5, 0.0, 0.5, 1.0});
-  next_fan_.clear();
-  add(next_fan_, {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0}, {-1.0, 0.0, 1.0});
-  if (back < 0.0) add(next_fan_, {0.5 * back, back}, {-1.0, 0.0, 1.0});
+  for (const double v : {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0}) add_speed(v);
+  if (back >= 0.0) return;
+  for (const double v : {0.5 * back, back}) add_speed(v);
 }
 
 bool EvasionSearch::may_begin(const Scene& scene, const Twist2& motion) {
