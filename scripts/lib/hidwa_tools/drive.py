@@ -24,6 +24,7 @@ from .recording import plugin_name
 from .wheels import Wheels
 
 READY_PATIENCE = 90.0  # [s], wall time
+ASKS_ANEW = 15.0       # [s], wall time
 CLOCK_PATIENCE = 30.0  # [s], wall time
 
 
@@ -32,7 +33,15 @@ class Latest:
 
     def __init__(self, topic, kind):
         self.message, self.count = None, 0
-        self._subscriber = rospy.Subscriber(topic, kind, self._receive, queue_size=1)
+        self._topic, self._kind, self._subscriber = topic, kind, None
+        self.ask()
+
+    def ask(self):
+        """Subscribes, if need be anew: while nodes start on a busy machine a connection may get lost, and what is published
+        once only, as a map, with it."""
+        if self._subscriber:
+            self._subscriber.unregister()
+        self._subscriber = rospy.Subscriber(self._topic, self._kind, self._receive, queue_size=1)
 
     def _receive(self, message):
         self.message, self.count = message, self.count + 1
@@ -100,19 +109,24 @@ class Drive:
         """Until robot, map, laser, person and move_base are there. DemoError names what is missing.
 
         Nothing here may wait in simulated time: without a simulator it stands still."""
-        conditions = {'the clock': lambda: self._clock.message, 'the robot': lambda: self._truth.message,
-                      'the map': lambda: self._map.message, 'the laser': lambda: self._scan.message,
-                      'move_base': lambda: self._host.message and self._goal.get_num_connections()}
+        topics = {'the clock': self._clock, 'the robot': self._truth, 'the map': self._map, 'the laser': self._scan,
+                  'move_base': self._host}
         if self._options.operator not in ('none', 'page'):
-            conditions['the person (/joy)'] = lambda: self._stick.message
-        deadline = time.monotonic() + READY_PATIENCE
+            topics['the person (/joy)'] = self._stick
+        began = asked = time.monotonic()
         while True:
-            conditions = {name: check for name, check in conditions.items() if not check()}
-            if not conditions:
-                break
+            missing = [name for name, topic in topics.items() if not topic.message]
+            if not missing and self._goal.get_num_connections():
+                return
             self._require_alive()
-            if time.monotonic() > deadline:
-                raise DemoError(f'after {READY_PATIENCE:.0f} s still waiting for {", ".join(conditions)}')
+            now = time.monotonic()
+            if now - began > READY_PATIENCE:
+                raise DemoError(f'after {READY_PATIENCE:.0f} s still waiting for {", ".join(missing) or "move_base"}')
+            if now - asked > ASKS_ANEW:
+                asked = now
+                for name in missing:
+                    print(f'{name}: nothing after {now - began:.0f} s, asked anew', flush=True)
+                    topics[name].ask()
             time.sleep(0.1)
 
     def describe(self, host):

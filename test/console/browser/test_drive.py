@@ -76,9 +76,9 @@ class Drive(DriveTest):
         at = self.press_stick(-0.9, 0)
         wait(lambda: any(joy.axes[0] > 0.8 for joy in robot.since(robot.joys, began)), 'Joy to the left (+1)')
         wait(lambda: 'SHARED' in robot.since(robot.states, began), 'SHARED')
+        page.wait(lambda: page.text('state-title') in ('You steer', 'Blocked'), 'the page says who steers')
         self.turns_left(began)
         wait(lambda: sense * (robot.pose[1] - y0) > 0.25, 'a deviation to the left of 0.25 m')
-        self.assertEqual(page.text('state-title') in ('You steer', 'Blocked'), True)
         self.release_stick(at)
         wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'autonomy again')
 
