@@ -35,8 +35,10 @@ class AdmissibilityCheck {
 
   /// Candidates must be able to brake.
   bool checks_braking() const { return checks_braking_; }
-  /// Every candidate can brake, and nothing that moves is near: can_brake() and can_rest() need not be called.
-  bool all_can_brake() const { return braking_.all_can_brake() && setup_.movers == nullptr; }
+  /// Every candidate can brake: can_brake() need not be called.
+  bool all_can_brake() const { return braking_.all_can_brake(); }
+  /// Nothing that moves is near: can_rest() need not be called.
+  bool all_can_rest() const { return setup_.movers == nullptr; }
   /// Whether the robot can come to rest in free space after the first command towards a sample, however the base
   /// reaches its commands: poses at most half a cell apart. `column`: of the sample among those of its omega.
   bool can_brake(const Twist2& sample, std::size_t column) { return braking_.can_brake(sample, column); }

@@ -8,6 +8,8 @@ namespace hidwa_local_planner {
 void LazyChecks::begin() {
   const Rollout& rollout = candidates_.rollout();
   resize_with_spare(states_, rollout.tile_count());
+  const AdmissibilityCheck& admissibility = obstacles_.admissibility();
+  const bool rests = !admissibility.checks_braking() || admissibility.all_can_rest();
   double omega = 0.0;
   std::size_t first = 0;    // candidate of that omega
   std::size_t largest = 0;  // tile
@@ -19,14 +21,18 @@ void LazyChecks::begin() {
     }
     states_[t].column = tile.first - first;
     states_[t].done = false;
+    states_[t].rests = rests;
     largest = std::max(largest, tile.count);
   }
   resize_with_spare(found_, largest);
 }
 
 void LazyChecks::check_before_scoring(const Tile& tile, std::size_t index, bool closely) {
-  check_cells(tile, states_[index]);
-  if (closely) check_closely(tile, states_[index]);
+  TileState& state = states_[index];
+  check_cells(tile, state);
+  if (!closely) return;
+  check_closely(tile, state);
+  check_rests(tile, state);
 }
 
 void LazyChecks::check_cells(const Tile& tile, TileState& state) {
@@ -52,10 +58,22 @@ void LazyChecks::check_closely(const Tile& tile, TileState& state) {
       scores_.reject(tile.first + c, kCollision, found_[c]);
     } else if (braking && !admissibility.can_brake(tile.sample(c), state.column + c)) {
       scores_.reject(tile.first + c, kBraking, kCannotBrake);
-    } else if (braking && !admissibility.can_rest(tile.sample(c))) {
-      scores_.reject(tile.first + c, kMovingObstacle, kMayBeTouched);
     }
   }
+}
+
+// Once all else is checked.
+void LazyChecks::check_rests(const Tile& tile, TileState& state) {
+  for (std::size_t c = 0; c < tile.count && !state.rests; ++c) check_rest(tile.first + c);
+  state.rests = true;
+}
+
+// What critics reject counts as touched, too.
+void LazyChecks::check_rest(std::size_t candidate) {
+  const Rejecter by = scores_.rejected_by()[candidate];
+  if (by == kCollision || by == kBraking || by == kMovingObstacle) return;
+  if (obstacles_.admissibility().can_rest(candidates_.sample(candidate))) return;
+  scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
 }
 
 void LazyChecks::check_tile(std::size_t index) {
@@ -63,7 +81,9 @@ void LazyChecks::check_tile(std::size_t index) {
 }
 
 bool LazyChecks::legal(std::size_t candidate) {
-  check_tile(candidates_.rollout().tile_of(candidate));
+  const std::size_t tile = candidates_.rollout().tile_of(candidate);
+  check_tile(tile);
+  if (!states_[tile].rests) check_rest(candidate);
   return scores_.legal(candidate);
 }
 
@@ -81,13 +101,15 @@ bool LazyChecks::confirm(std::size_t candidate) {
 }
 
 void LazyChecks::check_all() {
-  for (std::size_t t = 0; t < states_.size(); ++t) check_tile(t);
+  for (std::size_t t = 0; t < states_.size(); ++t) {
+    check_tile(t);
+    check_rests(candidates_.rollout().extent(t), states_[t]);
+  }
 }
 
 bool LazyChecks::any_motion_legal() {
-  check_all();
   for (std::size_t c = 0; c < scores_.count(); ++c) {
-    if (scores_.legal(c) && !(candidates_.sample(c) == Twist2{})) return true;
+    if (!(candidates_.sample(c) == Twist2{}) && legal(c)) return true;
   }
   return false;
 }

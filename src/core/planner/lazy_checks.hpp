@@ -39,24 +39,27 @@ class LazyChecks {
   /// Rejects what the cells around the robot already decide, before the tile is scored. With `closely` checks all.
   void check_before_scoring(const Tile& tile, std::size_t index, bool closely);
 
-  /// Whether a scored candidate is legal; checks its tile if need be.
+  /// Whether a scored candidate is legal; checks it and its tile if need be.
   bool legal(std::size_t candidate);
   /// The last check of the candidate that is to be chosen: can it brake, and rest before anything
   /// that moves can touch it, checked without gaps between the poses?
   bool confirm(std::size_t candidate);
   /// Checks every candidate: afterwards the rejections are complete.
   void check_all();
-  /// Whether any legal candidate moves the robot. Checks all.
+  /// Whether any legal candidate moves the robot. Where none does, all are checked.
   bool any_motion_legal();
 
  private:
   // What is known of a tile.
   struct TileState {
     std::size_t column = 0;  // of its first candidate among those of the same omega
-    bool done = false;       // nothing is left to check
+    bool done = false;       // no rollout or braking is left to check
+    bool rests = false;      // nothing that moves is left to check
   };
   void check_cells(const Tile& tile, TileState& state);
   void check_closely(const Tile& tile, TileState& state);
+  void check_rests(const Tile& tile, TileState& state);
+  void check_rest(std::size_t candidate);
   void check_tile(std::size_t index);
 
   const Candidates& candidates_;
