@@ -12,7 +12,7 @@ namespace {
 constexpr double kPeriod = 0.05;   // [s]
 constexpr double kPatience = 1.0;  // [s]
 
-// A robot that stays where it is. For how long it fares like that until recovery decides [s]; negative: longer than 20 s.
+// How long a robot that stays where it is fares like that until recovery decides [s]; negative: longer than 20 s.
 double until_it_decides(const RecoveryMotion::Course& course) {
   test::Scene scene = test::Scene::empty();
   const VelocityLimits limits = VelocityLimits::from(scene.parameters);
