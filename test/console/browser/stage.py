@@ -99,5 +99,21 @@ class DriveTest(unittest.TestCase):
         page.mouse('mouseMoved', *to)
         return to
 
+    def take_over(self, dx, dy):
+        """Holds the stick until the page says that the person steers. Where the robot lost it meanwhile, since the page came
+        late on a slow machine, the stick is centred and held again, as the page asks for."""
+        lost = 'Lost your steering'
+        for _ in range(3):
+            at = self.press_stick(dx, dy)
+            try:
+                page.wait(lambda: page.text('state-title') in ('You steer', 'Blocked', lost), 'the page says who steers')
+            except AssertionError as fault:
+                raise AssertionError('%s; it says %r, the robot %s' % (fault, page.text('state-title'), robot.state)) from None
+            if page.text('state-title') != lost:
+                return at
+            self.release_stick(at)
+            page.wait(lambda: page.text('state-title') != lost, 'steering is free again')
+        raise AssertionError('three times the robot lost the stick')
+
     def release_stick(self, at):
         page.mouse('mouseReleased', *at)

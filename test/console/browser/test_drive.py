@@ -73,10 +73,9 @@ class Drive(DriveTest):
         sense = self.drive_off()
         y0 = robot.pose[1]
         began = time.monotonic()
-        at = self.press_stick(-0.9, 0)
+        at = self.take_over(-0.9, 0)
         wait(lambda: any(joy.axes[0] > 0.8 for joy in robot.since(robot.joys, began)), 'Joy to the left (+1)')
         wait(lambda: 'SHARED' in robot.since(robot.states, began), 'SHARED')
-        page.wait(lambda: page.text('state-title') in ('You steer', 'Blocked'), 'the page says who steers')
         self.turns_left(began)
         wait(lambda: sense * (robot.pose[1] - y0) > 0.25, 'a deviation to the left of 0.25 m')
         self.release_stick(at)
