@@ -64,8 +64,9 @@ void LazyChecks::check_closely(const Tile& tile, TileState& state) {
 
 // Once all else is checked.
 void LazyChecks::check_rests(const Tile& tile, TileState& state) {
-  for (std::size_t c = 0; c < tile.count && !state.rests; ++c) check_rest(tile.first + c);
+  if (state.rests) return;
   state.rests = true;
+  for (std::size_t c = 0; c < tile.count; ++c) check_rest(tile.first + c);
 }
 
 // What critics reject counts as touched, too.

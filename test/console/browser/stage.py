@@ -103,13 +103,17 @@ class DriveTest(unittest.TestCase):
         """Holds the stick until the page says that the person steers. Where the robot lost it meanwhile, since the page came
         late on a slow machine, the stick is centred and held again, as the page asks for."""
         lost = 'Lost your steering'
+
+        def answer():
+            title = page.text('state-title')
+            return title if title in ('You steer', 'Blocked', lost) else None
         for _ in range(3):
             at = self.press_stick(dx, dy)
             try:
-                page.wait(lambda: page.text('state-title') in ('You steer', 'Blocked', lost), 'the page says who steers')
+                title = page.wait(answer, 'the page says who steers')
             except AssertionError as fault:
                 raise AssertionError('%s; it says %r, the robot %s' % (fault, page.text('state-title'), robot.state)) from None
-            if page.text('state-title') != lost:
+            if title != lost:
                 return at
             self.release_stick(at)
             page.wait(lambda: page.text('state-title') != lost, 'steering is free again')
