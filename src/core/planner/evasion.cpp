@@ -29,8 +29,8 @@ constexpr double kAnyDistance = 1e3;  // [m]
 
 }  // namespace
 
-bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own,
-                     const ComfortTurn& comfort) {
+bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own, const ComfortTurn& comfort,
+                     bool goes_back) {
   const Situation& situation = cycle.situation;
   const PendingMotionSet& all = *cycle.start.pending;
   const PendingMotion& pending = all[all.likely() - 1];
@@ -67,6 +67,7 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
     search_.run(scene, guide_, own_);
   }
   const std::vector<EvasionSearch::Branch>& branches = search_.branches();
+  if (goes_back && branches[0].cost < EvasionSearch::kTouched) return false;
   const double better_by = goes_on_ ? kStillBetter : kClearlyBetter;
   for (std::size_t i = 1; i < branches.size(); ++i) {
     if (!(branches[i].cost < branches[0].cost - better_by)) continue;

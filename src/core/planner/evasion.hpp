@@ -23,8 +23,10 @@ namespace hidwa_local_planner {
 class Evasion {
  public:
   /// Whether another motion is clearly better than `own`, autonomy's choice [m/s, rad/s].
-  /// `comfort`: how it turns where that is enough to stay untouched.
-  bool wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own, const ComfortTurn& comfort);
+  /// `comfort`: how it turns where that is enough to stay untouched. `goes_back`: `own` leads away from the goal on
+  /// purpose, and is left only where it would be touched.
+  bool wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own, const ComfortTurn& comfort,
+              bool goes_back);
   /// The better motions turn no faster than `comfort` said.
   bool gently() const { return gently_; }
   /// The candidate that begins the best way that begins with a legal one; -1 where none is better than the choice.

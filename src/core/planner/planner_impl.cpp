@@ -190,7 +190,7 @@ bool Planner::Impl::evades(const Cycle& cycle, const Choice& choice, bool autono
   if (evaluation.obstacles().in_collision()) return false;
   return evasion.wanted(cycle, evaluation.obstacles().collision(),
                         evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate)),
-                        ComfortTurn::from(parameters));
+                        ComfortTurn::from(parameters), recovery.goes_back());
 }
 
 // Gentleness gives way where it would be touched.

@@ -33,6 +33,8 @@ class Recovery {
   bool active() const { return motion_.active(); }
   /// It follows a way that it has found.
   bool follows() const { return motion_.follows(); }
+  /// That is the one back, to let out who blocks the plan.
+  bool goes_back() const { return motion_.goes_back(); }
   /// It does, and has found it while it drove.
   bool drives_on() const { return motion_.drives_on(); }
   /// The candidate that gets autonomy going; -1 where there is none, or no need of one. Without `autonomous` it ends.

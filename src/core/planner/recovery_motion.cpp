@@ -63,6 +63,9 @@ constexpr double kAgreesFor = 1.0;
 // A search goes on, and what it has found out holds, so near to where it began [m]: the robot has come from there.
 constexpr double kSamePlace = 0.3;
 
+// What moves is in the way as far as this along the plan [m].
+constexpr double kBlocksWithin = 2.5;
+
 constexpr std::size_t kLongestText = 200;
 constexpr const char* kNoWay = "no way for this outline through the local map";
 constexpr const char* kLate = "no way was found in time through the local map";
@@ -90,6 +93,7 @@ void RecoveryMotion::reset() {
   escape_.reset();
   hopeless_.clear();
   tight_ = false;
+  back_.reset();
 }
 
 void RecoveryMotion::enter(Phase phase, double now) {
@@ -102,6 +106,7 @@ void RecoveryMotion::enter(Phase phase, double now) {
   }
   if (phase != Phase::searches && phase != Phase::looks_ahead) search_.clear();
   if (phase != Phase::follows) way_.clear();
+  if (phase != Phase::searches && phase != Phase::follows) goes_back_ = false;
   start_way();
   agrees_.reset();
   told_ = false;
@@ -133,6 +138,7 @@ bool RecoveryMotion::watch(const Cycle& cycle, const Course& course, double pati
   if (course.yields) novelty_.reset();
   novelty_.observe(cycle.situation.pose, now);
   tight_ = course.tight;
+  back_.observe(cycle.situation.pose, blocked_by_movers(cycle, course.stands), now);
   if (distance(hopeless_at_, cycle.situation.pose) >= kSamePlace) hopeless_.clear();
   impatient_ = rests_.for_at_least(patience, now);
   if (course.trapped) {
@@ -166,9 +172,55 @@ void RecoveryMotion::advance(const Cycle& cycle, const Course& course) {
     looked_ = now;
     begin_search(cycle, Phase::looks_ahead, course.soon);
   }
+  step_back(cycle);
   if (phase_ == Phase::looks_ahead) look_ahead(cycle);
   if (phase_ == Phase::follows) renew(cycle, course.soon);
-  if (phase_ == Phase::searches) search(cycle, impatient_ || holds_);
+  if (phase_ == Phase::searches && goes_back_) {
+    search_back(cycle);
+  } else if (phase_ == Phase::searches) {
+    search(cycle, impatient_ || holds_);
+  }
+}
+
+// It is known that no way leads on, and something that moves is at the plan ahead.
+bool RecoveryMotion::blocked_by_movers(const Cycle& cycle, bool stands) const {
+  if (!stands || goes_back_ || (phase_ != Phase::waits && phase_ != Phase::searches)) return false;
+  if (wait_.waits()) return true;
+  if (problem_.empty()) return false;
+  const std::vector<Pose2>& plan = cycle.situation.plan;
+  const auto nearer = [&](const Pose2& a, const Pose2& b) {
+    return distance(a, cycle.situation.pose) < distance(b, cycle.situation.pose);
+  };
+  double along = 0.0;
+  for (auto at = std::min_element(plan.begin(), plan.end(), nearer); at != plan.end(); ++at) {
+    const Point place(at->x, at->y);
+    for (const MovingObstacleEstimate& mover : cycle.situation.moving_obstacles) {
+      if ((mover.position_now() - place).norm() < mover.radius + cycle.footprint.inscribed_radius()) return true;
+    }
+    if (at + 1 != plan.end()) along += distance(*at, *(at + 1));
+    if (along > kBlocksWithin) return false;
+  }
+  return false;
+}
+
+// Not away from somebody who is at the robot already: who comes nearer then would be touched by a robot that turns.
+void RecoveryMotion::step_back(const Cycle& cycle) {
+  if (phase_ != Phase::waits || !back_.due(cycle.parameters.step_back_after, cycle.situation.time)) return;
+  if (cycle.movers != nullptr && cycle.movers->leaving()) return;
+  back_.begin(cycle.situation.pose);
+  goes_back_ = true;
+  begin_search(cycle, Phase::searches, cycle.situation.pose);
+}
+
+// Where no way leads back it waits on.
+void RecoveryMotion::search_back(const Cycle& cycle) {
+  const double now = cycle.situation.time;
+  const WaySearch::State state = run(cycle, way_);
+  if (state == WaySearch::State::found) {
+    follow_way(now);
+  } else if (state != WaySearch::State::searching || late(now)) {
+    enter(Phase::waits, now);
+  }
 }
 
 bool RecoveryMotion::gets_nowhere(const Cycle& cycle) const {
@@ -191,7 +243,9 @@ void RecoveryMotion::recall() {
 }
 
 void RecoveryMotion::set_task(const Cycle& cycle, const Pose2& start) {
-  make_search_task(start, cycle.situation.plan, cycle.grid, cycle.footprint, cycle.parameters, cycle.limits, task_);
+  if (goes_back_) back_.write_way_back(start, way_back_);
+  make_search_task(start, goes_back_ ? way_back_ : cycle.situation.plan, cycle.grid, cycle.footprint, cycle.parameters,
+                   cycle.limits, task_);
   const MovingObstacleEstimates& movers = cycle.situation.moving_obstacles;
   if (wait_.counts_movers(cycle)) add_movers(movers, cycle.footprint, task_);
   if (wait_.alone()) remove_movers(movers, task_);
@@ -223,6 +277,7 @@ void RecoveryMotion::look_ahead(const Cycle& cycle) {
 // The way was found on a map that may have changed, or that did not show yet what lies farther on. While the robot goes
 // on, another is searched from where it will be. One that gets nowhere shall stop and search from there.
 void RecoveryMotion::renew(const Cycle& cycle, const Pose2& start) {
+  if (goes_back_) return;
   const double now = cycle.situation.time;
   if (search_.state() != WaySearch::State::searching) {
     if (!narrower_ || gets_nowhere(cycle) || (now >= renewed_ && now - renewed_ < kRenewAgain)) return;
@@ -416,7 +471,7 @@ int RecoveryMotion::follow(const Scene& scene) {
     const Tile tile = scene.rollout.tile(scene.rollout.tile_of(static_cast<std::size_t>(cheapest)));
     agrees = left_after(tile, static_cast<std::size_t>(cheapest) - tile.first) <= enough;
   }
-  agrees = agrees && !tight_;
+  agrees = agrees && !tight_ && !goes_back_;
   agrees_.observe(now, agrees);
   return agrees ? cheapest : best;
 }

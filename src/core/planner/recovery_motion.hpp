@@ -11,7 +11,8 @@
 // 4. If there is no way, the cycle fails and says why. It searches again after two seconds. Where only what moves is in
 //    the way, it waits for that instead (MoverWait), and ordinary scoring may move up to it: who gives way to robots
 //    sees so that it wants to pass. A search that takes long makes one cycle fail, so that the host
-//    may make another plan, and goes on.
+//    may make another plan, and goes on. Who waits may be waiting for the robot: after step_back_after it goes back the
+//    way it has come (StepBack), once or twice.
 // 5. Before a tight place the search begins while the robot drives on. Where it finds a way the robot follows that, in
 //    good time: one that cannot drive backwards may come to where no way leads on.
 //
@@ -29,6 +30,7 @@
 #include "core/planner/escape_turn.hpp"
 #include "core/planner/mover_wait.hpp"
 #include "core/planner/novelty.hpp"
+#include "core/planner/step_back.hpp"
 #include "core/search/way_search.hpp"
 #include "hidwa_local_planner/core/util/condition_timer.hpp"
 
@@ -47,7 +49,10 @@ class RecoveryMotion {
   };
 
   /// The memory of its search.
-  void reserve() { search_.reserve(); }
+  void reserve() {
+    search_.reserve();
+    way_back_.reserve(StepBack::kMostPoses);
+  }
   void reset();
   /// The candidate that leads on; -1 where there is none, or no need of one.
   int choose(const Scene& scene);
@@ -69,6 +74,8 @@ class RecoveryMotion {
   bool active() const { return escape_.active() || holds_ || phase_ == Phase::follows; }
   /// It follows a way: candidates are rolled out no farther than that needs.
   bool follows() const { return phase_ == Phase::follows; }
+  /// That is the one back, to let out who blocks the plan.
+  bool goes_back() const { return follows() && goes_back_; }
   /// It does, and has found it while it drove.
   bool drives_on() const { return follows() && ahead_; }
   /// It is not known yet whether a way leads on, or it waits for what moves to go.
@@ -92,7 +99,7 @@ class RecoveryMotion {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
        self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_,
        self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.blocked_, self.renewed_,
-       self.wait_, self.told_, self.told_time_, self.told_at_);
+       self.wait_, self.back_, self.goes_back_, self.told_, self.told_time_, self.told_at_);
   }
 
  private:
@@ -106,6 +113,9 @@ class RecoveryMotion {
   };
   void enter(Phase phase, double now);
   void advance(const Cycle& cycle, const Course& course);
+  bool blocked_by_movers(const Cycle& cycle, bool stands) const;
+  void step_back(const Cycle& cycle);
+  void search_back(const Cycle& cycle);
   void start_way();
   void begin_search(const Cycle& cycle, Phase phase, const Pose2& start);
   void recall();
@@ -154,10 +164,13 @@ class RecoveryMotion {
   double renewed_ = 0.0;     // a search for a way instead of this one began at last [s]
   std::string problem_;
   MoverWait wait_;
-  std::string hopeless_;     // what a search ahead has come to, that found no way
-  Pose2 hopeless_at_;        // from there
-  bool told_ = false;        // in the last cycle: that the search takes long
-  double told_time_ = -1e9;  // at last [s]
+  StepBack back_;
+  bool goes_back_ = false;       // what is searched or followed is the way back
+  std::vector<Pose2> way_back_;  // as a plan
+  std::string hopeless_;         // what a search ahead has come to, that found no way
+  Pose2 hopeless_at_;            // from there
+  bool told_ = false;            // in the last cycle: that the search takes long
+  double told_time_ = -1e9;      // at last [s]
   Pose2 told_at_;
 };
 

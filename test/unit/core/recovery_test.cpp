@@ -178,6 +178,66 @@ TEST(Recovery, WaitsForWhomBlocksTheOnlyWay) {
   EXPECT_GT(bench.scene().situation.pose.x, 0.9);
 }
 
+// A corridor of 0.9 m, closed behind the robot, which comes along it. 2.5 m ahead somebody stands in it.
+Scene along_a_corridor(double step_back_after) {
+  Scene scene = in_a_corridor(false);
+  scene.parameters.step_back_after = step_back_after;
+  std::fill(scene.costs.begin(), scene.costs.end(), cost::kFree);
+  scene.fill(-2.0, 0.45, 2.0, 0.6);
+  scene.fill(-2.0, -0.6, 2.0, -0.45);
+  scene.fill(-2.0, -0.6, -1.9, 0.6);
+  test::inflate(scene, 0.304, 0.8, 3.0);
+  scene.situation.pose.x = -1.5;
+  scene.situation.plan.clear();
+  for (int k = 0; k <= 66; ++k) scene.situation.plan.push_back({-1.5 + 0.05 * k, 0.0, 0.0});
+  return scene;
+}
+
+// Where it has stood first, and how far it has come back from there until it has stood for 20 s in all [m].
+struct SteppedBack {
+  double stood_at = 0.0, by = 0.0;
+};
+SteppedBack stepped_back(PlannerBench& bench) {
+  SteppedBack result;
+  int stood = 0;
+  for (int k = 0; k < 1200 && stood < 400; ++k) {
+    const bool stands = bench.drive().command == Twist2{};
+    const double x = bench.scene().situation.pose.x;
+    if (stands && ++stood == 20) result.stood_at = x;
+    if (stood >= 20) result.by = std::max(result.by, result.stood_at - x);
+  }
+  return result;
+}
+
+// They would wait for each other for ever.
+TEST(Recovery, StepsBackForWhomItKeepsFromGettingOut) {
+  PlannerBench bench(along_a_corridor(6.0));
+  const SteppedBack stepped = stepped_back(bench);
+  EXPECT_GT(stepped.stood_at, -0.5) << "it came near first";
+  EXPECT_GT(stepped.by, 0.3);
+  bench.scene().situation.moving_obstacles.clear();
+  for (int k = 0; k < 300; ++k) bench.drive();
+  EXPECT_GT(bench.scene().situation.pose.x, 1.0);
+}
+
+TEST(Recovery, DoesNotStepBackUnlessAsked) {
+  PlannerBench bench(along_a_corridor(0.0));
+  EXPECT_LT(stepped_back(bench).by, 0.05);
+}
+
+// Once and again; then the host is told.
+TEST(Recovery, DoesNotStepBackForEver) {
+  PlannerBench bench(along_a_corridor(1.0));
+  int failed = -1, back = 0;
+  for (int k = 0; k < 2400 && failed < 0; ++k) {
+    const Decision& decision = bench.drive();
+    if (decision.outcome == Outcome::fail) failed = k;
+    back += drives_on_a_way(decision);
+  }
+  EXPECT_GT(back, 20);
+  EXPECT_GT(failed, 600);  // 30 s of waiting
+}
+
 // Two come along the corridor side by side, and never get there: autonomy stands for them, by choice where they are 2 m
 // away, and because nothing else is legal where they are 0.1 m from its edge. 30 s of that are 600 cycles.
 TEST(Recovery, IsNotStuckWhileItStandsForWhatMoves) {
@@ -445,6 +505,12 @@ TEST(Recovery, WaitingIsRememberedWhole) {
   bool drove = false, failed = false;
   expect_remembered_whole(in_a_corridor(false), drove, failed);
   EXPECT_FALSE(failed);
+}
+
+TEST(Recovery, SteppingBackIsRememberedWhole) {
+  bool drove = false, failed = false;
+  expect_remembered_whole(along_a_corridor(0.5), drove, failed, true);
+  EXPECT_TRUE(drove);
 }
 
 TEST(Recovery, IsRememberedWhole) {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/core/util/condition_timer.hpp"
+
+namespace hidwa_local_planner {
+
+/// Two may wait for each other: somebody in a doorway, and a robot that stands before it. After some patience the robot
+/// goes back the way it has come, so that the other one gets out.
+class StepBack {
+ public:
+  /// So often at one place, each time after twice the patience; a place is left at this distance [m].
+  static constexpr std::uint32_t kMost = 2;
+  static constexpr double kElsewhere = 3.0;
+  /// A way back has no more poses.
+  static constexpr std::size_t kMostPoses = 41;
+
+  void reset() { *this = {}; }
+  /// Once a cycle. `blocked`: the robot stands, and something that moves is in its only way.
+  void observe(const Pose2& pose, bool blocked, double now) {
+    remember(pose);
+    if (times_ > 0 && distance(pose, stood_) > kElsewhere) times_ = 0;
+    blocked_.observe(now, blocked);
+  }
+  /// It has waited for its patience [s], and has come from somewhere. Not with a patience of 0.
+  bool due(double patience, double now) const {
+    return patience > 0.0 && times_ < kMost && count_ >= kFewest &&
+           blocked_.for_at_least(patience * static_cast<double>(1U << times_), now);
+  }
+  /// It goes back from here, if a way leads there.
+  void begin(const Pose2& pose) {
+    stood_ = pose;
+    ++times_;
+    blocked_.reset();
+  }
+  /// From the robot to where it was some metres ago.
+  void write_way_back(const Pose2& pose, std::vector<Pose2>& way) const {
+    way.assign(1, pose);
+    for (std::uint32_t k = 1; k <= count_; ++k) way.push_back(trail_[(next_ + kTrail - k) % kTrail]);
+  }
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.next_, self.count_, self.times_, self.stood_, self.blocked_);
+    for (auto& pose : self.trail_) io(pose);
+    if constexpr (!std::is_const_v<Self>) {
+      self.next_ %= kTrail;
+      self.count_ = std::min(self.count_, kTrail);
+      self.times_ = std::min(self.times_, kMost);
+      for (const Pose2& pose : self.trail_) self.count_ = is_finite(pose) ? self.count_ : 0;  // damaged
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kTrail = kMostPoses - 1;
+  static constexpr std::uint32_t kFewest = 10;  // to go back along
+  static constexpr double kApart = 0.1;         // [m]
+
+  void remember(const Pose2& pose) {
+    if (count_ > 0 && distance(trail_[(next_ + kTrail - 1) % kTrail], pose) < kApart) return;
+    trail_[next_] = pose;
+    next_ = (next_ + 1) % kTrail;
+    count_ = std::min(count_ + 1, kTrail);
+  }
+
+  std::array<Pose2, kTrail> trail_{};  // the newest before next_
+  std::uint32_t next_ = 0, count_ = 0;
+  std::uint32_t times_ = 0;  // that it has gone back from near the place where it stood
+  Pose2 stood_;
+  ConditionTimer blocked_;
+};
+
+}  // namespace hidwa_local_planner
