@@ -219,6 +219,7 @@ void RecoveryMotion::search_back(const Cycle& cycle) {
   if (state == WaySearch::State::found) {
     follow_way(now);
   } else if (state != WaySearch::State::searching || late(now)) {
+    back_.fail();
     enter(Phase::waits, now);
   }
 }

@@ -41,6 +41,8 @@ class StepBack {
     ++times_;
     blocked_.reset();
   }
+  /// No way leads there: this time does not count, and it waits for its patience again.
+  void fail() { times_ = times_ > 0 ? times_ - 1 : 0; }
   /// From the robot to where it was some metres ago.
   void write_way_back(const Pose2& pose, std::vector<Pose2>& way) const {
     way.assign(1, pose);

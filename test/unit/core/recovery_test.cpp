@@ -225,6 +225,19 @@ TEST(Recovery, DoesNotStepBackUnlessAsked) {
   EXPECT_LT(stepped_back(bench).by, 0.05);
 }
 
+// What is behind him cannot be seen, and blocks the way on the map: the host is told that there is none, and the robot
+// goes back all the same. Where only a wall is in the way it has no reason to.
+TEST(Recovery, StepsBackThoughTheMapIsBlockedBehindHim) {
+  Scene scene = along_a_corridor(1.0);
+  scene.fill(1.4, -0.45, 1.5, 0.45);
+  test::inflate(scene, 0.304, 0.8, 3.0);
+  PlannerBench blocked(scene);
+  EXPECT_GT(stepped_back(blocked).by, 0.3);
+  scene.situation.moving_obstacles.clear();
+  PlannerBench walled(scene);
+  EXPECT_LT(stepped_back(walled).by, 0.05);
+}
+
 // Once and again; then the host is told.
 TEST(Recovery, DoesNotStepBackForEver) {
   PlannerBench bench(along_a_corridor(1.0));

@@ -34,6 +34,15 @@ TEST(StepBack, TwiceAtOnePlaceTheSecondTimeLater) {
   EXPECT_LT(due_after(back, 0.0, 90.0), 0.0);
 }
 
+TEST(StepBack, WhatFailsDoesNotCount) {
+  StepBack back = come_to(0.0);
+  for (double begin : {10.0, 50.0, 90.0}) {
+    EXPECT_NEAR(due_after(back, 0.0, begin), kPatience, 0.11);
+    back.begin({0.0, 0.0, 0.0});
+    back.fail();
+  }
+}
+
 TEST(StepBack, AnewElsewhere) {
   StepBack back = come_to(0.0);
   for (double x : {0.0, 0.1}) back.begin({x, 0.0, 0.0});
