@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -21,7 +22,7 @@ class StepBack {
   static constexpr std::uint32_t kMost = 2;
   static constexpr double kElsewhere = 3.0;
   /// A way back has no more poses.
-  static constexpr std::size_t kMostPoses = 41;
+  static constexpr std::size_t kMostPoses = 16;
 
   void reset() { *this = {}; }
   /// Once a cycle. `blocked`: the robot stands, and something that moves is in its only way.
@@ -46,34 +47,43 @@ class StepBack {
   /// From the robot to where it was some metres ago.
   void write_way_back(const Pose2& pose, std::vector<Pose2>& way) const {
     way.assign(1, pose);
-    for (std::uint32_t k = 1; k <= count_; ++k) way.push_back(trail_[(next_ + kTrail - k) % kTrail]);
+    for (std::uint32_t k = 1; k <= count_; ++k) way.push_back(pose_at(trail_[(next_ + kTrail - k) % kTrail]));
   }
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.next_, self.count_, self.times_, self.stood_, self.blocked_);
-    for (auto& pose : self.trail_) io(pose);
+    io(self.next_, self.count_, self.times_);
+    if (self.times_ > 0) io(self.stood_);
+    io(self.blocked_);
+    for (std::uint32_t k = 0; k < self.count_ && k < kTrail; ++k) io(self.trail_[k].x, self.trail_[k].y);
     if constexpr (!std::is_const_v<Self>) {
       self.next_ %= kTrail;
       self.count_ = std::min(self.count_, kTrail);
       self.times_ = std::min(self.times_, kMost);
-      for (const Pose2& pose : self.trail_) self.count_ = is_finite(pose) ? self.count_ : 0;  // damaged
+      for (const Place& place : self.trail_) {
+        if (!std::isfinite(place.x) || !std::isfinite(place.y)) self.count_ = 0;  // damaged
+      }
     }
   }
 
  private:
   static constexpr std::uint32_t kTrail = kMostPoses - 1;
-  static constexpr std::uint32_t kFewest = 10;  // to go back along
-  static constexpr double kApart = 0.1;         // [m]
+  static constexpr std::uint32_t kFewest = 5;  // to go back along
+  static constexpr double kApart = 0.2;        // [m]
+  // A trail is recorded in every cycle: no more of it than is needed.
+  struct Place {
+    float x = 0.0F, y = 0.0F;  // costmap frame [m]
+  };
+  static Pose2 pose_at(const Place& place) { return {static_cast<double>(place.x), static_cast<double>(place.y), 0.0}; }
 
   void remember(const Pose2& pose) {
-    if (count_ > 0 && distance(trail_[(next_ + kTrail - 1) % kTrail], pose) < kApart) return;
-    trail_[next_] = pose;
+    if (count_ > 0 && distance(pose_at(trail_[(next_ + kTrail - 1) % kTrail]), pose) < kApart) return;
+    trail_[next_] = {static_cast<float>(pose.x), static_cast<float>(pose.y)};
     next_ = (next_ + 1) % kTrail;
     count_ = std::min(count_ + 1, kTrail);
   }
 
-  std::array<Pose2, kTrail> trail_{};  // the newest before next_
+  std::array<Place, kTrail> trail_{};  // the newest before next_
   std::uint32_t next_ = 0, count_ = 0;
   std::uint32_t times_ = 0;  // that it has gone back from near the place where it stood
   Pose2 stood_;

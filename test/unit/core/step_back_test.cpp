@@ -9,10 +9,10 @@ namespace {
 
 constexpr double kPatience = 2.0;  // [s]
 
-// It has come 2 m along x, an eighth of a metre at a time, to `x` [m].
+// It has come 2 m along x, a quarter of a metre at a time, to `x` [m].
 StepBack come_to(double x) {
   StepBack back;
-  for (int k = 0; k <= 16; ++k) back.observe({x - 2.0 + 0.125 * k, 0.0, 0.0}, false, 0.05 * k);
+  for (int k = 0; k <= 8; ++k) back.observe({x - 2.0 + 0.25 * k, 0.0, 0.0}, false, 0.05 * k);
   return back;
 }
 
@@ -59,25 +59,25 @@ TEST(StepBack, NotWithoutPatienceNorFromWhereItBegan) {
   EXPECT_LT(due_after(fresh, 0.0, 0.0), 0.0) << "it has come from nowhere";
 }
 
-// The robot's own pose and those that it came from, the newest first: of 2 m 17.
+// The robot's own pose and those that it came from, the newest first: of 2 m 9.
 TEST(StepBack, TheWayItHasCome) {
   const StepBack back = come_to(0.0);
   std::vector<Pose2> way;
   back.write_way_back({0.04, 0.0, 0.0}, way);
-  ASSERT_EQ(way.size(), 18U);
+  ASSERT_EQ(way.size(), 10U);
   EXPECT_EQ(way.front().x, 0.04);
   for (std::size_t k = 1; k < way.size(); ++k) EXPECT_LT(way[k].x, way[k - 1].x) << k;
   EXPECT_NEAR(way.back().x, -2.0, 1e-9);
 }
 
-// 40 poses are remembered, 4 m at most.
+// 15 places are remembered, 3 m.
 TEST(StepBack, ForgetsWhatIsFarBack) {
   StepBack back;
-  for (int k = 0; k <= 1000; ++k) back.observe({0.1 * k + 1e-6 * k, 0.0, 0.0}, false, 0.1 * k);
+  for (int k = 0; k <= 1000; ++k) back.observe({0.25 * k, 0.0, 0.0}, false, 0.1 * k);
   std::vector<Pose2> way;
-  back.write_way_back({100.0, 0.0, 0.0}, way);
-  EXPECT_EQ(way.size(), 41U);
-  EXPECT_NEAR(way.back().x, 96.1, 0.01);  // 100 m and 39 steps before it
+  back.write_way_back({250.0, 0.0, 0.0}, way);
+  EXPECT_EQ(way.size(), 16U);
+  EXPECT_NEAR(way.back().x, 246.5, 1e-9);  // 250 m less 14 steps
 }
 
 }  // namespace
