@@ -214,14 +214,9 @@ void RecoveryMotion::step_back(const Cycle& cycle) {
 
 // Where no way leads back it waits on.
 void RecoveryMotion::search_back(const Cycle& cycle) {
-  const double now = cycle.situation.time;
-  const WaySearch::State state = run(cycle, way_);
-  if (state == WaySearch::State::found) {
-    follow_way(now);
-  } else if (state != WaySearch::State::searching || late(now)) {
-    back_.fail();
-    enter(Phase::waits, now);
-  }
+  if (!searches_in_vain(cycle)) return;
+  back_.fail();
+  enter(Phase::waits, cycle.situation.time);
 }
 
 bool RecoveryMotion::gets_nowhere(const Cycle& cycle) const {
@@ -261,18 +256,22 @@ WaySearch::State RecoveryMotion::run(const Cycle& cycle, Way& way) {
   return state;
 }
 
-void RecoveryMotion::look_ahead(const Cycle& cycle) {
+// A portion of a search whose way is followed at once. True where it has ended without one.
+bool RecoveryMotion::searches_in_vain(const Cycle& cycle) {
   const double now = cycle.situation.time;
   const WaySearch::State state = run(cycle, way_);
-  if (state == WaySearch::State::found) {
-    follow_way(now);
-  } else if (state != WaySearch::State::searching || late(now)) {
-    if (state == WaySearch::State::no_way && !wait_.with_movers()) {
-      describe_end(kNoWay, hopeless_);
-      hopeless_at_ = search_.task().start;
-    }
-    enter(Phase::idle, now);
+  if (state != WaySearch::State::found) return state != WaySearch::State::searching || late(now);
+  follow_way(now);
+  return false;
+}
+
+void RecoveryMotion::look_ahead(const Cycle& cycle) {
+  if (!searches_in_vain(cycle)) return;
+  if (search_.state() == WaySearch::State::no_way && !wait_.with_movers()) {
+    describe_end(kNoWay, hopeless_);
+    hopeless_at_ = search_.task().start;
   }
+  enter(Phase::idle, cycle.situation.time);
 }
 
 // The way was found on a map that may have changed, or that did not show yet what lies farther on. While the robot goes

@@ -116,6 +116,7 @@ class RecoveryMotion {
   bool blocked_by_movers(const Cycle& cycle, bool stands) const;
   void step_back(const Cycle& cycle);
   void search_back(const Cycle& cycle);
+  bool searches_in_vain(const Cycle& cycle);
   void start_way();
   void begin_search(const Cycle& cycle, Phase phase, const Pose2& start);
   void recall();
