@@ -85,7 +85,7 @@ MoverCheck::MoverCheck() {
 void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
                          const MovingObstacleEstimates& movers, const Start& start) {
   near_.clear();
-  leaving_.begin();
+  leaving_.begin(start.period);
   if (movers.empty()) return;
   limits_ = &limits;
   footprint_ = &footprint;

@@ -8,8 +8,8 @@
 //    times the obstacle's fastest and the robot's own speed: so what lies between two poses is covered, too.
 // 4. What is too far away at one time need not be looked at again until both could have met.
 // 5. Where a set is around the robot already when it begins to drive, the robot may leave: the distance from the
-//    outline to where the obstacle is expected grows at every step (Leaving). It creeps, and leaves only what stands:
-//    who walks past is soon gone.
+//    outline to where the obstacle is expected grows at every step (Leaving). It creeps, and leaves only what has stood
+//    there for a while: who walks past is soon gone.
 //
 // can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
 // steps, all pending motions, and commands to brake at all times. A robot that stays at rest has nothing to be asked.

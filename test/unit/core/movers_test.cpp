@@ -240,6 +240,8 @@ TEST(AmongMovers, ARobotAtRestLeavesWhoStandsAtItAndNeverDrivesTowardsHim) {
   scene.steer({-0.3, 0.0});
   scene.parameters.linear = LinearPolicy::axis;
   PlannerBench back(scene);
+  // First he may go on by himself; 1 s / 0.05 s = 20 cycles.
+  for (int k = 0; k < 20; ++k) EXPECT_EQ(back.drive().command, Twist2{}) << k;
   // It creeps away from him, until it could rest in time at a walk.
   double fastest_near = 0.0;
   for (int k = 0; k < 60; ++k) {
@@ -257,24 +259,56 @@ TEST(AmongMovers, WhoWalksPastIsNotLeft) {
   Scene scene = among({mover_at(-0.51, 0.0)}, 0.0);  // behind it
   scene.steer({0.5, 0.0});
   PlannerBench stands(scene);
+  for (int k = 0; k < 20; ++k) stands.drive();
   EXPECT_GT(stands.cycle().command.v, 0.0);
   scene.situation.moving_obstacles = {mover_at(-0.51, 0.0, 0.0, 0.4)};
   PlannerBench walks(scene);
-  EXPECT_TRUE(walks.cycle().command == Twist2{});
+  for (int k = 0; k < 40; ++k) EXPECT_EQ(walks.drive().command, Twist2{}) << k;
+}
+
+TEST(AmongMovers, WhoWalksMeanwhileIsNotLeftAtOnceAfterwards) {
+  Scene scene = among({mover_at(-0.51, 0.0)}, 0.0);
+  scene.steer({0.5, 0.0});
+  PlannerBench bench(scene);
+  std::vector<MovingObstacleEstimate>& movers = bench.scene().situation.moving_obstacles;
+  for (int k = 0; k < 15; ++k) bench.drive();
+  movers = {mover_at(-0.51, 0.0, 0.0, 0.4)};
+  bench.drive();
+  movers = {mover_at(-0.51, 0.0)};
+  for (int k = 0; k < 20; ++k) EXPECT_EQ(bench.drive().command, Twist2{}) << k;
+  EXPECT_GT(bench.cycle().command.v, 0.0);
 }
 
 // A robot that drives when somebody comes so near must come to rest first.
 TEST(AmongMovers, WhoComesAtARobotThatDrivesIsNotLeft) {
   Leaving leaving;
-  leaving.begin();
-  EXPECT_FALSE(leaving.admit(1, false));
-  leaving.begin();
-  EXPECT_TRUE(leaving.admit(1, true));
-  leaving.begin();
-  EXPECT_TRUE(leaving.admit(1, false));  // it has been so near since the robot stood
-  leaving.begin();                       // and now it is not
-  leaving.begin();
-  EXPECT_FALSE(leaving.admit(1, false));
+  const auto cycles = [&](int count, bool rests) {
+    int admitted = 0;
+    for (int k = 0; k < count; ++k) {
+      leaving.begin(0.25);
+      admitted += leaving.admit(1, rests) ? 1 : 0;
+    }
+    return admitted;
+  };
+  EXPECT_EQ(cycles(10, false), 0);
+  EXPECT_EQ(cycles(4, true), 0);   // at 0, 0.25, 0.5, 0.75 s
+  EXPECT_EQ(cycles(1, true), 1);   // 1 s
+  EXPECT_EQ(cycles(3, false), 3);  // it has been so near since the robot stood
+  leaving.begin(0.25);             // and now it is not
+  EXPECT_FALSE(leaving.any());
+  EXPECT_EQ(cycles(10, false), 0);
+}
+
+TEST(AmongMovers, EachOfThemStandsForItsOwnTime) {
+  Leaving leaving;
+  for (int k = 0; k < 5; ++k) {
+    leaving.begin(0.25);
+    EXPECT_EQ(leaving.admit(1, true), k == 4);
+    if (k >= 2) EXPECT_FALSE(leaving.admit(2, true));
+  }
+  leaving.forget();
+  leaving.begin(0.25);
+  EXPECT_FALSE(leaving.admit(1, true));
 }
 
 TEST(AmongMovers, WhatIsLeftIsSavedAndLoaded) {
@@ -282,13 +316,22 @@ TEST(AmongMovers, WhatIsLeftIsSavedAndLoaded) {
   scene.parameters.min_vel_x = -0.3;
   scene.parameters.linear = LinearPolicy::axis;
   scene.steer({-0.3, 0.0});
-  PlannerBench one(scene), other(scene);
-  one.drive();
-  Bytes state;
-  one.planner().save(state);
-  ASSERT_TRUE(other.planner().load(state));
-  other.scene().situation = one.scene().situation;
+  PlannerBench one(scene), other(scene), halfway(scene);
+  const auto hand_over = [&one](PlannerBench& to) {
+    Bytes state;
+    one.planner().save(state);
+    ASSERT_TRUE(to.planner().load(state));
+    to.scene().situation = one.scene().situation;
+  };
+  for (int k = 0; k < 10; ++k) one.drive();
+  hand_over(halfway);
+  for (int k = 0; k < 11; ++k) {
+    one.drive();
+    halfway.drive();
+  }
+  hand_over(other);
   const Twist2 expected = one.cycle().command;
+  EXPECT_TRUE(halfway.cycle().command == expected);
   EXPECT_LT(expected.v, 0.0);
   EXPECT_TRUE(other.cycle().command == expected);
   PlannerBench fresh(scene);
