@@ -181,14 +181,35 @@ Footprint Footprint::from_outline(const Polygon& outline, double padding) {
 }
 
 // Many a cycle: without a division.
+double Footprint::squared_distance_to_edge(std::size_t i, const Point& point) const {
+  const Point a = outline_[i] - point;
+  const double share = std::clamp(-a.dot(edges_[i].way) * edges_[i].per_squared_length, 0.0, 1.0);
+  return (a + share * edges_[i].way).squaredNorm();
+}
+
 double Footprint::distance_to(const Point& point) const {
   if (is_circle()) return point.norm() - radius_;
+  return sides_.empty() ? distance_to_any(point) : distance_to_convex(point);
+}
+
+// What is nearest to a point outside lies on a side that the point is in front of; what is inside is as deep as the
+// nearest side.
+double Footprint::distance_to_convex(const Point& point) const {
+  double front = -std::numeric_limits<double>::infinity(), nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const double beyond = sides_[i].normal.dot(point) - sides_[i].offset;
+    front = std::max(front, beyond);
+    if (beyond > 0.0) nearest = std::min(nearest, squared_distance_to_edge(i, point));
+  }
+  return front > 0.0 ? std::sqrt(nearest) : front;
+}
+
+double Footprint::distance_to_any(const Point& point) const {
   double nearest = std::numeric_limits<double>::infinity();
   bool inside = false;
   for (std::size_t i = 0; i < outline_.size(); ++i) {
     const Point a = outline_[i] - point, b = outline_[i + 1 < outline_.size() ? i + 1 : 0] - point;
-    const double share = std::clamp(-a.dot(edges_[i].way) * edges_[i].per_squared_length, 0.0, 1.0);
-    nearest = std::min(nearest, (a + share * edges_[i].way).squaredNorm());
+    nearest = std::min(nearest, squared_distance_to_edge(i, point));
     inside = inside != crosses_positive_x(a, b);
   }
   return inside ? -std::sqrt(nearest) : std::sqrt(nearest);

@@ -50,6 +50,9 @@ class Footprint {
     double per_squared_length;  // [1/m^2]; 0 where it has no length
   };
   const char* fault_of_corners() const;
+  double squared_distance_to_edge(std::size_t i, const Point& point) const;
+  double distance_to_convex(const Point& point) const;
+  double distance_to_any(const Point& point) const;
 
   Polygon outline_;
   std::vector<Edge> edges_;  // of each corner

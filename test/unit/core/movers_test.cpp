@@ -304,7 +304,9 @@ TEST(AmongMovers, EachOfThemStandsForItsOwnTime) {
   for (int k = 0; k < 5; ++k) {
     leaving.begin(0.25);
     EXPECT_EQ(leaving.admit(1, true), k == 4);
-    if (k >= 2) EXPECT_FALSE(leaving.admit(2, true));
+    if (k >= 2) {
+      EXPECT_FALSE(leaving.admit(2, true));
+    }
   }
   leaving.forget();
   leaving.begin(0.25);
