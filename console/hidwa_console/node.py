@@ -110,6 +110,12 @@ def addresses(options, port, token, secure):
     return [f'{"https" if secure else "http"}://{f"[{n}]" if ":" in n else n}:{port}/{fragment}' for n in names]
 
 
+def say(line):
+    """One write with the end of the line in it: print makes two, and a thread that logs may get between them."""
+    sys.stdout.write(line + '\n')
+    sys.stdout.flush()
+
+
 def wait_for_planner():
     """Until the parameter server has move_base's parameters; without them the defaults hold."""
     deadline = time.monotonic() + PLANNER_PATIENCE
@@ -154,7 +160,7 @@ def serve(options):
         rospy.logwarn('without --certfile and --keyfile everybody on the way can read and change what is sent, the token too; '
                       'and a headset gives no WebXR')
     for address in addresses(options, port, token, context is not None):
-        print(f'console: {address}', flush=True)
+        say(f'console: {address}')
     loop.start()
     console.close()
     http.stop()

@@ -14,6 +14,7 @@ import time
 import unittest
 import urllib.error
 import urllib.request
+from unittest import mock
 
 import rospy
 import tornado.httpclient
@@ -24,6 +25,7 @@ from sensor_msgs.msg import CameraInfo, CompressedImage, Joy
 from std_msgs.msg import Bool
 
 import paths
+from hidwa_console.node import say
 from hidwa_console.server import MOST_SOCKETS, TRY_LATER
 from command_watch import CommandWatch
 from page_twin import PATIENCE, Page, View, until
@@ -496,6 +498,12 @@ class Refused(unittest.IsolatedAsyncioTestCase):
         self.assertNotIn('unsafe', policy)
         self.assertNotIn('*', policy)
         self.assertEqual(answer.headers['X-Content-Type-Options'], 'nosniff')
+
+    async def test_a_line_is_one_write(self):
+        # Two, as of print, let a thread that logs get between them: then its text stands behind the token.
+        with mock.patch('sys.stdout') as out:
+            say('console: here')
+        self.assertEqual(out.write.call_args_list, [mock.call('console: here\n')])
 
     async def test_token(self):
         child, port, token = W.console('--token')
