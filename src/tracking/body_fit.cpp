@@ -14,7 +14,9 @@ namespace tracking {
 namespace {
 
 constexpr double kSmallestBody = 0.03;  // radius [m]
-constexpr double kUnevenSights = 5.0;   // so many points' worth of the usual one
+constexpr double kEdge = 0.3;           // deviation of an edge [beams]; 1 / sqrt(12) of what lies between two
+constexpr double kUnevenSights = 5.0;   // so many points' worth of the known one
+constexpr double kHiddenShare = 0.1;    // of the noise: what is less uneven cannot be told from even
 constexpr double kWrongRadius = 0.15;   // deviation of a radius that does not fit what is seen [m]
 constexpr double kThin = 0.13;          // too few beams meet what is thinner to tell its curve [m]
 constexpr double kGrazing = 0.9;        // what hits a body farther from its middle says little [radii]
@@ -152,7 +154,7 @@ class ArcFit {
     const double residual = edge - (x_(0) + side * half);
     if (hidden && side * residual <= 0.0) return;
     const double d = x_(1), c = d * std::cos(half);
-    const double deviation = 0.3 * beams_.increment + known_.unevenness / d;
+    const double deviation = kEdge * beams_.increment + known_.unevenness / d;
     take(residual, {1.0, -side * std::tan(half) / d, side / c}, deviation * deviation);
   }
 
@@ -179,9 +181,9 @@ double nearest_range(const Beams& beams, const Segment& segment) {
 }
 
 // How far the points are from the circle: the variance of their ranges beyond that of the noise, with a few points'
-// worth of what is usual.
-double unevenness(const Beams& beams, const Segment& segment, const BodyFit& fit, double range_noise) {
-  double sum = kUnevenSights * KnownShape::kUnevenness * KnownShape::kUnevenness;
+// worth of what is known.
+double unevenness(const Beams& beams, const Segment& segment, const BodyFit& fit, double known, double range_noise) {
+  double sum = kUnevenSights * known * known;
   double count = kUnevenSights;
   for_points(beams, segment, [&](std::size_t i) {
     const Beam& beam = beams.all[i];
@@ -192,7 +194,7 @@ double unevenness(const Beams& beams, const Segment& segment, const BodyFit& fit
     sum += short_of * short_of - range_noise * range_noise;
     count += 1.0;
   });
-  return std::sqrt(std::max(sum, 0.0) / count);
+  return std::max(std::sqrt(std::max(sum, 0.0) / count), kHiddenShare * range_noise);
 }
 
 BodyFit fit_edges(const Beams& beams, const Segment& segment, const Polar& p) {
@@ -208,10 +210,10 @@ BodyFit fit_edges(const Beams& beams, const Segment& segment, const Polar& p) {
 }
 
 void judge_edges(const Beams& beams, const Segment& segment, double range_noise, BodyFit& fit) {
-  const double across = 0.3 * beams.increment * fit.distance;
+  const double across = kEdge * beams.increment * fit.distance;
   const double ahead = range_noise / std::sqrt(static_cast<double>(segment.points));
   const double hidden = fit.radius_seen ? 0.0 : 0.3 * fit.radius;
-  fit.unevenness = unevenness(beams, segment, fit, range_noise);
+  fit.unevenness = unevenness(beams, segment, fit, KnownShape::kUnevenness, range_noise);
   fit.blur(std::sqrt(across * across + ahead * ahead + hidden * hidden + fit.unevenness * fit.unevenness));
   fit.radius_deviation = std::sqrt(across * across + hidden * hidden + fit.unevenness * fit.unevenness);
 }
@@ -230,6 +232,8 @@ BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownShape& s
   KnownShape known = shape;
   const double wider = fit.radius - known.radius,
                doubt = kContradicts * std::hypot(known.deviation, fit.radius_deviation);
+  fit.wider = wider;
+  fit.wider_noise = std::sqrt(0.5) * kEdge * beams.increment * fit.distance;  // the edges err apart
   if (fit.radius_seen && wider < -doubt) {
     // Something hides it that is not seen to be nearer, or the radius is wrong: the arc says which.
     p.hidden_low = p.hidden_high = true;
@@ -245,7 +249,7 @@ BodyFit fit_body(const Beams& beams, const Segment& segment, const KnownShape& s
   fit.radius = arc.radius();
   fit.radius_deviation = arc.radius_deviation();
   fit.covariance = turned(arc.covariance(), bearing);
-  fit.unevenness = unevenness(beams, segment, fit, range_noise);
+  fit.unevenness = unevenness(beams, segment, fit, known.unevenness, range_noise);
   fit.blur(std::max(fit.unevenness, wider > doubt ? wider : 0.0));  // somebody else may be a part of it
   return fit;
 }

@@ -16,9 +16,11 @@ struct BodyFit {
   bool radius_seen = false;                              // both sides were in view: the radius is measured, not assumed
   double radius_deviation = 0.0;                         // [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  // of the centre [m^2]
-  double unevenness = 0.0;  // how far its surface is from the circle (rms), beyond the noise [m]
-  double time = 0.0;        // when it was measured [s]
-  double distance = 0.0;    // of the centre from the sensor [m]
+  double unevenness = 0.0;   // how far its surface is from the circle (rms), beyond the noise [m]
+  double wider = 0.0;        // radius by the edges alone, less what was known; where radius_seen [m]
+  double wider_noise = 0.0;  // deviation of that, from the spacing of the beams [m]
+  double time = 0.0;         // when it was measured [s]
+  double distance = 0.0;     // of the centre from the sensor [m]
 
   /// Adds an error that has this deviation along any axis [m].
   void blur(double deviation) { covariance.diagonal().array() += deviation * deviation; }

@@ -14,8 +14,14 @@ constexpr double kAccelerationTime = 0.2;  // for which an acceleration lasts [s
 constexpr double kSteadyShare = 0.2;       // of the usual acceleration, while somebody walks on
 constexpr double kLeapDensity = 10.0;      // a leap of 1 m/s (deviation) within 0.1 s [m^2/s^3]
 
-// How often a model takes the place of another, from (row) to (column) [1/s].
-constexpr double kRates[3][3] = {{0.0, 0.1, 0.02}, {2.0, 0.0, 0.05}, {5.0, 5.0, 0.0}};
+// How often a model takes the place of another, from (row) to (column) [1/s]; of who leaps: how often each of the
+// others.
+constexpr double kRates[2][3] = {{0.0, 0.1, 0.02}, {2.0, 0.0, 0.05}};
+
+// A leap is over when readings tell the new velocity: the sooner the better they are. While it may go on, nothing is
+// known of the velocity.
+constexpr double kLeapKnown = 0.3;                       // deviation of a reading times that rate [m/s]
+constexpr double kSlowestEnd = 5.0, kFastestEnd = 40.0;  // [1/s]
 
 Eigen::Matrix2d isotropic(double deviation) { return deviation * deviation * Eigen::Matrix2d::Identity(); }
 
@@ -79,7 +85,7 @@ double MotionFilter::velocity_deviation() const { return worst_deviation(vv_); }
 
 ManoeuvreFilter::ManoeuvreFilter(const Point& position, const Eigen::Matrix2d& covariance, double speed_deviation,
                                  double time, double acceleration)
-    : weights_{0.5, 0.5, 0.0}, mixture_(position, covariance, speed_deviation, time) {
+    : weights_{0.5, 0.5, 0.0}, leap_end_(kSlowestEnd), mixture_(position, covariance, speed_deviation, time) {
   const double density = acceleration * acceleration * kAccelerationTime;
   densities_ = {kSteadyShare * kSteadyShare * density, density, std::max(kLeapDensity, density)};
   models_.fill(mixture_);
@@ -107,10 +113,12 @@ void ManoeuvreFilter::mix(double elapsed) {
   std::array<Weights, kModels> from;  // probability of having been j, if it is i now
   Weights now{};
   for (std::size_t j = 0; j < kModels; ++j) {
-    const double leaves = kRates[j][0] + kRates[j][1] + kRates[j][2];
+    const Weights rates =
+        j < 2 ? Weights{kRates[j][0], kRates[j][1], kRates[j][2]} : Weights{leap_end_, leap_end_, 0.0};
+    const double leaves = rates[0] + rates[1] + rates[2];
     const double left = 1.0 - std::exp(-leaves * elapsed);
     for (std::size_t i = 0; i < kModels; ++i) {
-      const double change = i == j ? 1.0 - left : left * kRates[j][i] / leaves;
+      const double change = i == j ? 1.0 - left : left * rates[i] / leaves;
       from[i][j] = change * weights_[j];
       now[i] += from[i][j];
     }
@@ -147,6 +155,7 @@ double ManoeuvreFilter::correct(const Point& position, const Eigen::Matrix2d& co
   }
   for (double& weight : weights_) weight /= sum;
   mixture_ = merged(models_, weights_);
+  leap_end_ = std::min(std::max(kLeapKnown / worst_deviation(covariance), kSlowestEnd), kFastestEnd);
   return mismatched;
 }
 

@@ -87,8 +87,9 @@ class ManoeuvreFilter {
   static MotionFilter merged(const std::array<MotionFilter, kModels>& models, const Weights& weights);
 
   std::array<MotionFilter, kModels> models_;
-  Weights weights_{};    // probabilities of the models
-  Weights densities_{};  // of the acceleration [m^2/s^3]
+  Weights weights_{};      // probabilities of the models
+  Weights densities_{};    // of the acceleration [m^2/s^3]
+  double leap_end_ = 0.0;  // how often a leap ends in each of the other models [1/s]
   MotionFilter mixture_;
 };
 

@@ -30,7 +30,9 @@ constexpr double kVacatedWithin = 5.5;   // distance within which that is tried 
 constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
 constexpr double kUsualRadius = 0.25;    // of a body that nobody knows yet [m]
 constexpr double kUsualRange = 0.15;     // and its deviation [m]
-constexpr double kRadiusFloor = 0.03;    // a radius is known no better: arms, legs, coats [m]
+constexpr double kUsualChange = 0.03;    // of a radius from scan to scan: arms, legs, coats [m]
+constexpr double kLeastChange = 0.002;   // of anything [m]
+constexpr double kChangeShare = 0.2;     // of the newest change in the mean square
 constexpr double kArcFloor = 0.1;        // the same by arcs alone [m]
 constexpr double kLegsTogether = 0.3;    // what is larger and in one piece is no pair of legs [m]
 
@@ -93,13 +95,22 @@ Sighting two_legs(const Beams& beams, const std::vector<Segment>& segments, cons
   return s;
 }
 
-// The fit has taken what was known of the radius into account. Arcs err alike from scan to scan: they say less.
+// The fit has taken what was known of the radius into account. A radius is known no better than it changes from scan to
+// scan. Arcs err alike from scan to scan: they say less.
 void learn_radius(const Sighting& sighting, const TrackerSettings& settings, Track& track) {
   if (sighting.legs) return;
   const BodyFit& b = sighting.body;
   const double known = track.sightings > 0 ? track.radius_deviation : kUsualRange;
+  if (!track.confirmed) {
+    track.radius_variance = kUsualChange * kUsualChange;
+  } else if (b.radius_seen) {
+    const double change = std::min(b.wider * b.wider, kUsualChange * kUsualChange) - b.wider_noise * b.wider_noise;
+    track.radius_variance += kChangeShare * (change - track.radius_variance);
+  }
+  const double floor = b.radius_seen ? std::max(std::sqrt(std::max(track.radius_variance, 0.0)), kLeastChange)
+                                     : std::min(known, kArcFloor);
   track.radius = std::min(b.radius, settings.max_radius);
-  track.radius_deviation = std::max(b.radius_deviation, b.radius_seen ? kRadiusFloor : std::min(known, kArcFloor));
+  track.radius_deviation = std::max(b.radius_deviation, floor);
 }
 
 bool left_behind(const Track& track, const Beams& beams) {
@@ -113,7 +124,9 @@ bool left_behind(const Track& track, const Beams& beams) {
 }  // namespace
 
 KnownShape known_shape(const Track& track) {
-  if (track.radius > 0.0 && !track.two_legs) return {track.radius, track.radius_deviation, track.unevenness};
+  if (track.radius > 0.0 && !track.two_legs) {
+    return {track.radius, track.radius_deviation, track.confirmed ? track.unevenness : KnownShape::kUnevenness};
+  }
   return {kUsualRadius, kUsualRange};
 }
 

@@ -31,6 +31,7 @@ struct Track {
   ManoeuvreFilter filter;
   double radius = 0.0;            // of the body; 0: not known [m]
   double radius_deviation = 0.0;  // [m]
+  double radius_variance = 0.0;   // of its changes from scan to scan, of late [m^2]
   double unevenness = 0.0;        // of its surface, of late [m]
   bool two_legs = false;          // they were seen apart once
   int sightings = 0;

@@ -79,6 +79,37 @@ TEST(BodyFit, ClaimsNoMoreThanItKnows) {
   }
 }
 
+// What is known to be round, and how large, is placed more closely, and says so: the edges alone are known to 0.3 beams
+// of 0.0065 rad, which is 0.006 m at 3 m, and 70 ranges to 0.01 m / sqrt(70) = 0.0012 m.
+TEST(BodyFit, PlacesWhatIsKnownToBeRoundMoreClosely) {
+  const KnownShape usual{0.5, 0.03}, round{0.5, 0.003, 0.001};
+  double squares[2] = {}, ratios[2] = {}, widths = 0.0;
+  int count = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Random random(seed + 900);
+    ScanWorld world;
+    world.laser.noise = 0.01;
+    const double bearing = random.uniform(-1.5, 1.5);
+    const Point centre(3.0 * std::cos(bearing), 3.0 * std::sin(bearing));
+    world.posts.push_back({centre, 0.5});
+    const Seen seen = look_at(world, Pose2(), seed);
+    if (seen.segments.size() != 1) continue;
+    for (int i = 0; i < 2; ++i) {
+      const BodyFit fit = fit_body(seen.beams, seen.segments[0], i == 0 ? usual : round, 0.01);
+      squares[i] += (fit.centre - centre).squaredNorm();
+      ratios[i] += mismatch(fit, centre);
+      widths += 0.5 * std::pow(fit.wider / fit.wider_noise, 2);
+    }
+    ++count;
+  }
+  ASSERT_GT(count, 150);
+  EXPECT_LT(squares[1], 0.7 * squares[0]);
+  EXPECT_LT(ratios[1] / count, 2.5);  // 2: exact
+  EXPECT_GT(ratios[1] / count, 0.5);
+  EXPECT_GT(ratios[1], 2.0 * ratios[0]);  // the usual claim is wider than it need be
+  EXPECT_NEAR(widths / count, 1.0, 0.3);  // the edges err by what is said
+}
+
 // A column hides one half: with the radius known from before, the centre is found from the other edge.
 TEST(BodyFit, KnowsAHiddenBodyByItsRadius) {
   ScanWorld world;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/track.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/random.hpp"
+#include "support/scan_world.hpp"
+
+namespace hidwa_local_planner::tracking {
+namespace {
+
+using test::normal;
+using test::Random;
+
+// A body of 0.4 m at rest, whole in view, placed to 5 mm.
+Sighting sighting_at(double time) {
+  Sighting s;
+  s.whole = true;
+  s.body.centre = Point(3.0, 0.0);
+  s.body.covariance = 25e-6 * Eigen::Matrix2d::Identity();
+  s.body.radius = 0.4;
+  s.body.radius_seen = true;
+  s.body.radius_deviation = 0.001;
+  s.body.unevenness = 0.015;
+  s.body.wider_noise = 0.004;
+  s.body.time = time;
+  return s;
+}
+
+// What is known of its radius after 60 sightings, in each of which its edges show it wider by `change` (deviation) and
+// by the noise of the beams.
+double radius_deviation(bool confirmed, double change) {
+  Random random(4);
+  const TrackerSettings settings;
+  Track track = begin_track(sighting_at(0.0), Travel(), settings);
+  track.confirmed = confirmed;
+  for (int i = 1; i <= 60; ++i) {
+    Sighting s = sighting_at(0.05 * i);
+    s.body.wider = std::hypot(change, s.body.wider_noise) * normal(random);
+    correct_track(track, s, settings);
+  }
+  return track.radius_deviation;
+}
+
+TEST(Track, KnowsTheRadiusOfWhatKeepsIt) {
+  EXPECT_LT(radius_deviation(true, 0.0), 0.005);
+  // Squares are clipped at 0.03 m: arms and coats change a radius by as much.
+  EXPECT_GT(radius_deviation(true, 0.03), 0.015);
+  EXPECT_LE(radius_deviation(true, 0.3), 0.03);
+}
+
+// Who is not confirmed yet is judged as ever: what errs by little seems to move.
+TEST(Track, ACandidatesShapeIsTheUsualOne) {
+  EXPECT_DOUBLE_EQ(radius_deviation(false, 0.0), 0.03);
+  Track track = begin_track(sighting_at(0.0), Travel(), TrackerSettings());
+  track.unevenness = 0.001;
+  EXPECT_DOUBLE_EQ(known_shape(track).unevenness, KnownShape::kUnevenness);
+  track.confirmed = true;
+  EXPECT_DOUBLE_EQ(known_shape(track).unevenness, 0.001);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::tracking
