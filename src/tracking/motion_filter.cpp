@@ -14,12 +14,11 @@ constexpr double kAccelerationTime = 0.2;  // for which an acceleration lasts [s
 constexpr double kSteadyShare = 0.2;       // of the usual acceleration, while somebody walks on
 constexpr double kLeapDensity = 10.0;      // a leap of 1 m/s (deviation) within 0.1 s [m^2/s^3]
 
-// How often a model takes the place of another, from (row) to (column) [1/s]; of who leaps: how often each of the
-// others.
+// How often the model of who walks on, and that of who walks as people do, give way to another (column) [1/s].
 constexpr double kRates[2][3] = {{0.0, 0.1, 0.02}, {2.0, 0.0, 0.05}};
 
-// A leap is over when readings tell the new velocity: the sooner the better they are. While it may go on, nothing is
-// known of the velocity.
+// A leap gives way to each of them the sooner, the better the readings tell the new velocity. While it may go on,
+// nothing is known of the velocity.
 constexpr double kLeapKnown = 0.3;                       // deviation of a reading times that rate [m/s]
 constexpr double kSlowestEnd = 5.0, kFastestEnd = 40.0;  // [1/s]
 
