@@ -15,7 +15,7 @@ constexpr double kSteadyShare = 0.2;       // of the usual acceleration, while s
 constexpr double kLeapDensity = 10.0;      // a leap of 1 m/s (deviation) within 0.1 s [m^2/s^3]
 
 // How often the model of who walks on, and that of who walks as people do, give way to another (column) [1/s].
-constexpr double kRates[2][3] = {{0.0, 0.1, 0.02}, {2.0, 0.0, 0.05}};
+constexpr std::array<double, 3> kRates[] = {{0.0, 0.1, 0.02}, {2.0, 0.0, 0.05}};
 
 // A leap gives way to each of them the sooner, the better the readings tell the new velocity. While it may go on,
 // nothing is known of the velocity.
@@ -112,8 +112,7 @@ void ManoeuvreFilter::mix(double elapsed) {
   std::array<Weights, kModels> from;  // probability of having been j, if it is i now
   Weights now{};
   for (std::size_t j = 0; j < kModels; ++j) {
-    const Weights rates =
-        j < 2 ? Weights{kRates[j][0], kRates[j][1], kRates[j][2]} : Weights{leap_end_, leap_end_, 0.0};
+    const Weights rates = j < 2 ? kRates[j] : Weights{leap_end_, leap_end_, 0.0};
     const double leaves = rates[0] + rates[1] + rates[2];
     const double left = 1.0 - std::exp(-leaves * elapsed);
     for (std::size_t i = 0; i < kModels; ++i) {

@@ -101,9 +101,7 @@ void learn_radius(const Sighting& sighting, const TrackerSettings& settings, Tra
   if (sighting.legs) return;
   const BodyFit& b = sighting.body;
   const double known = track.sightings > 0 ? track.radius_deviation : kUsualRange;
-  if (!track.confirmed) {
-    track.radius_variance = kUsualChange * kUsualChange;
-  } else if (b.radius_seen) {
+  if (track.confirmed && b.radius_seen) {
     const double change = std::min(b.wider * b.wider, kUsualChange * kUsualChange) - b.wider_noise * b.wider_noise;
     track.radius_variance += kChangeShare * (change - track.radius_variance);
   }
@@ -143,6 +141,7 @@ Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerS
   const BodyFit& b = sighting.body;
   t.filter = ManoeuvreFilter(b.centre, b.covariance, kFirstSpeed, b.time, settings.acceleration);
   t.unevenness = b.unevenness;
+  t.radius_variance = kUsualChange * kUsualChange;
   t.begin = t.seen = t.stood_since = b.time;
   t.began_at = t.stood_at = b.centre;
   t.began_after = travel;
