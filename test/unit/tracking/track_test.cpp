@@ -49,6 +49,16 @@ TEST(Track, KnowsTheRadiusOfWhatKeepsIt) {
   EXPECT_LE(radius_deviation(true, 0.3), 0.03);
 }
 
+// The first sighting as one body moves the mean square from 0.03^2 by a fifth only: sqrt(0.8 x 0.0009 m^2) = 0.027 m.
+TEST(Track, LegsThatAreOneBodyNowTellLittleOfItsRadius) {
+  Sighting legs = sighting_at(0.0);
+  legs.legs = true;
+  Track track = begin_track(legs, Travel(), TrackerSettings());
+  track.confirmed = true;
+  correct_track(track, sighting_at(0.05), TrackerSettings());
+  EXPECT_GT(track.radius_deviation, 0.025);
+}
+
 // Who is not confirmed yet is judged as ever: what errs by little seems to move.
 TEST(Track, ACandidatesShapeIsTheUsualOne) {
   EXPECT_DOUBLE_EQ(radius_deviation(false, 0.0), 0.03);
