@@ -85,9 +85,13 @@ double MotionFilter::velocity_deviation() const { return worst_deviation(vv_); }
 ManoeuvreFilter::ManoeuvreFilter(const Point& position, const Eigen::Matrix2d& covariance, double speed_deviation,
                                  double time, double acceleration)
     : weights_{0.5, 0.5, 0.0}, leap_end_(kSlowestEnd), mixture_(position, covariance, speed_deviation, time) {
+  expect(acceleration);
+  models_.fill(mixture_);
+}
+
+void ManoeuvreFilter::expect(double acceleration) {
   const double density = acceleration * acceleration * kAccelerationTime;
   densities_ = {kSteadyShare * kSteadyShare * density, density, std::max(kLeapDensity, density)};
-  models_.fill(mixture_);
 }
 
 MotionFilter ManoeuvreFilter::merged(const std::array<MotionFilter, kModels>& models, const Weights& weights) {

@@ -61,6 +61,9 @@ class ManoeuvreFilter {
   ManoeuvreFilter(const Point& position, const Eigen::Matrix2d& covariance, double speed_deviation, double time,
                   double acceleration);
 
+  /// The usual acceleration from now on [m/s^2].
+  void expect(double acceleration);
+
   /// To a later time [s]. An earlier time changes nothing.
   void predict(double time);
 

@@ -61,6 +61,7 @@ NodeParameters read_node_parameters(const ros::NodeHandle& node) {
   read_value(node, "min_radius", t.min_radius);
   read_value(node, "max_radius", t.max_radius);
   read_value(node, "acceleration", t.acceleration);
+  read_value(node, "leg_acceleration", t.leg_acceleration);
   read_value(node, "fixed_frame", p.fixed_frame);
   read_value(node, "transform_timeout", p.transform_timeout);
   read_value(node, "lag_max", p.lag_max);

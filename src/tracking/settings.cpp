@@ -36,7 +36,8 @@ std::string fault_of(const TrackerSettings& s) {
                                  {"min_speed", s.min_speed, 0.05, 2.0, " m/s"},
                                  {"min_radius", s.min_radius, 0.0, 1.5, " m"},
                                  {"max_radius", s.max_radius, 0.1, 1.5, " m"},
-                                 {"acceleration", s.acceleration, 0.1, 20.0, " m/s^2"}};
+                                 {"acceleration", s.acceleration, 0.1, 20.0, " m/s^2"},
+                                 {"leg_acceleration", s.leg_acceleration, 0.1, 20.0, " m/s^2"}};
   for (const SettingRange& r : ranges) {
     if (!(r.value >= r.low && r.value <= r.high)) {  // also what is not a number
       return std::string(r.name) + " is " + (std::isfinite(r.value) ? number_text(r.value) : "not finite") +

@@ -25,7 +25,9 @@ constexpr double kVacated = 0.3;         // the same where nothing was known of 
 constexpr double kVacatedBySmall = 0.6;  // and where it may be a table's legs [m]
 constexpr int kFreeSightings = 2;        // in a row, that tell a mover
 constexpr int kVacatedSightings = 3;     // likewise, of a body that something hides in part
-constexpr double kBeginsWithin = 6.5;    // farther away a wall's few points seem to move [m]
+constexpr double kNear = 6.5;            // farther away a wall's few points seem to move [m]
+constexpr std::size_t kFarPoints = 6;    // so many make a body there
+constexpr std::size_t kPoints = 3;       // and so many where nothing was known of the space
 constexpr double kVacatedWithin = 5.5;   // distance within which that is tried [m]
 constexpr double kFastest = 5.0;         // whatever seems faster is none [m/s]
 constexpr double kUsualRadius = 0.25;    // of a body that nobody knows yet [m]
@@ -58,6 +60,7 @@ Segment largest_piece(const std::vector<Segment>& segments, const Track& track) 
 Sighting one_body(const Beams& beams, const Segment& segment, const Track& track, const TrackerSettings& settings) {
   Sighting s;
   s.body = fit_body(beams, segment, known_shape(track), settings.range_noise);
+  s.points = segment.points;
   s.small = is_small(s.body);
   s.free_before = lies_in_free(segment);
   s.whole = s.body.radius_seen;
@@ -87,6 +90,7 @@ Sighting two_legs(const Beams& beams, const std::vector<Segment>& segments, cons
     s.body.radius += leg.radius / n;
     s.body.distance += leg.distance / n;
     s.body.covariance += leg.covariance / (n * n);
+    s.points = std::max(s.points, segment.points);
     if (lies_in_free(segment)) ++free;
   }
   s.body.blur(kStride);
@@ -109,6 +113,11 @@ void learn_radius(const Sighting& sighting, const TrackerSettings& settings, Tra
                                      : std::min(known, kArcFloor);
   track.radius = std::min(b.radius, settings.max_radius);
   track.radius_deviation = std::max(b.radius_deviation, floor);
+}
+
+// Who walks changes speed at each step. Of a body the readings tell it, those of legs are too vague.
+double usual_acceleration(bool legs, const TrackerSettings& settings) {
+  return legs ? settings.leg_acceleration : settings.acceleration;
 }
 
 bool left_behind(const Track& track, const Beams& beams) {
@@ -139,7 +148,7 @@ Sighting look(const Beams& beams, const std::vector<Segment>& segments, const Tr
 Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerSettings& settings) {
   Track t;
   const BodyFit& b = sighting.body;
-  t.filter = ManoeuvreFilter(b.centre, b.covariance, kFirstSpeed, b.time, settings.acceleration);
+  t.filter = ManoeuvreFilter(b.centre, b.covariance, kFirstSpeed, b.time, usual_acceleration(sighting.legs, settings));
   t.unevenness = b.unevenness;
   t.radius_variance = kUsualChange * kUsualChange;
   t.begin = t.seen = t.stood_since = b.time;
@@ -155,16 +164,18 @@ Track begin_track(const Sighting& sighting, const Travel& travel, const TrackerS
 
 void correct_track(Track& track, const Sighting& sighting, const TrackerSettings& settings) {
   const BodyFit& b = sighting.body;
+  if (sighting.legs) track.two_legs = true;
+  if (!sighting.legs && b.radius_seen && b.radius > kLegsTogether) track.two_legs = false;
+  track.filter.expect(usual_acceleration(track.two_legs, settings));
   track.filter.predict(b.time);
   const double mismatch = track.filter.correct(b.centre, b.covariance);
   track.surprise += kSurpriseShare * (std::min(mismatch, 20.0) - track.surprise);
   learn_radius(sighting, settings, track);
-  if (sighting.legs) track.two_legs = true;
-  if (!sighting.legs && b.radius_seen && b.radius > kLegsTogether) track.two_legs = false;
   track.unevenness += kUnevenShare * (b.unevenness - track.unevenness);
   ++track.sightings;
   track.free_sightings = sighting.free_before ? track.free_sightings + 1 : 0;
   if (sighting.whole) ++track.whole_sightings;
+  track.points = sighting.points;
   track.seen = b.time;
   track.through = 0.0;
   if ((track.filter.position() - track.stood_at).norm() > kStandingRange) {
@@ -184,13 +195,14 @@ bool known_to_move(const Track& track, const Beams& beams, const Travel& travel,
   const double moved = shift(track.began_after, travel, distance, settings.odometry_slip);
   const double speed = track.filter.velocity().norm();
   if (speed < settings.min_speed + moved / age || speed > kFastest) return false;
-  if (track.surprise > kSurprised || distance > kBeginsWithin) return false;  // it jumps, as what is none does
+  if (track.surprise > kSurprised) return false;  // it jumps, as what is none does
+  if (distance > kNear && track.points < kFarPoints) return false;
   const double way = track.distance_from_start() - moved;
   const bool certain = speed > kSignificant * track.filter.velocity_deviation() + moved / age ||
                        (way > kVacated && track.filter.velocity_deviation() < kSettledSpeed);
   if (!certain) return false;
   if (track.free_sightings >= std::min(track.sightings - 1, kFreeSightings)) return way > kLeft;
-  if (distance > kVacatedWithin) return false;
+  if (distance > kVacatedWithin || track.points < kPoints) return false;
   const bool small = track.two_legs || track.radius < kLegRadius;  // beams pass beside what is thin, too
   const bool whole = 10 * track.whole_sightings >= 8 * track.sightings;
   if (!whole && small) return false;

@@ -18,6 +18,7 @@ namespace tracking {
 /// What was seen of a track in a scan: of one body, or of two legs.
 struct Sighting {
   BodyFit body;
+  std::size_t points = 0;    // of its largest piece
   bool legs = false;         // the body is the middle of two legs
   bool small = false;        // as small as a leg
   bool free_before = false;  // a third of it lies where space was seen free
@@ -34,6 +35,7 @@ struct Track {
   double radius_variance = 0.0;   // of its changes from scan to scan, of late [m^2]
   double unevenness = 0.0;        // of its surface, of late [m]
   bool two_legs = false;          // they were seen apart once
+  std::size_t points = 0;         // of its largest piece, last
   int sightings = 0;
   int free_sightings = 0;     // the last ones, where space was seen free
   int vacated_sightings = 0;  // the last ones, when its first place was seen through

@@ -23,8 +23,10 @@ Beams turn_from(int first, std::uint64_t seed) {
   Random random(seed);
   std::vector<int> seen;
   const Pose2 pose{3.0, 3.0, 2.0 * M_PI * first / 360};
+  TrackerSettings settings;
+  settings.reach = 8.0;  // the hall's far walls are out of it
   Beams beams;
-  to_beams(world.scan(1.0, pose, pose, random, seen), TrackerSettings(), beams);
+  to_beams(world.scan(1.0, pose, pose, random, seen), settings, beams);
   return beams;
 }
 

@@ -59,6 +59,27 @@ TEST(Track, LegsThatAreOneBodyNowTellLittleOfItsRadius) {
   EXPECT_GT(track.radius_deviation, 0.025);
 }
 
+// What is told of the velocity of who stands, after 3 s. Once legs are one wide body, it is a body's acceleration.
+double velocity_deviation(bool legs, double then_radius) {
+  const TrackerSettings settings;
+  Sighting s = sighting_at(0.0);
+  s.legs = legs;
+  Track track = begin_track(s, Travel(), settings);
+  for (int i = 1; i <= 60; ++i) {
+    s = sighting_at(0.05 * i);
+    s.legs = legs && i < 20;
+    s.body.radius = then_radius;
+    correct_track(track, s, settings);
+  }
+  return track.filter.velocity_deviation();
+}
+
+TEST(Track, LegsMayChangeTheirSpeedFaster) {
+  const double body = velocity_deviation(false, 0.4);
+  EXPECT_GT(velocity_deviation(true, 0.2), 1.3 * body);
+  EXPECT_LT(velocity_deviation(true, 0.4), 1.05 * body);
+}
+
 // Who is not confirmed yet is judged as ever: what errs by little seems to move.
 TEST(Track, ACandidatesShapeIsTheUsualOne) {
   EXPECT_DOUBLE_EQ(radius_deviation(false, 0.0), 0.03);

@@ -65,6 +65,29 @@ TEST(Tracker, FollowsWhoCrosses) {
   EXPECT_EQ(watch.tracker.obstacles()[0].id, id);
 }
 
+// From 12 m on, at 1.5 m/s: a robot at 2 m/s would meet him in 3 s. At 10 m a body of 0.5 m has 8 of the 720 beams, of
+// 0.0065 rad each: 0.5 m / (10 m x 0.0065).
+TEST(Tracker, KnowsWhoComesFromFarAway) {
+  ScanWorld world;
+  world.walls = {{{-1.0, -4.0}, {16.0, -4.0}}, {{16.0, -4.0}, {16.0, 4.0}}, {{16.0, 4.0}, {-1.0, 4.0}}};
+  world.laser.range_max = 30.0;
+  Walker walker;
+  walker.at = [](double time) { return Point(13.0 - 1.5 * time, 0.5); };
+  world.walkers.push_back(walker);
+  Random random(6);
+  std::vector<int> seen;
+  Tracker tracker;
+  const Pose2 origin;
+  double time = 0.0;
+  while (tracker.obstacles().empty() && time < 4.0) {
+    time += kStep;
+    tracker.update(world.scan(time, origin, origin, random, seen));
+  }
+  ASSERT_EQ(tracker.obstacles().size(), 1u);
+  EXPECT_GT(tracker.obstacles()[0].position.norm(), 9.0);
+  EXPECT_LT((tracker.obstacles()[0].position - walker.at(time)).norm(), 0.2);
+}
+
 TEST(Tracker, WhoStopsIsTheCostmapsAgain) {
   Watch watch(crossing(2.0));
   watch.run(2.5);
@@ -306,6 +329,9 @@ TEST(Tracker, RefusesSettingsAndNamesThem) {
   settings = TrackerSettings();
   settings.min_speed = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(fault_of(settings), "min_speed is not finite: it must be from 0.05 to 2 m/s");
+  settings = TrackerSettings();
+  settings.leg_acceleration = 0.0;
+  EXPECT_EQ(fault_of(settings), "leg_acceleration is 0: it must be from 0.1 to 20 m/s^2");
 }
 
 // Once it has seen as many things at a time, a scan allocates nothing.
