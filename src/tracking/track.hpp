@@ -74,7 +74,7 @@ void look_back(Track& track, const Beams& beams);
 
 /// True once a track is known to move: it left its place faster and farther than noise and odometry explain, and it
 /// either stands where space was seen free, or its first place is seen through now; in three scans in a row where it is
-/// not seen whole.
+/// not seen whole. What shows few points must be near.
 bool known_to_move(const Track& track, const Beams& beams, const Travel& travel, const TrackerSettings& settings);
 
 /// Whether it goes faster now than noise explains. Who has just begun to walk is still near where he stood.
