@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/motion/velocity_limits.hpp"
+#include "core/movers/accelerations.hpp"
 #include "core/movers/mover_check.hpp"
 #include "core/planner/cycle_start.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
@@ -23,8 +24,9 @@ struct Cycle {
   const Sampling& sampling;
   const Situation& situation;  // with the pose of now
   const CycleStart& start;
-  MoverCheck* movers;  // null where nothing that moves is near
-  bool among_movers;   // there are some, and they count
+  MoverCheck* movers;                            // null where nothing that moves is near
+  bool among_movers;                             // there are some, and they count
+  const Accelerations* accelerations = nullptr;  // theirs; null: they keep their velocities
 };
 
 /// What the deviation from the operator command is measured against.

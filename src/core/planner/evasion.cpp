@@ -50,7 +50,8 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
                                    std::max(0.0, roller.time()),
                                    cycle.movers,
                                    cycle.start.reference,
-                                   usable_period(situation)};
+                                   usable_period(situation),
+                                   cycle.accelerations};
   better_.clear();
   better_.reserve(64);
   own_.reserve(2);

@@ -29,6 +29,7 @@ void Planner::reset() {
   impl_->critics.reset();
   impl_->recovery.reset();
   impl_->movers.forget();
+  impl_->accelerations.forget();
   impl_->evasion.note(false);
 }
 
@@ -40,20 +41,23 @@ void Planner::save(Bytes& state) const {
   ArchiveWriter write(state);
   write(impl_->start_estimator, impl_->recovery);
   impl_->critics.save(write);
-  const bool evades = impl_->evasion.goes_on();
+  const bool changes = impl_->accelerations.any(), evades = impl_->evasion.goes_on() || changes;
   if (impl_->movers.leaving() || evades) write(impl_->movers);
   if (evades) write(impl_->evasion);
+  if (changes) write(impl_->accelerations);
 }
 
 bool Planner::load(const Bytes& state) {
   ArchiveReader read(state);
   impl_->critics.reset();
   impl_->movers.forget();
+  impl_->accelerations.forget();
   impl_->evasion.note(false);
   read(impl_->start_estimator, impl_->recovery);  // a search that is under way here already is gone on with
   impl_->critics.load(read);
   if (read.more()) read(impl_->movers);
   if (read.more()) read(impl_->evasion);
+  if (read.more()) read(impl_->accelerations);
   if (!read.complete()) reset();
   return read.complete();
 }

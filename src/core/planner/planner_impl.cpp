@@ -56,9 +56,17 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
   const bool count = movers_count(start);
   const bool once = count && parameters.moving_obstacles_clear_cells && plausible(grid);
   const GridView seen = once ? explained.without(grid, measured.moving_obstacles) : grid;
-  const Cycle cycle{
-      parameters, limits, footprint, seen, intent, sampling, *start.situation, start, look_at_movers(start, count),
-      count};
+  const Cycle cycle{parameters,
+                    limits,
+                    footprint,
+                    seen,
+                    intent,
+                    sampling,
+                    *start.situation,
+                    start,
+                    look_at_movers(start, count),
+                    count,
+                    watch_movers(start, count)};
   clear(decision);
   evaluation.clear();
   explanation.clear();
@@ -72,6 +80,16 @@ bool Planner::Impl::movers_count(const CycleStart& start) const {
   const MovingObstacleEstimates& all = start.situation->moving_obstacles;
   return !all.empty() && parameters.admissibility == Admissibility::braking && footprint.fault() == nullptr &&
          std::all_of(all.begin(), all.end(), [](const auto& one) { return plausible(one); });
+}
+
+// Null where what moves counts as keeping its velocity.
+const Accelerations* Planner::Impl::watch_movers(const CycleStart& start, bool count) {
+  if (!count || parameters.evasion_time <= 0.0 || parameters.evasion_acceleration_time <= 0.0) {
+    accelerations.forget();
+    return nullptr;
+  }
+  accelerations.watch(start.situation->moving_obstacles, start.situation->time);
+  return &accelerations;
 }
 
 // Null where nothing is near.

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "core/movers/accelerations.hpp"
 #include "core/movers/explained_cells.hpp"
 #include "core/planner/conclusion.hpp"
 #include "core/planner/critic_set.hpp"
@@ -44,6 +45,7 @@ struct Planner::Impl {
   Evaluation evaluation;
   Selection selection;
   MoverCheck movers;
+  Accelerations accelerations;
   ExplainedCells explained;
   Recovery recovery;
   Evasion evasion;
@@ -56,6 +58,7 @@ struct Planner::Impl {
     ChoiceReport::Rule rule = ChoiceReport::Rule::none;
   };
   bool movers_count(const CycleStart& start) const;
+  const Accelerations* watch_movers(const CycleStart& start, bool count);
   MoverCheck* look_at_movers(const CycleStart& start, bool count);
   Conclusion conclude(const Cycle& cycle);
   Conclusion drive(const Cycle& cycle);

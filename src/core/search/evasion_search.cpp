@@ -52,16 +52,19 @@ bool EvasionSearch::look(const Scene& scene, const MovingObstacleEstimates& move
   movers_.clear();
   const Parameters& p = scene.parameters;
   horizon_ = p.evasion_time;
+  bends_for_ = p.evasion_acceleration_time;
   fastest_ = scene.limits.x.fastest();
   const double whole = scene.delay + horizon_;
   for (const MovingObstacleEstimate& mover : movers) {
     const Point now = mover.position_now();
     const double grows = kUnsure + mover.velocity_deviation;
+    const Point bend = scene.accelerations != nullptr ? scene.accelerations->of(mover.id) : Point(0.0, 0.0);
     const double off = std::hypot(now.x() - scene.start.pose.x, now.y() - scene.start.pose.y);
-    const double closes = (fastest_ + mover.velocity.norm() + grows) * whole;
+    const double closes = (fastest_ + mover.velocity.norm() + bends_for_ * bend.norm() + grows) * whole;
     const double radius = mover.radius + mover.position_deviation;
     if (off > closes + radius + p.evasion_distance + scene.footprint.circumscribed_radius()) continue;
-    movers_.push_back({now.x(), now.y(), mover.velocity.x(), mover.velocity.y(), radius, p.evasion_distance, grows});
+    movers_.push_back({now.x(), now.y(), mover.velocity.x(), mover.velocity.y(), radius, p.evasion_distance, grows,
+                       bend.x(), bend.y()});
   }
   if (movers_.empty()) return false;
   plan_spans(scene);
@@ -85,19 +88,27 @@ void EvasionSearch::plan_spans(const Scene& scene) {
   }
 }
 
+// By how much an acceleration of 1 m/s^2 moves something until then [m].
+double EvasionSearch::bend(double time) const {
+  const double bends = std::min(time, bends_for_);
+  return bends * (time - 0.5 * bends);
+}
+
 // What may come near within a span, from here.
 void EvasionSearch::find_near(const Scene& scene, const State& from, const Span& span) {
   near_.clear();
   const double length = span.length(), end = span.end();
   const double own = scene.footprint.circumscribed_radius() + length * fastest_;
+  const double middle = span.from + 0.5 * length, bent = bend(middle);
   const Stopping stops = stopping(scene, fastest_);
   for (const Mover& mover : movers_) {
-    // To the middle of where it goes meanwhile.
-    const double middle = span.from + 0.5 * length;
-    const double dx = mover.x + mover.vx * middle - from.x, dy = mover.y + mover.vy * middle - from.y;
-    const double half = 0.5 * length * (std::abs(mover.vx) + std::abs(mover.vy));
-    const double stopping_way =
-        std::abs(stops.way) + stops.room + stops.time * (std::abs(mover.vx) + std::abs(mover.vy));
+    // To where it is in the middle of the span.
+    const double dx = mover.x + mover.vx * middle + mover.ax * bent - from.x;
+    const double dy = mover.y + mover.vy * middle + mover.ay * bent - from.y;
+    const double speed =
+        std::abs(mover.vx) + std::abs(mover.vy) + bends_for_ * (std::abs(mover.ax) + std::abs(mover.ay));
+    const double half = 0.5 * length * speed;
+    const double stopping_way = std::abs(stops.way) + stops.room + stops.time * speed;
     const double most = own + half + mover.radius + std::max(mover.kept + mover.kept_grows * end, stopping_way);
     if (dx * dx + dy * dy < most * most) near_.push_back(mover);
   }
@@ -118,10 +129,11 @@ bool EvasionSearch::must_stop(const Scene& scene, const State& state, double tim
   if (near_.empty()) return false;
   const Stopping stops = stopping(scene, state.v);
   if (stops.time <= 0.0) return false;
-  const double own = scene.footprint.circumscribed_radius() + stops.room, then = time + stops.time;
+  const double own = scene.footprint.circumscribed_radius() + stops.room, then = time + stops.time, bent = bend(then);
   const double x = state.x + stops.way * state.heading.c, y = state.y + stops.way * state.heading.s;
   return std::any_of(near_.begin(), near_.end(), [&](const Mover& mover) {
-    const double dx = mover.x + mover.vx * then - x, dy = mover.y + mover.vy * then - y;
+    const double dx = mover.x + mover.vx * then + mover.ax * bent - x;
+    const double dy = mover.y + mover.vy * then + mover.ay * bent - y;
     const double most = own + mover.radius;
     if (dx * dx + dy * dy >= most * most) return false;
     const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
@@ -131,10 +143,11 @@ bool EvasionSearch::must_stop(const Scene& scene, const State& state, double tim
 
 // What ends the way sets `touched`.
 double EvasionSearch::nearness(const Scene& scene, const State& state, double time, bool& touched) const {
-  const double own = scene.footprint.circumscribed_radius();
+  const double own = scene.footprint.circumscribed_radius(), bent = bend(time);
   double sum = 0.0;
   for (const Mover& mover : near_) {
-    const double dx = mover.x + mover.vx * time - state.x, dy = mover.y + mover.vy * time - state.y;
+    const double dx = mover.x + mover.vx * time + mover.ax * bent - state.x;
+    const double dy = mover.y + mover.vy * time + mover.ay * bent - state.y;
     const double kept = mover.kept + mover.kept_grows * time;
     const double most = own + mover.radius + kept;
     if (dx * dx + dy * dy >= most * most) continue;
@@ -292,10 +305,13 @@ double EvasionSearch::touched_early(const Scene& scene, const State& state, doub
   const double rest = scene.delay + horizon_ - time;
   if (rest <= 0.0) return 0.0;
   const double own = scene.footprint.inscribed_radius() + kTouches;
+  const double bends = std::min(time, bends_for_), bent = bend(time);
   double first = rest;
   for (const Mover& mover : movers_) {
-    const double dx = mover.x + mover.vx * time - state.x, dy = mover.y + mover.vy * time - state.y;
-    const double vx = mover.vx - state.v * state.heading.c, vy = mover.vy - state.v * state.heading.s;
+    const double dx = mover.x + mover.vx * time + mover.ax * bent - state.x;
+    const double dy = mover.y + mover.vy * time + mover.ay * bent - state.y;
+    const double vx = mover.vx + mover.ax * bends - state.v * state.heading.c;
+    const double vy = mover.vy + mover.ay * bends - state.v * state.heading.s;
     const double closes = -(dx * vx + dy * vy), radius = own + mover.radius;
     const double off = dx * dx + dy * dy - radius * radius;
     if (closes <= 0.0 || off <= 0.0) continue;  // never, or it is looked at already

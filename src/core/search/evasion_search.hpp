@@ -32,6 +32,7 @@
 #include "core/collision/collision.hpp"
 #include "core/motion/brake_manoeuvre.hpp"
 #include "core/motion/velocity_limits.hpp"
+#include "core/movers/accelerations.hpp"
 #include "core/movers/mover_check.hpp"
 #include "core/search/motion_fan.hpp"
 #include "core/search/plan_guide.hpp"
@@ -52,13 +53,14 @@ class EvasionSearch {
     const VelocityLimits& limits;
     const Footprint& footprint;
     const GridView& grid;
-    const CollisionChecker& checker;  // prepared
-    TurnedPose start;                 // where the robot is when a command takes effect
-    Twist2 velocity;                  // then [m/s, rad/s]
-    double delay = 0.0;               // until then [s]
-    MoverCheck* movers = nullptr;     // a first motion is none whose command it rejects; null: all are
-    Twist2 reference;                 // what that command starts from [m/s, rad/s]
-    double period = 0.05;             // [s]
+    const CollisionChecker& checker;               // prepared
+    TurnedPose start;                              // where the robot is when a command takes effect
+    Twist2 velocity;                               // then [m/s, rad/s]
+    double delay = 0.0;                            // until then [s]
+    MoverCheck* movers = nullptr;                  // a first motion is none whose command it rejects; null: all are
+    Twist2 reference;                              // what that command starts from [m/s, rad/s]
+    double period = 0.05;                          // [s]
+    const Accelerations* accelerations = nullptr;  // of what moves; null: it keeps its velocity
   };
   /// A first motion, and what the cheapest way costs that begins with it.
   struct Branch {
@@ -86,9 +88,10 @@ class EvasionSearch {
   static constexpr std::size_t kBeam = 8;
 
   struct Mover {
-    double x, y, vx, vy;      // now [m], [m/s]
-    double radius;            // [m]
-    double kept, kept_grows;  // D and how fast it grows [m], [m/s]
+    double x, y, vx, vy;        // now [m], [m/s]
+    double radius;              // [m]
+    double kept, kept_grows;    // D and how fast it grows [m], [m/s]
+    double ax = 0.0, ay = 0.0;  // while it goes on changing its velocity [m/s^2]
   };
   struct State {
     double x = 0.0, y = 0.0;
@@ -112,6 +115,7 @@ class EvasionSearch {
   void list_motions(const Scene& scene, const std::vector<Twist2>& own);
   static bool may_begin(const Scene& scene, const Twist2& motion);
   void plan_spans(const Scene& scene);
+  double bend(double time) const;
   void find_near(const Scene& scene, const State& from, const Span& span);
   bool drive_on(const Scene& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn, std::size_t k,
                 double time, State& state) const;
@@ -136,9 +140,10 @@ class EvasionSearch {
   MotionFan first_fan_, next_fan_;  // of a way's first motion, and of the others
   std::size_t own_ = 0;             // so many of its motions are own ones
   std::array<Span, kLevels> spans_;
-  double horizon_ = 0.0;  // [s]
-  double fastest_ = 0.0;  // [m/s]
-  bool walls_ = true;     // near what is gone on from
+  double horizon_ = 0.0;    // [s]
+  double bends_for_ = 0.0;  // velocities go on changing so long [s]
+  double fastest_ = 0.0;    // [m/s]
+  bool walls_ = true;       // near what is gone on from
   std::vector<State> beam_, next_;
   std::vector<std::pair<double, std::uint32_t>> queue_;  // promise, of next_
   std::vector<Branch> branches_;                         // [motions]

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hidwa_local_planner/core/moving_obstacle.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+
+namespace hidwa_local_planner {
+
+/// How moving obstacles change their velocities of late, by how their estimates differ: a way that bends is foretold
+/// closer than by the velocity alone. Detectors need not tell it.
+class Accelerations {
+ public:
+  static constexpr std::size_t kMost = 64;
+  /// What changes faster has leapt to another velocity, which says nothing of the next change [m/s^2].
+  static constexpr double kLeap = 8.0;
+  /// So much of it is believed at most [m/s^2].
+  static constexpr double kBelieved = 4.0;
+
+  Accelerations();
+  void forget() { now_.clear(); }
+  bool any() const { return !now_.empty(); }
+
+  /// Once a cycle, at its start [s]. Of more than kMost the first ones.
+  void watch(const MovingObstacleEstimates& movers, double time);
+
+  /// That of the one with this id, costmap frame [m/s^2]; zero where nothing is known of it.
+  Point of(std::uint32_t id) const;
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.now_);
+  }
+
+ private:
+  struct One {
+    std::uint32_t id = 0;
+    Point velocity{0.0, 0.0};      // last [m/s]
+    Point acceleration{0.0, 0.0};  // mean of late [m/s^2]
+    double stamp = 0.0;            // of that velocity [s]
+    double leapt = 0.0;            // to another velocity, or seen first, last [s]
+
+    template <typename Self, typename Archive>
+    static void archive(Self& self, Archive& io) {
+      io(self.id, self.velocity, self.acceleration, self.stamp, self.leapt);
+    }
+  };
+  static const One* find(const std::vector<One>& all, std::uint32_t id, std::size_t from);
+
+  std::vector<One> before_, now_;
+};
+
+}  // namespace hidwa_local_planner
