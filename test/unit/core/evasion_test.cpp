@@ -188,7 +188,8 @@ TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
     ground.map.parameters.evasion_acceleration_time = k % 2 == 0 ? 0.6 : 0.0;
     Accelerations accelerations;
     MovingObstacleEstimate before = mover;
-    before.velocity += Point(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1));
+    const double dvx = random.uniform(-0.1, 0.1), dvy = random.uniform(-0.1, 0.1);
+    before.velocity += Point(dvx, dvy);
     for (const double time : {0.0, 0.25}) accelerations.watch({before}, time);
     accelerations.watch({mover}, 0.3);
     EvasionSearch search;
