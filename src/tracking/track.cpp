@@ -60,7 +60,6 @@ Segment largest_piece(const std::vector<Segment>& segments, const Track& track) 
 Sighting one_body(const Beams& beams, const Segment& segment, const Track& track, const TrackerSettings& settings) {
   Sighting s;
   s.body = fit_body(beams, segment, known_shape(track), settings.range_noise);
-  s.points = segment.points;
   s.small = is_small(s.body);
   s.free_before = lies_in_free(segment);
   s.whole = s.body.radius_seen;
@@ -90,7 +89,6 @@ Sighting two_legs(const Beams& beams, const std::vector<Segment>& segments, cons
     s.body.radius += leg.radius / n;
     s.body.distance += leg.distance / n;
     s.body.covariance += leg.covariance / (n * n);
-    s.points = std::max(s.points, segment.points);
     if (lies_in_free(segment)) ++free;
   }
   s.body.blur(kStride);
@@ -175,7 +173,6 @@ void correct_track(Track& track, const Sighting& sighting, const TrackerSettings
   ++track.sightings;
   track.free_sightings = sighting.free_before ? track.free_sightings + 1 : 0;
   if (sighting.whole) ++track.whole_sightings;
-  track.points = sighting.points;
   track.seen = b.time;
   track.through = 0.0;
   if ((track.filter.position() - track.stood_at).norm() > kStandingRange) {
@@ -188,7 +185,8 @@ void look_back(Track& track, const Beams& beams) {
   track.vacated_sightings = left_behind(track, beams) ? track.vacated_sightings + 1 : 0;
 }
 
-bool known_to_move(const Track& track, const Beams& beams, const Travel& travel, const TrackerSettings& settings) {
+bool known_to_move(const Track& track, const Beams& beams, const std::vector<Segment>& segments, const Travel& travel,
+                   const TrackerSettings& settings) {
   const double age = track.seen - track.begin;
   if (track.sightings < 3 || age < 0.14 || (track.sightings < 4 && age < 0.3)) return false;
   const double distance = (track.filter.position() - beams.centre).norm();
@@ -196,13 +194,14 @@ bool known_to_move(const Track& track, const Beams& beams, const Travel& travel,
   const double speed = track.filter.velocity().norm();
   if (speed < settings.min_speed + moved / age || speed > kFastest) return false;
   if (track.surprise > kSurprised) return false;  // it jumps, as what is none does
-  if (distance > kNear && track.points < kFarPoints) return false;
+  const std::size_t points = largest_piece(segments, track).points;
+  if (distance > kNear && points < kFarPoints) return false;
   const double way = track.distance_from_start() - moved;
   const bool certain = speed > kSignificant * track.filter.velocity_deviation() + moved / age ||
                        (way > kVacated && track.filter.velocity_deviation() < kSettledSpeed);
   if (!certain) return false;
   if (track.free_sightings >= std::min(track.sightings - 1, kFreeSightings)) return way > kLeft;
-  if (distance > kVacatedWithin || track.points < kPoints) return false;
+  if (distance > kVacatedWithin || points < kPoints) return false;
   const bool small = track.two_legs || track.radius < kLegRadius;  // beams pass beside what is thin, too
   const bool whole = 10 * track.whole_sightings >= 8 * track.sightings;
   if (!whole && small) return false;

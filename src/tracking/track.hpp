@@ -18,7 +18,6 @@ namespace tracking {
 /// What was seen of a track in a scan: of one body, or of two legs.
 struct Sighting {
   BodyFit body;
-  std::size_t points = 0;    // of its largest piece
   bool legs = false;         // the body is the middle of two legs
   bool small = false;        // as small as a leg
   bool free_before = false;  // a third of it lies where space was seen free
@@ -35,7 +34,6 @@ struct Track {
   double radius_variance = 0.0;   // of its changes from scan to scan, of late [m^2]
   double unevenness = 0.0;        // of its surface, of late [m]
   bool two_legs = false;          // they were seen apart once
-  std::size_t points = 0;         // of its largest piece, last
   int sightings = 0;
   int free_sightings = 0;     // the last ones, where space was seen free
   int vacated_sightings = 0;  // the last ones, when its first place was seen through
@@ -74,8 +72,9 @@ void look_back(Track& track, const Beams& beams);
 
 /// True once a track is known to move: it left its place faster and farther than noise and odometry explain, and it
 /// either stands where space was seen free, or its first place is seen through now; in three scans in a row where it is
-/// not seen whole. What shows few points must be near.
-bool known_to_move(const Track& track, const Beams& beams, const Travel& travel, const TrackerSettings& settings);
+/// not seen whole. What shows few points must be near. It has segments in this scan.
+bool known_to_move(const Track& track, const Beams& beams, const std::vector<Segment>& segments, const Travel& travel,
+                   const TrackerSettings& settings);
 
 /// Whether it goes faster now than noise explains. Who has just begun to walk is still near where he stood.
 bool walks(const Track& track, const TrackerSettings& settings);

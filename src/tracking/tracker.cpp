@@ -207,7 +207,7 @@ class Tracker::Impl {
     for (Track& t : tracks_) {
       if (t.confirmed || t.segment_count == 0) continue;
       tracking::look_back(t, beams_);
-      if (!tracking::known_to_move(t, beams_, travel_, settings_)) continue;
+      if (!tracking::known_to_move(t, beams_, segments_, travel_, settings_)) continue;
       t.confirmed = true;
       t.id = ++last_id_;
     }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "core/movers/mover_memory.hpp"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
@@ -14,17 +13,15 @@ namespace hidwa_local_planner {
 /// closer than by the velocity alone. Detectors need not tell it.
 class Accelerations {
  public:
-  static constexpr std::size_t kMost = 64;
   /// What changes faster has leapt to another velocity, which says nothing of the next change [m/s^2].
   static constexpr double kLeap = 8.0;
   /// So much of it is believed at most [m/s^2].
   static constexpr double kBelieved = 4.0;
 
-  Accelerations();
-  void forget() { now_.clear(); }
-  bool any() const { return !now_.empty(); }
+  void forget() { memory_.forget(); }
+  bool any() const { return memory_.any(); }
 
-  /// Once a cycle, at its start [s]. Of more than kMost the first ones.
+  /// Once a cycle, at its start [s]. Of more than can be remembered the first ones.
   void watch(const MovingObstacleEstimates& movers, double time);
 
   /// That of the one with this id, costmap frame [m/s^2]; zero where nothing is known of it.
@@ -32,7 +29,7 @@ class Accelerations {
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.now_);
+    io(self.memory_);
   }
 
  private:
@@ -48,9 +45,8 @@ class Accelerations {
       io(self.id, self.velocity, self.acceleration, self.stamp, self.leapt);
     }
   };
-  static const One* find(const std::vector<One>& all, std::uint32_t id, std::size_t from);
 
-  std::vector<One> before_, now_;
+  MoverMemory<One> memory_;
 };
 
 }  // namespace hidwa_local_planner

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include "core/movers/mover_memory.hpp"
 
 namespace hidwa_local_planner {
 
@@ -13,34 +13,28 @@ namespace hidwa_local_planner {
 /// a robot that moves is not among them.
 class Leaving {
  public:
-  static constexpr std::size_t kMost = 64;
   /// So long it has stood there before it is left [s].
   static constexpr double kPatience = 1.0;
 
-  Leaving() { reserve(); }
-  void forget() {
-    before_.clear();
-    now_.clear();
-  }
+  void forget() { memory_.forget(); }
   /// Once a cycle, before any admit(). `period`: since the cycle before [s].
   void begin(double period) {
     period_ = period;
-    before_.swap(now_);
-    now_.clear();
+    memory_.begin();
   }
   /// Whether it may leave this one, whose set is around it. `rests`: the robot does.
   bool admit(std::uint32_t id, bool rests) {
-    const auto known = std::find_if(before_.begin(), before_.end(), [id](const One& one) { return one.id == id; });
-    if ((!rests && known == before_.end()) || now_.size() >= kMost) return false;
-    now_.push_back({id, known == before_.end() ? 0.0 : std::min(known->stood + period_, kPatience)});
-    return now_.back().stood > kPatience - kSame;
+    const One* known = memory_.before(id);
+    if ((!rests && known == nullptr) || memory_.full()) return false;
+    const double stood = known == nullptr ? 0.0 : std::min(known->stood + period_, kPatience);
+    return memory_.keep({id, stood}).stood > kPatience - kSame;
   }
   /// Something stands so near, whether it may be left yet or not.
-  bool any() const { return !now_.empty(); }
+  bool any() const { return memory_.any(); }
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.now_);
+    io(self.memory_);
   }
 
  private:
@@ -54,12 +48,8 @@ class Leaving {
       io(self.id, self.stood);
     }
   };
-  void reserve() {
-    before_.reserve(kMost);
-    now_.reserve(kMost);
-  }
-  double period_ = 0.0;            // [s]
-  std::vector<One> before_, now_;  // of the cycle before, and of this one
+  double period_ = 0.0;  // [s]
+  MoverMemory<One> memory_;
 };
 
 }  // namespace hidwa_local_planner

@@ -28,9 +28,7 @@ void Planner::set_footprint(const Polygon& outline) { impl_->set_footprint(outli
 void Planner::reset() {
   impl_->critics.reset();
   impl_->recovery.reset();
-  impl_->movers.forget();
-  impl_->accelerations.forget();
-  impl_->evasion.note(false);
+  impl_->forget_movers();
 }
 
 Twist2 Planner::believed(const Twist2& measured) const {
@@ -41,18 +39,17 @@ void Planner::save(Bytes& state) const {
   ArchiveWriter write(state);
   write(impl_->start_estimator, impl_->recovery);
   impl_->critics.save(write);
-  const bool changes = impl_->accelerations.any(), evades = impl_->evasion.goes_on() || changes;
-  if (impl_->movers.leaving() || evades) write(impl_->movers);
-  if (evades) write(impl_->evasion);
-  if (changes) write(impl_->accelerations);
+  // Each of these needs those before it.
+  const bool accelerates = impl_->accelerations.any(), evades = impl_->evasion.goes_on();
+  if (impl_->movers.leaving() || evades || accelerates) write(impl_->movers);
+  if (evades || accelerates) write(impl_->evasion);
+  if (accelerates) write(impl_->accelerations);
 }
 
 bool Planner::load(const Bytes& state) {
   ArchiveReader read(state);
   impl_->critics.reset();
-  impl_->movers.forget();
-  impl_->accelerations.forget();
-  impl_->evasion.note(false);
+  impl_->forget_movers();
   read(impl_->start_estimator, impl_->recovery);  // a search that is under way here already is gone on with
   impl_->critics.load(read);
   if (read.more()) read(impl_->movers);

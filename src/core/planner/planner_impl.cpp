@@ -82,6 +82,13 @@ bool Planner::Impl::movers_count(const CycleStart& start) const {
          std::all_of(all.begin(), all.end(), [](const auto& one) { return plausible(one); });
 }
 
+// What is remembered of them.
+void Planner::Impl::forget_movers() {
+  movers.forget();
+  accelerations.forget();
+  evasion.note(false);
+}
+
 // Null where what moves counts as keeping its velocity.
 const Accelerations* Planner::Impl::watch_movers(const CycleStart& start, bool count) {
   if (!count || parameters.evasion_time <= 0.0 || parameters.evasion_acceleration_time <= 0.0) {

@@ -103,8 +103,8 @@ void EvasionSearch::find_near(const Scene& scene, const State& from, const Span&
   const Stopping stops = stopping(scene, fastest_);
   for (const Mover& mover : movers_) {
     // To where it is in the middle of the span.
-    const double dx = mover.x + mover.vx * middle + mover.ax * bent - from.x;
-    const double dy = mover.y + mover.vy * middle + mover.ay * bent - from.y;
+    const double dx = mover.x_at(middle, bent) - from.x;
+    const double dy = mover.y_at(middle, bent) - from.y;
     const double speed =
         std::abs(mover.vx) + std::abs(mover.vy) + bends_for_ * (std::abs(mover.ax) + std::abs(mover.ay));
     const double half = 0.5 * length * speed;
@@ -132,8 +132,8 @@ bool EvasionSearch::must_stop(const Scene& scene, const State& state, double tim
   const double own = scene.footprint.circumscribed_radius() + stops.room, then = time + stops.time, bent = bend(then);
   const double x = state.x + stops.way * state.heading.c, y = state.y + stops.way * state.heading.s;
   return std::any_of(near_.begin(), near_.end(), [&](const Mover& mover) {
-    const double dx = mover.x + mover.vx * then + mover.ax * bent - x;
-    const double dy = mover.y + mover.vy * then + mover.ay * bent - y;
+    const double dx = mover.x_at(then, bent) - x;
+    const double dy = mover.y_at(then, bent) - y;
     const double most = own + mover.radius;
     if (dx * dx + dy * dy >= most * most) return false;
     const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
@@ -146,8 +146,8 @@ double EvasionSearch::nearness(const Scene& scene, const State& state, double ti
   const double own = scene.footprint.circumscribed_radius(), bent = bend(time);
   double sum = 0.0;
   for (const Mover& mover : near_) {
-    const double dx = mover.x + mover.vx * time + mover.ax * bent - state.x;
-    const double dy = mover.y + mover.vy * time + mover.ay * bent - state.y;
+    const double dx = mover.x_at(time, bent) - state.x;
+    const double dy = mover.y_at(time, bent) - state.y;
     const double kept = mover.kept + mover.kept_grows * time;
     const double most = own + mover.radius + kept;
     if (dx * dx + dy * dy >= most * most) continue;
@@ -308,8 +308,8 @@ double EvasionSearch::touched_early(const Scene& scene, const State& state, doub
   const double bends = std::min(time, bends_for_), bent = bend(time);
   double first = rest;
   for (const Mover& mover : movers_) {
-    const double dx = mover.x + mover.vx * time + mover.ax * bent - state.x;
-    const double dy = mover.y + mover.vy * time + mover.ay * bent - state.y;
+    const double dx = mover.x_at(time, bent) - state.x;
+    const double dy = mover.y_at(time, bent) - state.y;
     const double vx = mover.vx + mover.ax * bends - state.v * state.heading.c;
     const double vy = mover.vy + mover.ay * bends - state.v * state.heading.s;
     const double closes = -(dx * vx + dy * vy), radius = own + mover.radius;

@@ -92,6 +92,10 @@ class EvasionSearch {
     double radius;              // [m]
     double kept, kept_grows;    // D and how fast it grows [m], [m/s]
     double ax = 0.0, ay = 0.0;  // while it goes on changing its velocity [m/s^2]
+
+    // At a time; `bent`: what bend() says of it.
+    double x_at(double time, double bent) const { return x + vx * time + ax * bent; }
+    double y_at(double time, double bent) const { return y + vy * time + ay * bent; }
   };
   struct State {
     double x = 0.0, y = 0.0;
