@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/movers/accelerations.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hidwa_local_planner {
 namespace {
 
-constexpr double kMemory = 0.1;      // what was so long ago counts 1/e as much [s]
-constexpr double kSameStamp = 1e-4;  // estimates that are no farther apart are one [s]
-constexpr double kSettles = 0.2;     // for which an estimate follows a leap, or a new track its body [s]
-constexpr double kLongAgo = 0.5;     // an estimate that was so long ago says nothing [s]
+constexpr double kMemory = 0.2;              // what was so long ago counts 1/e as much [s]
+constexpr double kExplains = 1.5 / kMemory;  // so much of an acceleration, per deviation of the velocity [1/s]
+constexpr double kSameStamp = 1e-4;          // estimates that are no farther apart are one [s]
+constexpr double kSettles = 0.2;             // for which an estimate follows a leap, or a new track its body [s]
+constexpr double kLongAgo = 0.5;             // an estimate that was so long ago says nothing [s]
 
 }  // namespace
 
@@ -24,7 +26,7 @@ void Accelerations::watch(const MovingObstacleEstimates& movers, double time) {
       memory_.keep(*last);
       continue;
     }
-    One one{mover.id, mover.velocity, Point(0.0, 0.0), stamp, stamp};
+    One one{mover.id, mover.velocity, Point(0.0, 0.0), kExplains * mover.velocity_deviation, stamp, stamp};
     if (elapsed > 0.0 && elapsed < kLongAgo) {
       const Point change = (one.velocity - last->velocity) / elapsed;
       const double share = 1.0 - std::exp(-elapsed / kMemory);
@@ -38,8 +40,8 @@ void Accelerations::watch(const MovingObstacleEstimates& movers, double time) {
 Point Accelerations::of(std::uint32_t id) const {
   const One* one = memory_.now(id);
   if (one == nullptr || !one->acceleration.allFinite()) return {0.0, 0.0};  // not where it was loaded damaged
-  const double size = one->acceleration.norm();
-  return size > kBelieved ? Point(kBelieved / size * one->acceleration) : one->acceleration;
+  const double size = one->acceleration.norm(), counts = std::min(size - one->explained, kBelieved);
+  return counts > 0.0 ? Point(counts / size * one->acceleration) : Point(0.0, 0.0);
 }
 
 }  // namespace hidwa_local_planner

@@ -10,11 +10,12 @@
 namespace hidwa_local_planner {
 
 /// How moving obstacles change their velocities of late, by how their estimates differ: a way that bends is foretold
-/// closer than by the velocity alone. Detectors need not tell it.
+/// closer than by the velocity alone. Detectors need not tell it. Velocities that are not known well differ by chance:
+/// what their deviations explain does not count.
 class Accelerations {
  public:
   /// What changes faster has leapt to another velocity, which says nothing of the next change [m/s^2].
-  static constexpr double kLeap = 8.0;
+  static constexpr double kLeap = 5.0;
   /// So much of it is believed at most [m/s^2].
   static constexpr double kBelieved = 4.0;
 
@@ -37,12 +38,13 @@ class Accelerations {
     std::uint32_t id = 0;
     Point velocity{0.0, 0.0};      // last [m/s]
     Point acceleration{0.0, 0.0};  // mean of late [m/s^2]
+    double explained = 0.0;        // so much of it the deviation of the velocity explains [m/s^2]
     double stamp = 0.0;            // of that velocity [s]
     double leapt = 0.0;            // to another velocity, or seen first, last [s]
 
     template <typename Self, typename Archive>
     static void archive(Self& self, Archive& io) {
-      io(self.id, self.velocity, self.acceleration, self.stamp, self.leapt);
+      io(self.id, self.velocity, self.acceleration, self.explained, self.stamp, self.leapt);
     }
   };
 
