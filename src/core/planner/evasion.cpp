@@ -55,10 +55,7 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
   better_.clear();
   better_.reserve(64);
   own_.reserve(2);
-  if (!search_.look(scene, situation.moving_obstacles) || search_.untroubled(scene, own)) return false;
-  guide_.prepare(situation.plan, situation.goal, scene.start.pose, cycle.limits,
-                 EvasionSearch::reach(cycle.parameters, cycle.limits));
-  if (!guide_.any()) return false;
+  if (!search_.look(scene, situation.moving_obstacles) || stays(cycle, scene, own, goes_back)) return false;
   own_.assign(1, own);
   if (goes_on_ && is_finite(motion_)) own_.push_back(cycle.limits.clamp(motion_));  // not where it was loaded damaged
   search_.run(scene, guide_, own_);
@@ -69,9 +66,8 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
   }
   const std::vector<EvasionSearch::Branch>& branches = search_.branches();
   if (goes_back && branches[0].cost < EvasionSearch::kTouched) return false;
-  const double better_by = goes_on_ ? kStillBetter : kClearlyBetter;
   for (std::size_t i = 1; i < branches.size(); ++i) {
-    if (!(branches[i].cost < branches[0].cost - better_by)) continue;
+    if (!(branches[i].cost < branches[0].cost - better_by())) continue;
     better_.push_back(branches[i]);
     if (i < own_.size()) better_.back().cost -= kKeeps;
   }
@@ -79,6 +75,18 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
     return std::tie(a.cost, a.motion.v, a.motion.omega) < std::tie(b.cost, b.motion.v, b.motion.omega);
   });
   return !better_.empty();
+}
+
+double Evasion::better_by() const { return goes_on_ ? kStillBetter : kClearlyBetter; }
+
+// Without a search: where the own motion, kept, is about as good as any way can be.
+bool Evasion::stays(const Cycle& cycle, const EvasionSearch::Scene& scene, const Twist2& own, bool goes_back) {
+  const EvasionSearch::Kept kept = search_.keep(scene, own);
+  if (kept.untroubled || (goes_back && kept.untouched)) return true;
+  guide_.prepare(cycle.situation.plan, cycle.situation.goal, scene.start.pose, cycle.limits,
+                 EvasionSearch::reach(cycle.parameters, cycle.limits));
+  if (!guide_.any()) return true;
+  return kept.untouched && kept.cost(guide_) - better_by() <= search_.least(scene, guide_);
 }
 
 int Evasion::choose(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks) {

@@ -42,6 +42,8 @@ class Evasion {
   }
 
  private:
+  bool stays(const Cycle& cycle, const EvasionSearch::Scene& scene, const Twist2& own, bool goes_back);
+  double better_by() const;
   int nearest_legal(const Cycle& cycle, const Candidates& candidates, LazyChecks& checks, const Twist2& motion);
 
   EvasionSearch search_;

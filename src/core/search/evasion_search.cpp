@@ -213,18 +213,34 @@ bool EvasionSearch::go(const Scene& scene, const MotionFan& fan, std::size_t i, 
   return true;
 }
 
-bool EvasionSearch::untroubled(const Scene& scene, const Twist2& motion) {
+EvasionSearch::Kept EvasionSearch::keep(const Scene& scene, const Twist2& motion) {
   State state{scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega};
   first_fan_.clear();
   first_fan_.add(motion);
+  Kept kept;
+  kept.untouched = kept.untroubled = true;
   for (const Span& span : spans_) {
-    find_near(scene, state, span);
-    first_fan_.unfold(scene.limits, state.heading, {state.v, state.omega}, span.step);
-    const bool free = go(scene, first_fan_, 0, span, state);
+    const State from = state;
+    find_near(scene, from, span);
+    first_fan_.unfold(scene.limits, from.heading, {from.v, from.omega}, span.step);
+    kept.untouched = go(scene, first_fan_, 0, span, state);
+    state.unrest += unrest(from, state);
     const bool stopped = state.v != first_fan_.speed(0).v.back();
-    if (!free || stopped || state.nearness > 0.0) return false;
+    kept.untroubled = kept.untroubled && kept.untouched && !stopped && state.nearness <= 0.0;
+    if (!kept.untouched) break;
   }
-  return true;
+  kept.spent = state.nearness + state.unrest;
+  kept.x = state.x;
+  kept.y = state.y;
+  kept.heading = state.heading;
+  return kept;
+}
+
+double EvasionSearch::least(const Scene& scene, const PlanGuide& guide) const {
+  const double slower = std::max(0.0, fastest_ - std::abs(scene.velocity.v));
+  const double speeds_up = std::min(horizon_, slower / scene.limits.x.acc);
+  const double lost = slower * speeds_up - 0.5 * scene.limits.x.acc * speeds_up * speeds_up;
+  return guide.least_left(scene.start.pose.x, scene.start.pose.y, fastest_ * horizon_ - lost);
 }
 
 // The own ones first. All within what the wheels allow.
@@ -289,7 +305,7 @@ void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const Sta
     State state = from;
     if (begins) state.first = static_cast<std::uint32_t>(i);
     const bool free = go(scene, fan, i, span, state);
-    state.unrest += kTurning * std::abs(state.omega - from.omega) + kSpeeding * std::abs(state.v - from.v);
+    state.unrest += unrest(from, state);
     state.cost = state.nearness + state.unrest + guide.time_left(state.x, state.y, state.heading);
     if (free) {
       state.promise = state.cost + touched_early(scene, state, span.end());
@@ -319,6 +335,10 @@ double EvasionSearch::touched_early(const Scene& scene, const State& state, doub
     if (root > 0.0) first = std::min(first, (closes - std::sqrt(root)) / speed);
   }
   return rest - first;
+}
+
+double EvasionSearch::unrest(const State& from, const State& to) {
+  return kTurning * std::abs(to.omega - from.omega) + kSpeeding * std::abs(to.v - from.v);
 }
 
 void EvasionSearch::note_touched(const State& state) {

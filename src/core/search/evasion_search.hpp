@@ -69,13 +69,25 @@ class EvasionSearch {
     double until = 0.0;  // untouched so long; infinite where that is the whole time [s]
   };
 
+  /// Where a robot comes to that keeps one motion.
+  struct Kept {
+    bool untouched = false;   // up to the end
+    bool untroubled = false;  // and nothing comes near
+    double spent = 0.0;       // what coming near and changes of velocity cost [s]
+    double x = 0.0, y = 0.0;  // at the end [m]
+    Rotation heading;
+    double cost(const PlanGuide& guide) const { return spent + guide.time_left(x, y, heading); }
+  };
+
   EvasionSearch();
   /// How far ahead it looks [m]: nothing farther from the robot counts.
   static double reach(const Parameters& parameters, const VelocityLimits& limits);
   /// Whether anything that moves may come near. Before everything else.
   bool look(const Scene& scene, const MovingObstacleEstimates& movers);
-  /// Whether nothing comes near if the robot keeps this motion.
-  bool untroubled(const Scene& scene, const Twist2& motion);
+  /// What becomes of a robot that keeps this motion up to the end.
+  Kept keep(const Scene& scene, const Twist2& motion);
+  /// No way costs less [s]: one that gets on as fast as the robot can, and comes near nothing.
+  double least(const Scene& scene, const PlanGuide& guide) const;
   /// `own`: first motions of which ways are always followed up; branches() begins with what they come to. There is one
   /// at least.
   void run(const Scene& scene, const PlanGuide& guide, const std::vector<Twist2>& own);
@@ -135,6 +147,7 @@ class EvasionSearch {
   bool blocked(const Scene& scene, const State& state) const;
   void extend(const Scene& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
   double touched_early(const Scene& scene, const State& state, double time) const;
+  static double unrest(const State& from, const State& to);
   void note_touched(const State& state);
   void keep_best();
   const State* best_of(std::size_t first) const;

@@ -70,8 +70,19 @@ void PlanGuide::direct() {
   }
 }
 
-// Along the nearest stretch between two stations, or beyond its ends.
 double PlanGuide::time_left(double x, double y, const Rotation& heading) const {
+  const Place at = place(x, y);
+  const double direct = std::sqrt(at.join_x * at.join_x + at.join_y * at.join_y);
+  const double cosine = direct > 0.0 ? (heading.c * at.join_x + heading.s * at.join_y) / direct : 1.0;
+  return at.way * inverse_speed_ + turn_weight_ * std::min(at.left, 1.0) * (1.0 - cosine);
+}
+
+double PlanGuide::least_left(double x, double y, double way) const {
+  return std::max(0.0, place(x, y).way - way) * inverse_speed_;
+}
+
+// On the nearest stretch between two stations, or beyond its ends.
+PlanGuide::Place PlanGuide::place(double x, double y) const {
   double least = std::numeric_limits<double>::infinity(), along = 0.0, left = 0.0;
   const Station* at = &points_.front();
   for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
@@ -88,11 +99,8 @@ double PlanGuide::time_left(double x, double y, const Rotation& heading) const {
     }
   }
   const double join = std::min(kRejoin, std::max(left, 0.25 * kRejoin));
-  const double to_x = at->x + (along + join) * at->forward_x - x, to_y = at->y + (along + join) * at->forward_y - y;
-  const double direct = std::sqrt(to_x * to_x + to_y * to_y);
-  const double cosine = direct > 0.0 ? (heading.c * to_x + heading.s * to_y) / direct : 1.0;
-  const double way = left + std::sqrt(least + join * join) - join;
-  return way * inverse_speed_ + turn_weight_ * std::min(left, 1.0) * (1.0 - cosine);
+  return {left, left + std::sqrt(least + join * join) - join, at->x + (along + join) * at->forward_x - x,
+          at->y + (along + join) * at->forward_y - y};
 }
 
 }  // namespace hidwa_local_planner

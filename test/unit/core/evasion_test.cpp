@@ -184,18 +184,20 @@ TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
     mover.position_deviation = random.uniform(0.0, 0.3);
     mover.velocity_deviation = random.uniform(0.0, 0.2);
     mover.age = random.uniform(0.0, 0.2);
-    // Each other one keeps changing its velocity, by 1.1 m/s2 at most, for 0.6 s.
+    // Each other one keeps changing its velocity, by 0.6 m/s2 at most, for 0.6 s.
     ground.map.parameters.evasion_acceleration_time = k % 2 == 0 ? 0.6 : 0.0;
     Accelerations accelerations;
     MovingObstacleEstimate before = mover;
     const double dvx = random.uniform(-0.1, 0.1), dvy = random.uniform(-0.1, 0.1);
     before.velocity += Point(dvx, dvy);
     for (const double time : {0.0, 0.25}) accelerations.watch({before}, time);
-    accelerations.watch({mover}, 0.3);
+    before = mover;
+    before.velocity_deviation = 0.0;  // so that all of it counts
+    accelerations.watch({before}, 0.3);
     EvasionSearch search;
     EvasionSearch::Scene scene = ground.scene(from);
     scene.accelerations = &accelerations;
-    const bool untroubled = !search.look(scene, {mover}) || search.untroubled(scene, motion);
+    const bool untroubled = !search.look(scene, {mover}) || search.keep(scene, motion).untroubled;
     const double gap = slow_least_gap(ground, from, motion, scene.delay, mover, accelerations.of(mover.id));
     // Between two looks, 0.13 s apart at most, they close up by half of 0.13 * (2.1 + 0.5 + 0.36 + 0.2) m, and the
     // ramps differ by a little.
@@ -211,13 +213,52 @@ TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
   EXPECT_GT(far, 50);
 }
 
+// 0.2 m/s at first, 0.5 m/s after 0.12 s at 2.5 m/s2, which loses 0.3 x 0.12 / 2 = 0.018 m: 1.482 m in 3 s. The robot
+// drives along the plan, and somebody stands beside it.
+TEST(EvasionSearches, AMotionThatIsKeptCostsWhatItComesTo) {
+  OpenGround ground;
+  EvasionSearch search;
+  const EvasionSearch::Scene scene = ground.scene({0.2, 0.0});
+  const double fastest = ground.guide.time_left(0.0, 0.0, {1.0, 0.0}) - 1.482 / 0.5;
+  ASSERT_TRUE(search.look(scene, {disc_at(2.0, 1.5, 0.0, 0.0)}));
+  EvasionSearch::Kept kept = search.keep(scene, {0.5, 0.0});
+  EXPECT_TRUE(kept.untouched && kept.untroubled);
+  EXPECT_NEAR(search.least(scene, ground.guide), fastest, 1e-9);
+  EXPECT_NEAR(kept.cost(ground.guide), fastest + 0.2 * 0.3, 0.02);  // and 0.2 s per m/s; steps are 0.13 s long
+  // Nearer he costs something, and who stands in the way more than all of that.
+  ASSERT_TRUE(search.look(scene, {disc_at(1.3, 0.75, 0.0, 0.0)}));
+  kept = search.keep(scene, {0.5, 0.0});
+  EXPECT_TRUE(kept.untouched && !kept.untroubled);
+  EXPECT_GT(kept.cost(ground.guide), fastest + 0.2 * 0.3 + 0.02);
+  ASSERT_TRUE(search.look(scene, {disc_at(1.2, 0.0, -1.0, 0.0)}));
+  kept = search.keep(scene, {0.5, 0.0});
+  EXPECT_FALSE(kept.untouched || kept.untroubled);
+}
+
+// Whatever moves, and however the robot does.
+TEST(EvasionSearches, NoWayCostsLessThanTheLeast) {
+  Random random(31);
+  OpenGround ground;
+  double closest = 1e9;
+  for (int k = 0; k < 200; ++k) {
+    const EvasionSearch::Scene scene = ground.scene({random.uniform(-0.2, 0.5), random.uniform(-1.0, 1.0)});
+    EvasionSearch search;
+    if (!search.look(scene, {random_disc(random)})) continue;
+    const double least = search.least(scene, ground.guide);
+    search.run(scene, ground.guide, {{0.5, 0.0}});
+    EXPECT_GE(search.cheapest(), least - 1e-9) << k;
+    closest = std::min(closest, search.cheapest() - least);
+  }
+  EXPECT_LT(closest, 0.1);
+}
+
 // From behind somebody comes faster than the robot can drive: straight on every way is touched, and aside none need be.
 TEST(EvasionSearches, FindAWayAside) {
   OpenGround ground;
   EvasionSearch search;
   const EvasionSearch::Scene scene = ground.scene({0.5, 0.0});
   ASSERT_TRUE(search.look(scene, {disc_at(-1.9, 0.0, 1.0, 0.0)}));
-  EXPECT_FALSE(search.untroubled(scene, {0.5, 0.0}));
+  EXPECT_FALSE(search.keep(scene, {0.5, 0.0}).untroubled);
   search.run(scene, ground.guide, {{0.5, 0.0}});
   double least = std::numeric_limits<double>::infinity(), turn = 0.0;
   for (const EvasionSearch::Branch& branch : search.branches()) {
