@@ -7,11 +7,16 @@
 namespace hidwa_local_planner {
 namespace {
 
-constexpr double kMemory = 0.2;              // what was so long ago counts 1/e as much [s]
-constexpr double kExplains = 1.5 / kMemory;  // so much of an acceleration, per deviation of the velocity [1/s]
-constexpr double kSameStamp = 1e-4;          // estimates that are no farther apart are one [s]
-constexpr double kSettles = 0.2;             // for which an estimate follows a leap, or a new track its body [s]
-constexpr double kLongAgo = 0.5;             // an estimate that was so long ago says nothing [s]
+constexpr double kMemory = 0.2;               // what was so long ago counts 1/e as much [s]
+constexpr double kExplains = 1.25 / kMemory;  // so much of an acceleration, per deviation of the velocity [1/s]
+constexpr double kSameStamp = 1e-4;           // estimates that are no farther apart are one [s]
+constexpr double kSettles = 0.2;              // for which an estimate follows a leap, or a new track its body [s]
+constexpr double kLongAgo = 0.5;              // an estimate that was so long ago says nothing [s]
+
+Point no_more_than(double most, const Point& vector) {
+  const double size = vector.norm();
+  return size > most ? Point(most / size * vector) : vector;
+}
 
 }  // namespace
 
@@ -31,7 +36,9 @@ void Accelerations::watch(const MovingObstacleEstimates& movers, double time) {
       const Point change = (one.velocity - last->velocity) / elapsed;
       const double share = 1.0 - std::exp(-elapsed / kMemory);
       if (change.norm() < kLeap) one.leapt = last->leapt;
-      if (stamp - one.leapt > kSettles) one.acceleration = last->acceleration + share * (change - last->acceleration);
+      if (stamp - one.leapt > kSettles) {
+        one.acceleration = last->acceleration + share * (no_more_than(kBelieved, change) - last->acceleration);
+      }
     }
     memory_.keep(one);
   }
@@ -40,8 +47,8 @@ void Accelerations::watch(const MovingObstacleEstimates& movers, double time) {
 Point Accelerations::of(std::uint32_t id) const {
   const One* one = memory_.now(id);
   if (one == nullptr || !one->acceleration.allFinite()) return {0.0, 0.0};  // not where it was loaded damaged
-  const double size = one->acceleration.norm(), counts = std::min(size - one->explained, kBelieved);
-  return counts > 0.0 ? Point(counts / size * one->acceleration) : Point(0.0, 0.0);
+  const double size = one->acceleration.norm(), counts = size - one->explained;
+  return counts > 0.0 ? no_more_than(std::min(counts, kBelieved), one->acceleration) : Point(0.0, 0.0);
 }
 
 }  // namespace hidwa_local_planner

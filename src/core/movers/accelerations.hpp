@@ -15,9 +15,9 @@ namespace hidwa_local_planner {
 class Accelerations {
  public:
   /// What changes faster has leapt to another velocity, which says nothing of the next change [m/s^2].
-  static constexpr double kLeap = 5.0;
-  /// So much of it is believed at most [m/s^2].
-  static constexpr double kBelieved = 4.0;
+  static constexpr double kLeap = 8.0;
+  /// Of each change so much is believed at most [m/s^2]: an estimate that was wrong comes back within a scan or two.
+  static constexpr double kBelieved = 2.5;
 
   void forget() { memory_.forget(); }
   bool any() const { return memory_.any(); }

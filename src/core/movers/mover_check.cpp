@@ -20,6 +20,9 @@ constexpr double kAnySpacing = 1e3;
 // Moments that differ by less are one [s].
 constexpr double kSameMoment = 1e-9;
 
+// For rounding [m], and of a part [1].
+constexpr double kRounding = 1e-6;
+
 // What is slower stands, and may be left [m/s]; the robot's outermost point is no faster then [m/s].
 constexpr double kStands = 0.3;
 constexpr double kLeavesAt = 0.15;
@@ -114,6 +117,17 @@ void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& lim
   for (Look* look : {&coarse_, &fine_}) {
     for (Lead& lead : look->leads) lead.roller.reset();
   }
+  divide_window();
+}
+
+// What a command may come to within a period, whichever way.
+void MoverCheck::divide_window() {
+  const Twist2 half{std::max(limits_->x.acc, limits_->x.braking) * start_.period,
+                    std::max(limits_->theta.acc, limits_->theta.braking) * start_.period};
+  window_ = {start_.reference.v - half.v, start_.reference.omega - half.omega};
+  part_ = {2.0 * half.v / kParts, 2.0 * half.omega / kParts};
+  parts_.fill({});
+  in_parts_ = std::none_of(near_.begin(), near_.end(), [](const Near& near) { return near.leaves; });
 }
 
 // What is too far away to be met until rest, whatever it and the robot do, is left out.
@@ -145,8 +159,86 @@ bool MoverCheck::around(const ReachableSet& set) const {
 bool MoverCheck::answer(const Twist2& command, Look& look) {
   Answer& known = look.answers[hash_of(command) % kAnswers];
   if (known.cycle == cycle_ && known.command == command) return known.free;
-  known = {command, cycle_, rests_untouched(command, look)};
+  known = {command, cycle_, (!look.fine && part_free(command)) || rests_untouched(command, look)};
   return known.free;
+}
+
+// Whether all commands of its part of the window are free.
+bool MoverCheck::part_free(const Twist2& command) {
+  const double v = (command.v - window_.v) / part_.v, omega = (command.omega - window_.omega) / part_.omega;
+  const auto inside = [](double at) { return at >= -kRounding && at <= kParts + kRounding; };
+  if (!in_parts_ || !inside(v) || !inside(omega)) return false;
+  const auto place = [](double at) { return std::min(kParts - 1, static_cast<std::size_t>(std::max(0.0, at))); };
+  const std::size_t i = place(v), j = place(omega);
+  Part& part = parts_[i * kParts + j];
+  if (part.looked_at) return part.free;
+  part.looked_at = true;
+  const Twist2 middle{window_.v + (static_cast<double>(i) + 0.5) * part_.v,
+                      window_.omega + (static_cast<double>(j) + 0.5) * part_.omega};
+  const LateTimes times(latest_hold(start_.period, start_.longest_period), start_.period, false);
+  for (std::size_t motion = 0; motion < start_.pending->likely(); ++motion) {
+    const PendingMotion& pending = (*start_.pending)[motion];
+    const double margin = part_margin(pending);
+    const bool free = times.all_of([&](double hold) {
+      const BrakeManoeuvre manoeuvre{start_.origin, pending, middle, start_.period, hold};
+      Lead& lead = coarse_.leads[motion];
+      return lead_free(manoeuvre, coarse_, lead) && free_with_margin(manoeuvre, margin, *lead.roller);
+    });
+    if (!free) return false;
+  }
+  part.free = true;
+  return true;
+}
+
+// How much farther than in the middle one's manoeuvre a point of the robot may be in another one's, at equal times,
+// and what can_rest() asks of that one beside it. Until a command is reached, within a period, both velocities lie
+// between that of `pending` and their commands; from then on they differ by no more than the commands do, since both
+// brake alike. So ways and headings come to differ by the integrals ds and dtheta of these, and the distance by
+// ds + (radius + reach) dtheta: see brake_manoeuvre.hpp.
+double MoverCheck::part_margin(const PendingMotion& pending) const {
+  const auto apart = [this](double end, double least, double part) {
+    const double reaching = std::max(std::abs(end - least), std::abs(end - least - kParts * part));
+    return start_.period * reaching + duration_ * 0.5 * part;
+  };
+  const double way = apart(pending.end().v, window_.v, part_.v);
+  const double turn = apart(pending.end().omega, window_.omega, part_.omega);
+  return way + (radius_ + reach_) * turn + most_drift_ + 0.5 * kShortStep * fastest_ + kRounding;
+}
+
+// Without gaps in time, up to when the last command of the part has come to rest.
+bool MoverCheck::free_with_margin(const BrakeManoeuvre& manoeuvre, double margin, const ManoeuvreRoller& lead) const {
+  ManoeuvreRoller roller = lead;
+  TurnedPose pose = roller.at();
+  double time = roller.time();
+  const auto stands = [&](double until) {
+    while (time < until - kSameMoment) {
+      time = std::min(time + kLongStep, until);
+      if (!clear_of_all(pose, time, margin)) return false;
+    }
+    return true;
+  };
+  const auto visit = [&](const TurnedPose& at) {
+    if (!stands(roller.time() - roller.step().duration)) return false;
+    pose = at;
+    time = roller.time();
+    return clear_of_all(pose, time, margin);
+  };
+  return clear_of_all(pose, time, margin) && roller.roll_to_rest(manoeuvre, visit) && stands(duration_);
+}
+
+// Likewise half a long step before and after.
+bool MoverCheck::clear_of_all(const TurnedPose& at, double time, double margin) const {
+  return std::all_of(near_.begin(), near_.end(), [&](const Near& near) {
+    const ReachableSet& set = near.set;
+    const double more = margin + 0.5 * kShortStep * set.fastest();
+    const auto apart = [&](const Point& centre, double radius, double closing) {
+      const Point seen = seen_from(at, centre);
+      const double most = radius + more + 0.5 * kLongStep * closing;
+      return seen.norm() - radius_ > most || footprint_->distance_to(seen) > most;
+    };
+    return apart(set.centre(time), set.radius(time), near.closing_acc) ||
+           apart(set.position(), set.speed_radius(time), near.closing_speed);
+  });
 }
 
 // For each pending motion, and for commands to brake that come after a period or as late as they may: see
@@ -167,27 +259,27 @@ bool MoverCheck::rests_untouched(const Twist2& command, Look& look) {
   return true;
 }
 
+// Up to when the command takes effect: once for all commands.
+bool MoverCheck::lead_free(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead) {
+  if (lead.roller) return lead.free;
+  lead.roller.emplace(*limits_, radius_, kAnySpacing, with_heading(manoeuvre.start), look.step);
+  ManoeuvreRoller& roller = *lead.roller;
+  ManoeuvreRoller past = roller;
+  past.roll_past(manoeuvre.pending);
+  lead.progress.clear_until.assign(near_.size(), -1.0);
+  lead.progress.pose = past.at();
+  lead.progress.time = -1.0;
+  lead.free = roller.roll_on(manoeuvre.pending, [&](const TurnedPose&) { return free_at(roller, 0.0, lead.progress); });
+  return lead.free;
+}
+
 bool MoverCheck::rolls_free(const BrakeManoeuvre& manoeuvre, const Look& look, double elsewhere, Lead& lead) {
-  const auto roll = [&](ManoeuvreRoller& roller, Progress& progress, double more, auto&& part) {
-    return part([&](const TurnedPose&) { return free_at(roller, more, progress); });
-  };
-  if (!lead.roller) {
-    lead.roller.emplace(*limits_, radius_, kAnySpacing, with_heading(manoeuvre.start), look.step);
-    ManoeuvreRoller& roller = *lead.roller;
-    ManoeuvreRoller past = roller;
-    past.roll_past(manoeuvre.pending);
-    lead.progress.clear_until.assign(near_.size(), -1.0);
-    lead.progress.pose = past.at();
-    lead.progress.time = -1.0;
-    lead.free =
-        roll(roller, lead.progress, 0.0, [&](auto&& visit) { return roller.roll_on(manoeuvre.pending, visit); });
-  }
-  if (!lead.free) return false;
+  if (!lead_free(manoeuvre, look, lead)) return false;
   ManoeuvreRoller roller = *lead.roller;
   progress_.clear_until = lead.progress.clear_until;
   progress_.pose = lead.progress.pose;
   progress_.time = lead.progress.time;
-  return roll(roller, progress_, elsewhere, [&](auto&& visit) { return roller.roll_to_rest(manoeuvre, visit); });
+  return roller.roll_to_rest(manoeuvre, [&](const TurnedPose&) { return free_at(roller, elsewhere, progress_); });
 }
 
 // The pose that the roller has come to, and where it stood before, the one that it has left.

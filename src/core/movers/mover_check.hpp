@@ -10,6 +10,9 @@
 // 5. Where a set is around the robot already when it begins to drive, the robot may leave: the distance from the
 //    outline to where the obstacle is expected grows at every step (Leaving). It creeps, and leaves only what has stood
 //    there for a while: who walks past is soon gone.
+// 6. Commands differ little from their neighbours in the dynamic window. So it is cut into a few parts, and the command
+//    in the middle of each is looked at first, with an allowance for all others of its part: where it is free, they
+//    are. What the allowance is made of: see part_margin().
 //
 // can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
 // steps, all pending motions, and commands to brake at all times. A robot that stays at rest has nothing to be asked.
@@ -17,7 +20,7 @@
 // Why it is right: an obstacle that keeps its bounds and was estimated within three deviations is in its set at every
 // time. Only commands that confirm() passes are sent, so the manoeuvre of the last one stays free of everything that
 // was known then: where nothing passes, carrying out its braking is still safe.
-// test/oracle/mover_twin_test.cpp does the same slowly.
+// test/unit/core/movers_test.cpp does the same slowly.
 #pragma once
 
 #include <array>
@@ -103,10 +106,23 @@ class MoverCheck {
     std::vector<Answer> answers;  // by a hash of the command
   };
 
+  // A part of the dynamic window.
+  struct Part {
+    bool looked_at = false;
+    bool free = false;  // all of its commands are
+  };
+  static constexpr std::size_t kParts = 3;  // of each axis
+
   void add_near(const MovingObstacleEstimate& mover, const Parameters& parameters);
+  void divide_window();
   bool around(const ReachableSet& set) const;
   bool answer(const Twist2& command, Look& look);
   bool rests_untouched(const Twist2& command, Look& look);
+  bool part_free(const Twist2& command);
+  double part_margin(const PendingMotion& pending) const;
+  bool free_with_margin(const BrakeManoeuvre& manoeuvre, double margin, const ManoeuvreRoller& lead) const;
+  bool clear_of_all(const TurnedPose& at, double time, double margin) const;
+  bool lead_free(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead);
   bool rolls_free(const BrakeManoeuvre& manoeuvre, const Look& look, double elsewhere, Lead& lead);
   bool free_at(const ManoeuvreRoller& roller, double elsewhere, Progress& progress) const;
   bool free_at(const TurnedPose& at, double time, const ManoeuvreRoller& roller, double elsewhere,
@@ -127,7 +143,10 @@ class MoverCheck {
   std::vector<Near> near_;
   Leaving leaving_;
   Look coarse_, fine_;
-  Progress progress_;  // of the manoeuvre that is looked at
+  std::array<Part, kParts * kParts> parts_;
+  Twist2 window_, part_;   // the least command of the window, and how large a part is [m/s, rad/s]
+  bool in_parts_ = false;  // the window is looked at in parts
+  Progress progress_;      // of the manoeuvre that is looked at
   std::uint32_t cycle_ = 0;
 };
 

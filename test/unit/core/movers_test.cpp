@@ -99,7 +99,95 @@ struct SlowTwin {
     });
     return least;
   }
+
+  /// What can_rest() asks, of this command alone: poses 0.05 s apart, each free for 5 ms before and after, and free
+  /// where the robot stood before it moved on.
+  bool can_rest(const Twist2& command, const std::vector<ReachableSet>& sets) const {
+    const TurnedPose begin{start.origin, {std::cos(start.origin.theta), std::sin(start.origin.theta)}};
+    ManoeuvreRoller roller(limits, footprint.circumscribed_radius(), 1e3, begin, 0.05);
+    const BrakeManoeuvre manoeuvre{start.origin, (*start.pending)[0], command, start.period};
+    TurnedPose before = begin;
+    double then = -1.0;
+    const auto free_at = [&](const TurnedPose& at, double t) {
+      for (const ReachableSet& set : sets) {
+        const double allowed = std::min(0.005, 0.5 * roller.step().duration);
+        const double grown = roller.drift() + allowed * (roller.step().fastest + set.fastest());
+        const auto gap = [&](const Point& centre, double radius) {
+          const double dx = centre.x() - at.pose.x, dy = centre.y() - at.pose.y;
+          const double c = std::cos(at.pose.theta), s = std::sin(at.pose.theta);
+          return footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) - radius;
+        };
+        if (std::max(gap(set.centre(t), set.radius(t)), gap(set.position(), set.speed_radius(t))) <= grown)
+          return false;
+      }
+      return true;
+    };
+    return roller.roll(manoeuvre, [&](const TurnedPose& at) {
+      const double moves_on = roller.time() - roller.step().duration;
+      if (moves_on > then + 1e-9 && !free_at(before, moves_on)) return false;
+      before = at;
+      then = roller.time();
+      return free_at(at, then);
+    });
+  }
 };
+
+// All over the dynamic window, and beyond: what is answered for a part of it holds for each of its commands.
+TEST(MoverChecks, AnswerForEachCommandAsForItAlone) {
+  Random random(13);
+  int refused = 0, free = 0, mixed = 0;
+  const Footprint body({{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}});
+  for (int k = 0; k < 600; ++k) {
+    Parameters p;
+    p.min_vel_x = -0.5;
+    const double lively = random.uniform(0.02, 1.0);
+    p.moving_obstacle_speed *= lively;
+    p.moving_obstacle_acc *= lively;
+    p.acc_lim_x = random.uniform(0.5, 20.0);
+    p.decel_lim_x = random.uniform(0.5, 20.0);
+    p.acc_lim_theta = random.uniform(1.0, 40.0);
+    const VelocityLimits limits = VelocityLimits::from(p);
+    const Twist2 now{random.uniform(-0.5, 0.5), random.uniform(-1.0, 1.0)};
+    const Twist2 commanded{now.v + random.uniform(-0.1, 0.1), now.omega + random.uniform(-0.1, 0.1)};
+    const double latency = random.uniform(0.0, 0.1);
+    const bool stale = random.chance(0.5);
+    const PendingMotionSet pending{PendingMotion(stale ? commanded : now, latency)};
+    MoverCheck::Start start;
+    start.pose = start.origin = {0.0, 0.0, random.uniform(-3.0, 3.0)};
+    start.reference = now;
+    start.pending = &pending;
+    MovingObstacleEstimates movers;
+    std::vector<ReachableSet> sets;
+    for (int i = 0; i < 3; ++i) {
+      const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.5, 1.2);
+      const double vx = lively * random.uniform(-1.5, 1.5), vy = lively * random.uniform(-1.5, 1.5);
+      movers.push_back(mover_at(away * std::cos(angle), away * std::sin(angle), vx, vy));
+      movers.back().id = static_cast<std::uint32_t>(i);
+      movers.back().age = random.uniform(0.0, 0.1);
+      sets.emplace_back(movers.back(), p);
+    }
+    MoverCheck check;
+    check.prepare(p, limits, body, movers, start);
+    const SlowTwin twin{limits, body, start};
+    int free_here = 0, refused_here = 0;
+    for (int i = -1; i <= 11; ++i) {
+      for (int j = -1; j <= 11; ++j) {
+        const double most_v = std::max(limits.x.acc, limits.x.braking) * start.period;
+        const double most_omega = std::max(limits.theta.acc, limits.theta.braking) * start.period;
+        const Twist2 command{now.v + (0.2 * i - 1.0) * most_v, now.omega + (0.2 * j - 1.0) * most_omega};
+        const bool answer = check.none_near() || check.can_rest(command);
+        EXPECT_EQ(answer, twin.can_rest(command, sets)) << k << ": " << i << ", " << j;
+        ++(answer ? free_here : refused_here);
+      }
+    }
+    free += free_here;
+    refused += refused_here;
+    mixed += free_here > 0 && refused_here > 0;
+  }
+  EXPECT_GT(refused, 5000);
+  EXPECT_GT(free, 5000);
+  EXPECT_GT(mixed, 50);
+}
 
 // What the twin says is touched is rejected; what it says stays farther away than every allowance is not.
 TEST(MoverChecks, AgreeWithASlowTwin) {
