@@ -228,7 +228,18 @@ Eigen::Vector2d Crowd::forces(std::size_t person, const Eigen::Vector2d& wanted,
       from(away * std::max(0.05, distance - radii) / std::max(1e-9, distance), robot.velocity);
     }
   }
-  return sum + wall_force(setup_.ways->wall_distance(me.position), setup_.ways->away_from_wall(me.position));
+  return sum + wall_force_on(person, wanted);
+}
+
+// Ways keep clear of walls. So door posts push aside who walks between them, and do not hold them back: the force of
+// Helbing and Molnar is stronger before a narrow door than the drive of who walks slowly, who would stand there for
+// ever.
+Eigen::Vector2d Crowd::wall_force_on(std::size_t person, const Eigen::Vector2d& wanted) const {
+  const Eigen::Vector2d& here = movers_[person].position;
+  const Eigen::Vector2d force = wall_force(setup_.ways->wall_distance(here), setup_.ways->away_from_wall(here));
+  if (wanted.squaredNorm() <= 0.0) return force;
+  const Eigen::Vector2d ahead = wanted.normalized();
+  return force - std::min(0.0, force.dot(ahead)) * ahead;
 }
 
 // Helbing and Molnar's attraction, of constant strength.

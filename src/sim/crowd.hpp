@@ -76,6 +76,7 @@ class Crowd : public People {
   void plan(Group& group, double now);
   Eigen::Vector2d wanted_velocity(std::size_t person, double now);
   Eigen::Vector2d forces(std::size_t person, const Eigen::Vector2d& wanted, const RobotSeen& robot) const;
+  Eigen::Vector2d wall_force_on(std::size_t person, const Eigen::Vector2d& wanted) const;
   Eigen::Vector2d towards_group(std::size_t person) const;
   Eigen::Vector2d within_bounds(const Eigen::Vector2d& velocity, const Eigen::Vector2d& acceleration, double dt) const;
   bool can_stop(const Eigen::Vector2d& from, const Eigen::Vector2d& velocity, double dt) const;

@@ -16,13 +16,13 @@ namespace hidwa_local_planner {
 namespace sim {
 namespace {
 
-// A hall of 12 x 8 m with a wall across that leaves a door of 1.2 m in its middle.
-OccupancyMap hall() {
+// A hall of 12 x 8 m with a wall across that leaves a door in its middle, so many cells of 0.05 m wide.
+OccupancyMap hall(int door = 24) {
   OccupancyMap map = make_map(240, 160, 0.05);
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
       const bool border = row < 2 || column < 2 || row >= map.height - 2 || column >= map.width - 2;
-      const bool across = column >= 119 && column < 121 && (row < 68 || row >= 92);
+      const bool across = column >= 119 && column < 121 && (row < 80 - door / 2 || row >= 80 + door / 2);
       if (border || across) map.cells[map.index(column, row)] = Cell::kOccupied;
     }
   }
@@ -106,6 +106,29 @@ TEST(Crowd, ATourLeadsThroughTheDoorStopsAndComesBack) {
   EXPECT_TRUE(there);
   EXPECT_TRUE(stood);
   EXPECT_TRUE(back);
+}
+
+// Door posts do not hold back who wants to walk between them, however slowly: nobody stands before an open door.
+TEST(Crowd, ADoorIsPassedBySlowPeopleToo) {
+  for (const int door : {18, 20, 24}) {
+    for (const double speed : {0.6, 0.9}) {
+      CrowdSetup setup = setup_of(1);
+      setup.ways = std::make_shared<FloorWays>(hall(door), kPlaces, 0.35);
+      setup.tours = {{0, 3}};
+      setup.speed = speed;
+      setup.speed_deviation = 0.0;
+      setup.mean_stroll = 1e9;
+      Crowd crowd(setup);
+      double there = 0.0;
+      for (double t = 0.0; t < 60.0 && there <= 0.0; t += 0.1) {
+        crowd.advance(t, {});
+        if ((crowd.movers()[0].position - kPlaces[3]).norm() < 0.8) there = t;
+      }
+      // 9 m at that speed, a stay of 6 s at most before, and some seconds to speed up and to bend.
+      EXPECT_GT(there, 0.0) << door << ", " << speed;
+      EXPECT_LT(there, 9.0 / speed + 6.0 + 5.0) << door << ", " << speed;
+    }
+  }
 }
 
 // Somebody stands in the way for good.
