@@ -236,10 +236,12 @@ Eigen::Vector2d Crowd::forces(std::size_t person, const Eigen::Vector2d& wanted,
 // ever.
 Eigen::Vector2d Crowd::wall_force_on(std::size_t person, const Eigen::Vector2d& wanted) const {
   const Eigen::Vector2d& here = movers_[person].position;
-  const Eigen::Vector2d force = wall_force(setup_.ways->wall_distance(here), setup_.ways->away_from_wall(here));
-  if (wanted.squaredNorm() <= 0.0) return force;
-  const Eigen::Vector2d ahead = wanted.normalized();
-  return force - std::min(0.0, force.dot(ahead)) * ahead;
+  Eigen::Vector2d force = wall_force(setup_.ways->wall_distance(here), setup_.ways->away_from_wall(here));
+  if (wanted.squaredNorm() > 0.0) {
+    const Eigen::Vector2d ahead = wanted.normalized();
+    force -= std::min(0.0, force.dot(ahead)) * ahead;
+  }
+  return force;
 }
 
 // Helbing and Molnar's attraction, of constant strength.
