@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/motion/late_cycles.hpp"
-
 namespace hidwa_local_planner {
 namespace {
 
@@ -163,6 +161,26 @@ bool MoverCheck::answer(const Twist2& command, Look& look) {
   return known.free;
 }
 
+LateTimes MoverCheck::late_times(const Look& look) const {
+  return {latest_hold(start_.period, start_.longest_period), start_.period, look.fine};
+}
+
+// For each pending motion, and for commands to brake that come after a period or as late as they may: see
+// BrakingCheck.
+template <typename Visit>
+bool MoverCheck::all_manoeuvres(const Twist2& command, Look& look, const Visit& visit) {
+  const std::size_t motions = look.fine ? start_.pending->all() : start_.pending->likely();
+  const LateTimes times = late_times(look);
+  for (std::size_t motion = 0; motion < motions; ++motion) {
+    const bool free = times.all_of([&](double hold) {
+      const BrakeManoeuvre manoeuvre{start_.origin, (*start_.pending)[motion], command, start_.period, hold};
+      return visit(manoeuvre, look.leads[motion]);
+    });
+    if (!free) return false;
+  }
+  return true;
+}
+
 // Whether all commands of its part of the window are free.
 bool MoverCheck::part_free(const Twist2& command) {
   const double v = (command.v - window_.v) / part_.v, omega = (command.omega - window_.omega) / part_.omega;
@@ -175,19 +193,11 @@ bool MoverCheck::part_free(const Twist2& command) {
   part.looked_at = true;
   const Twist2 middle{window_.v + (static_cast<double>(i) + 0.5) * part_.v,
                       window_.omega + (static_cast<double>(j) + 0.5) * part_.omega};
-  const LateTimes times(latest_hold(start_.period, start_.longest_period), start_.period, false);
-  for (std::size_t motion = 0; motion < start_.pending->likely(); ++motion) {
-    const PendingMotion& pending = (*start_.pending)[motion];
-    const double margin = part_margin(pending);
-    const bool free = times.all_of([&](double hold) {
-      const BrakeManoeuvre manoeuvre{start_.origin, pending, middle, start_.period, hold};
-      Lead& lead = coarse_.leads[motion];
-      return lead_free(manoeuvre, coarse_, lead) && free_with_margin(manoeuvre, margin, *lead.roller);
-    });
-    if (!free) return false;
-  }
-  part.free = true;
-  return true;
+  part.free = all_manoeuvres(middle, coarse_, [&](const BrakeManoeuvre& manoeuvre, Lead& lead) {
+    return lead_free(manoeuvre, coarse_, lead) &&
+           free_with_margin(manoeuvre, part_margin(manoeuvre.pending), *lead.roller);
+  });
+  return part.free;
 }
 
 // How much farther than in the middle one's manoeuvre a point of the robot may be in another one's, at equal times,
@@ -241,22 +251,13 @@ bool MoverCheck::clear_of_all(const TurnedPose& at, double time, double margin) 
   });
 }
 
-// For each pending motion, and for commands to brake that come after a period or as late as they may: see
-// BrakingCheck.
 bool MoverCheck::rests_untouched(const Twist2& command, Look& look) {
-  const std::size_t motions = look.fine ? start_.pending->all() : start_.pending->likely();
-  const LateTimes times(latest_hold(start_.period, start_.longest_period), start_.period, look.fine);
   // Who brakes between two of these times is elsewhere by half of what the robot does between them.
-  const double between = look.fine ? 0.5 * times.apart() : 0.0;
+  const double between = look.fine ? 0.5 * late_times(look).apart() : 0.0;
   const double elsewhere = between * (speed_at(command, radius_) + std::abs(command.omega) * reach_);
-  for (std::size_t motion = 0; motion < motions; ++motion) {
-    const bool free = times.all_of([&](double hold) {
-      const BrakeManoeuvre manoeuvre{start_.origin, (*start_.pending)[motion], command, start_.period, hold};
-      return rolls_free(manoeuvre, look, elsewhere, look.leads[motion]);
-    });
-    if (!free) return false;
-  }
-  return true;
+  return all_manoeuvres(command, look, [&](const BrakeManoeuvre& manoeuvre, Lead& lead) {
+    return rolls_free(manoeuvre, look, elsewhere, lead);
+  });
 }
 
 // Up to when the command takes effect: once for all commands.

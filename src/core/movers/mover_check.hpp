@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "core/motion/brake_manoeuvre.hpp"
+#include "core/motion/late_cycles.hpp"
 #include "core/motion/pending_motion_set.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "core/movers/leaving.hpp"
@@ -118,6 +119,9 @@ class MoverCheck {
   bool around(const ReachableSet& set) const;
   bool answer(const Twist2& command, Look& look);
   bool rests_untouched(const Twist2& command, Look& look);
+  LateTimes late_times(const Look& look) const;
+  template <typename Visit>
+  bool all_manoeuvres(const Twist2& command, Look& look, const Visit& visit);
   bool part_free(const Twist2& command);
   double part_margin(const PendingMotion& pending) const;
   bool free_with_margin(const BrakeManoeuvre& manoeuvre, double margin, const ManoeuvreRoller& lead) const;

@@ -79,7 +79,17 @@ struct SlowTwin {
   const Footprint& footprint;
   const MoverCheck::Start& start;
 
-  /// The least of the larger gap to the two discs [m], over the time until rest.
+  /// The larger gap to the two discs [m].
+  double gap_to(const ReachableSet& set, const TurnedPose& at, double t) const {
+    const auto gap = [&](const Point& centre, double radius) {
+      const double dx = centre.x() - at.pose.x, dy = centre.y() - at.pose.y;
+      const double c = std::cos(at.pose.theta), s = std::sin(at.pose.theta);
+      return footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) - radius;
+    };
+    return std::max(gap(set.centre(t), set.radius(t)), gap(set.position(), set.speed_radius(t)));
+  }
+
+  /// The least of that, over the time until rest.
   double least_gap(const Twist2& command, const std::vector<ReachableSet>& sets, double hold = 0.0) const {
     const TurnedPose begin{start.origin, {std::cos(start.origin.theta), std::sin(start.origin.theta)}};
     ManoeuvreRoller roller(limits, footprint.circumscribed_radius(), 1.0, begin, 0.0005);
@@ -87,13 +97,7 @@ struct SlowTwin {
     double least = 1e9;
     roller.roll(manoeuvre, [&](const TurnedPose& at) {
       for (const ReachableSet& set : sets) {
-        const auto gap = [&](const Point& centre, double radius) {
-          const double dx = centre.x() - at.pose.x, dy = centre.y() - at.pose.y;
-          const double c = std::cos(at.pose.theta), s = std::sin(at.pose.theta);
-          return footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) - radius;
-        };
-        const double t = roller.time();
-        least = std::min(least, std::max(gap(set.centre(t), set.radius(t)), gap(set.position(), set.speed_radius(t))));
+        least = std::min(least, gap_to(set, at, roller.time()));
       }
       return true;
     });
@@ -112,13 +116,7 @@ struct SlowTwin {
       for (const ReachableSet& set : sets) {
         const double allowed = std::min(0.005, 0.5 * roller.step().duration);
         const double grown = roller.drift() + allowed * (roller.step().fastest + set.fastest());
-        const auto gap = [&](const Point& centre, double radius) {
-          const double dx = centre.x() - at.pose.x, dy = centre.y() - at.pose.y;
-          const double c = std::cos(at.pose.theta), s = std::sin(at.pose.theta);
-          return footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) - radius;
-        };
-        if (std::max(gap(set.centre(t), set.radius(t)), gap(set.position(), set.speed_radius(t))) <= grown)
-          return false;
+        if (gap_to(set, at, t) <= grown) return false;
       }
       return true;
     };
@@ -131,6 +129,25 @@ struct SlowTwin {
     });
   }
 };
+
+// Between so far away [m], no faster along either axis than `fastest` [m/s].
+MovingObstacleEstimates three_around(Random& random, double nearest, double farthest, double fastest) {
+  MovingObstacleEstimates movers;
+  for (std::uint32_t id = 0; id < 3; ++id) {
+    const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(nearest, farthest);
+    const double vx = random.uniform(-fastest, fastest), vy = random.uniform(-fastest, fastest);
+    movers.push_back(mover_at(away * std::cos(angle), away * std::sin(angle), vx, vy));
+    movers.back().id = id;
+    movers.back().age = random.uniform(0.0, 0.1);
+  }
+  return movers;
+}
+
+std::vector<ReachableSet> sets_of(const MovingObstacleEstimates& movers, const Parameters& parameters) {
+  std::vector<ReachableSet> sets;
+  for (const MovingObstacleEstimate& mover : movers) sets.emplace_back(mover, parameters);
+  return sets;
+}
 
 // All over the dynamic window, and beyond: what is answered for a part of it holds for each of its commands. In each
 // other scene cycles come up to 0.1 s late, and the first command to brake up to 0.2 s.
@@ -157,16 +174,8 @@ TEST(MoverChecks, AnswerForEachCommandAsForItAlone) {
     start.pose = start.origin = {0.0, 0.0, random.uniform(-3.0, 3.0)};
     start.reference = now;
     start.pending = &pending;
-    MovingObstacleEstimates movers;
-    std::vector<ReachableSet> sets;
-    for (int i = 0; i < 3; ++i) {
-      const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.5, 1.2);
-      const double vx = lively * random.uniform(-1.5, 1.5), vy = lively * random.uniform(-1.5, 1.5);
-      movers.push_back(mover_at(away * std::cos(angle), away * std::sin(angle), vx, vy));
-      movers.back().id = static_cast<std::uint32_t>(i);
-      movers.back().age = random.uniform(0.0, 0.1);
-      sets.emplace_back(movers.back(), p);
-    }
+    const MovingObstacleEstimates movers = three_around(random, 0.5, 1.2, 1.5 * lively);
+    const std::vector<ReachableSet> sets = sets_of(movers, p);
     start.longest_period = k % 2 == 0 ? 0.05 : 0.15;
     const double latest = k % 2 == 0 ? 0.0 : 0.2;
     MoverCheck check;
@@ -208,18 +217,12 @@ TEST(MoverChecks, AgreeWithASlowTwin) {
     start.pose = start.origin = {0.0, 0.0, random.uniform(-3.0, 3.0)};
     start.reference = now;
     start.pending = &pending;
-    MovingObstacleEstimates movers;
-    std::vector<ReachableSet> sets;
-    for (int i = 0; i < 3; ++i) {
-      const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.65, 1.6);
-      const double vx = random.uniform(-1.5, 1.5), vy = random.uniform(-1.5, 1.5);
-      movers.push_back(mover_at(away * std::cos(angle), away * std::sin(angle), vx, vy));
-      movers.back().id = static_cast<std::uint32_t>(i);
-      movers.back().position_deviation = 0.02;
-      movers.back().velocity_deviation = 0.05;
-      movers.back().age = random.uniform(0.0, 0.1);
-      sets.emplace_back(movers.back(), p);
+    MovingObstacleEstimates movers = three_around(random, 0.65, 1.6, 1.5);
+    for (MovingObstacleEstimate& mover : movers) {
+      mover.position_deviation = 0.02;
+      mover.velocity_deviation = 0.05;
     }
+    const std::vector<ReachableSet> sets = sets_of(movers, p);
     MoverCheck check;
     check.prepare(p, limits, body, movers, start);
     const Twist2 command = limits.step(now, {random.uniform(-0.3, 0.5), random.uniform(-1.0, 1.0)}, start.period);
