@@ -86,7 +86,8 @@ class EvasionSearch {
   bool look(const Scene& scene, const MovingObstacleEstimates& movers);
   /// What becomes of a robot that keeps this motion up to the end.
   Kept keep(const Scene& scene, const Twist2& motion);
-  /// No way costs less [s]: one that gets on as fast as the robot can, and comes near nothing.
+  /// No way costs less [s], but for one that cuts a bend of the plan short: it gets on as fast as the robot can,
+  /// straight towards the plan's end, and comes near nothing.
   double least(const Scene& scene, const PlanGuide& guide) const;
   /// `own`: first motions of which ways are always followed up; branches() begins with what they come to. There is one
   /// at least.

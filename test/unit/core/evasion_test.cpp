@@ -235,7 +235,7 @@ TEST(EvasionSearches, AMotionThatIsKeptCostsWhatItComesTo) {
   EXPECT_FALSE(kept.untouched || kept.untroubled);
 }
 
-// Whatever moves, and however the robot does.
+// Whatever moves, and however the robot does, along a straight plan.
 TEST(EvasionSearches, NoWayCostsLessThanTheLeast) {
   Random random(31);
   OpenGround ground;
