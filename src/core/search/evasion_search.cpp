@@ -38,6 +38,7 @@ constexpr double kEver = std::numeric_limits<double>::infinity();
 EvasionSearch::EvasionSearch() {
   movers_.reserve(kMoversInReach);
   near_.reserve(kMoversInReach);
+  for (std::vector<Place>& places : places_) places.reserve(kMoversInReach);
   branches_.reserve(64);
   beam_.reserve(kBeam + kMostOwn);
   next_.reserve(64 * (kBeam + kMostOwn));
@@ -81,8 +82,7 @@ void EvasionSearch::plan_spans(const Scene& scene) {
     span.from = from;
     span.step = length / static_cast<double>(MotionFan::kSteps);
     for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
-      const double time = from + static_cast<double>(k + 1) * span.step;
-      span.share[k] = scene.parameters.evasion_scale * span.step * std::exp(-time / kFading);
+      span.share[k] = scene.parameters.evasion_scale * span.step * std::exp(-span.time(k) / kFading);
     }
     from += length;
   }
@@ -112,7 +112,22 @@ void EvasionSearch::find_near(const Scene& scene, const State& from, const Span&
     const double most = own + half + mover.radius + std::max(mover.kept + mover.kept_grows * end, stopping_way);
     if (dx * dx + dy * dy < most * most) near_.push_back(mover);
   }
+  place_near(scene, span);
   walls_ = !scene.checker.clear_around(from.x, from.y, length * fastest_);
+}
+
+// Many motions meet them at the same times.
+void EvasionSearch::place_near(const Scene& scene, const Span& span) {
+  const double own = scene.footprint.circumscribed_radius();
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const double time = span.time(k), bent = bend(time);
+    places_[k].clear();
+    for (const Mover& mover : near_) {
+      const double kept = mover.kept + mover.kept_grows * time;
+      const double most = own + mover.radius + kept;
+      places_[k].push_back({mover.x_at(time, bent), mover.y_at(time, bent), mover.radius, kept, most * most});
+    }
+  }
 }
 
 // Until a command takes effect, two periods, and half of the braking: the robot is half as fast then.
@@ -141,21 +156,17 @@ bool EvasionSearch::must_stop(const Scene& scene, const State& state, double tim
   });
 }
 
-// What ends the way sets `touched`.
-double EvasionSearch::nearness(const Scene& scene, const State& state, double time, bool& touched) const {
-  const double own = scene.footprint.circumscribed_radius(), bent = bend(time);
+// After the k-th step. What ends the way sets `touched`.
+double EvasionSearch::nearness(const Scene& scene, const State& state, std::size_t k, bool& touched) const {
   double sum = 0.0;
-  for (const Mover& mover : near_) {
-    const double dx = mover.x_at(time, bent) - state.x;
-    const double dy = mover.y_at(time, bent) - state.y;
-    const double kept = mover.kept + mover.kept_grows * time;
-    const double most = own + mover.radius + kept;
-    if (dx * dx + dy * dy >= most * most) continue;
+  for (const Place& place : places_[k]) {
+    const double dx = place.x - state.x, dy = place.y - state.y;
+    if (dx * dx + dy * dy >= place.squared) continue;
     const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
-    const double gap = scene.footprint.distance_to(seen) - mover.radius;
-    if (gap >= kept) continue;
+    const double gap = scene.footprint.distance_to(seen) - place.radius;
+    if (gap >= place.kept) continue;
     touched = touched || gap < kTouches;
-    const double share = 1.0 - std::max(0.0, gap) / kept;
+    const double share = 1.0 - std::max(0.0, gap) / place.kept;
     sum += share * share;
   }
   return sum;
@@ -201,10 +212,10 @@ bool EvasionSearch::go(const Scene& scene, const MotionFan& fan, std::size_t i, 
   const MotionFan::Turn& turn = fan.turn(i);
   bool drives = true;
   for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
-    const double time = span.from + static_cast<double>(k + 1) * span.step;
+    const double time = span.time(k);
     drives = drives && drive_on(scene, speed, turn, k, time, state);
     bool touched = false;
-    if (!near_.empty()) state.nearness += span.share[k] * nearness(scene, state, time, touched);
+    if (!near_.empty()) state.nearness += span.share[k] * nearness(scene, state, k, touched);
     if (!touched && !blocked(scene, state)) continue;
     state.until = time;
     return false;

@@ -110,6 +110,13 @@ class EvasionSearch {
     double x_at(double time, double bent) const { return x + vx * time + ax * bent; }
     double y_at(double time, double bent) const { return y + vy * time + ay * bent; }
   };
+  // Where something near is after a step of a motion, and from where on it counts.
+  struct Place {
+    double x, y;     // [m]
+    double radius;   // [m]
+    double kept;     // D then [m]
+    double squared;  // of the distance between its centre and the robot's where it may come within D [m^2]
+  };
   struct State {
     double x = 0.0, y = 0.0;
     Rotation heading;
@@ -127,6 +134,7 @@ class EvasionSearch {
     std::array<double, MotionFan::kSteps> share{};  // what a step's nearness costs [s]
     double length() const { return static_cast<double>(share.size()) * step; }
     double end() const { return from + length(); }
+    double time(std::size_t k) const { return from + static_cast<double>(k + 1) * step; }  // after the k-th step [s]
   };
 
   void list_motions(const Scene& scene, const std::vector<Twist2>& own);
@@ -144,7 +152,8 @@ class EvasionSearch {
   };
   static Stopping stopping(const Scene& scene, double v);
   bool must_stop(const Scene& scene, const State& state, double time) const;
-  double nearness(const Scene& scene, const State& state, double time, bool& touched) const;
+  void place_near(const Scene& scene, const Span& span);
+  double nearness(const Scene& scene, const State& state, std::size_t k, bool& touched) const;
   bool blocked(const Scene& scene, const State& state) const;
   void extend(const Scene& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
   double touched_early(const Scene& scene, const State& state, double time) const;
@@ -155,8 +164,9 @@ class EvasionSearch {
   static bool alike(const State& a, const State& b);
 
   std::vector<Mover> movers_, near_;
-  MotionFan first_fan_, next_fan_;  // of a way's first motion, and of the others
-  std::size_t own_ = 0;             // so many of its motions are own ones
+  std::array<std::vector<Place>, MotionFan::kSteps> places_;  // of near_, after each step
+  MotionFan first_fan_, next_fan_;                            // of a way's first motion, and of the others
+  std::size_t own_ = 0;                                       // so many of its motions are own ones
   std::array<Span, kLevels> spans_;
   double horizon_ = 0.0;    // [s]
   double bends_for_ = 0.0;  // velocities go on changing so long [s]
