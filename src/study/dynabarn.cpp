@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dynabarn.hpp"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,10 +33,16 @@ std::vector<int> numbers_of(const std::map<int, sim::DynabarnWorld>& worlds, int
   return numbers;
 }
 
+// No faster backwards than forwards.
+void limit_speed(BarnSubject& jackal, double speed) {
+  assign_barn(jackal, {"min_vel_x", shortest(std::max(jackal.subject.parameters.min_vel_x, -speed))});
+  assign_barn(jackal, {"max_vel_x", shortest(speed)});
+}
+
 // One court a setting.
 std::vector<DynabarnCourt> courts_of(const Options& options, const Plan& plan) {
   BarnSubject jackal = barn_subject(share_file(kRobotFile), share_file(kCourtFile));
-  assign_barn(jackal, {"max_vel_x", shortest(options.speed)});
+  limit_speed(jackal, options.speed);
   std::vector<DynabarnCourt> courts;
   for (const BarnSubject& subject : drivers_of(options, plan, jackal, assign_barn)) {
     courts.emplace_back(subject, options.tracking, options.motion);

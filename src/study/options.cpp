@@ -324,7 +324,7 @@ std::string options_help() {
                           gap: some of them; default all
   --phases N              gap: places on the grid, of each outline and setting; default 8
   --motion linear|spline  dynabarn: between key frames; default linear
-  --speed V               dynabarn: max_vel_x [m/s]; default 2.0
+  --speed V               dynabarn: max_vel_x, and the most that it drives backwards [m/s]; default 2.0
   --people N              crowd; default 20
   --yielding SHARE        crowd: of the people, who keep away from the robot; the others do not mind it; default 0.5
   --hours H               soak: simulated; default 1

@@ -21,6 +21,8 @@ namespace {
 const char* const kWorlds =
     "# two\n4 easy | a 0:0:8 100:0.5:8\n"
     "7 hard | a 0:9:0 5:-9:0 10:9:0 | b 0:9:1 5:-9:1 10:9:1 | c 0:9:-1 5:-9:-1 10:9:-1\n";
+// One that comes towards the robot from in front, at 0.8 m/s, again and again.
+const char* const kChase = "9 hard | a 0:6:0 10:14:0\n";
 
 class Encounters : public StudyFolder {
  protected:
@@ -65,6 +67,15 @@ TEST_F(Encounters, AnEmptyWayIsDrivenAndAFullOneIsNot) {
   // The first one releases the robot at a time of its own.
   EXPECT_NE(at("out", "dynabarn-P0400-AUTONOMY-S00001", "release"),
             at("out", "dynabarn-P0401-AUTONOMY-S00001", "release"));
+}
+
+TEST_F(Encounters, ASlowRobotIsAsSlowBackwards) {
+  write("chase.txt", kChase);
+  const Ended ended = study("dynabarn --worlds @chase.txt --out @out --seeds 3 --mode AUTONOMY --speed 0.3");
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  for (const char* id : {"dynabarn-P0900-AUTONOMY-S00001", "dynabarn-P0901-AUTONOMY-S00001"}) {
+    EXPECT_LE(std::stod(at("out", id, "length")), 0.3 * std::stod(at("out", id, "time")) + 0.01);
+  }
 }
 
 TEST_F(Encounters, ShardsAndResumedStudiesAreTheSame) {
