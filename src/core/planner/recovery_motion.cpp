@@ -454,9 +454,8 @@ int RecoveryMotion::follow(const Scene& scene) {
     return stand(scene);
   }
   watch_room(here, room);
-  way_ahead_.look(way_, part_, end, room);
   const auto left_after = [&](const Tile& tile, std::size_t c) {
-    return way_ahead_.remaining(braked_end(tile, c, scene.cycle.limits));
+    return way_.nearest(braked_end(tile, c, scene.cycle.limits), part_, end, room).remaining();
   };
   double least = std::numeric_limits<double>::infinity();
   const int best = least_legal(scene.rollout, scene.totals, scene.admissibility, [&](const Tile& tile, std::size_t c) {

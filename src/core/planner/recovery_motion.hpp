@@ -31,7 +31,6 @@
 #include "core/planner/mover_wait.hpp"
 #include "core/planner/novelty.hpp"
 #include "core/planner/step_back.hpp"
-#include "core/search/way_ahead.hpp"
 #include "core/search/way_search.hpp"
 #include "hidwa_local_planner/core/util/condition_timer.hpp"
 
@@ -151,7 +150,6 @@ class RecoveryMotion {
   SearchTask task_;  // to be filled
   WaySearch search_;
   Way way_;
-  WayAhead way_ahead_;       // what counts of it in this cycle
   Way renewal_;              // to take the place of it; of this cycle alone
   std::uint32_t part_ = 0;   // of the way, that the robot is on
   double least_ = 0.0;       // remaining time on it so far [s]

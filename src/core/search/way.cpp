@@ -7,11 +7,17 @@
 namespace hidwa_local_planner {
 namespace {
 
+// So long is a radian [m].
+constexpr double kRadianLength = 0.4;
+
 // Parts that turn by more are bent [rad].
 constexpr double kBent = 0.22;
 
+// Back to a way where it is not known to have room [m/s].
+constexpr double kSlowBackSpeed = 0.04;
+
 double length_between(const Pose2& a, const Pose2& b) {
-  return std::hypot(a.x - b.x, a.y - b.y, Way::kRadianLength * wrap_angle(a.theta - b.theta));
+  return std::hypot(a.x - b.x, a.y - b.y, kRadianLength * wrap_angle(a.theta - b.theta));
 }
 
 bool is_bent(const Pose2& a, const Pose2& b) { return std::abs(wrap_angle(b.theta - a.theta)) > kBent; }

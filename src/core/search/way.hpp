@@ -11,15 +11,11 @@ namespace hidwa_local_planner {
 /// A way that was found: poses, and how long it takes from each of them to the end.
 ///
 /// The remaining time from a pose beside it is that from the nearest place on it, and the time to get there: the way is
-/// a line through (x, y, heading), on which a radian has a length too.
+/// a line through (x, y, heading), on which a radian is as long as 0.4 m.
 class Way {
  public:
   /// Within the room that a way has the robot gets back to it at this speed [m/s].
   static constexpr double kBackSpeed = 0.1;
-  /// And where nothing is known to be free [m/s].
-  static constexpr double kSlowBackSpeed = 0.04;
-  /// So long is a radian [m].
-  static constexpr double kRadianLength = 0.4;
 
   struct Station {
     Pose2 pose;         // costmap frame
@@ -52,8 +48,8 @@ class Way {
   const std::vector<Station>& stations() const { return stations_; }
   double duration() const { return stations_.empty() ? 0.0 : stations_.front().left; }  // [s]
   /// The place with the least remaining time among the parts from `from` on, before `end`. The robot gets back to its
-  /// way at kBackSpeed within the `room` [m] that the way has, and at kSlowBackSpeed where nothing is known to be free:
-  /// the lower that is, the closer it keeps to it. The way must not be empty.
+  /// way at kBackSpeed within the `room` [m] that the way has, and at 0.04 m/s where nothing is known to be free: the
+  /// lower that is, the closer it keeps to it. The way must not be empty.
   Place nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const;
   /// How long it takes from its beginning to the first station that is so `near` [m] to a pose, whatever the heading;
   /// all of its duration where none is [s].

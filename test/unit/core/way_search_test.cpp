@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/search/way_ahead.hpp"
 #include "core/search/way_search.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"
 #include "support/naive_collision.hpp"
@@ -286,42 +285,6 @@ TEST(Way, TellsTheRemainingTime) {
   EXPECT_EQ(way.nearest({1.0, 0.0, 0.4}, 0, 1, 0.05).part, 0U);
   EXPECT_EQ(way.end_of_parts({0.0, 0.0, 0.0}, 0, 10.0, 0.02), 2U);
   EXPECT_EQ(way.end_of_parts({0.0, 0.0, 0.0}, 0, 0.5, 0.02), 1U);  // the second part begins 2 s later
-}
-
-// Straight, bent and turning on the spot; some parts have no length, and some stations are passed twice.
-Way random_way(Random& random) {
-  Way way;
-  Way::Station station{{random.uniform(-5.0, 5.0), random.uniform(-5.0, 5.0), random.uniform(-M_PI, M_PI)}, 20.0};
-  for (int left = random.integer(1, 40); left > 0; --left) {
-    way.add(station);
-    const bool drives = random.chance(0.7), turns = random.chance(0.5);
-    const double length = drives ? random.uniform(-0.1, 0.2) : 0.0;
-    station.pose.x += length * std::cos(station.pose.theta);
-    station.pose.y += length * std::sin(station.pose.theta);
-    if (turns) station.pose.theta = wrap_angle(station.pose.theta + random.uniform(-0.5, 0.5));
-    station.left -= drives || turns ? random.uniform(0.0, 0.5) : 0.0;
-  }
-  return way;
-}
-
-TEST(WayAhead, TellsTheRemainingTimeToTheBit) {
-  Random random(31);
-  WayAhead ahead;
-  for (int k = 0; k < 1000; ++k) {
-    const Way way = random_way(random);
-    const auto count = static_cast<int>(way.stations().size());
-    const auto from = static_cast<std::size_t>(random.integer(0, count + 1));
-    const auto end = static_cast<std::size_t>(random.integer(0, count));
-    const double room = random.pick({0.0, 0.05, 0.4});
-    ahead.look(way, from, end, room);
-    for (int i = 0; i < 20; ++i) {
-      const Way::Station near = way.stations()[static_cast<std::size_t>(random.integer(0, count - 1))];
-      const double spread = random.pick({0.0, 0.1, 2.0});
-      const Pose2 pose{near.pose.x + random.uniform(-spread, spread), near.pose.y + random.uniform(-spread, spread),
-                       near.pose.theta + random.uniform(-8.0, 8.0)};
-      ASSERT_EQ(ahead.remaining(pose), way.nearest(pose, from, end, room).remaining());
-    }
-  }
 }
 
 TEST(Way, TimeUntilItIsNearAPose) {
