@@ -71,7 +71,7 @@ TEST_F(Encounters, AnEmptyWayIsDrivenAndAFullOneIsNot) {
 
 TEST_F(Encounters, ASlowRobotIsAsSlowBackwards) {
   write("chase.txt", kChase);
-  const Ended ended = study("dynabarn --worlds @chase.txt --out @out --seeds 3 --mode AUTONOMY --speed 0.3");
+  const Ended ended = study("dynabarn --worlds @chase.txt --out @out --seeds 2 --mode AUTONOMY --speed 0.3");
   ASSERT_EQ(ended.code, 0) << ended.errors;
   for (const char* id : {"dynabarn-P0900-AUTONOMY-S00001", "dynabarn-P0901-AUTONOMY-S00001"}) {
     EXPECT_LE(std::stod(at("out", id, "length")), 0.3 * std::stod(at("out", id, "time")) + 0.01);
