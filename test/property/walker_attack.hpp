@@ -28,6 +28,7 @@ constexpr double kTick = Walkers::kStep;  // of the world [s]
 /// What walkers are, what is known of them, and of the base.
 struct Bounds : hidwa_attack::Bounds {
   double told_acc = 1.5, told_speed = 1.8;  // what the planner is told
+  double told_deviations = 3.0;             // so many count
   double base_latency = 0.1;                // [s]; the planner is told 0.1
 };
 
@@ -70,6 +71,7 @@ class World {
     p.vth_samples = 15;
     p.moving_obstacle_acc = bounds_.told_acc;
     p.moving_obstacle_speed = bounds_.told_speed;
+    p.moving_obstacle_deviations = bounds_.told_deviations;
     if (random_.chance(0.5)) p.min_vel_x = -0.2;
     if (random_.chance(0.3)) p.max_vel_x = 1.0;
     if (random_.chance(0.3)) p.acc_lim_x = 1.2;

@@ -52,6 +52,14 @@ TEST(WalkerAttack, NeverTouchedWhileItMovesWhereEverythingIsKnown) {
   expect_untouched("hostile, shared, exact states", Who::hostile, exact);
 }
 
+// Errors of up to one deviation, of which one counts.
+TEST(WalkerAttack, NeverTouchedWhileItMovesWhereFewerDeviationsCountAndErrorsAreWithinThem) {
+  Bounds bounds;
+  bounds.told_errors = 3.0;
+  bounds.told_deviations = 1.0;
+  expect_untouched("hostile, shared, one deviation", Who::hostile, bounds);
+}
+
 // Walkers who know that the planner knows nothing of them: what the test would see.
 TEST(WalkerAttack, SeesTouchesWhereThePlannerIsToldTooLittle) {
   Bounds bounds;

@@ -14,9 +14,10 @@ constexpr std::size_t kUsualCells = 4096;
 
 }  // namespace
 
-GridView ExplainedCells::without(const GridView& grid, const MovingObstacleEstimates& movers) {
+GridView ExplainedCells::without(const GridView& grid, const MovingObstacleEstimates& movers,
+                                 const Parameters& parameters) {
   reserve(grid);
-  find_explained(grid, movers);
+  find_explained(grid, movers, parameters);
   if (taken_.empty()) return grid;
   const int reach =
       static_cast<int>(std::min<double>(std::ceil(kFarthestCost / grid.resolution), LethalDistances::kMost));
@@ -38,12 +39,13 @@ void ExplainedCells::reserve(const GridView& grid) {
   for (LethalDistances* distances : {&before_, &after_}) distances->reserve(grid.size_x, grid.size_y);
 }
 
-void ExplainedCells::find_explained(const GridView& grid, const MovingObstacleEstimates& movers) {
+void ExplainedCells::find_explained(const GridView& grid, const MovingObstacleEstimates& movers,
+                                    const Parameters& parameters) {
   taken_.clear();
   for (const MovingObstacleEstimate& mover : movers) {
     // What its disc does not cover is not explained by it.
-    const double farthest = mover.radius + ReachableSet::kDeviations * mover.position_deviation +
-                            mover.velocity.norm() * mover.age + 2.0 * grid.resolution;
+    const double farthest =
+        ReachableSet::radius_then(mover, parameters) + mover.velocity.norm() * mover.age + 2.0 * grid.resolution;
     for (const Point& point : mover.points) {
       if (!((point - mover.position).norm() <= farthest)) continue;
       const double i = (point.x() - grid.origin_x) / grid.resolution, j = (point.y() - grid.origin_y) / grid.resolution;

@@ -19,6 +19,7 @@
 #include "core/movers/lethal_distances.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
 
 namespace hidwa_local_planner {
 
@@ -30,13 +31,13 @@ class ExplainedCells {
 
   /// The costmap without what the movers' points explain; `grid` itself where that is nothing. Valid until the next
   /// call.
-  GridView without(const GridView& grid, const MovingObstacleEstimates& movers);
+  GridView without(const GridView& grid, const MovingObstacleEstimates& movers, const Parameters& parameters);
   /// So many cells were taken out.
   std::size_t count() const { return taken_.size(); }
 
  private:
   void reserve(const GridView& grid);
-  void find_explained(const GridView& grid, const MovingObstacleEstimates& movers);
+  void find_explained(const GridView& grid, const MovingObstacleEstimates& movers, const Parameters& parameters);
   CellWindow window_around(const GridView& grid, int reach) const;
   void measure(const GridView& grid, const CellWindow& window, int reach, LethalDistances& distances) const;
   void learn_costs(const GridView& grid, const CellWindow& window, int reach);

@@ -17,9 +17,9 @@
 // can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
 // steps, all pending motions, and commands to brake at all times. A robot that stays at rest has nothing to be asked.
 //
-// Why it is right: an obstacle that keeps its bounds and was estimated within three deviations is in its set at every
-// time. Only commands that confirm() passes are sent, so the manoeuvre of the last one stays free of everything that
-// was known then: where nothing passes, carrying out its braking is still safe.
+// Why it is right: an obstacle that keeps its bounds and was estimated within moving_obstacle_deviations is in its set
+// at every time. Only commands that confirm() passes are sent, so the manoeuvre of the last one stays free of
+// everything that was known then: where nothing passes, carrying out its braking is still safe.
 // test/unit/core/movers_test.cpp does the same slowly.
 #pragma once
 

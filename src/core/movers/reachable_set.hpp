@@ -16,21 +16,23 @@ namespace hidwa_local_planner {
 ///   |x - (p + w tau)| <= r + k s_p + k s_v tau + a tau^2 / 2
 ///   |x - p|           <= r + k s_p + s tau                      with s = max(moving_obstacle_speed, |w| + k s_v)
 ///
-/// k = 3 deviations.
+/// with k = moving_obstacle_deviations.
 class ReachableSet {
  public:
-  static constexpr double kDeviations = 3.0;
-
   ReachableSet() = default;
   ReachableSet(const MovingObstacleEstimate& mover, const Parameters& parameters)
       : position_(mover.position),
         velocity_(mover.velocity),
         age_(mover.age),
-        base_(mover.radius + kDeviations * mover.position_deviation),
-        spread_(kDeviations * mover.velocity_deviation),
+        base_(radius_then(mover, parameters)),
+        spread_(parameters.moving_obstacle_deviations * mover.velocity_deviation),
         half_acc_(0.5 * parameters.moving_obstacle_acc),
         fastest_(std::max(parameters.moving_obstacle_speed, mover.velocity.norm() + spread_)) {}
 
+  /// The least disc that holds it at the estimate [m].
+  static double radius_then(const MovingObstacleEstimate& mover, const Parameters& parameters) {
+    return mover.radius + parameters.moving_obstacle_deviations * mover.position_deviation;
+  }
   /// Where it was estimated.
   const Point& position() const { return position_; }
   const Point& velocity() const { return velocity_; }

@@ -55,7 +55,7 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
   const CycleStart start = start_estimator.estimate(measured, parameters, limits, radius);
   const bool count = movers_count(start);
   const bool once = count && parameters.moving_obstacles_clear_cells && plausible(grid);
-  const GridView seen = once ? explained.without(grid, measured.moving_obstacles) : grid;
+  const GridView seen = once ? explained.without(grid, measured.moving_obstacles, parameters) : grid;
   const Cycle cycle{parameters,
                     limits,
                     footprint,

@@ -48,6 +48,10 @@ TEST(ReachableSets, AreWhatAccelerationAndSpeedAllow) {
   EXPECT_NEAR(set.speed_radius(0.3), 0.3 + 3 * 0.02 + 1.8 * 0.4, 1e-12);
   mover.velocity = {3.0, 0.0};  // faster than the parameter says: 3.0 + 3 * 0.1
   EXPECT_NEAR(ReachableSet(mover, p).fastest(), 3.3, 1e-12);
+  p.moving_obstacle_deviations = 1.0;
+  EXPECT_NEAR(ReachableSet(mover, p).fastest(), 3.0 + 1 * 0.1, 1e-12);
+  EXPECT_NEAR(ReachableSet(mover, p).radius(0.3), 0.3 + 1 * 0.02 + 1 * 0.1 * 0.4 + 0.5 * 1.5 * 0.4 * 0.4, 1e-12);
+  EXPECT_NEAR(ReachableSet(mover, p).speed_radius(0.3), 0.3 + 1 * 0.02 + (3.0 + 1 * 0.1) * 0.4, 1e-12);
 }
 
 // The distance to the outline by points a millimetre apart along it, negative where most rays hit an odd number of
@@ -473,7 +477,7 @@ TEST(ExplainedCell, LeavesTheMapAsIfNobodyHadBeenThere) {
     test::inflate(empty, 0.2, 0.55, 4.0);
     test::inflate(peopled, 0.2, 0.55, 4.0);
     ExplainedCells cells;
-    const GridView seen = cells.without(peopled.grid(), {mover});
+    const GridView seen = cells.without(peopled.grid(), {mover}, {});
     EXPECT_EQ(cells.count(), 12U);
     int different = 0;
     for (std::size_t c = 0; c < empty.costs.size(); ++c) different += seen.costs[c] != empty.costs[c];
@@ -487,7 +491,12 @@ TEST(ExplainedCell, PointsBeyondTheDiscExplainNothing) {
   MovingObstacleEstimate mover = mover_at(0.0, 0.0);
   mover.points.emplace_back(1.05, 0.0);
   ExplainedCells cells;
-  EXPECT_EQ(cells.without(scene.grid(), {mover}).costs, scene.costs.data());  // no copy
+  EXPECT_EQ(cells.without(scene.grid(), {mover}, {}).costs, scene.costs.data());  // no copy
+  mover.position_deviation = 0.3;
+  EXPECT_NE(cells.without(scene.grid(), {mover}, {}).costs, scene.costs.data());  // 0.3 + 3 * 0.3 + 2 * 0.05 > 1.05
+  Parameters p;
+  p.moving_obstacle_deviations = 1.0;
+  EXPECT_EQ(cells.without(scene.grid(), {mover}, p).costs, scene.costs.data());  // 0.3 + 1 * 0.3 + 2 * 0.05 < 1.05
 }
 
 }  // namespace
