@@ -12,11 +12,10 @@ namespace sim {
 /// lost, so that simulated time never races ahead of the nodes that follow it.
 class Pacer {
  public:
-  explicit Pacer(double period) : period_(period), next_(Clock::now()) {}  // period [s]
-
-  /// Sleeps until the next step is due.
-  void wait() {
-    next_ = std::max(next_ + std::chrono::duration_cast<Clock::duration>(period_), Clock::now() - kCatchUp);
+  /// Sleeps until the next step is due, `period` [s] of wall time after the one before.
+  void wait(double period) {
+    const auto step = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(period));
+    next_ = std::max(next_ + step, Clock::now() - kCatchUp);
     std::this_thread::sleep_until(next_);
   }
 
@@ -24,8 +23,7 @@ class Pacer {
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds kCatchUp{5};
 
-  std::chrono::duration<double> period_;
-  Clock::time_point next_;
+  Clock::time_point next_ = Clock::now();
 };
 
 }  // namespace sim

@@ -25,6 +25,8 @@ namespace {
 constexpr double kStep = 0.01;                         // [s], simulated time from /clock to /clock
 constexpr std::int64_t kStepNanoseconds = 10'000'000;  // the same
 constexpr double kFirstStamp = 1.0;                    // [s]; 0 would mean "no time" to the listeners
+constexpr std::int64_t kLateSteps = 10;                // a command that comes so late after the last one is late
+constexpr std::int64_t kSilentSteps = 100;             // after so many steps the host sends no commands
 
 /// True every 1/rate seconds of simulated time, rounded to whole steps.
 class Every {
@@ -56,17 +58,21 @@ class SimNode {
     crossed_ = node_.advertise<std_msgs::UInt32>("regions_crossed", 10, true);
     regions_ = node_.advertise<visualization_msgs::MarkerArray>("regions", 1, true);
     command_ = node_.subscribe<geometry_msgs::Twist>(
-        "cmd_vel", 10, [this](const geometry_msgs::Twist::ConstPtr& m) { world_.command(velocity_of(*m)); },
+        "cmd_vel", 10,
+        [this](const geometry_msgs::Twist::ConstPtr& m) {
+          world_.command(velocity_of(*m));
+          commanded_ = step_;
+        },
         ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
     static_tf_.sendTransform(transform_message(stamp(), p_.base_frame, p_.laser_frame, p_.laser_pose, p_.laser_height));
     publish_counts();
   }
 
   void run() {
-    Pacer pacer(kStep / p_.rate);
+    Pacer pacer;
     while (ros::ok()) {
       publish();
-      pacer.wait();
+      pacer.wait(kStep / rate());
       ros::spinOnce();
       const int contacts = world_.contacts();
       const int crossed = world_.regions().crossed();
@@ -77,6 +83,13 @@ class SimNode {
   }
 
  private:
+  // Simulated seconds a second. Where a busy machine does not keep up with a higher one, commands come late; until the
+  // next command time passes as in reality.
+  double rate() const {
+    const std::int64_t since = step_ - commanded_;
+    return since > kLateSteps && since < kSilentSteps ? std::min(p_.rate, 1.0) : p_.rate;
+  }
+
   ros::Time stamp() const { return ros::Time(kFirstStamp) + ros::Duration().fromNSec(step_ * kStepNanoseconds); }
 
   void publish() {
@@ -131,6 +144,7 @@ class SimNode {
   Every scan_due_;
   sensor_msgs::LaserScan scan_message_;
   std::int64_t step_ = 0;
+  std::int64_t commanded_ = -kSilentSteps;  // the step in which the last command came
 
   ros::NodeHandle node_;
   NodePeople people_;
