@@ -48,6 +48,6 @@ hidwa_build() {
     --build-base build --install-base install --event-handlers console_cohesion- console_start_end+ console_direct+ console_stderr- \
     --cmake-args -DCMAKE_BUILD_TYPE=Release -DPYTHON_EXECUTABLE=/usr/bin/python3 \
     -DPython3_EXECUTABLE=/usr/bin/python3 -DHIDWA_CONSOLE_LIBRARIES="$HIDWA_SPACE/build/console/node_modules" \
-    --no-warn-unused-cli ${parts[@]+"${parts[@]}"} "$@" | /usr/bin/python3 "$HIDWA_LIB/hidwa_tools/build_progress.py") ||
+    -DHIDWA_WERROR="$(hidwa_werror)" --no-warn-unused-cli ${parts[@]+"${parts[@]}"} "$@" | /usr/bin/python3 "$HIDWA_LIB/hidwa_tools/build_progress.py") ||
     fail "the build failed; its whole output is in $HIDWA_SPACE/log/latest_build"
 }

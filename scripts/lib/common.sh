@@ -78,7 +78,9 @@ hidwa_host() {
   done
 }
 
-# Warnings are errors where this is developed and tried; GCC 9 of Ubuntu 20.04 warns differently. HIDWA_WERROR says otherwise.
+# Warnings are errors with the compiler that this is developed with, GCC 12; others warn differently. HIDWA_WERROR says otherwise.
 hidwa_werror() {
-  if [ -d "$HIDWA_NOETIC" ]; then printf '%s\n' "${HIDWA_WERROR:-OFF}"; else printf '%s\n' "${HIDWA_WERROR:-ON}"; fi
+  local version=OFF
+  if [ "$("${CXX:-g++}" -dumpversion 2>/dev/null)" = 12 ]; then version=ON; fi
+  printf '%s\n' "${HIDWA_WERROR:-$version}"
 }

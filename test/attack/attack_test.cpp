@@ -10,6 +10,7 @@
 #include "campaign.hpp"
 #include "drive.hpp"
 #include "report.hpp"
+#include "support/effort.hpp"
 
 namespace hidwa_attack {
 
@@ -24,7 +25,7 @@ constexpr int kSeconds = 20;
 #ifdef HIDWA_SANITIZED_THREADS
 constexpr int kDrives = 4;
 #else
-constexpr int kDrives = 16;
+const int kDrives = hidwa_local_planner::test::effort(4, 16);
 #endif
 
 // Seeds from here on found most of what the long form did when it was first run.

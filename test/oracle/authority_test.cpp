@@ -7,6 +7,7 @@
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/naive_collision.hpp"
 #include "support/paper_scene.hpp"
+#include "support/renewed_planner.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
@@ -94,14 +95,12 @@ TEST(Authority, InFrontOfAnObstacleTheChoiceStaysLegal) {
   scene.fill(0.4, 0.25, 3.0, 3.0);
   scene.situation.velocity = scene.situation.last_command = {0.5, 0.0};
   const NaiveBody body{scene.outline, 0.0};
+  RenewedPlanner renewed;
   for (const double omega_h : {0.05, 0.1, 0.25, 0.5, 1.0}) {
     for (int i = 0; i <= kSteps; ++i) {
       scene.parameters.authority = static_cast<double>(i) / kSteps;
       scene.steer({0.5, omega_h});
-      Planner planner(critics::built_in());
-      ASSERT_TRUE(planner.configure(scene.parameters).empty());
-      planner.set_footprint(scene.outline);
-      const Decision decision = planner.plan(scene.situation, scene.grid(), scene.intent);
+      const Decision decision = renewed(scene).plan(scene.situation, scene.grid(), scene.intent);
       ASSERT_EQ(decision.outcome, Outcome::drive) << omega_h << " " << i;
       for (const Pose2& pose : decision.trajectory) {
         ASSERT_LT(naive_overlap(scene.grid(), body, pose, true), 1e-9) << omega_h << " " << i;

@@ -6,9 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/core/planner.hpp"
-#include "hidwa_local_planner/critics/built_in.hpp"
+#include "support/effort.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"
+#include "support/renewed_planner.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using test::Random;
 using test::Scene;
 
-constexpr int kScenes = 1500;
+const int kScenes = test::effort(400, 1500);
 constexpr int kCycles = 3;
 
 struct Tally {
@@ -59,11 +60,8 @@ void expect_known_rejections(const Planner& brief, const Planner& full) {
 
 // A few cycles of one robot, so that what critics remember counts.
 void compare(Scene& scene, Random& random, Tally& tally) {
-  Planner brief(critics::built_in()), full(critics::built_in());
-  for (Planner* planner : {&brief, &full}) {
-    ASSERT_TRUE(planner->configure(scene.parameters).empty());
-    planner->set_footprint(scene.outline);
-  }
+  static test::RenewedPlanner renewed_brief, renewed_full;
+  Planner &brief = renewed_brief(scene), &full = renewed_full(scene);
   Sampling all;
   all.report = Report::legality;
   for (int k = 0; k < kCycles; ++k) {
@@ -103,10 +101,10 @@ TEST(CheckAll, DecidesTheSame) {
   }
   std::printf("%d cycles: %d chosen, %d nothing legal, %d with fewer looks, %d with the person's own rejected\n",
               tally.cycles, tally.chosen, tally.nothing_legal, tally.fewer_looks, tally.own_rejected);
-  EXPECT_GT(tally.chosen, 2000);
-  EXPECT_GT(tally.nothing_legal, 50);
-  EXPECT_GT(tally.fewer_looks, 300);
-  EXPECT_GT(tally.own_rejected, 100);
+  EXPECT_GT(tally.chosen, kScenes * 4 / 3);
+  EXPECT_GT(tally.nothing_legal, kScenes / 30);
+  EXPECT_GT(tally.fewer_looks, kScenes / 5);
+  EXPECT_GT(tally.own_rejected, kScenes / 15);
 }
 
 }  // namespace

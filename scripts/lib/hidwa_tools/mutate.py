@@ -7,6 +7,7 @@ import filecmp
 import functools
 import json
 import os
+import re
 import resource
 import shutil
 import signal
@@ -25,10 +26,6 @@ PARTS = ('CMakeLists.txt', 'cmake', 'src', 'include', 'test', 'launch', 'maps', 
 SUITES = ('unit/core', 'unit/input', 'unit/control', 'unit/record', 'oracle', 'property', 'attack')
 CLOSED_LOOP = ('unit/drive', 'closed_loop')  # with --closed-loop: they take as long as all others together
 LEFT_OUT = sanitize.UNFIT
-# With --quick only what is left: these take minutes each.
-LONG = tuple(f'hidwa_{name}' for name in (
-    'property_test', 'walker_attack_test', 'attack_test', 'choice_twin_test', 'planner_twin_test', 'check_all_test', 'authority_test',
-    'unit_record', 'closed_loop_test', 'drive_test'))
 MEMORY = 6 << 30     # [byte], of a test: a fault may ask for all there is
 BAR = 95.0           # [%]
 SLOW_CASE = 3.0      # [s], of one case of a program
@@ -58,17 +55,26 @@ def slow_cases(command):
     return {}
 
 
+def is_long(test):
+    """Whether a test, as ctest lists it, is left to the long form."""
+    return any(one['name'] == 'LABELS' and 'long' in one['value'] for one in test.get('properties', []))
+
+
 class Tests:
     """The tests of the build folder, and how long each takes without a fault."""
 
-    def __init__(self, build, left_out):
+    def __init__(self, build, whole):
         self._build, self._kills, self.time = build, {}, {}
-        self.names = [test['name'] for test in self._listing() if test['name'] not in left_out]  # of their programs too
+        self.names = [test['name'] for test in self._listing() if test['name'] not in LEFT_OUT and (whole or not is_long(test))]
         self._commands = {}
 
     def _listing(self):
         listing = subprocess.run(['ctest', '--show-only=json-v1'], cwd=self._build, stdout=subprocess.PIPE, check=True).stdout
         return json.loads(listing)['tests']
+
+    def programs(self):
+        """The targets to build: the long form of a test is the same program."""
+        return sorted({re.sub('_long$', '', name) for name in self.names})
 
     def find_programs(self):
         """Once they are built."""
@@ -190,7 +196,7 @@ def judge(tree, tests, mutant):
     """(what became of it, the test that found it)."""
     tree.write(mutant, mutant.after)
     try:
-        if not tree.make(tests.names):
+        if not tree.make(tests.programs()):
             return 'no code', ''
         found = tests.finds(mutant.path)
         return ('found', found) if found else ('survived', '')
@@ -226,8 +232,8 @@ def run(options):
     tree.copy()
     tree.configure()
     print(f'==> building; {total} places can be changed, {len(left_out)} of them in a way that nothing can notice', flush=True)
-    tests = Tests(tree.build, LEFT_OUT + (LONG if options.quick else ()))
-    if not tree.make(tests.names):
+    tests = Tests(tree.build, options.long)
+    if not tree.make(tests.programs()):
         raise MutateError(f'the build failed: see {FOLDER}/build.log')
     tests.find_programs()
     print('==> the tests without a fault', flush=True)
@@ -265,8 +271,9 @@ def main(arguments=None):
     parser.add_argument('--seed', type=int, default=1, metavar='N', help='other faults (1)')
     parser.add_argument('--folder', default='src/', metavar='FOLDER', help='only there, as src/core/motion')
     parser.add_argument('--jobs', type=int, default=CORES, metavar='N', help='compilers at the same time (one a core)')
-    parser.add_argument('--quick', action='store_true',
-                        help='only the tests that take seconds; --go-on then asks the others about what they left')
+    parser.add_argument('--quick', action='store_true', help=f'only the cases that take less than {SLOW_CASE:g} s; --go-on then asks the '
+                        'others about what they left')
+    parser.add_argument('--long', action='store_true', help='the long form of the tests, too')
     parser.add_argument('--closed-loop', action='store_true', help='ask whole drives too, where nothing else finds the fault')
     parser.add_argument('--go-on', action='store_true', help='take over what a run before has found; try its survivors again')
     options = parser.parse_args(arguments)

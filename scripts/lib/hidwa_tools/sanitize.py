@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/test --sanitize: the tests under sanitizers, each combination in a build folder of its own."""
+"""The tests under sanitizers, each combination in a build folder of its own: forms of scripts/test --long, and a part of the short one."""
 import glob
 import os
 import re
+import shutil
 
 from . import compilers
 
@@ -11,20 +12,28 @@ ADDRESS, THREAD = 'address,undefined', 'thread'
 UNFIT = ('hidwa_vector_width_core_test', 'hidwa_vector_width_critics_test')
 # Slow cycles say so in words, which allocates.
 UNFIT_CASES = '-Allocations.NoneWhileThePersonSteers'
-# What one CI run has time for: whole drives, campaigns and records take many times as long as all else together, and are not even built.
-SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/core;unit/input;unit/control;unit/robot;fuzz')
+# The short form: what reads bytes, what the operator sends, and what starts threads.
+SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/input;unit/control;unit/robot;fuzz')
 # A program with one thread has no race to find: the thread sanitizer takes the folders whose tests start threads of their own.
 # No other library without ROS starts one; test/scripts looks.
 THREAD_SUITES = ('unit/robot', 'unit/study', 'attack', 'ways')
 SUPPRESSIONS = os.path.join('test', 'sanitize')  # what is not ours, by name
 
-FUZZ = 'fuzz'  # not the tests, but a minute of each fuzz target
+# {name: (compiler, sanitizers)}: the tests that need no ROS, and host, plugin and rostests.
+FORMS = {'gcc-address': ('g++', ADDRESS), 'clang-address': ('clang++', ADDRESS), 'gcc-thread': ('g++', THREAD),
+         'clang-thread': ('clang++', THREAD)}
+HOST_FORMS = {'ros-address': ('g++', ADDRESS), 'ros-thread': ('g++', THREAD)}
 
-# {name: (compiler, sanitizers, with ROS)}
-FORMS = {
-    'gcc-address': ('g++', ADDRESS, False), 'clang-address': ('clang++', ADDRESS, False), 'gcc-thread': ('g++', THREAD, False),
-    'clang-thread': ('clang++', THREAD, False), 'ros-address': ('g++', ADDRESS, True), 'ros-thread': ('g++', THREAD, True),
-    FUZZ: ('clang++', ADDRESS, False)}
+
+class Absent(Exception):
+    """A form is left out; the text says what is absent."""
+
+
+def empty_folder(path):
+    """The path of a folder that is made anew."""
+    shutil.rmtree(path, ignore_errors=True)
+    os.makedirs(path)
+    return path
 
 
 def environment(root):
@@ -58,6 +67,8 @@ def findings(folder):
 
 def cmake_options(compiler, sanitizers):
     """What CMake is told: assertions stay, and -O2, since GCC inlines nothing of Eigen below it."""
+    if compiler == 'clang++' and not compilers.fuzzes(compilers.clang()):
+        raise Absent(f'left out, absent: Clang with its run-time libraries ({compilers.REMEDY})')
     found = compilers.clang() if compiler == 'clang++' else compiler
     own = [f'-DHIDWA_TEST_SUITES={";".join(THREAD_SUITES)}'] if sanitizers == THREAD else []
     return [f'-DCMAKE_CXX_COMPILER={found}', f'-DHIDWA_SANITIZE={sanitizers}', '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O2',

@@ -11,6 +11,7 @@
 #include "core/search/evasion_search.hpp"
 #include "core/search/motion_fan.hpp"
 #include "core/search/plan_guide.hpp"
+#include "support/effort.hpp"
 #include "support/planner_bench.hpp"
 #include "support/random.hpp"
 
@@ -546,7 +547,7 @@ TEST(Evasions, WhatTheyKnowOfBendsIsSaved) {
 TEST(Evasions, GoOnForLessThanTheyBegin) {
   Random random(8);
   int only_goes_on = 0, both = 0;
-  for (int k = 0; k < 40; ++k) {
+  for (int k = 0; k < test::effort(12, 40); ++k) {
     PlannerBench bench(among_people(random));
     bool evaded = false;
     for (int cycle = 0; cycle < 40; ++cycle) {
@@ -568,8 +569,8 @@ TEST(Evasions, GoOnForLessThanTheyBegin) {
       evaded = evades;
     }
   }
-  EXPECT_GT(only_goes_on, 10);
-  EXPECT_GT(both, 10);
+  EXPECT_GT(only_goes_on, test::effort(2, 10));
+  EXPECT_GT(both, test::effort(2, 10));
 }
 
 // Nothing is remembered of it where it did not decide: records are no longer for it.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/effort.hpp"
 #include "support/office_scans.hpp"
 #include "support/tracker_score.hpp"
 
@@ -98,7 +99,7 @@ TEST(TrackerDrive, FindsWhoStepsOutWithin04s) {
   EXPECT_LE(share_below(delays, 1.0), 0.5 + 1e-9);
 }
 
-// Ten minutes each through an office where nothing moves.
+// Ten minutes each (in the long form) through an office where nothing moves.
 TEST(TrackerDrive, MakesNobodyOutOfAnOffice) {
   struct Office {
     double noise, slip;
@@ -109,7 +110,7 @@ TEST(TrackerDrive, MakesNobodyOutOfAnOffice) {
     ScanRobot robot(office_round(), 0.5, 1.0);
     robot.slip_x = robot.slip_theta = o.slip;
     TrackerDrive drive(world, robot, TrackerSettings(), 2);
-    const TrackerScore score = drive.run(600.0);
+    const TrackerScore score = drive.run(effort(60.0, 600.0));
     std::printf("noise %.2f m, slip %.2f: %zu false tracks, %d false points\n", o.noise, o.slip, score.false_ids.size(),
                 score.false_points);
     EXPECT_LE(score.false_ids.size(), 1u);
