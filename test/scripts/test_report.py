@@ -5,8 +5,10 @@ import io
 import json
 import math
 import os
+import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy as np
 
@@ -184,6 +186,19 @@ class Report(unittest.TestCase):
         with contextlib.redirect_stderr(io.StringIO()) as said:
             self.assertEqual(report.main([os.path.join(self.folder.name, 'absent.bag')]), 2)
         self.assertIn('absent.bag', said.getvalue())
+
+    def test_without_matplotlib_the_figures_come_and_say_what_is_missing(self):
+        path = SyntheticDrive().write(os.path.join(self.folder.name, 'drive.bag'))
+        whole = report.write_report(path, self.folder.name)
+        os.remove(os.path.join(self.folder.name, 'report.png'))
+        with mock.patch.dict(sys.modules, {'matplotlib': None}):
+            del sys.modules['hidwa_tools.figure']
+            figures = report.write_report(path, self.folder.name)
+        self.assertEqual(figures.pop('no_picture'), 'matplotlib is not installed: apt-get install python3-matplotlib')
+        self.assertEqual(figures, whole)
+        self.assertFalse(os.path.exists(os.path.join(self.folder.name, 'report.png')))
+        with open(os.path.join(self.folder.name, 'report.json'), encoding='utf-8') as text:
+            self.assertIn('apt-get install python3-matplotlib', json.load(text)['no_picture'])
 
     def test_footprint_is_the_one_recorded(self):
         path = SyntheticDrive().write(os.path.join(self.folder.name, 'drive.bag'))

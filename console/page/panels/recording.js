@@ -11,6 +11,7 @@ export class RecordingPanel {
     this.on = false;
     byId('record').addEventListener('click', () => send('record', { on: !this.on }));
     byId('report').addEventListener('click', () => this.open());
+    byId('report-picture').addEventListener('error', ({ target }) => { target.hidden = true; }); // the figures say why
   }
 
   tick({ record }) {
@@ -23,6 +24,7 @@ export class RecordingPanel {
   }
 
   async open() {
+    byId('report-picture').hidden = false;
     byId('report-picture').src = `/report/report.png?${Date.now()}`; // not the one of the drive before
     const answer = await fetch('/report/report.json', { cache: 'no-store' });
     const figures = answer.ok ? await answer.json() : {};

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The figures of a drive, from what its bag holds and nothing else."""
 import numpy as np
-from scipy.ndimage import distance_transform_edt
 
 from . import geometry
 from .drawing import STATE_NAMES, STEERED
@@ -28,19 +27,17 @@ def overlaps(grid, footprint, poses):
     """Whether the footprint overlaps or touches an occupied cell, at each of the poses (n, 3)."""
     size = grid.resolution
     reach = np.hypot(footprint[:, 0], footprint[:, 1]).max()
-    clearance = distance_transform_edt(~grid.occupied) * size if grid.occupied.any() else np.full(grid.occupied.shape, np.inf)
-    rows, columns = grid.occupied.shape
+    cells = int(np.ceil(reach / size)) + 1
 
     def overlap(x, y, yaw):
         column, row = np.floor((np.array([x, y]) - grid.origin) / size).astype(int)
-        inside = 0 <= row < rows and 0 <= column < columns
-        # Cell centres stand up to half a diagonal from the robot and from the obstacle's edge.
-        if inside and clearance[row, column] > reach + 1.5 * size:
-            return False
-        cells = int(np.ceil(reach / size)) + 1
         low = np.maximum([row - cells, column - cells], 0)
         near = np.argwhere(grid.occupied[low[0]:max(row + cells + 1, 0), low[1]:max(column + cells + 1, 0)]) + low
         centres = grid.origin + (near[:, ::-1] + 0.5) * size
+        # From a cell's centre to its corner it is half a diagonal.
+        centres = centres[np.hypot(centres[:, 0] - x, centres[:, 1] - y) <= reach + size]
+        if not len(centres):
+            return False
         return bool(geometry.meets_squares(geometry.placed(footprint, x, y, yaw), centres, size).any())
 
     answers, last, answer = [], None, False

@@ -8,23 +8,25 @@ import sys
 from . import geometry
 from .bag import TOPICS, Names, read_drives
 from .errors import BagError
-from .figure import draw
 from .measure import measure
 from .options import positive
 
+NO_PICTURE = 'matplotlib is not installed: apt-get install python3-matplotlib'
 NAMED = ('odom', 'scan', 'cmd_vel', 'joy', 'map', 'goal')  # topics that can be named
 
 
 def write_report(bag, folder, names=None, goal=None):
     """Writes report.json and report.png into the folder and returns the report. A bag with several goals has a list of
-    reports instead, {'goals': [...]}, and report_1.png, report_2.png, ...; `goal` (from 1) asks for one of them alone."""
+    reports instead, {'goals': [...]}, and report_1.png, report_2.png, ...; `goal` (from 1) asks for one of them alone.
+    Without matplotlib, which a robot need not have, there is no picture, and `no_picture` says so."""
+    draw, remark = _drawing()
     drives = read_drives(bag, names)
     if goal is not None:
         if not 1 <= goal <= len(drives):
             raise BagError(f'{bag} has no goal {goal}: it holds {len(drives)}, counted from 1')
         drives = [drives[goal - 1]]
     if len(drives) == 1:
-        report = _measured(bag, drives[0])
+        report = {**_measured(bag, drives[0]), **remark}
         _write(folder, report)
         draw(drives[0], report, os.path.join(folder, 'report.png'), _title(bag, drives[0]))
         return report
@@ -38,9 +40,20 @@ def write_report(bag, folder, names=None, goal=None):
         reports.append({'goal_number': i, **report})
         os.makedirs(folder, exist_ok=True)
         draw(drive, report, os.path.join(folder, f'report_{i}.png'), f'{os.path.basename(bag)}, goal {i} of {len(drives)}')
-    report = {'goals': reports}
+    report = {'goals': reports, **remark}
     _write(folder, report)
     return report
+
+
+def _drawing():
+    """(how a drive is drawn, what the report says of that)"""
+    try:
+        from .figure import draw
+    except ModuleNotFoundError as fault:
+        if fault.name != 'matplotlib':
+            raise
+        return (lambda *_: None), {'no_picture': NO_PICTURE}
+    return draw, {}
 
 
 def _measured(bag, drive):

@@ -15,6 +15,8 @@ import tornado.netutil
 import tornado.web
 import tornado.websocket
 
+from hidwa_tools.report import NO_PICTURE
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 PAGE = os.path.join(HERE, '..', '..', '..', 'console', 'page')
 POLICY = ("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; worker-src 'self'; "
@@ -34,6 +36,13 @@ class Login(tornado.web.RequestHandler):
 
     def get(self):
         self.set_status(204)
+
+
+class Report(tornado.web.RequestHandler):
+    """The report of a robot without matplotlib: figures, and no picture beside them."""
+
+    def get(self):
+        self.write({'path_length_m': 2.0, 'no_picture': NO_PICTURE})
 
 
 class Control(tornado.websocket.WebSocketHandler):
@@ -126,7 +135,7 @@ class FakeServer:
         routes = [(r'/login', Login), (r'/control', Control), (r'/view', View)]
         if lib:
             routes.append((r'/lib/(.*)', Files, {'path': lib}))
-        routes.append((r'/(.*)', Files, {'path': page, 'default_filename': 'index.html'}))
+        routes += [(r'/report/report.json', Report), (r'/(.*)', Files, {'path': page, 'default_filename': 'index.html'})]  # others: 404
         server = tornado.httpserver.HTTPServer(tornado.web.Application(routes, server=self))
         sockets = tornado.netutil.bind_sockets(0, '127.0.0.1')
         server.add_sockets(sockets)

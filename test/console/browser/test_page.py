@@ -384,6 +384,14 @@ class Panels(PageTest):
         self.server.show(record={'on': True, 'file': 'drive.bag', 'seconds': 75, 'report': 'none', 'text': ''})
         self.browser.wait(lambda: self.browser.text('record') == 'Recording, 1 min 15 s: end it')
 
+    def test_a_report_without_a_picture_shows_its_figures(self):
+        self.server.show(record={'on': False, 'file': 'drive.bag', 'seconds': 0, 'report': 'ready', 'text': ''})
+        self.browser.click('tab-record')
+        self.browser.until("return !document.getElementById('report').hidden")
+        self.browser.click('report')
+        self.browser.until("return document.getElementById('report-dialog').open && document.getElementById('report-picture').hidden")
+        self.assertIn('apt-get install python3-matplotlib', self.browser.text('report-figures'))
+
 
 class Gamepad(PageTest):
     scripts = ("""
