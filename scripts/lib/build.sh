@@ -44,6 +44,7 @@ hidwa_build() {
   hidwa_built_with HIDWA_TOOLS || parts+=(-DHIDWA_TOOLS=demo)
   [ -d "$HIDWA_SPACE/build/hidwa_local_planner" ] || parts+=(-DHIDWA_UNITY=ON)
   export MAKEFLAGS="-j$(hidwa_jobs)"
+  export HIDWA_WITH_TOOLS=1  # for package.xml: what a robot does without is a dependency here
   (cd "$HIDWA_SPACE" && colcon build --merge-install --executor sequential --base-paths "${bases[@]}" \
     --build-base build --install-base install --event-handlers console_cohesion- console_start_end+ console_direct+ console_stderr- \
     --cmake-args -DCMAKE_BUILD_TYPE=Release -DPYTHON_EXECUTABLE=/usr/bin/python3 \

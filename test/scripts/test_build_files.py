@@ -59,10 +59,21 @@ class Configured:
         listing = subprocess.run(['ctest', '--show-only=json-v1'], cwd=self.path, stdout=subprocess.PIPE, text=True, check=True).stdout
         return [test['name'] for test in json.loads(listing)['tests']]
 
+    def built_by(self, target):
+        """Targets that `make target` builds."""
+        rules = {}
+        for made, needs in re.findall(r'^(\S+): (\S+)$', self.read('CMakeFiles', 'Makefile2'), re.MULTILINE):
+            rules.setdefault(made, []).append(needs)
+        open_, known = [target, f'CMakeFiles/{target}.dir/all'], set()
+        while open_:
+            rule = open_.pop()
+            known.add(rule)
+            open_ += [other for other in rules.get(rule, []) if other not in known]
+        return {match[1] for match in map(re.compile(r'(?:.*/)?CMakeFiles/(\w+)\.dir/all$').match, known) if match}
+
     def built_by_all(self):
         """Targets that a plain `make` builds."""
-        rules = self.read('CMakeFiles', 'Makefile2')
-        return set(re.findall(r'^(?:[\w/]+/)?all: \S*CMakeFiles/(\w+)\.dir/all$', rules, re.MULTILINE))
+        return self.built_by('all')
 
 
 class BuildFiles(unittest.TestCase):

@@ -4,14 +4,17 @@ import ast
 import glob
 import os
 import re
+import subprocess
 import unittest
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..'))
 LIBRARY = os.path.join(ROOT, 'scripts', 'lib', 'hidwa_tools')
-# record_drive and the console import of it; the console also runs the report as a program.
-PROGRAMS = [os.path.join(ROOT, 'scripts', 'record_drive'), os.path.join(ROOT, 'console', 'console'),
-            *sorted(glob.glob(os.path.join(ROOT, 'console', 'hidwa_console', '*.py')))]
+# A robot's programs import of it; the console also runs the report as a program.
+PROGRAMS = [*(os.path.join(ROOT, 'scripts', name) for name in ('joy_reader', 'quest2ros_joy', 'record_drive', 'bag_test')),
+            os.path.join(ROOT, 'console', 'console'), *sorted(glob.glob(os.path.join(ROOT, 'console', 'hidwa_console', '*.py'))),
+            *sorted(glob.glob(os.path.join(ROOT, 'scripts', 'lib', 'hidwa_bag_test', '*.py')))]
 RUN_AS_PROGRAMS = {'report'}
+WITHOUT = ('matplotlib', 'scipy')  # a robot need not have them
 
 
 def installed():
@@ -51,8 +54,21 @@ def needed():
 
 
 class Installed(unittest.TestCase):
-    def test_what_the_programs_import_is_installed(self):
-        self.assertEqual(needed() - installed(), set())
+    def test_what_the_programs_import_is_installed_and_nothing_else(self):
+        self.assertEqual(installed() - {'__init__'}, needed())
+
+    @unittest.skipUnless(os.environ.get('ROS_PACKAGE_PATH'), 'no ROS in this environment (. scripts/env)')
+    def test_they_begin_without_matplotlib_and_scipy(self):
+        lines = [f'import sys; sys.modules.update(dict.fromkeys({WITHOUT}))']  # None there: the import fails
+        lines += [f'import hidwa_tools.{name}' for name in sorted(installed() - {'figure'})]
+        for path in PROGRAMS:
+            package, name = os.path.basename(os.path.dirname(path)), os.path.basename(path)
+            if name.endswith('.py'):
+                lines.append(f'import {package}.{name[:-3]}')
+        places = (os.path.join(ROOT, 'scripts', 'lib'), os.path.join(ROOT, 'console'), os.environ.get('PYTHONPATH', ''))
+        done = subprocess.run(['/usr/bin/python3', '-c', '\n'.join(lines)], env={**os.environ, 'PYTHONPATH': ':'.join(places)},
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout)
 
     def test_the_search_finds_what_it_should(self):
         self.assertTrue({'bag', 'figure', 'pose_goal', 'processes', 'exchange'} <= needed())  # bag and figure by way of report

@@ -11,6 +11,8 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
+from test_installed_modules import LIBRARY, PROGRAMS as ROBOT_PROGRAMS, installed
+
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
 NAME = 'hidwa_local_planner'
 # What a header, a CMake package or a Python module is called as a dependency, where that is something else.
@@ -23,6 +25,9 @@ OTHER_NAMES = {
     'matplotlib': 'python3-matplotlib', 'scipy': 'python3-scipy', 'tornado': 'python3-tornado', 'PIL': 'python3-pil',
     'rospkg': 'python3-rospkg'}
 PROGRAMS = ('scripts/*', 'scripts/lib/**/*.py', 'console/*', 'console/hidwa_console/*.py')
+# What a robot does without: folders that HIDWA_TOOLS adds, and the picture of a report.
+TOOLS = ('src/sim/', 'src/drive/', 'src/study/', 'src/replay/', 'src/attack/', 'launch/demo.launch', 'scripts/lib/hidwa_tools/figure.py')
+WITH_TOOLS, WITH_MBF = '$HIDWA_WITH_TOOLS == 1', '$HIDWA_WITH_MBF == 1'
 SYSTEM = {'sys', 'Threads'}       # of the compiler and of CMake
 OWN = {NAME, 'hidwa_tools', 'hidwa_bag_test', 'hidwa_console', 'joy_reader', 'quest2ros_joy', 'command_watch', 'message_gate',
        'running_host', 'console_frames'}
@@ -39,10 +44,18 @@ def files(*patterns):
                   if os.path.isfile(path))
 
 
-def headers(*folders):
+def of_robot(paths):
+    """Those of the paths that are not the tools'."""
+    return [path for path in paths if not os.path.relpath(path, ROOT).startswith(TOOLS)]
+
+
+# In what follows `which` takes the paths of files and returns those that count.
+
+
+def headers(*folders, which=list):
     """Folders of what is included in angle brackets; of a header in no folder its own name, if it is no system header."""
     found = set()
-    for path in files(*(f'{folder}/**/*.[ch]pp' for folder in folders)):
+    for path in which(files(*(f'{folder}/**/*.[ch]pp' for folder in folders))):
         for name in re.findall(r'^#include <([\w.-]+/|zlib\.h)', read(path), re.MULTILINE):
             found.add(name.rstrip('/'))
     if 'rosbag' in found:
@@ -50,10 +63,12 @@ def headers(*folders):
     return found
 
 
-def cmake_packages():
-    """What CMake is asked to find, components of catkin included."""
+def cmake_packages(which=list):
+    """What CMake is asked to find, components of catkin included, but for what only tests need."""
     found = set()
-    for path in files('CMakeLists.txt', 'cmake/*.cmake', 'src/*/CMakeLists.txt'):
+    for path in which(files('CMakeLists.txt', 'cmake/*.cmake', 'src/*/CMakeLists.txt')):
+        if path.endswith('/gtest.cmake'):
+            continue
         text = re.sub(r'#.*', '', read(path))
         found.update(re.findall(r'find_package\((\S+?)[\s)]', text))
         for names in re.findall(r'set\(HIDWA_CATKIN_DEPENDS([^)]*)\)', text) + re.findall(r'COMPONENTS ([^)]*)\)', text):
@@ -80,10 +95,10 @@ def modules(path):
             yield node.module.split('.')[0]
 
 
-def imports(*patterns):
+def imports(*patterns, which=list):
     """Imported modules that neither come with Python nor lie beside the file."""
     found = set()
-    for path in files(*patterns):
+    for path in which(files(*patterns)):
         if not path.endswith('.py') and 'python3' not in read(path).split('\n', 1)[0]:
             continue
         beside = {os.path.basename(other)[:-3] for other in glob.glob(os.path.join(os.path.dirname(path), '*.py'))}
@@ -91,9 +106,9 @@ def imports(*patterns):
     return found
 
 
-def launched():
+def launched(which=list):
     """Packages of nodes and files that the launch files name."""
-    text = '\n'.join(read(path) for path in files('launch/**/*.launch'))
+    text = '\n'.join(read(path) for path in which(files('launch/**/*.launch')))
     return set(re.findall(r'pkg="(\w+)"', text)) | set(re.findall(r'\$\(find (\w+)\)', text))
 
 
@@ -109,7 +124,7 @@ class PackageXml(unittest.TestCase):
         return {tag.text for kind in kinds for tag in self.package.findall(kind)}
 
     def test_what_is_compiled_is_a_build_dependency(self):
-        needed = named(headers('src', 'include') | cmake_packages()) - {'gtest'}
+        needed = named(headers('src', 'include') | cmake_packages())
         self.assertIn('rosgraph_msgs', needed)
         self.assertIn('mbf_msgs', needed)
         self.assertEqual(needed - self.depends('depend', 'build_depend', 'buildtool_depend'), set())
@@ -126,17 +141,25 @@ class PackageXml(unittest.TestCase):
         self.assertEqual(needed - self.depends('depend', 'exec_depend', 'build_depend', 'test_depend'), set())
 
     def test_nothing_is_named_that_nothing_needs(self):
-        by_name = {'catkin', 'message_generation', 'message_runtime', 'roslaunch'}  # used as programs and by CMake's macros
+        # Used as programs, by CMake's macros, and by tests.
+        by_name = {'catkin', 'message_generation', 'message_runtime', 'roslaunch', 'gtest'}
         needed = named(headers('src', 'include', 'test/unit') | cmake_packages() | launched()
                        | imports(*PROGRAMS, 'test/scripts/*.py', 'test/console/*.py', 'cfg/*.cfg'))
         named_here = self.depends('depend', 'build_depend', 'buildtool_depend', 'exec_depend', 'test_depend')
         self.assertEqual(named_here - needed - by_name, set())
 
-    def test_move_base_flex_is_optional(self):
+    def test_move_base_flex_and_what_only_tools_need_are_optional_and_nothing_else(self):
         self.assertEqual(self.package.get('format'), '3')
-        conditions = {tag.text: tag.get('condition') for tag in self.package if tag.tag.endswith('depend')}
-        for name, condition in conditions.items():
-            self.assertEqual(condition, '$HIDWA_WITH_MBF == 1' if name.startswith('mbf_') else None, name)
+        robot = named(headers('src', 'include', which=of_robot) | cmake_packages(of_robot) | launched(of_robot)
+                      | imports(*ROBOT_PROGRAMS, *(os.path.join(LIBRARY, name + '.py') for name in installed()), which=of_robot))
+        self.assertLessEqual({'costmap_2d', 'map_server', 'rosbag', 'tf2_py', 'python3-tornado'}, robot)
+        tools = named(headers('src') | cmake_packages() | launched() | imports(*PROGRAMS)) - robot
+        self.assertLessEqual({'rosbag_storage', 'yaml-cpp', 'python3-scipy', 'python3-matplotlib'}, tools)
+        flex = {name for name in robot if name.startswith('mbf_')}
+        for tag in self.package:
+            if tag.tag.endswith('depend') and tag.tag != 'test_depend':
+                condition = WITH_TOOLS if tag.text in tools else WITH_MBF if tag.text in flex else None
+                self.assertEqual(tag.get('condition'), condition, tag.text)
 
     def test_it_says_who_and_where(self):
         for tag in ('author', 'maintainer', 'url', 'license'):

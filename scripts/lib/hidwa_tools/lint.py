@@ -99,7 +99,8 @@ TOOLS = {
     'flake8': lambda: ['flake8', 'scripts', 'console', 'test'],
     'shellcheck': lambda: ['shellcheck', '-x', '-e', 'SC1091', *shell_scripts()],
     'codespell': lambda: ['codespell', '-L', WORDS, *files('*.md', '*.rst', '*.hpp', '*.cpp', '*.py', '*.yaml', '*.launch', '*.msg')],
-    'catkin_lint': lambda: ['catkin_lint', '--offline', '-W0', '.', *(os.path.join('compat', name) for name in COMPAT)],
+    'catkin_lint': lambda: ['env', 'HIDWA_WITH_TOOLS=1', 'catkin_lint', '--offline', '-W0', '.',
+                            *(os.path.join('compat', name) for name in COMPAT)],
 }
 
 
