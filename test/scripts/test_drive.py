@@ -54,14 +54,23 @@ class Ready(unittest.TestCase):
         self.assertEqual(said, '')
 
     def test_what_got_lost_is_asked_for_anew_and_nothing_else(self):
-        graph, said = self.ready({'/map': 3})
-        self.assertEqual(graph.asked.pop('/map'), 3)
+        graph, said = self.ready({'/scan': 3})
+        self.assertEqual(graph.asked.pop('/scan'), 3)
         self.assertEqual(set(graph.asked.values()), {1})
-        self.assertEqual(said, 'the map: nothing after 16 s, asked anew\nthe map: nothing after 32 s, asked anew\n')
+        # After more than 15 and 30 s, by a clock of whole seconds.
+        self.assertEqual(said, 'the laser: nothing after 16 s, asked anew\nthe laser: nothing after 31 s, asked anew\n')
+
+    def test_on_a_slow_machine_what_is_on_its_way_gets_ever_more_time(self):
+        # Within 180 s after 15, 30, 60 and 120 s: four times after the first one.
+        graph = self.ready({'/scan': 5})[0]
+        self.assertEqual(graph.asked.pop('/scan'), 5)
+
+    def test_a_map_that_is_slow_to_come_is_waited_for_by_move_base_alone(self):
+        self.assertNotIn('/map', self.ready({})[0].asked)
 
     def test_what_never_comes_is_named(self):
-        with self.assertRaisesRegex(DemoError, '^after 90 s still waiting for the map, the laser$'):
-            self.ready({'/map': 99, '/scan': 99})
+        with self.assertRaisesRegex(DemoError, '^after 180 s still waiting for the laser, move_base, or the map that it needs$'):
+            self.ready({'/move_base/status': 99, '/scan': 99})
 
 
 if __name__ == '__main__':

@@ -4,13 +4,13 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 from unittest import mock
 
 from hidwa_tools import demo
 from hidwa_tools.errors import DemoError
 from hidwa_tools.processes import Child, free_port
+from hidwa_tools.waiting import wait_for
 
 
 def running(pid):
@@ -28,11 +28,8 @@ class Processes(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.log = os.path.join(self.folder.name, 'log')
 
-    def wait_for(self, condition, patience=20.0):
-        end = time.monotonic() + patience
-        while not condition():
-            self.assertLess(time.monotonic(), end, 'waited in vain')
-            time.sleep(0.02)
+    def wait_for(self, condition):
+        self.assertTrue(wait_for(condition), 'waited in vain')
 
     def pids_in_log(self, count):
         def read():
@@ -47,7 +44,7 @@ class Processes(unittest.TestCase):
         child = Child(['bash', '-c', f'set -m; {script}'], self.log, dict(os.environ))
         pids = self.pids_in_log(2)
         self.assertTrue(child.running)
-        child.stop(patience=5.0)
+        child.stop()
         self.assertFalse(child.running)
         self.assertEqual([pid for pid in pids if running(pid)], [])
 

@@ -4,7 +4,6 @@ import json
 import os
 import subprocess
 import tempfile
-import time
 import unittest
 
 import rosbag
@@ -13,6 +12,7 @@ import rosgraph
 from hidwa_tools import demo, recording
 from hidwa_tools.drive import unconnected
 from hidwa_tools.processes import Child
+from hidwa_tools.waiting import PATIENCE, wait_for
 
 COMMAND, RECORDER = '/robot/base/command', '/robot/robot_record_drive_bag'
 LAUNCH = '''<launch><group ns="robot">
@@ -65,10 +65,7 @@ class Names(unittest.TestCase):
 
 class Recording(unittest.TestCase):
     def wait_for(self, condition, what):
-        end = time.monotonic() + 30.0
-        while not condition():
-            self.assertLess(time.monotonic(), end, f'waited in vain for {what}')
-            time.sleep(0.05)
+        self.assertTrue(wait_for(condition), f'waited in vain for {what}')
 
     def recorder_has(self, topics):
         """Whether the topics are published and all that publish them send to the recorder."""
@@ -108,7 +105,7 @@ class Recording(unittest.TestCase):
             # The same again: refused, in words, and what is there stays as it is.
             size = os.path.getsize(bag)
             again = subprocess.run(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                   timeout=60)
+                                   timeout=PATIENCE)
             self.assertIn('drive.bag exists and is not overwritten', again.stdout)
             self.assertEqual(os.path.getsize(bag), size)
 

@@ -2,7 +2,6 @@
 import os
 import sys
 import tempfile
-import time
 import unittest
 
 from hidwa_tools.side_by_side import side_by_side
@@ -47,11 +46,9 @@ import os, time
 while not os.path.exists({self.path("slow.out")!r}) or not os.path.getsize({self.path("slow.out")!r}):
     time.sleep(0.02)
 ''']
-        begin = time.monotonic()
         for name, _ in side_by_side([('slow', [sys.executable, '-c', SLEEP]), ('quick', quick)], 2, self.folder.name):
             self.assertEqual(name, 'quick')
             break
-        self.assertLess(time.monotonic() - begin, 300.0)
 
 
 if __name__ == '__main__':

@@ -7,7 +7,6 @@ import json
 import math
 import os
 import tempfile
-import time
 import unittest
 
 from geometry_msgs.msg import Twist
@@ -20,6 +19,7 @@ from hidwa_tools import demo, geometry, measure
 from hidwa_tools.bag import INFO_TOPIC, read_drive
 from hidwa_tools.drive import Latest, unconnected
 from hidwa_tools.processes import Child
+from hidwa_tools.waiting import wait_for
 
 # An outline of the test's own: neither symmetric nor convex.
 FOOTPRINT = [[0.30, 0.10], [0.10, 0.25], [-0.25, 0.20], [-0.15, 0.0], [-0.25, -0.20], [0.20, -0.22]]
@@ -38,11 +38,8 @@ TOPICS = [INFO_TOPIC, '/map', '/ground_truth', '/move_base/goal', '/regions', '/
 
 
 class SimulatorCounts(unittest.TestCase):
-    def wait_for(self, condition, what, patience=60.0):
-        end = time.monotonic() + patience
-        while not condition():
-            self.assertLess(time.monotonic(), end, f'waited in vain for {what}')
-            time.sleep(0.02)
+    def wait_for(self, condition, what):
+        self.assertTrue(wait_for(condition), f'waited in vain for {what}')
 
     def start(self, folder):
         environment = demo.environment(folder)

@@ -14,20 +14,10 @@ from sensor_msgs.msg import Joy
 from std_msgs.msg import UInt32
 
 from command_watch import PLANNER
+from hidwa_tools.waiting import wait_for
 
-PATIENCE = 60.0   # [s], wall time: a busy machine is slow
 PREEMPTED = GoalStatus.PREEMPTED
 STICK_RATE = 20.0  # [Hz]
-
-
-def wait_for(condition, seconds=PATIENCE):
-    """Until `condition` holds; False after so much wall time."""
-    deadline = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > deadline or rospy.is_shutdown():
-            return False
-        time.sleep(0.02)
-    return True
 
 
 class Journal:
@@ -123,12 +113,12 @@ class RunningHost:
         self._driving = False
         self._cancel.publish(GoalID())
 
-    def drives(self, speed=0.3, seconds=PATIENCE):
+    def drives(self, speed=0.3):
         """Whether the robot comes to drive by itself, a new goal given where the last one is done with."""
         def fast():
             self.go_on()
             return self.velocity[0] > speed
-        return wait_for(fast, seconds)
+        return wait_for(fast)
 
-    def stands(self, seconds=PATIENCE):
-        return wait_for(lambda: abs(self.velocity[0]) < 1e-3 and abs(self.velocity[1]) < 1e-3, seconds)
+    def stands(self):
+        return wait_for(lambda: abs(self.velocity[0]) < 1e-3 and abs(self.velocity[1]) < 1e-3)

@@ -20,11 +20,11 @@ from .options import parse
 from .processes import Child, end_on_signals, free_port
 from .recording import recorded_topics
 from .report import write_report
+from .waiting import PATIENCE
 
 PACKAGE = 'hidwa_local_planner'
 RECORDER = 'demo_recorder'
 ADDRESS = 'console: '     # before each address in the log
-LAUNCH_PATIENCE = 180.0  # [s], wall time: a machine that does much else starts Python slowly
 FILES = ('drive.bag', 'drive.bag.active', 'report.json', 'report.png', 'demo.log', 'recorder.log')
 
 
@@ -170,12 +170,12 @@ def serve(options, env):
 
 def tell_address(log, launched):
     """Waits for the console, and says where its page is."""
-    deadline = time.monotonic() + LAUNCH_PATIENCE
+    deadline = time.monotonic() + PATIENCE
     while not _lines(log, ADDRESS):
         if not launched.running or _could_not_launch(log) or _lines(log, 'FATAL'):
             raise DemoError(f'the console did not start: {launched.complaint()}')
         if time.monotonic() > deadline:
-            raise DemoError(f'the console has not started after {LAUNCH_PATIENCE:.0f} s: {launched.complaint()}')
+            raise DemoError(f'the console has not started after {PATIENCE:.0f} s: {launched.complaint()}')
         time.sleep(0.1)
     for line in _lines(log, ADDRESS):
         say(f'open {line[line.index(ADDRESS) + len(ADDRESS):].strip()}')
@@ -195,7 +195,7 @@ def _could_not_launch(log):
         return 'cannot launch node' in text.read()
 
 
-def wait_for_master(launched, patience=LAUNCH_PATIENCE):
+def wait_for_master(launched, patience=PATIENCE):
     """Until the launched master holds the launch file's parameters, at most `patience` [s]."""
     deadline = time.monotonic() + patience
     while not rosgraph.is_master_online() or not rosgraph.Master('/demo').hasParam('/use_sim_time'):

@@ -10,7 +10,7 @@ import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatusArray
 from move_base_msgs.msg import MoveBaseActionGoal, MoveBaseActionResult
-from nav_msgs.msg import OccupancyGrid, Odometry, Path
+from nav_msgs.msg import Odometry, Path
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Joy, LaserScan
 from std_msgs.msg import String, UInt32
@@ -21,11 +21,11 @@ from .errors import DemoError
 from .geometry import circle
 from .pose_goal import goal_message
 from .recording import plugin_name
+from .waiting import PATIENCE, wait_for
 from .wheels import Wheels
 
-READY_PATIENCE = 90.0  # [s], wall time
-ASKS_ANEW = 15.0       # [s], wall time
-CLOCK_PATIENCE = 30.0  # [s], wall time
+MAP_AND_HOST = 'move_base, or the map that it needs'
+ASKS_ANEW = 15.0  # [s], wall time, and each time twice as long as before
 
 
 class Latest:
@@ -37,8 +37,7 @@ class Latest:
         self.ask()
 
     def ask(self):
-        """Subscribes, if need be anew: while nodes start on a busy machine a connection may get lost, and what is published
-        once only, as a map, with it."""
+        """Subscribes, if need be anew: while nodes start on a busy machine a connection may get lost."""
         if self._subscriber:
             self._subscriber.unregister()
         self._subscriber = rospy.Subscriber(self._topic, self._kind, self._receive, queue_size=1)
@@ -81,7 +80,6 @@ class Drive:
         rospy.init_node('demo', disable_signals=True)
         self._clock = Latest('/clock', Clock)
         self._truth = Latest('/ground_truth', Odometry)
-        self._map = Latest('/map', OccupancyGrid)
         self._scan = Latest('/scan', LaserScan)
         self._contacts = Latest('/contacts', UInt32)
         self._stick = Latest('/joy', Joy)
@@ -106,24 +104,23 @@ class Drive:
         rospy.Subscriber('/move_base/HIDWAPlannerROS/operator_state', rospy.AnyMsg, receive, queue_size=1)
 
     def wait_until_ready(self):
-        """Until robot, map, laser, person and move_base are there. DemoError names what is missing.
+        """Until robot, laser, person and move_base are there, which itself waits for the map. DemoError names what is missing.
 
         Nothing here may wait in simulated time: without a simulator it stands still."""
-        topics = {'the clock': self._clock, 'the robot': self._truth, 'the map': self._map, 'the laser': self._scan,
-                  'move_base': self._host}
+        topics = {'the clock': self._clock, 'the robot': self._truth, 'the laser': self._scan, MAP_AND_HOST: self._host}
         if self._options.operator not in ('none', 'page'):
             topics['the person (/joy)'] = self._stick
-        began = asked = time.monotonic()
+        began, asks = time.monotonic(), ASKS_ANEW
         while True:
             missing = [name for name, topic in topics.items() if not topic.message]
             if not missing and self._goal.get_num_connections():
                 return
             self._require_alive()
             now = time.monotonic()
-            if now - began > READY_PATIENCE:
-                raise DemoError(f'after {READY_PATIENCE:.0f} s still waiting for {", ".join(missing) or "move_base"}')
-            if now - asked > ASKS_ANEW:
-                asked = now
+            if now - began > PATIENCE:
+                raise DemoError(f'after {PATIENCE:.0f} s still waiting for {", ".join(missing) or MAP_AND_HOST}')
+            if now - began > asks:
+                asks *= 2.0
                 for name in missing:
                     print(f'{name}: nothing after {now - began:.0f} s, asked anew', flush=True)
                     topics[name].ask()
@@ -144,7 +141,7 @@ class Drive:
     def wait_for_recorder(self, node, topics, recorder):
         """Until `node`, run by the Child `recorder`, is connected to every publisher of the topics: what is said before that
         would be lost."""
-        deadline = time.monotonic() + READY_PATIENCE
+        deadline = time.monotonic() + PATIENCE
         while True:
             missing = unconnected(node, topics)
             if not missing:
@@ -178,9 +175,8 @@ class Drive:
 
     def _settle(self):
         """Half a second of simulated time more for the record."""
-        end, deadline = rospy.get_time() + 0.5, time.monotonic() + 10.0
-        while rospy.get_time() < end and time.monotonic() < deadline and self._alive():
-            time.sleep(0.05)
+        end = rospy.get_time() + 0.5
+        wait_for(lambda: rospy.get_time() >= end or not self._alive())
 
     def _require_alive(self):
         if not self._alive():
@@ -190,8 +186,8 @@ class Drive:
         now = time.monotonic()
         if self._ticks != self._clock.count:
             self._ticks, self._ticked_at = self._clock.count, now
-        elif now - self._ticked_at > CLOCK_PATIENCE:
-            raise DemoError(f'the simulated clock stood still for {CLOCK_PATIENCE:.0f} s')
+        elif now - self._ticked_at > PATIENCE:
+            raise DemoError(f'the simulated clock stood still for {PATIENCE:.0f} s')
 
     def _measure(self):
         p = self._truth.message.pose.pose.position

@@ -163,10 +163,11 @@ def run(options, launched):
     from message_gate import Gate
     from running_host import RunningHost, Stick
     from .soak_figures import Minute, lateness, lost, quantile, write
+    from .waiting import PATIENCE
     rng = random.Random(options.seed)
     rospy.init_node('soak', disable_signals=True)
     gate, stick = Gate(), Stick()
-    grid = rospy.wait_for_message('/map', OccupancyGrid, timeout=120.0)
+    grid = rospy.wait_for_message('/map', OccupancyGrid, PATIENCE)
     places = Places(grid, rng)
     host = RunningHost(None)
     if not host.wait_until_ready():

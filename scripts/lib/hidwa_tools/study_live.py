@@ -19,10 +19,10 @@ from .errors import BagError, DemoError
 from .exchange import read, write
 from .processes import Child, end_on_signals
 from .questionnaires import AnswersError, add_answers, refuse_second_answers
+from .waiting import PATIENCE
 
 NEEDED_ARGUMENTS = ('mode', 'extra_params', 'record')
 LAST_WORDS = 2.0        # [s] in which the page shows its last text
-ROBOT_PATIENCE = 60.0  # [s], wall time, until move_base and the recorder are there
 
 
 def parser():
@@ -245,7 +245,7 @@ def drive_robot(o, further, folder, params):
             listeners = dict(master.getSystemState()[1]).get(goals, [])
             recorders = [name for name in listeners if name.endswith('record_drive_bag')]
             return len(listeners) > 1 and recorders and not unconnected(recorders[0], [goals])
-        _wait(ready, launched, ROBOT_PATIENCE, 'move_base and the recorder')
+        _wait(ready, launched, PATIENCE, 'move_base and the recorder')
         mode = rospy.get_param(rospy.resolve_name('move_base/HIDWAPlannerROS/mode'), None)
         if mode != MODES[o.condition]:
             raise DemoError(f'the planner is in mode {mode}, not {MODES[o.condition]}: does the launch file pass on mode and '
