@@ -223,7 +223,6 @@ class Run {
     outcome_ = result.outcome;
     escaping_ = result.decision != nullptr && result.decision->escaping;
     intent_ = result.intent;
-    if (outcome_ == Outcome::fail) return {};
     return judged(result.command);
   }
 
@@ -251,11 +250,12 @@ class Run {
     const Decision& decision = planner_.plan(situation_, view(pose), intent_);
     outcome_ = decision.outcome;
     escaping_ = decision.escaping;
-    if (outcome_ == Outcome::fail) return {};
     return judged(decision.command);
   }
 
-  const Twist2& judged(const Twist2& command) {
+  // On failure the host sends zero, and the robot must be at rest by then.
+  Twist2 judged(const Twist2& planned) {
+    const Twist2 command = outcome_ == Outcome::fail ? Twist2{} : planned;
     commands_.observe(parameters_, 1e-3 * spec_.period, last_, command);
     commands_.judge_acceleration(parameters_, rhythm_.longest(), last_, reading_.value_or(last_), command);
     return command;

@@ -22,10 +22,17 @@ Conclusion pass_through(const Cycle& cycle) {
 Conclusion brake(const Cycle& cycle, Problem kind, const char* problem) {
   Conclusion conclusion;
   conclusion.command = brake_command(cycle.start, cycle.limits, cycle.situation);
-  conclusion.outcome = moves(cycle.start, cycle.parameters) ? Outcome::brake : Outcome::fail;
   conclusion.problem_kind = kind;
   conclusion.problem = problem;
+  fail(cycle, kind, problem, conclusion);
   return conclusion;
+}
+
+void fail(const Cycle& cycle, Problem kind, const char* problem, Conclusion& conclusion) {
+  if (moves(cycle.start, cycle.parameters)) return;
+  conclusion.outcome = Outcome::fail;
+  conclusion.problem_kind = kind;
+  conclusion.problem = problem;
 }
 
 Conclusion stop(const Cycle& cycle) {

@@ -12,12 +12,6 @@ constexpr double kLongTrapped = 1.0;
 // A turn on the spot below this share of the fastest creeps.
 constexpr double kCreeps = 0.25;
 
-void fail(Conclusion& conclusion, Problem kind, const char* problem) {
-  conclusion.outcome = Outcome::fail;
-  conclusion.problem_kind = kind;
-  conclusion.problem = problem;
-}
-
 }  // namespace
 
 void Recovery::reset() {
@@ -49,12 +43,13 @@ void Recovery::watch_collision(const Cycle& cycle, bool trapped, Conclusion& con
   const double now = cycle.situation.time;
   trapped_.observe(now, trapped);
   if (!trapped) return;
-  if (moves(cycle.start, cycle.parameters) || !trapped_.for_at_least(kLongTrapped, now)) {
+  if (!trapped_.for_at_least(kLongTrapped, now)) {
     if (conclusion.outcome == Outcome::fail) conclusion.outcome = Outcome::brake;
     return;
   }
-  fail(conclusion, Problem::rejected,
-       "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared");
+  fail(cycle, Problem::rejected,
+       "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared",
+       conclusion);
 }
 
 // Who stands for what moves is not stuck, for some time.
@@ -79,10 +74,10 @@ bool Recovery::watch_rest(const Cycle& cycle, const Course& known, Conclusion& c
   if (course.trapped || !known.autonomous) return forget;
   const bool about_to_drive = motion_.begins_way() && conclusion.outcome == Outcome::hold;
   if (*motion_.problem() != '\0' && !yields(known, now)) {
-    fail(conclusion, Problem::stuck, motion_.problem());
+    fail(cycle, Problem::stuck, motion_.problem(), conclusion);
   } else if (!about_to_drive && !motion_.undecided() && !yields(known, now) &&
              motion_.standing_time(now) > p.blocked_time) {
-    fail(conclusion, Problem::stuck, "autonomy is stuck: standing still is its best legal candidate");
+    fail(cycle, Problem::stuck, "autonomy is stuck: standing still is its best legal candidate", conclusion);
   }
   return forget;
 }
@@ -98,8 +93,8 @@ bool Recovery::watch_last_turn(const Cycle& cycle, bool steered, Conclusion& con
   const bool forget = long_enough && !unturned_reset_;
   unturned_reset_ = long_enough;
   if (unturned_.time(situation.time) > p.blocked_time) {
-    fail(conclusion, Problem::stuck,
-         "the last turn to the goal's heading is stuck: standing still is its best legal candidate");
+    fail(cycle, Problem::stuck,
+         "the last turn to the goal's heading is stuck: standing still is its best legal candidate", conclusion);
   }
   return forget;
 }
