@@ -216,10 +216,17 @@ std::vector<Condition> options() {
          s.parameters.sim_time = 0.2;
          fast(s, r.of({0.5, 1.0, 2.0}));
        }},
-      {"lowered_limits", true, "max_vel_x is lowered and raised while it drives",
+      {"lowered_limits", true, "max_vel_x and max_vel_theta are lowered and raised while it drives",
        [](Spec& s, Random&) {
          s.limits_change = true;
          fast(s, 1.0);
+       }},
+      {"lowered_limits_short", true, "the same, sim_time shorter than a period",
+       [](Spec& s, Random& r) {
+         s.limits_change = true;
+         fast(s, 1.0);
+         rate(s, 5);
+         s.parameters.sim_time = r.of({0.1, 0.15});
        }},
       {"anything", true, "all of these at random", anything},
   };

@@ -288,6 +288,7 @@ class Run {
 
   void change_limits() {
     parameters_.max_vel_x = random_.of({1.0, 0.6, 0.3}) * spec_.parameters.max_vel_x;
+    parameters_.max_vel_theta = random_.of({1.0, 0.6, 0.3}) * spec_.parameters.max_vel_theta;
     if (spec_.link != Link::none) {
       using hidwa_local_planner::OperatorMode;
       parameters_.mode = random_.of({OperatorMode::joystick, OperatorMode::switching, spec_.parameters.mode});

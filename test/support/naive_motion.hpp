@@ -86,7 +86,7 @@ inline void naive_reach(double lowest, double highest, double min, double max, d
 }
 
 inline NaiveWindow naive_window(const Parameters& p, const Twist2& reference, double period) {
-  const double dt = p.generator == Generator::standard ? p.sim_time : period;
+  const double dt = p.generator == Generator::standard ? std::max(p.sim_time, period) : period;
   NaiveWindow w{};
   naive_reach(naive_ramp_v(p, reference.v, -1e6, dt), naive_ramp_v(p, reference.v, 1e6, dt), p.min_vel_x, p.max_vel_x,
               w.v_lo, w.v_hi);

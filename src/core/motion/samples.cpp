@@ -26,7 +26,7 @@ double into(const Interval& interval, double value) { return std::min(std::max(v
 
 DynamicWindow dynamic_window(const Parameters& p, const VelocityLimits& limits, const Twist2& reference,
                              double period) {
-  const double dt = p.generator == Generator::standard ? p.sim_time : period;
+  const double dt = p.generator == Generator::standard ? std::max(p.sim_time, period) : period;
   return {reachable(limits.x, reference.v, dt), reachable(limits.theta, reference.omega, dt)};
 }
 

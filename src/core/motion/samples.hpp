@@ -23,7 +23,8 @@ struct DynamicWindow {
   Interval omega;  // [rad/s]
 };
 
-/// `standard`: reachable in sim_time; `dwa`: reachable in one period.
+/// `standard`: reachable in sim_time, or in one period where that is longer; `dwa`: reachable in one period. So what a
+/// command may reach is always in it, also a limit that was lowered.
 DynamicWindow dynamic_window(const Parameters& parameters, const VelocityLimits& limits, const Twist2& reference,
                              double period);
 

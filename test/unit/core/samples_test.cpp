@@ -91,6 +91,21 @@ TEST(Window, StandardReachesAsFarAsTheHorizonDwaAsOnePeriod) {
   EXPECT_DOUBLE_EQ(dwa.omega.hi, 0.36);
 }
 
+TEST(Window, IsNoShorterThanAPeriod) {
+  Parameters p;
+  p.sim_time = 0.1;
+  p.max_vel_theta = 0.3;  // lowered while the robot turns
+  const VelocityLimits limits = VelocityLimits::from(p);
+  const DynamicWindow window = dynamic_window(p, limits, {0.0, 0.987}, 0.2);
+  EXPECT_DOUBLE_EQ(window.omega.lo, 0.987 - 3.2 * 0.2);
+  EXPECT_DOUBLE_EQ(window.omega.hi, 0.987 - 3.2 * 0.2);
+  EXPECT_DOUBLE_EQ(dynamic_window(p, limits, {0.0, -0.987}, 0.2).omega.hi, -(0.987 - 3.2 * 0.2));
+  p.sim_time = 0.2;  // as long as the period
+  EXPECT_DOUBLE_EQ(dynamic_window(p, limits, {0.0, 0.987}, 0.2).omega.lo, 0.987 - 3.2 * 0.2);
+  p.sim_time = 0.25;  // 0.987 - 3.2 * 0.25 is less than the limit
+  EXPECT_DOUBLE_EQ(dynamic_window(p, limits, {0.0, 0.987}, 0.2).omega.hi, 0.3);
+}
+
 TEST(Grid, ThePapersGridHas419Samples) {
   // 20 speeds x (20 turns and an exact 0), without (0, 0).
   const std::vector<Sample> samples = make(plain(), driving(0.5, 0.0));
