@@ -232,6 +232,20 @@ std::vector<Condition> options() {
   };
 }
 
+// Somebody who moves.
+std::vector<Condition> people() {
+  return {
+      {"beside_walls", true, "people who walk beside walls, and whose points explain cells",
+       [](Spec& s, Random& r) {
+         s.walkers = 4;
+         s.points_told = true;
+         s.bounds.position_error = r.of({0.01, 0.03});
+         fast(s, r.of({0.5, 1.0, 2.0}));
+         s.parameters.sim_time = r.of({1.85, 0.4, 0.2});
+       }},
+  };
+}
+
 // Starts in collision.
 std::vector<Condition> starts() {
   return {
@@ -287,7 +301,7 @@ std::vector<Condition> outside() {
 
 std::vector<Condition> table() {
   std::vector<Condition> table;
-  for (const auto group : {outlines, rates, reaching, lateness, sensing, options, starts, outside}) {
+  for (const auto group : {outlines, rates, reaching, lateness, sensing, options, people, starts, outside}) {
     for (const Condition& condition : group()) table.push_back(condition);
   }
   return table;

@@ -32,6 +32,7 @@ namespace control = hidwa_local_planner::control;
 namespace critics = hidwa_local_planner::critics;
 using hidwa_local_planner::Decision;
 using hidwa_local_planner::Influence;
+using hidwa_local_planner::MovingObstacleEstimates;
 using hidwa_local_planner::Planner;
 using hidwa_local_planner::Polygon;
 using hidwa_local_planner::Situation;
@@ -218,13 +219,15 @@ class Run {
     observation.pose = pose;
     observation.pose_age = spec_.age_told ? 1e-3 * spec_.pose_age : 0.0;
     observation.costmap = view(pose);
-    if (spec_.walkers_told) observation.moving_obstacles = walkers_.told();
+    if (spec_.walkers_told) observation.moving_obstacles = told_walkers();
     const control::Result result = loop_.step(observation);
     outcome_ = result.outcome;
     escaping_ = result.decision != nullptr && result.decision->escaping;
     intent_ = result.intent;
     return judged(result.command);
   }
+
+  MovingObstacleEstimates told_walkers() { return walkers_.told(spec_.points_told ? &scenery_.world : nullptr); }
 
   GridView view(const Pose2& pose) {
     LocalMap& map = this->map();
@@ -246,7 +249,7 @@ class Run {
     situation_.time = seconds(now);
     tell_times(situation_, rhythm_.longest(), spec_.age_told ? 1e-3 * spec_.pose_age : 0.0);
     situation_.moving_obstacles.clear();
-    if (spec_.walkers > 0 && spec_.walkers_told) situation_.moving_obstacles = walkers_.told();
+    if (spec_.walkers > 0 && spec_.walkers_told) situation_.moving_obstacles = told_walkers();
     const Decision& decision = planner_.plan(situation_, view(pose), intent_);
     outcome_ = decision.outcome;
     escaping_ = decision.escaping;

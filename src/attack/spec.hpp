@@ -74,6 +74,7 @@ struct Spec {
   int walkers = 0;
   Bounds bounds;  // of walkers
   bool walkers_told = true;
+  bool points_told = false;  // also which points of the map are theirs
 };
 
 }  // namespace hidwa_attack

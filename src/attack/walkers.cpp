@@ -14,6 +14,7 @@ constexpr double kAppears = 3.0;          // from the robot's centre, at least [
 constexpr double kWidest = 0.4;           // the radius of the widest [m]
 constexpr double kLost = 3.0;             // so much farther away than that somebody else comes [m]
 constexpr std::size_t kRemembered = 200;  // steps
+constexpr int kPoints = 32;               // of an outline
 
 Spot operator+(const Spot& a, const Spot& b) { return {a.x + b.x, a.y + b.y}; }
 Spot operator-(const Spot& a, const Spot& b) { return {a.x - b.x, a.y - b.y}; }
@@ -85,12 +86,13 @@ Spot Walkers::anywhere(double by) {
   return Spot{std::cos(angle), std::sin(angle)} * by;
 }
 
-MovingObstacleEstimates Walkers::told() {
+MovingObstacleEstimates Walkers::told(const World* map) {
   MovingObstacleEstimates estimates;
   for (const Walker& walker : walkers_) {
     const auto steps = static_cast<std::size_t>(random_.in(0.0, bounds_.oldest) / kStep);
     const std::size_t back = walker.past.empty() ? 0 : std::min(steps, walker.past.size() - 1);
-    const Spot p = (walker.past.empty() ? walker.p : walker.past[back][0]) + anywhere(error(bounds_.position_error));
+    const Spot truly = walker.past.empty() ? walker.p : walker.past[back][0];
+    const Spot p = truly + anywhere(error(bounds_.position_error));
     const Spot v = (walker.past.empty() ? walker.v : walker.past[back][1]) + anywhere(error(bounds_.velocity_error));
     estimates.emplace_back();
     hidwa_local_planner::MovingObstacleEstimate& one = estimates.back();
@@ -101,6 +103,11 @@ MovingObstacleEstimates Walkers::told() {
     one.position_deviation = bounds_.told_errors * bounds_.position_error;
     one.velocity_deviation = bounds_.told_errors * bounds_.velocity_error;
     one.age = static_cast<double>(back) * kStep;
+    for (int k = 0; map != nullptr && k < kPoints; ++k) {
+      const double angle = 2.0 * M_PI * k / kPoints;
+      const Spot point = truly + Spot{std::cos(angle), std::sin(angle)} * walker.radius;
+      if (!map->lethal(map->cell(point.x), map->cell(point.y))) one.points.emplace_back(point.x, point.y);
+    }
   }
   return estimates;
 }

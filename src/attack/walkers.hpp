@@ -12,6 +12,7 @@
 #include "hidwa_local_planner/core/types.hpp"
 #include "random.hpp"
 #include "shape.hpp"
+#include "world.hpp"
 
 namespace hidwa_attack {
 
@@ -57,8 +58,9 @@ class Walkers {
 
   /// All walk for kStep; the robot is here now.
   void step(const Pose2& pose, const Twist2& velocity);
-  /// What is told of all of them now.
-  MovingObstacleEstimates told();
+  /// What is told of all of them now. Where `map` is given, with points of their outlines, wherever no cell of it is
+  /// lethal: as a sensor sees them before free space.
+  MovingObstacleEstimates told(const World* map = nullptr);
   const std::vector<Walker>& all() const { return walkers_; }
   const Walker& nearest() const;  // where there is one
   const Encounters& encounters() const { return encounters_; }

@@ -43,18 +43,16 @@ void ExplainedCells::find_explained(const GridView& grid, const MovingObstacleEs
                                     const Parameters& parameters) {
   taken_.clear();
   for (const MovingObstacleEstimate& mover : movers) {
-    // What its disc does not cover is not explained by it.
-    const double farthest =
-        ReachableSet::radius_then(mover, parameters) + mover.velocity.norm() * mover.age + 2.0 * grid.resolution;
+    const ReachableSet set(mover, parameters);
     for (const Point& point : mover.points) {
-      if (!((point - mover.position).norm() <= farthest)) continue;
       const double i = (point.x() - grid.origin_x) / grid.resolution, j = (point.y() - grid.origin_y) / grid.resolution;
       if (!(i > -2.0 && j > -2.0 && i < grid.size_x + 2.0 && j < grid.size_y + 2.0)) continue;
       const Cell middle = grid.cell_at(point.x(), point.y());
       for (int dj = -1; dj <= 1; ++dj) {
         for (int di = -1; di <= 1; ++di) {
           const Cell cell{middle.i + di, middle.j + dj};
-          if (grid.contains(cell) && grid.at(cell) == cost::kLethal) taken_.push_back(cell);
+          if (!grid.contains(cell) || grid.at(cell) != cost::kLethal) continue;
+          if (set.covers(grid.centre(cell), 0.5 * grid.resolution)) taken_.push_back(cell);
         }
       }
     }

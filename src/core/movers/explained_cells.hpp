@@ -2,8 +2,8 @@
 // A mover counts once: by its disc from now on, and not by the cells of the costmap that its points explain.
 //
 // 1. A lethal cell is explained that holds a point of a mover, or is a neighbour (of 8) of one that does: points and
-//    costmap were measured at different times, and a point may lie on a cell's edge. A point that the mover's disc does
-//    not cover explains nothing.
+//    costmap were measured at different times, and a point may lie on a cell's edge. A cell that the mover's disc does
+//    not cover as a whole is not explained: there the cell alone keeps the robot out.
 // 2. In a copy of the costmap explained cells are no obstacles any more.
 // 3. Costs around them were theirs where no other lethal cell is as near. Such a cell gets the cost that belongs to the
 //    distance from the lethal cells that remain. Which cost belongs to which distance the map itself says: around its

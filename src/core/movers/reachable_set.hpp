@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
@@ -48,6 +49,13 @@ class ReachableSet {
   double growth(double t) const { return spread_ + 2.0 * half_acc_ * (t + age_); }
   /// Of the disc that speed allows, around position().
   double speed_radius(double t) const { return base_ + fastest_ * (t + age_); }
+  /// Both discs of now cover the whole square around `middle` whose sides are `half` [m] away from it.
+  bool covers(const Point& middle, double half) const {
+    const auto farthest = [&](const Point& from) {
+      return std::hypot(std::abs(middle.x() - from.x()) + half, std::abs(middle.y() - from.y()) + half);
+    };
+    return farthest(centre(0.0)) <= radius(0.0) && farthest(position_) <= speed_radius(0.0);
+  }
 
  private:
   Point position_{0.0, 0.0}, velocity_{0.0, 0.0};  // [m], [m/s]

@@ -469,6 +469,7 @@ TEST(ExplainedCell, LeavesTheMapAsIfNobodyHadBeenThere) {
     }
     Scene peopled = empty;
     MovingObstacleEstimate mover = mover_at(0.013, 0.021);
+    mover.position_deviation = 0.01;  // 0.3 + 3 * 0.01 covers cells of 0.05 m that hold points at 0.25
     for (int i = 0; i < 12; ++i) {
       const double angle = 2.0 * M_PI * i / 12.0;
       mover.points.emplace_back(0.013 + 0.25 * std::cos(angle), 0.021 + 0.25 * std::sin(angle));
@@ -485,18 +486,46 @@ TEST(ExplainedCell, LeavesTheMapAsIfNobodyHadBeenThere) {
   }
 }
 
-TEST(ExplainedCell, PointsBeyondTheDiscExplainNothing) {
-  Scene scene = Scene::empty(101);
-  scene.fill(1.0, -0.3, 1.1, 0.3);
+// A wall beside a mover: its nearest cells are neighbours of one that holds a point.
+TEST(ExplainedCell, WhatTheDiscDoesNotCoverStays) {
+  Scene scene = Scene::empty(101);  // cells are centred on multiples of 0.05
+  scene.fill(0.28, -0.3, 0.39, 0.3);
   MovingObstacleEstimate mover = mover_at(0.0, 0.0);
-  mover.points.emplace_back(1.05, 0.0);
+  mover.points.emplace_back(0.26, 0.01);  // in the column beside the wall
+  const GridView grid = scene.grid();
   ExplainedCells cells;
-  EXPECT_EQ(cells.without(scene.grid(), {mover}, {}).costs, scene.costs.data());  // no copy
-  mover.position_deviation = 0.3;
-  EXPECT_NE(cells.without(scene.grid(), {mover}, {}).costs, scene.costs.data());  // 0.3 + 3 * 0.3 + 2 * 0.05 > 1.05
+  // The wall's cell around (0.30, 0.00) ends hypot(0.325, 0.025) = 0.3260 away from the mover's centre.
+  EXPECT_EQ(cells.without(grid, {mover}, {}).costs, scene.costs.data());  // no copy
+  mover.position_deviation = 0.008;                                       // 0.3 + 3 * 0.008 = 0.324
+  EXPECT_EQ(cells.without(grid, {mover}, {}).costs, scene.costs.data());
+  mover.position_deviation = 0.009;  // 0.327; the cells around (0.30, +-0.05) end hypot(0.325, 0.075) = 0.3335 away
+  GridView seen = cells.without(grid, {mover}, {});
+  EXPECT_EQ(cells.count(), 1U);
+  EXPECT_LT(seen.at(grid.cell_at(0.30, 0.0)), cost::kLethal);
+  EXPECT_EQ(seen.at(grid.cell_at(0.30, 0.05)), cost::kLethal);
+  mover.position_deviation = 0.012;  // 0.336
+  seen = cells.without(grid, {mover}, {});
+  EXPECT_EQ(cells.count(), 3U);
+  EXPECT_EQ(seen.at(grid.cell_at(0.35, 0.0)), cost::kLethal);
   Parameters p;
-  p.moving_obstacle_deviations = 1.0;
-  EXPECT_EQ(cells.without(scene.grid(), {mover}, p).costs, scene.costs.data());  // 0.3 + 1 * 0.3 + 2 * 0.05 < 1.05
+  p.moving_obstacle_deviations = 1.0;  // 0.312
+  EXPECT_EQ(cells.without(grid, {mover}, p).costs, scene.costs.data());
+}
+
+TEST(ExplainedCell, TheDiscIsWhereTheMoverIsByNow) {
+  Scene scene = Scene::empty(101);
+  scene.fill(0.28, -0.02, 0.32, 0.02);  // one cell
+  MovingObstacleEstimate mover = mover_at(0.0, 0.0, -1.0, 0.0);
+  mover.radius = 0.33;  // covers it where the mover was: 0.3260
+  mover.points.emplace_back(0.30, 0.0);
+  Parameters p;
+  p.moving_obstacle_acc = 1.5;
+  ExplainedCells cells;
+  cells.without(scene.grid(), {mover}, p);
+  EXPECT_EQ(cells.count(), 1U);
+  mover.age = 0.1;  // hypot(0.325 + 0.1, 0.025) = 0.426 from where it is, and 0.33 + 1.5 * 0.1 * 0.1 / 2 = 0.338
+  cells.without(scene.grid(), {mover}, p);
+  EXPECT_EQ(cells.count(), 0U);
 }
 
 }  // namespace
