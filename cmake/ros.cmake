@@ -11,6 +11,10 @@ add_message_files(DIRECTORY msg FILES
   TrajectoryScore.msg)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 generate_dynamic_reconfigure_options(cfg/HIDWAPlanner.cfg)
+# Some versions of dynamic_reconfigure say SYSTEM BEFORE, and CMake takes the second word for a folder's name.
+get_directory_property(include_folders INCLUDE_DIRECTORIES)
+list(REMOVE_ITEM include_folders ${PROJECT_SOURCE_DIR}/BEFORE)
+set_directory_properties(PROPERTIES INCLUDE_DIRECTORIES "${include_folders}")
 # The .cfg reads the parameters' one declaration: made anew when that changes.
 add_custom_command(
   OUTPUT ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_INCLUDE_DESTINATION}/HIDWAPlannerConfig.h

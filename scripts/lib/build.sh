@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The colcon build. Sourced after packages.sh, with the underlay in the environment.
+# The build of a workspace. Sourced after packages.sh, with the underlay in the environment.
 
 # Compilers at a time: one a core, but a gigabyte and a half of memory each.
 hidwa_jobs() {
@@ -31,6 +31,29 @@ hidwa_built_with() {
   grep -q "^$1:[A-Z]*=ON" "$HIDWA_SPACE/build/hidwa_local_planner/CMakeCache.txt" 2>/dev/null
 }
 
+# hidwa_workspace FOLDER PACKAGE_FOLDER... -- CMAKE_ARGUMENT...: builds packages into FOLDER/{build,install,log}, by colcon, or by
+# catkin where there is no colcon (Debian 11). Each package has its build folder in FOLDER/build either way.
+hidwa_workspace() {
+  local packages=() log
+  mkdir -p "$1"
+  cd "$1" || return
+  shift
+  while [ "$1" != -- ]; do packages+=("$1"); shift; done
+  shift
+  if command -v colcon >/dev/null; then
+    colcon build --merge-install --executor sequential --base-paths "${packages[@]}" --build-base build --install-base install \
+      --event-handlers console_cohesion- console_start_end+ console_direct+ console_stderr- --cmake-args "$@"
+  else
+    log=log/build_$(date +%F_%H-%M-%S)
+    rm -rf build/source
+    mkdir -p build/source "$log"
+    ln -sfn "${log#log/}" log/latest_build
+    ln -s "${packages[@]}" build/source
+    catkin_make_isolated --source build/source --build build --devel build/devel --merge --install --install-space install \
+      --cmake-args "$@" 2>&1 | tee "$log/stdout_stderr.log"
+  fi
+}
+
 # hidwa_build [CMAKE_ARGUMENT...]
 hidwa_build() {
   local host missing bases=("$HIDWA_ROOT") package parts=()
@@ -45,10 +68,9 @@ hidwa_build() {
   [ -d "$HIDWA_SPACE/build/hidwa_local_planner" ] || parts+=(-DHIDWA_UNITY=ON)
   export MAKEFLAGS="-j$(hidwa_jobs)"
   export HIDWA_WITH_TOOLS=1  # for package.xml: what a robot does without is a dependency here
-  (cd "$HIDWA_SPACE" && colcon build --merge-install --executor sequential --base-paths "${bases[@]}" \
-    --build-base build --install-base install --event-handlers console_cohesion- console_start_end+ console_direct+ console_stderr- \
-    --cmake-args -DCMAKE_BUILD_TYPE=Release -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+  (hidwa_workspace "$HIDWA_SPACE" "${bases[@]}" -- -DCMAKE_BUILD_TYPE=Release -DPYTHON_EXECUTABLE=/usr/bin/python3 \
     -DPython3_EXECUTABLE=/usr/bin/python3 -DHIDWA_CONSOLE_LIBRARIES="$HIDWA_SPACE/build/console/node_modules" \
-    -DHIDWA_WERROR="$(hidwa_werror)" --no-warn-unused-cli ${parts[@]+"${parts[@]}"} "$@" | /usr/bin/python3 "$HIDWA_LIB/hidwa_tools/build_progress.py") ||
+    -DHIDWA_WERROR="$(hidwa_werror)" --no-warn-unused-cli ${parts[@]+"${parts[@]}"} "$@" |
+    /usr/bin/python3 "$HIDWA_LIB/hidwa_tools/build_progress.py") ||
     fail "the build failed; its whole output is in $HIDWA_SPACE/log/latest_build"
 }

@@ -14,30 +14,34 @@ HIDWA_DEBIAN_BUILD="build-essential cmake catkin python3-setuptools
   libactionlib-dev libangles-dev libmessage-filters-dev libtf2-ros-dev libtf2-geometry-msgs-dev libtopic-tools-dev
   libtf2-sensor-msgs-dev liblaser-geometry-dev libdynamic-reconfigure-config-init-mutex-dev
   python3-dynamic-reconfigure libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libtinyxml2-dev libsdl-image1.2-dev liburdf-dev
-  liburdfdom-dev libdiagnostic-updater-dev libinteractive-markers-dev zlib1g-dev
-  colcon python3-colcon-core python3-colcon-bash python3-colcon-cmake python3-colcon-ros python3-colcon-library-path
+  liburdfdom-dev libdiagnostic-updater-dev libinteractive-markers-dev zlib1g-dev"
+HIDWA_DEBIAN_COLCON="colcon python3-colcon-core python3-colcon-bash python3-colcon-cmake python3-colcon-ros python3-colcon-library-path
   python3-colcon-metadata python3-colcon-output python3-colcon-package-information
   python3-colcon-package-selection python3-colcon-pkg-config python3-colcon-recursive-crawl
   python3-colcon-test-result python3-colcon-parallel-executor"
+# Debian 11 has no colcon: catkin builds there (build.sh).
+if ! grep -qs '^VERSION_CODENAME=bullseye$' /etc/os-release; then HIDWA_DEBIAN_BUILD="$HIDWA_DEBIAN_BUILD $HIDWA_DEBIAN_COLCON"; fi
 # A message's Python package is what rostopic echo needs to show it.
 HIDWA_DEBIAN_RUN="python3-roslaunch rosout python3-rosparam python3-rostopic python3-rosnode rospack-tools rosbash
   python3-tf2-ros python3-actionlib python3-dynamic-reconfigure python3-diagnostic-msgs
   python3-geometry-msgs python3-map-msgs python3-move-base-msgs python3-nav-msgs python3-rosgraph-msgs python3-sensor-msgs
   python3-std-msgs python3-visualization-msgs python3-numpy python3-rosbag python3-yaml python3-scipy python3-matplotlib
   python3-tornado python3-pil python3-actionlib-msgs python3-tf2-msgs"
-HIDWA_DEBIAN_TEST="ccache librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev
-  libclang-rt-14-dev"  # for the Clang that lint brings: sanitizers and fuzzing
-HIDWA_DEBIAN_LINT="clang-format clang-tidy cppcheck flake8 shellcheck codespell catkin-lint"
+HIDWA_DEBIAN_TEST="ccache librostest-dev python3-rostest python3-rosunit libgtest-dev libgmock-dev libbenchmark-dev"
+# With the run-time libraries of the Clang that clang-tidy brings: sanitizers and fuzzing.
+HIDWA_DEBIAN_LINT="clang-format clang-tidy libclang-rt-dev cppcheck flake8 shellcheck codespell catkin-lint"
 HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev zlib1g-dev libbenchmark-dev"
 HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev nlohmann-json3-dev libgtest-dev"
 # scripts/test --coverage, and scripts/mutate. Fuzzing takes Clang with its run-time libraries, which may be packaged apart.
 HIDWA_DEBIAN_COVERAGE="gcovr ninja-build"
 HIDWA_DEBIAN_MUTATE="build-essential cmake ninja-build ccache python3 libeigen3-dev nlohmann-json3-dev libyaml-cpp-dev
   liburdfdom-dev zlib1g-dev libgtest-dev"
-HIDWA_DEBIAN_FUZZ="clang libclang-rt-14-dev"
+HIDWA_DEBIAN_FUZZ="clang libclang-rt-dev"
 # The operator's console: npm brings the browser's libraries; a browser tests the page.
 HIDWA_DEBIAN_CONSOLE="npm"
 HIDWA_DEBIAN_BROWSER="chromium chromium-driver python3-selenium"
+# Other systems in folders of their own (scripts/platforms).
+HIDWA_DEBIAN_PLATFORMS="mmdebstrap iproute2"
 HIDWA_DEBIAN_GUI="rviz libgl1-mesa-dri ros-robot-state-publisher"
 
 # Ubuntu 20.04 with ROS Noetic in /opt/ros/noetic: the real navigation stack is packaged there.
@@ -57,9 +61,11 @@ HIDWA_NOETIC_MUTATE=$HIDWA_DEBIAN_MUTATE
 HIDWA_NOETIC_FUZZ="clang"  # its run-time libraries are in there
 HIDWA_NOETIC_CONSOLE=$HIDWA_DEBIAN_CONSOLE
 HIDWA_NOETIC_BROWSER="chromium-browser chromium-chromedriver python3-selenium"
+HIDWA_NOETIC_PLATFORMS=$HIDWA_DEBIAN_PLATFORMS
 HIDWA_NOETIC_GUI="ros-noetic-rviz ros-noetic-robot-state-publisher"
 
-# hidwa_packages PURPOSE...: the names, for build, run, test, lint, bench, attack, coverage, mutate, fuzz, console, browser and gui.
+# hidwa_packages PURPOSE...: the names, for build, run, test, lint, bench, attack, coverage, mutate, fuzz, console, browser,
+# platforms and gui.
 hidwa_packages() {
   local family=DEBIAN purpose list
   if [ -d "$HIDWA_NOETIC" ]; then family=NOETIC; fi

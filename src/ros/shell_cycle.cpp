@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -22,7 +23,7 @@ bool same_outline(const Polygon& outline, const std::vector<geometry_msgs::Point
 }
 
 // A host may ask for a value beyond the parameter's range.
-double in_range(const char* parameter, double value) {
+double in_range(const std::string& parameter, double value) {
   const ParameterInfo& info = parameter_info(parameter);
   return std::isfinite(value) ? std::clamp(value, info.min, info.max) : info.max;
 }

@@ -10,7 +10,7 @@ SOURCE = '''#include <cstddef>
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { return size > 0 ? data[0] & 0 : 0; }
 '''
 CLANGS = ('clang++', 'clang++-14')
-REMEDY = 'Debian: apt-get install clang libclang-rt-14-dev; Ubuntu 20.04: apt-get install clang'
+REMEDY = 'Debian: apt-get install clang libclang-rt-dev; Ubuntu 20.04: apt-get install clang'
 
 
 def clang():
