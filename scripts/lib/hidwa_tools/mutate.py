@@ -16,7 +16,7 @@ import sys
 import time
 import xml.etree.ElementTree
 
-from . import mutation, sanitize
+from . import mutation
 from .places import ROOT, SPACE
 
 FOLDER = os.path.join(SPACE, 'build', 'mutate')
@@ -25,7 +25,6 @@ EQUIVALENT = os.path.join(ROOT, 'test', 'mutation', 'equivalent.txt')
 PARTS = ('CMakeLists.txt', 'cmake', 'src', 'include', 'test', 'launch', 'maps', 'urdf', 'scripts')  # what the tests need
 SUITES = ('unit/core', 'unit/input', 'unit/control', 'unit/record', 'oracle', 'property', 'attack')
 CLOSED_LOOP = ('unit/drive', 'closed_loop')  # with --closed-loop: they take as long as all others together
-LEFT_OUT = sanitize.UNFIT
 MEMORY = 6 << 30     # [byte], of a test: a fault may ask for all there is
 BAR = 95.0           # [%]
 SLOW_CASE = 3.0      # [s], of one case of a program
@@ -60,12 +59,17 @@ def is_long(test):
     return any(one['name'] == 'LABELS' and 'long' in one['value'] for one in test.get('properties', []))
 
 
+def is_script(test):
+    """Whether a test runs no program that was built."""
+    return test.get('command', [''])[0].endswith('python3')
+
+
 class Tests:
     """The tests of the build folder, and how long each takes without a fault."""
 
     def __init__(self, build, whole):
         self._build, self._kills, self.time = build, {}, {}
-        self.names = [test['name'] for test in self._listing() if test['name'] not in LEFT_OUT and (whole or not is_long(test))]
+        self.names = [test['name'] for test in self._listing() if not is_script(test) and (whole or not is_long(test))]
         self._commands = {}
 
     def _listing(self):

@@ -150,7 +150,8 @@ TEST(Hostile, WhoAppearsIsOutOfReachOfAFastRobot) {
   bool found = false;
   for (std::uint64_t index = 0; index < 400; ++index) {
     const hidwa_attack::Spec spec = hidwa_attack::hostile_drive(1, index, {}).spec;
-    const bool known = spec.parameters.max_vel_x == 2.0 && spec.parameters.decel_lim_x == 0.0 && spec.walkers > 0;
+    const bool known = spec.parameters.max_vel_x == 2.0 && spec.parameters.decel_lim_x == 0.0 && spec.walkers > 0 &&
+                       spec.period >= 50 && spec.parameters.control_latency >= 0.1;
     if (!known) continue;
     EXPECT_GE(spec.bounds.appear, 3.0);
     found = true;
