@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A cycle allocates nothing while nobody subscribes: the host's two calls a cycle, minus what the costmap and
 // tf allocate when they are asked the same.
-#include <atomic>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -40,21 +39,21 @@ bool faces_along_x() {
   return Stage::get().costmap->getRobotPose(pose) && std::abs(pose.pose.orientation.z) < 5e-4;  // sin of half of it
 }
 
-/// At 20 Hz on the topic `joy`.
+/// Once a period on the topic `joy`.
 struct Stick {
-  bool is_heard() {
-    return wait_for([this] { return publisher.getNumSubscribers() > 0; }, 5.0);
+  bool is_heard() const {
+    return wait_for([this] { return publisher.getNumSubscribers() > 0; });
   }
   void send() {
     sensor_msgs::Joy message;
     message.axes = {left, 0.0f};
     message.buttons = {0};
-    publisher.publish(message);
+    deliver(publisher, message);
   }
   ros::NodeHandle node;
-  std::atomic<float> left{0.0f};
+  float left = 0.0f;
   ros::Publisher publisher = node.advertise<sensor_msgs::Joy>("joy", 1);
-  ros::WallTimer timer = node.createWallTimer(ros::WallDuration(0.05), [this](const ros::WallTimerEvent&) { send(); });
+  Ticking ticking{[this] { send(); }};
 };
 
 class Allocations : public ::testing::Test {
@@ -64,8 +63,6 @@ class Allocations : public ::testing::Test {
     Stage& stage = Stage::get();
     long own = 0;
     {
-      // A transform that arrives during a look-up makes tf allocate.
-      const std::unique_lock<std::mutex> still = stage.robot.still();
       const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*stage.costmap->getCostmap()->getMutex());
       const auto of_host = static_cast<long>(of_the_host(plan_frame));
       const std::size_t before = allocations_of_this_thread();
@@ -74,7 +71,7 @@ class Allocations : public ::testing::Test {
       own = static_cast<long>(allocations_of_this_thread() - before) - 2 * of_host;
     }
     stage.robot.command(success_ ? command_ : geometry_msgs::Twist());
-    rate_.sleep();
+    stage.pass(kPeriod);
     return own;
   }
 
@@ -84,19 +81,31 @@ class Allocations : public ::testing::Test {
     return own;
   }
 
+  /// Cycles until `done`.
+  template <typename Done>
+  bool cycle_until(Host& host, Done done) {
+    for (int i = 0; i < static_cast<int>(kPatience / kPeriod); ++i) {
+      cycle(host);
+      if (done()) return true;
+    }
+    return false;
+  }
+
   /// Of 100 cycles in which the log was told nothing that begins so; to say something allocates.
   long in_silence(Host& host, const LogListener& log, const std::string& sender) {
     for (int attempt = 0; attempt < 5; ++attempt) {
       const int before = log.times(sender);
       const long own = cycles(host, 100);
-      ros::WallDuration(0.2).sleep();  // what was said is on its way
+      // What was said before this line has come when it has.
+      const std::string line = "100 cycles, " + std::to_string(attempt);
+      ROS_INFO("%s", line.c_str());
+      EXPECT_TRUE(wait_for([&] { return log.said(line); }));
       if (log.times(sender) == before) return own;
     }
     ADD_FAILURE() << "the planner never kept silent for 100 cycles";
     return 0;
   }
 
-  ros::Rate rate_{1.0 / kPeriod};
   bool success_ = false;
   geometry_msgs::Twist command_;
 };
@@ -125,7 +134,7 @@ TEST_F(Allocations, NoneWhileThePersonSteers) {
   ASSERT_TRUE(host.plan_ahead(15.0));
   cycles(host, 40);
   stick.left = 0.8f;
-  ASSERT_TRUE(wait_for([&] { return cycle(host), command_.angular.z > 0.6; }, 5.0));  // 0.8^2 = 0.64 rad/s
+  ASSERT_TRUE(cycle_until(host, [this] { return command_.angular.z > 0.6; }));  // 0.8^2 = 0.64 rad/s
   cycles(host, 60);  // the way there is the first of its kind
   EXPECT_LE(cycles(host, 100), kGrowth);
   EXPECT_GT(command_.angular.z, 0.6);
@@ -140,23 +149,20 @@ TEST_F(Allocations, NoneWhileThePersonIsRejected) {
   // A wall across the grid marks other cells as the robot turns, with corners nearer to it than the wall: it would be
   // told that it collides, again and again. Along the grid's columns it marks the same cells from anywhere.
   Stage::get().robot.face(0.0);
-  ASSERT_TRUE(wait_for(faces_along_x, 5.0));
+  ASSERT_TRUE(Stage::get().pass_until(faces_along_x));
   Host host("Rejects", Host::Listens::no);
   Stick stick;
   const LogListener log;
   ASSERT_TRUE(stick.is_heard());
   ASSERT_TRUE(host.plan_ahead(8.0));
   cycles(host, 40);
-  // On a busy machine a late cycle must not leave the robot in the wall: it would be said, again and again.
-  Stage::get().robot.command_lasts = 2.0 * kPeriod;
   Stage::get().robot.wall_ahead(1.8);
   stick.left = 0.2f;
-  ASSERT_TRUE(wait_for([&] { return cycle(host), Stage::get().robot.room() < 1.0 && command_.linear.x < 0.05; }, 15.0));
+  ASSERT_TRUE(cycle_until(host, [this] { return Stage::get().robot.room() < 1.0 && command_.linear.x < 0.05; }));
   cycles(host, 60);
   EXPECT_LE(in_silence(host, log, "Rejects: "), kGrowth);
   EXPECT_LT(command_.linear.x, 0.05);
   EXPECT_TRUE(success_);
-  Stage::get().robot.command_lasts = std::numeric_limits<double>::infinity();
   Stage::get().clear();
 }
 
@@ -168,10 +174,10 @@ TEST_F(Allocations, NoneWhereEverythingIsRejectedButToSaySo) {
   cycles(host, 40);
   ASSERT_FALSE(success_);
   int saying = 0;
-  const ros::WallTime begin = ros::WallTime::now();
+  const ros::Time begin = ros::Time::now();
   for (int i = 0; i < 100; ++i) saying += cycle(host) != 0 ? 1 : 0;
   // Once a second at most; one more for the second that had begun before.
-  EXPECT_LE(saying, (ros::WallTime::now() - begin).toSec() + 1.0);
+  EXPECT_LE(saying, (ros::Time::now() - begin).toSec() + 1.0);
 }
 
 }  // namespace

@@ -16,13 +16,11 @@ Change samples(int count) { return Change().set("vx_samples", count).set("vth_sa
 Change budget(double seconds) { return Change().set("cycle_budget", seconds); }
 
 /// Cycles until reports say `vx` x `vth` samples.
-bool reaches(Host& host, unsigned vx, unsigned vth, double seconds) {
-  return host.cycle_until(
-      [&](const Host::Cycle&) {
-        const hidwa_local_planner::Cycle report = host.report();
-        return report.vx_samples == vx && report.vth_samples == vth;
-      },
-      seconds);
+bool reaches(Host& host, unsigned vx, unsigned vth) {
+  return host.cycle_until([&](const Host::Cycle&) {
+    const hidwa_local_planner::Cycle report = host.report();
+    return report.vx_samples == vx && report.vth_samples == vth;
+  });
 }
 
 /// Whether /diagnostics warns of thinned samples at the moment; the newest message decides.
@@ -57,13 +55,13 @@ TEST(Budget, TooManySamplesAreThinnedAndFewerAreAllThereAgain) {
   const Warning warning("Many");
   ASSERT_TRUE(host.plan_ahead(20.0));
   ASSERT_TRUE(host.cycle_until(
-      [&](const Host::Cycle&) { return host.report().vx_samples > 0 && host.report().vx_samples < 400; }, 60.0));
-  EXPECT_TRUE(wait_for([&] { return log.said("samples thinned from 400 x 400 to"); }, 5.0));
-  EXPECT_TRUE(host.cycle_until([&](const Host::Cycle& c) { return warning.on() && c.success; }, 10.0));
+      [&](const Host::Cycle&) { return host.report().vx_samples > 0 && host.report().vx_samples < 400; }));
+  EXPECT_TRUE(wait_for([&] { return log.said("samples thinned from 400 x 400 to"); }));
+  EXPECT_TRUE(host.cycle_until([&](const Host::Cycle& c) { return warning.on() && c.success; }));
   // Fewer samples are all there at once, though thinned ones need 40 cycles a step; with room they stay.
   ASSERT_TRUE(samples(10).set("cycle_budget", 10.0).send(host));
-  EXPECT_TRUE(reaches(host, 10, 10, 5.0));
-  EXPECT_TRUE(host.cycle_until([&](const Host::Cycle& c) { return warning.off() && c.success; }, 10.0));
+  EXPECT_TRUE(reaches(host, 10, 10));
+  EXPECT_TRUE(host.cycle_until([&](const Host::Cycle& c) { return warning.off() && c.success; }));
 }
 
 TEST(Budget, SamplesComeBackWhereThereIsRoomAgain) {
@@ -73,13 +71,13 @@ TEST(Budget, SamplesComeBackWhereThereIsRoomAgain) {
   ros::param::set(ns("Tight") + "cycle_budget", 1e-6);
   Host host("Tight");
   ASSERT_TRUE(host.plan_ahead(20.0));
-  EXPECT_TRUE(reaches(host, 6, 5, 5.0));
+  EXPECT_TRUE(reaches(host, 6, 5));
   EXPECT_TRUE(host.cycle().success);
   ASSERT_TRUE(budget(10.0).send(host));
   // Two steps, 8 x 7 and all, of 40 cycles each.
-  EXPECT_TRUE(reaches(host, 8, 7, 10.0));
-  EXPECT_TRUE(reaches(host, 10, 9, 10.0));
-  EXPECT_TRUE(wait_for([&] { return log.said("all 10 x 9 samples are tried"); }, 5.0));
+  EXPECT_TRUE(reaches(host, 8, 7));
+  EXPECT_TRUE(reaches(host, 10, 9));
+  EXPECT_TRUE(wait_for([&] { return log.said("all 10 x 9 samples are tried"); }));
 }
 
 TEST(Budget, ANegativeOneThinsNothing) {
@@ -88,11 +86,11 @@ TEST(Budget, ANegativeOneThinsNothing) {
   ros::param::set(ns("Never") + "vth_samples", 20);
   Host host("Never");
   ASSERT_TRUE(host.plan_ahead(20.0));
-  ASSERT_TRUE(reaches(host, 6, 6, 5.0));
+  ASSERT_TRUE(reaches(host, 6, 6));
   ASSERT_TRUE(budget(-1.0).send(host));
-  ASSERT_TRUE(reaches(host, 20, 20, 5.0));
+  ASSERT_TRUE(reaches(host, 20, 20));
   for (int i = 0; i < 10; ++i) host.cycle();
-  EXPECT_TRUE(reaches(host, 20, 20, 1.0));
+  EXPECT_TRUE(reaches(host, 20, 20));
 }
 
 }  // namespace

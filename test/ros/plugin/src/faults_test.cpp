@@ -59,8 +59,8 @@ class Faults : public ::testing::Test {
   }
 
   template <typename Done>
-  bool cycle_until(Done done, double seconds = 5.0) {
-    const ros::Time end = ros::Time::now() + ros::Duration(seconds);
+  bool cycle_until(Done done) {
+    const ros::Time end = ros::Time::now() + ros::Duration(kPatience);
     while (ros::Time::now() < end) {
       if (done(cycle())) return true;
     }
@@ -73,7 +73,7 @@ class Faults : public ::testing::Test {
     goes_on();
   }
   void goes_on() {
-    EXPECT_TRUE(cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.45; }, 10.0))
+    EXPECT_TRUE(cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.45; }))
         << host_->report().fault;
   }
   /// Braking commands that succeed, then failure at rest, for which `reason` is given in words.
@@ -85,7 +85,7 @@ class Faults : public ::testing::Test {
       before = c.command.linear.x;
       return !c.success;
     }));
-    EXPECT_GE(brakes, 1);  // three by 0.125 m/s from 0.45 m/s, fewer where cycles are late
+    EXPECT_GE(brakes, 1);  // three by 0.125 m/s from 0.45 m/s, fewer after a critic that hangs
     EXPECT_EQ(last_.linear.x, 0.0);
     const std::string fault = host_->report().fault;
     EXPECT_NE(fault.find(reason), std::string::npos) << fault;
@@ -159,14 +159,13 @@ TEST_F(Faults, ACostmapThatIsResized) {
 TEST_F(Faults, ACostmapThatIsMovedAway) {
   costmap_2d::Costmap2D& map = *Stage::get().costmap->getCostmap();
   const auto move_away = [&map] {
-    boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*map.getMutex());
+    const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*map.getMutex());
     map.updateOrigin(map.getOriginX() + 100.0, map.getOriginY() - 100.0);
-    return lock;
   };
-  {
-    const auto lock = move_away();  // while it is held the costmap does not follow the robot
-    brakes_to_rest("no pose of the plan lies on the local map");
-  }
+  Stage::get().costmap_follows = false;
+  move_away();
+  brakes_to_rest("no pose of the plan lies on the local map");
+  Stage::get().costmap_follows = true;
   drive();
   for (int i = 0; i < 20; ++i) {
     move_away();
@@ -196,7 +195,7 @@ TEST_F(Faults, TransformsFromTheFuture) {
   const LogListener log;
   Stage::get().robot.transforms_ahead = 2.0;
   brakes_to_rest("ahead of the clock");
-  EXPECT_TRUE(wait_for([&] { return log.said("set the clocks of its sender and of this machine alike"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("set the clocks of its sender and of this machine alike"); }));
   Stage::get().robot.transforms_ahead = 0.0;
   drive();
 }
@@ -208,8 +207,7 @@ TEST_F(Faults, ACriticThatThrows) {
   ASSERT_TRUE(critics("PathDist, GoalDist, hidwa_broken_critics/Throws"));
   brakes_to_rest();
   EXPECT_TRUE(wait_for(
-      [&] { return log.said("the critic hidwa_broken_critics/Throws threw in score(): its table has no such row"); },
-      5.0));
+      [&] { return log.said("the critic hidwa_broken_critics/Throws threw in score(): its table has no such row"); }));
   EXPECT_TRUE(rejected_by("hidwa_broken_critics/Throws"));
   ASSERT_TRUE(critics("PathDist, GoalDist"));
   drive();
@@ -220,7 +218,7 @@ TEST_F(Faults, ACriticThatThrowsWhatIsNoException) {
   ros::param::set(ros::this_node::getName() + "/" + host().name() + "/Throws/in_prepare", true);
   ASSERT_TRUE(critics("PathDist, GoalDist, hidwa_broken_critics/Throws"));
   brakes_to_rest();
-  EXPECT_TRUE(wait_for([&] { return log.said("threw in prepare(): something that is no std::exception"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("threw in prepare(): something that is no std::exception"); }));
   ASSERT_TRUE(critics("PathDist, GoalDist"));
   drive();
 }
@@ -229,19 +227,18 @@ TEST_F(Faults, ACriticThatThrowsOnceTheChoiceIsMade) {
   const LogListener log;
   ASSERT_TRUE(critics("PathDist, GoalDist, hidwa_broken_critics/ThrowsAtTheEnd"));
   for (int i = 0; i < 20; ++i) EXPECT_TRUE(cycle().success);
-  EXPECT_TRUE(wait_for([&] { return log.said("threw in debrief(): its log is full"); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("threw in debrief(): its log is full"); }));
   goes_on();
 }
 
 TEST_F(Faults, ACriticThatHangsForASecond) {
   const LogListener log;
   ASSERT_TRUE(critics("PathDist, GoalDist, hidwa_broken_critics/Hangs"));
-  const auto hung = [&](const Host::Cycle& c) {
+  ASSERT_TRUE(cycle_until([&](const Host::Cycle& c) {
     EXPECT_TRUE(c.success);
-    return c.late > 15.0;
-  };
-  EXPECT_TRUE(cycle_until(hung, 10.0));
-  EXPECT_TRUE(wait_for([&] { return log.said("the critic hidwa_broken_critics/Hangs took 1.0"); }, 5.0));
+    return log.said("the critic hidwa_broken_critics/Hangs took ");
+  }));
+  Stage::get().pass(1.0);  // and the robot has gone on meanwhile
   EXPECT_TRUE(log.said("take it out of the parameter critics"));
   ASSERT_TRUE(critics("PathDist, GoalDist"));
   drive();
@@ -253,8 +250,7 @@ TEST_F(Faults, ACriticWhoseScoresAreNoNumbers) {
   brakes_to_rest();
   EXPECT_TRUE(rejected_by("hidwa_broken_critics/NotANumber"));
   EXPECT_TRUE(wait_for(
-      [&] { return log.said("the critic hidwa_broken_critics/NotANumber gives scores that are no finite numbers"); },
-      5.0));
+      [&] { return log.said("the critic hidwa_broken_critics/NotANumber gives scores that are no finite numbers"); }));
   ASSERT_TRUE(critics("PathDist, GoalDist"));
   drive();
 }
@@ -287,17 +283,17 @@ TEST(Unloading, WhileMessagesArrive) {
     for (int k = 0; k < 1 + i % 4; ++k) host.cycle();
     changing.join();
   }
-  EXPECT_TRUE(wait_for([&] { return sticks.getNumSubscribers() == 0 && odometry.getNumSubscribers() == 0; }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return sticks.getNumSubscribers() == 0 && odometry.getNumSubscribers() == 0; }));
   for (int i = 0; i < 12; ++i) {
     const std::string service = ros::this_node::getName() + "/" + named(i) + "/set_parameters";
-    EXPECT_TRUE(wait_for([&] { return !ros::service::exists(service, false); }, 5.0)) << service;
+    EXPECT_TRUE(wait_for([&] { return !ros::service::exists(service, false); })) << service;
   }
   sends = false;
   sending.join();
   Stage::get().clear();
   Host host("Unloaded_last");
   ASSERT_TRUE(host.plan_ahead(3.0));
-  EXPECT_TRUE(host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0));
+  EXPECT_TRUE(host.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }));
 }
 
 }  // namespace

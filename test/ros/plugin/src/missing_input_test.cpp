@@ -27,23 +27,21 @@ class MissingInput : public ::testing::Test {
       last_ = c.command;
       return c.success && last_.linear.x > 0.45;
     };
-    ASSERT_TRUE(host_.cycle_until(fast, 10.0)) << host_.report().fault;
+    ASSERT_TRUE(host_.cycle_until(fast)) << host_.report().fault;
   }
 
   /// From the moment that something is missing: braking commands that succeed, then failure with `reason` in
   /// words.
   void expect_braking_then_failure(const std::string& reason) {
     int brakes = 0;
-    const bool failed = host_.cycle_until(
-        [&](const Host::Cycle& c) {
-          EXPECT_LE(std::abs(c.command.linear.x - last_.linear.x), kStep * c.late);
-          EXPECT_LE(std::abs(c.command.angular.z - last_.angular.z), kTurnStep * c.late);
-          last_ = c.command;
-          const bool braking = c.success && host_.report().outcome == hidwa_local_planner::Cycle::BRAKE;
-          brakes += braking ? 1 : 0;
-          return !c.success;
-        },
-        5.0);
+    const bool failed = host_.cycle_until([&](const Host::Cycle& c) {
+      EXPECT_LE(std::abs(c.command.linear.x - last_.linear.x), kStep * c.late);
+      EXPECT_LE(std::abs(c.command.angular.z - last_.angular.z), kTurnStep * c.late);
+      last_ = c.command;
+      const bool braking = c.success && host_.report().outcome == hidwa_local_planner::Cycle::BRAKE;
+      brakes += braking ? 1 : 0;
+      return !c.success;
+    });
     EXPECT_TRUE(failed);
     // From 0.45 m/s or more by 0.125 m/s a cycle, or 0.6 rad/s by 0.16: at least three braking commands on the way.
     EXPECT_GE(brakes, 3);
@@ -53,7 +51,7 @@ class MissingInput : public ::testing::Test {
   }
 
   void expect_driving_again() {
-    EXPECT_TRUE(host_.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }, 5.0))
+    EXPECT_TRUE(host_.cycle_until([](const Host::Cycle& c) { return c.success && c.command.linear.x > 0.2; }))
         << host_.report().fault;
   }
 
@@ -67,7 +65,7 @@ TEST_F(MissingInput, NoPlanYet) {
     EXPECT_EQ(c.command.linear.x, 0.0);
     return !c.success && host_.report().fault.find("plan") != std::string::npos;
   };
-  EXPECT_TRUE(host_.cycle_until(failed, 5.0)) << host_.report().fault;
+  EXPECT_TRUE(host_.cycle_until(failed)) << host_.report().fault;
   drive();
 }
 
@@ -114,7 +112,7 @@ TEST_F(MissingInput, Odometry) {
     EXPECT_EQ(c.command.linear.x, 0.0);
     return !c.success && other.report().fault.find("no odometry on /odom yet: check odom_topic") != std::string::npos;
   };
-  EXPECT_TRUE(other.cycle_until(failed, 5.0)) << other.report().fault;
+  EXPECT_TRUE(other.cycle_until(failed)) << other.report().fault;
   Stage::get().robot.odometry = true;
   expect_driving_again();
 }
@@ -125,7 +123,7 @@ TEST_F(MissingInput, WhileItTurns) {
     last_ = c.command;
     return c.success && last_.angular.z > 0.6;
   };
-  ASSERT_TRUE(host_.cycle_until(turns, 10.0)) << host_.report().fault;
+  ASSERT_TRUE(host_.cycle_until(turns)) << host_.report().fault;
   EXPECT_TRUE(host_.planner().setPlan({}));
   expect_braking_then_failure("plan is empty");
   ASSERT_TRUE(host_.plan_ahead(3.0));
@@ -137,7 +135,7 @@ TEST_F(MissingInput, CostmapThatIsNotCurrent) {
   Stage::get().robot.laser = false;
   expect_braking_then_failure("costmap is not current");
   Stage::get().robot.laser = true;
-  ASSERT_TRUE(wait_for([] { return Stage::get().costmap->isCurrent(); }, 5.0));
+  ASSERT_TRUE(Stage::get().pass_until([] { return Stage::get().costmap->isCurrent(); }));
   expect_driving_again();
 }
 

@@ -44,11 +44,11 @@ class Commands : public Operated {
   /// What a client that subscribes now is told.
   bool late_subscriber_reads(const std::string& mode) {
     const Newest<std_msgs::String> shown(in_namespace("mode"));
-    return wait_for([&] { return shown.get() && shown.get()->data == mode; }, 3.0);
+    return wait_for([&] { return shown.get() && shown.get()->data == mode; });
   }
   bool clients_see(const std::string& mode) {
     const Newest<dynamic_reconfigure::Config> config(in_namespace("parameter_updates"));
-    return wait_for([&] { return config.get() && mode_in(*config.get()) == mode; }, 3.0);
+    return wait_for([&] { return config.get() && mode_in(*config.get()) == mode; });
   }
   std::string stored_mode() const {
     std::string mode;
@@ -77,8 +77,8 @@ TEST_F(Commands, SetModeSwitchesWhileItDrives) {
   for (const char* mode : {"switching", "gesture", "joystick"}) {
     ASSERT_TRUE(say_mode(mode));
     EXPECT_TRUE(cycle_until([&](const Host::Cycle& c) { return c.success && state().mode_name == mode; })) << mode;
-    EXPECT_TRUE(wait_for([&] { return updates.get() && mode_in(*updates.get()) == mode; }, 3.0)) << mode;
-    EXPECT_TRUE(wait_for([&] { return shown.get() && shown.get()->data == mode; }, 3.0)) << mode;
+    EXPECT_TRUE(wait_for([&] { return updates.get() && mode_in(*updates.get()) == mode; })) << mode;
+    EXPECT_TRUE(wait_for([&] { return shown.get() && shown.get()->data == mode; })) << mode;
     EXPECT_TRUE(late_subscriber_reads(mode));
     EXPECT_TRUE(clients_see(mode));
     EXPECT_EQ(stored_mode(), mode);

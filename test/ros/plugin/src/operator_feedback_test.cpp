@@ -42,8 +42,7 @@ class Feedback : public Operated {
     person().left = 0.15f;
     ASSERT_TRUE(reaches("SHARED"));
     ASSERT_TRUE(cycle_until(
-        [this](const Host::Cycle& c) { return !state().refused_by.empty() && std::abs(c.command.linear.x) < 0.05; },
-        12.0));
+        [this](const Host::Cycle& c) { return !state().refused_by.empty() && std::abs(c.command.linear.x) < 0.05; }));
   }
 
   ros::NodeHandle node_;
@@ -61,7 +60,7 @@ TEST_F(Feedback, TheStateTellsEverything) {
   Host::Cycle last;
   ASSERT_TRUE(
       cycle_until([&](const Host::Cycle& c) { return last = c, std::abs(c.command.angular.z - wanted) < 0.01; }));
-  ASSERT_TRUE(wait_for([&] { return state().command.angular.z == last.command.angular.z; }, 2.0));
+  ASSERT_TRUE(wait_for([&] { return state().command.angular.z == last.command.angular.z; }));
   const OperatorState steered = state();
   EXPECT_EQ(steered.mode, OperatorState::MODE_JOYSTICK);
   EXPECT_EQ(steered.mode_name, "joystick");

@@ -17,14 +17,13 @@ class Person : public ::testing::Test {
  protected:
   Person() : host_(start()) {
     publisher_ = node_.advertise<sensor_msgs::Joy>("joy", 1);
-    timer_ = node_.createWallTimer(ros::WallDuration(0.05), [this](const ros::WallTimerEvent&) { send(); });
     ros::NodeHandle topics("~/" + host_.name());
     state_subscriber_ = topics.subscribe<OperatorState>("operator_state", 10, [this](const OperatorState::ConstPtr& m) {
       const std::lock_guard<std::mutex> lock(mutex_);
       state_ = *m;
     });
-    // Listening sockets take a moment: a stick that nobody hears steers nothing.
-    wait_for([this] { return publisher_.getNumSubscribers() > 0; }, 5.0);
+    // A stick that nobody hears steers nothing.
+    wait_for([this] { return publisher_.getNumSubscribers() > 0 && state_subscriber_.getNumPublishers() > 0; });
   }
 
   static std::string start() {
@@ -39,7 +38,7 @@ class Person : public ::testing::Test {
     message.header.stamp = ros::Time::now();
     message.axes = {stick_, 0.0f};
     message.buttons = {0};
-    publisher_.publish(message);
+    deliver(publisher_, message);
   }
 
   OperatorState state() const {
@@ -47,25 +46,25 @@ class Person : public ::testing::Test {
     return state_;
   }
 
-  bool reaches(const std::string& name, double seconds = 5.0) {
+  bool reaches(const std::string& name, double seconds = kPatience) {
     return host_.cycle_until([&](const Host::Cycle&) { return state().state_name == name; }, seconds);
   }
 
   void drive() {
     ASSERT_TRUE(host_.plan_ahead(8.0));
-    ASSERT_TRUE(host_.cycle_until([](const Host::Cycle& c) { return c.command.linear.x > 0.49; }, 10.0));
+    ASSERT_TRUE(host_.cycle_until([](const Host::Cycle& c) { return c.command.linear.x > 0.49; }));
     EXPECT_EQ(state().state_name, "AUTONOMY");
   }
 
   ros::NodeHandle node_;
   Host host_;
-  std::atomic<float> stick_{0.0f};
-  std::atomic<bool> silent_{false};
+  float stick_ = 0.0f;
+  bool silent_ = false;
   ros::Publisher publisher_;
-  ros::WallTimer timer_;
   ros::Subscriber state_subscriber_;
   mutable std::mutex mutex_;
   OperatorState state_;
+  Ticking ticking_{[this] { send(); }};
 };
 
 TEST_F(Person, SteersLetsGoAndTheRobotTakesOver) {
@@ -75,14 +74,14 @@ TEST_F(Person, SteersLetsGoAndTheRobotTakesOver) {
   EXPECT_TRUE(state().active);
   EXPECT_DOUBLE_EQ(state().wanted.linear.x, 0.5);
   EXPECT_DOUBLE_EQ(state().wanted.angular.z, 1.0);
-  ASSERT_TRUE(host_.cycle_until([](const Host::Cycle& c) { return c.command.angular.z > 0.9; }, 5.0));
+  ASSERT_TRUE(host_.cycle_until([](const Host::Cycle& c) { return c.command.angular.z > 0.9; }));
 
   stick_ = 0.0f;
   ASSERT_TRUE(reaches("HOLD"));
   EXPECT_DOUBLE_EQ(state().wanted.linear.x, 0.5);
   EXPECT_DOUBLE_EQ(state().wanted.angular.z, 0.0);
   EXPECT_TRUE(host_.cycle_until(
-      [this](const Host::Cycle& c) { return c.command.angular.z == 0.0 && state().state_name == "HOLD"; }, 2.0));
+      [this](const Host::Cycle& c) { return c.command.angular.z == 0.0 && state().state_name == "HOLD"; }));
   EXPECT_TRUE(reaches("AUTONOMY"));
   EXPECT_FALSE(state().active);
 }
@@ -90,7 +89,7 @@ TEST_F(Person, SteersLetsGoAndTheRobotTakesOver) {
 TEST_F(Person, RightIsNegative) {
   drive();
   stick_ = -1.0f;
-  EXPECT_TRUE(host_.cycle_until([](const Host::Cycle& c) { return c.command.angular.z < -0.9; }, 5.0));
+  EXPECT_TRUE(host_.cycle_until([](const Host::Cycle& c) { return c.command.angular.z < -0.9; }));
 }
 
 TEST_F(Person, SilenceWhileSteeringIsLost) {
@@ -115,7 +114,7 @@ TEST_F(Person, MessagesThatMakeNoSenseAreCounted) {
   drive();
   sensor_msgs::Joy none;  // no axes
   publisher_.publish(none);
-  EXPECT_TRUE(host_.cycle_until([this](const Host::Cycle& c) { return c.success && state().dropped > 0; }, 5.0));
+  EXPECT_TRUE(host_.cycle_until([this](const Host::Cycle& c) { return c.success && state().dropped > 0; }));
 }
 
 }  // namespace

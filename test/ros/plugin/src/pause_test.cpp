@@ -1,31 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole process stands still for a while, as on a machine that is too busy, and the person steers all the time.
-#include <csignal>
-#include <ctime>
-
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include "person.hpp"
 
 namespace hidwa_plugin_tests {
 namespace {
-
-/// Suspends this process for `seconds`.
-void stand_still(double seconds) {
-  const pid_t self = getpid();
-  const pid_t helper = fork();
-  if (helper == 0) {
-    const auto nanoseconds = static_cast<long>(1e9 * seconds);
-    const timespec pause{nanoseconds / 1000000000L, nanoseconds % 1000000000L};
-    kill(self, SIGSTOP);
-    nanosleep(&pause, nullptr);
-    kill(self, SIGCONT);
-    _exit(0);
-  }
-  ASSERT_GT(helper, 0);
-  waitpid(helper, nullptr, 0);
-}
 
 using Pause = Operated;
 
@@ -35,7 +13,7 @@ TEST_F(Pause, IsNotHeldAgainstTheStick) {
   person().left = 1.0f;
   ASSERT_TRUE(reaches("SHARED"));
   for (int i = 0; i < 3; ++i) {
-    stand_still(0.9);  // input_timeout is 0.5 s
+    Stage::get().skip(0.9);  // input_timeout is 0.5 s
     // Odometry and transforms are old at first, so a cycle may brake or fail; that is not looked at here.
     all_cycles([](const Host::Cycle&) { return true; }, 0.8);
     EXPECT_EQ(state().state_name, "SHARED");  // without having let go of the stick

@@ -3,34 +3,35 @@
 
 namespace hidwa_plugin_tests {
 
-Person::Person(const Host& host) {
+Person::Person(const Host& host)
+    : ticking_([this] {
+        if (sends) send();
+      }) {
   publisher_ = node_.advertise<sensor_msgs::Joy>("joy", 1);
   ros::NodeHandle topics("~/" + host.name());
   subscriber_ = topics.subscribe<OperatorState>("operator_state", 100, [this](const OperatorState::ConstPtr& m) {
     const std::lock_guard<std::mutex> lock(mutex_);
     states_.push_back(*m);
   });
-  timer_ = node_.createWallTimer(ros::WallDuration(0.05), [this](const ros::WallTimerEvent&) {
-    if (sends) send();
-  });
+  wait_for([this] { return subscriber_.getNumPublishers() > 0; });
 }
 
-Person::~Person() {
-  timer_.stop();
-  subscriber_.shutdown();
+bool Person::heard() const {
+  return wait_for([this] { return publisher_.getNumSubscribers() > 0; });
 }
+
+Person::~Person() { subscriber_.shutdown(); }
 
 void Person::send() {
   sensor_msgs::Joy message;
   message.header.stamp = ros::Time::now();
   message.axes = {left, ahead, trigger};
   message.buttons = {button ? 1 : 0, second_button ? 1 : 0};
-  publisher_.publish(message);
+  deliver(publisher_, message);
 }
 
 void Person::vanish() {
   sends = false;
-  timer_.stop();
   publisher_.shutdown();
 }
 
@@ -56,14 +57,18 @@ std::string Operated::in_namespace(const std::string& name) const {
 }
 
 void Operated::start() {
+  start_unheard();
+  ASSERT_TRUE(person_->heard());
+}
+
+void Operated::start_unheard() {
   host_ = std::make_unique<Host>(name_);
   person_ = std::make_unique<Person>(*host_);
 }
 
 void Operated::drive() {
   ASSERT_TRUE(host().plan_ahead(8.0));
-  ASSERT_TRUE(cycle_until([](const Host::Cycle& c) { return c.command.linear.x > 0.499; }, 10.0))
-      << host().report().fault;
+  ASSERT_TRUE(cycle_until([](const Host::Cycle& c) { return c.command.linear.x > 0.499; })) << host().report().fault;
 }
 
 bool Operated::reaches(const std::string& name, double seconds) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -19,16 +18,18 @@ namespace hidwa_plugin_tests {
 
 using hidwa_local_planner::OperatorState;
 
-/// A stick with three axes and two buttons on the topic `joy` that repeats itself at 20 Hz, and what the
+/// A stick with three axes and two buttons on the topic `joy` that repeats itself once a period, and what the
 /// planner tells its holder.
 class Person {
  public:
   explicit Person(const Host& host);
   ~Person();
 
-  std::atomic<float> left{0.0f}, ahead{0.0f}, trigger{0.0f};  // axes 0, 1 and 2
-  std::atomic<bool> button{false}, second_button{false};      // buttons 0 and 1
-  std::atomic<bool> sends{true};
+  float left = 0.0f, ahead = 0.0f, trigger = 0.0f;  // axes 0, 1 and 2
+  bool button = false, second_button = false;       // buttons 0 and 1
+  bool sends = true;
+  /// Waits until the planner listens to the stick.
+  bool heard() const;
   /// Sends once, now.
   void send();
   /// The stick's node ends.
@@ -42,10 +43,10 @@ class Person {
  private:
   ros::NodeHandle node_;
   ros::Publisher publisher_;
-  ros::WallTimer timer_;
   ros::Subscriber subscriber_;
   mutable std::mutex mutex_;
   std::vector<OperatorState> states_;
+  Ticking ticking_;
 };
 
 /// A test with a planner, named as the test, in a room without obstacles, and its person. Parameters first,
@@ -62,14 +63,16 @@ class Operated : public ::testing::Test {
     ros::param::set(in_namespace(parameter), value);
   }
   void start();
+  /// The same where the planner does not listen to the topic `joy`, as in mode off.
+  void start_unheard();
   /// On a straight plan of 8 m at full speed, with nobody steering.
   void drive();
 
   using Done = std::function<bool(const Host::Cycle&)>;
-  bool cycle_until(const Done& done, double seconds = 5.0) { return host().cycle_until(done, seconds); }
+  bool cycle_until(const Done& done, double seconds = kPatience) { return host().cycle_until(done, seconds); }
   /// Cycles until the state has this name.
-  bool reaches(const std::string& state, double seconds = 5.0);
-  /// Cycles that long, all of them so; at least one.
+  bool reaches(const std::string& state, double seconds = kPatience);
+  /// Cycles for so many simulated seconds, all of them so.
   bool all_cycles(const Done& so, double seconds);
   /// A press of the button and its release, by a stick that the planner has heard for a while; with cycles, as
   /// while driving.
@@ -79,10 +82,10 @@ class Operated : public ::testing::Test {
   bool say(const std::string& topic, const Value& value) {
     said_.push_back(node_.advertise<Message>(in_namespace(topic), 1));
     const ros::Publisher& publisher = said_.back();
-    if (!wait_for([&] { return publisher.getNumSubscribers() > 0; }, 5.0)) return false;
+    if (!wait_for([&] { return publisher.getNumSubscribers() > 0; })) return false;
     Message message;
     message.data = value;
-    publisher.publish(message);
+    deliver(publisher, message);
     return true;
   }
   /// The commands so far kept the acceleration limits of the default profile.

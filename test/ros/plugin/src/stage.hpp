@@ -7,7 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include <costmap_2d/costmap_2d_ros.h>
@@ -17,22 +17,39 @@
 #include <nav_core/base_local_planner.h>
 #include <ros/ros.h>
 #include <tf2_ros/buffer.h>
+#include <boost/make_shared.hpp>
 #include <pluginlib/class_loader.hpp>
 
 namespace hidwa_plugin_tests {
 
 constexpr double kPeriod = 0.05;  // of the control cycle, as in the launch files [s]
+// Whatever is waited for comes long before, also on a slow machine: wall time for what other threads and processes do,
+// simulated time for what the robot and the planner do [s].
+constexpr double kPatience = 60.0;
 
 struct Pose {
   double x = 0.0, y = 0.0, theta = 0.0;  // [m, rad]
 };
 
+/// Waits until `done`, while simulated time stands still; false after kPatience.
+bool wait_for(const std::function<bool()>& done);
+
+/// Publishes, and waits until everybody in this process has taken the message: each callback has run, or a newer
+/// message has taken its place.
+template <typename Message>
+void deliver(const ros::Publisher& publisher, Message message) {
+  auto shared = boost::make_shared<Message>(std::move(message));
+  const boost::weak_ptr<Message> sent = shared;
+  publisher.publish(shared);
+  shared.reset();
+  wait_for([&sent] { return sent.expired(); });
+}
+
 /// A robot without inertia that does at once what it is told, with odometry, laser and transforms that can be
-/// silenced one by one. Runs in real time on a thread of its own at 50 Hz.
+/// silenced one by one.
 class Robot {
  public:
   explicit Robot(tf2_ros::Buffer& tf);
-  ~Robot();
   void command(const geometry_msgs::Twist& twist);
   Pose pose() const;
   /// Turns it at once to this heading [rad].
@@ -43,47 +60,66 @@ class Robot {
   void no_wall();
   /// The smallest distance of the robot's centre from that wall so far [m]; infinite where there was none.
   double room() const;
-  /// While it is held the robot neither moves nor sends.
-  std::unique_lock<std::mutex> still() { return std::unique_lock<std::mutex>(step_mutex_); }
+  /// It moves for `dt` [s] and sends what it measures then.
+  void step(double dt);
 
   std::atomic<bool> odometry{true}, laser{true}, base_transform{true}, map_transform{true};
   std::atomic<double> transforms_ahead{0.0};  // of the clock that stamps the transforms [s]
-  /// How long it does what it was told without being told again, as a base that watches its commands [s].
-  std::atomic<double> command_lasts{std::numeric_limits<double>::infinity()};
 
  private:
-  void run();
-  void step(double dt);
   double range(const Pose& from, double angle) const;  // [m], to the wall; needs mutex_
   void send_transform(const std::string& parent, const std::string& child, const Pose& pose);
 
   tf2_ros::Buffer& tf_;
   ros::Publisher odometry_publisher_, laser_publisher_;
-  std::mutex step_mutex_;  // before mutex_
   mutable std::mutex mutex_;
   Pose pose_;
   geometry_msgs::Twist command_;
-  double since_command_ = 0.0;  // [s]
   bool wall_ = false;
   double wall_heading_ = 0.0, wall_distance_ = 0.0;  // its normal, and its distance from the origin of odom
   double room_ = std::numeric_limits<double>::infinity();
-  std::atomic<bool> running_{true};
-  std::thread thread_;
 };
 
-/// Robot, costmap and tf, shared by the tests of one process.
+/// Robot, costmap, tf and clock, shared by the tests of one process.
+///
+/// Time is simulated, and only the test's thread moves it on: pass(). What was sent in a step is taken before the next
+/// step, so a busy machine makes a test longer and changes nothing else.
 class Stage {
  public:
   static Stage& get();
+  /// Lets so much simulated time pass [s]: the robot moves, whoever ticks() does so, the costmap is brought up to date.
+  void pass(double seconds);
+  /// The clock alone moves on [s], as if the process had been suspended.
+  void skip(double seconds);
+  /// Lets time pass until `done`; false after so many simulated seconds.
+  bool pass_until(const std::function<bool()>& done, double seconds = kPatience);
   /// No obstacles, neither there nor remembered.
   void clear();
   tf2_ros::Buffer tf;
   Robot robot;
   std::unique_ptr<costmap_2d::Costmap2DROS> costmap;
+  bool costmap_follows = true;  // the robot
 
  private:
+  friend class Ticking;
   Stage();
+  void step();
   ros::AsyncSpinner spinner_;
+  std::vector<const std::function<void()>*> ticking_;
+  unsigned long steps_ = 0;
+  ros::WallTime due_;  // the next step, not earlier
+};
+
+/// Calls a function once a control period of simulated time, while it exists.
+class Ticking {
+ public:
+  explicit Ticking(std::function<void()> tick);
+  ~Ticking();
+  Ticking(const Ticking&) = delete;
+  Ticking& operator=(const Ticking&) = delete;
+
+ private:
+  std::function<void()> tick_;
 };
 
 /// Straight from the robot's pose, `ahead` [m] along its heading (behind it when negative), in `frame`; `left` [rad] of
@@ -108,14 +144,15 @@ class Host {
   struct Cycle {
     bool success = false;
     geometry_msgs::Twist command;
-    /// In periods, one at least: no more than this lies between what the planner takes for the time of the cycle before
-    /// and of this one. A late cycle may brake by as much as could have been braked since the one before.
+    /// The time since the cycle before, in periods, one at least. A late cycle may brake by as much as could have been
+    /// braked since the one before.
     double late = 1.0;
   };
-  /// One control cycle: computes, drives (stops on failure, as move_base does), waits for the next period.
+  /// One control cycle: computes, drives (stops on failure, as move_base does), and a period passes. What the planner
+  /// published has come when it returns.
   Cycle cycle();
-  /// Cycles until `done` says so of one; false after `seconds`.
-  bool cycle_until(const std::function<bool(const Cycle&)>& done, double seconds);
+  /// Cycles until `done` says so of one; false after so many simulated seconds.
+  bool cycle_until(const std::function<bool(const Cycle&)>& done, double seconds = kPatience);
   /// The largest change from one command to the next [m/s, rad/s], both of successful cycles, so far.
   /// From one command to the next; where a cycle was late, in the share of a period.
   geometry_msgs::Twist largest_change() const { return largest_change_; }
@@ -130,14 +167,10 @@ class Host {
   ros::Subscriber subscriber_;
   mutable std::mutex mutex_;
   hidwa_local_planner::Cycle report_;
-  ros::Time next_;
   Cycle last_;
   geometry_msgs::Twist largest_change_;
   ros::Time begun_;  // the last cycle
 };
-
-/// Waits until `done`; false after `seconds`.
-bool wait_for(const std::function<bool()>& done, double seconds);
 
 /// What the process logs, while it exists.
 class LogListener {

@@ -91,7 +91,7 @@ TEST_F(Stop, OfADeviceThatDiedEndsInWords) {
   EXPECT_TRUE(all_cycles(at_rest, 1.1));
   ASSERT_TRUE(say<std_msgs::Bool>("stop", false));
   expect_goes_on();
-  EXPECT_TRUE(wait_for([&] { return log.said("The stop of " + ros::this_node::getName()); }, 5.0));
+  EXPECT_TRUE(wait_for([&] { return log.said("The stop of " + ros::this_node::getName()); }));
 }
 
 TEST_F(Stop, InWords) {

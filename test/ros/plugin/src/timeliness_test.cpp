@@ -27,13 +27,11 @@ TEST_F(Timeliness, AfterACutLinkTurningEndsWithinTheTimeout) {
   }));
   person().vanish();
   int cycles = 0;  // since it was lost
-  cycle_until(
-      [&](const Host::Cycle& c) {
-        turning = c.command.angular.z > 0.0;
-        if (state().state_name == "LOST") ++cycles;
-        return !turning;
-      },
-      3.0);
+  cycle_until([&](const Host::Cycle& c) {
+    turning = c.command.angular.z > 0.0;
+    if (state().state_name == "LOST") ++cycles;
+    return !turning;
+  });
   EXPECT_EQ(state().state_name, "LOST");
   EXPECT_FALSE(turning);
   EXPECT_LE(cycles, 7);  // 1 rad/s at 3.2 rad/s^2
@@ -42,39 +40,21 @@ TEST_F(Timeliness, AfterACutLinkTurningEndsWithinTheTimeout) {
     if (state.wanted.angular.z != 0.0) last = (state.header.stamp - cut).toSec();
   }
   EXPECT_LE(last, kTimeout + kPeriod);
-  EXPECT_GE(last, kTimeout - 4.0 * kPeriod);  // not earlier either: a late message is none that is lost
+  EXPECT_GE(last, kTimeout - kPeriod);  // not earlier either: a late message is none that is lost
   EXPECT_TRUE(all_cycles([this](const Host::Cycle&) { return state().wanted.angular.z == 0.0; }, 1.0));
 }
 
-TEST_F(Timeliness, AMessageCountsWithinOneControlPeriod) {
+TEST_F(Timeliness, AMessageCountsInTheNextCycle) {
   start();
   drive();
   person().sends = false;
-  all_cycles([](const Host::Cycle&) { return true; }, 0.1);
-  struct Sent {
-    ros::Time time;
-    double wanted;
-  };
-  std::vector<Sent> sent;
   for (int i = 0; i < 20; ++i) {
-    const float deflection = 0.4f + 0.02f * static_cast<float>(i);
-    person().left = deflection;
+    person().left = 0.4f + 0.02f * static_cast<float>(i);
     person().send();
-    sent.push_back({ros::Time::now(), std::pow(static_cast<double>(deflection), 2)});
-    for (int cycle = 0; cycle < 3; ++cycle) host().cycle();
+    host().cycle();
+    EXPECT_NEAR(state().wanted.angular.z, std::pow(static_cast<double>(person().left), 2), 1e-9) << i;
+    for (int cycle = 0; cycle < 2; ++cycle) host().cycle();
   }
-  // The last cycle's message is still on its way.
-  ASSERT_TRUE(wait_for([&] { return std::abs(state().wanted.angular.z - sent.back().wanted) < 1e-9; }, 2.0));
-  int seen = 0;
-  for (const OperatorState& state : person().states()) {
-    const auto later = [&](const Sent& s) { return (state.header.stamp - s.time).toSec() > kPeriod; };
-    std::size_t due = sent.size();  // the newest that is older than one period
-    while (due > 0 && !later(sent[due - 1])) --due;
-    if (due == 0) continue;
-    ++seen;
-    EXPECT_GE(state.wanted.angular.z, sent[due - 1].wanted - 1e-9) << due;
-  }
-  EXPECT_GE(seen, 20);
 }
 
 }  // namespace
