@@ -27,7 +27,7 @@ class PlanningThreadTest : public testing::Test {
 
   template <typename Condition>
   static bool becomes(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);  // a slow machine takes long
     while (!condition()) {
       if (std::chrono::steady_clock::now() > end) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

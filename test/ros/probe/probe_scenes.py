@@ -21,8 +21,8 @@ class Scene:
     def __init__(self, world, title):
         self.world, self.lines = world, ["", "== " + title]
 
-    def expect(self, what, condition, timeout=15.0):
-        if not self.world.wait(condition, timeout):
+    def expect(self, what, condition):
+        if not self.world.wait(condition):
             raise Failed("%s: waited in vain for %s" % (self.lines[1], what))
 
     def answer(self, how):

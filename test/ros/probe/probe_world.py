@@ -19,6 +19,7 @@ ORIGIN = -3.0        # [m]
 ROBOT = (-1.0, -1.0)
 BLOCKED = (1.25, 1.25)  # centre of a block of half a metre
 PLANNER = "/move_base/ProbePlannerROS"
+PATIENCE = 120.0     # [s], for what must come; a slow machine takes long
 
 
 def make_map():
@@ -99,8 +100,8 @@ class World:
         with self.lock:
             return sum(event.startswith(start) for event in self.events)
 
-    def wait(self, condition, timeout=15.0):
-        end = rospy.Time.now() + rospy.Duration(timeout)
+    def wait(self, condition):
+        end = rospy.Time.now() + rospy.Duration(PATIENCE)
         while not condition():
             if rospy.is_shutdown() or rospy.Time.now() > end:
                 return False

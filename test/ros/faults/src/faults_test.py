@@ -26,8 +26,9 @@ from std_msgs.msg import String  # noqa: E402
 from roscpp.srv import Empty  # noqa: E402; as std_srvs has it, which Debian has for C++ alone
 
 from command_watch import PLANNER, CommandWatch  # noqa: E402
+from hidwa_tools.waiting import PATIENCE, wait_for  # noqa: E402
 from message_gate import Gate, transforms_with  # noqa: E402
-from running_host import PREEMPTED, Journal, RunningHost, Stick, wait_for  # noqa: E402
+from running_host import PREEMPTED, Journal, RunningHost, Stick  # noqa: E402
 
 PLACES = ((30.0, 15.0), (5.5, 8.0))  # far apart in the office [m]
 JS_EVENT = struct.Struct('=IhBB')    # struct js_event of linux/joystick.h
@@ -196,8 +197,8 @@ class Goals(Faults):
         HOST.cancel()
         self.assertTrue(wait_for(lambda: HOST.result == PREEMPTED))
         self.assertTrue(HOST.stands())
-        count = WATCH.count()
-        time.sleep(0.5)
+        count, end = WATCH.count(), rospy.get_time() + 1.0
+        self.assertTrue(wait_for(lambda: rospy.get_time() > end))
         self.assertEqual(WATCH.count(), count)  # the stick alone moves nothing
         STICK.left = 0.0
         self.over(abrupt=1)  # the host's own zero
@@ -221,7 +222,7 @@ class Changes(Faults):
         )
         before = call(Config()).config
         answers = []  # each set, and what its answer says is in force
-        answered, end = [0, 0, 0], time.monotonic() + 60.0
+        answered, end = [0, 0, 0], time.monotonic() + PATIENCE
         self.addCleanup(modes.publish, 'joystick')
         self.addCleanup(call, before)
 
@@ -261,7 +262,17 @@ class Clocks(Faults):
     def test_stopped(self):
         """Sensors go on, time does not."""
         GATE.drop('clock')
-        self.assertTrue(wait_for_quiet(WATCH.count, 1.0), 'commands go on without time')
+        silence = []  # readings of odometry since the newest command
+
+        def listen(message):
+            if WATCH.count() != self.count:
+                self.count = WATCH.count()
+                del silence[:]
+            silence.append(message)
+            return message
+        self.count = WATCH.count()
+        GATE.disturb('odom', listen)
+        self.assertTrue(wait_for(lambda: len(silence) > 50), 'commands go on without time')  # a second
         self.over()
 
     def test_back(self):
@@ -277,19 +288,6 @@ class Clocks(Faults):
             self.assertTrue(HOST.stands())
             self.assertIn('BRAKE', WATCH.outcomes())
             self.over()
-
-
-def wait_for_quiet(count, seconds):
-    """Until `count` has not changed for so long [s]."""
-    deadline = time.monotonic() + 30.0
-    last, since = count(), time.monotonic()
-    while time.monotonic() < deadline:
-        time.sleep(0.05)
-        if count() != last:
-            last, since = count(), time.monotonic()
-        if time.monotonic() - since > seconds:
-            return True
-    return False
 
 
 class Devices(Faults):

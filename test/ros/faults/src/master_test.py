@@ -7,7 +7,6 @@ import signal
 import sys
 import tempfile
 import threading
-import time
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
@@ -21,8 +20,9 @@ from std_msgs.msg import String  # noqa: E402
 
 from command_watch import PLANNER, CommandWatch  # noqa: E402
 from hidwa_tools.processes import Child, free_port  # noqa: E402
+from hidwa_tools.waiting import wait_for  # noqa: E402
 from message_gate import Gate  # noqa: E402
-from running_host import PATIENCE, Journal, RunningHost, Stick, wait_for  # noqa: E402
+from running_host import Journal, RunningHost, Stick  # noqa: E402
 
 PLACES = ((30.0, 15.0), (5.5, 8.0))  # far apart in the office [m]
 
@@ -49,7 +49,7 @@ class Masters(unittest.TestCase):
 
     def start_master(self):
         master = self.start(['rosmaster', '--core', '-p', str(self.port)])
-        self.assertTrue(wait_for_plainly(rosgraph.is_master_online), 'no master')
+        self.assertTrue(wait_for(rosgraph.is_master_online), 'no master')
         return master
 
     def test_gone_and_back(self):
@@ -66,40 +66,31 @@ class Masters(unittest.TestCase):
         watch.begin()
 
         os.kill(self.master.pid, signal.SIGKILL)
-        self.assertTrue(wait_for_plainly(lambda: not rosgraph.is_master_online()))
+        self.assertTrue(wait_for(lambda: not rosgraph.is_master_online()))
         stick.left = 0.5
         self.assertTrue(wait_for(lambda: host.state_name() == 'SHARED'), 'the stick does not count')
         # A change asks the master for parameters, and another mode may look for topics: neither may hold up the cycle.
         waiting = threading.Thread(target=lambda: quietly(change, Config(doubles=[DoubleParameter('max_vel_x', 0.4)])), daemon=True)
         waiting.start()
         modes.publish('switching')
-        self.goes_on_for(2.0, watch)
+        self.goes_on(watch)
         stick.left = 0.0
 
         self.start_master()
         modes.publish('joystick')
         self.assertTrue(host.drives(), 'the robot does not drive on')
-        self.goes_on_for(2.0, watch)
+        self.goes_on(watch)
         self.assertTrue(wait_for(lambda: not waiting.is_alive()), 'the change was never answered')
         self.assertEqual(watch.faults(), [])
         self.assertEqual(watch.abrupt_stops(), 0)
         self.assertEqual(host.contacts, 0)
 
-    def goes_on_for(self, seconds, watch):
-        """Commands come all the while, at half the control rate at least: the machine may be busy."""
-        before = watch.count()
-        time.sleep(seconds)
-        self.assertGreater(watch.count() - before, 10.0 * seconds)
-
-
-def wait_for_plainly(condition):
-    """As wait_for(), without a node."""
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        if time.monotonic() > deadline:
-            return False
-        time.sleep(0.05)
-    return True
+    def goes_on(self, watch):
+        """No cycle waits for anything: 40 come, and none is long."""
+        before = len(watch.cycles())
+        self.assertTrue(wait_for(lambda: len(watch.cycles()) > before + 40), 'no cycles come any more')
+        # What asks a dead master waits for seconds.
+        self.assertLess(max(cycle.duration for cycle in watch.cycles()[before:]), 1.0)
 
 
 def quietly(call, *arguments):

@@ -15,6 +15,7 @@ from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal, RecoveryStatus
 from std_msgs.msg import Bool
 
 WALL = (0.0, 2.5)  # the room's edge [m]
+PATIENCE = 300.0   # [s] of simulated time
 
 
 class Seen:
@@ -37,7 +38,7 @@ class Seen:
             return list(self.messages[topic])
 
 
-def wait_for(condition, seconds):
+def wait_for(condition, seconds=PATIENCE):
     """Until `condition` holds; False after so many seconds of simulated time."""
     end = rospy.Time.now() + rospy.Duration(seconds)
     while not condition():
@@ -55,8 +56,8 @@ class RecoveryDriveTest(unittest.TestCase):
         seen.listen('/move_base/HIDWAPlannerROS/operator_state', OperatorState)
         stop = rospy.Publisher('/move_base/HIDWAPlannerROS/stop', Bool, queue_size=1)
         client = actionlib.SimpleActionClient('move_base', MoveBaseAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(60)))
-        self.assertTrue(wait_for(lambda: stop.get_num_connections() > 0, 10))
+        self.assertTrue(client.wait_for_server(rospy.Duration(PATIENCE)))
+        self.assertTrue(wait_for(lambda: stop.get_num_connections() > 0))
         stop.publish(True)
 
         goal = MoveBaseGoal()
@@ -71,14 +72,14 @@ class RecoveryDriveTest(unittest.TestCase):
         def held():
             states = seen.of('/move_base/HIDWAPlannerROS/operator_state')
             return bool(states) and states[-1].state_name == 'STOPPED'
-        self.assertTrue(wait_for(tried, 20), 'nothing recovers')
-        self.assertTrue(wait_for(held, 5), 'the recovery does not hear the person')
+        self.assertTrue(wait_for(tried), 'nothing recovers')
+        self.assertTrue(wait_for(held), 'the recovery does not hear the person')
         # planner_patience is 1 s: without the person the second one would have begun.
         self.assertFalse(wait_for(lambda: len(tried()) > 1, 4), 'the recovery does not wait')
         self.assertTrue(held())
 
         stop.publish(False)
-        self.assertTrue(client.wait_for_result(rospy.Duration(30)), 'no result')
+        self.assertTrue(client.wait_for_result(rospy.Duration(PATIENCE)), 'no result')
         self.assertEqual(client.get_state(), GoalStatus.ABORTED)
         self.assertEqual(tried(), ['clear_far', 'clear_near'])
         moves = [c for c in seen.of('/cmd_vel') if c.linear.x or c.angular.z]

@@ -86,7 +86,7 @@ class NeatoTest(unittest.TestCase):
         with rosbag.Bag(BAG) as bag:
             scans, poses = self.play(bag)
         with self.changed:
-            self.changed.wait_for(lambda: len(self.told) > 0.9 * len(scans), timeout=10)
+            self.changed.wait_for(lambda: len(self.told) > 0.9 * len(scans), timeout=180)
         self.assertGreater(len(self.told), 0.9 * len(scans))
         lengths = collections.Counter(o.id for message in self.told for o in message.obstacles)
         self.assertTrue(lengths, 'nobody was found')

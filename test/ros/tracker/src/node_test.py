@@ -21,7 +21,7 @@ RATE = 20.0       # of the laser [Hz]
 WALL = 6.0        # radius of the round room about the laser [m]
 BODY = 0.25       # radius of the person [m]
 LASER = (2.0, 1.0, math.pi / 2)  # in odom: the laser looks along y
-PATIENCE = 20.0   # [s]
+PATIENCE = 180.0  # [s]
 
 
 def scan_of(person, frame, stamp, mirrored=False):
@@ -171,7 +171,7 @@ class NodeTest(unittest.TestCase):
                                 ('_fixed_frame:=7', 'fixed_frame must be a text'),
                                 ('_transform_timeout:=-1', 'transform_timeout must be from 0 to 10 s')):
             run = subprocess.run(['rosrun', 'hidwa_local_planner', 'hidwa_tracker', '__name:=spoilt', argument],
-                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=30, check=False)
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE, check=False)
             self.assertEqual(run.returncode, 1, run.stdout)
             self.assertIn(words, run.stdout)
             subprocess.run(['rosparam', 'delete', '/spoilt'], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
