@@ -4,13 +4,14 @@ with the server."""
 import asyncio
 import contextlib
 import json
+import re
 import struct
 import time
 
+import paths  # noqa: F401
 import tornado.httpclient
 import tornado.websocket
-
-PATIENCE = 30.0  # [s], for anything that is waited for
+from hidwa_tools.waiting import PATIENCE
 
 
 class Page:
@@ -93,6 +94,17 @@ async def until(condition, what):
         if time.monotonic() > deadline:
             raise AssertionError(f'waited {PATIENCE:.0f} s for {what}')
         await asyncio.sleep(0.005)
+
+
+async def port_of(child, log):
+    """The port of the page whose address a child says in its log."""
+    def said():
+        with open(log, encoding='utf-8') as text:
+            return text.read()
+    await until(lambda: 'open http://localhost:' in said() or not child.running, 'the address')
+    found = re.search(r'open http://localhost:(\d+)/', said())
+    assert found, said()
+    return int(found.group(1))
 
 
 class View:

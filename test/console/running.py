@@ -3,13 +3,12 @@
 import os
 import re
 import tempfile
-import time
 
 import paths  # noqa: F401
 from hidwa_tools import demo
 from hidwa_tools.processes import Child, free_port
+from hidwa_tools.waiting import wait_for
 
-PATIENCE = 90.0  # [s] until everything runs
 ADDRESS = re.compile(r'console: (\S+)')
 
 
@@ -24,7 +23,7 @@ class World:
         self.environment = demo.environment(self.folder, port)
         launch = os.path.join(paths.ROOT, 'launch', 'demo.launch')
         self._launched = self._start('demo', ['roslaunch', '-p', str(port), launch, 'operator:=page', 'console:=false', *arguments])
-        demo.wait_for_master(self._launched, PATIENCE)
+        demo.wait_for_master(self._launched)
 
     def _start(self, name, command):
         child = Child(command, os.path.join(self.folder, name + '.log'), self.environment)
@@ -53,14 +52,11 @@ class World:
 
     def wait_for(self, name, pattern, child):
         """The first group of a pattern in a child's log."""
-        deadline = time.monotonic() + PATIENCE
-        while True:
-            found = pattern.search(self.log(name))
-            if found:
-                return found.group(1)
-            if not child.running or time.monotonic() > deadline:
-                raise AssertionError(f'{name} does not say {pattern.pattern}:\n{self.log(name)[-2000:]}')
-            time.sleep(0.05)
+        wait_for(lambda: pattern.search(self.log(name)) or not child.running)
+        found = pattern.search(self.log(name))
+        if not found:
+            raise AssertionError(f'{name} does not say {pattern.pattern}:\n{self.log(name)[-2000:]}')
+        return found.group(1)
 
     def log(self, name):
         """What a child has said."""

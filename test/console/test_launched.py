@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The ways in which a person starts the console: scripts/demo --console, and robot.launch console:=true."""
-import asyncio
 import os
-import re
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 import paths
 from hidwa_tools.processes import Child
 
-from page_twin import Page, View, until
+from page_twin import Page, View, port_of, until
 
 
 class Demo(unittest.IsolatedAsyncioTestCase):
@@ -25,7 +22,7 @@ class Demo(unittest.IsolatedAsyncioTestCase):
             child = Child([sys.executable, '-m', 'hidwa_tools.demo', '--no-build', '--console', '--report', os.path.join(folder, 'report'),
                            '--goal', '5.5,3.7,1.57', f'--console-options=--port 0 --page {page}'], log, environment)
             self.addCleanup(child.stop)
-            port = await self.port(child, log)
+            port = await port_of(child, log)
             visitor = await Page(port, 'a' * 32).open()
             view = await View(visitor).open()
             await until(lambda: (view.fields.get('goals') or {}).get('active'), 'a goal')
@@ -33,25 +30,12 @@ class Demo(unittest.IsolatedAsyncioTestCase):
             await until(lambda: view.fields['velocity'][0] > 0.2, 'a robot that drives')
             view.close()
             child.interrupt()
-            deadline = time.monotonic() + 30.0
-            while child.running and time.monotonic() < deadline:
-                await asyncio.sleep(0.1)
+            await until(lambda: not child.running, 'the end')
             with open(log, encoding='utf-8') as text:
                 said = text.read()
             self.assertFalse(child.running, said)
             self.assertIn('ended; recordings', said)
             self.assertNotIn('Traceback', said)
-
-    async def port(self, child, log):
-        deadline = time.monotonic() + 90.0
-        while True:
-            with open(log, encoding='utf-8') as text:
-                said = text.read()
-            found = re.search(r'open http://localhost:(\d+)/', said)
-            if found:
-                return int(found.group(1))
-            self.assertTrue(child.running and time.monotonic() < deadline, said)
-            await asyncio.sleep(0.1)
 
 
 class Robot(unittest.TestCase):

@@ -40,12 +40,21 @@ class Heard:
     """What reached the planner's topics."""
 
     def __init__(self):
-        self.joy, self.hands, self.stops = [], [], []
+        self.joy, self.hands, self.stops, self.cycles = [], [], [], 0
         rospy.init_node('console_test', disable_signals=True)
         self._subscribers = [
             rospy.Subscriber('/joy', Joy, self.joy.append, queue_size=100),
             rospy.Subscriber('/hand_pose', PoseStamped, self.hands.append, queue_size=100),
+            rospy.Subscriber('/move_base/HIDWAPlannerROS/operator_state', OperatorState, self._count, queue_size=100),
             rospy.Subscriber('/move_base/HIDWAPlannerROS/stop', Bool, lambda m: self.stops.append(m.data), queue_size=100)]
+
+    def _count(self, _):
+        self.cycles += 1
+
+    async def later(self, count):
+        """The planner has worked so many cycles more, 20 of them a second at most."""
+        begin = self.cycles
+        await until(lambda: self.cycles > begin + count, f'{count} cycles')
 
     def connected(self):
         return all(s.get_num_connections() for s in self._subscribers)
@@ -137,7 +146,7 @@ class Driving(OnBoard):
             self.assertTrue(all(abs(j.axes[0] - left) < 1e-6 for j in W.heard.joy[before:]))
             self.a.stick(0.0)
             await until(lambda: self.state() in ('HOLD', 'AUTONOMY'), 'the release')
-            await asyncio.sleep(0.2)  # nothing may come now: silence is what is waited for
+            await W.heard.later(4)  # nothing may come now
             self.assertEqual([j.axes[0] for j in W.heard.joy[before:]].count(0.0), 1)
             await self.drive()
 
@@ -146,7 +155,7 @@ class Driving(OnBoard):
             listener = await asyncio.create_subprocess_exec('rostopic', 'echo', '-n1', '/joy/axes', stdout=asyncio.subprocess.PIPE)
             return listener, asyncio.ensure_future(listener.communicate())
         listener, said = await first()
-        self.assertEqual((await asyncio.wait_for(said, 20.0))[0].decode().split('\n')[0].count('0.0'), 8)
+        self.assertEqual((await asyncio.wait_for(said, PATIENCE))[0].decode().split('\n')[0].count('0.0'), 8)
         await self.drive()
         await self.steer(0.2, 0.2)
         listener, said = await first()
@@ -160,9 +169,7 @@ class Driving(OnBoard):
         await self.steer(0.5, 0.5)
         sent = len(W.heard.joy)
         self.a.cut()
-        # The planner's timeout is 0.5 s; its state is seen a tick later.
         await until(lambda: self.state() == 'LOST', 'LOST')
-        self.assertLess(self.view.fields['state']['input_age'], 0.5 + 0.3)
         self.assertLessEqual(len(W.heard.joy), sent + 1)  # the last one may have been on its way
         self.assertNotIn(0.0, [j.axes[0] for j in W.heard.joy[sent:]])
         again = await self.page('a')
@@ -179,7 +186,7 @@ class Driving(OnBoard):
         self.a.control.close(1001, 'the tab was closed')
         await until(lambda: 0.0 in [j.axes[0] for j in W.heard.joy[sent:]], 'a release')
         await until(lambda: self.state() in ('HOLD', 'AUTONOMY'), 'HOLD')
-        await asyncio.sleep(0.6)  # longer than the planner's timeout: no second one, and nothing is lost
+        await W.heard.later(12)  # longer than the planner's timeout of 0.5 s: no second one, and nothing is lost
         self.assertEqual([j.axes[0] for j in W.heard.joy[sent:]].count(0.0), 1)
         self.assertNotEqual(self.state(), 'LOST')
         (await self.page('a')).say('give')
@@ -193,7 +200,7 @@ class Driving(OnBoard):
         self.a.say('hello', page=self.a.page)  # behind them: once it is answered they were read
         count = len([m for m in self.a.heard if m['type'] == 'welcome'])
         await until(lambda: len([m for m in self.a.heard if m['type'] == 'welcome']) > count - 1, 'the last of them')
-        await asyncio.sleep(0.2)
+        await W.heard.later(4)
         self.assertEqual(len(W.heard.joy), before)
         self.assertEqual(self.state(), 'AUTONOMY')
         for i in range(41):
@@ -236,7 +243,6 @@ class Driving(OnBoard):
         self.a.say('give', to=self.a.told_control['claims'][0]['visitor'])
         await until(lambda: b.told_control['held'] and not self.a.told_control['held'], 'the handover')
         b.stick(0.0)
-        await asyncio.sleep(0.1)
         await self.steer_until(0.5, 'SHARED', page=b)
         b.stick(0.0)
         b.say('give')
@@ -381,13 +387,15 @@ class Pictures(unittest.IsolatedAsyncioTestCase):
 
         async def picture():
             eye.write_message(json.dumps({'type': 'next'}))
-            return (await asyncio.wait_for(eye.read_message(), 10.0))[16:]
+            return (await asyncio.wait_for(eye.read_message(), PATIENCE))[16:]
         for content in (b'first', b'second'):
             camera.publish(CompressedImage(format='jpeg', data=b'\xff\xd8\xff' + content))
             self.assertEqual(await picture(), b'\xff\xd8\xff' + content)
-        with self.assertRaises(asyncio.TimeoutError):
-            eye.write_message(json.dumps({'type': 'next'}))
-            await asyncio.wait_for(asyncio.shield(asyncio.ensure_future(eye.read_message())), 1.0)
+        third = asyncio.ensure_future(picture())  # who asks before there is another one does not get the second again
+        pings = page.pings
+        await until(lambda: page.pings > pings + 1, 'that it has been asked')
+        camera.publish(CompressedImage(format='jpeg', data=b'\xff\xd8\xffthird'))
+        self.assertEqual(await third, b'\xff\xd8\xffthird')
         await until(lambda: view.fields.get('camera', {}).get('info'), 'the calibration')
         calibration = view.fields['camera']['info']
         self.assertEqual([calibration[k] for k in ('width', 'fx', 'fy', 'cx', 'cy')], [640, 500.0, 501.0, 320.0, 240.0])
@@ -478,10 +486,12 @@ class Refused(unittest.IsolatedAsyncioTestCase):
                      b'GET /../../etc/passwd HTTP/1.1\r\nHost: localhost:%d\r\n\r\n' % W.port):
             with socket.create_connection(('localhost', W.port)) as plain:
                 plain.sendall(data)
-                plain.settimeout(5.0)
+                plain.settimeout(PATIENCE)
+                if b'\r\n\r\n' not in data:
+                    plain.shutdown(socket.SHUT_WR)  # nothing more comes, for which it would wait
                 try:
                     answer = plain.recv(4096)
-                except (socket.timeout, ConnectionError):
+                except ConnectionError:
                     answer = b''
                 self.assertNotIn(b'root:', answer)
 
@@ -597,12 +607,13 @@ class Foxglove(unittest.IsolatedAsyncioTestCase):
             self.assertEqual((channel['encoding'], channel['schemaEncoding']), ('ros1', 'ros1msg'))
             self.say(op='subscribe', subscriptions=[{'id': number, 'channelId': channel['id']}])
         await until(lambda: {10, 11, 12} <= set(self.data), 'messages')
-        scan = rospy.wait_for_message('/scan', rospy.AnyMsg, 10.0)
+        scan = rospy.wait_for_message('/scan', rospy.AnyMsg, PATIENCE)
         self.assertEqual(len(self.data[11][0][1]), len(scan._buff))
         self.say(op='unsubscribe', subscriptionIds=[11])
-        await asyncio.sleep(0.5)
+        self.say(op='subscribe', subscriptions=[{'id': 13, 'channelId': self.channels['/scan']['id']}])
+        await until(lambda: 13 in self.data, 'scans of the new subscription')
         count = len(self.data[11])
-        await asyncio.sleep(0.5)
+        await until(lambda: len(self.data[13]) > 10, 'more of them')
         self.assertEqual(len(self.data[11]), count)
         self.assertIn('Header header', self.channels['/move_base/HIDWAPlannerROS/operator_state']['schema'])
         self.assertIn('MSG: geometry_msgs/Twist', self.channels['/move_base/HIDWAPlannerROS/operator_state']['schema'])

@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A participant in the page: what is asked when, and what No means. test_study_in_page.py sits through a whole condition."""
-import asyncio
 import os
-import re
 import sys
 import tempfile
-import time
 import unittest
 
 import paths
@@ -14,7 +11,7 @@ from hidwa_tools.exchange import read, write
 from hidwa_tools.processes import Child
 from hidwa_tools.questionnaires import RANGES, AnswersError, add_answers, read_answers
 
-from page_twin import Page, View
+from page_twin import Page, View, port_of, until
 
 RATINGS = {q['name']: q['low'] + i for i, q in enumerate(QUESTIONS[:6])}
 RATINGS.update({q['name']: 7 - i for i, q in enumerate(QUESTIONS[6:])})
@@ -88,34 +85,18 @@ class Live(unittest.IsolatedAsyncioTestCase):
         self.addCleanup(child.stop)
         return child, log
 
-    async def page(self, child, log):
-        deadline = time.monotonic() + 90.0
-        while True:
-            with open(log, encoding='utf-8') as text:
-                said = text.read()
-            found = re.search(r'open http://localhost:(\d+)/', said)
-            if found:
-                page = await Page(int(found.group(1)), 'a' * 32).open()
-                return page, await View(page).open()
-            self.assertTrue(child.running and time.monotonic() < deadline, said)
-            await asyncio.sleep(0.1)
-
-    async def ended(self, child, log):
-        deadline = time.monotonic() + 60.0
-        while child.running and time.monotonic() < deadline:
-            await asyncio.sleep(0.1)
-        with open(log, encoding='utf-8') as text:
-            return text.read()
-
     async def test_no(self):
         with tempfile.TemporaryDirectory() as out:
             with open(os.path.join(out, 'index.html'), 'w', encoding='utf-8') as page:
                 page.write('<!doctype html><title>empty</title>')
             child, log = self.start(out, 'SJ')
-            page, view = await self.page(child, log)
+            page = await Page(await port_of(child, log), 'a' * 32).open()
+            view = await View(page).open()
             await page.claim()
             page.say('study', answer={'consent': False})
-            self.assertIn('nothing was stored', await self.ended(child, log))
+            await until(lambda: not child.running, 'the end')
+            with open(log, encoding='utf-8') as text:
+                self.assertIn('nothing was stored', text.read())
             self.assertEqual(os.listdir(os.path.join(out, 'study')), [])
             view.close()
 

@@ -6,6 +6,7 @@ import shutil
 import tempfile
 import time
 
+from hidwa_tools.waiting import PATIENCE
 from PIL import Image
 from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
@@ -31,7 +32,7 @@ class Browser:
             options.add_argument('--host-resolver-rules=' + rules)
         options.set_capability('goog:loggingPrefs', {'browser': 'ALL'})
         self.driver = webdriver.Chrome(service=Service(shutil.which('chromedriver')), options=options)
-        self.driver.set_script_timeout(90)
+        self.driver.set_script_timeout(PATIENCE)
         self.cdp = self.driver.execute_cdp_cmd
         self.scale, self.mobile, self.size, self.dark, self.scripts = scale, size == PHONE, size, dark, scripts
         self.prepare()
@@ -70,12 +71,12 @@ class Browser:
             raise AssertionError(result['error'])
         return result['value']
 
-    def until(self, script, seconds=45.0):
+    def until(self, script, seconds=PATIENCE):
         """Waits until a function body in the page says true."""
         self.wait(lambda: self.js(script), script, seconds)
 
     @staticmethod
-    def wait(condition, what='the condition', seconds=45.0):
+    def wait(condition, what='the condition', seconds=PATIENCE):
         """Waits until condition() is true and returns its value."""
         end = time.monotonic() + seconds
         while True:

@@ -42,7 +42,7 @@ class Elsewhere:
         def token():
             with open(log, encoding='utf-8') as text:
                 return re.search(r'https://robot\.lan:%d/#token=(\S+)' % port, text.read())
-        found = stage.wait(lambda: token() or not child.running, 'the address with the token', 60.0)
+        found = stage.wait(lambda: token() or not child.running, 'the address with the token')
         self.assertIsNot(found, True, 'the console ended: ' + child.complaint())
         return child, found.group(1)
 
@@ -102,7 +102,7 @@ class Elsewhere:
         page.wait(lambda: 'The link is cut' in page.text('notice'), 'that the link is cut')
         self.assertFalse(page.js(asked), 'nobody is there to ask')
         _, other = self.console(port)  # as roslaunch starts it anew, with another token
-        page.until(asked, 30.0)
+        page.until(asked)
         page.js(enter, token)
         page.until("return document.getElementById('login-error').textContent === 'This is not the token.'")
         page.js(enter, other)

@@ -14,6 +14,7 @@ import tornado.ioloop
 import tornado.netutil
 import tornado.web
 import tornado.websocket
+from hidwa_tools.waiting import PATIENCE
 
 from hidwa_tools.report import NO_PICTURE
 
@@ -171,7 +172,12 @@ class FakeServer:
         with self.changed:
             self.received.clear()
 
-    def wait(self, condition, seconds=10.0):
+    def forget(self, kind):
+        """Forgets what came of one type."""
+        with self.changed:
+            self.received[:] = [(at, one) for at, one in self.received if one['type'] != kind]
+
+    def wait(self, condition, seconds=PATIENCE):
         """Waits until condition(list of messages) holds; returns whether it does."""
         end = time.monotonic() + seconds
         with self.changed:
@@ -185,4 +191,4 @@ class FakeServer:
     def end(self):
         """Stops listening."""
         self.loop.add_callback(self.loop.stop)
-        self.thread.join(5.0)
+        self.thread.join(PATIENCE)

@@ -95,5 +95,5 @@ class Proxy:
     def end(self):
         self.cut()
         self.running = False
-        self.thread.join(2.0)
+        self.thread.join()
         self.listener.close()

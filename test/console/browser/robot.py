@@ -8,10 +8,10 @@ import threading
 import time
 
 from hidwa_tools.processes import Child, free_port
+from hidwa_tools.waiting import PATIENCE
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..'))
 STATES = ('AUTONOMY', 'SHARED', 'HOLD', 'MANUAL', 'STOPPED', 'LOST', 'BLOCKED')
-PATIENCE = 120.0  # [s] until everything runs
 
 
 class Robot:
@@ -30,7 +30,7 @@ class Robot:
                             'console_options:=--page %s --recordings %s %s' % (page, self.folder, options)], self.log, environment)
         self.lock = threading.Lock()
         self.joys, self.commands, self.states, self.hands = [], [], [], []
-        self.pose = None
+        self.pose, self._has_goal, self._before = None, False, 0
         try:
             self._connect()
         except Exception:
@@ -44,6 +44,7 @@ class Robot:
                 raise AssertionError('the console did not start: ' + self.child.complaint())
             time.sleep(0.1)
         import rospy
+        from actionlib_msgs.msg import GoalStatus, GoalStatusArray
         from geometry_msgs.msg import PoseStamped, Twist
         from nav_msgs.msg import Odometry
         from sensor_msgs.msg import Joy
@@ -53,6 +54,8 @@ class Robot:
             rospy.Subscriber('/cmd_vel', Twist, lambda m: self._keep(self.commands, (m.linear.x, m.angular.z)), queue_size=1000),
             rospy.Subscriber('/hand_pose', PoseStamped, lambda m: self._keep(self.hands, m), queue_size=1000),
             rospy.Subscriber('/ground_truth', Odometry, self._place, queue_size=1),
+            rospy.Subscriber('/move_base/status', GoalStatusArray, self._goals,
+                             (GoalStatus.PENDING, GoalStatus.ACTIVE, GoalStatus.PREEMPTING)),
             rospy.Subscriber('/move_base/HIDWAPlannerROS/operator_state', rospy.AnyMsg, self._state, queue_size=1000)]
         # The planner must be there to see the page's first centred stick.
         while self.pose is None or self.subscribers[-1].get_num_connections() == 0:
@@ -77,6 +80,13 @@ class Robot:
         length = int.from_bytes(message._buff[12:16], 'little')  # of the header's frame: the byte after it is the state
         self._keep(self.states, STATES[message._buff[16 + length]])
 
+    def _goals(self, message, in_hand):
+        has_goal = any(goal.status in in_hand for goal in message.status_list)
+        with self.lock:
+            if has_goal and not self._has_goal:
+                self._before = len(self.states)
+            self._has_goal = has_goal
+
     def since(self, where, began):
         """What came at or after a time of time.monotonic()."""
         with self.lock:
@@ -88,9 +98,9 @@ class Robot:
 
     @property
     def state(self):
-        """The state of the newest cycle, or empty where none ran within a second."""
+        """The state of the newest cycle towards the goal that the host has in hand, or empty."""
         with self.lock:
-            return self.states[-1][1] if self.states and time.monotonic() - self.states[-1][0] < 1.0 else ''
+            return self.states[-1][1] if self._has_goal and len(self.states) > self._before else ''
 
     def end(self):
         """Ends everything that was started here."""

@@ -34,9 +34,15 @@ def address():
     return 'http://localhost:%d/' % robot.port
 
 
-def wait(condition, what, seconds=20.0):
+def wait(condition, what):
     """Until condition() is true; its value."""
-    return browser.Browser.wait(condition, what, seconds)
+    return browser.Browser.wait(condition, what)
+
+
+def cycles(count):
+    """The planner has worked so many cycles more. What was sent before the first of them has come to it."""
+    begin = len(robot.states)
+    wait(lambda: len(robot.states) > begin + count, '%d cycles' % count)
 
 
 class DriveTest(unittest.TestCase):
@@ -73,13 +79,13 @@ class DriveTest(unittest.TestCase):
         goal = x + distance if east else max(ROOM[0], x - distance)
         page.app("app.send('goal', {x: %g, y: 8.4, yaw: null, append: false})" % goal)
         # Where it has to turn round first, it drives once it faces the goal.
-        wait(lambda: robot.state == 'AUTONOMY' and robot.speed[0] > 0.25 and abs(robot.speed[1]) < 0.2, 'the robot on its way', 40.0)
+        wait(lambda: robot.state == 'AUTONOMY' and robot.speed[0] > 0.25 and abs(robot.speed[1]) < 0.2, 'the robot on its way')
         return 1.0 if east else -1.0
 
     def steers(self):
         """Until the operator's command counts; else what the page was told."""
         try:
-            wait(lambda: robot.state == 'SHARED', 'SHARED', 15.0)
+            wait(lambda: robot.state == 'SHARED', 'SHARED')
         except AssertionError as fault:
             facts = page.app('[app.status.facts, app.mode, app.hands.hand, app.scene.state]')
             raise AssertionError('%s; the page: %s; hands %d, Joy %s' % (fault, facts, len(robot.hands), robot.joys[-1:])) from None
@@ -87,7 +93,7 @@ class DriveTest(unittest.TestCase):
     def turns_left(self, began):
         """Until the robot was sent to the left since a time; else what it was asked for."""
         try:
-            wait(lambda: any(omega > 0.1 for _, omega in robot.since(robot.commands, began)), 'the robot turns left', 15.0)
+            wait(lambda: any(omega > 0.1 for _, omega in robot.since(robot.commands, began)), 'the robot turns left')
         except AssertionError as fault:
             hands = [(round(m.pose.position.x, 2), round(m.pose.position.y, 2)) for m in robot.since(robot.hands, began)]
             raise AssertionError('%s; %s; hands %s' % (fault, page.app('app.scene.state'), hands[::20])) from None

@@ -11,9 +11,8 @@ import elsewhere
 import numpy
 import operator_drive
 import stage
-from stage import DriveTest, address, wait
+from stage import DriveTest, address, cycles, wait
 
-INPUT_TIMEOUT = 0.5       # [s] of the planner
 HEADSET = """
     window.device = new IWER.XRDevice(IWER.metaQuest3);
     window.device.installRuntime({forceInstall: true});
@@ -65,7 +64,7 @@ class Drive(DriveTest):
         page.mouse('mousePressed', x + ahead, y)
         page.mouse('mouseReleased', x + ahead, y)
         wait(lambda: robot.state != '', 'the planner runs')
-        wait(lambda: robot.state == '' and robot.since(robot.states, began), 'the goal is reached', 40.0)
+        wait(lambda: robot.state == '' and robot.since(robot.states, began), 'the goal is reached')
         self.assertAlmostEqual(robot.pose[0], x0 + ahead / scale, delta=0.4)
         self.assertAlmostEqual(robot.pose[1], y0, delta=0.4)
 
@@ -94,12 +93,9 @@ class Drive(DriveTest):
         began = time.monotonic()
         at = self.press_stick(-0.8, 0)
         self.steers()
-        proxy.cut()
         cut = time.monotonic()
+        proxy.cut()
         wait(lambda: 'LOST' in robot.since(robot.states, cut), 'LOST')
-        lost = next(when for when, state in robot.states if when >= cut and state == 'LOST')
-        # The timeout, a cycle, and what a busy machine takes.
-        self.assertLess(lost - cut, INPUT_TIMEOUT + 0.5)
         last = robot.since(robot.joys, began)[-1]
         self.assertGreater(abs(last.axes[0]), 0.5, 'no release was sent for it')
         page.wait(lambda: 'The link is cut' in page.text('notice'))
@@ -107,7 +103,7 @@ class Drive(DriveTest):
         page.wait(lambda: page.app('Boolean(app.holder.mine)'), 'the controls again')
         mended = time.monotonic()
         page.mouse('mouseMoved', at[0] + 3, at[1])
-        time.sleep(0.5)
+        cycles(10)
         self.assertEqual(robot.steered(mended), [], 'what is still held does not steer')
         self.release_stick(at)
         wait(lambda: robot.state == 'AUTONOMY', 'autonomy again')
@@ -117,15 +113,15 @@ class Drive(DriveTest):
         at = self.press_stick(-0.8, 0)
         self.steers()
         proxy.hold()
-        time.sleep(1.0)
+        cycles(20)
         page.click('stop')
-        time.sleep(1.0)
+        cycles(20)
         self.assertNotEqual(robot.state, 'STOPPED')
         flushed = time.monotonic()
         proxy.flush()
         self.release_stick(at)
         wait(lambda: robot.state == 'STOPPED', 'the stop counts')
-        time.sleep(0.5)
+        cycles(10)
         self.assertEqual(robot.steered(flushed), [])
         page.click('letgo')
 
@@ -135,22 +131,22 @@ class Drive(DriveTest):
         wait(lambda: robot.state == 'STOPPED' and robot.speed[0] < 0.01, 'STOPPED')
         first = page.driver.current_window_handle
         page.driver.switch_to.new_window('tab')
-        time.sleep(0.7)
+        cycles(14)
         self.assertEqual(robot.state, 'STOPPED', 'hidden')
         page.driver.switch_to.window(first)
         proxy.cut()
-        time.sleep(0.7)
+        cycles(14)
         self.assertEqual(robot.state, 'STOPPED', 'cut')
         proxy.mend()
         page.wait(lambda: page.app('Boolean(app.holder.mine)'))
         page.driver.close()
         page.driver.switch_to.window(page.driver.window_handles[0])
         page.prepare()
-        time.sleep(0.7)
+        cycles(14)
         self.assertEqual(robot.state, 'STOPPED', 'closed')
         began = time.monotonic()
         page.open(address())
-        page.wait(lambda: page.app('Boolean(app.holder.mine)'), 'the controls', 30.0)
+        page.wait(lambda: page.app('Boolean(app.holder.mine)'), 'the controls')
         page.until("return !document.getElementById('letgo').hidden")
         self.assertEqual(set(robot.since(robot.states, began)), {'STOPPED'})
         page.click('letgo')
@@ -163,9 +159,10 @@ class Drive(DriveTest):
         first = page.driver.current_window_handle
         page.driver.switch_to.new_window('tab')
         wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'released')
+        cycles(4)  # what was on its way has come
         quiet = time.monotonic()
-        time.sleep(0.8)
-        self.assertEqual(robot.since(robot.joys, quiet + 0.2), [], 'silence')
+        cycles(12)  # more than the planner's timeout
+        self.assertEqual(robot.since(robot.joys, quiet), [], 'silence')
         self.assertNotIn('LOST', robot.since(robot.states, quiet))
         page.driver.close()
         page.driver.switch_to.window(first)
@@ -186,7 +183,7 @@ class Drive(DriveTest):
             page.click('stop')
             wait(lambda: robot.state == 'STOPPED', 'a watcher stops')
             page.app("app.send('stop', {on: false})")
-            time.sleep(0.5)
+            cycles(10)
             self.assertEqual(robot.state, 'STOPPED', 'a watcher cannot let go')
             page.click('claim')
             page.driver.switch_to.window(first)
@@ -264,7 +261,7 @@ class HeadsetDrive(DriveTest):
         page.js('window.lost = true')
         wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'lost tracking releases')
         page.js('window.lost = false')
-        time.sleep(0.5)
+        cycles(10)
         self.assertIn(robot.state, ('HOLD', 'AUTONOMY'), 'the hand must open first')
         page.js(open_)
         page.wait(lambda: page.app('app.hands.mustOpen.size === 0'))

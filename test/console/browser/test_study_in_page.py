@@ -11,8 +11,6 @@ import browser
 from hidwa_tools.processes import Child
 from robot import ROOT
 
-PATIENCE = 90.0  # [s] until everything runs, and for the drive
-
 
 class Study(unittest.TestCase):
     def setUp(self):
@@ -28,7 +26,7 @@ class Study(unittest.TestCase):
         self.addCleanup(self.child.stop)
         self.page = browser.Browser()
         self.addCleanup(self.page.end)
-        self.page.open(self.page.wait(self.address, 'the address', PATIENCE))
+        self.page.open(self.page.wait(self.address, 'the address'))
 
     def said(self):
         with open(self.log, encoding='utf-8') as text:
@@ -43,9 +41,9 @@ class Study(unittest.TestCase):
         self.page.js("[...document.querySelectorAll('#study-buttons button')].find((one) => one.textContent === arguments[0]).click()",
                      text)
 
-    def titled(self, title, seconds=15.0):
+    def titled(self, title):
         self.page.wait(lambda: self.page.js("return document.getElementById('study').open") and self.page.text('study-title') == title,
-                       'the page "%s"; it is "%s"' % (title, self.page.text('study-title')), seconds)
+                       'the page "%s"; it is "%s"' % (title, self.page.text('study-title')))
 
     def test_consent_drive_questions_thanks(self):
         page = self.page
@@ -62,8 +60,8 @@ class Study(unittest.TestCase):
             page.wait(lambda: page.text('notice') == 'in a study this is fixed', 'that it is fixed')
         self.press('Start')
         page.wait(lambda: not page.js("return document.getElementById('study').open"), 'the drive')
-        page.wait(lambda: page.text('state-title') == 'The robot drives itself', 'a robot that drives', PATIENCE)
-        self.titled('How was it?', PATIENCE)
+        page.wait(lambda: page.text('state-title') == 'The robot drives itself', 'a robot that drives')
+        self.titled('How was it?')
         names = page.js("return [...document.querySelectorAll('#study input')].map((one) => one.name)")
         self.press('Done')
         page.wait(lambda: '%d are open' % len(names) in page.text('study-error'), 'that every question is to be answered')
@@ -71,7 +69,7 @@ class Study(unittest.TestCase):
                 "one.dispatchEvent(new Event('input')); }")
         self.press('Done')
         self.titled('Thank you')
-        browser.Browser.wait(lambda: not self.child.running, 'its end', 60.0)
+        browser.Browser.wait(lambda: not self.child.running, 'its end')
         self.assertGreater(os.path.getsize(os.path.join(self.out, 'p01_o1_SJ.bag')), 10000, self.said())
         with open(os.path.join(self.out, 'questionnaires.csv'), encoding='utf-8', newline='') as text:
             rows = list(csv.DictReader(text))
