@@ -49,8 +49,8 @@ hidwa_workspace() {
     mkdir -p build/source "$log"
     ln -sfn "${log#log/}" log/latest_build
     ln -s "${packages[@]}" build/source
-    catkin_make_isolated --source build/source --build build --devel build/devel --merge --install --install-space install \
-      --cmake-args "$@" 2>&1 | tee "$log/stdout_stderr.log"
+    PYTHONUNBUFFERED=1 catkin_make_isolated --source build/source --build build --devel build/devel --merge --install \
+      --install-space install --cmake-args "$@" 2>&1 | tee "$log/stdout_stderr.log"
   fi
 }
 

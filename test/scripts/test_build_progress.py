@@ -24,6 +24,13 @@ class ABuild(unittest.TestCase):
             'Starting >>> planner', '    planner: 10 %', '    planner: 20 %',
             'Failed   <<< planner [3.0s, exited with code 2]', 'Summary: 1 package finished [5s]', '  1 package failed: planner'])
 
+    def test_catkin_names_its_packages_otherwise(self):
+        said = []
+        progress = Progress(said.append, False)
+        for line in ("==> Processing catkin package: 'nav_core'", '==> make -j2', '[ 50%] Building CXX object a.o'):
+            progress.line(line)
+        self.assertEqual(''.join(said).splitlines(), ["==> Processing catkin package: 'nav_core'", '    nav_core: 50 %'])
+
     def test_on_a_terminal_one_line_is_written_over(self):
         self.assertIn('\r    planner:   4 %\r    planner:  12 %\r    planner:  19 %\r    planner:  23 %\nFailed', self.shown(True))
 

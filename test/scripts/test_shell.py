@@ -149,6 +149,22 @@ class Shell(unittest.TestCase):
         self.write('space/build/hidwa_local_planner/CMakeCache.txt', 'HIDWA_TESTS:BOOL=OFF\nHIDWA_TOOLS:BOOL=ON\n')
         self.assertNotIn('HIDWA_TOOLS', self.bash(script, PATH=path)[1])
 
+    def test_without_colcon_catkin_builds_the_same_packages_with_the_same_arguments(self):
+        self.write('packages/one/package.xml', '')
+        self.write('packages/two/package.xml', '')
+        self.write('space/build/source/gone/package.xml', '')  # of an earlier build
+        script = ('set -euo pipefail; . "$SCRIPTS/lib/common.sh"; . "$SCRIPTS/lib/packages.sh"; . "$SCRIPTS/lib/build.sh"; '
+                  'command() { [ "$2" != colcon ]; }; '  # as where it is not installed
+                  'catkin_make_isolated() { ls build/source/*/package.xml; echo "$@" >&2; return "$STATUS"; }; '
+                  'hidwa_workspace "$HIDWA_SPACE" "$PWD/packages/one" "$PWD/packages/two" -- -DA=1 "-DB=2 3" || echo "status $?"; '
+                  'cat log/latest_build/stdout_stderr.log')
+        status, output = self.bash(script, STATUS='0')
+        said = ('build/source/one/package.xml\nbuild/source/two/package.xml\n'
+                '--source build/source --build build --devel build/devel --merge --install --install-space install '
+                '--cmake-args -DA=1 -DB=2 3\n')
+        self.assertEqual((status, output), (0, said + said))  # said, and kept in the log
+        self.assertIn('status 5\n', self.bash(script, STATUS='5')[1])
+
     def test_the_host_is_known_by_where_its_packages_lie(self):
         self.write('tools/rospack', '#!/bin/sh\n[ "$2" = move_base ] && echo /mine/share/move_base\n')
         os.chmod(os.path.join(self.folder, 'tools', 'rospack'), 0o755)

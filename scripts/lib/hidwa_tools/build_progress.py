@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What colcon prints, read from standard input, made short: which package is built, and how far it is.
+"""What colcon or catkin prints, read from standard input, made short: which package is built, and how far it is.
 
 On a terminal the percentage stays on one line. Elsewhere each tenth is a line, so that a log stays readable.
 """
@@ -7,7 +7,7 @@ import re
 import sys
 
 PERCENT = re.compile(r'\[ *(\d+)%\] ')
-PACKAGE = re.compile(r'(Starting >>>|Finished <<<|Failed   <<<|Aborted  <<<) (\S+)')
+PACKAGE = re.compile(r"(?:Starting >>>|Finished <<<|Failed   <<<|Aborted  <<<|==> Processing .*package:) '?([^\s']+)")
 
 
 class Progress:
@@ -20,7 +20,7 @@ class Progress:
     def line(self, text):
         package, percent = PACKAGE.match(text), PERCENT.match(text)
         if package:
-            self.package, self.shown = package.group(2), -1
+            self.package, self.shown = package.group(1), -1
             self.plain(text)
         elif percent:
             self.percent(int(percent.group(1)))
