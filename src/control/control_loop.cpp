@@ -86,12 +86,13 @@ bool ControlLoop::goal_reached(const Observation& observation) {
   return check_goal(observation, observation.from_plan.apply(goal_));
 }
 
-// Where the robot was carried or driven away from the goal, what was latched there is true no more.
+// Where the robot was carried or driven away from the goal, what was latched there is true no more, unless its own way
+// to the goal's heading leads out and back.
 bool ControlLoop::check_goal(const Observation& observation, const Pose2& goal) {
   const bool latched = goal_checker_.latched();
   const bool reached =
       goal_checker_.update(observation.pose, planner_.believed(*observation.velocity), goal, parameters());
-  if (latched && !goal_checker_.latched()) begin_goal();
+  if (latched && !goal_checker_.latched() && !planner_.leads_to_goal()) begin_goal();
   return reached;
 }
 

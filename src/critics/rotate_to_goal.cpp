@@ -14,7 +14,7 @@ constexpr double kStill = 1e-5;
 /// Turns the robot to the goal's heading once it is there. Outside the position tolerance it scores 0. Inside, latched
 /// until a new goal: while still driving it rejects what does not slow down and scores speed^2 * slowing_factor plus
 /// the heading error; once stopped, also latched, it rejects driving and scores the heading error [rad]. While the
-/// person steers it scores likewise and rejects nothing.
+/// person steers, or a way leads to the heading, it scores likewise and rejects nothing.
 ///
 /// Autonomy's turn ends gently: the heading error is that of where the turn comes to rest if it slows down within
 /// comfort_acc_lim_theta from the lookahead time on: omega^2 / (2 a) farther (constant deceleration a).
@@ -54,7 +54,7 @@ void RotateToGoal::prepare(const CycleView& cycle) {
   if (distance(cycle.pose, cycle.goal) <= xy_goal_tolerance_) in_window_ = true;
   if (in_window_ && std::abs(cycle.velocity.v) <= trans_stopped_velocity_) rotating_ = true;
   speed2_ = cycle.velocity.v * cycle.velocity.v;
-  rejects_ = !cycle.steered;
+  rejects_ = !cycle.steered && !cycle.operator_decides;
 }
 
 double RotateToGoal::heading_error(const Tile& tile, double goal_heading) const {

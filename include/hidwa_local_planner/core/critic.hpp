@@ -30,8 +30,9 @@ struct CycleView {
   Pose2 goal;                     // the last pose of the full plan
   double time = 0.0;              // of the cycle [s]
   bool steered = false;           // the operator's input counts (gamma = 1)
-  bool operator_decides = false;  // direct control, or steered where the goal's position is reached: a critic
-                                  // rejects what is unsafe then, and nothing for the sake of autonomy
+  bool operator_decides = false;  // direct control, or steered where the goal's position is reached; or a way leads
+                                  // from there to the goal's heading: a critic rejects what is unsafe then, and
+                                  // nothing for the sake of autonomy
   bool person_decides = false;    // the former name of operator_decides; it goes with the next release
   const std::vector<Pose2>* plan = nullptr;  // the window of the plan around the robot
   const GridView* grid = nullptr;

@@ -175,6 +175,10 @@ class Planner {
   /// is the reading.
   Twist2 believed(const Twist2& measured) const;
 
+  /// The robot cannot turn where it reached the goal's position: it searches or follows a way to the goal's pose, which
+  /// may lead away from the goal first.
+  bool leads_to_goal() const;
+
   /// All that the planner and its critics remember from cycle to cycle. A planner with the same parameters and outline
   /// that loads it decides the next cycle alike, to the bit. load() returns false for bytes that save() did not write.
   void save(Bytes& state) const;

@@ -12,7 +12,7 @@ Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& stee
   scores_.resize(rollout.candidate_count(), rollout.tile_count(), critics_.size());
   obstacles_.prepare(cycle, rollout, bound, steering.active, recovering);
   prepare_grids(cycle);
-  const CycleView view = view_of(cycle, steering);
+  const CycleView view = view_of(cycle, steering, mode.to_goal);
   if (!grids_.on_map() && !steering.active) return {view, false, bound.binds()};
   critics_.prepare(view);
   checks_.begin();
@@ -29,7 +29,7 @@ void Evaluation::prepare_grids(const Cycle& cycle) {
   tiles_.prepare({&cycle.grid, &grids_, &obstacles_.collision(), cycle.situation.pose, cycle.situation.goal});
 }
 
-CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering) {
+CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering, bool to_goal) {
   CycleView view;
   view.pose = cycle.situation.pose;
   view.velocity = cycle.start.velocity;
@@ -38,7 +38,7 @@ CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering) {
   view.time = cycle.situation.time;
   view.steered = steering.active;
   view.operator_decides = view.person_decides =
-      steering.active && (cycle.intent.influence == Influence::direct || cycle.situation.goal_latched);
+      to_goal || (steering.active && (cycle.intent.influence == Influence::direct || cycle.situation.goal_latched));
   view.plan = &cycle.situation.plan;
   view.grid = &cycle.grid;
   view.footprint = &cycle.footprint;

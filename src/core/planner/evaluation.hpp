@@ -34,6 +34,7 @@ class Evaluation {
     double sim_time = 0.0;    // how far ahead candidates are rolled out [s]
     bool recovering = false;  // see Recovery::active()
     ComfortTurn comfort;      // does not bind in collision
+    bool to_goal = false;     // see Recovery::leads_to_goal()
   };
   /// Once per cycle, and once more where the operator command is blended or autonomy gives up turning gently.
   Result evaluate(const Cycle& cycle, const Steering& steering, const Mode& mode);
@@ -48,7 +49,7 @@ class Evaluation {
   PlanGrids& grids() { return grids_; }
 
  private:
-  CycleView view_of(const Cycle& cycle, const Steering& steering);
+  CycleView view_of(const Cycle& cycle, const Steering& steering, bool to_goal);
   void prepare_grids(const Cycle& cycle);
   void score_tiles(const Cycle& cycle, const Steering& steering, const CycleView& view, bool check_closely);
 

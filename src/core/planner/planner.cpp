@@ -35,6 +35,8 @@ Twist2 Planner::believed(const Twist2& measured) const {
   return impl_->start_estimator.believed(measured, impl_->parameters);
 }
 
+bool Planner::leads_to_goal() const { return impl_->recovery.leads_to_goal(); }
+
 void Planner::save(Bytes& state) const {
   ArchiveWriter write(state);
   write(impl_->start_estimator, impl_->recovery);

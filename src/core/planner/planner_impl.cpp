@@ -127,7 +127,7 @@ Conclusion Planner::Impl::conclude(const Cycle& cycle) {
 
 Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Steering steering = find_steering(cycle);
-  const bool autonomous = !steering.active && !cycle.situation.goal_latched;
+  const bool autonomous = drives_itself(cycle, steering);
   Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, mode(autonomous, comfort_of(cycle, steering)));
   Choice choice = evaluated.scored ? choose(cycle, autonomous) : Choice{};
   if (evaluated.gentle && evaluated.scored && gives_way(cycle, choice)) {
@@ -168,10 +168,16 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
   const double a = influence == Influence::shared ? parameters.authority : 1.0;
   const bool active = influence != Influence::none && a > 0.0;
   if (!active || a >= 1.0) return {active, u_h};
-  const bool scored = evaluation.evaluate(cycle, {false, u_h}, {parameters.sim_time, recovery.active(), {}}).scored;
+  const bool scored =
+      evaluation.evaluate(cycle, {false, u_h}, {parameters.sim_time, recovery.active(), {}, false}).scored;
   const int own = scored ? cheapest(cycle) : -1;
   const Twist2 u_nv = own >= 0 ? evaluation.candidates().sample(static_cast<std::size_t>(own)) : Twist2{};
   return {true, {u_nv.v + a * (u_h.v - u_nv.v), u_nv.omega + a * (u_h.omega - u_nv.omega)}};
+}
+
+// Nobody steers, and more is left than to turn at the goal.
+bool Planner::Impl::drives_itself(const Cycle& cycle, const Steering& steering) const {
+  return !steering.active && (!cycle.situation.goal_latched || recovery.leads_to_goal());
 }
 
 // On a way that recovery has found the way looks ahead: rollouts need not, so that close to things more is legal. Only
@@ -179,7 +185,7 @@ Steering Planner::Impl::find_steering(const Cycle& cycle) {
 Evaluation::Mode Planner::Impl::mode(bool autonomous, const ComfortTurn& comfort) const {
   const bool short_sighted = autonomous && recovery.follows() && parameters.admissibility == Admissibility::braking;
   return {short_sighted ? std::min(kFollowingTime, parameters.sim_time) : parameters.sim_time, recovery.active(),
-          comfort};
+          comfort, autonomous && recovery.leads_to_goal()};
 }
 
 // Autonomy turns gently, also along a way that it has found while it drove. The operator, and a robot that has stood,
@@ -244,7 +250,7 @@ Recovery::Course Planner::Impl::course_of(const Cycle& cycle, const Choice& choi
                                           const Steering& steering) {
   const Situation& situation = cycle.situation;
   Recovery::Course course;
-  course.autonomous = !steering.active && !situation.goal_latched;
+  course.autonomous = drives_itself(cycle, steering);
   course.steered = steering.active;
   course.trapped = trapped(choice, chosen.sample);
   course.yields = yields(cycle, choice, chosen.sample);

@@ -64,6 +64,7 @@ struct Planner::Impl {
   Conclusion conclude(const Cycle& cycle);
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);
+  bool drives_itself(const Cycle& cycle, const Steering& steering) const;
   Evaluation::Mode mode(bool autonomous, const ComfortTurn& comfort) const;
   ComfortTurn comfort_of(const Cycle& cycle, const Steering& steering) const;
   bool gives_way(const Cycle& cycle, const Choice& choice) const;

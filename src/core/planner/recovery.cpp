@@ -92,7 +92,10 @@ bool Recovery::watch_last_turn(const Cycle& cycle, bool steered, Conclusion& con
   const bool long_enough = unturned_.for_at_least(0.5 * p.blocked_time, situation.time);
   const bool forget = long_enough && !unturned_reset_;
   unturned_reset_ = long_enough;
-  if (unturned_.time(situation.time) > p.blocked_time) {
+  if (unturned_.time(situation.time) <= p.blocked_time || motion_.leads_to_goal()) return forget;
+  if (p.turn_when_stuck) {
+    motion_.begin_at_goal(situation.time);
+  } else {
     fail(cycle, Problem::stuck,
          "the last turn to the goal's heading is stuck: standing still is its best legal candidate", conclusion);
   }

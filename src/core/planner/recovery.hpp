@@ -8,7 +8,8 @@
 //    blocked_time, so that the host replans or recovers.
 // 3. The last turn: at the goal's position only a turn is left. Where a critic forbids its direction (one that the
 //    operator had the robot turn from, for example), the other one is longer, and standing still is cheaper for ever.
-//    After half of blocked_time the critics forget; after all of it the cycle fails.
+//    After half of blocked_time the critics forget. After all of it the outline cannot turn there, and RecoveryMotion
+//    leads to the goal's pose by another way; with turn_when_stuck off the cycle fails.
 //
 // Why it is safe: it changes the outcome to failing or braking, and resets critics. It makes no command.
 #pragma once
@@ -33,6 +34,8 @@ class Recovery {
   bool active() const { return motion_.active(); }
   /// It follows a way that it has found.
   bool follows() const { return motion_.follows(); }
+  /// A way to the goal's pose is searched or followed, since the robot cannot turn where it reached the position.
+  bool leads_to_goal() const { return motion_.leads_to_goal(); }
   /// That is the one back, to let out who blocks the plan.
   bool goes_back() const { return motion_.goes_back(); }
   /// It does, and has found it while it drove.
@@ -42,7 +45,7 @@ class Recovery {
 
   /// What is known of a cycle once its command is chosen.
   struct Course {
-    bool autonomous = false;  // nobody steers, and the goal's position is not reached
+    bool autonomous = false;  // nobody steers, and more is left than to turn at the goal
     bool steered = false;     // the operator command counts
     bool trapped = false;     // the robot stands in collision and no legal motion leads out
     bool yields = false;      // what moves decides: it evades, or stands for that

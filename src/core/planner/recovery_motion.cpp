@@ -99,6 +99,7 @@ void RecoveryMotion::reset() {
 void RecoveryMotion::enter(Phase phase, double now) {
   phase_ = phase;
   since_ = now;
+  if (phase == Phase::idle) to_goal_ = false;
   if (phase == Phase::idle || phase == Phase::follows) {
     holds_ = false;
     problem_.clear();
@@ -110,6 +111,11 @@ void RecoveryMotion::enter(Phase phase, double now) {
   start_way();
   agrees_.reset();
   told_ = false;
+}
+
+void RecoveryMotion::begin_at_goal(double now) {
+  enter(Phase::stops, now);
+  holds_ = to_goal_ = true;
 }
 
 // At the beginning of the way that there is.
@@ -242,6 +248,7 @@ void RecoveryMotion::set_task(const Cycle& cycle, const Pose2& start) {
   if (goes_back_) back_.write_way_back(start, way_back_);
   make_search_task(start, goes_back_ ? way_back_ : cycle.situation.plan, cycle.grid, cycle.footprint, cycle.parameters,
                    cycle.limits, task_);
+  if (to_goal_ && !goes_back_) aim_at_goal(cycle.situation.goal, cycle.parameters, task_);
   const MovingObstacleEstimates& movers = cycle.situation.moving_obstacles;
   if (wait_.counts_movers(cycle)) add_movers(movers, cycle.footprint, task_);
   if (wait_.alone()) remove_movers(movers, task_);
@@ -350,7 +357,7 @@ void RecoveryMotion::search(const Cycle& cycle, bool may_follow) {
 bool RecoveryMotion::still_leads(const Cycle& cycle) const {
   const Pose2& end = way_.stations().back().pose;
   const std::vector<Pose2>& plan = cycle.situation.plan;
-  const double near = std::max(kSamePlace, 2.0 * cycle.grid.resolution);
+  const double near = std::max({kSamePlace, 2.0 * cycle.grid.resolution, search_.task().near_target});
   return distance(way_.stations().front().pose, cycle.situation.pose) < kSameStart &&
          std::any_of(plan.begin(), plan.end(), [&](const Pose2& pose) { return distance(pose, end) < near; });
 }
@@ -471,7 +478,7 @@ int RecoveryMotion::follow(const Scene& scene) {
     const Tile tile = scene.rollout.tile(scene.rollout.tile_of(static_cast<std::size_t>(cheapest)));
     agrees = left_after(tile, static_cast<std::size_t>(cheapest) - tile.first) <= enough;
   }
-  agrees = agrees && !tight_ && !goes_back_;
+  agrees = agrees && !tight_ && !goes_back_ && !to_goal_;
   agrees_.observe(now, agrees);
   return agrees ? cheapest : best;
 }

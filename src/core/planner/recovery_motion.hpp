@@ -13,7 +13,10 @@
 //    sees so that it wants to pass. A search that takes long makes one cycle fail, so that the host
 //    may make another plan, and goes on. Who waits may be waiting for the robot: after step_back_after it goes back the
 //    way it has come (StepBack), once or twice.
-// 5. Before a tight place the search begins while the robot drives on. Where it finds a way the robot follows that, in
+// 5. At the goal's position a turn is left. Where the robot cannot turn there, a way to the goal's pose is searched:
+// out
+//    of the tolerance and back, if need be.
+// 6. Before a tight place the search begins while the robot drives on. Where it finds a way the robot follows that, in
 //    good time: one that cannot drive backwards may come to where no way leads on.
 //
 // While the cheapest candidate gains nearly as much on the way as the best, it is the one that is taken.
@@ -70,6 +73,11 @@ class RecoveryMotion {
   /// True when the critics must forget: what they forbid may be what gets the robot going.
   bool watch(const Cycle& cycle, const Course& course, double patience);
 
+  /// The robot stands at the goal's position, and cannot turn there: from now on it is not at its goal, and leads
+  /// there.
+  void begin_at_goal(double now);
+  bool leads_to_goal() const { return to_goal_; }
+
   /// It decides what is driven.
   bool active() const { return escape_.active() || holds_ || phase_ == Phase::follows; }
   /// It follows a way: candidates are rolled out no farther than that needs.
@@ -99,7 +107,7 @@ class RecoveryMotion {
     io(self.phase_, self.holds_, self.stands_, self.rests_, self.novelty_, self.escape_, self.since_, self.search_,
        self.way_, self.part_, self.least_, self.least_left_, self.agrees_, self.ahead_, self.tight_, self.looked_,
        self.problem_, self.hopeless_, self.hopeless_at_, self.room_, self.narrower_, self.blocked_, self.renewed_,
-       self.wait_, self.back_, self.goes_back_, self.told_, self.told_time_, self.told_at_);
+       self.wait_, self.back_, self.goes_back_, self.to_goal_, self.told_, self.told_time_, self.told_at_);
   }
 
  private:
@@ -167,6 +175,7 @@ class RecoveryMotion {
   MoverWait wait_;
   StepBack back_;
   bool goes_back_ = false;       // what is searched or followed is the way back
+  bool to_goal_ = false;         // likewise, a way to the goal's pose
   std::vector<Pose2> way_back_;  // as a plan
   std::string hopeless_;         // what a search ahead has come to, that found no way
   Pose2 hopeless_at_;            // from there

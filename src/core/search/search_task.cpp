@@ -22,6 +22,10 @@ constexpr double kTargetAtEnd = 0.3;
 // A way has to come so near to it [m].
 constexpr double kNearTarget = 0.15;
 
+// A way to the goal's pose ends within this share of both tolerances; headings are found so exactly [rad].
+constexpr double kWithinTolerance = 0.8;
+constexpr double kHeadingExact = 0.1;
+
 // Memory is kept for so many points of it.
 constexpr std::size_t kUsualTarget = 256;
 
@@ -110,7 +114,8 @@ bool SearchTask::plausible() const {
                      outline.size() < kMostCorners;
   if (!sized || !is_finite(start) || !(resolution > 1e-4 && resolution < 10.0)) return false;
   const auto usual = [](double value) { return value >= 0.0 && value < 1e3; };
-  const bool robot = usual(radius) && usual(forward) && usual(backward) && usual(turning) && usual(near_target);
+  const bool robot = usual(radius) && usual(forward) && usual(backward) && usual(turning) && usual(near_target) &&
+                     std::isfinite(heading) && usual(heading_off);
   const Footprint body = footprint();
   return robot && body.fault() == nullptr && !body.empty() && grid().contains(grid().cell_at(start.x, start.y));
 }
@@ -147,9 +152,18 @@ void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const 
   task.backward = std::max(-limits.x.min, 0.0);
   task.turning = std::max(std::min(limits.theta.max, -limits.theta.min), 0.0);
   task.near_target = std::max(kNearTarget, grid.resolution);
+  task.heading = 0.0;
+  task.heading_off = SearchTask::kAnyHeading;
   copy_costs(grid, start, task);
   drop_inscribed(task);
   find_target(plan, task);
+}
+
+void aim_at_goal(const Pose2& goal, const Parameters& parameters, SearchTask& task) {
+  task.target.assign(1, Point(goal.x, goal.y));
+  task.near_target = std::max(kWithinTolerance * parameters.xy_goal_tolerance, task.resolution);
+  task.heading = goal.theta;
+  task.heading_off = std::max(kWithinTolerance * parameters.yaw_goal_tolerance, kHeadingExact);
 }
 
 }  // namespace hidwa_local_planner

@@ -150,7 +150,7 @@ void WaySearch::leave(std::uint32_t from) {
     least_left_ = left;
     nearest_ = node;
   }
-  if (left == 0.0) {
+  if (left == 0.0 && turn_left(node) <= task_.heading_off) {
     last_ = from;
     state_ = State::found;
     return;
@@ -258,7 +258,16 @@ void WaySearch::push(const Node& node) {
 // The time by way of a node, nearly at least [s]; negative where nothing leads on from there.
 double WaySearch::bound(const Node& node) {
   const double left = to_target_.at(node.x, node.y);
-  return left < 0.0 ? -1.0 : node.time + kGreed * left / std::max(task_.forward, task_.backward);
+  if (left < 0.0) return -1.0;
+  const double driving = left / std::max(task_.forward, task_.backward);
+  const double turn = turn_left(node) - task_.heading_off;
+  const double turning = turn > 0.0 && task_.turning > 0.0 ? turn / task_.turning : 0.0;
+  return node.time + kGreed * std::max(driving, turning);
+}
+
+// To the heading that the way has to end with [rad].
+double WaySearch::turn_left(const Node& node) const {
+  return std::abs(wrap_angle(task_.heading - heading_of(node.heading)));
 }
 
 void WaySearch::write(Way& way) const {

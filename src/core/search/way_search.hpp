@@ -12,7 +12,8 @@
 // 3. The quickest comes first: its time so far, and 1.6 times what the distance to the target takes at full speed
 //    (TargetDistance), which finds a way sooner that may take up to 1.6 times as long. Time counts more where the
 //    clearance is small, and at a change between forwards, backwards and turning.
-// 4. It ends where the robot's centre is near the target; where nothing is left; or where there is no memory left.
+// 4. It ends where the robot's centre is near the target, with the heading that is asked for, if one is; where nothing
+// is left; or where there is no memory left.
 //
 // The work is done in portions, a fixed number of poses each, so that no cycle takes long. All memory is kept from
 // search to search. Why it is safe: it moves nothing. Every motion along the way found is checked as any candidate is,
@@ -127,6 +128,7 @@ class WaySearch {
   std::uint64_t bin_of(const Node& node) const;
   void push(const Node& node);
   double bound(const Node& node);
+  double turn_left(const Node& node) const;
   Rotation rotation(int heading) const;
   double heading_of(int heading) const;
   void smooth(Way& way) const;

@@ -581,6 +581,23 @@ TEST(Recovery, SteppingBackIsRememberedWhole) {
   EXPECT_TRUE(drove);
 }
 
+// Within 0.25 m of its goal, with a tail of 0.9 m between posts: see test/closed_loop/last_turn_test.cpp.
+TEST(Recovery, TheWayToTheGoalsHeadingIsRememberedWhole) {
+  Scene scene = Scene::empty(81, 0.05);
+  scene.parameters = Parameters();
+  scene.outline = {{0.2, 0.2}, {-0.9, 0.2}, {-0.9, -0.2}, {0.2, -0.2}};
+  scene.situation.pose = {-0.23, 0.0, 0.0};
+  scene.situation.goal = {0.0, 0.0, 0.5 * M_PI};
+  scene.situation.goal_latched = true;
+  scene.fill(-1.05, -0.4, -0.95, -0.3);
+  scene.fill(-1.05, 0.3, -0.95, 0.4);
+  test::inflate(scene, 0.2, 0.8, 3.0);
+  bool drove = false, failed = false;
+  expect_remembered_whole(scene, drove, failed, true);
+  EXPECT_TRUE(drove);
+  EXPECT_FALSE(failed);
+}
+
 TEST(Recovery, IsRememberedWhole) {
   bool drove = false, failed = false;
   Scene scene = beside_a_thing();

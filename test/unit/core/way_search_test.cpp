@@ -110,6 +110,31 @@ bool clutter(Scene& scene, Random& random, int boxes) {
   return test::naive_overlap(scene.grid(), {scene.outline, 0.0}, scene.situation.pose, true) <= 0.0;
 }
 
+// At the goal's pose, within 80 % of both tolerances: 0.2 m, to the width of half a cell's diagonal, and 0.2 rad.
+TEST(WaySearch, EndsAtTheGoalsPoseWhereThatIsAskedFor) {
+  int found = 0;
+  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+    Scene scene = room();
+    Random random(seed);
+    if (random.chance(0.5)) scene.parameters.min_vel_x = -0.25;
+    if (!clutter(scene, random, 8)) continue;
+    const Pose2 goal{random.uniform(-0.25, 0.25), random.uniform(-0.25, 0.25), random.uniform(-M_PI, M_PI)};
+    SearchTask task = task_of(scene);
+    aim_at_goal(goal, scene.parameters, task);
+    WaySearch search;
+    search.begin(task);
+    if (search.run(kEnough) != State::found) continue;
+    ++found;
+    Way way;
+    search.write(way);
+    EXPECT_TRUE(is_free(scene, way)) << seed;
+    const Pose2& end = way.stations().back().pose;
+    EXPECT_LE(distance(end, goal), 0.2 + 0.036) << seed;
+    EXPECT_LE(std::abs(wrap_angle(end.theta - goal.theta)), 0.2 + 1e-9) << seed;
+  }
+  EXPECT_GT(found, 8);
+}
+
 TEST(WaySearch, WaysAreFree) {
   const std::uint64_t kScenes = test::effort<std::uint64_t>(24, 120);
   int found = 0, none = 0, turned = 0;
