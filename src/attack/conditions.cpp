@@ -188,6 +188,12 @@ std::vector<Condition> sensing() {
          s.odometry = Odometry::delayed;
        }},
       {"odometry_silent", true, "0.3 to 1.5 s of silence", [](Spec& s, Random&) { s.odometry = Odometry::silent; }},
+      {"odometry_flickers", true, "silent for one to three cycles again and again, latency 0.2 to 0.5 s",
+       [](Spec& s, Random& r) {
+         latency(s, r.of({200, 300, 500}));
+         s.odometry = Odometry::flickers;
+         s.parameters.sim_time = r.of({0.2, 0.8, 1.85});
+       }},
       {"pose_50ms", true, "the pose is 50 ms old", [](Spec& s, Random&) { s.pose_age = 50; }},
   };
 }

@@ -200,7 +200,7 @@ class Run {
 
   Twist2 plan(int now, const Pose2& pose, bool goal_begins) {
     if (goal_begins) planner_.reset();
-    return reading_ ? ask(now, pose) : brake_blindly();
+    return reading_ ? ask(now, pose) : brake_blindly(now);
   }
 
   // As a plugin: the whole control loop, and a person who steers by messages.
@@ -238,15 +238,19 @@ class Run {
 
   static double seconds(int now) { return 100.0 + 1e-3 * now; }
 
+  void tell_cycle(int now) {
+    situation_.last_command = last_;
+    situation_.period = 1e-3 * spec_.period;
+    situation_.time = seconds(now);
+  }
+
   Twist2 ask(int now, const Pose2& pose) {
+    tell_cycle(now);
     situation_.pose = pose;
     situation_.velocity = *reading_;
-    situation_.last_command = last_;
     route_.window(pose, parameters_, situation_.plan);
     situation_.goal = route_.goal();
     situation_.goal_latched = route_.latched();
-    situation_.period = 1e-3 * spec_.period;
-    situation_.time = seconds(now);
     tell_times(situation_, rhythm_.longest(), spec_.age_told ? 1e-3 * spec_.pose_age : 0.0);
     situation_.moving_obstacles.clear();
     if (spec_.walkers > 0 && spec_.walkers_told) situation_.moving_obstacles = told_walkers();
@@ -265,7 +269,9 @@ class Run {
   }
 
   // Without odometry a host brakes from its last command.
-  Twist2 brake_blindly() {
+  Twist2 brake_blindly(int now) {
+    tell_cycle(now);
+    planner_.skip(situation_);
     outcome_ = Outcome::brake;
     escaping_ = false;
     const double period = 1e-3 * spec_.period;

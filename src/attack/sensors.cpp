@@ -16,6 +16,8 @@ std::optional<Twist2> Sensors::odometry(int now) {
       return at(spec_.latency).velocity;
     case Odometry::silent:
       return silent(now) ? std::nullopt : std::optional<Twist2>(true_one);
+    case Odometry::flickers:
+      return flickers() ? std::nullopt : std::optional<Twist2>(true_one);
     case Odometry::dead:
       if (dead_from_ == 0) dead_from_ = random_.whole(1000, 8000);
       return now >= dead_from_ ? Twist2{} : true_one;
@@ -36,6 +38,11 @@ Twist2 Sensors::outlier(const Twist2& true_one) {
   if ((which & 1) != 0) reading.v = random_.in(-10.0, 10.0);
   if ((which & 2) != 0) reading.omega = random_.in(-20.0, 20.0);
   return reading;
+}
+
+bool Sensors::flickers() {
+  if (silent_cycles_ == 0 && random_.chance(0.15)) silent_cycles_ = random_.whole(1, 3);
+  return silent_cycles_ > 0 && silent_cycles_-- > 0;
 }
 
 bool Sensors::silent(int now) {

@@ -22,7 +22,7 @@ class Sensors {
   }
   /// The pose of `age` [ms] ago.
   const Pose2& pose(int age) const { return at(age).pose; }
-  /// One reading of odometry at `now` [ms]; none while it is silent.
+  /// The reading of the cycle at `now` [ms]; none while odometry is silent.
   std::optional<Twist2> odometry(int now);
 
  private:
@@ -37,12 +37,14 @@ class Sensors {
   Twist2 noisy(const Twist2& true_one);
   Twist2 outlier(const Twist2& true_one);
   bool silent(int now);
+  bool flickers();
 
   const Spec& spec_;
   Random random_;
   static constexpr std::size_t kRemembered = 3000;  // longer than any age [ms]
   std::deque<Moment> truth_;
   int silent_until_ = 0, dead_from_ = 0;  // [ms]
+  int silent_cycles_ = 0;                 // that are left
 };
 
 }  // namespace hidwa_attack

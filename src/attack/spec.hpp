@@ -20,6 +20,7 @@ enum class Odometry {
   outliers,  // 1 % of the readings are up to 10 m/s and 20 rad/s
   delayed,   // by the base's latency
   silent,    // for 0.3 to 1.5 s, now and then
+  flickers,  // silent for one to three cycles, again and again
   dead       // 0, now and then for good
 };
 

@@ -76,8 +76,10 @@ void ControlLoop::begin_goal() {
   person_.new_goal();
 }
 
-void ControlLoop::finish_goal() {
+void ControlLoop::finish_goal(const Timing& timing) {
   has_goal_ = false;
+  take_what_was_sent(timing);
+  planner_.skip(situation_);
   last_command_ = {};
 }
 
@@ -136,6 +138,8 @@ Result ControlLoop::step(const Observation& observation, const Sampling& samplin
 
 void ControlLoop::brake(const Observation& observation, const OperatorIntent& intent, Result& result) {
   const Timing& timing = observation.timing;
+  take_what_was_sent(timing);
+  planner_.skip(situation_);
   const double period = late_brake_period(timing.interval, timing.period, timing.longest_period);
   const FaultBrake::Answer answer =
       fault_brake_.answer(timing.now, observation.velocity, last_command_, parameters(), period);
@@ -159,16 +163,20 @@ void ControlLoop::choose_plan(const Observation& observation) {
   if (plan_choice_.prefers_offer(scene, parameters())) plan_.set_plan(plan_choice_.take());
 }
 
+void ControlLoop::take_what_was_sent(const Timing& timing) {
+  situation_.time = timing.now;
+  situation_.period = timing.period;
+  situation_.longest_period = timing.longest_period;
+  situation_.last_command = last_command_;
+  situation_.resumed = std::exchange(resumed_, false);
+}
+
 void ControlLoop::take_situation(const Observation& observation) {
+  take_what_was_sent(observation.timing);
   situation_.pose = observation.pose;
   situation_.velocity = *observation.velocity;
-  situation_.last_command = last_command_;
   situation_.goal = observation.from_plan.apply(goal_);
-  situation_.period = observation.timing.period;
-  situation_.longest_period = observation.timing.longest_period;
   situation_.pose_age = observation.pose_age;
-  situation_.resumed = std::exchange(resumed_, false);
-  situation_.time = observation.timing.now;
   situation_.moving_obstacles = observation.moving_obstacles;
   take_plan_window(observation);
   check_goal(observation, situation_.goal);

@@ -48,10 +48,11 @@ bool Shell::goal_reached(bool host_stops) {
   arriving_ = false;
   CycleClock::Tick none;
   none.period = control_period();
-  if (!loop_.goal_reached(observe(timing(ros::Time::now().toSec(), none)))) return false;
+  const Observation observation = observe(timing(ros::Time::now().toSec(), none));
+  if (!loop_.goal_reached(observation)) return false;
   arriving_ = !host_stops && !loop_.stands();
   if (arriving_) return false;
-  loop_.finish_goal();
+  loop_.finish_goal(observation.timing);
   return true;
 }
 

@@ -3,7 +3,7 @@
 //
 // A cycle, step():
 // 1. the operator's intent is asked for (Operator), unless the host stops the robot;
-// 2. where an input is missing, the robot brakes (FaultBrake);
+// 2. where an input is missing, the robot brakes (FaultBrake), and the planner hears what was sent until then;
 // 3. else the window of the plan is taken, the goal's latch is judged, and the planner decides;
 // 4. the command is remembered, and the operator's state machine hears whether the operator command was rejected.
 //
@@ -97,8 +97,8 @@ class ControlLoop {
   Result step(const Observation& observation, const Sampling& sampling = {});
   /// Whether the goal is reached, where nothing is missing and the operator has not taken control.
   bool goal_reached(const Observation& observation);
-  /// The goal is over, and the host stops the robot: whatever plan comes next has a new goal.
-  void finish_goal();
+  /// The goal is over, and the host sends zero now: whatever plan comes next has a new goal.
+  void finish_goal(const Timing& timing);
 
   /// What the loop and its planner remember from cycle to cycle. Call load() after restore_plan() with the plan of
   /// that cycle. It does not change the operator. It returns false for bytes that save() did not write; load the loop
@@ -108,7 +108,7 @@ class ControlLoop {
 
   const Planner& planner() const { return planner_; }
   const Parameters& parameters() const { return planner_.parameters(); }
-  const Situation& situation() const { return situation_; }  // of the last cycle that planned
+  const Situation& situation() const { return situation_; }  // of the last cycle; its plan of the last that planned
   const Twist2& last_command() const { return last_command_; }
   /// When the last cycle was [s]; none before the first.
   const std::optional<double>& last_cycle() const { return goal_checker_.last_cycle(); }
@@ -127,6 +127,7 @@ class ControlLoop {
   void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Result& result);
   bool leads_the_same_way(const std::vector<Pose2>& plan) const;
   void choose_plan(const Observation& observation);
+  void take_what_was_sent(const Timing& timing);
   void take_situation(const Observation& observation);
   void take_plan_window(const Observation& observation);
   void remember(const Observation& observation, const Result& result);
@@ -144,7 +145,7 @@ class ControlLoop {
   Twist2 last_command_;  // [m/s, rad/s]
   bool stands_ = false;
   bool autonomous_ = true;  // nobody steered in the last cycle, and nobody stopped the robot
-  bool resumed_ = false;    // no cycle has planned since the last pause of the host
+  bool resumed_ = false;    // the planner has not heard of the last pause of the host
 };
 
 }  // namespace hidwa_local_planner::control

@@ -24,7 +24,7 @@ namespace hidwa_local_planner {
 struct Situation {
   Pose2 pose;                   // of the robot, as it was measured `pose_age` ago
   Twist2 velocity;              // measured by odometry [m/s, rad/s]
-  Twist2 last_command;          // what was sent last [m/s, rad/s]
+  Twist2 last_command;          // what was sent last, in the cycle before [m/s, rad/s]
   std::vector<Pose2> plan;      // the window of the global plan around the robot, see PlanWindow
   Pose2 goal;                   // the last pose of the full plan
   bool goal_latched = false;    // the position of the goal was reached, see GoalChecker
@@ -187,6 +187,9 @@ class Planner {
   /// One cycle. `grid` must stay unchanged during the call. The decision stays valid until the next call.
   const Decision& plan(const Situation& situation, const GridView& grid, const OperatorIntent& intent,
                        const Sampling& sampling = {});
+  /// A cycle in which the host sends a command of its own, as while an input is missing: the planner remembers what was
+  /// sent until then, and when. Only the situation's time, period, last command and `resumed` count.
+  void skip(const Situation& situation);
 
   /// Every candidate of the last plan(), in the order of the samples; empty where nothing was scored. Sampling::report
   /// says how much is known of each. With Report::chosen, candidates that the choice did not need were not checked for

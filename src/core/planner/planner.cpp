@@ -66,6 +66,8 @@ const Decision& Planner::plan(const Situation& situation, const GridView& grid, 
   return impl_->plan(situation, grid, intent, sampling);
 }
 
+void Planner::skip(const Situation& situation) { impl_->start_estimator.skip(situation, impl_->limits); }
+
 std::vector<CandidateReport> Planner::candidates() const { return impl_->explanation.candidates(); }
 Planner::Marked Planner::marked() const { return impl_->explanation.marked(); }
 const ChoiceReport& Planner::choice() const { return impl_->explanation.choice(); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/motion/brake_manoeuvre.hpp"
 #include "core/planner/input_fault.hpp"
@@ -18,7 +19,7 @@ constexpr double kAdvanceSpacing = 0.01;
 CycleStart StartEstimator::estimate(const Situation& measured, const Parameters& parameters,
                                     const VelocityLimits& limits, double radius) {
   const double period = usable_period(measured), age = usable_age(measured);
-  remember_command(measured, parameters, limits);
+  remember_command(measured, limits, parameters.control_latency + period + age);
   PendingMotion& as_commanded = pending_.first();
   commands_.play(limits, period, parameters.control_latency, age, as_commanded);
   as_commanded.mark_past(age);
@@ -37,16 +38,18 @@ CycleStart StartEstimator::estimate(const Situation& measured, const Parameters&
 }
 
 // A command that was never a number counts as none; what lies beyond the limits is brought back by the window.
-void StartEstimator::remember_command(const Situation& measured, const Parameters& parameters,
-                                      const VelocityLimits& limits) {
-  const double period = usable_period(measured);
+void StartEstimator::remember_command(const Situation& measured, const VelocityLimits& limits, double span) {
   const Twist2 last = plausible(measured.last_command) ? measured.last_command : Twist2{};
   if (measured.resumed) {
     commands_.forget();
     odometry_.forget();
   }
-  commands_.observe(usable_time(measured), period, parameters.control_latency + period + usable_age(measured), last,
-                    limits);
+  commands_.observe(usable_time(measured), usable_period(measured), span, last, limits);
+}
+
+// How old the next pose will be, and so how much of the past matters then, is not known.
+void StartEstimator::skip(const Situation& measured, const VelocityLimits& limits) {
+  remember_command(measured, limits, std::numeric_limits<double>::infinity());
 }
 
 // A command starts from the last one, or from where odometry is slower; never from a reading that is faster.

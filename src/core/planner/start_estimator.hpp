@@ -27,6 +27,8 @@ class StartEstimator {
   /// the next call, and as long as `measured`.
   CycleStart estimate(const Situation& measured, const Parameters& parameters, const VelocityLimits& limits,
                       double radius);
+  /// A cycle in which the host decides: see Planner::skip().
+  void skip(const Situation& measured, const VelocityLimits& limits);
   /// See Planner::believed() [m/s, rad/s].
   Twist2 believed(const Twist2& measured, const Parameters& parameters) const;
 
@@ -41,7 +43,7 @@ class StartEstimator {
     const AxisLimits& limits;
     AxisBelief& belief;
   };
-  void remember_command(const Situation& measured, const Parameters& parameters, const VelocityLimits& limits);
+  void remember_command(const Situation& measured, const VelocityLimits& limits, double span);
   void judge_axis(const Axis& axis, const Situation& measured, const Parameters& parameters, CycleStart& start);
   void add_prompt_motions(const Situation& measured, const Parameters& parameters, const VelocityLimits& limits);
   const Situation* with_pose_of_now(const Situation& measured, const VelocityLimits& limits, double radius);

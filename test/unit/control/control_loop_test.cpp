@@ -117,7 +117,7 @@ TEST(ControlLoop, OnlyAChangedLastPoseIsANewGoal) {
   EXPECT_TRUE(begins(straight(3.1)));
   EXPECT_TRUE(begins(straight(3.1, 0.5)));
   EXPECT_TRUE(begins(straight(3.1, 0.5), "odom"));
-  bench.loop().finish_goal();
+  bench.loop().finish_goal(bench.seen().timing);
   EXPECT_TRUE(begins(straight(3.1, 0.5), "odom"));
   bench.loop().drop_plan(bench.seen().timing.now, kPeriod);
   EXPECT_FALSE(bench.loop().has_plan());
@@ -217,6 +217,68 @@ TEST(ControlLoop, WhereSomethingIsMissingItBrakes) {
   EXPECT_EQ(result.outcome, Outcome::fail);
   EXPECT_EQ(result.command, Twist2{});
   EXPECT_TRUE(bench.loop().stands());
+}
+
+// A cycle without a fault, whose pose is two periods old: how far the commands since then lead on [m].
+double led_on(Bench& bench) {
+  bench.seen().fault.clear();
+  bench.seen().pose_age = 2.0 * kPeriod;
+  const Result result = bench.step();
+  EXPECT_NE(result.decision, nullptr);
+  return result.decision->pose.x - bench.seen().pose.x;
+}
+
+// A base without latency that drives at 0.5 m/s.
+void drive_without_latency(Bench& bench) {
+  Parameters wanted = bench.parameters();
+  wanted.control_latency = 0.0;
+  ASSERT_TRUE(bench.loop().configure(wanted).empty());
+  bench.plan(straight(2.5));
+  for (int k = 0; k < 8; ++k) bench.step();
+  ASSERT_NEAR(bench.loop().last_command().v, 0.5, 1e-9);
+}
+
+TEST(ControlLoop, WhatWasSentWhileAnInputWasMissingStillActs) {
+  Bench bench;
+  drive_without_latency(bench);
+  bench.seen().fault = "no scan";
+  bench.step();  // 0.375 m/s
+  bench.step();  // 0.25 m/s
+  // Evenly from 0.5 to 0.375 to 0.25 m/s: 0.05 x (0.4375 + 0.3125) m.
+  EXPECT_NEAR(led_on(bench), 0.0375, 1e-9);
+}
+
+TEST(ControlLoop, WhatWasSentAfterAPauseWhileAnInputWasMissingStillActs) {
+  Bench bench;
+  drive_without_latency(bench);
+  bench.seen().timing.now += 1.0;
+  bench.seen().resumed = Twist2{0.4, 0.0};  // another node drove
+  bench.seen().fault = "no scan";
+  bench.step();  // 0.275 m/s
+  bench.step();  // 0.15 m/s
+  EXPECT_NEAR(led_on(bench), 0.05 * (0.3375 + 0.2125), 1e-9);
+}
+
+TEST(ControlLoop, TheZeroAtTheGoalActsFromThenOn) {
+  Bench bench;
+  drive_without_latency(bench);  // the last of these was sent a period ago
+  bench.loop().finish_goal(bench.seen().timing);
+  bench.seen().timing.now += kPeriod;
+  bench.plan(straight(2.0));
+  // At 0.5 m/s, then a period of braking at the limit, 0.125 m/s.
+  EXPECT_NEAR(led_on(bench), 0.05 * (0.5 + 0.4375), 1e-9);
+}
+
+// What a late cycle may brake counts from the cycle before, also where that had a fault.
+TEST(ControlLoop, TheFirstCycleAfterAFaultBrakesByOnePeriod) {
+  Bench bench;
+  drive_without_latency(bench);
+  bench.seen().timing.longest_period = 3.0 * kPeriod;
+  bench.seen().fault = "no scan";
+  bench.step();
+  bench.seen().fault.clear();
+  bench.seen().host_stops = true;
+  EXPECT_NEAR(bench.step().command.v, 0.5 - 2.0 * 2.5 * kPeriod, 1e-9);
 }
 
 TEST(ControlLoop, TheHostStopsTheRobotWhateverThePersonWants) {
