@@ -171,6 +171,14 @@ std::vector<Condition> lateness() {
          late(s, false);
          rate(s, 10);
        }},
+      {"late_again", true, "a cycle is two periods late whenever the last such is about to be forgotten",
+       [](Spec& s, Random& r) {
+         s.late_again = true;
+         s.late_most = 2.0;
+         rate(s, r.of({5, 10}));
+         fast(s, r.of({0.5, 1.0, 2.0}));
+         s.parameters.sim_time = r.of({0.2, 0.4, 1.85});
+       }},
       {"late_catching_up", true, "the same, and the host catches up as ros::Rate does",
        [](Spec& s, Random&) { late(s, true); }},
   };

@@ -13,6 +13,7 @@
 #include "device.hpp"
 #include "escape_watch.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/control/period_watch.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "local_map.hpp"
@@ -88,6 +89,7 @@ class Run {
         device_(spec.link, lone_.machine(), spec.link == Link::none ? 0 : random_.bits()),
         trace_(trace) {
     put_in_force();
+    if (rhythm_.before() > 0.0) periods_.observe(seconds(0), rhythm_.before());
     make_maps();
     Polygon outline;
     for (const Spot& corner : told_corners(shape_)) outline.emplace_back(corner.x, corner.y);
@@ -169,6 +171,7 @@ class Run {
 
   void cycle(int now) {
     rhythm_.tick(now);
+    if (last_cycle_ >= 0) periods_.observe(seconds(now), 1e-3 * (now - last_cycle_));
     ++result_.cycles;
     count_motion();
     if (spec_.limits_change && random_.chance(0.03)) change_limits();
@@ -184,6 +187,7 @@ class Run {
     base_.send(now, command);
     last_ = command;
     rhythm_.plan_next(now, rests(now));
+    last_cycle_ = now;
   }
 
   // No command is on its way either.
@@ -211,9 +215,8 @@ class Run {
     control::Observation observation;
     observation.timing.now = time;
     observation.timing.period = 1e-3 * spec_.period;
-    observation.timing.longest_period = rhythm_.longest();
+    observation.timing.longest_period = longest();
     observation.timing.interval = last_cycle_ < 0 ? 0.0 : 1e-3 * (now - last_cycle_);
-    last_cycle_ = now;
     if (reading_) observation.velocity = *reading_;
     if (!reading_) observation.fault = "no odometry";
     observation.pose = pose;
@@ -237,6 +240,8 @@ class Run {
   }
 
   static double seconds(int now) { return 100.0 + 1e-3 * now; }
+  // As the plugin measures it: the planner's own watch is attacked too.
+  double longest() const { return periods_.longest(1e-3 * spec_.period); }
 
   void tell_cycle(int now) {
     situation_.last_command = last_;
@@ -251,7 +256,7 @@ class Run {
     route_.window(pose, parameters_, situation_.plan);
     situation_.goal = route_.goal();
     situation_.goal_latched = route_.latched();
-    tell_times(situation_, rhythm_.longest(), spec_.age_told ? 1e-3 * spec_.pose_age : 0.0);
+    tell_times(situation_, longest(), spec_.age_told ? 1e-3 * spec_.pose_age : 0.0);
     situation_.moving_obstacles.clear();
     if (spec_.walkers > 0 && spec_.walkers_told) situation_.moving_obstacles = told_walkers();
     const Decision& decision = planner_.plan(situation_, view(pose), intent_);
@@ -264,7 +269,7 @@ class Run {
   Twist2 judged(const Twist2& planned) {
     const Twist2 command = outcome_ == Outcome::fail ? Twist2{} : planned;
     commands_.observe(parameters_, 1e-3 * spec_.period, last_, command);
-    commands_.judge_acceleration(parameters_, rhythm_.longest(), last_, reading_.value_or(last_), command);
+    commands_.judge_acceleration(parameters_, longest(), last_, reading_.value_or(last_), command);
     return command;
   }
 
@@ -372,6 +377,7 @@ class Run {
   control::LoneOperator lone_;
   control::ControlLoop loop_{critics::built_in(), lone_};
   Device device_;
+  hidwa_local_planner::PeriodWatch periods_;
   int last_cycle_ = -1;  // [ms]
   int rests_from_ = 0;   // [ms]
   double driven_ = 0.0;  // [s]

@@ -19,9 +19,10 @@ class Rhythm {
         most_(spec.late_most),
         catches_up_(spec.catches_up),
         surprises_(spec.surprises),
+        again_(spec.late_again),
         random_(seed) {
     // The host has run before, and was late.
-    if (share_ > 0.0) cycles_ = {-static_cast<int>((1.0 + most_) * period_), 0};
+    if (share_ > 0.0 || again_) cycles_ = {-latest(), 0};
   }
 
   bool due(int now) const { return now >= next_; }
@@ -34,6 +35,7 @@ class Rhythm {
   /// robot does not rest the next one is no later than longest(), unless the spec asks for surprises.
   void plan_next(int now, bool rests) {
     const bool keeps = catches_up_ && now - grid_ <= period_;
+    if (again_) return plan_again(now);
     grid_ = (keeps ? grid_ : now) + period_;
     next_ = std::max(grid_ + lateness(), now + 1);
     if (!surprises_ && !rests) next_ = std::min(next_, now + static_cast<int>(std::lround(1e3 * longest())));
@@ -45,15 +47,26 @@ class Rhythm {
     return 1e-3 * std::min(most, 3 * period_);
   }
 
+  /// What the host measured before the first cycle [s]; 0 where it was on time.
+  double before() const { return share_ > 0.0 || again_ ? 1e-3 * latest() : 0.0; }
+
  private:
   static constexpr int kMemory = 3000;  // [ms]
+  int latest() const { return static_cast<int>((1.0 + most_) * period_); }
+  // A late cycle counts for 3 s and for the period after them: the last cycle that knows of it is followed by the next.
+  void plan_again(int now) {
+    const bool last_to_know = now + period_ > late_at_ + kMemory + period_;
+    next_ = now + (last_to_know ? latest() : period_);
+    if (last_to_know) late_at_ = next_;
+  }
   int lateness() { return random_.chance(share_) ? static_cast<int>(random_.in(0.0, most_) * period_) : 0; }
 
   int period_;  // [ms]
   double share_, most_;
-  bool catches_up_, surprises_;
+  bool catches_up_, surprises_, again_;
   Random random_;
   int grid_ = 0, next_ = 0;  // when the cycle should be, and when it is [ms]
+  int late_at_ = 0;          // the last cycle that was as late as it may be [ms]
   std::deque<int> cycles_;   // [ms]
 };
 

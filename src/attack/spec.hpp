@@ -61,6 +61,7 @@ struct Spec {
   double late_most = 0.0;   // [periods]
   bool catches_up = false;  // after a late cycle, as ros::Rate does
   bool surprises = false;   // later than any of the last 3 s, also while the robot moves
+  bool late_again = false;  // as late as it may be, each time when the last such cycle is about to be forgotten
 
   Odometry odometry = Odometry::exact;
   int pose_age = 0;      // [ms]

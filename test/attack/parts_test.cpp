@@ -188,6 +188,28 @@ TEST(Rhythm, NoCycleIsLaterThanToldWhereTheRobotMoves) {
   EXPECT_GT(lateness_of(surprising, spec.period, false).unannounced, 5);
 }
 
+// At 5 Hz, two periods late: 0.6 s. The cycle 3.0 s after the late one still counts it, and so does the next, at 3.2 s.
+TEST(Rhythm, LateAgainWhenTheLastOneIsAboutToBeForgotten) {
+  Spec spec;
+  spec.period = 200;
+  spec.late_most = 2.0;
+  spec.late_again = true;
+  Rhythm rhythm(spec, 5);
+  EXPECT_EQ(rhythm.before(), 0.6);
+  std::vector<int> cycles;
+  for (int now = 0; now < 8000; ++now) {
+    if (!rhythm.due(now)) continue;
+    rhythm.tick(now);
+    rhythm.plan_next(now, false);
+    cycles.push_back(now);
+  }
+  std::vector<int> late;
+  for (std::size_t k = 1; k < cycles.size(); ++k) {
+    if (cycles[k] - cycles[k - 1] > 200) late.push_back(cycles[k]);
+  }
+  EXPECT_EQ(late, (std::vector<int>{3800, 7600}));  // 3200 + 600, 3800 + 3200 + 600
+}
+
 TEST(CommandWatch, TheLimitOrTheLastCommandReduced) {
   Parameters p;  // 0.5 m/s forwards only, 1 rad/s, 2.5 m/s^2, 3.2 rad/s^2
   CommandWatch watch;

@@ -12,7 +12,7 @@ namespace hidwa_local_planner {
 /// go on for longer. Knows no clock.
 class PeriodWatch {
  public:
-  /// Intervals count for so long [s].
+  /// Intervals count for so long [s] at least, and for one control period more of up to a slot.
   static constexpr double kMemory = 3.0;
   /// At most so many control periods count. A host that is later than that breaks an assumption (docs/safety.md).
   static constexpr double kMost = 3.0;
@@ -38,8 +38,9 @@ class PeriodWatch {
 
  private:
   static constexpr double kSlot = 0.25;  // [s]
-  static constexpr std::size_t kSlots = 12;
-  static_assert(kSlots * kSlot == kMemory, "the slots cover the memory");
+  static constexpr std::size_t kSlots = 14;
+  // The slot of now has only begun, and one slot is for the period that is more.
+  static_assert((kSlots - 2) * kSlot == kMemory, "the slots cover the memory");
   double& at(double slot) {
     const double left = std::fmod(slot, static_cast<double>(kSlots));
     return slots_[static_cast<std::size_t>(left < 0.0 ? left + kSlots : left)];

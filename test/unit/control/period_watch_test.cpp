@@ -26,16 +26,23 @@ TEST(PeriodWatch, TheLongestCountsUpToThreePeriods) {
   EXPECT_EQ(watch.longest(0.2), 0.4);                // of another period: 3 * 0.2 is more
 }
 
-// It is kept for 3 s, to the quarter of a second in which it came: no less than 2.75 s.
-TEST(PeriodWatch, ForgetsAfterThreeSeconds) {
-  PeriodWatch watch;
-  watch.observe(10.2, 0.1);
-  watch.observe(12.9, kPeriod);
-  EXPECT_EQ(watch.longest(kPeriod), 0.1);
-  watch.observe(12.95, kPeriod);
-  EXPECT_EQ(watch.longest(kPeriod), 0.1);
-  watch.observe(13.0, kPeriod);
-  EXPECT_EQ(watch.longest(kPeriod), kPeriod);
+// It is kept for 3 s and one period of up to 0.25 s more, then to the end of a slot of 0.25 s: no longer than 3.5 s.
+TEST(PeriodWatch, CountsForThreeSecondsAndAPeriodWheneverItCame) {
+  for (const double period : {0.025, 0.05, 0.1, 0.2, 0.25}) {
+    for (int begin = 0; begin < 100; ++begin) {
+      const double late = 10.0 + 0.0099 * begin;  // at all places in its slot [s]
+      PeriodWatch watch;
+      watch.observe(late, 2.5 * period);
+      double now = late;
+      while (now + period <= late + 3.0 + period) {
+        now += period;
+        watch.observe(now, period);
+        ASSERT_EQ(watch.longest(period), 2.5 * period) << now - late << " s after it, at " << late;
+      }
+      watch.observe(late + 3.5, period);
+      EXPECT_EQ(watch.longest(period), period) << late;
+    }
+  }
 }
 
 TEST(PeriodWatch, AfterALongSilenceNothingIsLeft) {
