@@ -73,8 +73,8 @@ TEST(LastTurn, DrivesOnWithinTheToleranceToWhereItCanTurn) {
   EXPECT_LE(course.farthest, 0.25);
 }
 
-// Posts beside its tail, but for two places: those that it drives over for 0.3 m straight on, and those that it turns over
-// there, both with 0.05 m to spare and more.
+// Posts beside its tail, but for two places: those that it drives over for 0.3 m straight on, and those that it turns
+// over there, both with 0.05 m to spare and more.
 TEST(LastTurn, EndsAmongPostsWhereverItCouldDriveOnAndTurn) {
   int blocked = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
