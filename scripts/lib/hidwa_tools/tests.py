@@ -15,8 +15,8 @@ from .processes import end_on_signals, sourced
 
 WORK = os.path.join(SPACE, 'build', 'tests')  # what the tests build and write
 CORES = os.cpu_count() or 1
-# Tests that compute say so (PROCESSORS); the others wait for simulated time, and several fit on a core.
-AT_ONCE = 2 * CORES
+# Tests that compute take three places (PROCESSORS); the others wait for simulated time, and several fit on a core.
+AT_ONCE = 3 * CORES
 COMPAT = ('nav_core', 'costmap_2d', 'map_server', 'move_base')
 
 
@@ -79,7 +79,7 @@ def build_rostests():
 
 
 def configure_sanitized():
-    """What parses bytes, what the person sends and what starts threads, for the sanitizers: its build folder. A test builds it."""
+    """What parses bytes and what starts threads, for the sanitizers: its build folder. A test builds it."""
     folder = os.path.join(WORK, 'sanitized')
     if compilers.fuzzes(compilers.clang()):
         options = fuzz.configure_options()

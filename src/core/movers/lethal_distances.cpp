@@ -51,7 +51,7 @@ void LethalDistances::begin(const CellWindow& window, int reach) {
   window_ = window;
   reach_ = reach;
   strips_ = static_cast<int>(strips_of(window.width()));
-  const std::size_t rows = strips_of(window.width()) * static_cast<std::size_t>(window.height());
+  const std::size_t rows = strips_of(window.width()) * static_cast<std::size_t>(std::max(0, window.height()));
   one_row_.resize(strips_of(window.width()) * kColumns);
   for (std::vector<Square>* values : {&along_, &squares_}) values->resize(rows * kColumns);
   for (std::vector<std::uint8_t>* flags : {&wanted_, &near_, &measured_}) flags->assign(rows, 0);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/search/target_distance.hpp"
 #include "core/search/way_search.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"
 #include "support/effort.hpp"
@@ -291,6 +292,31 @@ TEST(WaySearch, DamagedBytesAreNoSearch) {
   }
 }
 
+// A wall one cell wide closes the map, in whatever column of it; cells are looked at 64 at a time.
+TEST(TargetDistance, NoColumnOfAWallIsOpen) {
+  for (const int column : {0, 1, 63, 64, 65, 127, 128}) {
+    Scene scene = Scene::empty(161, 0.05);
+    for (int j = 0; j < scene.size_y; ++j) scene.at({column, j}) = cost::kLethal;
+    SearchTask task = task_of(scene);
+    task.outline.clear();
+    task.radius = 0.01;  // it fits between any two walls, and through none
+    const Point target = scene.grid().centre({140, 80});
+    task.target = {target};
+    task.near_target = 0.05;
+    const Footprint footprint = task.footprint();
+    CollisionChecker checker;
+    checker.prepare(task.grid(), footprint, true, {}, 10.0, task.resolution / 16.0);
+    TargetDistance distances;
+    distances.prepare(task, checker);
+    const Point wall = scene.grid().centre({column, 80}), before = scene.grid().centre({column + 1, 80});
+    EXPECT_LT(distances.at(wall.x(), wall.y()), 0.0) << "column " << column;
+    EXPECT_GE(distances.at(before.x(), before.y()), 0.05 * (140 - column - 1) - 2 * 0.05) << "column " << column;
+    if (column == 0) continue;
+    const Point behind = scene.grid().centre({column - 1, 80});
+    EXPECT_LT(distances.at(behind.x(), behind.y()), 0.0) << "column " << column;
+  }
+}
+
 // The remaining time beside a way: that of the nearest place on it, and what it takes to get there: 0.1 m/s within its
 // room, 0.04 m/s beyond.
 TEST(Way, TellsTheRemainingTime) {
@@ -310,6 +336,9 @@ TEST(Way, TellsTheRemainingTime) {
   EXPECT_EQ(way.nearest({1.0, 0.0, 0.1}, 0, 2, 0.05).part, 1U);
   EXPECT_NEAR(way.nearest({1.0, 0.0, 0.1}, 0, 2, 0.05).left, 0.9, 1e-12);
   EXPECT_EQ(way.nearest({1.0, 0.0, 0.4}, 0, 1, 0.05).part, 0U);
+  const Way::Place beyond = way.nearest({1.3, 0.0, 0.0}, 0, 1, 0.05);  // the part ends at x = 1
+  EXPECT_NEAR(beyond.left, 1.0, 1e-12);
+  EXPECT_NEAR(beyond.off, 0.3, 1e-12);
   EXPECT_EQ(way.end_of_parts({0.0, 0.0, 0.0}, 0, 10.0, 0.02), 2U);
   EXPECT_EQ(way.end_of_parts({0.0, 0.0, 0.0}, 0, 0.5, 0.02), 1U);  // the second part begins 2 s later
 }
