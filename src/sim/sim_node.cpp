@@ -25,8 +25,8 @@ namespace {
 constexpr double kStep = 0.01;                         // [s], simulated time from /clock to /clock
 constexpr std::int64_t kStepNanoseconds = 10'000'000;  // the same
 constexpr double kFirstStamp = 1.0;                    // [s]; 0 would mean "no time" to the listeners
-constexpr std::int64_t kLateSteps = 10;                // a command that comes so late after the last one is late
-constexpr std::int64_t kSilentSteps = 100;             // after so many steps the host sends no commands
+constexpr std::int64_t kLateSteps = 10;                // [steps] from one command to the next; beyond, it is late
+constexpr std::int64_t kSilentSteps = 100;             // [steps] without a command; beyond, the host sends none
 
 /// True every 1/rate seconds of simulated time, rounded to whole steps.
 class Every {

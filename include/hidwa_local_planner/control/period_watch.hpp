@@ -12,7 +12,7 @@ namespace hidwa_local_planner {
 /// go on for longer. Knows no clock.
 class PeriodWatch {
  public:
-  /// Intervals count for so long [s] at least, and for one control period more of up to a slot.
+  /// The time for which an interval counts at least [s]. A control period of up to a slot is added to it.
   static constexpr double kMemory = 3.0;
   /// At most so many control periods count. A host that is later than that breaks an assumption (docs/safety.md).
   static constexpr double kMost = 3.0;

@@ -29,7 +29,7 @@ struct SearchTask {
   double backward = 0.0;             // [m/s]
   double turning = 0.0;              // [rad/s]
   std::vector<Point> target;         // the plan's part that the way has to come to, costmap frame [m]
-  double near_target = 0.0;          // so near to one of its points [m]
+  double near_target = 0.0;          // tolerance to one of its points [m]
   double heading = 0.0;              // that it has to end with [rad]
   double heading_off = kAnyHeading;  // by no more than that [rad]
 

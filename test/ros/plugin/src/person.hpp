@@ -72,7 +72,7 @@ class Operated : public ::testing::Test {
   bool cycle_until(const Done& done, double seconds = kPatience) { return host().cycle_until(done, seconds); }
   /// Cycles until the state has this name.
   bool reaches(const std::string& state, double seconds = kPatience);
-  /// Cycles for so many simulated seconds, all of them so.
+  /// Runs cycles for a simulated time [s]; whether all of them were so.
   bool all_cycles(const Done& so, double seconds);
   /// A press of the button and its release, by a stick that the planner has heard for a while; with cycles, as
   /// while driving.

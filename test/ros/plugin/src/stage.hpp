@@ -87,11 +87,11 @@ class Robot {
 class Stage {
  public:
   static Stage& get();
-  /// Lets so much simulated time pass [s]: the robot moves, whoever ticks() does so, the costmap is brought up to date.
+  /// Lets simulated time pass [s]: the robot moves, what ticks() names is called, the costmap is brought up to date.
   void pass(double seconds);
   /// The clock alone moves on [s], as if the process had been suspended.
   void skip(double seconds);
-  /// Lets time pass until `done`; false after so many simulated seconds.
+  /// Lets time pass until `done`; false once the simulated time [s] is over.
   bool pass_until(const std::function<bool()>& done, double seconds = kPatience);
   /// No obstacles, neither there nor remembered.
   void clear();
@@ -151,7 +151,7 @@ class Host {
   /// One control cycle: computes, drives (stops on failure, as move_base does), and a period passes. What the planner
   /// published has come when it returns.
   Cycle cycle();
-  /// Cycles until `done` says so of one; false after so many simulated seconds.
+  /// Runs cycles until `done` is true of one; false once the simulated time [s] is over.
   bool cycle_until(const std::function<bool(const Cycle&)>& done, double seconds = kPatience);
   /// The largest change from one command to the next [m/s, rad/s], both of successful cycles, so far.
   /// From one command to the next; where a cycle was late, in the share of a period.
