@@ -74,7 +74,8 @@ def build_rostests():
     run('ros', *installed(
         'colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', *paths, '--cmake-args',
         '-DCMAKE_CXX_FLAGS=-std=gnu++14', f'-DHIDWA_WERROR={werror()}', '-DCMAKE_BUILD_TYPE=Release',
-        '-DPYTHON_EXECUTABLE=/usr/bin/python3', '-DPython3_EXECUTABLE=/usr/bin/python3', '--no-warn-unused-cli'), cwd=space)
+        '-DPYTHON_EXECUTABLE=/usr/bin/python3', '-DPython3_EXECUTABLE=/usr/bin/python3', '--no-warn-unused-cli'), cwd=space,
+        env={**os.environ, 'MAKEFLAGS': f'-j{CORES}'})  # else colcon has make compile one at a time where others work too
     return sorted(glob.glob(os.path.join(space, 'build', 'hidwa_*')))
 
 
