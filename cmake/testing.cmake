@@ -112,7 +112,7 @@ endfunction()
 
 # One run of a program of GoogleTest as a test; what follows the labels is its command.
 function(hidwa_register_gtest test target timeout labels)
-  set(properties PROCESSORS 3)  # of those that scripts/test lets run at once
+  set(properties PROCESSORS 2)  # of those that scripts/test lets run at once
   if(timeout)
     math(EXPR timeout "${HIDWA_TIMEOUT_FACTOR} * ${timeout}")
     list(APPEND properties TIMEOUT ${timeout} COST ${timeout})  # what takes longest begins first
