@@ -224,8 +224,9 @@ class SlowLink:
         proxy.hold()
         wait(lambda: robot.state == 'STOPPED' and robot.speed[0] < 0.01, 'STOPPED')
         began = next(when for when, state in robot.states if when >= held and state == 'STOPPED')
-        self.assertGreater(began - held, 1.4, 'the limit is 2 s, and the last ping may have waited 0.5 s')
-        page.wait(lambda: int(page.text('delay').split()[0]) > 2000 and 'too slow' in page.text('notice'), 'that the link is too slow')
+        self.assertGreater(began - held, stage.STOP_DELAY - 0.6, 'the last ping may have waited 0.5 s')
+        page.wait(lambda: int(page.text('delay').split()[0]) > 1e3 * stage.STOP_DELAY and 'too slow' in page.text('notice'),
+                  'that the link is too slow')
         self.assertTrue(page.js("return document.getElementById('delay').parentElement.classList.contains('bad')"))
         proxy.flush()
         page.wait(lambda: int(page.text('delay').split()[0]) < 300, 'a quick link again')

@@ -12,6 +12,7 @@ from robot import Robot
 
 START = (16.5, 8.3, 0.0)  # [m, m, rad] in a corridor 3.4 m wide that leads east
 ROOM = (15.0, 36.0)       # [m] between which x the tests drive to and fro
+STOP_DELAY = 8.0          # [s] of the console; longer than any test but one holds the link up, on a slow machine too
 
 robot = proxy = page = None
 
@@ -20,7 +21,7 @@ def begin(scripts=(), options=''):
     """(robot, proxy, page) for all tests of a module, which calls this in setUpModule; they end with it. scripts: run in every page
     before its own; options: of the console."""
     global robot, proxy, page
-    robot = Robot(START, options)
+    robot = Robot(START, '--stop-delay %g %s' % (STOP_DELAY, options))
     unittest.addModuleCleanup(robot.end)
     proxy = Proxy(robot.port)
     unittest.addModuleCleanup(proxy.end)
