@@ -4,7 +4,7 @@ import os
 import tempfile
 import unittest
 
-from hidwa_tools.counting import Counts, count_ctest, count_unittest, count_xml, ctest_outcomes
+from hidwa_tools.counting import Counts, count_ctest, count_xml, ctest_outcomes
 
 GTEST = '''<?xml version="1.0"?>
 <testsuites tests="4" failures="1" disabled="1" errors="0">
@@ -76,12 +76,6 @@ class Counting(unittest.TestCase):
     def test_what_did_not_run_has_failed(self):
         self.assertEqual(count_ctest('', self.listing(seven=['seven']), 0.0), Counts(0, 1, 0))
         self.assertEqual(count_ctest('No tests were found!!!', self.listing(), 0.0), Counts(0, 1, 0))
-
-    def test_unittest(self):
-        self.assertEqual(count_unittest('...\nRan 23 tests in 3.2s\n\nOK\n'), Counts(23, 0, 0))
-        self.assertEqual(count_unittest('Ran 5 tests in 1s\n\nFAILED (failures=1, errors=2, skipped=1)'), Counts(1, 3, 1))
-        self.assertEqual(count_unittest('Ran 0 tests in 0s\n\nOK'), Counts(0, 1, 0))
-        self.assertEqual(count_unittest('Segmentation fault'), Counts(0, 1, 0))
 
     def test_the_line_it_closes_with(self):
         self.assertEqual(str(Counts(12, 1, 3)), '12 passed, 1 failed, 3 skipped')

@@ -86,14 +86,3 @@ def count_ctest(output, listing, since):
             cases += Counts(failed=1)  # it crashed, or ran out of time, after its last case
         counts += cases
     return counts if files else Counts(failed=1)
-
-
-def count_unittest(output):
-    """Counts out of what `python -m unittest` prints; a run that broke off, or found no tests, is one failure."""
-    ran = re.search(r'^Ran (\d+) tests?', output, re.MULTILINE)
-    if not ran or int(ran.group(1)) == 0:
-        return Counts(failed=1)
-    numbers = {key: int(value) for key, value in re.findall(r'(failures|errors|skipped|unexpected successes)=(\d+)', output)}
-    failed = numbers.get('failures', 0) + numbers.get('errors', 0) + numbers.get('unexpected successes', 0)
-    skipped = numbers.get('skipped', 0)
-    return Counts(max(int(ran.group(1)) - failed - skipped, 0), failed, skipped)

@@ -90,7 +90,7 @@ def try_here():
             report = json.load(text)
         row['demo'] = {key: report[key] for key in ('arrived', 'path_length_m', 'contacts')}
     except OSError:
-        pass  # it did not come so far
+        pass  # the demo wrote no report
     with open(os.path.join(SPACE, 'row.json'), 'w', encoding='utf-8') as out:
         json.dump(row, out, indent=1)
 

@@ -13,9 +13,8 @@
 //    sees so that it wants to pass. A search that takes long makes one cycle fail, so that the host
 //    may make another plan, and goes on. Who waits may be waiting for the robot: after step_back_after it goes back the
 //    way it has come (StepBack), once or twice.
-// 5. At the goal's position a turn is left. Where the robot cannot turn there, a way to the goal's pose is searched:
-// out
-//    of the tolerance and back, if need be.
+// 5. At the goal's position a turn is left. Where the robot cannot turn there, a way to the goal's pose is searched,
+//    out of the tolerance and back, if need be.
 // 6. Before a tight place the search begins while the robot drives on. Where it finds a way the robot follows that, in
 //    good time: one that cannot drive backwards may come to where no way leads on.
 //

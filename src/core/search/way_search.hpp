@@ -13,7 +13,7 @@
 //    (TargetDistance), which finds a way sooner that may take up to 1.6 times as long. Time counts more where the
 //    clearance is small, and at a change between forwards, backwards and turning.
 // 4. It ends where the robot's centre is near the target, with the heading that is asked for, if one is; where nothing
-// is left; or where there is no memory left.
+//    is left; or where there is no memory left.
 //
 // The work is done in portions, a fixed number of poses each, so that no cycle takes long. All memory is kept from
 // search to search. Why it is safe: it moves nothing. Every motion along the way found is checked as any candidate is,
