@@ -74,3 +74,13 @@ hidwa_build() {
     /usr/bin/python3 "$HIDWA_LIB/hidwa_tools/build_progress.py") ||
     fail "the build failed; its whole output is in $HIDWA_SPACE/log/latest_build"
 }
+
+# hidwa_rostests: the packages of test/ros, upon what was installed.
+hidwa_rostests() {
+  local manifests=("$HIDWA_ROOT"/test/ros/*/package.xml)
+  . "$HIDWA_ROOT/scripts/env"
+  # C++14, the default of GCC 9: a package with critics is lifted from it by this one.
+  MAKEFLAGS="-j$(hidwa_jobs)" hidwa_workspace "$HIDWA_SPACE/build/tests/ros" "${manifests[@]%/package.xml}" -- \
+    -DCMAKE_CXX_FLAGS=-std=gnu++14 -DHIDWA_WERROR="$(hidwa_werror)" -DCMAKE_BUILD_TYPE=Release \
+    -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 --no-warn-unused-cli
+}

@@ -27,7 +27,7 @@ def tool(name, *arguments):
 
 def whole():
     """every test that CTest knows, with all its cases"""
-    return tests.ctest(tests.build(), [])
+    return tests.ctest(tests.build(), [])[0]
 
 
 def without_ros(name, *options, which=()):
@@ -36,7 +36,7 @@ def without_ros(name, *options, which=()):
     tests.run(name + '_configure', 'cmake', '-S', ROOT, '-B', folder, '-DHIDWA_ROS=OFF', '-DHIDWA_TESTS=ON', '-DHIDWA_TOOLS=ON',
               '-DHIDWA_UNITY=ON', *options)
     tests.run(name + '_build', 'cmake', '--build', folder, '-j', str(tests.CORES))
-    return tests.ctest(folder, which, own=True)
+    return tests.ctest(folder, which, own=True)[0]
 
 
 def plain():

@@ -7,13 +7,12 @@ import os
 import re
 import subprocess
 import sys
-import time
 
-from .counting import Counts, count_ctest, ctest_outcomes
-from .places import ROOT, SPACE
-from .processes import sourced
+from . import tests
+from .places import SPACE
 
 TRIED_ONLY = ('debian-next',)  # what fails there is told, and does not count
+ELSEWHERE = ('long', 'sanitized', 'python', 'console', 'browser', 'lint', 'drive')  # tests that are judged where the project is built
 HEADS = ('system', 'compiler', 'CMake', 'Python', 'urdfdom', 'roscpp', 'warnings', 'tests passed', 'failed', 'demo', 'minutes')
 WARNING = re.compile(r'^.*\bwarning: .*$', re.MULTILINE)
 ERROR = re.compile(r'^(?:.*\berror: .*|CMake Error.*(?:\n+ .*)?)$', re.MULTILINE)
@@ -47,35 +46,17 @@ def complaints(logs, pattern):
     return list(found)
 
 
-def run_ctest(folder, setup, jobs):
-    """(counts, names of the tests that failed) of a build folder's short tests, with a setup file in force."""
-    print(output_of(*sourced(setup, 'cmake', '--build', folder, '--target', 'tests')), flush=True)
-    command = sourced(setup, 'bash', '-c', 'cd "$0" && exec ctest -LE "^long$" "$@"', folder)
-    since, listing = time.time() - 1.0, output_of(*command, '--show-only=json-v1')
-    listing = listing[listing.index('{'):]
-    if not json.loads(listing)['tests']:
-        return Counts(), []
-    output = output_of(*command, '-j', str(jobs), '--output-on-failure')
-    print(output, flush=True)
-    outcomes = ctest_outcomes(output)
-    names = [test['name'] for test in json.loads(listing)['tests']]
-    return count_ctest(output, listing, since), [name for name in names if outcomes.get(name, 'failed') == 'failed']
-
-
 def run_tests():
-    """(counts, names of the tests that failed) of all that was built."""
-    environment, ros = os.path.join(ROOT, 'scripts', 'env'), os.path.join(SPACE, 'build', 'tests', 'ros')
-    total, failed = Counts(), []
-    for base, setup in ((SPACE, environment), (ros, os.path.join(ros, 'install', 'setup.bash'))):
-        places = [os.path.dirname(path) for path in sorted(glob.glob(os.path.join(base, 'build', '*', 'CTestTestfile.cmake')))]
-        if not places:
-            failed.append(f'nothing is built in {base}')
-        for place in places:
-            # The host's packages test themselves in one master.
-            counts, names = run_ctest(place, setup, 1 if os.path.exists(os.path.join(ROOT, 'compat', os.path.basename(place)))
-                                      else os.cpu_count() or 1)
-            total, failed = total + counts, failed + names
-    return total, failed
+    """(counts, names of what failed) of all that can be built here."""
+    folders, failed = [], []
+    for build in (tests.build_package, tests.build_rostests):
+        try:
+            folders += build()
+        except tests.BuildFailed as fault:
+            print(fault, flush=True)
+            failed.append(build.__name__)
+    counts, names = tests.ctest(tests.configure_tree(folders), ['-LE', f'^({"|".join(ELSEWHERE)})$'])
+    return counts, failed + names
 
 
 def try_here():

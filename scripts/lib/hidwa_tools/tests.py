@@ -2,6 +2,7 @@
 """scripts/test, once everything needed is installed: builds, lets CTest run every test, and counts the cases."""
 import argparse
 import glob
+import json
 import os
 import shutil
 import subprocess
@@ -9,7 +10,7 @@ import sys
 import time
 
 from . import compilers, fuzz, long_forms, sanitize
-from .counting import Counts, count_ctest
+from .counting import Counts, count_ctest, ctest_outcomes
 from .places import DATA, ROOT, SPACE
 from .processes import end_on_signals, sourced
 
@@ -47,12 +48,6 @@ def step(text):
     print(f'==> {text}', flush=True)
 
 
-def werror():
-    """Whether warnings are errors, ON or OFF, as scripts/build has it."""
-    script = '. "$0"/scripts/lib/common.sh && hidwa_werror'
-    return subprocess.run(['bash', '-c', script, ROOT], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
-
-
 def installed(*command):
     """The command in the environment of what was built."""
     return sourced(os.path.join(ROOT, 'scripts', 'env'), *command)
@@ -68,16 +63,9 @@ def build_package():
 
 def build_rostests():
     """The packages of test/ros, upon what was installed: their build folders."""
-    space = os.path.join(WORK, 'ros')
-    os.makedirs(space, exist_ok=True)
-    paths = [os.path.dirname(path) for path in sorted(glob.glob(os.path.join(ROOT, 'test', 'ros', '*', 'package.xml')))]
-    # C++14, the default of GCC 9: a package with critics is lifted from it by this one.
-    run('ros', *installed(
-        'colcon', 'build', '--merge-install', '--executor', 'sequential', '--base-paths', *paths, '--cmake-args',
-        '-DCMAKE_CXX_FLAGS=-std=gnu++14', f'-DHIDWA_WERROR={werror()}', '-DCMAKE_BUILD_TYPE=Release',
-        '-DPYTHON_EXECUTABLE=/usr/bin/python3', '-DPython3_EXECUTABLE=/usr/bin/python3', '--no-warn-unused-cli'), cwd=space,
-        env={**os.environ, 'MAKEFLAGS': f'-j{CORES}'})  # else colcon has make compile one at a time where others work too
-    return sorted(glob.glob(os.path.join(space, 'build', 'hidwa_*')))
+    lines = 'set -euo pipefail; cd "$0"/scripts/lib; . ./common.sh; . ./packages.sh; . ./build.sh; hidwa_rostests'
+    run('ros', 'bash', '-c', lines, ROOT)
+    return sorted(glob.glob(os.path.join(WORK, 'ros', 'build', 'hidwa_*')))
 
 
 def configure_sanitized():
@@ -93,10 +81,11 @@ def configure_sanitized():
     return folder
 
 
-def configure_tree(folders, sanitized):
+def configure_tree(folders, sanitized=''):
     """All tests as one tree: its folder."""
     tree = os.path.join(WORK, 'whole')
-    run('whole', 'cmake', '-S', os.path.join(ROOT, 'test', 'whole'), '-B', tree, f'-DHIDWA_BUILDS={";".join([*folders, sanitized])}',
+    builds = ';'.join([*folders, *([sanitized] if sanitized else [])])
+    run('whole', 'cmake', '-S', os.path.join(ROOT, 'test', 'whole'), '-B', tree, f'-DHIDWA_BUILDS={builds}',
         f'-DHIDWA_SANITIZED={sanitized}')
     return tree
 
@@ -117,7 +106,8 @@ def build():
 
 
 def ctest(tree, options, own=False):
-    """Counts of the tests that the options of ctest choose. `own`: they need nothing that was installed."""
+    """Counts of the tests that the options of ctest choose, and the names of those that failed. `own`: they need nothing that was
+    installed."""
     def call(*words):
         command = ['ctest', *words, *options]
         return command if own else installed(*sourced(os.path.join(WORK, 'ros', 'install', 'setup.bash'), *command))
@@ -125,7 +115,9 @@ def ctest(tree, options, own=False):
     listing = run('list', *call('--show-only=json-v1'), cwd=tree, env=environment)
     since = time.time() - 1.0
     output = run('ctest', *call('-j', str(AT_ONCE), '--output-on-failure'), show=True, cwd=tree, env=environment)
-    return count_ctest(output, listing[listing.index('{'):], since)
+    listing, outcomes = listing[listing.index('{'):], ctest_outcomes(output)
+    failed = [test['name'] for test in json.loads(listing)['tests'] if outcomes.get(test['name'], 'failed') == 'failed']
+    return count_ctest(output, listing, since), failed
 
 
 def main(arguments=None):
@@ -152,7 +144,7 @@ def main(arguments=None):
     try:
         tree = os.path.join(WORK, 'whole') if options.no_build else build()
         chosen = ['-L', f'^({"|".join(options.names)})$'] if options.names else []
-        counts = ctest(tree, ['-LE', '^long$', *chosen])
+        counts, _ = ctest(tree, ['-LE', '^long$', *chosen])
     except BuildFailed as fault:
         print(fault)
         counts = Counts(failed=1)
