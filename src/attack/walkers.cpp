@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kClose = 1.0;            // of the moving robot: an encounter [m]
 constexpr double kIdle = 0.6;             // at a robot at rest; then somebody else comes [s]
+constexpr double kLingers = 4.0;          // likewise, who waits there for it to move off [s]
+constexpr double kCreeps = 0.16;          // its outermost point, where it leaves somebody [m/s]
+constexpr double kAdvances = 0.03;        // towards whom it leaves, at most [m/s]
 constexpr double kAppears = 3.0;          // from the robot's centre, at least [m]
 constexpr double kWidest = 0.4;           // the radius of the widest [m]
 constexpr double kLost = 3.0;             // so much farther away than that somebody else comes [m]
@@ -23,17 +26,23 @@ double length(const Spot& a) { return std::hypot(a.x, a.y); }
 Spot unit(const Spot& a) { return length(a) > 1e-12 ? a * (1.0 / length(a)) : Spot{1.0, 0.0}; }
 Spot capped(const Spot& a, double most) { return length(a) > most ? unit(a) * most : a; }
 
-// From a point to a polygon by its sides, negative inside.
-double to_polygon(const std::vector<Spot>& corners, const Spot& p) {
-  double least = 1e9;
+struct Nearest {
+  Spot at;
+  double away = 1e9;  // negative inside
+};
+
+// The place on a polygon's sides that is nearest to a point.
+Nearest nearest_on(const std::vector<Spot>& corners, const Spot& p) {
+  Nearest nearest;
   bool in = false;
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
     const Spot a = corners[j], b = corners[i], d = b - a, f = p - a;
     const double t = std::clamp((f.x * d.x + f.y * d.y) / (d.x * d.x + d.y * d.y), 0.0, 1.0);
-    least = std::min(least, length(f - d * t));
+    if (length(f - d * t) < nearest.away) nearest = {a + d * t, length(f - d * t)};
     if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) in = !in;
   }
-  return in ? -least : least;
+  if (in) nearest.away = -nearest.away;
+  return nearest;
 }
 
 }  // namespace
@@ -57,10 +66,29 @@ const Walker& Walkers::nearest() const {
 }
 
 double Walkers::gap(const Walker& walker) const {
+  const Spot own = seen(walker);
+  return (robot_.corners.empty() ? length(own) - robot_.radius : nearest_on(robot_.corners, own).away) - walker.radius;
+}
+
+// In the robot's frame.
+Spot Walkers::seen(const Walker& walker) const {
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
   const double x = walker.p.x - pose_.x, y = walker.p.y - pose_.y;
-  const Spot own{c * x + s * y, -s * x + c * y};
-  return (robot_.corners.empty() ? length(own) - robot_.radius : to_polygon(robot_.corners, own)) - walker.radius;
+  return {c * x + s * y, -s * x + c * y};
+}
+
+// How fast the place of the robot's edge that is nearest to a walker moves towards him [m/s].
+double Walkers::advance(const Walker& walker) const {
+  const Spot own = seen(walker);
+  const Spot at = robot_.corners.empty() ? unit(own) * robot_.radius : nearest_on(robot_.corners, own).at;
+  const Spot to = unit(own - at);
+  return (velocity_.v - velocity_.omega * at.y) * to.x + velocity_.omega * at.x * to.y;
+}
+
+// As docs/safety.md allows it: he has stood at the robot for a second since it rested (an estimate may be old), it
+// creeps, and does not move into him.
+bool Walkers::is_left(const Walker& walker) const {
+  return walker.stood >= 1.0 - bounds_.oldest && speed_of_edge() <= kCreeps && advance(walker) <= kAdvances;
 }
 
 // Out of sight of what the robot does until it rests.
@@ -71,8 +99,11 @@ void Walkers::place(Walker& walker) {
   fresh.p = robot + anywhere(appears() + random_.in(0.0, 1.5));
   fresh.v = capped({random_.in(-1.0, 1.0), random_.in(-1.0, 1.0)}, bounds_.speed);
   fresh.radius = random_.in(0.15, kWidest);
-  fresh.way = random_.of(
-      {Walker::Way::chase, Walker::Way::intercept, Walker::Way::pounce, Walker::Way::wait, Walker::Way::cut});
+  fresh.way = random_.chance(bounds_.lingering)
+                  ? Walker::Way::linger
+                  : random_.of({Walker::Way::chase, Walker::Way::intercept, Walker::Way::pounce, Walker::Way::wait,
+                                Walker::Way::cut});
+  fresh.nearest = random_.in(0.0, 0.12);
   fresh.stroll = unit(robot - fresh.p) * random_.in(0.3, bounds_.speed);
   walker = fresh;
 }
@@ -126,6 +157,9 @@ Spot Walkers::wish_of(const Walker& walker) const {
       return gap(walker) > 0.8 ? Spot{} : unit(to + drives * 0.2) * bounds_.speed;
     case Walker::Way::cut:
       return (robot + unit(drives) * (outermost_ + walker.radius + 0.25) - walker.p) * 3.0;
+    case Walker::Way::linger:  // stands at it for a second; once it moves then, goes for where it moves to
+      if (walker.steps_in) return unit(to + drives * 2.0) * bounds_.speed;
+      return unit(to) * std::sqrt(bounds_.acc * std::max(0.0, gap(walker) - walker.nearest));
   }
   return {};
 }
@@ -145,18 +179,23 @@ void Walkers::look() {
   const double band = 6.0 * (bounds_.position_error + bounds_.oldest * bounds_.velocity_error) + 0.05;
   for (Walker& walker : walkers_) {
     const double apart = gap(walker);
-    if (!moves) walker.stood_at_start = apart < band;
-    if (moves && apart > band) walker.stood_at_start = false;
+    const bool stands = apart < band && (!moves || walker.stood > 0.0);
+    walker.stood = stands ? walker.stood + kStep : 0.0;
+    walker.steps_in = stands && (walker.steps_in || (moves && walker.stood > 1.0));
     if (apart <= kClose && moves && !walker.close) ++encounters_.met;
     walker.close = (walker.close || moves) && apart <= kClose;
     if (apart <= 0.0 && !walker.touches) {
       if (!moves) ++encounters_.at_rest;
-      if (moves) ++(walker.stood_at_start ? encounters_.leaving : encounters_.moving);
+      if (moves) {
+        ++(is_left(walker) ? encounters_.leaving : encounters_.moving);
+        encounters_.fastest = std::max(encounters_.fastest, speed_of_edge());
+      }
     }
     // Who touches a robot at rest touches it still when it sets off: counted once.
     walker.touches = apart <= 0.0;
     walker.idle = apart <= 0.5 && !moves ? walker.idle + kStep : 0.0;
-    if (walker.idle > kIdle || walker.touches || apart > appears() + kLost) place(walker);
+    const double patience = walker.way == Walker::Way::linger ? kLingers : kIdle;
+    if (walker.idle > patience || walker.touches || apart > appears() + kLost) place(walker);
   }
 }
 

@@ -25,6 +25,7 @@ struct Bounds {
   double position_error = 0.03, velocity_error = 0.1;  // a third of the largest error [m, m/s]
   double oldest = 0.15;                                // age of an estimate [s]
   double told_errors = 1.0;                            // times the errors: what the planner is told of them
+  double lingering = 1.0 / 6.0;                        // the share of those who linger at the robot
   double appear = 0.0;  // nobody appears nearer to the robot's edge [m], and 3 m from its centre
 };
 
@@ -32,18 +33,22 @@ struct Bounds {
 struct Encounters {
   std::uint64_t met = 0;      // a walker comes within 1 m of the moving robot
   std::uint64_t moving = 0;   // touched while the robot moved
-  std::uint64_t leaving = 0;  // likewise, by one whom the robot was leaving: who stood at it when it set off
+  std::uint64_t leaving = 0;  // likewise, by one whom the robot was leaving, as safety.md allows it
+  double fastest = 0.0;       // of the robot's outermost point, at all these touches [m/s]
   std::uint64_t at_rest = 0;  // touched at rest
 };
 
 struct Walker {
-  enum class Way { chase, intercept, pounce, wait, cut };
+  enum class Way { chase, intercept, pounce, wait, cut, linger };
   std::uint32_t id = 0;
   Spot p, v;  // [m, m/s]
   double radius = 0.3;
   Way way = Way::chase;
-  bool close = false, touches = false, stood_at_start = false;
+  bool close = false, touches = false;
+  double stood = 0.0;                    // at the robot, since it rested [s]
   double idle = 0.0;                     // near a robot at rest [s]
+  bool steps_in = false;                 // one who lingers does
+  double nearest = 0.0;                  // so near one who lingers comes to a robot at rest [m]
   Spot stroll;                           // its velocity until it attacks [m/s]
   std::deque<std::array<Spot, 2>> past;  // places and velocities, one a step, newest first
 };
@@ -74,6 +79,9 @@ class Walkers {
   Spot wish_of(const Walker& walker) const;
   void move(Walker& walker);
   void look();
+  Spot seen(const Walker& walker) const;
+  bool is_left(const Walker& walker) const;
+  double advance(const Walker& walker) const;
   double error(double third);
   Spot anywhere(double length);
 

@@ -30,6 +30,7 @@ struct Bounds : hidwa_attack::Bounds {
   double told_acc = 1.5, told_speed = 1.8;  // what the planner is told
   double told_deviations = 3.0;             // so many count
   double base_latency = 0.1;                // [s]; the planner is told 0.1
+  int count = 4;                            // of walkers
 };
 
 enum class Who { nobody, hostile, manual };
@@ -43,7 +44,11 @@ struct Count {
 class World {
  public:
   World(std::uint64_t seed, Who who, const Bounds& bounds)
-      : random_(seed), who_(who), bounds_(bounds), shape_(set_up()), walkers_(4, bounds, shape_, {}, random_.bits()) {
+      : random_(seed),
+        who_(who),
+        bounds_(bounds),
+        shape_(set_up()),
+        walkers_(bounds.count, bounds, shape_, {}, random_.bits()) {
     turn_goal();
   }
 
@@ -186,7 +191,8 @@ class World {
 
 inline Count operator+(const Count& a, const Count& b) {
   const Encounters &x = a.encounters, &y = b.encounters;
-  return {{x.met + y.met, x.moving + y.moving, x.leaving + y.leaving, x.at_rest + y.at_rest},
+  return {{x.met + y.met, x.moving + y.moving, x.leaving + y.leaving, std::max(x.fastest, y.fastest),
+           x.at_rest + y.at_rest},
           a.driven + b.driven,
           a.time + b.time,
           a.refused + b.refused};

@@ -24,11 +24,11 @@ bool table = false;
 Count campaign(const char* what, Who who, const Bounds& bounds) {
   Count all;
   for (std::uint64_t seed = 1; seed <= drives; ++seed) all = all + World(seed, who, bounds).run(30.0);
-  std::printf("%-34s %6llu encounters, touched moving %llu, leaving %llu, at rest %llu; %.0f m in %.0f s\n", what,
-              static_cast<unsigned long long>(all.encounters.met),
-              static_cast<unsigned long long>(all.encounters.moving),
-              static_cast<unsigned long long>(all.encounters.leaving),
-              static_cast<unsigned long long>(all.encounters.at_rest), all.driven, all.time);
+  std::printf(
+      "%-34s %6llu encounters, touched moving %llu, leaving %llu, at %.3f m/s, at rest %llu; %.0f m in %.0f s\n", what,
+      static_cast<unsigned long long>(all.encounters.met), static_cast<unsigned long long>(all.encounters.moving),
+      static_cast<unsigned long long>(all.encounters.leaving), all.encounters.fastest,
+      static_cast<unsigned long long>(all.encounters.at_rest), all.driven, all.time);
   return all;
 }
 
@@ -50,6 +50,20 @@ TEST(WalkerAttack, NeverTouchedWhileItMovesWhereEverythingIsKnown) {
   Bounds exact;
   exact.position_error = exact.velocity_error = exact.oldest = 0.0;
   expect_untouched("hostile, shared, exact states", Who::hostile, exact);
+}
+
+// A robot that leaves somebody creeps, and does not move into him. It leaves him where his states are known well: they
+// must say that he stands.
+TEST(WalkerAttack, WhoLingersIsLeftAsSafetyAllows) {
+  for (const Who who : {Who::nobody, Who::hostile}) {
+    Bounds lingering;
+    lingering.lingering = 1.0;
+    lingering.count = 2;
+    lingering.position_error = lingering.velocity_error = lingering.oldest = 0.0;
+    const Count all = campaign("lingering", who, lingering);
+    EXPECT_EQ(all.encounters.moving, 0U);
+    EXPECT_GT(all.encounters.met, 2 * drives);
+  }
 }
 
 // Errors of up to one deviation, of which one counts.

@@ -25,6 +25,9 @@ constexpr double kRounding = 1e-6;
 constexpr double kStands = 0.3;
 constexpr double kLeavesAt = 0.15;
 
+// No place of its outline that may be touched then moves outwards faster [m/s].
+constexpr double kAdvances = 0.02;
+
 // Memory is kept for so many at once.
 constexpr std::size_t kUsualMovers = 256;
 
@@ -60,6 +63,13 @@ Twist2 fastest_of(const PendingMotion& pending) {
     fastest = {std::max(fastest.v, std::abs(leg.end.v)), std::max(fastest.omega, std::abs(leg.end.omega))};
   }
   return fastest;
+}
+
+VelocityRange velocities_of(const PendingMotion& pending) {
+  VelocityRange range;
+  range.include(pending.begin());
+  for (const PendingMotion::Leg& leg : pending.legs()) range.include(leg.end);
+  return range;
 }
 
 // From a point to where something goes straight on from `from` [m].
@@ -270,6 +280,7 @@ bool MoverCheck::lead_free(const BrakeManoeuvre& manoeuvre, const Look& look, Le
   lead.progress.clear_until.assign(near_.size(), -1.0);
   lead.progress.pose = past.at();
   lead.progress.time = -1.0;
+  lead.progress.velocities = velocities_of(manoeuvre.pending);
   lead.free = roller.roll_on(manoeuvre.pending, [&](const TurnedPose&) { return free_at(roller, 0.0, lead.progress); });
   return lead.free;
 }
@@ -280,7 +291,14 @@ bool MoverCheck::rolls_free(const BrakeManoeuvre& manoeuvre, const Look& look, d
   progress_.clear_until = lead.progress.clear_until;
   progress_.pose = lead.progress.pose;
   progress_.time = lead.progress.time;
+  progress_.velocities = lead.progress.velocities;
+  progress_.velocities.include(manoeuvre.command);
   return roller.roll_to_rest(manoeuvre, [&](const TurnedPose&) { return free_at(roller, elsewhere, progress_); });
+}
+
+// What lies between two poses [s].
+double MoverCheck::allowance(const ManoeuvreRoller& roller) {
+  return std::min(0.5 * roller.step().duration, 0.5 * kShortStep);
 }
 
 // The pose that the roller has come to, and where it stood before, the one that it has left.
@@ -293,6 +311,8 @@ bool MoverCheck::free_at(const ManoeuvreRoller& roller, double elsewhere, Progre
     if (!near.leaves) continue;
     const bool creeps = roller.step().fastest <= kLeavesAt;
     if (!creeps || !leads_away(near, progress.pose, roller.at(), roller.time(), roller.step().duration)) return false;
+    const double grown = roller.drift() + elsewhere + allowance(roller) * (roller.step().fastest + near.set.fastest());
+    if (meets(near, roller.at(), roller.time(), grown, progress.velocities)) return false;
   }
   progress.pose = roller.at();
   progress.time = roller.time();
@@ -301,8 +321,7 @@ bool MoverCheck::free_at(const ManoeuvreRoller& roller, double elsewhere, Progre
 
 bool MoverCheck::free_at(const TurnedPose& at, double time, const ManoeuvreRoller& roller, double elsewhere,
                          Progress& progress) const {
-  const double half = 0.5 * roller.step().duration;
-  const double allowed = std::min(half, 0.5 * kShortStep);
+  const double half = 0.5 * roller.step().duration, allowed = allowance(roller);
   const double robot = roller.drift() + elsewhere + allowed * roller.step().fastest;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     const Near& near = near_[i];
@@ -334,6 +353,16 @@ bool MoverCheck::leads_away(const Near& near, const TurnedPose& from, const Turn
                             double step) const {
   const double before = footprint_->distance_to(seen_from(from, near.set.centre(time - step)));
   return footprint_->distance_to(seen_from(to, near.set.centre(time))) > before;
+}
+
+// Whether a place of the outline that may move outwards is in both discs, both larger by `grown` [m].
+bool MoverCheck::meets(const Near& near, const TurnedPose& at, double time, double grown,
+                       const VelocityRange& velocities) const {
+  const auto within = [&](const Point& centre, double radius) {
+    return advances_near(*footprint_, velocities, kAdvances, seen_from(at, centre), radius + grown);
+  };
+  return within(near.set.centre(time), near.set.radius(time)) &&
+         within(near.set.position(), near.set.speed_radius(time));
 }
 
 }  // namespace hidwa_local_planner

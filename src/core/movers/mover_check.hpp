@@ -8,8 +8,9 @@
 //    times the obstacle's fastest and the robot's own speed: so what lies between two poses is covered, too.
 // 4. What is too far away at one time need not be looked at again until both could have met.
 // 5. Where a set is around the robot already when it begins to drive, the robot may leave: the distance from the
-//    outline to where the obstacle is expected grows at every step (Leaving). It creeps, and leaves only what has stood
-//    there for a while: who walks past is soon gone.
+//    outline to where the obstacle is expected grows at every step (Leaving), and no place of the outline that it may
+//    reach until rest moves outwards but very slowly (advances_near()). So the robot never moves into what it leaves.
+//    It creeps, and leaves only what has stood there for a while: who walks past is soon gone.
 // 6. Commands differ little from their neighbours in the dynamic window. So it is cut into a few parts, and the command
 //    in the middle of each is looked at first, with an allowance for all others of its part: where it is free, they
 //    are. What the allowance is made of: see part_margin().
@@ -33,6 +34,7 @@
 #include "core/motion/late_cycles.hpp"
 #include "core/motion/pending_motion_set.hpp"
 #include "core/motion/velocity_limits.hpp"
+#include "core/movers/advance.hpp"
 #include "core/movers/leaving.hpp"
 #include "core/movers/reachable_set.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
@@ -87,6 +89,7 @@ class MoverCheck {
     std::vector<double> clear_until;  // [near] not touched before [s]
     TurnedPose pose;                  // the last one
     double time = -1.0;               // then; negative before the first [s]
+    VelocityRange velocities;         // of all of the manoeuvre
   };
   struct Lead {
     std::optional<ManoeuvreRoller> roller;
@@ -128,11 +131,13 @@ class MoverCheck {
   bool clear_of_all(const TurnedPose& at, double time, double margin) const;
   bool lead_free(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead);
   bool rolls_free(const BrakeManoeuvre& manoeuvre, const Look& look, double elsewhere, Lead& lead);
+  static double allowance(const ManoeuvreRoller& roller);
   bool free_at(const ManoeuvreRoller& roller, double elsewhere, Progress& progress) const;
   bool free_at(const TurnedPose& at, double time, const ManoeuvreRoller& roller, double elsewhere,
                Progress& progress) const;
   bool clear(const Near& near, const TurnedPose& at, double time, double grown, double& clear_until) const;
   bool leads_away(const Near& near, const TurnedPose& from, const TurnedPose& to, double time, double step) const;
+  bool meets(const Near& near, const TurnedPose& at, double time, double grown, const VelocityRange& velocities) const;
 
   const VelocityLimits* limits_ = nullptr;
   const Footprint* footprint_ = nullptr;

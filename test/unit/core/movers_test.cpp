@@ -12,6 +12,7 @@
 #include "core/movers/mover_check.hpp"
 #include "core/movers/reachable_set.hpp"
 #include "core/search/search_task.hpp"
+#include "support/naive_advance.hpp"
 #include "support/naive_inflation.hpp"
 #include "support/planner_bench.hpp"
 #include "support/random.hpp"
@@ -351,6 +352,55 @@ TEST(AmongMovers, ARobotAtRestLeavesWhoStandsAtItAndNeverDrivesTowardsHim) {
   EXPECT_GT(fastest_near, 0.0);
   EXPECT_LE(fastest_near, 0.15 + 1e-9);
   EXPECT_LT(back.scene().situation.pose.x, -0.3);
+}
+
+TEST(AdvancesNear, AgreesWithASlowTwin) {
+  const Footprint bodies[] = {Footprint({}, 0.25), Footprint({{0.6, 0.25}, {-0.1, 0.25}, {-0.1, -0.25}, {0.6, -0.25}}),
+                              Footprint({{0.3, -0.2}, {0.3, 0.2}, {0.0, 0.2}, {0.0, 0.0}, {-0.3, 0.0}, {-0.3, -0.2}})};
+  Random random(17);
+  int none = 0, compared = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const Footprint& body = bodies[k % 3];
+    VelocityRange u;
+    if (random.chance(0.7)) u.include({random.uniform(-0.15, 0.15), 0.0});
+    if (random.chance(0.7)) u.include({0.0, random.uniform(-0.4, 0.4)});
+    const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.3, 1.2);
+    const Point point(away * std::cos(angle), away * std::sin(angle));
+    if (body.distance_to(point) <= 0.0) continue;
+    const double apart = 1e-3;  // [m]
+    const double least = test::naive_distance_to_advancing(body, u, 0.02, point, apart);
+    if (std::isinf(least)) {
+      EXPECT_FALSE(advances_near(body, u, 0.02, point, 3.0)) << k;
+      ++none;
+      continue;
+    }
+    // Places that are `apart` from each other find it to within 1.5 times that.
+    EXPECT_TRUE(advances_near(body, u, 0.02, point, least + 1.5 * apart)) << k;
+    EXPECT_FALSE(advances_near(body, u, 0.02, point, least - 1.5 * apart)) << k;
+    ++compared;
+  }
+  EXPECT_GT(none, 200);
+  EXPECT_GT(compared, 1500);
+}
+
+// He stands 1 cm from the left rear corner of a robot that is to turn left: then its rear would move into where he may
+// step. It may drive straight on.
+TEST(AmongMovers, ARobotThatLeavesNeverMovesIntoWhereHeMayStep) {
+  // hypot(0.43 - 0.21, 0.43 - 0.21) - 0.3 = 0.011 m, with 0.01 m of padding.
+  Scene scene = among({mover_at(-0.43, 0.43)}, 0.0);
+  scene.steer({0.5, 0.8});
+  PlannerBench bench(scene);
+  double turned = 0.0;
+  int moved = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Situation& s = bench.scene().situation;
+    const bool near = std::hypot(s.pose.x + 0.43, s.pose.y - 0.43) < 0.63;  // 0.61 m at first
+    const Twist2 u = bench.drive().command;
+    moved += near && u.v > 0.0;
+    if (near) turned = std::max(turned, u.omega);
+  }
+  EXPECT_GT(moved, 0);
+  EXPECT_LT(turned, 0.1);  // 0.02 m/s at the end of a lever of 0.2 m
 }
 
 // He is soon past, and may turn towards it.
