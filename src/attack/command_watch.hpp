@@ -24,14 +24,17 @@ class CommandWatch {
     worst_.v = std::max(worst_.v, v);
     worst_.omega = std::max(worst_.omega, omega);
   }
-  /// A command may be as far from what lies between the last command and the velocity that was read as the larger
-  /// acceleration limit allows within the longest period of late [s].
+  /// A command may be as far from the last one as the larger acceleration limit allows within the longest period of
+  /// late [s]. Where the planner may start from odometry, it may be so far from what lies between that and the last
+  /// command.
   void judge_acceleration(const Parameters& in_force, double longest, const Twist2& last, const Twist2& reading,
                           const Twist2& command) {
     const double x = longest * std::max(in_force.acc_lim_x, braking_x(in_force));
     const double theta = longest * std::max(in_force.acc_lim_theta, braking_theta(in_force));
-    if (outside(command.v, last.v, reading.v) > x + kRounding ||
-        outside(command.omega, last.omega, reading.omega) > theta + kRounding)
+    const bool reads = in_force.velocity_reference == hidwa_local_planner::VelocityReference::odometry;
+    const Twist2 other = reads ? reading : last;
+    if (outside(command.v, last.v, other.v) > x + kRounding ||
+        outside(command.omega, last.omega, other.omega) > theta + kRounding)
       ++hard_;
   }
   int count() const { return count_; }            // of commands beyond the bound

@@ -190,6 +190,11 @@ std::vector<Condition> sensing() {
       {"odometry_noisy", true, "5 % off", [](Spec& s, Random&) { s.odometry = Odometry::noisy; }},
       {"odometry_outliers", true, "1 % up to 10 m/s and 20 rad/s",
        [](Spec& s, Random&) { s.odometry = Odometry::outliers; }},
+      {"odometry_slips", true, "2 % zero, of the other sign, or a part of the true one, up to two in a row",
+       [](Spec& s, Random& r) {
+         s.odometry = Odometry::slips;
+         s.parameters.sim_time = r.of({0.2, 0.8, 1.85});
+       }},
       {"odometry_delayed", true, "late by the latency",
        [](Spec& s, Random& r) {
          latency(s, r.of({100, 300}));

@@ -12,6 +12,8 @@ std::optional<Twist2> Sensors::odometry(int now) {
       return noisy(true_one);
     case Odometry::outliers:
       return outlier(true_one);
+    case Odometry::slips:
+      return slipped(true_one);
     case Odometry::delayed:
       return at(spec_.latency).velocity;
     case Odometry::silent:
@@ -38,6 +40,20 @@ Twist2 Sensors::outlier(const Twist2& true_one) {
   if ((which & 1) != 0) reading.v = random_.in(-10.0, 10.0);
   if ((which & 2) != 0) reading.omega = random_.in(-20.0, 20.0);
   return reading;
+}
+
+// One reading, or two in a row: three are believed.
+Twist2 Sensors::slipped(const Twist2& true_one) {
+  if (wrong_ == 0 && right_ > 0 && random_.chance(0.02)) wrong_ = random_.whole(1, 2);
+  if (wrong_ == 0) {
+    ++right_;
+    return true_one;
+  }
+  --wrong_;
+  right_ = 0;
+  const int which = random_.whole(1, 3);
+  const double share = random_.of({0.0, -1.0, random_.in(-1.0, 1.0)});
+  return {((which & 1) != 0 ? share : 1.0) * true_one.v, ((which & 2) != 0 ? share : 1.0) * true_one.omega};
 }
 
 bool Sensors::flickers() {

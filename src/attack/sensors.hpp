@@ -36,6 +36,7 @@ class Sensors {
   }
   Twist2 noisy(const Twist2& true_one);
   Twist2 outlier(const Twist2& true_one);
+  Twist2 slipped(const Twist2& true_one);
   bool silent(int now);
   bool flickers();
 
@@ -45,6 +46,7 @@ class Sensors {
   std::deque<Moment> truth_;
   int silent_until_ = 0, dead_from_ = 0;  // [ms]
   int silent_cycles_ = 0;                 // that are left
+  int wrong_ = 0, right_ = 0;             // readings: wrong ones that are left, right ones in a row
 };
 
 }  // namespace hidwa_attack

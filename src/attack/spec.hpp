@@ -18,6 +18,7 @@ enum class Odometry {
   exact,
   noisy,     // some per cent off
   outliers,  // 1 % of the readings are up to 10 m/s and 20 rad/s
+  slips,     // 2 % of the readings are zero, of the other sign, or a part of the true one
   delayed,   // by the base's latency
   silent,    // for 0.3 to 1.5 s, now and then
   flickers,  // silent for one to three cycles, again and again

@@ -175,6 +175,7 @@ void ControlLoop::take_situation(const Observation& observation) {
   take_what_was_sent(observation.timing);
   situation_.pose = observation.pose;
   situation_.velocity = *observation.velocity;
+  situation_.velocity_time = observation.velocity_time;
   situation_.goal = observation.from_plan.apply(goal_);
   situation_.pose_age = observation.pose_age;
   situation_.moving_obstacles = observation.moving_obstacles;

@@ -52,7 +52,7 @@ std::optional<Twist2> OdometryInput::settled(double now, double timeout, const P
     const Newest& reading = readings[i % kReadings];
     const auto judge = [&](double Twist2::*axis, AxisBelief& own, const AxisLimits& axis_limits) {
       const OdometryReading said =
-          own.judge(reading.received, (*reading.velocity).*axis, {}, tolerance.*axis, axis_limits);
+          own.judge(reading.received, reading.received, (*reading.velocity).*axis, {}, tolerance.*axis, axis_limits);
       settled.*axis = said == OdometryReading::faster ? own.believed() : (*reading.velocity).*axis;
       return said != OdometryReading::doubted;
     };
@@ -64,11 +64,11 @@ std::optional<Twist2> OdometryInput::settled(double now, double timeout, const P
 
 OdometryInput::Reading OdometryInput::read(double now, double timeout) const {
   const Newest newest = this->newest();
-  if (!newest.velocity) return {std::nullopt, "no odometry on " + topic() + " yet: check odom_topic"};
+  if (!newest.velocity) return {std::nullopt, 0.0, "no odometry on " + topic() + " yet: check odom_topic"};
   double age = now - newest.received;
   if (newest.stamp > 0.0) age = std::max(age, now - newest.stamp);
-  if (age <= timeout) return {newest.velocity, ""};
-  return {std::nullopt, "odometry on " + topic() + format(" is %.2f s old (odom_timeout %.2f s)", age, timeout)};
+  if (age <= timeout) return {newest.velocity, newest.received, ""};
+  return {std::nullopt, 0.0, "odometry on " + topic() + format(" is %.2f s old (odom_timeout %.2f s)", age, timeout)};
 }
 
 void OdometryInput::forget() {

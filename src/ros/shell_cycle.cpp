@@ -151,6 +151,7 @@ Shell::Observation Shell::observe(const control::Timing& timing) {
   observation.timing = timing;
   OdometryInput::Reading odometry = odometry_.read(timing.now, loop_.parameters().odom_timeout);
   observation.velocity = odometry.velocity;
+  observation.velocity_time = odometry.received;
   const auto lacks = [&observation](Missing what, std::string fault) {
     if (!fault.empty()) observation.missing = what;
     observation.fault = std::move(fault);
@@ -233,8 +234,8 @@ void Shell::watch_odometry(const Observation& observation, const Decision& decis
   if (decision.odometry_doubted) ++doubted_;
   const Twist2& u = *observation.velocity;
   ROS_WARN_THROTTLE(2.0,
-                    "%s: odometry says %.2f m/s, %.2f rad/s, faster than the commands explain: %s (%lu readings were "
-                    "doubted so far); check the odometry, and whether something else pushes or drives the robot",
+                    "%s: odometry says %.2f m/s, %.2f rad/s, which the commands do not explain: %s (%lu readings were "
+                    "doubted so far); check the odometry, and whether something else pushes, holds or drives the robot",
                     name_.c_str(), u.v, u.omega,
                     decision.odometry_fast ? "it lasts, so the collision check believes it" : "it is not believed",
                     static_cast<unsigned long>(doubted_));

@@ -32,18 +32,18 @@ def within(start, end, limits, span):
     return abs(end - start) <= most * span + EPSILON
 
 
-def changes_beyond(steps, limits, period, jumps=False):
+def changes_beyond(steps, limits, period):
     """Each change of one axis' command that the limits do not allow, in words.
 
-    From one cycle to the next a command may change by limit x the time between them, at least a period. With `jumps` odometry was
-    disturbed: a cycle may start from what odometry says, and is measured from there too; so it may after a pause.
+    From one cycle to the next a command may change by limit x the time between them, at least a period. After a pause, or where
+    time went back, it may also start from the reference.
     """
     found = []
     for before, now in zip(steps, steps[1:]):
         gap = now.time - before.time
         span = min(max(period, gap), PAUSE)
         starts = [before.velocity]
-        if gap < 0.0 or gap > PAUSE or jumps:
+        if gap < 0.0 or gap > PAUSE:
             starts.append(now.reference)
         if not any(within(start, now.velocity, limits, span) for start in starts):
             found.append(f'at {now.time:.3f} s: {before.velocity:.4f} -> {now.velocity:.4f} within {gap:.3f} s ({now.outcome})')
@@ -120,7 +120,7 @@ class CommandWatch:
                    and (abs(before[0]) > self.x.deceleration * most or abs(before[1]) > self.theta.deceleration * most)
                    for before, after in zip(commands, commands[1:]))
 
-    def faults(self, jumps=False):
+    def faults(self):
         """All that is wrong with what was sent since begin(), in words."""
         with self._lock:
             commands, cycles = list(self._commands), list(self._cycles)
@@ -129,7 +129,7 @@ class CommandWatch:
         found += [f'sideways {c[2]}' for c in commands if c[2] != 0.0]
         for name, limits, part in (('v', self.x, lambda t: t.linear.x), ('omega', self.theta, lambda t: t.angular.z)):
             steps = [Step(c.header.stamp.to_sec(), part(c.command), part(c.reference), c.outcome_name) for c in cycles]
-            found += [f'{name} {text}' for text in changes_beyond(steps, limits, self.period, jumps)]
+            found += [f'{name} {text}' for text in changes_beyond(steps, limits, self.period)]
         own = {(c.command.linear.x, c.command.angular.z) for c in cycles} | {(0.0, 0.0)}
         # The first ones may belong to a cycle before begin().
         found += [f'{c} is no command of the planner' for c in commands[2:-2] if c[:2] not in own]

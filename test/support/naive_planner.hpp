@@ -36,9 +36,10 @@ inline NaiveBody naive_body(const Scene& scene) {
 /// what is believed.
 inline Scene naive_led_on(Scene scene, const NaiveReference& reference) {
   NaiveTrail trail(scene.situation.pose, naive_outer_radius(naive_body(scene)));
-  trail.follow(reference.ways().back().past, 0.01);
+  trail.follow(reference.likeliest().past, 0.01);
   scene.situation.pose = trail.pose();
   scene.situation.velocity = reference.believed();
+  scene.parameters = reference.limited();
   return scene;
 }
 

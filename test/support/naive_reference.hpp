@@ -80,18 +80,6 @@ class NaiveHistory {
     return all;
   }
 
-  /// The last command; but the velocity that the base has by then where the limits take half a period too long for it.
-  Twist2 next_start() const {
-    const std::size_t last = effects_.list().size() - 1;
-    const Twist2 from = effects_.from(last), to = effects_.list()[last].command;
-    const Twist2 reached = effects_.velocity(p_.control_latency);
-    const auto in_time = [](const NaiveAxis& axis, double a, double b) {
-      return naive_needed(axis, a, b) <= 1.5 * axis.period;
-    };
-    return {in_time(effects_.x(), from.v, to.v) ? to.v : reached.v,
-            in_time(effects_.theta(), from.omega, to.omega) ? to.omega : reached.omega};
-  }
-
  private:
   Parameters p_;
   NaiveCycle now_;
@@ -105,7 +93,7 @@ class NaiveBelief {
   /// another.
   struct Reading {
     double time, measured;
-    bool fast;
+    bool fast, slow;
     double change, fastest_change;
   };
 
@@ -119,6 +107,19 @@ class NaiveBelief {
   bool sure() const { return readings_.back().fast && (trusted_.back() || last_trusted(readings_.size() - 1) >= 0); }
   double believed() const {
     return trusted_.back() ? readings_.back().measured : readings_[at(last_trusted(readings_.size() - 1))].measured;
+  }
+
+  /// The last three readings or more are slow, and each follows the one before it. One that is found again at the same
+  /// time is no other.
+  bool held() const {
+    std::vector<std::size_t> run;
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const bool again = !run.empty() && readings_[k].time == readings_[run.back()].time;
+      if (readings_[k].slow && again) continue;
+      if (!readings_[k].slow || (!run.empty() && !follows(k, run.back()))) run.clear();
+      if (readings_[k].slow) run.push_back(k);
+    }
+    return run.size() >= 3;
   }
 
  private:
@@ -153,7 +154,7 @@ class NaiveReference {
       : p_(p),
         cycles_(cycles),
         history_(p, cycles),
-        reference_(history_.next_start()),
+        reference_(cycles.back().last_command),
         believed_(cycles.back().measured) {
     const double age = cycles.back().pose_age, latency = p.control_latency;
     ways_.push_back(naive_outlook(history_.effects(), age, latency));
@@ -172,6 +173,16 @@ class NaiveReference {
   bool fast() const { return fast_; }
   /// The first as the commands say; where odometry says otherwise, also as it says.
   const std::vector<NaiveOutlook>& ways() const { return ways_; }
+  /// That one of them along which an old pose is led on.
+  const NaiveOutlook& likeliest() const { return ways_[likeliest_]; }
+  /// The limits of this cycle: while something holds the robot, nothing faster than what could have started from there.
+  Parameters limited() const {
+    Parameters p = p_;
+    p.max_vel_x = std::max(p.min_vel_x, std::min(p.max_vel_x, most_.v));
+    p.min_vel_x = std::min(p.max_vel_x, std::max(p.min_vel_x, -most_.v));
+    p.max_vel_theta = std::min(p.max_vel_theta, most_.omega);
+    return p;
+  }
   /// For those who want to be sure: a base that is quicker than the latency says.
   const std::vector<NaiveOutlook>& unlikely_ways() const { return unlikely_; }
 
@@ -180,22 +191,26 @@ class NaiveReference {
     const double measured = cycles_.back().measured.*axis, last = cycles_.back().last_command.*axis;
     const bool is_v = axis == &Twist2::v;
     const NaiveExplained explained = history_.explained(axis);
-    const double highest = is_v ? p_.max_vel_x : p_.max_vel_theta, lowest = is_v ? p_.min_vel_x : -p_.max_vel_theta;
     if (explained.fast(measured)) {
       const NaiveBelief belief = beliefs(axis);
       believed_.*axis = belief.sure() ? belief.believed() : last;
-      reference_.*axis = last;
       (belief.sure() ? fast_ : doubted_) = true;
-      if (belief.sure()) go_otherwise(axis);
-    } else if (!explained.agrees(measured) || p_.velocity_reference == VelocityReference::odometry) {
-      reference_.*axis = measured;
-      go_otherwise(axis);
-    } else {  // what it has reached is between what was sent and what is measured
-      reference_.*axis = std::max(std::min(last, measured), std::min(reference_.*axis, std::max(last, measured)));
+      if (belief.sure()) go_otherwise(axis, believed_.*axis, true);
+    } else if (!explained.agrees(measured)) {
+      const bool held = beliefs(axis).held();
+      if (held) {
+        most_.*axis = std::abs(measured) + cycles_.back().period * (is_v ? p_.acc_lim_x : p_.acc_lim_theta);
+      } else {
+        believed_.*axis = last;
+        doubted_ = true;
+      }
+      go_otherwise(axis, measured, held);
+    } else if (p_.velocity_reference == VelocityReference::odometry) {
+      // No start is beyond both the limits and the last command.
+      const double highest = is_v ? p_.max_vel_x : p_.max_vel_theta, lowest = is_v ? p_.min_vel_x : -p_.max_vel_theta;
+      reference_.*axis = std::max(std::min({lowest, last, 0.0}), std::min(measured, std::max({highest, last, 0.0})));
+      go_otherwise(axis, measured, true);
     }
-    // No start is beyond both the limits and the last command.
-    reference_.*axis = std::min(reference_.*axis, std::max({highest, last, 0.0}));
-    reference_.*axis = std::max(reference_.*axis, std::min({lowest, last, 0.0}));
   }
   NaiveBelief beliefs(double Twist2::*axis) const {
     std::vector<NaiveBelief::Reading> readings;
@@ -205,13 +220,16 @@ class NaiveReference {
       const NaiveHistory then(p_, {cycles_.begin(), cycles_.begin() + static_cast<std::ptrdiff_t>(k) + 1});
       const NaiveExplained explained = then.explained(axis);
       const double measured = cycles_[k].measured.*axis;
-      readings.push_back({cycles_[k].time, measured, explained.fast(measured), explained.tolerance, fastest_change});
+      const bool fast = explained.fast(measured);
+      readings.push_back(
+          {cycles_[k].time, measured, fast, !fast && !explained.agrees(measured), explained.tolerance, fastest_change});
     }
     return NaiveBelief(readings);
   }
-  void go_otherwise(double Twist2::*axis) {
+  void go_otherwise(double Twist2::*axis, double velocity, bool likeliest) {
     const std::vector<NaiveOutlook> before = ways_;
-    for (const NaiveOutlook& way : before) ways_.push_back(way.with(axis, believed_.*axis));
+    if (likeliest) likeliest_ += before.size();
+    for (const NaiveOutlook& way : before) ways_.push_back(way.with(axis, velocity));
   }
 
   Parameters p_;
@@ -219,7 +237,9 @@ class NaiveReference {
   NaiveHistory history_;
   Twist2 reference_, believed_;
   bool doubted_ = false, fast_ = false;
+  Twist2 most_{INFINITY, INFINITY};
   std::vector<NaiveOutlook> ways_, unlikely_;
+  std::size_t likeliest_ = 0;
 };
 
 }  // namespace hidwa_local_planner::test

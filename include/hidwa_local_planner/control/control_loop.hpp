@@ -45,6 +45,7 @@ struct Observation {
   Timing timing;
   std::string fault;               // the fault in words; empty where no input is missing
   std::optional<Twist2> velocity;  // measured; there where nothing is missing [m/s, rad/s]
+  double velocity_time = 0.0;      // when that was heard [s]; 0: in this cycle
   Pose2 pose;                      // costmap frame
   double pose_age = 0.0;           // [s]
   FrameTransform from_plan;        // of the plan's frame, in the costmap's
@@ -57,8 +58,8 @@ struct Observation {
   /// All but the costmap, whose cells belong to another object.
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.timing, self.fault, self.velocity, self.pose, self.pose_age, self.from_plan.origin, self.resumed,
-       self.host_stops);
+    io(self.timing, self.fault, self.velocity, self.velocity_time, self.pose, self.pose_age, self.from_plan.origin,
+       self.resumed, self.host_stops);
   }
 };
 

@@ -24,6 +24,7 @@ namespace hidwa_local_planner {
 struct Situation {
   Pose2 pose;                   // of the robot, as it was measured `pose_age` ago
   Twist2 velocity;              // measured by odometry [m/s, rad/s]
+  double velocity_time = 0.0;   // when that was heard [s]; 0: in this cycle
   Twist2 last_command;          // what was sent last, in the cycle before [m/s, rad/s]
   std::vector<Pose2> plan;      // the window of the global plan around the robot, see PlanWindow
   Pose2 goal;                   // the last pose of the full plan
@@ -101,8 +102,8 @@ struct Decision {
   bool waiting = false;              // it stands for what moves, or waits for that to clear the only way
   Pose2 pose;                        // where the robot is taken to be, costmap frame
   Twist2 velocity;                   // what is believed of the measured one [m/s, rad/s]
-  bool odometry_doubted = false;     // a reading was faster than the commands explain, and is not believed
-  bool odometry_fast = false;        // such a reading is believed: by the collision check and the goal
+  bool odometry_doubted = false;     // the commands do not explain a reading, and it is not believed
+  bool odometry_fast = false;        // a faster one than they explain is believed: by the collision check and the goal
   Problem problem_kind = Problem::none;
   std::string problem;  // why there was nothing to choose from, in words; empty where there was
 };
@@ -170,9 +171,9 @@ class Planner {
   /// A new goal: critics forget what they latched.
   void reset();
 
-  /// The velocity to believe when odometry reads `measured` between two cycles [m/s, rad/s]. A reading that is faster
-  /// than the recent commands explain is doubted: then it is the last command. Once plan() believes such readings, it
-  /// is the reading.
+  /// The velocity to believe when odometry reads `measured` between two cycles [m/s, rad/s]. A reading that the recent
+  /// commands do not explain is doubted: then it is the last command. Once plan() believes such readings, it is the
+  /// reading.
   Twist2 believed(const Twist2& measured) const;
 
   /// The robot cannot turn where it reached the goal's position: it searches or follows a way to the goal's pose, which

@@ -29,7 +29,7 @@ class Diagnostics {
   struct Load {
     double period = 0.0;          // of the control cycle [s]
     double longest_period = 0.0;  // of late: what the check for braking reckons with [s]
-    std::uint64_t doubted = 0;    // readings of odometry that were faster than anything explains
+    std::uint64_t doubted = 0;    // readings of odometry that no command explains
     double budget = 0.0;          // [s]; negative: none
     Sampling in_force;
     Sampling full;

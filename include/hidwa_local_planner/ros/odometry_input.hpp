@@ -25,6 +25,7 @@ class OdometryInput {
 
   struct Reading {
     std::optional<Twist2> velocity;  // [m/s, rad/s]; nothing when it is missing or old
+    double received = 0.0;           // [s]
     std::string fault;               // why
   };
   /// The velocity unless it is older than `timeout` [s] at `now` [s], by receive time or by a stamp that is

@@ -74,7 +74,7 @@ class Disturbances:
         self._clear = rospy.ServiceProxy('/move_base/clear_costmaps', Empty)
         self._mode = rospy.Publisher(PLANNER + '/set_mode', String, queue_size=1)
         self._stop = rospy.Publisher(PLANNER + '/stop', Bool, queue_size=1)
-        self.count, self.odometry = 0, False  # odometry: disturbed since this was last cleared
+        self.count = 0
 
         def steer():
             stick.left, stick.ahead = rng.uniform(-1.0, 1.0), rng.uniform(-0.3, 1.0)
@@ -106,7 +106,6 @@ class Disturbances:
             return lambda: self._stop.publish(False)
 
         def jump(message):
-            self.odometry = True
             if self._random.random() < 0.3:
                 message.twist.twist.linear.x = 3.0
             return message
@@ -121,7 +120,6 @@ class Disturbances:
 
         def drop(*names):
             def begin():
-                self.odometry = self.odometry or 'odom' in names
                 gate.drop(*names)
                 return gate.heal
             return begin
@@ -179,7 +177,6 @@ def run(options, launched):
     for number in itertools.count(1):
         goals_before, disturbed_before = goals, disturbances.count
         watch.begin()
-        disturbances.odometry = False
         next_disturbance = rospy.get_time() + rng.uniform(*QUIET)
         until, since_goal = begun + min(60.0 * number, 3600.0 * options.hours), -math.inf
         while rospy.get_time() < until:
@@ -200,7 +197,7 @@ def run(options, launched):
             p99=round(1e3 * quantile([cycle.duration for cycle in cycles], 0.99), 2), late=lateness(stamps, watch.period, PAUSE),
             lost=lost([cycle.header.seq for cycle in cycles]), goals=goals - goals_before,
             disturbances=disturbances.count - disturbed_before, abrupt=watch.abrupt_stops(), contacts=host.contacts,
-            load=round(os.getloadavg()[0] / (os.cpu_count() or 1), 2), faults=watch.faults(jumps=disturbances.odometry)))
+            load=round(os.getloadavg()[0] / (os.cpu_count() or 1), 2), faults=watch.faults()))
         write(minutes, options.out)
         print(' '.join(f'{name}={value}' for name, value in minutes[-1]._asdict().items()), flush=True)
         if until >= begun + 3600.0 * options.hours:

@@ -104,14 +104,6 @@ Interval CommandHistory::range(double Twist2::*axis) const {
   return all;
 }
 
-Twist2 CommandHistory::next_start(const VelocityLimits& limits, double period, const Twist2& reached) const {
-  if (sent_.empty()) return reached;
-  const Sent& newest = sent_.back();
-  const CommandRamp ramp(limits, newest.from, newest.command, period);
-  return {ramp.v().in_time() ? newest.command.v : reached.v,
-          ramp.omega().in_time() ? newest.command.omega : reached.omega};
-}
-
 void CommandHistory::play(const VelocityLimits& limits, double period, double latency, double age,
                           PendingMotion& pending) const {
   const double begin = seen_.value_or(0.0) - age;  // [s]

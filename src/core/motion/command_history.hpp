@@ -31,9 +31,6 @@ class CommandHistory {
   double elapsed() const { return elapsed_; }
   /// The smallest and the largest velocity that odometry may show, by axis.
   Interval range(double Twist2::*axis) const;
-  /// The velocity from which the next command starts: the last command. Where the base cannot have followed that (the
-  /// host set it to zero, for example) it is the velocity `reached` by then. Each axis alone [m/s, rad/s].
-  Twist2 next_start(const VelocityLimits& limits, double period, const Twist2& reached) const;
   /// What the robot does from `age` [s] before the last cycle on until that cycle's own command takes effect.
   void play(const VelocityLimits& limits, double period, double latency, double age, PendingMotion& pending) const;
 

@@ -38,8 +38,6 @@ class AxisRamp {
   /// Times between which it changes evenly [s]: the change of direction, and when the command is reached.
   double corner() const { return corner_; }
   double reached() const { return reached_; }
-  /// The limits allow it within a period, or nearly: cycles come a little early too.
-  bool in_time() const { return needed_ <= 1.5 * period_; }
 
   /// How far apart two ways can get until `t` [s], at most: the integral of the difference of their velocities
   /// [unit], what follows from a command that is cut short by the next one included.
@@ -81,8 +79,6 @@ class CommandRamp {
       : v_(limits.x, from.v, to.v, period), omega_(limits.theta, from.omega, to.omega, period) {}
 
   Twist2 at(double t) const { return {v_.at(t), omega_.at(t)}; }
-  const AxisRamp& v() const { return v_; }
-  const AxisRamp& omega() const { return omega_; }
   /// [m, rad]
   Twist2 spread(double t) const { return {v_.spread(t), omega_.spread(t)}; }
   /// Until when both change evenly, in order, none later than `end` [s], which is the last.

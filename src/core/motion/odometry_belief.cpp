@@ -7,6 +7,14 @@
 #include "core/motion/same_time.hpp"
 
 namespace hidwa_local_planner {
+namespace {
+
+// From `before` to `after` [unit/s] within `time` [s]: as fast as the limits allow, and the tolerance.
+bool follows(double after, double before, double time, double tolerance, const AxisLimits& axis) {
+  return std::abs(after - before) <= tolerance + std::max(axis.acc, axis.braking) * std::max(time, 0.0);
+}
+
+}  // namespace
 
 Twist2 reading_tolerance(const Parameters& p, const Twist2& last) {
   // Inside the motors' dead band the robot does not move yet although the command grows: such a reading agrees.
@@ -15,24 +23,27 @@ Twist2 reading_tolerance(const Parameters& p, const Twist2& last) {
   return {p.velocity_reference_tolerance_x, p.velocity_reference_tolerance_theta + standing};
 }
 
+bool is_explained(double measured, const Interval& explained, double tolerance) {
+  return measured >= explained.lo - tolerance && measured <= explained.hi + tolerance;
+}
+
 bool faster_than_explained(double measured, const Interval& explained, double tolerance) {
   return measured < std::min(explained.lo, 0.0) - tolerance || measured > std::max(explained.hi, 0.0) + tolerance;
 }
 
-OdometryReading AxisBelief::judge(double now, double measured, const Interval& explained, double tolerance,
-                                  const AxisLimits& axis) {
-  if (!faster_than_explained(measured, explained, tolerance)) {
+OdometryReading AxisBelief::judge(double now, double heard, double measured, const Interval& explained,
+                                  double tolerance, const AxisLimits& axis) {
+  if (is_explained(measured, explained, tolerance)) {
     forget();
-    const bool agrees = measured >= explained.lo - tolerance && measured <= explained.hi + tolerance;
-    return agrees ? OdometryReading::agrees : OdometryReading::slower;
+    return OdometryReading::agrees;
   }
-  const auto follows = [&](double before, double time) {
-    const double change = tolerance + std::max(axis.acc, axis.braking) * std::max(now - time, 0.0);
-    return std::abs(measured - before) <= change;
-  };
-  if (!fast_ || now < since_ || !follows(last_, last_time_)) since_ = now;
+  if (!faster_than_explained(measured, explained, tolerance)) {
+    return note_slow(heard, measured, tolerance, axis) ? OdometryReading::slower : OdometryReading::maybe_slower;
+  }
+  slow_ = 0;
+  if (!fast_ || now < since_ || !follows(measured, last_, now - last_time_, tolerance, axis)) since_ = now;
   const bool known = sure_ && now >= believed_time_ && now - believed_time_ <= kLongEnough + kSameTime;
-  const bool goes_on = known && follows(believed_, believed_time_);
+  const bool goes_on = known && follows(measured, believed_, now - believed_time_, tolerance, axis);
   fast_ = true;
   last_ = measured;
   last_time_ = now;
@@ -43,6 +54,23 @@ OdometryReading AxisBelief::judge(double now, double measured, const Interval& e
     believed_time_ = now;
   }
   return sure_ ? OdometryReading::faster : OdometryReading::doubted;
+}
+
+// True where it is believed.
+bool AxisBelief::note_slow(double heard, double measured, double tolerance, const AxisLimits& axis) {
+  if (slow_ > 0 && heard == last_time_) return slow_ >= kEnough;
+  const bool goes_on = slow_ > 0 && follows(measured, last_, heard - last_time_, tolerance, axis);
+  const int slow = goes_on ? std::min(slow_ + 1, kEnough) : 1;
+  forget();
+  slow_ = slow;
+  last_ = measured;
+  last_time_ = heard;
+  return slow_ >= kEnough;
+}
+
+double AxisBelief::believed(double measured, const Interval& explained, double tolerance, double last) const {
+  if (faster_than_explained(measured, explained, tolerance)) return sure_ ? believed_ : last;
+  return is_explained(measured, explained, tolerance) || slow_ >= kEnough ? measured : last;
 }
 
 }  // namespace hidwa_local_planner

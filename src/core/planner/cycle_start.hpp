@@ -11,9 +11,10 @@ namespace hidwa_local_planner {
 /// What a cycle starts from. StartEstimator finds it.
 struct CycleStart {
   Twist2 reference;                           // the velocity that a command starts from [m/s, rad/s]
+  const VelocityLimits* limits = nullptr;     // of this cycle's commands
   Twist2 velocity;                            // what is believed of the measured one [m/s, rad/s]
-  bool odometry_doubted = false;              // a reading was faster than the commands explain, and is not believed
-  bool odometry_fast = false;                 // it was, and is believed
+  bool odometry_doubted = false;              // the commands do not explain a reading, and it is not believed
+  bool odometry_fast = false;                 // it is faster than they explain, and is believed
   Twist2 last_command;                        // zero before the first cycle [m/s, rad/s]
   double elapsed = 0.0;                       // since the cycle before; 0 where there is none [s]
   Pose2 origin;                               // the pose as it was measured: where `pending` begins, costmap frame

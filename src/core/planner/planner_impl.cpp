@@ -57,7 +57,7 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
   const bool once = count && parameters.moving_obstacles_clear_cells && plausible(grid);
   const GridView seen = once ? explained.without(grid, measured.moving_obstacles, parameters) : grid;
   const Cycle cycle{parameters,
-                    limits,
+                    *start.limits,
                     footprint,
                     seen,
                     intent,
@@ -108,7 +108,7 @@ MoverCheck* Planner::Impl::look_at_movers(const CycleStart& start, bool count) {
   const Situation& situation = *start.situation;
   const PendingMotionSet& pending = *start.pending;
   const bool rests = pending[0].rests() && !start.odometry_fast && at_rest(start.velocity, parameters);
-  movers.prepare(parameters, limits, footprint, situation.moving_obstacles,
+  movers.prepare(parameters, *start.limits, footprint, situation.moving_obstacles,
                  {situation.pose, start.origin, start.reference, &pending, usable_period(situation),
                   longest_period(situation), rests});
   return movers.none_near() ? nullptr : &movers;

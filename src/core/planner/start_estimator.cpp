@@ -14,6 +14,13 @@ namespace {
 // An old pose is led on in steps of this length [m].
 constexpr double kAdvanceSpacing = 0.01;
 
+// Something holds the robot: commands fall to what could have started from the reading, in either direction.
+void hold(AxisLimits& axis, double reading, double period) {
+  const double most = std::abs(reading) + axis.acc * period;
+  axis.max = std::max(axis.min, std::min(axis.max, most));
+  axis.min = std::min(axis.max, std::max(axis.min, -most));
+}
+
 }  // namespace
 
 CycleStart StartEstimator::estimate(const Situation& measured, const Parameters& parameters,
@@ -25,13 +32,15 @@ CycleStart StartEstimator::estimate(const Situation& measured, const Parameters&
   as_commanded.mark_past(age);
 
   CycleStart start;
-  start.reference = commands_.next_start(limits, period, as_commanded.end());
-  judge_axis({&Twist2::v, limits.x, odometry_.v}, measured, parameters, start);
-  judge_axis({&Twist2::omega, limits.theta, odometry_.omega}, measured, parameters, start);
+  limits_ = limits;
+  likeliest_ = 0;
+  judge_axis({&Twist2::v, limits_.x, odometry_.v}, measured, parameters, start);
+  judge_axis({&Twist2::omega, limits_.theta, odometry_.omega}, measured, parameters, start);
   add_prompt_motions(measured, parameters, limits);
   start.last_command = commands_.last();
   start.elapsed = commands_.elapsed();
   start.origin = measured.pose;
+  start.limits = &limits_;
   start.pending = &pending_;
   start.situation = with_pose_of_now(measured, limits, radius);
   return start;
@@ -52,25 +61,31 @@ void StartEstimator::skip(const Situation& measured, const VelocityLimits& limit
   remember_command(measured, limits, std::numeric_limits<double>::infinity());
 }
 
-// A command starts from the last one, or from where odometry is slower; never from a reading that is faster.
+// A command starts from the last one; from a reading only where that agrees and is asked for.
 void StartEstimator::judge_axis(const Axis& axis, const Situation& measured, const Parameters& parameters,
                                 CycleStart& start) {
   const auto u = axis.member;
   const double last = commands_.last().*u;
   const double reading = plausible(measured.velocity) ? measured.velocity.*u : last;
   const double tolerance = reading_tolerance(parameters, commands_.last()).*u;
-  const OdometryReading judged =
-      axis.belief.judge(usable_time(measured), reading, commands_.range(u), tolerance, axis.limits);
-  const bool doubted = judged == OdometryReading::doubted, fast = judged == OdometryReading::faster;
-  const bool as_commanded =
-      judged == OdometryReading::agrees && parameters.velocity_reference == VelocityReference::command;
-  // What the base is taken to have reached lies between what was sent and what is measured.
-  const double reached = std::clamp(start.reference.*u, std::min(last, reading), std::max(last, reading));
-  start.reference.*u = axis.limits.start_from(doubted || fast ? last : as_commanded ? reached : reading, last);
-  start.velocity.*u = doubted ? last : fast ? axis.belief.believed() : reading;
+  const double now = usable_time(measured), heard = measured.velocity_time > 0.0 ? measured.velocity_time : now;
+  const OdometryReading judged = axis.belief.judge(now, heard, reading, commands_.range(u), tolerance, axis.limits);
+  const bool fast = judged == OdometryReading::faster, agrees = judged == OdometryReading::agrees;
+  const bool doubted = judged == OdometryReading::doubted || judged == OdometryReading::maybe_slower;
+  const bool from_reading = agrees && parameters.velocity_reference == VelocityReference::odometry;
+  const double otherwise = fast ? axis.belief.believed() : reading;
+  start.reference.*u = from_reading ? axis.limits.start_from(reading, last) : last;
+  start.velocity.*u = doubted ? last : otherwise;
   start.odometry_doubted = start.odometry_doubted || doubted;
   start.odometry_fast = start.odometry_fast || fast;
-  if (!doubted && !as_commanded) pending_.add_alternative(u, start.velocity.*u);
+  if (judged == OdometryReading::slower) hold(axis.limits, reading, usable_period(measured));
+  const bool as_commanded = agrees && !from_reading;
+  if (!as_commanded && judged != OdometryReading::doubted) add_alternative(u, otherwise, !doubted);
+}
+
+void StartEstimator::add_alternative(double Twist2::*axis, double velocity, bool likeliest) {
+  if (likeliest) likeliest_ += pending_.likely();
+  pending_.add_alternative(axis, velocity);
 }
 
 void StartEstimator::add_prompt_motions(const Situation& measured, const Parameters& parameters,
@@ -85,13 +100,13 @@ void StartEstimator::add_prompt_motions(const Situation& measured, const Paramet
   }
 }
 
-// Where odometry is slower than the commands, as odometry says: that motion is the last of the likely ones.
+// Where odometry is believed to say something else than the commands, as odometry says.
 const Situation* StartEstimator::with_pose_of_now(const Situation& measured, const VelocityLimits& limits,
                                                   double radius) {
   if (usable_age(measured) <= 0.0 || !plausible(measured.pose)) return &measured;
   const Rotation heading{std::cos(measured.pose.theta), std::sin(measured.pose.theta)};
   ManoeuvreRoller roller(limits, radius, kAdvanceSpacing, {measured.pose, heading});
-  roller.roll_past(pending_[pending_.likely() - 1]);
+  roller.roll_past(pending_[likeliest_]);
   advanced_.plan.reserve(measured.plan.capacity());
   advanced_ = measured;
   advanced_.pose = roller.at().pose;
@@ -100,10 +115,9 @@ const Situation* StartEstimator::with_pose_of_now(const Situation& measured, con
 
 Twist2 StartEstimator::believed(const Twist2& measured, const Parameters& parameters) const {
   const auto axis = [&](double Twist2::*u, const AxisBelief& belief) {
-    if (!std::isfinite(measured.*u)) return commands_.last().*u;
-    const bool fast =
-        faster_than_explained(measured.*u, commands_.range(u), reading_tolerance(parameters, commands_.last()).*u);
-    return !fast ? measured.*u : belief.sure() ? belief.believed() : commands_.last().*u;
+    const double last = commands_.last().*u;
+    if (!std::isfinite(measured.*u)) return last;
+    return belief.believed(measured.*u, commands_.range(u), reading_tolerance(parameters, commands_.last()).*u, last);
   };
   return {axis(&Twist2::v, odometry_.v), axis(&Twist2::omega, odometry_.omega)};
 }

@@ -21,7 +21,7 @@ class Axis {
   explicit Axis(const Interval& explained = {0.0, 0.0}) : explained_(explained) {}
   OdometryReading read(double measured) {
     time_ += kPeriod;
-    return belief_.judge(time_, measured, explained_, kTolerance, kAxis);
+    return belief_.judge(time_, time_, measured, explained_, kTolerance, kAxis);
   }
   void pause(double seconds) { time_ += seconds; }
   // So often, and what the last one was taken for.
@@ -46,14 +46,51 @@ TEST(OdometryBelief, WithinTheToleranceItAgrees) {
   EXPECT_EQ(axis.read(0.59), OdometryReading::agrees);
 }
 
-TEST(OdometryBelief, SlowerIsBelievedAtOnce) {
+TEST(OdometryBelief, SlowerIsBelievedOnceThreeInARowAgree) {
   Axis forward({0.3, 0.5});
-  EXPECT_EQ(forward.read(0.09), OdometryReading::slower);
-  EXPECT_EQ(forward.read(0.0), OdometryReading::slower);
+  EXPECT_EQ(forward.read(0.09), OdometryReading::maybe_slower);
+  EXPECT_EQ(forward.read(0.0), OdometryReading::maybe_slower);
   EXPECT_EQ(forward.read(-0.19), OdometryReading::slower);  // at rest, within the tolerance
+  EXPECT_EQ(forward.read(0.0), OdometryReading::slower);
   Axis backward({-0.5, -0.3});
-  EXPECT_EQ(backward.read(-0.09), OdometryReading::slower);
+  EXPECT_EQ(backward.read(-0.09, 2), OdometryReading::maybe_slower);
   EXPECT_EQ(backward.read(0.19), OdometryReading::slower);
+}
+
+TEST(OdometryBelief, SlowerOnesThatAreNotInARowOrDoNotAgreeAreNeverBelieved) {
+  Axis interrupted({0.3, 0.5});
+  for (int k = 1; k < 40; ++k)
+    EXPECT_NE(interrupted.read(k % 3 > 0 ? 0.0 : 0.4), OdometryReading::slower) << k;  // two, and one that agrees
+  Axis between({0.3, 0.5});
+  for (int k = 1; k < 40; ++k)
+    EXPECT_NE(between.read(k % 3 > 0 ? 0.0 : 5.0), OdometryReading::slower) << k;  // two, and one that is too fast
+  Axis jumping({0.6, 0.7});  // from 0.39 to 0.0 m/s: more than 0.325
+  for (int k = 1; k < 40; ++k) EXPECT_EQ(jumping.read(k % 2 > 0 ? 0.39 : 0.0), OdometryReading::maybe_slower) << k;
+}
+
+TEST(OdometryBelief, OneReadingThatManyCyclesFindIsOne) {
+  AxisBelief belief;
+  const auto judge = [&belief](double now, double heard) {
+    return belief.judge(now, heard, 0.0, {0.5, 0.5}, kTolerance, kAxis);
+  };
+  for (int k = 0; k < 10; ++k) EXPECT_EQ(judge(100.0 + kPeriod * k, 100.0), OdometryReading::maybe_slower) << k;
+  EXPECT_EQ(judge(100.5, 100.5), OdometryReading::maybe_slower);
+  EXPECT_EQ(judge(100.7, 100.7), OdometryReading::slower);
+  EXPECT_EQ(judge(100.75, 100.7), OdometryReading::slower);
+}
+
+TEST(OdometryBelief, BetweenTwoCyclesWhatTheCommandsDoNotExplainIsDoubted) {
+  const Interval explained{0.3, 0.5};
+  const auto believed = [&explained](Axis& axis, double measured) {
+    return axis.belief().believed(measured, explained, kTolerance, 0.4);
+  };
+  Axis axis(explained);
+  axis.read(0.0, 2);
+  EXPECT_EQ(believed(axis, 0.2), 0.2);  // explained: 0.3 - 0.2 is less
+  EXPECT_EQ(believed(axis, 0.0), 0.4);
+  EXPECT_EQ(believed(axis, 5.0), 0.4);
+  axis.read(0.0);
+  EXPECT_EQ(believed(axis, 0.01), 0.01);
 }
 
 TEST(OdometryBelief, FasterOrTheOtherWayIsDoubted) {
@@ -144,8 +181,8 @@ TEST(OdometryBelief, SavedAndLoadedItGoesOn) {
   ArchiveReader read(bytes);
   read(loaded);
   EXPECT_TRUE(read.complete());
-  EXPECT_EQ(loaded.judge(axis.time() + 0.05, 0.8, {}, kTolerance, kAxis), OdometryReading::doubted);
-  EXPECT_EQ(loaded.judge(axis.time() + 0.11, 0.8, {}, kTolerance, kAxis),
+  EXPECT_EQ(loaded.judge(axis.time() + 0.05, axis.time() + 0.05, 0.8, {}, kTolerance, kAxis), OdometryReading::doubted);
+  EXPECT_EQ(loaded.judge(axis.time() + 0.11, axis.time() + 0.11, 0.8, {}, kTolerance, kAxis),
             OdometryReading::faster);  // since 4 * 0.05 + 0.11 s
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Odometry that cannot be true starts no command, one that is slower always counts; old poses are led on; late cycles.
+// Odometry that cannot be true starts no command, one that is slower counts for collisions; old poses; late cycles.
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -106,7 +107,8 @@ TEST(ImpossibleOdometry, WhileDrivingItIsAsIfItWereNotThere) {
   PlannerBench bench(scene);
   EXPECT_TRUE(bench.cycle().command == command);
   EXPECT_TRUE(bench.planner().believed({8.0, 0.1}) == (Twist2{0.3, 0.1}));
-  EXPECT_TRUE(bench.planner().believed({0.0, 0.1}) == (Twist2{0.0, 0.1}));  // slower counts
+  EXPECT_TRUE(bench.planner().believed({0.0, 0.1}) == (Twist2{0.3, 0.1}));  // 0.3 - 0.2 is more
+  EXPECT_TRUE(bench.planner().believed({0.2, 0.1}) == (Twist2{0.2, 0.1}));
   EXPECT_TRUE(bench.planner().believed({std::nan(""), 0.1}) == (Twist2{0.3, 0.1}));
 }
 
@@ -160,16 +162,70 @@ TEST(FastOdometry, KeptForThreeTenthsOfASecondItCountsForCollisionsAndStartsNoCo
   }
 }
 
-TEST(SlowOdometry, IsTheReferenceAtOnce) {
+// A robot that drives or turns as fast as it may, on and on, by an operator's wish.
+Scene kept_at(const Twist2& u) {
   Scene scene = at_rest_on_a_plan();
-  scene.situation.last_command = {0.5, 0.0};
-  scene.situation.velocity = {0.1, 0.0};  // something holds it
+  scene.parameters.control_latency = 0.1;
+  scene.steer(u);
+  scene.intent.influence = Influence::direct;
+  scene.situation.velocity = scene.situation.last_command = u;
+  return scene;
+}
+
+// One cycle whose odometry reads `reading`; what it decides is sent.
+Decision cycle_reading(PlannerBench& bench, const Twist2& reading) {
+  bench.scene().situation.velocity = reading;
+  Decision decision = bench.cycle();
+  bench.scene().situation.last_command = decision.command;
+  bench.scene().situation.time += kPeriod;
+  return decision;
+}
+
+TEST(SlowOdometry, OneReadingStartsNoCommand) {
+  for (const auto& [kept, reading] : {std::pair<Twist2, Twist2>{{0.5, 0.0}, {0.0, 0.0}}, {{0.0, 0.6}, {0.0, -0.49}}}) {
+    PlannerBench bench(kept_at(kept));
+    for (int k = 0; k < 5; ++k) cycle_reading(bench, kept);
+    for (int k = 0; k < 20; ++k) {
+      const bool wrong = k % 3 > 0;  // two in a row
+      const Decision decision = cycle_reading(bench, wrong ? reading : kept);
+      EXPECT_NEAR(decision.command.v, kept.v, 1e-9) << k;
+      EXPECT_NEAR(decision.command.omega, kept.omega, 1e-9) << k;
+      EXPECT_EQ(decision.odometry_doubted, wrong) << k;
+      EXPECT_EQ(decision.velocity, kept) << k;
+    }
+  }
+}
+
+// A wall holds it. Commands fall from 0.5 m/s by 2.5 x 0.05 a period to what could have started from rest, 0.125 m/s.
+// Rest is within the tolerance of that, 0.2 m/s: then they rise again.
+TEST(SlowOdometry, FromTheThirdReadingOnCommandsFallAtTheLimit) {
+  PlannerBench bench(kept_at({0.5, 0.0}));
+  for (int k = 0; k < 5; ++k) cycle_reading(bench, {0.5, 0.0});
+  double last = 0.5;
+  for (const double expected : {0.5, 0.5, 0.375, 0.25, 0.125, 0.25}) {
+    const Decision decision = cycle_reading(bench, {0.0, 0.0});
+    EXPECT_NEAR(decision.command.v, expected, 1e-9);
+    last = decision.command.v;
+  }
+  for (int k = 0; k < 100; ++k) {  // and so it goes on, whether it is held or let go
+    const double v = cycle_reading(bench, {k % 20 < 10 ? 0.0 : last, 0.0}).command.v;
+    EXPECT_LE(std::abs(v - last), kStep + 1e-9) << k;
+    last = v;
+  }
+}
+
+// Odometry is true. A late cycle brakes by two periods' worth, 0.25 m/s, which the base has not done when the next
+// command takes effect.
+TEST(LateCycles, WhatABaseHasNotReachedYetStartsNoCommand) {
+  Scene scene = kept_at({0.5, 0.0});
+  scene.situation.longest_period = 0.1;
   PlannerBench bench(scene);
-  const Decision& decision = bench.cycle();
-  EXPECT_EQ(decision.reference.v, 0.1);
-  EXPECT_LE(decision.command.v, 0.1 + kStep + 1e-9);
-  EXPECT_FALSE(decision.odometry_doubted);
-  EXPECT_EQ(decision.velocity.v, 0.1);
+  for (int k = 0; k < 5; ++k) cycle_reading(bench, {0.5, 0.0});
+  bench.scene().situation.time += kPeriod;
+  bench.scene().intent.influence = Influence::stop;
+  EXPECT_NEAR(cycle_reading(bench, {0.5, 0.0}).command.v, 0.25, 1e-9);
+  bench.scene().intent.influence = Influence::direct;
+  EXPECT_NEAR(cycle_reading(bench, {0.5, 0.0}).command.v, 0.25 + kStep, 1e-9);
 }
 
 TEST(SlowOdometry, TheCommandsCountBesideIt) {
@@ -245,13 +301,16 @@ TEST(PoseAge, TheCommandsSinceThenLeadOn) {
   EXPECT_NEAR(pose.theta, 0.1, 1e-9);
 }
 
-TEST(PoseAge, WhereOdometryIsSlowerItLeadsOnAsThatSays) {
+TEST(PoseAge, WhereOdometryIsSlowerForGoodItLeadsOnAsThatSays) {
   Scene scene = at_rest_on_a_plan();
   scene.situation.last_command = {0.5, 0.0};
-  scene.situation.velocity = {0.0, 0.0};
   scene.situation.pose_age = 0.05;
   PlannerBench bench(scene);
-  EXPECT_NEAR(bench.cycle().pose.x, 0.0, 1e-9);
+  for (const double led_on : {0.025, 0.025, 0.0}) {  // 0.5 * 0.05, until three readings agree
+    bench.scene().situation.velocity = {0.0, 0.0};
+    EXPECT_NEAR(bench.cycle().pose.x, led_on, 1e-9);
+    bench.scene().situation.time += kPeriod;
+  }
 }
 
 // 0.1 s of latency, a period and braking from 0.5 m/s: 0.05 + 0.025 + 0.05 + 0.8 mm and 1.6 mm to be sure = 0.1274 m.
