@@ -179,6 +179,12 @@ std::vector<Condition> lateness() {
          fast(s, r.of({0.5, 1.0, 2.0}));
          s.parameters.sim_time = r.of({0.2, 0.4, 1.85});
        }},
+      {"clock_set_back", true, "the clock is set back by up to 20 s again and again, latency 0.1 to 0.5 s",
+       [](Spec& s, Random& r) {
+         s.clock_set = true;
+         latency(s, r.of({100, 300, 500}));
+         s.parameters.sim_time = r.of({0.2, 0.8, 1.85});
+       }},
       {"late_catching_up", true, "the same, and the host catches up as ros::Rate does",
        [](Spec& s, Random&) { late(s, true); }},
   };

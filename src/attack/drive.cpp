@@ -171,6 +171,8 @@ class Run {
 
   void cycle(int now) {
     rhythm_.tick(now);
+    set_back_ = spec_.clock_set && random_.chance(0.05);
+    if (set_back_) set_by_ -= random_.in(0.1, 20.0);
     if (last_cycle_ >= 0) periods_.observe(seconds(now), 1e-3 * (now - last_cycle_));
     ++result_.cycles;
     count_motion();
@@ -216,6 +218,7 @@ class Run {
     observation.timing.now = time;
     observation.timing.period = 1e-3 * spec_.period;
     observation.timing.longest_period = longest();
+    observation.timing.jumped_back = set_back_;
     observation.timing.interval = last_cycle_ < 0 ? 0.0 : 1e-3 * (now - last_cycle_);
     if (reading_) observation.velocity = *reading_;
     if (!reading_) observation.fault = "no odometry";
@@ -239,7 +242,7 @@ class Run {
     return view;
   }
 
-  static double seconds(int now) { return 100.0 + 1e-3 * now; }
+  double seconds(int now) const { return 100.0 + set_by_ + 1e-3 * now; }  // by the host's clock
   // As the plugin measures it: the planner's own watch is attacked too.
   double longest() const { return periods_.longest(1e-3 * spec_.period); }
 
@@ -378,9 +381,11 @@ class Run {
   control::ControlLoop loop_{critics::built_in(), lone_};
   Device device_;
   hidwa_local_planner::PeriodWatch periods_;
-  int last_cycle_ = -1;  // [ms]
-  int rests_from_ = 0;   // [ms]
-  double driven_ = 0.0;  // [s]
+  double set_by_ = 0.0;    // the clock [s]
+  bool set_back_ = false;  // in this cycle
+  int last_cycle_ = -1;    // [ms]
+  int rests_from_ = 0;     // [ms]
+  double driven_ = 0.0;    // [s]
   Situation situation_;
   std::ostream* trace_;
   int appears_at_ = -1;  // [ms]

@@ -64,6 +64,8 @@ struct Spec {
   bool surprises = false;   // later than any of the last 3 s, also while the robot moves
   bool late_again = false;  // as late as it may be, each time when the last such cycle is about to be forgotten
 
+  bool clock_set = false;  // the clock is set back again and again
+
   Odometry odometry = Odometry::exact;
   int pose_age = 0;      // [ms]
   bool age_told = true;  // the pose's stamp is known

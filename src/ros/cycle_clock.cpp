@@ -38,9 +38,8 @@ CycleClock::Tick CycleClock::tick(double now, double period, const std::optional
   return tick;
 }
 
-bool host_was_away(const CycleClock::Tick& tick, double silence, bool simulated) {
-  if (!tick.paused || (simulated && !tick.jumped_back)) return tick.paused;
-  return is_pause(silence, tick.period);
+bool host_was_away(const CycleClock::Tick& tick, double silence) {
+  return tick.jumped_back ? is_pause(silence, tick.period) : tick.paused;
 }
 
 std::string CycleClock::complaint() {

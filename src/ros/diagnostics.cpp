@@ -61,7 +61,7 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
 
 void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using Status = diagnostic_msgs::DiagnosticStatus;
-  const OperatorInput::Status person = person_.status(ros::Time::now().toSec());
+  const OperatorInput::Status person = person_.status(LoopTime::now().seconds);
   const OperatorInput::Device device = person_.device();
   const std::string advice = person_.advice();
   const ros::WallTime now = ros::WallTime::now();

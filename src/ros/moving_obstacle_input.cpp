@@ -84,7 +84,7 @@ void MovingObstacleInput::subscribe(ros::NodeHandle handle, const std::string& t
   subscriber_.shutdown();
   forget();
   const auto callback = [this](const topic_tools::ShapeShifter::ConstPtr& message) {
-    receive(*message, ros::Time::now().toSec());
+    receive(*message, LoopTime::now());
   };
   std::string resolved;
   if (!topic.empty()) {
@@ -97,7 +97,7 @@ void MovingObstacleInput::subscribe(ros::NodeHandle handle, const std::string& t
   status_.topic = std::move(resolved);
 }
 
-void MovingObstacleInput::receive(const topic_tools::ShapeShifter& message, double received) {
+void MovingObstacleInput::receive(const topic_tools::ShapeShifter& message, const LoopTime& received) {
   const DetectedObstacles detected = read_detected(message);
   if (detected.message) return receive(detected.message, received);
   ROS_WARN_THROTTLE(2.0, "moving obstacles: %s", detected.fault.c_str());
@@ -107,7 +107,7 @@ void MovingObstacleInput::receive(const topic_tools::ShapeShifter& message, doub
   ++status_.refused;
 }
 
-void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, double received) {
+void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, const LoopTime& received) {
   std::size_t refused = 0;
   for (const MovingObstacle& one : message->obstacles) {
     const char* fault = fault_of(one);
@@ -118,7 +118,7 @@ void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, doub
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_ = message;
   unreadable_.clear();
-  received_ = received;
+  told_of_ = message->header.stamp.isZero() ? received.seconds : received.of(message->header.stamp);
   ++status_.messages;
   status_.refused += refused;
 }
@@ -132,18 +132,17 @@ void MovingObstacleInput::forget() {
 void MovingObstacleInput::read(double now, double timeout, const tf2::BufferCore& tf, const std::string& frame,
                                MovingObstacleEstimates& obstacles) {
   MovingObstacles::ConstPtr message;
-  double received = 0.0;
+  double told_of = 0.0;
   std::string unreadable;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     message = newest_;
-    received = received_;
+    told_of = told_of_;
     unreadable = unreadable_;
   }
   obstacles.clear();
   if (!message) return report(0, 0.0, std::move(unreadable));
-  const ros::Time& stamp = message->header.stamp;
-  const double age = now - (stamp.isZero() ? received : stamp.toSec());
+  const double age = now - told_of;
   if (age > timeout) {
     return report(0, age,
                   format("the newest message is %.2f s old (moving_obstacle_timeout %.2f s): nothing that "
@@ -157,7 +156,7 @@ void MovingObstacleInput::read(double now, double timeout, const tf2::BufferCore
   Pose2 origin;
   const std::string from = plain_frame(message->header.frame_id);
   if (from != plain_frame(frame)) {
-    std::string fault = find_frame(tf, plain_frame(frame), from, stamp, timeout, origin);
+    std::string fault = find_frame(tf, plain_frame(frame), from, message->header.stamp, timeout, origin);
     if (!fault.empty()) return report(0, age, std::move(fault));
   }
   for (const MovingObstacle& one : message->obstacles) {

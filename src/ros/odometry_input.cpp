@@ -12,22 +12,20 @@ namespace hidwa_local_planner {
 void OdometryInput::subscribe(ros::NodeHandle handle, const std::string& topic) {
   subscriber_.shutdown();
   forget();
-  const auto callback = [this](const nav_msgs::Odometry::ConstPtr& message) {
-    receive(*message, ros::Time::now().toSec());
-  };
+  const auto callback = [this](const nav_msgs::Odometry::ConstPtr& message) { receive(*message, LoopTime::now()); };
   subscriber_ = handle.subscribe<nav_msgs::Odometry>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
   std::string resolved = subscriber_.getTopic();
   const std::lock_guard<std::mutex> lock(mutex_);
   topic_.swap(resolved);
 }
 
-void OdometryInput::receive(const nav_msgs::Odometry& message, double received) {
+void OdometryInput::receive(const nav_msgs::Odometry& message, const LoopTime& received) {
   const Twist2 velocity = to_twist(message.twist.twist);
   if (!is_finite(velocity)) {
     ROS_WARN_THROTTLE(1.0, "an odometry message was dropped: its velocity is not a number; check the sender");
     return;
   }
-  const Newest newest{velocity, message.header.stamp.toSec(), received};
+  const Newest newest{velocity, received.of(message.header.stamp), received.seconds};
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_ = newest;
   readings_[count_++ % kReadings] = newest;

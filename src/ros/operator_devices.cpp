@@ -35,7 +35,7 @@ struct Misfit {
 template <typename RosMessage, typename Message>
 class DeviceTopic : public OperatorDevice {
  public:
-  using Convert = Misfit (*)(const RosMessage& from, Message& to);
+  using Convert = Misfit (*)(const RosMessage& from, const LoopTime& now, Message& to);
 
   DeviceTopic(DeviceName name, Convert convert, DeliverMessage deliver)
       : name_(std::move(name)), convert_(convert), deliver_(std::move(deliver)) {}
@@ -58,12 +58,12 @@ class DeviceTopic : public OperatorDevice {
   using Event = ros::MessageEvent<const RosMessage>;
 
   void take(const Event& event, const std::string& topic) {
-    const ros::Time now = ros::Time::now();
-    if (now.isZero()) return;  // a simulated clock that has not begun: nothing can be said about lateness
+    const LoopTime now = LoopTime::now();
+    if (now.stamp.isZero()) return;  // a simulated clock that has not begun: nothing can be said about lateness
     Message message;
     message.sender = event.getPublisherName();
-    message.received = now.toSec();
-    const Misfit misfit = convert_(*event.getConstMessage(), message);
+    message.received = now.seconds;
+    const Misfit misfit = convert_(*event.getConstMessage(), now, message);
     if (!misfit.what.empty()) {
       ROS_WARN_THROTTLE(5.0, "%s carries %s from %s: %s", topic.c_str(), misfit.what.c_str(), message.sender.c_str(),
                         misfit.why.c_str());
@@ -81,25 +81,25 @@ class DeviceTopic : public OperatorDevice {
 };
 
 template <typename RosMessage, typename Message>
-std::unique_ptr<OperatorDevice> device(DeviceName name, Misfit (*convert)(const RosMessage&, Message&),
+std::unique_ptr<OperatorDevice> device(DeviceName name, Misfit (*convert)(const RosMessage&, const LoopTime&, Message&),
                                        const DeliverMessage& deliver) {
   return std::make_unique<DeviceTopic<RosMessage, Message>>(std::move(name), convert, deliver);
 }
 
-Misfit to_stick(const sensor_msgs::Joy& from, input::StickMessage& to) {
+Misfit to_stick(const sensor_msgs::Joy& from, const LoopTime& now, input::StickMessage& to) {
   to.axes = from.axes;
   to.buttons.assign(from.buttons.begin(), from.buttons.end());
-  to.stamp = from.header.stamp.toSec();
+  to.stamp = now.of(from.header.stamp);
   return {};
 }
 
 // Throws where a message is not of the type that it names.
-Misfit read_twist(const topic_tools::ShapeShifter& from, input::TwistMessage& to) {
+Misfit read_twist(const topic_tools::ShapeShifter& from, const LoopTime& now, input::TwistMessage& to) {
   geometry_msgs::Twist twist;
   if (from.getDataType() == "geometry_msgs/TwistStamped") {
     const auto stamped = from.instantiate<geometry_msgs::TwistStamped>();
     twist = stamped->twist;
-    to.stamp = stamped->header.stamp.toSec();
+    to.stamp = now.of(stamped->header.stamp);
   } else if (from.getDataType() == "geometry_msgs/Twist") {
     twist = *from.instantiate<geometry_msgs::Twist>();
   } else {
@@ -109,9 +109,9 @@ Misfit read_twist(const topic_tools::ShapeShifter& from, input::TwistMessage& to
   return {};
 }
 
-Misfit to_twist_message(const topic_tools::ShapeShifter& from, input::TwistMessage& to) {
+Misfit to_twist_message(const topic_tools::ShapeShifter& from, const LoopTime& now, input::TwistMessage& to) {
   try {
-    return read_twist(from, to);
+    return read_twist(from, now, to);
   } catch (const ros::Exception& error) {
     return {"what cannot be read as " + from.getDataType(), error.what()};
   }
@@ -122,10 +122,10 @@ void set_pose(input::HandMessage& hand, double x, double y, double z, const geom
   hand.orientation = {orientation.x, orientation.y, orientation.z, orientation.w};
 }
 
-Misfit to_hand(const geometry_msgs::PoseStamped& from, input::HandMessage& to) {
+Misfit to_hand(const geometry_msgs::PoseStamped& from, const LoopTime& now, input::HandMessage& to) {
   const geometry_msgs::Point& position = from.pose.position;
   set_pose(to, position.x, position.y, position.z, from.pose.orientation);
-  to.stamp = from.header.stamp.toSec();
+  to.stamp = now.of(from.header.stamp);
   return {};
 }
 
@@ -139,11 +139,11 @@ OperatorDevices operator_devices(const DeliverMessage& deliver) {
   return devices;
 }
 
-input::HandMessage to_hand(const geometry_msgs::TransformStamped& from) {
+input::HandMessage to_hand(const geometry_msgs::TransformStamped& from, const LoopTime& now) {
   input::HandMessage hand;
   const geometry_msgs::Vector3& position = from.transform.translation;
   set_pose(hand, position.x, position.y, position.z, from.transform.rotation);
-  hand.stamp = from.header.stamp.toSec();
+  hand.stamp = now.of(from.header.stamp);
   return hand;
 }
 

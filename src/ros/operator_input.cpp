@@ -68,10 +68,10 @@ void OperatorInput::show_device(const std::vector<input::ListedSource>& sources)
 void OperatorInput::start_heartbeat(const ros::NodeHandle& handle) {
   if (heartbeat_) return;
   heartbeat_ = thread_.serve(handle).createSteadyTimer(kHeartbeat, [this](const ros::SteadyTimerEvent&) {
-    const ros::Time now = ros::Time::now();
-    if (now.isZero()) return;
+    const LoopTime now = LoopTime::now();
+    if (now.stamp.isZero()) return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    machine_.heartbeat(now.toSec());
+    machine_.heartbeat(now.seconds);
   });
 }
 
@@ -91,15 +91,15 @@ std::string OperatorInput::take(const std::string& source, const input::Operator
   return fault;
 }
 
-void OperatorInput::receive(const geometry_msgs::TransformStamped& transform, double received) {
+void OperatorInput::receive(const geometry_msgs::TransformStamped& transform, const LoopTime& received) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (transform.header.stamp == hand_stamp_) return;
     hand_stamp_ = transform.header.stamp;
   }
-  input::HandMessage hand = to_hand(transform);
+  input::HandMessage hand = to_hand(transform, received);
   hand.sender = "tf";
-  hand.received = received;
+  hand.received = received.seconds;
   const std::string fault = take("hand", hand);
   if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "hand transform message dropped: %s", fault.c_str());
 }

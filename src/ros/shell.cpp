@@ -44,7 +44,7 @@ void start_shell(std::unique_ptr<Shell>& shell, const std::string& name, const t
   }
 }
 
-OperatorInput::Status Shell::operator_status() const { return person_.status(ros::Time::now().toSec()); }
+OperatorInput::Status Shell::operator_status() const { return person_.status(LoopTime::now().seconds); }
 
 Shell::~Shell() {
   thread_.stop();

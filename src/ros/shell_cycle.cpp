@@ -33,8 +33,9 @@ double in_range(const std::string& parameter, double value) {
 void Shell::set_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   PlanMessage read = read_plan(plan);
   plan_fault_ = read.fault;
-  if (!read.fault.empty()) return loop_.drop_plan(ros::Time::now().toSec(), control_period());
-  loop_.set_plan(std::move(read.poses), read.frame, ros::Time::now().toSec(), control_period());
+  const double now = LoopTime::now().seconds;
+  if (!read.fault.empty()) return loop_.drop_plan(now, control_period());
+  loop_.set_plan(std::move(read.poses), read.frame, now, control_period());
 }
 
 void Shell::set_goal_tolerances(double xy, double yaw) {
@@ -48,7 +49,8 @@ bool Shell::goal_reached(bool host_stops) {
   arriving_ = false;
   CycleClock::Tick none;
   none.period = control_period();
-  const Observation observation = observe(timing(ros::Time::now().toSec(), none));
+  const LoopTime now = LoopTime::now();
+  const Observation observation = observe(now, timing(now.seconds, none));
   if (!loop_.goal_reached(observation)) return false;
   arriving_ = !host_stops && !loop_.stands();
   if (arriving_) return false;
@@ -58,38 +60,38 @@ bool Shell::goal_reached(bool host_stops) {
 
 CycleResult Shell::cycle(bool stop) {
   const auto start = std::chrono::steady_clock::now();
-  const ros::Time stamp = ros::Time::now();
-  const double now = stamp.toSec();
+  const LoopTime time = LoopTime::now();
+  const double now = time.seconds;
   silence_ = std::chrono::duration<double>(start - called_).count();
   called_ = start;
   take_parameters();
   const CycleClock::Tick tick = watch_time(now);
-  watch_hand(now);
+  watch_hand(time);
   const bool recorded = loop_.parameters().record_cycles && publishing_.cycle_wanted();
   if (publishing_.new_cycle_subscriber()) recording_.demand_key();
   person_.save_to(recording_.begin(recorded));
-  const CycleResult result = work(now, tick, stop || arriving_);
+  const CycleResult result = work(time, tick, stop || arriving_);
   explain(now, result);
 
-  feedback_.publish(stamp, loop_.parameters(), result, watched_ ? &prediction_ : nullptr, person_.status(now));
-  if (watched_) publishing_.publish_prediction(stamp, prediction_.poses());
+  feedback_.publish(time.stamp, loop_.parameters(), result, watched_ ? &prediction_ : nullptr, person_.status(now));
+  if (watched_) publishing_.publish_prediction(time.stamp, prediction_.poses());
   if (result.decision) {
-    publishing_.publish_paths(stamp, loop_.situation().plan, result.decision->trajectory);
-    if (result.sampling.report != Report::chosen) publishing_.publish_evaluation(stamp, loop_.planner());
+    publishing_.publish_paths(time.stamp, loop_.situation().plan, result.decision->trajectory);
+    if (result.sampling.report != Report::chosen) publishing_.publish_evaluation(time.stamp, loop_.planner());
   }
   const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
-  publishing_.publish_cycle(stamp, result, result.intent.state, duration.count(),
+  publishing_.publish_cycle(time.stamp, result, result.intent.state, duration.count(),
                             recording_.finish(result, loop_.planner()));
   statistics_.add(duration.count(), tick.period);
   keep_budget(duration.count(), tick.period, result);
   return result;
 }
 
-CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stops) {
+CycleResult Shell::work(const LoopTime& now, const CycleClock::Tick& tick, bool host_stops) {
   // Most hosts hold this recursive mutex already.
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
-  Observation observation = observe(timing(now, tick));
-  if (tick.paused) observation.resumed = velocity_after_pause(now, tick);
+  Observation observation = observe(now, timing(now.seconds, tick));
+  if (host_was_away(tick, silence_)) observation.resumed = velocity_after_pause(now.seconds);
   observation.host_stops = host_stops;
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
@@ -104,9 +106,8 @@ CycleResult Shell::work(double now, const CycleClock::Tick& tick, bool host_stop
   return result;
 }
 
-// During a pause the host or another node may have sent commands; while only the clock was set, nobody has.
-Twist2 Shell::velocity_after_pause(double now, const CycleClock::Tick& tick) const {
-  if (!host_was_away(tick, silence_, ros::Time::isSimTime())) return loop_.last_command();
+// During a pause the host or another node may have sent commands.
+Twist2 Shell::velocity_after_pause(double now) const {
   const Parameters& p = loop_.parameters();
   return odometry_.settled(now, p.odom_timeout, p).value_or(Twist2{});
 }
@@ -118,7 +119,7 @@ Sampling Shell::sampling() const {
 }
 
 // The hand as a tf frame. A transform that cannot be looked up counts as silence of the device.
-void Shell::watch_hand(double now) {
+void Shell::watch_hand(const LoopTime& now) {
   const Parameters& p = loop_.parameters();
   if (p.mode != OperatorMode::gesture || p.gesture_frame.empty()) return;
   try {
@@ -146,7 +147,7 @@ control::Timing Shell::timing(double now, const CycleClock::Tick& tick) const {
   return {now, tick.period, clock_.longest_period(tick.period), tick.paused ? 0.0 : tick.interval, tick.jumped_back};
 }
 
-Shell::Observation Shell::observe(const control::Timing& timing) {
+Shell::Observation Shell::observe(const LoopTime& now, const control::Timing& timing) {
   Observation observation;
   observation.timing = timing;
   OdometryInput::Reading odometry = odometry_.read(timing.now, loop_.parameters().odom_timeout);
@@ -162,7 +163,7 @@ Shell::Observation Shell::observe(const control::Timing& timing) {
     lacks(Missing::odometry, std::move(odometry.fault));
   } else if (!costmap_.isCurrent()) {
     lacks(Missing::costmap, "the local costmap is not current: a sensor that it waits for is silent");
-  } else if (!lacks(Missing::transform, observe_pose(timing.now, observation))) {
+  } else if (!lacks(Missing::transform, observe_pose(now, observation))) {
     lacks(Missing::footprint, update_footprint());
   }
   if (observation.missing == Missing::nothing) {
@@ -172,7 +173,7 @@ Shell::Observation Shell::observe(const control::Timing& timing) {
   return observation;
 }
 
-std::string Shell::observe_pose(double now, Observation& observation) {
+std::string Shell::observe_pose(const LoopTime& now, Observation& observation) {
   const std::string& frame = costmap_.getGlobalFrameID();
   geometry_msgs::PoseStamped pose;
   if (!costmap_.getRobotPose(pose)) {
@@ -184,12 +185,12 @@ std::string Shell::observe_pose(double now, Observation& observation) {
            "alike (transform_tolerance); if it stays, restart the host";
   }
   observation.pose = to_pose(pose.pose);
-  if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now - pose.header.stamp.toSec());
+  if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now.seconds - now.of(pose.header.stamp));
   if (!is_finite(observation.pose)) return "the robot's pose in " + frame + " is not a number";
   if (loop_.plan_frame() == frame) return "";
   try {
     const geometry_msgs::TransformStamped transform = tf_.lookupTransform(frame, loop_.plan_frame(), ros::Time(0));
-    const double age = transform.header.stamp.isZero() ? 0.0 : now - transform.header.stamp.toSec();
+    const double age = transform.header.stamp.isZero() ? 0.0 : now.seconds - now.of(transform.header.stamp);
     if (age > loop_.parameters().transform_tolerance) {
       return "the transform from the plan's frame " + loop_.plan_frame() + " to " + frame + " is " + worded(age) +
              " s old (transform_tolerance)";
@@ -204,12 +205,12 @@ std::string Shell::observe_pose(double now, Observation& observation) {
 
 // By how much the newest transform is ahead of `now` [s]. A pose for `now` is then made of what was sent long before,
 // or of nothing newer. A pose with a stamp of before shows that there is no newer transform: then tf is not asked.
-double Shell::pose_ahead_of(double now, const ros::Time& stamp) const {
-  if (stamp.toSec() < now) return 0.0;
+double Shell::pose_ahead_of(const LoopTime& now, const ros::Time& stamp) const {
+  if (stamp < now.stamp) return 0.0;
   try {
     const ros::Time newest =
         tf_.lookupTransform(costmap_.getGlobalFrameID(), costmap_.getBaseFrameID(), ros::Time(0)).header.stamp;
-    return newest.toSec() - now;
+    return now.of(newest) - now.seconds;
   } catch (const tf2::TransformException&) {
     return 0.0;
   }

@@ -83,7 +83,7 @@ bool YieldingRecovery::yield() {
     const std::optional<Kept> kept = RobotKeepers::of_process().keep();
     velocity_.publish(kept ? to_message(kept->command) : geometry_msgs::Twist());
     if (!kept) return true;
-    const Phase phase = yielding.step(ros::Time::now().toSec(), kept->stands, kept->attended);
+    const Phase phase = yielding.step(LoopTime::now().seconds, kept->stands, kept->attended);
     tell(phase);
     if (phase == Phase::quiet || phase == Phase::out_of_patience) return true;
     if (kept->stands && requests_->any()) {

@@ -33,22 +33,31 @@ struct NaiveExplained {
   bool agrees(double measured) const { return measured >= lo - tolerance && measured <= hi + tolerance; }
 };
 
+/// The same cycles on a clock that nobody sets: where time went back, a period had passed.
+inline std::vector<NaiveCycle> naive_steady(std::vector<NaiveCycle> cycles) {
+  for (std::size_t i = cycles.size() - 1; i > 0; --i) {
+    if (cycles[i].time >= cycles[i - 1].time) continue;
+    const double set = cycles[i].time - cycles[i].period - cycles[i - 1].time;
+    for (std::size_t k = 0; k < i; ++k) cycles[k].time += set;
+  }
+  return cycles;
+}
+
 /// The twin of CommandHistory, for one set of parameters and times that are numbers. The last cycle is the one that
 /// asks.
 class NaiveHistory {
  public:
-  NaiveHistory(const Parameters& p, const std::vector<NaiveCycle>& cycles)
-      : p_(p), now_(cycles.back()), effects_(p, now_.period, {}, {}) {
-    std::size_t first = cycles.size() - 1;  // since time last went back
-    while (first > 0 && cycles[first - 1].time <= cycles[first].time) --first;
+  NaiveHistory(const Parameters& p, const std::vector<NaiveCycle>& told)
+      : p_(p), now_(told.back()), effects_(p, now_.period, {}, {}) {
+    const std::vector<NaiveCycle> cycles = naive_steady(told);
     std::vector<NaiveEffect> list;
-    for (std::size_t i = first; i < cycles.size(); ++i) {
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
       if (i + 1 < cycles.size() && cycles[i + 1].time == cycles[i].time) continue;  // told anew
       std::size_t before = i;  // the last cycle at another time: its command is what this one found
-      while (before > first && cycles[before].time == cycles[i].time) --before;
+      while (before > 0 && cycles[before].time == cycles[i].time) --before;
       list.push_back({cycles[before].time + p.control_latency - now_.time, cycles[i].last_command});
     }
-    effects_ = {p, now_.period, cycles[first].last_command, list};
+    effects_ = {p, now_.period, cycles.front().last_command, list};
   }
   const NaiveEffects& effects() const { return effects_; }
 

@@ -33,9 +33,8 @@ class CycleClock {
   bool complained_ = false;
 };
 
-/// Whether others may have driven since the last call. Without a pause they have not. A clock that was set, or a bag
-/// that begins anew, looks like one: then `silence` [s], which no clock that can be set has measured, tells. A pause of
-/// simulated time may be shorter on the wall (`simulated`), so that only a jump back is judged by it.
-bool host_was_away(const CycleClock::Tick& tick, double silence, bool simulated);
+/// Whether others may have driven since the last call. Without a pause they have not. Simulated time that jumps back,
+/// as in a bag that begins anew, looks like a pause: then `silence` [s], measured on the wall, tells.
+bool host_was_away(const CycleClock::Tick& tick, double silence);
 
 }  // namespace hidwa_local_planner

@@ -12,6 +12,7 @@
 
 #include "hidwa_local_planner/MovingObstacles.h"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
+#include "hidwa_local_planner/ros/loop_time.hpp"
 
 namespace hidwa_local_planner {
 
@@ -30,10 +31,10 @@ class MovingObstacleInput {
 
   /// `handle` decides the namespace and whose thread serves the messages. An empty topic: to nothing.
   void subscribe(ros::NodeHandle handle, const std::string& topic);
-  /// `received` [s] counts where there is no stamp.
-  void receive(const MovingObstacles::ConstPtr& message, double received);
+  /// `received` counts where there is no stamp.
+  void receive(const MovingObstacles::ConstPtr& message, const LoopTime& received);
   /// Of any type. One that is none of these is refused: the message before counts until it is too old.
-  void receive(const topic_tools::ShapeShifter& message, double received);
+  void receive(const topic_tools::ShapeShifter& message, const LoopTime& received);
   /// Time jumped back, or the sender is another one.
   void forget();
 
@@ -58,7 +59,7 @@ class MovingObstacleInput {
   mutable std::mutex mutex_;
   MovingObstacles::ConstPtr newest_;
   std::string unreadable_;  // why a message since then is none
-  double received_ = 0.0;   // [s]
+  double told_of_ = 0.0;    // when what the newest tells was so, by the loop's time [s]
   Status status_;
 };
 

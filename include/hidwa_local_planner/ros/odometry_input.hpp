@@ -13,6 +13,7 @@
 
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/ros/loop_time.hpp"
 
 namespace hidwa_local_planner {
 
@@ -21,7 +22,7 @@ class OdometryInput {
  public:
   /// `handle` decides the namespace and whose thread serves the messages.
   void subscribe(ros::NodeHandle handle, const std::string& topic);
-  void receive(const nav_msgs::Odometry& message, double received);
+  void receive(const nav_msgs::Odometry& message, const LoopTime& received);
 
   struct Reading {
     std::optional<Twist2> velocity;  // [m/s, rad/s]; nothing when it is missing or old
@@ -40,7 +41,7 @@ class OdometryInput {
  private:
   struct Newest {
     std::optional<Twist2> velocity;
-    double stamp = 0.0;     // of the header [s]; 0 where the sender leaves it empty
+    double stamp = 0.0;     // of the header, by the loop's time [s]; 0 where the sender leaves it empty
     double received = 0.0;  // [s]
   };
   // Of about the last second, even at 100 Hz.

@@ -12,6 +12,7 @@
 
 #include "hidwa_local_planner/input/gesture_source.hpp"
 #include "hidwa_local_planner/input/operator_message.hpp"
+#include "hidwa_local_planner/ros/loop_time.hpp"
 
 namespace hidwa_local_planner {
 
@@ -36,6 +37,6 @@ using DeliverMessage = std::function<std::string(const std::string& source, cons
 OperatorDevices operator_devices(const DeliverMessage& deliver);
 
 /// The hand as tf has it.
-input::HandMessage to_hand(const geometry_msgs::TransformStamped& hand);
+input::HandMessage to_hand(const geometry_msgs::TransformStamped& hand, const LoopTime& now);
 
 }  // namespace hidwa_local_planner

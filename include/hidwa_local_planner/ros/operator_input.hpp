@@ -32,8 +32,8 @@ class OperatorInput : public control::Operator {
   void configure(const Parameters& parameters) override;
   /// The same handle, its callbacks served by the thread that takes the operator's messages.
   ros::NodeHandle serve(const ros::NodeHandle& handle) { return thread_.serve(handle); }
-  /// The hand as tf has it; the same transform again is no message. `received` [s].
-  void receive(const geometry_msgs::TransformStamped& hand, double received);
+  /// The hand as tf has it; the same transform again is no message.
+  void receive(const geometry_msgs::TransformStamped& hand, const LoopTime& received);
 
   /// From now on each update() writes there what the machine was before it (OperatorStateMachine::save()); null:
   /// nowhere.

@@ -23,6 +23,7 @@
 #include "hidwa_local_planner/ros/diagnostics.hpp"
 #include "hidwa_local_planner/ros/handover.hpp"
 #include "hidwa_local_planner/ros/host_frequency.hpp"
+#include "hidwa_local_planner/ros/loop_time.hpp"
 #include "hidwa_local_planner/ros/message_throttle.hpp"
 #include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
 #include "hidwa_local_planner/ros/odometry_input.hpp"
@@ -78,15 +79,15 @@ class Shell {
   Diagnostics::Load load() const;
 
   // One cycle.
-  void watch_hand(double now);
+  void watch_hand(const LoopTime& now);
   CycleClock::Tick watch_time(double now);
-  CycleResult work(double now, const CycleClock::Tick& tick, bool host_stops);
+  CycleResult work(const LoopTime& now, const CycleClock::Tick& tick, bool host_stops);
   control::Timing timing(double now, const CycleClock::Tick& tick) const;
-  Observation observe(const control::Timing& timing);
-  std::string observe_pose(double now, Observation& observation);
-  double pose_ahead_of(double now, const ros::Time& stamp) const;
+  Observation observe(const LoopTime& now, const control::Timing& timing);
+  std::string observe_pose(const LoopTime& now, Observation& observation);
+  double pose_ahead_of(const LoopTime& now, const ros::Time& stamp) const;
   std::string update_footprint();
-  Twist2 velocity_after_pause(double now, const CycleClock::Tick& tick) const;
+  Twist2 velocity_after_pause(double now) const;
   Sampling sampling() const;
   void watch_odometry(const Observation& observation, const Decision& decision);
   void explain(double now, const CycleResult& result);

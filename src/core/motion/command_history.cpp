@@ -68,7 +68,8 @@ class Player {
 
 void CommandHistory::observe(double now, double period, double span, const Twist2& command,
                              const VelocityLimits& limits) {
-  if (!seen_ || !(now >= *seen_) || !std::isfinite(*seen_)) forget();  // also where a time is no number
+  if (!seen_ || !std::isfinite(*seen_) || !std::isfinite(now)) forget();
+  if (seen_ && now < *seen_) shift(now - period - *seen_);
   Sent newest{seen_.value_or(now), command, command};
   if (!sent_.empty() && now == *seen_) {
     newest.time = sent_.back().time;
@@ -87,6 +88,11 @@ void CommandHistory::observe(double now, double period, double span, const Twist
   const double begin = now - span + kSameTime;
   while (sent_.size() > 1 && sent_[1].time <= begin) sent_.erase(sent_.begin());
   seen_ = now;
+}
+
+void CommandHistory::shift(double by) {
+  for (Sent& sent : sent_) sent.time += by;
+  *seen_ += by;
 }
 
 void CommandHistory::forget() {

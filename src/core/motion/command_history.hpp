@@ -19,8 +19,8 @@ class CommandHistory {
   CommandHistory() { sent_.reserve(kMost); }
 
   /// A cycle of `period` [s] at `now` [s] begins; `command` was sent last, in the cycle before. What was sent longer
-  /// ago than `span` [s] is forgotten, except what was in force then. All that was sent before is forgotten where time
-  /// goes back. A second cycle of the same time takes the place of the first.
+  /// ago than `span` [s] is forgotten, except what was in force then. Where time goes back a period has passed. A
+  /// second cycle of the same time takes the place of the first.
   void observe(double now, double period, double span, const Twist2& command, const VelocityLimits& limits);
   void forget();
 
@@ -40,6 +40,8 @@ class CommandHistory {
   }
 
  private:
+  void shift(double by);  // all times [s]
+
   // As many cycles as the longest latency has at 100 Hz, and some. Beyond them the oldest is forgotten.
   static constexpr std::size_t kMost = 256;
 

@@ -269,6 +269,17 @@ TEST(ControlLoop, TheZeroAtTheGoalActsFromThenOn) {
   EXPECT_NEAR(led_on(bench), 0.05 * (0.5 + 0.4375), 1e-9);
 }
 
+TEST(ControlLoop, WhatWasSentBeforeAClockWasSetBackStillActs) {
+  Bench bench;
+  drive_without_latency(bench);
+  bench.seen().host_stops = true;
+  bench.step();  // 0.375 m/s
+  bench.step();  // 0.25 m/s
+  bench.seen().timing.now -= 50.0;
+  bench.seen().timing.jumped_back = true;
+  EXPECT_NEAR(led_on(bench), 0.0375, 1e-9);  // as above
+}
+
 // What a late cycle may brake counts from the cycle before, also where that had a fault.
 TEST(ControlLoop, TheFirstCycleAfterAFaultBrakesByOnePeriod) {
   Bench bench;

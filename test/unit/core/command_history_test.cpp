@@ -133,12 +133,16 @@ TEST(CommandHistory, AfterAPauseOnlyTheLastCommandCounts) {
   expect_range(cycles.range(), 0.5, 0.5);
 }
 
-TEST(CommandHistory, TimeThatGoesBackForgets) {
-  Cycles cycles;
-  cycles.ramp(0.0, 0.5, 0.125);
-  cycles.observe_at(10.0, {0.5, 0.0});
-  EXPECT_EQ(cycles.history().size(), 1u);
-  expect_range(cycles.range(), 0.5, 0.5);
+TEST(CommandHistory, WhereTimeGoesBackAPeriodHasPassed) {
+  Cycles set_back, steady;
+  for (Cycles* cycles : {&set_back, &steady}) cycles->ramp(0.0, 0.375, 0.125);
+  for (const double v : {0.5, 0.375, 0.5, 0.5, 0.5}) {
+    steady.observe({v, 0.0});
+    v == 0.375 ? set_back.observe_at(10.0, {v, 0.0}) : set_back.observe({v, 0.0});
+    EXPECT_EQ(set_back.history().size(), steady.history().size());
+    EXPECT_NEAR(set_back.history().elapsed(), kPeriod, 1e-9);
+    expect_range(set_back.range(), steady.range().lo, steady.range().hi);
+  }
 }
 
 TEST(CommandHistory, ASecondCycleOfTheSameTimeTakesThePlaceOfTheFirst) {

@@ -17,6 +17,9 @@
 namespace hidwa_local_planner {
 namespace {
 
+// A clock that nobody has set.
+LoopTime at(double seconds) { return {seconds, ros::Time(seconds)}; }
+
 using Bytes = test::WireBytes;
 
 constexpr char kPeople[] = "people_msgs/People";
@@ -28,7 +31,7 @@ class DetectorMessages : public ::testing::Test {
  protected:
   void SetUp() override { ros::Time::init(); }
   void receive(Bytes bytes, const std::string& type, const std::string& sum) {
-    input_.receive(test::shape_of(bytes.all(), type, sum), 10.0);
+    input_.receive(test::shape_of(bytes.all(), type, sum), at(10.0));
     input_.read(10.1, 0.5, tf_, "odom", obstacles_);
   }
   void receive_array(const Bytes& bytes) { receive(bytes, kArray, kArraySum); }
@@ -109,7 +112,8 @@ TEST_F(DetectorMessages, OursComesAsItIs) {
   EXPECT_TRUE(obstacles_.empty());
   EXPECT_NE(input_.status().fault.find("cannot be read"), std::string::npos) << input_.status().fault;
   const std::vector<std::uint8_t> bytes(wire.message_start, wire.buf.get() + wire.num_bytes);
-  input_.receive(test::shape_of(bytes, ros::message_traits::datatype(ours), ros::message_traits::md5sum(ours)), 10.0);
+  input_.receive(test::shape_of(bytes, ros::message_traits::datatype(ours), ros::message_traits::md5sum(ours)),
+                 at(10.0));
   input_.read(10.1, 0.5, tf_, "odom", obstacles_);
   ASSERT_EQ(obstacles_.size(), 1U);
   EXPECT_EQ(obstacles_[0].radius, 0.4);
@@ -152,7 +156,8 @@ TEST_F(DetectorMessages, EveryBeginningIsReadOrRefused) {
     std::vector<std::uint8_t> all = Bytes(bytes).all();
     for (std::size_t length = 0; length < all.size(); ++length) {
       input_.forget();
-      input_.receive(test::shape_of({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(length)}, type, sum), 10.0);
+      input_.receive(test::shape_of({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(length)}, type, sum),
+                     at(10.0));
       input_.read(10.1, 0.5, tf_, "odom", obstacles_);
       ASSERT_TRUE(obstacles_.empty()) << type << ' ' << length;
       ASSERT_NE(input_.status().fault, "");

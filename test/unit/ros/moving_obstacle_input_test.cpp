@@ -11,6 +11,9 @@
 namespace hidwa_local_planner {
 namespace {
 
+// A clock that nobody has set.
+LoopTime at(double seconds) { return {seconds, ros::Time(seconds)}; }
+
 MovingObstacle obstacle(double x, double y, double vx, double vy) {
   MovingObstacle one;
   one.id = 3;
@@ -63,7 +66,7 @@ TEST_F(MovingObstacleInputs, PlacesAreBroughtToTheCostmapAndVelocitiesTurned) {
   made->obstacles.push_back(obstacle(3.0, 1.0, 0.5, 0.2));
   made->obstacles.back().points.resize(1);
   made->obstacles.back().points[0].x = 3.0F;
-  input_.receive(made, 10.05);
+  input_.receive(made, at(10.05));
   ASSERT_EQ(read(10.2).size(), 1U);
   // A quarter to the left: (x, y) becomes (-y, x), and then (1, 2) more.
   EXPECT_NEAR(obstacles_[0].position.x(), 1.0 - 1.0, 1e-9);
@@ -79,14 +82,14 @@ TEST_F(MovingObstacleInputs, WhereTfIsLateTheNewestTransformIsTaken) {
   place_laser(9.9);
   const auto made = message("laser", 10.0);
   made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, 10.0);
+  input_.receive(made, at(10.0));
   EXPECT_EQ(read(10.1).size(), 1U);
 }
 
 TEST_F(MovingObstacleInputs, WithoutATransformNothingCountsAndItSaysSo) {
   const auto made = message("nowhere", 10.0);
   made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, 10.0);
+  input_.receive(made, at(10.0));
   EXPECT_TRUE(read(10.1).empty());
   EXPECT_NE(input_.status().fault.find("nowhere"), std::string::npos) << input_.status().fault;
 }
@@ -94,7 +97,7 @@ TEST_F(MovingObstacleInputs, WithoutATransformNothingCountsAndItSaysSo) {
 TEST_F(MovingObstacleInputs, WhatIsOldDoesNotCount) {
   const auto made = message("odom", 10.0);
   made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, 10.0);
+  input_.receive(made, at(10.0));
   EXPECT_EQ(read(10.4).size(), 1U);
   EXPECT_TRUE(read(10.6).empty());
   EXPECT_NE(input_.status().fault.find("0.60 s old"), std::string::npos) << input_.status().fault;
@@ -109,7 +112,7 @@ TEST_F(MovingObstacleInputs, NonsenseIsRefusedAndTheRestCounts) {
   made->obstacles.push_back(obstacle(1.0, 1.0, 0.0, std::numeric_limits<double>::infinity()));
   made->obstacles.push_back(obstacle(1.0, 1.0, 0.0, 0.0));
   made->obstacles.back().velocity_deviation = std::numeric_limits<double>::quiet_NaN();
-  input_.receive(made, 10.0);
+  input_.receive(made, at(10.0));
   EXPECT_EQ(read(10.1).size(), 1U);
   EXPECT_EQ(input_.status().refused, 4U);
   EXPECT_EQ(input_.status().count, 1U);
@@ -119,7 +122,7 @@ TEST_F(MovingObstacleInputs, NonsenseIsRefusedAndTheRestCounts) {
 TEST_F(MovingObstacleInputs, TooManyAreNoList) {
   const auto made = message("odom", 10.0);
   made->obstacles.assign(MovingObstacleInput::kMost + 1, obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, 10.0);
+  input_.receive(made, at(10.0));
   EXPECT_TRUE(read(10.1).empty());
   EXPECT_NE(input_.status().fault, "");
 }
@@ -127,9 +130,9 @@ TEST_F(MovingObstacleInputs, TooManyAreNoList) {
 TEST_F(MovingObstacleInputs, AnEmptyMessageSaysThatNothingMoves) {
   auto made = message("odom", 10.0);
   made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, 10.0);
+  input_.receive(made, at(10.0));
   EXPECT_EQ(read(10.1).size(), 1U);
-  input_.receive(message("odom", 10.1), 10.1);
+  input_.receive(message("odom", 10.1), at(10.1));
   EXPECT_TRUE(read(10.2).empty());
   EXPECT_EQ(input_.status().fault, "");
 }

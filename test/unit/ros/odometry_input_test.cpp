@@ -8,6 +8,9 @@
 namespace hidwa_local_planner {
 namespace {
 
+// A clock that nobody has set.
+LoopTime at(double seconds) { return {seconds, ros::Time(seconds)}; }
+
 nav_msgs::Odometry driving(double v, double stamp) {
   nav_msgs::Odometry message;
   message.header.stamp.fromSec(stamp);
@@ -23,7 +26,7 @@ TEST(OdometryInput, NothingYet) {
 
 TEST(OdometryInput, OldByReceiveTime) {
   OdometryInput input;
-  input.receive(driving(0.3, 0.0), 10.0);  // no stamp
+  input.receive(driving(0.3, 0.0), at(10.0));  // no stamp
   ASSERT_TRUE(input.read(10.4, 0.5).velocity);
   EXPECT_EQ(input.read(10.4, 0.5).velocity->v, 0.3);
   EXPECT_FALSE(input.read(10.6, 0.5).velocity);
@@ -31,14 +34,14 @@ TEST(OdometryInput, OldByReceiveTime) {
 
 TEST(OdometryInput, OldByStamp) {
   OdometryInput input;
-  input.receive(driving(0.3, 8.0), 10.0);  // late on the way
+  input.receive(driving(0.3, 8.0), at(10.0));  // late on the way
   EXPECT_FALSE(input.read(10.1, 0.5).velocity);
   EXPECT_NE(input.read(10.1, 0.5).fault.find("2.10 s old"), std::string::npos);
 }
 
 TEST(OdometryInput, AStampFromTheFutureDoesNotKeepItFresh) {
   OdometryInput input;
-  input.receive(driving(0.3, 99.0), 10.0);
+  input.receive(driving(0.3, 99.0), at(10.0));
   EXPECT_TRUE(input.read(10.1, 0.5).velocity);
   EXPECT_FALSE(input.read(11.0, 0.5).velocity);
 }
@@ -46,8 +49,8 @@ TEST(OdometryInput, AStampFromTheFutureDoesNotKeepItFresh) {
 TEST(OdometryInput, WhatIsNoNumberIsDropped) {
   ros::Time::init();
   OdometryInput input;
-  input.receive(driving(0.3, 0.0), 10.0);
-  input.receive(driving(std::numeric_limits<double>::quiet_NaN(), 0.0), 10.1);
+  input.receive(driving(0.3, 0.0), at(10.0));
+  input.receive(driving(std::numeric_limits<double>::quiet_NaN(), 0.0), at(10.1));
   EXPECT_EQ(input.read(10.2, 0.5).velocity->v, 0.3);
 }
 
