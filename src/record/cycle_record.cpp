@@ -129,7 +129,7 @@ std::string of_other_format(std::uint16_t format, ArchiveReader& read) {
   std::uint32_t sequence = 0;
   bool key = false;
   std::string release;
-  if (format < kFormat) read(sequence, key);
+  if (format <= 3) read(sequence, key);
   if (key) read(release);
   return "the record's format is " + std::to_string(format) + ", this release reads format " + std::to_string(kFormat) +
          ": replay it with the release that recorded it" + (release.empty() ? "" : ", " + release);
