@@ -18,4 +18,13 @@ option(HIDWA_UNITY "Compile several sources of a library at once: a build from n
 # Most of the time goes into headers that many sources share.
 function(hidwa_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${HIDWA_UNITY})
+  # GCC 9 crashes where a function of HIDWA_VECTOR_CLONES is compiled together with what calls it.
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    get_filename_component(path ${source} ABSOLUTE)
+    file(STRINGS ${path} clones REGEX HIDWA_VECTOR_CLONES LIMIT_COUNT 1)
+    if(clones)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
 endfunction()

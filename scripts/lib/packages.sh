@@ -14,7 +14,7 @@ HIDWA_DEBIAN_BUILD="build-essential cmake catkin python3-setuptools
   libactionlib-dev libangles-dev libmessage-filters-dev libtf2-ros-dev libtf2-geometry-msgs-dev libtopic-tools-dev
   libtf2-sensor-msgs-dev liblaser-geometry-dev libdynamic-reconfigure-config-init-mutex-dev
   python3-dynamic-reconfigure libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libtinyxml2-dev libsdl-image1.2-dev liburdf-dev
-  liburdfdom-dev libdiagnostic-updater-dev libinteractive-markers-dev zlib1g-dev"
+  libconsole-bridge-dev liburdfdom-dev libdiagnostic-updater-dev libinteractive-markers-dev zlib1g-dev"
 HIDWA_DEBIAN_COLCON="colcon python3-colcon-core python3-colcon-bash python3-colcon-cmake python3-colcon-ros python3-colcon-library-path
   python3-colcon-metadata python3-colcon-output python3-colcon-package-information
   python3-colcon-package-selection python3-colcon-pkg-config python3-colcon-recursive-crawl
@@ -35,7 +35,7 @@ HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev nlohmann-json3-
 # scripts/test --long coverage, and scripts/mutate. Fuzzing takes Clang with its run-time libraries, which may be packaged apart.
 HIDWA_DEBIAN_COVERAGE="gcovr ninja-build"
 HIDWA_DEBIAN_MUTATE="build-essential cmake ninja-build ccache python3 libeigen3-dev nlohmann-json3-dev libyaml-cpp-dev
-  liburdfdom-dev zlib1g-dev libgtest-dev"
+  libconsole-bridge-dev liburdfdom-dev zlib1g-dev libgtest-dev"
 HIDWA_DEBIAN_FUZZ="clang libclang-rt-dev"
 # The operator's console: npm brings the browser's libraries; a browser tests the page.
 HIDWA_DEBIAN_CONSOLE="npm"
@@ -45,7 +45,7 @@ HIDWA_DEBIAN_PLATFORMS="mmdebstrap iproute2"
 HIDWA_DEBIAN_GUI="rviz libgl1-mesa-dri ros-robot-state-publisher"
 
 # Ubuntu 20.04 with ROS Noetic in /opt/ros/noetic: the real navigation stack is packaged there.
-HIDWA_NOETIC_BUILD="build-essential cmake libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev liburdfdom-dev zlib1g-dev
+HIDWA_NOETIC_BUILD="build-essential cmake libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libconsole-bridge-dev liburdfdom-dev zlib1g-dev
   python3-colcon-common-extensions ros-noetic-catkin ros-noetic-navigation ros-noetic-diagnostic-updater
   ros-noetic-dynamic-reconfigure ros-noetic-pluginlib ros-noetic-rosbag ros-noetic-roscpp ros-noetic-rospy
   ros-noetic-tf2-ros ros-noetic-tf2-geometry-msgs ros-noetic-urdf ros-noetic-visualization-msgs"

@@ -20,10 +20,10 @@ NAME = 'hidwa_local_planner'
 OTHER_NAMES = {
     'Eigen': 'eigen', 'Eigen3': 'eigen', 'nlohmann': 'nlohmann-json-dev', 'nlohmann_json': 'nlohmann-json-dev',
     'ZLIB': 'zlib', 'zlib.h': 'zlib', 'ros': 'roscpp', 'xmlrpcpp': 'roscpp', 'boost': 'roscpp',
-    'rosbag.h': 'rosbag_storage', 'urdf_parser': 'liburdfdom-dev', 'urdfdom': 'liburdfdom-dev', 'urdfdom_headers': 'liburdfdom-dev',
-    'console_bridge': 'libconsole-bridge-dev', 'GTest': 'gtest', 'numpy': 'python3-numpy', 'yaml': 'python3-yaml',
-    'matplotlib': 'python3-matplotlib', 'scipy': 'python3-scipy', 'tornado': 'python3-tornado', 'PIL': 'python3-pil',
-    'rospkg': 'python3-rospkg'}
+    'rosbag.h': 'rosbag_storage', 'urdf_parser': 'liburdfdom-dev', 'urdfdom': 'liburdfdom-dev',
+    'console_bridge': 'libconsole-bridge-dev', 'urdfdom_headers': 'liburdfdom-dev', 'console_bridge': 'libconsole-bridge-dev',
+    'GTest': 'gtest', 'numpy': 'python3-numpy', 'yaml': 'python3-yaml', 'matplotlib': 'python3-matplotlib',
+    'scipy': 'python3-scipy', 'tornado': 'python3-tornado', 'PIL': 'python3-pil', 'rospkg': 'python3-rospkg'}
 PROGRAMS = ('scripts/*', 'scripts/lib/**/*.py', 'console/*', 'console/hidwa_console/*.py')
 # What a robot does without: folders that HIDWA_TOOLS adds, and the picture of a report.
 TOOLS = ('src/sim/', 'src/drive/', 'src/study/', 'src/replay/', 'src/attack/', 'launch/demo.launch', 'scripts/lib/hidwa_tools/figure.py')

@@ -17,7 +17,9 @@ constexpr Square kNone = 16384;
 static_assert(LethalDistances::kMost * LethalDistances::kMost < kNone);
 static_assert(kNone + LethalDistances::kMost * LethalDistances::kMost <= 32767);
 
-std::size_t strips_of(int columns) { return static_cast<std::size_t>((columns + kColumns - 1) / kColumns); }
+std::size_t strips_of(int columns) {
+  return static_cast<std::size_t>((std::max(0, columns) + kColumns - 1) / kColumns);
+}
 
 Square square(int distance) { return static_cast<Square>(distance * distance); }
 

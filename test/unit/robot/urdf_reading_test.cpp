@@ -13,7 +13,7 @@ namespace {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-const Joint& joint_of(const Model& model, const std::string& name) {
+Joint joint_of(const Model& model, const std::string& name) {
   return *std::find_if(model.joints.begin(), model.joints.end(), [&](const Joint& j) { return j.name == name; });
 }
 
@@ -22,7 +22,7 @@ TEST(UrdfReading, JointsLieInTheBaseFrame) {
   ASSERT_TRUE(reading.model) << reading.fault;
   EXPECT_EQ(reading.warning, "");
   EXPECT_EQ(reading.model->links.size(), 3u);
-  const Joint& left = joint_of(*reading.model, "wheel_left_joint");
+  const Joint left = joint_of(*reading.model, "wheel_left_joint");
   EXPECT_EQ(left.turning, Turning::freely);
   EXPECT_TRUE(left.fixed_to_base);
   EXPECT_TRUE(left.position.isApprox(Eigen::Vector3d(0.0, 0.2022, 0.0985)));
@@ -45,14 +45,14 @@ TEST(UrdfReading, OriginsAreComposedAlongTheTree) {
   const UrdfReading reading = read_urdf(text, "/robot/base_link");
   ASSERT_TRUE(reading.model) << reading.fault;
   EXPECT_EQ(reading.model->base, "base_link");
-  const Joint& arm = joint_of(*reading.model, "arm_joint");
+  const Joint arm = joint_of(*reading.model, "arm_joint");
   // (0.05, 0.1, 0) + Rz(90) (0.1, 0, 0) = (0.05, 0.2, 0); the root lies 0.1 m below and counts for nothing.
   EXPECT_TRUE(arm.position.isApprox(Eigen::Vector3d(0.05, 0.2, 0.0), 1e-9));
   EXPECT_EQ(arm.turning, Turning::within_bounds);
   // Rz(90) Rx(90) z = Rz(90) (0, -1, 0) = (1, 0, 0).
   EXPECT_TRUE(arm.axis.isApprox(Eigen::Vector3d::UnitX(), 1e-9));
   EXPECT_TRUE(arm.fixed_to_base);
-  const Joint& tip = joint_of(*reading.model, "tip_joint");
+  const Joint tip = joint_of(*reading.model, "tip_joint");
   EXPECT_TRUE(tip.position.isApprox(Eigen::Vector3d(0.35, 0.2, 0.0), 1e-9));
   EXPECT_FALSE(tip.fixed_to_base);
   EXPECT_FALSE(tip.max_velocity);
