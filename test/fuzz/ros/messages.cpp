@@ -32,6 +32,9 @@ bool read(std::vector<std::uint8_t>& bytes, Message& message) {
   }
 }
 
+// [s] by both clocks.
+LoopTime at(double seconds) { return {seconds, ros::Time(seconds)}; }
+
 void take_plan(std::vector<std::uint8_t>& bytes) {
   nav_msgs::Path path;
   if (!read(bytes, path)) return;
@@ -44,7 +47,7 @@ void take_odometry(std::vector<std::uint8_t>& bytes) {
   nav_msgs::Odometry odometry;
   if (!read(bytes, odometry)) return;
   OdometryInput input;
-  for (int k = 0; k < 3; ++k) input.receive(odometry, 10.0 + 0.02 * k);
+  for (int k = 0; k < 3; ++k) input.receive(odometry, at(10.0 + 0.02 * k));
   const OdometryInput::Reading reading = input.read(10.1, 0.5);
   require(reading.velocity.has_value() != !reading.fault.empty(), "neither a velocity nor a fault, or both");
   if (reading.velocity) require(is_finite(*reading.velocity), "the velocity is not a number");
@@ -67,7 +70,7 @@ void require_movers(MovingObstacleInput& input, const tf2::BufferCore& tf, doubl
 // Of another package: whatever it holds, it is read or refused.
 void take_detected(const std::vector<std::uint8_t>& bytes, const char* type, const char* md5) {
   MovingObstacleInput input;
-  input.receive(test::shape_of(bytes, type, md5), 10.0);
+  input.receive(test::shape_of(bytes, type, md5), at(10.0));
   require_movers(input, tf2::BufferCore(), 10.0);
 }
 
@@ -87,7 +90,7 @@ void take_movers(std::vector<std::uint8_t>& bytes, bool turned) {
     return;
   }
   MovingObstacleInput input;
-  input.receive(message, 10.0);
+  input.receive(message, at(10.0));
   for (const double now : {10.0, message->header.stamp.toSec()}) require_movers(input, tf, now);
 }
 
