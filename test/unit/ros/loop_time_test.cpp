@@ -15,6 +15,40 @@ TEST(LoopTime, AStampIsAsLongAgoAsByTheOtherClock) {
   EXPECT_EQ(now.of(ros::Time()), 0.0);  // no time
 }
 
+TEST(LoopTime, UntilTheClockIsSetBothAreEqual) {
+  ClockSettings settings;
+  // It is 7 s ahead of the steady one, which is read 20 ns before it and 30 ns after it; the second time it takes 50 ms
+  // from the first reading to the system's clock, and the third time from that to the second reading.
+  EXPECT_EQ(settings.observe(500, 7000000520, 550), 0);
+  EXPECT_EQ(settings.observe(1000, 7050001000, 50001050), 0);
+  EXPECT_EQ(settings.observe(60000000, 7060000020, 110000000), 0);
+  EXPECT_EQ(settings.observe(120000000, 7120000010, 120000020), 0);
+}
+
+TEST(LoopTime, ASettingIsToldAndEqualStampsStayEqual) {
+  ClockSettings settings;
+  settings.observe(1000, 5000000000, 1050);  // [ns]
+  const std::int64_t back = settings.observe(2000, 3000001000, 2050);
+  EXPECT_GE(back, 2000000000 - 50);
+  EXPECT_LE(back, 2000000000 + 50);
+  const double ahead = 1e-9 * static_cast<double>(back);
+  for (int k = 1; k < 1000; ++k) {
+    const std::int64_t moment = 12345678 * static_cast<std::int64_t>(k);
+    EXPECT_EQ(settings.observe(2000 + moment, 3000001000 + moment, 2050 + moment), back) << k;
+    ros::Time stamp;
+    stamp.fromNSec(static_cast<std::uint64_t>(3000001000 + moment));
+    const LoopTime now{stamp.toSec() + ahead, stamp, ahead};
+    EXPECT_EQ(now.of(ros::Time(2.5)), 2.5 + ahead) << k;  // whenever it is heard again
+  }
+}
+
+TEST(LoopTime, TheSystemsClockCountsWhileNobodySetsIt) {
+  ros::Time::init();
+  const LoopTime first = LoopTime::now(), second = LoopTime::now();
+  EXPECT_EQ(first.of(ros::Time(1.5)), second.of(ros::Time(1.5)));
+  EXPECT_LE(first.seconds, second.seconds);
+}
+
 TEST(LoopTime, WithASimulatedClockBothAreThat) {
   ros::Time::init();
   ros::Time::setNow(ros::Time(12.25));
