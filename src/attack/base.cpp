@@ -53,8 +53,16 @@ double Base::share() {
       return 0.0;
     case Reaching::anyhow:
       return random_.chance(0.3) ? random_.of({0.0, 1.0}) : random_.in(0.0, 1.0);
+    case Reaching::either:
+      return random_.of({0.0, 1.0});
   }
   return 1.0;
+}
+
+void Base::send(int now, const Twist2& command) {
+  const int latency = make_.latency_varies ? random_.whole(0, make_.latency) : make_.latency;
+  const int earliest = pending_.empty() ? now : pending_.back().effect;
+  pending_.push_back({std::max(now + latency, earliest), command});
 }
 
 void Base::take_up(const Twist2& command) {

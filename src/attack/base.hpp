@@ -40,16 +40,17 @@ class AxisDrive {
   double since_ = 0.0, period_ = 0.0, share_ = 0.0;  // [s], [s], [0, 1]
 };
 
-/// How commands are reached.
-enum class Reaching { evenly, at_limit, anyhow };
+/// How commands are reached. `either`: each command and axis evenly or at the limit, nothing between.
+enum class Reaching { evenly, at_limit, anyhow, either };
 
 /// A base that takes each command up after a pure delay and drives a unicycle's way.
 class Base {
  public:
   struct Make {
     AxisPower x, theta;
-    double period = 0.05;  // within which it reaches commands [s]
-    int latency = 100;     // [ms]
+    double period = 0.05;         // within which it reaches commands [s]
+    int latency = 100;            // [ms]
+    bool latency_varies = false;  // each command's own is between 0 and that; none overtakes another
     Reaching reaching = Reaching::evenly;
     double slip = 0.0;  // what is driven is off from what the wheels do by up to this share
   };
@@ -57,7 +58,7 @@ class Base {
       : make_(make), x_(make.x), theta_(make.theta), pose_(start), random_(seed) {}
 
   /// `now` [ms].
-  void send(int now, const Twist2& command) { pending_.push_back({now + make_.latency, command}); }
+  void send(int now, const Twist2& command);
   /// Drives from `now` [ms] for one millisecond.
   void step(int now);
   const Pose2& pose() const { return pose_; }

@@ -59,6 +59,23 @@ void half_steps(Spec& s, Random& r) {
   s.parameters.vth_samples = r.of({15, 25});
 }
 
+void latency_varies(Spec& s, Random& r) {
+  latency(s, r.of({100, 100, 300}));
+  s.latency_varies = true;
+  s.reaching = r.of({Reaching::evenly, Reaching::either});
+}
+
+// A base at either end of what it may do, whose ends sweep far, and the braking check alone to decide.
+void either(Spec& s, Random& r, int hertz) {
+  s.outline = r.of({Outline::long_rectangle, Outline::off_centre});
+  s.reaching = Reaching::either;
+  rate(s, hertz);
+  s.parameters.sim_time = r.of({0.1, 0.2, 0.3, 0.4});
+  fast(s, r.of({0.5, 1.0, 2.0}));
+  half_steps(s, r);
+  if (r.chance(0.3)) backwards(s, r);
+}
+
 // Everything that is promised, at random.
 void anything(Spec& s, Random& r) {
   if (r.chance(0.5)) rate(s, r.of({5, 10, 20, 40}));
@@ -116,6 +133,12 @@ std::vector<Condition> rates() {
          latency(s, 300);
          s.latency = r.whole(0, 300);
        }},
+      {"latency_less_40hz", true, "less than told, 0.5 s at 40 Hz",
+       [](Spec& s, Random& r) {
+         latency(s, 500);
+         rate(s, 40);
+         s.latency = r.whole(0, 500);
+       }},
   };
 }
 
@@ -158,6 +181,14 @@ std::vector<Condition> reaching() {
          rate(s, r.of({5, 10, 20}));
          fast(s, r.of({0.5, 1.0, 2.0}));
          half_steps(s, r);
+       }},
+      {"either_5hz", true, "at its limits or evenly, each command and axis anew, 5 Hz, short sim_time",
+       [](Spec& s, Random& r) { either(s, r, 5); }},
+      {"either_10hz", true, "the same, 10 Hz", [](Spec& s, Random& r) { either(s, r, 10); }},
+      {"either_stray", true, "the same, starts with cells under the outline",
+       [](Spec& s, Random& r) {
+         either(s, r, r.of({5, 10, 20}));
+         s.start = r.of({Start::stray, Start::grazing});
        }},
   };
 }
@@ -289,6 +320,13 @@ std::vector<Condition> starts() {
 std::vector<Condition> outside() {
   return {
       {"out_latency_more", false, "latency 0.1 s more than told", [](Spec& s, Random&) { s.latency += 100; }},
+      {"out_latency_varies", false, "from command to command between 0 and what is told",
+       [](Spec& s, Random& r) { latency_varies(s, r); }},
+      {"out_latency_varies_short", false, "the same, short sim_time",
+       [](Spec& s, Random& r) {
+         latency_varies(s, r);
+         s.parameters.sim_time = r.of({0.1, 0.2, 0.3, 0.4});
+       }},
       {"out_weak_brakes", false, "decelerations half of those told",
        [](Spec& s, Random&) {
          s.brakes = 0.5;

@@ -61,6 +61,7 @@ Base::Make make_of(const Spec& spec) {
   make.theta = {p.acc_lim_theta, spec.brakes * braking_theta(p)};
   make.period = 1e-3 * spec.period;
   make.latency = spec.latency;
+  make.latency_varies = spec.latency_varies;
   make.reaching = spec.reaching;
   make.slip = spec.slip;
   return make;

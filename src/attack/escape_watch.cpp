@@ -11,8 +11,9 @@
 namespace hidwa_attack {
 namespace {
 
-constexpr double kFinest = 2e-5;  // between two looks [m]
-constexpr double kBeside = 0.01;  // looked for around the outline [m]
+constexpr double kFinest = 2e-5;     // between two looks [m]
+constexpr double kBeside = 0.01;     // looked for around the outline [m]
+constexpr double kEitherEnd = 3e-3;  // so much deeper may a base go that takes each command and axis at either end [m]
 
 // v (latency + period) + v^2 / (2 dec) = way, solved for v.
 double speed_that_stops_in(double way, double delay, double dec) {
@@ -28,7 +29,11 @@ auto find(Set& set, const Cell& cell) {
 }  // namespace
 
 EscapeWatch::EscapeWatch(const World& world, const Shape& padded_shape, const Spec& spec)
-    : world_(world), shape_(padded_shape), outermost_(outermost(padded_shape)), half_cell_(0.5 * world.resolution()) {
+    : world_(world),
+      shape_(padded_shape),
+      outermost_(outermost(padded_shape)),
+      half_cell_(0.5 * world.resolution()),
+      allowed_(spec.reaching == Reaching::either ? kEitherEnd : kTouch) {
   const Parameters& p = spec.parameters;
   const double dec = p.decel_lim_x != 0.0 ? std::abs(p.decel_lim_x) : p.acc_lim_x;
   bound_ = speed_that_stops_in(half_cell_, p.control_latency + 1e-3 * spec.period, dec);
@@ -142,7 +147,7 @@ void EscapeWatch::judge_total(const Set& now_in) {
 }
 
 bool EscapeWatch::broken() const {
-  return entered_ > 0 || excess_ > kTouch || growth_ > kTouch || fastest_ > 1.02 * bound_;
+  return entered_ > 0 || excess_ > allowed_ || growth_ > allowed_ || fastest_ > 1.02 * bound_;
 }
 
 }  // namespace hidwa_attack

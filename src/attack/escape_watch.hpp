@@ -13,7 +13,8 @@ namespace hidwa_attack {
 /// overlapped when what it does now was decided, no deeper than it stood in then and at most half a cell; its total
 /// depth never grows: the depth in the deepest cell of each cluster, cells that hang together, summed over the clusters
 /// (along a wall the number of cells under the robot comes and goes, the depth in the wall does not); and it is no
-/// faster than what stops within half a cell.
+/// faster than what stops within half a cell. A base that takes each command and axis at either end may go deeper by
+/// what docs/safety.md allows it.
 class EscapeWatch {
  public:
   EscapeWatch(const World& world, const Shape& padded_shape, const Spec& spec);
@@ -58,6 +59,7 @@ class EscapeWatch {
   std::vector<int> cluster_;  // of each cell of the world
   Shape shape_;
   double outermost_, half_cell_, bound_;  // [m], [m], [m/s]
+  double allowed_;                        // deeper than the rules say [m]
   int memory_, settling_;                 // [ms]
   int judged_from_ = 0;                   // [ms]
   int in_since_ = -1;                     // [ms]; -1: it is out

@@ -54,7 +54,8 @@ struct Spec {
   double resolution = 0.05;             // [m]
   Start start = Start::free;
 
-  int latency = 100;  // the base's own; the planner is told parameters.control_latency [ms]
+  int latency = 100;            // the base's own; the planner is told parameters.control_latency [ms]
+  bool latency_varies = false;  // from command to command, from 0 on; none overtakes another
   Reaching reaching = Reaching::evenly;
   double brakes = 1.0;  // the base's deceleration limits, as a share of those told
 

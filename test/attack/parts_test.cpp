@@ -133,6 +133,54 @@ TEST(Base, TakesACommandUpAfterItsLatencyAndDrivesAnArc) {
   EXPECT_NEAR(base.pose().y, 0.5 * (1.0 - std::cos(0.9995)), 1e-6);
 }
 
+TEST(Base, TakesEachCommandUpAtEitherEndOrNothingElse) {
+  Base::Make make;
+  make.x = make.theta = {2.0, 4.0};
+  make.period = 0.1;
+  make.latency = 0;
+  make.reaching = Reaching::either;
+  int at_once = 0, evenly = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Base base(make, {}, seed);
+    base.send(0, {0.1, 0.0});
+    for (int now = 0; now < 25; ++now) base.step(now);
+    at_once += std::abs(base.velocity().v - 0.05) < 1e-9;  // 2.0 x 0.025
+    evenly += std::abs(base.velocity().v - 0.025) < 1e-9;  // a quarter of the period
+  }
+  EXPECT_EQ(at_once + evenly, 100);
+  EXPECT_GT(std::min(at_once, evenly), 30);
+}
+
+TEST(Base, LatencyThatVariesIsBoundedAndKeepsTheOrder) {
+  Base::Make make;
+  make.x = make.theta = {1e4, 1e4};
+  make.period = 1e-3;
+  make.latency_varies = true;  // up to 100 ms
+  int first = 1000, last = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Base base(make, {}, seed);
+    base.send(0, {0.1, 0.0});
+    double before = 0.0;
+    int jumps = 0;
+    for (int now = 0; now < 200; ++now) {
+      if (now == 10) base.send(now, {0.2, 0.0});
+      base.step(now);
+      ASSERT_GE(base.velocity().v, before);
+      if (before < 0.1 && base.velocity().v >= 0.1) {
+        first = std::min(first, now);
+        last = std::max(last, now);
+      }
+      jumps += base.velocity().v > before;
+      before = base.velocity().v;
+    }
+    EXPECT_EQ(before, 0.2);
+    EXPECT_LE(jumps, 2);
+  }
+  EXPECT_LE(first, 5);
+  EXPECT_GE(last, 90);
+  EXPECT_LE(last, 100);
+}
+
 struct Lateness {
   int cycles = 0, late = 0, longest = 0, unannounced = 0;  // longest [ms]
 };
