@@ -88,8 +88,8 @@ void EscapeRule::list_near_cells() {
   }
 }
 
-void EscapeRule::prepare(double reach, double margin) {
-  const double farthest = reach + footprint_->circumscribed_radius() + margin;
+void EscapeRule::prepare(double reach, double margin, double largest_clearance) {
+  const double farthest = reach + footprint_->circumscribed_radius() + std::max(margin, largest_clearance);
   // Beyond the window everything counts as an obstacle: it is large enough for whatever is asked.
   const int radius = static_cast<int>(std::ceil(farthest / grid_.resolution)) + 8;
   const Cell middle = grid_.cell_at(start_.pose.x, start_.pose.y);
@@ -105,7 +105,7 @@ void EscapeRule::prepare(double reach, double margin) {
                       grid_.resolution,
                       grid_.origin_x + window_.first.i * grid_.resolution,
                       grid_.origin_y + window_.first.j * grid_.resolution};
-  rest_.prepare(rest, *footprint_, true, start_.pose, reach, margin);
+  rest_.prepare(rest, *footprint_, true, start_.pose, reach, margin, largest_clearance);
 }
 
 void EscapeRule::make_rest() {

@@ -50,8 +50,8 @@ class EscapeRule {
   /// Of the samples of this cycle.
   VelocityLimits slowed() const { return speed_.slowed(); }
 
-  /// Once a cycle where it applies; `reach` and `margin` as of CollisionChecker::prepare().
-  void prepare(double reach, double margin);
+  /// Once a cycle where it applies; as of CollisionChecker::prepare().
+  void prepare(double reach, double margin, double largest_clearance);
   /// All obstacles that the ordinary rule holds for.
   const CollisionChecker& rest() const { return rest_; }
 

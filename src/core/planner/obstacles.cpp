@@ -52,7 +52,7 @@ void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, const Comfor
   collision_.prepare(cycle.grid, cycle.footprint, unknown_blocks, situation.pose, reach_.all, reach_.margin,
                      reach_.clearance);
   classes_.prepare(collision_, cycle.grid, unknown_blocks, situation.pose, reach_.all);
-  if (escape_.applies()) escape_.prepare(reach_.all, reach_.margin);
+  if (escape_.applies()) escape_.prepare(reach_.all, reach_.margin, reach_.clearance);
   admissibility_.prepare(cycle.parameters, cycle.limits, escape_.applies() ? escape_.rest() : collision_,
                          cycle.footprint, cycle.grid.resolution, setup);
 }

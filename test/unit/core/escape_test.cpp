@@ -108,7 +108,7 @@ class Caught {
     footprint_ = Footprint::from_outline(scene_.outline, 0.0);
     rule_.look(scene_.parameters, limits_, scene_.grid(), footprint_, {start, {}, 0.05});
     if (!rule_.applies()) return;
-    rule_.prepare(1.0, 0.05);
+    rule_.prepare(1.0, 0.05, 0.4);
     AdmissibilityCheck::Setup setup;
     setup.start = setup.origin = start;
     setup.pending = &pending_;
@@ -169,6 +169,14 @@ TEST(EscapeRule, OutAndNeverDeeper) {
 }
 
 // It leaves what is behind it and would come upon a post that it does not overlap, though no deeper than now.
+TEST(EscapeRule, RoomToWhatItDoesNotOverlapIsToldAsFarAsAsked) {
+  Scene scene = square();
+  scene.at({64, 60}) = cost::kLethal;      // from x = 0.175 on, in its front
+  scene.at({50, 60}) = cost::kLethal;      // up to x = -0.475
+  Caught robot(scene, {0.035, 0.0, 0.0});  // its rear at -0.165
+  EXPECT_NEAR(robot.rule().rest().clearance({0.035, 0.0, 0.0}, {1.0, 0.0}, 0.4), 0.31, 1e-6);
+}
+
 TEST(EscapeRule, LeavingOneObstacleDoesNotPayForAnother) {
   for (const bool post : {false, true}) {
     Scene scene = square();
