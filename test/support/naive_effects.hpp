@@ -26,6 +26,15 @@ inline NaiveAxis naive_axis_theta(const Parameters& p, double period) {
   return {p.acc_lim_theta, p.braking_theta(), period};
 }
 
+/// Axes that do not get as far as they might.
+struct NaiveLag {
+  bool v = false, omega = false;
+  bool any() const { return v || omega; }
+};
+
+/// Those besides the one that gets farthest on both.
+inline std::vector<NaiveLag> naive_lags() { return {{true, false}, {false, true}, {true, true}}; }
+
 class NaiveEffects {
  public:
   /// Each command is reached within `period` [s], or as fast as the limits allow, unless the next one takes effect
@@ -43,6 +52,16 @@ class NaiveEffects {
     more.effects_.push_back({time, command});
     return more;
   }
+
+  /// The same from number `first` on, by a base that lags.
+  NaiveEffects lagging(std::size_t first, const NaiveLag& lag) const {
+    NaiveEffects other = *this;
+    other.before_ = from(first);
+    other.effects_.erase(other.effects_.begin(), other.effects_.begin() + static_cast<std::ptrdiff_t>(first));
+    other.lag_ = lag;
+    return other;
+  }
+  const NaiveLag& lag() const { return lag_; }
 
   /// The same, were the latency shorter by so much [s].
   NaiveEffects sooner(double by) const {
@@ -71,12 +90,14 @@ class NaiveEffects {
   // The velocity `t` after number i took effect.
   Twist2 after(std::size_t i, double t) const {
     const Twist2 a = from(i), b = effects_[i].command;
-    return {naive_farthest(x_, a.v, b.v, t), naive_farthest(theta_, a.omega, b.omega, t)};
+    return {lag_.v ? naive_lagging(x_, a.v, b.v, t) : naive_farthest(x_, a.v, b.v, t),
+            lag_.omega ? naive_lagging(theta_, a.omega, b.omega, t) : naive_farthest(theta_, a.omega, b.omega, t)};
   }
 
   NaiveAxis x_, theta_;
   Twist2 before_;
   std::vector<NaiveEffect> effects_;
+  NaiveLag lag_;
 };
 
 }  // namespace hidwa_local_planner::test

@@ -17,7 +17,8 @@ struct NaiveLeg {
   Twist2 spread;          // of the commands that take effect where it begins [m, rad]
 };
 
-/// Between two times, in order. Where nothing changes before nor after, nor anything takes effect, there is one leg.
+/// Between two times, in order. Where nothing changes before nor after, nor anything takes effect, there is one leg. A
+/// base that lags has no spread.
 inline std::vector<NaiveLeg> naive_legs(const NaiveEffects& effects, double begin, double end) {
   const std::vector<NaiveEffect>& list = effects.list();
   std::vector<double> cuts{begin, end};
@@ -26,13 +27,15 @@ inline std::vector<NaiveLeg> naive_legs(const NaiveEffects& effects, double begi
     const double at = list[i].time, until = i + 1 < list.size() ? std::min(list[i + 1].time, end) : end;
     const Twist2 from = effects.from(i), to = list[i].command;
     cuts.push_back(at);
-    for (const double corner : naive_corners(effects.x(), from.v, to.v)) cuts.push_back(std::min(at + corner, until));
-    for (const double corner : naive_corners(effects.theta(), from.omega, to.omega)) {
+    for (const double corner : naive_corners(effects.x(), from.v, to.v, effects.lag().v)) {
+      cuts.push_back(std::min(at + corner, until));
+    }
+    for (const double corner : naive_corners(effects.theta(), from.omega, to.omega, effects.lag().omega)) {
       cuts.push_back(std::min(at + corner, until));
     }
     const Twist2 spread{naive_spread(effects.x(), from.v, to.v, until - at),
                         naive_spread(effects.theta(), from.omega, to.omega, until - at)};
-    if (at + effects.x().period > begin) spreads.push_back({std::max(at, begin), spread});
+    if (at + effects.x().period > begin && !effects.lag().any()) spreads.push_back({std::max(at, begin), spread});
   }
   const auto outside = [&](double t) { return t < begin || t > end; };
   cuts.erase(std::remove_if(cuts.begin(), cuts.end(), outside), cuts.end());
@@ -61,19 +64,20 @@ inline std::vector<NaiveLeg> naive_legs(const NaiveEffects& effects, double begi
 }
 
 /// An axis that brakes from `begin`, after `t` [s]: at its limit until half a period's worth is left, then evenly over
-/// a period.
-inline double naive_braking(const NaiveAxis& axis, double begin, double t) {
+/// a period. One that lags brakes at its limit until it rests.
+inline double naive_braking(const NaiveAxis& axis, double begin, double t, bool lags = false) {
+  if (lags) return std::copysign(std::max(0.0, std::abs(begin) - axis.braking * t), begin);
   const double tail = std::min(std::abs(begin), axis.braking * axis.period / 2);
   const double at_limit = (std::abs(begin) - tail) / axis.braking;
   const double left = t < at_limit ? std::abs(begin) - axis.braking * t : tail * (1 - (t - at_limit) / axis.period);
   return std::copysign(std::max(0.0, left), begin);
 }
 /// When it begins its tail, and when it rests [s].
-inline double naive_tail_begins(const NaiveAxis& axis, double begin) {
-  return std::max(0.0, std::abs(begin) / axis.braking - axis.period / 2);
+inline double naive_tail_begins(const NaiveAxis& axis, double begin, bool lags = false) {
+  return lags ? std::abs(begin) / axis.braking : std::max(0.0, std::abs(begin) / axis.braking - axis.period / 2);
 }
-inline double naive_rests(const NaiveAxis& axis, double begin) {
-  return begin == 0.0 ? 0.0 : naive_tail_begins(axis, begin) + axis.period;
+inline double naive_rests(const NaiveAxis& axis, double begin, bool lags = false) {
+  return begin == 0.0 ? 0.0 : naive_tail_begins(axis, begin, lags) + (lags ? 0.0 : axis.period);
 }
 /// What the ways to brake the tail differ by: it is a command like any other.
 inline double naive_tail_spread(const NaiveAxis& axis, double begin) {
@@ -81,15 +85,18 @@ inline double naive_tail_spread(const NaiveAxis& axis, double begin) {
 }
 
 /// From `u` a command, kept until braking begins a period and `hold` [s] after it took effect, then rest. `evenly`: by
-/// a base that reaches the command evenly over the period.
+/// a base that reaches the command evenly over the period. `lag`: by one that lags.
 inline std::vector<NaiveLeg> naive_brake_legs(const Parameters& p, double period, const Twist2& u,
-                                              const Twist2& command, double hold, bool evenly = false) {
-  const NaiveEffects sent(p, period, u, {{0.0, command}});
+                                              const Twist2& command, double hold, bool evenly = false,
+                                              const NaiveLag& lag = {}) {
+  const NaiveEffects sent = NaiveEffects(p, period, u, {{0.0, command}}).lagging(0, lag);
   const double end = period + hold;
   std::vector<NaiveLeg> legs;
   std::vector<double> cuts{0.0, end};
-  for (const double corner : naive_corners(sent.x(), u.v, command.v)) cuts.push_back(std::min(corner, end));
-  for (const double corner : naive_corners(sent.theta(), u.omega, command.omega)) cuts.push_back(std::min(corner, end));
+  for (const double corner : naive_corners(sent.x(), u.v, command.v, lag.v)) cuts.push_back(std::min(corner, end));
+  for (const double corner : naive_corners(sent.theta(), u.omega, command.omega, lag.omega)) {
+    cuts.push_back(std::min(corner, end));
+  }
   std::sort(cuts.begin(), cuts.end());
   if (evenly) cuts = {0.0, period, end};
   for (std::size_t k = 1; k < cuts.size(); ++k) {
@@ -98,12 +105,13 @@ inline std::vector<NaiveLeg> naive_brake_legs(const Parameters& p, double period
   legs[0].spread = {naive_spread(sent.x(), u.v, command.v, end),
                     naive_spread(sent.theta(), u.omega, command.omega, end)};
   const Twist2 fast = sent.velocity(end);
-  std::vector<double> stops{0.0, naive_tail_begins(sent.x(), fast.v), naive_rests(sent.x(), fast.v),
-                            naive_tail_begins(sent.theta(), fast.omega), naive_rests(sent.theta(), fast.omega)};
+  std::vector<double> stops{0.0, naive_tail_begins(sent.x(), fast.v, lag.v), naive_rests(sent.x(), fast.v, lag.v),
+                            naive_tail_begins(sent.theta(), fast.omega, lag.omega),
+                            naive_rests(sent.theta(), fast.omega, lag.omega)};
   std::sort(stops.begin(), stops.end());
   for (std::size_t k = 1; k < stops.size(); ++k) {
     const auto at = [&](double t) {
-      return Twist2{naive_braking(sent.x(), fast.v, t), naive_braking(sent.theta(), fast.omega, t)};
+      return Twist2{naive_braking(sent.x(), fast.v, t, lag.v), naive_braking(sent.theta(), fast.omega, t, lag.omega)};
     };
     NaiveLeg leg{at(stops[k - 1]), at(stops[k]), stops[k] - stops[k - 1], {}};
     // The last command to brake comes when a period's worth is left, half a period before the tail.
@@ -115,6 +123,7 @@ inline std::vector<NaiveLeg> naive_brake_legs(const Parameters& p, double period
       leg.spread.omega = naive_tail_spread(sent.theta(), fast.omega);
     legs.push_back(leg);
   }
+  for (NaiveLeg& leg : legs) leg.spread = lag.any() ? Twist2{} : leg.spread;
   return legs;
 }
 

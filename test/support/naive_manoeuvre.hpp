@@ -28,7 +28,9 @@ inline NaiveManoeuvre naive_manoeuvre(const Parameters& p, const Pose2& start, c
 inline Twist2 naive_velocity(const NaiveManoeuvre& m, double t) {
   if (t < m.kept) return m.effects.velocity(t);
   const Twist2 begin = m.effects.velocity(m.kept);
-  return {naive_braking(m.effects.x(), begin.v, t - m.kept), naive_braking(m.effects.theta(), begin.omega, t - m.kept)};
+  const NaiveLag& lag = m.effects.lag();
+  return {naive_braking(m.effects.x(), begin.v, t - m.kept, lag.v),
+          naive_braking(m.effects.theta(), begin.omega, t - m.kept, lag.omega)};
 }
 
 /// The poses, start included, whenever a point `radius` [m] from the centre may have moved by `spacing` [m];

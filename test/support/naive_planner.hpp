@@ -241,15 +241,40 @@ class NaivePlanner {
   }
   // Whether a command is braked on time or as late as it may be, and however the robot goes on until it takes effect.
   bool cannot_brake(const Twist2& sample, bool surely) {
+    if (hits_one_way(reference_.ways(), sample, surely)) return true;
+    if (!surely) return false;
+    return hits_one_way(reference_.unlikely_ways(), sample, true) ||
+           (lacks_room(sample) && hits_one_way(reference_.lagging_ways(), sample, true));
+  }
+  std::vector<NaiveBraking> manoeuvres(const std::vector<NaiveOutlook>& ways, const Twist2& sample, bool surely) const {
     const Situation& s = scene_.situation;
-    std::vector<NaiveOutlook> ways = reference_.ways();
-    if (surely) ways.insert(ways.end(), reference_.unlikely_ways().begin(), reference_.unlikely_ways().end());
+    std::vector<NaiveBraking> all;
     for (const NaiveOutlook& way : ways) {
       for (const double hold : holds(surely ? 0.5 * s.period : latest())) {
-        if (hits({origin_, way, command_for(sample), s.period, hold}, surely)) return true;
+        all.push_back({origin_, way, command_for(sample), s.period, hold});
       }
     }
+    return all;
+  }
+  bool hits_one_way(const std::vector<NaiveOutlook>& ways, const Twist2& sample, bool surely) {
+    for (const NaiveBraking& manoeuvre : manoeuvres(ways, sample, surely)) {
+      if (hits(manoeuvre, surely)) return true;
+    }
     return false;
+  }
+  // The robot has less room now than the growth of some manoeuvre.
+  bool lacks_room(const Twist2& sample) {
+    std::vector<NaiveOutlook> ways = reference_.ways();
+    ways.insert(ways.end(), reference_.unlikely_ways().begin(), reference_.unlikely_ways().end());
+    double growth = 0.0;
+    for (const NaiveBraking& manoeuvre : manoeuvres(ways, sample, true)) {
+      for (const NaiveTrailPose& q :
+           naive_braking_poses(scene_.parameters, manoeuvre, naive_outer_radius(body_), grid_.resolution, false)) {
+        growth = std::max(growth, q.growth);
+      }
+    }
+    if (growth > 0.0 && std::abs(growth - keep_) < kDoubtfulGap) doubtful_ = true;
+    return growth > keep_;
   }
   bool hits(const NaiveBraking& manoeuvre, bool surely) {
     const double radius = naive_outer_radius(body_);

@@ -50,9 +50,17 @@ inline double naive_farthest(const NaiveAxis& axis, double from, double to, doub
   return naive_goes_at_limit(axis, from, to) ? naive_at_limit(axis, from, to, t) : naive_evenly(axis, from, to, t);
 }
 
+/// The other end, where there are two.
+inline bool naive_lags_at_limit(const NaiveAxis& axis, double from, double to) {
+  return !naive_has_time(axis, from, to) || !naive_goes_at_limit(axis, from, to);
+}
+inline double naive_lagging(const NaiveAxis& axis, double from, double to, double t) {
+  return naive_lags_at_limit(axis, from, to) ? naive_at_limit(axis, from, to, t) : naive_evenly(axis, from, to, t);
+}
+
 /// When it stops changing as it did: at rest between two directions, and where it arrives [s].
-inline std::vector<double> naive_corners(const NaiveAxis& axis, double from, double to) {
-  if (!naive_goes_at_limit(axis, from, to)) return {axis.period};
+inline std::vector<double> naive_corners(const NaiveAxis& axis, double from, double to, bool lags = false) {
+  if (!(lags ? naive_lags_at_limit(axis, from, to) : naive_goes_at_limit(axis, from, to))) return {axis.period};
   const double needed = naive_needed(axis, from, to);
   return from * to < 0.0 ? std::vector<double>{std::abs(from) / axis.braking, needed} : std::vector<double>{needed};
 }

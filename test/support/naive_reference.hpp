@@ -173,6 +173,9 @@ class NaiveReference {
       const double quick = latency * n / shorter;
       unlikely_.push_back(naive_outlook(history_.effects().sooner(latency - quick), age, quick));
     }
+    for (const NaiveLag& lag : naive_lags()) {
+      lagging_.push_back(naive_outlook(history_.effects().lagging(history_.first_shown(), lag), age, latency));
+    }
     judge(&Twist2::v);
     judge(&Twist2::omega);
   }
@@ -194,6 +197,8 @@ class NaiveReference {
   }
   /// For those who want to be sure: a base that is quicker than the latency says.
   const std::vector<NaiveOutlook>& unlikely_ways() const { return unlikely_; }
+  /// As the commands say, by bases that lag.
+  const std::vector<NaiveOutlook>& lagging_ways() const { return lagging_; }
 
  private:
   void judge(double Twist2::*axis) {
@@ -247,7 +252,7 @@ class NaiveReference {
   Twist2 reference_, believed_;
   bool doubted_ = false, fast_ = false;
   Twist2 most_{INFINITY, INFINITY};
-  std::vector<NaiveOutlook> ways_, unlikely_;
+  std::vector<NaiveOutlook> ways_, unlikely_, lagging_;
   std::size_t likeliest_ = 0;
 };
 

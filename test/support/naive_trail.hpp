@@ -101,11 +101,13 @@ struct NaiveOutlook {
   }
 
   Twist2 before;  // where there are no legs at all
+  NaiveLag lag;   // of the base
 };
 
 inline NaiveOutlook naive_outlook(const NaiveEffects& effects, double pose_age, double latency) {
   return {pose_age > 0.0 ? naive_legs(effects, -pose_age, 0.0) : std::vector<NaiveLeg>{},
-          latency > 0.0 ? naive_legs(effects, 0.0, latency) : std::vector<NaiveLeg>{}, effects.velocity(latency)};
+          latency > 0.0 ? naive_legs(effects, 0.0, latency) : std::vector<NaiveLeg>{}, effects.velocity(latency),
+          effects.lag()};
 }
 
 /// A command that is sent now and then braked, from where the pose was measured.
@@ -135,7 +137,7 @@ inline std::vector<NaiveTrailPose> naive_braking_poses(const Parameters& p, cons
   std::vector<NaiveTrailPose> poses = trail.follow(m.outlook.pending, first);
   const std::size_t sent = poses.size();
   for (const NaiveTrailPose& pose :
-       trail.follow(naive_brake_legs(p, m.period, m.outlook.end(), m.command, m.hold), second)) {
+       trail.follow(naive_brake_legs(p, m.period, m.outlook.end(), m.command, m.hold, false, m.outlook.lag), second)) {
     poses.push_back(pose);
   }
   for (std::size_t k = 0; surely && k < poses.size(); ++k) poses[k].growth += (k < sent ? first : second) / 2;

@@ -140,25 +140,36 @@ ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) cons
 }
 
 // For each pending motion, and whether the command to brake comes after a period or as late as it may. In a turn,
-// braking at another time leads elsewhere: the ends, and to be sure what lies between.
+// braking at another time leads elsewhere: the ends, and to be sure what lies between. Where there is no room for the
+// growth, a base that lags leads elsewhere, too.
 bool BrakingCheck::stops_freely(const Twist2& command, Look& look) {
   const std::size_t motions = look.fine ? setup_->pending->all() : setup_->pending->likely();
   const LateTimes times(longest_hold(), setup_->period, look.fine);
-  for (std::size_t motion = 0; motion < motions; ++motion) {
-    const bool free = times.all_of(
-        [&](double hold) { return free_all_along(manoeuvre(motion, command, hold), look, look.leads[motion]); });
-    if (!free) return false;
-  }
-  return true;
+  double growth = 0.0;
+  const auto all_free = [&](std::size_t first, std::size_t end) {
+    for (std::size_t motion = first; motion < end; ++motion) {
+      const auto free = [&](double hold) {
+        return free_all_along(manoeuvre(motion, command, hold), look, look.leads[motion], growth);
+      };
+      if (!times.all_of(free)) return false;
+    }
+    return true;
+  };
+  if (!all_free(0, motions)) return false;
+  return !look.fine || growth <= clearance_now_ || all_free(motions, setup_->pending->with_lagging());
 }
 
-bool BrakingCheck::free_all_along(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead) {
+// `growth`: the largest of all that were asked for [m].
+bool BrakingCheck::free_all_along(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead, double& growth) {
   if (!lead.roller) roll_lead(manoeuvre, look, lead);
   if (!lead.free) return false;
   double clearance = lead.clearance;
   ManoeuvreRoller rest = *lead.roller;
-  return free_along(look, look.fine ? manoeuvre.reach(*limits_, radius_) : 0.0, clearance, rest,
-                    [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_to_rest(manoeuvre, visit); });
+  const bool free =
+      free_along(look, look.fine ? manoeuvre.reach(*limits_, radius_) : 0.0, clearance, rest,
+                 [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_to_rest(manoeuvre, visit); });
+  growth = std::max(growth, rest.growth());
+  return free;
 }
 
 void BrakingCheck::roll_lead(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead) {

@@ -6,7 +6,8 @@
 //    much longer as the next command may be late, braking to rest. The pending motion is the same for all commands and
 //    rolled out once (Lead).
 // 3. At every pose the robot must keep the manoeuvre's growth as its clearance: a real base may be so far from where it
-//    is rolled out. It need not keep more than it has now: a robot that stands beside a wall may drive along it.
+//    is rolled out. It need not keep more than it has now: a robot that stands beside a wall may drive along it. Where
+//    it has less now, confirm_braking() rolls out the other ends of what a base may do, too (kLags).
 // 4. A clearance that is left over is used up along the way before the map is looked at again.
 // 5. For a robot that stands in collision, the manoeuvre must go no deeper either (EscapeRule).
 //
@@ -93,7 +94,7 @@ class BrakingCheck {
 
   bool nothing_in_reach() const;
   bool stops_freely(const Twist2& command, Look& look);
-  bool free_all_along(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead);
+  bool free_all_along(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead, double& growth);
   void roll_lead(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead);
   template <typename RollPart>
   bool free_along(const Look& look, double way, double& clearance, ManoeuvreRoller& roller, RollPart&& part);

@@ -16,6 +16,9 @@
 // The ways to a command part when it takes effect, those to rest when less than a period's worth of braking is left.
 // While nothing has turned and v has not changed its sign, the other motion is on the same line, only behind, since v_n
 // is the farthest: an earlier pose is the same, and the growth is 0. So it is at rest.
+//
+// Where there is no room for the growth, the other ends are rolled out too (Lag): of a base that gets less far on one
+// axis or on both. The other ways lie between these four. One that lags has no growth.
 #pragma once
 
 #include <algorithm>
@@ -126,7 +129,8 @@ class ManoeuvreRoller {
   template <typename Visit>
   bool roll_to_rest(const BrakeManoeuvre& manoeuvre, Visit&& visit) {
     u_ = manoeuvre.pending.end();
-    const CommandRamp ramp(*limits_, u_, manoeuvre.command, manoeuvre.period);
+    const Lag& lag = manoeuvre.pending.lag();
+    const CommandRamp ramp(*limits_, u_, manoeuvre.command, manoeuvre.period, lag);
     const double length = manoeuvre.period + manoeuvre.hold;
     part(ramp.spread(length));
     double from = 0.0;
@@ -134,7 +138,7 @@ class ManoeuvreRoller {
       if (!stretch(ramp.at(corner), corner - from, visit)) return false;
       from = corner;
     }
-    return roll_brake(manoeuvre.period, visit);
+    return roll_brake(manoeuvre.period, visit, lag);
   }
 
   /// Likewise with a base that reaches the command evenly over the period, where its limits allow that.
@@ -172,13 +176,13 @@ class ManoeuvreRoller {
     spread_.omega += spread.omega;
   }
 
-  // An axis on its way to rest: at its limit, then the tail.
+  // An axis on its way to rest: at its limit, then the tail. One that lags has no tail.
   struct AxisBrake {
-    AxisBrake(const AxisLimits& axis, double begin, double period)
+    AxisBrake(const AxisLimits& axis, double begin, double period, bool lags)
         : velocity(begin),
-          tail(std::copysign(brake_tail(axis, begin, period), begin)),
+          tail(lags ? 0.0 : std::copysign(brake_tail(axis, begin, period), begin)),
           steady((std::abs(begin) - std::abs(tail)) / axis.braking),
-          rest(begin == 0.0 ? 0.0 : steady + period) {}
+          rest(begin == 0.0 || lags ? steady : steady + period) {}
     double at(double t) const {
       if (t >= rest) return 0.0;
       return t < steady ? velocity + (tail - velocity) * t / steady : tail * (rest - t) / (rest - steady);
@@ -195,10 +199,12 @@ class ManoeuvreRoller {
 
   // Each axis at its own limit: one of them may rest before the other.
   template <typename Visit>
-  bool roll_brake(double period, Visit&& visit) {
-    const AxisBrake v(limits_->x, u_.v, period), omega(limits_->theta, u_.omega, period);
-    Tail tail_v{v.steady - 0.5 * period, tail_spread(limits_->x, u_.v, period)};
-    Tail tail_omega{omega.steady - 0.5 * period, tail_spread(limits_->theta, u_.omega, period)};
+  bool roll_brake(double period, Visit&& visit, const Lag& lag = {}) {
+    const AxisBrake v(limits_->x, u_.v, period, lag.v), omega(limits_->theta, u_.omega, period, lag.omega);
+    const Twist2 spread =
+        lag.any() ? Twist2{}
+                  : Twist2{tail_spread(limits_->x, u_.v, period), tail_spread(limits_->theta, u_.omega, period)};
+    Tail tail_v{v.steady - 0.5 * period, spread.v}, tail_omega{omega.steady - 0.5 * period, spread.omega};
     std::array<double, 4> corners{v.steady, v.rest, omega.steady, omega.rest};
     std::sort(corners.begin(), corners.end());
     double from = 0.0;

@@ -111,19 +111,23 @@ Interval CommandHistory::range(double Twist2::*axis) const {
 }
 
 void CommandHistory::play(const VelocityLimits& limits, double period, double latency, double age,
-                          PendingMotion& pending) const {
+                          PendingMotion& pending, const Lag& lag) const {
   const double begin = seen_.value_or(0.0) - age;  // [s]
   const double end = latency + age;
   const auto effect = [&](std::size_t i) { return i < sent_.size() ? sent_[i].time + latency - begin : end; };
-  Player player(sent_.empty() ? Twist2{} : sent_.front().from, pending);
+  Twist2 reached = sent_.empty() ? Twist2{} : sent_.front().from;
+  Player player(reached, pending);
   for (std::size_t i = 0; i < sent_.size(); ++i) {
     const double start = effect(i), length = effect(i + 1) - start;
-    const CommandRamp ramp(limits, sent_[i].from, sent_[i].command, period);
-    player.corner(start, sent_[i].from);
+    const Twist2 from{lag.v ? reached.v : sent_[i].from.v, lag.omega ? reached.omega : sent_[i].from.omega};
+    const CommandRamp ramp(limits, from, sent_[i].command, period, lag);
+    player.corner(start, from);
     if (start + period > 0.0) player.spread(ramp.spread(length));
     for (const double corner : ramp.corners(length)) player.corner(start + corner, ramp.at(corner));
+    reached = ramp.at(length);
   }
   player.finish(end);
+  pending.set_lag(lag);
 }
 
 }  // namespace hidwa_local_planner

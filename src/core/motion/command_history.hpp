@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/motion/command_ramp.hpp"
 #include "core/motion/pending_motion.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -31,8 +32,10 @@ class CommandHistory {
   double elapsed() const { return elapsed_; }
   /// The smallest and the largest velocity that odometry may show, by axis.
   Interval range(double Twist2::*axis) const;
-  /// What the robot does from `age` [s] before the last cycle on until that cycle's own command takes effect.
-  void play(const VelocityLimits& limits, double period, double latency, double age, PendingMotion& pending) const;
+  /// What the robot does from `age` [s] before the last cycle on until that cycle's own command takes effect. A base
+  /// that lags does so since the first of the commands.
+  void play(const VelocityLimits& limits, double period, double latency, double age, PendingMotion& pending,
+            const Lag& lag = {}) const;
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {

@@ -12,12 +12,12 @@ namespace hidwa_local_planner {
 
 /// One axis on its way from a velocity to a commanded one. A base may get there at once at its limit and then keep the
 /// velocity, or evenly over one control period, or in any way between these two. at() is the way that gets farthest: at
-/// the limit where it speeds up, evenly where it slows down; evenly too where the direction changes. A change that
-/// takes longer than a period is made at the limit.
+/// the limit where it speeds up, evenly where it slows down; evenly too where the direction changes. Where the axis
+/// `lags`, it is the other one. A change that takes longer than a period is made at the limit.
 class AxisRamp {
  public:
   AxisRamp() = default;
-  AxisRamp(const AxisLimits& axis, double from, double to, double period)
+  AxisRamp(const AxisLimits& axis, double from, double to, double period, bool lags = false)
       : axis_(axis), from_(from), to_(to), period_(period) {
     const bool turns_round = from * to < 0.0;
     const bool speeds_up = !turns_round && std::abs(to) > std::abs(from);
@@ -25,8 +25,9 @@ class AxisRamp {
     needed_ = turns_round ? through_zero + std::abs(to) / axis.acc
                           : std::abs(to - from) / (speeds_up ? axis.acc : axis.braking);
     free_ = needed_ < period + kRounding;
-    reached_ = !free_ || speeds_up ? needed_ : period;
-    corner_ = turns_round && !free_ ? through_zero : reached_;
+    const bool at_limit = !free_ || speeds_up != lags;
+    reached_ = at_limit ? needed_ : period;
+    corner_ = turns_round && at_limit ? through_zero : reached_;
   }
 
   /// The velocity after `t` [s].
@@ -72,15 +73,26 @@ class AxisRamp {
   bool free_ = false;  // there is more than one way
 };
 
+/// Which axes of a base lag.
+struct Lag {
+  bool v = false, omega = false;
+  bool any() const { return v || omega; }
+};
+
+/// Those ways of a base besides the one that gets farthest on both axes.
+inline constexpr std::array<Lag, 3> kLags{{{true, false}, {false, true}, {true, true}}};
+
 /// Both axes on their way to a command, each on its own.
 class CommandRamp {
  public:
-  CommandRamp(const VelocityLimits& limits, const Twist2& from, const Twist2& to, double period)
-      : v_(limits.x, from.v, to.v, period), omega_(limits.theta, from.omega, to.omega, period) {}
+  CommandRamp(const VelocityLimits& limits, const Twist2& from, const Twist2& to, double period, const Lag& lag = {})
+      : v_(limits.x, from.v, to.v, period, lag.v),
+        omega_(limits.theta, from.omega, to.omega, period, lag.omega),
+        lags_(lag.any()) {}
 
   Twist2 at(double t) const { return {v_.at(t), omega_.at(t)}; }
-  /// [m, rad]
-  Twist2 spread(double t) const { return {v_.spread(t), omega_.spread(t)}; }
+  /// [m, rad]; none where it lags: all else is rolled out then.
+  Twist2 spread(double t) const { return lags_ ? Twist2{} : Twist2{v_.spread(t), omega_.spread(t)}; }
   /// Until when both change evenly, in order, none later than `end` [s], which is the last.
   std::array<double, 5> corners(double end) const {
     std::array<double, 5> all{std::min(v_.corner(), end), std::min(v_.reached(), end), std::min(omega_.corner(), end),
@@ -91,6 +103,7 @@ class CommandRamp {
 
  private:
   AxisRamp v_, omega_;
+  bool lags_;
 };
 
 }  // namespace hidwa_local_planner

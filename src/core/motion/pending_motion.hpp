@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/motion/command_ramp.hpp"
 #include "core/motion/same_time.hpp"
 #include "hidwa_local_planner/core/rest.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -37,6 +38,7 @@ class PendingMotion {
     begin_ = u;
     legs_.clear();
     past_ = 0;
+    lag_ = {};
   }
   void add(const Twist2& end, double duration, const Twist2& spread = {}) { legs_.push_back({end, duration, spread}); }
   /// The first `duration` [s] are over: a leg ends there, made by cutting one in two where there is none.
@@ -55,6 +57,9 @@ class PendingMotion {
       from = legs_[past_].end;
     }
   }
+  /// It is how a base goes on that lags, now and until it rests.
+  void set_lag(const Lag& lag) { lag_ = lag; }
+  const Lag& lag() const { return lag_; }
   /// So many legs are over.
   std::size_t past() const { return past_; }
   /// One axis has this velocity all the time instead.
@@ -106,6 +111,7 @@ class PendingMotion {
   Twist2 begin_;
   std::vector<Leg> legs_;
   std::size_t past_ = 0;
+  Lag lag_;
 };
 
 }  // namespace hidwa_local_planner

@@ -37,6 +37,11 @@ CycleStart StartEstimator::estimate(const Situation& measured, const Parameters&
   judge_axis({&Twist2::v, limits_.x, odometry_.v}, measured, parameters, start);
   judge_axis({&Twist2::omega, limits_.theta, odometry_.omega}, measured, parameters, start);
   add_prompt_motions(measured, parameters, limits);
+  for (const Lag& lag : kLags) {
+    PendingMotion& lagging = pending_.add_lagging();
+    commands_.play(limits, period, parameters.control_latency, age, lagging, lag);
+    lagging.mark_past(age);
+  }
   start.last_command = commands_.last();
   start.elapsed = commands_.elapsed();
   start.origin = measured.pose;

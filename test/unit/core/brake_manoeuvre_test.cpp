@@ -8,8 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/collision/admissibility.hpp"
 #include "core/motion/command_history.hpp"
 #include "core/motion/late_cycles.hpp"
+#include "support/naive_collision.hpp"
+#include "support/naive_gap.hpp"
 #include "support/naive_manoeuvre.hpp"
 #include "support/naive_reference.hpp"
 #include "support/random.hpp"
@@ -201,13 +204,15 @@ TEST(BrakeManoeuvrePoses, EndsWhereAFineIntegrationEnds) {
       history.observe(cycles.back().time, kPeriod, p.control_latency + kPeriod, cycles.back().last_command, l);
     }
     PendingMotion pending;
-    history.play(l, kPeriod, p.control_latency, 0.0, pending);
+    const test::NaiveLag lag{random.chance(0.5), random.chance(0.5)};
+    history.play(l, kPeriod, p.control_latency, 0.0, pending, {lag.v, lag.omega});
     const Pose2 start{0.3, -0.2, random.uniform(-3.0, 3.0)};
     const double hold = random.chance(0.5) ? 0.0 : random.uniform(0.0, 0.1);
     const Twist2 command = l.step(history.last(), random_velocity(random), kPeriod);
     const Pose2 end = poses({start, pending, command, kPeriod, hold}, l, 0.3, 1e-4).back();
     const test::NaiveHistory twin(p, cycles);
-    const test::NaiveManoeuvre naive = test::naive_manoeuvre(p, start, twin.effects(), command, kPeriod, hold);
+    const test::NaiveEffects effects = twin.effects().lagging(twin.first_shown(), lag);
+    const test::NaiveManoeuvre naive = test::naive_manoeuvre(p, start, effects, command, kPeriod, hold);
     const Pose2 fine = test::naive_poses(naive, 0.3, 0.005).back();
     ASSERT_NEAR(end.x, fine.x, 1e-4) << k;
     ASSERT_NEAR(end.y, fine.y, 1e-4) << k;
@@ -218,12 +223,18 @@ TEST(BrakeManoeuvrePoses, EndsWhereAFineIntegrationEnds) {
 // A base that reaches every command in a way of its own between the two ends, which changes at random times.
 class RandomBase {
  public:
-  RandomBase(const test::NaiveAxis& axis, double velocity, test::Random& random)
-      : axis_(axis), from_(velocity), to_(velocity), random_(&random), share_(random.pick({0.0, 1.0, 0.5})) {
-    restless_ = random.chance(0.5);
-  }
+  // `ends`: it takes one of the two ends for each command.
+  RandomBase(const test::NaiveAxis& axis, double velocity, test::Random& random, bool ends)
+      : axis_(axis),
+        from_(velocity),
+        to_(velocity),
+        random_(&random),
+        share_(random.pick({0.0, 1.0, 0.5})),
+        ends_(ends),
+        restless_(!ends && random.chance(0.5)) {}
   void command(double time, double velocity) {
     from_ = at(time);
+    if (ends_) share_ = random_->pick({0.0, 1.0});
     to_ = velocity;
     since_ = time;
   }
@@ -241,14 +252,14 @@ class RandomBase {
   double from_, to_, since_ = -1e9;
   test::Random* random_;
   double share_;
-  bool restless_;
+  bool ends_, restless_;
 };
 
 // Commands of the past, one that is sent now, and those that brake after it.
 struct Sending {
   std::vector<test::NaiveEffect> effects;
-  PendingMotion pending;
-  Twist2 own;
+  PendingMotionSet pending;
+  Twist2 last, own;
 };
 
 Sending random_sending(const Parameters& p, double period, test::Random& random) {
@@ -271,7 +282,9 @@ Sending random_sending(const Parameters& p, double period, test::Random& random)
     history.observe(k * period, period, p.control_latency + period, u, l);
     sending.effects.push_back({(std::max(k - 1, 0) - kCycles + 1) * period + p.control_latency, u});
   }
-  history.play(l, period, p.control_latency, 0.0, sending.pending);
+  history.play(l, period, p.control_latency, 0.0, sending.pending.first());
+  for (const Lag& lag : kLags) history.play(l, period, p.control_latency, 0.0, sending.pending.add_lagging(), lag);
+  sending.last = u;
   sending.own = u = next(u, any());
   for (int k = 0; k == 0 || !(u == Twist2{}); ++k) {
     sending.effects.push_back({k * period + p.control_latency, u});
@@ -282,10 +295,11 @@ Sending random_sending(const Parameters& p, double period, test::Random& random)
 }
 
 // The poses from now on.
-std::vector<Pose2> drive(const Parameters& p, double period, const Sending& sending, test::Random& random) {
+std::vector<Pose2> drive(const Parameters& p, double period, const Sending& sending, test::Random& random,
+                         bool ends = false) {
   constexpr double kDt = 5e-4;  // [s]
-  RandomBase v(test::naive_axis_x(p, period), sending.effects[0].command.v, random);
-  RandomBase omega(test::naive_axis_theta(p, period), sending.effects[0].command.omega, random);
+  RandomBase v(test::naive_axis_x(p, period), sending.effects[0].command.v, random, ends);
+  RandomBase omega(test::naive_axis_theta(p, period), sending.effects[0].command.omega, random, ends);
   std::vector<Pose2> poses;
   Pose2 q;
   std::size_t next = 0;
@@ -348,7 +362,7 @@ TEST(BrakeManoeuvreGrowth, NoBaseIsFartherOff) {
     const Sending sending = random_sending(p, period, random);
     ManoeuvreRoller roller(l, radius, kSpacing, {{}, {1.0, 0.0}});
     std::vector<std::pair<Pose2, double>> rolled{{Pose2{}, 0.0}};
-    roller.roll({{}, sending.pending, sending.own, period}, [&](const TurnedPose& at) {
+    roller.roll({{}, sending.pending[0], sending.own, period}, [&](const TurnedPose& at) {
       rolled.push_back({at.pose, roller.growth()});
       return true;
     });
@@ -378,6 +392,66 @@ TEST(BrakeManoeuvreGrowth, ATurnOnTheSpot) {
   ManoeuvreRoller roller(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
   roller.roll({{}, PendingMotion({0.0, 0.5}, 0.0), {0.0, 0.4}, 0.05}, [](const TurnedPose&) { return true; });
   EXPECT_NEAR(roller.growth(), 0.3 * (0.0009375 + 0.001), 1e-9);
+}
+
+// One cell of 5 cm, which a driven robot would graze.
+struct Grazed {
+  std::vector<std::uint8_t> costs = std::vector<std::uint8_t>(161U * 161U, cost::kFree);
+  double origin_x = 0.0, origin_y = 0.0;
+
+  // The cell's corner lies `deep` [m] inside the outline of a square robot (outside: negative), in the middle of its
+  // front, a side or its rear, or near a corner: `side` and `along` choose.
+  Grazed(const Pose2& at, int side, double along, double half, double deep) {
+    costs[80U * 161U + 80U] = cost::kLethal;
+    const double facing = at.theta + side * M_PI / 2.0, nx = std::cos(facing), ny = std::sin(facing);
+    const double x = at.x + (half - deep) * nx - along * ny, y = at.y + (half - deep) * ny + along * nx;
+    origin_x = x - (nx > 0.0 ? 80 : 81) * 0.05;
+    origin_y = y - (ny > 0.0 ? 80 : 81) * 0.05;
+  }
+  GridView grid() const { return {costs.data(), 161, 161, 0.05, origin_x, origin_y}; }
+};
+
+// Beside something that is nearer than the growth a command passes only if all four ends are free. What lies between
+// them hardly ever goes deeper than a millimetre.
+TEST(BrakeManoeuvreWays, ABaseAtEitherEndTouchesNothingBesideIt) {
+  constexpr double kHalf = 0.2, kDeepest = 1e-3;  // [m]
+  const Polygon outline{{kHalf, kHalf}, {-kHalf, kHalf}, {-kHalf, -kHalf}, {kHalf, -kHalf}};
+  const double less = kHalf - kDeepest;
+  const test::NaiveBody body{outline, 0.0}, core{{{less, less}, {-less, less}, {-less, -less}, {less, -less}}, 0.0};
+  const Footprint footprint(outline);
+  int passed = 0, asked = 0, touched = 0;
+  for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    test::Random random(seed);
+    Parameters p = random_robot(random);
+    p.control_latency = random.pick({0.0, 0.1, 0.2});
+    const VelocityLimits l = VelocityLimits::from(p);
+    const double period = random.pick({0.1, 0.2});
+    const Sending sending = random_sending(p, period, random);
+    const std::vector<Pose2> driven = drive(p, period, sending, random, true);
+    const Pose2 grazes = driven[static_cast<std::size_t>(random.integer(0, static_cast<int>(driven.size()) - 1))];
+    const double along = random.chance(0.5) ? random.pick({-0.99, 0.99}) * kHalf : random.uniform(-kHalf, kHalf);
+    const Grazed scene(grazes, random.integer(0, 3), along, kHalf, random.uniform(-5e-3, 3e-3));
+    const GridView grid = scene.grid();
+    const double gap = test::naive_gap(grid, body, {}, true, 0.02);
+    if (!(gap > 1e-5 && gap < 0.015) || test::naive_overlap(grid, body, {}, true) > 0.0) continue;
+    CollisionChecker checker;
+    checker.prepare(grid, footprint, true, {}, 2.0, 0.05, 0.5);
+    AdmissibilityCheck check;
+    check.prepare(p, l, checker, footprint, 0.05, {{}, {}, sending.last, &sending.pending, period, period});
+    ++asked;
+    if (!check.confirm_braking(sending.own)) continue;
+    ++passed;
+    for (int base = 0; base < 10; ++base) {
+      const std::vector<Pose2> other = drive(p, period, sending, random, true);
+      bool touches = false;
+      for (std::size_t k = 0; k < other.size() && !touches; k += 8) {
+        touches = test::naive_overlap(grid, core, other[k], true) > 0.0;
+      }
+      touched += touches;
+    }
+  }
+  EXPECT_GT(passed, 20) << "of " << asked;
+  EXPECT_LE(touched, 3) << passed << " of " << asked << "; by the farthest way alone it is 12 of 410";
 }
 
 }  // namespace

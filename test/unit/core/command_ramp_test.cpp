@@ -67,6 +67,25 @@ TEST(AxisRamp, FromOneDirectionToTheOther) {
   EXPECT_EQ(slow.spread(0.2), 0.0);
 }
 
+TEST(AxisRamp, WhereItLagsItIsTheOtherEnd) {
+  // Speeding up evenly; slowing down and turning round at the limit.
+  const AxisRamp faster(axis(2.5, 2.5), 0.3, 0.35, kPeriod, true);
+  EXPECT_EQ(faster.reached(), kPeriod);
+  EXPECT_NEAR(faster.at(0.01), 0.31, 1e-12);
+  const AxisRamp slower(axis(2.5, 2.5), -0.35, -0.3, kPeriod, true);
+  EXPECT_NEAR(slower.reached(), 0.02, 1e-12);
+  EXPECT_NEAR(slower.at(0.01), -0.325, 1e-12);
+  const AxisRamp round(axis(5.0, 2.0), -0.04, 0.05, kPeriod, true);
+  EXPECT_NEAR(round.corner(), 0.02, 1e-12);
+  EXPECT_NEAR(round.reached(), 0.03, 1e-12);
+  EXPECT_NEAR(round.at(0.01), -0.02, 1e-12);
+  EXPECT_NEAR(round.at(0.025), 0.025, 1e-12);
+  // There is but one way.
+  EXPECT_NEAR(AxisRamp(axis(2.5, 2.0), 0.5, 0.0, kPeriod, true).at(kPeriod), 0.4, 1e-12);
+  EXPECT_NEAR(AxisRamp(axis(2.5, 2.0), 0.0, 0.5, kPeriod, true).at(kPeriod), 0.125, 1e-12);
+  EXPECT_EQ(slower.spread(kPeriod), AxisRamp(axis(2.5, 2.5), -0.35, -0.3, kPeriod).spread(kPeriod));
+}
+
 TEST(AxisRamp, NothingToDo) {
   const AxisRamp ramp(axis(2.5, 2.5), 0.3, 0.3, kPeriod);
   EXPECT_EQ(ramp.at(0.0), 0.3);
