@@ -11,6 +11,7 @@ SILENT = 30.0      # [s] without an answer to a ping, then the socket is closed
 SAY_AGAIN = 0.5    # [s] between two notices that commands are late
 STOP_AGAIN = 0.5   # [s] between two messages of a stop that is held
 REMEMBERED = 256   # pages that have numbers
+NAMESAKE = 4001    # close code of a page whose name another connection has taken: it makes itself another one
 NEEDS_CONTROL = ('mode', 'take_control', 'goal', 'cancel', 'skip', 'home', 'record', 'tune', 'undo', 'preset', 'study')
 
 Settings = collections.namedtuple('Settings', 'max_age stop_delay')  # [s] each; stop_delay 0: never
@@ -97,7 +98,7 @@ class Desk:
         page, now = fields['page'], self._clock()
         for other in [v for v in self._visitors if v.page == page and v is not visitor]:
             other.page = None  # its new connection has taken its place
-            other.close(1000, 'the page has connected anew')
+            other.close(NAMESAKE, 'another page has said hello by this name')
             self._visitors.remove(other)
         if page not in self._numbers:
             self._numbers[page] = self._next_number

@@ -157,6 +157,8 @@ class App {
       told: ({ text }) => text && this.status.say(text),
       delay: ({ delay }) => this.measured(delay),
       silent: (milliseconds) => this.status.delay(milliseconds),
+      namesake: () => this.status.say('Another tab had the name of this one. They are two visitors now: ask for the controls.'),
+      unsent: (type) => this.status.say(`This was not sent (${type}): a device gives what is no number.`),
     });
     this.view = new ViewLink(this.scene, {
       told: (tick) => this.tick(tick),

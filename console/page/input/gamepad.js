@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gamepads by the Gamepad API: the left stick steers (there left and up are -1), the right face button (B, circle) stops as
-// long as it is held, the lower one (A, cross) takes and gives back control in mode switching.
+// long as it is held, the lower one (A, cross) takes and gives back control in mode switching. All that are there are read:
+// the first may be a dead one, or something else that a browser takes for a gamepad.
 
 const POLL = 16; // [ms]; by a timer, so that a slow drawing delays nothing
 const TOGGLE = 0;
@@ -12,51 +13,52 @@ export class Gamepads {
     this.steering = steering;
     this.stop = stop;
     this.toggle = toggle;
-    this.pressed = {};
-    this.known = null;
+    this.pressed = new Map(); // of each pad that is there, by its input's name: which buttons are down
     setInterval(() => this.poll(), POLL);
-    addEventListener('gamepaddisconnected', (event) => this.gone(event));
+    addEventListener('gamepaddisconnected', () => this.loseGone(this.pads()));
   }
 
-  /** The pad that was used last, or the first one. */
-  pad() {
+  /** The pads that are there, by the names of their inputs. */
+  pads() {
     const pads = [...navigator.getGamepads()].filter((pad) => pad && pad.connected);
-    return pads.find((pad) => pad.index === this.known) || pads[0];
+    return new Map(pads.map((pad) => [`gamepad ${pad.index} ${pad.id}`, pad]));
   }
 
   poll() {
+    const pads = this.pads();
+    this.loseGone(pads); // not every browser tells of it
     if (document.hidden || !document.hasFocus()) return;
-    const pad = this.pad();
-    if (!pad) return;
-    this.known = pad.index;
-    const now = performance.now();
-    this.steering.set('gamepad', -pad.axes[0] + 0, -pad.axes[1] + 0, now); // + 0: no -0
-    this.edge(pad, STOP, () => this.stop.hold('gamepad', now), () => this.stop.unhold('gamepad', now));
-    this.edge(pad, TOGGLE, this.toggle, () => {});
+    for (const [input, pad] of pads) this.read(input, pad, performance.now());
   }
 
-  edge(pad, button, down, up) {
-    const is = Boolean(pad.buttons[button] && pad.buttons[button].pressed);
-    if (is === Boolean(this.pressed[button])) return;
-    this.pressed[button] = is;
+  read(input, { axes, buttons }, now) {
+    this.steering.set(input, 0 - axes[0], 0 - axes[1], now); // no -0
+    if (!this.pressed.has(input)) this.pressed.set(input, {});
+    const edge = (button, down, up) => this.edge(this.pressed.get(input), button, buttons[button], down, up);
+    edge(STOP, () => this.stop.hold(input, now), () => this.stop.unhold(input, now));
+    edge(TOGGLE, this.toggle, () => {});
+  }
+
+  edge(pressed, button, state, down, up) {
+    const is = Boolean(state && state.pressed);
+    if (is === Boolean(pressed[button])) return;
+    pressed[button] = is;
     (is ? down : up)();
   }
 
-  gone(event) {
-    if (event.gamepad.index !== this.known) return;
-    this.known = null;
-    this.pressed = {};
-    this.stop.keep();
-    if (this.steering.active !== 'gamepad') return;
-    this.steering.cut('device');
-    this.steering.blocked.delete('gamepad');
-    this.steering.wake();
+  loseGone(pads) {
+    for (const [input, pressed] of this.pressed) {
+      if (pads.has(input)) continue;
+      this.pressed.delete(input);
+      if (pressed[STOP]) this.stop.keep();
+      this.steering.gone(input);
+    }
   }
 
-  /** Rumbles for a moment; strength in [0, 1]. */
+  /** The pad that steers rumbles for a moment; strength in [0, 1]. */
   rumble(strength) {
-    const pad = this.pad();
-    if (!pad || !pad.vibrationActuator || this.steering.active !== 'gamepad') return;
+    const pad = this.pads().get(this.steering.active);
+    if (!pad || !pad.vibrationActuator) return;
     pad.vibrationActuator
       .playEffect('dual-rumble', { duration: 120, strongMagnitude: strength, weakMagnitude: strength })
       .catch(() => {}); // a pad that cannot rumble steers all the same

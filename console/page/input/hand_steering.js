@@ -3,6 +3,8 @@
 // or pinches steers; a second hand that pinches stops the robot as long as it does. A hand that is no longer tracked is
 // released at once, and must open before it steers again.
 
+const SPACING = 12; // [ms] between two places of a hand: a headset has up to 144 frames a second, the server takes 120 messages
+
 export class HandSteering {
   /** send as in Steering; steering, stop: of this folder; toggle(): takes or gives back control. */
   constructor(send, steering, stop, toggle) {
@@ -18,6 +20,7 @@ export class HandSteering {
     this.gripped = new Set();
     this.mustOpen = new Set();
     this.buttons = {};
+    this.sent = 0; // [ms]
   }
 
   /** The sources of one frame, and the time [ms]. */
@@ -48,7 +51,9 @@ export class HandSteering {
     }
     if (grip && !gripped) this.close(key, hand, t);
     if (!grip && gripped) this.open(key, at, t);
-    if (grip && this.hand === key) this.send('hand', { ...at, grip: true }, t);
+    if (!grip || this.hand !== key || t - this.sent < SPACING) return;
+    this.sent = t;
+    this.send('hand', { ...at, grip: true }, t);
   }
 
   close(key, hand, t) {

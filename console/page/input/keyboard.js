@@ -27,6 +27,7 @@ export class Keyboard {
   }
 
   press(event, stop) {
+    if (event.key === 'Meta') this.drop(event); // macOS tells of no key that comes up while this one is down
     if (event.code === 'Space' && !(event.target instanceof HTMLButtonElement) && !isTyping(event.target)) {
       event.preventDefault();
       if (!event.repeat) stop.press(event.timeStamp);
@@ -44,6 +45,12 @@ export class Keyboard {
 
   lift(event) {
     if (this.down.delete(event.code)) this.tell(event);
+  }
+
+  drop(event) {
+    if (this.down.size === 0) return;
+    this.down.clear();
+    this.tell(event);
   }
 
   tell(event) {

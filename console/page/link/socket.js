@@ -56,12 +56,42 @@ export class Socket {
   }
 }
 
+// The name of this tab. A tab that is duplicated copies its storage, so the name lies there only from the end of a page to the
+// beginning of the next one in the same tab: it outlives a reload, and is never in two tabs.
+const FORM = /^[0-9a-f]{32}$/;
+let name = null;
+
+function randomName() {
+  return [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+/** Does something with the tab's storage, which a browser may refuse: then a reload makes a new name. */
+function withStorage(use) {
+  try {
+    return use(sessionStorage);
+  } catch (error) {
+    console.warn('this browser gives no storage:', error.message);
+    return null;
+  }
+}
+
 /** The random name of this tab, which keeps the controls for it over a cut. */
 export function pageName() {
-  let name = sessionStorage.getItem('page');
   if (!name) {
-    name = [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
-    sessionStorage.setItem('page', name);
+    const kept = withStorage((storage) => storage.getItem('page'));
+    name = FORM.test(kept || '') ? kept : randomName();
+    forget();
+    addEventListener('pagehide', () => withStorage((storage) => storage.setItem('page', name)));
+    addEventListener('pageshow', forget);
   }
   return name;
+}
+
+function forget() {
+  withStorage((storage) => storage.removeItem('page'));
+}
+
+/** Another tab has this one's name. */
+export function anotherName() {
+  name = randomName();
 }
