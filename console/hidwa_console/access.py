@@ -9,6 +9,7 @@ from .bounds import Bucket
 
 LOOPBACK = ('localhost', '127.0.0.1', '::1')
 COOKIE = 'hidwa_console'
+USUAL = {'http': 80, 'https': 443}  # ports that a browser leaves out
 SESSIONS = 64                       # remembered; the oldest goes
 LOGIN_RATE, LOGIN_BURST = 0.5, 10   # [1/s] attempts, and at once
 
@@ -36,12 +37,16 @@ def split_host(host):
 
 class Access:
     """Which requests are admitted. A page of another site can make a browser send requests here; it can neither change Origin
-    nor, by pointing its own name at this address (DNS rebinding), Host."""
+    nor, by pointing its own name at this address (DNS rebinding), Host.
 
-    def __init__(self, port, names=(), token=None, secure=False, foreign_origins=()):
-        self._port, self._token, self._secure = port, token, secure
+    page_origins: as browsers see the page where its address is another one than this server's: behind a proxy, or a port that is
+    forwarded under another number. The Host of such a request is that of the origin, or one of this server's own."""
+
+    def __init__(self, port, names=(), token=None, secure=False, foreign_origins=(), page_origins=()):
+        self._port, self._token, self._scheme = port, token, 'https' if secure else 'http'
         self._hosts = {name.lower() for name in (*LOOPBACK, *names)}
         self._foreign = {origin.rstrip('/').lower() for origin in foreign_origins}
+        self._pages = {place_of(origin): origin.rstrip('/').lower() for origin in page_origins}
         self._sessions, self._attempts = [], Bucket(LOGIN_RATE, LOGIN_BURST)
 
     @property
@@ -52,11 +57,26 @@ class Access:
     def host_allowed(self, host):
         """Whether a request names this server by a name that it knows."""
         name, port = split_host(host)
-        return name in self._hosts and (port or (443 if self._secure else 80)) == self._port
+        return self._own(host) or any((name, port or USUAL[page[0]]) == page[1:] for page in self._pages)
+
+    def _own(self, host):
+        name, port = split_host(host)
+        return name in self._hosts and (port or USUAL[self._scheme]) == self._port
 
     def same_origin(self, origin, host):
         """Whether a request comes from a page that this server served."""
-        return bool(origin) and origin.lower() == f'{"https" if self._secure else "http"}://{(host or "").lower()}'
+        if not origin:
+            return False
+        return place_of(origin) in self._pages or (self._own(host) and origin.lower() == f'{self._scheme}://{host.lower()}')
+
+    def by_tls(self, origin):
+        """Whether the page of this origin comes by TLS, here or at the proxy."""
+        return self._scheme == 'https' or (place_of(origin) in self._pages and origin.lower().startswith('https:'))
+
+    def sockets_of(self, host):
+        """The origins of the sockets of a page that was asked for by this Host."""
+        own = f'{self._scheme}://{host}'
+        return sorted(origin.replace('http', 'ws', 1) for origin in {own, *self._pages.values()})
 
     def foreign_allowed(self, origin, token):
         """Whether another program, or a page of another site, may use Foxglove's protocol. On loopback: programs, and pages from
@@ -92,16 +112,22 @@ class Access:
         return any([hmac.compare_digest(given, session.encode()) for session in self._sessions])
 
 
+def place_of(origin):
+    """(scheme, name, port) of an origin, in lower case; None where it is none."""
+    scheme, _, host = (origin or '').rstrip('/').lower().partition('://')
+    name, port = split_host(host)
+    return (scheme, name, port or USUAL[scheme]) if name and scheme in USUAL else None
+
+
 def new_token():
     """128 bits, for an address that a person copies."""
     return secrets.token_urlsafe(16)
 
 
-def headers(host, secure):
-    """Security headers of every answer; `host`: an allowed Host header."""
-    sockets = f'{"wss" if secure else "ws"}://{host}'
+def headers(sockets):
+    """Security headers of every answer; `sockets`: the origins to which the page's sockets go."""
     policy = ("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
-              f"connect-src 'self' {sockets}; worker-src 'self'; font-src 'self'; manifest-src 'self'; base-uri 'none'; "
+              f"connect-src 'self' {' '.join(sockets)}; worker-src 'self'; font-src 'self'; manifest-src 'self'; base-uri 'none'; "
               "form-action 'self'; frame-ancestors 'none'")
     return {'Content-Security-Policy': policy, 'X-Content-Type-Options': 'nosniff', 'Referrer-Policy': 'no-referrer',
             'Cross-Origin-Opener-Policy': 'same-origin', 'Cross-Origin-Resource-Policy': 'same-origin',

@@ -13,6 +13,8 @@ from . import foxglove, server
 from .camera import Camera
 from .desk import Desk
 from .goals import Goals
+from .outputs import Outlet
+from .robot import planners
 from .scene import Scene
 from .wire import yaw_of
 
@@ -30,29 +32,32 @@ class Console:
         self.names, self.robot, self.tuning, self.device, self.recorder = parts
         self.study, self._sockets = study, []
         self._work = concurrent.futures.ThreadPoolExecutor(2)
-        self._publish_goal = rospy.Publisher(self.names.host + '/goal', MoveBaseActionGoal, queue_size=1)
-        self._publish_cancel = rospy.Publisher(self.names.host + '/cancel', GoalID, queue_size=1)
+        self._status = rospy.Subscriber(self.names.host + '/status', GoalStatusArray, self._on_status, queue_size=1)
+        self._goal, self._cancel = (
+            Outlet(f'{self.names.host}/{name}', kind, lambda: self._status.get_num_connections() > 0, queue_size=1)
+            for name, kind in (('goal', MoveBaseActionGoal), ('cancel', GoalID)))
+        self._elsewhere, self._unheard = [], None
         self.camera = Camera(options.camera, options.camera_info, self.robot)
         others = {'goals': lambda: self.goals.report(), 'record': self.recorder.report, 'tuning': self.tuning.report,
-                  'camera': self.camera.report, 'study': lambda: study.report() if study else None}
+                  'camera': self.camera.report, 'study': lambda: study.report() if study else None, 'unheard': lambda: self._unheard,
+                  'said': self.robot.said}
         self.scene = Scene(self.robot, self.tuning.parameters, others, regions)
-        self.goals = Goals(self._send_goal, lambda: self._publish_cancel.publish(GoalID()), self.scene.progress,
+        self.goals = Goals(self._send_goal, lambda: self._cancel.publish(GoalID()), self.scene.progress,
                            () if study else options.tour)
         self.desk = Desk(self, settings, time.monotonic, study is not None)
         self.feeds = foxglove.Feeds(foxglove.channels_of(self.names), self.robot.find, loop.add_callback)
         rospy.Subscriber(self.names.host + '/goal', MoveBaseActionGoal, self._on_goal, queue_size=10)
         rospy.Subscriber(self.names.host + '/result', MoveBaseActionResult, self._on_result, queue_size=10)
-        rospy.Subscriber(self.names.host + '/status', GoalStatusArray, self._on_status, queue_size=1)
 
     # -- what the desk asks for
 
     def steer(self, command):
         """A command to the planner."""
-        self.device.steer(command)
+        return self.device.steer(command)
 
     def stop(self, on):
         """A stop to the planner, or its end."""
-        self.device.stop(on)
+        return self.device.stop(on)
 
     def input_timeout(self):
         """The planner's [s]."""
@@ -78,19 +83,48 @@ class Console:
             return True, 'asked'
         return {'mode': lambda: self._said(self.device.set_mode(fields['mode'])),
                 'take_control': lambda: self._said(self.device.take_control(fields['on'])),
-                'goal': lambda: goals.goal(fields['x'], fields['y'], fields['yaw'], fields['append'], pose, now),
-                'cancel': goals.cancel, 'skip': lambda: goals.skip(now), 'home': lambda: goals.home(fields['append'], pose, now),
+                'goal': lambda: self._to_host(goals.goal(fields['x'], fields['y'], fields['yaw'], fields['append'], pose, now)),
+                'cancel': lambda: self._to_host(goals.cancel()), 'skip': lambda: self._to_host(goals.skip(now)),
+                'home': lambda: self._to_host(goals.home(fields['append'], pose, now)),
                 'record': lambda: self.recorder.record(fields['on']),
                 'study': lambda: self.study.answer(fields['answer']) if self.study else (False, 'this is no study')}[kind]()
 
     @staticmethod
-    def _said(_):
-        return True, ''
+    def _said(unheard):
+        return not unheard, unheard
+
+    def _to_host(self, told):
+        """What became of a wish about goals, where the host does not listen."""
+        return told if not told[0] or self._goal.heard() else (False, f'nobody listens on {self._goal.topic}')
+
+    def _find_unheard(self):
+        """What of this page's nobody hears, for the page: the names, and a sentence with the remedy."""
+        topics = self.device.unheard(self.mode())
+        if not self._goal.heard():
+            topics['goal'] = self._goal.topic
+        if not topics:
+            self._unheard = None
+            return
+        if 'stop' in topics:
+            others = [name for name in self._elsewhere if name != self.names.planner]
+            remedy = (f'A planner runs as {others[0]}: start the console with --planner {others[0]}' if others else
+                      f'No planner runs as {self.names.planner}: start it, or give the console its name by --planner')
+            text = f'{", ".join(topics)}. {remedy}'
+        else:
+            text = ', '.join(f'{what} (on {topic})' for what, topic in topics.items())
+        self._unheard = {'what': list(topics), 'text': text}
+
+    def _set_elsewhere(self, done):
+        if not done.exception():
+            self._elsewhere = done.result()
+
+    def _later(self, call, then):
+        """Runs what may block, and then `then(future)` in the server's thread."""
+        self._work.submit(call).add_done_callback(lambda done: self.loop.add_callback(then, done))
 
     def _later_told(self, kind, call):
         """Runs what may block, and tells everybody at the controls how it ended."""
-        future = self._work.submit(call)
-        future.add_done_callback(lambda done: self.loop.add_callback(self._tell, kind, done))
+        self._later(call, lambda done: self._tell(kind, done))
 
     def _tell(self, kind, done):
         ok, text = (False, f'{done.exception()}') if done.exception() else done.result()
@@ -151,6 +185,9 @@ class Console:
         if self.study:
             self.study.tick()
         self.device.prepare()
+        if self._unheard and 'stop' in self._unheard['what']:
+            self._later(planners, self._set_elsewhere)
+        self._find_unheard()
 
     def close(self):
         """The console ends: what it steers is released, a stop stays."""
@@ -164,7 +201,7 @@ class Console:
 
     def _send_goal(self, number, pose):
         message = goal_message(pose, number, self.names.map_frame)
-        self._publish_goal.publish(message)
+        self._goal.publish(message)
 
     def _on_goal(self, message):
         target = message.goal.target_pose

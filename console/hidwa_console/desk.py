@@ -30,13 +30,14 @@ class Visitor:
 
 
 class Desk:
-    """`outputs` has steer(command), stop(on), input_timeout(), mode(), in_control() and do(type, fields) -> (ok, text). Times
-    are monotonic [s]; `clock()` says which it is."""
+    """`outputs` has steer(command) and stop(on), which say why nobody hears it, else nothing, input_timeout(), mode(), in_control()
+    and do(type, fields) -> (ok, text). Times are monotonic [s]; `clock()` says which it is."""
 
     def __init__(self, outputs, settings, clock, study=False):
         self._outputs, self._settings, self._clock, self._study = outputs, settings, clock, study
         self._lease = Lease()
-        self._steering = Steering(outputs.steer, settings.max_age)
+        self._steering = Steering(self._steer, settings.max_age)
+        self._unheard = ''  # why nobody heard the last command
         self._visitors, self._numbers = [], collections.OrderedDict()
         self._next_number = 1
         self.stop_on, self._stop_said_at = None, None  # stop_on: None, or (why, number of the visitor)
@@ -126,9 +127,17 @@ class Desk:
     def _on_hand(self, visitor, fields):
         self._command(visitor, fields, Hand(fields['left'], fields['forward'], fields['up'], fields['grip']))
 
+    def _steer(self, command):
+        self._unheard = self._outputs.steer(command) or ''
+
+    def _ask_to_stop(self, visitor):
+        unheard = self._stop(True, 'page', visitor.number)
+        if unheard:
+            visitor.say({'type': 'told', 'what': 'stop', 'ok': False, 'text': f'THE STOP IS NOT HEARD: {unheard}'})
+
     def _command(self, visitor, fields, command):
         if fields['stop']:
-            self._stop(True, 'page', visitor.number)
+            self._ask_to_stop(visitor)
         now = self._clock()
         age = visitor.clock.age(fields['t'], now)
         if not self._holds(visitor):
@@ -137,6 +146,7 @@ class Desk:
         o, needed = self._outputs, self._steering.neutral_needed
         state = self._steering.take(command, age, now, o.input_timeout(), o.mode(), o.in_control())
         visitor.engaged = visitor.engaged or state in ('steers', 'neutral_needed')
+        state = 'unheard' if state == 'steers' and self._unheard else state
         self._tell(visitor, state, age, now)
         if needed != self._steering.neutral_needed:
             self._show_control()
@@ -151,7 +161,7 @@ class Desk:
 
     def _on_stop(self, visitor, fields):
         if fields['on']:
-            self._stop(True, 'page', visitor.number)
+            self._ask_to_stop(visitor)
             return
         age = visitor.clock.age(fields['t'], self._clock())
         if not self._holds(visitor):
@@ -209,21 +219,22 @@ class Desk:
         return self._lease.holder is not None
 
     def _stop(self, on, why, number):
-        """A stop that is held already stays as it is; every request for one goes out."""
+        """A stop that is held already stays as it is; every request for one goes out. Says why nobody hears it, else nothing."""
         if not on:
             self.stop_on = None
         elif self.stop_on is None:
             self.stop_on = (why, number)
         elif why == 'delay':
-            return
-        self._say_stop(on, self._clock())
+            return ''
+        unheard = self._say_stop(on, self._clock())
         for visitor in self._visitors:
             if visitor.page:
                 visitor.say(self._stop_message())
+        return unheard
 
     def _say_stop(self, on, now):
         self._stop_said_at = now
-        self._outputs.stop(on)
+        return self._outputs.stop(on)
 
     def _stop_message(self):
         why, by = self.stop_on or ('page', None)

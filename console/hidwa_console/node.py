@@ -22,7 +22,7 @@ from .options import parse
 from .outputs import Device
 from .planar import rounded
 from .recorder import Recorder
-from .robot import Names, Robot
+from .robot import Names, Robot, planners
 from .study import Session
 from .tuning import Tuning, read_presets
 
@@ -107,7 +107,8 @@ def addresses(options, port, token, secure):
     """The addresses to print."""
     names = options.host_name or ['localhost' if is_loopback(options.address) else options.address]
     fragment = f'#token={token}' if token else ''
-    return [f'{"https" if secure else "http"}://{f"[{n}]" if ":" in n else n}:{port}/{fragment}' for n in names]
+    own = [f'{"https" if secure else "http"}://{f"[{n}]" if ":" in n else n}:{port}' for n in names]
+    return [f'{origin.rstrip("/")}/{fragment}' for origin in options.page_origin or own]
 
 
 def say(line):
@@ -117,25 +118,32 @@ def say(line):
 
 
 def wait_for_planner():
-    """Until the parameter server has move_base's parameters; without them the defaults hold."""
+    """Until a planner runs, or the parameter server has move_base's parameters. Its full name, where it runs; else '': then the names
+    are those of move_base, by default where it has no parameters."""
     deadline = time.monotonic() + PLANNER_PATIENCE
-    while not rospy.has_param(rospy.resolve_name('move_base/base_local_planner')) and not rospy.is_shutdown():
+    while not rospy.is_shutdown():
+        found = planners()
+        if found or rospy.has_param(rospy.resolve_name('move_base/base_local_planner')):
+            break
         if time.monotonic() > deadline:
             rospy.logwarn('there is no move_base: the console takes its usual names')
-            return
+            break
         time.sleep(0.2)
+    if len(found) > 1:
+        rospy.logwarn(f'{len(found)} planners run, {", ".join(found)}: the console takes the first; --planner takes another')
+    return found[0] if found else ''
 
 
 def make(loop, options, access, secure, study=None):
     """The Console."""
-    wait_for_planner()
-    names = Names()
+    names = Names(options.planner or wait_for_planner())
     tuning = Tuning(names.planner, read_presets(os.path.join(share(), 'launch', 'params', 'presets')))
 
     def cycles(on):
         loop.add_callback(lambda: loop.run_in_executor(None, tuning.set, {'record_cycles': on}))
     recorder = Recorder(record_command, os.path.abspath(os.path.expanduser(options.recordings)), cycles)
-    parts = (names, Robot(names), tuning, Device(names, tuning.parameters), recorder)
+    robot = Robot(names)
+    parts = (names, robot, tuning, Device(names, tuning.parameters, lambda: robot.mode.sources > 0), recorder)
     settings = Settings(options.max_age, options.stop_delay)
     return Console(loop, access, secure, settings, parts, options, read_regions(options.regions), study)
 
@@ -145,7 +153,7 @@ def serve(options):
     context = tls(options)
     sockets, port = listen(options)
     token = new_token() if options.token else None
-    access = Access(port, options.host_name, token, context is not None, options.allow_origin)
+    access = Access(port, options.host_name, token, context is not None, options.allow_origin, options.page_origin)
     loop = tornado.ioloop.IOLoop.current()
     console = make(loop, options, access, context is not None, Session(options.study) if options.study else None)
     application = server.application(console, page_folder(options.page), libraries(), foxglove.FoxgloveSocket)

@@ -3,7 +3,7 @@
 import argparse
 import os
 
-from .access import is_loopback, split_host
+from .access import is_loopback, place_of, split_host
 
 PORT = 8790
 
@@ -55,6 +55,8 @@ def pose(text):
 def parser():
     """The argument parser."""
     p = argparse.ArgumentParser(prog='console', description="The operator's console: serves a page from which a person sits in the robot.")
+    p.add_argument('--planner', default='', metavar='NAME',
+                   help='full name of the planner, as /move_base_flex/HIDWAPlannerROS (default: the one that runs, else of move_base)')
     p.add_argument('--address', default='127.0.0.1', help='where to listen; any but loopback asks for a token (default: %(default)s)')
     p.add_argument('--port', type=int, default=PORT, help='(default: %(default)s; 0: any that is free)')
     p.add_argument('--host-name', action='append', default=[], type=host_name, metavar='NAME',
@@ -64,6 +66,9 @@ def parser():
     p.add_argument('--keyfile', type=file_name, help='TLS: its key, PEM')
     p.add_argument('--allow-origin', action='append', default=[], type=origin, metavar='ORIGIN',
                    help="a web page's origin that may use Foxglove's protocol; may be given several times")
+    p.add_argument('--page-origin', action='append', default=[], type=origin, metavar='ORIGIN',
+                   help="the page's address as browsers see it, where a proxy or a port forwarded under another number is between: "
+                        'https://HOST or http://localhost:PORT; may be given several times')
     p.add_argument('--max-age', type=seconds, default=0.3, metavar='S', help='older commands do not steer (default: %(default)s)')
     p.add_argument('--stop-delay', type=seconds, default=2.0, metavar='S',
                    help='a link delay, both ways, above which the robot is asked to stop; 0: never (default: %(default)s)')
@@ -88,10 +93,12 @@ def parse(arguments):
         p.error('--port is 0 to 65535')
     if not is_loopback(o.address):
         o.token = True
-        if not o.host_name and o.address in ('0.0.0.0', '::', ''):
-            p.error(f'--address {o.address} needs --host-name: the name or address by which browsers reach this machine')
+        if not (o.host_name or o.page_origin) and o.address in ('0.0.0.0', '::', ''):
+            p.error(f'--address {o.address} needs --host-name or --page-origin: how browsers reach this machine')
         if o.address not in ('0.0.0.0', '::', ''):
             o.host_name = [*o.host_name, host_name(o.address)]
+    if any(not is_loopback(place_of(page)[1]) for page in o.page_origin):
+        o.token = True  # others come by way of the proxy
     if o.camera and not o.camera_info:
         base = o.camera[:-len('/compressed')] if o.camera.endswith('/compressed') else o.camera
         o.camera_info = base.rsplit('/', 1)[0] + '/camera_info' if '/' in base else 'camera_info'

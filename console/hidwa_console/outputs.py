@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What leaves the console for the robot: the messages of an ordinary device, as the planner's parameters ask for them."""
+import time
+
 import rospy
 from geometry_msgs.msg import PoseStamped
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool, String
 
-from .steering import NEUTRAL, Hand, is_neutral
+from .steering import DEVICE_OF_MODE, NEUTRAL, Hand, is_neutral
 
 AXES, BUTTONS = 8, 11   # those of a common gamepad; more where a parameter names a higher index
 AXIS_INDEX = {'x': 0, 'y': 1, 'z': 2}
 FRAME = 'console'
+CONNECTING = 2.0   # [s] for which nodes that connect may take to hear each other
 
 
 def joy_of(command, p):
@@ -61,41 +64,70 @@ class NeutralFirst(rospy.SubscribeListener):
             peer_publish(message)
 
 
-class Device:
-    """The console as a device. `parameters()`: the planner's in force; `names`: robot.Names."""
+class Outlet:
+    """A topic to the robot, and whether somebody listens there. What records it does not count: `there()` says whether the node is there
+    for which it is meant."""
 
-    def __init__(self, names, parameters):
-        self._parameters, self._publishers = parameters, {}
+    def __init__(self, topic, kind, there, first=None, queue_size=10):
+        self.topic, self._there, self._heard_at = rospy.resolve_name(topic), there, time.monotonic()
+        self._publisher = rospy.Publisher(self.topic, kind, first, queue_size=queue_size, tcp_nodelay=True)
+
+    def publish(self, message):
+        """Sends it. Says why nobody hears it, else nothing."""
+        self._publisher.publish(message)
+        return '' if self.heard() else f'nobody listens on {self.topic}'
+
+    def heard(self):
+        """Whether somebody listens, or did a moment ago."""
+        now = time.monotonic()
+        if self._publisher.get_num_connections() and self._there():
+            self._heard_at = now
+        return now - self._heard_at < CONNECTING
+
+
+class Device:
+    """The console as a device. `parameters()`: the planner's in force; `names`: robot.Names; `there()`: whether the planner is."""
+
+    def __init__(self, names, parameters, there=lambda: True):
+        self._parameters, self._there, self._outlets = parameters, there, {}
         self._joy, self._hand, self._last = None, None, NEUTRAL
-        self._stop = self._publisher(names.of_planner('stop'), Bool)
-        self._take_control = self._publisher(names.of_planner('take_control'), Bool)
-        self._set_mode = self._publisher(names.of_planner('set_mode'), String)
+        self._stop = self._outlet(names.of_planner('stop'), Bool)
+        self._take_control = self._outlet(names.of_planner('take_control'), Bool)
+        self._set_mode = self._outlet(names.of_planner('set_mode'), String)
         self.prepare()
 
     def prepare(self):
         """Publishers are known to the planner before their first message: it would be lost."""
         p = self._parameters()
-        self._joy = self._publisher(p.get('joy_topic') or 'joy', Joy)
-        self._hand = self._publisher(p.get('gesture_topic') or 'hand_pose', PoseStamped)
+        self._joy = self._outlet(p.get('joy_topic') or 'joy', Joy)
+        self._hand = self._outlet(p.get('gesture_topic') or 'hand_pose', PoseStamped)
 
-    def _publisher(self, topic, kind):
+    def _outlet(self, topic, kind):
         topic = rospy.resolve_name(topic)
-        if topic not in self._publishers:
-            first = NeutralFirst(self._neutral) if kind is Joy else None
-            self._publishers[topic] = rospy.Publisher(topic, kind, first, queue_size=10, tcp_nodelay=True)
-        return self._publishers[topic]
+        if topic not in self._outlets:
+            self._outlets[topic] = Outlet(topic, kind, self._there, NeutralFirst(self._neutral) if kind is Joy else None)
+        return self._outlets[topic]
+
+    def unheard(self, mode):
+        """{what: topic} of what nobody hears; mode: the planner's, or None."""
+        outlets = {'stop': self._stop, 'mode': self._set_mode, 'take control': self._take_control}
+        if mode in DEVICE_OF_MODE:
+            outlets['stick'] = self._joy  # in mode gesture it has the clutch
+        if mode == 'gesture':
+            outlets['hand'] = self._hand
+        return {what: outlet.topic for what, outlet in outlets.items() if not outlet.heard()}
 
     def steer(self, command):
-        """A stick or a hand."""
+        """A stick or a hand. As all that is sent here: says why nobody hears it, else nothing."""
         p = self._parameters()
-        now = rospy.Time.now()
+        now, unheard = rospy.Time.now(), ''
         if isinstance(command, Hand) and command.grip:
             pose = PoseStamped()
             pose.header.stamp, pose.header.frame_id, pose.pose.orientation.w = now, FRAME, 1.0
             pose.pose.position.x, pose.pose.position.y, pose.pose.position.z = position_of(command, p)
-            self._hand.publish(pose)
+            unheard = self._hand.publish(pose)
         self._last = command
-        self._joy.publish(self._message(command, p, now))
+        return self._joy.publish(self._message(command, p, now)) or unheard
 
     def _neutral(self):
         return self._message(NEUTRAL, self._parameters(), rospy.Time.now()) if is_neutral(self._last) else None
@@ -109,12 +141,12 @@ class Device:
 
     def stop(self, on):
         """The topic stop."""
-        self._stop.publish(Bool(on))
+        return self._stop.publish(Bool(on))
 
     def take_control(self, on):
         """The topic take_control."""
-        self._take_control.publish(Bool(on))
+        return self._take_control.publish(Bool(on))
 
     def set_mode(self, mode):
         """The topic set_mode."""
-        self._set_mode.publish(String(mode))
+        return self._set_mode.publish(String(mode))

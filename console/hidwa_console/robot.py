@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the robot says, kept as it came: the newest message of each topic on the list, undecoded, and tf. Nothing else of the
 ROS graph is reached."""
+import math
 import threading
 import time
 
+import genpy
 import rospy
 import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from hidwa_local_planner.msg import OperatorState
 from tf2_msgs.msg import TFMessage
 
 from hidwa_tools.recording import DEFAULT_PLANNER, HOST, plugin_name
@@ -13,6 +17,7 @@ from hidwa_tools.recording import DEFAULT_PLANNER, HOST, plugin_name
 from .wire import yaw_of
 
 DEFAULT_GLOBAL_PLANNER = 'navfn/NavfnROS'
+SAID = 3.0  # [s] for which a diagnostic counts; there is one a second
 
 
 class Newest:
@@ -65,17 +70,32 @@ class Newest:
             rospy.logwarn_throttle(10.0, f'{self.topic} carries what is no {kind._type}: {fault}')
             return None
 
+    @property
+    def sources(self):
+        """How many nodes publish it."""
+        return self._subscriber.get_num_connections()
+
     def end(self):
         """No more of them."""
         self._subscriber.unregister()
 
 
-class Names:
-    """Full names of the host's topics, as its parameters say."""
+def planners():
+    """Full names of the planners that run in this node's namespace."""
+    end = '/operator_state'
+    return sorted(topic[:-len(end)] for topic, kind in rospy.get_published_topics(rospy.get_namespace())
+                  if kind == OperatorState._type and topic.endswith(end))
 
-    def __init__(self):
-        self.host = rospy.resolve_name(HOST.rstrip('/'))
-        self.planner = f'{self.host}/{self._plugin("base_local_planner", DEFAULT_PLANNER)}'
+
+class Names:
+    """Full names of the host's topics: of that of the planner with this name, else of move_base, as its parameters say."""
+
+    def __init__(self, planner=''):
+        self.host = rospy.resolve_name(planner or HOST.rstrip('/'))
+        if planner:
+            self.planner, self.host = self.host, self.host.rsplit('/', 1)[0]
+        else:
+            self.planner = f'{self.host}/{self._plugin("base_local_planner", DEFAULT_PLANNER)}'
         self.global_plan = f'{self.host}/{self._plugin("base_global_planner", DEFAULT_GLOBAL_PLANNER)}/plan'
         self.map_frame = rospy.get_param(f'{self.host}/global_costmap/global_frame', 'map').lstrip('/')
         self.base_frame = rospy.get_param(f'{self.host}/local_costmap/robot_base_frame', 'base_link').lstrip('/')
@@ -109,7 +129,24 @@ class Robot:
         self._tf = Newest('/tf', also=lambda data: self._take_transforms(data, self._buffer.set_transform), queue_size=100)
         self._tf_static = Newest('/tf_static', also=lambda data: self._take_transforms(data, self._buffer.set_transform_static),
                                  queue_size=100)
+        self._said = ('', -math.inf)  # of the operator's device, and when it came (monotonic [s])
+        self._diagnostics = Newest('/diagnostics', also=self._take_diagnostics, queue_size=10)
         self._topics = {value.topic: value for value in vars(self).values() if isinstance(value, Newest)}
+
+    def _take_diagnostics(self, data):
+        try:
+            array = DiagnosticArray().deserialize(data)
+        except genpy.DeserializationError:
+            return
+        end = f'{self.names.planner.rsplit("/", 1)[1]} operator'
+        for status in array.status:
+            if status.name.endswith(end):
+                self._said = (status.message if status.level != DiagnosticStatus.OK else '', time.monotonic())
+
+    def said(self):
+        """What the planner complains of about the operator's device, in words; else empty."""
+        text, at = self._said
+        return text if time.monotonic() - at < SAID else ''
 
     def find(self, topic):
         """The Newest of a topic that is followed anyway, or None."""

@@ -32,12 +32,12 @@ class Checked:
     def set_default_headers(self):
         a = self.application.settings['access']
         host = self.request.headers.get('Host', '')
-        for name, value in access.headers(host if a.host_allowed(host) else 'localhost', self.application.settings['secure']).items():
+        for name, value in access.headers(a.sockets_of(host if a.host_allowed(host) else 'localhost')).items():
             self.set_header(name, value)
 
     def prepare(self):
         if not self.console.access.host_allowed(self.request.headers.get('Host')):
-            raise tornado.web.HTTPError(403, reason='this host name is not known here (--host-name adds one)')
+            raise tornado.web.HTTPError(403, reason='this address is not known here (--host-name adds a name, --page-origin an address)')
 
     def write_error(self, status_code, **_):
         self.set_header('Content-Type', 'text/plain; charset=utf-8')
@@ -74,6 +74,12 @@ class Login(Checked, tornado.web.RequestHandler):
     """A token for a session."""
 
     def get(self):
+        page = self.request.headers.get('X-Page-Origin')  # a browser sends no Origin with this request
+        if page and not self.console.access.same_origin(page, self.request.headers.get('Host')):
+            self.set_header('Content-Type', 'text/plain; charset=utf-8')
+            self.set_status(421)
+            self.finish(f'The console does not know the address of this page: start it with --page-origin {printable(page)}')
+            return
         self.set_status(204 if self.admitted() else 403)
 
     def post(self):
@@ -88,7 +94,8 @@ class Login(Checked, tornado.web.RequestHandler):
             raise tornado.web.HTTPError(429, reason='too many attempts; wait a little')
         if not session:
             raise tornado.web.HTTPError(403, reason='wrong token')
-        self.set_cookie(access.COOKIE, session, path='/', httponly=True, samesite='Strict', secure=self.application.settings['secure'])
+        self.set_cookie(access.COOKIE, session, path='/', httponly=True, samesite='Strict',
+                        secure=self.console.access.by_tls(self.request.headers.get('Origin')))
         self.set_status(204)
 
 
@@ -144,7 +151,7 @@ class Socket(Checked, tornado.websocket.WebSocketHandler):
             pass
 
     def end(self, code, reason):
-        self.close(code, ''.join(c if ' ' <= c <= '~' else '?' for c in reason))
+        self.close(code, printable(reason))
 
     def on_close(self):
         self.console.exit(self)
@@ -242,6 +249,11 @@ class CameraSocket(Socket):
             self.console.camera.watch(-1)
 
 
+def printable(text):
+    """The text in ASCII, without control characters."""
+    return ''.join(c if ' ' <= c <= '~' else '?' for c in text)
+
+
 def _plain(data):
     """A small JSON object with a type."""
     if isinstance(data, bytes) or len(data) > messages.LARGEST:
@@ -264,5 +276,5 @@ def application(console, page, libraries, foxglove):
               (r'/report/(report[\w.]*)', ReportFiles, {**own, 'path': console.report_folder})]
     routes += [(rf'/lib/{re.escape(name)}/(.*)', PageFiles, {**own, 'path': folder}) for name, folder in libraries.items()]
     routes += [(r'/lib/.*', Missing, own), (r'/(.*)', PageFiles, {**own, 'path': page, 'default_filename': 'index.html'})]
-    return tornado.web.Application(routes, access=console.access, secure=console.secure, websocket_max_message_size=LARGEST,
+    return tornado.web.Application(routes, access=console.access, websocket_max_message_size=LARGEST,
                                    default_handler_class=Missing, default_handler_args=own, log_function=lambda handler: None)

@@ -54,7 +54,7 @@ class App {
     this.keyboard = new Keyboard(this.steering, this.stop);
     this.gamepads = new Gamepads(this.steering, this.stop, () => this.toggleControl());
     this.hands = new HandSteering(this.send, this.steering, this.stop, () => this.toggleControl());
-    this.steering.onChange(({ held }) => this.status.set({ held }));
+    this.steering.onChange(({ left, forward, held }) => this.status.set({ held, size: Math.hypot(left, forward) }));
     watchCuts((why) => this.cut(why), () => this.steering.wake());
     byId('stop').addEventListener('click', (event) => this.stop.press(event.timeStamp));
     byId('letgo').addEventListener('click', (event) => this.stop.letGo(event.timeStamp));
@@ -171,11 +171,11 @@ class App {
       this.steering.cut('device'); // nothing can be sent; what is held must be centred first
       this.holder.gone();
       this.status.delay(null);
-      admittedStill();
+      admittedStill().then((refused) => this.status.set({ refused }));
     } else {
       this.steering.wake();
     }
-    this.status.set({ controlOpen: open });
+    this.status.set(open ? { controlOpen: true, refused: '' } : { controlOpen: false });
   }
 
   holds(message) {
@@ -228,12 +228,18 @@ class App {
     byId('take').hidden = mode !== 'switching';
   }
 
-  showCamera({ on }) {
+  showCamera({ on, fault }) {
+    this.cameraFault(fault);
     if (on === this.cameraOn) return;
     this.cameraOn = on;
-    if (on && !this.camera) this.camera = new CameraLink(this.scene);
+    if (on && !this.camera) this.camera = new CameraLink(this.scene, (text) => this.cameraFault(text));
     byId('picture-toggle').hidden = !on;
     this.usePicture(on);
+  }
+
+  cameraFault(text) {
+    byId('camera-fault').hidden = !text;
+    byId('camera-fault').textContent = text ? `The camera's picture cannot be shown. ${text}` : '';
   }
 
   usePicture(on) {
@@ -255,5 +261,5 @@ class App {
   }
 }
 
-await admitted();
+await admitted().catch((error) => console.error(error.message)); // the page says it once it tries to connect
 export const app = new App();

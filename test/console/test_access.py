@@ -31,6 +31,35 @@ class Doors(unittest.TestCase):
                        'http://localhost:8790.evil.example'):
             self.assertFalse(access.same_origin(origin, 'localhost:8790'), origin)
 
+    def test_a_page_behind_a_proxy_or_a_forwarded_port(self):
+        access = Access(8790, page_origins=['https://robot.example', 'http://localhost:9000', 'http://[::1]:8080/'])
+        # The Host of the proxy, or its own, which the proxy has put there.
+        for origin, host in (('https://robot.example', 'robot.example'), ('https://robot.example', 'robot.example:443'),
+                             ('https://ROBOT.example:443', 'localhost:8790'), ('http://localhost:9000', 'localhost:9000'),
+                             ('http://localhost:9000', '127.0.0.1:8790'), ('http://[::1]:8080', '[::1]:8080'),
+                             ('http://localhost:8790', 'localhost:8790')):
+            self.assertTrue(access.host_allowed(host), host)
+            self.assertTrue(access.same_origin(origin, host), origin)
+        for host in ('robot.example:8790', 'robot.example:80', 'evil.example', 'localhost:9001', 'robot.example.evil.example'):
+            self.assertFalse(access.host_allowed(host), host)
+        for origin in ('http://robot.example', 'https://robot.example:8443', 'https://evil.example', 'https://localhost:9000',
+                       'http://localhost', 'https://robot.example.evil.example', 'https://robot.example@evil.example', 'null'):
+            self.assertFalse(access.same_origin(origin, 'robot.example'), origin)
+        self.assertFalse(Access(8790).same_origin('https://robot.example', 'localhost:8790'))
+
+    def test_sockets_and_the_cookie_of_a_page_by_tls(self):
+        access = Access(8790, page_origins=['https://robot.example'])
+        self.assertEqual(access.sockets_of('localhost:8790'), ['ws://localhost:8790', 'wss://robot.example'])
+        self.assertTrue(access.by_tls('https://robot.example'))
+        self.assertFalse(access.by_tls('http://localhost:8790'))
+        self.assertFalse(access.by_tls('https://evil.example'))
+        self.assertFalse(access.by_tls(None))
+        self.assertTrue(Access(443, secure=True).by_tls('https://localhost'))
+
+    def test_who_opens_it_to_others_asks_for_a_token(self):
+        self.assertFalse(parse(['--page-origin', 'http://localhost:9000']).token)
+        self.assertTrue(parse(['--page-origin', 'http://localhost:9000', '--page-origin', 'https://robot.example']).token)
+
     def test_token_and_session(self):
         access = Access(8790, token='right')
         self.assertFalse(access.admitted(None))

@@ -1,23 +1,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """ROS messages into arrays and on to the page, each against its slow twin: the generated classes, and the reader of the protocol's
 page."""
+import glob
 import math
+import os
 import random
+import re
 import struct
 import unittest
 from io import BytesIO
+from unittest import mock
 
 import numpy as np
-import paths  # noqa: F401
+import paths
 from geometry_msgs.msg import Pose2D, PoseStamped
 from hidwa_local_planner.msg import CriticScore, Evaluation, TrajectoryScore
 from map_msgs.msg import OccupancyGridUpdate
 from nav_msgs.msg import OccupancyGrid, Path
 from sensor_msgs.msg import CompressedImage, Image, LaserScan
+from std_msgs.msg import String
 
 import page_twin
 from hidwa_console import layouts, wire
-from hidwa_console.camera import JPEG, PNG, NoPicture, picture_of
+from hidwa_console.camera import JPEG, PNG, Camera, NoPicture, picture_of
 from hidwa_console.outputs import joy_of, position_of
 from hidwa_console.planar import composed, inverse, moved
 from hidwa_console.scene import GridPart
@@ -194,6 +199,53 @@ class Pictures(unittest.TestCase):
                 picture_of(image._type, bytes_of(image))
         with self.assertRaises(NoPicture):
             picture_of('std_msgs/String', b'')
+
+    def test_says_which_kind_it_does_not_know(self):
+        depth = Image(width=4, height=4, encoding='16UC1', step=8, data=bytes(32))
+        theora = CompressedImage(format='theora', data=b'OggS')
+        for message, kind in ((depth, '16UC1'), (theora, 'theora'), (String('x'), 'std_msgs/String')):
+            robot = mock.Mock()
+            with mock.patch('hidwa_console.camera.Newest') as newest, mock.patch('hidwa_console.camera.rospy'):
+                camera = Camera('/eye/image', '', robot)
+                camera.watch(1)
+                topic = newest.return_value
+                topic.topic, topic.version, topic.kind, topic.data = '/eye/image', 1, message._type, bytes_of(message)
+                topic.age.return_value = 0.1
+                self.assertIsNone(camera.picture(0))
+                self.assertFalse(camera.report()['on'])
+                self.assertIn(kind, camera.report()['fault'])
+                self.assertIn('/eye/image', camera.report()['fault'])
+                good = CompressedImage(format='jpeg', data=b'\xff\xd8\xff')
+                topic.version, topic.kind, topic.data = 2, good._type, bytes_of(good)
+                self.assertEqual(camera.picture(1)[0], 2)
+                self.assertEqual((camera.report()['on'], camera.report()['fault']), (True, ''))
+
+    def test_says_that_none_comes(self):
+        with mock.patch('hidwa_console.camera.Newest') as newest, mock.patch('hidwa_console.camera.time.monotonic') as now:
+            now.return_value = 50.0
+            camera = Camera('/eye/image', '', mock.Mock())
+            self.assertEqual((camera.report()['on'], camera.report()['fault']), (True, ''))
+            camera.watch(1)
+            newest.return_value.topic, newest.return_value.age.return_value = '/eye/image', float('inf')
+            self.assertEqual(camera.report()['fault'], '')
+            now.return_value += 2.1
+            self.assertEqual(camera.report()['fault'], '/eye/image: no picture comes')
+
+
+class Words(unittest.TestCase):
+    def test_the_page_spells_as_the_planner_who_refuses(self):
+        def text(*path):
+            with open(os.path.join(paths.ROOT, *path), encoding='utf-8') as file:
+                return file.read()
+        refusals = re.search(r'REFUSALS = \{(.*?)\};', text('console', 'page', 'model', 'words.js'), re.S).group(1)
+        keys = {quoted or plain for quoted, plain in re.findall(r"^ *(?:'([^']+)'|(\w+)):", refusals, re.M)}
+        checks = re.search(r'kNames\[\] = \{(.*?)\};', text('src', 'core', 'planner', 'critic_set.cpp')).group(1)
+        names = set(re.findall(r'"([^"]*)"', checks))
+        for path in glob.glob(os.path.join(paths.ROOT, 'src', 'critics', '*.cpp')):
+            names.update(re.findall(r'BuiltInEntry entry\("(\w+)"', text(path)))
+        self.assertGreater(len(names), 10)
+        self.assertEqual(keys - names, set(), 'words that the planner never says')
+        self.assertEqual({'Collision', 'Braking', 'Moving obstacle'} - keys, set(), 'checks of the planner without words')
 
 
 if __name__ == '__main__':

@@ -4,7 +4,7 @@ import random
 import unittest
 
 import paths  # noqa: F401
-from hidwa_console.desk import Desk, Settings, Visitor
+from hidwa_console.desk import NAMESAKE, Desk, Settings, Visitor
 from hidwa_console.lease import KEPT, Lease
 from hidwa_console.page_clock import PageClock
 from hidwa_console.steering import NEUTRAL, SEEN, Hand, Steering, Stick
@@ -198,12 +198,15 @@ class Outputs:
 
     def __init__(self):
         self.sent, self.stops, self.done, self.alone = [], [], [], False
+        self.unheard = ''
 
     def steer(self, command):
         self.sent.append(command)
+        return self.unheard
 
     def stop(self, on):
         self.stops.append(on)
+        return self.unheard
 
     def do(self, kind, fields):
         self.done.append((kind, fields))
@@ -281,6 +284,28 @@ class AtTheDesk(unittest.TestCase):
         self.assertNotIn(False, self.out.stops)
         self.desk.take(seat, 'stop', {'t': 1e3 * self.now, 'on': False})
         self.assertEqual(self.out.stops[-1], False)
+
+    def test_what_nobody_hears_is_said(self):
+        seat, watcher = self.holder(), Seat(self, 'b')
+        seat.stick(1.0)
+        self.assertEqual(seat.last('steering')['state'], 'steers')
+        self.out.unheard = 'nobody listens on /joy'
+        seat.stick(1.0)
+        self.assertEqual(seat.last('steering')['state'], 'unheard')
+        for one in (seat, watcher):
+            self.desk.take(one, 'stop', {'t': 1e3 * self.now, 'on': True})
+            told = one.last('told')
+            self.assertEqual((told['what'], told['ok']), ('stop', False))
+            self.assertIn('nobody listens on /joy', told['text'])
+        self.assertEqual(self.out.stops, [True, True], 'and it goes out all the same')
+        self.out.unheard = ''
+        seat.stick(1.0)
+        self.assertEqual(seat.last('steering')['state'], 'steers')
+
+    def test_two_pages_of_one_name_do_not_cut_each_other_off(self):
+        first = self.holder('a')
+        Seat(self, 'a')
+        self.assertEqual(first.closed[0], NAMESAKE)
 
     def test_a_stop_in_old_commands_counts(self):
         seat = self.holder()

@@ -7,7 +7,9 @@ const TYPES = { 1: 'image/jpeg', 2: 'image/png' };
 const HEADER = 16; // [bytes]
 
 export class CameraLink {
-  constructor(scene) {
+  /** failed(text): of a picture that the browser cannot show; empty: of one that it can. */
+  constructor(scene, failed) {
+    this.failed = failed;
     this.socket = new Socket('/camera', {
       open: () => {
         this.socket.send({ type: 'hello', page: pageName() });
@@ -24,8 +26,9 @@ export class CameraLink {
       const picture = await createImageBitmap(new Blob([data.slice(HEADER)], { type }));
       if (scene.picture) scene.picture.close();
       put(scene, 'picture', picture);
+      this.failed('');
     } catch (error) {
-      console.error('a picture of the camera cannot be shown', error);
+      this.failed(`this browser cannot show it (${type || 'an unknown format'}): ${error.message}`);
     }
     requestAnimationFrame(() => this.socket.send({ type: 'next' }));
   }

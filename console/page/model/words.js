@@ -16,7 +16,7 @@ const REFUSALS = {
   Collision: 'it would hit something',
   BaseObstacle: 'it would hit something',
   ObstacleFootprint: 'it would hit something',
-  MovingObstacles: 'somebody is in the way',
+  'Moving obstacle': 'somebody is in the way',
   RotateToGoal: 'the robot turns at its goal',
   Oscillation: 'the robot would go back and forth',
 };

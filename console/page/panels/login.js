@@ -33,15 +33,21 @@ export async function admitted() {
     history.replaceState(null, '', location.pathname);
     if ((await offer(token)) === 204) return;
   }
-  if ((await fetch('/login', { cache: 'no-store' })).status !== 204) await ask();
+  const answer = await fetch('/login', { cache: 'no-store', headers: { 'X-Page-Origin': location.origin } });
+  if (answer.status === 421) throw new Refused(await answer.text());
+  if (answer.status !== 204) await ask();
 }
+
+/** The server would take no socket of this page; the message says why. */
+export class Refused extends Error {}
 
 let asking = false;
 
-/** Asks for the token again where the server has begun anew with another one. */
+/** Asks for the token again where the server has begun anew with another one. Says why it refuses this page, else nothing. */
 export async function admittedStill() {
-  if (asking) return;
+  if (asking) return '';
   asking = true;
-  await admitted().catch(() => {}); // the link is down; it is tried again
+  const fault = await admitted().then(() => null, (error) => error); // else the link is down; it is tried again
   asking = false;
+  return fault instanceof Refused ? fault.message : '';
 }

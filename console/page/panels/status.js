@@ -4,6 +4,8 @@
 import { announce, describe, duration, refusal } from '../model/words.js';
 
 const SLOW_LINK = 300; // [ms] shown as bad above this
+const DEFLECTED = 0.5; // beyond every dead zone that makes sense
+const FOLLOWS = 700; // [ms] within which the planner takes what is steered; some cycles and the way there and back
 
 const byId = (id) => document.getElementById(id);
 
@@ -19,23 +21,29 @@ function writeOrHide(id, text) {
 
 /** What is wrong, the worst first: each {when(facts), text(facts), bad}. */
 const NOTICES = [
+  { when: (f) => !f.controlOpen && f.refused, text: (f) => f.refused, bad: true },
   { when: (f) => !f.controlOpen, text: () => 'The link is cut. Steering has ended; a stop stays. Connecting again …', bad: true },
+  { when: (f) => f.unheard && f.unheard.what.includes('stop'), text: (f) => `Nobody hears this page: ${f.unheard.text}.`, bad: true },
   { when: (f) => f.lost, text: () => 'LOST: your steering did not reach the robot. It stops turning. Centre the stick once.', bad: true },
   { when: (f) => f.steering === 'late', text: (f) => `Too late: your commands were ${Math.round(f.age)} ms old and did not count.`, bad: true },
   { when: (f) => f.stop && f.stop.why === 'delay', text: () => 'The link is too slow: the robot was asked to stop.', bad: true },
   { when: (f) => f.headsetOnly, text: () => 'Mode Hand: steer in a headset, or choose mode Stick.' },
   { when: (f) => f.mine && f.neutralNeeded && f.held, text: () => 'Let go of the stick once, then steer.' },
+  { when: (f) => f.steering === 'unheard' && f.held, text: () => 'You steer, and nobody hears it.', bad: true },
   { when: (f) => f.steering === 'watching' && f.held, text: () => 'You are watching. Take the controls to steer.' },
+  { when: (f) => f.ignored, text: (f) => `You steer, but the robot takes none of it. ${f.said || 'The planner does not say why.'}`, bad: true },
   { when: (f) => f.told, text: (f) => f.told },
+  { when: (f) => f.unheard, text: (f) => `Nobody hears: ${f.unheard.text}.`, bad: true },
 ];
 
 export class Status {
   constructor(scene) {
     this.scene = scene;
     this.facts = { controlOpen: true, held: false };
+    this.takenAt = 0; // [ms] when the planner last took what is steered, or nothing was
   }
 
-  /** New facts: controlOpen, lost, steering, age, stop, mine, neutralNeeded, held, told. */
+  /** New facts: controlOpen, refused, lost, steering, age, stop, mine, neutralNeeded, held, size (of the deflection), told. */
   set(facts) {
     Object.assign(this.facts, facts);
     this.show();
@@ -48,9 +56,21 @@ export class Status {
     this.timer = setTimeout(() => this.set({ told: '' }), 5000);
   }
 
-  tick({ progress }) {
+  tick({ progress, unheard, said }) {
     if (progress !== undefined) this.progress = progress;
+    if (unheard !== undefined) this.facts.unheard = unheard;
+    if (said !== undefined) this.facts.said = said;
+    this.watchSteering();
     this.show();
+  }
+
+  /** What this page steers, and the planner does not take. */
+  watchSteering() {
+    const { facts, scene } = this;
+    const now = performance.now();
+    const taken = !scene.state || scene.state.active || facts.steering !== 'steers' || !facts.held || facts.size < DEFLECTED;
+    if (taken) this.takenAt = now;
+    facts.ignored = now - this.takenAt > FOLLOWS;
   }
 
   delay(milliseconds) {
@@ -71,6 +91,7 @@ export class Status {
     const { progress } = this;
     write('left', progress ? `${progress.to_go.toFixed(1)} m${Number.isFinite(progress.time_left) && progress.time_left !== null ? `, ${duration(progress.time_left)}` : ''}` : '–');
     write('agreement', state && state.active ? `The robot does ${Math.round(state.agreement * 100)} % of what you ask for.` : '');
+    write('said', this.facts.said ? `The planner: ${this.facts.said}` : '');
     this.showNotice();
   }
 
