@@ -56,8 +56,8 @@ class Access:
 
     def host_allowed(self, host):
         """Whether a request names this server by a name that it knows."""
-        name, port = split_host(host)
-        return self._own(host) or any((name, port or USUAL[page[0]]) == page[1:] for page in self._pages)
+        name, port = split_host(host)  # some proxies leave the port out
+        return self._own(host) or any(name == page[1] and port in (None, page[2]) for page in self._pages)
 
     def _own(self, host):
         name, port = split_host(host)

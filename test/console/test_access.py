@@ -36,11 +36,12 @@ class Doors(unittest.TestCase):
         # The Host of the proxy, or its own, which the proxy has put there.
         for origin, host in (('https://robot.example', 'robot.example'), ('https://robot.example', 'robot.example:443'),
                              ('https://ROBOT.example:443', 'localhost:8790'), ('http://localhost:9000', 'localhost:9000'),
+                             ('http://localhost:9000', 'localhost'),
                              ('http://localhost:9000', '127.0.0.1:8790'), ('http://[::1]:8080', '[::1]:8080'),
                              ('http://localhost:8790', 'localhost:8790')):
             self.assertTrue(access.host_allowed(host), host)
             self.assertTrue(access.same_origin(origin, host), origin)
-        for host in ('robot.example:8790', 'robot.example:80', 'evil.example', 'localhost:9001', 'robot.example.evil.example'):
+        for host in ('robot.example:8790', 'robot.example:80', 'evil.example', '127.0.0.1', 'localhost:9001', 'robot.example.evil.example'):
             self.assertFalse(access.host_allowed(host), host)
         for origin in ('http://robot.example', 'https://robot.example:8443', 'https://evil.example', 'https://localhost:9000',
                        'http://localhost', 'https://robot.example.evil.example', 'https://robot.example@evil.example', 'null'):

@@ -117,6 +117,9 @@ class Unheard(unittest.IsolatedAsyncioTestCase):
         self.listens('/joy', Joy)
         await steers_until('steers')
         await until(lambda: view.fields['unheard']['what'] == ['goal'], 'that the stick is heard')
+        for one in self.ros:
+            one.unregister()  # the planner dies
+        await until(lambda: 'stop' in view.fields['unheard']['what'], 'that nobody hears a stop any more')
 
     async def test_the_planner_that_runs_is_found_by_itself(self):
         self.publishes(FLEX + '/operator_state', OperatorState)

@@ -31,12 +31,12 @@ export class Gamepads {
     for (const [input, pad] of pads) this.read(input, pad, performance.now());
   }
 
-  read(input, { axes, buttons }, now) {
+  read(input, { axes, buttons, mapping }, now) {
     this.steering.set(input, 0 - axes[0], 0 - axes[1], now); // no -0
     if (!this.pressed.has(input)) this.pressed.set(input, {});
     const edge = (button, down, up) => this.edge(this.pressed.get(input), button, buttons[button], down, up);
     edge(STOP, () => this.stop.hold(input, now), () => this.stop.unhold(input, now));
-    edge(TOGGLE, this.toggle, () => {});
+    if (mapping === 'standard') edge(TOGGLE, this.toggle, () => {}); // else nobody knows what its buttons are; a stop counts all the same
   }
 
   edge(pressed, button, state, down, up) {

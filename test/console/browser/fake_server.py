@@ -33,10 +33,13 @@ class Files(tornado.web.StaticFileHandler):
 
 
 class Login(tornado.web.RequestHandler):
-    """Everybody is admitted."""
+    """Everybody is admitted, unless the page's address is not known."""
 
     def get(self):
-        self.set_status(204)
+        refusal = self.application.settings['server'].refusal
+        self.set_status(421 if refusal else 204)
+        if refusal:
+            self.finish(refusal + ' ' + self.request.headers['X-Page-Origin'])
 
 
 class Report(tornado.web.RequestHandler):
@@ -48,6 +51,10 @@ class Report(tornado.web.RequestHandler):
 
 class Control(tornado.websocket.WebSocketHandler):
     """/control: keeps every message as (seconds, message)."""
+
+    def prepare(self):
+        if self.server.refusal:
+            raise tornado.web.HTTPError(403)
 
     def open(self):
         self.server.controls.append(self)
@@ -122,6 +129,7 @@ class FakeServer:
         self.controls = []
         self.binary = {}
         self.wants = False
+        self.refusal = ''  # what a page is told whose address is not known; empty: it is
         self.fields = {'time': 0.0, 'pose': None, 'velocity': None, 'state': None}
         self.control = {'type': 'control', 'holder': 1, 'you': 1, 'held': True, 'neutral_needed': False, 'claims': [],
                         'visitors': [{'visitor': 1, 'name': '', 'holder': True}]}

@@ -90,6 +90,14 @@ class Says(PageTest):
         self.server.tell({'type': 'told', 'what': 'stop', 'ok': False, 'text': 'THE STOP IS NOT HEARD: nobody listens on /stop'})
         self.notice('THE STOP IS NOT HEARD')
 
+    def test_that_the_server_does_not_know_its_address(self):
+        self.addCleanup(setattr, self.server, 'refusal', '')
+        self.server.refusal = 'Start the console with --page-origin'
+        self.browser.driver.refresh()
+        self.notice('Start the console with --page-origin http://127.0.0.1:%d' % self.server.port)
+        self.server.refusal = ''
+        self.browser.wait(lambda: self.browser.text('notice') == '', 'that the page is let in')
+
     def test_that_the_robot_takes_none_of_its_steering_and_why(self):
         self.addCleanup(self.server.show, said='')
         said = 'The last message was dropped: it arrived 3 s later than the link needs at best.'

@@ -16,7 +16,7 @@ let pads, sent, steering, toggled;
 
 /** A gamepad; axes as the Gamepad API has them: left and up are -1. */
 function pad(index, axes = [0, 0, 0, 0], id = `pad ${index}`) {
-  return { index, id, connected: true, axes, buttons: Array.from({ length: 16 }, () => ({ pressed: false })) };
+  return { index, id, connected: true, mapping: 'standard', axes, buttons: Array.from({ length: 16 }, () => ({ pressed: false })) };
 }
 
 function begin(...all) {
@@ -198,6 +198,15 @@ test('buttons of every pad count, and a stop of one that is gone stays', () => {
   pads.pop();
   pass(100);
   assert.equal(sent.length, 1);
+});
+
+test('a device that is no gamepad hands over no control', () => {
+  begin({ ...pad(0), mapping: '' });
+  for (let i = 0; i < 10; ++i) {
+    pads[0].buttons[0].pressed = i % 2 === 0;
+    pass(32);
+  }
+  assert.equal(toggled, 0);
 });
 
 test('keys that come up unheard, behind Command, steer no more', () => {
