@@ -57,6 +57,11 @@ void InputChannel::demand_neutral() {
   fell_silent_ = false;
 }
 
+void InputChannel::change_device(bool armed) {
+  demand_neutral();
+  armed_ = armed;
+}
+
 void InputChannel::reset() {
   const double timeout = timeout_;
   const bool require_neutral = require_neutral_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/input/message_stream.hpp"
 
+#include <cstddef>
+
 #include "core/util/words.hpp"
 
 namespace hidwa_local_planner::input {
@@ -8,42 +10,94 @@ namespace {
 
 constexpr double kWorthSaying = 0.1;  // [s], of a delay
 
+// Where silence is no loss, another device may steer after so long.
+constexpr double kPatience = 1.0;  // [s]
+
+constexpr std::size_t kRemembered = 16;  // devices
+
 }  // namespace
 
-MessageStream::Arrival MessageStream::judge(const OperatorMessage& message, double received,
+MessageStream::Arrival MessageStream::judge(const OperatorMessage& message, const Use& use, double received,
                                             const BacklogGate::Limits& limits) {
-  const bool other = device_.changed(message.sender, message.shape());
-  if (other) backlog_.reset();
-  if (limits.late > 0.0) {
-    switch (backlog_.judge(message.stamp, received, limits)) {
-      case BacklogGate::Arrival::backlog:
-        return Arrival::late;
-      case BacklogGate::Arrival::slower_link:
-        return Arrival::slower_link;
-      case BacklogGate::Arrival::new_clock:
-        return Arrival::new_clock;
-      case BacklogGate::Arrival::live:
-        break;
-    }
+  senders_.note(message.sender);
+  std::size_t from = find(message);
+  const bool known = from < devices_.size();
+  if (!known) {
+    remember(message);
+    from = devices_.size() - 1;
   }
-  return other ? Arrival::new_device : Arrival::live;
+  Device& device = devices_[from];
+  BacklogGate::Arrival arrival = BacklogGate::Arrival::live;
+  if (limits.late > 0.0) arrival = device.backlog.judge(message.stamp, received, limits);
+  excess_ = device.backlog.excess();
+  if (arrival == BacklogGate::Arrival::backlog) return Arrival::late;
+  const bool same_link = arrival == BacklogGate::Arrival::live;
+  device.armed = use.idle || (device.armed && same_link);
+  device.was_idle = known && device.idle;
+  device.idle = use.idle;
+  device.heard = received;
+  if (from != in_use_) return choose(from, known, use, received, limits.late > 0.0 ? limits.late : kPatience);
+  if (same_link) return Arrival::live;
+  return arrival == BacklogGate::Arrival::new_clock ? Arrival::new_clock : Arrival::slower_link;
+}
+
+// A node has one device: where it sends for another one, the one before is gone.
+MessageStream::Arrival MessageStream::choose(std::size_t from, bool known, const Use& use, double received,
+                                             double patience) {
+  const std::size_t before = in_use_;
+  const bool replaced = devices_[before].sender == devices_[from].sender;
+  const bool heard = use.steers && received - devices_[before].heard <= patience;
+  const bool says_nothing = use.idle && (use.steers || (use.lost && devices_[from].was_idle));
+  if (!replaced && (says_nothing || (known && heard))) return Arrival::beside;
+  devices_[before].armed = use.armed;
+  in_use_ = from;
+  if (known && !replaced) return Arrival::other_device;
+  devices_[from].catch_up = devices_[before].catch_up;
+  if (!use.idle) demand_neutral();
+  return Arrival::new_device;
+}
+
+std::size_t MessageStream::find(const OperatorMessage& message) const {
+  const DeviceShape shape = message.shape();
+  std::size_t i = 0;
+  while (i < devices_.size() && (devices_[i].sender != message.sender || devices_[i].shape.axes != shape.axes ||
+                                 devices_[i].shape.buttons != shape.buttons)) {
+    ++i;
+  }
+  return i;
+}
+
+// Nodes with a new name at every start must not fill the memory. The oldest goes; the one in use stays.
+void MessageStream::remember(const OperatorMessage& message) {
+  if (devices_.size() >= kRemembered) {
+    const std::size_t oldest = in_use_ == 0 ? 1 : 0;
+    devices_.erase(devices_.begin() + static_cast<std::ptrdiff_t>(oldest));
+    if (oldest < in_use_) --in_use_;
+  }
+  devices_.emplace_back();
+  devices_.back().sender = message.sender;
+  devices_.back().shape = message.shape();
+}
+
+void MessageStream::demand_neutral() {
+  for (Device& device : devices_) device.armed = false;
+}
+
+void MessageStream::forget_lag() {
+  for (Device& device : devices_) device.backlog.reset();
 }
 
 std::string MessageStream::advice(const std::string& topic) const {
   std::string text;
-  if (backlog_.slowness() > kWorthSaying) {
-    text = "What comes on " + topic + " arrives " + worded(backlog_.slowness(), 2) +
+  const double slowness = in_use().backlog.slowness();
+  if (slowness > kWorthSaying) {
+    text = "What comes on " + topic + " arrives " + worded(slowness, 2) +
            " s later than at best: the robot answers the operator with that delay. Check the link.";
   }
-  if (!device_.contested()) return text;
+  if (!senders_.contested()) return text;
   if (!text.empty()) text += ' ';
-  return text + "Two nodes take turns on " + topic + ", " + device_.rival() + " and " + device_.sender() +
-         ": each message counts as one of a new device. Let only one of them send.";
-}
-
-void MessageStream::reset() {
-  device_.reset();
-  backlog_.reset();
+  return text + "Two nodes send on " + topic + ", " + senders_.rival() + " and " + senders_.sender() +
+         ": while one of them steers, the other does not count. Let only one of them send.";
 }
 
 }  // namespace hidwa_local_planner::input

@@ -52,9 +52,11 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
     stop_.dismiss();  // who stopped the robot did not let go of it; but whoever is gone cannot
   } else if (change == SourceList::Change::device) {
     sources_.forget_lags();
+    sources_.demand_neutral();
     expect_new_device();
     stop_.demand_neutral();
   } else if (change == SourceList::Change::mapping) {
+    sources_.demand_neutral();
     channel_.demand_neutral();
     stop_.demand_neutral();
     handover_.forget_button();
@@ -70,8 +72,10 @@ std::string OperatorStateMachine::receive(const OperatorMessage& message) {
   note_arrival(message.received);
   std::string fault = fault_of_times(message);
   if (fault.empty()) fault = connection->source->check(message);
-  if (fault.empty()) fault = admit(*connection, message);
+  bool beside = false;
+  if (fault.empty()) fault = admit(*connection, message, beside);
   count_stop(*connection->source, message, fault.empty());
+  if (beside) return {};
   if (fault.empty()) fault = take(*connection, message);
   if (!fault.empty()) ++dropped_;
   connection->fault = fault;
@@ -168,12 +172,24 @@ void OperatorStateMachine::count_stop(const OperatorSource& source, const Operat
   if (reading) stop_.take(source.kind().name, message.sender, *reading, in_order, parameters_, received_);
 }
 
-// Whether a well-formed message is live; the fault in words, else empty.
-std::string OperatorStateMachine::admit(SourceList::Connection& connection, const OperatorMessage& message) {
+// Whether a well-formed message is live; the fault in words, else empty. `beside`: it is, and nothing but its stop
+// counts.
+std::string OperatorStateMachine::admit(SourceList::Connection& connection, const OperatorMessage& message,
+                                        bool& beside) {
   const BacklogGate::Limits limits{parameters_.input_timeout, parameters_.input_lag_max};
-  switch (connection.stream.judge(message, received_, limits)) {
+  const bool gives_command = connection.source.get() == &sources_.steering();
+  const bool steers = gives_command ? channel_.active() : !connection.stream.in_use().idle;
+  const bool lost = gives_command && channel_.lost();
+  const MessageStream::Use use{connection.source->idle(message), steers, lost, channel_.armed()};
+  switch (connection.stream.judge(message, use, received_, limits)) {
     case MessageStream::Arrival::late:
       return late(connection.stream.excess(), limits);
+    case MessageStream::Arrival::beside:
+      beside = true;
+      break;
+    case MessageStream::Arrival::other_device:
+      change_device(connection);
+      break;
     case MessageStream::Arrival::new_device:
       expect_new_device();
       break;
@@ -196,7 +212,7 @@ std::string OperatorStateMachine::take(SourceList::Connection& connection, const
     if (steers) channel_.lose();
     return reading.fault;
   }
-  const bool catching_up = connection.catch_up.catching_up(received_, parameters_.input_timeout);
+  const bool catching_up = connection.stream.catching_up(received_, parameters_.input_timeout);
   if (reading.buttons) take_buttons(*reading.buttons, catching_up);
   if (reading.command && steers) accept(*reading.command);
   return {};
@@ -225,6 +241,17 @@ void OperatorStateMachine::check_steering_source(double now) {
 void OperatorStateMachine::expect_new_device() {
   channel_.demand_neutral();
   handover_.forget_button();
+  sources_.steering().lose();
+  rhythm_.reset();
+}
+
+// A device that is known takes the place of another one that does not steer.
+void OperatorStateMachine::change_device(const SourceList::Connection& connection) {
+  const MessageStream::Device& device = connection.stream.in_use();
+  handover_.forget_button();
+  if (device.was_idle) handover_.take_button(false, false);
+  if (connection.source.get() != &sources_.steering()) return;
+  channel_.change_device(device.armed);
   sources_.steering().lose();
   rhythm_.reset();
 }

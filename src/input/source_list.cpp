@@ -72,11 +72,14 @@ void SourceList::forget_lags() {
   for (Connection& connection : connections_) connection.stream.forget_lag();
 }
 
+void SourceList::demand_neutral() {
+  for (Connection& connection : connections_) connection.stream.demand_neutral();
+}
+
 void SourceList::reset() {
   for (Connection& connection : connections_) {
     connection.source->reset();
     connection.stream.reset();
-    connection.catch_up = {};
     connection.fault.clear();
   }
 }

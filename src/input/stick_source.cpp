@@ -20,6 +20,12 @@ std::optional<StopReading> StickSource::stop_of(const StickMessage& message) con
   return stop_reading_of(message, use());
 }
 
+bool StickSource::is_idle(const StickMessage& message) const {
+  StickReading reading;
+  read_stick(message, use(), reading);
+  return !command_of(reading, parameters()).active && !reading.toggle && !reading.clutch;
+}
+
 SourceReading StickSource::take(const StickMessage& message, double) {
   SourceReading reading;
   reading.fault = read_stick(message, use(), state_);

@@ -82,7 +82,7 @@ std::string OperatorInput::take(const std::string& source, const input::Operator
     fault = machine_.receive(message);
     if (fault.empty() && source == steering_) {
       ++device_.messages;
-      device_.sender = message.sender;
+      device_.sender = machine_.sender();
     } else if (fault.empty()) {
       ++device_.clutch_messages;
     }

@@ -30,6 +30,8 @@ class InputChannel {
   void remap(const OperatorCommand& command);
   /// The input must be seen inactive once (again) before it counts.
   void demand_neutral();
+  /// Another device gives the input from now on; `armed`: it was seen inactive. A loss goes on until then.
+  void change_device(bool armed);
   /// As at the start.
   void reset();
 
@@ -37,6 +39,7 @@ class InputChannel {
   double time() const { return time_; }       // of the last message [s]
   bool active() const { return active_; }     // input that counts
   const Twist2& u_h() const { return u_h_; }  // of the newest input that counted
+  bool armed() const { return armed_; }       // seen inactive since that was demanded
   bool lost() const { return lost_; }         // active input fell silent and has not come back
   /// The input is lost at `now` [s], and it is the planner that did not listen.
   bool lost_by_pauses(double now) const { return fell_silent_ && now - time_ - pauses_ <= timeout_; }

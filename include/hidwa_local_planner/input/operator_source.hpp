@@ -66,6 +66,8 @@ class OperatorSource {
   virtual std::string check(const OperatorMessage& message) const = 0;
   /// What the message says about stopping. It counts even in a faulty or late message. None: the device has no stop.
   virtual std::optional<StopReading> read_stop(const OperatorMessage&) const { return std::nullopt; }
+  /// Whether a message that check() passed asks for nothing: a device that nobody touches.
+  virtual bool idle(const OperatorMessage&) const { return false; }
   /// Takes a message that check() passed and that is not late. `now`: when it arrived, never decreasing [s].
   virtual SourceReading read(const OperatorMessage& message, double now) = 0;
   /// The buttons of a message of another source arrived at `now` [s]. The command, where they change it.
@@ -100,15 +102,17 @@ class SourceOf : public OperatorSource {
   bool takes(const OperatorMessage& message) const final { return dynamic_cast<const Message*>(&message) != nullptr; }
   std::string check(const OperatorMessage& message) const final { return fault_of(typed(message)); }
   std::optional<StopReading> read_stop(const OperatorMessage& message) const final { return stop_of(typed(message)); }
+  bool idle(const OperatorMessage& message) const final { return is_idle(typed(message)); }
   SourceReading read(const OperatorMessage& message, double now) final { return take(typed(message), now); }
   void reset() final { state_ = State(); }
   void save(ArchiveWriter& state) const final { state(state_); }
   void load(ArchiveReader& state) final { state(state_); }
 
  protected:
-  /// See check(), read_stop() and read().
+  /// See check(), read_stop(), idle() and read().
   virtual std::string fault_of(const Message&) const { return {}; }
   virtual std::optional<StopReading> stop_of(const Message&) const { return std::nullopt; }
+  virtual bool is_idle(const Message&) const { return false; }
   virtual SourceReading take(const Message& message, double now) = 0;
 
   const Parameters& parameters() const { return parameters_; }

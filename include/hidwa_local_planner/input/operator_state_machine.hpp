@@ -73,6 +73,8 @@ class OperatorStateMachine {
   /// Mode `switching`: the operator has taken control and has not given it back. The state may still be LOST or
   /// STOPPED.
   bool manual() const { return parameters_.mode == OperatorMode::switching && handover_.manual(); }
+  /// The node whose device gives the operator command; empty where none does.
+  const std::string& sender() const { return sources_.sender(); }
   double input_age(double now) const;                 // [s]; negative when none was accepted yet
   std::uint32_t dropped() const { return dropped_; }  // messages dropped since the start
   /// The planner stood still, and that is why the input is lost at `now` [s].
@@ -94,12 +96,13 @@ class OperatorStateMachine {
   }
   void note_arrival(double received);
   void count_stop(const OperatorSource& source, const OperatorMessage& message, bool in_order);
-  std::string admit(SourceList::Connection& connection, const OperatorMessage& message);
+  std::string admit(SourceList::Connection& connection, const OperatorMessage& message, bool& beside);
   std::string take(SourceList::Connection& connection, const OperatorMessage& message);
   void take_buttons(const Buttons& buttons, bool catching_up);
   void accept(const OperatorCommand& command);
   void check_steering_source(double now);
   void expect_new_device();
+  void change_device(const SourceList::Connection& connection);
   void note_alive(double now);
   void set_back(double now);
   void restart();

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "hidwa_local_planner/input/catch_up_watch.hpp"
 #include "hidwa_local_planner/input/message_stream.hpp"
 #include "hidwa_local_planner/input/operator_source.hpp"
 
@@ -33,7 +32,6 @@ class SourceList {
   struct Connection {
     std::unique_ptr<OperatorSource> source;
     MessageStream stream;
-    CatchUpWatch catch_up;
     std::string fault;  // of the last message; empty where it was taken
   };
   /// By which a new set of parameters differs from the one before.
@@ -54,6 +52,10 @@ class SourceList {
   void exclude_pause(double pause);  // [s]
   /// Every link's lag is learnt anew.
   void forget_lags();
+  /// Every device must be seen neutral once (again).
+  void demand_neutral();
+  /// The node whose device of what steers is in use; empty where none is.
+  const std::string& sender() const { return connections_[steering_].stream.in_use().sender; }
   void reset();
 
   /// The fault of each source's last message, in sentences; else empty.

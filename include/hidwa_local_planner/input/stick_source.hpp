@@ -18,6 +18,7 @@ class StickSource : public SourceOf<StickMessage, StickReading> {
  protected:
   std::string fault_of(const StickMessage& message) const override;
   std::optional<StopReading> stop_of(const StickMessage& message) const override;
+  bool is_idle(const StickMessage& message) const override;
   SourceReading take(const StickMessage& message, double now) override;
 
  private:

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several nodes that send on one topic: devices are told apart and remembered, and one that nobody touches takes
+// nothing from one that steers.
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "person.hpp"
+
+namespace hidwa_local_planner::input {
+namespace {
+
+using State = OperatorStateId;
+
+StickMessage from(const std::string& sender, double time, float angular) {
+  StickMessage message = stick_at(time, angular);
+  message.sender = sender;
+  return message;
+}
+
+/// A person at a page whose stick is sent 20 times a second while it is held, and what else sends on its topic.
+struct Beside : Person {
+  explicit Beside(const Parameters& parameters = Parameters()) : Person(parameters) {}
+
+  std::string page(float angular) { return machine.receive(from("/console", now, angular)); }
+  std::string other(float angular, const std::string& sender = "/joy_node") {
+    return machine.receive(from(sender, now, angular));
+  }
+  /// One period of 0.05 s: the page's message, where it sends one, then the other's, then a cycle.
+  State period(const std::optional<float>& page_angular, float other_angular) {
+    now += 0.05;
+    if (page_angular) {
+      EXPECT_EQ(page(*page_angular), "");
+    }
+    EXPECT_EQ(other(other_angular), "");
+    return cycle(now).state;
+  }
+  /// The page is centred once, then it is held.
+  void steer_beside(float other_angular) {
+    period(0.0F, other_angular);
+    EXPECT_EQ(period(1.0F, other_angular), State::shared);
+  }
+
+  double now = 100.0;  // [s]
+};
+
+TEST(Beside, AnIdleNodeTakesNothingFromThePage) {
+  Beside both;
+  both.period(std::nullopt, 0.0F);
+  both.steer_beside(0.0F);
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(both.period(1.0F, 0.0F), State::shared) << i;
+  EXPECT_EQ(both.machine.dropped(), 0U);
+  EXPECT_EQ(both.machine.sender(), "/console");
+  EXPECT_EQ(both.period(0.0F, 0.0F), State::hold);
+  EXPECT_EQ(both.period(-0.5F, 0.0F), State::shared);  // no second centring
+  EXPECT_NE(both.machine.advice().find("/console and /joy_node"), std::string::npos) << both.machine.advice();
+}
+
+TEST(Beside, ANodeThatStartsWhileThePageSteersTakesNothing) {
+  Beside both;
+  both.page(0.0F);
+  for (int i = 0; i < 10; ++i) {
+    both.now += 0.05;
+    both.page(1.0F);
+    ASSERT_EQ(both.cycle(both.now).state, State::shared);
+  }
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(both.period(1.0F, 0.0F), State::shared) << i;
+}
+
+// 0.09 lies within the dead zone of 0.1; at 0.11 beyond it the stick trembles around its edge; 1 is a trigger, or a
+// stick that lies on its side.
+TEST(Beside, AWornStickTakesNothing) {
+  for (const float rest : {0.09F, 0.11F, 1.0F}) {
+    Beside both;
+    both.period(std::nullopt, rest);
+    both.period(0.0F, rest);
+    both.steer_beside(rest);
+    for (int i = 0; i < 100; ++i) {
+      const float other = rest - (i % 2 == 0 ? 0.0F : 0.02F);
+      ASSERT_EQ(both.period(1.0F, other), State::shared) << rest << ' ' << i;
+      ASSERT_DOUBLE_EQ(both.cycle(both.now).u_h.omega, 1.0) << rest << ' ' << i;
+    }
+  }
+}
+
+TEST(Beside, EachSteersWhileTheOtherIsIdle) {
+  Beside both;
+  both.period(0.0F, 0.0F);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(both.period(1.0F, 0.0F), State::shared);
+    EXPECT_DOUBLE_EQ(both.cycle(both.now).u_h.omega, 1.0);
+    both.period(0.0F, 0.0F);
+    EXPECT_EQ(both.period(std::nullopt, -1.0F), State::shared);
+    EXPECT_DOUBLE_EQ(both.cycle(both.now).u_h.omega, -1.0);
+    EXPECT_EQ(both.machine.sender(), "/joy_node");
+    both.period(std::nullopt, 0.0F);
+  }
+}
+
+TEST(Beside, WhoSteersGoesOnWhereAnotherBeginsTo) {
+  Beside both;
+  both.period(0.0F, 0.0F);
+  both.steer_beside(0.0F);
+  EXPECT_EQ(both.period(1.0F, -1.0F), State::shared);
+  EXPECT_DOUBLE_EQ(both.cycle(both.now).u_h.omega, 1.0);
+  both.period(0.0F, -1.0F);  // let go: the other one, which was seen centred, steers
+  EXPECT_DOUBLE_EQ(both.cycle(both.now).u_h.omega, -1.0);
+}
+
+// The page falls silent while it steers: an idle node beside it does not end the loss. Moving its stick does.
+TEST(Beside, AnIdleNodeEndsNoLoss) {
+  Beside both;
+  both.period(0.0F, 0.0F);
+  both.steer_beside(0.0F);
+  for (int i = 0; i < 9; ++i) ASSERT_EQ(both.period(std::nullopt, 0.0F), State::shared);  // 0.45 s
+  both.period(std::nullopt, 0.0F);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(both.period(std::nullopt, 0.0F), State::lost) << i;
+  EXPECT_EQ(both.period(1.0F, 0.0F), State::lost);  // not yet centred
+  EXPECT_EQ(both.period(std::nullopt, -0.5F), State::shared);
+  EXPECT_EQ(both.period(0.0F, 0.0F), State::hold);
+  EXPECT_EQ(both.period(1.0F, 0.0F), State::shared);
+}
+
+TEST(Beside, ASuccessorOfTheLostDeviceEndsTheLoss) {
+  Beside both;
+  both.period(0.0F, 0.0F);
+  both.steer_beside(0.0F);
+  both.now += 0.6;
+  EXPECT_EQ(both.cycle(both.now).state, State::lost);
+  both.other(0.0F, "/console_2");
+  EXPECT_NE(both.cycle(both.now).state, State::lost);
+}
+
+TEST(Beside, AStopOfAnyOfThemCounts) {
+  Beside both;
+  both.p.stop_button = 1;
+  both.machine.configure(both.p);
+  both.period(0.0F, 0.0F);
+  both.steer_beside(0.0F);
+  StickMessage stop = from("/joy_node", both.now, 0.0F);
+  stop.buttons = {0, 1};
+  both.machine.receive(stop);
+  both.page(1.0F);
+  EXPECT_EQ(both.cycle(both.now).state, State::stopped);
+  EXPECT_EQ(both.period(1.0F, 0.0F), State::shared);
+}
+
+// A button that one of them holds is pressed once, however often the other says that its own is not.
+TEST(Beside, APressOfOneCountsOnce) {
+  Parameters p;
+  p.mode = OperatorMode::switching;
+  p.toggle_button = 0;
+  Beside both(p);
+  for (int i = 0; i < 10; ++i) both.period(0.0F, 0.0F);
+  for (const std::string& presser : {std::string("/console"), std::string("/joy_node"), std::string("/console")}) {
+    const bool before = both.machine.manual();
+    for (int i = 0; i < 20; ++i) {
+      both.now += 0.05;
+      StickMessage held = from(presser, both.now, 0.0F);
+      held.buttons = {1, 0};
+      both.machine.receive(held);
+      both.machine.receive(from(presser == "/console" ? "/joy_node" : "/console", both.now + 0.01, 0.0F));
+      both.cycle(both.now + 0.02);
+      ASSERT_NE(both.machine.manual(), before) << presser << ' ' << i;
+    }
+    both.period(0.0F, 0.0F);
+  }
+}
+
+// The page's clutch in mode gesture, beside a joystick whose button is not held.
+TEST(Beside, AnIdleNodeTakesNoClutch) {
+  Parameters p;
+  p.mode = OperatorMode::gesture;
+  p.clutch_button = 0;
+  Beside both(p);
+  const auto frame = [&](int clutch, double y) {
+    both.now += 0.02;
+    StickMessage held = from("/console", both.now, 0.0F);
+    held.buttons = {clutch, 0};
+    both.machine.receive(held);
+    HandMessage hand = hand_at(both.now, 1.0, y, 1.0);
+    hand.sender = "/console";
+    both.machine.receive(hand);
+    both.other(0.0F);
+    return both.cycle(both.now).state;
+  };
+  for (int i = 0; i < 5; ++i) frame(0, 0.0);
+  for (int i = 0; i < 5; ++i) frame(1, 0.0);
+  EXPECT_EQ(frame(1, 0.15), State::shared);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(frame(1, 0.2), State::shared) << i;
+}
+
+TEST(Beside, AnIdleKeyboardTakesNothingFromATwist) {
+  Parameters p;
+  p.twist_topic = "twist";
+  Person person(p);
+  const auto send = [&](const std::string& sender, double time, double omega) {
+    TwistMessage message = twist_at(time, 0.0, omega);
+    message.sender = sender;
+    person.machine.receive(message);
+  };
+  send("/keyboard", 1.0, 0.0);
+  send("/mapper", 1.01, 0.0);
+  for (int i = 0; i < 100; ++i) {
+    const double time = 1.1 + 0.05 * i;
+    send("/mapper", time, 0.5);
+    send("/keyboard", time + 0.01, 0.0);
+    ASSERT_EQ(person.cycle(time + 0.02).state, State::shared) << i;
+  }
+}
+
+// Each device has a lag of its own: clocks that are an hour apart make neither of them late.
+TEST(Beside, ClocksOfTheirOwn) {
+  Beside both;
+  const auto send = [&](const std::string& sender, double ahead, float angular) {
+    StickMessage message = from(sender, both.now, angular);
+    message.stamp = both.now + ahead;
+    return both.machine.receive(message);
+  };
+  send("/console", 3600.0, 0.0F);
+  for (int i = 0; i < 100; ++i) {
+    both.now += 0.05;
+    EXPECT_EQ(send("/console", 3600.0, 1.0F), "");
+    EXPECT_EQ(send("/joy_node", 0.0, 0.0F), "");
+    ASSERT_EQ(both.cycle(both.now).state, State::shared) << i;
+  }
+}
+
+// Parameters that read the sticks otherwise: all of them must be seen centred again.
+TEST(Beside, AnotherMappingAsksAllOfThem) {
+  Beside both;
+  both.period(0.0F, 0.0F);
+  both.steer_beside(0.0F);
+  both.p.axis_angular_sign = -1;
+  both.machine.configure(both.p);
+  EXPECT_NE(both.period(1.0F, -1.0F), State::shared);
+  EXPECT_NE(both.period(1.0F, -1.0F), State::shared);
+  both.period(0.0F, -1.0F);
+  EXPECT_EQ(both.period(1.0F, -1.0F), State::shared);
+  EXPECT_DOUBLE_EQ(both.cycle(both.now).u_h.omega, -1.0);
+}
+
+TEST(Beside, ManyNamesFillNoMemoryAndTakeNothing) {
+  Beside both;
+  both.page(0.0F);
+  for (int i = 0; i < 100; ++i) {
+    both.now += 0.05;
+    both.page(1.0F);
+    both.other(0.0F, "/joy_" + std::to_string(i));
+    ASSERT_EQ(both.cycle(both.now).state, State::shared) << i;
+  }
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::input
