@@ -5,12 +5,14 @@ import time
 
 import numpy as np
 import rospy
-from geometry_msgs.msg import PolygonStamped
+from geometry_msgs.msg import PolygonStamped, Quaternion
 from hidwa_local_planner.msg import MovingObstacles, OperatorState
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JoyFeedbackArray
 from std_msgs.msg import String
 from visualization_msgs.msg import MarkerArray
+
+from hidwa_tools.geometry import turn_of, yaw_of
 
 from . import layouts, wire
 from .planar import composed, inverse, moved, rounded
@@ -222,10 +224,13 @@ class Scene:
 
     def _on_scan(self, newest):
         scan = wire.scan(newest.data)
-        pose = self._frame(scan.header.frame)
-        if pose is None:
+        mounted = self._robot.pose_of(scan.header.frame, full=True)
+        if mounted is None:
             return False
-        self.binary['scan'].put(layouts.scan(pose, scan.angle_min, scan.angle_increment, scan.ranges, scan.range_min, scan.range_max))
+        rotation = Quaternion(*mounted[3:])
+        pose, turn = (*mounted[:2], float(yaw_of(rotation))), turn_of(rotation)
+        self.binary['scan'].put(layouts.scan(pose, turn * scan.angle_min, turn * scan.angle_increment, scan.ranges, scan.range_min,
+                                             scan.range_max))
         return True
 
     def _refresh_path(self, name, which, newest):

@@ -7,6 +7,7 @@ import os
 import random
 import re
 import struct
+import types
 import unittest
 from io import BytesIO
 from unittest import mock
@@ -25,7 +26,7 @@ from hidwa_console import layouts, wire
 from hidwa_console.camera import JPEG, PNG, Camera, NoPicture, picture_of
 from hidwa_console.outputs import joy_of, position_of
 from hidwa_console.planar import composed, inverse, moved
-from hidwa_console.scene import GridPart
+from hidwa_console.scene import GridPart, Scene
 from hidwa_console.steering import Hand, Stick
 
 
@@ -75,6 +76,19 @@ class Wire(unittest.TestCase):
         read = wire.scan(bytes_of(scan))
         message = layouts.scan((1.0, 2.0, 3.0), read.angle_min, read.angle_increment, read.ranges, read.range_min, read.range_max)
         self.assertEqual(struct.unpack('<B3x3dffI3H', message), (3, 1.0, 2.0, 3.0, -1.0, 0.25, 3, 1000, 0, 500))
+
+    def test_a_laser_upside_down_is_mirrored(self):
+        scan = LaserScan(angle_min=-1.0, angle_increment=0.25, range_min=0.1, range_max=10.0, ranges=[1.0, float('inf'), 0.5])
+        scan.header.frame_id = 'laser'
+        half = 0.5 * 0.3  # [rad]; yaw of 0.3
+        for rotation, turn in (((0.0, 0.0, math.sin(half), math.cos(half)), 1.0),
+                               ((math.cos(half), math.sin(half), 0.0, 0.0), -1.0)):  # about x by pi, then about z
+            robot = types.SimpleNamespace(pose_of=lambda frame, full: (1.0, 2.0, 0.4, *rotation) if frame == 'laser' else None)
+            scene = Scene(robot, None, {})
+            scene._on_scan(types.SimpleNamespace(data=bytes_of(scan)))  # pylint: disable=protected-access
+            *head, first, second, third = struct.unpack('<B3x3dffI3H', scene.binary['scan'].value)
+            np.testing.assert_allclose(head, (3, 1.0, 2.0, 0.3, -turn, 0.25 * turn, 3), atol=1e-9)
+            self.assertEqual((first, second, third), (1000, 0, 500))
 
     def test_candidates(self):
         evaluation = Evaluation(best_index=1)

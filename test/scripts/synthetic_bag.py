@@ -160,13 +160,17 @@ class RealDrive:
         self.footprint = None        # of the local costmap's parameter_updates, as text
         self.leave_out = set()       # names of topics without the namespace
         self.fixed = []              # (parent, child) of more static transforms
+        self.upside_down = False     # the laser hangs so: it counts the same beams clockwise
 
     def write(self, path):
         """Writes the bag and returns its path."""
         with rosbag.Bag(path, 'w') as bag:
             self._bag = bag
+            laser = self._link(0.0, self.base, 'laser', self.MOUNTED, 0.0, 0.0)
+            if self.upside_down:
+                laser.transform.rotation = Quaternion(1.0, 0.0, 0.0, 0.0)  # turned about x by pi
             self._put('/tf_static', 0.0, TFMessage(
-                [self._link(0.0, self.base, 'laser', self.MOUNTED, 0.0, 0.0),
+                [laser,
                  *(self._link(0.0, parent, child, 0.0, 0.0, 0.0) for parent, child in self.fixed)]))
             if self.footprint:
                 self._put('move_base/local_costmap/parameter_updates', 0.0, Config(strs=[StrParameter('footprint', self.footprint)]))
@@ -212,5 +216,6 @@ class RealDrive:
         self._put('odom', time, odometry)
         # Three beams: ahead nothing, 45 degrees to the left and square to it the wall.
         ranges = [float('inf'), self.WALL * math.sqrt(2.0), self.WALL]
-        self._put('scan', time, LaserScan(header=self._header(time, 'laser'), angle_min=0.0, angle_increment=math.pi / 4,
+        turn = -1.0 if self.upside_down else 1.0
+        self._put('scan', time, LaserScan(header=self._header(time, 'laser'), angle_min=0.0, angle_increment=turn * math.pi / 4,
                                           range_min=0.05, range_max=10.0, ranges=ranges))

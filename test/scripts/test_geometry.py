@@ -3,6 +3,8 @@ import math
 import unittest
 
 import numpy as np
+from geometry_msgs.msg import Quaternion, Vector3
+from sensor_msgs.msg import LaserScan
 
 from hidwa_tools import geometry
 
@@ -92,6 +94,36 @@ class Offset(unittest.TestCase):
     def test_length(self):
         self.assertAlmostEqual(geometry.path_length(np.array([[0, 0], [3, 4], [3, 5]], float)), 6.0)
         self.assertEqual(geometry.path_length(np.zeros((1, 2))), 0.0)
+
+
+class Lasers(unittest.TestCase):
+    def hits(self, rotation, angle_min=0.0, increment=math.pi / 2, ranges=(1.0, 2.0, math.inf, 0.0, math.nan)):
+        scan = LaserScan(angle_min=angle_min, angle_increment=increment, range_min=0.05, range_max=10.0, ranges=ranges)
+        return geometry.scan_hits(scan, Vector3(0.5, 0.0, 0.3), Quaternion(*rotation))
+
+    def test_every_mounting(self):
+        half = math.sqrt(0.5)
+        # Ahead 1 m, and 2 m to the laser's own left; what is no hit is none.
+        np.testing.assert_allclose(self.hits((0, 0, 0, 1)), [[1.5, 0.0], [0.5, 2.0]], atol=1e-12)
+        np.testing.assert_allclose(self.hits((1, 0, 0, 0)), [[1.5, 0.0], [0.5, -2.0]], atol=1e-12)     # roll of pi: its left is our right
+        np.testing.assert_allclose(self.hits((0, 1, 0, 0)), [[-0.5, 0.0], [0.5, 2.0]], atol=1e-12)     # pitch of pi: it looks back
+        np.testing.assert_allclose(self.hits((0, 0, half, half)), [[0.5, 1.0], [-1.5, 0.0]], atol=1e-12)  # looks to the left
+        # Pitched by 60 degrees: 1 m along the beam is 0.5 m over the floor.
+        np.testing.assert_allclose(self.hits((0, math.sin(math.pi / 6), 0, math.cos(math.pi / 6))), [[1.0, 0.0], [0.5, 2.0]], atol=1e-12)
+        np.testing.assert_allclose(self.hits((2, 0, 0, 0)), self.hits((1, 0, 0, 0)), atol=1e-12)       # of another length
+        self.assertEqual(self.hits((0, 0, 0, 1), ranges=()).shape, (0, 2))
+
+    def test_the_turn_and_the_heading_say_the_same_of_level_lasers(self):
+        random = np.random.default_rng(11)
+        for _ in range(50):
+            yaw, over = random.uniform(-np.pi, np.pi), bool(random.integers(2))
+            c, s = math.cos(yaw / 2), math.sin(yaw / 2)
+            rotation = Quaternion(*((c, s, 0.0, 0.0) if over else (0.0, 0.0, s, c)))  # about x by pi, then about z
+            turn, heading = geometry.turn_of(rotation), geometry.yaw_of(rotation)
+            self.assertEqual(turn, -1.0 if over else 1.0)
+            angle = heading + turn * 0.7
+            np.testing.assert_allclose(self.hits((rotation.x, rotation.y, rotation.z, rotation.w), 0.7, 1.0, (3.0,)),
+                                       [[0.5 + 3.0 * math.cos(angle), 3.0 * math.sin(angle)]], atol=1e-9)
 
 
 if __name__ == '__main__':

@@ -50,6 +50,18 @@ class RealBags(unittest.TestCase):
         np.testing.assert_allclose(hits[:, 1], RealDrive.WALL, atol=1e-6)  # ranges are float32
         self.assertTrue(os.path.getsize(os.path.join(self.folder, 'out', 'report.png')) > 1000)
 
+    def test_a_laser_upside_down_sees_the_wall_where_it_is(self):
+        real = RealDrive()
+        real.upside_down = True
+        real.write(self.bag)
+        status, figures, _ = self.reported('--footprint', '[[0.2, 0.3], [-0.2, 0.3], [-0.2, -0.15], [0.2, -0.15]]')
+        self.assertEqual(status, 0)
+        # The wall at y = 1.0 is to the left, where the outline's side is at 0.3.
+        self.assertAlmostEqual(figures['clearance_estimate']['smallest_m'], 0.7, places=3)
+        drive, = read_drives(self.bag)
+        hits = drive.seen.floor(drive.goal_time, drive.result_time)
+        np.testing.assert_allclose(hits[:, 1], RealDrive.WALL, atol=1e-6)
+
     def test_without_a_map_frame_the_way_is_odometry(self):
         drive = RealDrive()
         drive.leave_out = {'map', 'scan', 'move_base/result'}

@@ -11,6 +11,30 @@ def yaw_of(q):
     return np.arctan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
 
 
+def axes_of(q):
+    """The rotation matrix (3, 3) of a quaternion: its columns are the frame's axes."""
+    x, y, z, w = np.array([q.x, q.y, q.z, q.w]) / np.sqrt(q.x ** 2 + q.y ** 2 + q.z ** 2 + q.w ** 2)
+    return np.array([[1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+                     [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+                     [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)]])
+
+
+def turn_of(rotation):
+    """1 where a laser's angles grow counter-clockwise as seen from above, -1 where it hangs upside down."""
+    return -1.0 if axes_of(rotation)[2, 2] < 0.0 else 1.0
+
+
+def scan_hits(scan, translation, rotation):
+    """Where the beams of a sensor_msgs/LaserScan met something, seen from above: (n, 2) in the frame in which the laser has that
+    translation and rotation. It may hang upside down or be tilted."""
+    ranges = np.asarray(scan.ranges, float)
+    with np.errstate(invalid='ignore'):
+        hit = np.isfinite(ranges) & (ranges >= scan.range_min) & (ranges < scan.range_max) & (ranges > 0.0)
+    angles = (scan.angle_min + scan.angle_increment * np.arange(len(ranges)))[hit]
+    ends = ranges[hit, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+    return ends @ axes_of(rotation)[:2, :2].T + np.array([translation.x, translation.y])
+
+
 def placed(polygon, x, y, yaw):
     """The polygon (n, 2) of the robot frame at a pose."""
     c, s = np.cos(yaw), np.sin(yaw)

@@ -102,12 +102,16 @@ class Frames:
         return next((name for name in self.chain(frame) if name in self._stamps), None)
 
     def pose(self, target, source, stamp):
-        """(x, y, yaw) of the source frame in the target frame at a stamp [s], or None. Links are held where they end before
-        or begin after it."""
+        """(x, y, yaw) of the source frame in the target frame at a stamp [s], or None."""
+        found = self.transform(target, source, stamp)
+        return _planar(found) if found else None
+
+    def transform(self, target, source, stamp):
+        """The geometry_msgs/Transform of the same, or None. Links are held where they end before or begin after the stamp."""
         links = [self._stamps[name] for frame in (source, target) for name in self.chain(frame) if name in self._stamps]
         for at in [stamp] + ([min(max(stamp, max(a for a, _ in links)), min(b for _, b in links))] if links else []):
             try:
-                return _looked_up(self._buffer, target, source, genpy.Time.from_sec(max(at, 0.0)))
+                return self._buffer.lookup_transform_core(target, source, genpy.Time.from_sec(max(at, 0.0))).transform
             except tf2_py.TransformException:
                 continue
         return None
@@ -124,12 +128,12 @@ class Frames:
             if transform.child_frame_id != link:
                 continue
             try:
-                pose = _looked_up(buffer, odometry, base, genpy.Time())
+                pose = _planar(buffer.lookup_transform_core(odometry, base, genpy.Time()).transform)
             except tf2_py.TransformException:
                 continue
             inner.append((time, pose))
             try:
-                outer.append(_looked_up(buffer, fixed, odometry, genpy.Time()))
+                outer.append(_planar(buffer.lookup_transform_core(fixed, odometry, genpy.Time()).transform))
             except tf2_py.TransformException:
                 outer.append(outer[-1] if outer else None)
         first = next((pose for pose in outer if pose), None)
@@ -137,10 +141,9 @@ class Frames:
         return np.array(rows, float).reshape(-1, 4)
 
 
-def _looked_up(buffer, target, source, time):
-    """(x, y, yaw) of the source frame in the target frame."""
-    found = buffer.lookup_transform_core(target, source, time).transform
-    return found.translation.x, found.translation.y, float(yaw_of(found.rotation))
+def _planar(transform):
+    """(x, y, yaw)"""
+    return transform.translation.x, transform.translation.y, float(yaw_of(transform.rotation))
 
 
 def composed(outer, inner):

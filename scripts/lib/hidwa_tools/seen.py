@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a robot saw on its way: laser hits and local costmaps of a bag."""
 import numpy as np
+from geometry_msgs.msg import Quaternion, Transform, Vector3
 
 from . import geometry
 from .poses import clean, composed
 
 SCANS_DRAWN = 250   # of a drive
+AT_CENTRE = Transform(Vector3(), Quaternion(w=1.0))  # where nothing says how a laser is mounted
 LETHAL = 100        # of nav_msgs/OccupancyGrid, as costmap_2d publishes it: an obstacle's own cells
 
 
@@ -19,17 +21,12 @@ class Seen:
 
     def _hits(self, scan):
         """Hits (n, 2) of a scan in the robot's frame."""
-        ranges = np.array(scan.ranges, float)
-        angles = scan.angle_min + scan.angle_increment * np.arange(len(ranges))
-        with np.errstate(invalid='ignore'):
-            hit = np.isfinite(ranges) & (ranges >= scan.range_min) & (ranges < scan.range_max) & (ranges > 0.0)
-        points = ranges[hit, None] * np.column_stack([np.cos(angles[hit]), np.sin(angles[hit])])
         frame = clean(scan.header.frame_id)
         if frame not in self._mounted:
             joined = self._base and self._frames.connected(self._base, frame)
-            self._mounted[frame] = self._frames.pose(self._base, frame, scan.header.stamp.to_sec()) if joined else None
-        mounted = self._mounted[frame]
-        return geometry.placed(points, *mounted) if mounted else points
+            self._mounted[frame] = self._frames.transform(self._base, frame, scan.header.stamp.to_sec()) if joined else None
+        mounted = self._mounted[frame] or AT_CENTRE
+        return geometry.scan_hits(scan, mounted.translation, mounted.rotation)
 
     def mounting_unknown(self):
         """Frames of scans that nothing joins to the robot: they are taken to lie at its centre."""
