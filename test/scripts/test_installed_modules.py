@@ -10,9 +10,10 @@ import unittest
 ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..'))
 LIBRARY = os.path.join(ROOT, 'scripts', 'lib', 'hidwa_tools')
 # A robot's programs import of it; the console also runs the report as a program.
-PROGRAMS = [*(os.path.join(ROOT, 'scripts', name) for name in ('joy_reader', 'quest2ros_joy', 'record_drive', 'bag_test')),
+PROGRAMS = [*(os.path.join(ROOT, 'scripts', name) for name in ('joy_reader', 'measure_base', 'quest2ros_joy', 'record_drive', 'bag_test')),
             os.path.join(ROOT, 'console', 'console'), *sorted(glob.glob(os.path.join(ROOT, 'console', 'hidwa_console', '*.py'))),
-            *sorted(glob.glob(os.path.join(ROOT, 'scripts', 'lib', 'hidwa_bag_test', '*.py')))]
+            *sorted(path for package in ('hidwa_bag_test', 'hidwa_measure_base')
+                    for path in glob.glob(os.path.join(ROOT, 'scripts', 'lib', package, '*.py')))]
 RUN_AS_PROGRAMS = {'report'}
 WITHOUT = ('matplotlib', 'scipy')  # a robot need not have them
 
@@ -63,7 +64,7 @@ class Installed(unittest.TestCase):
         lines += [f'import hidwa_tools.{name}' for name in sorted(installed() - {'figure'})]
         for path in PROGRAMS:
             package, name = os.path.basename(os.path.dirname(path)), os.path.basename(path)
-            if name.endswith('.py'):
+            if name.endswith('.py') and name != 'picture.py':
                 lines.append(f'import {package}.{name[:-3]}')
         places = (os.path.join(ROOT, 'scripts', 'lib'), os.path.join(ROOT, 'console'), os.environ.get('PYTHONPATH', ''))
         done = subprocess.run(['/usr/bin/python3', '-c', '\n'.join(lines)], env={**os.environ, 'PYTHONPATH': ':'.join(places)},

@@ -25,12 +25,13 @@ OTHER_NAMES = {
     'GTest': 'gtest', 'numpy': 'python3-numpy', 'yaml': 'python3-yaml', 'matplotlib': 'python3-matplotlib',
     'scipy': 'python3-scipy', 'tornado': 'python3-tornado', 'PIL': 'python3-pil', 'rospkg': 'python3-rospkg'}
 PROGRAMS = ('scripts/*', 'scripts/lib/**/*.py', 'console/*', 'console/hidwa_console/*.py')
-# What a robot does without: folders that HIDWA_TOOLS adds, and the picture of a report.
-TOOLS = ('src/sim/', 'src/drive/', 'src/study/', 'src/replay/', 'src/attack/', 'launch/demo.launch', 'scripts/lib/hidwa_tools/figure.py')
+# What a robot does without: folders that HIDWA_TOOLS adds, and pictures.
+TOOLS = ('src/sim/', 'src/drive/', 'src/study/', 'src/replay/', 'src/attack/', 'launch/demo.launch',
+         'scripts/lib/hidwa_tools/figure.py', 'scripts/lib/hidwa_measure_base/picture.py')
 WITH_TOOLS, WITH_MBF = '$HIDWA_WITH_TOOLS == 1', '$HIDWA_WITH_MBF == 1'
 SYSTEM = {'sys', 'Threads'}       # of the compiler and of CMake
-OWN = {NAME, 'hidwa_tools', 'hidwa_bag_test', 'hidwa_console', 'joy_reader', 'quest2ros_joy', 'command_watch', 'message_gate',
-       'running_host', 'console_frames'}
+OWN = {NAME, 'hidwa_tools', 'hidwa_bag_test', 'hidwa_console', 'hidwa_measure_base', 'joy_reader', 'quest2ros_joy', 'command_watch',
+       'message_gate', 'running_host', 'console_frames'}
 OPTIONAL = {'rviz', 'robot_state_publisher', 'benchmark'}  # to look at, and to measure: a robot needs neither
 
 
