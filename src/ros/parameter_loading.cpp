@@ -148,6 +148,16 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
   return loaded;
 }
 
+std::vector<std::string> misplaced_parameters(const XmlRpcValue& host) {
+  std::vector<std::string> names;
+  if (!host.valid() || host.getType() != XmlRpcValue::TypeStruct) return names;
+  for (const auto& [key, value] : host) {
+    if (key == "controller_frequency" || key == "odom_topic") continue;  // the host's own
+    if (find_parameter(key) != nullptr) names.push_back(key);
+  }
+  return names;
+}
+
 std::string as_text(const XmlRpcValue& value) {
   if (value.getType() == XmlRpcValue::TypeBoolean) return static_cast<bool>(XmlRpcValue(value)) ? "true" : "false";
   std::ostringstream text;

@@ -65,6 +65,13 @@ void Shell::start_parameters() {
   for (const std::string& warning : loaded.warnings) {
     ROS_WARN("%s: %s", handle_.getNamespace().c_str(), warning.c_str());
   }
+  const std::vector<std::string> misplaced = misplaced_parameters(read_namespace(ros::NodeHandle("~")));
+  if (!misplaced.empty()) {
+    ROS_WARN(
+        "%s holds parameters of the planner, which count only in %s: %s; in a YAML file they stand indented below %s:",
+        ros::NodeHandle("~").getNamespace().c_str(), handle_.getNamespace().c_str(), joined(misplaced).c_str(),
+        name_.c_str());
+  }
   for (const std::string& fault : loaded.faults) {
     ROS_ERROR("%s: %s", handle_.getNamespace().c_str(), fault.c_str());
   }

@@ -155,6 +155,20 @@ TEST(ParameterLoading, SomethingElseThanParametersIsAFault) {
   EXPECT_EQ(load_parameters(XmlRpcValue(3)).faults.size(), 1u);
 }
 
+// As a dump of the planner's namespace lands that is loaded into its host's.
+TEST(ParameterLoading, ParametersInTheHostsNamespaceAreNamed) {
+  XmlRpcValue host;
+  host["controller_frequency"] = 20.0;  // what move_base itself reads
+  host["base_local_planner"] = "hidwa_local_planner/HIDWAPlannerROS";
+  host["odom_topic"] = "odom";
+  host["HIDWAPlannerROS"]["max_vel_x"] = 0.4;
+  EXPECT_TRUE(misplaced_parameters(host).empty());
+  EXPECT_TRUE(misplaced_parameters(XmlRpcValue()).empty());
+  host["max_vel_x"] = 0.3;
+  host["control_latency"] = 0.2;
+  EXPECT_EQ(misplaced_parameters(host), (std::vector<std::string>{"control_latency", "max_vel_x"}));
+}
+
 TEST(ParameterLoading, ShortNames) {
   EXPECT_EQ(short_name("PathDist"), "PathDist");
   EXPECT_EQ(short_name("package/Class"), "Class");
