@@ -41,5 +41,32 @@ class Documents(unittest.TestCase):
         subprocess.run([sys.executable, os.path.join(ROOT, 'scripts', 'parameter_table'), '--check'], check=True)
 
 
+class Updates(unittest.TestCase):
+    """docs/updates.md: the newest row of each parameter says what it is now."""
+
+    def assert_current(self, part, column, defaults):
+        """Of the rows of a part, the cell in `column` is the default where it is a number."""
+        newest = {}
+        for row in re.findall(r'^\| \d.*$', part, re.M):
+            cells = [cell.strip() for cell in row.strip('|').split('|')]
+            newest.setdefault(cells[1].strip('`'), cells[column])
+        self.assertGreater(len(newest), 4)
+        for name, value in newest.items():
+            self.assertIn(name, defaults)
+            if re.fullmatch(r'[-\d.]+', value):
+                self.assertEqual(float(value), float(defaults[name]), name)
+
+    def test_defaults_are_those_of_today(self):
+        planner, tracker = (read('docs/updates.md').split(f'## Defaults of the {whose}')[1].split('\n## ')[0]
+                            for whose in ('planner', 'tracker'))
+        listed = dict(re.findall(r'HIDWA_(?:DOUBLE|INT|BOOL|STRING)\((\w+),\s*("[^"]*"|[^,]+),',
+                                 read('include/hidwa_local_planner/core/parameter_list.inc')))
+        changed, new = planner.split('New parameters')
+        self.assert_current(changed, 3, listed)
+        self.assert_current(new, 2, listed)
+        settings = read('include/hidwa_local_planner/tracking/tracker_settings.hpp')
+        self.assert_current(tracker, 3, dict(re.findall(r'^  double (\w+) = ([^;]+);', settings, re.M)))
+
+
 if __name__ == '__main__':
     unittest.main()
