@@ -8,6 +8,11 @@ namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
+constexpr double kStep = 0.12;            // between neighbouring points of a surface, at no distance [m]
+constexpr double kStepsPerSpacing = 2.5;  // more at a distance: so many times the distance between beams
+constexpr double kWidestStep = 0.35;      // [m]
+constexpr double kLostShare = 0.02;       // of the beams; a laser that loses so many returns is known for that
+
 Pose2 pose_between(const Pose2& a, const Pose2& b, double share) {
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.theta + share * wrap_angle(b.theta - a.theta)};
 }
@@ -24,7 +29,44 @@ void set_length(float range, const RangeScan& scan, const TrackerSettings& setti
   beam.length = std::min({r, settings.reach, scan.range_max});
 }
 
+// Calls `visit` with each beam without a return that lies between two hits of one surface, few beams apart.
+template <typename Visit>
+void for_lost_returns(const RangeScan& scan, double noise, const Beams& beams, Visit visit) {
+  const std::size_t n = beams.all.size();
+  const auto lost = [&](std::size_t i) { return static_cast<double>(scan.ranges[i]) >= scan.range_max; };
+  std::size_t before = beams.whole_turn ? n - 1 : n;  // the last beam that was not lost; n: there is none
+  std::size_t count = 0;                              // of those since then
+  for (std::size_t i = 0; i < n; ++i) {
+    if (lost(i)) {
+      ++count;
+      continue;
+    }
+    const bool between = before < n && beams.all[before].hit && beams.all[i].hit && count > 0 && count <= kSilentBeams;
+    if (between && same_surface(beams, before, i, count + 1, noise)) {
+      for (std::size_t k = 1; k <= count; ++k) visit((i + n - k) % n);
+    }
+    before = i;
+    count = 0;
+  }
+}
+
+// A laser that loses returns. Of another one few beams are so: between legs, through cracks.
+void forget_lost_returns(const RangeScan& scan, double noise, Beams& beams) {
+  std::size_t lost = 0;
+  for_lost_returns(scan, noise, beams, [&lost](std::size_t) { ++lost; });
+  if (static_cast<double>(lost) < kLostShare * static_cast<double>(beams.all.size())) return;
+  for_lost_returns(scan, noise, beams, [&beams](std::size_t i) { beams.all[i].length = 0.0; });
+}
+
 }  // namespace
+
+bool same_surface(const Beams& beams, std::size_t a, std::size_t b, std::size_t steps, double noise) {
+  const Beam& one = beams.all[a];
+  const Beam& other = beams.all[b];
+  const double spacing = std::min(one.length, other.length) * beams.increment * static_cast<double>(steps);
+  const double limit = std::min(kStep + 3.0 * noise + kStepsPerSpacing * spacing, kWidestStep + 3.0 * noise);
+  return (one.tip() - other.tip()).norm() <= limit;
+}
 
 void to_beams(const RangeScan& scan, const TrackerSettings& settings, Beams& out) {
   const std::size_t n = scan.ranges.size();
@@ -46,6 +88,7 @@ void to_beams(const RangeScan& scan, const TrackerSettings& settings, Beams& out
     beam.direction = Point(std::cos(beam.bearing), std::sin(beam.bearing));
     set_length(scan.ranges[i], scan, settings, beam);
   }
+  forget_lost_returns(scan, settings.range_noise, out);
 }
 
 bool seen_through(const Beams& beams, const Point& place, double beyond) {

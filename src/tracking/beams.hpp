@@ -40,7 +40,15 @@ struct Beams {
   double time_of(std::size_t i) const { return stamp + time_increment * static_cast<double>(i); }
 };
 
+/// So many beams that say nothing may lie between two points of a surface.
+inline constexpr std::size_t kSilentBeams = 2;
+
+/// Where the laser loses returns (two of a hundred beams have none although those beside them lie on one surface), such
+/// beams say nothing: they saw no free space.
 void to_beams(const RangeScan& scan, const TrackerSettings& settings, Beams& out);
+
+/// Whether two hits, `steps` beams apart, may lie on one surface. `noise`: standard deviation of a range [m].
+bool same_surface(const Beams& beams, std::size_t a, std::size_t b, std::size_t steps, double noise);
 
 /// True where the beams nearest to the place, one on each side, end more than `beyond` [m] behind it.
 bool seen_through(const Beams& beams, const Point& place, double beyond);

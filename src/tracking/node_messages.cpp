@@ -72,6 +72,10 @@ visualization_msgs::Marker label(const MovingObstacles& message, const MovingObs
 
 }  // namespace
 
+std::string without_slash(const std::string& frame) {
+  return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
+}
+
 // The third column of the rotation says where the sensor's z axis points, the first where its x axis points.
 Mounting mounting_of(const geometry_msgs::Transform& sensor) {
   const geometry_msgs::Quaternion& q = sensor.rotation;

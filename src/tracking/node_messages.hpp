@@ -18,6 +18,9 @@ namespace tracking {
 /// How a planar laser is mounted, seen from the fixed frame.
 enum class Mounting { upright, upside_down, tilted };
 
+/// A frame as tf2 names it: files and drivers from before tf2 put a slash in front.
+std::string without_slash(const std::string& frame);
+
 Mounting mounting_of(const geometry_msgs::Transform& sensor);
 
 /// Position and heading of a sensor that is not tilted.

@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "tracking/node_messages.hpp"
+
 namespace hidwa_local_planner {
 namespace tracking {
 namespace {
@@ -63,6 +65,7 @@ NodeParameters read_node_parameters(const ros::NodeHandle& node) {
   read_value(node, "acceleration", t.acceleration);
   read_value(node, "leg_acceleration", t.leg_acceleration);
   read_value(node, "fixed_frame", p.fixed_frame);
+  p.fixed_frame = without_slash(p.fixed_frame);
   read_value(node, "transform_timeout", p.transform_timeout);
   read_value(node, "lag_max", p.lag_max);
   const std::string fault = fault_of(t);

@@ -8,25 +8,13 @@ namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
-constexpr std::size_t kSilentBeams = 2;   // may lie between two points of a surface
-constexpr double kStep = 0.12;            // between neighbouring points of a surface, at no distance [m]
-constexpr double kStepsPerSpacing = 2.5;  // more at a distance: so many times the distance between beams
-constexpr double kWidestStep = 0.35;      // [m]
-constexpr int kMostCuts = 3;              // of a cut surface
-constexpr double kBeyond = 0.5;           // half of a large body [m]
-constexpr double kDentNoise = 5.0;        // deviations of a range more
-constexpr double kDent = 0.03;            // depth of a dent where two bodies meet, without noise [m]
-constexpr double kNearer = 0.1;           // a neighbour nearer by so much may hide something [m]
+constexpr int kMostCuts = 3;        // of a cut surface
+constexpr double kBeyond = 0.5;     // half of a large body [m]
+constexpr double kDentNoise = 5.0;  // deviations of a range more
+constexpr double kDent = 0.03;      // depth of a dent where two bodies meet, without noise [m]
+constexpr double kNearer = 0.1;     // a neighbour nearer by so much may hide something [m]
 
 bool movable(const Beam& beam) { return beam.hit && beam.kind != PlaceKind::standing; }
-
-bool same_surface(const Beams& beams, std::size_t a, std::size_t b, std::size_t steps, double noise) {
-  const Beam& one = beams.all[a];
-  const Beam& other = beams.all[b];
-  const double spacing = std::min(one.length, other.length) * beams.increment * static_cast<double>(steps);
-  const double limit = std::min(kStep + 3.0 * noise + kStepsPerSpacing * spacing, kWidestStep + 3.0 * noise);
-  return (one.tip() - other.tip()).norm() <= limit;
-}
 
 // True where the beam beside a segment's end beam does not show the end of the body itself.
 bool hidden_beside(const Beams& beams, std::size_t end, bool forward) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -7,6 +8,11 @@
 
 namespace hidwa_local_planner {
 namespace {
+
+bool says_something(const RangeScan& scan) {
+  return std::any_of(scan.ranges.begin(), scan.ranges.end(),
+                     [&scan](float r) { return r > 0.0F && static_cast<double>(r) >= scan.range_min; });
+}
 
 struct SettingRange {
   const char* name;
@@ -63,6 +69,7 @@ std::string fault_of(const RangeScan& scan) {
     return "range_max must be above range_min, and that not below 0";
   const double duration = scan.end() - scan.stamp;
   if (!(duration >= 0.0 && duration <= 2.0)) return "time_increment times the number of ranges must be from 0 to 2 s";
+  if (!says_something(scan)) return "no range says anything: each is 0, below range_min or not a number";
   return "";
 }
 

@@ -5,6 +5,7 @@
 #include <deque>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -12,6 +13,7 @@
 #include <tf2_ros/transform_listener.h>
 
 #include "hidwa_local_planner/tracking/tracker.hpp"
+#include "tracking/laser_choice.hpp"
 #include "tracking/node_messages.hpp"
 #include "tracking/node_parameters.hpp"
 
@@ -68,7 +70,7 @@ class TrackerNode {
     while (!waiting_.empty()) {
       const sensor_msgs::LaserScan& scan = *waiting_.front().scan;
       std::string error;
-      if (buffer_.canTransform(p_.fixed_frame, scan.header.frame_id, scan.header.stamp, &error)) {
+      if (buffer_.canTransform(p_.fixed_frame, without_slash(scan.header.frame_id), scan.header.stamp, &error)) {
         const sensor_msgs::LaserScan::ConstPtr kept = waiting_.front().scan;
         waiting_.pop_front();
         use(*kept);
@@ -92,14 +94,25 @@ class TrackerNode {
   void use(const sensor_msgs::LaserScan& message) {
     try {
       const geometry_msgs::Transform sensor =
-          buffer_.lookupTransform(p_.fixed_frame, message.header.frame_id, message.header.stamp).transform;
+          buffer_.lookupTransform(p_.fixed_frame, without_slash(message.header.frame_id), message.header.stamp)
+              .transform;
       const Mounting mounting = mounting_of(sensor);
-      to_range_scan(message, mounting, scan_);
+      if (mounting == Mounting::tilted)
+        return refuse("the laser is tilted by more than 18 degrees: it must scan level");
+      if (message.header.stamp.isZero()) {
+        return refuse("the scans have no stamp, so where the laser was is not known: the driver must set header.stamp");
+      }
+      to_range_scan(message, mounting, next_);
+      next_.sensor = next_.sensor_end = to_sensor_pose(sensor);
+      std::string fault = fault_of(next_);
+      if (fault.empty()) {
+        fault = choice_.fault(without_slash(message.header.frame_id), ros::WallTime::now().toSec());
+      }
+      if (!fault.empty()) return refuse(fault);
       const Pose2 before = scan_.sensor;
-      scan_.sensor = to_sensor_pose(sensor);
+      std::swap(scan_, next_);
       scan_.sensor_end = pose_at_end(before, message);
-      take(mounting == Mounting::tilted ? "the laser is tilted by more than 18 degrees: it must scan level"
-                                        : fault_of(scan_));
+      take(fault_of(scan_));
     } catch (const tf2::TransformException& e) {
       ++counts_.without_transform;
       transform_fault_ = e.what();
@@ -112,8 +125,9 @@ class TrackerNode {
     const double duration = scan_.end() - scan_.stamp;
     if (!(duration > 0.0 && duration < 2.0)) return scan_.sensor;
     const ros::Time end = message.header.stamp + ros::Duration(duration);
-    if (buffer_.canTransform(p_.fixed_frame, message.header.frame_id, end)) {
-      return to_sensor_pose(buffer_.lookupTransform(p_.fixed_frame, message.header.frame_id, end).transform);
+    const std::string frame = without_slash(message.header.frame_id);
+    if (buffer_.canTransform(p_.fixed_frame, frame, end)) {
+      return to_sensor_pose(buffer_.lookupTransform(p_.fixed_frame, frame, end).transform);
     }
     const double elapsed = scan_.stamp - stamp_before_;
     const double share = elapsed > 0.0 && elapsed < 1.0 ? duration / elapsed : 0.0;
@@ -124,12 +138,8 @@ class TrackerNode {
 
   void take(const std::string& fault) {
     stamp_before_ = scan_.stamp;
-    if (!fault.empty()) {
-      ++counts_.refused;
-      scan_fault_ = fault;
-      ROS_WARN_STREAM_THROTTLE(5.0, "a scan was refused: " << fault << "; check the laser's driver");
-      return;
-    }
+    if (!fault.empty()) return refuse(fault);
+    coarse_ = coarse(scan_.angle_increment);
     const ScanUse use = tracker_.update(scan_);
     if (use == ScanUse::repeated) ++counts_.repeated;
     if (use == ScanUse::after_jump) ++counts_.jumps;
@@ -138,6 +148,12 @@ class TrackerNode {
     lag_ = ros::Time::now().toSec() - scan_.end();
     if (lag_ > p_.lag_max) ++counts_.late;
     publish();
+  }
+
+  void refuse(const std::string& fault) {
+    ++counts_.refused;
+    scan_fault_ = fault;
+    ROS_WARN_STREAM_THROTTLE(5.0, "a scan was refused: " << fault << "; check the laser's driver");
   }
 
   void publish() {
@@ -158,6 +174,16 @@ class TrackerNode {
       status.mergeSummary(Status::WARN,
                           "scans are used late: lighten the machine's load, synchronise its clock with the laser's");
     }
+    if (scans_.getNumPublishers() > 1) {
+      status.mergeSummary(Status::WARN, std::to_string(scans_.getNumPublishers()) + " nodes publish " +
+                                            scans_.getTopic() + ": only one laser is tracked");
+    }
+    if (!coarse_.empty()) status.mergeSummary(Status::WARN, coarse_);
+    if (counts_.repeated > reported_.repeated && counts_.used == reported_.used) {
+      status.mergeSummary(Status::ERROR,
+                          "each scan has the stamp of the one before, or an earlier one: the laser's "
+                          "driver must stamp each scan anew");
+    }
     if (counts_.refused > reported_.refused) status.mergeSummary(Status::ERROR, "scans are refused: " + scan_fault_);
     if (counts_.without_transform > reported_.without_transform) status.mergeSummary(Status::ERROR, transform_fault_);
     reported_ = counts_;
@@ -175,12 +201,14 @@ class TrackerNode {
 
   NodeParameters p_;
   Tracker tracker_;
-  RangeScan scan_;
+  RangeScan scan_;              // the last one that was used
+  RangeScan next_;              // is looked at before it takes that place
   double stamp_before_ = -1.0;  // of the scan before [s]
   double lag_ = 0.0;            // from the end of a scan to its use [s]
   std::size_t followed_ = 0;
   Counts counts_, reported_;
-  std::string transform_fault_, scan_fault_;
+  std::string transform_fault_, scan_fault_, coarse_;
+  LaserChoice choice_;
   std::deque<Waiting> waiting_;
 
   ros::NodeHandle node_;

@@ -314,7 +314,7 @@ TEST(Tracker, AScanThatSaysNothingMakesNothing) {
   for (int i = 1; i < 20; ++i) {
     scan.stamp = kStep * i;
     scan.ranges.assign(300, 0.0F);
-    EXPECT_EQ(tracker.update(scan), ScanUse::used);
+    EXPECT_EQ(tracker.update(scan), ScanUse::refused);
     EXPECT_TRUE(tracker.obstacles().empty());
     EXPECT_EQ(tracker.candidates(), 0u);
   }

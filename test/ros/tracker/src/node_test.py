@@ -44,10 +44,10 @@ def scan_of(person, frame, stamp, mirrored=False):
     return scan
 
 
-def transform(frame, quaternion):
+def transform(frame, quaternion, place=LASER):
     t = TransformStamped()
     t.header.frame_id, t.child_frame_id = 'odom', frame
-    t.transform.translation.x, t.transform.translation.y = LASER[0], LASER[1]
+    t.transform.translation.x, t.transform.translation.y = place[0], place[1]
     t.transform.rotation.x, t.transform.rotation.y, t.transform.rotation.z, t.transform.rotation.w = quaternion
     return t
 
@@ -62,7 +62,8 @@ class NodeTest(unittest.TestCase):
         # Upside down: turned about x by pi, then about z.
         cls.fixed.publish(TFMessage([transform('laser', (0, 0, math.sin(half), math.cos(half))),
                                      transform('laser_below', (math.cos(half), math.sin(half), 0, 0)),
-                                     transform('laser_aslant', (math.sin(0.3), 0, 0, math.cos(0.3)))]))
+                                     transform('laser_aslant', (math.sin(0.3), 0, 0, math.cos(0.3))),
+                                     transform('laser_rear', (0, 0, 0, 1), (-2.0, 1.0))]))
         cls.scans = rospy.Publisher('scan', LaserScan, queue_size=10)
         rospy.Subscriber('moving_obstacles', MovingObstacles, cls.keep(cls.told))
         rospy.Subscriber('moving_obstacle_markers', MarkerArray, cls.keep(cls.markers))
@@ -103,7 +104,8 @@ class NodeTest(unittest.TestCase):
         """Somebody crosses 3 m ahead of the laser from x = 0.5, at 1 m/s, for 2.5 s; before that nobody."""
         with self.changed:
             del self.told[:]
-        self.send(lambda t, stamp: scan_of(None, frame, stamp, mirrored), 10)
+        while not self.told:  # until this laser counts
+            self.send(lambda t, stamp: scan_of(None, frame, stamp, mirrored), 10)
         begin = self.send(lambda t, stamp: scan_of((0.5 + t, 4.0), frame, stamp, mirrored), 50)
         last = begin + rospy.Duration(49 / RATE)
         self.wait_for(lambda: self.told and self.told[-1].header.stamp >= last - rospy.Duration(0.001), 'message of the last scan')
@@ -143,6 +145,9 @@ class NodeTest(unittest.TestCase):
         ids = {o.id for message in self.told for o in message.obstacles}
         self.assertEqual(ids, {walker.id})
 
+    def test_2b_a_slash_before_the_frame_does_not_count(self):
+        self.expect_walker(self.walk('/laser'))
+
     def test_3_under_a_laser_upside_down(self):
         self.expect_walker(self.walk('laser_below', mirrored=True))
 
@@ -154,6 +159,8 @@ class NodeTest(unittest.TestCase):
     def test_4_bad_scans_are_told(self):
         for words, spoil in (('angle_increment', lambda s: setattr(s, 'angle_increment', 0.0)),
                              ('no ranges', lambda s: setattr(s, 'ranges', [])),
+                             ('no range says anything', lambda s: setattr(s, 'ranges', [0.0] * 200 + [float('nan')] * 200)),
+                             ('have no stamp', lambda s: setattr(s.header, 'stamp', rospy.Time())),
                              ('tilted', lambda s: setattr(s.header, 'frame_id', 'laser_aslant')),
                              ('no transform from odom to nowhere', lambda s: setattr(s.header, 'frame_id', 'nowhere'))):
             def bad(_, stamp):
@@ -165,7 +172,30 @@ class NodeTest(unittest.TestCase):
         self.wait_for(self.diagnosis(DiagnosticStatus.WARN, 'no scan on /scan'), 'diagnosis of silence')
         self.expect_walker(self.walk('laser'))  # and it goes on
 
-    def test_5_wrong_parameters_are_named(self):
+    def test_5_of_two_lasers_on_one_topic_one_is_tracked_and_the_other_named(self):
+        # The rear one is 4 m away, and sees nothing but a room of its own.
+        def both(person):
+            def one(t, stamp):
+                self.scans.publish(scan_of(None, 'laser_rear', stamp - rospy.Duration(0.01)))
+                return scan_of(person(t), 'laser', stamp)
+            return one
+        with self.changed:
+            del self.told[:]
+        while not self.told:
+            self.send(lambda t, stamp: scan_of(None, 'laser', stamp), 10)
+        self.send(both(lambda t: None), 10)
+        begin = self.send(both(lambda t: (0.5 + t, 4.0)), 50)
+        last = begin + rospy.Duration(49 / RATE)
+        self.wait_for(lambda: self.told[-1].header.stamp >= last - rospy.Duration(0.001), 'message of the last scan')
+        self.expect_walker(begin)
+        self.wait_for(self.diagnosis(DiagnosticStatus.ERROR, 'those in laser are used, those in laser_rear are not'), 'name of the other')
+
+    def test_6_a_stamp_that_stands_still_is_told(self):
+        stamp = rospy.Time.now()
+        self.send(lambda t, _: scan_of(None, 'laser', stamp), 60)
+        self.wait_for(self.diagnosis(DiagnosticStatus.ERROR, 'has the stamp of the one before'), 'diagnosis')
+
+    def test_7_wrong_parameters_are_named(self):
         for argument, words in (('_reach:=far', 'reach must be a number'), ('_reach:=0.1', 'reach is 0.1: it must be from 1 to 30 m'),
                                 ('_no_return_is_free:=3', 'no_return_is_free must be true or false'),
                                 ('_fixed_frame:=7', 'fixed_frame must be a text'),
