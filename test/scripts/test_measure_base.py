@@ -37,24 +37,36 @@ class Base:
             delay = self.latency
         self._pending.append((max(now + delay, self._pending[-1][0] if self._pending else 0.0), v, omega))
 
+    def follow(self, axis, wanted):
+        """The velocity of the next step."""
+        slows = abs(wanted) < abs(self.speed[axis])
+        limit = (self.decel if slows else self.acc)[axis] * STEP
+        return self.speed[axis] + max(-limit, min(limit, wanted - self.speed[axis]))
+
     def advance(self, now):
         while self._pending and self._pending[0][0] <= now:
             self._heard, *self.target = self._pending.pop(0)
         for axis in (0, 1):
             wanted = self.target[axis] if now - self._heard <= self.watchdog else 0.0
             wanted = wanted if abs(wanted) >= self.dead[axis] else 0.0
-            slows = abs(wanted) < abs(self.speed[axis])
-            limit = (self.decel if slows else self.acc)[axis] * STEP
-            self.speed[axis] += max(-limit, min(limit, wanted - self.speed[axis]))
+            self.speed[axis] = self.follow(axis, wanted)
             self.way[axis] += self.speed[axis] * STEP
         self.x += self.speed[0] * STEP * math.cos(self.way[1])
         self.y += self.speed[0] * STEP * math.sin(self.way[1])
 
 
+class LaggingBase(Base):
+    """One whose velocity approaches the command with a time constant."""
+    constant = 0.25  # [s]
+
+    def follow(self, axis, wanted):
+        return self.speed[axis] + (wanted - self.speed[axis]) * STEP / self.constant
+
+
 def guided(base, rate=50.0, delay=0.0, noise=0.0, stamped=0.0, change=None, lifted=False, **options):
     """The Track of a guided measurement of a base: odometry at `rate` [Hz] that arrives `delay` [s] after it was measured, whose stamp
     is `stamped` [s] before its arrival. `change(row)` may alter a row of odometry or leave it out."""
-    track, all_ = Track(), phases(options.get('speed', 0.25), options.get('turn', 0.5), options.get('times', 10))
+    track, all_ = Track(), phases(options.get('speed', 0.25), options.get('turn', 0.5), options.get('times', 3))
     drive, watch, draw = Course(track, all_), Watch(track, lifted), np.random.default_rng(3)
     under_way, now, command_at, odometry_at = [], 0.0, 1.0, 0.013
     while True:
@@ -98,10 +110,12 @@ class Known(unittest.TestCase):
                 self.assertGreaterEqual(rates[axis], (1.0 - share) * truth[axis])
 
     def test_a_base_is_found_as_it_is(self):
-        for base in (Base(), Base(latency=0.03, acc=(2.5, 3.2), decel=(2.5, 3.2)), Base(latency=0.45, acc=(0.3, 0.5), decel=(0.25, 0.4))):
+        for base, times in ((Base(), 10), (Base(latency=0.03, acc=(2.5, 3.2), decel=(2.5, 3.2)), 3),
+                            (Base(latency=0.45, acc=(0.3, 0.5), decel=(0.25, 0.4)), 3)):
             with self.subTest(latency=base.latency):
-                found = measured(base)
-                self.assertEqual(len(found.latencies), 82)  # 10 times, to and fro, two axes, on and off; twice on before commands cease
+                found = measured(base, times=times)
+                # To and fro, two axes, on and off; twice on before commands cease.
+                self.assertEqual(len(found.latencies), times * 2 * 2 * 2 + 2)
                 self.assert_near(found, base, 0.015, 0.10)
 
     def test_slow_odometry(self):
@@ -122,6 +136,18 @@ class Known(unittest.TestCase):
     def test_noise(self):
         # 1 mm and 1 mrad of each pose; a step drives 0.3 m.
         self.assert_near(measured(Base(), noise=1e-3), Base(), 0.05, 0.30)
+
+    def test_a_base_that_lags_needs_no_more_way_than_is_said_at_any_speed(self):
+        for constant in (0.1, 0.25):
+            base = LaggingBase(latency=0.1)
+            base.constant = constant
+            found = measured(base, rate=20.0)
+            values = {name: value for name, (value, _) in findings.parameters(found).items()}
+            # It goes on at full speed for the latency, and then as far as it would in the time constant.
+            for speed in (0.05, 0.25, 1.0):
+                said = speed * values['control_latency'] + speed ** 2 / (2.0 * values['decel_lim_x'])
+                self.assertGreaterEqual(said, speed * (0.1 + constant) - 1e-3)
+            self.assertLessEqual(values['control_latency'], 0.1 + constant + 0.05)
 
     def test_the_longest_latency_counts(self):
         # Some commands are quicker by up to 0.05 s: none overtakes the one before, which was sent 0.05 s earlier.
@@ -208,8 +234,8 @@ class Driving(unittest.TestCase):
             def command(self, now, v, omega):
                 super().command(now, v if v >= 0.0 else 0.4 * v, omega)
         with self.assertRaisesRegex(Doubt, 'from where it began'):
-            guided(Drifting())
-        guided(Drifting(), lifted=True)  # lifted, it goes nowhere
+            guided(Drifting(), times=10)
+        guided(Drifting(), times=10, lifted=True)  # lifted, it goes nowhere
 
     def test_each_doubt_leaves_what_was_sent_at_its_limits(self):
         base = Base(watchdog=math.inf)

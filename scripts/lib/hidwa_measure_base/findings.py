@@ -11,7 +11,6 @@ from .track import AXES
 UNITS = (('m/s', 'm/s^2'), ('rad/s', 'rad/s^2'))
 STILL = (0.003, 0.01)       # [m], [rad]; who moves less than this stands
 FINEST = (0.031, 0.061)     # [m/s], [rad/s]; commands that grow by no more than this show a dead band
-SILENCE = 0.3               # [s] without commands; from then on they have ceased
 ENOUGH = 10                 # step responses
 CAREFUL = 0.95              # of a rate is printed: so far it may be off
 OLD_ODOMETRY, SLOW_ODOMETRY = 0.1, 0.07  # [s]
@@ -88,11 +87,11 @@ def _dead_band(track, axis, time, way):
 def _cease(track, found):
     """Where commands cease while the robot moves: how long it takes to rest."""
     times, _ = track.sent(0)
-    if len(times) < 3 or np.median(np.diff(times)) > 0.5 * SILENCE:
+    if len(times) < 3 or np.median(np.diff(times)) > 0.5 * response.SILENCE:
         return  # whoever sends does not repeat: each command would be short for a base that stops by itself
     for run in track.runs():
         at, end = run.end, run.next
-        if end - at < SILENCE or not any(run.command):
+        if end - at < response.SILENCE or not any(run.command):
             continue
         for axis in (0, 1):
             time, way = track.driven(axis)
@@ -153,7 +152,7 @@ def parameters(found):
             if rates[axis] is not None:
                 result[f'{kind}_lim_{name}'] = (_down(CAREFUL * rates[axis]), 'what the base does; less is gentler')
     band = found.dead_band[1]
-    if band and band[0] > 0.0:
+    if band and band[0] > 0.8 * FINEST[1]:  # one command is soon over, before a slow answer shows
         result['min_in_place_vel_theta'] = (_up(band[1], 0.01), f'it stood at {band[0]:.2f} rad/s')
     return result
 

@@ -41,7 +41,7 @@ class Robot:
     def __init__(self, options):
         self._options, self.track, self._lock = options, Track(), threading.Lock()
         self._arrived, self._stranger, self._nearest, self._child = None, '', None, ''
-        self._scan_fault, self._looked = '', 0.0
+        self._scan_fault, self._scanned, self._looked = '', None, 0.0
         self.velocity = rospy.Publisher(options.cmd_vel_topic, Twist, queue_size=1, tcp_nodelay=True)
         self.topic = rospy.resolve_name(options.cmd_vel_topic)
         rospy.Subscriber(options.odom_topic, Odometry, self._take_odometry, queue_size=50, tcp_nodelay=True)
@@ -63,6 +63,7 @@ class Robot:
             self._stranger = sender
 
     def _take_scan(self, scan):
+        self._scanned = time.monotonic()
         if not self._child:
             self._scan_fault = 'scans cannot be placed on the robot, since odometry has no child_frame_id; give --no-scan'
             return
@@ -105,6 +106,8 @@ class Robot:
             return
         if self._scan_fault:
             raise Doubt(self._scan_fault)
+        if self._scanned and time.monotonic() - self._scanned > STALL:
+            raise Doubt('the scan was there, and is silent now')
         if self._nearest is not None and self._nearest < self._options.clearance:
             raise Doubt(f'the scan sees something {self._nearest:.2f} m from the robot\'s centre, nearer than --clearance '
                         f'{self._options.clearance:g} m')

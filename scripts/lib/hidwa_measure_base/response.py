@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How a base answers steps of its command. A step is taken for a delay (the latency) and an even change of the velocity; what is
+"""How a base answers steps of its command. A step is taken for a delay, and then an even change of the velocity, or one that gets
+slower and slower (a lag: such a base follows every command later by its time constant, which counts as latency). What is
 compared is how far the robot came, which odometry knows better than how fast it is. Times in s; lengths in m or rad.
 
 Of all that explains a measurement about equally well, the careful answer counts: the longest latency, the smallest acceleration."""
@@ -13,7 +14,9 @@ COARSE = np.arange(0.0, 1.25, 0.025)           # [s], latencies at first ...
 FINE = np.arange(-0.15, 0.1525, 0.005)         # [s], ... and around the best of them
 DURATIONS = np.r_[0.0, np.geomspace(0.02, 3.0, 25)]  # of a change [s]
 RATES = np.geomspace(0.5, 2.0, 57)             # of the usual rate, 2.5 % apart
+SILENCE = 0.3         # [s] without commands; from then on they have ceased
 CLOSEST = 0.015       # [s]; between two messages of odometry that count
+LAGS = np.geomspace(0.01, 1.0, 60)             # time constants [s]
 STEADY = 0.5          # [s]; so long a command has stood before a step, and stands after it
 BEFORE, WINDOW = 0.5, 4.0  # [s]; of odometry before and after a step that count
 SMALLEST = (0.05, 0.1)     # [m/s], [rad/s]; what changes by less is no step
@@ -55,11 +58,12 @@ class Answers:
 
 def steps(track, axis):
     """The Steps of one axis: commands that stood, then others that stand. What leads from forwards to backwards is none."""
-    found, before = [], Run(-np.inf, -np.inf, -np.inf, (0.0, 0.0))
+    found, before = [], Run(-np.inf, np.inf, np.inf, (0.0, 0.0))
     for run in track.runs():
         old, new = before.command[axis], run.command[axis]
         steady = min(run.begin - before.begin, run.end - run.begin) >= STEADY
-        if steady and abs(new - old) >= SMALLEST[axis] and old * new >= 0.0:
+        ceased = run.begin - before.end > SILENCE  # the base has stopped by itself
+        if steady and not ceased and abs(new - old) >= SMALLEST[axis] and old * new >= 0.0:
             found.append(Step(run.begin, old, new, max(run.begin - BEFORE, 0.5 * (before.begin + run.begin)), run.end))
         before = run
     return found
@@ -71,6 +75,12 @@ def _ramp(time, latency, duration):
     with np.errstate(divide='ignore', invalid='ignore'):
         within = np.where(duration > 0.0, since ** 2 / (2.0 * duration), since)
     return np.where(since < duration, within, since - 0.5 * duration)
+
+
+def _lag(time, latency, constant):
+    """The same where the velocity approaches its new value with a time constant."""
+    since = np.maximum(time - latency, 0.0)
+    return since + constant * np.expm1(-since / constant)
 
 
 class _Fit:
@@ -88,17 +98,17 @@ class _Fit:
         self.even, _ = np.linalg.qr(even)
         self._left = self.way - self.even @ (self.even.T @ self.way)
 
-    def errors(self, duration):
+    def errors(self, duration, form=_ramp):
         """Sum of squared errors for each of the latencies, and the change of velocity that goes with it."""
-        shape = _ramp(self.time[None, :], self.latencies[:, None], duration)
+        shape = form(self.time[None, :], self.latencies[:, None], duration)
         shape = shape - (shape @ self.even) @ self.even.T
         size = np.einsum('ij,ij->i', shape, shape)
         with np.errstate(divide='ignore', invalid='ignore'):
             change = np.where(size > 1e-12, shape @ self._left / size, 0.0)
         return float(self._left @ self._left) - change ** 2 * size, change
 
-    def fitted(self, latency, duration):
-        basis = np.column_stack([np.ones_like(self.time), self.time, _ramp(self.time, latency, duration)])
+    def fitted(self, latency, duration, form):
+        basis = np.column_stack([np.ones_like(self.time), self.time, form(self.time, latency, duration)])
         return basis @ np.linalg.lstsq(basis, self.way, rcond=None)[0]
 
 
@@ -115,16 +125,25 @@ def answers(found, time, way, axis):
     if not kept:
         return None
     rates = RATES * np.median([size / duration for _, size, duration in kept])
-    errors = np.array([[fit.errors(size / rate)[0] for rate in rates] for fit, size, _ in kept])  # (fits, rates, latencies)
-    total = errors.min(axis=2).sum(axis=0)
+    ramps = np.array([[fit.errors(size / rate)[0] for rate in rates] for fit, size, _ in kept])  # (fits, rates, latencies)
+    lags = np.array([[fit.errors(constant, _lag)[0] for constant in LAGS] for fit, _, _ in kept])
+    of_ramps, of_lags = (errors.min(axis=2).sum(axis=0) for errors in (ramps, lags))
     free = max(1, sum(len(fit.time) - 4 for fit, _, _ in kept))
-    variance = max(total.min() / free, NOISE[axis] ** 2)
-    rate = int(np.flatnonzero(total <= total.min() + SURE * variance)[0])
+    variance = max(min(of_ramps.min(), of_lags.min()) / free, NOISE[axis] ** 2)
+    lagging = of_lags.min() + SURE * variance < of_ramps.min()
+    if lagging:
+        chosen = int(np.flatnonzero(of_lags <= of_lags.min() + SURE * variance)[-1])
+        rate, form = float(np.median([size for _, size, _ in kept]) / LAGS[chosen]), _lag
+    else:
+        chosen = int(np.flatnonzero(of_ramps <= of_ramps.min() + SURE * variance)[0])
+        rate, form = float(rates[chosen]), _ramp
     each = []
-    for (fit, size, _), own in zip(kept, errors[:, rate]):
-        latency = float(fit.latencies[np.flatnonzero(own <= own.min() + SURE * variance)[-1]])
-        each.append(Answer(fit.step, latency, size, fit.time, fit.way, fit.fitted(latency, size / rates[rate])))
-    return Answers(each, float(rates[rate]))
+    for (fit, size, _), own in zip(kept, (lags if lagging else ramps)[:, chosen]):
+        delay = float(fit.latencies[np.flatnonzero(own <= own.min() + SURE * variance)[-1]])
+        duration = LAGS[chosen] if lagging else size / rates[chosen]
+        latency = delay + LAGS[chosen] if lagging else delay
+        each.append(Answer(fit.step, latency, size, fit.time, fit.way, fit.fitted(delay, duration, form)))
+    return Answers(each, rate)
 
 
 def shift(sent_time, sent, time, way, axis):
