@@ -9,6 +9,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "node_people.hpp"
+#include "node_robots.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {
@@ -143,7 +144,8 @@ SimNodeParameters read_parameters(const ros::NodeHandle& node) {
   node.getParam("laser_yaw", p.laser_pose.theta);
   node.getParam("laser_height", p.laser_height);
   read_rates(node, p);
-  p.world.people = read_people(node, p.world);
+  p.world.people = with_robots(node, read_people(node, p.world));
+  node.getParam("follow_clock", p.follow_clock);
   node.getParam("tell_truth", p.tell_truth);
   node.getParam("map_frame", p.map_frame);
   node.getParam("odom_frame", p.odom_frame);

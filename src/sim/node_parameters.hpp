@@ -23,6 +23,7 @@ struct SimNodeParameters {
   double ground_truth_rate = 100.0;  // [Hz]
   double scan_rate = 20.0;           // [Hz]
   bool tell_truth = false;           // the planner is told the true states of people, as moving_obstacles
+  bool follow_clock = false;         // another robot's node makes the time
   std::string map_frame = "map";
   std::string odom_frame = "odom";
   std::string base_frame = "base_link";

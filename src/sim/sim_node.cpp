@@ -50,7 +50,7 @@ class SimNode {
         scan_due_(p_.scan_rate),
         scan_message_(scan_message(p_.laser, p_.laser_frame, 1.0 / p_.scan_rate)),
         people_(node_, p_.map_frame, p_.tell_truth) {
-    clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 10);
+    if (!p_.follow_clock) clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 10);
     odom_ = node_.advertise<nav_msgs::Odometry>("odom", 10);
     truth_ = node_.advertise<nav_msgs::Odometry>("ground_truth", 100);
     scan_ = node_.advertise<sensor_msgs::LaserScan>("scan", 10);
@@ -70,9 +70,14 @@ class SimNode {
 
   void run() {
     Pacer pacer;
+    if (p_.follow_clock) join_clock();
     while (ros::ok()) {
       publish();
-      pacer.wait(kStep / rate());
+      if (p_.follow_clock) {
+        wait_for_clock(stamp() + ros::Duration(kStep));
+      } else {
+        pacer.wait(kStep / rate());
+      }
       ros::spinOnce();
       const int contacts = world_.contacts();
       const int crossed = world_.regions().crossed();
@@ -83,6 +88,16 @@ class SimNode {
   }
 
  private:
+  // Another node makes the time: this robot begins at the one that it finds.
+  static void wait_for_clock(const ros::Time& time) {
+    while (ros::ok() && ros::Time::now() < time) ros::WallDuration(0.001).sleep();
+  }
+
+  void join_clock() {
+    wait_for_clock(ros::Time(kFirstStamp));
+    step_ = (ros::Time::now() - ros::Time(kFirstStamp)).toNSec() / kStepNanoseconds;
+  }
+
   // Simulated seconds a second. Where a busy machine does not keep up with a higher one, commands come late; until the
   // next command time passes as in reality.
   double rate() const {
@@ -93,9 +108,11 @@ class SimNode {
   ros::Time stamp() const { return ros::Time(kFirstStamp) + ros::Duration().fromNSec(step_ * kStepNanoseconds); }
 
   void publish() {
-    rosgraph_msgs::Clock clock;
-    clock.clock = stamp();
-    clock_.publish(clock);
+    if (clock_) {
+      rosgraph_msgs::Clock clock;
+      clock.clock = stamp();
+      clock_.publish(clock);
+    }
     if (odom_due_(step_)) publish_odometry();
     if (truth_due_(step_)) {
       truth_.publish(odometry_message(stamp(), p_.map_frame, p_.base_frame, world_.pose(), world_.velocity()));

@@ -26,7 +26,7 @@ OTHER_NAMES = {
     'scipy': 'python3-scipy', 'tornado': 'python3-tornado', 'PIL': 'python3-pil', 'rospkg': 'python3-rospkg'}
 PROGRAMS = ('scripts/*', 'scripts/lib/**/*.py', 'console/*', 'console/hidwa_console/*.py')
 # What a robot does without: folders that HIDWA_TOOLS adds, and pictures.
-TOOLS = ('src/sim/', 'src/drive/', 'src/study/', 'src/replay/', 'src/attack/', 'launch/demo.launch',
+TOOLS = ('src/sim/', 'src/drive/', 'src/study/', 'src/replay/', 'src/attack/', 'launch/demo.launch', 'launch/two_robots.launch',
          'scripts/lib/hidwa_tools/figure.py', 'scripts/lib/hidwa_measure_base/picture.py')
 WITH_TOOLS, WITH_MBF = '$HIDWA_WITH_TOOLS == 1', '$HIDWA_WITH_MBF == 1'
 SYSTEM = {'sys', 'Threads'}       # of the compiler and of CMake

@@ -35,7 +35,7 @@ class RobotBuild(unittest.TestCase):
                           for path in glob.glob(os.path.join(build.path, '**', 'cmake_install.cmake'), recursive=True))
         installed = re.findall(rf'file\(INSTALL DESTINATION "\S*/lib/{NAME}" TYPE (?:EXECUTABLE|PROGRAM) FILES\s+([^)]*)\)', rules)
         self.assertEqual({os.path.basename(path) for paths in installed for path in re.findall('"([^"]*)"', paths)}, PROGRAMS)
-        self.assertNotRegex(rules, r'/maps"|/urdf"|/demo\.launch"')
+        self.assertNotRegex(rules, r'/maps"|/urdf"|/(demo|two_robots)\.launch"')
 
     def test_a_robot_needs_nothing_that_tools_and_tests_alone_need(self):
         build = self.configured(*(f'-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON' for name in OF_TOOLS))
