@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/diagnostics.hpp"
 
+#include "hidwa_local_planner/control/response_watch.hpp"
 #include "hidwa_local_planner/ros/operator_feedback.hpp"
 
 namespace hidwa_local_planner {
@@ -48,6 +49,9 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (cycles.p99 > load.period) {
     status.mergeSummary(Status::WARN, "cycles take longer than the control period: lower vx_samples or vth_samples");
   }
+  const std::string late =
+      load.answered ? latency_complaint(*load.answered, load.control_latency, load.period) : std::string();
+  if (!late.empty()) status.mergeSummary(Status::WARN, late);
   const bool idle = cycles.cycles == reported_cycles_;  // what was missing in the last cycle is old
   if (!fault->empty() && !idle) status.mergeSummary(Status::ERROR, *fault);
   reported_cycles_ = cycles.cycles;
@@ -122,6 +126,11 @@ void Diagnostics::report_load(diagnostic_updater::DiagnosticStatusWrapper& statu
   status.add("control period [ms]", 1e3 * load.period);
   status.add("control period in force for braking [ms]", 1e3 * load.longest_period);
   status.add("odometry readings doubted", load.doubted);
+  if (load.answered) {
+    status.add("latency of the base, at least [s]", *load.answered);
+  } else {
+    status.add("latency of the base, at least [s]", "not known yet");
+  }
   if (load.budget >= 0.0) {
     status.add("cycle budget [ms]", 1e3 * load.budget);
   } else {

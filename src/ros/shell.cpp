@@ -184,6 +184,8 @@ Diagnostics::Load Shell::load() const {
   return {period,
           clock_.longest_period(period),
           doubted_,
+          response_.latency(),
+          loop_.parameters().control_latency,
           cycle_budget(loop_.parameters(), period),
           budget_.in_force(),
           budget_.full()};

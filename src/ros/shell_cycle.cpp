@@ -103,6 +103,10 @@ CycleResult Shell::work(const LoopTime& now, const CycleClock::Tick& tick, bool 
   result.missing = observation.missing;
   result.fault = observation.fault;
   if (result.decision) watch_odometry(observation, *result.decision);
+  if (observation.velocity) {
+    response_.add(observation.timing.now, tick.period, loop_.last_command(), observation.velocity_time,
+                  *observation.velocity);
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -27,10 +28,12 @@ class Diagnostics {
               const OperatorInput& person, const MovingObstacleInput& moving_obstacles);
   /// How the cycles are doing.
   struct Load {
-    double period = 0.0;          // of the control cycle [s]
-    double longest_period = 0.0;  // of late: what the check for braking reckons with [s]
-    std::uint64_t doubted = 0;    // readings of odometry that no command explains
-    double budget = 0.0;          // [s]; negative: none
+    double period = 0.0;             // of the control cycle [s]
+    double longest_period = 0.0;     // of late: what the check for braking reckons with [s]
+    std::uint64_t doubted = 0;       // readings of odometry that no command explains
+    std::optional<double> answered;  // the latency that the base shows [s]
+    double control_latency = 0.0;    // what was told [s]
+    double budget = 0.0;             // [s]; negative: none
     Sampling in_force;
     Sampling full;
   };

@@ -14,6 +14,7 @@
 #include <tf2_ros/buffer.h>
 
 #include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/control/response_watch.hpp"
 #include "hidwa_local_planner/control/sample_budget.hpp"
 #include "hidwa_local_planner/ros/callback_thread.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
@@ -108,6 +109,7 @@ class Shell {
   std::chrono::steady_clock::time_point called_;  // the newest call; long ago before the first one
   double silence_ = 0.0;                          // before that call [s]
   std::uint64_t doubted_ = 0;                     // readings of odometry
+  ResponseWatch response_;
   CycleStatistics statistics_;
   SampleBudget budget_;
   bool arriving_ = false;  // at the goal, and not at rest yet
