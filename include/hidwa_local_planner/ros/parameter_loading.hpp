@@ -28,8 +28,8 @@ struct LoadedParameters {
 LoadedParameters load_parameters(const XmlRpc::XmlRpcValue& content,
                                  const std::function<Parameters(const Parameters&)>& completed = {});
 
-/// Parameters of the planner that lie in its host's namespace `host` (content as above) in place of its own, where nobody
-/// reads them: their names.
+/// Parameters of the planner that lie in its host's namespace `host` (content as above) in place of its own, where
+/// nobody reads them: their names.
 std::vector<std::string> misplaced_parameters(const XmlRpc::XmlRpcValue& host);
 
 /// A value as the parameter server has it.
