@@ -24,6 +24,12 @@ bool same_goal(const Pose2& a, const Pose2& b) {
   return distance(a, b) <= kSamePosition && std::abs(wrap_angle(a.theta - b.theta)) <= kSameHeading;
 }
 
+// A host may send one plan again and again: progress on it goes on.
+bool same_poses(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Pose2& p, const Pose2& q) { return p.x == q.x && p.y == q.y; });
+}
+
 // So much of the plan that it never caps the speed, where that is wanted [m].
 double length_ahead(const Parameters& p) {
   const double least = p.forward_prune_auto ? 1.2 * p.max_vel_x * p.sim_time : 0.0;
@@ -42,11 +48,17 @@ void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, do
   const bool paused = goal_checker_.plan_arrives(now, period);
   const Pose2 goal = plan.back();
   const bool is_new = !has_goal_ || frame != frame_ || !same_goal(goal, goal_);
-  situation_.plan.reserve(plan.size());  // what no window of it outgrows
+  plan = with_poses_between(plan);
+  situation_.plan.reserve(plan.size() + 1);  // what no window of it outgrows
   const bool chooses = autonomous_ && parameters().plan_hysteresis > 0.0;
-  if (is_new || paused || plan_.empty() || !chooses || leads_the_same_way(plan)) {
+  if (is_new || paused) {
     plan_choice_.clear();
     plan_.set_plan(std::move(plan));
+  } else if (parameters().plan_in_order && same_poses(plan, plan_.plan())) {
+    plan_choice_.clear();
+  } else if (plan_.empty() || !chooses || leads_the_same_way(plan)) {
+    plan_choice_.clear();
+    plan_.replace_plan(std::move(plan));
   } else {
     plan_.reserve(plan.size());
     plan_choice_.offer(std::move(plan));
@@ -85,15 +97,26 @@ void ControlLoop::finish_goal(const Timing& timing) {
 
 bool ControlLoop::goal_reached(const Observation& observation) {
   if (person_.manual() || !observation.fault.empty()) return false;
-  return check_goal(observation, observation.from_plan.apply(goal_));
+  follow_progress(observation);
+  return check_goal(observation);
+}
+
+// In the costmap frame.
+Pose2 ControlLoop::goal_of(const Observation& observation) const { return observation.from_plan.apply(goal_); }
+
+void ControlLoop::follow_progress(const Observation& observation) {
+  const PlanOrder in_order = order();
+  plan_.advance(observation.from_plan.apply_inverse(observation.pose),
+                parameters().plan_in_order ? &in_order : nullptr);
 }
 
 // Where the robot was carried or driven away from the goal, what was latched there is true no more, unless its own way
 // to the goal's heading leads out and back.
-bool ControlLoop::check_goal(const Observation& observation, const Pose2& goal) {
+bool ControlLoop::check_goal(const Observation& observation) {
   const bool latched = goal_checker_.latched();
-  const bool reached =
-      goal_checker_.update(observation.pose, planner_.believed(*observation.velocity), goal, parameters());
+  situation_.goal_next = !parameters().plan_in_order || plan_.leads_to_end(parameters().xy_goal_tolerance);
+  const bool reached = goal_checker_.update(observation.pose, planner_.believed(*observation.velocity),
+                                            goal_of(observation), parameters(), situation_.goal_next);
   if (latched && !goal_checker_.latched() && !planner_.leads_to_goal()) begin_goal();
   return reached;
 }
@@ -127,6 +150,7 @@ Result ControlLoop::step(const Observation& observation, const Sampling& samplin
   OperatorIntent intent = result.intent;
   if (observation.host_stops) intent.influence = Influence::stop;
   autonomous_ = intent.influence == Influence::none && intent.state == OperatorStateId::autonomy;
+  steered_ = intent.influence == Influence::shared || intent.influence == Influence::direct;
   if (observation.fault.empty()) {
     decide(observation, intent, sampling, result);
   } else {
@@ -160,7 +184,7 @@ void ControlLoop::decide(const Observation& observation, const OperatorIntent& i
 void ControlLoop::choose_plan(const Observation& observation) {
   const PlanChoice::Scene scene{observation.pose, observation.from_plan,  observation.costmap,
                                 plan_.plan(),     observation.timing.now, autonomous_};
-  if (plan_choice_.prefers_offer(scene, parameters())) plan_.set_plan(plan_choice_.take());
+  if (plan_choice_.prefers_offer(scene, parameters())) plan_.replace_plan(plan_choice_.take());
 }
 
 void ControlLoop::take_what_was_sent(const Timing& timing) {
@@ -176,20 +200,24 @@ void ControlLoop::take_situation(const Observation& observation) {
   situation_.pose = observation.pose;
   situation_.velocity = *observation.velocity;
   situation_.velocity_time = observation.velocity_time;
-  situation_.goal = observation.from_plan.apply(goal_);
+  situation_.goal = goal_of(observation);
   situation_.pose_age = observation.pose_age;
   situation_.moving_obstacles = observation.moving_obstacles;
   take_plan_window(observation);
-  check_goal(observation, situation_.goal);
+  check_goal(observation);
   situation_.goal_latched = goal_checker_.latched();
 }
 
 void ControlLoop::take_plan_window(const Observation& observation) {
   const FrameTransform& from_plan = observation.from_plan;
-  const PlanWindow::Range range =
-      plan_.around(from_plan.apply_inverse(observation.pose), parameters().prune_distance, length_ahead(parameters()));
+  const double ahead = length_ahead(parameters());
+  follow_progress(observation);
+  if (parameters().plan_in_order) plan_.find_turn(ahead, order(), {observation.costmap, from_plan});
+  const PlanWindow::Range range = plan_.range(parameters().prune_distance, ahead);
   situation_.plan.clear();
   for (std::size_t i = range.begin; i < range.end; ++i) situation_.plan.push_back(from_plan.apply(plan_.plan()[i]));
+  situation_.turns_back = range.turns_back;
+  if (range.turns_back) situation_.plan.push_back(from_plan.apply(plan_.turn()));
 }
 
 void ControlLoop::remember(const Observation& observation, const Result& result) {
@@ -202,6 +230,7 @@ void ControlLoop::remember(const Observation& observation, const Result& result)
   feedback.goal_latched = goal_checker_.latched();
   stands_ = feedback.stands;
   if (result.outcome == Outcome::fail) plan_choice_.give_way();
+  if (result.decision != nullptr && result.decision->problem_kind == Problem::stuck) plan_.give_way();
   person_.debrief(observation.timing.now, feedback);
 }
 

@@ -17,10 +17,11 @@ bool GoalChecker::plan_arrives(double now, double period) {
   return paused;
 }
 
-bool GoalChecker::update(const Pose2& robot, const Twist2& velocity, const Pose2& goal, const Parameters& parameters) {
+bool GoalChecker::update(const Pose2& robot, const Twist2& velocity, const Pose2& goal, const Parameters& parameters,
+                         bool next) {
   const double left = distance(robot, goal);
   const double tolerance = parameters.xy_goal_tolerance;
-  latched_ = left <= tolerance || (latched_ && left <= tolerance + goal_margin(parameters));
+  latched_ = (next && left <= tolerance) || (latched_ && left <= tolerance + goal_margin(parameters));
   const bool aligned = std::abs(wrap_angle(goal.theta - robot.theta)) <= parameters.yaw_goal_tolerance;
   return latched_ && aligned && at_rest(velocity, parameters);
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "crossing.hpp"
 #include "enclosed_obstacle.hpp"
 
 namespace hidwa_local_planner::control {
@@ -47,14 +48,9 @@ std::size_t points_on_map(const std::vector<Point>& way, const GridView& grid) {
   return count;
 }
 
-// What is between two points is looked at in steps of half a cell at most.
-bool crosses_obstacle(const std::vector<Point>& way, std::size_t count, const GridView& grid) {
+bool leads_through_obstacle(const std::vector<Point>& way, std::size_t count, const GridView& grid) {
   for (std::size_t k = 1; k < count; ++k) {
-    const Point along = way[k] - way[k - 1];
-    const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / (0.5 * grid.resolution))));
-    for (int s = 1; s <= steps; ++s) {
-      if (cost::blocks(cost_at(grid, way[k - 1] + along * (static_cast<double>(s) / steps)))) return true;
-    }
+    if (crosses_obstacle(way[k - 1], way[k], grid)) return true;
   }
   return false;
 }
@@ -110,7 +106,7 @@ bool PlanChoice::prefers_offer(const Scene& scene, const Parameters& parameters)
   outline_.insert(outline_.end(),
                   std::make_reverse_iterator(new_way_.begin() + static_cast<std::ptrdiff_t>(new_points)),
                   new_way_.rend());
-  const bool waits = encloses_obstacle(outline_, grid) && !crosses_obstacle(old_way_, old_points, grid) &&
+  const bool waits = encloses_obstacle(outline_, grid) && !leads_through_obstacle(old_way_, old_points, grid) &&
                      !(cost_of(new_way_, grid) < (1.0 - parameters.plan_hysteresis) * cost_of(old_way_, grid));
   waits_.observe(scene.now, waits);
   return !waits || waits_.for_at_least(parameters.plan_hysteresis_time, scene.now);

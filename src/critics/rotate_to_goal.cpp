@@ -51,7 +51,7 @@ double RotateToGoal::configure(const Parameters& parameters, const ParameterSour
 }
 
 void RotateToGoal::prepare(const CycleView& cycle) {
-  if (distance(cycle.pose, cycle.goal) <= xy_goal_tolerance_) in_window_ = true;
+  if (cycle.goal_next && distance(cycle.pose, cycle.goal) <= xy_goal_tolerance_) in_window_ = true;
   if (in_window_ && std::abs(cycle.velocity.v) <= trans_stopped_velocity_) rotating_ = true;
   speed2_ = cycle.velocity.v * cycle.velocity.v;
   rejects_ = !cycle.steered && !cycle.operator_decides;

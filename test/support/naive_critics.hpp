@@ -34,8 +34,8 @@ class NaiveCritics {
     path_ = distances(path);
     goal_ = distances({path.back()});
     std::vector<Pose2> ahead = scene.situation.plan;
-    const double bearing =
-        std::atan2(scene.situation.goal.y - scene.situation.pose.y, scene.situation.goal.x - scene.situation.pose.x);
+    const Pose2 aim = scene.situation.turns_back ? scene.situation.plan.back() : scene.situation.goal;
+    const double bearing = std::atan2(aim.y - scene.situation.pose.y, aim.x - scene.situation.pose.x);
     ahead.back().x += scene.parameters.GoalAlign_forward_point_distance * std::cos(bearing);
     ahead.back().y += scene.parameters.GoalAlign_forward_point_distance * std::sin(bearing);
     const std::vector<Cell> moved = cells(ahead);
@@ -234,6 +234,7 @@ class NaiveCritics {
   double rotate_to_goal(const NaiveCandidate& c, bool& rejects) const {
     const Parameters& p = scene_.parameters;
     const Situation& s = scene_.situation;
+    if (!s.goal_next) return 0.0;
     if (std::hypot(s.goal.x - s.pose.x, s.goal.y - s.pose.y) > p.xy_goal_tolerance) return 0.0;
     const double ahead = p.RotateToGoal_lookahead_time;
     const double error = naive_angle(s.goal.theta - heading_at(c, ahead) - rest_of_turn(c, ahead));

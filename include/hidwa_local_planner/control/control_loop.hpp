@@ -120,10 +120,13 @@ class ControlLoop {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.goal_checker_, self.fault_brake_, self.plan_, self.plan_choice_, self.goal_, self.last_command_,
-       self.resumed_);
+       self.resumed_, self.steered_);
   }
   void begin_goal();
-  bool check_goal(const Observation& observation, const Pose2& goal);
+  Pose2 goal_of(const Observation& observation) const;
+  PlanOrder order() const { return {parameters().xy_goal_tolerance, steered_}; }
+  void follow_progress(const Observation& observation);
+  bool check_goal(const Observation& observation);
   void brake(const Observation& observation, const OperatorIntent& intent, Result& result);
   void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Result& result);
   bool leads_the_same_way(const std::vector<Pose2>& plan) const;
@@ -146,6 +149,7 @@ class ControlLoop {
   Twist2 last_command_;  // [m/s, rad/s]
   bool stands_ = false;
   bool autonomous_ = true;  // nobody steered in the last cycle, and nobody stopped the robot
+  bool steered_ = false;    // the operator did
   bool resumed_ = false;    // the planner has not heard of the last pause of the host
 };
 

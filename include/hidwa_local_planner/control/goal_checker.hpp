@@ -19,8 +19,9 @@ class GoalChecker {
   /// Then another node may have moved the robot, and the latch is forgotten.
   bool plan_arrives(double now, double period);
   /// Updates the latch, which ends beyond the tolerance plus goal_margin(); poses in one frame. True when the goal is
-  /// reached.
-  bool update(const Pose2& robot, const Twist2& velocity, const Pose2& goal, const Parameters& parameters);
+  /// reached. `next`: no other part of the plan is to be driven first; before, nothing is latched.
+  bool update(const Pose2& robot, const Twist2& velocity, const Pose2& goal, const Parameters& parameters,
+              bool next = true);
   bool latched() const { return latched_; }
   const std::optional<double>& last_cycle() const { return last_cycle_; }  // when it was [s]
   template <typename Self, typename Archive>

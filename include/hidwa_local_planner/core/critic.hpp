@@ -34,6 +34,7 @@ struct CycleView {
                                   // from there to the goal's heading: a critic rejects what is unsafe then, and
                                   // nothing for the sake of autonomy
   bool person_decides = false;    // the former name of operator_decides; it goes with the next release
+  bool goal_next = true;          // false: more of the plan is to be driven before the goal counts, however near it is
   const std::vector<Pose2>* plan = nullptr;  // the window of the plan around the robot
   const GridView* grid = nullptr;
   const Footprint* footprint = nullptr;

@@ -29,6 +29,8 @@ struct Situation {
   std::vector<Pose2> plan;      // the window of the global plan around the robot, see PlanWindow
   Pose2 goal;                   // the last pose of the full plan
   bool goal_latched = false;    // the position of the goal was reached, see GoalChecker
+  bool goal_next = true;        // false: more of the plan is to be driven before the goal counts, however near it is
+  bool turns_back = false;      // the window ends where the plan turns back: the robot is to get there first
   double period = 0.05;         // nominal, of the control cycle [s]
   double longest_period = 0.0;  // in the last seconds, see PeriodWatch: the next cycle comes no later [s]; 0: period
   double pose_age = 0.0;        // how old the pose is [s]; the planner adds the motion since then

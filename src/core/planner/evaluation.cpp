@@ -26,7 +26,9 @@ void Evaluation::prepare_grids(const Cycle& cycle) {
   const Parameters& p = cycle.parameters;
   grids_.prepare(cycle.grid, cycle.situation.plan, p.map_grid, p.unknown_is_obstacle);
   grids_.expect(cycle.situation.pose, obstacles_.reach() + critics_.reach());
-  tiles_.prepare({&cycle.grid, &grids_, &obstacles_.collision(), cycle.situation.pose, cycle.situation.goal});
+  const Situation& situation = cycle.situation;
+  const Pose2& aim = situation.turns_back ? situation.plan.back() : situation.goal;
+  tiles_.prepare({&cycle.grid, &grids_, &obstacles_.collision(), situation.pose, aim});
 }
 
 CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering, bool to_goal) {
@@ -39,6 +41,7 @@ CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering, bool
   view.steered = steering.active;
   view.operator_decides = view.person_decides =
       to_goal || (steering.active && (cycle.intent.influence == Influence::direct || cycle.situation.goal_latched));
+  view.goal_next = cycle.situation.goal_next;
   view.plan = &cycle.situation.plan;
   view.grid = &cycle.grid;
   view.footprint = &cycle.footprint;

@@ -18,7 +18,7 @@ class TileSurroundings final : public Surroundings {
     PlanGrids* grids = nullptr;                 // prepared
     const CollisionChecker* checker = nullptr;  // prepared
     Pose2 pose;                                 // of the robot
-    Pose2 goal;                                 // the last pose of the full plan
+    Pose2 goal;  // the last pose of the full plan, or of a window that ends where the plan turns back
   };
   /// Once a cycle.
   void prepare(const Cycle& cycle) { cycle_ = cycle; }

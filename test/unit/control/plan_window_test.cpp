@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/control/plan_window.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -131,6 +134,205 @@ TEST(PlanWindow, RepeatedPosesDoNoHarm) {
   EXPECT_NEAR(window.progress(), 0.5, 1e-9);
   EXPECT_EQ(range.begin, 0u);
   EXPECT_EQ(range.end, 6u);
+}
+
+TEST(PlanWindow, PosesArePutInWhereAPlanHasNone) {
+  // 1 m are seven parts of 0.143 m: the fewest that are no longer than 0.15 m. The heading is that of (0.6, 0.8).
+  const std::vector<Pose2> dense = with_poses_between({{0.0, 0.0, 3.0}, {0.6, 0.8, 3.0}, {0.6, 0.94, 3.0}});
+  ASSERT_EQ(dense.size(), 9u);
+  for (std::size_t k = 0; k <= 7; ++k) {
+    EXPECT_NEAR(dense[k].x, 0.6 * static_cast<double>(k) / 7.0, 1e-12);
+    EXPECT_NEAR(dense[k].y, 0.8 * static_cast<double>(k) / 7.0, 1e-12);
+    EXPECT_NEAR(dense[k].theta, k % 7 == 0 ? 3.0 : std::atan2(0.8, 0.6), 1e-12);
+  }
+  EXPECT_EQ(dense[8].y, 0.94);
+}
+
+TEST(PlanWindow, NothingIsPutInTwiceOrIntoADensePlan) {
+  const auto same = [](const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Pose2& p, const Pose2& q) { return p.x == q.x && p.y == q.y && p.theta == q.theta; });
+  };
+  EXPECT_TRUE(same(with_poses_between(straight(3.0)), straight(3.0)));
+  for (const double length : {0.3, 1.0, 2.7, 10.0, 999.9, 4e5}) {
+    const std::vector<Pose2> once =
+        with_poses_between({{0.1, 0.2, 0.0}, {0.1 + 0.6 * length, 0.2 + 0.8 * length, 0.0}});
+    EXPECT_TRUE(same(with_poses_between(once), once)) << length;
+    EXPECT_LE(once.size(), 100002u);
+  }
+}
+
+TEST(PlanWindow, PosesThatAreNoPlacesGetNoneBetween) {
+  const double far = std::numeric_limits<double>::max();
+  EXPECT_EQ(with_poses_between({{-far, 0.0, 0.0}, {far, 0.0, 0.0}}).size(), 2u);
+  EXPECT_EQ(with_poses_between({{1.0, 2.0, 0.0}}).size(), 1u);
+  EXPECT_TRUE(with_poses_between({}).empty());
+}
+
+// Out along y = 0 to (5, 0), up, and back along y = `apart`.
+std::vector<Pose2> hairpin(double apart) {
+  return with_poses_between({{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, {5.0, apart, 0.0}, {0.0, apart, 0.0}});
+}
+
+// 10 m x 10 m around the origin, free but for a wall.
+class Floor {
+ public:
+  PlanGround ground() const { return {{costs_.data(), kCells, kCells, 0.05, -10.0, -10.0}, {}}; }
+  void fill(double x0, double y0, double x1, double y1) {
+    for (int j = 0; j < kCells; ++j) {
+      for (int i = 0; i < kCells; ++i) {
+        const double x = -10.0 + 0.05 * (i + 0.5), y = -10.0 + 0.05 * (j + 0.5);
+        if (x > x0 && x < x1 && y > y0 && y < y1) costs_[static_cast<std::size_t>(j * kCells + i)] = cost::kLethal;
+      }
+    }
+  }
+
+ private:
+  static constexpr int kCells = 400;
+  std::vector<std::uint8_t> costs_ = std::vector<std::uint8_t>(kCells * kCells, cost::kFree);
+};
+
+const PlanOrder kOrder{0.25, false};
+const PlanOrder kSteered{0.25, true};
+
+struct Walker {
+  explicit Walker(std::vector<Pose2> plan) { window.set_plan(std::move(plan)); }
+  PlanWindow::Range at(const Pose2& robot, const PlanOrder& order = kOrder) {
+    window.advance(robot, &order);
+    window.find_turn(3.0, order, floor.ground());
+    return window.range(1.0, 3.0);
+  }
+  PlanWindow window;
+  Floor floor;
+};
+
+// The first place that comes near to one before it, twice as near as along the plan, is 0.15 m beyond the turn's second
+// corner: 0.3 m apart, and 0.15 + 0.3 + 0.15 = 0.6 m along the plan. 3 m before that is x = 2.45; between poses that
+// are 0.15 m apart it is found up to 0.15 m later.
+TEST(PlanWindow, EndsWhereThePlanTurnsBackUntilTheRobotIsThere) {
+  Walker walker(hairpin(0.3));
+  walker.at({0.0, 0.0, 0.0});
+  for (double x = 0.0; x < 4.75; x += 0.05) {
+    const PlanWindow::Range range = walker.at({x, 0.0, 0.0});
+    ASSERT_NEAR(walker.window.progress(), x, 1e-9);
+    ASSERT_TRUE(x < 2.65 || range.turns_back) << x;
+    ASSERT_TRUE(x > 2.4 || !range.turns_back) << x;
+    if (!range.turns_back) continue;
+    for (std::size_t k = range.begin; k < range.end; ++k) ASSERT_LE(walker.window.plan()[k].y, 0.15 + 1e-9);
+  }
+  EXPECT_NEAR(walker.window.turn().x, 5.0, 1e-9);
+  EXPECT_NEAR(walker.window.turn().y, 0.15, 0.01);
+  // Reached within 0.7 of the tolerance: 0.175 m.
+  const PlanWindow::Range after = walker.at({4.95, 0.15, 1.57});
+  EXPECT_FALSE(after.turns_back);
+  walker.at({4.5, 0.3, 3.14});
+  const PlanWindow::Range back = walker.at({4.3, 0.3, 3.14});
+  EXPECT_NEAR(walker.window.progress(), 5.0 + 0.3 + 0.7, 1e-9);
+  for (std::size_t k = back.begin; k < back.end; ++k) EXPECT_GE(walker.window.plan()[k].y, 0.1);
+}
+
+TEST(PlanWindow, TurnsThatAreWideAreNone) {
+  // 1.6 m apart: the way along the plan is twice that with 0.8 m of both lanes, 3.2 m. No window of 3 m holds it.
+  Walker walker(hairpin(1.6));
+  for (double x = 0.0; x < 5.0; x += 0.05) EXPECT_FALSE(walker.at({x, 0.0, 0.0}).turns_back);
+}
+
+// Between the lanes stands a wall, as far as to the turn or 1 m short of it. The way round is 1.2 m from 0.3 m before
+// the first corner: beyond the shorter wall, and within 3 m from x = 2.9 on.
+TEST(PlanWindow, TurnsBehindObstaclesAreNone) {
+  Walker whole(hairpin(0.6)), part(hairpin(0.6));
+  whole.floor.fill(-1.0, 0.25, 4.9, 0.35);
+  part.floor.fill(-1.0, 0.25, 4.0, 0.35);
+  for (double x = 0.0; x < 4.7; x += 0.05) {
+    EXPECT_FALSE(whole.at({x, 0.0, 0.0}).turns_back);
+    const bool turns_back = part.at({x, 0.0, 0.0}).turns_back;
+    EXPECT_TRUE(x > 2.85 || !turns_back) << x;
+    EXPECT_TRUE(x < 3.1 || turns_back) << x;
+  }
+}
+
+// From x = 4.6 on all is blocked: the last free pose before it is no farther before it than poses are apart.
+TEST(PlanWindow, ATurnInAnObstacleIsTheLastFreePlaceBeforeIt) {
+  Walker walker(hairpin(0.3));
+  for (double x = 0.0; x < 4.0; x += 0.05) walker.at({x, 0.0, 0.0});
+  EXPECT_TRUE(walker.at({4.0, 0.0, 0.0}).turns_back);
+  EXPECT_NEAR(walker.window.turn().x, 5.0, 1e-9);
+  walker.floor.fill(4.6, -0.2, 5.2, 0.5);
+  EXPECT_TRUE(walker.at({4.05, 0.0, 0.0}).turns_back);
+  EXPECT_NEAR(walker.window.turn().x, 4.525, 0.076);
+  EXPECT_EQ(walker.window.turn().y, 0.0);
+}
+
+// Out and back by the same way: the tip, although places before it are near each other sooner.
+TEST(PlanWindow, TheTurnOfASpikeIsItsTip) {
+  Walker walker(with_poses_between({{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}));
+  for (double x = 0.0; x < 2.0; x += 0.05) walker.at({x, 0.0, 0.0});
+  ASSERT_TRUE(walker.at({2.0, 0.0, 0.0}).turns_back);
+  EXPECT_NEAR(walker.window.turn().x, 3.0, 1e-3);
+}
+
+TEST(PlanWindow, ARobotThatIsStuckGivesTheTurnUp) {
+  Walker walker(hairpin(0.3));
+  for (double x = 0.0; x < 4.0; x += 0.05) walker.at({x, 0.0, 0.0});
+  walker.window.give_way();
+  EXPECT_FALSE(walker.at({4.0, 0.0, 0.0}).turns_back);
+}
+
+// A plan that ends where it begins: both its ends are at the robot.
+TEST(PlanWindow, OfSeveralPlacesTheFirstOneCounts) {
+  std::vector<Pose2> square =
+      with_poses_between({{0.1, 0.0, 0.0}, {2.0, 0.0, 0.0}, {2.0, 2.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, 0.0}});
+  Walker walker(square);
+  walker.at({0.0, 0.0, 0.0});
+  EXPECT_EQ(walker.window.progress(), 0.0);
+  EXPECT_FALSE(walker.window.leads_to_end(0.25));
+  Walker blind(square);
+  blind.window.advance({0.0, 0.0, 0.0}, nullptr);
+  EXPECT_NEAR(blind.window.progress(), 7.9, 1e-9);
+}
+
+TEST(PlanWindow, APlanToTheSameGoalGoesOnWhereAsMuchIsLeft) {
+  Walker walker(hairpin(0.2));
+  for (double x = 0.0; x <= 5.0; x += 0.05) walker.at({x, 0.0, 0.0});
+  for (double x = 5.0; x >= 3.0; x -= 0.05) walker.at({x, 0.2, 3.14});
+  ASSERT_NEAR(walker.window.progress(), 7.2, 0.1);
+  walker.window.replace_plan(hairpin(0.2));  // the whole of it once more
+  walker.at({3.0, 0.1, 3.14});
+  EXPECT_NEAR(walker.window.progress(), 7.2, 0.1);
+  walker.window.set_plan(hairpin(0.2));  // to a new goal
+  walker.at({3.0, 0.1, 3.14});
+  EXPECT_NEAR(walker.window.progress(), 3.0, 0.1);
+}
+
+TEST(PlanWindow, WhoSteersPassesWhatLiesBefore) {
+  Walker walker(hairpin(0.6));
+  for (double x = 0.0; x <= 3.0; x += 0.05) walker.at({x, 0.0, 0.0});
+  walker.at({3.0, 0.5, 1.57}, kSteered);  // it looks across: it may be on either lane
+  EXPECT_NEAR(walker.window.progress(), 3.0, 0.1);
+  walker.at({3.0, 0.5, 3.14}, kOrder);  // nobody steers
+  EXPECT_NEAR(walker.window.progress(), 3.0, 0.1);
+  walker.at({3.0, 0.5, 3.14}, kSteered);
+  EXPECT_NEAR(walker.window.progress(), 5.0 + 0.6 + 2.0, 0.1);
+}
+
+TEST(PlanWindow, WhoSteersAsideOnTheirLanePassNothing) {
+  Walker walker(hairpin(0.3));
+  for (double x = 0.0; x <= 3.0; x += 0.05) {
+    walker.at({x, 0.25, 0.5}, kSteered);
+    EXPECT_NEAR(walker.window.progress(), x, 1e-9);
+  }
+}
+
+TEST(PlanWindow, LeadsToItsEndOnceTheRestIsNear) {
+  Walker walker(straight(3.0));
+  walker.at({2.4, 0.0, 0.0});
+  EXPECT_FALSE(walker.window.leads_to_end(0.25));
+  walker.at({2.6, 0.0, 0.0});
+  EXPECT_TRUE(walker.window.leads_to_end(0.25));
+  Walker near({{0.0, 0.0, 0.0}, {0.2, 0.0, 0.0}, {0.0, 0.2, 0.0}, {-0.2, 0.0, 0.0}, {0.0, 0.0, 0.0}});
+  near.at({0.0, 0.0, 0.0});
+  EXPECT_TRUE(near.window.leads_to_end(0.25));   // all of it is within 0.25 m
+  EXPECT_FALSE(near.window.leads_to_end(0.15));  // its 0.97 m lead out of 0.15 m
 }
 
 }  // namespace

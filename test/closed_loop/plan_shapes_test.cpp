@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plans of any spacing and shape: poses far apart, hairpins, loops, crossings, spirals, zigzags, plans that end where
+// they begin or pass their goal on the way, plans without headings, and goals that jitter.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/plan_drive.hpp"
+#include "support/random.hpp"
+
+namespace hidwa_local_planner::test {
+namespace {
+
+constexpr double kTolerance = 0.25;  // xy_goal_tolerance [m]
+
+PlanShape straight_through(const std::vector<std::pair<double, double>>& corners, double spacing = 0.05) {
+  PlanShape plan{{corners.front().first, corners.front().second, 0.0}};
+  for (std::size_t k = 1; k < corners.size(); ++k) go_to(plan, corners[k].first, corners[k].second, spacing);
+  return plan;
+}
+
+// Out along +x, half a circle to the left, and back.
+PlanShape hairpin(double apart) {
+  PlanShape plan = straight_through({{0.0, 0.0}, {5.0, 0.0}});
+  go_round(plan, 0.5 * apart, M_PI);
+  go_to(plan, 0.0, apart);
+  return plan;
+}
+
+// A leg every `leg` [m], with the angle `inner` between two legs.
+PlanShape zigzag(double leg, double inner) {
+  std::vector<std::pair<double, double>> corners = {{0.0, 0.0}};
+  for (int k = 0; k < 5; ++k) {
+    const double angle = (k % 2 == 0 ? 0.5 : -0.5) * (M_PI - inner);
+    corners.emplace_back(corners.back().first + leg * std::cos(angle), corners.back().second + leg * std::sin(angle));
+  }
+  return straight_through(corners);
+}
+
+// Inwards to its centre, or outwards.
+PlanShape spiral(double apart, bool inwards) {
+  PlanShape plan;
+  for (double angle = 0.0; angle <= 5.0 * M_PI; angle += 0.05) {
+    const double radius = 0.3 + apart * angle / (2.0 * M_PI);
+    plan.push_back({radius * std::cos(angle), radius * std::sin(angle), angle + 0.5 * M_PI});
+  }
+  if (!inwards) return plan;
+  std::reverse(plan.begin(), plan.end());
+  for (Pose2& pose : plan) pose.theta += M_PI;
+  return plan;
+}
+
+PlanCourse drive(const PlanShape& plan, double longest = 120.0, const Parameters& parameters = {}) {
+  PlanDrive robot(parameters);
+  robot.put({plan.front().x, plan.front().y, plan.front().theta});
+  robot.plan(plan);
+  return robot.run(longest);
+}
+
+// It arrives, and was never farther than `off` [m] from where the plan leads in its order.
+void expect_driven(const std::string& name, const PlanShape& plan, double off) {
+  const PlanCourse course = drive(plan);
+  EXPECT_TRUE(course.arrived) << name;
+  EXPECT_EQ(course.failures, 0) << name;
+  EXPECT_LE(farthest_apart(plan, course.track), off) << name;
+}
+
+TEST(PlanShapes, AnySpacingDrivesAsADensePlan) {
+  for (const std::vector<std::pair<double, double>>& corners :
+       {std::vector<std::pair<double, double>>{{0.0, 0.0}, {10.0, 0.0}}, {{0.0, 0.0}, {5.0, 0.0}, {5.0, 5.0}}}) {
+    const PlanCourse dense = drive(straight_through(corners));
+    ASSERT_TRUE(dense.arrived);
+    for (const double spacing : {0.2, 1.0, 4.0, 10.0}) {
+      const PlanCourse course = drive(straight_through(corners, spacing));
+      EXPECT_TRUE(course.arrived) << spacing;
+      EXPECT_NEAR(course.duration, dense.duration, 0.02 * dense.duration) << spacing;
+    }
+  }
+}
+
+// The tip of a hairpin is 5 m out, and half of the lanes' distance.
+TEST(PlanShapes, TheTipOfAHairpinIsReached) {
+  for (const double apart : {0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0, 1.3}) {
+    const PlanShape plan = hairpin(apart);
+    const PlanCourse course = drive(plan);
+    EXPECT_TRUE(course.arrived) << apart;
+    EXPECT_EQ(course.failures, 0) << apart;
+    EXPECT_LE(course.nearest_to({5.0 + 0.5 * apart, 0.5 * apart, 0.0}), kTolerance) << apart;
+    EXPECT_LE(farthest_apart(plan, course.track), 0.45) << apart;
+  }
+}
+
+// Out and back by the same way.
+TEST(PlanShapes, TheTipOfASpikeIsReached) {
+  const PlanShape plan = straight_through({{0.0, 0.0}, {4.0, 0.0}, {1.0, 0.0}});
+  expect_driven("spike", plan, 0.45);
+  EXPECT_LE(drive(plan).nearest_to({4.0, 0.0, 0.0}), kTolerance);
+}
+
+TEST(PlanShapes, LanesAreDrivenOneAfterTheOther) {
+  for (const double apart : {0.3, 0.5}) {
+    expect_driven("lanes",
+                  straight_through({{0.0, 0.0},
+                                    {3.0, 0.0},
+                                    {3.0, apart},
+                                    {0.0, apart},
+                                    {0.0, 2.0 * apart},
+                                    {3.0, 2.0 * apart},
+                                    {3.0, 3.0 * apart},
+                                    {0.0, 3.0 * apart}}),
+                  0.45);
+  }
+}
+
+TEST(PlanShapes, ZigzagsAreDrivenToTheirCorners) {
+  for (const double leg : {1.0, 2.0}) {
+    for (const double inner : {0.3, 0.6, 0.9}) expect_driven("zigzag", zigzag(leg, inner), 0.55);
+  }
+}
+
+TEST(PlanShapes, LoopsAndCrossingsAreDriven) {
+  for (const double radius : {0.3, 0.5, 1.0}) {
+    PlanShape loop = straight_through({{0.0, 0.0}, {2.0, 0.0}});
+    go_round(loop, radius, 2.0 * M_PI);
+    go_to(loop, 5.0, 0.0);
+    expect_driven("loop", loop, 0.5);
+    PlanShape eight{{0.0, 0.0, 0.0}};
+    go_round(eight, radius, 2.0 * M_PI);
+    go_round(eight, radius, -2.0 * M_PI);
+    expect_driven("eight", eight, 0.5);
+  }
+}
+
+TEST(PlanShapes, SpiralsAreDriven) {
+  for (const bool inwards : {false, true}) expect_driven("spiral", spiral(0.5, inwards), 0.5);
+}
+
+// A loop that ends where it begins.
+TEST(PlanShapes, ALoopThatEndsAtTheRobotIsDriven) {
+  expect_driven("square", straight_through({{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {0.0, 2.0}, {0.0, 0.0}}), 0.6);
+  expect_driven("out and back", straight_through({{0.0, 0.0}, {3.0, 0.0}, {0.0, 0.0}}), 0.45);
+  for (const double radius : {0.5, 1.0, 2.0}) {
+    PlanShape circle{{0.0, 0.0, 0.0}};
+    go_round(circle, radius, 2.0 * M_PI);
+    expect_driven("circle", circle, 0.4);
+  }
+}
+
+// The goal lies on the way out to the place before it.
+TEST(PlanShapes, AGoalThatIsPassedOnTheWayDoesNotCountYet) {
+  const PlanCourse course = drive(straight_through({{0.0, 0.0}, {4.0, 0.0}, {2.0, 0.0}}));
+  EXPECT_TRUE(course.arrived);
+  EXPECT_LE(course.nearest_to({4.0, 0.0, 0.0}), kTolerance);
+}
+
+TEST(PlanShapes, APlanToWhereTheRobotStandsIsReachedAtOnce) {
+  EXPECT_EQ(drive({{0.0, 0.0, 0.0}}).duration, 0.0);
+  const PlanCourse course = drive(straight_through({{0.0, 0.0}, {0.1, 0.0}, {0.0, 0.1}, {-0.1, 0.0}, {0.0, 0.0}}));
+  EXPECT_TRUE(course.arrived);
+  EXPECT_LE(course.nearest_to({0.0, 0.0, 0.0}), 0.0);
+  EXPECT_LE(course.duration, 3.0);  // the last turn, to the heading of the way from (-0.1, 0)
+}
+
+// A block is at the tip: no centre comes nearer to it than 0.2 m. The robot goes on without it.
+TEST(PlanShapes, ATipInAnObstacleDoesNotStopTheRobot) {
+  const PlanShape plan = hairpin(0.6);
+  PlanDrive robot;
+  robot.obstacle = [](double x, double y) { return x > 4.9 && x < 5.6 && y > 0.1 && y < 0.5; };
+  robot.plan(plan);
+  const PlanCourse course = robot.run(120.0);
+  EXPECT_TRUE(course.arrived);
+}
+
+// The host sends the same plan again each second.
+TEST(PlanShapes, APlanThatIsSentAgainDoesNotBeginAgain) {
+  for (const PlanShape& plan : {hairpin(0.2), straight_through({{0.0, 0.0}, {3.0, 0.0}, {0.0, 0.0}})}) {
+    PlanDrive robot;
+    robot.host = [&plan, next = 0.0](PlanDrive& drive) mutable {
+      if (drive.time() < next) return;
+      drive.plan(plan);
+      next += 1.0;
+    };
+    const PlanCourse course = robot.run(120.0);
+    EXPECT_TRUE(course.arrived);
+    EXPECT_LE(farthest_apart(plan, course.track), 0.45);
+  }
+}
+
+// From 2.5 m on the person turns the robot round to the left, until it looks back: then it is on the other lane, 0.6 m
+// to the left. v / omega = 0.3 m is half of that.
+TEST(PlanShapes, WhatIsPassedBySteeringCountsAsDriven) {
+  const PlanShape plan = hairpin(0.6);
+  PlanDrive robot;
+  robot.plan(plan);
+  bool turned = false;
+  robot.wants = [&turned](const PlanDrive& drive) {
+    OperatorIntent intent;
+    if (drive.pose().x < 2.5 || turned) return intent;
+    turned = std::abs(drive.pose().theta) > 2.9;
+    intent.state = OperatorStateId::shared;
+    intent.influence = Influence::shared;
+    intent.u_h = {0.3, 1.0};
+    return intent;
+  };
+  const PlanCourse course = robot.run(120.0);
+  EXPECT_TRUE(turned);
+  EXPECT_TRUE(course.arrived);
+  EXPECT_GT(course.nearest_to({5.3, 0.3, 0.0}), 1.5);  // it does not go back to the tip
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner::test
