@@ -21,7 +21,8 @@ constexpr double kSameHeading = 1e-3;   // [rad]
 constexpr double kSameWay = 0.15;
 
 bool same_goal(const Pose2& a, const Pose2& b) {
-  return distance(a, b) <= kSamePosition && std::abs(wrap_angle(a.theta - b.theta)) <= kSameHeading;
+  const bool any_heading = std::isnan(a.theta) && std::isnan(b.theta);
+  return distance(a, b) <= kSamePosition && (any_heading || std::abs(wrap_angle(a.theta - b.theta)) <= kSameHeading);
 }
 
 // A host may send one plan again and again: progress on it goes on.
@@ -101,8 +102,12 @@ bool ControlLoop::goal_reached(const Observation& observation) {
   return check_goal(observation);
 }
 
-// In the costmap frame.
-Pose2 ControlLoop::goal_of(const Observation& observation) const { return observation.from_plan.apply(goal_); }
+// In the costmap frame. Where any heading will do it is the robot's.
+Pose2 ControlLoop::goal_of(const Observation& observation) const {
+  Pose2 goal = observation.from_plan.apply(goal_);
+  if (std::isnan(goal_.theta)) goal.theta = observation.pose.theta;
+  return goal;
+}
 
 void ControlLoop::follow_progress(const Observation& observation) {
   const PlanOrder in_order = order();

@@ -56,6 +56,7 @@ std::vector<Pose2> with_poses_between(const std::vector<Pose2>& plan) {
       dense.push_back({from.x + part / parts * dx, from.y + part / parts * dy, heading});
     }
     dense.push_back(plan[i]);
+    if (std::isnan(plan[i].theta)) dense.back().theta = heading;
   }
   return dense;
 }

@@ -2,6 +2,7 @@
 #include "hidwa_local_planner/ros/conversions.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace hidwa_local_planner {
 
@@ -15,6 +16,13 @@ double yaw_of(const geometry_msgs::Quaternion& q) {
 }
 
 Pose2 to_pose(const geometry_msgs::Pose& pose) { return {pose.position.x, pose.position.y, yaw_of(pose.orientation)}; }
+
+Pose2 to_planned_pose(const geometry_msgs::Pose& pose) {
+  const geometry_msgs::Quaternion& q = pose.orientation;
+  Pose2 planned = to_pose(pose);
+  if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) planned.theta = std::numeric_limits<double>::quiet_NaN();
+  return planned;
+}
 
 geometry_msgs::Pose to_message(const Pose2& pose) {
   geometry_msgs::Pose message;

@@ -25,7 +25,7 @@ PlanMessage read_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   if (!read.fault.empty()) return read;
   read.frame = plain_frame(plan.front().header.frame_id);
   read.poses.reserve(plan.size());
-  for (const geometry_msgs::PoseStamped& pose : plan) read.poses.push_back(to_pose(pose.pose));
+  for (const geometry_msgs::PoseStamped& pose : plan) read.poses.push_back(to_planned_pose(pose.pose));
   return read;
 }
 

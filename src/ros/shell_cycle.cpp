@@ -35,6 +35,10 @@ void Shell::set_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   plan_fault_ = read.fault;
   const double now = LoopTime::now().seconds;
   if (!read.fault.empty()) return loop_.drop_plan(now, control_period());
+  if (std::isnan(read.poses.back().theta)) {
+    ROS_WARN_ONCE("%s: the plan's last orientation is all zeros, which is no heading: at the goal any heading will do",
+                  name_.c_str());
+  }
   loop_.set_plan(std::move(read.poses), read.frame, now, control_period());
 }
 

@@ -213,5 +213,18 @@ TEST(PlanShapes, WhatIsPassedBySteeringCountsAsDriven) {
   EXPECT_GT(course.nearest_to({5.3, 0.3, 0.0}), 1.5);  // it does not go back to the tip
 }
 
+// Planners without headings leave the robot as it arrives: along +y.
+TEST(PlanShapes, WithoutAHeadingAnyOneWillDoAtTheGoal) {
+  PlanShape plan = straight_through({{0.0, 0.0}, {0.0, 4.0}});
+  for (Pose2& pose : plan) pose.theta = std::numeric_limits<double>::quiet_NaN();
+  PlanDrive robot;
+  robot.put({0.0, 0.0, 0.5 * M_PI});
+  robot.plan(plan);
+  const PlanCourse course = robot.run(60.0);
+  EXPECT_TRUE(course.arrived);
+  EXPECT_NEAR(course.track.back().theta, 0.5 * M_PI, 0.15);
+  EXPECT_LE(course.duration, 4.0 / 0.5 + 2.0);  // at full speed, and slowing down
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner::test

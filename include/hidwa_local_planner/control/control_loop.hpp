@@ -82,7 +82,8 @@ class ControlLoop {
   void set_footprint(const Polygon& outline) { planner_.set_footprint(outline); }
 
   /// A plan in `frame`, not empty; its last pose is the goal. A new goal, or a plan after a pause, begins afresh: `now`
-  /// and the control period [s]. Another plan to the same goal may have to wait (PlanChoice).
+  /// and the control period [s]. Another plan to the same goal may have to wait (PlanChoice). Where the last heading is
+  /// not a number, any heading will do at the goal.
   void set_plan(std::vector<Pose2> plan, const std::string& frame, double now, double period);
   /// The plan that was followed before a recorded cycle; call load() after it. Nothing else changes.
   void restore_plan(const std::vector<Pose2>& plan) { plan_.set_plan(plan); }
@@ -92,7 +93,7 @@ class ControlLoop {
   const std::vector<Pose2>& plan() const { return plan_.plan(); }   // the one that is followed, whole, in its frame
   std::size_t next_plan_pose() const { return plan_.next_pose(); }  // the first one from the robot on
   const std::string& plan_frame() const { return frame_; }
-  const Pose2& goal() const { return goal_; }  // in the plan's frame
+  const Pose2& goal() const { return goal_; }  // in the plan's frame; any heading will do that is not a number
 
   /// One control cycle.
   Result step(const Observation& observation, const Sampling& sampling = {});

@@ -24,7 +24,7 @@
 namespace hidwa_local_planner {
 
 /// The plan with poses between those that are far apart: then it does not matter at which spacing a planner writes its
-/// plans. A pose that is put in looks along the plan.
+/// plans. A pose that is put in looks along the plan, and so does one whose heading is no number.
 std::vector<Pose2> with_poses_between(const std::vector<Pose2>& plan);
 
 /// Of a plan that is driven in its order.

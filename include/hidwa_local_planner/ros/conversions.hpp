@@ -23,6 +23,8 @@ std::string plain_frame(const std::string& frame);
 double yaw_of(const geometry_msgs::Quaternion& q);
 
 Pose2 to_pose(const geometry_msgs::Pose& pose);
+/// A pose of a plan, or a goal: a quaternion of no length is no heading, and its theta is not a number.
+Pose2 to_planned_pose(const geometry_msgs::Pose& pose);
 geometry_msgs::Pose to_message(const Pose2& pose);
 Twist2 to_twist(const geometry_msgs::Twist& twist);
 geometry_msgs::Twist to_message(const Twist2& twist);

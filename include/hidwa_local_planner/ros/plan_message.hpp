@@ -14,7 +14,7 @@ namespace hidwa_local_planner {
 struct PlanMessage {
   std::string fault;  // what is wrong with it, in words; empty where it can be followed
   std::string frame;
-  std::vector<Pose2> poses;  // in the frame; empty where there is a fault
+  std::vector<Pose2> poses;  // in the frame; empty where there is a fault. A theta that is not a number is no heading
 };
 
 PlanMessage read_plan(const std::vector<geometry_msgs::PoseStamped>& plan);

@@ -169,6 +169,16 @@ TEST(PlanWindow, PosesThatAreNoPlacesGetNoneBetween) {
   EXPECT_TRUE(with_poses_between({}).empty());
 }
 
+TEST(PlanWindow, AHeadingThatIsNoNumberIsThePlansOwn) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Pose2> plan = with_poses_between({{0.0, 0.0, none}, {0.0, 0.1, none}, {0.1, 0.1, none}});
+  ASSERT_EQ(plan.size(), 3u);
+  EXPECT_EQ(plan[0].theta, 0.5 * M_PI);
+  EXPECT_EQ(plan[1].theta, 0.5 * M_PI);
+  EXPECT_EQ(plan[2].theta, 0.0);
+  EXPECT_EQ(with_poses_between({{0.0, 0.0, none}}).front().theta, 0.0);
+}
+
 // Out along y = 0 to (5, 0), up, and back along y = `apart`.
 std::vector<Pose2> hairpin(double apart) {
   return with_poses_between({{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, {5.0, apart, 0.0}, {0.0, apart, 0.0}});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/plan_message.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -40,6 +41,18 @@ TEST(PlanMessage, WhatCannotBeFollowedIsNamed) {
   bad[3].header.frame_id = "odom";
   EXPECT_NE(read_plan(bad).fault.find("mixes"), std::string::npos);
   EXPECT_NE(read_plan(straight(4, "")).fault.find("no frame"), std::string::npos);
+}
+
+// Some global planners leave all orientations zero.
+TEST(PlanMessage, AQuaternionOfNoLengthIsNoHeading) {
+  auto plan = straight(3);
+  plan[2].pose.orientation.w = 0.0;
+  plan[1].pose.orientation.w = 0.5;  // a length other than 1 has a heading
+  const PlanMessage read = read_plan(plan);
+  EXPECT_EQ(read.fault, "");
+  ASSERT_EQ(read.poses.size(), 3u);
+  EXPECT_EQ(read.poses[1].theta, 0.0);
+  EXPECT_TRUE(std::isnan(read.poses[2].theta));
 }
 
 }  // namespace
