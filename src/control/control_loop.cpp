@@ -12,17 +12,17 @@
 namespace hidwa_local_planner::control {
 namespace {
 
-// What a transform to and fro may change of a goal.
-constexpr double kSamePosition = 1e-3;  // [m]
-constexpr double kSameHeading = 1e-3;   // [rad]
-
 // Two plans lead the same way where they are no farther apart [m]. A robot is on neither side of what fits between
 // them.
 constexpr double kSameWay = 0.15;
 
-bool same_goal(const Pose2& a, const Pose2& b) {
+// A global planner may end each plan some centimetres beside the one before: at another cell, or where the goal lies in
+// an obstacle. A robot that has reached one of these ends stays latched at the others: so far beyond the tolerance a
+// latch lasts.
+bool same_goal(const Pose2& a, const Pose2& b, const Parameters& p) {
   const bool any_heading = std::isnan(a.theta) && std::isnan(b.theta);
-  return distance(a, b) <= kSamePosition && (any_heading || std::abs(wrap_angle(a.theta - b.theta)) <= kSameHeading);
+  return distance(a, b) <= goal_margin(p) &&
+         (any_heading || std::abs(wrap_angle(a.theta - b.theta)) <= p.yaw_goal_tolerance);
 }
 
 // A host may send one plan again and again: progress on it goes on.
@@ -47,8 +47,8 @@ std::vector<std::string> ControlLoop::configure(const Parameters& parameters, co
 
 void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, double now, double period) {
   const bool paused = goal_checker_.plan_arrives(now, period);
-  const Pose2 goal = plan.back();
-  const bool is_new = !has_goal_ || frame != frame_ || !same_goal(goal, goal_);
+  goal_ = plan.back();
+  const bool is_new = !has_goal_ || frame != frame_ || !same_goal(goal_, first_goal_, parameters());
   plan = with_poses_between(plan);
   situation_.plan.reserve(plan.size() + 1);  // what no window of it outgrows
   const bool chooses = autonomous_ && parameters().plan_hysteresis > 0.0;
@@ -65,8 +65,8 @@ void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, do
     plan_choice_.offer(std::move(plan));
   }
   frame_ = frame;
-  // The goal that the latches belong to stays the reference: a sum of tiny changes is a change.
-  if (is_new) goal_ = goal;
+  // The goal that the latches belong to stays the reference: a sum of small changes is a change.
+  if (is_new) first_goal_ = goal_;
   has_goal_ = true;
   if (is_new || paused) begin_goal();
 }

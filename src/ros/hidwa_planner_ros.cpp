@@ -49,11 +49,12 @@ bool HIDWAPlannerROS::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
   });
 }
 
-// A plan to a goal that the host no longer pursues is not followed; at rest the cycle fails, so that it plans anew. A
-// plan may also come before the topic brings its goal: that takes milliseconds.
+// A plan to a goal that the host no longer pursues is not followed, unless it leads near to the present one; at rest
+// the cycle fails, so that it plans anew. A plan may also come before the topic brings its goal: that takes
+// milliseconds.
 bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
   constexpr int kLate = 2;  // cycles in which a goal is still on its way
-  cycles_over_ = plan_is_over() ? cycles_over_ + 1 : 0;
+  cycles_over_ = plan_is_over() && !host_goal_->leads_on(end_) ? cycles_over_ + 1 : 0;
   const bool over = cycles_over_ > kLate;
   const CycleResult result = shell_->cycle(over);
   command = to_message(result.command);

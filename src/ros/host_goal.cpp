@@ -9,7 +9,7 @@ namespace {
 constexpr unsigned kQueue = 10;  // goals that may come between two looks
 
 FramedGoal to_goal(const geometry_msgs::PoseStamped& pose) {
-  return {plain_frame(pose.header.frame_id), to_pose(pose.pose)};
+  return {plain_frame(pose.header.frame_id), to_planned_pose(pose.pose)};
 }
 
 }  // namespace
@@ -25,12 +25,17 @@ HostGoal::~HostGoal() { thread_.stop(); }
 
 void HostGoal::hear(const geometry_msgs::PoseStamped& goal) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  goals_.take(to_goal(goal));
+  goals_.take(to_goal(goal), ros::Time::now().toSec());
 }
 
 bool HostGoal::is_over(const geometry_msgs::PoseStamped& end) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return goals_.is_over(to_goal(end));
+}
+
+bool HostGoal::leads_on(const geometry_msgs::PoseStamped& end) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return goals_.leads_on(to_goal(end), ros::Time::now().toSec());
 }
 
 }  // namespace hidwa_local_planner

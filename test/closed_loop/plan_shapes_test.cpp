@@ -226,5 +226,42 @@ TEST(PlanShapes, WithoutAHeadingAnyOneWillDoAtTheGoal) {
   EXPECT_LE(course.duration, 4.0 / 0.5 + 2.0);  // at full speed, and slowing down
 }
 
+// The plan ends up to 0.08 m beside the goal, each time elsewhere, and each time turned by up to 0.1 rad.
+TEST(PlanShapes, AGoalThatJittersIsOneGoal) {
+  Random random(7);
+  PlanDrive robot;
+  Pose2 end;
+  robot.host = [&, next = 0.0](PlanDrive& drive) mutable {
+    if (drive.time() < next) return;
+    next += 0.5;
+    const Pose2 from = drive.pose();
+    PlanShape plan{from};
+    go_to(plan, 6.0 + random.uniform(-0.08, 0.08), 3.0 + random.uniform(-0.08, 0.08));
+    plan.back().theta = 2.0 + random.uniform(-0.1, 0.1);
+    end = plan.back();
+    drive.plan(plan);
+  };
+  const PlanCourse course = robot.run(60.0);
+  EXPECT_TRUE(course.arrived);
+  EXPECT_EQ(course.new_goals, 1);
+  EXPECT_LE(distance(course.track.back(), end), 2.0 * kTolerance);
+}
+
+// What a planner creeps on with is a new goal in the end: 0.05 m with each plan, after each 0.25 m.
+TEST(PlanShapes, AGoalThatMovesOnIsANewGoalAfterItsTolerance) {
+  PlanDrive robot;
+  robot.host = [plans = 0](PlanDrive& drive) mutable {
+    if (drive.time() < 0.2 * plans || plans > 20) return;
+    PlanShape plan{drive.pose()};
+    go_to(plan, 4.0 + 0.05 * plans, 0.0);
+    ++plans;
+    drive.plan(plan);
+  };
+  const PlanCourse course = robot.run(60.0);
+  EXPECT_TRUE(course.arrived);
+  EXPECT_EQ(course.new_goals, 1 + 3);  // at 0.30, 0.60 and 0.90 m of 1 m
+  EXPECT_LE(distance(course.track.back(), {5.0, 0.0, 0.0}), kTolerance);
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner::test

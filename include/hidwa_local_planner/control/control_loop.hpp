@@ -120,8 +120,8 @@ class ControlLoop {
  private:
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.goal_checker_, self.fault_brake_, self.plan_, self.plan_choice_, self.goal_, self.last_command_,
-       self.resumed_, self.steered_);
+    io(self.goal_checker_, self.fault_brake_, self.plan_, self.plan_choice_, self.first_goal_, self.goal_,
+       self.last_command_, self.resumed_, self.steered_);
   }
   void begin_goal();
   Pose2 goal_of(const Observation& observation) const;
@@ -144,7 +144,8 @@ class ControlLoop {
   PlanWindow plan_;         // the one that is followed, in its own frame
   PlanChoice plan_choice_;  // a plan that waits, in the same frame
   std::string frame_;       // the plan's
-  Pose2 goal_;              // in the plan's frame
+  Pose2 first_goal_;        // where the goal was when it was new, in the plan's frame
+  Pose2 goal_;              // where it is now
   bool has_goal_ = false;
   Situation situation_;  // kept for its memory
   Twist2 last_command_;  // [m/s, rad/s]

@@ -21,15 +21,22 @@ struct FramedGoal {
 /// planner, and where none to the new goal is found it stays there.
 class GoalSuccession {
  public:
-  /// The host pursues `goal` from now on.
-  void take(const FramedGoal& goal);
+  /// The host pursues `goal` from `now` on [s].
+  void take(const FramedGoal& goal, double now);
   /// True where a plan that ends at `end` leads to an earlier goal and not to the present one.
   bool is_over(const FramedGoal& end) const;
+  /// Such a plan leads the robot on until the next one comes, since its goal was given up lately, and the present one
+  /// is near to it. So is the plan of a slow global planner for a robot that follows somebody.
+  bool leads_on(const FramedGoal& end, double now) const;
 
  private:
+  struct Earlier {
+    FramedGoal goal;
+    double until = 0.0;  // the host pursued it [s]
+  };
   static constexpr std::size_t kKept = 4;  // a plan in the making is one goal old, seldom more
   std::optional<FramedGoal> present_;
-  std::array<std::optional<FramedGoal>, kKept> earlier_;
+  std::array<std::optional<Earlier>, kKept> earlier_;
   std::size_t next_ = 0;
 };
 

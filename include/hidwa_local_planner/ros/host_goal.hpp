@@ -21,6 +21,8 @@ class HostGoal {
   ~HostGoal();
   /// True where a plan that ends at `end` leads to an earlier goal; see GoalSuccession.
   bool is_over(const geometry_msgs::PoseStamped& end) const;
+  /// Such a plan may be followed until the next one comes.
+  bool leads_on(const geometry_msgs::PoseStamped& end) const;
 
  private:
   void hear(const geometry_msgs::PoseStamped& goal);

@@ -114,17 +114,20 @@ TEST(ControlLoop, OnlyAChangedLastPoseIsANewGoal) {
   std::vector<Pose2> shorter = straight(3.0);
   shorter.erase(shorter.begin(), shorter.begin() + 10);  // a plan made anew from further on
   EXPECT_FALSE(begins(shorter));
-  EXPECT_TRUE(begins(straight(3.1)));
-  EXPECT_TRUE(begins(straight(3.1, 0.5)));
-  EXPECT_TRUE(begins(straight(3.1, 0.5), "odom"));
+  EXPECT_FALSE(begins(straight(3.2)));  // within 0.25 m of where the goal was when it was new
+  EXPECT_TRUE(begins(straight(3.3)));
+  EXPECT_TRUE(begins(straight(3.0)));
+  EXPECT_TRUE(begins(straight(3.3)));
+  EXPECT_TRUE(begins(straight(3.3, 0.5)));
+  EXPECT_TRUE(begins(straight(3.3, 0.5), "odom"));
   bench.loop().finish_goal(bench.seen().timing);
-  EXPECT_TRUE(begins(straight(3.1, 0.5), "odom"));
+  EXPECT_TRUE(begins(straight(3.3, 0.5), "odom"));
   bench.loop().drop_plan(bench.seen().timing.now, kPeriod);
   EXPECT_FALSE(bench.loop().has_plan());
-  EXPECT_FALSE(begins(straight(3.1, 0.5), "odom"));  // the same goal as before
+  EXPECT_FALSE(begins(straight(3.3, 0.5), "odom"));  // the same goal as before
   bench.step();
   bench.seen().timing.now += 1.0;  // a pause: somebody else may have moved the robot
-  EXPECT_TRUE(begins(straight(3.1, 0.5), "odom"));
+  EXPECT_TRUE(begins(straight(3.3, 0.5), "odom"));
 }
 
 TEST(ControlLoop, TheWindowOfThePlanIsInTheCostmapsFrame) {
