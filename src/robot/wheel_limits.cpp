@@ -11,6 +11,12 @@ namespace {
 
 constexpr double kSame = 0.02;  // lengths that differ by less are one
 
+// A URDF that takes more than this share of what the parameters ask for may hold a number that nobody meant: many
+// generators and examples write velocity="1" where the motor's limit is not known.
+constexpr double kSuspicious = 0.5;
+
+constexpr const char* kParameter = "max_wheel_velocity";  // what limits where no joint does
+
 bool all_in_range(const Parameters& p) {
   for (const char* name :
        {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_radius", "wheel_separation", "max_wheel_velocity"}) {
@@ -35,8 +41,15 @@ double tighter(std::vector<Remark>& remarks, const std::string& joint, double by
         {Remark::Level::info, name + " holds", allows + ", " + name + " " + worded(own) + " " + unit + " holds"});
     return own;
   }
-  remarks.push_back({Remark::Level::info, joint + " holds against " + name,
-                     allows + " and holds: " + name + " " + worded(own) + " " + unit + " is more"});
+  std::string text = allows + " and holds: " + name + " " + worded(own) + " " + unit + " is more";
+  const bool suspicious = joint != kParameter && by_joint < kSuspicious * own;
+  if (suspicious) {
+    text +=
+        ". That is less than half: if the <limit velocity> of the joint is no more than a placeholder, correct it "
+        "(in rad/s), or set robot_description_param to \"\" for no limit by the URDF";
+  }
+  remarks.push_back({suspicious ? Remark::Level::warning : Remark::Level::info,
+                     joint + (suspicious ? " halves " : " holds against ") + name, text});
   return by_joint;
 }
 
@@ -63,14 +76,14 @@ LimitedParameters limited(const Parameters& wanted, const Wheels& wheels) {
   }
 
   Parameters& p = result.parameters;
-  std::string by = "max_wheel_velocity";
+  std::string by = kParameter;
   double velocity = wanted.max_wheel_velocity;
   if (joint_limits) {
     by = wheels.slower;
     velocity = std::min(wheels.max_velocity, parameter_info("max_wheel_velocity").max);
     if (wanted.max_wheel_velocity > 0.0) {
-      velocity = tighter(remarks, by, velocity, "max_wheel_velocity", wanted.max_wheel_velocity, "rad/s");
-      if (velocity == wanted.max_wheel_velocity) by = "max_wheel_velocity";
+      velocity = tighter(remarks, by, velocity, kParameter, wanted.max_wheel_velocity, "rad/s");
+      if (velocity == wanted.max_wheel_velocity) by = kParameter;
     }
   }
   p.wheel_radius = radius;

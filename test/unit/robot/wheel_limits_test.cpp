@@ -35,13 +35,32 @@ TEST(WheelLimits, PresentAndTighterThanTheParameters) {
   EXPECT_TRUE(validate(p).empty());
   EXPECT_NEAR(p.max_vel_x, 0.15, 1e-12);      // 0.1 m x 1.5 rad/s
   EXPECT_NEAR(p.max_vel_theta, 0.75, 1e-12);  // 2 x 0.15 / 0.4
-  EXPECT_TRUE(says(result, "left_joint allows 0.15 m/s and holds: max_vel_x 0.5 m/s is more"));
+  // 0.15 m/s is less than half of 0.5 m/s: perhaps a placeholder. 0.75 rad/s is more than half of 1 rad/s.
+  EXPECT_TRUE(says(result, "left_joint allows 0.15 m/s and holds: max_vel_x 0.5 m/s is more. That is less than half",
+                   Remark::Level::warning));
   EXPECT_TRUE(says(result, "left_joint allows 0.75 rad/s and holds: max_vel_theta 1 rad/s is more"));
   // The corners: |v| + |omega| x 0.2 m <= 0.15 m/s.
   const VelocityLimits limits = VelocityLimits::from(p);
   EXPECT_TRUE(limits.wheels_allow({0.05, 0.5}));
   EXPECT_FALSE(limits.wheels_allow({0.051, 0.5}));
   EXPECT_FALSE(limits.wheels_allow({0.15, 0.75}));
+}
+
+// A wheel of 33 mm with <limit velocity="1">: 0.033 m/s. At half of what is asked for nothing is suspected.
+TEST(WheelLimits, WhatTakesMoreThanHalfIsAWarningWithTheRemedy) {
+  Wheels small = wheels(1.0);
+  small.radius = 0.033;
+  Parameters wanted;
+  wanted.max_vel_x = 0.26;
+  EXPECT_TRUE(says(limited(wanted, small), "left_joint allows 0.033 m/s", Remark::Level::warning));
+  EXPECT_TRUE(says(limited(wanted, small), "set robot_description_param to \"\"", Remark::Level::warning));
+  wanted.max_vel_x = 0.066;
+  EXPECT_TRUE(says(limited(wanted, small), "left_joint allows 0.033 m/s and holds", Remark::Level::info));
+  wanted.max_vel_x = 0.067;
+  EXPECT_TRUE(says(limited(wanted, small), "left_joint allows 0.033 m/s and holds", Remark::Level::warning));
+  // A parameter that limits the same wheels was meant.
+  wanted.max_wheel_velocity = 0.9;
+  EXPECT_FALSE(says(limited(wanted, small), "", Remark::Level::warning));
 }
 
 TEST(WheelLimits, TheSlowestReverseFollows) {
