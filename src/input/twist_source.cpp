@@ -12,6 +12,12 @@ namespace {
 // robot.
 constexpr double kFastest = 100.0;  // [m/s], [rad/s]
 
+// Mappers, filters and worn sticks send small numbers in place of 0. No robot moves visibly at less than these.
+constexpr double kNeutralSpeed = 0.005;  // [m/s]
+constexpr double kNeutralTurn = 0.01;    // [rad/s]
+
+bool is_neutral(const Twist2& u) { return std::abs(u.v) < kNeutralSpeed && std::abs(u.omega) < kNeutralTurn; }
+
 std::string fault_of_part(const char* field, double value, const char* unit) {
   if (std::abs(value) <= kFastest) return {};
   if (!std::isfinite(value)) return std::string(field) + " is not a finite number: look at the sender";
@@ -35,7 +41,7 @@ SourceReading TwistSource::take(const TwistMessage& message, double) {
 }
 
 OperatorCommand TwistSource::command() const {
-  if (state_.u == Twist2{}) return {};
+  if (is_neutral(state_.u)) return {};
   OperatorCommand command{true, state_.u};
   const bool shared = parameters().mode != OperatorMode::switching;
   if (shared && parameters().linear == LinearPolicy::current) command.u_h.v = 0.0;

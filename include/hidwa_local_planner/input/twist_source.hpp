@@ -24,8 +24,8 @@ struct TwistReading {
 };
 
 /// A Twist is the operator command itself, whatever the linear policy; but in shared control `current` leaves v to the
-/// robot's own. Active while it is not zero. A message is faulty where a part is no number or beyond 100 m/s or
-/// 100 rad/s. It steers where there is a twist_topic, but not in mode gesture.
+/// robot's own. Neutral below 0.005 m/s and 0.01 rad/s, else active. A message is faulty where a part is no number or
+/// beyond 100 m/s or 100 rad/s. It steers where there is a twist_topic, but not in mode gesture.
 class TwistSource : public SourceOf<TwistMessage, TwistReading> {
  public:
   SourceKind kind() const override { return {"twist", false, false}; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A Twist in the stick's place.
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -35,14 +36,36 @@ TEST(Twist, IsTheWishItself) {
     expect_intent(person.cycle(1.05), State::shared, Influence::shared, 0.123, -0.456);
     person.twist(1.1, -3.0, 7.0);  // u_h is not clipped
     expect_intent(person.cycle(1.1), State::shared, Influence::shared, -3.0, 7.0);
-    person.twist(1.15, 0.0, 0.001);  // no dead zone
-    expect_intent(person.cycle(1.15), State::shared, Influence::shared, 0.0, 0.001);
+    person.twist(1.15, 0.0, 0.01);  // the slowest that counts
+    expect_intent(person.cycle(1.15), State::shared, Influence::shared, 0.0, 0.01);
     person.twist(1.2, 0.3, 0.0);
     expect_intent(person.cycle(1.2), State::shared, Influence::shared, 0.3, 0.0);
     person.twist(1.25, 0.0, 0.0);
     expect_intent(person.cycle(1.25), State::hold, Influence::shared, 0.3, 0.0);  // v_h at release
     EXPECT_EQ(person.cycle(3.19).state, State::hold);                             // 3.19 - 1.2 = 1.99 < delta = 2
     EXPECT_EQ(person.cycle(3.21).state, State::autonomy);
+  }
+}
+
+// Mappers and filters hardly ever send 0: 0.005 m/s and 0.01 rad/s are the least that counts, each by itself.
+TEST(Twist, WhatIsHardlyMoreThanZeroIsNeutral) {
+  const double v = std::nextafter(0.005, 0.0), omega = std::nextafter(0.01, 0.0);
+  for (const Twist2& rest : {Twist2{1e-17, 0.0}, Twist2{0.003, 0.0}, Twist2{v, omega}, Twist2{-v, -omega},
+                             Twist2{0.0, 5e-324}, Twist2{-0.0, -0.0}}) {
+    Person person(by_twist());
+    person.twist(1.0, rest.v, rest.omega);  // arms it
+    person.twist(1.05, 0.3, 0.2);
+    expect_intent(person.cycle(1.05), State::shared, Influence::shared, 0.3, 0.2);
+    person.twist(1.1, rest.v, rest.omega);  // a release, and no wish to stand
+    expect_intent(person.cycle(1.1), State::hold, Influence::shared, 0.3, 0.0);
+    person.twist(3.3, rest.v, rest.omega);
+    EXPECT_EQ(person.cycle(3.3).state, State::autonomy);
+  }
+  for (const Twist2& wish : {Twist2{0.005, 0.0}, Twist2{0.0, -0.01}, Twist2{-0.005, 0.001}}) {
+    Person person(by_twist());
+    person.twist(1.0, 0.0, 0.0);
+    person.twist(1.05, wish.v, wish.omega);
+    expect_intent(person.cycle(1.05), State::shared, Influence::shared, wish.v, wish.omega);
   }
 }
 
