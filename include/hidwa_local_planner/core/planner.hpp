@@ -61,7 +61,7 @@ const char* to_string(Outcome outcome);
 
 /// Names stay valid until the planner is configured anew.
 struct RejectionCount {
-  std::string_view name;  // "Collision", "Braking", "Moving obstacle" or a critic
+  std::string_view name;  // "Collision", "Unknown cells", "Braking", "Moving obstacle" or a critic
   std::size_t count = 0;
 };
 using RefusalCount [[deprecated("is RejectionCount")]] = RejectionCount;

@@ -194,6 +194,16 @@ bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading, cons
   return clearance(pose, heading, outline, 0.0) <= 0.0;
 }
 
+bool CollisionChecker::meets_unknown_only(const Pose2& pose, const Rotation& heading) const {
+  bool unknown = false, other = false;
+  visit_obstacles(place(pose, heading, *footprint_), 0.0, [&](double gap, Cell cell) {
+    if (gap > 0.0) return true;
+    (grid_.contains(cell) && grid_.at(cell) == cost::kUnknown ? unknown : other) = true;
+    return !other;
+  });
+  return unknown && !other;
+}
+
 double CollisionChecker::clearance(const Pose2& pose, const Rotation& heading, const Footprint& outline,
                                    double cap) const {
   constexpr double kFree = std::numeric_limits<double>::min();
@@ -267,14 +277,15 @@ double CollisionChecker::gap_to(const Placed& placed, double x, double y) const 
 // To the nearest obstacle that it comes near; not positive where one overlaps. The slow way, for any outline anywhere.
 double CollisionChecker::smallest_gap(const Placed& placed, double cap) const {
   double least = cap;
-  visit_obstacles(placed, cap, [&](double gap) {
+  visit_obstacles(placed, cap, [&](double gap, Cell) {
     least = std::min(least, gap);
     return least > 0.0;
   });
   return least;
 }
 
-// Calls visit(gap to it) for the obstacles in the outline's box, and so far `around` it [m], until it returns false.
+// Calls visit(gap to it, its cell) for the obstacles in the outline's box, and so far `around` it [m], until it returns
+// false.
 template <typename Visit>
 void CollisionChecker::visit_obstacles(const Placed& placed, double around, Visit&& visit) const {
   const Cell lo = grid_.cell_at(placed.lo_x - around, placed.lo_y - around);
@@ -283,7 +294,7 @@ void CollisionChecker::visit_obstacles(const Placed& placed, double around, Visi
     for (int i = lo.i; i <= hi.i; ++i) {
       if (!obstacle({i, j})) continue;
       const double x = grid_.origin_x + i * grid_.resolution, y = grid_.origin_y + j * grid_.resolution;
-      if (!visit(gap_to(placed, x, y))) return;
+      if (!visit(gap_to(placed, x, y), Cell{i, j})) return;
     }
   }
 }

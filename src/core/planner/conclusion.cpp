@@ -41,4 +41,10 @@ Conclusion stop(const Cycle& cycle) {
   return conclusion;
 }
 
+const char* unless_off_map(const Cycle& cycle, const char* problem) {
+  const Pose2& pose = cycle.situation.pose;
+  if (cycle.grid.contains(cycle.grid.cell_at(pose.x, pose.y))) return problem;
+  return "the robot stands outside of the local costmap: set its rolling_window, or check its size, origin and frame";
+}
+
 }  // namespace hidwa_local_planner

@@ -10,6 +10,10 @@ namespace hidwa_local_planner {
 namespace {
 
 constexpr const char* kDeviation = "OperatorDeviation";
+constexpr const char* kUnknownCells = "Unknown cells";  // that reject where the collision check does
+
+// So many rollouts are looked at to say what most of them meet.
+constexpr std::size_t kLookedAt = 64;
 
 }  // namespace
 
@@ -59,9 +63,36 @@ void Explanation::judge_operator(const Cycle& cycle, const Twist2& chosen, Decis
   of_.checks.legal(candidate);  // so that what rejects it is known
   const Rejecter rejecter = of_.scores.rejected_by()[candidate];
   if (rejecter != kNobody) decision.operator_rejected_by = of_.critics.name_of(rejecter);
+  if (rejecter == kCollision && meets_unknown(candidate)) decision.operator_rejected_by = kUnknownCells;
 }
 
-void Explanation::count_rejections(Decision& decision) const {
+// The first pose of the rollout that collides, and what it overlaps.
+bool Explanation::meets_unknown(std::size_t candidate) const {
+  const CollisionChecker& collision = of_.obstacles.collision();
+  const Rollout& rollout = of_.candidates.rollout();
+  const Tile tile = rollout.tile(rollout.tile_of(candidate));
+  for (std::size_t k = 0; k <= tile.steps; ++k) {
+    const Pose2 pose = tile.pose(k, candidate - tile.first);
+    const Rotation heading = Rotation::of(pose.theta);
+    if (collision.collides(pose, heading)) return collision.meets_unknown_only(pose, heading);
+  }
+  return false;
+}
+
+bool Explanation::mostly_meet_unknown() const {
+  const std::vector<Rejecter>& rejected_by = of_.scores.rejected_by();
+  const auto all = static_cast<std::size_t>(std::count(rejected_by.begin(), rejected_by.end(), kCollision));
+  const std::size_t stride = 1 + all / kLookedAt;
+  std::size_t seen = 0, looked_at = 0, unknown = 0;
+  for (std::size_t c = 0; c < rejected_by.size(); ++c) {
+    if (rejected_by[c] != kCollision || seen++ % stride != 0) continue;
+    ++looked_at;
+    unknown += meets_unknown(c) ? 1 : 0;
+  }
+  return 2 * unknown > looked_at;
+}
+
+void Explanation::count_rejections(bool why, Decision& decision) const {
   const std::vector<Rejecter>& rejected_by = of_.scores.rejected_by();
   const auto count = [&rejected_by](Rejecter rejecter) {
     return static_cast<std::size_t>(std::count(rejected_by.begin(), rejected_by.end(), rejecter));
@@ -70,7 +101,9 @@ void Explanation::count_rejections(Decision& decision) const {
   std::size_t left = rejected_by.size() - decision.legal;
   for (Rejecter rejecter = kCollision; left > 0; ++rejecter) {
     const std::size_t rejected = count(rejecter);
-    if (rejected > 0) decision.rejections.push_back({of_.critics.name_of(rejecter), rejected});
+    const bool unknown = why && rejecter == kCollision && rejected > 0 && mostly_meet_unknown();
+    if (rejected > 0)
+      decision.rejections.push_back({unknown ? kUnknownCells : of_.critics.name_of(rejecter), rejected});
     left -= rejected;
   }
 }

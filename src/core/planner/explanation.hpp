@@ -42,8 +42,9 @@ class Explanation {
   /// How near the chosen sample comes to the operator command, and what rejects that: its own candidate, or the one
   /// nearest to it.
   void judge_operator(const Cycle& cycle, const Twist2& chosen, Decision& decision);
-  /// How many candidates are legal, and how many each one rejects.
-  void count_rejections(Decision& decision) const;
+  /// How many candidates are legal, and how many each one rejects. `why`: somebody will be told, so that it is worth
+  /// the time to tell unknown cells from obstacles.
+  void count_rejections(bool why, Decision& decision) const;
   /// Asks every critic about every candidate, whoever rejected it.
   void ask_all_critics(const CycleView& view);
 
@@ -56,6 +57,8 @@ class Explanation {
   CandidateReport report_of(const Tile& tile, std::size_t c) const;
   void list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const;
   double deviation(std::size_t candidate) const;
+  bool meets_unknown(std::size_t candidate) const;
+  bool mostly_meet_unknown() const;
   void check_all(const Tile& tile);
   void ask_critics(const CycleView& view, const Tile& tile);
 

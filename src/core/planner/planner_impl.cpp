@@ -154,8 +154,9 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   decision.waiting = review.waits;
   if (review.reset_critics) critics.reset();
   const Outcome outcome = review.conclusion.outcome;
-  if (outcome == Outcome::brake || outcome == Outcome::fail) evaluation.checks().check_all();  // to say why
-  explanation.count_rejections(decision);
+  const bool why = outcome == Outcome::brake || outcome == Outcome::fail;
+  if (why) evaluation.checks().check_all();
+  explanation.count_rejections(why, decision);
   critics.debrief(evaluated.view, chosen.command);
   return review.conclusion;
 }
@@ -240,7 +241,9 @@ int Planner::Impl::cheapest(const Cycle& cycle) {
 }
 
 Conclusion Planner::Impl::follow_choice(const Cycle& cycle, const Choice& choice) {
-  if (choice.candidate < 0) return brake(cycle, Problem::rejected, "every candidate was rejected");
+  if (choice.candidate < 0) {
+    return brake(cycle, Problem::rejected, unless_off_map(cycle, "every candidate was rejected"));
+  }
   explanation.describe_choice(decision);
   const Twist2& sample = evaluation.candidates().sample(static_cast<std::size_t>(choice.candidate));
   return follow(sample, evaluation.obstacles().admissibility().command_for(sample));

@@ -48,7 +48,9 @@ void Recovery::watch_collision(const Cycle& cycle, bool trapped, Conclusion& con
     return;
   }
   fail(cycle, Problem::rejected,
-       "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared",
+       unless_off_map(
+           cycle,
+           "no way out: the robot stands in collision and no motion leads out of it; the costmap must be cleared"),
        conclusion);
 }
 

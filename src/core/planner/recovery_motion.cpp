@@ -412,8 +412,8 @@ void RecoveryMotion::describe_end(const char* how, std::string& text) {
   std::array<char, kLongestText> said{};
   if (end.obstacle_known) {
     std::snprintf(said.data(), said.size(),
-                  "%s: no farther than (%.2f, %.2f); nearest obstacle there %.3f m away, at (%.2f, %.2f)", how,
-                  end.pose.x, end.pose.y, end.gap, end.obstacle.x(), end.obstacle.y());
+                  "%s: no farther than (%.2f, %.2f); nearest %s there %.3f m away, at (%.2f, %.2f)", how, end.pose.x,
+                  end.pose.y, end.unknown ? "unknown cell" : "obstacle", end.gap, end.obstacle.x(), end.obstacle.y());
   } else {
     std::snprintf(said.data(), said.size(), "%s: no farther than (%.2f, %.2f)", how, end.pose.x, end.pose.y);
   }

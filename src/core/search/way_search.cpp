@@ -321,6 +321,7 @@ WaySearch::End WaySearch::end() {
       end.gap = gap;
       end.obstacle = centre;
       end.obstacle_known = true;
+      end.unknown = task_.grid().at({i, j}) == cost::kUnknown;
     }
   }
   return end;

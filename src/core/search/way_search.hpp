@@ -70,6 +70,7 @@ class WaySearch {
     Point obstacle{0, 0};  // centre of the cell, costmap frame [m]
     double gap = 0.0;      // between it and the outline [m]
     bool obstacle_known = false;
+    bool unknown = false;  // the cell is an unknown one
   };
   End end();
 
