@@ -42,7 +42,10 @@ double reach_of(double tolerance) { return std::max(kWithinTolerance * tolerance
 
 std::vector<Pose2> with_poses_between(const std::vector<Pose2>& plan) {
   double length = 0.0;
-  for (std::size_t i = 1; i < plan.size(); ++i) length += distance(plan[i - 1], plan[i]);
+  for (std::size_t i = 1; i < plan.size(); ++i) {
+    const double gap = distance(plan[i - 1], plan[i]);
+    if (std::isfinite(gap)) length += gap;
+  }
   const double spacing = std::max(kSpacing, length / kMostPoses);
   std::vector<Pose2> dense;
   dense.reserve(plan.size());
