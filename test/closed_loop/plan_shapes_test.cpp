@@ -236,7 +236,8 @@ TEST(PlanShapes, AGoalThatJittersIsOneGoal) {
     next += 0.5;
     const Pose2 from = drive.pose();
     PlanShape plan{from};
-    go_to(plan, 6.0 + random.uniform(-0.08, 0.08), 3.0 + random.uniform(-0.08, 0.08));
+    const double x = 6.0 + random.uniform(-0.08, 0.08), y = 3.0 + random.uniform(-0.08, 0.08);
+    go_to(plan, x, y);
     plan.back().theta = 2.0 + random.uniform(-0.1, 0.1);
     end = plan.back();
     drive.plan(plan);

@@ -430,7 +430,8 @@ TEST(BrakeManoeuvreWays, ABaseAtEitherEndTouchesNothingBesideIt) {
     const std::vector<Pose2> driven = drive(p, period, sending, random, true);
     const Pose2 grazes = driven[static_cast<std::size_t>(random.integer(0, static_cast<int>(driven.size()) - 1))];
     const double along = random.chance(0.5) ? random.pick({-0.99, 0.99}) * kHalf : random.uniform(-kHalf, kHalf);
-    const Grazed scene(grazes, random.integer(0, 3), along, kHalf, random.uniform(-5e-3, 3e-3));
+    const int side = random.integer(0, 3);
+    const Grazed scene(grazes, side, along, kHalf, random.uniform(-5e-3, 3e-3));
     const GridView grid = scene.grid();
     const double gap = test::naive_gap(grid, body, {}, true, 0.02);
     if (!(gap > 1e-5 && gap < 0.015) || test::naive_overlap(grid, body, {}, true) > 0.0) continue;
