@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import unittest
 
+import rosgraph
 import rospy
 import yaml
 from geometry_msgs.msg import Twist
@@ -40,15 +41,21 @@ class MeasureBaseDrive(unittest.TestCase):
         with open(file, 'w', encoding='utf-8') as out:
             out.write(LAUNCH.format(maps=maps))
         port = cls.environment['ROS_MASTER_URI'].rsplit(':', 1)[1]
-        launched = Child(['roslaunch', '-p', port, file], os.path.join(cls.folder.name, 'launch.log'), cls.environment)
-        cls.addClassCleanup(launched.stop)
-        demo.wait_for_master(launched)
+        master = Child(['roscore', '-p', port], os.path.join(cls.folder.name, 'master.log'), cls.environment)
+        cls.addClassCleanup(master.stop)
+        cls.assertTrue(cls(), wait_for(rosgraph.is_master_online), 'no master')
+        rospy.set_param('/use_sim_time', True)
+        cls.launch = ['roslaunch', '--wait', '-p', port, file]
         rospy.init_node('measure_base_drive', disable_signals=True)
         cls.commands, cls.odometry = [], []
         rospy.Subscriber('/cmd_vel', Twist, lambda m: cls.commands.append((m.linear.x, m.angular.z)), queue_size=100)
         rospy.Subscriber('/odom', Odometry, cls.odometry.append, queue_size=10)
 
     def setUp(self):
+        """A robot that stands where it begins: what was cut short leaves it somewhere on the way."""
+        del self.odometry[:]
+        robot = Child(self.launch, os.path.join(self.folder.name, 'launch.log'), self.environment)
+        self.addCleanup(robot.stop)
         self.assertTrue(wait_for(lambda: self.odometry), 'no odometry')
         self.assertTrue(wait_for(self.stands), 'the robot does not rest')
         del self.commands[:]
@@ -72,6 +79,11 @@ class MeasureBaseDrive(unittest.TestCase):
             self.assertTrue(wait_for(lambda: self.commands[-1] == (0.0, 0.0)))
         self.assertTrue(wait_for(self.stands))
         return program.returncode, said, complaint
+
+    def drives(self, program):
+        """Waits until the robot drives; the program must not end before."""
+        self.assertTrue(wait_for(lambda: self.odometry[-1].twist.twist.linear.x > 0.1 or program.poll() is not None))
+        self.assertIsNone(program.poll(), program.poll() and program.stderr.read())
 
     def test_it_measures_what_the_robot_is(self):
         status, said, complaint = self.end_of(self.start('yes'))
@@ -98,7 +110,7 @@ class MeasureBaseDrive(unittest.TestCase):
         for number in (signal.SIGINT, signal.SIGTERM):
             del self.commands[:]
             program = self.start('yes')
-            self.assertTrue(wait_for(lambda: self.odometry[-1].twist.twist.linear.x > 0.1))
+            self.drives(program)
             program.send_signal(number)
             status, _, complaint = self.end_of(program)
             self.assertEqual(status, 1)
@@ -106,7 +118,7 @@ class MeasureBaseDrive(unittest.TestCase):
 
     def test_somebody_else_on_the_topic_ends_it(self):
         program = self.start('yes')
-        self.assertTrue(wait_for(lambda: self.odometry[-1].twist.twist.linear.x > 0.1))
+        self.drives(program)
         other = rospy.Publisher('/cmd_vel', Twist, queue_size=1)
         self.addCleanup(other.unregister)
         status, _, complaint = self.end_of(program)

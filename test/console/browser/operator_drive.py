@@ -199,6 +199,7 @@ class Gamepad:
         feedback = rospy.Publisher('/joy/set_feedback', JoyFeedbackArray, queue_size=1)
         self.addCleanup(feedback.unregister)
         page.js('window.padOn = true')
+        page.wait(lambda: page.app('[...app.steering.rests.values()].some((rest) => rest.at[0] === 0)'), 'a pad that was seen at rest')
         began = time.monotonic()
         page.js('window.pad.axes[0] = -1; window.pad.axes[1] = -0.5')  # the API: left and up are -1
         wait(lambda: any(tuple(joy.axes[:2]) == (1.0, 0.5) for joy in robot.since(robot.joys, began)), 'Joy to the left and forward')
