@@ -33,6 +33,8 @@ std::string TwistSource::fault_of(const TwistMessage& message) const {
   return fault.empty() ? fault_of_part("angular.z", message.u.omega, "rad/s") : fault;
 }
 
+bool TwistSource::is_idle(const TwistMessage& message) const { return is_neutral(message.u); }
+
 SourceReading TwistSource::take(const TwistMessage& message, double) {
   state_.u = message.u;
   SourceReading reading;

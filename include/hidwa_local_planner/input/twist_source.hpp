@@ -37,7 +37,7 @@ class TwistSource : public SourceOf<TwistMessage, TwistReading> {
 
  protected:
   std::string fault_of(const TwistMessage& message) const override;
-  bool is_idle(const TwistMessage& message) const override { return message.u == Twist2{}; }
+  bool is_idle(const TwistMessage& message) const override;
   SourceReading take(const TwistMessage& message, double now) override;
 };
 

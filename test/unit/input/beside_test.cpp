@@ -191,22 +191,26 @@ TEST(Beside, AnIdleNodeTakesNoClutch) {
   for (int i = 0; i < 100; ++i) ASSERT_EQ(frame(1, 0.2), State::shared) << i;
 }
 
+// Also one whose Twist is never quite 0, and one that is heard for the first time while the other steers.
 TEST(Beside, AnIdleKeyboardTakesNothingFromATwist) {
-  Parameters p;
-  p.twist_topic = "twist";
-  Person person(p);
-  const auto send = [&](const std::string& sender, double time, double omega) {
-    TwistMessage message = twist_at(time, 0.0, omega);
-    message.sender = sender;
-    person.machine.receive(message);
-  };
-  send("/keyboard", 1.0, 0.0);
-  send("/mapper", 1.01, 0.0);
-  for (int i = 0; i < 100; ++i) {
-    const double time = 1.1 + 0.05 * i;
-    send("/mapper", time, 0.5);
-    send("/keyboard", time + 0.01, 0.0);
-    ASSERT_EQ(person.cycle(time + 0.02).state, State::shared) << i;
+  for (const double rest : {0.0, 0.009}) {
+    Parameters p;
+    p.twist_topic = "twist";
+    Person person(p);
+    const auto send = [&](const std::string& sender, double time, double omega) {
+      TwistMessage message = twist_at(time, 0.0, omega);
+      message.sender = sender;
+      person.machine.receive(message);
+    };
+    send("/keyboard", 1.0, rest);
+    send("/mapper", 1.01, rest);
+    for (int i = 0; i < 100; ++i) {
+      const double time = 1.1 + 0.05 * i;
+      send("/mapper", time, 0.5);
+      send("/keyboard", time + 0.01, rest);
+      if (i > 50) send("/filter", time + 0.015, rest);
+      ASSERT_EQ(person.cycle(time + 0.02).state, State::shared) << i;
+    }
   }
 }
 
