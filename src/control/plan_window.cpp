@@ -50,16 +50,17 @@ std::vector<Pose2> with_poses_between(const std::vector<Pose2>& plan) {
   std::vector<Pose2> dense;
   dense.reserve(plan.size());
   for (std::size_t i = 0; i < plan.size(); ++i) {
+    // The first pose has none before it, and looks to the next one.
     const Pose2& from = plan[i > 0 ? i - 1 : 0];
-    const Pose2& to = plan[i > 0 || plan.size() == 1 ? i : 1];
+    const Pose2& to = plan[i > 0 ? i : std::min<std::size_t>(1, plan.size() - 1)];
     const double dx = to.x - from.x, dy = to.y - from.y, gap = distance(from, to);
-    const double heading = std::atan2(dy, dx);
+    const double along = std::atan2(dy, dx);
     const double parts = i > 0 && std::isfinite(gap) ? std::ceil(gap / spacing - kRounding) : 1.0;
     for (double part = 1.0; part < parts; part += 1.0) {
-      dense.push_back({from.x + part / parts * dx, from.y + part / parts * dy, heading});
+      dense.push_back({from.x + part / parts * dx, from.y + part / parts * dy, along});
     }
     dense.push_back(plan[i]);
-    if (std::isnan(plan[i].theta)) dense.back().theta = heading;
+    if (std::isnan(plan[i].theta)) dense.back().theta = along;
   }
   return dense;
 }
@@ -80,7 +81,11 @@ void PlanWindow::replace_plan(std::vector<Pose2> plan) {
   left_before_ = left;
 }
 
-// From a pose to the next one.
+double PlanWindow::heading(std::size_t segment) const {
+  const Pose2 &a = plan_[segment], &b = plan_[segment + 1];
+  return std::atan2(b.y - a.y, b.x - a.x);
+}
+
 PlanWindow::Place PlanWindow::project(std::size_t segment, const Pose2& robot) const {
   const Pose2 &a = plan_[segment], &b = plan_[segment + 1];
   const double dx = b.x - a.x;
@@ -90,11 +95,11 @@ PlanWindow::Place PlanWindow::project(std::size_t segment, const Pose2& robot) c
   if (length2 > 0.0) t = std::clamp(((robot.x - a.x) * dx + (robot.y - a.y) * dy) / length2, 0.0, 1.0);
   const double ex = a.x + t * dx - robot.x;
   const double ey = a.y + t * dy - robot.y;
-  return {arc_[segment] + t * (arc_[segment + 1] - arc_[segment]), ex * ex + ey * ey, std::atan2(dy, dx)};
+  return {arc_[segment] + t * (arc_[segment + 1] - arc_[segment]), ex * ex + ey * ey, segment};
 }
 
 PlanWindow::Place PlanWindow::nearest(const Pose2& robot, double from, double to) const {
-  Place best{from, kNone, 0.0};
+  Place best{from, kNone, 0};
   for (std::size_t i = 0; i + 1 < plan_.size() && arc_[i] <= to; ++i) {
     if (arc_[i + 1] < from) continue;
     const Place place = project(i, robot);
@@ -159,7 +164,7 @@ void PlanWindow::pass_by_steering(const Pose2& robot, double tolerance) {
   const double away = std::sqrt(nearest(robot, progress_, length()).distance2);
   if (away > kPasses) return;
   visit_places(robot, progress_, std::min(away + tolerance, kPasses), [&](const Place& place) {
-    if (std::abs(wrap_angle(place.heading - robot.theta)) > kSameDirection) return false;
+    if (std::abs(wrap_angle(heading(place.segment) - robot.theta)) > kSameDirection) return false;
     progress_ = std::max(progress_, place.arc);
     return true;
   });

@@ -86,10 +86,11 @@ class PlanWindow {
  private:
   static constexpr double kNone = std::numeric_limits<double>::infinity();
   struct Place {
-    double arc = 0.0;        // [m]
-    double distance2 = 0.0;  // from the robot [m^2]
-    double heading = 0.0;    // of the plan there [rad]
+    double arc = 0.0;         // [m]
+    double distance2 = 0.0;   // from the robot [m^2]
+    std::size_t segment = 0;  // of the plan: from this pose to the next one
   };
+  double heading(std::size_t segment) const;  // [rad]
   Place project(std::size_t segment, const Pose2& robot) const;
   Place nearest(const Pose2& robot, double from, double to) const;
   template <typename Visit>
