@@ -13,7 +13,7 @@
 #include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "sim/diff_drive.hpp"
+#include "support/drive_limits.hpp"
 #include "support/effort.hpp"
 #include "support/naive_escape.hpp"
 #include "support/naive_inflation.hpp"
@@ -54,7 +54,7 @@ class Robot {
   explicit Robot(Scene scene)
       : scene_(std::move(scene)),
         body_(naive_body(scene_)),
-        drive_(limits(scene_.parameters)),
+        drive_(limits_of(scene_.parameters)),
         person_(scene_),
         loop_(scene_, person_) {}
   Scene& scene() { return scene_; }
@@ -77,18 +77,6 @@ class Robot {
   }
 
  private:
-  static sim::DriveLimits limits(const Parameters& p) {
-    sim::DriveLimits limits;
-    limits.max_vel_x = p.max_vel_x;
-    limits.max_vel_theta = p.max_vel_theta;
-    limits.acc_lim_x = p.acc_lim_x;
-    limits.decel_lim_x = p.braking_x();
-    limits.acc_lim_theta = p.acc_lim_theta;
-    limits.decel_lim_theta = p.braking_theta();
-    limits.latency = p.control_latency;
-    return limits;
-  }
-
   Scene scene_;
   NaiveBody body_;
   sim::DiffDrive drive_;

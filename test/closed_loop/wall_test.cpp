@@ -11,7 +11,7 @@
 #include "drive_on.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "sim/diff_drive.hpp"
+#include "support/drive_limits.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
 #include "support/scene_loop.hpp"
@@ -32,7 +32,7 @@ constexpr double kWall = 1.975;  // [m] from the middle of the room to each of i
 
 class Room {
  public:
-  explicit Room(const Base& base) : drive_(limits(base)) {
+  explicit Room(const Base& base) : drive_(limits_of(parameters_of(base))) {
     scene_ = Scene::empty(121, 0.05);
     scene_.fill(-4.0, -4.0, 4.0, 4.0);
     for (int j = 0; j < scene_.size_y; ++j) {
@@ -41,16 +41,7 @@ class Room {
         if (std::max(std::abs(centre.x()), std::abs(centre.y())) < kWall) scene_.at({i, j}) = cost::kFree;
       }
     }
-    Parameters& p = scene_.parameters;
-    p = Parameters();
-    p.max_vel_x = base.v;
-    p.max_vel_theta = base.omega;
-    p.acc_lim_x = base.acc_x;
-    p.acc_lim_theta = base.acc_theta;
-    p.control_latency = base.latency;
-    p.sim_time = 0.2;  // far less than it needs to stop
-    p.vth_samples = 11;
-    p.escape = false;  // what touches, stays
+    scene_.parameters = parameters_of(base);
     scene_.intent.influence = Influence::direct;
     scene_.intent.guarded = true;
     loop_.emplace(scene_, person_);
@@ -84,14 +75,17 @@ class Room {
   }
 
  private:
-  static sim::DriveLimits limits(const Base& base) {
-    sim::DriveLimits limits;
-    limits.max_vel_x = base.v;
-    limits.max_vel_theta = base.omega;
-    limits.acc_lim_x = limits.decel_lim_x = base.acc_x;
-    limits.acc_lim_theta = limits.decel_lim_theta = base.acc_theta;
-    limits.latency = base.latency;
-    return limits;
+  static Parameters parameters_of(const Base& base) {
+    Parameters p;
+    p.max_vel_x = base.v;
+    p.max_vel_theta = base.omega;
+    p.acc_lim_x = base.acc_x;
+    p.acc_lim_theta = base.acc_theta;
+    p.control_latency = base.latency;
+    p.sim_time = 0.2;  // far less than it needs to stop
+    p.vth_samples = 11;
+    p.escape = false;  // what touches, stays
+    return p;
   }
 
   Scene scene_;

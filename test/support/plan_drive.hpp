@@ -13,7 +13,7 @@
 
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "sim/diff_drive.hpp"
+#include "support/drive_limits.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
@@ -79,7 +79,7 @@ class PlanDrive : public control::Operator {
   static constexpr double kPeriod = 0.05;  // [s]
 
   explicit PlanDrive(const Parameters& parameters = {})
-      : parameters_(parameters), loop_(critics::built_in(), *this), base_(limits()) {
+      : parameters_(parameters), loop_(critics::built_in(), *this), base_(limits_of(parameters)) {
     EXPECT_EQ(loop_.configure(parameters_), std::vector<std::string>{});
     loop_.set_footprint({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
   }
@@ -128,16 +128,6 @@ class PlanDrive : public control::Operator {
 
  private:
   static constexpr int kCells = 160;
-
-  sim::DriveLimits limits() const {
-    sim::DriveLimits limits;
-    limits.max_vel_x = parameters_.max_vel_x;
-    limits.max_vel_theta = parameters_.max_vel_theta;
-    limits.acc_lim_x = limits.decel_lim_x = parameters_.acc_lim_x;
-    limits.acc_lim_theta = limits.decel_lim_theta = parameters_.acc_lim_theta;
-    limits.latency = parameters_.control_latency;
-    return limits;
-  }
 
   control::Observation observe() {
     control::Observation seen;
