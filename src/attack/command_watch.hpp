@@ -24,9 +24,9 @@ class CommandWatch {
     worst_.v = std::max(worst_.v, v);
     worst_.omega = std::max(worst_.omega, omega);
   }
-  /// A command may be as far from the last one as the larger acceleration limit allows within the longest period of
-  /// late [s]. Where the planner may start from odometry, it may be so far from what lies between that and the last
-  /// command.
+  /// A command differs from the last one by no more than the larger acceleration limit allows within the longest recent
+  /// period [s]. Where the planner may start from odometry, the difference counts from the interval between the reading
+  /// and the last command.
   void judge_acceleration(const Parameters& in_force, double longest, const Twist2& last, const Twist2& reading,
                           const Twist2& command) {
     const double x = longest * std::max(in_force.acc_lim_x, braking_x(in_force));

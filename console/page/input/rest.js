@@ -5,7 +5,7 @@
 const FARTHEST = 0.3; // no stick rests farther out: what stands there is held, or is no stick, until it was seen nearer
 const DEADBAND = 0.08; // a deflection below this is a centred stick
 const STILL = 0.02; // a stick that nobody holds moves less
-const SETTLED = 1000; // [ms] so long still and hardly deflected: it rests there
+const SETTLED = 1000; // [ms] a stick that stays still and hardly deflected for this long rests there
 const WORN = 0.15; // hardly deflected
 
 /** A reading in [-1, 1]; what is no number is no deflection. */

@@ -7,7 +7,7 @@ import { Rest } from './rest.js';
 
 const REPEAT = 50; // [ms] while held
 const SPACING = 12; // [ms] between two changes: the server takes 120 messages a second
-const MOVED = 0.2; // so far a device moves within WHILE if somebody moves it
+const MOVED = 0.2; // a larger change within WHILE is a movement by a person
 const WHILE = 1000; // [ms]
 const CENTRE = { left: 0, forward: 0 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What leaves the page is what the server takes: numbers within their bounds, and times that can be. One message that is none
-// would end the socket.
+// Every message of the page passes here: numbers are brought into the bounds that the server takes, and impossible times are
+// replaced. The server ends the connection at one malformed message.
 
 const UNIT = [-1, 1];
 const METRES = [-100, 100];
@@ -32,9 +32,9 @@ const WAITS = 150; // [ms] for which an event may wait in a page that is not bus
 const AFTER = 1000; // [ms] within which the events come that waited while the page was busy
 
 /**
- * Times of events [ms of performance.now()]. Not every browser gives them: some are 0, others count from another time. So a
- * time is believed where it is past, and where the page was busy for so long that the event can have waited since then. Any
- * other one is replaced by the present.
+ * Times of events [ms of performance.now()]. Not every browser gives them: some are 0, others count from another time. A time
+ * is believed if it lies in the past, and if the event can have waited since then because the page was busy. Any other time is
+ * replaced by the present.
  */
 export class EventTimes {
   constructor() {

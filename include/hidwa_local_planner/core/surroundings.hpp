@@ -13,8 +13,8 @@ class TileScores;
 struct PlanDistance {
   enum class To { path, goal };
   To to = To::path;
-  double ahead = 0.0;  // goal only: it is moved so far along the bearing from the robot to the final goal, or to the
-                       // local one where the plan turns back there [m]
+  double ahead = 0.0;  // goal only: shift of the local goal along the bearing from the robot to the final goal. Where
+                       // the plan turns back, the bearing is that to the local goal [m]
 
   /// To the part of the plan that lies on the local map.
   static PlanDistance to_path() { return {}; }

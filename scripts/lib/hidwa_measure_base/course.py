@@ -11,16 +11,16 @@ from .track import driven
 FASTEST, FASTEST_TURN = 0.3, 0.6  # [m/s], [rad/s]
 TIMES = 10             # steps of each kind
 SHORTEST, LONGEST = 1.2, 3.0  # [s]; how long a step is driven: until the velocity stays, within these
-LOOK_BACK = 0.3        # [s]; over so long a velocity is measured
+LOOK_BACK = 0.3        # [s]; window in which a velocity is measured
 SETTLED = 0.05         # of the command; a velocity that changes by less has settled
-REST = 0.6             # [s]; so long the robot stands before the next step
+REST = 0.6             # [s]; rest before the next step
 REST_LIMIT = 6.0       # [s]; by then it does
 SILENCE = 2.0          # [s] without commands, at most
 STAIR_TIME = 0.5       # [s] of each command that looks for the dead band
 STAIRS = (0.15, 0.6)   # [m/s], [rad/s]; where that ends
 FREE = 1.5             # [m]; the robot never goes farther from where it began
-MISSING = 0.5          # [s]; odometry that is older is missing, or older than ...
-INTERVALS = 3.0        # ... so many of its intervals
+MISSING = 0.5          # [s]; odometry is missing if it is older than this, and older than
+INTERVALS = 3.0        # this many of its intervals
 JUMP, JUMP_TURN = 0.05, 0.15  # [m], [rad]; from message to message, beyond what the fastest drive explains
 TOO_FAST = 1.5         # of FASTEST
 

@@ -12,7 +12,7 @@ UNITS = (('m/s', 'm/s^2'), ('rad/s', 'rad/s^2'))
 STILL = (0.003, 0.01)       # [m], [rad]; who moves less than this stands
 FINEST = (0.031, 0.061)     # [m/s], [rad/s]; commands that grow by no more than this show a dead band
 ENOUGH = 10                 # step responses
-CAREFUL = 0.95              # of a rate is printed: so far it may be off
+CAREFUL = 0.95              # share of a measured rate that is printed; the rest is for its error
 OLD_ODOMETRY, SLOW_ODOMETRY = 0.1, 0.07  # [s]
 
 

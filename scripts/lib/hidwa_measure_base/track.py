@@ -12,7 +12,7 @@ AXES = ('x', 'theta')
 class Run:
     """Commands that are the same, one after the other."""
     begin: float      # the first one was sent [s]
-    end: float        # so long it holds [s]: to the last one that was sent, or where commands are sent once, to the next
+    end: float        # time of the last one; where commands are sent once, of the next command [s]
     next: float       # another one is sent, or the track ends [s]
     command: tuple    # v [m/s], omega [rad/s]
 
