@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """measure_base with a robot that moves: the package's simulator, whose latency and limits are known. Needs what scripts/build built."""
+import argparse
 import os
 import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 import rosgraph
@@ -12,9 +14,11 @@ import yaml
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
+from hidwa_measure_base.node import SIGNALS, drive
+from hidwa_measure_base.track import Track
 from hidwa_tools import demo
 from hidwa_tools.places import ROOT
-from hidwa_tools.processes import Child
+from hidwa_tools.processes import Child, end_on_signals
 from hidwa_tools.waiting import PATIENCE, wait_for
 
 LATENCY, ACC, DECEL, ACC_THETA, DECEL_THETA, TIMEOUT = 0.15, 0.8, 0.6, 2.0, 1.6, 0.4
@@ -115,6 +119,28 @@ class MeasureBaseDrive(unittest.TestCase):
             status, _, complaint = self.end_of(program)
             self.assertEqual(status, 1)
             self.assertIn('ended by hand; the robot was told to stop', complaint)
+
+    def test_a_signal_counts_that_comes_while_rospy_publishes(self):
+        class Swallows:
+            """Like rospy's connections, it catches everything while it sends."""
+            track = Track()
+
+            def check(self):
+                self.track.receive(rospy.get_time(), 0.0, 0.0, 0.0, 0.0, 0.0, rospy.get_time())
+
+            def send(self, *_):
+                try:
+                    os.kill(os.getpid(), signal.SIGTERM)
+                    time.sleep(0.01)
+                except BaseException:  # pylint: disable=broad-exception-caught
+                    pass
+
+        options = argparse.Namespace(speed=0.3, turn=0.6, lifted=False)
+        for number in SIGNALS:
+            self.addCleanup(signal.signal, number, signal.getsignal(number))
+        end_on_signals()
+        with self.assertRaises(KeyboardInterrupt):
+            drive(Swallows(), options, lambda _: None)
 
     def test_somebody_else_on_the_topic_ends_it(self):
         program = self.start('yes')

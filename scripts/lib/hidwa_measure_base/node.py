@@ -24,6 +24,7 @@ LOOK = 0.5           # [s], wall time from one look for other publishers to the 
 ZEROS = 10           # commands of 0 at the end
 ANSWER = 'yes'
 STOPPED = '; the robot was told to stop'
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 def publishers(topic):
@@ -136,7 +137,11 @@ class Robot:
 
 
 def drive(robot, options, say):
-    """The whole course; Doubt where it has to end."""
+    """The whole course; Doubt where it has to end, KeyboardInterrupt after a signal. What a signal's handler raises can be lost:
+    rospy catches everything while it publishes. So the handler takes notes alone."""
+    signals = []
+    for number in SIGNALS:
+        signal.signal(number, lambda number, _: signals.append(number))
     course, watch = Course(robot.track, phases(options.speed, options.turn)), Watch(robot.track, options.lifted)
     phase, all_ = None, course.left
     while True:
@@ -153,6 +158,8 @@ def drive(robot, options, say):
             phase = course.phase
             say(f'\r{all_ - course.left} of {all_}: {phase.kind} {phase.v:5.2f} m/s {phase.omega:5.2f} rad/s   ')
         time.sleep(1.0 / RATE)
+        if signals:
+            raise KeyboardInterrupt
 
 
 def question(options):
@@ -183,7 +190,7 @@ def guided(options):
     except KeyboardInterrupt:
         return None, f'ended by hand{STOPPED if began else ""}', 1 if began else 2
     finally:
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in SIGNALS:
             signal.signal(number, signal.SIG_IGN)  # nothing keeps it from stopping the robot
         if began:
             robot.stop()
