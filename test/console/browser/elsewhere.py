@@ -81,11 +81,8 @@ class Elsewhere:
         x, y = stage.robot.pose[:2]
         self.assertLess(max(abs(page.app('app.scene.robot.x') - x), abs(page.app('app.scene.robot.y') - y)), 0.15)
         began = time.monotonic()
-        x, y, width, _ = page.middle('stick')
-        page.mouse('mousePressed', x, y)
-        page.mouse('mouseMoved', x - 0.36 * width, y)
-        stage.wait(lambda: any(joy.axes[0] > 0.9 for joy in stage.robot.since(stage.robot.joys, began)), 'Joy to the left')
-        page.mouse('mouseReleased', x, y)
+        at = self.steer(-1, 0, lambda: any(joy.axes[0] > 0.9 for joy in stage.robot.since(stage.robot.joys, began)), page)
+        page.mouse('mouseReleased', *at)
 
         message = CompressedImage(format='jpeg', data=jpeg())
         shown = ("const c = document.getElementById('picture-canvas'); return !c.hidden && c.width === 32 && "

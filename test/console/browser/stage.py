@@ -83,14 +83,6 @@ class DriveTest(unittest.TestCase):
         wait(lambda: robot.state == 'AUTONOMY' and robot.speed[0] > 0.25 and abs(robot.speed[1]) < 0.2, 'the robot on its way')
         return 1.0 if east else -1.0
 
-    def steers(self):
-        """Until the operator's command counts; else what the page was told."""
-        try:
-            wait(lambda: robot.state == 'SHARED', 'SHARED')
-        except AssertionError as fault:
-            facts = page.app('[app.status.facts, app.mode, app.hands.hand, app.scene.state]')
-            raise AssertionError('%s; the page: %s; hands %d, Joy %s' % (fault, facts, len(robot.hands), robot.joys[-1:])) from None
-
     def turns_left(self, began):
         """Until the robot was sent to the left since a time; else what it was asked for."""
         try:
@@ -99,32 +91,42 @@ class DriveTest(unittest.TestCase):
             hands = [(round(m.pose.position.x, 2), round(m.pose.position.y, 2)) for m in robot.since(robot.hands, began)]
             raise AssertionError('%s; %s; hands %s' % (fault, page.app('app.scene.state'), hands[::20])) from None
 
-    def press_stick(self, dx, dy):
-        x, y, width, _ = page.middle('stick')
+    @staticmethod
+    def until_told(counts, at):
+        """Until the operator's command counts; else what the page was told."""
+        try:
+            return wait(counts, "the operator's command counts")
+        except AssertionError as fault:
+            facts = at.app('[app.status.facts, app.mode, app.hands.hand, app.scene.state]')
+            raise AssertionError('%s; the page: %s; hands %d, Joy %s' % (fault, facts, len(robot.hands), robot.joys[-1:])) from None
+
+    @staticmethod
+    def press_stick(dx, dy, at=None):
+        """Where the stick of a page, or of this one, is held now: (x, y) [px]."""
+        at = at or page
+        x, y, width, _ = at.middle('stick')
         to = (x + 0.36 * width * dx, y + 0.36 * width * dy)
-        page.mouse('mousePressed', x, y)
-        page.mouse('mouseMoved', *to)
+        at.mouse('mousePressed', x, y)
+        at.mouse('mouseMoved', *to)
         return to
 
-    def take_over(self, dx, dy):
-        """Holds the stick until the page says that the person steers. Where the robot lost it meanwhile, since the page came
-        late on a slow machine, the stick is centred and held again, as the page asks for."""
-        lost = 'Lost your steering'
+    def steer(self, dx, dy, counts=lambda: robot.state == 'SHARED', at=None):
+        """Holds the stick until it counts. Where it was lost meanwhile, since the page came late on a slow machine, it is centred
+        and held again, as the page asks for."""
+        at = at or page
+        lost = ("document.getElementById('state-title').textContent === 'Lost your steering' || "
+                "app.status.facts.steering === 'neutral_needed'")
+        for _ in range(5):
+            to = self.press_stick(dx, dy, at)
+            if self.until_told(lambda: counts() and 'counts' or at.app(lost) and 'lost', at) == 'counts':
+                return to
+            at.mouse('mouseReleased', *to)
+            at.wait(lambda: not at.app(lost), 'steering is free again')
+        raise AssertionError('five times the stick was lost')
 
-        def answer():
-            title = page.text('state-title')
-            return title if title in ('You steer', 'Blocked', lost) else None
-        for _ in range(3):
-            at = self.press_stick(dx, dy)
-            try:
-                title = page.wait(answer, 'the page says who steers')
-            except AssertionError as fault:
-                raise AssertionError('%s; it says %r, the robot %s' % (fault, page.text('state-title'), robot.state)) from None
-            if title != lost:
-                return at
-            self.release_stick(at)
-            page.wait(lambda: page.text('state-title') != lost, 'steering is free again')
-        raise AssertionError('three times the robot lost the stick')
+    def take_over(self, dx, dy):
+        """Holds the stick until the page says that the person steers."""
+        return self.steer(dx, dy, lambda: page.text('state-title') in ('You steer', 'Blocked'))
 
     def release_stick(self, at):
         page.mouse('mouseReleased', *at)

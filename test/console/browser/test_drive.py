@@ -91,8 +91,7 @@ class Drive(DriveTest):
     def test_e_a_link_cut_while_steering_is_lost_and_the_page_says_so(self):
         self.drive_off()
         began = time.monotonic()
-        at = self.press_stick(-0.8, 0)
-        self.steers()
+        at = self.steer(-0.8, 0)
         cut = time.monotonic()
         proxy.cut()
         wait(lambda: 'LOST' in robot.since(robot.states, cut), 'LOST')
@@ -110,8 +109,7 @@ class Drive(DriveTest):
 
     def test_f_two_seconds_of_frames_at_once_steer_nothing_and_a_stop_in_them_counts(self):
         self.drive_off()
-        at = self.press_stick(-0.8, 0)
-        self.steers()
+        at = self.steer(-0.8, 0)
         proxy.hold()
         cycles(20)
         page.click('stop')
@@ -154,8 +152,7 @@ class Drive(DriveTest):
 
     def test_h_a_hidden_tab_releases_at_once(self):
         self.drive_off()
-        self.press_stick(-0.8, 0)
-        self.steers()
+        self.steer(-0.8, 0)
         first = page.driver.current_window_handle
         page.driver.switch_to.new_window('tab')
         wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'released')
@@ -207,8 +204,7 @@ class Drive(DriveTest):
         page.click('take')
         wait(lambda: robot.state == 'MANUAL', 'MANUAL')
         wait(lambda: abs(robot.speed[0]) < 0.02, 'no input means stop')
-        at = self.press_stick(0, -0.9)
-        wait(lambda: robot.speed[0] > 0.2, 'forward')
+        at = self.steer(0, -0.9, lambda: robot.speed[0] > 0.2)
         self.release_stick(at)
         wait(lambda: abs(robot.speed[0]) < 0.02, 'rest')
         self.assertEqual(robot.state, 'MANUAL', 'a centred stick in MANUAL is not lost')
@@ -243,7 +239,7 @@ class HeadsetDrive(DriveTest):
         began = time.monotonic()
         page.js("window.device.controllers.right.updateAxes('thumbstick', -1, 0)")
         wait(lambda: any(joy.axes[0] > 0.9 for joy in robot.since(robot.joys, began)), 'Joy to the left')
-        self.steers()
+        self.until_told(lambda: robot.state == 'SHARED', page)
         page.js("window.device.updateVisibilityState('visible-blurred')")
         wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'released')
         page.js("window.device.controllers.right.updateAxes('thumbstick', 0, 0); window.device.updateVisibilityState('visible')")
@@ -256,7 +252,7 @@ class HeadsetDrive(DriveTest):
         page.js(close)
         page.wait(lambda: page.app("app.hands.hand === 'right'"), 'a hand that grips')
         page.js(move)
-        self.steers()
+        self.until_told(lambda: robot.state == 'SHARED', page)
         page.wait(lambda: page.app('Boolean(app.scene.state && app.scene.state.wanted.omega > 0.3)'), 'a turn to the left is asked for')
         page.js('window.lost = true')
         wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'lost tracking releases')
