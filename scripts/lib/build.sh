@@ -32,7 +32,7 @@ hidwa_built_with() {
 }
 
 # hidwa_workspace FOLDER PACKAGE_FOLDER... -- CMAKE_ARGUMENT...: builds packages into FOLDER/{build,install,log}, by colcon, or by
-# catkin where there is no colcon (Debian 11). Each package has its build folder in FOLDER/build either way.
+# catkin where there is no colcon (Debian 11), with the tests that they have. Each package has its build folder in FOLDER/build either way.
 hidwa_workspace() {
   local packages=() log
   mkdir -p "$1"
@@ -50,7 +50,7 @@ hidwa_workspace() {
     ln -sfn "${log#log/}" log/latest_build
     ln -s "${packages[@]}" build/source
     PYTHONUNBUFFERED=1 catkin_make_isolated --source build/source --build build --devel build/devel --merge --install \
-      --install-space install --cmake-args "$@" 2>&1 | tee "$log/stdout_stderr.log"
+      --install-space install --catkin-make-args all tests --cmake-args "$@" 2>&1 | tee "$log/stdout_stderr.log"
   fi
 }
 
