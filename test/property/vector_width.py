@@ -36,7 +36,7 @@ PACKED = {'libhidwa_core.so': OF_CORE, 'libhidwa_critics.so': OF_CRITICS}
 CLONES = {'avx2': ('v', '%ymm'), 'default': ('', '%xmm')}
 SKIPPED = 77
 
-HEADER = re.compile(r'^[0-9a-f]+ <(?P<name>.*?) ?\[clone \.(?P<clone>avx2|default)(\.[0-9]+)?\]( \[clone \.[0-9]+\])?>:$')
+HEADER = re.compile(r'^[0-9a-f]+ <(?P<name>[^.]+)(\.\w+)*?\.(?P<clone>avx2|default)(\.[0-9]+)*>:$')
 LINE = re.compile(r'^\s*(?P<at>[0-9a-f]+):\s+(?P<operation>\S+)\s*(?P<operands>.*)$')
 TARGET = re.compile(r'^(?P<to>[0-9a-f]+) <')
 
@@ -47,18 +47,27 @@ def short(name):
     return name.split('(')[0].strip()
 
 
+def demangled(names):
+    """{name: it as in the source}."""
+    names = sorted(names)
+    readable = subprocess.run(['c++filt'], input='\n'.join(names), check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    return dict(zip(names, map(short, readable)))
+
+
 def functions(listing):
-    """{(function, clone): [(address, operation, operands), ...]} of a disassembly with names made readable."""
+    """{(function, clone): [(address, operation, operands), ...]} of a disassembly with names as the linker sees them: older
+    versions of objdump cannot read those of clones."""
     found, body = {}, None
     for line in listing.splitlines():
         if line.endswith('>:'):
             header = HEADER.match(line)
-            body = found.setdefault((short(header['name']), header['clone']), []) if header else None
+            body = found.setdefault((header['name'], header['clone']), []) if header else None
             continue
         instruction = LINE.match(line) if body is not None else None
         if instruction:
             body.append((int(instruction['at'], 16), instruction['operation'], instruction['operands']))
-    return found
+    names = demangled({name for name, _ in found})
+    return {(names[name], clone): body for (name, clone), body in found.items()}
 
 
 def innermost_loops(body):
@@ -114,7 +123,7 @@ def main():
         print(f'skipped: clones are made by GCC only, and this library was compiled by {options.compiler}')
         return SKIPPED
     packed = PACKED[os.path.basename(options.library)]
-    faults = judge(objdump('--disassemble', '--demangle', '--no-show-raw-insn'), packed)
+    faults = judge(objdump('--disassemble', '--no-show-raw-insn'), packed)
     print('\n'.join(faults) if faults else f'{len(packed)} functions, each vectorised in {len(CLONES)} clones')
     return 1 if faults else 0
 

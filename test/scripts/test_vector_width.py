@@ -10,23 +10,23 @@ SPEC.loader.exec_module(vector_width)
 
 # Two loops in one: the inner one is packed, the outer one holds a packed addition of its own.
 LISTING = '''
-0000000000001000 <hidwa_local_planner::kernel::(anonymous namespace)::steady_rows(Request const&, double*) [clone .avx2]>:
+0000000000001000 <_ZN19hidwa_local_planner6kernel12_GLOBAL__N_111steady_rowsEPd.avx2.0>:
     1000:\tvaddpd %ymm0,%ymm1,%ymm2
     1004:\tvmulpd (%rax),%ymm0,%ymm1
     1008:\tvmulpd %xmm0,%xmm1,%xmm1
-    100c:\tjne    1004 <hidwa_local_planner::kernel::(anonymous namespace)::steady_rows(Request const&, double*) [clone .avx2]+0x4>
-    1010:\tjmp    1000 <hidwa_local_planner::kernel::(anonymous namespace)::steady_rows(Request const&, double*) [clone .avx2]>
+    100c:\tjne    1004 <_ZN19hidwa_local_planner6kernel12_GLOBAL__N_111steady_rowsEPd.avx2.0+0x4>
+    1010:\tjmp    1000 <_ZN19hidwa_local_planner6kernel12_GLOBAL__N_111steady_rowsEPd.avx2.0>
     1014:\tret
 
-0000000000002000 <hidwa_local_planner::kernel::(anonymous namespace)::steady_rows(Request const&, double*) [clone .default.1]>:
+0000000000002000 <_ZN19hidwa_local_planner6kernel12_GLOBAL__N_111steady_rowsEPd.isra.0.default.1>:
     2000:\tmulsd  (%rax),%xmm0
     2004:\taddpd  %xmm0,%xmm1
-    2008:\tjne    2000 <hidwa_local_planner::kernel::(anonymous namespace)::steady_rows(Request const&, double*) [clone .default.1]>
+    2008:\tjne    2000 <_ZN19hidwa_local_planner6kernel12_GLOBAL__N_111steady_rowsEPd.isra.0.default.1>
     200c:\tret
 
-0000000000003000 <hidwa_local_planner::Planner::reset()>:
+0000000000003000 <_ZN19hidwa_local_planner7Planner5resetEv>:
     3000:\tmulpd  %xmm0,%xmm1
-    3004:\tjne    3000 <hidwa_local_planner::Planner::reset()>
+    3004:\tjne    3000 <_ZN19hidwa_local_planner7Planner5resetEv>
 '''
 
 
@@ -54,7 +54,7 @@ class VectorWidth(unittest.TestCase):
     def test_functions_come_and_go(self):
         self.assertEqual(self.faults(LISTING, 'gather'), ['gather: the library holds no clone of it for avx2',
                                                           'gather: the library holds no clone of it for default'])
-        self.assertIn('not listed here', self.faults(LISTING.replace('steady_rows', 'novel'), 'kernel::novel')[0])
+        self.assertIn('not listed here', self.faults(LISTING.replace('11steady_rows', '5novel'), 'kernel::novel')[0])
 
 
 if __name__ == '__main__':
