@@ -12,6 +12,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import paths  # noqa: E402
 import rosgraph  # noqa: E402
+import rospkg  # noqa: E402
 import rospy  # noqa: E402
 import rostest  # noqa: E402
 from dynamic_reconfigure.msg import Config, DoubleParameter  # noqa: E402
@@ -80,7 +81,8 @@ class Masters(unittest.TestCase):
         modes.publish('joystick')
         self.assertTrue(host.drives(), 'the robot does not drive on')
         self.goes_on(watch)
-        self.assertTrue(wait_for(lambda: not waiting.is_alive()), 'the change was never answered')
+        if version_of('xmlrpcpp') >= (1, 15, 12):  # before, what has asked a dead master asks it for ever (ros_comm #2185)
+            self.assertTrue(wait_for(lambda: not waiting.is_alive()), 'the change was never answered')
         self.assertEqual(watch.faults(), [])
         self.assertEqual(watch.abrupt_stops(), 0)
         self.assertEqual(host.contacts, 0)
@@ -91,6 +93,10 @@ class Masters(unittest.TestCase):
         self.assertTrue(wait_for(lambda: len(watch.cycles()) > before + 40), 'no cycles come any more')
         # What asks a dead master waits for seconds.
         self.assertLess(max(cycle.duration for cycle in watch.cycles()[before:]), 1.0)
+
+
+def version_of(package):
+    return tuple(map(int, rospkg.RosPack().get_manifest(package).version.split('.')))
 
 
 def quietly(call, *arguments):
