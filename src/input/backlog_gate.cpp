@@ -2,7 +2,9 @@
 #include "hidwa_local_planner/input/backlog_gate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hidwa_local_planner::input {
 namespace {
@@ -36,9 +38,11 @@ double SteadyLag::observe(double lag, double received, double spread, double gap
   return received - since_;
 }
 
-BacklogGate::Arrival BacklogGate::judge(double stamp, double received, const Limits& limits) {
+BacklogGate::Arrival BacklogGate::judge(double stamp, double received, const Limits& limits, bool connected) {
   excess_ = 0.0;
   if (stamp <= 0.0) return Arrival::live;
+  const double silence = received - heard_;
+  heard_ = received;
   if (known_ && stamp == stamp_) {
     link_lag_.take_silent(received);
     return repeated_;
@@ -48,6 +52,7 @@ BacklogGate::Arrival BacklogGate::judge(double stamp, double received, const Lim
     return Arrival::live;
   }
   const bool back = stamp < stamp_ - limits.late;
+  const double gap = std::min(stamp - stamp_, silence);
   const double lag = received - stamp;
   const double drift = kClockDrift * (received - received_);
   smallest_lag_ = std::min(lag, smallest_lag_ + drift);
@@ -55,6 +60,7 @@ BacklogGate::Arrival BacklogGate::judge(double stamp, double received, const Lim
   received_ = received;
   stamp_ = back ? stamp : std::max(stamp_, stamp);
   excess_ = lag - smallest_lag_;
+  const double excess_before = std::exchange(last_excess_, excess_);
   if (lag - usual_lag_ <= limits.late && excess_ <= std::max(limits.late, limits.lag_max)) {
     backlog_lag_.forget();
     link_lag_.forget();
@@ -71,7 +77,7 @@ BacklogGate::Arrival BacklogGate::judge(double stamp, double received, const Lim
     repeated_ = Arrival::live;
     return Arrival::slower_link;
   }
-  if (!new_clock) return repeated_ = Arrival::backlog;
+  if (!new_clock && !connected && !outlasts_backlog(gap, excess_before, limits)) return repeated_ = Arrival::backlog;
   learn(stamp, received);
   return Arrival::new_clock;
 }
@@ -86,8 +92,23 @@ bool BacklogGate::is_slower(double lag, double received, const Limits& limits) {
   return steady >= kSettledTime && link_lag_.most() - smallest_lag_ <= limits.lag_max;
 }
 
+bool BacklogGate::outlasts_backlog(double gap, double excess_before, const Limits& limits) const {
+  return excess_before > limits.lag_max && gap > proving_gap(excess_before, limits) &&
+         std::abs(excess_ - excess_before) <= kSettledSpread;
+}
+
+void BacklogGate::add_to_lag(double step) {
+  if (!known_) return;
+  smallest_lag_ += step;
+  usual_lag_ += step;
+  backlog_lag_.forget();
+  link_lag_.forget();
+  repeated_ = Arrival::live;
+}
+
 void BacklogGate::learn(double stamp, double received) {
   known_ = true;
+  last_excess_ = 0.0;
   stamp_ = stamp;
   smallest_lag_ = usual_lag_ = received - stamp;
   received_ = received;

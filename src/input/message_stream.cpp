@@ -28,7 +28,9 @@ MessageStream::Arrival MessageStream::judge(const OperatorMessage& message, cons
   }
   Device& device = devices_[from];
   BacklogGate::Arrival arrival = BacklogGate::Arrival::live;
-  if (limits.late > 0.0) arrival = device.backlog.judge(message.stamp, received, limits);
+  const bool connected = message.connection != device.connection;
+  device.connection = message.connection;
+  if (limits.late > 0.0) arrival = device.backlog.judge(message.stamp, received, limits, connected);
   excess_ = device.backlog.excess();
   if (arrival == BacklogGate::Arrival::backlog) return Arrival::late;
   const bool same_link = arrival == BacklogGate::Arrival::live;
@@ -85,6 +87,10 @@ void MessageStream::demand_neutral() {
 
 void MessageStream::forget_lag() {
   for (Device& device : devices_) device.backlog.reset();
+}
+
+void MessageStream::add_to_lag(double step) {
+  for (Device& device : devices_) device.backlog.add_to_lag(step);
 }
 
 std::string MessageStream::advice(const std::string& topic) const {

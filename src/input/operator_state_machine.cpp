@@ -27,7 +27,10 @@ std::string late(double excess, const BacklogGate::Limits& limits) {
   text += beyond_settling ? "input_lag_max (" + worded(limits.lag_max, 3) : "input_timeout (" + worded(limits.late, 3);
   text += " s): the link holds messages back";
   if (may_settle) text += " (a delay that stays within 0.1 s for 2 s is accepted)";
-  return text + ", or the sender's clock runs differently (synchronise the clocks, or leave the stamps empty)";
+  text += ", or the sender's clock runs differently (synchronise the clocks, or leave the stamps empty)";
+  if (may_settle) return text;
+  return text + ". If that clock stood still or was set, as that of a computer that slept, send nothing for " +
+         worded(std::ceil(BacklogGate::proving_gap(excess, limits)), 6) + " s, or restart the sender";
 }
 
 std::string fault_of_times(const OperatorMessage& message) {
@@ -91,9 +94,10 @@ void OperatorStateMachine::stop(bool stop) {
   if (!stop) stop_.dismiss();
 }
 
-void OperatorStateMachine::heartbeat(double now) {
+void OperatorStateMachine::heartbeat(double now, const std::optional<double>& clock_ahead) {
   pauses_.expect_heartbeats();
   note_alive(now);
+  if (clock_ahead) watch_clock(*clock_ahead);
 }
 
 OperatorIntent OperatorStateMachine::update(double now) {
@@ -193,8 +197,12 @@ std::string OperatorStateMachine::admit(SourceList::Connection& connection, cons
     case MessageStream::Arrival::new_device:
       expect_new_device();
       break;
-    case MessageStream::Arrival::slower_link:
     case MessageStream::Arrival::new_clock:
+      add_sentence(warnings_, "The clock of the sender on " + connection.source->topic(parameters_).label +
+                                  " was set or stood still: from now on its messages count again. Centre the device.");
+      channel_.demand_neutral();
+      break;
+    case MessageStream::Arrival::slower_link:
       channel_.demand_neutral();
       break;
     case MessageStream::Arrival::live:
@@ -263,6 +271,17 @@ void OperatorStateMachine::note_alive(double now) {
   sources_.exclude_pause(pause);
   rhythm_.exclude_pause(pause);
   if (channel_.active() || channel_.lost()) pauses_.report(pause, now);
+}
+
+// What a clock that was set forward adds to every lag is no lag. Back: see set_back().
+void OperatorStateMachine::watch_clock(double ahead) {
+  const double step = clock_ahead_ ? ahead - *clock_ahead_ : 0.0;
+  clock_ahead_ = ahead;
+  if (step <= kClockJitter) return;
+  sources_.add_to_lags(step);
+  channel_.demand_neutral();
+  add_sentence(warnings_, "The robot's clock was set forward by " + worded(step, 3) +
+                              " s. Centre the device. Let the clocks of the robot agree before it drives.");
 }
 
 // Who stopped the robot or took control did so in words or by a button, and sees no clock.

@@ -76,6 +76,10 @@ void SourceList::demand_neutral() {
   for (Connection& connection : connections_) connection.stream.demand_neutral();
 }
 
+void SourceList::add_to_lags(double step) {
+  for (Connection& connection : connections_) connection.stream.add_to_lag(step);
+}
+
 void SourceList::reset() {
   for (Connection& connection : connections_) {
     connection.source->reset();

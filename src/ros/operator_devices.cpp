@@ -14,6 +14,7 @@
 
 #include "hidwa_local_planner/input/stick_reading.hpp"
 #include "hidwa_local_planner/input/twist_source.hpp"
+#include "hidwa_local_planner/ros/connection_numbers.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 
 namespace hidwa_local_planner {
@@ -63,6 +64,7 @@ class DeviceTopic : public OperatorDevice {
     Message message;
     message.sender = event.getPublisherName();
     message.received = now.seconds;
+    message.connection = connections_.of(event.getConnectionHeaderPtr());
     const Misfit misfit = convert_(*event.getConstMessage(), now, message);
     if (!misfit.what.empty()) {
       ROS_WARN_THROTTLE(5.0, "%s carries %s from %s: %s", topic.c_str(), misfit.what.c_str(), message.sender.c_str(),
@@ -76,6 +78,7 @@ class DeviceTopic : public OperatorDevice {
   DeviceName name_;
   Convert convert_;
   DeliverMessage deliver_;
+  ConnectionNumbers connections_;
   std::string topic_;
   ros::Subscriber subscriber_;
 };

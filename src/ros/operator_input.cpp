@@ -2,6 +2,8 @@
 #include "hidwa_local_planner/ros/operator_input.hpp"
 
 #include <chrono>
+#include <ctime>
+#include <optional>
 #include <thread>
 
 #include <ros/console.h>
@@ -15,6 +17,14 @@ const ros::WallDuration kHeartbeat(0.05);
 // After a pause messages may still be on their way from the sockets. The control thread waits for them this long.
 constexpr std::chrono::microseconds kPatience(1000);
 constexpr int kTries = 5;
+
+// How far ROS's clock is ahead of one that nobody can set and that goes on while the machine sleeps [s]. None with a
+// simulated clock, whose steps are no fault.
+std::optional<double> clock_ahead(const ros::Time& stamp) {
+  timespec time{};
+  if (ros::Time::isSimTime() || clock_gettime(CLOCK_BOOTTIME, &time) != 0) return std::nullopt;
+  return stamp.toSec() - static_cast<double>(time.tv_sec) - 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 }  // namespace
 
@@ -70,8 +80,9 @@ void OperatorInput::start_heartbeat(const ros::NodeHandle& handle) {
   heartbeat_ = thread_.serve(handle).createSteadyTimer(kHeartbeat, [this](const ros::SteadyTimerEvent&) {
     const LoopTime now = LoopTime::now();
     if (now.stamp.isZero()) return;
+    const std::optional<double> ahead = clock_ahead(now.stamp);
     const std::lock_guard<std::mutex> lock(mutex_);
-    machine_.heartbeat(now.seconds);
+    machine_.heartbeat(now.seconds, ahead);
   });
 }
 

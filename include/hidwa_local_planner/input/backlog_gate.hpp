@@ -33,6 +33,11 @@ class SteadyLag {
 /// A link may become slower for good. A lag that is steady within 0.1 s for 2 s becomes the link's present lag, up to
 /// `lag_max` more than the smallest. Messages with that lag are live, too. A smaller lag becomes the present one at
 /// once.
+///
+/// Lags that grow by one and the same time may be those of a backlog that is delivered at the pace at which it was
+/// sent, or those of a sender whose clock stood still. They are taken for the latter only where no backlog is left:
+/// after a gap in the messages and in their stamps that is longer than the excess, in which a backlog would have been
+/// worked off, while the lag stayed the same within 0.1 s; or on a new connection.
 class BacklogGate {
  public:
   struct Limits {
@@ -43,11 +48,16 @@ class BacklogGate {
     live,
     backlog,      // held back for longer than the limit: to be dropped
     slower_link,  // live: from this message on the link's lag is a larger one
-    new_clock     // the sender's or the receiver's clock was set: the lag is learnt again from this message
+    new_clock     // the sender's or the receiver's clock was set or stood still: the lag is learnt from this message
   };
 
-  /// Judges one message; `stamp`, `received` in [s], `received` never decreasing.
-  Arrival judge(double stamp, double received, const Limits& limits);
+  /// Judges one message; `stamp`, `received` in [s], `received` never decreasing. `connected`: it is the first one of a
+  /// connection.
+  Arrival judge(double stamp, double received, const Limits& limits, bool connected = false);
+  /// A gap in the stamps longer than this [s] leaves nothing of a backlog with this excess [s].
+  static double proving_gap(double excess, const Limits& limits) { return excess + limits.late; }
+  /// The receiver's clock was set forward by `step` [s].
+  void add_to_lag(double step);
 
   /// By how much the last judged message exceeded the smallest lag [s].
   double excess() const { return excess_; }
@@ -59,6 +69,7 @@ class BacklogGate {
  private:
   bool clock_was_set(double lag, double received, double limit);
   bool is_slower(double lag, double received, const Limits& limits);
+  bool outlasts_backlog(double gap, double excess_before, const Limits& limits) const;
   void learn(double stamp, double received);
 
   bool known_ = false;
@@ -66,7 +77,9 @@ class BacklogGate {
   double smallest_lag_ = 0.0;         // [s], as of received_
   double usual_lag_ = 0.0;            // the link's present one [s], as of received_
   double received_ = 0.0;             // [s]
+  double heard_ = 0.0;                // when the newest message with a stamp arrived [s]
   double excess_ = 0.0;               // [s]
+  double last_excess_ = 0.0;          // of the newest stamp that was not a repeated one [s]
   Arrival repeated_ = Arrival::live;  // on the newest stamp
   bool went_back_ = false;            // the stamps, within the present backlog
   SteadyLag backlog_lag_;             // of the present backlog, for a clock that was set

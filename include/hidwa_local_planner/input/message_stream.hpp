@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ class MessageStream {
     new_device,    // live, and the first of a device that was not known; it is in use from now on
     other_device,  // live, and of a device that is known and in use from now on
     slower_link,   // live, and the first since the link is known to be slower
-    new_clock      // live, and the first since a clock was set
+    new_clock      // live, and the first since a clock was set or stood still
   };
   /// What a message meets.
   struct Use {
@@ -39,10 +40,11 @@ class MessageStream {
     DeviceShape shape;
     BacklogGate backlog;
     CatchUpWatch catch_up;
-    bool armed = false;     // seen neutral since that was demanded; while it is in use others know better
-    bool idle = false;      // its newest message asked for nothing
-    bool was_idle = false;  // nor did the one before
-    double heard = 0.0;     // [s]
+    bool armed = false;            // seen neutral since that was demanded; while it is in use others know better
+    bool idle = false;             // its newest message asked for nothing
+    bool was_idle = false;         // nor did the one before
+    double heard = 0.0;            // [s]
+    std::uint64_t connection = 0;  // of its newest message
   };
 
   /// Judges a message; `received`: when it arrived, never decreasing [s]; limits.late 0: none is too late.
@@ -60,6 +62,7 @@ class MessageStream {
   /// Two nodes that take turns, and a link that became slower, in words, with the remedy; else empty.
   std::string advice(const std::string& topic) const;
   void forget_lag();
+  void add_to_lag(double step);  // [s]
   void reset() { *this = MessageStream(); }
 
  private:

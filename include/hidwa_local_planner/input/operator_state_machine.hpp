@@ -52,8 +52,10 @@ class OperatorStateMachine {
   /// False also ends the stops of devices that are gone.
   void stop(bool stop);
   /// The thread that takes messages is at work. Told at least every 0.1 s, the machine tells a pause of the whole
-  /// planner from a silence of the device. Never told, it knows no pauses.
-  void heartbeat(double now);
+  /// planner from a silence of the device. Never told, it knows no pauses. `clock_ahead`: how far the clock by which
+  /// senders' stamps are judged is ahead of one that nobody can set [s]; by it the machine notices that it was set
+  /// forward.
+  void heartbeat(double now, const std::optional<double>& clock_ahead = std::nullopt);
   /// The planner stood still since the last cycle: what arrived meanwhile should be taken before the next.
   bool paused_since_last_cycle(double now) const { return pauses_.since_last_cycle(now); }
 
@@ -104,6 +106,7 @@ class OperatorStateMachine {
   void expect_new_device();
   void change_device(const SourceList::Connection& connection);
   void note_alive(double now);
+  void watch_clock(double ahead);
   void set_back(double now);
   void restart();
   bool cycles_run() const;
@@ -121,6 +124,7 @@ class OperatorStateMachine {
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
   double now_ = kNever;
   double received_ = kNever;
+  std::optional<double> clock_ahead_;  // told last [s]
   std::string warnings_;
   std::uint32_t dropped_ = 0;
 };

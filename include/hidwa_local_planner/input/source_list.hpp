@@ -52,6 +52,8 @@ class SourceList {
   void exclude_pause(double pause);  // [s]
   /// Every link's lag is learnt anew.
   void forget_lags();
+  /// The clock was set forward by `step` [s]: every lag seems larger by it.
+  void add_to_lags(double step);
   /// Every device must be seen neutral once (again).
   void demand_neutral();
   /// The node whose device of what steers is in use; empty where none is.

@@ -52,7 +52,8 @@ bool Twin::readable(const StickMessage& m) const {
 bool Twin::usable(std::size_t e) const { return is_message(e) && readable(history_[e].message) && !late_[e]; }
 
 // A message is late by what its lag exceeds the link's present one. That is the smallest lag since the link was last
-// taken to be slower, that is since lags beyond the limit had stayed within 0.1 s for 2 s.
+// taken to be slower, that is since lags beyond the limit had stayed within 0.1 s for 2 s. A lag that stays the same over
+// a pause in which a backlog of it would have been worked off is that of another clock: the link is learnt anew.
 void Twin::judge_lags() {
   struct Lag {
     std::size_t event;
@@ -60,7 +61,8 @@ void Twin::judge_lags() {
   };
   std::vector<Lag> all, usual, refused;  // of every stamp; of the present link; refused in a row and steady
   late_.assign(history_.size(), false);
-  double heard = 0.0;  // when the newest readable stamp arrived [s]
+  double heard = 0.0;   // when the newest readable stamp arrived [s]
+  double excess = 0.0;  // of the newest stamp that was not repeated [s]
   for (std::size_t e = 0; e < history_.size(); ++e) {
     const double time = history_[e].time, stamp = history_[e].message.stamp;
     if (!is_message(e) || !readable(history_[e].message) || stamp == 0.0 || p_.input_timeout == 0.0) continue;
@@ -70,6 +72,7 @@ void Twin::judge_lags() {
       late_[e] = late_[all.back().event];
       continue;
     }
+    const double pause = all.empty() ? 0.0 : std::min(gap, stamp - history_[all.back().event].message.stamp);
     const Lag lag{e, time, time - stamp};
     all.push_back(lag);
     usual.push_back(lag);
@@ -79,7 +82,7 @@ void Twin::judge_lags() {
       for (const Lag& old : lags) value = std::min(value, old.lag + 2e-4 * (time - old.time));
       return value;
     };
-    const double excess = lag.lag - least(all);
+    const double excess_before = std::exchange(excess, lag.lag - least(all));
     late_[e] = lag.lag - least(usual) > p_.input_timeout || excess > std::max(p_.input_timeout, p_.input_lag_max);
     if (!late_[e]) {
       refused.clear();
@@ -91,11 +94,17 @@ void Twin::judge_lags() {
     if (range.second->lag - range.first->lag > 0.1 || gap > p_.input_timeout) refused.assign(1, lag);
     const double steady_least = std::min_element(refused.begin(), refused.end(), by_lag)->lag;
     const double steady_most = std::max_element(refused.begin(), refused.end(), by_lag)->lag;
-    if (time - refused.front().time < 2.0 || steady_most - least(all) > p_.input_lag_max) continue;
+    const bool slower = time - refused.front().time >= 2.0 && steady_most - least(all) <= p_.input_lag_max;
+    const bool other_clock = excess_before > p_.input_lag_max && pause > excess_before + p_.input_timeout &&
+                             std::abs(excess - excess_before) <= 0.1;
+    if (!slower && !other_clock) continue;
     late_[e] = false;
     slower_.push_back(e);
-    usual.assign(1, Lag{e, time, steady_least});
+    usual.assign(1, slower ? Lag{e, time, steady_least} : lag);
     refused.clear();
+    if (slower) continue;
+    all.assign(1, lag);
+    excess = 0.0;
   }
 }
 
