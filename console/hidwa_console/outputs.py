@@ -20,7 +20,9 @@ def joy_of(command, p):
     hand = isinstance(command, Hand)
     axes, buttons = {}, {}
     if not hand:
-        axes[p.get('axis_linear', 1)] = p.get('axis_linear_sign', 1) * command.forward
+        rest = p.get('axis_linear_rest', 0.0)
+        forward = p.get('axis_linear_sign', 1) * command.forward
+        axes[p.get('axis_linear', 1)] = max(-1.0, min(1.0, rest + (1.0 + abs(rest)) * forward))
         axes[p.get('axis_angular', 0)] = p.get('axis_angular_sign', 1) * command.left
         buttons[p.get('enable_button', -1)] = int(command.held)
     clutch = hand and command.grip

@@ -14,6 +14,13 @@ namespace {
 // Drivers overshoot by rounding: -32768 / 32767 is 1.00003.
 constexpr float kRangeTolerance = 0.01F;
 
+// An axis that is at an end, and how long a doubted one must stand in its centre. A trigger on its way passes it
+// faster.
+constexpr float kEnd = 0.99F;
+constexpr double kCentredFor = 1.0;  // [s]
+constexpr double kRestsFor = 3.0;    // [s]
+constexpr int kStickAxes = 2;        // the first ones of every device with a stick
+
 std::string has_only(std::size_t count, const std::string& things) {
   if (count == 0) return "the message has no " + things;
   return "the message has only " + things + " 0 to " + std::to_string(count - 1);
@@ -98,11 +105,19 @@ std::string check(const StickMessage& message, const StickUse& use) {
   return fault;
 }
 
-// The value of an axis, 0 where the device does not have it or says nothing that an axis can be.
-float axis(const StickMessage& message, int index, int sign) {
-  if (!has(message.axes, index)) return 0.0F;
-  const float value = message.axes[static_cast<std::size_t>(index)];
-  return in_range(value) ? value * static_cast<float>(sign) : 0.0F;
+// The value of an axis that was checked.
+float axis(const StickMessage& message, int index) { return message.axes[static_cast<std::size_t>(index)]; }
+
+// Whether the device has the axis, and it says what an axis can say.
+bool has_sound(const StickMessage& message, int index) {
+  return has(message.axes, index) && in_range(message.axes[static_cast<std::size_t>(index)]);
+}
+
+// The speed axis from its rest, forward positive.
+float linear_of(float value, const StickUse& use) {
+  const auto rest = static_cast<float>(use.parameters.axis_linear_rest);
+  const float from_rest = use.linear_untouched && value == 0.0F ? 0.0F : (value - rest) / (1.0F + std::abs(rest));
+  return from_rest * static_cast<float>(use.parameters.axis_linear_sign);
 }
 
 // Axes are floats: a dead zone of 0.1 must hold the float 0.1 too, which as a double is a little more.
@@ -120,13 +135,36 @@ Twist2 mapped(float angular, float linear, const Parameters& parameters) {
 
 }  // namespace
 
+void AxisStart::observe(float value, const Parameters& parameters, double now) {
+  const bool centred = std::abs(value) <= static_cast<float>(parameters.dead_zone);
+  if (doubted_ && centred_ && now - centred_since_ >= kCentredFor) doubted_ = false;
+  if (!moved_ && value != 0.0F) {
+    moved_ = true;
+    moved_since_ = now;
+    end_ = value;
+    jumped_ = std::abs(value) >= kEnd && parameters.axis_linear_rest == 0.0;
+  }
+  jumped_ = jumped_ && value == end_;
+  if (jumped_ && (parameters.axis_linear >= kStickAxes || now - moved_since_ >= kRestsFor)) doubted_ = true;
+  if (centred && !centred_) centred_since_ = now;
+  centred_ = centred;
+}
+
+bool reads_linear_axis(const StickUse& use) {
+  return (use.steers && steers_both_axes(use.parameters)) || pull_stops(use);
+}
+
 std::string read_stick(const StickMessage& message, const StickUse& use, StickReading& reading) {
   const Parameters& parameters = use.parameters;
   std::string fault = check(message, use);
   if (!fault.empty()) return fault;
   reading = StickReading();
-  reading.angular = axis(message, parameters.axis_angular, parameters.axis_angular_sign);
-  reading.linear = axis(message, parameters.axis_linear, parameters.axis_linear_sign);
+  if (has_sound(message, parameters.axis_angular)) {
+    reading.angular = axis(message, parameters.axis_angular) * static_cast<float>(parameters.axis_angular_sign);
+  }
+  if (has_sound(message, parameters.axis_linear)) {
+    reading.linear = linear_of(axis(message, parameters.axis_linear), use);
+  }
   if (use.steers) reading.enabled = held(message, parameters.enable_button);
   if (parameters.mode == OperatorMode::switching) reading.toggle = held(message, parameters.toggle_button);
   if (needs_clutch(parameters)) reading.clutch = clutch_held(message, parameters);
@@ -140,8 +178,8 @@ StopReading stop_reading_of(const StickMessage& message, const StickUse& use) {
   const bool has_button = parameters.stop_button < static_cast<int>(message.buttons.size());
   reading.button = has_button && held(message, parameters.stop_button);
   if (!pull_stops(use) || !has(message.axes, parameters.axis_linear)) return reading;
-  const auto value = static_cast<double>(message.axes[static_cast<std::size_t>(parameters.axis_linear)]);
-  if (std::isfinite(value)) reading.back = -value * parameters.axis_linear_sign;
+  const auto forward = static_cast<double>(linear_of(axis(message, parameters.axis_linear), use));
+  if (std::isfinite(forward)) reading.back = -forward;
   return reading;
 }
 

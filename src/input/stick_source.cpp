@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/input/stick_source.hpp"
 
+#include <cstddef>
+#include <string>
+
 namespace hidwa_local_planner::input {
 
 bool StickSource::same_mapping(const Parameters& a, const Parameters& b) const {
   return a.axis_angular == b.axis_angular && a.axis_linear == b.axis_linear &&
          a.axis_angular_sign == b.axis_angular_sign && a.axis_linear_sign == b.axis_linear_sign &&
-         a.enable_button == b.enable_button && a.stop_button == b.stop_button && a.toggle_button == b.toggle_button &&
-         a.clutch_button == b.clutch_button && a.clutch_axis == b.clutch_axis &&
-         a.clutch_axis_sign == b.clutch_axis_sign;
+         a.axis_linear_rest == b.axis_linear_rest && a.enable_button == b.enable_button &&
+         a.stop_button == b.stop_button && a.toggle_button == b.toggle_button && a.clutch_button == b.clutch_button &&
+         a.clutch_axis == b.clutch_axis && a.clutch_axis_sign == b.clutch_axis_sign;
 }
 
 std::string StickSource::fault_of(const StickMessage& message) const {
@@ -26,12 +29,25 @@ bool StickSource::is_idle(const StickMessage& message) const {
   return !command_of(reading, parameters()).active && !reading.toggle && !reading.clutch;
 }
 
-SourceReading StickSource::take(const StickMessage& message, double) {
+SourceReading StickSource::take(const StickMessage& message, double now) {
   SourceReading reading;
   reading.fault = read_stick(message, use(), state_);
+  const auto linear = static_cast<std::size_t>(parameters().axis_linear);
+  if (linear < message.axes.size()) state_.linear_start.observe(message.axes[linear], parameters(), now);
+  if (state_.linear_start.doubted()) state_.linear = 0.0F;
   reading.command = command();
   reading.buttons = Buttons{state_.toggle, state_.clutch};
   return reading;
+}
+
+std::string StickSource::advice() const {
+  if (!state_.linear_start.doubted() || !reads_linear_axis(use())) return {};
+  const std::string name = "axes[" + std::to_string(parameters().axis_linear) + "]";
+  const std::string end = state_.linear_start.end() > 0.0F ? "1" : "-1";
+  return "The first movement of " + name + " led to its end " + end +
+         ", as that of a trigger or a pedal does: it gives no speed until it has stood in its centre for 1 s. Let it "
+         "go. If it rests at " +
+         end + ", set axis_linear_rest to " + end + ", or axis_linear to another axis.";
 }
 
 }  // namespace hidwa_local_planner::input

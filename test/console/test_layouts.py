@@ -172,6 +172,9 @@ class Device(unittest.TestCase):
         axes, buttons = joy_of(Stick(0.5, -1.0, True), {})
         self.assertEqual((axes[:2], len(axes), sum(buttons), len(buttons)), ([0.5, -1.0], 8, 0, 11))
         unity = {'axis_angular': 3, 'axis_angular_sign': -1, 'axis_linear': 9, 'enable_button': 12, 'mode': 'joystick'}
+        trigger = {'axis_linear_rest': 1.0, 'axis_linear_sign': -1}  # pressed to -1; it knows no way back
+        self.assertEqual([joy_of(Stick(0.0, forward, True), trigger)[0][1] for forward in (0.0, 0.5, 1.0, -1.0)],
+                         [1.0, 0.0, -1.0, 1.0])
         axes, buttons = joy_of(Stick(0.5, -1.0, True), unity)
         self.assertEqual((axes, buttons), ([0, 0, 0, -0.5, 0, 0, 0, 0, 0, -1.0], [0] * 12 + [1]))
 

@@ -28,7 +28,7 @@ struct StickMessage : OperatorMessage {
 /// configured is not held.
 struct StickReading {
   float angular = 0.0F;  // left positive, about [-1, 1]
-  float linear = 0.0F;   // forward positive, about [-1, 1]; 0 where the device does not have the axis
+  float linear = 0.0F;   // from its rest, forward positive, about [-1, 1]; 0 where the device does not have the axis
   bool enabled = false;  // enable_button
   bool toggle = false;   // toggle_button
   bool clutch = false;   // clutch_button, or clutch_axis beyond its threshold
@@ -44,6 +44,32 @@ struct StickReading {
 struct StickUse {
   const Parameters& parameters;
   bool steers = true;
+  /// The speed axis has not moved since the device was first seen. Its 0 is then that of a driver that has not heard
+  /// of it yet, and means axis_linear_rest.
+  bool linear_untouched = false;
+};
+
+/// Whether a speed axis is one that rests where it is thought to rest. Drivers send 0 for a trigger or a pedal until
+/// it is touched, and from then on its resting value, which is an end: for a stick that is full speed or a pull. An
+/// axis whose first movement leads to an end (0.99 or more) counts as centred until it has stood in its centre for 1 s:
+/// at once where it is none of the device's first two, which are a stick wherever there is one, else once it has
+/// stayed at that end, to the last bit, for 3 s. It is asked to do that only where axis_linear_rest is 0.
+class AxisStart {
+ public:
+  /// The axis has `value` at `now` [s].
+  void observe(float value, const Parameters& parameters, double now);
+  bool untouched() const { return !moved_; }
+  bool doubted() const { return doubted_; }
+  float end() const { return end_ > 0.0F ? 1.0F : -1.0F; }  // that the doubted axis went to
+
+ private:
+  bool moved_ = false;
+  bool jumped_ = false;  // to end_, and has stayed there
+  bool doubted_ = false;
+  bool centred_ = false;
+  double moved_since_ = 0.0;    // [s]
+  double centred_since_ = 0.0;  // [s]
+  float end_ = 0.0F;
 };
 
 /// Reads a message by the parameters axis_*, *_button and clutch_*. Returns the fault in words, naming the
@@ -52,6 +78,9 @@ struct StickUse {
 /// needed with `linear: axis` and in mode `switching`; where pulling it back stops, it may be missing,
 /// but not out of range. Where another device steers, no axis of the stick is needed, but its buttons are.
 std::string read_stick(const StickMessage& message, const StickUse& use, StickReading& reading);
+
+/// Whether the speed axis is read by these parameters: for the speed, or because pulling it back stops.
+bool reads_linear_axis(const StickUse& use);
 
 /// What a message says about stopping. Pulling the stick back stops in mode `joystick` where the stick steers, unless
 /// it asks for reverse, and in mode `gesture`.

@@ -6,14 +6,22 @@
 
 namespace hidwa_local_planner::input {
 
+/// A stick with buttons, and what is known of its speed axis. How that began only judges messages to come: it is not
+/// saved.
+struct StickState : StickReading {
+  AxisStart linear_start;
+};
+
 /// A stick with buttons. It steers unless another device is configured to; its buttons count in any case.
-class StickSource : public SourceOf<StickMessage, StickReading> {
+class StickSource : public SourceOf<StickMessage, StickState> {
  public:
   SourceKind kind() const override { return {"stick", true, false}; }
   SourceTopic topic(const Parameters& p) const override { return {"joy_topic", p.joy_topic, p.joy_topic}; }
   bool can_steer(const Parameters&) const override { return true; }
   bool same_mapping(const Parameters& a, const Parameters& b) const override;
   OperatorCommand command() const override { return command_of(state_, parameters()); }
+  void forget_device() override { state_.linear_start = {}; }
+  std::string advice() const override;
 
  protected:
   std::string fault_of(const StickMessage& message) const override;
@@ -22,7 +30,7 @@ class StickSource : public SourceOf<StickMessage, StickReading> {
   SourceReading take(const StickMessage& message, double now) override;
 
  private:
-  StickUse use() const { return {parameters(), steers()}; }
+  StickUse use() const { return {parameters(), steers(), state_.linear_start.untouched()}; }
 };
 
 }  // namespace hidwa_local_planner::input
