@@ -26,6 +26,7 @@ std::optional<StopReading> StickSource::stop_of(const StickMessage& message) con
 bool StickSource::is_idle(const StickMessage& message) const {
   StickReading reading;
   read_stick(message, use(), reading);
+  if (state_.linear_start.doubted()) reading.linear = 0.0F;
   return !command_of(reading, parameters()).active && !reading.toggle && !reading.clutch;
 }
 

@@ -70,10 +70,29 @@ void take(LoadedParameters& loaded, const ParameterInfo& info, const std::string
 }
 
 std::string unknown(const std::string& key) {
+  if (const std::string remark = remark_on(key); !remark.empty()) {
+    return "unknown parameter " + key + ": it has no effect; " + remark;
+  }
   const std::string near = suggestion_for(key);
   return "unknown parameter " + key +
          (near.empty() ? ": it has no effect; remove it, or find the right name in docs/parameters.md"
                        : ": it has no effect; do you mean " + near + "?");
+}
+
+/// Why a value is not taken that another planner means in another way; else empty. Two planners share the name
+/// min_vel_theta: base_local_planner means the fastest turn to the right, dwa_local_planner bounds what hardly drives.
+std::string meant_otherwise(const XmlRpcValue& content, const std::string& key, const XmlRpcValue& value) {
+  if (key != "min_vel_theta") return "";
+  const std::string what = key + ": " + as_text(value) + " is not taken: ";
+  const bool is_int = value.getType() == XmlRpcValue::TypeInt, is_double = value.getType() == XmlRpcValue::TypeDouble;
+  if ((is_int && static_cast<const int&>(value) < 0) || (is_double && static_cast<const double&>(value) < 0.0)) {
+    return what + "here it is the slowest turn while driving. max_vel_theta holds to both sides: remove min_vel_theta";
+  }
+  if (!content.hasMember("min_vel_trans") && !content.hasMember("min_trans_vel")) return "";
+  return what +
+         "beside a least translational velocity it bounds only what hardly drives, here it would bound every turn "
+         "while "
+         "driving. Remove it; where the motors cannot turn slowly on the spot, set min_in_place_vel_theta";
 }
 
 /// DWB's layout, `PathAlign: {scale: 32}`.
@@ -126,7 +145,10 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
   }
   std::vector<std::pair<std::string, const XmlRpcValue*>> groups;
   for (const auto& [key, value] : content) {
-    if (const ParameterInfo* info = find_parameter(key)) {
+    if (const std::string why = meant_otherwise(content, key, value); !why.empty()) {
+      loaded.warnings.push_back(why);
+      loaded.aliases.push_back(key);
+    } else if (const ParameterInfo* info = find_parameter(key)) {
       take(loaded, *info, key, value);
     } else if (value.getType() == XmlRpcValue::TypeStruct) {
       groups.emplace_back(key, &value);
@@ -139,6 +161,8 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
   for (const auto& [group, members] : groups) {
     if (is_built_in_group(group)) {
       take_nested(loaded, group, *members);
+    } else if (!remark_on(group).empty()) {
+      loaded.warnings.push_back(unknown(group));
     } else if (listed.count(group) == 0) {
       loaded.warnings.push_back("unknown namespace " + group + ": no critic of that name is listed in critics");
     }
@@ -171,15 +195,18 @@ std::string short_name(const std::string& critic) {
 }
 
 std::string suggestion_for(const std::string& key) {
-  // What DWA and DWB call it.
+  // What base_local_planner, DWA, DWB and TEB call it.
   static const std::map<std::string, std::string> others = {
       {"max_trans_vel", "max_vel_x"},
       {"max_vel_trans", "max_vel_x"},
       {"max_speed_xy", "max_vel_x"},
-      {"min_trans_vel", "min_vel_x"},
+      {"max_vel_x_backwards", "min_vel_x (negative)"},
       {"max_rot_vel", "max_vel_theta"},
-      {"min_rot_vel", "min_vel_theta"},
-      {"min_speed_theta", "min_vel_theta"},
+      {"max_rotational_vel", "max_vel_theta"},
+      {"min_in_place_rotational_vel", "min_in_place_vel_theta"},
+      {"acc_lim_th", "acc_lim_theta"},
+      {"acc_lim_trans", "acc_lim_x"},
+      {"acc_limit_trans", "acc_lim_x"},
       {"theta_stopped_vel", "rot_stopped_velocity"},
       {"rot_stopped_vel", "rot_stopped_velocity"},
       {"trans_stopped_vel", "trans_stopped_velocity"},
@@ -187,19 +214,63 @@ std::string suggestion_for(const std::string& key) {
       {"angular_sim_granularity", "angular_granularity"},
       {"vtheta_samples", "vth_samples"},
       {"path_distance_bias", "PathDist_scale (its unit differs)"},
+      {"pdist_scale", "PathDist_scale (its unit differs)"},
       {"goal_distance_bias", "GoalDist_scale (its unit differs)"},
+      {"gdist_scale", "GoalDist_scale (its unit differs)"},
       {"occdist_scale", "BaseObstacle_scale (its unit differs)"},
+      {"twirling_scale", "Twirling_scale, with Twirling in critics"},
       {"forward_point_distance", "PathAlign_forward_point_distance and GoalAlign_forward_point_distance"},
       {"oscillation_reset_dist", "Oscillation_reset_dist"},
       {"oscillation_reset_angle", "Oscillation_reset_angle"},
-      {"use_dwa", "generator: dwa"},
-      {"latch_xy_goal_tolerance", "nothing: the position is always latched"}};
+      {"max_scaling_factor", "footprint_padding"},
+      {"min_obstacle_dist", "footprint_padding"},
+      {"dwa", "generator: dwa"},
+      {"use_dwa", "generator: dwa"}};
   const auto other = others.find(key);
   if (other != others.end()) return other->second;
+  if (!remark_on(key).empty()) return "";
 
   std::vector<std::string> names;
   for (const ParameterInfo& info : parameter_table()) names.push_back(info.name);
   return nearest_name(key, names);
+}
+
+std::string remark_on(const std::string& key) {
+  static const std::string sideways = "the robot does not drive sideways: remove it";
+  static const std::string minimum =
+      "remove it. Where the motors cannot turn slowly on the spot, set min_in_place_vel_theta; where they cannot drive "
+      "slowly, min_vel_x";
+  static const std::string always = "candidates are published whenever somebody subscribes: remove it";
+  static const std::string frames = "the frames are those of the costmaps: remove it";
+  static const std::map<std::string, std::string> remarks = {
+      {"max_vel_y", sideways},
+      {"min_vel_y", sideways},
+      {"acc_lim_y", sideways},
+      {"decel_lim_y", sideways},
+      {"vy_samples", sideways},
+      {"y_vels", sideways},
+      {"holonomic_robot", sideways},
+      {"min_trans_vel", minimum},
+      {"min_vel_trans", minimum},
+      {"min_speed_xy", minimum},
+      {"min_rot_vel", minimum},
+      {"min_speed_theta", minimum},
+      {"latch_xy_goal_tolerance", "the goal's position is always latched: remove it"},
+      {"prune_plan", "the plan is always pruned (prune_distance): remove it"},
+      {"stop_time_buffer", "admissibility: braking sees to it that the robot stops in time: remove it"},
+      {"scaling_speed", "admissibility: braking sees to it that the robot stops in time: remove it"},
+      {"escape_vel", "for driving backwards set a negative min_vel_x, else remove it"},
+      {"backup_vel", "for driving backwards set a negative min_vel_x, else remove it"},
+      {"meter_scoring", "distances are always in metres: remove it"},
+      {"publish_traj_pc", always},
+      {"publish_cost_grid_pc", always},
+      {"publish_evaluation", always},
+      {"debug_trajectory_details", always},
+      {"global_frame_id", frames},
+      {"map_frame", frames},
+      {"footprint_model", "the footprint is the local costmap's (footprint or robot_radius): remove it"}};
+  const auto remark = remarks.find(key);
+  return remark == remarks.end() ? "" : remark->second;
 }
 
 std::string nearest_name(const std::string& misspelt, const std::vector<std::string>& names) {

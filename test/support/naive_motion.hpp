@@ -49,7 +49,7 @@ inline bool naive_wheels_allow(const Parameters& p, const Twist2& u) {
 inline double naive_clip(double value, double lo, double hi) { return value < lo ? lo : value > hi ? hi : value; }
 
 inline Twist2 naive_inside_limits(const Parameters& p, Twist2 u) {
-  u.v = naive_clip(u.v, p.min_vel_x, p.max_vel_x);
+  u.v = naive_clip(u.v, std::min(0.0, p.min_vel_x), p.max_vel_x);
   u.omega = naive_clip(u.omega, -p.max_vel_theta, p.max_vel_theta);
   if (naive_wheels_allow(p, u)) return u;
   const double most = p.wheel_radius * p.max_wheel_velocity / (0.5 * p.wheel_separation);
@@ -88,8 +88,8 @@ inline void naive_reach(double lowest, double highest, double min, double max, d
 inline NaiveWindow naive_window(const Parameters& p, const Twist2& reference, double period) {
   const double dt = p.generator == Generator::standard ? std::max(p.sim_time, period) : period;
   NaiveWindow w{};
-  naive_reach(naive_ramp_v(p, reference.v, -1e6, dt), naive_ramp_v(p, reference.v, 1e6, dt), p.min_vel_x, p.max_vel_x,
-              w.v_lo, w.v_hi);
+  naive_reach(naive_ramp_v(p, reference.v, -1e6, dt), naive_ramp_v(p, reference.v, 1e6, dt), std::min(0.0, p.min_vel_x),
+              p.max_vel_x, w.v_lo, w.v_hi);
   naive_reach(naive_ramp_omega(p, reference.omega, -1e6, dt), naive_ramp_omega(p, reference.omega, 1e6, dt),
               -p.max_vel_theta, p.max_vel_theta, w.omega_lo, w.omega_hi);
   return w;
@@ -113,9 +113,18 @@ inline double naive_dead_band(const Parameters& p, double v) {
   return std::abs(v) < 0.01 ? p.min_in_place_vel_theta : p.min_vel_theta;
 }
 
+/// Driving forward, but more slowly than min_vel_x and than the window allows.
+inline bool naive_creeps(const Parameters& p, const NaiveWindow& w, double v) {
+  return v > 0.0 && v < p.min_vel_x && v < w.v_hi;
+}
+
 inline Twist2 naive_into_window(const Parameters& p, const NaiveWindow& w, const Twist2& wanted) {
   Twist2 u =
       naive_inside_limits(p, {naive_clip(wanted.v, w.v_lo, w.v_hi), naive_clip(wanted.omega, w.omega_lo, w.omega_hi)});
+  if (naive_creeps(p, w, u.v)) {
+    const double least = std::min(p.min_vel_x, w.v_hi);
+    u = naive_inside_limits(p, {u.v < least / 2 ? 0.0 : least, u.omega});
+  }
   const double band = naive_dead_band(p, u.v);
   if (u.omega == 0.0 || std::abs(u.omega) >= band) return u;
   u.omega = std::abs(u.omega) < band / 2 ? 0.0 : u.omega > 0.0 ? band : -band;
@@ -148,7 +157,7 @@ inline std::vector<NaiveCandidate> naive_candidates(const Scene& scene, const Tw
   };
   for (const double omega : naive_values(w.omega_lo, w.omega_hi, p.vth_samples)) {
     for (const double v : naive_values(w.v_lo, w.v_hi, p.vx_samples)) {
-      if (v == 0.0 && omega == 0.0) continue;
+      if ((v == 0.0 && omega == 0.0) || naive_creeps(p, w, v)) continue;
       if (omega != 0.0 && std::abs(omega) < naive_dead_band(p, v)) continue;
       if (naive_wheels_allow(p, {v, omega})) add({v, omega});
     }

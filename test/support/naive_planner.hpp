@@ -122,12 +122,8 @@ class NaivePlanner {
   }
   void slow_down(Parameters& p) const {
     const double v = fastest({1.0, 0.0});
-    if (p.min_vel_x > v || p.max_vel_x < -v) {
-      p.min_vel_x = p.max_vel_x = 0.0;
-    } else {
-      p.min_vel_x = std::max(p.min_vel_x, -v);
-      p.max_vel_x = std::min(p.max_vel_x, v);
-    }
+    p.min_vel_x = std::max(p.min_vel_x, -v);
+    p.max_vel_x = std::min(p.max_vel_x, v);
     p.max_vel_theta = std::min(p.max_vel_theta, fastest({0.0, 1.0}));
   }
   // And a map without the clusters, in which a disc minds no inscribed cells.

@@ -190,8 +190,8 @@ class NaiveReference {
   /// The limits of this cycle: while something holds the robot, nothing faster than what could have started from there.
   Parameters limited() const {
     Parameters p = p_;
-    p.max_vel_x = std::max(p.min_vel_x, std::min(p.max_vel_x, most_.v));
-    p.min_vel_x = std::min(p.max_vel_x, std::max(p.min_vel_x, -most_.v));
+    p.max_vel_x = std::max(std::min(0.0, p.min_vel_x), std::min(p.max_vel_x, most_.v));
+    if (p.min_vel_x <= 0.0) p.min_vel_x = std::min(p.max_vel_x, std::max(p.min_vel_x, -most_.v));
     p.max_vel_theta = std::min(p.max_vel_theta, most_.omega);
     return p;
   }
@@ -221,7 +221,8 @@ class NaiveReference {
       go_otherwise(axis, measured, held);
     } else if (p_.velocity_reference == VelocityReference::odometry) {
       // No start is beyond both the limits and the last command.
-      const double highest = is_v ? p_.max_vel_x : p_.max_vel_theta, lowest = is_v ? p_.min_vel_x : -p_.max_vel_theta;
+      const double highest = is_v ? p_.max_vel_x : p_.max_vel_theta,
+                   lowest = is_v ? std::min(0.0, p_.min_vel_x) : -p_.max_vel_theta;
       reference_.*axis = std::max(std::min({lowest, last, 0.0}), std::min(measured, std::max({highest, last, 0.0})));
       go_otherwise(axis, measured, true);
     }

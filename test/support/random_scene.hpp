@@ -119,6 +119,7 @@ inline void randomise_robot(Random& random, Parameters& p) {
     p.min_vel_theta = random.uniform(0.02, 0.1);
     p.min_in_place_vel_theta = random.uniform(0.1, 0.4);
   }
+  if (random.chance(0.15)) p.min_vel_x = random.uniform(0.02, 0.5) * p.max_vel_x;
 }
 
 inline void randomise_search(Random& random, Parameters& p) {

@@ -46,8 +46,10 @@ std::string nearest_name(const std::string& misspelt, const std::vector<std::str
 /// `package::Class`.
 std::string short_name(const std::string& critic);
 
-/// The known parameter that an unknown key most likely means: another name in DWA or DWB, or a misspelling. Empty when
+/// The known parameter that an unknown key most likely means: its name in another planner, or a misspelling. Empty when
 /// no name is similar.
 std::string suggestion_for(const std::string& key);
+/// What to do with another planner's parameter that has no counterpart here, as a clause; empty for any other key.
+std::string remark_on(const std::string& key);
 
 }  // namespace hidwa_local_planner

@@ -34,8 +34,7 @@ class EscapeSpeed {
     const Twist2 braked = limits_.brake(reference, period);
     return std::abs(u.v) <= std::abs(braked.v) + kRounding && std::abs(u.omega) <= std::abs(braked.omega) + kRounding;
   }
-  /// The limits with both axes slowed down to what each of them may have alone. Where min_vel_x is faster than that,
-  /// the robot does not drive.
+  /// The limits with both axes slowed down to what each of them may have alone.
   VelocityLimits slowed() const {
     VelocityLimits slow = limits_;
     slow_down(slow.x, fastest(room_, limits_.x.braking));
@@ -50,9 +49,8 @@ class EscapeSpeed {
     return std::sqrt(lost * lost + 2.0 * braking * way) - lost;
   }
   static void slow_down(AxisLimits& axis, double most) {
-    const bool too_fast = axis.min > most || axis.max < -most;
-    axis.min = too_fast ? 0.0 : std::max(axis.min, -most);
-    axis.max = too_fast ? 0.0 : std::min(axis.max, most);
+    axis.min = std::max(axis.min, -most);
+    axis.max = std::min(axis.max, most);
   }
 
   VelocityLimits limits_;

@@ -18,6 +18,9 @@ bool in_dead_band(const Parameters& p, const Twist2& u) {
   return u.omega != 0.0 && std::abs(u.omega) < dead_band(p, u.v);
 }
 
+// What drives is at least as fast as min_vel_x, or as the window allows that begins below it.
+double slowest(const Parameters& p, const DynamicWindow& window) { return std::min(p.min_vel_x, window.v.hi); }
+
 bool is_zero(const Twist2& u) { return u.v == 0.0 && u.omega == 0.0; }
 
 double into(const Interval& interval, double value) { return std::min(std::max(value, interval.lo), interval.hi); }
@@ -51,6 +54,10 @@ void spread(const Interval& interval, int count, std::vector<double>& values) {
 Twist2 into_window(const Parameters& p, const VelocityLimits& limits, const DynamicWindow& window,
                    const Twist2& velocity) {
   Twist2 u = limits.clamp({into(window.v, velocity.v), into(window.omega, velocity.omega)});
+  if (const double least = slowest(p, window); u.v > 0.0 && u.v < least) {
+    u.v = u.v < 0.5 * least ? 0.0 : least;
+    u = limits.clamp(u);
+  }
   const double band = dead_band(p, u.v);
   if (!in_dead_band(p, u)) return u;
   u.omega = std::abs(u.omega) < 0.5 * band ? 0.0 : std::copysign(band, u.omega);
@@ -71,6 +78,7 @@ void Sampler::make(const Parameters& p, const VelocityLimits& limits, const Samp
 
 void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
   const bool wheels = limits.wheel_speed > 0.0;
+  const double least = slowest(p, window_);
   samples_.resize(v_.size() * omega_.size());
   std::size_t count = 0;
   for (const double omega : omega_) {
@@ -79,7 +87,7 @@ void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
     const bool no_curve = in_dead_band(p, {kInPlace, omega});
     for (const double v : v_) {
       const bool excluded = std::abs(v) < kInPlace ? no_turn && (omega != 0.0 || v == 0.0) : no_curve;
-      if (excluded || (wheels && !limits.wheels_allow({v, omega}))) continue;
+      if (excluded || (v > 0.0 && v < least) || (wheels && !limits.wheels_allow({v, omega}))) continue;
       samples_[count++] = {{v, omega}, SampleKind::grid};
     }
   }

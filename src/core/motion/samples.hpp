@@ -33,7 +33,7 @@ DynamicWindow dynamic_window(const Parameters& parameters, const VelocityLimits&
 void spread(const Interval& interval, int count, std::vector<double>& values);
 
 /// Brings a velocity into the window: each axis to its end; where the wheels cut it, omega is kept and v
-/// reduced; out of the motors' dead bands.
+/// reduced; out of the motors' dead bands, of which a min_vel_x above 0 is one.
 Twist2 into_window(const Parameters& parameters, const VelocityLimits& limits, const DynamicWindow& window,
                    const Twist2& velocity);
 
@@ -48,7 +48,8 @@ struct SampleRequest {
 };
 
 /// The samples of one cycle, grouped by omega in ascending order, v ascending within: the grid over the window without
-/// (0, 0) and without what the wheels or dead bands exclude; then the extra ones that the parameters ask for.
+/// (0, 0) and without what the wheels or dead bands exclude, a min_vel_x above 0 too; then the extra ones that the
+/// parameters ask for.
 class Sampler {
  public:
   void make(const Parameters& parameters, const VelocityLimits& limits, const SampleRequest& request);

@@ -50,7 +50,7 @@ Interval reachable(const AxisLimits& axis, double velocity, double dt) {
 
 VelocityLimits VelocityLimits::from(const Parameters& p) {
   VelocityLimits limits;
-  limits.x = {p.min_vel_x, p.max_vel_x, p.acc_lim_x, p.braking_x()};
+  limits.x = {std::min(p.min_vel_x, 0.0), p.max_vel_x, p.acc_lim_x, p.braking_x()};
   limits.theta = {-p.max_vel_theta, p.max_vel_theta, p.acc_lim_theta, p.braking_theta()};
   if (p.has_wheel_limit()) {
     limits.half_separation = 0.5 * p.wheel_separation;

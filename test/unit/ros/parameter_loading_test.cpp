@@ -111,6 +111,79 @@ TEST(ParameterLoading, UnknownKeysAreNamedWithTheLikelyOne) {
   EXPECT_TRUE(contains(loaded.warnings, "namespace PahtAlign"));
 }
 
+/// A parameter file's numbers.
+XmlRpcValue numbers(const std::vector<std::pair<std::string, double>>& all) {
+  XmlRpcValue content;
+  for (const auto& [key, value] : all) content[key] = value;
+  return content;
+}
+
+// The minima of dwa_local_planner bind only what is below both of them. Its window ends at min_vel_x, as ours does.
+TEST(ParameterLoading, MinimaOfAnotherPlannerBindNothing) {
+  for (const bool old_names : {true, false}) {
+    const std::string trans = old_names ? "min_trans_vel" : "min_vel_trans";
+    const std::string rot = old_names ? "min_rot_vel" : "min_vel_theta";
+    const LoadedParameters loaded =
+        load_parameters(numbers({{"min_vel_x", -0.22}, {"max_vel_theta", 2.75}, {trans, 0.11}, {rot, 1.37}}));
+    EXPECT_TRUE(loaded.faults.empty());
+    EXPECT_EQ(loaded.parameters.min_vel_x, -0.22);
+    EXPECT_EQ(loaded.parameters.min_vel_theta, 0.0);
+    EXPECT_EQ(loaded.warnings.size(), 2u);
+    EXPECT_TRUE(
+        contains(loaded.warnings, trans + ": it has no effect; remove it. Where the motors cannot turn slowly"));
+    EXPECT_TRUE(contains(loaded.warnings, rot));
+    EXPECT_FALSE(contains(loaded.warnings, "do you mean"));
+  }
+  // Alone it is ours.
+  EXPECT_EQ(load_parameters(numbers({{"min_vel_theta", 0.3}})).parameters.min_vel_theta, 0.3);
+}
+
+// base_local_planner's is the fastest turn to the right: a range that ends below 0.
+TEST(ParameterLoading, AFastestTurnToTheRightIsNoSlowestTurn) {
+  XmlRpcValue content = numbers({{"min_vel_x", 0.1}, {"max_vel_theta", 1.57}, {"min_in_place_vel_theta", 0.314}});
+  for (const bool whole : {false, true}) {
+    if (whole) content["min_vel_theta"] = -1;
+    if (!whole) content["min_vel_theta"] = -1.57;
+    const LoadedParameters loaded = load_parameters(content);
+    EXPECT_TRUE(loaded.faults.empty());
+    EXPECT_EQ(loaded.parameters.min_vel_theta, 0.0);
+    EXPECT_EQ(loaded.parameters.min_in_place_vel_theta, 0.314);
+    EXPECT_TRUE(contains(loaded.warnings, "min_vel_theta: -1"));
+    EXPECT_EQ(loaded.aliases, std::vector<std::string>{"min_vel_theta"});
+  }
+}
+
+// Of the files for TurtleBot 2 and 3, Husky and Jackal, of TEB's tutorial and of Nav2's DWB.
+TEST(ParameterLoading, WhatOtherPlannersHaveIsToldWithWhatToDo) {
+  const std::vector<std::pair<std::string, std::string>> told = {
+      {"max_vel_y", "sideways"},
+      {"acc_lim_y", "sideways"},
+      {"vy_samples", "sideways"},
+      {"holonomic_robot", "sideways"},
+      {"max_trans_vel", "do you mean max_vel_x?"},
+      {"max_rot_vel", "do you mean max_vel_theta?"},
+      {"acc_lim_th", "do you mean acc_lim_theta?"},
+      {"min_speed_theta", "min_in_place_vel_theta"},
+      {"vtheta_samples", "do you mean vth_samples?"},
+      {"pdist_scale", "do you mean PathDist_scale (its unit differs)?"},
+      {"max_vel_x_backwards", "do you mean min_vel_x (negative)?"},
+      {"min_obstacle_dist", "do you mean footprint_padding?"},
+      {"stop_time_buffer", "admissibility"},
+      {"publish_traj_pc", "remove it"},
+      {"escape_vel", "negative min_vel_x"},
+      {"BaseObstacle.scale", "do you mean BaseObstacle_scale?"},
+      {"PathAlign.forward_point_distance", "do you mean PathAlign_forward_point_distance?"},
+      {"short_circuit_trajectory_evaluation", "remove it"}};
+  for (const auto& [key, part] : told) {
+    const LoadedParameters loaded = load_parameters(numbers({{key, 1.0}}));
+    ASSERT_EQ(loaded.warnings.size(), 1u) << key;
+    EXPECT_TRUE(contains(loaded.warnings, part)) << loaded.warnings.front();
+  }
+  XmlRpcValue teb;
+  teb["footprint_model"]["type"] = "point";
+  EXPECT_TRUE(contains(load_parameters(teb).warnings, "the footprint is the local costmap's"));
+}
+
 TEST(ParameterLoading, NamespacesOfListedCriticsAreTheirs) {
   XmlRpcValue content;
   content["critics"] = list({"PathDist", "some_package/TurnLimit"});
@@ -126,14 +199,14 @@ TEST(ParameterLoading, FaultsNameTheValueAndTheRemedy) {
   content["sim_time"] = "1e0";  // YAML 1.1 takes it for a text
   content["vx_samples"] = 20.5;
   content["generator"] = "teb";
-  content["min_vel_theta"] = -1.0;  // outside its range
+  content["min_in_place_vel_theta"] = -1.0;  // outside its range
   const LoadedParameters loaded = load_parameters(content);
   EXPECT_EQ(loaded.faults.size(), 5u);
   EXPECT_TRUE(contains(loaded.faults, "max_vel_x: fast"));
   EXPECT_TRUE(contains(loaded.faults, "1.0e-3"));
   EXPECT_TRUE(contains(loaded.faults, "without a decimal point"));
   EXPECT_TRUE(contains(loaded.faults, "one of standard dwa"));
-  EXPECT_TRUE(contains(loaded.faults, "min_vel_theta"));
+  EXPECT_TRUE(contains(loaded.faults, "min_in_place_vel_theta"));
   EXPECT_EQ(loaded.parameters.max_vel_x, Parameters().max_vel_x);
 }
 
