@@ -27,6 +27,8 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
   diagnostics_ =
       std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_, moving_obstacles_);
   diagnostics_->set("", load());
+  const std::string fault = control::fault_of_frames(costmap_.getGlobalFrameID(), costmap_.getBaseFrameID());
+  if (!fault.empty()) ROS_ERROR("%s does not drive: %s", name_.c_str(), fault.c_str());
   description_.give_outline(costmap_, accepted_.footprint_from_urdf);
   update_footprint();
   odometry_thread_.start();

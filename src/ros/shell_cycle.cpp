@@ -171,7 +171,7 @@ Shell::Observation Shell::observe(const LoopTime& now, const control::Timing& ti
     lacks(Missing::odometry, std::move(odometry.fault));
   } else if (!costmap_.isCurrent()) {
     lacks(Missing::costmap, "the local costmap is not current: a sensor that it waits for is silent");
-  } else if (!lacks(Missing::transform, observe_pose(now, observation))) {
+  } else if (!lacks(Missing::transform, observe_pose(now, timing, observation))) {
     lacks(Missing::footprint, update_footprint());
   }
   if (observation.missing == Missing::nothing) {
@@ -181,9 +181,10 @@ Shell::Observation Shell::observe(const LoopTime& now, const control::Timing& ti
   return observation;
 }
 
-std::string Shell::observe_pose(const LoopTime& now, Observation& observation) {
+std::string Shell::observe_pose(const LoopTime& now, const control::Timing& timing, Observation& observation) {
   const std::string& frame = costmap_.getGlobalFrameID();
   geometry_msgs::PoseStamped pose;
+  if (std::string fault = control::fault_of_frames(frame, costmap_.getBaseFrameID()); !fault.empty()) return fault;
   if (!costmap_.getRobotPose(pose)) {
     return "there is no pose of the robot in " + frame + ": check the transform from " + costmap_.getBaseFrameID();
   }
@@ -196,6 +197,12 @@ std::string Shell::observe_pose(const LoopTime& now, Observation& observation) {
   if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now.seconds - now.of(pose.header.stamp));
   if (!is_finite(observation.pose)) return "the robot's pose in " + frame + " is not a number";
   if (loop_.plan_frame() == frame) return "";
+  frame_watch_.observe(observation.pose, *observation.velocity, timing.interval);
+  if (frame_watch_.stands_still()) {
+    return "the robot's pose in " + frame + " stays the same while odometry says that it drives: " + frame +
+           " moves with the robot (set the local costmap's global_frame to odom), or the transform from " +
+           costmap_.getBaseFrameID() + " is not renewed";
+  }
   try {
     const geometry_msgs::TransformStamped transform = tf_.lookupTransform(frame, loop_.plan_frame(), ros::Time(0));
     const double age = transform.header.stamp.isZero() ? 0.0 : now.seconds - now.of(transform.header.stamp);

@@ -14,6 +14,7 @@
 #include <tf2_ros/buffer.h>
 
 #include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/control/frame_watch.hpp"
 #include "hidwa_local_planner/control/response_watch.hpp"
 #include "hidwa_local_planner/control/sample_budget.hpp"
 #include "hidwa_local_planner/ros/callback_thread.hpp"
@@ -85,7 +86,7 @@ class Shell {
   CycleResult work(const LoopTime& now, const CycleClock::Tick& tick, bool host_stops);
   control::Timing timing(double now, const CycleClock::Tick& tick) const;
   Observation observe(const LoopTime& now, const control::Timing& timing);
-  std::string observe_pose(const LoopTime& now, Observation& observation);
+  std::string observe_pose(const LoopTime& now, const control::Timing& timing, Observation& observation);
   double pose_ahead_of(const LoopTime& now, const ros::Time& stamp) const;
   std::string update_footprint();
   Twist2 velocity_after_pause(double now) const;
@@ -133,6 +134,7 @@ class Shell {
   MovingObstacleInput moving_obstacles_;
   OperatorInput person_;
   control::ControlLoop loop_;
+  control::FrameWatch frame_watch_;
   std::string odom_topic_;  // listened to
   std::string moving_obstacles_topic_;
   Parameters accepted_;             // the last valid set, in force or about to be
