@@ -120,7 +120,7 @@ void ControlLoop::follow_progress(const Observation& observation) {
 bool ControlLoop::check_goal(const Observation& observation) {
   const bool latched = goal_checker_.latched();
   situation_.goal_next = !parameters().plan_in_order || plan_.leads_to_end(parameters().xy_goal_tolerance);
-  const bool reached = goal_checker_.update(observation.pose, planner_.believed(*observation.velocity),
+  const bool reached = goal_checker_.update(observation.pose, planner_.believed(*velocity_of(observation)),
                                             goal_of(observation), parameters(), situation_.goal_next);
   if (latched && !goal_checker_.latched() && !planner_.leads_to_goal()) begin_goal();
   return reached;
@@ -131,7 +131,7 @@ void ControlLoop::save(Bytes& state) const {
   planner_.save(planner);
   ArchiveWriter write(state);
   archive(*this, write);
-  write(planner);
+  write(planner, twist_watch_);
 }
 
 bool ControlLoop::load(const Bytes& state) {
@@ -139,11 +139,27 @@ bool ControlLoop::load(const Bytes& state) {
   ArchiveReader read(state);
   archive(*this, read);
   read(planner);
+  twist_watch_ = {};
+  if (read.more()) read(twist_watch_);
   return read.complete() && planner_.load(planner);
+}
+
+// What moves the robot while it passes commands through is what was commanded, too.
+void ControlLoop::watch_velocity(const Observation& observation) {
+  if (observation.resumed || observation.timing.jumped_back || !observation.fault.empty()) twist_watch_.interrupt();
+  if (!observation.fault.empty()) return;
+  twist_watch_.observe(
+      {observation.timing.now, observation.pose_age, observation.pose, *observation.velocity, last_command_});
+}
+
+std::optional<Twist2> ControlLoop::velocity_of(const Observation& observation) const {
+  if (!observation.velocity || !twist_watch_.doubts() || !observation.fault.empty()) return observation.velocity;
+  return twist_watch_.from_pose();
 }
 
 Result ControlLoop::step(const Observation& observation, const Sampling& sampling) {
   goal_checker_.cycle(observation.timing.now);
+  watch_velocity(observation);
   if (observation.timing.jumped_back) fault_brake_.clear();
   if (observation.resumed) {
     // Somebody else sent commands meanwhile: the next one starts from what the robot does, within the limits.
@@ -203,8 +219,9 @@ void ControlLoop::take_what_was_sent(const Timing& timing) {
 void ControlLoop::take_situation(const Observation& observation) {
   take_what_was_sent(observation.timing);
   situation_.pose = observation.pose;
-  situation_.velocity = *observation.velocity;
-  situation_.velocity_time = observation.velocity_time;
+  situation_.velocity = *velocity_of(observation);
+  situation_.velocity_time =
+      twist_watch_.doubts() ? observation.timing.now - observation.pose_age : observation.velocity_time;
   situation_.goal = goal_of(observation);
   situation_.pose_age = observation.pose_age;
   situation_.moving_obstacles = observation.moving_obstacles;
@@ -229,7 +246,7 @@ void ControlLoop::remember(const Observation& observation, const Result& result)
   last_command_ = result.command;  // zero on failure: so the host does
   input::CycleFeedback feedback;
   feedback.command = result.command;
-  feedback.velocity = observation.velocity.value_or(Twist2{});
+  feedback.velocity = velocity_of(observation).value_or(Twist2{});
   feedback.stands = hidwa_local_planner::stands(result.command, feedback.velocity, parameters());
   feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_rejected_by.empty();
   feedback.goal_latched = goal_checker_.latched();

@@ -22,30 +22,35 @@ Diagnostics::Diagnostics(ros::NodeHandle handle, const std::string& name, const 
       handle.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 
-void Diagnostics::set(const std::string& fault, const Load& load) {
-  std::shared_ptr<const std::string> other;
-  if (fault != known_fault_) {
-    known_fault_ = fault;
-    other = std::make_shared<const std::string>(fault);
-  }
+void Diagnostics::set(const std::string& fault, const std::string& odometry, const Load& load) {
+  const auto other = [](const std::string& text, std::string& known) {
+    if (text == known) return std::shared_ptr<const std::string>();
+    known = text;
+    return std::make_shared<const std::string>(text);
+  };
+  std::shared_ptr<const std::string> other_fault = other(fault, known_fault_);
+  std::shared_ptr<const std::string> other_odometry = other(odometry, known_odometry_);
   const std::lock_guard<std::mutex> lock(mutex_);
   load_ = load;
-  if (other) fault_.swap(other);
+  if (other_fault) fault_.swap(other_fault);
+  if (other_odometry) odometry_.swap(other_odometry);
 }
 
 void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using Status = diagnostic_msgs::DiagnosticStatus;
   const CycleStatistics::Summary cycles = statistics_.summary();
-  std::shared_ptr<const std::string> fault;
+  std::shared_ptr<const std::string> fault, odometry;
   Load load;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     fault = fault_;
+    odometry = odometry_;
     load = load_;
   }
   status.summary(Status::OK, "ready");
   const std::string thinned = thinning_complaint(load.in_force, load.full, load.budget);
   if (!thinned.empty()) status.mergeSummary(Status::WARN, thinned);
+  if (!odometry->empty()) status.mergeSummary(Status::WARN, *odometry);
   if (cycles.p99 > load.period) {
     status.mergeSummary(Status::WARN, "cycles take longer than the control period: lower vx_samples or vth_samples");
   }

@@ -2,12 +2,19 @@
 #include "hidwa_local_planner/ros/odometry_input.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include "core/motion/odometry_belief.hpp"
 #include "core/util/words.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 
 namespace hidwa_local_planner {
+namespace {
+
+constexpr double kSidewaysSpeed = 0.1;  // [m/s]; less is noise, or a wheel that slips
+
+}  // namespace
 
 void OdometryInput::subscribe(ros::NodeHandle handle, const std::string& topic) {
   subscriber_.shutdown();
@@ -26,7 +33,12 @@ void OdometryInput::receive(const nav_msgs::Odometry& message, const LoopTime& r
     return;
   }
   const Newest newest{velocity, received.of(message.header.stamp), received.seconds};
+  const double sideways = std::abs(message.twist.twist.linear.y);
+  const bool to_the_side = sideways > kSidewaysSpeed && sideways > 0.5 * std::abs(velocity.v);
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (form_.frame != message.header.frame_id) form_.frame = message.header.frame_id;
+  if (form_.child_frame != message.child_frame_id) form_.child_frame = message.child_frame_id;
+  form_.sideways = to_the_side ? std::min(form_.sideways + 1, kSideways) : std::max(form_.sideways - 1, 0);
   newest_ = newest;
   readings_[count_++ % kReadings] = newest;
 }
@@ -58,6 +70,46 @@ std::optional<Twist2> OdometryInput::settled(double now, double timeout, const P
     agreed = judge(&Twist2::omega, belief.omega, limits.theta) && v;
   }
   return agreed ? std::optional<Twist2>(settled) : std::nullopt;
+}
+
+std::string OdometryInput::advice(const std::string& base,
+                                  const std::function<bool(const std::string& frame)>& known) const {
+  const std::uint32_t senders = subscriber_ ? subscriber_.getNumPublishers() : 0;
+  bool received = false, sideways = false, own_frame = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    received = newest_.velocity.has_value();
+    sideways = form_.sideways == kSideways;
+    own_frame = form_.child_frame == base;
+  }
+  if (received && own_frame && !sideways && senders < 2) return {};
+  std::string topic, frame, child;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    topic = topic_;
+    frame = form_.frame;
+    child = form_.child_frame;
+  }
+  std::string text;
+  const auto add = [&text](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; };
+  if (senders > 1) {
+    add(std::to_string(senders) + " nodes publish " + topic + " (rostopic info): the velocity is now one's, now the " +
+        "other's. Let only one of them publish it, or set odom_topic.");
+  }
+  if (!received) return text;
+  if (child == frame && !child.empty()) {
+    add("The velocity on " + topic + " is given in " + child +
+        " (child_frame_id), which does not move with the robot: " + "set child_frame_id to " + base +
+        ", and give the velocity in that frame.");
+  } else if (!own_frame && (child.empty() || !known(child))) {
+    add("child_frame_id on " + topic + " is " + (child.empty() ? "empty" : child + ", which tf does not know") +
+        ": the velocity is taken as one in " + base + ". Set child_frame_id to the frame that it is given in.");
+  }
+  if (sideways) {
+    add("The velocity on " + topic + " has a large part to the side (linear.y): it is given in another frame than " +
+        "the robot's, or the robot drives sideways, of which the planner knows nothing. Look at its sender.");
+  }
+  return text;
 }
 
 OdometryInput::Reading OdometryInput::read(double now, double timeout) const {

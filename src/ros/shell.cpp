@@ -26,7 +26,7 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
   host_frequency_.follow(thread_.serve(ros::NodeHandle("~")));
   diagnostics_ =
       std::make_unique<Diagnostics>(thread_.serve(host_handle_), name_, statistics_, person_, moving_obstacles_);
-  diagnostics_->set("", load());
+  diagnostics_->set("", "", load());
   const std::string fault = control::fault_of_frames(costmap_.getGlobalFrameID(), costmap_.getBaseFrameID());
   if (!fault.empty()) ROS_ERROR("%s does not drive: %s", name_.c_str(), fault.c_str());
   description_.give_outline(costmap_, accepted_.footprint_from_urdf);

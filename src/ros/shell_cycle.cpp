@@ -87,6 +87,7 @@ CycleResult Shell::cycle(bool stop) {
   publishing_.publish_cycle(time.stamp, result, result.intent.state, duration.count(),
                             recording_.finish(result, loop_.planner()));
   statistics_.add(duration.count(), tick.period);
+  watch_sender();
   keep_budget(duration.count(), tick.period, result);
   return result;
 }
@@ -183,8 +184,8 @@ Shell::Observation Shell::observe(const LoopTime& now, const control::Timing& ti
 
 std::string Shell::observe_pose(const LoopTime& now, const control::Timing& timing, Observation& observation) {
   const std::string& frame = costmap_.getGlobalFrameID();
-  geometry_msgs::PoseStamped pose;
   if (std::string fault = control::fault_of_frames(frame, costmap_.getBaseFrameID()); !fault.empty()) return fault;
+  geometry_msgs::PoseStamped pose;
   if (!costmap_.getRobotPose(pose)) {
     return "there is no pose of the robot in " + frame + ": check the transform from " + costmap_.getBaseFrameID();
   }
@@ -196,13 +197,13 @@ std::string Shell::observe_pose(const LoopTime& now, const control::Timing& timi
   observation.pose = to_pose(pose.pose);
   if (!pose.header.stamp.isZero()) observation.pose_age = std::max(0.0, now.seconds - now.of(pose.header.stamp));
   if (!is_finite(observation.pose)) return "the robot's pose in " + frame + " is not a number";
-  if (loop_.plan_frame() == frame) return "";
   frame_watch_.observe(observation.pose, *observation.velocity, timing.interval);
   if (frame_watch_.stands_still()) {
     return "the robot's pose in " + frame + " stays the same while odometry says that it drives: " + frame +
            " moves with the robot (set the local costmap's global_frame to odom), or the transform from " +
            costmap_.getBaseFrameID() + " is not renewed";
   }
+  if (loop_.plan_frame() == frame) return "";
   try {
     const geometry_msgs::TransformStamped transform = tf_.lookupTransform(frame, loop_.plan_frame(), ros::Time(0));
     const double age = transform.header.stamp.isZero() ? 0.0 : now.seconds - now.of(transform.header.stamp);
@@ -257,6 +258,30 @@ void Shell::watch_odometry(const Observation& observation, const Decision& decis
                     static_cast<unsigned long>(doubted_));
 }
 
+// Once a second, and where the velocity comes to be doubted: what changes is told.
+void Shell::watch_sender() {
+  const bool doubts = loop_.doubts_velocity();
+  if (called_ - sender_watched_ < std::chrono::seconds(1) && doubts == doubted_velocity_) return;
+  sender_watched_ = called_;
+  doubted_velocity_ = doubts;
+  const std::string& base = costmap_.getBaseFrameID();
+  std::string text =
+      odometry_.advice(base, [&](const std::string& frame) { return tf_.canTransform(base, frame, ros::Time(0)); });
+  if (doubts) {
+    text += (text.empty() ? "The velocity of " : " The velocity of ") + odom_topic_ +
+            " is not believed: the pose moves as commanded, and the velocity (twist) says something else. It is taken "
+            "from the pose. The twist must be the robot's own velocity, in m/s and rad/s, in the frame " +
+            base + ": correct its sender.";
+  }
+  if (text == odometry_said_) return;
+  odometry_said_ = std::move(text);
+  if (odometry_said_.empty()) {
+    ROS_INFO("%s: the odometry is as it should be", name_.c_str());
+  } else {
+    ROS_WARN("%s: %s", name_.c_str(), odometry_said_.c_str());
+  }
+}
+
 void Shell::explain(double now, const CycleResult& result) {
   const bool rejected = result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);
   const bool escaping = result.decision && !rejected && result.decision->escaping;
@@ -287,7 +312,7 @@ void Shell::keep_budget(double duration, double period, const CycleResult& resul
                budget_.full().vx_samples, budget_.full().vth_samples);
     }
   }
-  diagnostics_->set(result.fault, load());
+  diagnostics_->set(result.fault, odometry_said_, load());
 }
 
 }  // namespace hidwa_local_planner

@@ -46,6 +46,8 @@ class SceneLoop {
     loop_.set_plan(std::move(plan), "map", scene_.situation.time, scene_.situation.period);
   }
 
+  bool doubts_velocity() const { return loop_.doubts_velocity(); }
+
   /// One control cycle, in which nothing is missing; `host_stops`: the host stops the robot.
   control::Result cycle(bool host_stops = false) {
     const Situation& now = scene_.situation;

@@ -21,6 +21,7 @@
 #include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/control/plan_choice.hpp"
 #include "hidwa_local_planner/control/plan_window.hpp"
+#include "hidwa_local_planner/control/twist_watch.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"
 
@@ -114,6 +115,9 @@ class ControlLoop {
   const Twist2& last_command() const { return last_command_; }
   /// When the last cycle was [s]; none before the first.
   const std::optional<double>& last_cycle() const { return goal_checker_.last_cycle(); }
+  /// The measured velocity is not believed: the pose moves as commanded, and the velocity does not (TwistWatch).
+  bool doubts_velocity() const { return twist_watch_.doubts(); }
+  const Twist2& velocity_from_pose() const { return twist_watch_.from_pose(); }  // [m/s, rad/s]
   /// The last command asked for rest, and the robot is at rest.
   bool stands() const { return stands_; }
 
@@ -128,6 +132,8 @@ class ControlLoop {
   PlanOrder order() const { return {parameters().xy_goal_tolerance, steered_}; }
   void follow_progress(const Observation& observation);
   bool check_goal(const Observation& observation);
+  void watch_velocity(const Observation& observation);
+  std::optional<Twist2> velocity_of(const Observation& observation) const;
   void brake(const Observation& observation, const OperatorIntent& intent, Result& result);
   void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Result& result);
   bool leads_the_same_way(const std::vector<Pose2>& plan) const;
@@ -141,6 +147,7 @@ class ControlLoop {
   Planner planner_;
   GoalChecker goal_checker_;
   FaultBrake fault_brake_;
+  TwistWatch twist_watch_;
   PlanWindow plan_;         // the one that is followed, in its own frame
   PlanChoice plan_choice_;  // a plan that waits, in the same frame
   std::string frame_;       // the plan's

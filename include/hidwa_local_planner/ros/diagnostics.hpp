@@ -37,8 +37,9 @@ class Diagnostics {
     Sampling in_force;
     Sampling full;
   };
-  /// From the control thread, once a cycle. `fault`: what is missing at present; empty when nothing is.
-  void set(const std::string& fault, const Load& load);
+  /// From the control thread, once a cycle. `fault`: what is missing at present; `odometry`: what is odd about the
+  /// odometry. Each is empty when nothing is.
+  void set(const std::string& fault, const std::string& odometry, const Load& load);
 
  private:
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -49,9 +50,10 @@ class Diagnostics {
   const CycleStatistics& statistics_;
   const OperatorInput& person_;
   const MovingObstacleInput& moving_obstacles_;
-  std::string known_fault_;  // the control thread's: what fault_ holds
+  std::string known_fault_, known_odometry_;  // the control thread's: what fault_ and odometry_ hold
   std::mutex mutex_;
   std::shared_ptr<const std::string> fault_ = std::make_shared<const std::string>();
+  std::shared_ptr<const std::string> odometry_ = std::make_shared<const std::string>();
   Load load_;
   std::uint64_t reported_cycles_ = 0;
   std::uint64_t reported_messages_ = 0;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -37,6 +38,9 @@ class OdometryInput {
   std::optional<Twist2> settled(double now, double timeout, const Parameters& parameters) const;
   /// Time jumped back: readings from before no longer count.
   void forget();
+  /// What is odd about who sends, in sentences with the remedy; mostly empty. `base`: the robot's frame; `known`:
+  /// whether tf connects a frame with that one.
+  std::string advice(const std::string& base, const std::function<bool(const std::string& frame)>& known) const;
 
  private:
   struct Newest {
@@ -44,6 +48,13 @@ class OdometryInput {
     double stamp = 0.0;     // of the header, by the loop's time [s]; 0 where the sender leaves it empty
     double received = 0.0;  // [s]
   };
+  // How the messages give the velocity.
+  struct Form {
+    std::string frame;        // that of the pose
+    std::string child_frame;  // that of the velocity
+    int sideways = 0;         // messages of late with a velocity to the side, up to kSideways
+  };
+  static constexpr int kSideways = 20;
   // Of about the last second, even at 100 Hz.
   static constexpr std::size_t kReadings = 128;
   Newest newest() const;
@@ -52,6 +63,7 @@ class OdometryInput {
   ros::Subscriber subscriber_;
   mutable std::mutex mutex_;
   std::string topic_;
+  Form form_;
   Newest newest_;
   std::array<Newest, kReadings> readings_;  // the last ones, in a ring
   std::size_t count_ = 0;                   // received

@@ -92,6 +92,7 @@ class Shell {
   Twist2 velocity_after_pause(double now) const;
   Sampling sampling() const;
   void watch_odometry(const Observation& observation, const Decision& decision);
+  void watch_sender();
   void explain(double now, const CycleResult& result);
   void keep_budget(double duration, double period, const CycleResult& result);
   void check_horizon();
@@ -135,7 +136,10 @@ class Shell {
   OperatorInput person_;
   control::ControlLoop loop_;
   control::FrameWatch frame_watch_;
-  std::string odom_topic_;  // listened to
+  std::string odom_topic_;     // listened to
+  std::string odometry_said_;  // what is odd about it
+  bool doubted_velocity_ = false;
+  std::chrono::steady_clock::time_point sender_watched_;
   std::string moving_obstacles_topic_;
   Parameters accepted_;             // the last valid set, in force or about to be
   control::Prediction prediction_;  // of the last cycle, where somebody watched
