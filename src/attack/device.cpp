@@ -11,7 +11,6 @@ using hidwa_local_planner::Influence;
 using hidwa_local_planner::OperatorIntent;
 using hidwa_local_planner::OperatorMode;
 
-constexpr float kTremor = 0.01F;  // of a stick that is held in its centre: one that never moved might be a trigger
 constexpr double kCentred = 0.3;  // at first: devices must be seen neutral [s]
 constexpr double kLate = 1.0;     // [s]
 
@@ -26,7 +25,7 @@ void Device::send(double now, const OperatorIntent& wish, const Parameters& limi
   machine_.heartbeat(now);
   say(wish, limits);
   StickMessage message;
-  message.axes = {0.0F, kTremor};
+  message.axes = {0.0F, 0.0F};
   message.buttons = {0};
   message.stamp = message.received = now;
   const bool steers = wish.influence == Influence::shared || wish.influence == Influence::direct;

@@ -63,7 +63,7 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
     channel_.demand_neutral();
     stop_.demand_neutral();
     handover_.forget_button();
-    sources_.steering().forget_device();
+    sources_.steering().lose();
   } else {
     channel_.remap(sources_.steering().command());
   }
@@ -249,7 +249,7 @@ void OperatorStateMachine::check_steering_source(double now) {
 void OperatorStateMachine::expect_new_device() {
   channel_.demand_neutral();
   handover_.forget_button();
-  sources_.steering().forget_device();
+  sources_.steering().lose();
   rhythm_.reset();
 }
 

@@ -14,11 +14,8 @@ namespace {
 // Drivers overshoot by rounding: -32768 / 32767 is 1.00003.
 constexpr float kRangeTolerance = 0.01F;
 
-// An axis that is at an end, and how long a doubted one must stand in its centre. A trigger on its way passes it
-// faster.
-constexpr float kEnd = 0.99F;
-constexpr double kCentredFor = 1.0;  // [s]
-constexpr double kRestsFor = 3.0;    // [s]
+constexpr float kEnd = 0.99F;        // beyond it an axis is at an end
+constexpr double kCentredFor = 1.0;  // a trigger on its way to its other end passes the centre faster [s]
 constexpr int kStickAxes = 2;        // the first ones of every device with a stick
 
 std::string has_only(std::size_t count, const std::string& things) {
@@ -135,19 +132,35 @@ Twist2 mapped(float angular, float linear, const Parameters& parameters) {
 
 }  // namespace
 
-void AxisStart::observe(float value, const Parameters& parameters, double now) {
+bool AxisStart::Of::is(const StickMessage& message, const Parameters& parameters) const {
+  return sender == message.sender && axes == message.axes.size() && index == parameters.axis_linear &&
+         rest == parameters.axis_linear_rest;
+}
+
+void AxisStart::observe(const StickMessage& message, const Parameters& parameters, double now) {
+  if (!has(message.axes, parameters.axis_linear)) return;
+  if (!of_.is(message, parameters)) {
+    *this = AxisStart();
+    of_ = {message.sender, message.axes.size(), parameters.axis_linear, parameters.axis_linear_rest};
+  }
+  const float value = axis(message, parameters.axis_linear);
   const bool centred = std::abs(value) <= static_cast<float>(parameters.dead_zone);
   if (doubted_ && centred_ && now - centred_since_ >= kCentredFor) doubted_ = false;
   if (!moved_ && value != 0.0F) {
     moved_ = true;
-    moved_since_ = now;
-    end_ = value;
-    jumped_ = std::abs(value) >= kEnd && parameters.axis_linear_rest == 0.0;
+    end_ = value > 0.0F ? 1.0F : -1.0F;
+    doubted_ = std::abs(value) >= kEnd && parameters.axis_linear >= kStickAxes && parameters.axis_linear_rest == 0.0;
   }
-  jumped_ = jumped_ && value == end_;
-  if (jumped_ && (parameters.axis_linear >= kStickAxes || now - moved_since_ >= kRestsFor)) doubted_ = true;
   if (centred && !centred_) centred_since_ = now;
   centred_ = centred;
+}
+
+bool AxisStart::untouched(const StickMessage& message, const Parameters& parameters) const {
+  return !moved_ || !of_.is(message, parameters);
+}
+
+bool AxisStart::doubts(const StickMessage& message, const Parameters& parameters) const {
+  return doubted_ && of_.is(message, parameters);
 }
 
 bool reads_linear_axis(const StickUse& use) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/input/stick_source.hpp"
 
-#include <cstddef>
 #include <string>
 
 namespace hidwa_local_planner::input {
@@ -14,27 +13,30 @@ bool StickSource::same_mapping(const Parameters& a, const Parameters& b) const {
          a.clutch_axis == b.clutch_axis && a.clutch_axis_sign == b.clutch_axis_sign;
 }
 
+StickUse StickSource::use_of(const StickMessage& message) const {
+  return {parameters(), steers(), state_.linear_start.untouched(message, parameters())};
+}
+
 std::string StickSource::fault_of(const StickMessage& message) const {
   StickReading reading;
-  return read_stick(message, use(), reading);
+  return read_stick(message, use_of(message), reading);
 }
 
 std::optional<StopReading> StickSource::stop_of(const StickMessage& message) const {
-  return stop_reading_of(message, use());
+  return stop_reading_of(message, use_of(message));
 }
 
 bool StickSource::is_idle(const StickMessage& message) const {
   StickReading reading;
-  read_stick(message, use(), reading);
-  if (state_.linear_start.doubted()) reading.linear = 0.0F;
+  read_stick(message, use_of(message), reading);
+  if (state_.linear_start.doubts(message, parameters())) reading.linear = 0.0F;
   return !command_of(reading, parameters()).active && !reading.toggle && !reading.clutch;
 }
 
 SourceReading StickSource::take(const StickMessage& message, double now) {
   SourceReading reading;
-  reading.fault = read_stick(message, use(), state_);
-  const auto linear = static_cast<std::size_t>(parameters().axis_linear);
-  if (linear < message.axes.size()) state_.linear_start.observe(message.axes[linear], parameters(), now);
+  reading.fault = read_stick(message, use_of(message), state_);
+  state_.linear_start.observe(message, parameters(), now);
   if (state_.linear_start.doubted()) state_.linear = 0.0F;
   reading.command = command();
   reading.buttons = Buttons{state_.toggle, state_.clutch};
@@ -42,7 +44,7 @@ SourceReading StickSource::take(const StickMessage& message, double now) {
 }
 
 std::string StickSource::advice() const {
-  if (!state_.linear_start.doubted() || !reads_linear_axis(use())) return {};
+  if (!state_.linear_start.doubted() || !reads_linear_axis({parameters(), steers()})) return {};
   const std::string name = "axes[" + std::to_string(parameters().axis_linear) + "]";
   const std::string end = state_.linear_start.end() > 0.0F ? "1" : "-1";
   return "The first movement of " + name + " led to its end " + end +

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kHandSpeed = 1.0;  // [m/s], unhurried
 constexpr double kPress = 0.15;     // [s], that a press of a button lasts
-constexpr double kTremor = 0.01;    // deflection of a stick that is held in its centre
 constexpr double kContent = 0.4;    // [s], without a wish before control is given back
 
 }  // namespace
@@ -55,8 +54,7 @@ Controls TakeoverDevice::update(double time, const Stick& wanted) {
   }
   Controls controls;
   controls.toggle = time < pressed_until_;
-  // A thumb that rests on a stick moves it a little: an axis that has never moved might be a trigger's.
-  controls.stick = driving_ ? Stick{wanted.left, 1.0} : Stick{0.0, kTremor};
+  if (driving_) controls.stick = {wanted.left, 1.0};
   return controls;
 }
 

@@ -77,10 +77,8 @@ class OperatorSource {
   virtual OperatorCommand command() const = 0;
   /// Whether a part of the device is silent for too long at `now` [s], though other messages of the source go on.
   virtual bool gone(double) const { return false; }
-  /// Forgets what came before: the input was lost.
+  /// Forgets what came before: the input was lost, or another device sends now.
   virtual void lose() {}
-  /// Another device sends from now on, or its messages are read in another way.
-  virtual void forget_device() { lose(); }
   /// The planner itself did not listen for `pause` [s], until now: that is no silence of the device.
   virtual void exclude_pause(double) {}
   /// What the operator has to do before the source counts, in a sentence; else empty.

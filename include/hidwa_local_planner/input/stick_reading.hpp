@@ -44,30 +44,38 @@ struct StickReading {
 struct StickUse {
   const Parameters& parameters;
   bool steers = true;
-  /// The speed axis has not moved since the device was first seen. Its 0 is then that of a driver that has not heard
-  /// of it yet, and means axis_linear_rest.
+  /// The speed axis has not moved since the device was first seen. Its 0 then means axis_linear_rest: the driver has
+  /// not heard of the axis yet.
   bool linear_untouched = false;
 };
 
-/// Whether a speed axis is one that rests where it is thought to rest. Drivers send 0 for a trigger or a pedal until
-/// it is touched, and from then on its resting value, which is an end: for a stick that is full speed or a pull. An
-/// axis whose first movement leads to an end (0.99 or more) counts as centred until it has stood in its centre for 1 s:
-/// at once where it is none of the device's first two, which are a stick wherever there is one, else once it has
-/// stayed at that end, to the last bit, for 3 s. It is asked to do that only where axis_linear_rest is 0.
+/// Judges how a device's speed axis begins. Drivers send 0 for a trigger or a pedal until it is touched, and from then on
+/// its resting value, which is an end: for a stick that is full speed or a pull. An axis whose first movement leads to
+/// an end (0.99 or more) is doubted, and counts as centred, until it has stood in its centre for 1 s. Axes 0 and 1 are
+/// never doubted, since they are a stick wherever there is one; nor is one whose axis_linear_rest is not 0.
 class AxisStart {
  public:
-  /// The axis has `value` at `now` [s].
-  void observe(float value, const Parameters& parameters, double now);
-  bool untouched() const { return !moved_; }
+  /// Another device, axis or rest begins anew. `now` [s].
+  void observe(const StickMessage& message, const Parameters& parameters, double now);
+  /// Whether the axis has not moved since the device of a message, which is still to be observed, was first seen.
+  bool untouched(const StickMessage& message, const Parameters& parameters) const;
+  /// Whether the axis of the device of a message is doubted.
+  bool doubts(const StickMessage& message, const Parameters& parameters) const;
   bool doubted() const { return doubted_; }
-  float end() const { return end_ > 0.0F ? 1.0F : -1.0F; }  // that the doubted axis went to
+  float end() const { return end_; }  // 1 or -1: where the doubted axis went
 
  private:
+  struct Of {
+    std::string sender;
+    std::size_t axes = 0;
+    int index = 0;
+    double rest = 0.0;
+    bool is(const StickMessage& message, const Parameters& parameters) const;
+  };
+  Of of_;
   bool moved_ = false;
-  bool jumped_ = false;  // to end_, and has stayed there
   bool doubted_ = false;
   bool centred_ = false;
-  double moved_since_ = 0.0;    // [s]
   double centred_since_ = 0.0;  // [s]
   float end_ = 0.0F;
 };

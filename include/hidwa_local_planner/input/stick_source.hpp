@@ -20,7 +20,6 @@ class StickSource : public SourceOf<StickMessage, StickState> {
   bool can_steer(const Parameters&) const override { return true; }
   bool same_mapping(const Parameters& a, const Parameters& b) const override;
   OperatorCommand command() const override { return command_of(state_, parameters()); }
-  void forget_device() override { state_.linear_start = {}; }
   std::string advice() const override;
 
  protected:
@@ -30,7 +29,7 @@ class StickSource : public SourceOf<StickMessage, StickState> {
   SourceReading take(const StickMessage& message, double now) override;
 
  private:
-  StickUse use() const { return {parameters(), steers(), state_.linear_start.untouched()}; }
+  StickUse use_of(const StickMessage& message) const;
 };
 
 }  // namespace hidwa_local_planner::input
