@@ -138,9 +138,7 @@ bool ControlLoop::load(const Bytes& state) {
   Bytes planner;
   ArchiveReader read(state);
   archive(*this, read);
-  read(planner);
-  twist_watch_ = {};
-  if (read.more()) read(twist_watch_);
+  read(planner, twist_watch_);
   return read.complete() && planner_.load(planner);
 }
 
@@ -148,8 +146,13 @@ bool ControlLoop::load(const Bytes& state) {
 void ControlLoop::watch_velocity(const Observation& observation) {
   if (observation.resumed || observation.timing.jumped_back || !observation.fault.empty()) twist_watch_.interrupt();
   if (!observation.fault.empty()) return;
-  twist_watch_.observe(
-      {observation.timing.now, observation.pose_age, observation.pose, *observation.velocity, last_command_});
+  const Parameters& p = parameters();
+  twist_watch_.observe({observation.timing.now,
+                        observation.pose_age,
+                        observation.pose,
+                        *observation.velocity,
+                        last_command_,
+                        {std::max(p.max_vel_x, -p.min_vel_x), p.max_vel_theta}});
 }
 
 std::optional<Twist2> ControlLoop::velocity_of(const Observation& observation) const {

@@ -16,6 +16,7 @@ constexpr double kDrives = 0.1;  // [m/s]
 constexpr double kTurns = 0.2;   // [rad/s]
 // What the pose may differ from the commands, and the velocity from the pose. Ramps and latency differ by less.
 constexpr double kMostOff = 0.5;
+constexpr double kImpossible = 2.0;  // times as fast as the robot can be
 
 Twist2 towards(const Twist2& average, const Twist2& value, double share) {
   return {average.v + share * (value.v - average.v), average.omega + share * (value.omega - average.omega)};
@@ -46,7 +47,8 @@ void TwistWatch::observe(const Seen& seen) {
   time_ = time;
   pose_ = seen.pose;
 
-  const Verdict drives = verdict(&Twist2::v, kDrives), turns = verdict(&Twist2::omega, kTurns);
+  const Verdict drives = verdict(&Twist2::v, kDrives, seen.fastest.v);
+  const Verdict turns = verdict(&Twist2::omega, kTurns, seen.fastest.omega);
   const bool differs = drives == Verdict::differs || turns == Verdict::differs;
   const bool agrees = !differs && (drives == Verdict::agrees || turns == Verdict::agrees);
   differs_ = differs ? differs_ + passed : 0.0;
@@ -56,8 +58,9 @@ void TwistWatch::observe(const Seen& seen) {
   if (agrees_ >= kAgrees) doubts_ = false;
 }
 
-TwistWatch::Verdict TwistWatch::verdict(double Twist2::*axis, double least) const {
+TwistWatch::Verdict TwistWatch::verdict(double Twist2::*axis, double least, double most) const {
   const double commanded = by_command_.*axis, moved = by_pose_.*axis, said = by_twist_.*axis;
+  if (std::abs(said) > kImpossible * most && std::abs(moved) <= most) return Verdict::differs;
   if (std::abs(commanded) < least || std::abs(moved - commanded) > kMostOff * std::abs(commanded)) return Verdict::none;
   return std::abs(said - moved) > kMostOff * std::abs(moved) ? Verdict::differs : Verdict::agrees;
 }

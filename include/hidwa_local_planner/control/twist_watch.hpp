@@ -12,17 +12,19 @@ namespace hidwa_local_planner::control {
 /// agreed with it for ten seconds of driving.
 ///
 /// What is compared are averages of about the last half second. A base that does not move as it was commanded, since it
-/// is blocked or slips, proves nothing.
+/// is blocked or slips, proves nothing. A velocity of more than twice what the robot can drive, in mm/s for example, is
+/// no velocity however the robot moves, if the pose moves more slowly.
 class TwistWatch {
  public:
   /// What a cycle at `now` [s] knows: the robot's pose in a frame that stands still, measured `pose_age` [s] ago, its
-  /// measured velocity, and the command that was in force since the cycle before.
+  /// measured velocity, the command that was in force since the cycle before, and how fast the robot can be.
   struct Seen {
     double now = 0.0;
     double pose_age = 0.0;
     Pose2 pose;
     Twist2 measured;
     Twist2 command;
+    Twist2 fastest;  // to either side
   };
   void observe(const Seen& seen);
   /// Others drove, or the time was set: what comes next has no past.
@@ -39,7 +41,7 @@ class TwistWatch {
 
  private:
   enum class Verdict { none, agrees, differs };
-  Verdict verdict(double Twist2::*axis, double least) const;
+  Verdict verdict(double Twist2::*axis, double least, double most) const;
 
   bool known_ = false;
   bool doubts_ = false;

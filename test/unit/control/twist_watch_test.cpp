@@ -16,7 +16,7 @@ struct Robot {
       const double middle = pose.theta + 0.025 * moves.omega;
       pose = {pose.x + 0.05 * moves.v * std::cos(middle), pose.y + 0.05 * moves.v * std::sin(middle),
               wrap_angle(pose.theta + 0.05 * moves.omega)};
-      watch.observe({now, age, pose, says, command});
+      watch.observe({now, age, pose, says, command, {1.0, 2.0}});
     }
   }
   TwistWatch watch;
@@ -63,16 +63,29 @@ TEST(TwistWatch, DoubtsNothingWhereThePoseDoesNotFollowTheCommands) {
   }
 }
 
+// 2 m/s is what a robot that drives 1 m/s may be pushed to; 2.1 m/s while the pose stands is no velocity.
+TEST(TwistWatch, DoubtsWhatNoRobotCanDrive) {
+  for (const double says : {2.0, 2.1, 300.0, -300.0}) {
+    Robot robot;
+    robot.drive(5.0, {}, {}, {});
+    robot.drive(15.0, {0.0, 0.0}, {0.1, 0.0}, {says, 0.0});
+    EXPECT_EQ(robot.watch.doubts(), std::abs(says) > 2.0) << says;
+    Robot pushed;
+    pushed.drive(20.0, {says, 0.0}, {}, {says, 0.0});
+    EXPECT_FALSE(pushed.watch.doubts()) << says;
+  }
+}
+
 // The same pose again, and a gap, give no velocity.
 TEST(TwistWatch, PosesThatAreNotNewSayNothing) {
   Robot robot;
   robot.drive(4.0, {0.5, 0.0}, {0.5, 0.0}, {});
   robot.age = 0.05;
   robot.now += 0.05;
-  robot.watch.observe({robot.now, robot.age, robot.pose, {}, {0.5, 0.0}});
+  robot.watch.observe({robot.now, robot.age, robot.pose, {}, {0.5, 0.0}, {1.0, 2.0}});
   EXPECT_NEAR(robot.watch.from_pose().v, 0.5, 1e-9);
   robot.now += 5.0;
-  robot.watch.observe({robot.now, robot.age, {30.0, 0.0, 0.0}, {0.2, 0.0}, {0.5, 0.0}});
+  robot.watch.observe({robot.now, robot.age, {30.0, 0.0, 0.0}, {0.2, 0.0}, {0.5, 0.0}, {1.0, 2.0}});
   EXPECT_EQ(robot.watch.from_pose().v, 0.2);  // as measured, until the next pose
   EXPECT_TRUE(robot.watch.doubts());
 }
