@@ -98,7 +98,7 @@ void expect_within_limits(const Parameters& p, const Decision& decision, const T
   ASSERT_TRUE(is_finite(u)) << seed;
   // Outside its limits only as far as braking from a reference outside them has not yet brought it back.
   EXPECT_LE(u.v, std::max(p.max_vel_x, from.v) + 1e-9) << seed;
-  EXPECT_GE(u.v, std::min(p.min_vel_x, from.v) - 1e-9) << seed;
+  EXPECT_GE(u.v, std::min({p.min_vel_x, 0.0, from.v}) - 1e-9) << seed;
   EXPECT_LE(std::abs(u.omega), std::max(p.max_vel_theta, std::abs(from.omega)) + 1e-9) << seed;
   if (p.has_wheel_limit()) {
     const double half = 0.5 * p.wheel_separation;

@@ -115,7 +115,7 @@ inline double naive_dead_band(const Parameters& p, double v) {
 
 /// Driving forward, but more slowly than min_vel_x and than the window allows.
 inline bool naive_creeps(const Parameters& p, const NaiveWindow& w, double v) {
-  return v > 0.0 && v < p.min_vel_x && v < w.v_hi;
+  return v > 0.0 && v < p.min_vel_x && v < w.v_hi - 1e-12;
 }
 
 inline Twist2 naive_into_window(const Parameters& p, const NaiveWindow& w, const Twist2& wanted) {
@@ -174,11 +174,23 @@ inline std::vector<NaiveCandidate> naive_candidates(const Scene& scene, const Tw
   return all;
 }
 
+/// How long candidates are rolled out: where autonomy drives, no longer than the slowest drive to the goal takes.
+inline double naive_sim_time(const Scene& scene) {
+  const Parameters& p = scene.parameters;
+  const bool autonomous = scene.intent.influence == Influence::none && !scene.situation.goal_latched;
+  const double step = p.generator == Generator::standard ? p.max_vel_x / (p.vx_samples - 1) : 0.0;
+  const double slowest = p.min_vel_x > step ? p.min_vel_x : step;
+  if (!autonomous || p.admissibility != Admissibility::braking || slowest <= 0.0) return p.sim_time;
+  const double dx = scene.situation.goal.x - scene.situation.pose.x,
+               dy = scene.situation.goal.y - scene.situation.pose.y;
+  return std::min(p.sim_time, std::max(std::sqrt(dx * dx + dy * dy) / slowest, scene.situation.period));
+}
+
 /// Rolls every candidate out.
 inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vector<NaiveCandidate>& all,
                            bool gentle = false) {
   const Parameters& p = scene.parameters;
-  const double T = p.sim_time;
+  const double T = naive_sim_time(scene);
   double fastest = 0.0;
   for (const NaiveCandidate& c : all) fastest = std::max(fastest, std::abs(c.u.v));
   for (NaiveCandidate& c : all) {

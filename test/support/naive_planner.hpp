@@ -128,7 +128,7 @@ class NaivePlanner {
   }
   // And a map without the clusters, in which a disc minds no inscribed cells.
   void find_clusters(const Parameters& slow) {
-    const double longest = std::max(std::abs(slow.min_vel_x), std::abs(slow.max_vel_x)) * slow.sim_time;
+    const double longest = std::max(-slow.min_vel_x, slow.max_vel_x) * slow.sim_time;
     const int steps = 1 + static_cast<int>(std::ceil(longest / grid_.resolution));
     clusters_ = std::make_unique<NaiveEscape>(grid_, body_, slow.unknown_is_obstacle, scene_.situation.pose, steps);
     rest_ = scene_.costs;

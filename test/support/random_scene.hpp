@@ -119,7 +119,6 @@ inline void randomise_robot(Random& random, Parameters& p) {
     p.min_vel_theta = random.uniform(0.02, 0.1);
     p.min_in_place_vel_theta = random.uniform(0.1, 0.4);
   }
-  if (random.chance(0.15)) p.min_vel_x = random.uniform(0.02, 0.5) * p.max_vel_x;
 }
 
 inline void randomise_search(Random& random, Parameters& p) {
@@ -236,6 +235,8 @@ inline Scene random_scene(std::uint64_t seed) {
   scene.parameters.RotateToGoal_lookahead_time = random.chance(0.5) ? -1.0 : random.uniform(0.0, 2.2);
   scene.parameters.comfort_acc_lim_theta = random.chance(0.3) ? 0.0 : random.uniform(0.2, 3.0);
   scene.parameters.comfort_turn_time = random.chance(0.3) ? 0.0 : random.uniform(0.1, 1.5);
+  Parameters& p = scene.parameters;
+  if (random.chance(0.15)) p.min_vel_x = random.uniform(0.02, 0.5) * p.max_vel_x;
   return scene;
 }
 

@@ -128,10 +128,11 @@ Conclusion Planner::Impl::conclude(const Cycle& cycle) {
 Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Steering steering = find_steering(cycle);
   const bool autonomous = drives_itself(cycle, steering);
-  Evaluation::Result evaluated = evaluation.evaluate(cycle, steering, mode(autonomous, comfort_of(cycle, steering)));
+  Evaluation::Result evaluated =
+      evaluation.evaluate(cycle, steering, mode(cycle, autonomous, comfort_of(cycle, steering)));
   Choice choice = evaluated.scored ? choose(cycle, autonomous) : Choice{};
   if (evaluated.gentle && evaluated.scored && gives_way(cycle, choice)) {
-    evaluated = evaluation.evaluate(cycle, steering, mode(autonomous, {}));
+    evaluated = evaluation.evaluate(cycle, steering, mode(cycle, autonomous, {}));
     choice = choose(cycle, autonomous);
     evaluated.gentle = false;
   }
@@ -183,10 +184,23 @@ bool Planner::Impl::drives_itself(const Cycle& cycle, const Steering& steering) 
 
 // On a way that recovery has found the way looks ahead: rollouts need not, so that close to things more is legal. Only
 // while braking is checked, or they would be all that keeps the robot from collisions.
-Evaluation::Mode Planner::Impl::mode(bool autonomous, const ComfortTurn& comfort) const {
-  const bool short_sighted = autonomous && recovery.follows() && parameters.admissibility == Admissibility::braking;
-  return {short_sighted ? std::min(kFollowingTime, parameters.sim_time) : parameters.sim_time, recovery.active(),
-          comfort, autonomous && recovery.leads_to_goal()};
+Evaluation::Mode Planner::Impl::mode(const Cycle& cycle, bool autonomous, const ComfortTurn& comfort) const {
+  double sim_time = parameters.sim_time;
+  if (autonomous && parameters.admissibility == Admissibility::braking) {
+    if (recovery.follows()) sim_time = std::min(kFollowingTime, sim_time);
+    sim_time = std::min(sim_time, time_to_goal(cycle));
+  }
+  return {sim_time, recovery.active(), comfort, autonomous && recovery.leads_to_goal()};
+}
+
+// How long the slowest drive to the goal takes [s]. Rolled out for longer, no candidate would end near the goal, and
+// rest would seem the best.
+double Planner::Impl::time_to_goal(const Cycle& cycle) const {
+  const bool coarse = parameters.generator == Generator::standard;
+  const double step = coarse ? parameters.max_vel_x / (parameters.vx_samples - 1) : 0.0;
+  const double slowest = std::max(parameters.min_vel_x, step);
+  if (slowest <= 0.0) return std::numeric_limits<double>::infinity();
+  return std::max(distance(cycle.situation.pose, cycle.situation.goal) / slowest, usable_period(cycle.situation));
 }
 
 // Autonomy turns gently, also along a way that it has found while it drove. The operator, and a robot that has stood,
@@ -228,8 +242,8 @@ bool Planner::Impl::evades(const Cycle& cycle, const Choice& choice, bool autono
 // Gentleness gives way where it would be touched.
 void Planner::Impl::evade(const Cycle& cycle, const Steering& steering, Evaluation::Result& evaluated, Choice& choice) {
   if (evaluated.gentle != evasion.gently()) {
-    evaluated = evaluation.evaluate(cycle, steering,
-                                    mode(true, evasion.gently() ? ComfortTurn::from(parameters) : ComfortTurn{}));
+    evaluated = evaluation.evaluate(
+        cycle, steering, mode(cycle, true, evasion.gently() ? ComfortTurn::from(parameters) : ComfortTurn{}));
     choice = choose(cycle, true);
   }
   const int candidate = evasion.choose(cycle, evaluation.candidates(), evaluation.checks());

@@ -65,7 +65,8 @@ struct Planner::Impl {
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);
   bool drives_itself(const Cycle& cycle, const Steering& steering) const;
-  Evaluation::Mode mode(bool autonomous, const ComfortTurn& comfort) const;
+  Evaluation::Mode mode(const Cycle& cycle, bool autonomous, const ComfortTurn& comfort) const;
+  double time_to_goal(const Cycle& cycle) const;
   ComfortTurn comfort_of(const Cycle& cycle, const Steering& steering) const;
   bool gives_way(const Cycle& cycle, const Choice& choice) const;
   Choice choose(const Cycle& cycle, bool autonomous);

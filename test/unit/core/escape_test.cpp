@@ -51,12 +51,6 @@ TEST(EscapeSpeed, WhoIsFasterBrakes) {
   EXPECT_FALSE(speed.allows({0.375, 0.2}, {0.5, 0.0}, 0.05));
 }
 
-TEST(EscapeSpeed, ABaseThatCannotGoSoSlowlyDoesNotDrive) {
-  const EscapeSpeed speed(limits_of(0.2, 0.5), 0.3, 0.05, kDelay);
-  EXPECT_EQ(speed.slowed().x.min, 0.0);
-  EXPECT_EQ(speed.slowed().x.max, 0.0);
-}
-
 double depth_of(const Footprint& footprint, const Pose2& pose, double x, double y) {
   OutlineDepth depth;
   depth.prepare(footprint, 0.05);
