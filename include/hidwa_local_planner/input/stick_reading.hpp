@@ -49,10 +49,10 @@ struct StickUse {
   bool linear_untouched = false;
 };
 
-/// Judges how a device's speed axis begins. Drivers send 0 for a trigger or a pedal until it is touched, and from then on
-/// its resting value, which is an end: for a stick that is full speed or a pull. An axis whose first movement leads to
-/// an end (0.99 or more) is doubted, and counts as centred, until it has stood in its centre for 1 s. Axes 0 and 1 are
-/// never doubted, since they are a stick wherever there is one; nor is one whose axis_linear_rest is not 0.
+/// Judges how a device's speed axis begins. Drivers send 0 for a trigger or a pedal until it is touched, and from then
+/// on its resting value, which is an end: for a stick that is full speed or a pull. An axis whose first movement leads
+/// to an end (0.99 or more) is doubted, and counts as centred, until it has stood in its centre for 1 s. Axes 0 and 1
+/// are never doubted, since they are a stick wherever there is one; nor is one whose axis_linear_rest is not 0.
 class AxisStart {
  public:
   /// Another device, axis or rest begins anew. `now` [s].

@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <deque>
 
-#include <boost/shared_ptr.hpp>
 #include <ros/datatypes.h>
+#include <boost/shared_ptr.hpp>
 
 namespace hidwa_local_planner {
 
-/// Numbers of the connections of one subscriber. roscpp gives each connection a header of its own, and all messages of a
-/// connection share it.
+/// Numbers of the connections of one subscriber. roscpp gives each connection a header of its own, and all messages of
+/// a connection share it.
 class ConnectionNumbers {
  public:
   using Header = boost::shared_ptr<ros::M_string>;

@@ -52,8 +52,8 @@ bool Twin::readable(const StickMessage& m) const {
 bool Twin::usable(std::size_t e) const { return is_message(e) && readable(history_[e].message) && !late_[e]; }
 
 // A message is late by what its lag exceeds the link's present one. That is the smallest lag since the link was last
-// taken to be slower, that is since lags beyond the limit had stayed within 0.1 s for 2 s. A lag that stays the same over
-// a pause in which a backlog of it would have been worked off is that of another clock: the link is learnt anew.
+// taken to be slower, that is since lags beyond the limit had stayed within 0.1 s for 2 s. A lag that stays the same
+// over a pause in which a backlog of it would have been worked off is that of another clock: the link is learnt anew.
 void Twin::judge_lags() {
   struct Lag {
     std::size_t event;
