@@ -120,7 +120,9 @@ TEST(UrdfReading, NamesAreNoFormats) {
 
 TEST(UrdfReading, APercentSignMayStandInAGoodText) {
   const std::string good = base_text();
-  const UrdfReading reading = read_urdf("<!-- 50% of the load -->" + good, "base_link");
+  std::string text = good;
+  text.insert(text.rfind("</robot>"), "<!-- 50% of the load -->");
+  const UrdfReading reading = read_urdf(text, "base_link");
   ASSERT_TRUE(reading.model) << reading.fault;
   EXPECT_EQ(reading.model->links.size(), read_urdf(good, "base_link").model->links.size());
 }
