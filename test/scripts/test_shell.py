@@ -161,7 +161,7 @@ class Shell(unittest.TestCase):
         status, output = self.bash(script, STATUS='0')
         said = ('build/source/one/package.xml\nbuild/source/two/package.xml\n'
                 '--source build/source --build build --devel build/devel --merge --install --install-space install '
-                '--cmake-args -DA=1 -DB=2 3\n')
+                '--catkin-make-args all tests --cmake-args -DA=1 -DB=2 3\n')
         self.assertEqual((status, output), (0, said + said))  # said, and kept in the log
         self.assertIn('status 5\n', self.bash(script, STATUS='5')[1])
 
