@@ -109,7 +109,10 @@ class Panels:
         self.assertGreater(os.path.getsize(bags[0]), 10000)
         self.assertIn(bags[0], page.text('record-text'))
         page.click('report')
-        page.until("return document.getElementById('report-dialog').open && document.getElementById('report-picture').naturalWidth > 200")
+        page.wait(lambda: page.js("return document.getElementById('report-dialog').open"), 'the dialog')
+        page.wait(lambda: page.js("return document.getElementById('report-picture').complete"), 'the picture, or that there is none')
+        shown = "const p = document.getElementById('report-picture'); return [p.hidden, p.naturalWidth]"
+        self.assertGreater(page.js(shown)[1], 200, (page.js(shown), page.text('record-text')))
         figures = page.js("return Object.fromEntries([...document.getElementById('report-figures').rows]"
                           '.map((row) => [...row.cells].map((cell) => cell.textContent)))')
         self.assertGreater(float(figures['path length m']), 0.2)
