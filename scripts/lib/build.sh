@@ -31,8 +31,8 @@ hidwa_built_with() {
   grep -q "^$1:[A-Z]*=ON" "$HIDWA_SPACE/build/hidwa_local_planner/CMakeCache.txt" 2>/dev/null
 }
 
-# hidwa_workspace FOLDER PACKAGE_FOLDER... -- CMAKE_ARGUMENT...: builds packages into FOLDER/{build,install,log}, by colcon, or by
-# catkin where there is no colcon (Debian 11), with the tests that they have. Each package has its build folder in FOLDER/build either way.
+# hidwa_workspace FOLDER PACKAGE_FOLDER... -- CMAKE_ARGUMENT...: builds packages and their tests into FOLDER/{build,install,log}, by
+# colcon, or by catkin where there is no colcon (Debian 11). Each package has its build folder in FOLDER/build either way.
 hidwa_workspace() {
   local packages=() log
   mkdir -p "$1"

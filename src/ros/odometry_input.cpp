@@ -72,6 +72,7 @@ std::optional<Twist2> OdometryInput::settled(double now, double timeout, const P
   return agreed ? std::optional<Twist2>(settled) : std::nullopt;
 }
 
+// Nothing is copied where nothing is odd: a cycle must not allocate.
 std::string OdometryInput::advice(const std::string& base,
                                   const std::function<bool(const std::string& frame)>& known) const {
   const std::uint32_t senders = subscriber_ ? subscriber_.getNumPublishers() : 0;

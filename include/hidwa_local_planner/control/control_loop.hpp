@@ -117,7 +117,6 @@ class ControlLoop {
   const std::optional<double>& last_cycle() const { return goal_checker_.last_cycle(); }
   /// The measured velocity is not believed: the pose moves as commanded, and the velocity does not (TwistWatch).
   bool doubts_velocity() const { return twist_watch_.doubts(); }
-  const Twist2& velocity_from_pose() const { return twist_watch_.from_pose(); }  // [m/s, rad/s]
   /// The last command asked for rest, and the robot is at rest.
   bool stands() const { return stands_; }
 

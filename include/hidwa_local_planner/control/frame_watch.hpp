@@ -31,7 +31,7 @@ class FrameWatch {
     turned_ = same ? turned_ + std::abs(velocity.omega) * interval : 0.0;
     pose_ = pose;
   }
-  /// No pose stays the same for so long.
+  /// The robot drove for long, and its pose did not change.
   bool stands_still() const { return driven_ > kDriven || turned_ > kTurned; }
 
  private:

@@ -49,7 +49,7 @@ class TwistWatch {
   Pose2 pose_;                              // the last one
   Twist2 from_pose_;                        // [m/s, rad/s]
   Twist2 by_pose_, by_twist_, by_command_;  // averages [m/s, rad/s]
-  double differs_ = 0.0, agrees_ = 0.0;     // for so long, of driving [s]
+  double differs_ = 0.0, agrees_ = 0.0;     // driving time without and with agreement [s]
 };
 
 }  // namespace hidwa_local_planner::control
