@@ -10,6 +10,7 @@ import unittest
 import browser
 from hidwa_tools.processes import Child
 from robot import ROOT
+from stage import STOP_DELAY
 
 
 class Study(unittest.TestCase):
@@ -20,8 +21,9 @@ class Study(unittest.TestCase):
         environment = dict(os.environ, PYTHONPATH=os.pathsep.join([os.path.join(ROOT, 'scripts', 'lib'), os.environ['PYTHONPATH']]))
         page = os.path.join(ROOT, 'console', 'page')
         # A short way: 1.2 m straight ahead of the start.
+        console = '--console-options=--port 0 --stop-delay %g --page %s' % (STOP_DELAY, page)
         self.child = Child([sys.executable, '-m', 'hidwa_tools.study_live', '--participant', '1', '--condition', 'SJ', '--out', self.out,
-                            '--console', '--yes', '--goal', '5.5,3.7,1.57', '--console-options=--port 0 --page ' + page],
+                            '--console', '--yes', '--goal', '5.5,3.7,1.57', console],
                            self.log, environment)
         self.addCleanup(self.child.stop)
         self.page = browser.Browser()
