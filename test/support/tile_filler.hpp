@@ -6,7 +6,7 @@
 #include "core/collision/cell_classes.hpp"
 #include "core/collision/collision.hpp"
 #include "core/distance/plan_grids.hpp"
-#include "core/planner/tile_surroundings.hpp"
+#include "core/evaluation/tile_surroundings.hpp"
 #include "hidwa_local_planner/core/critic.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "support/scene.hpp"

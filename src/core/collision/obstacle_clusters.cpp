@@ -6,7 +6,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-constexpr int kNobody = -1, kUnnumbered = -1;
+constexpr int kNoCluster = -1, kUnnumbered = -1;
 
 template <typename Visit>
 void visit_neighbours(Cell cell, Visit&& visit) {
@@ -38,7 +38,7 @@ bool ObstacleClusters::edge(Cell cell) const {
 void ObstacleClusters::gather(const Window& window, const std::vector<Overlap>& overlaps, int steps) {
   window_ = window;
   half_ = 0.5 * window.map.resolution;
-  marks_.assign(static_cast<std::size_t>(window.size) * static_cast<std::size_t>(window.size), kNobody);
+  marks_.assign(static_cast<std::size_t>(window.size) * static_cast<std::size_t>(window.size), kNoCluster);
   members_.clear();
   add_overlapped(overlaps);
   std::size_t ring = 0;
@@ -89,7 +89,7 @@ void ObstacleClusters::add_ring(std::size_t begin, bool first) {
 void ObstacleClusters::reach(Cell cell, std::size_t ring, double limit, double near_limit) {
   if (!inside(cell)) return;
   const int known = marks_[index(cell)];
-  if (known == kNobody) {
+  if (known == kNoCluster) {
     if (window_.obstacle(cell) && edge(cell)) add({cell, limit, near_limit, kUnnumbered});
     return;
   }

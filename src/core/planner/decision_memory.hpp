@@ -2,9 +2,9 @@
 // Helpers for a decision that every cycle uses again, so that its lists and texts allocate no memory.
 #pragma once
 
-#include "core/planner/conclusion.hpp"
-#include "core/planner/critic_set.hpp"
-#include "core/planner/cycle_start.hpp"
+#include "core/cycle/conclusion.hpp"
+#include "core/cycle/cycle_start.hpp"
+#include "core/evaluation/critic_set.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 
 namespace hidwa_local_planner {

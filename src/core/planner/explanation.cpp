@@ -23,9 +23,9 @@ void Explanation::clear() {
   full_.clear();
 }
 
-void Explanation::note_choice(int best, ChoiceReport::Rule rule, const Steering& steering) {
-  marked_.best = best;
-  choice_ = {rule, steering.target, steering.active};
+void Explanation::note_choice(const Proposal& proposal, const Steering& steering) {
+  marked_.best = proposal.candidate;
+  choice_ = {proposal.rule, steering.target, steering.active};
 }
 
 double Explanation::deviation(std::size_t candidate) const {

@@ -9,12 +9,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/planner/candidates.hpp"
-#include "core/planner/critic_set.hpp"
-#include "core/planner/lazy_checks.hpp"
-#include "core/planner/obstacles.hpp"
-#include "core/planner/scores.hpp"
-#include "core/planner/tile_filler.hpp"
+#include "core/autonomy/proposal.hpp"
+#include "core/evaluation/candidates.hpp"
+#include "core/evaluation/critic_set.hpp"
+#include "core/evaluation/lazy_checks.hpp"
+#include "core/evaluation/obstacles.hpp"
+#include "core/evaluation/scores.hpp"
+#include "core/evaluation/tile_filler.hpp"
 
 namespace hidwa_local_planner {
 
@@ -34,8 +35,8 @@ class Explanation {
 
   /// A new cycle: nothing is chosen.
   void clear();
-  /// What was chosen; `best` is -1 where nothing was.
-  void note_choice(int best, ChoiceReport::Rule rule, const Steering& steering);
+  /// What was chosen.
+  void note_choice(const Proposal& proposal, const Steering& steering);
 
   /// Total, terms and trajectory of the chosen candidate.
   void describe_choice(Decision& decision) const;

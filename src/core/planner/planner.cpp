@@ -7,6 +7,12 @@
 #include "core/planner/planner_impl.hpp"
 
 namespace hidwa_local_planner {
+namespace {
+
+// Of what save() writes. Whoever changes that changes this number: then load() refuses what was written before.
+constexpr std::uint32_t kLayout = 20261129;
+
+}  // namespace
 
 Planner::Planner(CriticRegistry registry) : impl_(std::make_unique<Impl>(std::move(registry))) {
   configure(Parameters{});
@@ -27,7 +33,7 @@ void Planner::set_footprint(const Polygon& outline) { impl_->set_footprint(outli
 
 void Planner::reset() {
   impl_->critics.reset();
-  impl_->recovery.reset();
+  impl_->autonomy.reset();
   impl_->forget_movers();
 }
 
@@ -35,27 +41,33 @@ Twist2 Planner::believed(const Twist2& measured) const {
   return impl_->start_estimator.believed(measured, impl_->parameters);
 }
 
-bool Planner::leads_to_goal() const { return impl_->recovery.leads_to_goal(); }
+bool Planner::leads_to_goal() const { return impl_->autonomy.recovery().leads_to_goal(); }
 
 void Planner::save(Bytes& state) const {
   ArchiveWriter write(state);
-  write(impl_->start_estimator, impl_->recovery);
+  write(kLayout, impl_->start_estimator, impl_->autonomy);
   impl_->critics.save(write);
   // Each of these needs those before it.
-  const bool accelerates = impl_->accelerations.any(), evades = impl_->evasion.goes_on();
+  const bool accelerates = impl_->accelerations.any(), evades = impl_->autonomy.evasion().goes_on();
   if (impl_->movers.leaving() || evades || accelerates) write(impl_->movers);
-  if (evades || accelerates) write(impl_->evasion);
+  if (evades || accelerates) write(impl_->autonomy.evasion());
   if (accelerates) write(impl_->accelerations);
 }
 
 bool Planner::load(const Bytes& state) {
   ArchiveReader read(state);
+  std::uint32_t layout = 0;
+  read(layout);
+  if (layout != kLayout) {
+    reset();
+    return false;
+  }
   impl_->critics.reset();
   impl_->forget_movers();
-  read(impl_->start_estimator, impl_->recovery);  // a search that is under way here already is gone on with
+  read(impl_->start_estimator, impl_->autonomy);  // a search that is under way here already is gone on with
   impl_->critics.load(read);
   if (read.more()) read(impl_->movers);
-  if (read.more()) read(impl_->evasion);
+  if (read.more()) read(impl_->autonomy.evasion());
   if (read.more()) read(impl_->accelerations);
   if (!read.complete()) reset();
   return read.complete();

@@ -605,6 +605,18 @@ TEST(Evasions, ANumberThatIsNoneIsNotGoneOnWith) {
   EXPECT_EQ(damaged.planner().choice().rule, ChoiceReport::Rule::evasion);
 }
 
+// A state begins with the number of its layout. Another release may have written the same number of bytes in another
+// order.
+TEST(Planner, AStateOfAnotherLayoutIsRefused) {
+  PlannerBench bench(chased(3.0));
+  bench.cycle();
+  Bytes state;
+  bench.planner().save(state);
+  ASSERT_TRUE(bench.planner().load(state));
+  ++state.front();
+  EXPECT_FALSE(bench.planner().load(state));
+}
+
 // With a person who steers, and with nobody around, nothing of it counts.
 TEST(Evasions, ThePersonAndAnEmptyRoomSeeNothingOfThem) {
   for (const bool steered : {true, false}) {

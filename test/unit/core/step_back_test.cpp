@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When the robot goes back, and along what.
-#include "core/planner/step_back.hpp"
+#include "core/autonomy/step_back.hpp"
 
 #include <gtest/gtest.h>
 

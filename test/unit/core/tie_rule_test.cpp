@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/planner/tie_rule.hpp"
+#include "core/evaluation/tie_rule.hpp"
 
 #include <gtest/gtest.h>
 

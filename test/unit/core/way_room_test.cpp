@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/planner/way_room.hpp"
+#include "core/autonomy/way_room.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner {

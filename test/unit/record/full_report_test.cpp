@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/planner/tie_rule.hpp"
+#include "core/evaluation/tie_rule.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/record/cycle_record.hpp"

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides which candidate is driven. The rules, in the order of precedence:
+//
+//   rule      where it is asked                           what it takes
+//   evasion   moving obstacles are near, and what the     what begins the best way that is not touched
+//             rules below take is touched or costs much
+//   recovery  a way is followed, or a search needs rest    what gets farthest along the way; rest
+//   escape    the robot stands in collision               what ends least deep; a turn towards a way out
+//   cheapest  none of those takes anything; in collision  the least total
+//             only where recovery and escape are idle
+//
+// The first three are autonomy's. Evasion and recovery are never asked in collision, but recovery that follows a way
+// goes on. With an operator, and at the goal's position, only the cheapest candidate counts.
+//
+// Candidates are evaluated with gentle turns first. Where that leaves nothing but rest, or evasion needs more, they are
+// evaluated again with all turns that the limits allow.
+#pragma once
+
+#include "core/autonomy/autonomy.hpp"
+#include "core/autonomy/proposal.hpp"
+#include "core/evaluation/evaluation.hpp"
+#include "core/evaluation/selection.hpp"
+
+namespace hidwa_local_planner {
+
+class Arbiter {
+ public:
+  /// Both outlive it.
+  Arbiter(Evaluation& evaluation, Autonomy& autonomy)
+      : evaluation_(evaluation),
+        autonomy_(autonomy),
+        selection_(evaluation.candidates(), evaluation.scores(), evaluation.checks()) {}
+
+  struct Choice {
+    Proposal proposal;
+    Evaluation::Result evaluated;  // how the candidates were evaluated
+    Autonomy::Steps steps;
+    Evasion::Step evasion;
+  };
+  /// `autonomous`: see Autonomy::drives().
+  Choice choose(const Cycle& cycle, const Steering& steering, bool autonomous);
+  /// The sample of the cheapest candidate if nobody steered; zero where there is none [m/s, rad/s].
+  Twist2 cheapest_alone(const Cycle& cycle, const Twist2& u_h);
+
+ private:
+  void propose(const Cycle& cycle, const Steering& steering, bool autonomous, const ComfortTurn& comfort,
+               Choice& choice);
+  Evaluation::Mode mode(const Cycle& cycle, bool autonomous, const ComfortTurn& comfort) const;
+  ComfortTurn comfort_of(const Cycle& cycle, const Steering& steering) const;
+  bool gives_way(const Cycle& cycle, const Choice& choice) const;
+  bool evades(const Cycle& cycle, const Choice& choice, bool autonomous);
+  Proposal cheapest(const Cycle& cycle);
+  const Twist2& sample(const Proposal& proposal) const;
+
+  Evaluation& evaluation_;
+  Autonomy& autonomy_;
+  Selection selection_;
+};
+
+}  // namespace hidwa_local_planner

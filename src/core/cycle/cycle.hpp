@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the parts of the planner share in one cycle.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/cycle/cycle_start.hpp"
+#include "core/motion/velocity_limits.hpp"
+#include "core/movers/accelerations.hpp"
+#include "core/movers/mover_check.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+
+namespace hidwa_local_planner {
+
+/// The input of one cycle. Everything is in the costmap frame and lives as long as the cycle.
+struct Cycle {
+  const Parameters& parameters;
+  const VelocityLimits& limits;
+  const Footprint& footprint;
+  const GridView& grid;
+  const OperatorIntent& intent;
+  const Sampling& sampling;
+  const Situation& situation;  // with the pose of now
+  const CycleStart& start;
+  MoverCheck* movers;                            // null where nothing that moves is near
+  bool among_movers;                             // there are some, and they count
+  const Accelerations* accelerations = nullptr;  // theirs; null: they keep their velocities
+};
+
+/// What the deviation from the operator command is measured against.
+struct Steering {
+  bool active = false;  // the deviation counts: gamma = 1
+  Twist2 target;        // u_h; with an authority below 1 its blend with what autonomy would choose [m/s, rad/s]
+};
+
+/// The paper's J_sh: Kalliokoski 2022, section III; 0 where nobody steers.
+inline double deviation_cost(const Parameters& parameters, const Steering& steering, const Twist2& u) {
+  if (!steering.active) return 0.0;
+  return parameters.s_v * std::abs(steering.target.v - u.v) +
+         parameters.s_omega * std::abs(steering.target.omega - u.omega);
+}
+
+// Reserves some more than `count`: the number of candidates changes by a few from cycle to cycle.
+template <typename T>
+void reserve_with_spare(std::vector<T>& values, std::size_t count) {
+  if (values.capacity() < count) values.reserve(count + count / 8 + 16);
+}
+template <typename T>
+void resize_with_spare(std::vector<T>& values, std::size_t count) {
+  reserve_with_spare(values, count);
+  values.resize(count);
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/evaluation/lazy_checks.hpp"
+
+#include <algorithm>
+
+namespace hidwa_local_planner {
+
+void LazyChecks::begin() {
+  const Rollout& rollout = candidates_.rollout();
+  resize_with_spare(states_, rollout.tile_count());
+  const AdmissibilityCheck& admissibility = obstacles_.admissibility();
+  const bool rests = !admissibility.checks_braking() || admissibility.all_can_rest();
+  double omega = 0.0;
+  std::size_t first = 0;    // candidate of that omega
+  std::size_t largest = 0;  // tile
+  for (std::size_t t = 0; t < states_.size(); ++t) {
+    const Tile tile = rollout.extent(t);
+    if (t == 0 || tile.omega != omega) {
+      omega = tile.omega;
+      first = tile.first;
+    }
+    states_[t].column = tile.first - first;
+    states_[t].done = false;
+    states_[t].rests = rests;
+    largest = std::max(largest, tile.count);
+  }
+  resize_with_spare(found_, largest);
+}
+
+void LazyChecks::check_before_scoring(const Tile& tile, std::size_t index, bool closely) {
+  TileState& state = states_[index];
+  check_cells(tile, state);
+  if (!closely) return;
+  check_closely(tile, state);
+  check_rests(tile, state);
+}
+
+void LazyChecks::check_cells(const Tile& tile, TileState& state) {
+  AdmissibilityCheck& admissibility = obstacles_.admissibility();
+  const char** reason = scores_.reasons().data() + tile.first;
+  const bool decided = admissibility.cells_decide(tile, reason);
+  const bool hits = (tile.touched_any & cell_class::kHit) != 0;
+  for (std::size_t c = 0; hits && c < tile.count; ++c) {
+    if (reason[c] != nullptr) scores_.rejected_by()[tile.first + c] = kCollision;
+  }
+  state.done = decided && (!admissibility.checks_braking() || admissibility.all_can_brake());
+}
+
+void LazyChecks::check_closely(const Tile& tile, TileState& state) {
+  if (state.done) return;
+  state.done = true;
+  AdmissibilityCheck& admissibility = obstacles_.admissibility();
+  const bool braking = admissibility.checks_braking();
+  std::fill_n(found_.begin(), tile.count, nullptr);
+  admissibility.check_rollouts(tile, found_.data());
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    if (found_[c] != nullptr) {
+      scores_.reject(tile.first + c, kCollision, found_[c]);
+    } else if (braking && !admissibility.can_brake(tile.sample(c), state.column + c)) {
+      scores_.reject(tile.first + c, kBraking, kCannotBrake);
+    }
+  }
+}
+
+// Once all else is checked.
+void LazyChecks::check_rests(const Tile& tile, TileState& state) {
+  if (state.rests) return;
+  state.rests = true;
+  for (std::size_t c = 0; c < tile.count; ++c) check_rest(tile.first + c);
+}
+
+// What critics reject counts as touched, too.
+void LazyChecks::check_rest(std::size_t candidate) {
+  const Rejecter by = scores_.rejected_by()[candidate];
+  if (by == kCollision || by == kBraking || by == kMovingObstacle) return;
+  if (obstacles_.admissibility().can_rest(candidates_.sample(candidate))) return;
+  scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
+}
+
+void LazyChecks::check_tile(std::size_t index) {
+  if (!states_[index].done) check_closely(tiles_.tile(index), states_[index]);
+}
+
+bool LazyChecks::legal(std::size_t candidate) {
+  const std::size_t tile = candidates_.rollout().tile_of(candidate);
+  check_tile(tile);
+  if (!states_[tile].rests) check_rest(candidate);
+  return scores_.legal(candidate);
+}
+
+bool LazyChecks::confirm(std::size_t candidate) {
+  AdmissibilityCheck& admissibility = obstacles_.admissibility();
+  const Twist2& sample = candidates_.sample(candidate);
+  if (!admissibility.checks_braking()) return true;
+  if (!admissibility.confirm_braking(sample)) {
+    scores_.reject(candidate, kBraking, kCannotBrake);
+    return false;
+  }
+  if (admissibility.confirm_rest(sample)) return true;
+  scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
+  return false;
+}
+
+void LazyChecks::check_all() {
+  for (std::size_t t = 0; t < states_.size(); ++t) {
+    check_tile(t);
+    check_rests(candidates_.rollout().extent(t), states_[t]);
+  }
+}
+
+bool LazyChecks::any_motion_legal() {
+  for (std::size_t c = 0; c < scores_.count(); ++c) {
+    if (!(candidates_.sample(c) == Twist2{}) && legal(c)) return true;
+  }
+  return false;
+}
+
+}  // namespace hidwa_local_planner

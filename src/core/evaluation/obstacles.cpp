@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/evaluation/obstacles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/late_cycles.hpp"
+
+namespace hidwa_local_planner {
+
+VelocityLimits Obstacles::find_overlaps(const Cycle& cycle) {
+  const Situation& situation = cycle.situation;
+  const double late = latest_hold(situation.period, longest_period(situation));
+  escape_.look(cycle.parameters, cycle.limits, cycle.grid, cycle.footprint,
+               {situation.pose, cycle.start.reference, situation.period, late});
+  return escape_.overlaps() ? escape_.slowed() : cycle.limits;
+}
+
+Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout,
+                                     const AdmissibilityCheck::Setup& setup) const {
+  const GridView& grid = cycle.grid;
+  const double fastest = std::max(setup.pending->fastest(), rollout.fastest());
+  const double manoeuvres = BrakingCheck::reach_of_manoeuvres(setup, cycle.limits, fastest);
+  const double radius = cycle.footprint.circumscribed_radius();
+  const double growth = BrakingCheck::most_growth(setup, cycle.limits, radius, manoeuvres);
+  // Nothing lies beyond the map's edge but more of it.
+  const double across = std::hypot(grid.size_x, grid.size_y) * grid.resolution + radius;
+  Reach reach;
+  reach.all = std::min(std::max(rollout.fastest() * rollout.sim_time(), manoeuvres + growth), across);
+  // Half a step: what lies between two clear poses is clear. And enough for the poses of a manoeuvre.
+  reach.margin = std::max(0.5 * rollout.longest_step(), grid.resolution / 16.0);
+  reach.clearance = std::min(growth + 2.0 * grid.resolution, across);
+  return reach;
+}
+
+void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, const ComfortTurn& comfort, bool steered,
+                        bool turn_out) {
+  const Situation& situation = cycle.situation;
+  const bool unknown_blocks = cycle.parameters.unknown_is_obstacle;
+  const AdmissibilityCheck::Setup setup{situation.pose,
+                                        cycle.start.origin,
+                                        cycle.start.reference,
+                                        cycle.start.pending,
+                                        situation.period,
+                                        longest_period(situation),
+                                        turn_out,
+                                        steered,
+                                        escape_.applies() ? &escape_ : nullptr,
+                                        comfort,
+                                        cycle.movers};
+  reach_ = reach_of(cycle, rollout, setup);
+  collision_.prepare(cycle.grid, cycle.footprint, unknown_blocks, situation.pose, reach_.all, reach_.margin,
+                     reach_.clearance);
+  classes_.prepare(collision_, cycle.grid, unknown_blocks, situation.pose, reach_.all);
+  if (escape_.applies()) escape_.prepare(reach_.all, reach_.margin, reach_.clearance);
+  admissibility_.prepare(cycle.parameters, cycle.limits, escape_.applies() ? escape_.rest() : collision_,
+                         cycle.footprint, cycle.grid.resolution, setup);
+}
+
+}  // namespace hidwa_local_planner

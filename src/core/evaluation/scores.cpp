@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/evaluation/scores.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace hidwa_local_planner {
+namespace {
+
+// Four searches side by side.
+double lowest_of(const double* values, std::size_t count) {
+  double lowest[4];
+  std::fill_n(lowest, 4, std::numeric_limits<double>::infinity());
+  std::size_t c = 0;
+  for (; c + 4 <= count; c += 4) {
+    for (std::size_t lane = 0; lane < 4; ++lane) lowest[lane] = std::min(lowest[lane], values[c + lane]);
+  }
+  for (; c < count; ++c) lowest[0] = std::min(lowest[0], values[c]);
+  return std::min(std::min(lowest[0], lowest[1]), std::min(lowest[2], lowest[3]));
+}
+
+}  // namespace
+
+void Scores::resize(std::size_t candidates, std::size_t tiles, std::size_t critics) {
+  resize_with_spare(totals_, candidates);
+  resize_with_spare(rejected_by_, candidates);
+  resize_with_spare(reasons_, candidates);
+  raw_.resize(critics);
+  for (std::vector<double>& raw : raw_) resize_with_spare(raw, candidates);
+  weighted_.resize(critics);
+  resize_with_spare(lowest_, tiles);
+}
+
+void Scores::clear() {
+  totals_.clear();
+  lowest_.clear();
+}
+
+void Scores::begin(const Tile& tile) {
+  std::fill_n(rejected_by_.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, kNobody);
+  std::fill_n(reasons_.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, nullptr);
+}
+
+void Scores::score(const CycleView& view, const Tile& tile, std::size_t index, const CriticSet& critics,
+                   const Cycle& cycle, const Steering& steering) {
+  const std::size_t scored = ask_critics(view, tile, critics);
+  // Direct control takes the legal candidate nearest to the operator command: critics only reject.
+  sum_up(tile, cycle.intent.influence != Influence::direct ? scored : 0, cycle, steering);
+  reject_infinite(tile, critics);
+  lowest_[index] = lowest_of(totals_.data() + tile.first, tile.count);
+}
+
+// How many critics scored anything: those alone are summed.
+std::size_t Scores::ask_critics(const CycleView& view, const Tile& tile, const CriticSet& critics) {
+  std::size_t scored = 0;
+  for (std::size_t i = 0; i < critics.size(); ++i) {
+    double* own = raw_[i].data() + tile.first;
+    TileScores scores(own, reasons_.data() + tile.first, tile.count);
+    if (critics[i].weight != 0.0) critics[i].critic->score(view, tile, scores);
+    if (scores.any_set()) {
+      weighted_[scored].raw = own;
+      weighted_[scored++].weight = critics[i].weight;
+    } else {
+      std::fill_n(own, tile.count, 0.0);
+    }
+    if (!scores.any_rejected()) continue;
+    for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
+      if (reasons_[c] != nullptr && rejected_by_[c] == kNobody) {
+        rejected_by_[c] = static_cast<Rejecter>(kFirstCritic + i);
+      }
+    }
+  }
+  return scored;
+}
+
+void Scores::sum_up(const Tile& tile, std::size_t scored, const Cycle& cycle, const Steering& steering) {
+  const Parameters& p = cycle.parameters;
+  kernel::Deviation deviation;
+  if (steering.active) {
+    deviation = {tile.v, steering.target.v, p.s_v, p.s_omega * std::abs(steering.target.omega - tile.omega)};
+  }
+  kernel::sum_up(weighted_.data(), scored, p.s_nv, deviation, tile.count, totals_.data() + tile.first);
+}
+
+void Scores::reject_infinite(const Tile& tile, const CriticSet& critics) {
+  double* __restrict total = totals_.data() + tile.first;
+  Rejecter* __restrict rejecter = rejected_by_.data() + tile.first;
+  unsigned any = 0;
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    any |= std::abs(total[c]) <= std::numeric_limits<double>::max() ? 0U : 1U;
+  }
+  for (std::size_t c = 0; any != 0 && c < tile.count; ++c) {
+    if (rejecter[c] != kNobody || std::isfinite(total[c])) continue;
+    rejecter[c] = maker_of_infinite(tile.first + c, critics);
+    reasons_[tile.first + c] = kNotANumber;
+  }
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    total[c] = rejecter[c] == kNobody ? total[c] : std::numeric_limits<double>::infinity();
+  }
+}
+
+Rejecter Scores::maker_of_infinite(std::size_t candidate, const CriticSet& critics) const {
+  for (std::size_t i = 0; i < critics.size(); ++i) {
+    if (!std::isfinite(critics[i].weight * raw_[i][candidate])) return static_cast<Rejecter>(kFirstCritic + i);
+  }
+  return kFirstCritic;
+}
+
+void Scores::reject(std::size_t candidate, Rejecter rejecter, const char* reason) {
+  totals_[candidate] = std::numeric_limits<double>::infinity();
+  rejected_by_[candidate] = rejecter;
+  reasons_[candidate] = reason;
+}
+
+}  // namespace hidwa_local_planner
