@@ -18,7 +18,7 @@ class Novelty {
   static constexpr double kApart = 0.1;         // [m]
   static constexpr double kTurnedApart = 0.35;  // [rad]
 
-  void reset() { count_ = 0; }
+  void reset() { next_ = count_ = 0; }
   void observe(const Pose2& pose, double now) {
     if (count_ > 0 && now >= since_ && known(pose)) return;
     poses_[next_] = pose;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/autonomy/autonomy.hpp"
+#include "core/autonomy/novelty.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner {
@@ -47,6 +48,19 @@ TEST(Stall, WhoCreepsIsStuckOnceItIsOutOfPatience) {
 TEST(Stall, WhoYieldsIsNotStuck) {
   EXPECT_LT(until_it_decides(kDrives, true), 0.0);
   EXPECT_LT(until_it_decides(kCreeps, true), 0.0);
+}
+
+// Eight poses 0.2 m apart fill its memory, and three more begin anew in it. After a reset only the next pose is known.
+TEST(Novelty, AResetForgetsEveryPose) {
+  Novelty novelty;
+  double now = 0.0;
+  for (int k = 0; k < 11; ++k) novelty.observe({0.2 * k, 0.0, 0.0}, now += 1.0);
+  novelty.reset();
+  novelty.observe({5.0, 0.0, 0.0}, now += 1.0);
+  novelty.observe({5.0, 0.0, 0.0}, now += 1.0);
+  EXPECT_DOUBLE_EQ(novelty.time_without(now), 1.0);
+  novelty.observe({0.0, 0.0, 0.0}, now += 1.0);  // forgotten, so it is new
+  EXPECT_DOUBLE_EQ(novelty.time_without(now), 0.0);
 }
 
 }  // namespace
