@@ -37,8 +37,8 @@ Arbiter::Choice Arbiter::choose(const Cycle& cycle, const Steering& steering, bo
   if (choice.evaluated.gentle != evasion.gently()) {
     propose(cycle, steering, true, evasion.gently() ? ComfortTurn::from(cycle.parameters) : ComfortTurn{}, choice);
   }
-  choice.evasion = evasion.propose(cycle, evaluation_);
-  if (choice.evasion.candidate >= 0) choice.proposal = {choice.evasion.candidate, Rule::evasion};
+  choice.steps.evasion = evasion.propose(cycle, evaluation_);
+  if (choice.steps.evasion.candidate >= 0) choice.proposal = {choice.steps.evasion.candidate, Rule::evasion};
   return choice;
 }
 
@@ -63,7 +63,6 @@ void Arbiter::propose(const Cycle& cycle, const Steering& steering, bool autonom
       choice.proposal = steps.recovery.proposal;
     }
   }
-  autonomy_.commit(cycle, steps);
   if (choice.proposal.candidate >= 0) return;
   choice.proposal = autonomous && active && in_collision ? Proposal{} : cheapest(cycle);
 }
@@ -97,8 +96,9 @@ bool Arbiter::evades(const Cycle& cycle, const Choice& choice, bool autonomous) 
   const Parameters& p = cycle.parameters;
   if (!cycle.among_movers || !autonomous || choice.proposal.candidate < 0 || p.evasion_time <= 0.0) return false;
   if (evaluation_.obstacles().in_collision()) return false;
+  const bool goes_back = choice.steps.recovery.way.candidate >= 0 && autonomy_.recovery().goes_back();
   return autonomy_.evasion().wanted(cycle, evaluation_.obstacles().collision(), sample(choice.proposal),
-                                    ComfortTurn::from(p), autonomy_.recovery().goes_back());
+                                    ComfortTurn::from(p), goes_back);
 }
 
 Proposal Arbiter::cheapest(const Cycle& cycle) {

@@ -35,7 +35,6 @@ class Arbiter {
     Proposal proposal;
     Evaluation::Result evaluated;  // how the candidates were evaluated
     Autonomy::Steps steps;
-    Evasion::Step evasion;
   };
   /// `autonomous`: see Autonomy::drives().
   Choice choose(const Cycle& cycle, const Steering& steering, bool autonomous);

@@ -29,7 +29,7 @@ void Autonomy::reset() {
 void Autonomy::interrupt() {
   forget();
   trapped_.reset();
-  evasion_.commit({});
+  end_evasion();
 }
 
 void Autonomy::forget() {
@@ -42,7 +42,8 @@ bool Autonomy::drives(const Cycle& cycle, const Steering& steering) const {
   return !steering.active && (!cycle.situation.goal_latched || recovery_.leads_to_goal());
 }
 
-void Autonomy::commit(const Cycle& cycle, const Steps& steps) {
+void Autonomy::remember(const Cycle& cycle, const Steps& steps) {
+  evasion_.commit(steps.evasion);
   if (!steps.asked) return forget();
   if (steps.escapes) {
     recovery_.interrupt(cycle.situation.time);
@@ -54,6 +55,7 @@ void Autonomy::commit(const Cycle& cycle, const Steps& steps) {
 }
 
 Autonomy::Verdict Autonomy::commit(const Cycle& cycle, const Steering& steering, const Driven& driven) {
+  remember(cycle, driven.steps);
   Verdict verdict;
   verdict.conclusion = driven.conclusion;
   judge_collision(cycle, driven.trapped, verdict.conclusion);

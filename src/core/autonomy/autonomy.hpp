@@ -43,16 +43,17 @@ class Autonomy {
   /// Nobody steers, and more is left than to turn at the goal.
   bool drives(const Cycle& cycle, const Steering& steering) const;
 
-  /// What the behaviours propose in a cycle.
+  /// What the behaviours proposed in a cycle.
   struct Steps {
     bool asked = false;    // escape and recovery were asked
     bool escapes = false;  // the robot stands in collision, and follows no way
     EscapeTurn::Step escape;
     Recovery::Step recovery;
+    Evasion::Step evasion;
   };
-  void commit(const Cycle& cycle, const Steps& steps);
   /// What is driven in a cycle.
   struct Driven {
+    Steps steps;
     Conclusion conclusion;
     bool trapped = false;  // the robot stands in collision and no legal motion leads out
     bool yields = false;   // moving obstacles decide: it evades, or stands for them
@@ -64,7 +65,10 @@ class Autonomy {
     bool reset_critics = false;  // what they forbid may be what gets the robot going
     bool waits = false;          // for moving obstacles
   };
+  /// Once a cycle with scored candidates.
   Verdict commit(const Cycle& cycle, const Steering& steering, const Driven& driven);
+  /// A cycle without: there is nothing to evade.
+  void end_evasion() { evasion_.commit({}); }
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
@@ -73,6 +77,7 @@ class Autonomy {
 
  private:
   void forget();
+  void remember(const Cycle& cycle, const Steps& steps);
   void judge_collision(const Cycle& cycle, bool trapped, Conclusion& conclusion);
   bool observe(const Cycle& cycle, bool autonomous, const Driven& driven, const Conclusion& conclusion);
   void judge_rest(const Cycle& cycle, const Driven& driven, Conclusion& conclusion) const;

@@ -83,7 +83,7 @@ bool Planner::Impl::movers_count(const CycleStart& start) const {
 void Planner::Impl::forget_movers() {
   movers.forget();
   accelerations.forget();
-  autonomy.evasion().commit({});
+  autonomy.end_evasion();
 }
 
 // Null where what moves counts as keeping its velocity.
@@ -125,11 +125,11 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   const Steering steering = find_steering(cycle);
   const bool autonomous = autonomy.drives(cycle, steering);
   const Arbiter::Choice choice = arbiter.choose(cycle, steering, autonomous);
-  autonomy.evasion().commit(choice.evasion);
   decision.candidates = evaluation.candidates().count();
   decision.escaping = evaluation.obstacles().in_collision();
   if (!choice.evaluated.scored) {
     evaluation.clear();
+    autonomy.end_evasion();
     return brake(cycle, Problem::off_map, "no pose of the plan lies on the local map");
   }
   explanation.note_choice(choice.proposal, steering);
@@ -137,8 +137,7 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
   explanation.judge_operator(cycle, chosen.sample, decision);
   if (cycle.sampling.report == Report::full) explanation.ask_all_critics(choice.evaluated.view);
 
-  const Autonomy::Verdict verdict =
-      autonomy.commit(cycle, steering, driven(cycle, choice.proposal, chosen, autonomous));
+  const Autonomy::Verdict verdict = autonomy.commit(cycle, steering, driven(cycle, choice, chosen, autonomous));
   decision.recovering = autonomy.active();
   decision.waiting = verdict.waits;
   if (verdict.reset_critics) critics.reset();
@@ -172,9 +171,11 @@ Conclusion Planner::Impl::follow_choice(const Cycle& cycle, const Proposal& prop
 }
 
 // What autonomy has to know of what is driven. Standing in collision may be the operator's choice.
-Autonomy::Driven Planner::Impl::driven(const Cycle& cycle, const Proposal& proposal, const Conclusion& conclusion,
+Autonomy::Driven Planner::Impl::driven(const Cycle& cycle, const Arbiter::Choice& choice, const Conclusion& conclusion,
                                        bool autonomous) {
+  const Proposal& proposal = choice.proposal;
   Autonomy::Driven driven;
+  driven.steps = choice.steps;
   driven.conclusion = conclusion;
   driven.soon = cycle.situation.pose;
   const bool in_collision = evaluation.obstacles().in_collision();

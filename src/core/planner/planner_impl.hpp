@@ -59,7 +59,8 @@ struct Planner::Impl {
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);
   Conclusion follow_choice(const Cycle& cycle, const Proposal& proposal);
-  Autonomy::Driven driven(const Cycle& cycle, const Proposal& proposal, const Conclusion& conclusion, bool autonomous);
+  Autonomy::Driven driven(const Cycle& cycle, const Arbiter::Choice& choice, const Conclusion& conclusion,
+                          bool autonomous);
 };
 
 }  // namespace hidwa_local_planner

@@ -24,6 +24,7 @@ double until_it_decides(const Twist2& u, bool yields) {
   const CycleStart start;
   const Cycle cycle{scene.parameters, limits, footprint, grid, intent, sampling, scene.situation, start, nullptr, true};
   Autonomy::Driven driven;
+  driven.steps.asked = true;
   driven.conclusion = follow(u, u);
   driven.yields = yields;
   Autonomy autonomy;
