@@ -10,8 +10,9 @@
 
 namespace hidwa_local_planner {
 
-/// The legal candidate with the least `measure(tile, c)`, of equals the cheapest, that passes the last check; -1 where
-/// there is none. Infinite measures are left out. All candidates must have been checked.
+/// The legal candidate with the least `measure(tile, c)`, of equals the cheapest; -1 where there is none. It has passed
+/// the last check (LazyChecks::confirm()), and what does not pass it is rejected from then on. Infinite measures are
+/// left out. All candidates must have been checked.
 template <typename Measure>
 int least_legal(Evaluation& evaluated, Measure&& measure) {
   const Rollout& rollout = evaluated.candidates().rollout();
@@ -25,7 +26,7 @@ int least_legal(Evaluation& evaluated, Measure&& measure) {
       if (!std::isfinite(total)) continue;
       const double value = measure(tile, c);
       if (!std::isfinite(value) || value > least || (value == least && total >= cost)) continue;
-      if (!evaluated.obstacles().admissibility().confirm(tile.sample(c))) continue;
+      if (!evaluated.checks().confirm(tile.first + c)) continue;
       least = value;
       cost = total;
       best = static_cast<int>(tile.first + c);

@@ -52,14 +52,15 @@ Pose2 braked_end(const Tile& tile, std::size_t c, const VelocityLimits& limits) 
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.theta + share * (b.theta - a.theta)};
 }
 
-// The candidate with the least total; -1 where it is not legal.
+// The legal candidate with the least total, of equals the first; -1 where there is none.
 int cheapest_legal(Evaluation& evaluated) {
   const std::vector<double>& totals = evaluated.scores().totals();
-  const auto least = std::min_element(totals.begin(), totals.end());
-  if (least == totals.end() || !std::isfinite(*least)) return -1;
-  const auto candidate = static_cast<std::size_t>(least - totals.begin());
-  const Twist2& sample = evaluated.candidates().sample(candidate);
-  return evaluated.obstacles().admissibility().confirm(sample) ? static_cast<int>(candidate) : -1;
+  for (;;) {
+    const auto least = std::min_element(totals.begin(), totals.end());
+    if (least == totals.end() || !std::isfinite(*least)) return -1;
+    const auto candidate = static_cast<std::size_t>(least - totals.begin());
+    if (evaluated.checks().confirm(candidate)) return static_cast<int>(candidate);
+  }
 }
 
 }  // namespace

@@ -15,10 +15,12 @@ int Selection::cheapest(const TieRule& tie) {
   const Rollout& rollout = candidates_.rollout();
   const auto least = std::min_element(lowest.begin(), lowest.end());
   if (least == lowest.end() || !std::isfinite(*least)) return -1;
-  std::size_t best = rollout.extent(static_cast<std::size_t>(least - lowest.begin())).first;
-  while (totals[best] != *least) ++best;
+  const Tile cheapest = rollout.extent(static_cast<std::size_t>(least - lowest.begin()));
+  std::size_t best = cheapest.first;
+  while (best + 1 < cheapest.first + cheapest.count && totals[best] != *least) ++best;
   const double equal = *least + kEqualTotals;
-  if (!checks_.legal(best)) return cheapest_of_rest(tie);
+  // Another total: what was the cheapest is rejected since its tile was scored.
+  if (totals[best] != *least || !checks_.legal(best)) return cheapest_of_rest(tie);
   for (std::size_t t = 0; t < lowest.size(); ++t) {
     if (lowest[t] > equal) continue;
     const Tile tile = rollout.extent(t);
