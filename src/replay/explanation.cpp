@@ -83,18 +83,31 @@ std::string compare(const CandidateReport& a, const CandidateReport& b) {
   return text.empty() ? "all critics score them alike" : text;
 }
 
+const char* not_the_cheapest(ChoiceReport::Rule rule) {
+  switch (rule) {
+    case ChoiceReport::Rule::escape:
+      return "it leads out of the collision that the robot stands in";
+    case ChoiceReport::Rule::way:
+      return "it gets farthest along the way that a search has found (turn_when_stuck)";
+    case ChoiceReport::Rule::rest:
+      return "the robot rests while a way is searched (turn_when_stuck)";
+    case ChoiceReport::Rule::evasion:
+      return "it gets out of the way of what moves (evasion_time)";
+    case ChoiceReport::Rule::none:
+    case ChoiceReport::Rule::cheapest:
+      break;
+  }
+  return "";
+}
+
 std::string why_chosen(record::CycleReplay& replay) {
   const std::vector<CandidateReport> all = replay.planner().candidates();
   const int best = replay.planner().marked().best;
   if (best < 0 || all.empty()) return "";
   const CandidateReport& chosen = all[static_cast<std::size_t>(best)];
   std::string text = format("chosen: #%d %s, J = %.4f", best, in_words(chosen.sample).c_str(), chosen.total);
-  if (replay.planner().choice().rule == ChoiceReport::Rule::recovery) {
-    return text + ": not the cheapest; a recovery of stuck autonomy chose it (turn_when_stuck)\n";
-  }
-  if (replay.planner().choice().rule == ChoiceReport::Rule::evasion) {
-    return text + ": not the cheapest; it gets out of the way of what moves (evasion_time)\n";
-  }
+  const char* rule = not_the_cheapest(replay.planner().choice().rule);
+  if (*rule != '\0') return text + ": not the cheapest; " + rule + "\n";
   const int second = runner_up(all, best);
   if (second < 0) return text + ": the only legal one\n";
   const CandidateReport& next = all[static_cast<std::size_t>(second)];

@@ -140,8 +140,10 @@ struct ChoiceReport {
   enum class Rule {
     none,      // nothing was chosen: a fault, a stop, no legal candidate, or u_h was passed through
     cheapest,  // the smallest total, ties by tie_break
-    recovery,  // what gets stuck autonomy going again
-    evasion    // what gets it out of the way of what moves
+    escape,    // autonomy stands in collision: it ends least deep, or turns towards a way out
+    way,       // it gets farthest along the way that a search has found
+    rest,      // the robot rests while a way is searched
+    evasion    // it begins the best way that no moving obstacle touches
   };
   Rule rule = Rule::none;
   Twist2 target;         // what the deviation was measured from: u_h, or its blend with autonomy's choice [m/s, rad/s]

@@ -57,7 +57,7 @@ void Arbiter::propose(const Cycle& cycle, const Steering& steering, bool autonom
     steps.escapes = in_collision && (!autonomy_.recovery().follows() || autonomy_.escape().active());
     if (steps.escapes) {
       steps.escape = autonomy_.escape().propose(cycle, evaluation_);
-      choice.proposal = {steps.escape.candidate, Rule::recovery};
+      choice.proposal = {steps.escape.candidate, Rule::escape};
     } else {
       steps.recovery = autonomy_.recovery().propose(cycle, evaluation_);
       choice.proposal = steps.recovery.proposal;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Decides which candidate is driven. The rules, in the order of precedence:
 //
-//   rule      where it is asked                           what it takes
-//   evasion   moving obstacles are near, and what the     what begins the best way that is not touched
-//             rules below take is touched or costs much
-//   recovery  a way is followed, or a search needs rest    what gets farthest along the way; rest
-//   escape    the robot stands in collision               what ends least deep; a turn towards a way out
-//   cheapest  none of those takes anything; in collision  the least total
-//             only where recovery and escape are idle
+//   rule      where it is asked                              what it takes
+//   evasion   moving obstacles are near, and what the rules   what begins the best way that is not touched
+//             below take is touched or costs much more
+//   way       recovery follows a way that it has found       what gets farthest along the way
+//   rest      recovery needs rest for its search             rest
+//   escape    the robot stands in collision, and follows     what ends least deep; a turn towards a way out
+//             no way
+//   cheapest  none of these takes anything; in collision     the least total
+//             only where escape and recovery are idle
 //
-// The first three are autonomy's. Evasion and recovery are never asked in collision, but recovery that follows a way
-// goes on. With an operator, and at the goal's position, only the cheapest candidate counts.
+// All but the last are autonomy's: with an operator, and at the goal's position, only the cheapest candidate counts. In
+// collision evasion is not asked.
 //
 // Candidates are evaluated with gentle turns first. Where that leaves nothing but rest, or evasion needs more, they are
 // evaluated again with all turns that the limits allow.

@@ -83,11 +83,9 @@ Recovery::Step Recovery::propose(const Cycle& cycle, Evaluation& evaluated) cons
   step.followed = phase_ == Phase::follows;
   if (step.followed) {
     step.way = follower_.propose(cycle, evaluated, !goes_back_ && !to_goal_);
-    step.proposal.candidate = step.way.stalled ? rest(evaluated) : step.way.candidate;
-  } else if (holds_ && !waiting()) {
-    step.proposal.candidate = rest(evaluated);
+    step.proposal = {step.way.candidate, ChoiceReport::Rule::way};
   }
-  if (step.proposal.candidate >= 0) step.proposal.rule = ChoiceReport::Rule::recovery;
+  if (step.way.stalled || (holds_ && !waiting())) step.proposal = {rest(evaluated), ChoiceReport::Rule::rest};
   return step;
 }
 

@@ -52,8 +52,6 @@ class AdmissibilityCheck {
   bool confirm_rest(const Twist2& sample) {
     return setup_.movers == nullptr || setup_.movers->confirm(braking_.command_for(sample));
   }
-  /// All that a command must pass before it is sent.
-  bool confirm(const Twist2& sample) { return !checks_braking_ || (confirm_braking(sample) && confirm_rest(sample)); }
   /// The first command towards a sample [m/s, rad/s].
   Twist2 command_for(const Twist2& sample) const { return braking_.command_for(sample); }
   /// The robot overlaps something.
