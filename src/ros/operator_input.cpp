@@ -129,12 +129,12 @@ void OperatorInput::catch_up(double now) {
   }
 }
 
-OperatorIntent OperatorInput::update(double now) {
+OperatorIntent OperatorInput::update(double now, Bytes* before) {
   catch_up(now);
   std::unique_lock<std::mutex> lock(mutex_);
-  if (before_ != nullptr) {
-    before_->clear();
-    ArchiveWriter write(*before_);
+  if (before != nullptr) {
+    before->clear();
+    ArchiveWriter write(*before);
     machine_.save(write);
   }
   const OperatorIntent intent = machine_.update(now);

@@ -19,7 +19,7 @@ Shell::Shell(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Cos
       costmap_(costmap),
       description_(handle_, costmap.getBaseFrameID()),
       registry_(registry_with_plugins()),
-      loop_(registry_, person_),
+      loop_(registry_),
       publishing_(handle_, costmap.getGlobalFrameID()),
       feedback_(handle_, host_handle_, costmap.getGlobalFrameID(), costmap.getBaseFrameID()) {
   start_parameters();
@@ -79,6 +79,7 @@ void Shell::start_parameters() {
   }
   if (!loaded.faults.empty()) {
     loop_.configure(Parameters());
+    person_.configure(Parameters());
     parameters_fault_ = "the parameters in " + handle_.getNamespace() + " are not valid (" + loaded.faults.front() +
                         "): correct them and restart, or set valid ones by dynamic_reconfigure";
   }
@@ -170,7 +171,8 @@ std::vector<std::string> Shell::put_in_force(const ParameterSet& set) {
   }
   const std::vector<std::string> faults = configure(loop_, wanted);
   if (!faults.empty()) return faults;
-  recording_.take(wanted);
+  person_.configure(wanted.parameters);
+  recorder_.take(foreign_content(wanted));
   for (const std::string& reason : make_safe(wanted.parameters)) ROS_WARN("%s: %s", name_.c_str(), reason.c_str());
   in_force_ = set;
   return {};

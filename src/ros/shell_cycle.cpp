@@ -55,7 +55,7 @@ bool Shell::goal_reached(bool host_stops) {
   none.period = control_period();
   const LoopTime now = LoopTime::now();
   const Observation observation = observe(now, timing(now.seconds, none));
-  if (!loop_.goal_reached(observation)) return false;
+  if (!loop_.goal_reached(observation, person_.manual())) return false;
   arriving_ = !host_stops && !loop_.stands();
   if (arriving_) return false;
   loop_.finish_goal(observation.timing);
@@ -71,9 +71,8 @@ CycleResult Shell::cycle(bool stop) {
   take_parameters();
   const CycleClock::Tick tick = watch_time(now);
   watch_hand(time);
-  const bool recorded = loop_.parameters().record_cycles && publishing_.cycle_wanted();
-  if (publishing_.new_cycle_subscriber()) recording_.demand_key();
-  person_.save_to(recording_.begin(recorded));
+  recorded_ = loop_.parameters().record_cycles && publishing_.cycle_wanted();
+  if (publishing_.new_cycle_subscriber() || !recorded_) recorder_.demand_key();
   const CycleResult result = work(time, tick, stop || arriving_);
   explain(now, result);
 
@@ -85,7 +84,7 @@ CycleResult Shell::cycle(bool stop) {
   }
   const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
   publishing_.publish_cycle(time.stamp, result, result.intent.state, duration.count(),
-                            recording_.finish(result, loop_.planner()));
+                            recorded_ ? &recorder_.finish(result, loop_.planner()) : nullptr);
   statistics_.add(duration.count(), tick.period);
   watch_sender();
   keep_budget(duration.count(), tick.period, result);
@@ -101,8 +100,11 @@ CycleResult Shell::work(const LoopTime& now, const CycleClock::Tick& tick, bool 
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
   result.sampling = sampling();
-  recording_.steps(loop_, observation, result.sampling);
-  static_cast<control::Result&>(result) = loop_.step(observation, result.sampling);
+  if (loop_.goal_begins()) person_.new_goal();
+  const OperatorIntent intent = person_.update(now.seconds, recorded_ ? &recorder_.operator_state() : nullptr);
+  if (recorded_) recorder_.begin(loop_, observation, result.sampling);
+  static_cast<control::Result&>(result) = loop_.step(observation, intent, result.sampling);
+  person_.debrief(now.seconds, result.feedback);
   watched_ = publishing_.prediction_wanted() || feedback_.state_wanted();
   if (watched_) prediction_.update(loop_, observation, result);
   result.missing = observation.missing;
@@ -238,7 +240,7 @@ std::string Shell::update_footprint() {
   const auto& points = costmap_.getRobotFootprint();
   if (points.empty()) return "the local costmap has no footprint: set robot_radius or footprint";
   if (!same_outline(loop_.planner().outline(), points)) {
-    recording_.demand_key();
+    recorder_.demand_key();
     loop_.set_footprint(to_polygon(points));
     if (loop_.planner().footprint().fault() == nullptr) check_horizon();
   }

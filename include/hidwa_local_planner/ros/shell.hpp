@@ -17,10 +17,10 @@
 #include "hidwa_local_planner/control/frame_watch.hpp"
 #include "hidwa_local_planner/control/response_watch.hpp"
 #include "hidwa_local_planner/control/sample_budget.hpp"
+#include "hidwa_local_planner/record/cycle_recorder.hpp"
 #include "hidwa_local_planner/ros/callback_thread.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 #include "hidwa_local_planner/ros/cycle_clock.hpp"
-#include "hidwa_local_planner/ros/cycle_recording.hpp"
 #include "hidwa_local_planner/ros/cycle_statistics.hpp"
 #include "hidwa_local_planner/ros/diagnostics.hpp"
 #include "hidwa_local_planner/ros/handover.hpp"
@@ -106,7 +106,8 @@ class Shell {
   RobotDescription description_;
   CriticRegistry registry_;
   std::string plan_fault_ = "no plan was given yet";  // empty when there is a plan to follow
-  CycleRecording recording_;
+  record::CycleRecorder recorder_;
+  bool recorded_ = false;  // this cycle is
   CycleClock clock_;
   std::chrono::steady_clock::time_point called_;  // the newest call; long ago before the first one
   double silence_ = 0.0;                          // before that call [s]
