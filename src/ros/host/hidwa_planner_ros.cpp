@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/hidwa_planner_ros.hpp"
+#include "hidwa_local_planner/ros/host/hidwa_planner_ros.hpp"
 
 #include <pluginlib/class_list_macros.hpp>
 

@@ -7,8 +7,8 @@
 
 #include <nav_core/base_local_planner.h>
 
-#include "hidwa_local_planner/ros/host_goal.hpp"
-#include "hidwa_local_planner/ros/robot_keepers.hpp"
+#include "hidwa_local_planner/ros/host/host_goal.hpp"
+#include "hidwa_local_planner/ros/host/robot_keepers.hpp"
 
 namespace hidwa_local_planner {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/controller.hpp"
+#include "hidwa_local_planner/ros/host/controller.hpp"
 
 #include <ros/time.h>
 

@@ -10,8 +10,8 @@
 #include <geometry_msgs/Twist.h>
 #include <tf2_ros/buffer.h>
 
-#include "hidwa_local_planner/ros/cancel_request.hpp"
 #include "hidwa_local_planner/ros/cycle_result.hpp"
+#include "hidwa_local_planner/ros/host/cancel_request.hpp"
 
 namespace hidwa_local_planner {
 
