@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <ros/console.h>
+#include <tf2/exceptions.h>
 
 namespace hidwa_local_planner {
 namespace {
@@ -28,9 +29,10 @@ std::optional<double> clock_ahead(const ros::Time& stamp) {
 
 }  // namespace
 
-OperatorInput::OperatorInput()
-    : devices_(operator_devices(
-          [this](const std::string& source, const input::OperatorMessage& message) { return take(source, message); })) {
+OperatorInput::OperatorInput(const tf2_ros::Buffer& tf)
+    : tf_(tf), devices_(operator_devices([this](const std::string& source, const input::OperatorMessage& message) {
+        return take(source, message);
+      })) {
   thread_.start();
 }
 
@@ -100,6 +102,14 @@ std::string OperatorInput::take(const std::string& source, const input::Operator
   }
   ++taken_;
   return fault;
+}
+
+void OperatorInput::look_for_hand(const Parameters& parameters, const LoopTime& now) {
+  if (parameters.mode != OperatorMode::gesture || parameters.gesture_frame.empty()) return;
+  try {
+    receive(tf_.lookupTransform(parameters.gesture_parent_frame, parameters.gesture_frame, ros::Time(0)), now);
+  } catch (const tf2::TransformException&) {
+  }
 }
 
 void OperatorInput::receive(const geometry_msgs::TransformStamped& transform, const LoopTime& received) {

@@ -10,6 +10,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
+#include <tf2_ros/buffer.h>
 
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
@@ -23,7 +24,8 @@ namespace hidwa_local_planner {
 /// after a pause of the whole process, so that what arrived meanwhile is taken first.
 class OperatorInput {
  public:
-  OperatorInput();
+  /// `tf` must outlive it.
+  explicit OperatorInput(const tf2_ros::Buffer& tf);
   ~OperatorInput();
   /// Resubscribes where a topic changed, at any time. `handle` decides the namespace.
   void listen(const ros::NodeHandle& handle, const Parameters& parameters);
@@ -31,8 +33,9 @@ class OperatorInput {
   void configure(const Parameters& parameters);
   /// The same handle, its callbacks served by the thread that takes the operator's messages.
   ros::NodeHandle serve(const ros::NodeHandle& handle) { return thread_.serve(handle); }
-  /// The hand as tf has it; the same transform again is no message.
-  void receive(const geometry_msgs::TransformStamped& hand, const LoopTime& received);
+  /// Takes the hand as tf has it, in mode gesture where it is a frame; the same transform again is no message. A
+  /// transform that cannot be looked up counts as silence of the device.
+  void look_for_hand(const Parameters& parameters, const LoopTime& now);
 
   /// What the operator asks for now. `before`, where it is not null, takes what the machine remembered until then
   /// (OperatorStateMachine::save()).
@@ -71,7 +74,9 @@ class OperatorInput {
   void start_heartbeat(const ros::NodeHandle& handle);
   std::string take(const std::string& source, const input::OperatorMessage& message);
   void catch_up(double now);
+  void receive(const geometry_msgs::TransformStamped& hand, const LoopTime& received);
 
+  const tf2_ros::Buffer& tf_;
   mutable std::mutex mutex_;
   input::OperatorStateMachine machine_;
   OperatorMode mode_ = OperatorMode::off;
