@@ -16,6 +16,7 @@
 #include "hidwa_local_planner/control/period_watch.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
+#include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "local_map.hpp"
 #include "person.hpp"
 #include "processor_time.hpp"
@@ -87,7 +88,7 @@ class Run {
         stand_(scenery_.world, outermost(padded_)),
         escape_(scenery_.world, padded_, spec),
         parameters_(spec.parameters),
-        device_(spec.link, lone_.machine(), spec.link == Link::none ? 0 : random_.bits()),
+        device_(spec.link, machine_, spec.link == Link::none ? 0 : random_.bits()),
         trace_(trace) {
     put_in_force();
     if (rhythm_.before() > 0.0) periods_.observe(seconds(0), rhythm_.before());
@@ -162,6 +163,7 @@ class Run {
     const std::vector<std::string> faults =
         spec_.link == Link::none ? planner_.configure(parameters_) : loop_.configure(parameters_);
     if (!faults.empty()) throw std::logic_error(faults.front());
+    machine_.configure(parameters_);
   }
 
   void change_world(int now) {
@@ -227,7 +229,9 @@ class Run {
     observation.pose_age = spec_.age_told ? 1e-3 * spec_.pose_age : 0.0;
     observation.costmap = view(pose);
     if (spec_.walkers_told) observation.moving_obstacles = told_walkers();
-    const control::Result result = loop_.step(observation);
+    if (loop_.goal_begins()) machine_.new_goal();
+    const control::Result result = loop_.step(observation, machine_.update(time));
+    machine_.debrief(time, result.feedback);
     outcome_ = result.outcome;
     escaping_ = result.decision != nullptr && result.decision->escaping;
     intent_ = result.intent;
@@ -378,8 +382,8 @@ class Run {
   CommandWatch commands_;
   Parameters parameters_;  // in force
   Planner planner_{critics::built_in()};
-  control::LoneOperator lone_;
-  control::ControlLoop loop_{critics::built_in(), lone_};
+  hidwa_local_planner::input::OperatorStateMachine machine_;
+  control::ControlLoop loop_{critics::built_in()};
   Device device_;
   hidwa_local_planner::PeriodWatch periods_;
   double set_by_ = 0.0;    // the clock [s]

@@ -39,16 +39,22 @@ double length_ahead(const Parameters& p) {
 
 }  // namespace
 
+std::string critic_fault(const std::exception& thrown) {
+  return std::string("critics: one of them cannot use its parameters: ") + thrown.what();
+}
+
 std::vector<std::string> ControlLoop::configure(const Parameters& parameters, const Planner::SourceFor& sources) {
-  std::vector<std::string> faults = planner_.configure(parameters, sources);
-  if (faults.empty()) person_.configure(parameters);
-  return faults;
+  try {
+    return planner_.configure(parameters, sources);
+  } catch (const std::exception& error) {
+    return {critic_fault(error)};
+  }
 }
 
 void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, double now, double period) {
   const bool paused = goal_checker_.plan_arrives(now, period);
-  goal_ = plan.back();
-  const bool is_new = !has_goal_ || frame != frame_ || !same_goal(goal_, first_goal_, parameters());
+  goal_.pose = plan.back();
+  const bool is_new = !goal_.known || frame != frame_ || !same_goal(goal_.pose, goal_.first, parameters());
   plan = with_poses_between(plan);
   situation_.plan.reserve(plan.size() + 1);  // what no window of it outgrows
   const bool chooses = autonomous_ && parameters().plan_hysteresis > 0.0;
@@ -66,8 +72,8 @@ void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, do
   }
   frame_ = frame;
   // The goal that the latches belong to stays the reference: a sum of small changes is a change.
-  if (is_new) first_goal_ = goal_;
-  has_goal_ = true;
+  if (is_new) goal_.first = goal_.pose;
+  goal_.known = true;
   if (is_new || paused) begin_goal();
 }
 
@@ -86,26 +92,26 @@ void ControlLoop::drop_plan(double now, double period) {
 void ControlLoop::begin_goal() {
   planner_.reset();
   goal_checker_.reset();
-  person_.new_goal();
+  goal_.begins = true;
 }
 
 void ControlLoop::finish_goal(const Timing& timing) {
-  has_goal_ = false;
+  goal_.known = false;
   take_what_was_sent(timing);
   planner_.skip(situation_);
   last_command_ = {};
 }
 
-bool ControlLoop::goal_reached(const Observation& observation) {
-  if (person_.manual() || !observation.fault.empty()) return false;
+bool ControlLoop::goal_reached(const Observation& observation, bool manual) {
+  if (manual || !observation.fault.empty()) return false;
   follow_progress(observation);
   return check_goal(observation);
 }
 
 // In the costmap frame. Where any heading will do it is the robot's.
 Pose2 ControlLoop::goal_of(const Observation& observation) const {
-  Pose2 goal = observation.from_plan.apply(goal_);
-  if (std::isnan(goal_.theta)) goal.theta = observation.pose.theta;
+  Pose2 goal = observation.from_plan.apply(goal_.pose);
+  if (std::isnan(goal_.pose.theta)) goal.theta = observation.pose.theta;
   return goal;
 }
 
@@ -160,7 +166,8 @@ std::optional<Twist2> ControlLoop::velocity_of(const Observation& observation) c
   return twist_watch_.from_pose();
 }
 
-Result ControlLoop::step(const Observation& observation, const Sampling& sampling) {
+Result ControlLoop::step(const Observation& observation, const OperatorIntent& wanted, const Sampling& sampling) {
+  goal_.begins = false;  // what began before, the operator has heard
   goal_checker_.cycle(observation.timing.now);
   watch_velocity(observation);
   if (observation.timing.jumped_back) fault_brake_.clear();
@@ -170,8 +177,8 @@ Result ControlLoop::step(const Observation& observation, const Sampling& samplin
     last_command_ = VelocityLimits::from(parameters()).clamp(*observation.resumed);
   }
   Result result;
-  result.intent = person_.update(observation.timing.now);
-  OperatorIntent intent = result.intent;
+  result.intent = wanted;
+  OperatorIntent intent = wanted;
   if (observation.host_stops) intent.influence = Influence::stop;
   autonomous_ = intent.influence == Influence::none && intent.state == OperatorStateId::autonomy;
   steered_ = intent.influence == Influence::shared || intent.influence == Influence::direct;
@@ -245,18 +252,18 @@ void ControlLoop::take_plan_window(const Observation& observation) {
   if (range.turns_back) situation_.plan.push_back(from_plan.apply(plan_.turn()));
 }
 
-void ControlLoop::remember(const Observation& observation, const Result& result) {
+void ControlLoop::remember(const Observation& observation, Result& result) {
   last_command_ = result.command;  // zero on failure: so the host does
-  input::CycleFeedback feedback;
+  input::CycleFeedback& feedback = result.feedback;
+  feedback.new_goal = std::exchange(goal_.begins, false);
   feedback.command = result.command;
-  feedback.velocity = velocity_of(observation).value_or(Twist2{});
-  feedback.stands = hidwa_local_planner::stands(result.command, feedback.velocity, parameters());
+  const Twist2 velocity = velocity_of(observation).value_or(Twist2{});
+  feedback.stands = hidwa_local_planner::stands(result.command, velocity, parameters());
   feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_rejected_by.empty();
   feedback.goal_latched = goal_checker_.latched();
   stands_ = feedback.stands;
   if (result.outcome == Outcome::fail) plan_choice_.give_way();
   if (result.decision != nullptr && result.decision->problem_kind == Problem::stuck) plan_.give_way();
-  person_.debrief(observation.timing.now, feedback);
 }
 
 }  // namespace hidwa_local_planner::control

@@ -11,6 +11,7 @@
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
+#include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "operator_link.hpp"
 #include "recorder.hpp"
 #include "sensing.hpp"
@@ -86,8 +87,8 @@ class Run {
         stick_due_(setup.rates.stick),
         world_(world_setup(setup)),
         sensing_(setup),
-        loop_(critics::built_in(), person_),
-        link_(setup, person_.machine()),
+        loop_(critics::built_in()),
+        link_(setup, machine_),
         clearance_(route_clearance(setup)),
         route_(setup.explore ? nullptr
                : setup.route ? setup.route
@@ -95,6 +96,7 @@ class Run {
         recorder_(setup) {
     const std::vector<std::string> faults = loop_.configure(setup.parameters);
     if (!faults.empty()) throw std::invalid_argument(faults.front());
+    machine_.configure(setup.parameters);
     loop_.set_footprint(setup.outline);
   }
 
@@ -162,14 +164,17 @@ class Run {
   bool goal_reached() {
     const double left = (goal_point() - Eigen::Vector2d(world_.pose().x, world_.pose().y)).norm();
     if (setup_.goal_radius > 0.0) return left <= setup_.goal_radius;
-    return loop_.goal_reached(observe());
+    return loop_.goal_reached(observe(), machine_.manual());
   }
 
   // The plugin's cycle; false when there is nothing to send.
   bool cycle() {
     const control::Observation observation = observe();
     const auto begin = std::chrono::steady_clock::now();
-    const control::Result result = loop_.step(observation, setup_.sampling);
+    if (loop_.goal_begins()) machine_.new_goal();
+    const OperatorIntent intent = machine_.update(now());
+    const control::Result result = loop_.step(observation, intent, setup_.sampling);
+    machine_.debrief(now(), result.feedback);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     const Cycle seen{world_.time(),
                      loop_.situation(),
@@ -204,7 +209,7 @@ class Run {
   const Every control_due_, scan_due_, costmap_due_, plan_due_, stick_due_;
   sim::World world_;
   Sensing sensing_;
-  control::LoneOperator person_;
+  input::OperatorStateMachine machine_;
   control::ControlLoop loop_;
   OperatorLink link_;
   const sim::RouteClearance clearance_;

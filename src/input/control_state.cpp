@@ -15,6 +15,7 @@ OperatorIntent ControlState::update(const CycleInput& cycle) {
 }
 
 void ControlState::debrief(double now, const CycleFeedback& feedback, const Parameters& parameters) {
+  if (feedback.new_goal) new_goal();
   goal_latched_ = feedback.goal_latched;
   last_v_ = feedback.command.v;
   blocked_.observe(now, is_steering(state_) && feedback.operator_command_rejected && feedback.stands);

@@ -64,7 +64,7 @@ std::optional<OperatorCommand> GestureSource::take_buttons(const Buttons& button
 }
 
 // A clutch that is still held after a loss says nothing: the loss lasts until it is let go.
-SourceReading GestureSource::take(const HandMessage& message, double now) {
+SourceReading GestureSource::taken(const HandMessage& message, double now) {
   SourceReading reading;
   reading.fault = why_not_tracked(message);
   if (reading.fault.empty() && engaged()) {

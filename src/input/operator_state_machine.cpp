@@ -73,11 +73,15 @@ std::string OperatorStateMachine::receive(const OperatorMessage& message) {
   SourceList::Connection* const connection = sources_.listener(message);
   if (connection == nullptr) return {};
   note_arrival(message.received);
+  const ParsedMessage parsed = connection->source->parse(message);
   std::string fault = fault_of_times(message);
-  if (fault.empty()) fault = connection->source->check(message);
+  if (fault.empty()) fault = parsed.fault;
   bool beside = false;
-  if (fault.empty()) fault = admit(*connection, message, beside);
-  count_stop(*connection->source, message, fault.empty());
+  if (fault.empty()) fault = admit(*connection, message, parsed.idle, beside);
+  // A stop counts from every message, however faulty or late; only one that is in order ends it.
+  if (parsed.stop) {
+    stop_.take(connection->source->kind().name, message.sender, *parsed.stop, fault.empty(), parameters_, received_);
+  }
   if (beside) return {};
   if (fault.empty()) fault = take(*connection, message);
   if (!fault.empty()) ++dropped_;
@@ -170,21 +174,15 @@ void OperatorStateMachine::note_arrival(double received) {
   note_alive(received);
 }
 
-// A stop counts from every message, however faulty or late; only one that is in order ends it.
-void OperatorStateMachine::count_stop(const OperatorSource& source, const OperatorMessage& message, bool in_order) {
-  const std::optional<StopReading> reading = source.read_stop(message);
-  if (reading) stop_.take(source.kind().name, message.sender, *reading, in_order, parameters_, received_);
-}
-
 // Whether a well-formed message is live; the fault in words, else empty. `beside`: it is, and nothing but its stop
 // counts.
-std::string OperatorStateMachine::admit(SourceList::Connection& connection, const OperatorMessage& message,
+std::string OperatorStateMachine::admit(SourceList::Connection& connection, const OperatorMessage& message, bool idle,
                                         bool& beside) {
   const BacklogGate::Limits limits{parameters_.input_timeout, parameters_.input_lag_max};
   const bool gives_command = connection.source.get() == &sources_.steering();
   const bool steers = gives_command ? channel_.active() : !connection.stream.in_use().idle;
   const bool lost = gives_command && channel_.lost();
-  const MessageStream::Use use{connection.source->idle(message), steers, lost, channel_.armed()};
+  const MessageStream::Use use{idle, steers, lost, channel_.armed()};
   switch (connection.stream.judge(message, use, received_, limits)) {
     case MessageStream::Arrival::late:
       return late(connection.stream.excess(), limits);
@@ -215,7 +213,7 @@ std::string OperatorStateMachine::admit(SourceList::Connection& connection, cons
 std::string OperatorStateMachine::take(SourceList::Connection& connection, const OperatorMessage& message) {
   const bool steers = connection.source.get() == &sources_.steering();
   if (steers) check_steering_source(received_);
-  const SourceReading reading = connection.source->read(message, received_);
+  const SourceReading reading = connection.source->take(message, received_);
   if (!reading.fault.empty()) {
     if (steers) channel_.lose();
     return reading.fault;

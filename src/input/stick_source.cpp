@@ -13,29 +13,21 @@ bool StickSource::same_mapping(const Parameters& a, const Parameters& b) const {
          a.clutch_axis == b.clutch_axis && a.clutch_axis_sign == b.clutch_axis_sign;
 }
 
-StickUse StickSource::use_of(const StickMessage& message) const {
-  return {parameters(), steers(), state_.linear_start.untouched(message, parameters())};
+ParsedMessage StickSource::parsed(const StickMessage& message) {
+  const StickUse use{parameters(), steers(), state_.linear_start.untouched(message, parameters())};
+  ParsedMessage parsed;
+  parsed.fault = read_stick(message, use, reading_);
+  parsed.stop = stop_reading_of(message, use);
+  if (!parsed.fault.empty()) return parsed;
+  StickReading seen = reading_;
+  if (state_.linear_start.doubts(message, parameters())) seen.linear = 0.0F;
+  parsed.idle = !command_of(seen, parameters()).active && !seen.toggle && !seen.clutch;
+  return parsed;
 }
 
-std::string StickSource::fault_of(const StickMessage& message) const {
-  StickReading reading;
-  return read_stick(message, use_of(message), reading);
-}
-
-std::optional<StopReading> StickSource::stop_of(const StickMessage& message) const {
-  return stop_reading_of(message, use_of(message));
-}
-
-bool StickSource::is_idle(const StickMessage& message) const {
-  StickReading reading;
-  read_stick(message, use_of(message), reading);
-  if (state_.linear_start.doubts(message, parameters())) reading.linear = 0.0F;
-  return !command_of(reading, parameters()).active && !reading.toggle && !reading.clutch;
-}
-
-SourceReading StickSource::take(const StickMessage& message, double now) {
+SourceReading StickSource::taken(const StickMessage& message, double now) {
   SourceReading reading;
-  reading.fault = read_stick(message, use_of(message), state_);
+  static_cast<StickReading&>(state_) = reading_;
   state_.linear_start.observe(message, parameters(), now);
   if (state_.linear_start.doubted()) state_.linear = 0.0F;
   reading.command = command();

@@ -28,14 +28,15 @@ std::string fault_of_part(const char* field, double value, const char* unit) {
 
 }  // namespace
 
-std::string TwistSource::fault_of(const TwistMessage& message) const {
-  const std::string fault = fault_of_part("linear.x", message.u.v, "m/s");
-  return fault.empty() ? fault_of_part("angular.z", message.u.omega, "rad/s") : fault;
+ParsedMessage TwistSource::parsed(const TwistMessage& message) {
+  ParsedMessage parsed;
+  parsed.fault = fault_of_part("linear.x", message.u.v, "m/s");
+  if (parsed.fault.empty()) parsed.fault = fault_of_part("angular.z", message.u.omega, "rad/s");
+  parsed.idle = is_neutral(message.u);
+  return parsed;
 }
 
-bool TwistSource::is_idle(const TwistMessage& message) const { return is_neutral(message.u); }
-
-SourceReading TwistSource::take(const TwistMessage& message, double) {
+SourceReading TwistSource::taken(const TwistMessage& message, double) {
   state_.u = message.u;
   SourceReading reading;
   reading.command = command();

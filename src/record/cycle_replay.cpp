@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/record/cycle_replay.hpp"
 
-#include <exception>
 #include <utility>
 
 #include "core/util/words.hpp"
@@ -30,7 +29,7 @@ bool changes_samples(const std::vector<ParameterChange>& changes, const char* ax
 }  // namespace
 
 CycleReplay::CycleReplay(CriticRegistry registry, SourcesOf sources_of, std::vector<ParameterChange> changes)
-    : sources_of_(std::move(sources_of)), changes_(std::move(changes)), loop_(std::move(registry), operator_) {}
+    : sources_of_(std::move(sources_of)), changes_(std::move(changes)), loop_(std::move(registry)) {}
 
 // Parameters that this release does not know are a fault: without them a cycle would not be the same.
 std::string CycleReplay::set_up(const Setup& setup) {
@@ -40,11 +39,7 @@ std::string CycleReplay::set_up(const Setup& setup) {
   for (const std::string& fault : make_changes(changed_, changes_)) faults.push_back(fault);
   if (faults.empty()) {
     const Planner::SourceFor sources = sources_of_ ? sources_of_(setup.critics) : Planner::SourceFor();
-    try {
-      faults = loop_.configure(changed_, sources);
-    } catch (const std::exception& error) {
-      faults = {std::string("critics: one of them cannot use its parameters: ") + error.what()};
-    }
+    faults = loop_.configure(changed_, sources);
   }
   loop_.set_footprint(setup.outline);
   setup_ = setup;
@@ -82,10 +77,10 @@ std::string CycleReplay::follow() {
 
 // With changed parameters the operator takes them as in a drive: another mode, say, begins afresh.
 bool CycleReplay::load() {
-  if (!changes_.empty()) operator_.configure(recorded_);
+  machine_.configure(recorded_);
   ArchiveReader state(record_.operator_state);
-  operator_.machine().load(state);
-  if (!changes_.empty()) operator_.configure(changed_);
+  machine_.load(state);
+  if (!changes_.empty()) machine_.configure(changed_);
   loop_.restore_plan(plan_);
   return loop_.load(record_.loop_state) && state.complete();
 }
@@ -97,13 +92,14 @@ ReplayedCycle CycleReplay::run(bool explain) {
   Sampling sampling = record_.sampling;
   if (changes_samples(changes_, "vx_samples")) sampling.vx_samples = 0;
   if (changes_samples(changes_, "vth_samples")) sampling.vth_samples = 0;
-  control::Result result = loop_.step(observation, sampling);
+  const OperatorIntent intent = machine_.update(observation.timing.now);
+  control::Result result = loop_.step(observation, intent, sampling);
   ReplayedCycle cycle{decision_record(result, loop_.planner()), result.intent, false};
   if (explain) {
     // Not at once: more is known of who rejects what then, and so the digest is another.
     sampling.report = Report::full;
     load();
-    result = loop_.step(observation, sampling);
+    result = loop_.step(observation, intent, sampling);
   }
   decision_ = result.decision;
   cycle.identical = hidwa_local_planner::record::identical(cycle.intent, record_.intent) &&

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <ros/console.h>
+#include <tf2/exceptions.h>
 
 namespace hidwa_local_planner {
 namespace {
@@ -28,9 +29,10 @@ std::optional<double> clock_ahead(const ros::Time& stamp) {
 
 }  // namespace
 
-OperatorInput::OperatorInput()
-    : devices_(operator_devices(
-          [this](const std::string& source, const input::OperatorMessage& message) { return take(source, message); })) {
+OperatorInput::OperatorInput(const tf2_ros::Buffer& tf)
+    : tf_(tf), devices_(operator_devices([this](const std::string& source, const input::OperatorMessage& message) {
+        return take(source, message);
+      })) {
   thread_.start();
 }
 
@@ -102,6 +104,14 @@ std::string OperatorInput::take(const std::string& source, const input::Operator
   return fault;
 }
 
+void OperatorInput::look_for_hand(const Parameters& parameters, const LoopTime& now) {
+  if (parameters.mode != OperatorMode::gesture || parameters.gesture_frame.empty()) return;
+  try {
+    receive(tf_.lookupTransform(parameters.gesture_parent_frame, parameters.gesture_frame, ros::Time(0)), now);
+  } catch (const tf2::TransformException&) {
+  }
+}
+
 void OperatorInput::receive(const geometry_msgs::TransformStamped& transform, const LoopTime& received) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -129,12 +139,12 @@ void OperatorInput::catch_up(double now) {
   }
 }
 
-OperatorIntent OperatorInput::update(double now) {
+OperatorIntent OperatorInput::update(double now, Bytes* before) {
   catch_up(now);
   std::unique_lock<std::mutex> lock(mutex_);
-  if (before_ != nullptr) {
-    before_->clear();
-    ArchiveWriter write(*before_);
+  if (before != nullptr) {
+    before->clear();
+    ArchiveWriter write(*before);
     machine_.save(write);
   }
   const OperatorIntent intent = machine_.update(now);

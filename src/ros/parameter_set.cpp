@@ -8,6 +8,8 @@
 #include <ros/names.h>
 #include <ros/param.h>
 
+#include "core/planner/critic_set.hpp"
+#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
@@ -38,16 +40,6 @@ void check_topics(std::vector<std::string>& faults, const Parameters& p) {
       faults.push_back(topics[j].first + " and " + name + " are both " + topic +
                        ", but carry different messages: change one");
     }
-  }
-}
-
-template <typename Configurable>
-std::vector<std::string> configure_any(Configurable& one, const Parameters& parameters,
-                                       const Planner::SourceFor& source_for) {
-  try {
-    return one.configure(parameters, source_for);
-  } catch (const std::exception& error) {
-    return {std::string("critics: one of them cannot use its parameters: ") + error.what()};
   }
 }
 
@@ -122,30 +114,31 @@ XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle) {
   return content;
 }
 
-std::vector<std::string> configure(Planner& planner, const ParameterSet& set) {
-  return configure_any(planner, set.parameters, [&set](const std::string& name) { return set.source_for(name); });
-}
-std::vector<std::string> configure(control::ControlLoop& loop, const ParameterSet& set) {
-  return configure_any(loop, set.parameters, [&set](const std::string& name) { return set.source_for(name); });
-}
-
 Trial try_out(const ParameterSet& set, const CriticRegistry& registry) {
   Trial trial;
   std::vector<std::string>& faults = trial.faults;
-  for (const std::string& critic : split_names(set.parameters.critics)) {
+  const std::vector<std::string> names = split_names(set.parameters.critics);
+  for (const std::string& critic : names) {
     if (registry.knows(critic) && registry.make(critic) == nullptr) {
       faults.push_back("critics: " + critic + " is declared, but its library cannot be loaded; rebuild its package");
     }
   }
   check_topics(faults, set.parameters);
   if (!faults.empty()) return trial;
-  Planner planner(registry);
-  std::vector<Asked> asked;  // the planner keeps the sources, unless there are faults
-  faults = configure_any(planner, set.parameters, [&](const std::string& critic) {
-    std::unique_ptr<StoredParameters> source = set.source_for(critic);
-    asked.push_back({critic, source.get()});
-    return source;
-  });
+  CriticSet critics(registry);
+  faults = validate(set.parameters);
+  for (const std::string& fault : critics.faults_of(names)) faults.push_back(fault);
+  if (!faults.empty()) return trial;
+  std::vector<Asked> asked;  // the critics keep the sources, unless there are faults
+  try {
+    faults = critics.configure(names, set.parameters, [&](const std::string& critic) {
+      std::unique_ptr<StoredParameters> source = set.source_for(critic);
+      asked.push_back({critic, source.get()});
+      return source;
+    });
+  } catch (const std::exception& error) {
+    faults = {control::critic_fault(error)};
+  }
   if (faults.empty()) trial.warnings = unknown_keys(asked);
   return trial;
 }

@@ -27,7 +27,7 @@ bool Publishing::new_cycle_subscriber() {
 }
 
 void Publishing::publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state,
-                               double duration, const Bytes& record) {
+                               double duration, const Bytes* record) {
   if (cycle_.getNumSubscribers() == 0) return;
   Cycle& message = cycle_message_;
   message.header.stamp = stamp;
@@ -51,7 +51,8 @@ void Publishing::publish_cycle(const ros::Time& stamp, const CycleResult& result
     message.rejection_names[i] = decision->rejections[i].name;
     message.rejection_counts[i] = static_cast<std::uint32_t>(decision->rejections[i].count);
   }
-  message.record = record;
+  message.record.clear();
+  if (record != nullptr) message.record = *record;
   cycle_.publish(message);
 }
 

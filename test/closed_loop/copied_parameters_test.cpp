@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/operator.hpp"
 #include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {
@@ -128,8 +127,7 @@ Course drive(const File& file, const Pose2& goal) {
   now.plan.clear();
   for (int k = 0; k <= 40; ++k) now.plan.push_back({goal.x * k / 40.0, goal.y * k / 40.0, 0.0});
   now.plan.back() = goal;
-  control::LoneOperator person;
-  SceneLoop loop(scene, person);
+  SceneLoop loop(scene);
   Course course;
   const Parameters& p = scene.parameters;
   while (!course.arrived && course.time < 60.0) {

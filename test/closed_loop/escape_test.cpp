@@ -52,11 +52,7 @@ Polygon rectangle(double rear, double front, double half_width) {
 class Robot {
  public:
   explicit Robot(Scene scene)
-      : scene_(std::move(scene)),
-        body_(naive_body(scene_)),
-        drive_(limits_of(scene_.parameters)),
-        person_(scene_),
-        loop_(scene_, person_) {}
+      : scene_(std::move(scene)), body_(naive_body(scene_)), drive_(limits_of(scene_.parameters)), loop_(scene_) {}
   Scene& scene() { return scene_; }
   const Pose2& pose() const { return scene_.situation.pose; }
   NaiveEscape contact() const { return {scene_.grid(), body_, true, pose(), kClusterSteps}; }
@@ -80,7 +76,6 @@ class Robot {
   Scene scene_;
   NaiveBody body_;
   sim::DiffDrive drive_;
-  SceneOperator person_;
   SceneLoop loop_;
 };
 

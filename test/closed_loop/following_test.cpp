@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/operator.hpp"
+#include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "hidwa_local_planner/input/stick_reading.hpp"
 #include "support/scene_loop.hpp"
 
@@ -26,8 +26,6 @@ double omega_of(float deflection) {
 
 class Follower {
  public:
-  Follower() : loop_(scene_, person_) {}
-
   struct Cycle {
     double wanted = 0.0;     // by the stick's last message [rad/s]
     double reachable = 0.0;  // of it, within the acceleration limit [rad/s]
@@ -43,13 +41,15 @@ class Follower {
     message.axes = {deflection, 0.0F};
     message.buttons = {0};
     message.received = now.time - early;
-    EXPECT_EQ(person_.machine().receive(message), "");
+    EXPECT_EQ(machine_.receive(message), "");
     Cycle cycle;
     cycle.wanted = omega_of(deflection);
     const double step = p.acc_lim_theta * kPeriod;
     cycle.reachable = std::clamp(cycle.wanted, now.last_command.omega - step, now.last_command.omega + step);
     surround();
+    scene_.intent = machine_.update(now.time);
     const control::Result result = loop_.cycle();
+    machine_.debrief(now.time, result.feedback);
     cycle.intent = result.intent;
     cycle.decision = *result.decision;
     move(result.command);
@@ -93,8 +93,8 @@ class Follower {
   }
 
   Scene scene_ = begin();
-  control::LoneOperator person_;
-  SceneLoop loop_;
+  input::OperatorStateMachine machine_;
+  SceneLoop loop_{scene_};
   int cycles_ = 0;
 };
 

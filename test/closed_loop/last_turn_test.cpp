@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/operator.hpp"
 #include "support/naive_collision.hpp"
 #include "support/naive_inflation.hpp"
 #include "support/random.hpp"
@@ -40,8 +39,7 @@ struct Course {
 
 Course drive(Scene scene, double duration) {
   inflate(scene, 0.2, 0.8, 3.0);
-  control::LoneOperator person;
-  SceneLoop loop(scene, person);
+  SceneLoop loop(scene);
   Situation& now = scene.situation;
   Course course;
   while (!course.settled && now.time < 1.0 + duration) {

@@ -40,7 +40,7 @@ class LaggingRobot {
     p.control_latency = base.latency;
     scene_.intent.influence = Influence::direct;
     scene_.intent.guarded = false;
-    loop_.emplace(scene_, person_);
+    loop_.emplace(scene_);
   }
 
   struct Cycle {
@@ -88,7 +88,6 @@ class LaggingRobot {
 
   Scene scene_ = Scene::empty();
   sim::DiffDrive drive_;
-  SceneOperator person_{scene_};
   std::optional<SceneLoop> loop_;
   bool stopped_ = false;  // by the host
 };

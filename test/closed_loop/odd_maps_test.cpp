@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/operator.hpp"
 #include "support/naive_collision.hpp"
 #include "support/naive_inflation.hpp"
 #include "support/scene_loop.hpp"
@@ -44,8 +43,7 @@ struct Course {
 
 /// `change` is called before each cycle.
 Course drive(Scene& scene, double seconds, const std::function<void(double)>& change = {}) {
-  control::LoneOperator person;
-  SceneLoop loop(scene, person);
+  SceneLoop loop(scene);
   Situation& now = scene.situation;
   Course course;
   for (; !course.arrived && course.time < seconds; course.time += now.period) {

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/operator.hpp"
 #include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {
@@ -51,8 +50,7 @@ Course drive(double hysteresis) {
   scene.situation.time = 1.0;
   scene.situation.goal = kGoal;
   scene.situation.plan = plan_round(scene.situation.pose, 1.0);
-  control::LoneOperator person;
-  SceneLoop loop(scene, person);
+  SceneLoop loop(scene);
   Course course;
   double turning = 0.0;
   for (int k = 0; k < 1200 && scene.situation.pose.x < kPillar.x + 0.5; ++k) {

@@ -44,7 +44,7 @@ class Room {
     scene_.parameters = parameters_of(base);
     scene_.intent.influence = Influence::direct;
     scene_.intent.guarded = true;
-    loop_.emplace(scene_, person_);
+    loop_.emplace(scene_);
   }
   void stand(const Pose2& pose) { scene_.situation.pose = pose; }
 
@@ -90,7 +90,6 @@ class Room {
 
   Scene scene_;
   sim::DiffDrive drive_;
-  SceneOperator person_{scene_};
   std::optional<SceneLoop> loop_;
 };
 

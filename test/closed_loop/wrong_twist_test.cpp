@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "drive_on.hpp"
-#include "hidwa_local_planner/control/operator.hpp"
 #include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {
@@ -46,8 +45,7 @@ Course drive(Lie lie, double heading) {
     on_plan = {on_plan.x + 0.05 * std::cos(on_plan.theta), on_plan.y + 0.05 * std::sin(on_plan.theta), on_plan.theta};
   }
   now.goal = now.plan.back();
-  control::LoneOperator person;
-  SceneLoop loop(scene, person);
+  SceneLoop loop(scene);
   sim::DriveLimits limits;
   limits.latency = 0.05;
   sim::DiffDrive base(limits);

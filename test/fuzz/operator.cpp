@@ -9,10 +9,10 @@
 #include "fuzz/mover.hpp"
 #include "fuzz/require.hpp"
 #include "fuzz/small_world.hpp"
-#include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/control/prediction.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/input/gesture_source.hpp"
+#include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "hidwa_local_planner/input/stick_reading.hpp"
 #include "hidwa_local_planner/input/twist_source.hpp"
 
@@ -23,7 +23,7 @@ constexpr double kPeriod = 0.05;  // [s]
 
 class Drive {
  public:
-  explicit Drive(const Input& input) : input_(input), loop_(critics::built_in(), person_) {
+  explicit Drive(const Input& input) : input_(input), loop_(critics::built_in()) {
     reconfigure();
     loop_.set_footprint(SmallWorld::outline());
     loop_.set_plan(SmallWorld::plan(), "map", now_, kPeriod);
@@ -44,11 +44,11 @@ class Drive {
       case 2:
         return take_hand();
       case 3:
-        return person_.machine().stop(input_.flag());
+        return machine_.stop(input_.flag());
       case 4:
-        return person_.machine().take_control(input_.flag());
+        return machine_.take_control(input_.flag());
       case 5:
-        return person_.machine().heartbeat(input_.number(now_ - 1.0, now_ + 0.1));
+        return machine_.heartbeat(input_.number(now_ - 1.0, now_ + 0.1));
       case 6:
         return reconfigure();
       case 7:
@@ -71,7 +71,7 @@ class Drive {
   }
   // A fault is told in words, and none of them is a control character.
   void give(const input::OperatorMessage& message) {
-    const std::string fault = person_.machine().receive(message);
+    const std::string fault = machine_.receive(message);
     require(fault.size() < 1000, "a fault of a thousand words");
   }
   void take_stick() {
@@ -119,6 +119,7 @@ class Drive {
     p.dead_zone = input_.within(0.0, 0.99);
     p.gesture_range = input_.within(0.01, 2.0);
     require(loop_.configure(p).empty(), "a valid set is refused");
+    machine_.configure(p);
     parameters_ = p;
   }
 
@@ -162,20 +163,22 @@ class Drive {
     now_ += kPeriod;
   }
   void step(const control::Observation& seen) {
-    if (input_.flag()) loop_.goal_reached(seen);
-    const control::Result result = loop_.step(seen);
+    if (input_.flag()) loop_.goal_reached(seen, machine_.manual());
+    if (loop_.goal_begins()) machine_.new_goal();
+    const control::Result result = loop_.step(seen, machine_.update(now_));
+    machine_.debrief(now_, result.feedback);
     require(is_finite(result.intent.u_h), "the operator command is not a number");
     require_within_limits(result.command, last_, parameters_);
     last_ = result.command;
     prediction_.update(loop_, seen, result);
     for (const auto& pose : prediction_.poses()) require(is_finite(pose.pose), "a predicted pose is not a number");
-    require(person_.machine().advice().size() < 4000, "advice of four thousand characters");
-    person_.machine().take_warnings();
+    require(machine_.advice().size() < 4000, "advice of four thousand characters");
+    machine_.take_warnings();
   }
 
   Input input_;
   SmallWorld world_;
-  control::LoneOperator person_;
+  input::OperatorStateMachine machine_;
   control::ControlLoop loop_;
   control::Prediction prediction_;
   Parameters parameters_;

@@ -8,7 +8,6 @@
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
 #include "fuzz/small_world.hpp"
-#include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 
@@ -32,8 +31,7 @@ void require_round_trip(const Parameters& parameters) {
 
 void drive(const Parameters& parameters) {
   const SmallWorld world;
-  control::LoneOperator person;
-  control::ControlLoop loop(critics::built_in(), person);
+  control::ControlLoop loop(critics::built_in());
   const std::vector<std::string> faults = loop.configure(parameters);
   require_words(faults);
   const bool many = parameters.vx_samples * parameters.vth_samples > kMostSamples || parameters.search_poses > 20000;
@@ -42,7 +40,7 @@ void drive(const Parameters& parameters) {
   loop.set_plan(SmallWorld::plan(), "map", 0.0, 0.05);
   Twist2 last;
   for (int cycle = 0; cycle < 3; ++cycle) {
-    const control::Result result = loop.step(world.observe(10.0 + 0.05 * cycle, 0.05, last));
+    const control::Result result = loop.step(world.observe(10.0 + 0.05 * cycle, 0.05, last), {});
     require_within_limits(result.command, last, parameters);
     if (parameters.command == CommandPolicy::feasible || parameters.admissibility == Admissibility::braking) {
       const Twist2 from = result.decision != nullptr ? result.decision->reference : last;

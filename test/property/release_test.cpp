@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/control/control_loop.hpp"
-#include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
+#include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "hidwa_local_planner/input/stick_reading.hpp"
 
 namespace hidwa_local_planner {
@@ -37,9 +37,10 @@ struct Step {
 // A straight plan along +x, a rolling empty map of 9 x 9 m, a stick that repeats at 20 Hz.
 class Drive {
  public:
-  explicit Drive(const Case& c) : loop_(critics::built_in(), person_) {
+  explicit Drive(const Case& c) : loop_(critics::built_in()) {
     p_.max_vel_x = c.v_max;
     EXPECT_TRUE(loop_.configure(p_).empty());
+    machine_.configure(p_);
     Polygon outline;
     for (int i = 0; i < 16; ++i) outline.emplace_back(0.3 * std::cos(M_PI * i / 8), 0.3 * std::sin(M_PI * i / 8));
     loop_.set_footprint(outline);
@@ -67,7 +68,7 @@ class Drive {
     message.received = now - 0.01;
     const bool pressed = now > kPressed - 1e-9 && now < kReleased - 1e-9;
     message.axes = {pressed ? deflection_ : 0.0F, 0.0F};
-    EXPECT_EQ(person_.machine().receive(message), "");
+    EXPECT_EQ(machine_.receive(message), "");
 
     control::Observation seen;
     seen.timing = {now, kPeriod, kPeriod, kPeriod, false};
@@ -79,7 +80,9 @@ class Drive {
                     0.05,
                     std::floor(pose_.x / 0.05) * 0.05 - 4.5,
                     std::floor(pose_.y / 0.05) * 0.05 - 4.5};
-    const control::Result result = loop_.step(seen);
+    if (loop_.goal_begins()) machine_.new_goal();
+    const control::Result result = loop_.step(seen, machine_.update(now));
+    machine_.debrief(now, result.feedback);
     const Step step{now, result.intent.state, result.outcome, u_, result.command, pose_};
     u_ = result.command;
     const double middle = pose_.theta + 0.5 * u_.omega * kPeriod;
@@ -90,7 +93,7 @@ class Drive {
   }
 
   Parameters p_;
-  control::LoneOperator person_;
+  input::OperatorStateMachine machine_;
   control::ControlLoop loop_;
   float deflection_ = 0.0F;
   std::vector<std::uint8_t> costs_;

@@ -74,12 +74,12 @@ struct PlanCourse {
   }
 };
 
-class PlanDrive : public control::Operator {
+class PlanDrive {
  public:
   static constexpr double kPeriod = 0.05;  // [s]
 
   explicit PlanDrive(const Parameters& parameters = {})
-      : parameters_(parameters), loop_(critics::built_in(), *this), base_(limits_of(parameters)) {
+      : parameters_(parameters), loop_(critics::built_in()), base_(limits_of(parameters)) {
     EXPECT_EQ(loop_.configure(parameters_), std::vector<std::string>{});
     loop_.set_footprint({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
   }
@@ -103,10 +103,12 @@ class PlanDrive : public control::Operator {
       course.track.push_back(pose_);
       if (host) host(*this);
       const control::Observation seen = observe();
-      course.arrived = loop_.goal_reached(seen);
+      course.arrived = loop_.goal_reached(seen, false);
       course.duration = time();
       if (course.arrived) break;
-      const control::Result result = loop_.step(seen);
+      if (loop_.goal_begins()) ++course.new_goals;
+      const control::Result result = loop_.step(seen, wants ? wants(*this) : OperatorIntent());
+      if (result.feedback.new_goal) ++course.new_goals;
       course.failures += result.outcome == Outcome::fail ? 1 : 0;
       base_.command({result.command.v, result.command.omega}, now_);
       for (int k = 0; k < 5; ++k) {
@@ -115,16 +117,8 @@ class PlanDrive : public control::Operator {
       }
       now_ += kPeriod;
     }
-    course.new_goals = new_goals_;
     return course;
   }
-
-  // Of the operator.
-  void configure(const Parameters&) override {}
-  OperatorIntent update(double) override { return wants ? wants(*this) : OperatorIntent(); }
-  void debrief(double, const input::CycleFeedback&) override {}
-  void new_goal() override { ++new_goals_; }
-  bool manual() const override { return false; }
 
  private:
   static constexpr int kCells = 160;
@@ -166,7 +160,6 @@ class PlanDrive : public control::Operator {
   sim::DiffDrive base_;
   Pose2 pose_;
   double now_ = 1.0;  // [s]
-  int new_goals_ = 0;
   std::vector<std::uint8_t> costs_;
 };
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "hidwa_local_planner/control/control_loop.hpp"
-#include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/control/pause.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
+#include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "hidwa_local_planner/input/stick_reading.hpp"
 #include "hidwa_local_planner/record/cycle_recorder.hpp"
 #include "support/random.hpp"
@@ -29,7 +29,7 @@ class RecordedDrive {
     std::vector<std::uint8_t> costs;  // of the local map; empty where input was missing
   };
 
-  RecordedDrive(std::uint64_t seed, OperatorMode mode) : random_(seed), loop_(critics::built_in(), operator_) {
+  RecordedDrive(std::uint64_t seed, OperatorMode mode) : random_(seed), loop_(critics::built_in()) {
     randomise_robot(random_, parameters_);
     randomise_search(random_, parameters_);
     randomise_costs(random_, parameters_);
@@ -41,7 +41,7 @@ class RecordedDrive {
     parameters_.stop_button = 3;
     if (random_.chance(0.5)) parameters_.enable_button = 5;
     parameters_.authority = random_.chance(0.3) ? 0.5 : 1.0;
-    loop_.configure(parameters_);
+    configure();
     loop_.set_footprint(random_convex_outline(random_));
     field_.assign(static_cast<std::size_t>(kField) * kField, cost::kFree);
     for (int k = 0; k < 150; ++k) {
@@ -64,11 +64,16 @@ class RecordedDrive {
   /// As dynamic_reconfigure does.
   void reconfigure(const Parameters& parameters) {
     parameters_ = parameters;
-    loop_.configure(parameters_);
+    configure();
     recorder_.demand_key();
   }
 
  private:
+  void configure() {
+    loop_.configure(parameters_);
+    machine_.configure(parameters_);
+  }
+
   // A room of 1.5 m around the robot: a command to go straight on is rejected soon.
   void wall_in() {
     for (int k = -12; k <= 12; ++k) {
@@ -85,8 +90,8 @@ class RecordedDrive {
     if (random_.chance(0.02)) time_ += random_.uniform(0.1, 0.8);
     if (random_.chance(0.003)) time_ -= 2.0;
     timing_ = {time_, kPeriod, random_.chance(0.1) ? 1.5 * kPeriod : kPeriod, time_ - before, time_ < before};
-    if (random_.chance(0.9)) operator_.machine().heartbeat(time_ - 0.02);
-    if (random_.chance(0.05)) operator_.machine().stop(random_.chance(0.05));
+    if (random_.chance(0.9)) machine_.heartbeat(time_ - 0.02);
+    if (random_.chance(0.05)) machine_.stop(random_.chance(0.05));
   }
 
   // Whatever a stick may do: rest, be held, jump, fall silent, press buttons.
@@ -105,7 +110,7 @@ class RecordedDrive {
     press(parameters_.enable_button, deflection_ < 0.5 ? 1.0 : 0.0);
     stick.received = time_ - 0.01;
     stick.sender = random_.chance(0.997) ? "/joy" : "/other";
-    operator_.machine().receive(stick);
+    machine_.receive(stick);
   }
 
   void look() {
@@ -177,12 +182,14 @@ class RecordedDrive {
     const control::Observation seen = observe();
     Sampling sampling = random_.chance(0.1) ? Sampling{3, 5} : Sampling{};
     if (random_.chance(0.3)) sampling.report = Report::legality;
-    if (random_.chance(0.5)) loop_.goal_reached(seen);  // the host asks
+    if (random_.chance(0.5)) loop_.goal_reached(seen, machine_.manual());  // the host asks
+    if (loop_.goal_begins()) machine_.new_goal();
     recorder_.operator_state().clear();
     ArchiveWriter write(recorder_.operator_state());
-    operator_.machine().save(write);
+    machine_.save(write);
     recorder_.begin(loop_, seen, sampling);
-    const control::Result result = loop_.step(seen, sampling);
+    const control::Result result = loop_.step(seen, machine_.update(seen.timing.now), sampling);
+    machine_.debrief(seen.timing.now, result.feedback);
     Cycle cycle{
         recorder_.finish(result, loop_.planner()), result.intent, record::decision_record(result, loop_.planner()), {}};
     if (seen.fault.empty()) cycle.costs = local_.costs;
@@ -201,7 +208,7 @@ class RecordedDrive {
 
   Random random_;
   Parameters parameters_;
-  control::LoneOperator operator_;
+  input::OperatorStateMachine machine_;
   control::ControlLoop loop_;
   record::CycleRecorder recorder_;
   std::vector<std::uint8_t> field_;

@@ -13,26 +13,12 @@
 
 namespace hidwa_local_planner::test {
 
-/// An operator who wants what a scene says.
-class SceneOperator : public control::Operator {
- public:
-  explicit SceneOperator(const Scene& scene) : scene_(scene) {}
-  void configure(const Parameters&) override {}
-  OperatorIntent update(double) override { return scene_.intent; }
-  void debrief(double, const input::CycleFeedback&) override {}
-  void new_goal() override {}
-  bool manual() const override { return false; }
-
- private:
-  const Scene& scene_;
-};
-
-/// The control loop of a robot in a scene. Pose, velocity, time and periods are the scene's at each cycle; its plan
-/// and, behind that, its goal are what the host plans. The last command is the loop's own.
+/// The control loop of a robot in a scene. Pose, velocity, time, periods and the operator's intent are the scene's at
+/// each cycle; its plan and, behind that, its goal are what the host plans. The last command is the loop's own.
 class SceneLoop {
  public:
-  /// Both must outlive it.
-  SceneLoop(const Scene& scene, control::Operator& person) : scene_(scene), loop_(critics::built_in(), person) {
+  /// `scene` must outlive it.
+  explicit SceneLoop(const Scene& scene) : scene_(scene), loop_(critics::built_in()) {
     EXPECT_EQ(loop_.configure(scene.parameters), std::vector<std::string>{});
     loop_.set_footprint(scene.outline);
     plan();
@@ -58,7 +44,7 @@ class SceneLoop {
     seen.pose_age = now.pose_age;
     seen.costmap = scene_.grid();
     seen.host_stops = host_stops;
-    return loop_.step(seen);
+    return loop_.step(seen, scene_.intent);
   }
 
  private:

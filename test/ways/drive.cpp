@@ -55,7 +55,7 @@ class Drive {
         base_(base_of(parameters_), scene.start, scene.seed),
         contacts_(scene.world, hidwa_attack::padded(scene.body.shape, parameters_.footprint_padding)),
         target_(finding.answer == Class::sure ? through_or_farther(scene) : through_target(scene)),
-        loop_(critics::built_in(), person_) {
+        loop_(critics::built_in()) {
     const std::vector<std::string> faults = loop_.configure(parameters_);
     if (!faults.empty()) throw std::logic_error(faults.front());
     hidwa_local_planner::Polygon outline;
@@ -137,7 +137,7 @@ class Drive {
     observation.pose = base_.pose();
     observation.costmap = map_.around(scene_.rolling ? base_.pose() : scene_.start);
     const double begun = processor_time();
-    const control::Result cycle = loop_.step(observation);
+    const control::Result cycle = loop_.step(observation, {});
     result_.worst_cycle = std::max(result_.worst_cycle, processor_time() - begun);
     ++result_.cycles;
     base_.send(now, cycle.command);
@@ -193,7 +193,6 @@ class Drive {
   hidwa_attack::Base base_;
   hidwa_attack::ContactWatch contacts_;
   Target target_;
-  control::LoneOperator person_;
   control::ControlLoop loop_;
   std::unique_ptr<GridPlan> planner_of_plans_;
   Novelty novelty_;

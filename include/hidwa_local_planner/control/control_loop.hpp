@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The control cycle of a robot, without ROS: what the plugin, the drives without ROS, replay and the tests run.
 //
-// A cycle, step():
-// 1. the operator's intent is asked for (Operator), unless the host stops the robot;
-// 2. where an input is missing, the robot brakes (FaultBrake), and the planner hears what was sent until then;
-// 3. else the window of the plan is taken, the goal's latch is judged, and the planner decides;
-// 4. the command is remembered, and the operator's state machine hears whether the operator command was rejected.
+// A cycle, with the operator's state machine beside the loop:
 //
-// A cycle depends on its arguments, the plan, the parameters, the footprint, the operator, and on what the loop
-// remembers (save()). A record of all these repeats the cycle: record/cycle_record.hpp.
+//   if (loop.goal_begins()) machine.new_goal();
+//   const OperatorIntent intent = machine.update(now);
+//   const Result result = loop.step(observation, intent, sampling);
+//   machine.debrief(now, result.feedback);
+//
+// In step():
+// 1. where an input is missing, the robot brakes (FaultBrake), and the planner hears what was sent until then;
+// 2. else the window of the plan is taken, the goal's latch is judged, and the planner decides;
+// 3. the command is remembered.
+//
+// A step depends on its arguments, the plan, the parameters, the footprint, and on what the loop remembers (save()).
+// A record of all these repeats the cycle: record/cycle_record.hpp.
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,12 +25,13 @@
 #include "hidwa_local_planner/control/fault_brake.hpp"
 #include "hidwa_local_planner/control/frame_transform.hpp"
 #include "hidwa_local_planner/control/goal_checker.hpp"
-#include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/control/plan_choice.hpp"
 #include "hidwa_local_planner/control/plan_window.hpp"
 #include "hidwa_local_planner/control/twist_watch.hpp"
+#include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"
+#include "hidwa_local_planner/input/control_state.hpp"
 
 namespace hidwa_local_planner::control {
 
@@ -69,16 +77,19 @@ struct Result {
   Outcome outcome = Outcome::fail;
   Twist2 command;                      // sent, or zero on failure [m/s, rad/s]
   const Decision* decision = nullptr;  // null where something was missing; valid until the next cycle
-  OperatorIntent intent;               // of the operator, even while the host stops the robot
+  OperatorIntent intent;               // as given to step(), even while the host stops the robot
+  input::CycleFeedback feedback;       // for the operator's state machine
 };
+
+/// The fault of a set of parameters by which a critic cannot be configured, in words.
+std::string critic_fault(const std::exception& thrown);
 
 class ControlLoop {
  public:
-  /// `person` must outlive the loop.
-  ControlLoop(CriticRegistry registry, Operator& person) : person_(person), planner_(std::move(registry)) {}
+  explicit ControlLoop(CriticRegistry registry) : planner_(std::move(registry)) {}
 
-  /// Planner and operator take the same set, between two cycles. A set with faults changes nothing. Throws what a
-  /// critic of another package throws.
+  /// Takes a set of parameters between two cycles. Returns the faults in words; with any, nothing changes. Where there
+  /// are none, the caller gives the same set to the operator's state machine. What a critic throws is a fault.
   std::vector<std::string> configure(const Parameters& parameters, const Planner::SourceFor& sources = {});
   void set_footprint(const Polygon& outline) { planner_.set_footprint(outline); }
 
@@ -94,18 +105,20 @@ class ControlLoop {
   const std::vector<Pose2>& plan() const { return plan_.plan(); }   // the one that is followed, whole, in its frame
   std::size_t next_plan_pose() const { return plan_.next_pose(); }  // the first one from the robot on
   const std::string& plan_frame() const { return frame_; }
-  const Pose2& goal() const { return goal_; }  // in the plan's frame; any heading will do that is not a number
+  const Pose2& goal() const { return goal_.pose; }  // in the plan's frame; any heading will do that is not a number
 
   /// One control cycle.
-  Result step(const Observation& observation, const Sampling& sampling = {});
-  /// Whether the goal is reached, where nothing is missing and the operator has not taken control.
-  bool goal_reached(const Observation& observation);
+  Result step(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling = {});
+  /// Whether the goal is reached: never where something is missing, or where the operator has taken control (`manual`).
+  bool goal_reached(const Observation& observation, bool manual);
+  /// A goal began since the last step(), or the robot was carried away from one that it had reached. The operator's
+  /// state machine must hear of it (new_goal()) before it says its intent.
+  bool goal_begins() const { return goal_.begins; }
   /// The goal is over, and the host sends zero now: whatever plan comes next has a new goal.
   void finish_goal(const Timing& timing);
 
   /// What the loop and its planner remember from cycle to cycle. Call load() after restore_plan() with the plan of
-  /// that cycle. It does not change the operator. It returns false for bytes that save() did not write; load the loop
-  /// again then.
+  /// that cycle. It returns false for bytes that save() did not write; load the loop again then.
   void save(Bytes& state) const;
   bool load(const Bytes& state);
 
@@ -121,9 +134,16 @@ class ControlLoop {
   bool stands() const { return stands_; }
 
  private:
+  // The plan's last pose, in the plan's frame.
+  struct Goal {
+    Pose2 first;          // when it was new
+    Pose2 pose;           // now
+    bool known = false;   // and not over
+    bool begins = false;  // since the last cycle
+  };
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.goal_checker_, self.fault_brake_, self.plan_, self.plan_choice_, self.first_goal_, self.goal_,
+    io(self.goal_checker_, self.fault_brake_, self.plan_, self.plan_choice_, self.goal_.first, self.goal_.pose,
        self.last_command_, self.resumed_, self.steered_);
   }
   void begin_goal();
@@ -140,9 +160,8 @@ class ControlLoop {
   void take_what_was_sent(const Timing& timing);
   void take_situation(const Observation& observation);
   void take_plan_window(const Observation& observation);
-  void remember(const Observation& observation, const Result& result);
+  void remember(const Observation& observation, Result& result);
 
-  Operator& person_;
   Planner planner_;
   GoalChecker goal_checker_;
   FaultBrake fault_brake_;
@@ -150,9 +169,7 @@ class ControlLoop {
   PlanWindow plan_;         // the one that is followed, in its own frame
   PlanChoice plan_choice_;  // a plan that waits, in the same frame
   std::string frame_;       // the plan's
-  Pose2 first_goal_;        // where the goal was when it was new, in the plan's frame
-  Pose2 goal_;              // where it is now
-  bool has_goal_ = false;
+  Goal goal_;
   Situation situation_;  // kept for its memory
   Twist2 last_command_;  // [m/s, rad/s]
   bool stands_ = false;

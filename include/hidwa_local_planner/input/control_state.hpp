@@ -25,8 +25,8 @@ struct CycleFeedback {
   bool operator_command_rejected = false;  // u_h itself
   bool stands = false;                     // the command asked for rest, and the robot is at rest
   bool goal_latched = false;
-  Twist2 command;   // what was sent [m/s, rad/s]
-  Twist2 velocity;  // measured [m/s, rad/s]
+  bool new_goal = false;  // one began in this cycle, before all this
+  Twist2 command;         // what was sent [m/s, rad/s]
 };
 
 /// What a cycle starts from.

@@ -59,7 +59,7 @@ class GestureSource : public SourceOf<HandMessage, HandState> {
   bool engaged() const { return state_.clutch && state_.has_origin; }
 
  protected:
-  SourceReading take(const HandMessage& message, double now) override;
+  SourceReading taken(const HandMessage& message, double now) override;
 
  private:
   /// The clutch is held, but was not let go since the start or a loss.

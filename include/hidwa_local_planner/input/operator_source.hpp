@@ -23,6 +23,13 @@ struct Buttons {
   bool clutch = false;  // lets a source count that needs it
 };
 
+/// What a message says at first, before its lateness is known.
+struct ParsedMessage {
+  std::string fault;                // why it cannot be used, with the remedy; empty where it can
+  std::optional<StopReading> stop;  // counts even in a faulty or late message; none: the device has no stop
+  bool idle = false;                // without a fault: it asks for nothing, as from a device that nobody touches
+};
+
 /// What a message says that was taken.
 struct SourceReading {
   std::string fault;                       // what steered is gone, in words: the input is lost at once; else empty
@@ -62,14 +69,11 @@ class OperatorSource {
 
   /// Whether the message is of this source's kind. The functions that take a message are called with no other.
   virtual bool takes(const OperatorMessage& message) const = 0;
-  /// Why the message cannot be used, with the remedy; empty where it can. It is judged before its lateness.
-  virtual std::string check(const OperatorMessage& message) const = 0;
-  /// What the message says about stopping. It counts even in a faulty or late message. None: the device has no stop.
-  virtual std::optional<StopReading> read_stop(const OperatorMessage&) const { return std::nullopt; }
-  /// Whether a message that check() passed asks for nothing: a device that nobody touches.
-  virtual bool idle(const OperatorMessage&) const { return false; }
-  /// Takes a message that check() passed and that is not late. `now`: when it arrived, never decreasing [s].
-  virtual SourceReading read(const OperatorMessage& message, double now) = 0;
+  /// Parses the message; once for each.
+  virtual ParsedMessage parse(const OperatorMessage& message) = 0;
+  /// Takes the message that was parsed last, without a fault, and is not late. `now`: when it arrived, never decreasing
+  /// [s].
+  virtual SourceReading take(const OperatorMessage& message, double now) = 0;
   /// The buttons of a message of another source arrived at `now` [s]. The command, where they change it.
   virtual std::optional<OperatorCommand> take_buttons(const Buttons&, double) { return std::nullopt; }
 
@@ -100,20 +104,16 @@ class SourceOf : public OperatorSource {
     steers_ = steers;
   }
   bool takes(const OperatorMessage& message) const final { return dynamic_cast<const Message*>(&message) != nullptr; }
-  std::string check(const OperatorMessage& message) const final { return fault_of(typed(message)); }
-  std::optional<StopReading> read_stop(const OperatorMessage& message) const final { return stop_of(typed(message)); }
-  bool idle(const OperatorMessage& message) const final { return is_idle(typed(message)); }
-  SourceReading read(const OperatorMessage& message, double now) final { return take(typed(message), now); }
+  ParsedMessage parse(const OperatorMessage& message) final { return parsed(typed(message)); }
+  SourceReading take(const OperatorMessage& message, double now) final { return taken(typed(message), now); }
   void reset() final { state_ = State(); }
   void save(ArchiveWriter& state) const final { state(state_); }
   void load(ArchiveReader& state) final { state(state_); }
 
  protected:
-  /// See check(), read_stop(), idle() and read().
-  virtual std::string fault_of(const Message&) const { return {}; }
-  virtual std::optional<StopReading> stop_of(const Message&) const { return std::nullopt; }
-  virtual bool is_idle(const Message&) const { return false; }
-  virtual SourceReading take(const Message& message, double now) = 0;
+  /// See parse() and take().
+  virtual ParsedMessage parsed(const Message&) { return {}; }
+  virtual SourceReading taken(const Message& message, double now) = 0;
 
   const Parameters& parameters() const { return parameters_; }
   bool steers() const { return steers_; }

@@ -2,7 +2,7 @@
 // From an operator's messages to the intent of a cycle.
 //
 // The way of a message, receive():
-// 1. the source that takes its kind checks it (OperatorSource);
+// 1. the source that takes its kind parses it (OperatorSource);
 // 2. its stream finds another device and what the link held back (MessageStream);
 // 3. its stop counts in any case (StopRequest); then faulty and late messages are dropped;
 // 4. its buttons hand control over (ControlHandover) or clutch the source that steers;
@@ -97,8 +97,7 @@ class OperatorStateMachine {
     io(self.stop_, self.handover_, self.channel_, self.control_, self.pauses_, self.now_, self.received_);
   }
   void note_arrival(double received);
-  void count_stop(const OperatorSource& source, const OperatorMessage& message, bool in_order);
-  std::string admit(SourceList::Connection& connection, const OperatorMessage& message, bool& beside);
+  std::string admit(SourceList::Connection& connection, const OperatorMessage& message, bool idle, bool& beside);
   std::string take(SourceList::Connection& connection, const OperatorMessage& message);
   void take_buttons(const Buttons& buttons, bool catching_up);
   void accept(const OperatorCommand& command);

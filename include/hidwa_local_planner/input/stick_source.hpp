@@ -23,13 +23,11 @@ class StickSource : public SourceOf<StickMessage, StickState> {
   std::string advice() const override;
 
  protected:
-  std::string fault_of(const StickMessage& message) const override;
-  std::optional<StopReading> stop_of(const StickMessage& message) const override;
-  bool is_idle(const StickMessage& message) const override;
-  SourceReading take(const StickMessage& message, double now) override;
+  ParsedMessage parsed(const StickMessage& message) override;
+  SourceReading taken(const StickMessage& message, double now) override;
 
  private:
-  StickUse use_of(const StickMessage& message) const;
+  StickReading reading_;  // of the message parsed last
 };
 
 }  // namespace hidwa_local_planner::input

@@ -36,9 +36,8 @@ class TwistSource : public SourceOf<TwistMessage, TwistReading> {
   OperatorCommand command() const override;
 
  protected:
-  std::string fault_of(const TwistMessage& message) const override;
-  bool is_idle(const TwistMessage& message) const override;
-  SourceReading take(const TwistMessage& message, double now) override;
+  ParsedMessage parsed(const TwistMessage& message) override;
+  SourceReading taken(const TwistMessage& message, double now) override;
 };
 
 }  // namespace hidwa_local_planner::input

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/control/control_loop.hpp"
-#include "hidwa_local_planner/control/operator.hpp"
+#include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "hidwa_local_planner/record/cycle_record.hpp"
 
 namespace hidwa_local_planner {
@@ -66,7 +66,7 @@ class CycleReplay {
 
   SourcesOf sources_of_;
   std::vector<ParameterChange> changes_;
-  control::LoneOperator operator_;
+  input::OperatorStateMachine machine_;
   control::ControlLoop loop_;
   std::vector<Pose2> plan_;  // that was followed before the cycle, in its own frame
   GridChain grids_;

@@ -10,8 +10,8 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
+#include <tf2_ros/buffer.h>
 
-#include "hidwa_local_planner/control/operator.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/input/operator_state_machine.hpp"
 #include "hidwa_local_planner/ros/callback_thread.hpp"
@@ -22,27 +22,28 @@ namespace hidwa_local_planner {
 /// The operator: the topics of the input devices with their own queue and thread, and the state machine
 /// behind them. Thread-safe; the control thread waits at most for one message to be taken, and for a few milliseconds
 /// after a pause of the whole process, so that what arrived meanwhile is taken first.
-class OperatorInput : public control::Operator {
+class OperatorInput {
  public:
-  OperatorInput();
-  ~OperatorInput() override;
+  /// `tf` must outlive it.
+  explicit OperatorInput(const tf2_ros::Buffer& tf);
+  ~OperatorInput();
   /// Resubscribes where a topic changed, at any time. `handle` decides the namespace.
   void listen(const ros::NodeHandle& handle, const Parameters& parameters);
   /// What messages mean and what follows from them, from the next cycle on.
-  void configure(const Parameters& parameters) override;
+  void configure(const Parameters& parameters);
   /// The same handle, its callbacks served by the thread that takes the operator's messages.
   ros::NodeHandle serve(const ros::NodeHandle& handle) { return thread_.serve(handle); }
-  /// The hand as tf has it; the same transform again is no message.
-  void receive(const geometry_msgs::TransformStamped& hand, const LoopTime& received);
+  /// Takes the hand as tf has it, in mode gesture where it is a frame; the same transform again is no message. A
+  /// transform that cannot be looked up counts as silence of the device.
+  void look_for_hand(const Parameters& parameters, const LoopTime& now);
 
-  /// From now on each update() writes there what the machine was before it (OperatorStateMachine::save()); null:
-  /// nowhere.
-  void save_to(Bytes* before) { before_ = before; }
-  /// What the operator asks for now.
-  OperatorIntent update(double now) override;
-  void debrief(double now, const input::CycleFeedback& feedback) override;
-  void new_goal() override;
-  bool manual() const override;
+  /// What the operator asks for now. `before`, where it is not null, takes what the machine remembered until then
+  /// (OperatorStateMachine::save()).
+  OperatorIntent update(double now, Bytes* before);
+  /// As those of OperatorStateMachine.
+  void debrief(double now, const input::CycleFeedback& feedback);
+  void new_goal();
+  bool manual() const;
   /// In words: see OperatorStateMachine.
   void take_control(bool manual);
   void stop(bool stop);
@@ -73,11 +74,12 @@ class OperatorInput : public control::Operator {
   void start_heartbeat(const ros::NodeHandle& handle);
   std::string take(const std::string& source, const input::OperatorMessage& message);
   void catch_up(double now);
+  void receive(const geometry_msgs::TransformStamped& hand, const LoopTime& received);
 
+  const tf2_ros::Buffer& tf_;
   mutable std::mutex mutex_;
   input::OperatorStateMachine machine_;
   OperatorMode mode_ = OperatorMode::off;
-  Bytes* before_ = nullptr;
   Device device_;
   std::string steering_;                 // the source that steers, by the parameters last listened by
   ros::Time hand_stamp_;                 // of the newest transform

@@ -8,10 +8,8 @@
 #include <ros/node_handle.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
-#include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/core/critic_registry.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/ros/stored_parameters.hpp"
 
 namespace hidwa_local_planner {
@@ -34,17 +32,13 @@ ParameterSet with_foreign_content(const std::string& text);
 /// All that the parameter server holds below the handle's namespace.
 XmlRpc::XmlRpcValue read_namespace(const ros::NodeHandle& handle);
 
-/// Configures a planner, or a control loop, with this set. Returns every fault; with any, nothing changes. A critic
-/// that throws is one.
-std::vector<std::string> configure(Planner& planner, const ParameterSet& set);
-std::vector<std::string> configure(control::ControlLoop& loop, const ParameterSet& set);
-
-/// What would happen if a planner were configured with a set.
+/// How a set is judged.
 struct Trial {
   std::vector<std::string> faults;    // any of them makes the set invalid
   std::vector<std::string> warnings;  // keys that a critic of another package does not know, with the likely right one
 };
-/// Critics of other packages are loaded on the way.
+/// Judges a set by its values, its topics, and the critics that it names: each is made and configured, and those of
+/// other packages are loaded.
 Trial try_out(const ParameterSet& set, const CriticRegistry& registry);
 
 }  // namespace hidwa_local_planner

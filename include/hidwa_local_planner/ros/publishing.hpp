@@ -32,8 +32,9 @@ class Publishing {
   bool prediction_wanted() const { return predicted_path_.getNumSubscribers() > 0; }
   /// Somebody subscribed to the cycles since the last call.
   bool new_cycle_subscriber();
+  /// `record`: of the cycle; null where none was made. `duration` [s].
   void publish_cycle(const ros::Time& stamp, const CycleResult& result, OperatorStateId state, double duration,
-                     const Bytes& record);
+                     const Bytes* record);
   void publish_paths(const ros::Time& stamp, const std::vector<Pose2>& window, const std::vector<Pose2>& trajectory);
   /// Each pose's stamp is when the robot is predicted to be there.
   void publish_prediction(const ros::Time& stamp, const std::vector<control::TimedPose>& poses);

@@ -15,7 +15,7 @@ namespace {
 // An empty map of 4 m around a robot that follows a straight plan.
 class PredictionInput : public testing::Test {
  protected:
-  PredictionInput() : loop_(critics::built_in(), person_) {
+  PredictionInput() : loop_(critics::built_in()) {
     Parameters parameters;
     parameters.vx_samples = parameters.vth_samples = 5;
     EXPECT_TRUE(loop_.configure(parameters).empty());
@@ -27,13 +27,12 @@ class PredictionInput : public testing::Test {
   }
   const Prediction& predicted() {
     loop_.set_plan(plan_, "map", 1.0, 0.05);
-    prediction_.update(loop_, seen_, loop_.step(seen_));
+    prediction_.update(loop_, seen_, loop_.step(seen_, {}));
     for (const TimedPose& said : prediction_.poses()) EXPECT_TRUE(is_finite(said.pose)) << said.time;
     return prediction_;
   }
   std::vector<std::uint8_t> costs_ = std::vector<std::uint8_t>(1600, cost::kFree);
   std::vector<Pose2> plan_;
-  LoneOperator person_;
   ControlLoop loop_;
   Observation seen_;
   Prediction prediction_;

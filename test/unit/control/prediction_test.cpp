@@ -19,7 +19,7 @@ namespace {
 // A map of 8 m around a robot at its origin that is 0.4 m wide, and a decision as the test wants it.
 class Predictions : public testing::Test {
  protected:
-  Predictions() : loop_(critics::built_in(), person_) {
+  Predictions() : loop_(critics::built_in()) {
     parameters_.vx_samples = parameters_.vth_samples = 3;
     configure();
     loop_.set_footprint({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
@@ -39,7 +39,7 @@ class Predictions : public testing::Test {
   template <typename Change>
   const Prediction& predicted(Change change) {
     loop_.set_plan(plan_, "map", seen_.timing.now, 0.05);
-    result_ = loop_.step(seen_);
+    result_ = loop_.step(seen_, {});
     decision_ = *result_.decision;
     decision_.recovering = decision_.waiting = false;
     result_.decision = &decision_;
@@ -58,7 +58,6 @@ class Predictions : public testing::Test {
   std::vector<std::uint8_t> costs_ = std::vector<std::uint8_t>(6400, cost::kFree);
   Parameters parameters_;
   std::vector<Pose2> plan_;
-  LoneOperator person_;
   ControlLoop loop_;
   Observation seen_;
   Result result_;
@@ -211,7 +210,7 @@ TEST_F(Predictions, AReasonIsGivenWhereItDoesNotJustFollowThePlan) {
   EXPECT_EQ(prediction_.reason(), "it waits for what moves to go");
   seen_.fault = "no transform";
   seen_.velocity.reset();
-  prediction_.update(loop_, seen_, loop_.step(seen_));
+  prediction_.update(loop_, seen_, loop_.step(seen_, {}));
   EXPECT_TRUE(prediction_.poses().empty());
   EXPECT_EQ(prediction_.reason(), "no transform");
   EXPECT_EQ(prediction_.next(), NextMove::stop);

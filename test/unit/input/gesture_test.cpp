@@ -54,10 +54,10 @@ OperatorCommand command_of_hand(const Parameters& p, const Eigen::Vector3d& move
   held.clutch = true;
   source.take_buttons(Buttons(), 1.0);
   source.take_buttons(held, 1.0);
-  EXPECT_EQ(source.read(hand_at(1.0, 4.0, -5.0, 6.0), 1.0).fault, "");  // the origin may be anywhere
+  EXPECT_EQ(source.take(hand_at(1.0, 4.0, -5.0, 6.0), 1.0).fault, "");  // the origin may be anywhere
   HandMessage message = hand_at(1.05, 4.0, -5.0, 6.0);
   message.position += moved;
-  EXPECT_EQ(source.read(message, 1.05).fault, "");
+  EXPECT_EQ(source.take(message, 1.05).fault, "");
   EXPECT_TRUE(source.engaged());
   return source.command();
 }
@@ -70,7 +70,7 @@ TEST(Gesture, AHandThatIsLostIsNoLongerEngaged) {
   held.clutch = true;
   source.take_buttons(Buttons(), 1.0);
   source.take_buttons(held, 1.0);
-  source.read(hand_at(1.0, 0.0, 0.1, 0.0), 1.0);
+  source.take(hand_at(1.0, 0.0, 0.1, 0.0), 1.0);
   ASSERT_TRUE(source.engaged());
   source.lose();
   EXPECT_FALSE(source.engaged());

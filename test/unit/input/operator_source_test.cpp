@@ -50,13 +50,11 @@ class Wheel : public SourceOf<WheelMessage, WheelState> {
   double pauses = 0.0;  // [s]
 
  protected:
-  std::string fault_of(const WheelMessage& message) const override {
-    return std::abs(message.turn) <= 1.0 ? "" : "turn is outside [-1, 1]";
+  ParsedMessage parsed(const WheelMessage& message) override {
+    return {std::abs(message.turn) <= 1.0 ? "" : "turn is outside [-1, 1]",
+            StopReading{message.stop, std::nullopt, message.shape()}, false};
   }
-  std::optional<StopReading> stop_of(const WheelMessage& message) const override {
-    return StopReading{message.stop, std::nullopt, message.shape()};
-  }
-  SourceReading take(const WheelMessage& message, double) override {
+  SourceReading taken(const WheelMessage& message, double) override {
     state_.turn = message.turn;
     state_.one_handed = message.one_handed;
     SourceReading reading;

@@ -63,8 +63,8 @@ TEST(CycleReplay, ACycleIsRepeatedAloneAndAgain) {
 
 // Without the recorded states some cycles come out differently: the records need them.
 TEST(CycleReplay, TheRecordedStatesDecide) {
-  control::LoneOperator fresh_operator;
-  control::ControlLoop fresh_loop(critics::built_in(), fresh_operator);
+  const input::OperatorStateMachine fresh_machine;
+  const control::ControlLoop fresh_loop(critics::built_in());
   int loop_matters = 0, operator_matters = 0;
   const auto differs = [](CycleReplay& replay, const CycleRecord& record) {
     Bytes bytes;
@@ -84,7 +84,7 @@ TEST(CycleReplay, TheRecordedStatesDecide) {
       forgetful = record;
       forgetful.operator_state.clear();
       ArchiveWriter write(forgetful.operator_state);
-      fresh_operator.machine().save(write);
+      fresh_machine.save(write);
       operator_matters += differs(without_operator, forgetful);
     }
   }
@@ -231,9 +231,10 @@ TEST(CycleReplay, ACriticOfAnotherPackageRemembersAndFindsItsParameters) {
   test::Scene scene = test::Scene::empty(81);
   scene.parameters.critics = "PathDist, Moody";
   scene.parameters.mode = OperatorMode::off;
-  control::LoneOperator nobody;
-  control::ControlLoop loop(with_moody(), nobody);
+  input::OperatorStateMachine nobody;
+  control::ControlLoop loop(with_moody());
   ASSERT_TRUE(loop.configure(scene.parameters, scaled(500.0)).empty());
+  nobody.configure(scene.parameters);
   loop.set_footprint(scene.outline);
   loop.set_plan({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}}, "map", 0.0, 0.05);
   CycleRecorder recorder;
@@ -247,9 +248,9 @@ TEST(CycleReplay, ACriticOfAnotherPackageRemembersAndFindsItsParameters) {
     seen.timing.now = 0.05 * k;
     recorder.operator_state().clear();
     ArchiveWriter write(recorder.operator_state());
-    nobody.machine().save(write);
+    nobody.save(write);
     recorder.begin(loop, seen, {});
-    const control::Result result = loop.step(seen);
+    const control::Result result = loop.step(seen, nobody.update(seen.timing.now));
     ASSERT_NE(result.decision, nullptr);
     speeds.insert(result.decision->sample.v);
     ASSERT_EQ(replay.take(recorder.finish(result, loop.planner())), Reading::ready) << replay.fault();

@@ -10,12 +10,12 @@
 #include <geometry_msgs/Twist.h>
 #include <tf2_ros/buffer.h>
 
-#include "hidwa_local_planner/ros/cancel_request.hpp"
 #include "hidwa_local_planner/ros/cycle_result.hpp"
+#include "hidwa_local_planner/ros/host/cancel_request.hpp"
 
 namespace hidwa_local_planner {
 
-class Shell;
+class PlannerNode;
 
 /// What a controller's cycle came to, in the kinds that Move Base Flex knows (mbf_msgs/ExePath).
 enum class ControllerOutcome {
@@ -58,7 +58,7 @@ class Controller {
  private:
   ControllerOutcome cycle(geometry_msgs::Twist& command, std::string& message);
 
-  std::unique_ptr<Shell> shell_;
+  std::unique_ptr<PlannerNode> planner_;
   CancelRequest cancel_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/yielding_recovery.hpp"
+#include "hidwa_local_planner/ros/host/yielding_recovery.hpp"
 
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
@@ -7,9 +7,10 @@
 
 #include "core/util/words.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
-#include "hidwa_local_planner/ros/costmap_clearing.hpp"
 #include "hidwa_local_planner/ros/guarded.hpp"
-#include "hidwa_local_planner/ros/robot_keepers.hpp"
+#include "hidwa_local_planner/ros/host/costmap_clearing.hpp"
+#include "hidwa_local_planner/ros/host/robot_keepers.hpp"
+#include "hidwa_local_planner/ros/loop_time.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -7,12 +7,12 @@
 
 #include <nav_core/base_local_planner.h>
 
-#include "hidwa_local_planner/ros/host_goal.hpp"
-#include "hidwa_local_planner/ros/robot_keepers.hpp"
+#include "hidwa_local_planner/ros/host/host_goal.hpp"
+#include "hidwa_local_planner/ros/host/robot_keepers.hpp"
 
 namespace hidwa_local_planner {
 
-class Shell;
+class PlannerNode;
 
 /// The local planner as move_base loads it. It throws nothing: an error is logged and the call fails, so that the host
 /// stops the robot.
@@ -37,7 +37,7 @@ class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
   bool cycle(geometry_msgs::Twist& command);
   Kept keep();
 
-  std::unique_ptr<Shell> shell_;
+  std::unique_ptr<PlannerNode> planner_;
   std::unique_ptr<HostGoal> host_goal_;
   geometry_msgs::PoseStamped end_;              // of the plan
   int cycles_over_ = 0;                         // in which the plan led to an earlier goal, up to now

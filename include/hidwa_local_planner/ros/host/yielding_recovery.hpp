@@ -9,7 +9,7 @@
 #include <ros/publisher.h>
 
 #include "hidwa_local_planner/input/yielding.hpp"
-#include "hidwa_local_planner/ros/host_requests.hpp"
+#include "hidwa_local_planner/ros/host/host_requests.hpp"
 
 namespace hidwa_local_planner {
 

@@ -8,7 +8,7 @@
 #include <ros/subscriber.h>
 
 #include "hidwa_local_planner/ros/callback_thread.hpp"
-#include "hidwa_local_planner/ros/goal_succession.hpp"
+#include "hidwa_local_planner/ros/host/goal_succession.hpp"
 
 namespace hidwa_local_planner {
 

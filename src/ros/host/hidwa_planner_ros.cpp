@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/hidwa_planner_ros.hpp"
+#include "hidwa_local_planner/ros/host/hidwa_planner_ros.hpp"
 
 #include <pluginlib/class_list_macros.hpp>
 
 #include "hidwa_local_planner/input/yielding.hpp"
+#include "hidwa_local_planner/ros/conversions.hpp"
 #include "hidwa_local_planner/ros/guarded.hpp"
-#include "hidwa_local_planner/ros/shell.hpp"
+#include "hidwa_local_planner/ros/planner_node.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -22,8 +23,8 @@ HIDWAPlannerROS::~HIDWAPlannerROS() = default;
 
 void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros) {
   succeeds("initialize", [&] {
-    start_shell(shell_, name, tf, costmap_ros);
-    if (!shell_ || entry_) return true;
+    start_planner(planner_, name, tf, costmap_ros);
+    if (!planner_ || entry_) return true;
     host_goal_ = std::make_unique<HostGoal>();
     entry_ = std::make_unique<RobotKeepers::Entry>(RobotKeepers::of_process(), [this] { return keep(); });
     return true;
@@ -33,15 +34,15 @@ void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf, costmap_
 bool HIDWAPlannerROS::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   return succeeds("setPlan", [&] {
     if (!plan.empty()) end_ = plan.back();
-    if (shell_) shell_->set_plan(plan);
-    return shell_ != nullptr;
+    if (planner_) planner_->set_plan(plan);
+    return planner_ != nullptr;
   });
 }
 
 bool HIDWAPlannerROS::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
   cmd_vel = geometry_msgs::Twist();
   return succeeds("computeVelocityCommands", [&] {
-    if (!shell_) {
+    if (!planner_) {
       ROS_ERROR_THROTTLE(1.0, "HIDWAPlannerROS was not initialized: the robot does not drive");
       return false;
     }
@@ -56,7 +57,7 @@ bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
   constexpr int kLate = 2;  // cycles in which a goal is still on its way
   cycles_over_ = plan_is_over() && !host_goal_->leads_on(end_) ? cycles_over_ + 1 : 0;
   const bool over = cycles_over_ > kLate;
-  const CycleResult result = shell_->cycle(over);
+  const CycleResult result = planner_->cycle(over);
   command = to_message(result.command);
   if (!over) return result.outcome != Outcome::fail;
   ROS_WARN_THROTTLE(1.0,
@@ -68,13 +69,13 @@ bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
 bool HIDWAPlannerROS::plan_is_over() const { return host_goal_ && host_goal_->is_over(end_); }
 
 Kept HIDWAPlannerROS::keep() {
-  const CycleResult result = shell_->cycle(true);
-  const OperatorInput::Status status = shell_->operator_status();
-  return {result.command, shell_->stands(), input::attends(status.state, status.manual), shell_->period()};
+  const CycleResult result = planner_->cycle(true);
+  const OperatorInput::Status status = planner_->operator_status();
+  return {result.command, planner_->stands(), input::attends(status.state, status.manual), planner_->period()};
 }
 
 bool HIDWAPlannerROS::isGoalReached() {
-  return succeeds("isGoalReached", [&] { return shell_ && !plan_is_over() && shell_->goal_reached(); });
+  return succeeds("isGoalReached", [&] { return planner_ && !plan_is_over() && planner_->goal_reached(); });
 }
 
 }  // namespace hidwa_local_planner

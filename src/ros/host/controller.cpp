@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/controller.hpp"
+#include "hidwa_local_planner/ros/host/controller.hpp"
 
 #include <ros/time.h>
 
+#include "hidwa_local_planner/ros/conversions.hpp"
 #include "hidwa_local_planner/ros/guarded.hpp"
-#include "hidwa_local_planner/ros/shell.hpp"
+#include "hidwa_local_planner/ros/planner_node.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -58,7 +59,7 @@ Controller::~Controller() = default;
 
 void Controller::initialize(const std::string& name, const tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap) {
   guarded(kName, "initialize", false, [&] {
-    start_shell(shell_, name, tf, costmap);
+    start_planner(planner_, name, tf, costmap);
     return true;
   });
 }
@@ -66,8 +67,8 @@ void Controller::initialize(const std::string& name, const tf2_ros::Buffer* tf, 
 bool Controller::set_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   return guarded(kName, "setPlan", false, [&] {
     cancel_.plan_arrives(clock_time());
-    if (shell_) shell_->set_plan(plan);
-    return shell_ != nullptr;
+    if (planner_) planner_->set_plan(plan);
+    return planner_ != nullptr;
   });
 }
 
@@ -82,13 +83,13 @@ ControllerOutcome Controller::compute(geometry_msgs::Twist& command, std::string
 
 ControllerOutcome Controller::cycle(geometry_msgs::Twist& command, std::string& message) {
   const bool cancelled = cancel_.pending(clock_time());
-  if (!shell_) {
+  if (!planner_) {
     message = "the controller was not initialized: the robot does not drive";
     return ControllerOutcome::not_initialized;
   }
   // The host does not send the command of `canceled`: zero was sent in the cycle before.
-  const bool stood = shell_->stands();
-  const CycleResult result = shell_->cycle(cancelled);
+  const bool stood = planner_->stands();
+  const CycleResult result = planner_->cycle(cancelled);
   command = to_message(result.command);
   message = in_words(result);
   if (!cancelled) return outcome_of(result);
@@ -103,9 +104,9 @@ ControllerOutcome Controller::cycle(geometry_msgs::Twist& command, std::string& 
 
 bool Controller::goal_reached(double xy, double yaw) {
   return guarded(kName, "isGoalReached", false, [&] {
-    if (!shell_) return false;
-    shell_->set_goal_tolerances(xy, yaw);
-    const bool reached = shell_->goal_reached(false);
+    if (!planner_) return false;
+    planner_->set_goal_tolerances(xy, yaw);
+    const bool reached = planner_->goal_reached(false);
     if (reached) cancel_.met();
     return reached;
   });

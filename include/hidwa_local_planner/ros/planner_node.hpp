@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <costmap_2d/costmap_2d_ros.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <tf2_ros/buffer.h>
+
+#include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/control/sample_budget.hpp"
+#include "hidwa_local_planner/record/cycle_recorder.hpp"
+#include "hidwa_local_planner/ros/callback_thread.hpp"
+#include "hidwa_local_planner/ros/host/host_calls.hpp"
+#include "hidwa_local_planner/ros/inputs.hpp"
+#include "hidwa_local_planner/ros/operator_commands.hpp"
+#include "hidwa_local_planner/ros/operator_input.hpp"
+#include "hidwa_local_planner/ros/outputs.hpp"
+#include "hidwa_local_planner/ros/parameter_updates.hpp"
+
+namespace hidwa_local_planner {
+
+/// The planner in a ROS node: among messages, clocks and parameters. A cycle observes the robot, runs the control loop
+/// once, and tells of the decision. The public functions come from the host's control thread; parameters, odometry and
+/// the operator's messages come from threads of their own.
+class PlannerNode {
+ public:
+  /// `name`: the planner's namespace below the node's. `tf` and `costmap` must outlive it.
+  PlannerNode(const std::string& name, const tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS& costmap);
+  ~PlannerNode();
+
+  void set_plan(const std::vector<geometry_msgs::PoseStamped>& plan);
+  /// One control cycle. Outcome::fail: nothing to send, the host is to stop, replan or recover. The decision
+  /// stays valid until the next cycle. With `stop` the robot brakes to rest and stays, whatever the operator command
+  /// is.
+  CycleResult cycle(bool stop = false);
+  /// True when the goal is reached; `host_stops`: see HostCalls.
+  bool goal_reached(bool host_stops = true);
+  /// See HostCalls.
+  void set_goal_tolerances(double xy, double yaw);
+  /// The last command asked for rest, and the robot is at rest.
+  bool stands() const { return loop_.stands(); }
+  OperatorInput::Status operator_status() const;
+  double period() const { return host_.period(loop_.parameters()); }  // nominal, of a control cycle [s]
+
+ private:
+  void start_parameters();
+  std::string listen(const Parameters& parameters);
+  std::vector<std::string> configure(const ParameterSet& set);
+  void report_start(std::size_t found) const;
+
+  control::Timing begin_cycle(double now);
+  CycleResult decide(const LoopTime& now, const control::Timing& timing, bool stop, bool recorded);
+  RobotObservation observe(const LoopTime& now, const control::Timing& timing);
+  std::string update_footprint();
+  void check_horizon();
+  void keep_budget(double duration, double period, const CycleResult& result);
+  Diagnostics::Load load() const;
+
+  const std::string name_;
+  costmap_2d::Costmap2DROS& costmap_;
+  CallbackThread thread_;  // of parameters and diagnostics; outlives what it serves
+  HostCalls host_;
+  Inputs inputs_;
+  OperatorInput operator_;
+  Outputs outputs_;
+  ParameterUpdates parameters_;
+  control::ControlLoop loop_;
+  record::CycleRecorder recorder_;
+  SampleBudget budget_;
+  std::string plan_fault_ = "no plan was given yet";  // empty when there is a plan to follow
+  std::vector<std::string> horizon_said_;
+  std::unique_ptr<OperatorCommands> commands_;
+};
+
+/// Every plugin calls this when its host initializes it. Makes the planner, once; logs what is missing.
+void start_planner(std::unique_ptr<PlannerNode>& planner, const std::string& name, const tf2_ros::Buffer* tf,
+                   costmap_2d::Costmap2DROS* costmap);
+
+}  // namespace hidwa_local_planner
