@@ -8,7 +8,7 @@
 #include <ros/names.h>
 #include <ros/param.h>
 
-#include "core/planner/critic_set.hpp"
+#include "core/evaluation/critic_set.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/critic_loading.hpp"
