@@ -85,10 +85,10 @@ TEST(ControlLoop, OnlyAChangedLastPoseIsANewGoal) {
   Bench bench;
   const auto begins = [&bench](std::vector<Pose2> plan, const std::string& frame = "map") {
     bench.plan(std::move(plan), frame);
-    const bool begins = bench.loop().goal_begins();
+    const bool is_new = bench.loop().goal_begins();
     bench.loop().step(bench.seen(), {});
     EXPECT_FALSE(bench.loop().goal_begins());
-    return begins;
+    return is_new;
   };
   EXPECT_TRUE(begins(straight(3.0)));
   EXPECT_FALSE(begins(straight(3.0)));
