@@ -31,7 +31,7 @@ bool same_poses(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
                     [](const Pose2& p, const Pose2& q) { return p.x == q.x && p.y == q.y; });
 }
 
-// So much of the plan that it never caps the speed, where that is wanted [m].
+// The window of the plan is so long that it never limits the speed, where that is wanted [m].
 double length_ahead(const Parameters& p) {
   const double least = p.forward_prune_auto ? 1.2 * p.max_vel_x * p.sim_time : 0.0;
   return std::max(p.forward_prune_distance, least);
@@ -196,10 +196,10 @@ void ControlLoop::brake(const Observation& observation, const OperatorIntent& in
   take_what_was_sent(timing);
   planner_.skip(situation_);
   const double period = late_brake_period(timing.interval, timing.period, timing.longest_period);
-  const FaultBrake::Answer answer =
-      fault_brake_.answer(timing.now, observation.velocity, last_command_, parameters(), period);
-  result.outcome = outcome_of(answer, intent);
-  result.command = answer.command;
+  const FaultBrake::Command braking =
+      fault_brake_.brake(timing.now, observation.velocity, last_command_, parameters(), period);
+  result.outcome = outcome_of(braking, intent);
+  result.command = braking.command;
 }
 
 void ControlLoop::decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling,
@@ -213,9 +213,9 @@ void ControlLoop::decide(const Observation& observation, const OperatorIntent& i
 }
 
 void ControlLoop::choose_plan(const Observation& observation) {
-  const PlanChoice::Scene scene{observation.pose, observation.from_plan,  observation.costmap,
-                                plan_.plan(),     observation.timing.now, autonomous_};
-  if (plan_choice_.prefers_offer(scene, parameters())) plan_.replace_plan(plan_choice_.take());
+  const PlanChoice::Context context{observation.pose, observation.from_plan,  observation.costmap,
+                                    plan_.plan(),     observation.timing.now, autonomous_};
+  if (plan_choice_.prefers_offer(context, parameters())) plan_.replace_plan(plan_choice_.take());
 }
 
 void ControlLoop::take_what_was_sent(const Timing& timing) {

@@ -6,7 +6,7 @@
 
 namespace hidwa_local_planner {
 
-FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& velocity, const Twist2& last_command,
+FaultBrake::Command FaultBrake::brake(double now, const std::optional<Twist2>& velocity, const Twist2& last_command,
                                       const Parameters& parameters, double period) {
   if (!since_ || now < *since_) since_ = now;
   const VelocityLimits limits = VelocityLimits::from(parameters);
@@ -20,8 +20,8 @@ FaultBrake::Answer FaultBrake::answer(double now, const std::optional<Twist2>& v
   return {true, limits.brake(last_command, period)};
 }
 
-Outcome outcome_of(const FaultBrake::Answer& answer, const OperatorIntent& intent) {
-  if (answer.success) return Outcome::brake;
+Outcome outcome_of(const FaultBrake::Command& braking, const OperatorIntent& intent) {
+  if (braking.success) return Outcome::brake;
   return intent.influence == Influence::stop ? Outcome::hold : Outcome::fail;
 }
 

@@ -13,7 +13,7 @@
 namespace hidwa_local_planner::control {
 namespace {
 
-// So far ahead plans are compared that may lead the same way [m].
+// Plans are compared over this distance ahead [m].
 constexpr double kSameWayFor = 6.0;
 
 // navfn's: a cell costs 50 and 0.8 of its cost.
@@ -95,11 +95,11 @@ std::vector<Pose2> PlanChoice::take() {
   return plan;
 }
 
-bool PlanChoice::prefers_offer(const Scene& scene, const Parameters& parameters) {
-  if (!scene.autonomous || gives_way_ || !(parameters.plan_hysteresis > 0.0)) return true;
-  const GridView& grid = scene.costmap;
-  lay_out(scene.followed, scene.from_plan, scene.robot, old_way_);
-  lay_out(offered_, scene.from_plan, scene.robot, new_way_);
+bool PlanChoice::prefers_offer(const Context& context, const Parameters& parameters) {
+  if (!context.autonomous || gives_way_ || !(parameters.plan_hysteresis > 0.0)) return true;
+  const GridView& grid = context.costmap;
+  lay_out(context.followed, context.from_plan, context.robot, old_way_);
+  lay_out(offered_, context.from_plan, context.robot, new_way_);
   const std::size_t old_points = points_on_map(old_way_, grid);
   const std::size_t new_points = points_on_map(new_way_, grid);
   outline_.assign(old_way_.begin(), old_way_.begin() + static_cast<std::ptrdiff_t>(old_points));
@@ -108,8 +108,8 @@ bool PlanChoice::prefers_offer(const Scene& scene, const Parameters& parameters)
                   new_way_.rend());
   const bool waits = encloses_obstacle(outline_, grid) && !leads_through_obstacle(old_way_, old_points, grid) &&
                      !(cost_of(new_way_, grid) < (1.0 - parameters.plan_hysteresis) * cost_of(old_way_, grid));
-  waits_.observe(scene.now, waits);
-  return !waits || waits_.for_at_least(parameters.plan_hysteresis_time, scene.now);
+  waits_.observe(context.now, waits);
+  return !waits || waits_.for_at_least(parameters.plan_hysteresis_time, context.now);
 }
 
 }  // namespace hidwa_local_planner::control

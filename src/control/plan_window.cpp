@@ -86,7 +86,7 @@ double PlanWindow::heading(std::size_t segment) const {
   return std::atan2(b.y - a.y, b.x - a.x);
 }
 
-PlanWindow::Place PlanWindow::project(std::size_t segment, const Pose2& robot) const {
+PlanWindow::Projection PlanWindow::project(std::size_t segment, const Pose2& robot) const {
   const Pose2 &a = plan_[segment], &b = plan_[segment + 1];
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
@@ -98,11 +98,11 @@ PlanWindow::Place PlanWindow::project(std::size_t segment, const Pose2& robot) c
   return {arc_[segment] + t * (arc_[segment + 1] - arc_[segment]), ex * ex + ey * ey, segment};
 }
 
-PlanWindow::Place PlanWindow::nearest(const Pose2& robot, double from, double to) const {
-  Place best{from, kNone, 0};
+PlanWindow::Projection PlanWindow::nearest(const Pose2& robot, double from, double to) const {
+  Projection best{from, kNone, 0};
   for (std::size_t i = 0; i + 1 < plan_.size() && arc_[i] <= to; ++i) {
     if (arc_[i + 1] < from) continue;
-    const Place place = project(i, robot);
+    const Projection place = project(i, robot);
     if (place.distance2 < best.distance2 - 1e-12) best = place;
   }
   best.arc = std::max(from, std::min(best.arc, to));
@@ -112,12 +112,12 @@ PlanWindow::Place PlanWindow::nearest(const Pose2& robot, double from, double to
 // The nearest place of each stretch that stays `within` [m] of the robot, from arc length `from` on. `visit` returns
 // true to end.
 template <typename Visit>
-void PlanWindow::visit_places(const Pose2& robot, double from, double within, Visit&& visit) const {
-  Place best;
+void PlanWindow::visit_projections(const Pose2& robot, double from, double within, Visit&& visit) const {
+  Projection best;
   bool near = false;
   for (std::size_t i = 0; i + 1 < plan_.size(); ++i) {
     if (arc_[i + 1] < from) continue;
-    Place place = project(i, robot);
+    Projection place = project(i, robot);
     place.arc = std::max(place.arc, from);
     if (place.distance2 > within * within) {
       if (near && visit(best)) return;
@@ -132,10 +132,10 @@ void PlanWindow::visit_places(const Pose2& robot, double from, double within, Vi
 
 // A host may hand over a plan that starts behind the robot.
 double PlanWindow::first_place(const Pose2& robot, const PlanOrder& order) const {
-  const Place any = nearest(robot, 0.0, length());
+  const Projection any = nearest(robot, 0.0, length());
   double chosen = any.arc;
   int places = 0;
-  visit_places(robot, 0.0, std::sqrt(any.distance2) + order.tolerance, [&](const Place& place) {
+  visit_projections(robot, 0.0, std::sqrt(any.distance2) + order.tolerance, [&](const Projection& place) {
     const auto off = [this](double arc) { return std::abs(length() - arc - left_before_); };
     if (++places == 1 || off(place.arc) < off(chosen)) chosen = place.arc;
     return left_before_ < 0.0;
@@ -163,7 +163,7 @@ void PlanWindow::advance(const Pose2& robot, const PlanOrder* order) {
 void PlanWindow::pass_by_steering(const Pose2& robot, double tolerance) {
   const double away = std::sqrt(nearest(robot, progress_, length()).distance2);
   if (away > kPasses) return;
-  visit_places(robot, progress_, std::min(away + tolerance, kPasses), [&](const Place& place) {
+  visit_projections(robot, progress_, std::min(away + tolerance, kPasses), [&](const Projection& place) {
     if (std::abs(wrap_angle(heading(place.segment) - robot.theta)) > kSameDirection) return false;
     progress_ = std::max(progress_, place.arc);
     return true;

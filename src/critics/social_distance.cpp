@@ -14,7 +14,7 @@ namespace hidwa_local_planner::critics {
 namespace {
 
 // Times at which the distance is measured are about so far apart [s].
-constexpr double kLooksApart = 0.25;
+constexpr double kTimesApart = 0.25;
 
 // Candidates of a tile whose speeds are about so far apart are measured [m/s]; the others lie between them.
 constexpr double kSpeedsApart = 0.1;
@@ -22,11 +22,11 @@ constexpr double kSpeedsApart = 0.1;
 // For rounding [m].
 constexpr double kSpare = 0.01;
 
-// Memory is kept for so many candidates of a tile, sides of a footprint, movers, and looks.
+// Memory is kept for this many candidates of a tile, sides of a footprint, movers, and times.
 constexpr std::size_t kUsualCandidates = 256;
 constexpr std::size_t kUsualSides = 32;
 constexpr std::size_t kUsualMovers = 64;
-constexpr std::size_t kUsualLooks = 16;
+constexpr std::size_t kUsualTimes = 16;
 
 /// Coming near to what moves, where robot and mover are at the same time, if the mover keeps its velocity. With the
 /// distance d(t) from the footprint to the nearest mover's disc, D = social_distance and T =
@@ -51,16 +51,16 @@ class SocialDistance : public Critic {
   };
   using Disc = SideGaps::Disc;
   // One time at which the distance is measured, and what any candidate may come near then.
-  struct Look {
+  struct TimeStep {
     std::size_t step = 0;
     double share = 0.0;              // of the integral [s]
     std::size_t first = 0, end = 0;  // of in_reach_
   };
-  void plan_looks(const CycleView& cycle, const Tile& tile);
+  void choose_times(const CycleView& cycle, const Tile& tile);
   void choose_knots(const Tile& tile);
   void take_row(const Tile& tile, std::size_t k);
   bool far_from_row(const Disc& disc) const;
-  bool look_around(const Tile& tile, const Look& look, const Footprint& footprint);
+  bool near_at(const Tile& tile, const TimeStep& at, const Footprint& footprint);
   void measure_one_by_one(const Tile& tile, std::size_t k, const Footprint& footprint);
   void interpolate(const Tile& tile, double* raw) const;
 
@@ -68,9 +68,9 @@ class SocialDistance : public Critic {
   double fading_ = 1.5;      // [s]
   double own_radius_ = 0.0;  // of the footprint, circumscribed [m]
   std::vector<Mover> movers_;
-  // The looks of a cycle's tiles, which mostly are alike.
-  std::vector<Look> looks_;
-  std::vector<Disc> in_reach_;  // at the looks
+  // The times of a cycle's tiles, which mostly are alike.
+  std::vector<TimeStep> times_;
+  std::vector<Disc> in_reach_;  // at these times
   double dt_ = 0.0;             // of the tiles [s]
   std::size_t steps_ = 0;
   double fastest_ = -1.0;           // of their candidates [m/s]
@@ -88,8 +88,8 @@ double SocialDistance::configure(const Parameters& parameters, const ParameterSo
   kept_ = parameters.social_distance;
   fading_ = parameters.SocialDistance_fading_time;
   movers_.reserve(kUsualMovers);
-  looks_.reserve(kUsualLooks);
-  in_reach_.reserve(kUsualLooks * kUsualMovers);
+  times_.reserve(kUsualTimes);
+  in_reach_.reserve(kUsualTimes * kUsualMovers);
   near_.reserve(kUsualMovers);
   knots_.reserve(kUsualCandidates);
   for (std::vector<double>* values : {&x_, &y_, &gap_, &sum_}) values->reserve(kUsualCandidates);
@@ -106,9 +106,9 @@ void SocialDistance::prepare(const CycleView& cycle) {
   }
 }
 
-// A rollout is no faster than its sample, or than the robot was when it began. What is farther away at a look than it
+// A rollout is no faster than its sample, or than the robot was when it began. What is farther away at one time than it
 // comes until then is not near: leaving it out changes nothing.
-void SocialDistance::plan_looks(const CycleView& cycle, const Tile& tile) {
+void SocialDistance::choose_times(const CycleView& cycle, const Tile& tile) {
   double fastest = std::max(std::abs(cycle.velocity.v), std::abs(cycle.last_command.v));
   for (std::size_t c = 0; c < tile.count; c += tile.ascending ? std::max<std::size_t>(tile.count - 1, 1) : 1) {
     fastest = std::max(fastest, std::abs(tile.v[c]));
@@ -117,21 +117,21 @@ void SocialDistance::plan_looks(const CycleView& cycle, const Tile& tile) {
   fastest_ = fastest;
   dt_ = tile.dt;
   steps_ = tile.steps;
-  looks_.clear();
+  times_.clear();
   in_reach_.clear();
-  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(kLooksApart / dt_)));
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(kTimesApart / dt_)));
   const double lasts = static_cast<double>(stride) * dt_;
   for (std::size_t k = stride; k <= steps_; k += stride) {
     const double time = static_cast<double>(k) * dt_;
     const double own = fastest * time + own_radius_ + kept_ + kSpare;
-    Look look{k, lasts * std::exp(-(time - 0.5 * lasts) / fading_), in_reach_.size(), 0};
+    TimeStep moment{k, lasts * std::exp(-(time - 0.5 * lasts) / fading_), in_reach_.size(), 0};
     for (const Mover& mover : movers_) {
       const Point at = mover.position + time * mover.velocity;
       const double dx = at.x() - cycle.pose.x, dy = at.y() - cycle.pose.y, most = own + mover.radius;
       if (dx * dx + dy * dy < most * most) in_reach_.push_back({at.x(), at.y(), mover.radius});
     }
-    look.end = in_reach_.size();
-    if (look.end > look.first) looks_.push_back(look);
+    moment.end = in_reach_.size();
+    if (moment.end > moment.first) times_.push_back(moment);
   }
 }
 
@@ -171,18 +171,18 @@ bool SocialDistance::far_from_row(const Disc& disc) const {
 }
 
 // The gap to the nearest mover; false where none is near.
-bool SocialDistance::look_around(const Tile& tile, const Look& look, const Footprint& footprint) {
-  take_row(tile, look.step);
+bool SocialDistance::near_at(const Tile& tile, const TimeStep& at, const Footprint& footprint) {
+  take_row(tile, at.step);
   near_.clear();
-  for (std::size_t i = look.first; i < look.end; ++i) {
+  for (std::size_t i = at.first; i < at.end; ++i) {
     if (!far_from_row(in_reach_[i])) near_.push_back(in_reach_[i]);
   }
   if (near_.empty()) return false;
   if (footprint.sides().empty()) {
-    measure_one_by_one(tile, look.step, footprint);
+    measure_one_by_one(tile, at.step, footprint);
     return true;
   }
-  sides_.turn(footprint, tile.cos_heading[look.step], tile.sin_heading[look.step]);
+  sides_.turn(footprint, tile.cos_heading[at.step], tile.sin_heading[at.step]);
   sides_.measure(x_, y_, near_, -own_radius_, gap_);
   return true;
 }
@@ -211,16 +211,16 @@ void SocialDistance::interpolate(const Tile& tile, double* raw) const {
 
 void SocialDistance::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   if (movers_.empty() || tile.steps == 0 || tile.count == 0) return;
-  plan_looks(cycle, tile);
-  if (looks_.empty()) return;
+  choose_times(cycle, tile);
+  if (times_.empty()) return;
   choose_knots(tile);
   bool any = false;
-  for (const Look& look : looks_) {
-    if (!look_around(tile, look, *cycle.footprint)) continue;
+  for (const TimeStep& at : times_) {
+    if (!near_at(tile, at, *cycle.footprint)) continue;
     any = true;
     for (std::size_t i = 0; i < knots_.size(); ++i) {
       const double nearness = 1.0 - std::max(0.0, gap_[i]) / kept_;
-      sum_[i] += look.share * std::max(0.0, nearness);
+      sum_[i] += at.share * std::max(0.0, nearness);
     }
   }
   if (any) interpolate(tile, scores.set_all());

@@ -20,7 +20,7 @@ struct RobotHabits {
   double acc_lim_theta = 3.2;  // [rad/s2]
   double radius = 0.30;        // [m], of the circle that holds it
   double dead_zone = 0.1;      // of the stick
-  double hold_time = 2.0;      // [s], it goes straight on for so long after a release
+  double hold_time = 2.0;      // [s], after a release it goes straight on for this time
   double refusal_time = 1.7;   // [s], it refuses arcs that hit a wall within this time
   double pursuit = 0.6;        // [m], how far ahead on its plan it aims
 };

@@ -20,7 +20,7 @@ struct Participant {
 
   // With a button (SW).
   double button_time = 0.0;               // [s], from the intention to the press
-  double give_back_pause = 0.0;           // [s], content for so long before control is given back
+  double give_back_pause = 0.0;           // [s], content for this time before control is given back
   double notice_time = 0.0;               // [s], until an error is seen
   double forget_probability = 0.0;        // to let go of the stick without giving control back
   double double_press_probability = 0.0;  // to press twice

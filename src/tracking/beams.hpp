@@ -40,7 +40,7 @@ struct Beams {
   double time_of(std::size_t i) const { return stamp + time_increment * static_cast<double>(i); }
 };
 
-/// So many beams that say nothing may lie between two points of a surface.
+/// Up to this many beams without a reading may lie between two points of one surface.
 inline constexpr std::size_t kSilentBeams = 2;
 
 /// Where the laser loses returns (two of a hundred beams have none although those beside them lie on one surface), such

@@ -22,7 +22,7 @@ using tracking::Track;
 constexpr double kLongestGap = 2.0;       // between scans; after a longer one nothing is known [s]
 constexpr double kSeenThrough = 0.2;      // a track whose place is seen through for so long is gone [s]
 constexpr double kWalked = 1.0;           // who has come so far has walked [m]
-constexpr double kStirred = 2.0;          // what has not is dropped so long after it stopped [s]
+constexpr double kStirred = 2.0;          // what has not is dropped this time after it stopped [s]
 constexpr double kCandidateCoast = 0.25;  // for how long a candidate may be out of sight [s]
 constexpr double kLegsApart = 0.55;       // of two legs that begin a track [m]
 constexpr double kSameBody = 0.3;         // tracks that are nearer to each other follow one body [m]

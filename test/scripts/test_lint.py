@@ -68,6 +68,14 @@ class Lint(unittest.TestCase):
         self.write('README.md', 'It is reci' 'eved.\n')
         self.assertIn('README.md:1:', self.found_by('codespell'))
 
+    def test_a_comment_without_its_noun_and_a_name_that_says_nothing(self):
+        os.makedirs(os.path.join(self.folder, 'src'))
+        self.write('src/good.hpp', '// Many candidates are kept.\n')
+        self.assertEqual(self.found_by('grep'), '')
+        self.write('src/bad.hpp', '// So many are kept.\nstruct Kept {};\n')
+        self.assertIn('src/bad.hpp:1:', self.found_by('grep'))
+        self.assertIn('src/bad.hpp:2:', self.found_by('grep'))
+
     def test_a_tool_that_is_missing_is_named_and_no_failure(self):
         with mock.patch.object(lint.shutil, 'which', return_value=None):
             names, said = self.run_lint('flake8')

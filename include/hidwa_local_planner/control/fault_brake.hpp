@@ -16,12 +16,12 @@ namespace hidwa_local_planner {
 /// have passed and the command has reached 0.
 class FaultBrake {
  public:
-  struct Answer {
+  struct Command {
     bool success = false;
     Twist2 command;  // [m/s, rad/s]
   };
   /// `velocity`: measured, where odometry is at hand. `now` and `period` [s].
-  Answer answer(double now, const std::optional<Twist2>& velocity, const Twist2& last_command,
+  Command brake(double now, const std::optional<Twist2>& velocity, const Twist2& last_command,
                 const Parameters& parameters, double period);
   /// The input is complete again.
   void clear() { since_.reset(); }
@@ -34,7 +34,7 @@ class FaultBrake {
   std::optional<double> since_;  // when the input went missing [s]
 };
 
-/// What an answer means to the host. While the operator stops the robot it holds: the host must not recover then.
-Outcome outcome_of(const FaultBrake::Answer& answer, const OperatorIntent& intent);
+/// What its command means to the host. While the operator stops the robot it holds: the host must not recover then.
+Outcome outcome_of(const FaultBrake::Command& braking, const OperatorIntent& intent);
 
 }  // namespace hidwa_local_planner

@@ -43,7 +43,7 @@ class PlanChoice {
   /// The last cycle failed: the plan that waits is followed next.
   void give_way() { gives_way_ = offers(); }
 
-  struct Scene {
+  struct Context {
     Pose2 robot;                         // costmap frame
     FrameTransform from_plan;            // of the plans' frame, in the costmap's
     const GridView& costmap;             // local
@@ -52,7 +52,7 @@ class PlanChoice {
     bool autonomous = false;             // the operator does not steer
   };
   /// Whether the plan that waits is to be followed now; once per cycle in which one waits.
-  bool prefers_offer(const Scene& scene, const Parameters& parameters);
+  bool prefers_offer(const Context& context, const Parameters& parameters);
   /// The plan that waits, which is taken away.
   std::vector<Pose2> take();
 

@@ -85,16 +85,16 @@ class PlanWindow {
 
  private:
   static constexpr double kNone = std::numeric_limits<double>::infinity();
-  struct Place {
+  struct Projection {
     double arc = 0.0;         // [m]
     double distance2 = 0.0;   // from the robot [m^2]
     std::size_t segment = 0;  // of the plan: from this pose to the next one
   };
   double heading(std::size_t segment) const;  // [rad]
-  Place project(std::size_t segment, const Pose2& robot) const;
-  Place nearest(const Pose2& robot, double from, double to) const;
+  Projection project(std::size_t segment, const Pose2& robot) const;
+  Projection nearest(const Pose2& robot, double from, double to) const;
   template <typename Visit>
-  void visit_places(const Pose2& robot, double from, double within, Visit&& visit) const;
+  void visit_projections(const Pose2& robot, double from, double within, Visit&& visit) const;
   double first_place(const Pose2& robot, const PlanOrder& order) const;
   void pass_by_steering(const Pose2& robot, double tolerance);
   void pass_turn();

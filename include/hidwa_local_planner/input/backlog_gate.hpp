@@ -41,7 +41,7 @@ class SteadyLag {
 class BacklogGate {
  public:
   struct Limits {
-    double late = 0.5;     // a live message is at most so much later than the link's present lag [s], > 0
+    double late = 0.5;     // a live message exceeds the link's present lag by this at most [s], > 0
     double lag_max = 0.0;  // the most by which a link may become slower [s]
   };
   enum class Arrival {

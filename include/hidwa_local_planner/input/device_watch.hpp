@@ -27,7 +27,7 @@ class DeviceWatch {
   const std::string& rival() const { return rival_; }  // who sent before the present sender
 
  private:
-  // So many messages in a row make a sender the only one.
+  // After this many messages in a row a sender is the only one.
   static constexpr int kAlone = 100;
 
   bool known_ = false;

@@ -16,7 +16,7 @@ bool attends(OperatorStateId state, bool manual);
 class Yielding {
  public:
   struct Settings {
-    double quiet_time = 0.5;  // nobody attends for so long before it goes on [s]
+    double quiet_time = 0.5;  // nobody attends for this time before it goes on [s]
     double patience = 10.0;   // it goes on after so long in any case [s]
   };
   enum class Phase { braking, yielding, quiet, out_of_patience };

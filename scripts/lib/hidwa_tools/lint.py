@@ -12,6 +12,9 @@ from .places import ROOT, SPACE
 
 CLANG = 14        # the version of clang-format and clang-tidy that the style was made with; others find other things
 WORDS = 'ot,fro,expcet,kinf'  # codespell takes these for misspelt: optimal time, to and fro, a misspelt key in a test
+# Names that say nothing of what they hold, and comments that leave out their noun ("So many are kept", "It does, and has").
+DIALECT = (r'\b(struct|class) (Kept|Lead|Look|Answer|Leaving|Shell)\b|//+ *(So|Of so|For so|At so|Up to so) (long|much|many|far|often)\b'
+           r'|//.*\bso (long|much) (later|before|after)\b|// (It|They) do(es)?,')
 MADE = ('.git', 'build', 'install', 'log', 'report')  # by whoever works here
 LEFT_OUT = 77     # exit status where no tool could be run
 COMPAT = ('nav_core', 'costmap_2d', 'map_server', 'move_base')
@@ -99,6 +102,7 @@ TOOLS = {
     'flake8': lambda: ['flake8', 'scripts', 'console', 'test'],
     'shellcheck': lambda: ['shellcheck', '-x', '-e', 'SC1091', *shell_scripts()],
     'codespell': lambda: ['codespell', '-L', WORDS, *files('*.md', '*.rst', '*.hpp', '*.cpp', '*.py', '*.yaml', '*.launch', '*.msg')],
+    'grep': lambda: ['sh', '-c', '! grep -nE "$0" "$@" /dev/null', DIALECT, *files('src/*.cpp', 'src/*.hpp', 'include/*.hpp')],
     'catkin_lint': lambda: ['env', 'HIDWA_WITH_TOOLS=1', 'catkin_lint', '--offline', '-W0', '.',
                             *(os.path.join('compat', name) for name in COMPAT)],
 }

@@ -17,7 +17,7 @@ constexpr double kStillBetter = 0.1;
 // The motion that it has chosen counts as so much better [s]: of two that are nearly as good it keeps to one.
 constexpr double kKeeps = 0.1;
 
-// Of so many better ways the first motion is looked for among the candidates.
+// The first motions of this many better ways are looked for among the candidates.
 constexpr std::size_t kMostWays = 4;
 
 // A candidate is like a motion if each axis differs by no more than this share of its limit.
@@ -40,7 +40,7 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
   VelocityLimits limits = cycle.limits;  // of the search: gentle ones first
   limits.theta = comfort.widest(cycle.limits.theta, cycle.start.reference.omega);
   gently_ = comfort.binds();
-  const EvasionSearch::Scene scene{cycle.parameters,
+  const EvasionSearch::Start scene{cycle.parameters,
                                    limits,
                                    cycle.footprint,
                                    cycle.grid,
@@ -80,8 +80,8 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
 double Evasion::better_by() const { return goes_on_ ? kStillBetter : kClearlyBetter; }
 
 // Without a search: where the own motion, kept, is about as good as any way can be.
-bool Evasion::stays(const Cycle& cycle, const EvasionSearch::Scene& scene, const Twist2& own, bool goes_back) {
-  const EvasionSearch::Kept kept = search_.keep(scene, own);
+bool Evasion::stays(const Cycle& cycle, const EvasionSearch::Start& scene, const Twist2& own, bool goes_back) {
+  const EvasionSearch::ConstantMotion kept = search_.keep(scene, own);
   if (kept.untroubled || (goes_back && kept.untouched)) return true;
   guide_.prepare(cycle.situation.plan, cycle.situation.goal, scene.start.pose, cycle.limits,
                  EvasionSearch::reach(cycle.parameters, cycle.limits));

@@ -18,7 +18,7 @@ namespace hidwa_local_planner {
 /// goes back the way it has come, so that the other one gets out.
 class StepBack {
  public:
-  /// So often at one place, each time after twice the patience; a place is left at this distance [m].
+  /// It goes back twice from one place, the second time after twice the patience. It is elsewhere at this distance [m].
   static constexpr std::uint32_t kMost = 2;
   static constexpr double kElsewhere = 3.0;
   /// A way back has no more poses.
@@ -60,8 +60,8 @@ class StepBack {
       self.next_ %= kTrail;
       self.count_ = std::min(self.count_, kTrail);
       self.times_ = std::min(self.times_, kMost);
-      for (const Place& place : self.trail_) {
-        if (!std::isfinite(place.x) || !std::isfinite(place.y)) self.count_ = 0;  // damaged
+      for (const Position& position : self.trail_) {
+        if (!std::isfinite(position.x) || !std::isfinite(position.y)) self.count_ = 0;  // damaged
       }
     }
   }
@@ -71,10 +71,12 @@ class StepBack {
   static constexpr std::uint32_t kFewest = 5;  // to go back along
   static constexpr double kApart = 0.2;        // [m]
   // A trail is recorded in every cycle: no more of it than is needed.
-  struct Place {
+  struct Position {
     float x = 0.0F, y = 0.0F;  // costmap frame [m]
   };
-  static Pose2 pose_at(const Place& place) { return {static_cast<double>(place.x), static_cast<double>(place.y), 0.0}; }
+  static Pose2 pose_at(const Position& position) {
+    return {static_cast<double>(position.x), static_cast<double>(position.y), 0.0};
+  }
 
   void remember(const Pose2& pose) {
     if (count_ > 0 && distance(pose_at(trail_[(next_ + kTrail - 1) % kTrail]), pose) < kApart) return;
@@ -83,7 +85,7 @@ class StepBack {
     count_ = std::min(count_ + 1, kTrail);
   }
 
-  std::array<Place, kTrail> trail_{};  // the newest before next_
+  std::array<Position, kTrail> trail_{};  // the newest before next_
   std::uint32_t next_ = 0, count_ = 0;
   std::uint32_t times_ = 0;  // that it has gone back from near the place where it stood
   Pose2 stood_;

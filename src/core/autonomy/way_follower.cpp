@@ -83,7 +83,7 @@ WayFollower::Step WayFollower::propose(const Cycle& cycle, Evaluation& evaluated
   Step step{-1, false, false, progress_};
   step.ended = way_.empty();  // damaged, where it was loaded
   if (step.ended) return step;
-  const Place at = place_of(cycle, evaluated.obstacles().collision());
+  const PoseOnWay at = pose_on_way(cycle, evaluated.obstacles().collision());
   step.progress.part = static_cast<std::uint32_t>(at.here.part);
   step.ended = at.here.left <= kEnds || progress_.agrees.for_at_least(kAgreementTime, now);
   if (step.ended) return step;
@@ -110,7 +110,7 @@ WayFollower::Step WayFollower::propose(const Cycle& cycle, Evaluation& evaluated
   return step;
 }
 
-WayFollower::Place WayFollower::place_of(const Cycle& cycle, const CollisionChecker& collision) const {
+WayFollower::PoseOnWay WayFollower::pose_on_way(const Cycle& cycle, const CollisionChecker& collision) const {
   const Pose2& pose = cycle.situation.pose;
   const double room = room_ahead(way_, progress_.part, collision, cycle.grid.resolution);
   const std::size_t end = way_.end_of_parts(pose, progress_.part, kWayAhead, std::max(room, kNearTurn));
@@ -118,12 +118,12 @@ WayFollower::Place WayFollower::place_of(const Cycle& cycle, const CollisionChec
 }
 
 // The remaining time [s] after a candidate.
-double WayFollower::left_after(const Cycle& cycle, const Place& at, const Tile& tile, std::size_t c) const {
+double WayFollower::left_after(const Cycle& cycle, const PoseOnWay& at, const Tile& tile, std::size_t c) const {
   return way_.nearest(braked_end(tile, c, cycle.limits), at.here.part, at.end, at.room).remaining();
 }
 
 // The remaining time falls, or has lately: from the robot, or from the nearest pose of the way.
-bool WayFollower::gets_on(const Way::Place& here, double now, Progress& progress) const {
+bool WayFollower::gets_on(const Way::Projection& here, double now, Progress& progress) const {
   const double remaining = here.left + here.off / Way::kBackSpeed;  // whatever room the way has in this cycle
   const bool falls = remaining < progress.least - kFall || here.left < progress.least_left - kFall;
   if (falls || now < progress.since) {
@@ -135,7 +135,7 @@ bool WayFollower::gets_on(const Way::Place& here, double now, Progress& progress
 }
 
 // Whether the way is narrower on the map of now, or the robot is farther from it than there is room.
-void WayFollower::measure_room(const Place& at, Progress& progress) const {
+void WayFollower::measure_room(const PoseOnWay& at, Progress& progress) const {
   if (progress.room < 0.0) progress.room = at.room;
   const double off = at.here.left < way_.duration() ? at.here.off : 0.0;  // a way that begins ahead is not left yet
   progress.blocked = at.room <= 0.0;

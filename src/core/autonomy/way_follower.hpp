@@ -78,15 +78,15 @@ class WayFollower {
   }
 
  private:
-  struct Place {
-    Way::Place here;  // nearest to the robot
-    std::size_t end;  // the parts before it count
-    double room;      // around the way [m]
+  struct PoseOnWay {
+    Way::Projection here;  // nearest to the robot
+    std::size_t end;       // the parts before it count
+    double room;           // around the way [m]
   };
-  Place place_of(const Cycle& cycle, const CollisionChecker& collision) const;
-  bool gets_on(const Way::Place& here, double now, Progress& progress) const;
-  void measure_room(const Place& at, Progress& progress) const;
-  double left_after(const Cycle& cycle, const Place& at, const Tile& tile, std::size_t c) const;
+  PoseOnWay pose_on_way(const Cycle& cycle, const CollisionChecker& collision) const;
+  bool gets_on(const Way::Projection& here, double now, Progress& progress) const;
+  void measure_room(const PoseOnWay& at, Progress& progress) const;
+  double left_after(const Cycle& cycle, const PoseOnWay& at, const Tile& tile, std::size_t c) const;
 
   Way way_;
   bool while_driving_ = false;

@@ -9,7 +9,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-// Stations that come up to so much later count [s].
+// Stations of the next seconds count [s].
 constexpr double kRoomAhead = 3.0;
 
 }  // namespace

@@ -42,9 +42,9 @@ double BrakingCheck::most_growth(const CheckSetup& setup, const VelocityLimits& 
   return most_drift(*setup.pending, limits, setup.period, radius, reach);
 }
 
-void BrakingCheck::Look::forget() {
-  for (Lead& lead : leads) lead.roller.reset();
-  for (EscapeLead& lead : escape_leads) lead.roller.reset();
+void BrakingCheck::CheckPass::forget() {
+  for (PendingEnd& pending_end : pending_ends) pending_end.roller.reset();
+  for (EscapeEnd& pending_end : escape_ends) pending_end.roller.reset();
 }
 
 void BrakingCheck::prepare(const Parameters& parameters, const VelocityLimits& limits, const CheckSetup& setup,
@@ -55,8 +55,8 @@ void BrakingCheck::prepare(const Parameters& parameters, const VelocityLimits& l
   commands_the_target_ = parameters.command == CommandPolicy::target;
   radius_ = radius;
   resolution_ = resolution;
-  if (answers_.size() < kUsualColumns) answers_.resize(kUsualColumns);
-  for (Answer& answer : answers_) answer.known = answer.v_known = false;
+  if (cache_.size() < kUsualColumns) cache_.resize(kUsualColumns);
+  for (CachedResult& cached : cache_) cached.known = cached.v_known = false;
   turn_.known = false;
   coarse_.forget();
   coarse_.depth_spacing = kDepthSpacing;
@@ -88,20 +88,20 @@ Twist2 BrakingCheck::command_for(const Twist2& sample) const {
 
 bool BrakingCheck::can_brake(const Twist2& sample, std::size_t column) {
   if (all_can_brake()) return true;
-  if (answers_.size() <= column) answers_.resize(column + 1);
-  Answer& answer = answers_[column];
-  const Twist2 command = quick_command_for(sample, answer);
-  const Answer* before = column > 0 ? &answers_[column - 1] : nullptr;
-  if (answer.known && answer.command == command) return answer.free;
-  answer.command = command;
-  answer.known = true;
+  if (cache_.size() <= column) cache_.resize(column + 1);
+  CachedResult& cached = cache_[column];
+  const Twist2 command = quick_command_for(sample, cached);
+  const CachedResult* before = column > 0 ? &cache_[column - 1] : nullptr;
+  if (cached.known && cached.command == command) return cached.free;
+  cached.command = command;
+  cached.known = true;
   if (before != nullptr && before->known && before->command == command) {
-    answer.free = before->free;
+    cached.free = before->free;
   } else {
-    answer.free =
+    cached.free =
         (all_clear_ || stops_freely(command, coarse_)) && !(setup_->escaping() && goes_deeper(command, coarse_));
   }
-  return answer.free;
+  return cached.free;
 }
 
 AxisLimits BrakingCheck::turn_limits(double target, bool brakes) const {
@@ -110,18 +110,18 @@ AxisLimits BrakingCheck::turn_limits(double target, bool brakes) const {
 }
 
 // As command_for(): where no wheel couples the axes, a column shares its speed and a tile its turn.
-Twist2 BrakingCheck::quick_command_for(const Twist2& sample, Answer& answer) {
+Twist2 BrakingCheck::quick_command_for(const Twist2& sample, CachedResult& cached) {
   if (limits_->wheel_speed > 0.0 || commands_the_target_ || sample == Twist2{}) return command_for(sample);
-  if (!answer.v_known || answer.sample_v != sample.v) {
-    answer.v_known = true;
-    answer.sample_v = sample.v;
-    answer.command_v = limits_->x.ramp(setup_->reference.v, sample.v, setup_->period);
+  if (!cached.v_known || cached.sample_v != sample.v) {
+    cached.v_known = true;
+    cached.sample_v = sample.v;
+    cached.command_v = limits_->x.ramp(setup_->reference.v, sample.v, setup_->period);
   }
   if (!turn_.known || turn_.sample != sample.omega) {
     turn_ = {true, sample.omega,
              turn_limits(sample.omega, false).ramp(setup_->reference.omega, sample.omega, setup_->period)};
   }
-  return {answer.command_v, turn_.command};
+  return {cached.command_v, turn_.command};
 }
 
 bool BrakingCheck::confirm_braking(const Twist2& sample) {
@@ -142,67 +142,68 @@ ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) cons
 // For each pending motion, and whether the command to brake comes after a period or as late as it may. In a turn,
 // braking at another time leads elsewhere: the ends, and to be sure what lies between. Where there is no room for the
 // growth, a base that lags leads elsewhere, too.
-bool BrakingCheck::stops_freely(const Twist2& command, Look& look) {
-  const std::size_t motions = look.fine ? setup_->pending->all() : setup_->pending->likely();
-  const LateTimes times(longest_hold(), setup_->period, look.fine);
+bool BrakingCheck::stops_freely(const Twist2& command, CheckPass& pass) {
+  const std::size_t motions = pass.fine ? setup_->pending->all() : setup_->pending->likely();
+  const LateTimes times(longest_hold(), setup_->period, pass.fine);
   double growth = 0.0;
   const auto all_free = [&](std::size_t first, std::size_t end) {
     for (std::size_t motion = first; motion < end; ++motion) {
       const auto free = [&](double hold) {
-        return free_all_along(manoeuvre(motion, command, hold), look, look.leads[motion], growth);
+        return free_all_along(manoeuvre(motion, command, hold), pass, pass.pending_ends[motion], growth);
       };
       if (!times.all_of(free)) return false;
     }
     return true;
   };
   if (!all_free(0, motions)) return false;
-  return !look.fine || growth <= clearance_now_ || all_free(motions, setup_->pending->with_lagging());
+  return !pass.fine || growth <= clearance_now_ || all_free(motions, setup_->pending->with_lagging());
 }
 
 // `growth`: the largest of all that were asked for [m].
-bool BrakingCheck::free_all_along(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead, double& growth) {
-  if (!lead.roller) roll_lead(manoeuvre, look, lead);
-  if (!lead.free) return false;
-  double clearance = lead.clearance;
-  ManoeuvreRoller rest = *lead.roller;
+bool BrakingCheck::free_all_along(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end,
+                                  double& growth) {
+  if (!pending_end.roller) roll_pending(manoeuvre, pass, pending_end);
+  if (!pending_end.free) return false;
+  double clearance = pending_end.clearance;
+  ManoeuvreRoller rest = *pending_end.roller;
   const bool free =
-      free_along(look, look.fine ? manoeuvre.reach(*limits_, radius_) : 0.0, clearance, rest,
+      free_along(pass, pass.fine ? manoeuvre.reach(*limits_, radius_) : 0.0, clearance, rest,
                  [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_to_rest(manoeuvre, visit); });
   growth = std::max(growth, rest.growth());
   return free;
 }
 
-void BrakingCheck::roll_lead(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead) {
-  lead.roller = roller_at(manoeuvre.start, resolution_);
-  lead.clearance = 0.0;
-  lead.free =
-      free_along(look, look.fine ? manoeuvre.pending.reach(radius_) : 0.0, lead.clearance, *lead.roller,
+void BrakingCheck::roll_pending(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end) {
+  pending_end.roller = roller_at(manoeuvre.start, resolution_);
+  pending_end.clearance = 0.0;
+  pending_end.free =
+      free_along(pass, pass.fine ? manoeuvre.pending.reach(radius_) : 0.0, pending_end.clearance, *pending_end.roller,
                  [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_on(manoeuvre.pending, visit); });
 }
 
 // Rolls one part of a manoeuvre, `way` [m] long at most. `clearance` is what is left of that of a pose before: nothing
 // moves farther than the spacing from pose to pose.
 template <typename RollPart>
-bool BrakingCheck::free_along(const Look& look, double way, double& clearance, ManoeuvreRoller& roller,
+bool BrakingCheck::free_along(const CheckPass& pass, double way, double& clearance, ManoeuvreRoller& roller,
                               RollPart&& part) {
   // A sixteenth of a cell; nearer where the robot hardly moves, since half of it is asked for as clearance.
-  const double spacing = look.fine ? std::clamp(way / 8.0, kFinest, resolution_ / 16.0) : 0.5 * resolution_;
-  const double gap = look.fine ? 0.5 * spacing : 0.0;
+  const double spacing = pass.fine ? std::clamp(way / 8.0, kFinest, resolution_ / 16.0) : 0.5 * resolution_;
+  const double gap = pass.fine ? 0.5 * spacing : 0.0;
   roller.set_spacing(spacing);
   return part(roller, [&](const TurnedPose& at) {
     clearance -= spacing;
     const double needed = std::min(roller.growth() + gap, clearance_now_);
     if (clearance <= needed) {
       clearance =
-          look.fine ? clearances_->measure(at.pose, at.heading, needed) : clearances_->at(at.pose, at.heading, needed);
+          pass.fine ? clearances_->measure(at.pose, at.heading, needed) : clearances_->at(at.pose, at.heading, needed);
     }
     return clearance > needed;
   });
 }
 
-bool BrakingCheck::goes_deeper(const Twist2& command, Look& look) const {
+bool BrakingCheck::goes_deeper(const Twist2& command, CheckPass& pass) const {
   for (std::size_t motion = 0; motion < setup_->pending->likely(); ++motion) {
-    if (goes_deeper(manoeuvre(motion, command, longest_hold()), look.depth_spacing, look.escape_leads[motion])) {
+    if (goes_deeper(manoeuvre(motion, command, longest_hold()), pass.depth_spacing, pass.escape_ends[motion])) {
       return true;
     }
   }
@@ -211,7 +212,7 @@ bool BrakingCheck::goes_deeper(const Twist2& command, Look& look) const {
 
 // `spacing` is in cells, and wider where the manoeuvre is long. One that could not even be looked at as candidates are
 // is taken to lead deeper.
-bool BrakingCheck::goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeLead& lead) const {
+bool BrakingCheck::goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeEnd& pending_end) const {
   const auto spacing_for = [&](double way) { return std::max(spacing * resolution_, way / kMostDepthPoses); };
   const double apart = spacing_for(manoeuvre.reach(*limits_, radius_));
   if (!(apart <= kDepthSpacing * resolution_)) return true;
@@ -220,15 +221,15 @@ bool BrakingCheck::goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, 
       return setup_->escape->descends(at, EscapeRule::Ahead::next_cycle, descent);
     };
   };
-  if (!lead.roller) {
-    lead.descent = setup_->escape->start();
-    lead.roller = roller_at(manoeuvre.start, spacing_for(manoeuvre.pending.reach(radius_)));
-    lead.deeper = !lead.roller->roll_on(manoeuvre.pending, visit_into(lead.descent));
+  if (!pending_end.roller) {
+    pending_end.descent = setup_->escape->start();
+    pending_end.roller = roller_at(manoeuvre.start, spacing_for(manoeuvre.pending.reach(radius_)));
+    pending_end.deeper = !pending_end.roller->roll_on(manoeuvre.pending, visit_into(pending_end.descent));
   }
-  if (lead.deeper) return true;
+  if (pending_end.deeper) return true;
   // However the base reaches the command: at its limits, or evenly.
-  EscapeRule::Descent ramped = lead.descent, even = lead.descent;
-  ManoeuvreRoller ramp = *lead.roller;
+  EscapeRule::Descent ramped = pending_end.descent, even = pending_end.descent;
+  ManoeuvreRoller ramp = *pending_end.roller;
   ramp.set_spacing(apart);
   ManoeuvreRoller evenly = ramp;
   return !ramp.roll_to_rest(manoeuvre, visit_into(ramped)) || !evenly.roll_evenly_to_rest(manoeuvre, visit_into(even));

@@ -4,7 +4,7 @@
 // 1. Where nothing lies within reach of any brake manoeuvre, every command can brake.
 // 2. Otherwise the manoeuvre is rolled out (brake_manoeuvre.hpp): the pending motion, the command for a period and as
 //    much longer as the next command may be late, braking to rest. The pending motion is the same for all commands and
-//    rolled out once (Lead).
+//    rolled out once (PendingEnd).
 // 3. At every pose the robot must keep the manoeuvre's growth as its clearance: a real base may be so far from where it
 //    is rolled out. It need not keep more than it has now: a robot that stands beside a wall may drive along it. Where
 //    it has less now, confirm_braking() rolls out the other ends of what a base may do, too (kLags).
@@ -58,29 +58,29 @@ class BrakingCheck {
 
  private:
   // Where a pending motion leads to, looked at once per cycle.
-  struct Lead {
+  struct PendingEnd {
     std::optional<ManoeuvreRoller> roller;
     bool free = false;
     double clearance = 0.0;  // that is left there [m]
   };
-  using Leads = std::array<Lead, PendingMotionSet::kMost>;
+  using PendingEnds = std::array<PendingEnd, PendingMotionSet::kMost>;
   // Likewise, for a robot in collision.
-  struct EscapeLead {
+  struct EscapeEnd {
     std::optional<ManoeuvreRoller> roller;
     bool deeper = false;
     EscapeRule::Descent descent;
   };
-  using EscapeLeads = std::array<EscapeLead, PendingMotionSet::kMost>;
-  // What one kind of look has found so far.
-  struct Look {
+  using EscapeEnds = std::array<EscapeEnd, PendingMotionSet::kMost>;
+  // What the coarse or the fine check has found so far.
+  struct CheckPass {
     bool fine = false;
     double depth_spacing = 0.0;  // of poses that are looked at for depth in collision, in cells at least
-    Leads leads;
-    EscapeLeads escape_leads;
+    PendingEnds pending_ends;
+    EscapeEnds escape_ends;
     void forget();
   };
-  // The last answer in a column of samples.
-  struct Answer {
+  // The last result in a column of samples.
+  struct CachedResult {
     Twist2 command;
     bool known = false, free = false;
     bool v_known = false;
@@ -93,18 +93,18 @@ class BrakingCheck {
   };
 
   bool nothing_in_reach() const;
-  bool stops_freely(const Twist2& command, Look& look);
-  bool free_all_along(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead, double& growth);
-  void roll_lead(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead);
+  bool stops_freely(const Twist2& command, CheckPass& pass);
+  bool free_all_along(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end, double& growth);
+  void roll_pending(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end);
   template <typename RollPart>
-  bool free_along(const Look& look, double way, double& clearance, ManoeuvreRoller& roller, RollPart&& part);
-  bool goes_deeper(const Twist2& command, Look& look) const;
-  bool goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeLead& lead) const;
+  bool free_along(const CheckPass& pass, double way, double& clearance, ManoeuvreRoller& roller, RollPart&& part);
+  bool goes_deeper(const Twist2& command, CheckPass& pass) const;
+  bool goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeEnd& pending_end) const;
   ManoeuvreRoller roller_at(const Pose2& start, double spacing) const;
   BrakeManoeuvre manoeuvre(std::size_t motion, const Twist2& command, double hold) const;
   double longest_hold() const;
   AxisLimits turn_limits(double target, bool brakes) const;
-  Twist2 quick_command_for(const Twist2& sample, Answer& answer);
+  Twist2 quick_command_for(const Twist2& sample, CachedResult& cached);
 
   const VelocityLimits* limits_ = nullptr;
   const CheckSetup* setup_ = nullptr;
@@ -115,8 +115,8 @@ class BrakingCheck {
   double clearance_now_ = 0.0;        // no more is asked for: what the robot has now [m]
   bool all_clear_ = false;            // no manoeuvre can hit anything
   Turn turn_;
-  std::vector<Answer> answers_;  // [columns]
-  Look coarse_, fine_;
+  std::vector<CachedResult> cache_;  // [columns]
+  CheckPass coarse_, fine_;
 };
 
 }  // namespace hidwa_local_planner

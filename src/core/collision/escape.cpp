@@ -154,7 +154,7 @@ bool EscapeRule::descends(const TurnedPose& at, Ahead ahead, Descent& descent) {
   return true;
 }
 
-// So many steps of a rollout at once that the outline moves a quarter of a cell at most.
+// The number of rollout steps in which the outline moves a quarter of a cell at most.
 std::size_t EscapeRule::stride(const Tile& tile, std::size_t c) const {
   const double v = std::max(std::abs(tile.v[c]), std::abs(start_.reference.v));
   const double omega = std::max(std::abs(tile.omega), std::abs(start_.reference.omega));

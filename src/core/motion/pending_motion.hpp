@@ -60,7 +60,7 @@ class PendingMotion {
   /// It is how a base goes on that lags, now and until it rests.
   void set_lag(const Lag& lag) { lag_ = lag; }
   const Lag& lag() const { return lag_; }
-  /// So many legs are over.
+  /// The number of legs that are over.
   std::size_t past() const { return past_; }
   /// One axis has this velocity all the time instead.
   void replace(double Twist2::*axis, double velocity) {

@@ -84,9 +84,9 @@ double distance_to_way(const Point& point, const Point& from, const Point& way) 
 MoverCheck::MoverCheck() {
   near_.reserve(kUsualMovers);
   progress_.clear_until.reserve(kUsualMovers);
-  for (Look* look : {&coarse_, &fine_}) {
-    look->answers.resize(kAnswers);
-    for (Lead& lead : look->leads) lead.progress.clear_until.reserve(kUsualMovers);
+  for (CheckPass* pass : {&coarse_, &fine_}) {
+    pass->cache.resize(kCacheSize);
+    for (PendingEnd& pending_end : pass->pending_ends) pending_end.progress.clear_until.reserve(kUsualMovers);
   }
   coarse_.step = kLongStep;
   fine_.fine = true;
@@ -96,7 +96,7 @@ MoverCheck::MoverCheck() {
 void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
                          const MovingObstacleEstimates& movers, const Start& start) {
   near_.clear();
-  leaving_.begin(start.period);
+  departures_.begin(start.period);
   if (movers.empty()) return;
   limits_ = &limits;
   footprint_ = &footprint;
@@ -122,8 +122,8 @@ void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& lim
   most_grown_ =
       most_drift_ + 0.5 * (kLongStep + late_times_apart(late, start.period)) * (fastest_ + fastest.omega * reach_);
   for (const MovingObstacleEstimate& mover : movers) add_near(mover, parameters);
-  for (Look* look : {&coarse_, &fine_}) {
-    for (Lead& lead : look->leads) lead.roller.reset();
+  for (CheckPass* pass : {&coarse_, &fine_}) {
+    for (PendingEnd& pending_end : pass->pending_ends) pending_end.roller.reset();
   }
   divide_window();
 }
@@ -148,7 +148,7 @@ void MoverCheck::add_near(const MovingObstacleEstimate& mover, const Parameters&
   if (distance_to_way(here, set.centre(0.0), until_rest * set.velocity()) > own + set.radius(until_rest)) return;
   Near near;
   near.set = set;
-  near.leaves = around(set) && set.velocity().norm() <= kStands && leaving_.admit(mover.id, start_.rests);
+  near.leaves = around(set) && set.velocity().norm() <= kStands && departures_.admit(mover.id, start_.rests);
   near.closing_speed = fastest_ + set.fastest();
   near.closing_acc = fastest_ + set.velocity().norm() + set.growth(until_rest);
   near_.push_back(near);
@@ -164,27 +164,27 @@ bool MoverCheck::around(const ReachableSet& set) const {
 }
 
 // Many samples share a first command.
-bool MoverCheck::answer(const Twist2& command, Look& look) {
-  Answer& known = look.answers[hash_of(command) % kAnswers];
+bool MoverCheck::cached_check(const Twist2& command, CheckPass& pass) {
+  CachedResult& known = pass.cache[hash_of(command) % kCacheSize];
   if (known.cycle == cycle_ && known.command == command) return known.free;
-  known = {command, cycle_, (!look.fine && part_free(command)) || rests_untouched(command, look)};
+  known = {command, cycle_, (!pass.fine && part_free(command)) || rests_untouched(command, pass)};
   return known.free;
 }
 
-LateTimes MoverCheck::late_times(const Look& look) const {
-  return {latest_hold(start_.period, start_.longest_period), start_.period, look.fine};
+LateTimes MoverCheck::late_times(const CheckPass& pass) const {
+  return {latest_hold(start_.period, start_.longest_period), start_.period, pass.fine};
 }
 
 // For each pending motion, and for commands to brake that come after a period or as late as they may: see
 // BrakingCheck.
 template <typename Visit>
-bool MoverCheck::all_manoeuvres(const Twist2& command, Look& look, const Visit& visit) {
-  const std::size_t motions = look.fine ? start_.pending->all() : start_.pending->likely();
-  const LateTimes times = late_times(look);
+bool MoverCheck::all_manoeuvres(const Twist2& command, CheckPass& pass, const Visit& visit) {
+  const std::size_t motions = pass.fine ? start_.pending->all() : start_.pending->likely();
+  const LateTimes times = late_times(pass);
   for (std::size_t motion = 0; motion < motions; ++motion) {
     const bool free = times.all_of([&](double hold) {
       const BrakeManoeuvre manoeuvre{start_.origin, (*start_.pending)[motion], command, start_.period, hold};
-      return visit(manoeuvre, look.leads[motion]);
+      return visit(manoeuvre, pass.pending_ends[motion]);
     });
     if (!free) return false;
   }
@@ -203,9 +203,9 @@ bool MoverCheck::part_free(const Twist2& command) {
   part.looked_at = true;
   const Twist2 middle{window_.v + (static_cast<double>(i) + 0.5) * part_.v,
                       window_.omega + (static_cast<double>(j) + 0.5) * part_.omega};
-  part.free = all_manoeuvres(middle, coarse_, [&](const BrakeManoeuvre& manoeuvre, Lead& lead) {
-    return lead_free(manoeuvre, coarse_, lead) &&
-           free_with_margin(manoeuvre, part_margin(manoeuvre.pending), *lead.roller);
+  part.free = all_manoeuvres(middle, coarse_, [&](const BrakeManoeuvre& manoeuvre, PendingEnd& pending_end) {
+    return pending_free(manoeuvre, coarse_, pending_end) &&
+           free_with_margin(manoeuvre, part_margin(manoeuvre.pending), *pending_end.roller);
   });
   return part.free;
 }
@@ -226,8 +226,9 @@ double MoverCheck::part_margin(const PendingMotion& pending) const {
 }
 
 // Without gaps in time, up to when the last command of the part has come to rest.
-bool MoverCheck::free_with_margin(const BrakeManoeuvre& manoeuvre, double margin, const ManoeuvreRoller& lead) const {
-  ManoeuvreRoller roller = lead;
+bool MoverCheck::free_with_margin(const BrakeManoeuvre& manoeuvre, double margin,
+                                  const ManoeuvreRoller& pending_end) const {
+  ManoeuvreRoller roller = pending_end;
   TurnedPose pose = roller.at();
   double time = roller.time();
   const auto stands = [&](double until) {
@@ -261,37 +262,39 @@ bool MoverCheck::clear_of_all(const TurnedPose& at, double time, double margin) 
   });
 }
 
-bool MoverCheck::rests_untouched(const Twist2& command, Look& look) {
+bool MoverCheck::rests_untouched(const Twist2& command, CheckPass& pass) {
   // Who brakes between two of these times is elsewhere by half of what the robot does between them.
-  const double between = look.fine ? 0.5 * late_times(look).apart() : 0.0;
+  const double between = pass.fine ? 0.5 * late_times(pass).apart() : 0.0;
   const double elsewhere = between * (speed_at(command, radius_) + std::abs(command.omega) * reach_);
-  return all_manoeuvres(command, look, [&](const BrakeManoeuvre& manoeuvre, Lead& lead) {
-    return rolls_free(manoeuvre, look, elsewhere, lead);
+  return all_manoeuvres(command, pass, [&](const BrakeManoeuvre& manoeuvre, PendingEnd& pending_end) {
+    return rolls_free(manoeuvre, pass, elsewhere, pending_end);
   });
 }
 
 // Up to when the command takes effect: once for all commands.
-bool MoverCheck::lead_free(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead) {
-  if (lead.roller) return lead.free;
-  lead.roller.emplace(*limits_, radius_, kAnySpacing, with_heading(manoeuvre.start), look.step);
-  ManoeuvreRoller& roller = *lead.roller;
+bool MoverCheck::pending_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end) {
+  if (pending_end.roller) return pending_end.free;
+  pending_end.roller.emplace(*limits_, radius_, kAnySpacing, with_heading(manoeuvre.start), pass.step);
+  ManoeuvreRoller& roller = *pending_end.roller;
   ManoeuvreRoller past = roller;
   past.roll_past(manoeuvre.pending);
-  lead.progress.clear_until.assign(near_.size(), -1.0);
-  lead.progress.pose = past.at();
-  lead.progress.time = -1.0;
-  lead.progress.velocities = velocities_of(manoeuvre.pending);
-  lead.free = roller.roll_on(manoeuvre.pending, [&](const TurnedPose&) { return free_at(roller, 0.0, lead.progress); });
-  return lead.free;
+  pending_end.progress.clear_until.assign(near_.size(), -1.0);
+  pending_end.progress.pose = past.at();
+  pending_end.progress.time = -1.0;
+  pending_end.progress.velocities = velocities_of(manoeuvre.pending);
+  pending_end.free =
+      roller.roll_on(manoeuvre.pending, [&](const TurnedPose&) { return free_at(roller, 0.0, pending_end.progress); });
+  return pending_end.free;
 }
 
-bool MoverCheck::rolls_free(const BrakeManoeuvre& manoeuvre, const Look& look, double elsewhere, Lead& lead) {
-  if (!lead_free(manoeuvre, look, lead)) return false;
-  ManoeuvreRoller roller = *lead.roller;
-  progress_.clear_until = lead.progress.clear_until;
-  progress_.pose = lead.progress.pose;
-  progress_.time = lead.progress.time;
-  progress_.velocities = lead.progress.velocities;
+bool MoverCheck::rolls_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, double elsewhere,
+                            PendingEnd& pending_end) {
+  if (!pending_free(manoeuvre, pass, pending_end)) return false;
+  ManoeuvreRoller roller = *pending_end.roller;
+  progress_.clear_until = pending_end.progress.clear_until;
+  progress_.pose = pending_end.progress.pose;
+  progress_.time = pending_end.progress.time;
+  progress_.velocities = pending_end.progress.velocities;
   progress_.velocities.include(manoeuvre.command);
   return roller.roll_to_rest(manoeuvre, [&](const TurnedPose&) { return free_at(roller, elsewhere, progress_); });
 }

@@ -8,9 +8,9 @@
 //    times the obstacle's fastest and the robot's own speed: so what lies between two poses is covered, too.
 // 4. What is too far away at one time need not be looked at again until both could have met.
 // 5. Where a set is around the robot already when it begins to drive, the robot may leave: the distance from the
-//    outline to where the obstacle is expected grows at every step (Leaving), and no place of the outline that it may
-//    reach until rest moves outwards but very slowly (advances_near()). So the robot never moves into what it leaves.
-//    It creeps, and leaves only what has stood there for a while: who walks past is soon gone.
+//    outline to where the obstacle is expected grows at every step (Departures), and no place of the outline that it
+//    may reach until rest moves outwards but very slowly (advances_near()). So the robot never moves into what it
+//    leaves. It creeps, and leaves only what has stood there for a while: who walks past is soon gone.
 // 6. Commands differ little from their neighbours in the dynamic window. So it is cut into a few parts, and the command
 //    in the middle of each is looked at first, with an allowance for all others of its part: where it is free, they
 //    are. What the allowance is made of: see part_margin().
@@ -35,7 +35,7 @@
 #include "core/motion/pending_motion_set.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "core/movers/advance.hpp"
-#include "core/movers/leaving.hpp"
+#include "core/movers/departures.hpp"
 #include "core/movers/reachable_set.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
@@ -57,7 +57,7 @@ class MoverCheck {
 
   MoverCheck();
   /// A new goal, or another cause to begin afresh.
-  void forget() { leaving_.forget(); }
+  void forget() { departures_.forget(); }
   /// Once per cycle.
   void prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
                const MovingObstacleEstimates& movers, const Start& start);
@@ -66,15 +66,15 @@ class MoverCheck {
   std::size_t near() const { return near_.size(); }
 
   /// Whether nothing can touch the robot before it rests, after a first command [m/s, rad/s].
-  bool can_rest(const Twist2& command) { return answer(command, coarse_); }
+  bool can_rest(const Twist2& command) { return cached_check(command, coarse_); }
   /// Likewise without gaps: for the candidate that is chosen.
-  bool confirm(const Twist2& command) { return answer(command, fine_); }
+  bool confirm(const Twist2& command) { return cached_check(command, fine_); }
 
   /// What it remembers: written only where there is anything.
-  bool leaving() const { return leaving_.any(); }
+  bool leaving() const { return departures_.any(); }
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.leaving_);
+    io(self.departures_);
   }
 
  private:
@@ -91,23 +91,23 @@ class MoverCheck {
     double time = -1.0;               // then; negative before the first [s]
     VelocityRange velocities;         // of all of the manoeuvre
   };
-  struct Lead {
+  struct PendingEnd {
     std::optional<ManoeuvreRoller> roller;
     bool free = false;
     Progress progress;
   };
-  static constexpr std::size_t kAnswers = 1024;
-  struct Answer {
+  static constexpr std::size_t kCacheSize = 1024;
+  struct CachedResult {
     Twist2 command;
-    std::uint32_t cycle = 0;  // of the answer
+    std::uint32_t cycle = 0;  // of the result
     bool free = false;
   };
-  // What one kind of look has found in this cycle.
-  struct Look {
+  // What the coarse or the fine check has found in this cycle.
+  struct CheckPass {
     bool fine = false;
     double step = 0.0;  // the longest [s]
-    std::array<Lead, PendingMotionSet::kMost> leads;
-    std::vector<Answer> answers;  // by a hash of the command
+    std::array<PendingEnd, PendingMotionSet::kMost> pending_ends;
+    std::vector<CachedResult> cache;  // by a hash of the command
   };
 
   // A part of the dynamic window.
@@ -120,17 +120,17 @@ class MoverCheck {
   void add_near(const MovingObstacleEstimate& mover, const Parameters& parameters);
   void divide_window();
   bool around(const ReachableSet& set) const;
-  bool answer(const Twist2& command, Look& look);
-  bool rests_untouched(const Twist2& command, Look& look);
-  LateTimes late_times(const Look& look) const;
+  bool cached_check(const Twist2& command, CheckPass& pass);
+  bool rests_untouched(const Twist2& command, CheckPass& pass);
+  LateTimes late_times(const CheckPass& pass) const;
   template <typename Visit>
-  bool all_manoeuvres(const Twist2& command, Look& look, const Visit& visit);
+  bool all_manoeuvres(const Twist2& command, CheckPass& pass, const Visit& visit);
   bool part_free(const Twist2& command);
   double part_margin(const PendingMotion& pending) const;
-  bool free_with_margin(const BrakeManoeuvre& manoeuvre, double margin, const ManoeuvreRoller& lead) const;
+  bool free_with_margin(const BrakeManoeuvre& manoeuvre, double margin, const ManoeuvreRoller& pending_end) const;
   bool clear_of_all(const TurnedPose& at, double time, double margin) const;
-  bool lead_free(const BrakeManoeuvre& manoeuvre, const Look& look, Lead& lead);
-  bool rolls_free(const BrakeManoeuvre& manoeuvre, const Look& look, double elsewhere, Lead& lead);
+  bool pending_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end);
+  bool rolls_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, double elsewhere, PendingEnd& pending_end);
   static double allowance(const ManoeuvreRoller& roller);
   bool free_at(const ManoeuvreRoller& roller, double elsewhere, Progress& progress) const;
   bool free_at(const TurnedPose& at, double time, const ManoeuvreRoller& roller, double elsewhere,
@@ -150,8 +150,8 @@ class MoverCheck {
   double duration_ = 0.0;    // of the longest manoeuvre [s]
   double creeps_for_ = 0.0;  // one of a robot that creeps [s]
   std::vector<Near> near_;
-  Leaving leaving_;
-  Look coarse_, fine_;
+  Departures departures_;
+  CheckPass coarse_, fine_;
   std::array<Part, kParts * kParts> parts_;
   Twist2 window_, part_;   // the least command of the window, and how large a part is [m/s, rad/s]
   bool in_parts_ = false;  // the window is looked at in parts

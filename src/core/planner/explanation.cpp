@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kDeviation = "OperatorDeviation";
 constexpr const char* kUnknownCells = "Unknown cells";  // that reject where the collision check does
 
-// So many rollouts are looked at to say what most of them meet.
+// This many rollouts are examined to say what most of them meet.
 constexpr std::size_t kLookedAt = 64;
 
 }  // namespace

@@ -38,7 +38,7 @@ constexpr double kEver = std::numeric_limits<double>::infinity();
 EvasionSearch::EvasionSearch() {
   movers_.reserve(kMoversInReach);
   near_.reserve(kMoversInReach);
-  for (std::vector<Place>& places : places_) places.reserve(kMoversInReach);
+  for (std::vector<NearMover>& places : places_) places.reserve(kMoversInReach);
   branches_.reserve(64);
   beam_.reserve(kBeam + kMostOwn);
   next_.reserve(64 * (kBeam + kMostOwn));
@@ -49,7 +49,7 @@ double EvasionSearch::reach(const Parameters& parameters, const VelocityLimits& 
   return parameters.evasion_time * limits.x.fastest();
 }
 
-bool EvasionSearch::look(const Scene& scene, const MovingObstacleEstimates& movers) {
+bool EvasionSearch::look(const Start& scene, const MovingObstacleEstimates& movers) {
   movers_.clear();
   const Parameters& p = scene.parameters;
   horizon_ = p.evasion_time;
@@ -72,7 +72,7 @@ bool EvasionSearch::look(const Scene& scene, const MovingObstacleEstimates& move
   return true;
 }
 
-void EvasionSearch::plan_spans(const Scene& scene) {
+void EvasionSearch::plan_spans(const Start& scene) {
   const double first = std::min(kFirstMotion, horizon_ / kLevels);
   const double other = (horizon_ - first) / (kLevels - 1);
   double from = scene.delay;
@@ -95,7 +95,7 @@ double EvasionSearch::bend(double time) const {
 }
 
 // What may come near within a span, from here.
-void EvasionSearch::find_near(const Scene& scene, const State& from, const Span& span) {
+void EvasionSearch::find_near(const Start& scene, const State& from, const Span& span) {
   near_.clear();
   const double length = span.length(), end = span.end();
   const double own = scene.footprint.circumscribed_radius() + length * fastest_;
@@ -117,7 +117,7 @@ void EvasionSearch::find_near(const Scene& scene, const State& from, const Span&
 }
 
 // Many motions meet them at the same times.
-void EvasionSearch::place_near(const Scene& scene, const Span& span) {
+void EvasionSearch::place_near(const Start& scene, const Span& span) {
   const double own = scene.footprint.circumscribed_radius();
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const double time = span.time(k), bent = bend(time);
@@ -131,7 +131,7 @@ void EvasionSearch::place_near(const Scene& scene, const Span& span) {
 }
 
 // Until a command takes effect, two periods, and half of the braking: the robot is half as fast then.
-EvasionSearch::Stopping EvasionSearch::stopping(const Scene& scene, double v) {
+EvasionSearch::Stopping EvasionSearch::stopping(const Start& scene, double v) {
   const double speed = std::abs(v);
   if (speed < kRests) return {};
   const Parameters& p = scene.parameters;
@@ -140,7 +140,7 @@ EvasionSearch::Stopping EvasionSearch::stopping(const Scene& scene, double v) {
 }
 
 // Whether something that moves may be where the robot is when it has stopped.
-bool EvasionSearch::must_stop(const Scene& scene, const State& state, double time) const {
+bool EvasionSearch::must_stop(const Start& scene, const State& state, double time) const {
   if (near_.empty()) return false;
   const Stopping stops = stopping(scene, state.v);
   if (stops.time <= 0.0) return false;
@@ -157,9 +157,9 @@ bool EvasionSearch::must_stop(const Scene& scene, const State& state, double tim
 }
 
 // After the k-th step. What ends the way sets `touched`.
-double EvasionSearch::nearness(const Scene& scene, const State& state, std::size_t k, bool& touched) const {
+double EvasionSearch::nearness(const Start& scene, const State& state, std::size_t k, bool& touched) const {
   double sum = 0.0;
-  for (const Place& place : places_[k]) {
+  for (const NearMover& place : places_[k]) {
     const double dx = place.x - state.x, dy = place.y - state.y;
     if (dx * dx + dy * dy >= place.squared) continue;
     const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
@@ -173,7 +173,7 @@ double EvasionSearch::nearness(const Scene& scene, const State& state, std::size
 }
 
 // What lies beyond the map is not known, and is free.
-bool EvasionSearch::blocked(const Scene& scene, const State& state) const {
+bool EvasionSearch::blocked(const Start& scene, const State& state) const {
   if (!walls_ || scene.checker.clear(state.x, state.y)) return false;
   const GridView& grid = scene.grid;
   const double margin = scene.footprint.circumscribed_radius() + grid.resolution;
@@ -187,7 +187,7 @@ bool EvasionSearch::blocked(const Scene& scene, const State& state) const {
 
 // The k-th step of a motion, that ends at `time`. Where passive safety would not let the robot drive on, it brakes
 // instead: false.
-bool EvasionSearch::drive_on(const Scene& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn,
+bool EvasionSearch::drive_on(const Start& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn,
                              std::size_t k, double time, State& state) const {
   State next = state;
   next.x += speed.way[k] * turn.middle[k].c;
@@ -207,7 +207,7 @@ bool EvasionSearch::drive_on(const Scene& scene, const MotionFan::Speed& speed, 
 
 // Along the i-th motion of the fan, which unfolds from this state. A robot that has to brake rests until the motion
 // ends. False where it is touched: then `until` says when.
-bool EvasionSearch::go(const Scene& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const {
+bool EvasionSearch::go(const Start& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const {
   const MotionFan::Speed& speed = fan.speed(i);
   const MotionFan::Turn& turn = fan.turn(i);
   bool drives = true;
@@ -224,11 +224,11 @@ bool EvasionSearch::go(const Scene& scene, const MotionFan& fan, std::size_t i, 
   return true;
 }
 
-EvasionSearch::Kept EvasionSearch::keep(const Scene& scene, const Twist2& motion) {
+EvasionSearch::ConstantMotion EvasionSearch::keep(const Start& scene, const Twist2& motion) {
   State state{scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega};
   first_fan_.clear();
   first_fan_.add(motion);
-  Kept kept;
+  ConstantMotion kept;
   kept.untouched = kept.untroubled = true;
   for (const Span& span : spans_) {
     const State from = state;
@@ -247,7 +247,7 @@ EvasionSearch::Kept EvasionSearch::keep(const Scene& scene, const Twist2& motion
   return kept;
 }
 
-double EvasionSearch::least(const Scene& scene, const PlanGuide& guide) const {
+double EvasionSearch::least(const Start& scene, const PlanGuide& guide) const {
   const double slower = std::max(0.0, fastest_ - std::abs(scene.velocity.v));
   const double speeds_up = std::min(horizon_, slower / scene.limits.x.acc);
   const double lost = slower * speeds_up - 0.5 * scene.limits.x.acc * speeds_up * speeds_up;
@@ -255,7 +255,7 @@ double EvasionSearch::least(const Scene& scene, const PlanGuide& guide) const {
 }
 
 // The own ones first. All within what the wheels allow.
-void EvasionSearch::list_motions(const Scene& scene, const std::vector<Twist2>& own) {
+void EvasionSearch::list_motions(const Start& scene, const std::vector<Twist2>& own) {
   const VelocityLimits& limits = scene.limits;
   const double back = limits.x.min, ahead = limits.x.max;
   const auto add = [&](MotionFan& fan, double v, std::initializer_list<double> turns) {
@@ -274,11 +274,11 @@ void EvasionSearch::list_motions(const Scene& scene, const std::vector<Twist2>& 
   for (const double v : {0.5 * back, back}) add_speed(v);
 }
 
-bool EvasionSearch::may_begin(const Scene& scene, const Twist2& motion) {
+bool EvasionSearch::may_begin(const Start& scene, const Twist2& motion) {
   return scene.movers == nullptr || scene.movers->can_rest(scene.limits.step(scene.reference, motion, scene.period));
 }
 
-void EvasionSearch::run(const Scene& scene, const PlanGuide& guide, const std::vector<Twist2>& own) {
+void EvasionSearch::run(const Start& scene, const PlanGuide& guide, const std::vector<Twist2>& own) {
   list_motions(scene, own);
   branches_.clear();
   for (std::size_t i = 0; i < first_fan_.size(); ++i) branches_.push_back({first_fan_.motion(i), kEver, 0.0});
@@ -306,7 +306,7 @@ double EvasionSearch::cheapest() const {
 }
 
 // By all motions of the fan. What is touched goes no farther.
-void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const State& from, MotionFan& fan,
+void EvasionSearch::extend(const Start& scene, const PlanGuide& guide, const State& from, MotionFan& fan,
                            const Span& span) {
   const bool begins = &fan == &first_fan_;
   find_near(scene, from, span);
@@ -328,7 +328,7 @@ void EvasionSearch::extend(const Scene& scene, const PlanGuide& guide, const Sta
 }
 
 // How long before the end it is touched if it goes straight on from where it is at `time`, as a disc [s].
-double EvasionSearch::touched_early(const Scene& scene, const State& state, double time) const {
+double EvasionSearch::touched_early(const Start& scene, const State& state, double time) const {
   const double rest = scene.delay + horizon_ - time;
   if (rest <= 0.0) return 0.0;
   const double own = scene.footprint.inscribed_radius() + kTouches;

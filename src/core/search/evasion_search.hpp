@@ -48,7 +48,7 @@ class EvasionSearch {
   static constexpr double kTouched = 1e4;
 
   /// What a cycle starts from. All of it outlives the search.
-  struct Scene {
+  struct Start {
     const Parameters& parameters;
     const VelocityLimits& limits;
     const Footprint& footprint;
@@ -70,7 +70,7 @@ class EvasionSearch {
   };
 
   /// Where a robot comes to that keeps one motion.
-  struct Kept {
+  struct ConstantMotion {
     bool untouched = false;   // up to the end
     bool untroubled = false;  // and nothing comes near
     double spent = 0.0;       // what coming near and changes of velocity cost [s]
@@ -83,15 +83,15 @@ class EvasionSearch {
   /// How far ahead it looks [m]: nothing farther from the robot counts.
   static double reach(const Parameters& parameters, const VelocityLimits& limits);
   /// Whether anything that moves may come near. Before everything else.
-  bool look(const Scene& scene, const MovingObstacleEstimates& movers);
+  bool look(const Start& scene, const MovingObstacleEstimates& movers);
   /// What becomes of a robot that keeps this motion up to the end.
-  Kept keep(const Scene& scene, const Twist2& motion);
+  ConstantMotion keep(const Start& scene, const Twist2& motion);
   /// No way costs less [s], but for one that cuts a bend of the plan short: it gets on as fast as the robot can,
   /// straight towards the plan's end, and comes near nothing.
-  double least(const Scene& scene, const PlanGuide& guide) const;
+  double least(const Start& scene, const PlanGuide& guide) const;
   /// `own`: first motions of which ways are always followed up; branches() begins with what they come to. There is one
   /// at least.
-  void run(const Scene& scene, const PlanGuide& guide, const std::vector<Twist2>& own);
+  void run(const Start& scene, const PlanGuide& guide, const std::vector<Twist2>& own);
   const std::vector<Branch>& branches() const { return branches_; }
   /// What the cheapest of them costs [s].
   double cheapest() const;
@@ -111,7 +111,7 @@ class EvasionSearch {
     double y_at(double time, double bent) const { return y + vy * time + ay * bent; }
   };
   // Where something near is after a step of a motion, and from where on it counts.
-  struct Place {
+  struct NearMover {
     double x, y;     // [m]
     double radius;   // [m]
     double kept;     // D then [m]
@@ -137,26 +137,26 @@ class EvasionSearch {
     double time(std::size_t k) const { return from + static_cast<double>(k + 1) * step; }  // after the k-th step [s]
   };
 
-  void list_motions(const Scene& scene, const std::vector<Twist2>& own);
-  static bool may_begin(const Scene& scene, const Twist2& motion);
-  void plan_spans(const Scene& scene);
+  void list_motions(const Start& scene, const std::vector<Twist2>& own);
+  static bool may_begin(const Start& scene, const Twist2& motion);
+  void plan_spans(const Start& scene);
   double bend(double time) const;
-  void find_near(const Scene& scene, const State& from, const Span& span);
-  bool drive_on(const Scene& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn, std::size_t k,
+  void find_near(const Start& scene, const State& from, const Span& span);
+  bool drive_on(const Start& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn, std::size_t k,
                 double time, State& state) const;
-  bool go(const Scene& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const;
+  bool go(const Start& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const;
   struct Stopping {
     double time = 0.0;  // until the robot rests, less half of the braking; 0 where it does [s]
     double way = 0.0;   // until then [m]
     double room = 0.0;  // by which a mover may be elsewhere then [m]
   };
-  static Stopping stopping(const Scene& scene, double v);
-  bool must_stop(const Scene& scene, const State& state, double time) const;
-  void place_near(const Scene& scene, const Span& span);
-  double nearness(const Scene& scene, const State& state, std::size_t k, bool& touched) const;
-  bool blocked(const Scene& scene, const State& state) const;
-  void extend(const Scene& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
-  double touched_early(const Scene& scene, const State& state, double time) const;
+  static Stopping stopping(const Start& scene, double v);
+  bool must_stop(const Start& scene, const State& state, double time) const;
+  void place_near(const Start& scene, const Span& span);
+  double nearness(const Start& scene, const State& state, std::size_t k, bool& touched) const;
+  bool blocked(const Start& scene, const State& state) const;
+  void extend(const Start& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
+  double touched_early(const Start& scene, const State& state, double time) const;
   static double unrest(const State& from, const State& to);
   void note_touched(const State& state);
   void keep_best();
@@ -164,9 +164,9 @@ class EvasionSearch {
   static bool alike(const State& a, const State& b);
 
   std::vector<Mover> movers_, near_;
-  std::array<std::vector<Place>, MotionFan::kSteps> places_;  // of near_, after each step
-  MotionFan first_fan_, next_fan_;                            // of a way's first motion, and of the others
-  std::size_t own_ = 0;                                       // so many of its motions are own ones
+  std::array<std::vector<NearMover>, MotionFan::kSteps> places_;  // of near_, after each step
+  MotionFan first_fan_, next_fan_;                                // of a way's first motion, and of the others
+  std::size_t own_ = 0;                                           // so many of its motions are own ones
   std::array<Span, kLevels> spans_;
   double horizon_ = 0.0;    // [s]
   double bends_for_ = 0.0;  // velocities go on changing so long [s]

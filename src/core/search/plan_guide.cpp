@@ -71,18 +71,18 @@ void PlanGuide::direct() {
 }
 
 double PlanGuide::time_left(double x, double y, const Rotation& heading) const {
-  const Place at = place(x, y);
+  const Projection at = project(x, y);
   const double direct = std::sqrt(at.join_x * at.join_x + at.join_y * at.join_y);
   const double cosine = direct > 0.0 ? (heading.c * at.join_x + heading.s * at.join_y) / direct : 1.0;
   return at.way * inverse_speed_ + turn_weight_ * std::min(at.left, 1.0) * (1.0 - cosine);
 }
 
 double PlanGuide::least_left(double x, double y, double way) const {
-  return std::max(0.0, place(x, y).way - way) * inverse_speed_;
+  return std::max(0.0, project(x, y).way - way) * inverse_speed_;
 }
 
 // On the nearest stretch between two stations, or beyond its ends.
-PlanGuide::Place PlanGuide::place(double x, double y) const {
+PlanGuide::Projection PlanGuide::project(double x, double y) const {
   double least = std::numeric_limits<double>::infinity(), along = 0.0, left = 0.0;
   const Station* at = &points_.front();
   for (std::size_t k = 0; k + 1 < points_.size(); ++k) {

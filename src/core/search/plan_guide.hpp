@@ -40,13 +40,13 @@ class PlanGuide {
     double left = 0.0;                        // along the plan [m]
     double forward_x = 1.0, forward_y = 0.0;  // where the plan goes there
   };
-  struct Place {
+  struct Projection {
     double left = 0.0;                  // along the plan, from the nearest place on it [m]
     double way = 0.0;                   // to the plan and along it [m]
     double join_x = 0.0, join_y = 0.0;  // from here to where it joins [m]
   };
   void direct();
-  Place place(double x, double y) const;
+  Projection project(double x, double y) const;
 
   std::vector<Station> points_;
   double inverse_speed_ = 1.0;  // [s/m]

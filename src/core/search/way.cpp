@@ -7,7 +7,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-// So long is a radian [m].
+// A radian counts as this length [m].
 constexpr double kRadianLength = 0.4;
 
 // Parts that turn by more are bent [rad].
@@ -26,7 +26,7 @@ bool is_bent(const Pose2& a, const Pose2& b) { return std::abs(wrap_angle(b.thet
 
 void Way::reverse() { std::reverse(stations_.begin(), stations_.end()); }
 
-Way::Place Way::place_on(const Pose2& pose, std::size_t part, double room) const {
+Way::Projection Way::project(const Pose2& pose, std::size_t part, double room) const {
   const Station& a = stations_[part];
   const Station& b = stations_[std::min(part + 1, stations_.size() - 1)];
   const double dx = b.pose.x - a.pose.x, dy = b.pose.y - a.pose.y;
@@ -39,12 +39,12 @@ Way::Place Way::place_on(const Pose2& pose, std::size_t part, double room) const
   return {part, a.left + share * (b.left - a.left), off, within / kBackSpeed + (off - within) / kSlowBackSpeed};
 }
 
-Way::Place Way::nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const {
+Way::Projection Way::nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const {
   from = std::min(from, stations_.size() - 1);
-  Place best = place_on(pose, from, room);
+  Projection best = project(pose, from, room);
   for (std::size_t part = from + 1; part < end; ++part) {
-    const Place place = place_on(pose, part, room);
-    if (place.remaining() < best.remaining()) best = place;
+    const Projection other = project(pose, part, room);
+    if (other.remaining() < best.remaining()) best = other;
   }
   return best;
 }

@@ -10,7 +10,7 @@ namespace hidwa_local_planner {
 
 /// A way that was found: poses, and how long it takes from each of them to the end.
 ///
-/// The remaining time from a pose beside it is that from the nearest place on it, and the time to get there: the way is
+/// The remaining time from a pose beside it is that from the nearest point of it, and the time to get there: the way is
 /// a line through (x, y, heading), on which a radian is as long as 0.4 m.
 class Way {
  public:
@@ -25,7 +25,7 @@ class Way {
       io(self.pose, self.left);
     }
   };
-  struct Place {
+  struct Projection {
     std::size_t part = 0;  // from this station to the next
     double left = 0.0;     // from there to the end [s]
     double off = 0.0;      // the distance to it [m]
@@ -47,10 +47,10 @@ class Way {
   bool empty() const { return stations_.empty(); }
   const std::vector<Station>& stations() const { return stations_; }
   double duration() const { return stations_.empty() ? 0.0 : stations_.front().left; }  // [s]
-  /// The place with the least remaining time among the parts from `from` on, before `end`. The robot gets back to its
-  /// way at kBackSpeed within the `room` [m] that the way has, and at 0.04 m/s where nothing is known to be free: the
-  /// lower that is, the closer it keeps to it. The way must not be empty.
-  Place nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const;
+  /// The projection with the least remaining time among the parts from `from` on, before `end`. The robot gets back to
+  /// its way at kBackSpeed within the `room` [m] that the way has, and at 0.04 m/s where nothing is known to be free:
+  /// the lower that is, the closer it keeps to it. The way must not be empty.
+  Projection nearest(const Pose2& pose, std::size_t from, std::size_t end, double room) const;
   /// How long it takes from its beginning to the first station that is so `near` [m] to a pose, whatever the heading;
   /// all of its duration where none is [s].
   double time_until_near(const Pose2& pose, double near) const;
@@ -70,7 +70,7 @@ class Way {
   bool lies_between(const Pose2& before, std::size_t k, bool stayed) const;
   static int direction_between(const Pose2& a, const Pose2& b);
   static Pose2 mean_of(const Pose2& before, const Pose2& own, const Pose2& next);
-  Place place_on(const Pose2& pose, std::size_t part, double room) const;
+  Projection project(const Pose2& pose, std::size_t part, double room) const;
 
   std::vector<Station> stations_;
 };

@@ -68,7 +68,7 @@ bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
 
 bool HIDWAPlannerROS::plan_is_over() const { return host_goal_ && host_goal_->is_over(end_); }
 
-Kept HIDWAPlannerROS::keep() {
+RestCommand HIDWAPlannerROS::keep() {
   const CycleResult result = planner_->cycle(true);
   const OperatorInput::Status status = planner_->operator_status();
   return {result.command, planner_->stands(), input::attends(status.state, status.manual), planner_->period()};

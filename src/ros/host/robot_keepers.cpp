@@ -22,7 +22,7 @@ RobotKeepers::Entry::~Entry() {
   all.erase(std::remove_if(all.begin(), all.end(), [this](const auto& one) { return one.first == this; }), all.end());
 }
 
-std::optional<Kept> RobotKeepers::keep() const {
+std::optional<RestCommand> RobotKeepers::keep() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (keepers_.empty()) return std::nullopt;
   return keepers_.back().second();

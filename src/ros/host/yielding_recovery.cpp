@@ -81,7 +81,7 @@ bool YieldingRecovery::yield() {
   told_ = Phase::quiet;
   input::Yielding yielding(settings_.yielding);
   while (ros::ok()) {
-    const std::optional<Kept> kept = RobotKeepers::of_process().keep();
+    const std::optional<RestCommand> kept = RobotKeepers::of_process().keep();
     velocity_.publish(kept ? to_message(kept->command) : geometry_msgs::Twist());
     if (!kept) return true;
     const Phase phase = yielding.step(LoopTime::now().seconds, kept->stands, kept->attended);

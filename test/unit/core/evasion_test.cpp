@@ -142,7 +142,7 @@ struct OpenGround {
     guide.prepare(map.situation.plan, map.situation.goal, {0.0, 0.0, 0.0}, limits,
                   EvasionSearch::reach(map.parameters, limits));
   }
-  EvasionSearch::Scene scene(const Twist2& velocity, double delay = 0.1) {
+  EvasionSearch::Start scene(const Twist2& velocity, double delay = 0.1) {
     return {map.parameters, limits, body,    grid_ = map.grid(), checker, {{0.0, 0.0, 0.0}, {1.0, 0.0}},
             velocity,       delay,  nullptr, velocity,           0.05};
   }
@@ -196,7 +196,7 @@ TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
     before.velocity_deviation = 0.0;  // so that all of it counts
     accelerations.watch({before}, 0.3);
     EvasionSearch search;
-    EvasionSearch::Scene scene = ground.scene(from);
+    EvasionSearch::Start scene = ground.scene(from);
     scene.accelerations = &accelerations;
     const bool untroubled = !search.look(scene, {mover}) || search.keep(scene, motion).untroubled;
     const double gap = slow_least_gap(ground, from, motion, scene.delay, mover, accelerations.of(mover.id));
@@ -219,10 +219,10 @@ TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
 TEST(EvasionSearches, AMotionThatIsKeptCostsWhatItComesTo) {
   OpenGround ground;
   EvasionSearch search;
-  const EvasionSearch::Scene scene = ground.scene({0.2, 0.0});
+  const EvasionSearch::Start scene = ground.scene({0.2, 0.0});
   const double fastest = ground.guide.time_left(0.0, 0.0, {1.0, 0.0}) - 1.482 / 0.5;
   ASSERT_TRUE(search.look(scene, {disc_at(2.0, 1.5, 0.0, 0.0)}));
-  EvasionSearch::Kept kept = search.keep(scene, {0.5, 0.0});
+  EvasionSearch::ConstantMotion kept = search.keep(scene, {0.5, 0.0});
   EXPECT_TRUE(kept.untouched && kept.untroubled);
   EXPECT_NEAR(search.least(scene, ground.guide), fastest, 1e-9);
   EXPECT_NEAR(kept.cost(ground.guide), fastest + 0.2 * 0.3, 0.02);  // and 0.2 s per m/s; steps are 0.13 s long
@@ -242,7 +242,7 @@ TEST(EvasionSearches, NoWayCostsLessThanTheLeast) {
   OpenGround ground;
   double closest = 1e9;
   for (int k = 0; k < 200; ++k) {
-    const EvasionSearch::Scene scene = ground.scene({random.uniform(-0.2, 0.5), random.uniform(-1.0, 1.0)});
+    const EvasionSearch::Start scene = ground.scene({random.uniform(-0.2, 0.5), random.uniform(-1.0, 1.0)});
     EvasionSearch search;
     if (!search.look(scene, {random_disc(random)})) continue;
     const double least = search.least(scene, ground.guide);
@@ -257,7 +257,7 @@ TEST(EvasionSearches, NoWayCostsLessThanTheLeast) {
 TEST(EvasionSearches, FindAWayAside) {
   OpenGround ground;
   EvasionSearch search;
-  const EvasionSearch::Scene scene = ground.scene({0.5, 0.0});
+  const EvasionSearch::Start scene = ground.scene({0.5, 0.0});
   ASSERT_TRUE(search.look(scene, {disc_at(-1.9, 0.0, 1.0, 0.0)}));
   EXPECT_FALSE(search.keep(scene, {0.5, 0.0}).untroubled);
   search.run(scene, ground.guide, {{0.5, 0.0}});
@@ -276,7 +276,7 @@ TEST(EvasionSearches, WhereNoWayLeadsOutTheLastOneTouchedIsBest) {
   OpenGround ground;
   ground.limits.x = {0.0, 0.05, 2.5, 2.5};  // it hardly moves: 0.15 m in 3 s
   EvasionSearch search;
-  const EvasionSearch::Scene scene = ground.scene({0.0, 0.0});
+  const EvasionSearch::Start scene = ground.scene({0.0, 0.0});
   ASSERT_TRUE(search.look(scene, {disc_at(1.6, 0.0, -1.0, 0.0)}));
   search.run(scene, ground.guide, {{0.0, 0.0}});
   for (const EvasionSearch::Branch& branch : search.branches()) EXPECT_GE(branch.cost, EvasionSearch::kTouched);
@@ -288,7 +288,7 @@ TEST(EvasionSearches, MayBackAwayFromWhatComes) {
   OpenGround ground;
   ground.limits.x.min = -0.5;
   EvasionSearch search;
-  const EvasionSearch::Scene scene = ground.scene({-0.5, 0.0});
+  const EvasionSearch::Start scene = ground.scene({-0.5, 0.0});
   ASSERT_TRUE(search.look(scene, {disc_at(0.80, 0.0, -0.3, 0.0)}));
   search.run(scene, ground.guide, {{-0.5, 0.0}});
   EXPECT_LT(search.branches()[0].cost, EvasionSearch::kTouched);
@@ -299,7 +299,7 @@ TEST(EvasionSearches, MayBackAwayFromWhatComes) {
 TEST(EvasionSearches, WaitWherePassiveSafetyStopsThem) {
   OpenGround ground;
   EvasionSearch search;
-  const EvasionSearch::Scene scene = ground.scene({0.5, 0.0});
+  const EvasionSearch::Start scene = ground.scene({0.5, 0.0});
   ASSERT_TRUE(search.look(scene, {disc_at(0.9, -0.7, 0.0, 1.0)}));
   search.run(scene, ground.guide, {{0.5, 0.0}});
   EXPECT_LT(search.branches()[0].cost, EvasionSearch::kTouched);
@@ -310,7 +310,7 @@ TEST(EvasionSearches, TryAllSpeedsAndTurnsOfTheLimits) {
   OpenGround ground;
   ground.limits = limits_of(0.9, 0.4);  // and 0.2 m/s back
   EvasionSearch search;
-  const EvasionSearch::Scene scene = ground.scene({0.0, 0.0});
+  const EvasionSearch::Start scene = ground.scene({0.0, 0.0});
   ASSERT_TRUE(search.look(scene, {disc_at(1.6, 0.0, -1.0, 0.0)}));
   search.run(scene, ground.guide, {{0.123, 0.0}});
   ASSERT_EQ(search.branches().size(), 1u + 6u * 5u);
@@ -332,7 +332,7 @@ TEST(EvasionSearches, KnowWhatTheOwnMotionsAreWorth) {
   OpenGround ground;
   int alike = 0;
   for (int k = 0; k < 300; ++k) {
-    const EvasionSearch::Scene scene = ground.scene({random.uniform(0.0, 0.5), random.uniform(-0.5, 0.5)});
+    const EvasionSearch::Start scene = ground.scene({random.uniform(0.0, 0.5), random.uniform(-0.5, 0.5)});
     MovingObstacleEstimates movers;
     for (int n = 0; n < 6; ++n) {
       movers.push_back(random_disc(random));
@@ -360,7 +360,7 @@ TEST(EvasionSearches, BeginWithNoMotionThatThePassiveSafetyRejects) {
   const MovingObstacleEstimates movers{disc_at(0.9, 0.35, -0.3, 0.0)};
   MoverCheck check;
   check.prepare(p, ground.limits, ground.body, movers, start);
-  EvasionSearch::Scene scene = ground.scene({0.4, 0.0});
+  EvasionSearch::Start scene = ground.scene({0.4, 0.0});
   scene.movers = &check;
   scene.reference = start.reference;
   EvasionSearch search;
@@ -468,7 +468,7 @@ TEST(EvasionSearches, OfTwoWaysTheCalmOneIsBetter) {
   for (const double turns : {0.5, -0.5}) {
     OpenGround ground;
     EvasionSearch search;
-    const EvasionSearch::Scene scene = ground.scene({0.3, turns});
+    const EvasionSearch::Start scene = ground.scene({0.3, turns});
     ASSERT_TRUE(search.look(scene, {disc_at(2.2, 0.0, -0.8, 0.0)}));
     search.run(scene, ground.guide, {{0.3, 0.0}});
     double left = 1e9, right = 1e9;

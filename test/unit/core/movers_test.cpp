@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "core/motion/brake_manoeuvre.hpp"
+#include "core/movers/departures.hpp"
 #include "core/movers/explained_cells.hpp"
-#include "core/movers/leaving.hpp"
 #include "core/movers/mover_check.hpp"
 #include "core/movers/reachable_set.hpp"
 #include "core/search/search_task.hpp"
@@ -430,7 +430,7 @@ TEST(AmongMovers, WhoWalksMeanwhileIsNotLeftAtOnceAfterwards) {
 
 // A robot that drives when somebody comes so near must come to rest first.
 TEST(AmongMovers, WhoComesAtARobotThatDrivesIsNotLeft) {
-  Leaving leaving;
+  Departures leaving;
   const auto cycles = [&](int count, bool rests) {
     int admitted = 0;
     for (int k = 0; k < count; ++k) {
@@ -449,7 +449,7 @@ TEST(AmongMovers, WhoComesAtARobotThatDrivesIsNotLeft) {
 }
 
 TEST(AmongMovers, EachOfThemStandsForItsOwnTime) {
-  Leaving leaving;
+  Departures leaving;
   for (int k = 0; k < 5; ++k) {
     leaving.begin(0.25);
     EXPECT_EQ(leaving.admit(1, true), k == 4);

@@ -100,7 +100,7 @@ TEST(Rest, ARobotThatStopsHoldsOnlyOnceItsCommandIsZero) {
 
 TEST(Rest, TheFaultBrakeDoesNotBrakeForARoundingError) {
   FaultBrake brake;
-  EXPECT_FALSE(brake.answer(10.0, Twist2{}, Twist2{0.3 - 0.1 - 0.2, 0.0}, Parameters(), 0.05).success);
+  EXPECT_FALSE(brake.brake(10.0, Twist2{}, Twist2{0.3 - 0.1 - 0.2, 0.0}, Parameters(), 0.05).success);
 }
 
 }  // namespace

@@ -322,19 +322,19 @@ TEST(Way, TellsTheRemainingTime) {
   way.add({{0.0, 0.0, 0.0}, 3.0});
   way.add({{1.0, 0.0, 0.0}, 1.0});
   way.add({{1.0, 0.0, 1.0}, 0.0});
-  const Way::Place beside = way.nearest({0.5, 0.02, 0.0}, 0, 2, 0.05);
+  const Way::Projection beside = way.nearest({0.5, 0.02, 0.0}, 0, 2, 0.05);
   EXPECT_EQ(beside.part, 0U);
   EXPECT_NEAR(beside.left, 2.0, 1e-12);                      // half of the first part
   EXPECT_NEAR(beside.remaining(), 2.0 + 0.02 / 0.1, 1e-12);  // and back
   EXPECT_NEAR(way.nearest({0.5, 0.07, 0.0}, 0, 1, 0.05).remaining(), 2.0 + 0.05 / 0.1 + 0.02 / 0.04, 1e-12);
-  const Way::Place turning = way.nearest({1.0, 0.0, 0.4}, 0, 2, 0.05);
+  const Way::Projection turning = way.nearest({1.0, 0.0, 0.4}, 0, 2, 0.05);
   EXPECT_EQ(turning.part, 1U);
   EXPECT_NEAR(turning.remaining(), 0.6, 1e-12);
   // From beside the turn's beginning its end is 0.9 rad away, 0.36 m: 0.5 s and 0.31 m / 0.04 m/s, more than the turn.
   EXPECT_EQ(way.nearest({1.0, 0.0, 0.1}, 0, 2, 0.05).part, 1U);
   EXPECT_NEAR(way.nearest({1.0, 0.0, 0.1}, 0, 2, 0.05).left, 0.9, 1e-12);
   EXPECT_EQ(way.nearest({1.0, 0.0, 0.4}, 0, 1, 0.05).part, 0U);
-  const Way::Place beyond = way.nearest({1.3, 0.0, 0.0}, 0, 1, 0.05);  // the part ends at x = 1
+  const Way::Projection beyond = way.nearest({1.3, 0.0, 0.0}, 0, 1, 0.05);  // the part ends at x = 1
   EXPECT_NEAR(beyond.left, 1.0, 1e-12);
   EXPECT_NEAR(beyond.off, 0.3, 1e-12);
   EXPECT_EQ(way.end_of_parts({0.0, 0.0, 0.0}, 0, 10.0, 0.02), 2U);

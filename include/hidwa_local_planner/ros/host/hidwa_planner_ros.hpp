@@ -35,7 +35,7 @@ class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
  private:
   bool plan_is_over() const;
   bool cycle(geometry_msgs::Twist& command);
-  Kept keep();
+  RestCommand keep();
 
   std::unique_ptr<PlannerNode> planner_;
   std::unique_ptr<HostGoal> host_goal_;

@@ -12,7 +12,7 @@
 namespace hidwa_local_planner {
 
 /// What one cycle of keeping the robot at rest came to.
-struct Kept {
+struct RestCommand {
   Twist2 command;         // to be sent: brakes within the limits, then zero [m/s, rad/s]
   bool stands = false;    // the command asked for rest, and the robot is at rest
   bool attended = false;  // the operator stops or steers the robot
@@ -24,7 +24,7 @@ struct Kept {
 /// Thread-safe.
 class RobotKeepers {
  public:
-  using Keep = std::function<Kept()>;
+  using Keep = std::function<RestCommand()>;
 
   /// Those of this process.
   static RobotKeepers& of_process();
@@ -43,7 +43,7 @@ class RobotKeepers {
 
   /// One cycle by the planner that came last; none where there is no planner. Comes from the thread that calls the
   /// planner otherwise: a host drives or recovers, never both.
-  std::optional<Kept> keep() const;
+  std::optional<RestCommand> keep() const;
 
  private:
   mutable std::mutex mutex_;

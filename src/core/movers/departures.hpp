@@ -11,9 +11,9 @@ namespace hidwa_local_planner {
 /// The moving obstacles that the robot may leave although their sets are around it: it stood when they came so near,
 /// and they have been so near ever since, for a while. Who has just come is likely to go on. One that comes so near to
 /// a robot that moves is not among them.
-class Leaving {
+class Departures {
  public:
-  /// So long it has stood there before it is left [s].
+  /// The robot leaves a mover after standing near it for this time [s].
   static constexpr double kPatience = 1.0;
 
   void forget() { memory_.forget(); }
