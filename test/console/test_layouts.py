@@ -256,7 +256,7 @@ class Words(unittest.TestCase):
                 return file.read()
         refusals = re.search(r'REFUSALS = \{(.*?)\};', text('console', 'page', 'model', 'words.js'), re.S).group(1)
         keys = {quoted or plain for quoted, plain in re.findall(r"^ *(?:'([^']+)'|(\w+)):", refusals, re.M)}
-        checks = re.search(r'kNames\[\] = \{(.*?)\};', text('src', 'core', 'planner', 'critic_set.cpp')).group(1)
+        checks = re.search(r'kNames\[\] = \{(.*?)\};', text('src', 'core', 'evaluation', 'critic_set.cpp')).group(1)
         names = set(re.findall(r'"([^"]*)"', checks))
         for path in glob.glob(os.path.join(paths.ROOT, 'src', 'critics', '*.cpp')):
             names.update(re.findall(r'BuiltInEntry entry\("(\w+)"', text(path)))
