@@ -31,7 +31,7 @@ bool same_poses(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
                     [](const Pose2& p, const Pose2& q) { return p.x == q.x && p.y == q.y; });
 }
 
-// The window of the plan is so long that it never limits the speed, where that is wanted [m].
+// Length of the plan's window [m]. Where that is wanted, it never limits the speed.
 double length_ahead(const Parameters& p) {
   const double least = p.forward_prune_auto ? 1.2 * p.max_vel_x * p.sim_time : 0.0;
   return std::max(p.forward_prune_distance, least);

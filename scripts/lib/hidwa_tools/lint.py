@@ -12,7 +12,7 @@ from .places import ROOT, SPACE
 
 CLANG = 14        # the version of clang-format and clang-tidy that the style was made with; others find other things
 WORDS = 'ot,fro,expcet,kinf'  # codespell takes these for misspelt: optimal time, to and fro, a misspelt key in a test
-# Names that say nothing of what they hold, and comments that leave out their noun ("So many are kept", "It does, and has").
+# Names of types that do not say what they hold, and comments that begin without their noun.
 DIALECT = (r'\b(struct|class) (Kept|Lead|Look|Answer|Leaving|Shell)\b|//+ *(So|Of so|For so|At so|Up to so) (long|much|many|far|often)\b'
            r'|//.*\bso (long|much) (later|before|after)\b|// (It|They) do(es)?,')
 MADE = ('.git', 'build', 'install', 'log', 'report')  # by whoever works here

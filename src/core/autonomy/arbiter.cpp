@@ -30,7 +30,6 @@ Arbiter::Choice Arbiter::choose(const Cycle& cycle, const Steering& steering, bo
   propose(cycle, steering, autonomous, comfort_of(cycle, steering), choice);
   if (choice.evaluated.gentle && choice.evaluated.scored && gives_way(cycle, choice)) {
     propose(cycle, steering, autonomous, {}, choice);
-    choice.evaluated.gentle = false;
   }
   Evasion& evasion = autonomy_.evasion();
   if (!evades(cycle, choice, autonomous)) return choice;

@@ -101,7 +101,7 @@ bool Autonomy::observe(const Cycle& cycle, bool autonomous, const Driven& driven
   }
   stall_.observe(motion, cycle.situation.pose, now);
   const Recovery::Outlook outlook{stall_.impatient(patience, now), driven.tight, driven.soon};
-  recovery_.observe(cycle, motion.stands, outlook);
+  recovery_.observe(cycle, motion.stands, driven.tight);
   if (driven.trapped) {
     if (!outlook.impatient || escape_.active()) return false;
     escape_.begin(now);

@@ -5,14 +5,15 @@
 #include <limits>
 
 #include "core/autonomy/least_legal.hpp"
+#include "core/util/elapsed.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
-// It gives up after so long [s].
+// Longest escape [s].
 constexpr double kLongestEscape = 15.0;
 
-// Headings are tried in such steps [rad], and reached when so near.
+// Step between the headings that are tried, and tolerance of the one that is reached [rad].
 constexpr double kTriedStep = 0.1;
 constexpr double kHeadingReached = 0.05;
 
@@ -72,8 +73,7 @@ int towards_way_out(const Cycle& cycle, Evaluation& evaluated, EscapeTurn::State
 EscapeTurn::Step EscapeTurn::propose(const Cycle& cycle, Evaluation& evaluated) const {
   Step step{out_of_collision(evaluated), state_};
   if (step.candidate >= 0 || !state_.active) return step;
-  const double now = cycle.situation.time;
-  step.next.active = now >= state_.begun && now - state_.begun < kLongestEscape;
+  step.next.active = !elapsed(state_.begun, kLongestEscape, cycle.situation.time);
   if (step.next.active) step.candidate = towards_way_out(cycle, evaluated, step.next);
   return step;
 }

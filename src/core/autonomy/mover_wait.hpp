@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/util/elapsed.hpp"
+
 namespace hidwa_local_planner {
 
 /// Where moving obstacles alone block the way, the robot waits for them to clear it, for some time.
@@ -15,7 +17,7 @@ class MoverWait {
   }
   bool waits() const { return waits_; }
   /// It has waited as long as it will. `now` [s].
-  bool over(double now) const { return waits_ && (now < since_ || now - since_ >= kLongest); }
+  bool over(double now) const { return waits_ && elapsed(since_, kLongest, now); }
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {

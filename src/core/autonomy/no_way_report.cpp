@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/autonomy/way_finder.hpp"
+#include "core/util/elapsed.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -35,8 +36,7 @@ void NoWayReport::forget_noted_far_from(const Pose2& pose) {
 
 bool NoWayReport::tells_late(bool long_search, const Pose2& start, double now) {
   if (told_late_) problem_.clear();
-  const bool due =
-      now < told_at_time_ || now - told_at_time_ >= kTellsAgain || distance(told_at_, start) >= WayFinder::kSamePlace;
+  const bool due = elapsed(told_at_time_, kTellsAgain, now) || distance(told_at_, start) >= WayFinder::kSamePlace;
   told_late_ = long_search && problem_.empty() && due;
   if (told_late_) {
     told_at_time_ = now;

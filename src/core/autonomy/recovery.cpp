@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/autonomy/least_legal.hpp"
+#include "core/util/elapsed.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -19,7 +20,7 @@ constexpr double kLongestRenewal = 1.0;
 constexpr double kSearchPause = 2.0;
 constexpr double kRenewalPause = 0.2;
 
-// Moving obstacles block the plan so far ahead [m].
+// Distance ahead within which moving obstacles block the plan [m].
 constexpr double kBlockingAhead = 2.5;
 
 constexpr const char* kNoWay = "no way for this outline through the local map";
@@ -27,9 +28,6 @@ constexpr const char* kLate = "no way was found in time through the local map";
 constexpr const char* kNoMemory = "no way was found through the local map, and the memory for more is used up";
 constexpr const char* kBlocked = "what moves has blocked the only way for 30 s";
 static_assert(MoverWait::kLongest == 30.0, "the text says so");
-
-// `time` is not within `pause` after `last`; all in [s]. Also where time has gone back.
-bool due(double last, double pause, double time) { return !(time >= last && time - last < pause); }
 
 int rest(Evaluation& evaluated) {
   return least_legal(evaluated, [](const Tile& tile, std::size_t c) {
@@ -80,8 +78,7 @@ bool Recovery::undecided() const {
 
 Recovery::Step Recovery::propose(const Cycle& cycle, Evaluation& evaluated) const {
   Step step;
-  step.followed = phase_ == Phase::follows;
-  if (step.followed) {
+  if (follows()) {
     step.way = follower_.propose(cycle, evaluated, !goes_back_ && !to_goal_);
     step.proposal = {step.way.candidate, ChoiceReport::Rule::way};
   }
@@ -90,7 +87,7 @@ Recovery::Step Recovery::propose(const Cycle& cycle, Evaluation& evaluated) cons
 }
 
 void Recovery::commit(const Step& step, StallWatch& stall, double now) {
-  if (!step.followed) return;
+  if (!follows()) return;
   if (step.way.ended) {
     enter(Phase::idle, now);
     stall.forget_poses();
@@ -102,8 +99,8 @@ void Recovery::commit(const Step& step, StallWatch& stall, double now) {
   }
 }
 
-void Recovery::observe(const Cycle& cycle, bool stands, const Outlook& outlook) {
-  follower_.note_tight(outlook.tight);
+void Recovery::observe(const Cycle& cycle, bool stands, bool tight) {
+  follower_.note_tight(tight);
   back_.observe(cycle.situation.pose, blocked_by_movers(cycle, stands), cycle.situation.time);
   report_.forget_noted_far_from(cycle.situation.pose);
 }
@@ -131,14 +128,14 @@ void Recovery::change_phase(const Cycle& cycle, const StallWatch& stall, const O
     holds_ = true;
   }
   const bool settled = stall.settled(cycle);
-  const bool again = phase_ == Phase::waits && due(since_, kSearchPause, now);
+  const bool again = phase_ == Phase::waits && elapsed(since_, kSearchPause, now);
   const bool found_out = phase_ != Phase::follows && finder_.searching() && finder_.began_near(cycle.situation.pose);
   if (settled && found_out && phase_ != Phase::searches) {
     phase_ = Phase::searches;
     report_.tell_noted();
   } else if (settled && (ordinary || phase_ == Phase::stops || again)) {
     begin_search(cycle, Phase::searches, cycle.situation.pose);
-  } else if (phase_ == Phase::idle && outlook.tight && due(searched_ahead_, kSearchPause, now)) {
+  } else if (phase_ == Phase::idle && outlook.tight && elapsed(searched_ahead_, kSearchPause, now)) {
     searched_ahead_ = now;
     begin_search(cycle, Phase::looks_ahead, outlook.soon);
   }
@@ -186,7 +183,7 @@ void Recovery::begin_search(const Cycle& cycle, Phase phase, const Pose2& start)
 }
 
 bool Recovery::late(double now) const {
-  return due(since_, phase_ == Phase::looks_ahead ? kLongestAhead : kLongestSearch, now);
+  return elapsed(since_, phase_ == Phase::looks_ahead ? kLongestAhead : kLongestSearch, now);
 }
 
 // Continues a search whose way is followed at once. True where it has ended without one.
@@ -194,11 +191,14 @@ bool Recovery::searches_in_vain(const Cycle& cycle, bool stands) {
   const double now = cycle.situation.time;
   const WaySearch::State state = finder_.run(cycle, follower_.way());
   if (state != WaySearch::State::found) return state != WaySearch::State::searching || late(now);
-  const bool while_driving = phase_ == Phase::looks_ahead && !stands;
+  follow_way(now, phase_ == Phase::looks_ahead && !stands);
+  return false;
+}
+
+void Recovery::follow_way(double now, bool while_driving) {
   report_.forget_noted();
   enter(Phase::follows, now);
   follower_.begin(now, while_driving);
-  return false;
 }
 
 void Recovery::look_ahead(const Cycle& cycle, bool stands) {
@@ -219,6 +219,7 @@ void Recovery::search_back(const Cycle& cycle, bool stands) {
 void Recovery::search(const Cycle& cycle, bool may_follow) {
   const double now = cycle.situation.time;
   const bool found = !follower_.way().empty();
+  const bool long_search = now - since_ >= kPromptSearch && !finder_.with_movers() && !wait_.waits();
   switch (found ? WaySearch::State::found : finder_.run(cycle, follower_.way())) {
     case WaySearch::State::found:
       follow_found_way(cycle, may_follow);
@@ -226,8 +227,7 @@ void Recovery::search(const Cycle& cycle, bool may_follow) {
     case WaySearch::State::searching:
       if (late(now)) {
         fail(now, kLate);
-      } else if (const bool patient = finder_.with_movers() || wait_.waits();
-                 report_.tells_late(!patient && now - since_ >= kPromptSearch, finder_.start(), now)) {
+      } else if (report_.tells_late(long_search, finder_.start(), now)) {
         report_.tell(kLate, finder_.end());
       }
       break;
@@ -254,9 +254,7 @@ void Recovery::follow_found_way(const Cycle& cycle, bool may_follow) {
   } else if (!follower_.still_leads(cycle, near)) {
     begin_search(cycle, Phase::searches, cycle.situation.pose);
   } else if (may_follow) {
-    report_.forget_noted();
-    enter(Phase::follows, now);
-    follower_.begin(now, false);
+    follow_way(now, false);
   }
 }
 
@@ -266,7 +264,7 @@ void Recovery::renew(const Cycle& cycle, const StallWatch& stall, const Pose2& s
   if (goes_back_) return;
   const double now = cycle.situation.time;
   if (!finder_.searching()) {
-    if (!follower_.narrower() || stall.gets_nowhere(cycle) || !due(renewed_, kRenewalPause, now)) return;
+    if (!follower_.narrower() || stall.gets_nowhere(cycle) || !elapsed(renewed_, kRenewalPause, now)) return;
     renewed_ = now;
     finder_.begin(cycle, start, target(), back_);
   }
@@ -275,7 +273,7 @@ void Recovery::renew(const Cycle& cycle, const StallWatch& stall, const Pose2& s
     if (follower_.is_worse_than(other_, finder_.start())) follower_.replace(other_, now);
     follower_.accept_room();
   }
-  if (state != WaySearch::State::searching || due(renewed_, kLongestRenewal, now)) finder_.clear();
+  if (state != WaySearch::State::searching || elapsed(renewed_, kLongestRenewal, now)) finder_.clear();
 }
 
 void Recovery::fail(double now, const char* why) {

@@ -42,19 +42,18 @@ class Recovery {
   /// What it would have the robot do, with all candidates checked and scored.
   struct Step {
     Proposal proposal;
-    WayFollower::Step way;
-    bool followed = false;  // a way was
+    WayFollower::Step way;  // where it follows one
   };
   Step propose(const Cycle& cycle, Evaluation& evaluated) const;
   void commit(const Step& step, StallWatch& stall, double now);
+  /// After each cycle of autonomy. `tight`: see Outlook.
+  void observe(const Cycle& cycle, bool stands, bool tight);
   /// What is known of the time to come.
   struct Outlook {
     bool impatient = false;  // the robot has rested long enough
     bool tight = false;      // it comes near to something soon
     Pose2 soon;              // where it is when the next command takes effect, costmap frame
   };
-  /// After each cycle of autonomy.
-  void observe(const Cycle& cycle, bool stands, const Outlook& outlook);
   /// Then, unless the robot is trapped in collision: from phase to phase.
   void advance(const Cycle& cycle, const StallWatch& stall, const Outlook& outlook);
 
@@ -93,6 +92,7 @@ class Recovery {
   void begin_search(const Cycle& cycle, Phase phase, const Pose2& start);
   bool late(double now) const;
   bool searches_in_vain(const Cycle& cycle, bool stands);
+  void follow_way(double now, bool while_driving);
   void look_ahead(const Cycle& cycle, bool stands);
   void search_back(const Cycle& cycle, bool stands);
   void search(const Cycle& cycle, bool may_follow);

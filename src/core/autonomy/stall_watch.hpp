@@ -31,7 +31,7 @@ class StallWatch {
 
   bool stands() const { return stands_.holds(); }
   double standing_time(double now) const { return stands_.time(now); }  // [s]
-  /// It has stood for so long that the last command has taken effect.
+  /// It has stood until the last command took effect.
   bool settled(const Cycle& cycle) const;
   /// It has stood or crept for `patience` [s].
   bool impatient(double patience, double now) const { return rests_.for_at_least(patience, now); }

@@ -17,7 +17,7 @@ constexpr double kFollowed = 0.4;
 // Only this part of the way ahead counts [s].
 constexpr double kWayAhead = 2.0;
 
-// A way leads on from where it turns back once the robot is so near to that pose [m].
+// Tolerance of the pose where a way turns back [m]: within it the way leads on.
 constexpr double kNearTurn = 0.02;
 
 // A way has ended when so little of it is left [s].

@@ -26,7 +26,7 @@ class WayFollower {
   struct Progress {
     std::uint32_t part = 0;                                       // of the way, that the robot is on
     double since = 0.0;                                           // the remaining time fell last, or the way began [s]
-    double least = std::numeric_limits<double>::infinity();       // remaining time so far [s]
+    double least = std::numeric_limits<double>::infinity();       // smallest remaining time until now [s]
     double least_left = std::numeric_limits<double>::infinity();  // likewise, from the nearest pose of the way [s]
     double room = -1.0;     // clearance along the way when it was found; negative: not measured yet [m]
     bool narrower = false;  // now it is much less

@@ -71,7 +71,7 @@ class BrakingCheck {
     EscapeRule::Descent descent;
   };
   using EscapeEnds = std::array<EscapeEnd, PendingMotionSet::kMost>;
-  // What the coarse or the fine check has found so far.
+  // Results of the coarse or of the fine check.
   struct CheckPass {
     bool fine = false;
     double depth_spacing = 0.0;  // of poses that are looked at for depth in collision, in cells at least

@@ -166,7 +166,7 @@ class EvasionSearch {
   std::vector<Mover> movers_, near_;
   std::array<std::vector<NearMover>, MotionFan::kSteps> places_;  // of near_, after each step
   MotionFan first_fan_, next_fan_;                                // of a way's first motion, and of the others
-  std::size_t own_ = 0;                                           // so many of its motions are own ones
+  std::size_t own_ = 0;                                           // the number of its own motions
   std::array<Span, kLevels> spans_;
   double horizon_ = 0.0;    // [s]
   double bends_for_ = 0.0;  // velocities go on changing so long [s]
