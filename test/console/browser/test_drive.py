@@ -215,8 +215,8 @@ class Drive(DriveTest):
 
 def carry(what, x):
     """A script that carries a controller or hand to a place at the side [m], as an arm does: at 0.5 m/s, not in a jump."""
-    return ('const p = window.device.%s.position; const timer = setInterval(() => { p.x += Math.max(-0.01, Math.min(0.01, %g - p.x)); '
-            'if (Math.abs(p.x - %g) < 1e-6) clearInterval(timer); }, 20)' % (what, x, x))
+    return ('const p = window.device.%s.position; window.carrying = setInterval(() => { p.x += Math.max(-0.01, Math.min(0.01, %g - p.x)); '
+            'if (Math.abs(p.x - %g) < 1e-6) clearInterval(window.carrying); }, 20)' % (what, x, x))
 
 
 class HeadsetDrive(DriveTest):
@@ -249,11 +249,7 @@ class HeadsetDrive(DriveTest):
         self.enter()
         self.addCleanup(self.leave)
         self.drive_off()
-        page.js(close)
-        page.wait(lambda: page.app("app.hands.hand === 'right'"), 'a hand that grips')
-        page.js(move)
-        self.until_told(lambda: robot.state == 'SHARED', page)
-        page.wait(lambda: page.app('Boolean(app.scene.state && app.scene.state.wanted.omega > 0.3)'), 'a turn to the left is asked for')
+        self.until_told(lambda: self.turns_by_hand(close, move, open_), page)
         page.js('window.lost = true')
         wait(lambda: robot.state in ('HOLD', 'AUTONOMY'), 'lost tracking releases')
         page.js('window.lost = false')
@@ -265,6 +261,20 @@ class HeadsetDrive(DriveTest):
         page.wait(lambda: page.app("app.hands.hand === 'right'"))
         page.js(open_)
         page.wait(lambda: page.app('app.hands.hand === null'))
+
+    @staticmethod
+    def turns_by_hand(close, move, open_):
+        """Whether a hand that grips and is carried asks for a turn to the left. Input from a page that draws slowly may be
+        lost: then it must open first."""
+        page.js('clearInterval(window.carrying)')
+        page.js(open_)
+        page.wait(lambda: page.app('app.hands.hand === null && app.hands.mustOpen.size === 0'), 'an open hand')
+        page.js(close)
+        page.wait(lambda: page.app("app.hands.hand === 'right'"), 'a hand that grips')
+        page.js(move)
+        asks = 'Boolean(app.scene.state && app.scene.state.wanted.omega > 0.3)'
+        wait(lambda: page.app(asks) or robot.state == 'LOST', 'a turn to the left is asked for')
+        return robot.state == 'SHARED' and page.app(asks)
 
     def test_b_a_controller_moved_sideways_while_gripped_steers(self):
         right = 'window.device.controllers.right'
