@@ -1,7 +1,7 @@
 # The ROS side of the build: messages, dynamic_reconfigure, what other packages may use.
 
 set(HIDWA_CATKIN_DEPENDS
-  angles costmap_2d diagnostic_updater dynamic_reconfigure geometry_msgs nav_core nav_msgs pluginlib roscpp
+  actionlib_msgs angles costmap_2d diagnostic_updater dynamic_reconfigure geometry_msgs nav_core nav_msgs pluginlib roscpp
   sensor_msgs std_msgs tf2 tf2_geometry_msgs tf2_ros topic_tools visualization_msgs)
 
 find_package(catkin REQUIRED COMPONENTS message_generation ${HIDWA_CATKIN_DEPENDS})

@@ -204,7 +204,7 @@ class Run {
 
   // Nobody steers, and the host was not told that there is no way.
   bool wants_to_drive() const {
-    return intent_.influence == Influence::none && !route_.latched() && outcome_ != Outcome::fail;
+    return intent_.influence == Influence::none && !goalless_ && !route_.latched() && outcome_ != Outcome::fail;
   }
 
   Twist2 plan(int now, const Pose2& pose, bool goal_begins) {
@@ -215,9 +215,14 @@ class Run {
   // As a plugin: the whole control loop, and a person who steers by messages.
   Twist2 step_loop(int now, const Pose2& pose, bool goal_begins) {
     const double time = seconds(now);
-    if (goal_begins) loop_.set_plan(route_.points(), "map", time, 1e-3 * spec_.period);
+    const bool had_goal = !goalless_;
+    if (spec_.goalless >= 1.0 || (spec_.goalless > 0.0 && random_.chance(0.02)))
+      goalless_ = had_goal || spec_.goalless >= 1.0;
+    if (had_goal && goalless_) machine_.goal_ends();
+    if (goal_begins || (!had_goal && !goalless_)) loop_.set_plan(route_.points(), "map", time, 1e-3 * spec_.period);
     device_.send(time, intent_, parameters_);
     control::Observation observation;
+    observation.goalless = goalless_;
     observation.timing.now = time;
     observation.timing.period = 1e-3 * spec_.period;
     observation.timing.longest_period = longest();
@@ -230,7 +235,7 @@ class Run {
     observation.costmap = view(pose);
     if (spec_.walkers_told) observation.moving_obstacles = told_walkers();
     if (loop_.goal_begins()) machine_.new_goal();
-    const control::Result result = loop_.step(observation, machine_.update(time));
+    const control::Result result = loop_.step(observation, machine_.update(time, goalless_));
     machine_.debrief(time, result.feedback);
     outcome_ = result.outcome;
     escaping_ = result.decision != nullptr && result.decision->escaping;
@@ -387,6 +392,7 @@ class Run {
   Device device_;
   hidwa_local_planner::PeriodWatch periods_;
   double set_by_ = 0.0;    // the clock [s]
+  bool goalless_ = false;  // the host has no goal
   bool set_back_ = false;  // in this cycle
   int last_cycle_ = -1;    // [ms]
   int rests_from_ = 0;     // [ms]

@@ -15,6 +15,7 @@ using hidwa_local_planner::OperatorMode;
 
 constexpr int kSeconds = 20;  // of a drive [s]
 constexpr std::uint64_t kOutsideEvery = 20;
+constexpr std::uint64_t kGoallessEvery = 3;
 
 // What only a study does.
 const std::vector<Condition>& outside() {
@@ -90,6 +91,13 @@ void add(Spec& s, bool condition_has_speed, Random& r) {
   if (s.walkers > 0) keep_out_of_reach(s);
 }
 
+// Without a goal all the time, or one that comes and goes.
+void take_goal(Spec& s, Random& r) {
+  if (s.link == Link::none) s.link = Link::prompt;
+  s.parameters.linear = LinearPolicy::axis;
+  s.goalless = r.of({0.5, 1.0});
+}
+
 const char* place_of(const Spec& spec) { return name_of(spec.place); }
 
 }  // namespace
@@ -107,6 +115,7 @@ HostileDrive hostile_drive(std::uint64_t study_seed, std::uint64_t index, const 
   Random random(drive.seed ^ 0xdeadbeefULL);
   const bool has_speed = drive.spec.parameters.max_vel_x > 1.0;
   add(drive.spec, has_speed, random);
+  if (index % kGoallessEvery == kGoallessEvery - 1) take_goal(drive.spec, random);
   drive.place = place_of(drive.spec);
   if (!grounds.empty() && random.chance(0.5)) {
     const Ground& ground = grounds[static_cast<std::size_t>(random.whole(0, static_cast<int>(grounds.size()) - 1))];

@@ -77,6 +77,7 @@ struct Spec {
 
   Link link = Link::none;
   bool relentless = false;  // the person hardly ever rests
+  double goalless = 0.0;    // the share of time in which the host has no goal; not with Link::none
   int walkers = 0;
   Bounds bounds;  // of walkers
   bool walkers_told = true;

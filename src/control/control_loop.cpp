@@ -167,7 +167,7 @@ std::optional<Twist2> ControlLoop::velocity_of(const Observation& observation) c
 }
 
 Result ControlLoop::step(const Observation& observation, const OperatorIntent& wanted, const Sampling& sampling) {
-  goal_.begins = false;  // what began before, the operator has heard
+  if (!observation.goalless) goal_.begins = false;  // what began before, the operator has heard
   goal_checker_.cycle(observation.timing.now);
   watch_velocity(observation);
   if (observation.timing.jumped_back) fault_brake_.clear();
@@ -178,8 +178,10 @@ Result ControlLoop::step(const Observation& observation, const OperatorIntent& w
   }
   Result result;
   result.intent = wanted;
+  result.goalless = observation.goalless;
   OperatorIntent intent = wanted;
   if (observation.host_stops) intent.influence = Influence::stop;
+  if (observation.goalless) follow_operator(intent);
   autonomous_ = intent.influence == Influence::none && intent.state == OperatorStateId::autonomy;
   steered_ = intent.influence == Influence::shared || intent.influence == Influence::direct;
   if (observation.fault.empty()) {
@@ -189,6 +191,13 @@ Result ControlLoop::step(const Observation& observation, const OperatorIntent& w
   }
   remember(observation, result);
   return result;
+}
+
+// Without a goal the operator alone drives, always guarded.
+void ControlLoop::follow_operator(OperatorIntent& intent) {
+  const bool drives = intent.influence == Influence::shared || intent.influence == Influence::direct;
+  intent.influence = drives ? Influence::direct : Influence::stop;
+  intent.guarded = true;
 }
 
 void ControlLoop::brake(const Observation& observation, const OperatorIntent& intent, Result& result) {
@@ -205,7 +214,7 @@ void ControlLoop::brake(const Observation& observation, const OperatorIntent& in
 void ControlLoop::decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling,
                          Result& result) {
   fault_brake_.clear();
-  if (plan_choice_.offers()) choose_plan(observation);
+  if (plan_choice_.offers() && !observation.goalless) choose_plan(observation);
   take_situation(observation);
   result.decision = &planner_.plan(situation_, observation.costmap, intent, sampling);
   result.outcome = result.decision->outcome;
@@ -232,12 +241,23 @@ void ControlLoop::take_situation(const Observation& observation) {
   situation_.velocity = *velocity_of(observation);
   situation_.velocity_time =
       twist_watch_.doubts() ? observation.timing.now - observation.pose_age : observation.velocity_time;
-  situation_.goal = goal_of(observation);
   situation_.pose_age = observation.pose_age;
   situation_.moving_obstacles = observation.moving_obstacles;
+  situation_.goalless = observation.goalless;
+  if (observation.goalless) return take_no_goal(observation);
+  situation_.goal = goal_of(observation);
   take_plan_window(observation);
   check_goal(observation);
   situation_.goal_latched = goal_checker_.latched();
+}
+
+// Whatever goal comes next is a new one.
+void ControlLoop::take_no_goal(const Observation& observation) {
+  goal_.known = false;
+  situation_.goal = observation.pose;
+  situation_.goal_next = true;
+  situation_.goal_latched = situation_.turns_back = false;
+  situation_.plan.clear();
 }
 
 void ControlLoop::take_plan_window(const Observation& observation) {
@@ -255,13 +275,14 @@ void ControlLoop::take_plan_window(const Observation& observation) {
 void ControlLoop::remember(const Observation& observation, Result& result) {
   last_command_ = result.command;  // zero on failure: so the host does
   input::CycleFeedback& feedback = result.feedback;
-  feedback.new_goal = std::exchange(goal_.begins, false);
+  if (!observation.goalless) feedback.new_goal = std::exchange(goal_.begins, false);
   feedback.command = result.command;
   const Twist2 velocity = velocity_of(observation).value_or(Twist2{});
   feedback.stands = hidwa_local_planner::stands(result.command, velocity, parameters());
   feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_rejected_by.empty();
-  feedback.goal_latched = goal_checker_.latched();
+  feedback.goal_latched = goal_checker_.latched() && !observation.goalless;
   stands_ = feedback.stands;
+  if (observation.goalless) return;
   if (result.outcome == Outcome::fail) plan_choice_.give_way();
   if (result.decision != nullptr && result.decision->problem_kind == Problem::stuck) plan_.give_way();
 }

@@ -56,6 +56,10 @@ void Prediction::update(const ControlLoop& loop, const Observation& observation,
     reason_ = observation.fault;
     return;
   }
+  if (observation.goalless) {
+    reason_ = "there is no goal";
+    return;
+  }
   // A robot that stops does so wherever it is, and where it is may be no number.
   if (result.decision->problem_kind == Problem::input || !is_finite(observation.pose)) {
     reason_ = result.decision->problem;

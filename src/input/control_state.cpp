@@ -4,7 +4,7 @@
 namespace hidwa_local_planner::input {
 
 OperatorIntent ControlState::update(const CycleInput& cycle) {
-  if (is_steering(state_) && !cycle.channel.active()) begin_hold(cycle);
+  if (is_steering(state_) && !cycle.channel.active() && !cycle.goalless) begin_hold(cycle);
   const Facts present = facts(cycle);
   state_ = next_state(state_, present);
   const bool in_command =
@@ -43,8 +43,9 @@ Facts ControlState::facts(const CycleInput& cycle) const {
   facts.enabled = p.mode != OperatorMode::off;
   facts.stop = cycle.stop;
   facts.manual = cycle.manual;
-  facts.lost = cycle.channel.lost() && (!switching || cycle.manual);
-  facts.active = cycle.channel.active() && !switching;
+  facts.goalless = cycle.goalless;
+  facts.lost = cycle.channel.lost() && (!switching || cycle.manual || cycle.goalless);
+  facts.active = cycle.channel.active() && (!switching || cycle.goalless);
   facts.blocked = blocked_.for_at_least(p.blocked_time, cycle.now);
   facts.holding = hold_.running(cycle.now, p.delta);
   facts.at_goal = goal_latched_ && !p.operator_in_goal_window;
@@ -56,21 +57,21 @@ OperatorIntent ControlState::intent(const CycleInput& cycle) const {
   OperatorIntent intent;
   intent.state = state_;
   const bool lost = state_ == OperatorStateId::lost;
-  const bool stops =
-      state_ == OperatorStateId::stopped || (lost && (cycle.manual || p.on_input_lost == OnInputLost::stop));
+  const bool stops = state_ == OperatorStateId::stopped ||
+                     (lost && (cycle.manual || cycle.goalless || p.on_input_lost == OnInputLost::stop));
   const bool straight_on = state_ == OperatorStateId::hold ||
                            (lost && p.on_input_lost == OnInputLost::hold && hold_.running(cycle.now, p.delta));
   if (stops) {
     intent.influence = Influence::stop;
   } else if (state_ == OperatorStateId::manual) {
     intent.influence = Influence::direct;
-    intent.guarded = p.guard == Guard::nearest;
+    intent.guarded = p.guard == Guard::nearest || cycle.goalless;
     if (cycle.channel.active()) intent.u_h = cycle.channel.u_h();
   } else if (is_steering(state_)) {
     intent.influence = Influence::shared;
     intent.u_h = cycle.channel.u_h();
     if (p.linear == LinearPolicy::current) intent.u_h.v = last_v_.value_or(0.0);
-  } else if (straight_on) {
+  } else if (straight_on && !cycle.goalless) {
     intent.influence = Influence::shared;
     intent.u_h = {hold_.v(), 0.0};
   }

@@ -104,7 +104,7 @@ void OperatorStateMachine::heartbeat(double now, const std::optional<double>& cl
   if (clock_ahead) watch_clock(*clock_ahead);
 }
 
-OperatorIntent OperatorStateMachine::update(double now) {
+OperatorIntent OperatorStateMachine::update(double now, bool goalless) {
   if (now < std::max(now_, received_) - kClockJitter) set_back(now);
   note_alive(now);
   pauses_.begin_cycle();
@@ -114,7 +114,7 @@ OperatorIntent OperatorStateMachine::update(double now) {
   rhythm_.check(now_, parameters_.input_timeout);
   check_steering_source(now_);
   add_sentence(warnings_, stop_.end_dismissed(now_, unattended_after()));
-  return control_.update({now_, stop_.requested(), manual(), channel_, parameters_});
+  return control_.update({now_, stop_.requested(), manual(), goalless, channel_, parameters_});
 }
 
 void OperatorStateMachine::debrief(double now, const CycleFeedback& feedback) {

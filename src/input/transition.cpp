@@ -10,6 +10,7 @@ OperatorStateId next_state(OperatorStateId present, const Facts& facts) {
   const bool can_lose = is_steering(present) || present == OperatorStateId::manual ||
                         present == OperatorStateId::lost || present == OperatorStateId::stopped;
   if (facts.lost && can_lose) return OperatorStateId::lost;
+  if (facts.goalless) return facts.active ? OperatorStateId::manual : OperatorStateId::autonomy;
   if (facts.manual) return OperatorStateId::manual;
   if (facts.at_goal) return OperatorStateId::autonomy;
   if (facts.active) return facts.blocked ? OperatorStateId::blocked : OperatorStateId::shared;

@@ -63,6 +63,7 @@ void OperatorFeedback::fill(const ros::Time& stamp, const CycleResult& result, c
   message.mode = mode;
   message.state = static_cast<std::uint8_t>(intent.state);
   message.state_name = to_string(intent.state);
+  message.without_goal = result.goalless;
   message.active = intent.influence != Influence::none;
   message.wanted = to_message(intent.u_h);
   message.command = to_message(result.command);

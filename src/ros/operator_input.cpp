@@ -139,7 +139,7 @@ void OperatorInput::catch_up(double now) {
   }
 }
 
-OperatorIntent OperatorInput::update(double now, Bytes* before) {
+OperatorIntent OperatorInput::update(double now, bool goalless, Bytes* before) {
   catch_up(now);
   std::unique_lock<std::mutex> lock(mutex_);
   if (before != nullptr) {
@@ -147,7 +147,7 @@ OperatorIntent OperatorInput::update(double now, Bytes* before) {
     ArchiveWriter write(*before);
     machine_.save(write);
   }
-  const OperatorIntent intent = machine_.update(now);
+  const OperatorIntent intent = machine_.update(now, goalless);
   const std::string warnings = machine_.take_warnings();
   lock.unlock();
   if (!warnings.empty()) ROS_WARN("%s", warnings.c_str());
@@ -162,6 +162,16 @@ void OperatorInput::debrief(double now, const input::CycleFeedback& feedback) {
 void OperatorInput::new_goal() {
   const std::lock_guard<std::mutex> lock(mutex_);
   machine_.new_goal();
+}
+
+void OperatorInput::goal_ends() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  machine_.goal_ends();
+}
+
+bool OperatorInput::steers() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return machine_.steers();
 }
 
 bool OperatorInput::manual() const {

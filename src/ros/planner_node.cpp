@@ -61,21 +61,50 @@ void start_planner(std::unique_ptr<PlannerNode>& planner, const std::string& nam
 
 OperatorInput::Status PlannerNode::operator_status() const { return operator_.status(LoopTime::now().seconds); }
 
+// The host may hold the costmap's recursive mutex already.
+PlannerNode::Entry PlannerNode::enter() const {
+  Entry entry{boost::unique_lock<costmap_2d::Costmap2D::mutex_t>(*costmap_.getCostmap()->getMutex()), {}};
+  entry.planner = std::unique_lock<std::mutex>(mutex_);
+  return entry;
+}
+
+PlannerNode::Entry PlannerNode::enter_from_host() {
+  host_called_ = ros::SteadyTime::now().toSec();
+  return enter();
+}
+
+PlannerNode::WithoutGoal PlannerNode::without_goal() const {
+  const std::lock_guard<std::mutex> lock(without_goal_mutex_);
+  return without_goal_;
+}
+
+bool PlannerNode::stands() const {
+  const Entry entry = enter();
+  return loop_.stands();
+}
+
+double PlannerNode::period() const {
+  const Entry entry = enter();
+  return nominal_period();
+}
+
 void PlannerNode::set_plan(const std::vector<geometry_msgs::PoseStamped>& plan) {
+  const Entry entry = enter_from_host();
   PlanMessage read = read_plan(plan);
   plan_fault_ = read.fault;
   const double now = LoopTime::now().seconds;
-  if (!read.fault.empty()) return loop_.drop_plan(now, period());
+  if (!read.fault.empty()) return loop_.drop_plan(now, nominal_period());
   if (std::isnan(read.poses.back().theta)) {
     ROS_WARN_ONCE("%s: the plan's last orientation is all zeros, which is no heading: at the goal any heading will do",
                   name_.c_str());
   }
-  loop_.set_plan(std::move(read.poses), read.frame, now, period());
+  loop_.set_plan(std::move(read.poses), read.frame, now, nominal_period());
 }
 
 bool PlannerNode::goal_reached(bool host_stops) {
+  const Entry entry = enter_from_host();
   const LoopTime now = LoopTime::now();
-  const RobotObservation seen = observe(now, host_.between_cycles(now.seconds, loop_.parameters()));
+  const RobotObservation seen = observe(now, host_.between_cycles(now.seconds, loop_.parameters()), false);
   const bool reached = loop_.goal_reached(seen, operator_.manual());
   if (!host_.tell_goal_reached(reached, host_stops, loop_.stands())) return false;
   loop_.finish_goal(seen.timing);
@@ -83,10 +112,21 @@ bool PlannerNode::goal_reached(bool host_stops) {
 }
 
 void PlannerNode::set_goal_tolerances(double xy, double yaw) {
+  const Entry entry = enter_from_host();
   if (host_.set_tolerances(xy, yaw)) parameters_.repeat();
 }
 
 CycleResult PlannerNode::cycle(bool stop) {
+  const Entry entry = enter_from_host();
+  return run_cycle(stop || host_.arriving(), false);
+}
+
+CycleResult PlannerNode::cycle_without_goal() {
+  const Entry entry = enter();
+  return run_cycle(false, true);
+}
+
+CycleResult PlannerNode::run_cycle(bool stop, bool goalless) {
   host_.cycle_called();
   const LoopTime now = LoopTime::now();
   if (parameters_.take()) check_horizon();
@@ -94,7 +134,9 @@ CycleResult PlannerNode::cycle(bool stop) {
   operator_.look_for_hand(loop_.parameters(), now);
   const bool recorded = loop_.parameters().record_cycles && outputs_.publishing().cycle_wanted();
   if (outputs_.publishing().new_cycle_subscriber() || !recorded) recorder_.demand_key();
-  const CycleResult result = decide(now, timing, stop || host_.arriving(), recorded);
+  RobotObservation observation = observe(now, timing, goalless);
+  observation.host_stops = stop;
+  const CycleResult result = decide(now, timing, observation, recorded);
   outputs_.tell(now, loop_, result, operator_.status(now.seconds));
   const double duration = host_.time_in_cycle();
   outputs_.finish(now.stamp, result, duration, timing.period,
@@ -118,18 +160,16 @@ control::Timing PlannerNode::begin_cycle(double now) {
   return timing;
 }
 
-CycleResult PlannerNode::decide(const LoopTime& now, const control::Timing& timing, bool stop, bool recorded) {
-  // Most hosts hold this recursive mutex already.
-  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
-  RobotObservation observation = observe(now, timing);
+CycleResult PlannerNode::decide(const LoopTime& now, const control::Timing& timing, RobotObservation& observation,
+                                bool recorded) {
   if (host_.was_away()) observation.resumed = inputs_.velocity_after_pause(now.seconds, loop_.parameters());
-  observation.host_stops = stop;
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
   result.sampling = budget_.in_force();
   if (outputs_.publishing().candidates_wanted()) result.sampling.report = Report::legality;
-  if (loop_.goal_begins()) operator_.new_goal();
-  const OperatorIntent intent = operator_.update(now.seconds, recorded ? &recorder_.operator_state() : nullptr);
+  if (loop_.goal_begins() && !observation.goalless) operator_.new_goal();
+  const OperatorIntent intent =
+      operator_.update(now.seconds, observation.goalless, recorded ? &recorder_.operator_state() : nullptr);
   if (recorded) recorder_.begin(loop_, observation, result.sampling);
   static_cast<control::Result&>(result) = loop_.step(observation, intent, result.sampling);
   operator_.debrief(now.seconds, result.feedback);
@@ -140,12 +180,13 @@ CycleResult PlannerNode::decide(const LoopTime& now, const control::Timing& timi
   return result;
 }
 
-RobotObservation PlannerNode::observe(const LoopTime& now, const control::Timing& timing) {
+RobotObservation PlannerNode::observe(const LoopTime& now, const control::Timing& timing, bool goalless) {
   RobotObservation seen;
   seen.timing = timing;
+  seen.goalless = goalless;
   const Parameters& parameters = loop_.parameters();
-  if (!seen.lacks(Missing::parameters, parameters_.fault())) seen.lacks(Missing::plan, plan_fault_);
-  inputs_.observe(now, loop_.plan_frame(), parameters, seen);
+  if (!seen.lacks(Missing::parameters, parameters_.fault()) && !goalless) seen.lacks(Missing::plan, plan_fault_);
+  inputs_.observe(now, goalless ? costmap_.getGlobalFrameID() : loop_.plan_frame(), parameters, seen);
   if (seen.missing == Missing::nothing && !seen.lacks(Missing::footprint, update_footprint())) {
     inputs_.observe_moving_obstacles(now.seconds, parameters, seen.moving_obstacles);
   }
@@ -194,7 +235,11 @@ void PlannerNode::start_parameters() {
   ParameterUpdates::Targets targets;
   targets.listen = [this](const Parameters& parameters) { return listen(parameters); };
   targets.configure = [this](const ParameterSet& set) { return configure(set); };
-  targets.accepted = [this](const Parameters& parameters) { outputs_.feedback().show_mode(parameters.mode); };
+  targets.accepted = [this](const Parameters& parameters) {
+    outputs_.feedback().show_mode(parameters.mode);
+    const std::lock_guard<std::mutex> lock(without_goal_mutex_);
+    without_goal_ = {parameters.drive_without_goal, parameters.drive_topic};
+  };
   report_start(parameters_.start(std::move(targets)));
   commands_ = std::make_unique<OperatorCommands>(thread_.serve(handle_of(name_)), operator_, parameters_.reconfigure());
 }
@@ -232,11 +277,11 @@ void PlannerNode::report_start(std::size_t found) const {
   ROS_INFO("%s: %zu values came from the parameter server; values other than the defaults: %s", where.c_str(), found,
            changed.empty() ? "none" : joined(changed).c_str());
   ROS_INFO("%s: critics in order: %s; control period %.3f s", where.c_str(),
-           joined(split_names(loop_.parameters().critics)).c_str(), period());
+           joined(split_names(loop_.parameters().critics)).c_str(), nominal_period());
 }
 
 Diagnostics::Load PlannerNode::load() const {
-  const double nominal = period();
+  const double nominal = nominal_period();
   return {nominal,
           host_.longest_period(nominal),
           inputs_.odometry_watch().doubted(),

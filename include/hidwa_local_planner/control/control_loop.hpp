@@ -63,12 +63,13 @@ struct Observation {
   /// Set after a pause of the host: the robot's velocity, as far as it is known.
   std::optional<Twist2> resumed;
   bool host_stops = false;  // the robot is to brake to rest whatever the operator wants
+  bool goalless = false;    // the host has no goal: the operator drives, with every check, or the robot rests
 
   /// All but the costmap, whose cells belong to another object.
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.timing, self.fault, self.velocity, self.velocity_time, self.pose, self.pose_age, self.from_plan.origin,
-       self.resumed, self.host_stops);
+       self.resumed, self.host_stops, self.goalless);
   }
 };
 
@@ -78,6 +79,7 @@ struct Result {
   Twist2 command;                      // sent, or zero on failure [m/s, rad/s]
   const Decision* decision = nullptr;  // null where something was missing; valid until the next cycle
   OperatorIntent intent;               // as given to step(), even while the host stops the robot
+  bool goalless = false;               // as observed
   input::CycleFeedback feedback;       // for the operator's state machine
 };
 
@@ -146,6 +148,7 @@ class ControlLoop {
     io(self.goal_checker_, self.fault_brake_, self.plan_, self.plan_choice_, self.goal_.first, self.goal_.pose,
        self.last_command_, self.resumed_, self.steered_);
   }
+  static void follow_operator(OperatorIntent& intent);
   void begin_goal();
   Pose2 goal_of(const Observation& observation) const;
   PlanOrder order() const { return {parameters().xy_goal_tolerance, steered_}; }
@@ -159,6 +162,7 @@ class ControlLoop {
   void choose_plan(const Observation& observation);
   void take_what_was_sent(const Timing& timing);
   void take_situation(const Observation& observation);
+  void take_no_goal(const Observation& observation);
   void take_plan_window(const Observation& observation);
   void remember(const Observation& observation, Result& result);
 

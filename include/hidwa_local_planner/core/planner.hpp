@@ -30,6 +30,7 @@ struct Situation {
   Pose2 goal;                   // the last pose of the full plan
   bool goal_latched = false;    // the position of the goal was reached, see GoalChecker
   bool goal_next = true;        // false: more of the plan is to be driven before the goal counts, however near it is
+  bool goalless = false;        // the operator drives without a goal: there is no plan, and `goal` is the pose
   bool turns_back = false;      // the window ends where the plan turns back: the robot is to get there first
   double period = 0.05;         // nominal, of the control cycle [s]
   double longest_period = 0.0;  // in the last seconds, see PeriodWatch: the next cycle comes no later [s]; 0: period

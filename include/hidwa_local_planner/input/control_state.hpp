@@ -34,6 +34,7 @@ struct CycleInput {
   double now = 0.0;             // [s]
   bool stop = false;            // the robot is to stop
   bool manual = false;          // SW: the operator has control
+  bool goalless = false;        // the host has no goal
   const InputChannel& channel;  // of what steers
   const Parameters& parameters;
 };

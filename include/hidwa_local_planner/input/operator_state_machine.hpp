@@ -61,7 +61,14 @@ class OperatorStateMachine {
 
   /// What the operator asks for now. Call once a cycle, before plan(). Where `now` went back, steering and holding end,
   /// but a stop goes on. An operator who has control keeps it; the robot brakes until their next message.
-  OperatorIntent update(double now);
+  /// `goalless`: the host has no goal, and whoever steers drives (MANUAL).
+  OperatorIntent update(double now, bool goalless = false);
+  /// The operator gives input that counts.
+  bool steers() const { return channel_.active(); }
+  /// A goal is over: whoever steers now must be seen neutral before they drive on without one.
+  void goal_ends() {
+    if (channel_.active()) channel_.demand_neutral();
+  }
   /// What became of it. Call once a cycle, after plan().
   void debrief(double now, const CycleFeedback& feedback);
   /// A new goal: the old one's latch no longer keeps the operator from steering, and a blockage is measured

@@ -33,7 +33,7 @@ namespace hidwa_local_planner {
 namespace record {
 
 /// Of the container, and of what loop and planner remember; a new kind of part is no new format.
-constexpr std::uint16_t kFormat = 5;
+constexpr std::uint16_t kFormat = 6;
 
 /// What stays the same over many cycles.
 struct Setup {

@@ -39,10 +39,12 @@ class OperatorInput {
 
   /// What the operator asks for now. `before`, where it is not null, takes what the machine remembered until then
   /// (OperatorStateMachine::save()).
-  OperatorIntent update(double now, Bytes* before);
+  OperatorIntent update(double now, bool goalless, Bytes* before);
   /// As those of OperatorStateMachine.
   void debrief(double now, const input::CycleFeedback& feedback);
   void new_goal();
+  void goal_ends();
+  bool steers() const;
   bool manual() const;
   /// In words: see OperatorStateMachine.
   void take_control(bool manual);

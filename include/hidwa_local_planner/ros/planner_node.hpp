@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,9 @@
 namespace hidwa_local_planner {
 
 /// The planner in a ROS node: among messages, clocks and parameters. A cycle observes the robot, runs the control loop
-/// once, and tells of the decision. The public functions come from the host's control thread; parameters, odometry and
-/// the operator's messages come from threads of their own.
+/// once, and tells of the decision. The public functions come from the host's control thread, or while it has no goal
+/// from the thread that serves its callbacks: each locks the costmap first, as hosts do, and then the planner.
+/// Parameters, odometry and the operator's messages come from threads of their own.
 class PlannerNode {
  public:
   /// `name`: the planner's namespace below the node's. `tf` and `costmap` must outlive it.
@@ -36,14 +39,28 @@ class PlannerNode {
   /// stays valid until the next cycle. With `stop` the robot brakes to rest and stays, whatever the operator command
   /// is.
   CycleResult cycle(bool stop = false);
+  /// One control cycle while the host has no goal: the operator drives, or the robot brakes to rest.
+  CycleResult cycle_without_goal();
+  /// drive_without_goal and drive_topic, of the newest parameters. From any thread.
+  struct WithoutGoal {
+    bool drives = false;
+    std::string topic;
+  };
+  WithoutGoal without_goal() const;
+  /// The operator gives input that counts. From any thread.
+  bool steered() const { return operator_.steers(); }
+  /// A goal is over: see OperatorStateMachine.
+  void goal_ends() { operator_.goal_ends(); }
+  /// When the host called last, on the wall [s]; negative before the first call. From any thread.
+  double host_called() const { return host_called_; }
   /// True when the goal is reached; `host_stops`: see HostCalls.
   bool goal_reached(bool host_stops = true);
   /// See HostCalls.
   void set_goal_tolerances(double xy, double yaw);
   /// The last command asked for rest, and the robot is at rest.
-  bool stands() const { return loop_.stands(); }
+  bool stands() const;
   OperatorInput::Status operator_status() const;
-  double period() const { return host_.period(loop_.parameters()); }  // nominal, of a control cycle [s]
+  double period() const;  // nominal, of a control cycle [s]
 
  private:
   void start_parameters();
@@ -51,16 +68,28 @@ class PlannerNode {
   std::vector<std::string> configure(const ParameterSet& set);
   void report_start(std::size_t found) const;
 
+  struct Entry {
+    boost::unique_lock<costmap_2d::Costmap2D::mutex_t> costmap;
+    std::unique_lock<std::mutex> planner;
+  };
+  Entry enter() const;
+  Entry enter_from_host();
+  CycleResult run_cycle(bool stop, bool goalless);
   control::Timing begin_cycle(double now);
-  CycleResult decide(const LoopTime& now, const control::Timing& timing, bool stop, bool recorded);
-  RobotObservation observe(const LoopTime& now, const control::Timing& timing);
+  CycleResult decide(const LoopTime& now, const control::Timing& timing, RobotObservation& observation, bool recorded);
+  RobotObservation observe(const LoopTime& now, const control::Timing& timing, bool goalless);
   std::string update_footprint();
   void check_horizon();
   void keep_budget(double duration, double period, const CycleResult& result);
   Diagnostics::Load load() const;
+  double nominal_period() const { return host_.period(loop_.parameters()); }
 
   const std::string name_;
   costmap_2d::Costmap2DROS& costmap_;
+  mutable std::mutex mutex_;
+  mutable std::mutex without_goal_mutex_;
+  WithoutGoal without_goal_;
+  std::atomic<double> host_called_{-1.0};
   CallbackThread thread_;  // of parameters and diagnostics; outlives what it serves
   HostCalls host_;
   Inputs inputs_;

@@ -32,14 +32,18 @@ struct Cycle {
 /// What the deviation from the operator command is measured against.
 struct Steering {
   bool active = false;  // the deviation counts: gamma = 1
-  Twist2 target;        // u_h; with an authority below 1 its blend with what autonomy would choose [m/s, rad/s]
+  /// u_h; with an authority below 1 its blend with what autonomy would choose; without a goal what does as the operator
+  /// means (GoallessIntent) [m/s, rad/s].
+  Twist2 target;
+  double s_v = 1.0;  // weights of the deviation
+  double s_omega = 1.0;
 };
 
 /// The paper's J_sh: Kalliokoski 2022, section III; 0 where nobody steers.
-inline double deviation_cost(const Parameters& parameters, const Steering& steering, const Twist2& u) {
+inline double deviation_cost(const Steering& steering, const Twist2& u) {
   if (!steering.active) return 0.0;
-  return parameters.s_v * std::abs(steering.target.v - u.v) +
-         parameters.s_omega * std::abs(steering.target.omega - u.omega);
+  return steering.s_v * std::abs(steering.target.v - u.v) +
+         steering.s_omega * std::abs(steering.target.omega - u.omega);
 }
 
 // Reserves some more than `count`: the number of candidates changes by a few from cycle to cycle.

@@ -67,7 +67,7 @@ const char* input_fault(const Cycle& cycle) {
   if (!plausible_period(situation.period)) {
     return "the control period is below 1 ms or above 10 s: set controller_frequency";
   }
-  if (situation.plan.empty()) return "the plan is empty";
+  if (situation.plan.empty() && !situation.goalless) return "the plan is empty";
   const MovingObstacleEstimates& movers = situation.moving_obstacles;
   if (!std::all_of(movers.begin(), movers.end(),
                    [](const MovingObstacleEstimate& mover) { return plausible(mover); })) {

@@ -74,12 +74,12 @@ std::size_t Scores::ask_critics(const CycleView& view, const Tile& tile, const C
 }
 
 void Scores::sum_up(const Tile& tile, std::size_t scored, const Cycle& cycle, const Steering& steering) {
-  const Parameters& p = cycle.parameters;
   kernel::Deviation deviation;
   if (steering.active) {
-    deviation = {tile.v, steering.target.v, p.s_v, p.s_omega * std::abs(steering.target.omega - tile.omega)};
+    deviation = {tile.v, steering.target.v, steering.s_v,
+                 steering.s_omega * std::abs(steering.target.omega - tile.omega)};
   }
-  kernel::sum_up(weighted_.data(), scored, p.s_nv, deviation, tile.count, totals_.data() + tile.first);
+  kernel::sum_up(weighted_.data(), scored, cycle.parameters.s_nv, deviation, tile.count, totals_.data() + tile.first);
 }
 
 void Scores::reject_infinite(const Tile& tile, const CriticSet& critics) {

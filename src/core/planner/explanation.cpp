@@ -20,16 +20,18 @@ constexpr std::size_t kLookedAt = 64;
 void Explanation::clear() {
   marked_ = {};
   choice_ = {};
+  steering_ = {};
   full_.clear();
 }
 
 void Explanation::note_choice(const Proposal& proposal, const Steering& steering) {
   marked_.best = proposal.candidate;
   choice_ = {proposal.rule, steering.target, steering.active};
+  steering_ = steering;
 }
 
 double Explanation::deviation(std::size_t candidate) const {
-  return deviation_cost(of_.parameters, {choice_.steered, choice_.target}, of_.candidates.sample(candidate));
+  return deviation_cost(steering_, of_.candidates.sample(candidate));
 }
 
 void Explanation::list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const {

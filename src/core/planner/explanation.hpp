@@ -66,6 +66,7 @@ class Explanation {
   Subject of_;
   Planner::Marked marked_;  // but for the worst
   ChoiceReport choice_;
+  Steering steering_;
   std::vector<CandidateReport> full_;  // of the last cycle, with Report::full
 };
 

@@ -10,7 +10,7 @@ namespace hidwa_local_planner {
 namespace {
 
 // Of what save() writes. Whoever changes that changes this number: then load() refuses what was written before.
-constexpr std::uint32_t kLayout = 20261129;
+constexpr std::uint32_t kLayout = 20261130;
 
 }  // namespace
 
@@ -34,6 +34,7 @@ void Planner::set_footprint(const Polygon& outline) { impl_->set_footprint(outli
 void Planner::reset() {
   impl_->critics.reset();
   impl_->autonomy.reset();
+  impl_->goalless.forget();
   impl_->forget_movers();
 }
 
@@ -45,7 +46,7 @@ bool Planner::leads_to_goal() const { return impl_->autonomy.recovery().leads_to
 
 void Planner::save(Bytes& state) const {
   ArchiveWriter write(state);
-  write(kLayout, impl_->start_estimator, impl_->autonomy);
+  write(kLayout, impl_->start_estimator, impl_->autonomy, impl_->goalless);
   impl_->critics.save(write);
   // Each of these needs those before it.
   const bool accelerates = impl_->accelerations.any(), evades = impl_->autonomy.evasion().goes_on();
@@ -64,7 +65,8 @@ bool Planner::load(const Bytes& state) {
   }
   impl_->critics.reset();
   impl_->forget_movers();
-  read(impl_->start_estimator, impl_->autonomy);  // a search that is under way here already is gone on with
+  read(impl_->start_estimator, impl_->autonomy,
+       impl_->goalless);  // a search that is under way here already is gone on with
   impl_->critics.load(read);
   if (read.more()) read(impl_->movers);
   if (read.more()) read(impl_->autonomy.evasion());

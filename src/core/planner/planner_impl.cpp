@@ -117,6 +117,7 @@ Conclusion Planner::Impl::conclude(const Cycle& cycle) {
   const char* fault = stops ? nullptr : input_fault(cycle);
   if (fault == nullptr && !stops && !passes) return drive(cycle);
   autonomy.interrupt();
+  goalless.forget();
   if (fault != nullptr) return brake(cycle, Problem::input, fault);
   return stops ? stop(cycle) : pass_through(cycle);
 }
@@ -152,13 +153,15 @@ Conclusion Planner::Impl::drive(const Cycle& cycle) {
 // With authority a between 0 and 1 the target is u_ref = (1 - a) u_nv + a u_h, where u_nv is what autonomy alone would
 // choose: the reference is blended, never the weights, and u_ref itself is a candidate.
 Steering Planner::Impl::find_steering(const Cycle& cycle) {
+  if (cycle.situation.goalless) return goalless.update(cycle);
   const Influence influence = cycle.intent.influence;
   const Twist2& u_h = cycle.intent.u_h;
   const double a = influence == Influence::shared ? parameters.authority : 1.0;
   const bool active = influence != Influence::none && a > 0.0;
-  if (!active || a >= 1.0) return {active, u_h};
+  if (!active || a >= 1.0) return {active, u_h, parameters.s_v, parameters.s_omega};
   const Twist2 u_nv = arbiter.cheapest_alone(cycle, u_h);
-  return {true, {u_nv.v + a * (u_h.v - u_nv.v), u_nv.omega + a * (u_h.omega - u_nv.omega)}};
+  const Twist2 u_ref{u_nv.v + a * (u_h.v - u_nv.v), u_nv.omega + a * (u_h.omega - u_nv.omega)};
+  return {true, u_ref, parameters.s_v, parameters.s_omega};
 }
 
 Conclusion Planner::Impl::follow_choice(const Cycle& cycle, const Proposal& proposal) {
@@ -167,6 +170,9 @@ Conclusion Planner::Impl::follow_choice(const Cycle& cycle, const Proposal& prop
   }
   explanation.describe_choice(decision);
   const Twist2& sample = evaluation.candidates().sample(static_cast<std::size_t>(proposal.candidate));
+  if (cycle.situation.goalless && against_operator(sample, cycle.start.reference, cycle.intent.u_h)) {
+    return brake(cycle, Problem::rejected, "every candidate that the operator could mean was rejected");
+  }
   return follow(sample, evaluation.obstacles().admissibility().command_for(sample));
 }
 

@@ -21,6 +21,7 @@
 #include "core/cycle/start_estimator.hpp"
 #include "core/evaluation/critic_set.hpp"
 #include "core/evaluation/evaluation.hpp"
+#include "core/intent/goalless_intent.hpp"
 #include "core/movers/accelerations.hpp"
 #include "core/movers/explained_cells.hpp"
 #include "core/planner/explanation.hpp"
@@ -45,6 +46,7 @@ struct Planner::Impl {
   Evaluation evaluation;
   Autonomy autonomy;
   Arbiter arbiter;
+  GoallessIntent goalless;
   MoverCheck movers;
   Accelerations accelerations;
   ExplainedCells explained;

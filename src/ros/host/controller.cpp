@@ -5,6 +5,7 @@
 
 #include "hidwa_local_planner/ros/conversions.hpp"
 #include "hidwa_local_planner/ros/guarded.hpp"
+#include "hidwa_local_planner/ros/host/drive_without_goal.hpp"
 #include "hidwa_local_planner/ros/planner_node.hpp"
 
 namespace hidwa_local_planner {
@@ -60,6 +61,7 @@ Controller::~Controller() = default;
 void Controller::initialize(const std::string& name, const tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap) {
   guarded(kName, "initialize", false, [&] {
     start_planner(planner_, name, tf, costmap);
+    if (planner_ && !drive_) drive_ = std::make_unique<DriveWithoutGoal>(*planner_, name);
     return true;
   });
 }

@@ -6,6 +6,7 @@
 #include "hidwa_local_planner/input/yielding.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
 #include "hidwa_local_planner/ros/guarded.hpp"
+#include "hidwa_local_planner/ros/host/drive_without_goal.hpp"
 #include "hidwa_local_planner/ros/planner_node.hpp"
 
 namespace hidwa_local_planner {
@@ -26,6 +27,7 @@ void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf, costmap_
     start_planner(planner_, name, tf, costmap_ros);
     if (!planner_ || entry_) return true;
     host_goal_ = std::make_unique<HostGoal>();
+    drive_ = std::make_unique<DriveWithoutGoal>(*planner_, name);
     entry_ = std::make_unique<RobotKeepers::Entry>(RobotKeepers::of_process(), [this] { return keep(); });
     return true;
   });

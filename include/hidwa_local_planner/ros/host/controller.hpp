@@ -15,6 +15,7 @@
 
 namespace hidwa_local_planner {
 
+class DriveWithoutGoal;
 class PlannerNode;
 
 /// What a controller's cycle came to, in the kinds that Move Base Flex knows (mbf_msgs/ExePath).
@@ -60,6 +61,7 @@ class Controller {
 
   std::unique_ptr<PlannerNode> planner_;
   CancelRequest cancel_;
+  std::unique_ptr<DriveWithoutGoal> drive_;  // likewise
 };
 
 }  // namespace hidwa_local_planner

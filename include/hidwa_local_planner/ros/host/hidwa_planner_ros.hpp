@@ -12,6 +12,7 @@
 
 namespace hidwa_local_planner {
 
+class DriveWithoutGoal;
 class PlannerNode;
 
 /// The local planner as move_base loads it. It throws nothing: an error is logged and the call fails, so that the host
@@ -42,6 +43,7 @@ class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
   geometry_msgs::PoseStamped end_;              // of the plan
   int cycles_over_ = 0;                         // in which the plan led to an earlier goal, up to now
   std::unique_ptr<RobotKeepers::Entry> entry_;  // goes before what it asks
+  std::unique_ptr<DriveWithoutGoal> drive_;     // likewise
 };
 
 }  // namespace hidwa_local_planner

@@ -6,6 +6,7 @@
 //   host_calls, cycle_clock,          their rate and its pauses, in which another node may drive; their checks of the
 //   host_frequency                    goal between two cycles; the tolerances of Move Base Flex
 //   host_goal, goal_succession        plans of move_base to a goal that it no longer pursues
+//   drive_without_goal, host_actions  the operator drives while the host has no goal
 //   cancel_request                    Move Base Flex cancels a drive
 //   yielding_recovery, host_requests, move_base recovers
 //   robot_keepers, costmap_clearing

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/host/drive_without_goal.hpp"
+
+#include <set>
+
+#include <geometry_msgs/Twist.h>
+#include <ros/ros.h>
+
+#include "hidwa_local_planner/control/pause.hpp"
+#include "hidwa_local_planner/ros/conversions.hpp"
+#include "hidwa_local_planner/ros/guarded.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+// The topics that a planner of this process drives on now: of two planners for one robot one drives.
+class DrivenTopics {
+ public:
+  static DrivenTopics& of_process() {
+    static DrivenTopics topics;
+    return topics;
+  }
+  bool take(const std::string& topic) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return topics_.insert(topic).second;
+  }
+  void give(const std::string& topic) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    topics_.erase(topic);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> topics_;
+};
+
+}  // namespace
+
+DriveWithoutGoal::DriveWithoutGoal(PlannerNode& planner, const std::string& name)
+    : planner_(planner), name_(name), period_(planner.period()) {
+  timer_ = ros::NodeHandle().createTimer(ros::Duration(period_), [this](const ros::TimerEvent&) {
+    guarded(name_.c_str(), "drive_without_goal", false, [this] {
+      tick();
+      return true;
+    });
+  });
+}
+
+DriveWithoutGoal::~DriveWithoutGoal() {
+  timer_.stop();
+  end();
+}
+
+bool DriveWithoutGoal::host_is_busy() const {
+  const double now = ros::SteadyTime::now().toSec();
+  return actions_.any_goal(now) || !is_pause(now - planner_.host_called(), period_);
+}
+
+void DriveWithoutGoal::tick() {
+  const PlannerNode::WithoutGoal wanted = planner_.without_goal();
+  if (!ros::ok() || (!wanted.drives && !driving_)) return;
+  if (host_is_busy()) {
+    was_busy_ = true;
+    return end();
+  }
+  if (std::exchange(was_busy_, false)) planner_.goal_ends();
+  if (!driving_ && !planner_.steered()) return;
+  if (!driving_ && (!costmap_runs() || !begin(wanted.topic))) return;
+  drive();
+}
+
+bool DriveWithoutGoal::costmap_runs() {
+  bool stops = false;
+  ros::NodeHandle("~").getParamCached("shutdown_costmaps", stops);
+  if (stops) {
+    ROS_WARN_ONCE(
+        "%s: drive_without_goal drives nothing: with shutdown_costmaps the host has no local costmap while "
+        "it has no goal",
+        name_.c_str());
+  }
+  return !stops;
+}
+
+bool DriveWithoutGoal::begin(const std::string& topic) {
+  ros::NodeHandle node;
+  const std::string resolved = node.resolveName(topic);
+  if (resolved != topic_) {
+    commands_ = node.advertise<geometry_msgs::Twist>(topic, 1);
+    topic_ = resolved;
+  }
+  const double period = planner_.period();
+  if (period != period_) timer_.setPeriod(ros::Duration(period));
+  period_ = period;
+  return driving_ = DrivenTopics::of_process().take(topic_);
+}
+
+void DriveWithoutGoal::end() {
+  if (std::exchange(driving_, false)) DrivenTopics::of_process().give(topic_);
+}
+
+void DriveWithoutGoal::drive() {
+  const CycleResult result = planner_.cycle_without_goal();
+  if (host_is_busy()) return end();
+  const bool steered = result.intent.state == OperatorStateId::manual;
+  commands_.publish(to_message(result.command));
+  if (!steered && result.command == Twist2{}) end();
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A robot without a goal in a world of wall pieces and posts: a laser with noise, the local costmap that its scans
+// make, a base with limits, and an operator who holds one stick position. Contacts are judged with the true shapes.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "drive/local_costmap.hpp"
+#include "hidwa_local_planner/control/control_loop.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
+#include "sim/diff_drive.hpp"
+#include "sim/laser.hpp"
+#include "support/drive_limits.hpp"
+#include "support/random.hpp"
+
+namespace hidwa_local_planner::test {
+
+struct Segment {
+  Point a, b;  // [m]
+};
+struct Post {
+  Point centre;
+  double radius = 0.0;  // [m]
+};
+
+/// The true world; distances are exact.
+struct TrueWorld {
+  std::vector<Segment> walls;
+  std::vector<Post> posts;
+
+  /// From a point in a direction to the first surface [m]; infinite where there is none.
+  double range(const Point& from, double angle) const {
+    const Point way(std::cos(angle), std::sin(angle));
+    double least = std::numeric_limits<double>::infinity();
+    for (const Segment& wall : walls) {
+      const Point along = wall.b - wall.a, to = wall.a - from;
+      const double cross = way.x() * along.y() - way.y() * along.x();
+      if (std::abs(cross) < 1e-12) continue;
+      const double t = (to.x() * along.y() - to.y() * along.x()) / cross;
+      const double s = (to.x() * way.y() - to.y() * way.x()) / cross;
+      if (t >= 0.0 && s >= 0.0 && s <= 1.0) least = std::min(least, t);
+    }
+    for (const Post& post : posts) {
+      const Point to = post.centre - from;
+      const double ahead = to.dot(way), aside = std::abs(to.x() * way.y() - to.y() * way.x());
+      if (ahead > 0.0 && aside < post.radius) {
+        least = std::min(least, ahead - std::sqrt(post.radius * post.radius - aside * aside));
+      }
+    }
+    return least;
+  }
+
+  /// A robot with this outline (robot frame) overlaps something.
+  bool touches(const Polygon& outline, const Pose2& pose) const {
+    Polygon placed;
+    const double c = std::cos(pose.theta), s = std::sin(pose.theta);
+    for (const Point& p : outline) placed.emplace_back(pose.x + c * p.x() - s * p.y(), pose.y + s * p.x() + c * p.y());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      const Segment side{placed[i], placed[(i + 1) % placed.size()]};
+      for (const Segment& wall : walls) {
+        if (crosses(side, wall)) return true;
+      }
+      for (const Post& post : posts) {
+        if (distance_to(side, post.centre) < post.radius) return true;
+      }
+    }
+    return false;
+  }
+
+  static double distance_to(const Segment& side, const Point& p) {
+    const Point along = side.b - side.a;
+    const double t = std::clamp((p - side.a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
+    return (side.a + t * along - p).norm();
+  }
+  static bool crosses(const Segment& p, const Segment& q) {
+    const auto turn = [](const Point& a, const Point& b, const Point& c) {
+      return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+    };
+    return turn(p.a, p.b, q.a) * turn(p.a, p.b, q.b) < 0.0 && turn(q.a, q.b, p.a) * turn(q.a, q.b, p.b) < 0.0;
+  }
+};
+
+/// A world, a robot at the origin that heads along +x, and the stick that its operator holds.
+struct GoallessScene {
+  TrueWorld world;
+  Polygon outline;      // robot frame [m]
+  Twist2 stick;         // [m/s, rad/s]
+  double noise = 0.0;   // of a range, standard deviation [m]
+  double finish = 0.0;  // the way along +x after which the scene is passed [m]
+  std::uint64_t seed = 1;
+};
+
+struct GoallessRun {
+  bool passed = false;
+  bool touched = false;
+  bool stopped = false;        // it stood before that
+  double most_off = 0.0;       // the largest angle between its heading and the operator's direction [rad]
+  double off_at_end = 0.0;     // [rad]
+  bool against = false;        // it drove backwards while the stick pointed forwards
+  double slowest_cycle = 0.0;  // reserved for figures [s]
+};
+
+inline Parameters goalless_parameters() {
+  Parameters p;
+  p.max_vel_x = 0.8;
+  p.min_vel_x = -0.2;
+  p.max_vel_theta = 1.2;
+  p.acc_lim_x = 1.0;
+  p.acc_lim_theta = 2.5;
+  return p;
+}
+
+/// Gives the command of a cycle from what is seen.
+using Commander = std::function<Twist2(const control::Observation&)>;
+
+inline GoallessRun run_goalless(const GoallessScene& scene, const Parameters& p, const Commander& commander,
+                                double longest = 40.0) {
+  constexpr double kPeriod = 0.05;
+  sim::DiffDrive base(limits_of(p));
+  sim::Random random(scene.seed);
+  sim::LaserSpec laser;
+  laser.beams = 360;
+  laser.noise = scene.noise;
+  drive::CostmapSettings settings;
+  settings.width = 6.0;
+  sim::Polygon padded;
+  for (const Point& corner : scene.outline) padded.push_back({corner.x(), corner.y()});
+  drive::LocalCostmap costmap(settings, padded);
+  Pose2 pose;
+  GoallessRun run;
+  std::vector<float> ranges;
+  drive::Beams beams;
+  int standing = 0;
+  bool drove = false;
+  for (double now = 1.0; now < longest && !run.passed && !run.stopped && !run.touched; now += kPeriod) {
+    sim::scan(
+        [&](double angle) {
+          return scene.world.range({pose.x, pose.y}, angle);
+        },
+        laser, pose.theta, random, ranges);
+    drive::project(ranges, laser, {pose.x, pose.y, pose.theta}, beams);
+    costmap.update({pose.x, pose.y, pose.theta}, beams);
+    control::Observation seen;
+    seen.timing = {now, kPeriod, kPeriod, kPeriod, false};
+    seen.pose = pose;
+    seen.velocity = Twist2{base.velocity().v, base.velocity().omega};
+    seen.costmap = costmap.view();
+    seen.goalless = true;
+    const Twist2 command = commander(seen);
+    base.command({command.v, command.omega}, now);
+    for (int k = 0; k < 5; ++k) {
+      const sim::Pose next = sim::moved({pose.x, pose.y, pose.theta}, base.step(now + 0.01 * k, 0.01));
+      pose = {next.x, next.y, next.theta};
+      run.touched = run.touched || scene.world.touches(scene.outline, pose);
+    }
+    const bool stands = std::abs(base.velocity().v) < 0.02;
+    drove = drove || !stands;
+    standing = stands ? standing + 1 : 0;
+    run.stopped = standing > (drove ? 10 : 100);
+    run.against = run.against || base.velocity().v < -1e-3;
+    run.most_off = std::max(run.most_off, std::abs(wrap_angle(pose.theta)));
+    run.off_at_end = std::abs(wrap_angle(pose.theta));
+    run.passed = pose.x >= scene.finish;
+  }
+  return run;
+}
+
+/// With the planner.
+class GoallessPlanner {
+ public:
+  GoallessPlanner(const GoallessScene& scene, const Parameters& p) : scene_(scene), loop_(critics::built_in()) {
+    EXPECT_EQ(loop_.configure(p), std::vector<std::string>{});
+    loop_.set_footprint(scene.outline);
+  }
+  Twist2 operator()(const control::Observation& seen) {
+    OperatorIntent intent;
+    intent.state = OperatorStateId::manual;
+    intent.influence = Influence::direct;
+    intent.u_h = scene_.stick;
+    return loop_.step(seen, intent).command;
+  }
+  const control::ControlLoop& loop() const { return loop_; }
+
+ private:
+  const GoallessScene& scene_;
+  control::ControlLoop loop_;
+};
+
+}  // namespace hidwa_local_planner::test
