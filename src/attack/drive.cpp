@@ -218,7 +218,7 @@ class Run {
     const bool had_goal = !goalless_;
     if (spec_.goalless >= 1.0 || (spec_.goalless > 0.0 && random_.chance(0.02)))
       goalless_ = had_goal || spec_.goalless >= 1.0;
-    if (had_goal && goalless_) machine_.goal_ends();
+    machine_.set_goalless(goalless_);
     if (goal_begins || (!had_goal && !goalless_)) loop_.set_plan(route_.points(), "map", time, 1e-3 * spec_.period);
     device_.send(time, intent_, parameters_);
     control::Observation observation;
@@ -235,7 +235,7 @@ class Run {
     observation.costmap = view(pose);
     if (spec_.walkers_told) observation.moving_obstacles = told_walkers();
     if (loop_.goal_begins()) machine_.new_goal();
-    const control::Result result = loop_.step(observation, machine_.update(time, goalless_));
+    const control::Result result = loop_.step(observation, machine_.update(time));
     machine_.debrief(time, result.feedback);
     outcome_ = result.outcome;
     escaping_ = result.decision != nullptr && result.decision->escaping;

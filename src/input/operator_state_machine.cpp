@@ -47,7 +47,7 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
   if (parameters.input_timeout != parameters_.input_timeout) rhythm_.reset();
   parameters_ = parameters;
   channel_.configure(parameters_.input_timeout, parameters_.require_neutral);
-  const SourceList::Change change = sources_.configure(parameters_);
+  const SourceList::Change change = sources_.configure(source_parameters());
   if (other_mode) {
     restart();
     handover_ = {};
@@ -67,6 +67,20 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
   } else {
     channel_.remap(sources_.steering().command());
   }
+}
+
+void OperatorStateMachine::set_goalless(bool goalless) {
+  if (goalless == goalless_) return;
+  goalless_ = goalless;
+  if (goalless && channel_.active()) channel_.demand_neutral();
+  sources_.configure(source_parameters());
+  channel_.remap(sources_.steering().command());
+}
+
+Parameters OperatorStateMachine::source_parameters() const {
+  Parameters parameters = parameters_;
+  if (goalless_) parameters.linear = LinearPolicy::axis;
+  return parameters;
 }
 
 std::string OperatorStateMachine::receive(const OperatorMessage& message) {
@@ -104,7 +118,7 @@ void OperatorStateMachine::heartbeat(double now, const std::optional<double>& cl
   if (clock_ahead) watch_clock(*clock_ahead);
 }
 
-OperatorIntent OperatorStateMachine::update(double now, bool goalless) {
+OperatorIntent OperatorStateMachine::update(double now) {
   if (now < std::max(now_, received_) - kClockJitter) set_back(now);
   note_alive(now);
   pauses_.begin_cycle();
@@ -114,7 +128,7 @@ OperatorIntent OperatorStateMachine::update(double now, bool goalless) {
   rhythm_.check(now_, parameters_.input_timeout);
   check_steering_source(now_);
   add_sentence(warnings_, stop_.end_dismissed(now_, unattended_after()));
-  return control_.update({now_, stop_.requested(), manual(), goalless, channel_, parameters_});
+  return control_.update({now_, stop_.requested(), manual(), goalless_, channel_, parameters_});
 }
 
 void OperatorStateMachine::debrief(double now, const CycleFeedback& feedback) {
@@ -165,6 +179,7 @@ void OperatorStateMachine::save(ArchiveWriter& state) const {
 void OperatorStateMachine::load(ArchiveReader& state) {
   sources_.load(state);
   archive(*this, state);
+  sources_.configure(source_parameters());
 }
 
 void OperatorStateMachine::note_arrival(double received) {

@@ -92,7 +92,7 @@ ReplayedCycle CycleReplay::run(bool explain) {
   Sampling sampling = record_.sampling;
   if (changes_samples(changes_, "vx_samples")) sampling.vx_samples = 0;
   if (changes_samples(changes_, "vth_samples")) sampling.vth_samples = 0;
-  const OperatorIntent intent = machine_.update(observation.timing.now, observation.goalless);
+  const OperatorIntent intent = machine_.update(observation.timing.now);
   control::Result result = loop_.step(observation, intent, sampling);
   ReplayedCycle cycle{decision_record(result, loop_.planner()), result.intent, false};
   if (explain) {

@@ -139,7 +139,7 @@ void OperatorInput::catch_up(double now) {
   }
 }
 
-OperatorIntent OperatorInput::update(double now, bool goalless, Bytes* before) {
+OperatorIntent OperatorInput::update(double now, Bytes* before) {
   catch_up(now);
   std::unique_lock<std::mutex> lock(mutex_);
   if (before != nullptr) {
@@ -147,7 +147,7 @@ OperatorIntent OperatorInput::update(double now, bool goalless, Bytes* before) {
     ArchiveWriter write(*before);
     machine_.save(write);
   }
-  const OperatorIntent intent = machine_.update(now, goalless);
+  const OperatorIntent intent = machine_.update(now);
   const std::string warnings = machine_.take_warnings();
   lock.unlock();
   if (!warnings.empty()) ROS_WARN("%s", warnings.c_str());
@@ -164,9 +164,9 @@ void OperatorInput::new_goal() {
   machine_.new_goal();
 }
 
-void OperatorInput::goal_ends() {
+void OperatorInput::set_goalless(bool goalless) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  machine_.goal_ends();
+  machine_.set_goalless(goalless);
 }
 
 bool OperatorInput::steers() const {

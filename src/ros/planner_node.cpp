@@ -121,13 +121,14 @@ CycleResult PlannerNode::cycle(bool stop) {
   return run_cycle(stop || host_.arriving(), false);
 }
 
-CycleResult PlannerNode::cycle_without_goal() {
+CycleResult PlannerNode::cycle_without_goal(bool stop) {
   const Entry entry = enter();
-  return run_cycle(false, true);
+  return run_cycle(stop, true);
 }
 
 CycleResult PlannerNode::run_cycle(bool stop, bool goalless) {
   host_.cycle_called();
+  operator_.set_goalless(goalless);
   const LoopTime now = LoopTime::now();
   if (parameters_.take()) check_horizon();
   const control::Timing timing = begin_cycle(now.seconds);
@@ -136,7 +137,7 @@ CycleResult PlannerNode::run_cycle(bool stop, bool goalless) {
   if (outputs_.publishing().new_cycle_subscriber() || !recorded) recorder_.demand_key();
   RobotObservation observation = observe(now, timing, goalless);
   observation.host_stops = stop;
-  const CycleResult result = decide(now, timing, observation, recorded);
+  const CycleResult result = decide(now, observation, recorded);
   outputs_.tell(now, loop_, result, operator_.status(now.seconds));
   const double duration = host_.time_in_cycle();
   outputs_.finish(now.stamp, result, duration, timing.period,
@@ -160,16 +161,14 @@ control::Timing PlannerNode::begin_cycle(double now) {
   return timing;
 }
 
-CycleResult PlannerNode::decide(const LoopTime& now, const control::Timing& timing, RobotObservation& observation,
-                                bool recorded) {
+CycleResult PlannerNode::decide(const LoopTime& now, RobotObservation& observation, bool recorded) {
   if (host_.was_away()) observation.resumed = inputs_.velocity_after_pause(now.seconds, loop_.parameters());
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
   result.sampling = budget_.in_force();
   if (outputs_.publishing().candidates_wanted()) result.sampling.report = Report::legality;
   if (loop_.goal_begins() && !observation.goalless) operator_.new_goal();
-  const OperatorIntent intent =
-      operator_.update(now.seconds, observation.goalless, recorded ? &recorder_.operator_state() : nullptr);
+  const OperatorIntent intent = operator_.update(now.seconds, recorded ? &recorder_.operator_state() : nullptr);
   if (recorded) recorder_.begin(loop_, observation, result.sampling);
   static_cast<control::Result&>(result) = loop_.step(observation, intent, result.sampling);
   operator_.debrief(now.seconds, result.feedback);

@@ -101,11 +101,10 @@ struct GoallessScene {
 struct GoallessRun {
   bool passed = false;
   bool touched = false;
-  bool stopped = false;        // it stood before that
-  double most_off = 0.0;       // the largest angle between its heading and the operator's direction [rad]
-  double off_at_end = 0.0;     // [rad]
-  bool against = false;        // it drove backwards while the stick pointed forwards
-  double slowest_cycle = 0.0;  // reserved for figures [s]
+  bool stopped = false;     // it stood before that
+  double most_off = 0.0;    // the largest angle between its heading and the operator's direction [rad]
+  double off_at_end = 0.0;  // [rad]
+  bool against = false;     // it drove backwards while the stick pointed forwards
 };
 
 inline Parameters goalless_parameters() {
@@ -182,16 +181,22 @@ class GoallessPlanner {
   }
   Twist2 operator()(const control::Observation& seen) {
     OperatorIntent intent;
-    intent.state = OperatorStateId::manual;
-    intent.influence = Influence::direct;
+    const bool steers = !(scene_.stick == Twist2{});
+    intent.state = steers ? OperatorStateId::manual : OperatorStateId::autonomy;
+    intent.influence = steers ? Influence::direct : Influence::none;
     intent.u_h = scene_.stick;
-    return loop_.step(seen, intent).command;
+    const control::Result result = loop_.step(seen, intent);
+    rejected_by_ = result.decision != nullptr ? result.decision->operator_rejected_by : "no decision";
+    return result.command;
   }
+  /// What rejected the operator command in the last cycle.
+  const std::string& rejected_by() const { return rejected_by_; }
   const control::ControlLoop& loop() const { return loop_; }
 
  private:
   const GoallessScene& scene_;
   control::ControlLoop loop_;
+  std::string rejected_by_;
 };
 
 }  // namespace hidwa_local_planner::test

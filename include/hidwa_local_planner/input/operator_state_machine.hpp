@@ -61,14 +61,12 @@ class OperatorStateMachine {
 
   /// What the operator asks for now. Call once a cycle, before plan(). Where `now` went back, steering and holding end,
   /// but a stop goes on. An operator who has control keeps it; the robot brakes until their next message.
-  /// `goalless`: the host has no goal, and whoever steers drives (MANUAL).
-  OperatorIntent update(double now, bool goalless = false);
+  OperatorIntent update(double now);
   /// The operator gives input that counts.
   bool steers() const { return channel_.active(); }
-  /// A goal is over: whoever steers now must be seen neutral before they drive on without one.
-  void goal_ends() {
-    if (channel_.active()) channel_.demand_neutral();
-  }
+  /// Whether the host has no goal: then whoever steers drives (MANUAL), in every mode, and both axes of their device
+  /// count. Whoever steers when a goal ends must be seen neutral before they drive on.
+  void set_goalless(bool goalless);
   /// What became of it. Call once a cycle, after plan().
   void debrief(double now, const CycleFeedback& feedback);
   /// A new goal: the old one's latch no longer keeps the operator from steering, and a blockage is measured
@@ -101,8 +99,10 @@ class OperatorStateMachine {
  private:
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.stop_, self.handover_, self.channel_, self.control_, self.pauses_, self.now_, self.received_);
+    io(self.stop_, self.handover_, self.channel_, self.control_, self.pauses_, self.now_, self.received_,
+       self.goalless_);
   }
+  Parameters source_parameters() const;
   void note_arrival(double received);
   std::string admit(SourceList::Connection& connection, const OperatorMessage& message, bool idle, bool& beside);
   std::string take(SourceList::Connection& connection, const OperatorMessage& message);
@@ -131,6 +131,7 @@ class OperatorStateMachine {
   double now_ = kNever;
   double received_ = kNever;
   std::optional<double> clock_ahead_;  // told last [s]
+  bool goalless_ = false;
   std::string warnings_;
   std::uint32_t dropped_ = 0;
 };

@@ -39,11 +39,11 @@ class OperatorInput {
 
   /// What the operator asks for now. `before`, where it is not null, takes what the machine remembered until then
   /// (OperatorStateMachine::save()).
-  OperatorIntent update(double now, bool goalless, Bytes* before);
+  OperatorIntent update(double now, Bytes* before);
   /// As those of OperatorStateMachine.
   void debrief(double now, const input::CycleFeedback& feedback);
   void new_goal();
-  void goal_ends();
+  void set_goalless(bool goalless);
   bool steers() const;
   bool manual() const;
   /// In words: see OperatorStateMachine.

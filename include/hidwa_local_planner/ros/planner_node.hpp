@@ -39,8 +39,9 @@ class PlannerNode {
   /// stays valid until the next cycle. With `stop` the robot brakes to rest and stays, whatever the operator command
   /// is.
   CycleResult cycle(bool stop = false);
-  /// One control cycle while the host has no goal: the operator drives, or the robot brakes to rest.
-  CycleResult cycle_without_goal();
+  /// One control cycle while the host has no goal: the operator drives, or the robot brakes to rest; with `stop` it
+  /// does in any case.
+  CycleResult cycle_without_goal(bool stop);
   /// drive_without_goal and drive_topic, of the newest parameters. From any thread.
   struct WithoutGoal {
     bool drives = false;
@@ -49,8 +50,8 @@ class PlannerNode {
   WithoutGoal without_goal() const;
   /// The operator gives input that counts. From any thread.
   bool steered() const { return operator_.steers(); }
-  /// A goal is over: see OperatorStateMachine.
-  void goal_ends() { operator_.goal_ends(); }
+  /// See OperatorStateMachine. From any thread.
+  void set_goalless(bool goalless) { operator_.set_goalless(goalless); }
   /// When the host called last, on the wall [s]; negative before the first call. From any thread.
   double host_called() const { return host_called_; }
   /// True when the goal is reached; `host_stops`: see HostCalls.
@@ -76,7 +77,7 @@ class PlannerNode {
   Entry enter_from_host();
   CycleResult run_cycle(bool stop, bool goalless);
   control::Timing begin_cycle(double now);
-  CycleResult decide(const LoopTime& now, const control::Timing& timing, RobotObservation& observation, bool recorded);
+  CycleResult decide(const LoopTime& now, RobotObservation& observation, bool recorded);
   RobotObservation observe(const LoopTime& now, const control::Timing& timing, bool goalless);
   std::string update_footprint();
   void check_horizon();

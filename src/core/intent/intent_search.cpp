@@ -36,7 +36,7 @@ constexpr double kBendCost = 0.02;  // [m] for 1/m of change
 constexpr double kTurnCost = 0.5;   // a turn on the spot first [m]
 constexpr double kSideCost = 0.3;   // another side than before [m]
 
-// A path that does not lead on for all of the look-ahead distance must lead so much farther [m].
+// Where the operator's own motion is blocked, a path must lead so much farther [m].
 constexpr double kFarther = 0.3;
 
 // The least clearance of an arc, as a share of a cell, and of the one that the robot has at the start.
@@ -73,7 +73,7 @@ IntentSearch::Result IntentSearch::run(const Cycle& cycle, const Request& reques
   if (kept.progress >= ahead_ && kept.clearance >= comfort_) return own;
   const int last = search(start, request.side);
   const Node& end = nodes_[static_cast<std::size_t>(last)];
-  if (end.progress < ahead_ && end.progress < kept.progress + kFarther) return own;
+  if (kept.progress < ahead_ && end.progress < kept.progress + kFarther) return own;
   return aim(last, request);
 }
 

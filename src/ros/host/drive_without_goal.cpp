@@ -58,15 +58,13 @@ bool DriveWithoutGoal::host_is_busy() const {
 
 void DriveWithoutGoal::tick() {
   const PlannerNode::WithoutGoal wanted = planner_.without_goal();
-  if (!ros::ok() || (!wanted.drives && !driving_)) return;
-  if (host_is_busy()) {
-    was_busy_ = true;
-    return end();
-  }
-  if (std::exchange(was_busy_, false)) planner_.goal_ends();
+  if (!ros::ok()) return;
+  const bool goalless = (wanted.drives || driving_) && !host_is_busy();
+  planner_.set_goalless(goalless);
+  if (!goalless) return end();
   if (!driving_ && !planner_.steered()) return;
   if (!driving_ && (!costmap_runs() || !begin(wanted.topic))) return;
-  drive();
+  drive(!wanted.drives);
 }
 
 bool DriveWithoutGoal::costmap_runs() {
@@ -98,10 +96,10 @@ void DriveWithoutGoal::end() {
   if (std::exchange(driving_, false)) DrivenTopics::of_process().give(topic_);
 }
 
-void DriveWithoutGoal::drive() {
-  const CycleResult result = planner_.cycle_without_goal();
+void DriveWithoutGoal::drive(bool stop) {
+  const CycleResult result = planner_.cycle_without_goal(stop);
   if (host_is_busy()) return end();
-  const bool steered = result.intent.state == OperatorStateId::manual;
+  const bool steered = !stop && result.intent.state == OperatorStateId::manual;
   commands_.publish(to_message(result.command));
   if (!steered && result.command == Twist2{}) end();
 }

@@ -35,7 +35,7 @@ class DriveWithoutGoal {
   bool host_is_busy() const;
   bool begin(const std::string& topic);
   void end();
-  void drive();
+  void drive(bool stop);
   bool costmap_runs();
 
   PlannerNode& planner_;
@@ -44,7 +44,6 @@ class DriveWithoutGoal {
   ros::Publisher commands_;
   std::string topic_;     // of commands_, resolved
   double period_ = 0.0;   // of the timer [s]
-  bool was_busy_ = true;  // when the timer ran last
   bool driving_ = false;  // commands are sent
   ros::Timer timer_;
 };
