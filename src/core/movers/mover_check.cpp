@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "hidwa_local_planner/core/rest.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -45,6 +47,11 @@ std::size_t hash_of(const Twist2& command) {
   std::memcpy(&omega, &command.omega, sizeof(omega));
   const std::uint64_t mixed = (v * 0x9E3779B97F4A7C15ULL) ^ ((omega + 0x632BE59BD9B4E019ULL) * 0xC2B2AE3D27D4EB4FULL);
   return static_cast<std::size_t>(mixed >> 40U);
+}
+
+// The robot stands, and no pending command moves it.
+bool rests(const CycleStart& start, const Parameters& parameters) {
+  return (*start.pending)[0].rests() && !start.odometry_fast && at_rest(start.velocity, parameters);
 }
 
 double speed_at(const Twist2& u, double radius) { return std::abs(u.v) + radius * std::abs(u.omega); }
@@ -93,14 +100,14 @@ MoverCheck::MoverCheck() {
   fine_.step = kShortStep;
 }
 
-void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
-                         const MovingObstacleEstimates& movers, const Start& start) {
+void MoverCheck::prepare(const Parameters& parameters, const Footprint& footprint,
+                         const MovingObstacleEstimates& movers, const CycleStart& start) {
   near_.clear();
   departures_.begin(start.period);
   if (movers.empty()) return;
-  limits_ = &limits;
   footprint_ = &footprint;
-  start_ = start;
+  start_ = &start;
+  const VelocityLimits& limits = start.limits;
   ++cycle_;
   radius_ = footprint.circumscribed_radius();
   Twist2 fastest{std::abs(start.reference.v) + limits.x.acc * start.period,
@@ -113,7 +120,7 @@ void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& lim
   }
   fastest_ = speed_at(fastest, radius_);
   // The command for two periods and as late as it may be, braking, and the tail of braking.
-  const double late = latest_hold(start.period, start.longest_period);
+  const double late = start.latest_hold();
   creeps_for_ = latency + start.period + late + limits.x.time_to_rest(kLeavesAt);
   duration_ = latency + 3.0 * start.period + late +
               std::max(limits.x.time_to_rest(fastest.v), limits.theta.time_to_rest(fastest.omega));
@@ -130,9 +137,9 @@ void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& lim
 
 // What a command may come to within a period, whichever way.
 void MoverCheck::divide_window() {
-  const Twist2 half{std::max(limits_->x.acc, limits_->x.braking) * start_.period,
-                    std::max(limits_->theta.acc, limits_->theta.braking) * start_.period};
-  window_ = {start_.reference.v - half.v, start_.reference.omega - half.omega};
+  const Twist2 half{std::max(start_->limits.x.acc, start_->limits.x.braking) * start_->period,
+                    std::max(start_->limits.theta.acc, start_->limits.theta.braking) * start_->period};
+  window_ = {start_->reference.v - half.v, start_->reference.omega - half.omega};
   part_ = {2.0 * half.v / kParts, 2.0 * half.omega / kParts};
   parts_.fill({});
   in_parts_ = std::none_of(near_.begin(), near_.end(), [](const Near& near) { return near.leaves; });
@@ -141,14 +148,15 @@ void MoverCheck::divide_window() {
 // What is too far away to be met until rest, whatever it and the robot do, is left out.
 void MoverCheck::add_near(const MovingObstacleEstimate& mover, const Parameters& parameters) {
   const ReachableSet set(mover, parameters);
-  const Point here(start_.pose.x, start_.pose.y);
+  const Point here(start_->pose.x, start_->pose.y);
   const double own = radius_ + reach_ + most_grown_ + 0.5 * kLongStep * set.fastest();
   const double until_rest = duration_;
   if ((set.position() - here).norm() > own + set.speed_radius(until_rest)) return;
   if (distance_to_way(here, set.centre(0.0), until_rest * set.velocity()) > own + set.radius(until_rest)) return;
   Near near;
   near.set = set;
-  near.leaves = around(set) && set.velocity().norm() <= kStands && departures_.admit(mover.id, start_.rests);
+  near.leaves =
+      around(set) && set.velocity().norm() <= kStands && departures_.admit(mover.id, rests(*start_, parameters));
   near.closing_speed = fastest_ + set.fastest();
   near.closing_acc = fastest_ + set.velocity().norm() + set.growth(until_rest);
   near_.push_back(near);
@@ -156,7 +164,7 @@ void MoverCheck::add_near(const MovingObstacleEstimate& mover, const Parameters&
 
 // The robot is where it may be before even a robot that creeps can rest, or within the allowance of one short step.
 bool MoverCheck::around(const ReachableSet& set) const {
-  const TurnedPose here = with_heading(start_.pose);
+  const TurnedPose here = with_heading(start_->pose);
   const double allowance = most_drift_ + 0.5 * kShortStep * (set.fastest() + fastest_);
   const double t = creeps_for_;
   return footprint_->distance_to(seen_from(here, set.centre(t))) <= set.radius(t) + allowance &&
@@ -172,20 +180,18 @@ bool MoverCheck::cached_check(const Twist2& command, CheckPass& pass) {
 }
 
 LateTimes MoverCheck::late_times(const CheckPass& pass) const {
-  return {latest_hold(start_.period, start_.longest_period), start_.period, pass.fine};
+  return {start_->latest_hold(), start_->period, pass.fine};
 }
 
 // For each pending motion, and for commands to brake that come after a period or as late as they may: see
 // BrakingCheck.
 template <typename Visit>
 bool MoverCheck::all_manoeuvres(const Twist2& command, CheckPass& pass, const Visit& visit) {
-  const std::size_t motions = pass.fine ? start_.pending->all() : start_.pending->likely();
+  const std::size_t motions = pass.fine ? start_->pending->all() : start_->pending->likely();
   const LateTimes times = late_times(pass);
   for (std::size_t motion = 0; motion < motions; ++motion) {
-    const bool free = times.all_of([&](double hold) {
-      const BrakeManoeuvre manoeuvre{start_.origin, (*start_.pending)[motion], command, start_.period, hold};
-      return visit(manoeuvre, pass.pending_ends[motion]);
-    });
+    const bool free = times.all_of(
+        [&](double hold) { return visit(start_->manoeuvre(motion, command, hold), pass.pending_ends[motion]); });
     if (!free) return false;
   }
   return true;
@@ -218,7 +224,7 @@ bool MoverCheck::part_free(const Twist2& command) {
 double MoverCheck::part_margin(const PendingMotion& pending) const {
   const auto apart = [this](double end, double least, double part) {
     const double reaching = std::max(std::abs(end - least), std::abs(end - least - kParts * part));
-    return start_.period * reaching + duration_ * 0.5 * part;
+    return start_->period * reaching + duration_ * 0.5 * part;
   };
   const double way = apart(pending.end().v, window_.v, part_.v);
   const double turn = apart(pending.end().omega, window_.omega, part_.omega);
@@ -274,7 +280,7 @@ bool MoverCheck::rests_untouched(const Twist2& command, CheckPass& pass) {
 // Up to when the command takes effect: once for all commands.
 bool MoverCheck::pending_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end) {
   if (pending_end.roller) return pending_end.free;
-  pending_end.roller.emplace(*limits_, radius_, kAnySpacing, with_heading(manoeuvre.start), pass.step);
+  pending_end.roller.emplace(start_->limits, radius_, kAnySpacing, with_heading(manoeuvre.start), pass.step);
   ManoeuvreRoller& roller = *pending_end.roller;
   ManoeuvreRoller past = roller;
   past.roll_past(manoeuvre.pending);

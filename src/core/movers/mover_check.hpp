@@ -30,10 +30,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/motion/brake_manoeuvre.hpp"
-#include "core/motion/late_cycles.hpp"
-#include "core/motion/pending_motion_set.hpp"
-#include "core/motion/velocity_limits.hpp"
+#include "core/motion/cycle_start.hpp"
 #include "core/movers/advance.hpp"
 #include "core/movers/departures.hpp"
 #include "core/movers/reachable_set.hpp"
@@ -44,23 +41,12 @@ namespace hidwa_local_planner {
 
 class MoverCheck {
  public:
-  /// What a cycle starts from. All of it outlives the questions.
-  struct Start {
-    Pose2 pose;                                 // now, costmap frame
-    Pose2 origin;                               // where `pending` begins
-    Twist2 reference;                           // what a command starts from [m/s, rad/s]
-    const PendingMotionSet* pending = nullptr;  // until a command takes effect
-    double period = 0.05;                       // [s]
-    double longest_period = 0.05;               // [s]
-    bool rests = false;                         // the robot stands, and no pending command moves it
-  };
-
   MoverCheck();
   /// A new goal, or another cause to begin afresh.
   void forget() { departures_.forget(); }
-  /// Once per cycle.
-  void prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
-               const MovingObstacleEstimates& movers, const Start& start);
+  /// Once per cycle. `footprint` and `start` outlive the questions.
+  void prepare(const Parameters& parameters, const Footprint& footprint, const MovingObstacleEstimates& movers,
+               const CycleStart& start);
   /// No command of this cycle can meet anything that moves before rest.
   bool none_near() const { return near_.empty(); }
   std::size_t near() const { return near_.size(); }
@@ -139,9 +125,8 @@ class MoverCheck {
   bool leads_away(const Near& near, const TurnedPose& from, const TurnedPose& to, double time, double step) const;
   bool meets(const Near& near, const TurnedPose& at, double time, double grown, const VelocityRange& velocities) const;
 
-  const VelocityLimits* limits_ = nullptr;
   const Footprint* footprint_ = nullptr;
-  Start start_;
+  const CycleStart* start_ = nullptr;
   double radius_ = 0.0;      // circumscribed [m]
   double reach_ = 0.0;       // of the robot's centre until rest, in any manoeuvre [m]
   double most_drift_ = 0.0;  // [m]

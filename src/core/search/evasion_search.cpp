@@ -51,7 +51,7 @@ double EvasionSearch::reach(const Parameters& parameters, const VelocityLimits& 
 
 bool EvasionSearch::look(const Start& scene, const MovingObstacleEstimates& movers) {
   movers_.clear();
-  const Parameters& p = scene.parameters;
+  const Parameters& p = scene.cycle.parameters;
   horizon_ = p.evasion_time;
   bends_for_ = p.evasion_acceleration_time;
   fastest_ = scene.limits.x.fastest();
@@ -59,11 +59,11 @@ bool EvasionSearch::look(const Start& scene, const MovingObstacleEstimates& move
   for (const MovingObstacleEstimate& mover : movers) {
     const Point now = mover.position_now();
     const double grows = kUnsure + mover.velocity_deviation;
-    const Point bend = scene.accelerations != nullptr ? scene.accelerations->of(mover.id) : Point(0.0, 0.0);
-    const double off = std::hypot(now.x() - scene.start.pose.x, now.y() - scene.start.pose.y);
+    const Point bend = scene.cycle.accelerations != nullptr ? scene.cycle.accelerations->of(mover.id) : Point(0.0, 0.0);
+    const double off = std::hypot(now.x() - scene.from.pose.x, now.y() - scene.from.pose.y);
     const double closes = (fastest_ + mover.velocity.norm() + bends_for_ * bend.norm() + grows) * whole;
     const double radius = mover.radius + mover.position_deviation;
-    if (off > closes + radius + p.evasion_distance + scene.footprint.circumscribed_radius()) continue;
+    if (off > closes + radius + p.evasion_distance + scene.cycle.footprint.circumscribed_radius()) continue;
     movers_.push_back({now.x(), now.y(), mover.velocity.x(), mover.velocity.y(), radius, p.evasion_distance, grows,
                        bend.x(), bend.y()});
   }
@@ -82,7 +82,7 @@ void EvasionSearch::plan_spans(const Start& scene) {
     span.from = from;
     span.step = length / static_cast<double>(MotionFan::kSteps);
     for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
-      span.share[k] = scene.parameters.evasion_scale * span.step * std::exp(-span.time(k) / kFading);
+      span.share[k] = scene.cycle.parameters.evasion_scale * span.step * std::exp(-span.time(k) / kFading);
     }
     from += length;
   }
@@ -98,7 +98,7 @@ double EvasionSearch::bend(double time) const {
 void EvasionSearch::find_near(const Start& scene, const State& from, const Span& span) {
   near_.clear();
   const double length = span.length(), end = span.end();
-  const double own = scene.footprint.circumscribed_radius() + length * fastest_;
+  const double own = scene.cycle.footprint.circumscribed_radius() + length * fastest_;
   const double middle = span.from + 0.5 * length, bent = bend(middle);
   const Stopping stops = stopping(scene, fastest_);
   for (const Mover& mover : movers_) {
@@ -118,7 +118,7 @@ void EvasionSearch::find_near(const Start& scene, const State& from, const Span&
 
 // Many motions meet them at the same times.
 void EvasionSearch::place_near(const Start& scene, const Span& span) {
-  const double own = scene.footprint.circumscribed_radius();
+  const double own = scene.cycle.footprint.circumscribed_radius();
   for (std::size_t k = 0; k < places_.size(); ++k) {
     const double time = span.time(k), bent = bend(time);
     places_[k].clear();
@@ -134,8 +134,8 @@ void EvasionSearch::place_near(const Start& scene, const Span& span) {
 EvasionSearch::Stopping EvasionSearch::stopping(const Start& scene, double v) {
   const double speed = std::abs(v);
   if (speed < kRests) return {};
-  const Parameters& p = scene.parameters;
-  const double time = p.control_latency + 2.0 * scene.period + 0.5 * speed / scene.limits.x.braking;
+  const Parameters& p = scene.cycle.parameters;
+  const double time = p.control_latency + 2.0 * scene.cycle.start.period + 0.5 * speed / scene.limits.x.braking;
   return {time, 0.5 * v * time, 0.5 * p.moving_obstacle_acc * time * time};
 }
 
@@ -144,7 +144,8 @@ bool EvasionSearch::must_stop(const Start& scene, const State& state, double tim
   if (near_.empty()) return false;
   const Stopping stops = stopping(scene, state.v);
   if (stops.time <= 0.0) return false;
-  const double own = scene.footprint.circumscribed_radius() + stops.room, then = time + stops.time, bent = bend(then);
+  const double own = scene.cycle.footprint.circumscribed_radius() + stops.room, then = time + stops.time,
+               bent = bend(then);
   const double x = state.x + stops.way * state.heading.c, y = state.y + stops.way * state.heading.s;
   return std::any_of(near_.begin(), near_.end(), [&](const Mover& mover) {
     const double dx = mover.x_at(then, bent) - x;
@@ -152,7 +153,7 @@ bool EvasionSearch::must_stop(const Start& scene, const State& state, double tim
     const double most = own + mover.radius;
     if (dx * dx + dy * dy >= most * most) return false;
     const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
-    return scene.footprint.distance_to(seen) < mover.radius + stops.room;
+    return scene.cycle.footprint.distance_to(seen) < mover.radius + stops.room;
   });
 }
 
@@ -163,7 +164,7 @@ double EvasionSearch::nearness(const Start& scene, const State& state, std::size
     const double dx = place.x - state.x, dy = place.y - state.y;
     if (dx * dx + dy * dy >= place.squared) continue;
     const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
-    const double gap = scene.footprint.distance_to(seen) - place.radius;
+    const double gap = scene.cycle.footprint.distance_to(seen) - place.radius;
     if (gap >= place.kept) continue;
     touched = touched || gap < kTouches;
     const double share = 1.0 - std::max(0.0, gap) / place.kept;
@@ -175,8 +176,8 @@ double EvasionSearch::nearness(const Start& scene, const State& state, std::size
 // What lies beyond the map is not known, and is free.
 bool EvasionSearch::blocked(const Start& scene, const State& state) const {
   if (!walls_ || scene.checker.clear(state.x, state.y)) return false;
-  const GridView& grid = scene.grid;
-  const double margin = scene.footprint.circumscribed_radius() + grid.resolution;
+  const GridView& grid = scene.cycle.grid;
+  const double margin = scene.cycle.footprint.circumscribed_radius() + grid.resolution;
   if (!grid.contains(grid.cell_at(state.x - margin, state.y - margin)) ||
       !grid.contains(grid.cell_at(state.x + margin, state.y + margin)) ||
       !scene.checker.in_reach(grid.cell_at(state.x, state.y))) {
@@ -225,7 +226,7 @@ bool EvasionSearch::go(const Start& scene, const MotionFan& fan, std::size_t i, 
 }
 
 EvasionSearch::ConstantMotion EvasionSearch::keep(const Start& scene, const Twist2& motion) {
-  State state{scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega};
+  State state{scene.from.pose.x, scene.from.pose.y, scene.from.heading, scene.velocity.v, scene.velocity.omega};
   first_fan_.clear();
   first_fan_.add(motion);
   ConstantMotion kept;
@@ -251,7 +252,7 @@ double EvasionSearch::least(const Start& scene, const PlanGuide& guide) const {
   const double slower = std::max(0.0, fastest_ - std::abs(scene.velocity.v));
   const double speeds_up = std::min(horizon_, slower / scene.limits.x.acc);
   const double lost = slower * speeds_up - 0.5 * scene.limits.x.acc * speeds_up * speeds_up;
-  return guide.least_left(scene.start.pose.x, scene.start.pose.y, fastest_ * horizon_ - lost);
+  return guide.least_left(scene.from.pose.x, scene.from.pose.y, fastest_ * horizon_ - lost);
 }
 
 // The own ones first. All within what the wheels allow.
@@ -275,7 +276,8 @@ void EvasionSearch::list_motions(const Start& scene, const std::vector<Twist2>& 
 }
 
 bool EvasionSearch::may_begin(const Start& scene, const Twist2& motion) {
-  return scene.movers == nullptr || scene.movers->can_rest(scene.limits.step(scene.reference, motion, scene.period));
+  return scene.cycle.movers == nullptr ||
+         scene.cycle.movers->can_rest(scene.limits.step(scene.cycle.start.reference, motion, scene.cycle.start.period));
 }
 
 void EvasionSearch::run(const Start& scene, const PlanGuide& guide, const std::vector<Twist2>& own) {
@@ -283,8 +285,7 @@ void EvasionSearch::run(const Start& scene, const PlanGuide& guide, const std::v
   branches_.clear();
   for (std::size_t i = 0; i < first_fan_.size(); ++i) branches_.push_back({first_fan_.motion(i), kEver, 0.0});
   beam_.clear();
-  beam_.push_back(
-      {scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega});
+  beam_.push_back({scene.from.pose.x, scene.from.pose.y, scene.from.heading, scene.velocity.v, scene.velocity.omega});
   for (int level = 0; level < kLevels && !beam_.empty(); ++level) {
     next_.clear();
     const Span& span = spans_[static_cast<std::size_t>(level)];
@@ -331,7 +332,7 @@ void EvasionSearch::extend(const Start& scene, const PlanGuide& guide, const Sta
 double EvasionSearch::touched_early(const Start& scene, const State& state, double time) const {
   const double rest = scene.delay + horizon_ - time;
   if (rest <= 0.0) return 0.0;
-  const double own = scene.footprint.inscribed_radius() + kTouches;
+  const double own = scene.cycle.footprint.inscribed_radius() + kTouches;
   const double bends = std::min(time, bends_for_), bent = bend(time);
   double first = rest;
   for (const Mover& mover : movers_) {

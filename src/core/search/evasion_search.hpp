@@ -30,15 +30,9 @@
 #include <vector>
 
 #include "core/collision/collision.hpp"
-#include "core/motion/brake_manoeuvre.hpp"
-#include "core/motion/velocity_limits.hpp"
-#include "core/movers/accelerations.hpp"
-#include "core/movers/mover_check.hpp"
+#include "core/cycle/cycle.hpp"
 #include "core/search/motion_fan.hpp"
 #include "core/search/plan_guide.hpp"
-#include "hidwa_local_planner/core/footprint.hpp"
-#include "hidwa_local_planner/core/moving_obstacle.hpp"
-#include "hidwa_local_planner/core/parameters.hpp"
 
 namespace hidwa_local_planner {
 
@@ -47,20 +41,15 @@ class EvasionSearch {
   /// What a way costs that is touched, at least [s].
   static constexpr double kTouched = 1e4;
 
-  /// What a cycle starts from. All of it outlives the search.
+  /// What a search starts from. All of it outlives the search. A motion whose command the cycle's MoverCheck rejects is
+  /// no first motion.
   struct Start {
-    const Parameters& parameters;
-    const VelocityLimits& limits;
-    const Footprint& footprint;
-    const GridView& grid;
-    const CollisionChecker& checker;               // prepared
-    TurnedPose start;                              // where the robot is when a command takes effect
-    Twist2 velocity;                               // then [m/s, rad/s]
-    double delay = 0.0;                            // until then [s]
-    MoverCheck* movers = nullptr;                  // a first motion is none whose command it rejects; null: all are
-    Twist2 reference;                              // what that command starts from [m/s, rad/s]
-    double period = 0.05;                          // [s]
-    const Accelerations* accelerations = nullptr;  // of what moves; null: it keeps its velocity
+    const Cycle& cycle;
+    const VelocityLimits& limits;     // of its motions
+    const CollisionChecker& checker;  // prepared
+    TurnedPose from;                  // where the robot is when a command takes effect
+    Twist2 velocity;                  // then [m/s, rad/s]
+    double delay = 0.0;               // until then [s]
   };
   /// A first motion, and what the cheapest way costs that begins with it.
   struct Branch {
