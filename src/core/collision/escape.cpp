@@ -32,9 +32,9 @@ constexpr std::size_t kUsualClusters = 512;
 
 void EscapeRule::look(const Parameters& parameters, const GridView& grid, const Footprint& footprint,
                       const CycleStart& start) {
-  grid_ = grid;
   footprint_ = &footprint;
-  unknown_is_obstacle_ = parameters.unknown_is_obstacle;
+  window_.map = grid;
+  window_.unknown_is_obstacle = parameters.unknown_is_obstacle;
   sim_time_ = parameters.sim_time;
   start_ = &start;
   overlaps_.clear();
@@ -55,8 +55,6 @@ TurnedPose EscapeRule::relative(const Pose2& pose, const Rotation& heading) cons
 }
 
 void EscapeRule::find_overlaps() {
-  window_.map = grid_;
-  window_.unknown_is_obstacle = unknown_is_obstacle_;
   list_near_cells();
   if (overlaps_.empty()) return;
   for (std::vector<double>* values : {&x_, &y_, &depths_}) values->resize(OutlineDepth::padded(overlaps_.size()));
@@ -74,7 +72,8 @@ void EscapeRule::find_overlaps() {
 void EscapeRule::list_near_cells() {
   const double reach = footprint_->circumscribed_radius() + kRounding;
   const Pose2& pose = start_->pose;
-  const Cell lo = grid_.cell_at(pose.x - reach, pose.y - reach), hi = grid_.cell_at(pose.x + reach, pose.y + reach);
+  const Cell lo = window_.map.cell_at(pose.x - reach, pose.y - reach),
+             hi = window_.map.cell_at(pose.x + reach, pose.y + reach);
   for (std::vector<double>* values : {&x_, &y_, &depths_}) values->reserve(kUsualClusters);
   overlaps_.reserve(kUsualClusters);
   x_.clear();
@@ -83,8 +82,8 @@ void EscapeRule::list_near_cells() {
     for (int i = lo.i; i <= hi.i; ++i) {
       if (!window_.obstacle({i, j})) continue;
       overlaps_.push_back({{i, j}, 0.0});
-      x_.push_back(grid_.centre({i, j}).x() - pose.x);
-      y_.push_back(grid_.centre({i, j}).y() - pose.y);
+      x_.push_back(window_.map.centre({i, j}).x() - pose.x);
+      y_.push_back(window_.map.centre({i, j}).y() - pose.y);
     }
   }
 }
@@ -92,20 +91,21 @@ void EscapeRule::list_near_cells() {
 void EscapeRule::prepare(double reach, double margin, double largest_clearance) {
   const double farthest = reach + footprint_->circumscribed_radius() + std::max(margin, largest_clearance);
   // Beyond the window everything counts as an obstacle: it is large enough for whatever is asked.
-  const int radius = static_cast<int>(std::ceil(farthest / grid_.resolution)) + 8;
-  const Cell middle = grid_.cell_at(start_->pose.x, start_->pose.y);
-  window_ = {grid_, unknown_is_obstacle_, {middle.i - radius, middle.j - radius}, 2 * radius + 1};
+  const int radius = static_cast<int>(std::ceil(farthest / window_.map.resolution)) + 8;
+  const Cell middle = window_.map.cell_at(start_->pose.x, start_->pose.y);
+  window_.first = {middle.i - radius, middle.j - radius};
+  window_.size = 2 * radius + 1;
   const AxisLimits slow = slowed().x;
   const double longest = std::max(std::abs(slow.min), std::abs(slow.max)) * sim_time_;
-  clusters_.gather(window_, overlaps_, 1 + static_cast<int>(std::ceil(longest / grid_.resolution)));
+  clusters_.gather(window_, overlaps_, 1 + static_cast<int>(std::ceil(longest / window_.map.resolution)));
   list_members();
   make_rest();
   const GridView rest{rest_costs_.data(),
                       window_.size,
                       window_.size,
-                      grid_.resolution,
-                      grid_.origin_x + window_.first.i * grid_.resolution,
-                      grid_.origin_y + window_.first.j * grid_.resolution};
+                      window_.map.resolution,
+                      window_.map.origin_x + window_.first.i * window_.map.resolution,
+                      window_.map.origin_y + window_.first.j * window_.map.resolution};
   rest_.prepare(rest, *footprint_, true, start_->pose, reach, margin, largest_clearance);
 }
 
@@ -124,7 +124,7 @@ void EscapeRule::list_members() {
   x_.clear();
   y_.clear();
   for (const ObstacleClusters::Member& member : clusters_.members()) {
-    const Point centre = grid_.centre(member.cell);
+    const Point centre = window_.map.centre(member.cell);
     x_.push_back(centre.x() - start_->pose.x);
     y_.push_back(centre.y() - start_->pose.y);
   }
@@ -159,7 +159,7 @@ bool EscapeRule::descends(const TurnedPose& at, Ahead ahead, Descent& descent) {
 std::size_t EscapeRule::stride(const Tile& tile, std::size_t c) const {
   const double v = std::max(std::abs(tile.v[c]), std::abs(start_->reference.v));
   const double omega = std::max(std::abs(tile.omega), std::abs(start_->reference.omega));
-  const double way = (v + arm_ * omega) * tile.dt, most = kRolloutSpacing * grid_.resolution;
+  const double way = (v + arm_ * omega) * tile.dt, most = kRolloutSpacing * window_.map.resolution;
   if (way * static_cast<double>(tile.steps) <= most) return tile.steps;
   return std::max<std::size_t>(1, static_cast<std::size_t>(most / way));
 }
@@ -186,10 +186,10 @@ bool EscapeRule::ends_better(const Pose2& end, const Descent& descent) const {
 
 // From the robot's centre to the nearest cell that it overlaps at the start [m].
 double EscapeRule::distance_to_overlapped(const Pose2& pose) const {
-  const double half = 0.5 * grid_.resolution;
+  const double half = 0.5 * window_.map.resolution;
   double nearest2 = std::numeric_limits<double>::infinity();
   for (const ObstacleClusters::Overlap& overlap : overlaps_) {
-    const Point centre = grid_.centre(overlap.cell);
+    const Point centre = window_.map.centre(overlap.cell);
     const double dx = beyond(pose.x - centre.x(), half), dy = beyond(pose.y - centre.y(), half);
     nearest2 = std::min(nearest2, dx * dx + dy * dy);
   }

@@ -68,7 +68,7 @@ class EscapeRule {
   /// Total depth at the end of a rollout that descends [m].
   double depth_at_end(const Tile& tile, std::size_t c);
   /// It stands at most half a cell deep.
-  bool grazes() const { return start_total_ <= 0.5 * grid_.resolution; }
+  bool grazes() const { return start_total_ <= 0.5 * window_.map.resolution; }
 
   /// Whether a turn on the spot, so far as to `heading` [rad], may pass there.
   bool may_face(double heading);
@@ -84,9 +84,7 @@ class EscapeRule {
   double distance_to_overlapped(const Pose2& pose) const;
   std::size_t stride(const Tile& tile, std::size_t c) const;
 
-  GridView grid_;
   const Footprint* footprint_ = nullptr;
-  bool unknown_is_obstacle_ = true;
   double sim_time_ = 0.0;  // [s]
   const CycleStart* start_ = nullptr;
   double arm_ = 0.0;  // from the centre to where the outline moves most in a turn [m]

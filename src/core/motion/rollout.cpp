@@ -99,18 +99,23 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
     block.ascending = block.ascending && (block.count == 0 || v_[i - 1] <= sample.u.v);
     ++block.count;
     v_[i] = sample.u.v;
-    // The rest of the grid's row goes the same way.
-    const bool row = sample.kind == SampleKind::grid && !settings_.euler;
-    const std::size_t most = row ? std::min(samples.size(), i + 1 + kMostColumns - block.count) : i + 1;
-    std::size_t end = i + 1;
-    while (end < most && samples[end].kind == SampleKind::grid && samples[end].u.omega == block.omega) ++end;
-    for (std::size_t next = i + 1; next < end; ++next) {
-      v_[next] = samples[next].u.v;
-      block.ascending &= samples[next - 1].u.v <= samples[next].u.v;
-    }
-    block.count += end - (i + 1);
-    i = end - 1;
+    i = add_row(samples, i);
   }
+}
+
+// The rest of a grid's row goes the same way as its candidate `i`. Returns the last one that was added.
+std::size_t Rollout::add_row(const std::vector<Sample>& samples, std::size_t i) {
+  Block& block = tiles_.back();
+  const bool row = samples[i].kind == SampleKind::grid && !settings_.euler;
+  const std::size_t most = row ? std::min(samples.size(), i + 1 + kMostColumns - block.count) : i + 1;
+  std::size_t end = i + 1;
+  while (end < most && samples[end].kind == SampleKind::grid && samples[end].u.omega == block.omega) ++end;
+  for (std::size_t next = i + 1; next < end; ++next) {
+    v_[next] = samples[next].u.v;
+    block.ascending &= samples[next - 1].u.v <= samples[next].u.v;
+  }
+  block.count += end - (i + 1);
+  return end - 1;
 }
 
 void Rollout::roll_turn(const Block& block) const {

@@ -33,7 +33,9 @@
 #include "core/motion/cycle_start.hpp"
 #include "core/movers/advance.hpp"
 #include "core/movers/departures.hpp"
+#include "core/movers/manoeuvre_bounds.hpp"
 #include "core/movers/reachable_set.hpp"
+#include "core/movers/window_parts.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 
@@ -95,16 +97,7 @@ class MoverCheck {
     std::array<PendingEnd, PendingMotionSet::kMost> pending_ends;
     std::vector<CachedResult> cache;  // by a hash of the command
   };
-
-  // A part of the dynamic window.
-  struct Part {
-    bool looked_at = false;
-    bool free = false;  // all of its commands are
-  };
-  static constexpr std::size_t kParts = 3;  // of each axis
-
   void add_near(const MovingObstacleEstimate& mover, const Parameters& parameters);
-  void divide_window();
   bool around(const ReachableSet& set) const;
   bool cached_check(const Twist2& command, CheckPass& pass);
   bool rests_untouched(const Twist2& command, CheckPass& pass);
@@ -127,20 +120,13 @@ class MoverCheck {
 
   const Footprint* footprint_ = nullptr;
   const CycleStart* start_ = nullptr;
-  double radius_ = 0.0;      // circumscribed [m]
-  double reach_ = 0.0;       // of the robot's centre until rest, in any manoeuvre [m]
-  double most_drift_ = 0.0;  // [m]
-  double most_grown_ = 0.0;  // the robot's part of what sets grow by [m]
-  double fastest_ = 0.0;     // of the outline [m/s]
-  double duration_ = 0.0;    // of the longest manoeuvre [s]
-  double creeps_for_ = 0.0;  // one of a robot that creeps [s]
+  double radius_ = 0.0;  // circumscribed [m]
+  ManoeuvreBounds most_;
   std::vector<Near> near_;
   Departures departures_;
   CheckPass coarse_, fine_;
-  std::array<Part, kParts * kParts> parts_;
-  Twist2 window_, part_;   // the least command of the window, and how large a part is [m/s, rad/s]
-  bool in_parts_ = false;  // the window is looked at in parts
-  Progress progress_;      // of the manoeuvre that is looked at
+  WindowParts parts_;
+  Progress progress_;  // of the manoeuvre that is looked at
   std::uint32_t cycle_ = 0;
 };
 

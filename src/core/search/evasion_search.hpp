@@ -129,28 +129,30 @@ class EvasionSearch {
   void list_motions(const Start& scene, const std::vector<Twist2>& own);
   static bool may_begin(const Start& scene, const Twist2& motion);
   void plan_spans(const Start& scene);
-  double bend(double time) const;
-  void find_near(const Start& scene, const State& from, const Span& span);
   bool drive_on(const Start& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn, std::size_t k,
                 double time, State& state) const;
   bool go(const Start& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const;
+  bool blocked(const Start& scene, const State& state) const;
+  void extend(const Start& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
+  static double unrest(const State& from, const State& to);
+  void note_touched(const State& state);
+  void keep_best();
+  const State* best_of(std::size_t first) const;
+  static bool alike(const State& a, const State& b);
+
+  // What moves: evasion_movers.cpp.
   struct Stopping {
     double time = 0.0;  // until the robot rests, less half of the braking; 0 where it does [s]
     double way = 0.0;   // until then [m]
     double room = 0.0;  // by which a mover may be elsewhere then [m]
   };
   static Stopping stopping(const Start& scene, double v);
-  bool must_stop(const Start& scene, const State& state, double time) const;
+  double bend(double time) const;
+  void find_near(const Start& scene, const State& from, const Span& span);
   void place_near(const Start& scene, const Span& span);
+  bool must_stop(const Start& scene, const State& state, double time) const;
   double nearness(const Start& scene, const State& state, std::size_t k, bool& touched) const;
-  bool blocked(const Start& scene, const State& state) const;
-  void extend(const Start& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
   double touched_early(const Start& scene, const State& state, double time) const;
-  static double unrest(const State& from, const State& to);
-  void note_touched(const State& state);
-  void keep_best();
-  const State* best_of(std::size_t first) const;
-  static bool alike(const State& a, const State& b);
 
   std::vector<Mover> movers_, near_;
   std::array<std::vector<NearMover>, MotionFan::kSteps> places_;  // of near_, after each step
