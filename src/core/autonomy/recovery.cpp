@@ -7,6 +7,7 @@
 
 #include "core/autonomy/least_legal.hpp"
 #include "core/util/elapsed.hpp"
+#include "core/util/nearest_pose.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -147,11 +148,8 @@ bool Recovery::blocked_by_movers(const Cycle& cycle, bool stands) const {
   if (wait_.waits()) return true;
   if (report_.problem().empty()) return false;
   const std::vector<Pose2>& plan = cycle.situation.plan;
-  const auto nearer = [&](const Pose2& a, const Pose2& b) {
-    return distance(a, cycle.start.pose) < distance(b, cycle.start.pose);
-  };
   double along = 0.0;
-  for (auto at = std::min_element(plan.begin(), plan.end(), nearer); at != plan.end(); ++at) {
+  for (auto at = nearest_pose(plan, cycle.start.pose); at != plan.end(); ++at) {
     const Point position(at->x, at->y);
     for (const MovingObstacleEstimate& mover : cycle.situation.moving_obstacles) {
       if ((mover.position_now() - position).norm() < mover.radius + cycle.footprint.inscribed_radius()) return true;
