@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/motion/velocity_limits.hpp"
 #include "core/planner/safe_values.hpp"
 #include "core/util/words.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
@@ -122,7 +123,7 @@ CycleResult PlannerNode::decide(const LoopTime& now, const control::Timing& timi
   // Most hosts hold this recursive mutex already.
   const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap_.getCostmap()->getMutex());
   RobotObservation observation = observe(now, timing);
-  if (host_.was_away()) observation.resumed = inputs_.velocity_after_pause(now.seconds, loop_.parameters());
+  if (host_.was_away()) observation.resumed = inputs_.velocity_after_pause(now.seconds, loop_.planner());
   observation.host_stops = stop;
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
@@ -170,8 +171,8 @@ void PlannerNode::check_horizon() {
   const costmap_2d::Costmap2D& map = *costmap_.getCostmap();
   if (map.getSizeInCellsX() == 0 || map.getSizeInCellsY() == 0) return;  // it waits for its map
   std::vector<std::string> complaints = horizon_complaints(
-      loop_.parameters(), map.getSizeInCellsX() * map.getResolution(), map.getSizeInCellsY() * map.getResolution(),
-      loop_.planner().footprint().circumscribed_radius());
+      loop_.parameters(), loop_.planner().limits().x, map.getSizeInCellsX() * map.getResolution(),
+      map.getSizeInCellsY() * map.getResolution(), loop_.planner().footprint().circumscribed_radius());
   if (complaints == horizon_said_) return;
   for (const std::string& complaint : complaints) ROS_WARN("%s: %s", name_.c_str(), complaint.c_str());
   horizon_said_ = std::move(complaints);
