@@ -174,7 +174,7 @@ Result ControlLoop::step(const Observation& observation, const OperatorIntent& w
   if (observation.resumed) {
     // Somebody else sent commands meanwhile: the next one starts from what the robot does, within the limits.
     resumed_ = true;
-    last_command_ = VelocityLimits::from(parameters()).clamp(*observation.resumed);
+    last_command_ = planner_.limits().clamp(*observation.resumed);
   }
   Result result;
   result.intent = wanted;
@@ -206,7 +206,7 @@ void ControlLoop::brake(const Observation& observation, const OperatorIntent& in
   planner_.skip(situation_);
   const double period = late_brake_period(timing.interval, timing.period, timing.longest_period);
   const FaultBrake::Command braking =
-      fault_brake_.brake(timing.now, observation.velocity, last_command_, parameters(), period);
+      fault_brake_.brake(timing.now, observation.velocity, last_command_, parameters(), planner_.limits(), period);
   result.outcome = outcome_of(braking, intent);
   result.command = braking.command;
 }

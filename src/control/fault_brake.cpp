@@ -7,9 +7,8 @@
 namespace hidwa_local_planner {
 
 FaultBrake::Command FaultBrake::brake(double now, const std::optional<Twist2>& velocity, const Twist2& last_command,
-                                      const Parameters& parameters, double period) {
+                                      const Parameters& parameters, const VelocityLimits& limits, double period) {
   if (!since_ || now < *since_) since_ = now;
-  const VelocityLimits limits = VelocityLimits::from(parameters);
   bool moving = !commands_rest(last_command);
   if (velocity) {
     moving = moving || !at_rest(*velocity, parameters);

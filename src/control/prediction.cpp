@@ -101,7 +101,7 @@ void Prediction::find_end(const Observation& observation, double inscribed_radiu
 void Prediction::roll_out(const ControlLoop& loop, const Observation& observation, const Result& result) {
   const Decision& decision = *result.decision;
   const Parameters& p = loop.parameters();
-  const VelocityLimits limits = VelocityLimits::from(p);
+  const VelocityLimits& limits = loop.planner().limits();
   braking_ = limits.x.braking;
   Robot robot{observation.pose, result.command, 0.0};
   poses_.push_back({robot.pose, 0.0});

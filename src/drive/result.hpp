@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "drive/gentleness.hpp"
+#include "hidwa_local_planner/core/decision.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 #include "sim/people_watch.hpp"
 #include "sim/polygon.hpp"

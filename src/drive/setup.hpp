@@ -8,7 +8,7 @@
 #include "drive/ground.hpp"
 #include "drive/local_costmap.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/situation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 #include "hidwa_local_planner/tracking/tracker_settings.hpp"
 #include "sim/diff_drive.hpp"

@@ -7,10 +7,9 @@
 #include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
-std::vector<std::string> horizon_complaints(const Parameters& p, double map_width, double map_height,
-                                            double circumscribed_radius) {
+std::vector<std::string> horizon_complaints(const Parameters& p, const AxisLimits& x, double map_width,
+                                            double map_height, double circumscribed_radius) {
   std::vector<std::string> complaints;
-  const AxisLimits x = VelocityLimits::from(p).x;
   const double stopping_time = x.time_to_rest(x.fastest()) + p.control_latency;  // [s]
   if (p.sim_time < stopping_time) {
     complaints.push_back(

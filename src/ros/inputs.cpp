@@ -53,8 +53,9 @@ void Inputs::observe_moving_obstacles(double now, const Parameters& parameters, 
   moving_obstacles_.read(now, parameters.moving_obstacle_timeout, tf_, costmap_.getGlobalFrameID(), obstacles);
 }
 
-Twist2 Inputs::velocity_after_pause(double now, const Parameters& parameters) const {
-  return odometry_.settled(now, parameters.odom_timeout, parameters).value_or(Twist2{});
+Twist2 Inputs::velocity_after_pause(double now, const Planner& planner) const {
+  const Parameters& parameters = planner.parameters();
+  return odometry_.settled(now, parameters.odom_timeout, parameters, planner.limits()).value_or(Twist2{});
 }
 
 std::string Inputs::observe_pose(const LoopTime& now, const Parameters& parameters, RobotObservation& observation) {

@@ -43,7 +43,8 @@ void OdometryInput::receive(const nav_msgs::Odometry& message, const LoopTime& r
   readings_[count_++ % kReadings] = newest;
 }
 
-std::optional<Twist2> OdometryInput::settled(double now, double timeout, const Parameters& parameters) const {
+std::optional<Twist2> OdometryInput::settled(double now, double timeout, const Parameters& parameters,
+                                             const VelocityLimits& limits) const {
   if (!read(now, timeout).velocity) return std::nullopt;
   std::array<Newest, kReadings> readings;
   std::size_t count = 0;
@@ -54,7 +55,6 @@ std::optional<Twist2> OdometryInput::settled(double now, double timeout, const P
   }
   // As if zero had been commanded: readings at rest agree at once, others must agree with each other.
   const Twist2 tolerance = reading_tolerance(parameters, {});
-  const VelocityLimits limits = VelocityLimits::from(parameters);
   OdometryBelief belief;
   Twist2 settled;
   bool agreed = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/motion/velocity_limits.hpp"
 #include "core/planner/safe_values.hpp"
 #include "core/util/words.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
@@ -162,7 +163,7 @@ control::Timing PlannerNode::begin_cycle(double now) {
 }
 
 CycleResult PlannerNode::decide(const LoopTime& now, RobotObservation& observation, bool recorded) {
-  if (host_.was_away()) observation.resumed = inputs_.velocity_after_pause(now.seconds, loop_.parameters());
+  if (host_.was_away()) observation.resumed = inputs_.velocity_after_pause(now.seconds, loop_.planner());
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
   result.sampling = budget_.in_force();
@@ -210,8 +211,8 @@ void PlannerNode::check_horizon() {
   const costmap_2d::Costmap2D& map = *costmap_.getCostmap();
   if (map.getSizeInCellsX() == 0 || map.getSizeInCellsY() == 0) return;  // it waits for its map
   std::vector<std::string> complaints = horizon_complaints(
-      loop_.parameters(), map.getSizeInCellsX() * map.getResolution(), map.getSizeInCellsY() * map.getResolution(),
-      loop_.planner().footprint().circumscribed_radius());
+      loop_.parameters(), loop_.planner().limits().x, map.getSizeInCellsX() * map.getResolution(),
+      map.getSizeInCellsY() * map.getResolution(), loop_.planner().footprint().circumscribed_radius());
   if (complaints == horizon_said_) return;
   for (const std::string& complaint : complaints) ROS_WARN("%s: %s", name_.c_str(), complaint.c_str());
   horizon_said_ = std::move(complaints);

@@ -27,8 +27,11 @@ class Parts {
  public:
   explicit Parts(const Scene& first)
       : parameters_(first.parameters),
-        limits_(VelocityLimits::from(first.parameters)),
-        footprint_(Footprint::from_outline(first.outline, first.parameters.footprint_padding)) {}
+        footprint_(Footprint::from_outline(first.outline, first.parameters.footprint_padding)) {
+    start_.limits = VelocityLimits::from(parameters_);
+    start_.pending = &pending_;
+  }
+  Parts(const Parts&) = delete;
 
   void take(const Scene& scene) {
     scene_ = &scene;
@@ -36,32 +39,32 @@ class Parts {
     const Situation& s = scene.situation;
     commands_.forget();
     const double latency = parameters_.control_latency;
-    commands_.observe(s.time, s.period, latency + s.period, s.last_command, limits_);
-    reference_ = commands_.last();
-    commands_.play(limits_, s.period, latency, 0.0, pending_.first());
+    commands_.observe(s.time, s.period, latency + s.period, s.last_command, start_.limits);
+    start_.pose = start_.origin = s.pose;
+    start_.reference = commands_.last();
+    start_.period = start_.longest_period = s.period;
+    commands_.play(start_.limits, s.period, latency, 0.0, pending_.first());
   }
   void sample() {
     SampleRequest request;
-    request.reference = reference_;
     request.previous = scene_->situation.last_command;
     request.operator_command = &scene_->intent.u_h;
-    request.period = scene_->situation.period;
     request.vx_samples = parameters_.vx_samples;
     request.vth_samples = parameters_.vth_samples;
-    sampler_.make(parameters_, limits_, request);
+    sampler_.make(parameters_, start_.limits, start_, request);
   }
-  void start_rollout() { rollout_.run(parameters_, limits_, pose(), reference_, sampler_.samples()); }
+  void start_rollout() { rollout_.run(parameters_, start_, sampler_.samples()); }
   void roll_out() {
     start_rollout();
     for (std::size_t t = 0; t < rollout_.tile_count(); ++t) benchmark::DoNotOptimize(rollout_.tile(t).x);
   }
   // As far as any rollout or stop.
   void find_reach() {
-    double fastest = std::abs(reference_.v);
+    double fastest = std::abs(start_.reference.v);
     for (const Sample& sample : sampler_.samples()) fastest = std::max(fastest, std::abs(sample.u.v));
-    const BrakeManoeuvre stop{pose(), pending_[0], {fastest, 0.0}, scene_->situation.period};
-    growth_ = BrakingCheck::most_growth(setup(), limits_, footprint_.circumscribed_radius(), stop.reach(limits_));
-    reach_ = std::max(fastest * parameters_.sim_time, stop.reach(limits_) + growth_);
+    const double stop = start_.manoeuvre(0, {fastest, 0.0}, 0.0).reach(start_.limits);
+    growth_ = BrakingCheck::most_growth(start_, footprint_.circumscribed_radius(), stop);
+    reach_ = std::max(fastest * parameters_.sim_time, stop + growth_);
   }
   void mark_obstacles() {
     const double margin = std::max(0.5 * rollout_.longest_step(), grid_.resolution / 16.0);
@@ -77,7 +80,7 @@ class Parts {
     }
   }
   void judge() {
-    admissibility_.prepare(parameters_, limits_, collision_, footprint_, grid_.resolution, setup());
+    admissibility_.prepare(parameters_, collision_, footprint_, grid_.resolution, {&start_});
     for (std::size_t t = 0; t < rollout_.tile_count(); ++t) {
       Tile tile = rollout_.tile(t);
       classes_.classify(tile);
@@ -98,19 +101,14 @@ class Parts {
   }
 
  private:
-  const Pose2& pose() const { return scene_->situation.pose; }
-  AdmissibilityCheck::Setup setup() const {
-    const double period = scene_->situation.period;
-    return {pose(), pose(), reference_, &pending_, period, period};
-  }
+  const Pose2& pose() const { return start_.pose; }
 
   Parameters parameters_;
-  VelocityLimits limits_;
   Footprint footprint_;
   const Scene* scene_ = nullptr;
   GridView grid_;
   CommandHistory commands_;
-  Twist2 reference_;
+  CycleStart start_;
   PendingMotionSet pending_;
   double reach_ = 0.0, growth_ = 0.0;  // [m]
   Sampler sampler_;

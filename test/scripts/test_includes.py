@@ -109,6 +109,13 @@ def reachable(graph, start):
     return found
 
 
+def rows(design):
+    """{room: its row in the design's table of who includes whom}."""
+    table = design.split('Which folder includes which:')[-1]
+    lines = re.findall(r'^\| ((?:`[\w/]+`(?:, )?)+) \|', table, re.MULTILINE)
+    return {name: row for row, line in enumerate(lines) for name in re.findall(r'`([\w/]+)`', line)}
+
+
 def in_core(name):
     return name.split('/')[0] == 'core'
 
@@ -166,6 +173,16 @@ class Includes(unittest.TestCase):
         explained = [sorted(pair) for pair in TOGETHER.findall(read(ROOT, 'docs', 'design.md'))]
         self.assertEqual([circle for circle in explained if circle not in self.tree.circles()], [])
 
+    def test_no_arrow_points_up(self):
+        row = rows(read(ROOT, 'docs', 'design.md'))
+        self.assertGreater(len(row), 15)
+        self.assertEqual(self.tree.arrows(lambda a, b: row.get(b, 0) <= row.get(a, len(row))), [])
+
+    def test_the_planner_is_included_from_above_alone(self):
+        below = [file for file, includes in self.tree.includes.items() if room(file).startswith('core/') and room(file) != 'core/planner'
+                 and any(found == os.path.join(PUBLIC, 'core', 'planner.hpp') for _, found in includes)]
+        self.assertEqual(below, [])
+
     def test_core_includes_no_other_room(self):
         self.assertEqual(self.tree.arrows(lambda a, b: not in_core(a) or in_core(b)), [])
 
@@ -211,6 +228,14 @@ class MadeUp(unittest.TestCase):
     def test_an_arrow_out_of_core(self):
         tree = self.tree(src__core__planner__a='#include "hidwa_local_planner/critics/b.hpp"\n', include__critics__b='')
         self.assertEqual(len(tree.arrows(lambda a, b: not in_core(a) or in_core(b))), 1)
+
+    def test_an_arrow_up(self):
+        row = rows('Which folder includes which:\n| `core` | |\n| `core/motion`, `core/movers` | |\n| `core/cycle` | |\n')
+        self.assertEqual(row, {'core': 0, 'core/motion': 1, 'core/movers': 1, 'core/cycle': 2})
+        tree = self.tree(src__core__motion__a='#include "core/cycle/b.hpp"\n', src__core__cycle__b='#include "core/movers/c.hpp"\n',
+                         src__core__movers__c='')
+        self.assertEqual(tree.arrows(lambda a, b: row.get(b, 0) <= row.get(a, len(row))),
+                         [os.path.join('src', 'core', 'motion', 'a.hpp') + ': core/cycle/b.hpp'])
 
     def test_a_forwarding_header_is_no_arrow(self):
         tree = self.tree(include__core__a='#pragma message("moved")\n#include "hidwa_local_planner/control/b.hpp"\n',

@@ -13,20 +13,21 @@ namespace hidwa_local_planner::test {
 /// The candidates of a scene, rolled out from its pose and last command.
 struct SceneRollout {
   explicit SceneRollout(const Scene& scene)
-      : limits(VelocityLimits::from(scene.parameters)),
-        footprint(Footprint::from_outline(scene.outline, scene.parameters.footprint_padding)),
-        grid(scene.grid()) {
+      : footprint(Footprint::from_outline(scene.outline, scene.parameters.footprint_padding)), grid(scene.grid()) {
     const Situation& s = scene.situation;
+    start.pose = start.origin = s.pose;
+    start.reference = s.last_command;
+    start.limits = VelocityLimits::from(scene.parameters);
+    start.period = start.longest_period = s.period;
     SampleRequest request;
-    request.reference = request.previous = s.last_command;
-    request.period = s.period;
+    request.previous = s.last_command;
     request.vx_samples = scene.parameters.vx_samples;
     request.vth_samples = scene.parameters.vth_samples;
-    sampler.make(scene.parameters, limits, request);
-    rollout.run(scene.parameters, limits, s.pose, s.last_command, sampler.samples());
+    sampler.make(scene.parameters, start.limits, start, request);
+    rollout.run(scene.parameters, start, sampler.samples());
     reach = std::max(std::abs(s.last_command.v), rollout.fastest()) * scene.parameters.sim_time;
   }
-  VelocityLimits limits;
+  CycleStart start;
   Footprint footprint;
   GridView grid;
   Sampler sampler;

@@ -3,12 +3,14 @@
 
 #include <optional>
 
+#include "hidwa_local_planner/core/decision.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
+
+struct VelocityLimits;
 
 /// What to do while an input is missing (transform, plan, odometry or costmap). A robot that moves brakes from the last
 /// command, as the planner brakes (VelocityLimits::brake()); that counts as success. A robot that stands fails, so that
@@ -20,9 +22,9 @@ class FaultBrake {
     bool success = false;
     Twist2 command;  // [m/s, rad/s]
   };
-  /// `velocity`: measured, where odometry is at hand. `now` and `period` [s].
+  /// `velocity`: measured, where odometry is at hand. `limits`: of the parameters. `now` and `period` [s].
   Command brake(double now, const std::optional<Twist2>& velocity, const Twist2& last_command,
-                const Parameters& parameters, double period);
+                const Parameters& parameters, const VelocityLimits& limits, double period);
   /// The input is complete again.
   void clear() { since_.reset(); }
   template <typename Self, typename Archive>

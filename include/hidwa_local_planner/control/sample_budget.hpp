@@ -15,7 +15,7 @@
 #include <string>
 
 #include "hidwa_local_planner/core/parameters.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/situation.hpp"
 
 namespace hidwa_local_planner {
 

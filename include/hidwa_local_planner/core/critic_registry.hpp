@@ -11,6 +11,9 @@
 
 namespace hidwa_local_planner {
 
+/// Finds the parameters of critics of other packages; returned pointers must outlive the planner.
+using SourceFor = std::function<std::unique_ptr<ParameterSource>(const std::string& critic)>;
+
 /// Makes critics by name. Empty at first: critics::built_in() has those of this package, and the plugin adds those of
 /// other packages.
 class CriticRegistry {

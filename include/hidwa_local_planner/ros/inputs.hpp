@@ -49,7 +49,7 @@ class Inputs {
   /// Reads what moves, in the costmap's frame.
   void observe_moving_obstacles(double now, const Parameters& parameters, MovingObstacleEstimates& obstacles);
   /// The robot's velocity after a pause, in which the host or another node may have sent commands [m/s, rad/s].
-  Twist2 velocity_after_pause(double now, const Parameters& parameters) const;
+  Twist2 velocity_after_pause(double now, const Planner& planner) const;
 
   /// Compares the odometry with what a cycle came to.
   void watch(const control::Observation& observation, const control::Result& result) {

@@ -18,6 +18,8 @@
 
 namespace hidwa_local_planner {
 
+struct VelocityLimits;
+
 /// The robot's measured velocity. Thread-safe; both sides hold the lock for a copy of numbers only.
 class OdometryInput {
  public:
@@ -35,7 +37,8 @@ class OdometryInput {
   Reading read(double now, double timeout) const;
   /// The velocity that the last readings agree on, see AxisBelief. After a pause of the host another node may have
   /// driven, and one reading alone proves nothing. No value where they do not agree, or are older than `timeout` [s].
-  std::optional<Twist2> settled(double now, double timeout, const Parameters& parameters) const;
+  std::optional<Twist2> settled(double now, double timeout, const Parameters& parameters,
+                                const VelocityLimits& limits) const;
   /// Time jumped back: readings from before no longer count.
   void forget();
   /// What is odd about who sends, in sentences with the remedy; mostly empty. `base`: the robot's frame; `known`:

@@ -20,7 +20,7 @@ double time_to_goal(const Cycle& cycle) {
   const double step = coarse ? p.max_vel_x / (p.vx_samples - 1) : 0.0;
   const double slowest = std::max(p.min_vel_x, step);
   if (slowest <= 0.0) return std::numeric_limits<double>::infinity();
-  return std::max(distance(cycle.situation.pose, cycle.situation.goal) / slowest, usable_period(cycle.situation));
+  return std::max(distance(cycle.start.pose, cycle.situation.goal) / slowest, cycle.start.period);
 }
 
 }  // namespace

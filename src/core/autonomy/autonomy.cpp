@@ -91,7 +91,7 @@ bool Autonomy::observe(const Cycle& cycle, bool autonomous, const Driven& driven
   StallWatch::Motion motion;
   motion.stands = conclusion.outcome == Outcome::hold || conclusion.outcome == Outcome::fail || driven.trapped;
   motion.creeps = conclusion.outcome == Outcome::drive && conclusion.sample.v == 0.0 &&
-                  std::abs(conclusion.sample.omega) < kCreeping * cycle.limits.theta.max;
+                  std::abs(conclusion.sample.omega) < kCreeping * cycle.start.limits.theta.max;
   motion.yields = driven.yields;
   if (!autonomous || !p.turn_when_stuck) {
     stall_.observe_rest(autonomous && motion.stands, now);
@@ -99,7 +99,7 @@ bool Autonomy::observe(const Cycle& cycle, bool autonomous, const Driven& driven
     recovery_.reset();
     return false;
   }
-  stall_.observe(motion, cycle.situation.pose, now);
+  stall_.observe(motion, cycle.start.pose, now);
   const Recovery::Outlook outlook{stall_.impatient(patience, now), driven.tight, driven.soon};
   recovery_.observe(cycle, motion.stands, driven.tight);
   if (driven.trapped) {
@@ -126,7 +126,7 @@ void Autonomy::judge_rest(const Cycle& cycle, const Driven& driven, Conclusion& 
 bool Autonomy::judge_last_turn(const Cycle& cycle, bool steered, Conclusion& conclusion) {
   const Parameters& p = cycle.parameters;
   const Situation& situation = cycle.situation;
-  const double off = std::abs(wrap_angle(situation.goal.theta - situation.pose.theta));
+  const double off = std::abs(wrap_angle(situation.goal.theta - cycle.start.pose.theta));
   const bool stands = !steered && situation.goal_latched && conclusion.outcome == Outcome::hold;
   unturned_.observe(situation.time, stands && off > p.yaw_goal_tolerance);
   const bool long_enough = unturned_.for_at_least(0.5 * p.blocked_time, situation.time);

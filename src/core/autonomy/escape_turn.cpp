@@ -36,7 +36,7 @@ int out_of_collision(Evaluation& evaluated) {
 // none.
 int turn_by(const Cycle& cycle, Evaluation& evaluated, double angle) {
   return least_legal(evaluated, [&](const Tile& tile, std::size_t c) {
-    const double left = std::abs(wrap_angle(angle - (tile.heading[tile.steps] - cycle.situation.pose.theta)));
+    const double left = std::abs(wrap_angle(angle - (tile.heading[tile.steps] - cycle.start.pose.theta)));
     const bool turns = tile.v[c] == 0.0 && tile.omega != 0.0 && left < std::abs(angle);
     return turns ? left : std::numeric_limits<double>::infinity();
   });
@@ -45,7 +45,7 @@ int turn_by(const Cycle& cycle, Evaluation& evaluated, double angle) {
 int towards_way_out(const Cycle& cycle, Evaluation& evaluated, EscapeTurn::State& state) {
   EscapeRule& escape = evaluated.obstacles().escape();
   const auto leads_out = [&](double heading) { return escape.leads_out(heading, kShortWay * cycle.grid.resolution); };
-  const double now = cycle.situation.pose.theta;
+  const double now = cycle.start.pose.theta;
   if (state.turning) {
     const double left = wrap_angle(state.heading - now);
     state.turning = std::abs(left) > kHeadingReached && leads_out(state.heading);

@@ -31,37 +31,26 @@ constexpr double kAnyDistance = 1e3;  // [m]
 
 bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own, const ComfortTurn& comfort,
                      bool goes_back) {
-  const Situation& situation = cycle.situation;
   const PendingMotionSet& all = *cycle.start.pending;
   const PendingMotion& pending = all[all.likely() - 1];
-  ManoeuvreRoller roller(cycle.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
+  ManoeuvreRoller roller(cycle.start.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
                          {cycle.start.origin, Rotation::of(cycle.start.origin.theta)}, kPendingStep);
   roller.roll_on(pending, [](const TurnedPose&) { return true; });
-  VelocityLimits limits = cycle.limits;  // of the search: gentle ones first
-  limits.theta = comfort.widest(cycle.limits.theta, cycle.start.reference.omega);
+  VelocityLimits limits = cycle.start.limits;  // of the search: gentle ones first
+  limits.theta = comfort.widest(cycle.start.limits.theta, cycle.start.reference.omega);
   gently_ = comfort.binds();
-  const EvasionSearch::Start scene{cycle.parameters,
-                                   limits,
-                                   cycle.footprint,
-                                   cycle.grid,
-                                   checker,
-                                   roller.at(),
-                                   pending.end(),
-                                   std::max(0.0, roller.time()),
-                                   cycle.movers,
-                                   cycle.start.reference,
-                                   usable_period(situation),
-                                   cycle.accelerations};
+  const EvasionSearch::Start scene{cycle, limits, checker, roller.at(), pending.end(), std::max(0.0, roller.time())};
   better_.clear();
   better_.reserve(64);
   own_.reserve(2);
-  if (!search_.look(scene, situation.moving_obstacles) || stays(cycle, scene, own, goes_back)) return false;
+  if (!search_.look(scene, cycle.situation.moving_obstacles) || stays(scene, own, goes_back)) return false;
   own_.assign(1, own);
-  if (goes_on_ && is_finite(motion_)) own_.push_back(cycle.limits.clamp(motion_));  // not where it was loaded damaged
+  if (goes_on_ && is_finite(motion_))
+    own_.push_back(cycle.start.limits.clamp(motion_));  // not where it was loaded damaged
   search_.run(scene, guide_, own_);
   if (gently_ && search_.cheapest() >= EvasionSearch::kTouched) {
     gently_ = false;
-    limits = cycle.limits;
+    limits = cycle.start.limits;
     search_.run(scene, guide_, own_);
   }
   const std::vector<EvasionSearch::Branch>& branches = search_.branches();
@@ -80,11 +69,12 @@ bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const 
 double Evasion::better_by() const { return goes_on_ ? kStillBetter : kClearlyBetter; }
 
 // Without a search: where the own motion, kept, is about as good as any way can be.
-bool Evasion::stays(const Cycle& cycle, const EvasionSearch::Start& scene, const Twist2& own, bool goes_back) {
+bool Evasion::stays(const EvasionSearch::Start& scene, const Twist2& own, bool goes_back) {
+  const Cycle& cycle = scene.cycle;
   const EvasionSearch::ConstantMotion kept = search_.keep(scene, own);
   if (kept.untroubled || (goes_back && kept.untouched)) return true;
-  guide_.prepare(cycle.situation.plan, cycle.situation.goal, scene.start.pose, cycle.limits,
-                 EvasionSearch::reach(cycle.parameters, cycle.limits));
+  guide_.prepare(cycle.situation.plan, cycle.situation.goal, scene.from.pose, cycle.start.limits,
+                 EvasionSearch::reach(cycle.parameters, cycle.start.limits));
   if (!guide_.any()) return true;
   return kept.untouched && kept.cost(guide_) - better_by() <= search_.least(scene, guide_);
 }
@@ -107,7 +97,7 @@ int Evasion::nearest_legal(const Cycle& cycle, Evaluation& evaluated, const Twis
   LazyChecks& checks = evaluated.checks();
   near_.clear();
   reserve_with_spare(near_, candidates.count());
-  const double per_v = 1.0 / cycle.limits.x.fastest(), per_omega = 1.0 / cycle.limits.theta.fastest();
+  const double per_v = 1.0 / cycle.start.limits.x.fastest(), per_omega = 1.0 / cycle.start.limits.theta.fastest();
   for (std::size_t c = 0; c < candidates.count(); ++c) {
     const Twist2& u = candidates.sample(c);
     const double off_v = std::abs(u.v - motion.v) * per_v, off_omega = std::abs(u.omega - motion.omega) * per_omega;

@@ -46,7 +46,7 @@ class Evasion {
   }
 
  private:
-  bool stays(const Cycle& cycle, const EvasionSearch::Start& scene, const Twist2& own, bool goes_back);
+  bool stays(const EvasionSearch::Start& scene, const Twist2& own, bool goes_back);
   double better_by() const;
   int nearest_legal(const Cycle& cycle, Evaluation& evaluated, const Twist2& motion);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/decision.hpp"
 
 namespace hidwa_local_planner {
 

@@ -7,6 +7,7 @@
 
 #include "core/autonomy/least_legal.hpp"
 #include "core/util/elapsed.hpp"
+#include "core/util/nearest_pose.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -101,8 +102,8 @@ void Recovery::commit(const Step& step, StallWatch& stall, double now) {
 
 void Recovery::observe(const Cycle& cycle, bool stands, bool tight) {
   follower_.note_tight(tight);
-  back_.observe(cycle.situation.pose, blocked_by_movers(cycle, stands), cycle.situation.time);
-  report_.forget_noted_far_from(cycle.situation.pose);
+  back_.observe(cycle.start.pose, blocked_by_movers(cycle, stands), cycle.situation.time);
+  report_.forget_noted_far_from(cycle.start.pose);
 }
 
 void Recovery::advance(const Cycle& cycle, const StallWatch& stall, const Outlook& outlook) {
@@ -129,12 +130,12 @@ void Recovery::change_phase(const Cycle& cycle, const StallWatch& stall, const O
   }
   const bool settled = stall.settled(cycle);
   const bool again = phase_ == Phase::waits && elapsed(since_, kSearchPause, now);
-  const bool found_out = phase_ != Phase::follows && finder_.searching() && finder_.began_near(cycle.situation.pose);
+  const bool found_out = phase_ != Phase::follows && finder_.searching() && finder_.began_near(cycle.start.pose);
   if (settled && found_out && phase_ != Phase::searches) {
     phase_ = Phase::searches;
     report_.tell_noted();
   } else if (settled && (ordinary || phase_ == Phase::stops || again)) {
-    begin_search(cycle, Phase::searches, cycle.situation.pose);
+    begin_search(cycle, Phase::searches, cycle.start.pose);
   } else if (phase_ == Phase::idle && outlook.tight && elapsed(searched_ahead_, kSearchPause, now)) {
     searched_ahead_ = now;
     begin_search(cycle, Phase::looks_ahead, outlook.soon);
@@ -147,11 +148,8 @@ bool Recovery::blocked_by_movers(const Cycle& cycle, bool stands) const {
   if (wait_.waits()) return true;
   if (report_.problem().empty()) return false;
   const std::vector<Pose2>& plan = cycle.situation.plan;
-  const auto nearer = [&](const Pose2& a, const Pose2& b) {
-    return distance(a, cycle.situation.pose) < distance(b, cycle.situation.pose);
-  };
   double along = 0.0;
-  for (auto at = std::min_element(plan.begin(), plan.end(), nearer); at != plan.end(); ++at) {
+  for (auto at = nearest_pose(plan, cycle.start.pose); at != plan.end(); ++at) {
     const Point position(at->x, at->y);
     for (const MovingObstacleEstimate& mover : cycle.situation.moving_obstacles) {
       if ((mover.position_now() - position).norm() < mover.radius + cycle.footprint.inscribed_radius()) return true;
@@ -166,9 +164,9 @@ bool Recovery::blocked_by_movers(const Cycle& cycle, bool stands) const {
 void Recovery::step_back(const Cycle& cycle) {
   if (phase_ != Phase::waits || !back_.due(cycle.parameters.step_back_after, cycle.situation.time)) return;
   if (cycle.movers != nullptr && cycle.movers->leaving()) return;
-  back_.begin(cycle.situation.pose);
+  back_.begin(cycle.start.pose);
   goes_back_ = true;
-  begin_search(cycle, Phase::searches, cycle.situation.pose);
+  begin_search(cycle, Phase::searches, cycle.start.pose);
 }
 
 WayFinder::Target Recovery::target() const {
@@ -252,7 +250,7 @@ void Recovery::follow_found_way(const Cycle& cycle, bool may_follow) {
   if (finder_.without_movers()) {
     wait_for_movers(now);
   } else if (!follower_.still_leads(cycle, near)) {
-    begin_search(cycle, Phase::searches, cycle.situation.pose);
+    begin_search(cycle, Phase::searches, cycle.start.pose);
   } else if (may_follow) {
     follow_way(now, false);
   }

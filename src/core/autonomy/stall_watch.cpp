@@ -19,12 +19,12 @@ void StallWatch::observe(const Motion& motion, const Pose2& pose, double now) {
 }
 
 bool StallWatch::settled(const Cycle& cycle) const {
-  const double latency = cycle.parameters.control_latency + 2.0 * cycle.situation.period;
+  const double latency = cycle.parameters.control_latency + 2.0 * cycle.start.period;
   return stands_.for_at_least(latency, cycle.situation.time);
 }
 
 bool StallWatch::gets_nowhere(const Cycle& cycle) const {
-  const VelocityLimits& limits = cycle.limits;
+  const VelocityLimits& limits = cycle.start.limits;
   const double to_new_pose =
       Novelty::kApart / std::max(limits.x.max, 1e-3) + Novelty::kTurnedApart / std::max(limits.theta.max, 1e-3);
   return novelty_.time_without(cycle.situation.time) >= std::max(kShortestStall, 3.0 * to_new_pose);

@@ -18,7 +18,7 @@ void WayFinder::begin(const Cycle& cycle, const Pose2& start, Target target, con
   const bool back = target == Target::back;
   if (back) trail.write_way_back(start, way_back_);
   make_search_task(start, back ? way_back_ : situation.plan, cycle.grid, cycle.footprint, cycle.parameters,
-                   cycle.limits, task_);
+                   cycle.start.limits, task_);
   if (target == Target::goal) aim_at_goal(situation.goal, cycle.parameters, task_);
   with_movers_ = !without_movers_ && !situation.moving_obstacles.empty();
   if (with_movers_) add_movers(situation.moving_obstacles, cycle.footprint, task_);

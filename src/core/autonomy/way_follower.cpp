@@ -111,7 +111,7 @@ WayFollower::Step WayFollower::propose(const Cycle& cycle, Evaluation& evaluated
 }
 
 WayFollower::PoseOnWay WayFollower::pose_on_way(const Cycle& cycle, const CollisionChecker& collision) const {
-  const Pose2& pose = cycle.situation.pose;
+  const Pose2& pose = cycle.start.pose;
   const double room = room_ahead(way_, progress_.part, collision, cycle.grid.resolution);
   const std::size_t end = way_.end_of_parts(pose, progress_.part, kWayAhead, std::max(room, kNearTurn));
   return {way_.nearest(pose, progress_.part, end, room), end, room};
@@ -119,7 +119,7 @@ WayFollower::PoseOnWay WayFollower::pose_on_way(const Cycle& cycle, const Collis
 
 // The remaining time [s] after a candidate.
 double WayFollower::left_after(const Cycle& cycle, const PoseOnWay& at, const Tile& tile, std::size_t c) const {
-  return way_.nearest(braked_end(tile, c, cycle.limits), at.here.part, at.end, at.room).remaining();
+  return way_.nearest(braked_end(tile, c, cycle.start.limits), at.here.part, at.end, at.room).remaining();
 }
 
 // The remaining time falls, or has lately: from the robot, or from the nearest pose of the way.
@@ -163,7 +163,7 @@ void WayFollower::replace(Way& other, double now) {
 bool WayFollower::still_leads(const Cycle& cycle, double near) const {
   const Pose2& end = way_.stations().back().pose;
   const std::vector<Pose2>& plan = cycle.situation.plan;
-  return distance(way_.stations().front().pose, cycle.situation.pose) < kSameStart &&
+  return distance(way_.stations().front().pose, cycle.start.pose) < kSameStart &&
          std::any_of(plan.begin(), plan.end(), [&](const Pose2& pose) { return distance(pose, end) < near; });
 }
 

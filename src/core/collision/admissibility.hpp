@@ -23,10 +23,10 @@ class AdmissibilityCheck {
   AdmissibilityCheck(const AdmissibilityCheck&) = delete;
   AdmissibilityCheck& operator=(const AdmissibilityCheck&) = delete;
 
-  /// Once per cycle; `checker` is prepared (EscapeRule::rest() where that applies). All but `setup` must outlive the
-  /// questions. `resolution` is the map's [m].
-  void prepare(const Parameters& parameters, const VelocityLimits& limits, const CollisionChecker& checker,
-               const Footprint& footprint, double resolution, const Setup& setup);
+  /// Once per cycle; `checker` is prepared (EscapeRule::rest() where that applies). All but `setup` itself must outlive
+  /// the questions. `resolution` is the map's [m].
+  void prepare(const Parameters& parameters, const CollisionChecker& checker, const Footprint& footprint,
+               double resolution, const Setup& setup);
 
   /// Whether the cells alone decide every rollout of a tile. Sets the reasons of those that they reject.
   bool cells_decide(const Tile& tile, const char** reasons) const { return rollouts_.decide_by_cells(tile, reasons); }

@@ -28,18 +28,16 @@ TurnedPose turned(const Pose2& pose) { return {pose, {std::cos(pose.theta), std:
 
 }  // namespace
 
-double BrakingCheck::reach_of_manoeuvres(const CheckSetup& setup, const VelocityLimits& limits, double fastest) {
-  const double hold = latest_hold(setup.period, setup.longest_period);
+double BrakingCheck::reach_of_manoeuvres(const CycleStart& start, double fastest) {
   double reach = 0.0;
-  for (std::size_t motion = 0; motion < setup.pending->all(); ++motion) {
-    const BrakeManoeuvre manoeuvre{setup.origin, (*setup.pending)[motion], {fastest, 0.0}, setup.period, hold};
-    reach = std::max(reach, manoeuvre.reach(limits));
+  for (std::size_t motion = 0; motion < start.pending->all(); ++motion) {
+    reach = std::max(reach, start.manoeuvre(motion, {fastest, 0.0}, start.latest_hold()).reach(start.limits));
   }
   return reach;
 }
 
-double BrakingCheck::most_growth(const CheckSetup& setup, const VelocityLimits& limits, double radius, double reach) {
-  return most_drift(*setup.pending, limits, setup.period, radius, reach);
+double BrakingCheck::most_growth(const CycleStart& start, double radius, double reach) {
+  return most_drift(*start.pending, start.limits, start.period, radius, reach);
 }
 
 void BrakingCheck::CheckPass::forget() {
@@ -47,9 +45,9 @@ void BrakingCheck::CheckPass::forget() {
   for (EscapeEnd& pending_end : escape_ends) pending_end.roller.reset();
 }
 
-void BrakingCheck::prepare(const Parameters& parameters, const VelocityLimits& limits, const CheckSetup& setup,
-                           ClearanceLookup& clearances, double radius, double resolution) {
-  limits_ = &limits;
+void BrakingCheck::prepare(const Parameters& parameters, const CheckSetup& setup, ClearanceLookup& clearances,
+                           double radius, double resolution) {
+  start_ = setup.start;
   setup_ = &setup;
   clearances_ = &clearances;
   commands_the_target_ = parameters.command == CommandPolicy::target;
@@ -67,23 +65,23 @@ void BrakingCheck::prepare(const Parameters& parameters, const VelocityLimits& l
   clearance_now_ = 0.0;
   if (all_clear_) return;
   const CollisionChecker& checker = clearances.checker();
-  const double clearance = checker.clearance(setup.start, turned(setup.start).heading, checker.largest_clearance());
+  const double clearance = checker.clearance(start_->pose, turned(start_->pose).heading, checker.largest_clearance());
   clearance_now_ = std::max(0.0, clearance - kSameDistance);
 }
 
 // The command that speeds up reaches farthest.
 bool BrakingCheck::nothing_in_reach() const {
-  const double speed = std::abs(setup_->reference.v) + limits_->x.acc * setup_->period;
-  double reach = reach_of_manoeuvres(*setup_, *limits_, std::max(setup_->pending->fastest(), speed));
-  reach += most_growth(*setup_, *limits_, radius_, reach);
-  return clearances_->checker().clear_around(setup_->origin.x, setup_->origin.y, reach);
+  const double speed = std::abs(start_->reference.v) + start_->limits.x.acc * start_->period;
+  double reach = reach_of_manoeuvres(*start_, std::max(start_->pending->fastest(), speed));
+  reach += most_growth(*start_, radius_, reach);
+  return clearances_->checker().clear_around(start_->origin.x, start_->origin.y, reach);
 }
 
 Twist2 BrakingCheck::command_for(const Twist2& sample) const {
   if (commands_the_target_) return sample;
-  VelocityLimits limits = *limits_;
+  VelocityLimits limits = start_->limits;
   limits.theta = turn_limits(sample.omega, sample == Twist2{});
-  return limits.step(setup_->reference, sample, setup_->period);
+  return limits.step(start_->reference, sample, start_->period);
 }
 
 bool BrakingCheck::can_brake(const Twist2& sample, std::size_t column) {
@@ -105,21 +103,22 @@ bool BrakingCheck::can_brake(const Twist2& sample, std::size_t column) {
 }
 
 AxisLimits BrakingCheck::turn_limits(double target, bool brakes) const {
-  const double from = setup_->reference.omega;
-  return brakes ? setup_->comfort.to_rest(limits_->theta, from) : setup_->comfort.towards(limits_->theta, from, target);
+  const double from = start_->reference.omega;
+  return brakes ? setup_->comfort.to_rest(start_->limits.theta, from)
+                : setup_->comfort.towards(start_->limits.theta, from, target);
 }
 
 // As command_for(): where no wheel couples the axes, a column shares its speed and a tile its turn.
 Twist2 BrakingCheck::quick_command_for(const Twist2& sample, CachedResult& cached) {
-  if (limits_->wheel_speed > 0.0 || commands_the_target_ || sample == Twist2{}) return command_for(sample);
+  if (start_->limits.wheel_speed > 0.0 || commands_the_target_ || sample == Twist2{}) return command_for(sample);
   if (!cached.v_known || cached.sample_v != sample.v) {
     cached.v_known = true;
     cached.sample_v = sample.v;
-    cached.command_v = limits_->x.ramp(setup_->reference.v, sample.v, setup_->period);
+    cached.command_v = start_->limits.x.ramp(start_->reference.v, sample.v, start_->period);
   }
   if (!turn_.known || turn_.sample != sample.omega) {
     turn_ = {true, sample.omega,
-             turn_limits(sample.omega, false).ramp(setup_->reference.omega, sample.omega, setup_->period)};
+             turn_limits(sample.omega, false).ramp(start_->reference.omega, sample.omega, start_->period)};
   }
   return {cached.command_v, turn_.command};
 }
@@ -129,34 +128,28 @@ bool BrakingCheck::confirm_braking(const Twist2& sample) {
   return (all_clear_ || stops_freely(command, fine_)) && !(setup_->escaping() && goes_deeper(command, fine_));
 }
 
-BrakeManoeuvre BrakingCheck::manoeuvre(std::size_t motion, const Twist2& command, double hold) const {
-  return {setup_->origin, (*setup_->pending)[motion], command, setup_->period, hold};
-}
-
-double BrakingCheck::longest_hold() const { return latest_hold(setup_->period, setup_->longest_period); }
-
 ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) const {
-  return ManoeuvreRoller(*limits_, radius_, spacing, turned(start));
+  return ManoeuvreRoller(start_->limits, radius_, spacing, turned(start));
 }
 
 // For each pending motion, and whether the command to brake comes after a period or as late as it may. In a turn,
 // braking at another time leads elsewhere: the ends, and to be sure what lies between. Where there is no room for the
 // growth, a base that lags leads elsewhere, too.
 bool BrakingCheck::stops_freely(const Twist2& command, CheckPass& pass) {
-  const std::size_t motions = pass.fine ? setup_->pending->all() : setup_->pending->likely();
-  const LateTimes times(longest_hold(), setup_->period, pass.fine);
+  const std::size_t motions = pass.fine ? start_->pending->all() : start_->pending->likely();
+  const LateTimes times(start_->latest_hold(), start_->period, pass.fine);
   double growth = 0.0;
   const auto all_free = [&](std::size_t first, std::size_t end) {
     for (std::size_t motion = first; motion < end; ++motion) {
       const auto free = [&](double hold) {
-        return free_all_along(manoeuvre(motion, command, hold), pass, pass.pending_ends[motion], growth);
+        return free_all_along(start_->manoeuvre(motion, command, hold), pass, pass.pending_ends[motion], growth);
       };
       if (!times.all_of(free)) return false;
     }
     return true;
   };
   if (!all_free(0, motions)) return false;
-  return !pass.fine || growth <= clearance_now_ || all_free(motions, setup_->pending->with_lagging());
+  return !pass.fine || growth <= clearance_now_ || all_free(motions, start_->pending->with_lagging());
 }
 
 // `growth`: the largest of all that were asked for [m].
@@ -167,7 +160,7 @@ bool BrakingCheck::free_all_along(const BrakeManoeuvre& manoeuvre, const CheckPa
   double clearance = pending_end.clearance;
   ManoeuvreRoller rest = *pending_end.roller;
   const bool free =
-      free_along(pass, pass.fine ? manoeuvre.reach(*limits_, radius_) : 0.0, clearance, rest,
+      free_along(pass, pass.fine ? manoeuvre.reach(start_->limits, radius_) : 0.0, clearance, rest,
                  [&](ManoeuvreRoller& roller, auto&& visit) { return roller.roll_to_rest(manoeuvre, visit); });
   growth = std::max(growth, rest.growth());
   return free;
@@ -202,8 +195,9 @@ bool BrakingCheck::free_along(const CheckPass& pass, double way, double& clearan
 }
 
 bool BrakingCheck::goes_deeper(const Twist2& command, CheckPass& pass) const {
-  for (std::size_t motion = 0; motion < setup_->pending->likely(); ++motion) {
-    if (goes_deeper(manoeuvre(motion, command, longest_hold()), pass.depth_spacing, pass.escape_ends[motion])) {
+  for (std::size_t motion = 0; motion < start_->pending->likely(); ++motion) {
+    if (goes_deeper(start_->manoeuvre(motion, command, start_->latest_hold()), pass.depth_spacing,
+                    pass.escape_ends[motion])) {
       return true;
     }
   }
@@ -214,7 +208,7 @@ bool BrakingCheck::goes_deeper(const Twist2& command, CheckPass& pass) const {
 // is taken to lead deeper.
 bool BrakingCheck::goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeEnd& pending_end) const {
   const auto spacing_for = [&](double way) { return std::max(spacing * resolution_, way / kMostDepthPoses); };
-  const double apart = spacing_for(manoeuvre.reach(*limits_, radius_));
+  const double apart = spacing_for(manoeuvre.reach(start_->limits, radius_));
   if (!(apart <= kDepthSpacing * resolution_)) return true;
   const auto visit_into = [this](EscapeRule::Descent& descent) {
     return [this, &descent](const TurnedPose& at) {

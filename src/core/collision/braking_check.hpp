@@ -29,7 +29,7 @@
 #include "core/collision/check_setup.hpp"
 #include "core/collision/clearance_lookup.hpp"
 #include "core/motion/brake_manoeuvre.hpp"
-#include "core/motion/velocity_limits.hpp"
+#include "core/motion/cycle_start.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
@@ -39,14 +39,14 @@ class BrakingCheck {
  public:
   /// How far the robot's centre gets at most in any manoeuvre of a command up to `fastest` [m/s], without the growth
   /// [m].
-  static double reach_of_manoeuvres(const CheckSetup& setup, const VelocityLimits& limits, double fastest);
+  static double reach_of_manoeuvres(const CycleStart& start, double fastest);
   /// How far at most a robot with this reach can be from where a manoeuvre is rolled out [m], see
   /// ManoeuvreRoller::growth(). `radius` [m] reaches from its centre to its farthest point.
-  static double most_growth(const CheckSetup& setup, const VelocityLimits& limits, double radius, double reach);
+  static double most_growth(const CycleStart& start, double radius, double reach);
 
   /// Once per cycle; the arguments outlive the questions.
-  void prepare(const Parameters& parameters, const VelocityLimits& limits, const CheckSetup& setup,
-               ClearanceLookup& clearances, double radius, double resolution);
+  void prepare(const Parameters& parameters, const CheckSetup& setup, ClearanceLookup& clearances, double radius,
+               double resolution);
 
   /// Every command can.
   bool all_can_brake() const { return all_clear_ && !setup_->escaping(); }
@@ -101,12 +101,10 @@ class BrakingCheck {
   bool goes_deeper(const Twist2& command, CheckPass& pass) const;
   bool goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeEnd& pending_end) const;
   ManoeuvreRoller roller_at(const Pose2& start, double spacing) const;
-  BrakeManoeuvre manoeuvre(std::size_t motion, const Twist2& command, double hold) const;
-  double longest_hold() const;
   AxisLimits turn_limits(double target, bool brakes) const;
   Twist2 quick_command_for(const Twist2& sample, CachedResult& cached);
 
-  const VelocityLimits* limits_ = nullptr;
+  const CycleStart* start_ = nullptr;
   const CheckSetup* setup_ = nullptr;
   ClearanceLookup* clearances_ = nullptr;
   bool commands_the_target_ = false;  // the sample itself is sent

@@ -81,14 +81,12 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
   grid_ = grid;
   footprint_ = &footprint;
   unknown_is_obstacle_ = unknown_is_obstacle;
-  margin_ = margin;
   Shape shape;
   shape.outer = footprint.circumscribed_radius() + margin;
   shape.inscribed = footprint.inscribed_radius();
   shape.margin = margin;
   // By whole cells: what was collected for one cycle serves the next.
   shape.largest_clearance = std::max(kLeastClearance, std::ceil(largest_clearance / grid.resolution)) * grid.resolution;
-  largest_clearance_ = shape.largest_clearance;
   shape.resolution = grid.resolution;
   shape.circle = footprint.is_circle();
   shape.radius = static_cast<int>(std::ceil((reach + shape.outer + shape.largest_clearance) / grid.resolution)) + 3;
@@ -96,20 +94,19 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
   first_ = {middle.i - shape.radius, middle.j - shape.radius};
   if (mark_obstacles(shape)) {
     spread_marks();
-    prepare_lists(margin);
+    prepare_lists();
   } else {
     lists_.move_to(grid_.origin_x + first_.i * grid_.resolution, grid_.origin_y + first_.j * grid_.resolution);
   }
 }
 
 // Where its centre lies inside, an outline that touches the midst of obstacles touches their edge too.
-void CollisionChecker::prepare_lists(double margin) {
-  const double largest_clearance = largest_clearance_;
+void CollisionChecker::prepare_lists() {
   ObstacleLists::Window window;
-  window.solid = footprint_->inscribed_radius() > 0.0 ? &edges_ : &obstacles_;
-  window.core = footprint_->is_circle() ? &inscribed_ : nullptr;
-  window.solid_reach = footprint_->circumscribed_radius() + margin + largest_clearance;
-  window.core_reach = largest_clearance + kRounding;
+  window.solid = footprint_->inscribed_radius() > 0.0 ? &edges_ : &marks_.obstacles;
+  window.core = footprint_->is_circle() ? &marks_.inscribed : nullptr;
+  window.solid_reach = footprint_->circumscribed_radius() + shape_.margin + shape_.largest_clearance;
+  window.core_reach = shape_.largest_clearance + kRounding;
   window.corner_x = grid_.origin_x + first_.i * grid_.resolution;
   window.corner_y = grid_.origin_y + first_.j * grid_.resolution;
   window.resolution = grid_.resolution;
@@ -137,14 +134,13 @@ void CollisionChecker::mark(std::uint8_t one, std::uint8_t other, bool edge, Bit
 // False where the robot sees around itself what it saw in the cycle before: then all that follows from it still holds.
 bool CollisionChecker::mark_obstacles(const Shape& shape) {
   const int size = 2 * shape.radius + 1;
-  fresh_obstacles_.reset(size, size);
-  mark(cost::kLethal, unknown_is_obstacle_ ? cost::kUnknown : cost::kLethal, true, fresh_obstacles_);
-  fresh_inscribed_.reset(shape.circle ? size : 0, shape.circle ? size : 0);
-  if (shape.circle) mark(cost::kInscribed, cost::kInscribed, false, fresh_inscribed_);
-  if (shape == shape_ && fresh_obstacles_ == obstacles_ && fresh_inscribed_ == inscribed_) return false;
+  fresh_.obstacles.reset(size, size);
+  mark(cost::kLethal, unknown_is_obstacle_ ? cost::kUnknown : cost::kLethal, true, fresh_.obstacles);
+  fresh_.inscribed.reset(shape.circle ? size : 0, shape.circle ? size : 0);
+  if (shape.circle) mark(cost::kInscribed, cost::kInscribed, false, fresh_.inscribed);
+  if (shape == shape_ && fresh_ == marks_) return false;
   shape_ = shape;
-  obstacles_ = fresh_obstacles_;
-  inscribed_ = fresh_inscribed_;
+  marks_ = fresh_;
   return true;
 }
 
@@ -152,16 +148,16 @@ bool CollisionChecker::mark_obstacles(const Shape& shape) {
 void CollisionChecker::spread_marks() {
   disc_reach(shape_.outer, shape_.resolution, 1, reach_);
   rim_ = static_cast<int>(reach_.size());
-  obstacles_.dilate(reach_, near_);
+  marks_.obstacles.dilate(reach_, near_);
   disc_reach(shape_.inscribed - kRounding, shape_.resolution, 0, reach_);
-  obstacles_.dilate(reach_, hit_);
+  marks_.obstacles.dilate(reach_, hit_);
   if (shape_.circle) {
     disc_reach(shape_.margin + kRounding, shape_.resolution, 1, reach_);
-    inscribed_.dilate_into(reach_, near_);
+    marks_.inscribed.dilate_into(reach_, near_);
     reach_.assign(1, 0);
-    inscribed_.dilate_into(reach_, hit_);
+    marks_.inscribed.dilate_into(reach_, hit_);
   }
-  obstacles_.find_edges(edges_);
+  marks_.obstacles.find_edges(edges_);
 }
 
 bool CollisionChecker::clear(double x, double y) const {
@@ -214,7 +210,7 @@ double CollisionChecker::clearance(const Pose2& pose, const Rotation& heading, c
   if (reached && &outline == footprint_ && hit_.test(i, j)) return 0.0;
   if (centre_collides(cell, outline)) return 0.0;
   const bool listed = reached && (outline.is_circle() || !outline.sides().empty());
-  cap = std::min(std::max(cap, kRounding), largest_clearance_);
+  cap = std::min(std::max(cap, kRounding), shape_.largest_clearance);
   const double least = listed ? lists_.smallest_gap(i, j, pose, heading, outline, cap)
                               : smallest_gap(place(pose, heading, outline), cap);
   return least <= 0.0 ? 0.0 : std::max(least - kRounding, kFree);
@@ -264,7 +260,7 @@ double CollisionChecker::gap_to(const Placed& placed, double x, double y) const 
   }
   double most = std::max({x - placed.hi_x, placed.lo_x - (x + side), y - placed.hi_y, placed.lo_y - (y + side)});
   if (placed.outline->sides().empty()) {
-    if (most > largest_clearance_) return most;
+    if (most > shape_.largest_clearance) return most;
     return overlaps_square(corners_, x, y, side) ? 0.0 : std::max(distance_to_square(corners_, x, y, side), kRounding);
   }
   const double middle_x = x + 0.5 * side - pose.x, middle_y = y + 0.5 * side - pose.y;

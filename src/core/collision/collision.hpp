@@ -43,8 +43,8 @@ class CollisionChecker {
   }
   /// True when the robot is free at any heading, at this position and everywhere within the margin around it.
   bool clear(double x, double y) const;
-  double margin() const { return margin_; }                        // of clear() [m]
-  double largest_clearance() const { return largest_clearance_; }  // the most that clearance() answers [m]
+  double margin() const { return shape_.margin; }                        // of clear() [m]
+  double largest_clearance() const { return shape_.largest_clearance; }  // the most that clearance() answers [m]
   /// True when all positions within `distance` [m] of a position are clear.
   bool clear_around(double x, double y, double distance) const;
 
@@ -77,9 +77,14 @@ class CollisionChecker {
              largest_clearance == other.largest_clearance && resolution == other.resolution && circle == other.circle;
     }
   };
+  // Cells of the window.
+  struct Marks {
+    BitGrid obstacles, inscribed;  // the latter for circles only
+    bool operator==(const Marks& other) const { return obstacles == other.obstacles && inscribed == other.inscribed; }
+  };
   bool mark_obstacles(const Shape& shape);
   void spread_marks();
-  void prepare_lists(double margin);
+  void prepare_lists();
   bool centre_collides(Cell cell, const Footprint& outline) const;
   // An outline placed at a pose: its box, and where it is convex its sides, each moved by half a cell's reach.
   struct Placed {
@@ -96,16 +101,14 @@ class CollisionChecker {
   GridView grid_;
   const Footprint* footprint_ = nullptr;
   bool unknown_is_obstacle_ = true;
-  Cell first_;                                     // of the window, map cells
-  double margin_ = 0.0, largest_clearance_ = 0.0;  // [m]
+  Cell first_;  // of the window, map cells
   Shape shape_;
-  int rim_ = 0;                                // cells at the window's rim that near_ does not answer for
-  BitGrid obstacles_;                          // in the window
-  BitGrid fresh_obstacles_, fresh_inscribed_;  // this cycle's, before they are taken
-  BitGrid edges_;      // obstacles with something else beside them: those in their midst are never nearest
-  BitGrid near_;       // centre cells where the robot may overlap an obstacle
-  BitGrid hit_;        // centre cells where it surely does
-  BitGrid inscribed_;  // in the window; for circles only
+  int rim_ = 0;  // cells at the window's rim that near_ does not answer for
+  Marks marks_;
+  Marks fresh_;    // this cycle's, before they are taken
+  BitGrid edges_;  // obstacles with something else beside them: those in their midst are never nearest
+  BitGrid near_;   // centre cells where the robot may overlap an obstacle
+  BitGrid hit_;    // centre cells where it surely does
   std::vector<int> reach_;
   mutable ObstacleLists lists_;
   mutable Polygon corners_;

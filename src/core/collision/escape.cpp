@@ -30,13 +30,13 @@ constexpr std::size_t kUsualClusters = 512;
 
 }  // namespace
 
-void EscapeRule::look(const Parameters& parameters, const VelocityLimits& limits, const GridView& grid,
-                      const Footprint& footprint, const Start& start) {
-  grid_ = grid;
+void EscapeRule::look(const Parameters& parameters, const GridView& grid, const Footprint& footprint,
+                      const CycleStart& start) {
   footprint_ = &footprint;
-  unknown_is_obstacle_ = parameters.unknown_is_obstacle;
+  window_.map = grid;
+  window_.unknown_is_obstacle = parameters.unknown_is_obstacle;
   sim_time_ = parameters.sim_time;
-  start_ = start;
+  start_ = &start;
   overlaps_.clear();
   centre_inscribed_ = false;
   if (!parameters.escape) return;
@@ -46,20 +46,19 @@ void EscapeRule::look(const Parameters& parameters, const VelocityLimits& limits
   centre_inscribed_ = footprint.is_circle() && grid.contains(centre) && grid.at(centre) == cost::kInscribed;
   if (!applies()) return;
   arm_ = footprint.is_circle() ? 0.0 : footprint.circumscribed_radius();
-  speed_ = EscapeSpeed(limits, arm_, grid.resolution, parameters.control_latency + start.period + start.late);
+  speed_ =
+      EscapeSpeed(start.limits, arm_, grid.resolution, parameters.control_latency + start.period + start.latest_hold());
 }
 
 TurnedPose EscapeRule::relative(const Pose2& pose, const Rotation& heading) const {
-  return {{pose.x - start_.pose.x, pose.y - start_.pose.y, pose.theta}, heading};
+  return {{pose.x - start_->pose.x, pose.y - start_->pose.y, pose.theta}, heading};
 }
 
 void EscapeRule::find_overlaps() {
-  window_.map = grid_;
-  window_.unknown_is_obstacle = unknown_is_obstacle_;
   list_near_cells();
   if (overlaps_.empty()) return;
   for (std::vector<double>* values : {&x_, &y_, &depths_}) values->resize(OutlineDepth::padded(overlaps_.size()));
-  const double theta = start_.pose.theta;
+  const double theta = start_->pose.theta;
   depth_.of({0.0, 0.0, theta}, {std::cos(theta), std::sin(theta)}, x_.data(), y_.data(), overlaps_.size(),
             depths_.data());
   std::size_t kept = 0;
@@ -72,8 +71,9 @@ void EscapeRule::find_overlaps() {
 // The obstacle cells around the robot, whether it overlaps them or not.
 void EscapeRule::list_near_cells() {
   const double reach = footprint_->circumscribed_radius() + kRounding;
-  const Pose2& pose = start_.pose;
-  const Cell lo = grid_.cell_at(pose.x - reach, pose.y - reach), hi = grid_.cell_at(pose.x + reach, pose.y + reach);
+  const Pose2& pose = start_->pose;
+  const Cell lo = window_.map.cell_at(pose.x - reach, pose.y - reach),
+             hi = window_.map.cell_at(pose.x + reach, pose.y + reach);
   for (std::vector<double>* values : {&x_, &y_, &depths_}) values->reserve(kUsualClusters);
   overlaps_.reserve(kUsualClusters);
   x_.clear();
@@ -82,8 +82,8 @@ void EscapeRule::list_near_cells() {
     for (int i = lo.i; i <= hi.i; ++i) {
       if (!window_.obstacle({i, j})) continue;
       overlaps_.push_back({{i, j}, 0.0});
-      x_.push_back(grid_.centre({i, j}).x() - pose.x);
-      y_.push_back(grid_.centre({i, j}).y() - pose.y);
+      x_.push_back(window_.map.centre({i, j}).x() - pose.x);
+      y_.push_back(window_.map.centre({i, j}).y() - pose.y);
     }
   }
 }
@@ -91,21 +91,22 @@ void EscapeRule::list_near_cells() {
 void EscapeRule::prepare(double reach, double margin, double largest_clearance) {
   const double farthest = reach + footprint_->circumscribed_radius() + std::max(margin, largest_clearance);
   // Beyond the window everything counts as an obstacle: it is large enough for whatever is asked.
-  const int radius = static_cast<int>(std::ceil(farthest / grid_.resolution)) + 8;
-  const Cell middle = grid_.cell_at(start_.pose.x, start_.pose.y);
-  window_ = {grid_, unknown_is_obstacle_, {middle.i - radius, middle.j - radius}, 2 * radius + 1};
+  const int radius = static_cast<int>(std::ceil(farthest / window_.map.resolution)) + 8;
+  const Cell middle = window_.map.cell_at(start_->pose.x, start_->pose.y);
+  window_.first = {middle.i - radius, middle.j - radius};
+  window_.size = 2 * radius + 1;
   const AxisLimits slow = slowed().x;
   const double longest = std::max(std::abs(slow.min), std::abs(slow.max)) * sim_time_;
-  clusters_.gather(window_, overlaps_, 1 + static_cast<int>(std::ceil(longest / grid_.resolution)));
+  clusters_.gather(window_, overlaps_, 1 + static_cast<int>(std::ceil(longest / window_.map.resolution)));
   list_members();
   make_rest();
   const GridView rest{rest_costs_.data(),
                       window_.size,
                       window_.size,
-                      grid_.resolution,
-                      grid_.origin_x + window_.first.i * grid_.resolution,
-                      grid_.origin_y + window_.first.j * grid_.resolution};
-  rest_.prepare(rest, *footprint_, true, start_.pose, reach, margin, largest_clearance);
+                      window_.map.resolution,
+                      window_.map.origin_x + window_.first.i * window_.map.resolution,
+                      window_.map.origin_y + window_.first.j * window_.map.resolution};
+  rest_.prepare(rest, *footprint_, true, start_->pose, reach, margin, largest_clearance);
 }
 
 void EscapeRule::make_rest() {
@@ -123,14 +124,14 @@ void EscapeRule::list_members() {
   x_.clear();
   y_.clear();
   for (const ObstacleClusters::Member& member : clusters_.members()) {
-    const Point centre = grid_.centre(member.cell);
-    x_.push_back(centre.x() - start_.pose.x);
-    y_.push_back(centre.y() - start_.pose.y);
+    const Point centre = window_.map.centre(member.cell);
+    x_.push_back(centre.x() - start_->pose.x);
+    y_.push_back(centre.y() - start_->pose.y);
   }
   for (std::vector<double>* values : {&x_, &y_, &depths_})
     values->resize(OutlineDepth::padded(clusters_.members().size()));
   Descent descent{std::numeric_limits<double>::infinity(), 0.0};
-  descends({start_.pose, {std::cos(start_.pose.theta), std::sin(start_.pose.theta)}}, Ahead::rollout, descent);
+  descends({start_->pose, {std::cos(start_->pose.theta), std::sin(start_->pose.theta)}}, Ahead::rollout, descent);
   start_total_ = descent.total;
 }
 
@@ -156,9 +157,9 @@ bool EscapeRule::descends(const TurnedPose& at, Ahead ahead, Descent& descent) {
 
 // The number of rollout steps in which the outline moves a quarter of a cell at most.
 std::size_t EscapeRule::stride(const Tile& tile, std::size_t c) const {
-  const double v = std::max(std::abs(tile.v[c]), std::abs(start_.reference.v));
-  const double omega = std::max(std::abs(tile.omega), std::abs(start_.reference.omega));
-  const double way = (v + arm_ * omega) * tile.dt, most = kRolloutSpacing * grid_.resolution;
+  const double v = std::max(std::abs(tile.v[c]), std::abs(start_->reference.v));
+  const double omega = std::max(std::abs(tile.omega), std::abs(start_->reference.omega));
+  const double way = (v + arm_ * omega) * tile.dt, most = kRolloutSpacing * window_.map.resolution;
   if (way * static_cast<double>(tile.steps) <= most) return tile.steps;
   return std::max<std::size_t>(1, static_cast<std::size_t>(most / way));
 }
@@ -180,15 +181,15 @@ double EscapeRule::depth_at_end(const Tile& tile, std::size_t c) {
 
 bool EscapeRule::ends_better(const Pose2& end, const Descent& descent) const {
   if (descent.total < start_total_ - kBetter) return true;
-  return distance_to_overlapped(end) > distance_to_overlapped(start_.pose) + kBetter;
+  return distance_to_overlapped(end) > distance_to_overlapped(start_->pose) + kBetter;
 }
 
 // From the robot's centre to the nearest cell that it overlaps at the start [m].
 double EscapeRule::distance_to_overlapped(const Pose2& pose) const {
-  const double half = 0.5 * grid_.resolution;
+  const double half = 0.5 * window_.map.resolution;
   double nearest2 = std::numeric_limits<double>::infinity();
   for (const ObstacleClusters::Overlap& overlap : overlaps_) {
-    const Point centre = grid_.centre(overlap.cell);
+    const Point centre = window_.map.centre(overlap.cell);
     const double dx = beyond(pose.x - centre.x(), half), dy = beyond(pose.y - centre.y(), half);
     nearest2 = std::min(nearest2, dx * dx + dy * dy);
   }
@@ -196,7 +197,7 @@ double EscapeRule::distance_to_overlapped(const Pose2& pose) const {
 }
 
 bool EscapeRule::may_face(double heading) {
-  const TurnedPose at{{start_.pose.x, start_.pose.y, heading}, {std::cos(heading), std::sin(heading)}};
+  const TurnedPose at{{start_->pose.x, start_->pose.y, heading}, {std::cos(heading), std::sin(heading)}};
   Descent descent = start();
   return !rest_.collides(at.pose, at.heading) && descends(at, Ahead::rollout, descent);
 }
@@ -204,18 +205,18 @@ bool EscapeRule::may_face(double heading) {
 bool EscapeRule::leads_out(double heading, double length) {
   const Rotation direction{std::cos(heading), std::sin(heading)};
   Descent descent = start();
-  TurnedPose at{start_.pose, direction};
+  TurnedPose at{start_->pose, direction};
   at.pose.theta = heading;
   if (!descends(at, Ahead::rollout, descent)) return false;
   const double before = descent.total;
   for (int part = 1; part <= kParts; ++part) {
     const double way = length * part / kParts;
-    at.pose.x = start_.pose.x + way * direction.c;
-    at.pose.y = start_.pose.y + way * direction.s;
+    at.pose.x = start_->pose.x + way * direction.c;
+    at.pose.y = start_->pose.y + way * direction.s;
     if (rest_.collides(at.pose, direction) || !descends(at, Ahead::rollout, descent)) return false;
   }
   return descent.total < before - kBetter ||
-         distance_to_overlapped(at.pose) > distance_to_overlapped(start_.pose) + kClearly;
+         distance_to_overlapped(at.pose) > distance_to_overlapped(start_->pose) + kClearly;
 }
 
 }  // namespace hidwa_local_planner

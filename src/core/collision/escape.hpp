@@ -9,7 +9,7 @@
 #include "core/collision/escape_speed.hpp"
 #include "core/collision/obstacle_clusters.hpp"
 #include "core/collision/outline_depth.hpp"
-#include "core/motion/brake_manoeuvre.hpp"
+#include "core/motion/cycle_start.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
@@ -34,15 +34,8 @@ namespace hidwa_local_planner {
 /// only 1 holds, with the outline alone.
 class EscapeRule {
  public:
-  struct Start {
-    Pose2 pose;
-    Twist2 reference;      // [m/s, rad/s]
-    double period = 0.05;  // [s]
-    double late = 0.0;     // how much later than a period a command to brake may take effect [s]
-  };
-  /// Once a cycle, before the candidates are made. `grid` and `footprint` must outlive the questions.
-  void look(const Parameters& parameters, const VelocityLimits& limits, const GridView& grid,
-            const Footprint& footprint, const Start& start);
+  /// Once a cycle, before the candidates are made. All must outlive the questions.
+  void look(const Parameters& parameters, const GridView& grid, const Footprint& footprint, const CycleStart& start);
   /// The robot stands in collision: the ordinary rule would reject everything.
   bool applies() const { return !overlaps_.empty() || centre_inscribed_; }
   /// It overlaps something.
@@ -67,7 +60,7 @@ class EscapeRule {
   bool descends(const TurnedPose& at, Ahead ahead, Descent& descent);
 
   /// The fifth of the rules above.
-  bool slow_enough(const Twist2& sample) const { return speed_.allows(sample, start_.reference, start_.period); }
+  bool slow_enough(const Twist2& sample) const { return speed_.allows(sample, start_->reference, start_->period); }
   /// The second and the third of them, for a rollout.
   bool descends(const Tile& tile, std::size_t c, Descent& descent);
   /// The fourth, but for what it grazes.
@@ -75,7 +68,7 @@ class EscapeRule {
   /// Total depth at the end of a rollout that descends [m].
   double depth_at_end(const Tile& tile, std::size_t c);
   /// It stands at most half a cell deep.
-  bool grazes() const { return start_total_ <= 0.5 * grid_.resolution; }
+  bool grazes() const { return start_total_ <= 0.5 * window_.map.resolution; }
 
   /// Whether a turn on the spot, so far as to `heading` [rad], may pass there.
   bool may_face(double heading);
@@ -91,11 +84,9 @@ class EscapeRule {
   double distance_to_overlapped(const Pose2& pose) const;
   std::size_t stride(const Tile& tile, std::size_t c) const;
 
-  GridView grid_;
   const Footprint* footprint_ = nullptr;
-  bool unknown_is_obstacle_ = true;
   double sim_time_ = 0.0;  // [s]
-  Start start_;
+  const CycleStart* start_ = nullptr;
   double arm_ = 0.0;  // from the centre to where the outline moves most in a turn [m]
   EscapeSpeed speed_;
   OutlineDepth depth_;

@@ -40,7 +40,7 @@ bool RolloutCheck::decide_by_cells(const Tile& tile, const char** reasons) const
 
 void RolloutCheck::check(const Tile& tile, const char** reasons) {
   last_hit_ = 0;
-  most_turn_ = std::max(std::abs(tile.omega), std::abs(setup_->reference.omega)) * tile.dt;
+  most_turn_ = std::max(std::abs(tile.omega), std::abs(setup_->start->reference.omega)) * tile.dt;
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (const char* fault = fault_of(tile, c)) reasons[c] = fault;
   }
@@ -62,7 +62,8 @@ bool RolloutCheck::free(const Tile& tile, std::size_t c) {
   // Where its neighbour hit something, a candidate mostly does too.
   if (last_hit_ > 0 && clearance_at(tile, c, last_hit_) <= 0.0) return false;
   // No point of the robot moves farther in a step: its centre at the faster of two speeds, its rim by the turn.
-  const double step = std::max(std::abs(tile.v[c]), std::abs(setup_->reference.v)) * tile.dt + most_turn_ * radius_;
+  const double step =
+      std::max(std::abs(tile.v[c]), std::abs(setup_->start->reference.v)) * tile.dt + most_turn_ * radius_;
   double clearance = clearance_at(tile, c, 0);
   const std::uint8_t* classes = cells_count ? tile.classes + c : nullptr;
   for (std::size_t k = 0; k < tile.steps;) {
@@ -124,7 +125,7 @@ bool RolloutCheck::escapes(const Tile& tile, std::size_t c) const {
 // Without getting out: the operator may always stand or turn, autonomy may turn first.
 bool RolloutCheck::may_stay(const Tile& tile, std::size_t c) const {
   if (tile.v[c] != 0.0) return false;
-  return setup_->steered || (setup_->turn_out && tile.omega != 0.0 && setup_->reference.v == 0.0);
+  return setup_->steered || (setup_->turn_out && tile.omega != 0.0 && setup_->start->reference.v == 0.0);
 }
 
 }  // namespace hidwa_local_planner

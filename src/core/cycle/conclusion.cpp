@@ -1,7 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/cycle/conclusion.hpp"
 
+#include <cmath>
+
+#include "core/motion/late_cycles.hpp"
+#include "hidwa_local_planner/core/rest.hpp"
+
 namespace hidwa_local_planner {
+namespace {
+
+// Odometry may lag behind a command that brakes already, and must not take that back.
+double slower_of(double reference, double last) {
+  return reference * last > 0.0 && std::abs(reference) < std::abs(last) ? reference : last;
+}
+
+// Both axes towards rest at their limits. After a late cycle it brakes by as much as the time since the cycle before
+// allows; otherwise late cycles would add up to a longer way.
+Twist2 brake_command(const CycleStart& start) {
+  const Twist2 last = start.last_command;
+  const Twist2 from{start.limits.x.start_from(slower_of(start.reference.v, last.v), last.v),
+                    start.limits.theta.start_from(slower_of(start.reference.omega, last.omega), last.omega)};
+  return start.limits.brake(from, late_brake_period(start.elapsed, start.period, start.longest_period));
+}
+
+}  // namespace
 
 Conclusion follow(const Twist2& sample, const Twist2& command) {
   Conclusion conclusion;
@@ -13,15 +35,15 @@ Conclusion follow(const Twist2& sample, const Twist2& command) {
 
 Conclusion pass_through(const Cycle& cycle) {
   Conclusion conclusion;
-  conclusion.sample = cycle.limits.clamp(cycle.intent.u_h);
-  conclusion.command = cycle.limits.step(cycle.start.reference, conclusion.sample, cycle.situation.period);
+  conclusion.sample = cycle.start.limits.clamp(cycle.intent.u_h);
+  conclusion.command = cycle.start.limits.step(cycle.start.reference, conclusion.sample, cycle.start.period);
   conclusion.outcome = commands_rest(conclusion.command) ? Outcome::hold : Outcome::drive;
   return conclusion;
 }
 
 Conclusion brake(const Cycle& cycle, Problem kind, const char* problem) {
   Conclusion conclusion;
-  conclusion.command = brake_command(cycle.start, cycle.limits, cycle.situation);
+  conclusion.command = brake_command(cycle.start);
   conclusion.problem_kind = kind;
   conclusion.problem = problem;
   fail(cycle, kind, problem, conclusion);
@@ -29,7 +51,7 @@ Conclusion brake(const Cycle& cycle, Problem kind, const char* problem) {
 }
 
 void fail(const Cycle& cycle, Problem kind, const char* problem, Conclusion& conclusion) {
-  if (moves(cycle.start, cycle.parameters)) return;
+  if (!stands(cycle.start.last_command, cycle.start.velocity, cycle.parameters)) return;
   conclusion.outcome = Outcome::fail;
   conclusion.problem_kind = kind;
   conclusion.problem = problem;
@@ -42,7 +64,7 @@ Conclusion stop(const Cycle& cycle) {
 }
 
 const char* unless_off_map(const Cycle& cycle, const char* problem) {
-  const Pose2& pose = cycle.situation.pose;
+  const Pose2& pose = cycle.start.pose;
   if (cycle.grid.contains(cycle.grid.cell_at(pose.x, pose.y))) return problem;
   return "the robot stands outside of the local costmap: set its rolling_window, or check its size, origin and frame";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/cycle/cycle.hpp"
+#include "hidwa_local_planner/core/decision.hpp"
 
 namespace hidwa_local_planner {
 

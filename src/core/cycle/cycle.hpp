@@ -6,24 +6,26 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/cycle/cycle_start.hpp"
-#include "core/motion/velocity_limits.hpp"
+#include "core/motion/cycle_start.hpp"
 #include "core/movers/accelerations.hpp"
 #include "core/movers/mover_check.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/footprint.hpp"
+#include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/operator_intent.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/situation.hpp"
 
 namespace hidwa_local_planner {
 
 /// The input of one cycle. Everything is in the costmap frame and lives as long as the cycle.
 struct Cycle {
   const Parameters& parameters;
-  const VelocityLimits& limits;
   const Footprint& footprint;
   const GridView& grid;
   const OperatorIntent& intent;
   const Sampling& sampling;
-  const Situation& situation;  // with the pose of now
-  const CycleStart& start;
+  const Situation& situation;                    // as it was given
+  const CycleStart& start;                       // what follows from it, as the pose of now
   MoverCheck* movers;                            // null where nothing that moves is near
   bool among_movers;                             // there are some, and they count
   const Accelerations* accelerations = nullptr;  // theirs; null: they keep their velocities

@@ -11,6 +11,15 @@
 namespace hidwa_local_planner {
 namespace {
 
+// The control period, or the default one where it cannot be one; the time and the pose's age, or 0 where they cannot be
+// any [s]. The cycle brakes there, since its input has a fault.
+double usable_period(const Situation& s) { return plausible_period(s.period) ? s.period : Situation().period; }
+double usable_time(const Situation& s) { return plausible_time(s.time) ? s.time : 0.0; }
+double usable_age(const Situation& s) { return plausible_age(s.pose_age) ? s.pose_age : 0.0; }
+double longest_period(const Situation& s) {
+  return s.longest_period > s.period && plausible_period(s.longest_period) ? s.longest_period : s.period;
+}
+
 // An old pose is led on in steps of this length [m].
 constexpr double kAdvanceSpacing = 0.01;
 
@@ -23,32 +32,33 @@ void hold(AxisLimits& axis, double reading, double period) {
 
 }  // namespace
 
-CycleStart StartEstimator::estimate(const Situation& measured, const Parameters& parameters,
-                                    const VelocityLimits& limits, double radius) {
-  const double period = usable_period(measured), age = usable_age(measured);
-  remember_command(measured, limits, parameters.control_latency + period + age);
+const CycleStart& StartEstimator::estimate(const Situation& measured, const Parameters& parameters,
+                                           const VelocityLimits& limits, double radius) {
+  const double period = usable_period(measured), age = usable_age(measured), latency = parameters.control_latency;
+  remember_command(measured, limits, latency + period + age);
   PendingMotion& as_commanded = pending_.first();
-  commands_.play(limits, period, parameters.control_latency, age, as_commanded);
+  commands_.play(limits, period, latency, age, as_commanded);
   as_commanded.mark_past(age);
 
-  CycleStart start;
-  limits_ = limits;
+  start_ = {};
+  start_.origin = measured.pose;
+  start_.last_command = commands_.last();
+  start_.limits = limits;
+  start_.pending = &pending_;
+  start_.period = period;
+  start_.longest_period = longest_period(measured);
+  start_.elapsed = commands_.elapsed();
   likeliest_ = 0;
-  judge_axis({&Twist2::v, limits_.x, odometry_.v}, measured, parameters, start);
-  judge_axis({&Twist2::omega, limits_.theta, odometry_.omega}, measured, parameters, start);
-  add_prompt_motions(measured, parameters, limits);
+  judge_axis({&Twist2::v, start_.limits.x, odometry_.v}, measured, parameters);
+  judge_axis({&Twist2::omega, start_.limits.theta, odometry_.omega}, measured, parameters);
+  add_prompt_motions(age, latency, limits);
   for (const Lag& lag : kLags) {
     PendingMotion& lagging = pending_.add_lagging();
-    commands_.play(limits, period, parameters.control_latency, age, lagging, lag);
+    commands_.play(limits, period, latency, age, lagging, lag);
     lagging.mark_past(age);
   }
-  start.last_command = commands_.last();
-  start.elapsed = commands_.elapsed();
-  start.origin = measured.pose;
-  start.limits = &limits_;
-  start.pending = &pending_;
-  start.situation = with_pose_of_now(measured, limits, radius);
-  return start;
+  start_.pose = pose_of_now(age, limits, radius);
+  return start_;
 }
 
 // A command that was never a number counts as none; what lies beyond the limits is brought back by the window.
@@ -67,23 +77,22 @@ void StartEstimator::skip(const Situation& measured, const VelocityLimits& limit
 }
 
 // A command starts from the last one; from a reading only where that agrees and is asked for.
-void StartEstimator::judge_axis(const Axis& axis, const Situation& measured, const Parameters& parameters,
-                                CycleStart& start) {
+void StartEstimator::judge_axis(const Axis& axis, const Situation& measured, const Parameters& parameters) {
   const auto u = axis.member;
-  const double last = commands_.last().*u;
+  const double last = start_.last_command.*u;
   const double reading = plausible(measured.velocity) ? measured.velocity.*u : last;
-  const double tolerance = reading_tolerance(parameters, commands_.last()).*u;
+  const double tolerance = reading_tolerance(parameters, start_.last_command).*u;
   const double now = usable_time(measured), heard = measured.velocity_time > 0.0 ? measured.velocity_time : now;
   const OdometryReading judged = axis.belief.judge(now, heard, reading, commands_.range(u), tolerance, axis.limits);
   const bool fast = judged == OdometryReading::faster, agrees = judged == OdometryReading::agrees;
   const bool doubted = judged == OdometryReading::doubted || judged == OdometryReading::maybe_slower;
   const bool from_reading = agrees && parameters.velocity_reference == VelocityReference::odometry;
   const double otherwise = fast ? axis.belief.believed() : reading;
-  start.reference.*u = from_reading ? axis.limits.start_from(reading, last) : last;
-  start.velocity.*u = doubted ? last : otherwise;
-  start.odometry_doubted = start.odometry_doubted || doubted;
-  start.odometry_fast = start.odometry_fast || fast;
-  if (judged == OdometryReading::slower) hold(axis.limits, reading, usable_period(measured));
+  start_.reference.*u = from_reading ? axis.limits.start_from(reading, last) : last;
+  start_.velocity.*u = doubted ? last : otherwise;
+  start_.odometry_doubted = start_.odometry_doubted || doubted;
+  start_.odometry_fast = start_.odometry_fast || fast;
+  if (judged == OdometryReading::slower) hold(axis.limits, reading, start_.period);
   const bool as_commanded = agrees && !from_reading;
   if (!as_commanded && judged != OdometryReading::doubted) add_alternative(u, otherwise, !doubted);
 }
@@ -93,29 +102,24 @@ void StartEstimator::add_alternative(double Twist2::*axis, double velocity, bool
   pending_.add_alternative(axis, velocity);
 }
 
-void StartEstimator::add_prompt_motions(const Situation& measured, const Parameters& parameters,
-                                        const VelocityLimits& limits) {
-  const double period = usable_period(measured), latency = parameters.control_latency;
+void StartEstimator::add_prompt_motions(double age, double latency, const VelocityLimits& limits) {
   if (latency <= 0.0 || pending_[0].rests()) return;
-  const auto count = std::min(std::ceil(latency / period), static_cast<double>(PendingMotionSet::kMostUnlikely));
+  const auto count = std::min(std::ceil(latency / start_.period), static_cast<double>(PendingMotionSet::kMostUnlikely));
   for (double part = 0.0; part < count; part += 1.0) {
     PendingMotion& prompt = pending_.add_unlikely();
-    commands_.play(limits, period, latency * part / count, usable_age(measured), prompt);
-    prompt.mark_past(usable_age(measured));
+    commands_.play(limits, start_.period, latency * part / count, age, prompt);
+    prompt.mark_past(age);
   }
 }
 
 // Where odometry is believed to say something else than the commands, as odometry says.
-const Situation* StartEstimator::with_pose_of_now(const Situation& measured, const VelocityLimits& limits,
-                                                  double radius) {
-  if (usable_age(measured) <= 0.0 || !plausible(measured.pose)) return &measured;
-  const Rotation heading{std::cos(measured.pose.theta), std::sin(measured.pose.theta)};
-  ManoeuvreRoller roller(limits, radius, kAdvanceSpacing, {measured.pose, heading});
+Pose2 StartEstimator::pose_of_now(double age, const VelocityLimits& limits, double radius) const {
+  const Pose2& measured = start_.origin;
+  if (age <= 0.0 || !plausible(measured)) return measured;
+  const Rotation heading{std::cos(measured.theta), std::sin(measured.theta)};
+  ManoeuvreRoller roller(limits, radius, kAdvanceSpacing, {measured, heading});
   roller.roll_past(pending_[likeliest_]);
-  advanced_.plan.reserve(measured.plan.capacity());
-  advanced_ = measured;
-  advanced_.pose = roller.at().pose;
-  return &advanced_;
+  return roller.at().pose;
 }
 
 Twist2 StartEstimator::believed(const Twist2& measured, const Parameters& parameters) const {

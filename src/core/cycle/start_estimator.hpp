@@ -15,19 +15,21 @@
 // motion of the set into account, so it holds whichever the robot does.
 #pragma once
 
-#include "core/cycle/cycle_start.hpp"
 #include "core/motion/command_history.hpp"
+#include "core/motion/cycle_start.hpp"
 #include "core/motion/odometry_belief.hpp"
 #include "core/motion/pending_motion_set.hpp"
+#include "hidwa_local_planner/core/parameters.hpp"
+#include "hidwa_local_planner/core/situation.hpp"
 
 namespace hidwa_local_planner {
 
 class StartEstimator {
  public:
   /// Once per cycle. `radius` [m] reaches from the robot's centre to its farthest point. The result stays valid until
-  /// the next call, and as long as `measured`.
-  CycleStart estimate(const Situation& measured, const Parameters& parameters, const VelocityLimits& limits,
-                      double radius);
+  /// the next call.
+  const CycleStart& estimate(const Situation& measured, const Parameters& parameters, const VelocityLimits& limits,
+                             double radius);
   /// A cycle in which the host decides: see Planner::skip().
   void skip(const Situation& measured, const VelocityLimits& limits);
   /// See Planner::believed() [m/s, rad/s].
@@ -45,17 +47,16 @@ class StartEstimator {
     AxisBelief& belief;
   };
   void remember_command(const Situation& measured, const VelocityLimits& limits, double span);
-  void judge_axis(const Axis& axis, const Situation& measured, const Parameters& parameters, CycleStart& start);
+  void judge_axis(const Axis& axis, const Situation& measured, const Parameters& parameters);
   void add_alternative(double Twist2::*axis, double velocity, bool likeliest);
-  void add_prompt_motions(const Situation& measured, const Parameters& parameters, const VelocityLimits& limits);
-  const Situation* with_pose_of_now(const Situation& measured, const VelocityLimits& limits, double radius);
+  void add_prompt_motions(double age, double latency, const VelocityLimits& limits);
+  Pose2 pose_of_now(double age, const VelocityLimits& limits, double radius) const;
 
   CommandHistory commands_;
   OdometryBelief odometry_;
   PendingMotionSet pending_;
   std::size_t likeliest_ = 0;  // of the pending motions
-  VelocityLimits limits_;      // of this cycle's commands
-  Situation advanced_;         // kept for its memory
+  CycleStart start_;
 };
 
 }  // namespace hidwa_local_planner

@@ -12,18 +12,15 @@ void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, c
   const Parameters& parameters = cycle.parameters;
   const Sampling& sampling = cycle.sampling;
   SampleRequest request;
-  request.reference = cycle.start.reference;
   request.previous = cycle.situation.last_command;
   request.operator_command = steering.active ? &cycle.intent.u_h : nullptr;
   request.blended = steering.active && !(steering.target == cycle.intent.u_h) ? &steering.target : nullptr;
-  request.period = cycle.situation.period;
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
   request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
   VelocityLimits limits = window_limits;
   limits.theta = comfort.widest(limits.theta, cycle.start.reference.omega);
-  sampler_.make(parameters, limits, request);
-  rollout_.run(parameters, cycle.limits, cycle.situation.pose, cycle.start.reference, sampler_.samples(), comfort,
-               sim_time);
+  sampler_.make(parameters, limits, cycle.start, request);
+  rollout_.run(parameters, cycle.start, sampler_.samples(), comfort, sim_time);
 }
 
 bool Candidates::is_operator_command(std::size_t candidate) const {

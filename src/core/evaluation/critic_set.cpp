@@ -32,7 +32,7 @@ const CriticSet::Entry* CriticSet::find(const std::string& name) const {
 }
 
 std::vector<std::string> CriticSet::configure(const std::vector<std::string>& names, const Parameters& parameters,
-                                              const Planner::SourceFor& source_for) {
+                                              const SourceFor& source_for) {
   std::vector<Entry> entries;
   std::vector<std::string> faults;
   for (const std::string& name : names) {

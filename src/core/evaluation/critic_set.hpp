@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/evaluation/rejection.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/critic_registry.hpp"
 
 namespace hidwa_local_planner {
 
@@ -28,7 +28,7 @@ class CriticSet {
   std::vector<std::string> faults_of(const std::vector<std::string>& names) const;
   /// Makes and configures the critics; one that stays keeps what it remembers. With any fault nothing changes.
   std::vector<std::string> configure(const std::vector<std::string>& names, const Parameters& parameters,
-                                     const Planner::SourceFor& source_for);
+                                     const SourceFor& source_for);
 
   std::size_t size() const { return entries_.size(); }
   const Entry& operator[](std::size_t i) const { return entries_[i]; }

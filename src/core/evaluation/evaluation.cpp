@@ -25,15 +25,15 @@ Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& stee
 void Evaluation::prepare_grids(const Cycle& cycle) {
   const Parameters& p = cycle.parameters;
   grids_.prepare(cycle.grid, cycle.situation.plan, p.map_grid, p.unknown_is_obstacle);
-  grids_.expect(cycle.situation.pose, obstacles_.reach() + critics_.reach());
+  grids_.expect(cycle.start.pose, obstacles_.reach() + critics_.reach());
   const Situation& situation = cycle.situation;
   const Pose2& aim = situation.turns_back ? situation.plan.back() : situation.goal;
-  tiles_.prepare({&cycle.grid, &grids_, &obstacles_.collision(), situation.pose, aim});
+  tiles_.prepare({&cycle.grid, &grids_, &obstacles_.collision(), cycle.start.pose, aim});
 }
 
 CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering, bool to_goal) {
   CycleView view;
-  view.pose = cycle.situation.pose;
+  view.pose = cycle.start.pose;
   view.velocity = cycle.start.velocity;
   view.last_command = cycle.situation.last_command;
   view.goal = cycle.situation.goal;

@@ -4,25 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/motion/late_cycles.hpp"
-
 namespace hidwa_local_planner {
 
 VelocityLimits Obstacles::find_overlaps(const Cycle& cycle) {
-  const Situation& situation = cycle.situation;
-  const double late = latest_hold(situation.period, longest_period(situation));
-  escape_.look(cycle.parameters, cycle.limits, cycle.grid, cycle.footprint,
-               {situation.pose, cycle.start.reference, situation.period, late});
-  return escape_.overlaps() ? escape_.slowed() : cycle.limits;
+  escape_.look(cycle.parameters, cycle.grid, cycle.footprint, cycle.start);
+  return escape_.overlaps() ? escape_.slowed() : cycle.start.limits;
 }
 
-Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout,
-                                     const AdmissibilityCheck::Setup& setup) const {
+Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout) {
   const GridView& grid = cycle.grid;
-  const double fastest = std::max(setup.pending->fastest(), rollout.fastest());
-  const double manoeuvres = BrakingCheck::reach_of_manoeuvres(setup, cycle.limits, fastest);
+  const double fastest = std::max(cycle.start.pending->fastest(), rollout.fastest());
+  const double manoeuvres = BrakingCheck::reach_of_manoeuvres(cycle.start, fastest);
   const double radius = cycle.footprint.circumscribed_radius();
-  const double growth = BrakingCheck::most_growth(setup, cycle.limits, radius, manoeuvres);
+  const double growth = BrakingCheck::most_growth(cycle.start, radius, manoeuvres);
   // Nothing lies beyond the map's edge but more of it.
   const double across = std::hypot(grid.size_x, grid.size_y) * grid.resolution + radius;
   Reach reach;
@@ -35,26 +29,15 @@ Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout,
 
 void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, const ComfortTurn& comfort, bool steered,
                         bool turn_out) {
-  const Situation& situation = cycle.situation;
+  const Pose2& pose = cycle.start.pose;
   const bool unknown_blocks = cycle.parameters.unknown_is_obstacle;
-  const AdmissibilityCheck::Setup setup{situation.pose,
-                                        cycle.start.origin,
-                                        cycle.start.reference,
-                                        cycle.start.pending,
-                                        situation.period,
-                                        longest_period(situation),
-                                        turn_out,
-                                        steered,
-                                        escape_.applies() ? &escape_ : nullptr,
-                                        comfort,
-                                        cycle.movers};
-  reach_ = reach_of(cycle, rollout, setup);
-  collision_.prepare(cycle.grid, cycle.footprint, unknown_blocks, situation.pose, reach_.all, reach_.margin,
-                     reach_.clearance);
-  classes_.prepare(collision_, cycle.grid, unknown_blocks, situation.pose, reach_.all);
+  reach_ = reach_of(cycle, rollout);
+  collision_.prepare(cycle.grid, cycle.footprint, unknown_blocks, pose, reach_.all, reach_.margin, reach_.clearance);
+  classes_.prepare(collision_, cycle.grid, unknown_blocks, pose, reach_.all);
   if (escape_.applies()) escape_.prepare(reach_.all, reach_.margin, reach_.clearance);
-  admissibility_.prepare(cycle.parameters, cycle.limits, escape_.applies() ? escape_.rest() : collision_,
-                         cycle.footprint, cycle.grid.resolution, setup);
+  admissibility_.prepare(
+      cycle.parameters, escape_.applies() ? escape_.rest() : collision_, cycle.footprint, cycle.grid.resolution,
+      {&cycle.start, turn_out, steered, escape_.applies() ? &escape_ : nullptr, comfort, cycle.movers});
 }
 
 }  // namespace hidwa_local_planner

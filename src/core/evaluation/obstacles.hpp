@@ -37,7 +37,7 @@ class Obstacles {
     double margin = 0.0;     // around a clear position [m]
     double clearance = 0.0;  // the largest that is told [m]
   };
-  Reach reach_of(const Cycle& cycle, const Rollout& rollout, const AdmissibilityCheck::Setup& setup) const;
+  static Reach reach_of(const Cycle& cycle, const Rollout& rollout);
 
   EscapeRule escape_;
   CollisionChecker collision_;

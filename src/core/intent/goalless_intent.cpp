@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/intent/goalless_intent.hpp"
 
-#include <limits>
-
 #include "core/motion/brake_manoeuvre.hpp"
 
 namespace hidwa_local_planner {
@@ -18,15 +16,15 @@ constexpr double kAnyDistance = 1e3;   // [m]
 
 Steering GoallessIntent::update(const Cycle& cycle) {
   IntentSearch::Request request;
-  request.wanted = cycle.limits.clamp(cycle.intent.u_h);
+  request.wanted = cycle.start.limits.clamp(cycle.intent.u_h);
   const double off =
-      direction_.update(cycle.situation.pose.theta, request.wanted, cycle.start.elapsed, cycle.limits.theta.max);
+      direction_.update(cycle.start.pose.theta, request.wanted, cycle.start.elapsed, cycle.start.limits.theta.max);
   const PendingMotionSet& all = *cycle.start.pending;
-  ManoeuvreRoller roller(cycle.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
+  ManoeuvreRoller roller(cycle.start.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
                          {cycle.start.origin, Rotation::of(cycle.start.origin.theta)}, kPendingStep);
   roller.roll_on(all[all.likely() - 1], [](const TurnedPose&) { return true; });
   request.start = roller.at().pose;
-  const double turned = request.start.theta - cycle.situation.pose.theta;
+  const double turned = request.start.theta - cycle.start.pose.theta;
   request.off = wrap_angle(off + turned - request.wanted.omega * std::max(0.0, roller.time()));
   request.side = side_;
   const IntentSearch::Result result = search_.run(cycle, request);

@@ -87,7 +87,7 @@ void IntentSearch::prepare(const Cycle& cycle, const Request& request) {
   if (curvature_ != 0.0) ahead_ = std::min(ahead_, kMostTurn / std::abs(curvature_));
   comfort_ = std::max(2.0 * cell, 0.1);
   counted_ = comfort_ + 2.0 * cell;
-  const double sharpest = std::min(kSharpest, cycle.limits.theta.max / kBendSpeed);
+  const double sharpest = std::min(kSharpest, cycle.start.limits.theta.max / kBendSpeed);
   gentle_ = 0.25 * sharpest;
   bends_ = {0.0, gentle_, -gentle_, sharpest, -sharpest, 0.0};
   origin_ = request.start;
@@ -248,7 +248,7 @@ IntentSearch::Result IntentSearch::aim(int last, const Request& request) const {
     first = &at(i);
     if (distance(at(i).pose, request.start) >= distant) target = first;
   }
-  const double turn_limit = cycle_->limits.theta.max;
+  const double turn_limit = cycle_->start.limits.theta.max;
   if (first->progress == 0.0 && first != &at(0)) {
     const double turn = first->off - request.off;
     return {{0.0, std::clamp(turn / kTurnTime, -turn_limit, turn_limit)}, side};

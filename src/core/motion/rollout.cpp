@@ -44,22 +44,20 @@ std::size_t Rollout::Settings::steps(double v, double omega) const {
   return static_cast<std::size_t>(std::max(1.0, number));
 }
 
-void Rollout::run(const Parameters& p, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-                  const std::vector<Sample>& samples, const ComfortTurn& comfort, double sim_time) {
+void Rollout::run(const Parameters& p, const CycleStart& start, const std::vector<Sample>& samples,
+                  const ComfortTurn& comfort, double sim_time) {
   settings_ = {sim_time, p.linear_granularity, p.angular_granularity, p.integration == Integration::euler,
                p.generator == Generator::standard};
-  limits_ = limits;
   comfort_ = comfort;
   start_ = start;
-  reference_ = reference;
-  start_cosine_ = std::cos(start.theta);
-  start_sine_ = std::sin(start.theta);
+  start_cosine_ = std::cos(start.pose.theta);
+  start_sine_ = std::sin(start.pose.theta);
   turn_.known = 0;
-  const auto [slow, fast] = speeds(samples, reference.v);
+  const auto [slow, fast] = speeds(samples, start.reference.v);
   const double least = slow, most = fast;
   fastest_ = std::max(-least, most);
-  least_v_ = std::min(least, reference.v);
-  most_v_ = std::max(most, reference.v);
+  least_v_ = std::min(least, start.reference.v);
+  most_v_ = std::max(most, start.reference.v);
   make_tiles(samples);
 }
 
@@ -101,18 +99,23 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
     block.ascending = block.ascending && (block.count == 0 || v_[i - 1] <= sample.u.v);
     ++block.count;
     v_[i] = sample.u.v;
-    // The rest of the grid's row goes the same way.
-    const bool row = sample.kind == SampleKind::grid && !settings_.euler;
-    const std::size_t most = row ? std::min(samples.size(), i + 1 + kMostColumns - block.count) : i + 1;
-    std::size_t end = i + 1;
-    while (end < most && samples[end].kind == SampleKind::grid && samples[end].u.omega == block.omega) ++end;
-    for (std::size_t next = i + 1; next < end; ++next) {
-      v_[next] = samples[next].u.v;
-      block.ascending &= samples[next - 1].u.v <= samples[next].u.v;
-    }
-    block.count += end - (i + 1);
-    i = end - 1;
+    i = add_row(samples, i);
   }
+}
+
+// The rest of a grid's row goes the same way as its candidate `i`. Returns the last one that was added.
+std::size_t Rollout::add_row(const std::vector<Sample>& samples, std::size_t i) {
+  Block& block = tiles_.back();
+  const bool row = samples[i].kind == SampleKind::grid && !settings_.euler;
+  const std::size_t most = row ? std::min(samples.size(), i + 1 + kMostColumns - block.count) : i + 1;
+  std::size_t end = i + 1;
+  while (end < most && samples[end].kind == SampleKind::grid && samples[end].u.omega == block.omega) ++end;
+  for (std::size_t next = i + 1; next < end; ++next) {
+    v_[next] = samples[next].u.v;
+    block.ascending &= samples[next - 1].u.v <= samples[next].u.v;
+  }
+  block.count += end - (i + 1);
+  return end - 1;
 }
 
 void Rollout::roll_turn(const Block& block) const {
@@ -122,10 +125,10 @@ void Rollout::roll_turn(const Block& block) const {
     if (table->size() <= block.steps) table->resize(block.steps + 1);
   }
   const bool euler = settings_.euler;
-  const AxisLimits limits = block.brake ? comfort_.to_rest(limits_.theta, reference_.omega)
-                                        : comfort_.towards(limits_.theta, reference_.omega, block.omega);
+  const AxisLimits limits = block.brake ? comfort_.to_rest(start_.limits.theta, start_.reference.omega)
+                                        : comfort_.towards(start_.limits.theta, start_.reference.omega, block.omega);
   double turn = 0.0;  // since the start: what rotated scenes share to the last bit
-  double omega = block.ramped ? reference_.omega : block.omega;
+  double omega = block.ramped ? start_.reference.omega : block.omega;
   Rotation direction{start_cosine_, start_sine_};
   std::size_t k = 0;
   for (; k < block.steps && omega != block.omega; ++k) {
@@ -133,7 +136,7 @@ void Rollout::roll_turn(const Block& block) const {
     const double by = euler ? next * block.dt : 0.5 * (omega + next) * block.dt;
     const Rotation half = Rotation::of(0.5 * by);
     const Rotation middle = direction.turned(half);
-    t.heading[k] = start_.theta + turn;
+    t.heading[k] = start_.pose.theta + turn;
     t.omega[k] = omega;
     t.cosine[k] = direction.c;
     t.sine[k] = direction.s;
@@ -167,7 +170,7 @@ void Rollout::roll_steady_turn(const Block& block, std::size_t first, double tur
     middle[side] = middle[side].turned(twice);
   }
   for (std::size_t k = first; k <= block.steps; ++k) {
-    t.heading[k] = start_.theta + (turn + static_cast<double>(k - first) * by);
+    t.heading[k] = start_.pose.theta + (turn + static_cast<double>(k - first) * by);
     t.omega[k] = block.omega;
   }
 }
@@ -181,14 +184,14 @@ void Rollout::roll_speed(const Block& block) const {
   for (std::vector<double>* table : {&t.slowest, &t.fastest}) {
     if (table->size() <= block.steps) table->resize(block.steps + 1);
   }
-  double slowest = reference_.v, fastest = reference_.v;
+  double slowest = start_.reference.v, fastest = start_.reference.v;
   for (std::size_t k = 0; k <= block.steps; ++k) {
     t.slowest[k] = slowest;
     t.fastest[k] = fastest;
     t.ramp_steps = k;
     if (slowest <= least_v_ && fastest >= most_v_) return;
-    slowest = limits_.x.ramp(slowest, -kUnbounded, block.dt);
-    fastest = limits_.x.ramp(fastest, kUnbounded, block.dt);
+    slowest = start_.limits.x.ramp(slowest, -kUnbounded, block.dt);
+    fastest = start_.limits.x.ramp(fastest, kUnbounded, block.dt);
   }
 }
 
@@ -217,8 +220,8 @@ Tile Rollout::tile(std::size_t index) const {
   }
   lane_v_.assign(tile.stride, v_[block.first]);  // padding repeats the first candidate
   std::copy_n(v_.begin() + static_cast<std::ptrdiff_t>(block.first), block.count, lane_v_.begin());
-  std::fill_n(x_.begin(), tile.stride, start_.x);
-  std::fill_n(y_.begin(), tile.stride, start_.y);
+  std::fill_n(x_.begin(), tile.stride, start_.pose.x);
+  std::fill_n(y_.begin(), tile.stride, start_.pose.y);
 
   kernel::RollRequest request;
   request.steps = block.steps;

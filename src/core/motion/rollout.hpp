@@ -6,7 +6,6 @@
 
 #include "core/motion/comfort_turn.hpp"
 #include "core/motion/samples.hpp"
-#include "core/motion/velocity_limits.hpp"
 #include "core/util/rotation.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/tile.hpp"
@@ -19,14 +18,14 @@ namespace hidwa_local_planner {
 /// A tile is rolled out when it is first needed. Keeps its memory between cycles.
 class Rollout {
  public:
-  /// Samples grouped by omega, as Sampler makes them. `start` is the pose, `reference` the velocity at the start.
-  /// `comfort` binds the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s], or for
-  /// that of the parameters.
-  void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-           const std::vector<Sample>& samples, const ComfortTurn& comfort, double sim_time);
-  void run(const Parameters& parameters, const VelocityLimits& limits, const Pose2& start, const Twist2& reference,
-           const std::vector<Sample>& samples, const ComfortTurn& comfort = {}) {
-    run(parameters, limits, start, reference, samples, comfort, parameters.sim_time);
+  /// Samples grouped by omega, as Sampler makes them, from the pose and the reference of `start` on. `comfort` binds
+  /// the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s], or for that of the
+  /// parameters.
+  void run(const Parameters& parameters, const CycleStart& start, const std::vector<Sample>& samples,
+           const ComfortTurn& comfort, double sim_time);
+  void run(const Parameters& parameters, const CycleStart& start, const std::vector<Sample>& samples,
+           const ComfortTurn& comfort = {}) {
+    run(parameters, start, samples, comfort, parameters.sim_time);
   }
 
   std::size_t tile_count() const { return tiles_.size(); }
@@ -67,15 +66,14 @@ class Rollout {
     std::size_t steps(double v, double omega) const;
   };
   void make_tiles(const std::vector<Sample>& samples);
+  std::size_t add_row(const std::vector<Sample>& samples, std::size_t i);
   void roll_turn(const Block& block) const;
   void roll_steady_turn(const Block& block, std::size_t first, double turn, const Rotation& direction) const;
   void roll_speed(const Block& block) const;
 
   Settings settings_;
-  VelocityLimits limits_;
+  CycleStart start_;
   ComfortTurn comfort_;
-  Pose2 start_;
-  Twist2 reference_;
   double start_cosine_ = 1.0, start_sine_ = 0.0;
   double fastest_ = 0.0;  // of the samples [m/s]
   double least_v_ = 0.0, most_v_ = 0.0;

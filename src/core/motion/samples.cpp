@@ -66,8 +66,9 @@ Twist2 into_window(const Parameters& p, const VelocityLimits& limits, const Dyna
   return u;
 }
 
-void Sampler::make(const Parameters& p, const VelocityLimits& limits, const SampleRequest& request) {
-  window_ = dynamic_window(p, limits, request.reference, request.period);
+void Sampler::make(const Parameters& p, const VelocityLimits& limits, const CycleStart& start,
+                   const SampleRequest& request) {
+  window_ = dynamic_window(p, limits, start.reference, start.period);
   spread(window_.v, request.vx_samples, v_);
   spread(window_.omega, request.vth_samples, omega_);
   const std::size_t most = (v_.size() + 1) * (omega_.size() + 1) + 8;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/motion/velocity_limits.hpp"
+#include "core/motion/cycle_start.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
@@ -38,11 +38,9 @@ Twist2 into_window(const Parameters& parameters, const VelocityLimits& limits, c
                    const Twist2& velocity);
 
 struct SampleRequest {
-  Twist2 reference;                          // [m/s, rad/s]
   Twist2 previous;                           // the last command [m/s, rad/s]
   const Twist2* operator_command = nullptr;  // u_h where it counts
   const Twist2* blended = nullptr;           // u_ref where it differs from that (authority below 1)
-  double period = 0.05;                      // [s]
   int vx_samples = 20;
   int vth_samples = 20;
 };
@@ -52,7 +50,9 @@ struct SampleRequest {
 /// parameters ask for.
 class Sampler {
  public:
-  void make(const Parameters& parameters, const VelocityLimits& limits, const SampleRequest& request);
+  /// `limits`: of the window.
+  void make(const Parameters& parameters, const VelocityLimits& limits, const CycleStart& start,
+            const SampleRequest& request);
   const std::vector<Sample>& samples() const { return samples_; }
 
  private:

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "hidwa_local_planner/core/rest.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -18,7 +20,7 @@ constexpr double kAnySpacing = 1e3;
 // Moments that differ by less are one [s].
 constexpr double kSameMoment = 1e-9;
 
-// For rounding [m], and of a part [1].
+// For rounding [m].
 constexpr double kRounding = 1e-6;
 
 // What is slower stands, and may be left [m/s]; the robot's outermost point is no faster then [m/s].
@@ -47,22 +49,9 @@ std::size_t hash_of(const Twist2& command) {
   return static_cast<std::size_t>(mixed >> 40U);
 }
 
-double speed_at(const Twist2& u, double radius) { return std::abs(u.v) + radius * std::abs(u.omega); }
-
-// Until the command takes effect [s].
-double duration_of(const PendingMotion& pending) {
-  double sum = 0.0;
-  for (std::size_t i = pending.past(); i < pending.legs().size(); ++i) sum += pending.legs()[i].duration;
-  return sum;
-}
-
-// The largest component of a motion [m/s, rad/s].
-Twist2 fastest_of(const PendingMotion& pending) {
-  Twist2 fastest{std::abs(pending.begin().v), std::abs(pending.begin().omega)};
-  for (const PendingMotion::Leg& leg : pending.legs()) {
-    fastest = {std::max(fastest.v, std::abs(leg.end.v)), std::max(fastest.omega, std::abs(leg.end.omega))};
-  }
-  return fastest;
+// The robot stands, and no pending command moves it.
+bool rests(const CycleStart& start, const Parameters& parameters) {
+  return (*start.pending)[0].rests() && !start.odometry_fast && at_rest(start.velocity, parameters);
 }
 
 VelocityRange velocities_of(const PendingMotion& pending) {
@@ -93,72 +82,49 @@ MoverCheck::MoverCheck() {
   fine_.step = kShortStep;
 }
 
-void MoverCheck::prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
-                         const MovingObstacleEstimates& movers, const Start& start) {
+void MoverCheck::prepare(const Parameters& parameters, const Footprint& footprint,
+                         const MovingObstacleEstimates& movers, const CycleStart& start) {
   near_.clear();
   departures_.begin(start.period);
   if (movers.empty()) return;
-  limits_ = &limits;
   footprint_ = &footprint;
-  start_ = start;
+  start_ = &start;
   ++cycle_;
   radius_ = footprint.circumscribed_radius();
-  Twist2 fastest{std::abs(start.reference.v) + limits.x.acc * start.period,
-                 std::abs(start.reference.omega) + limits.theta.acc * start.period};
-  double latency = 0.0;
-  for (std::size_t motion = 0; motion < start.pending->all(); ++motion) {
-    const Twist2 own = fastest_of((*start.pending)[motion]);
-    fastest = {std::max(fastest.v, own.v), std::max(fastest.omega, own.omega)};
-    latency = std::max(latency, duration_of((*start.pending)[motion]));
-  }
-  fastest_ = speed_at(fastest, radius_);
-  // The command for two periods and as late as it may be, braking, and the tail of braking.
-  const double late = latest_hold(start.period, start.longest_period);
-  creeps_for_ = latency + start.period + late + limits.x.time_to_rest(kLeavesAt);
-  duration_ = latency + 3.0 * start.period + late +
-              std::max(limits.x.time_to_rest(fastest.v), limits.theta.time_to_rest(fastest.omega));
-  reach_ = fastest.v * duration_;
-  most_drift_ = most_drift(*start.pending, limits, start.period, radius_, reach_);
-  most_grown_ =
-      most_drift_ + 0.5 * (kLongStep + late_times_apart(late, start.period)) * (fastest_ + fastest.omega * reach_);
+  most_ = ManoeuvreBounds::of(start, radius_, kLongStep, kLeavesAt);
   for (const MovingObstacleEstimate& mover : movers) add_near(mover, parameters);
   for (CheckPass* pass : {&coarse_, &fine_}) {
     for (PendingEnd& pending_end : pass->pending_ends) pending_end.roller.reset();
   }
-  divide_window();
-}
-
-// What a command may come to within a period, whichever way.
-void MoverCheck::divide_window() {
-  const Twist2 half{std::max(limits_->x.acc, limits_->x.braking) * start_.period,
-                    std::max(limits_->theta.acc, limits_->theta.braking) * start_.period};
-  window_ = {start_.reference.v - half.v, start_.reference.omega - half.omega};
-  part_ = {2.0 * half.v / kParts, 2.0 * half.omega / kParts};
-  parts_.fill({});
-  in_parts_ = std::none_of(near_.begin(), near_.end(), [](const Near& near) { return near.leaves; });
+  if (std::any_of(near_.begin(), near_.end(), [](const Near& near) { return near.leaves; })) {
+    parts_.leave_whole();
+  } else {
+    parts_.divide(start);
+  }
 }
 
 // What is too far away to be met until rest, whatever it and the robot do, is left out.
 void MoverCheck::add_near(const MovingObstacleEstimate& mover, const Parameters& parameters) {
   const ReachableSet set(mover, parameters);
-  const Point here(start_.pose.x, start_.pose.y);
-  const double own = radius_ + reach_ + most_grown_ + 0.5 * kLongStep * set.fastest();
-  const double until_rest = duration_;
+  const Point here(start_->pose.x, start_->pose.y);
+  const double own = radius_ + most_.reach + most_.grown + 0.5 * kLongStep * set.fastest();
+  const double until_rest = most_.duration;
   if ((set.position() - here).norm() > own + set.speed_radius(until_rest)) return;
   if (distance_to_way(here, set.centre(0.0), until_rest * set.velocity()) > own + set.radius(until_rest)) return;
   Near near;
   near.set = set;
-  near.leaves = around(set) && set.velocity().norm() <= kStands && departures_.admit(mover.id, start_.rests);
-  near.closing_speed = fastest_ + set.fastest();
-  near.closing_acc = fastest_ + set.velocity().norm() + set.growth(until_rest);
+  near.leaves =
+      around(set) && set.velocity().norm() <= kStands && departures_.admit(mover.id, rests(*start_, parameters));
+  near.closing_speed = most_.fastest + set.fastest();
+  near.closing_acc = most_.fastest + set.velocity().norm() + set.growth(until_rest);
   near_.push_back(near);
 }
 
 // The robot is where it may be before even a robot that creeps can rest, or within the allowance of one short step.
 bool MoverCheck::around(const ReachableSet& set) const {
-  const TurnedPose here = with_heading(start_.pose);
-  const double allowance = most_drift_ + 0.5 * kShortStep * (set.fastest() + fastest_);
-  const double t = creeps_for_;
+  const TurnedPose here = with_heading(start_->pose);
+  const double allowance = most_.drift + 0.5 * kShortStep * (set.fastest() + most_.fastest);
+  const double t = most_.creeps_for;
   return footprint_->distance_to(seen_from(here, set.centre(t))) <= set.radius(t) + allowance &&
          footprint_->distance_to(seen_from(here, set.position())) <= set.speed_radius(t) + allowance;
 }
@@ -172,20 +138,18 @@ bool MoverCheck::cached_check(const Twist2& command, CheckPass& pass) {
 }
 
 LateTimes MoverCheck::late_times(const CheckPass& pass) const {
-  return {latest_hold(start_.period, start_.longest_period), start_.period, pass.fine};
+  return {start_->latest_hold(), start_->period, pass.fine};
 }
 
 // For each pending motion, and for commands to brake that come after a period or as late as they may: see
 // BrakingCheck.
 template <typename Visit>
 bool MoverCheck::all_manoeuvres(const Twist2& command, CheckPass& pass, const Visit& visit) {
-  const std::size_t motions = pass.fine ? start_.pending->all() : start_.pending->likely();
+  const std::size_t motions = pass.fine ? start_->pending->all() : start_->pending->likely();
   const LateTimes times = late_times(pass);
   for (std::size_t motion = 0; motion < motions; ++motion) {
-    const bool free = times.all_of([&](double hold) {
-      const BrakeManoeuvre manoeuvre{start_.origin, (*start_.pending)[motion], command, start_.period, hold};
-      return visit(manoeuvre, pass.pending_ends[motion]);
-    });
+    const bool free = times.all_of(
+        [&](double hold) { return visit(start_->manoeuvre(motion, command, hold), pass.pending_ends[motion]); });
     if (!free) return false;
   }
   return true;
@@ -193,36 +157,21 @@ bool MoverCheck::all_manoeuvres(const Twist2& command, CheckPass& pass, const Vi
 
 // Whether all commands of its part of the window are free.
 bool MoverCheck::part_free(const Twist2& command) {
-  const double v = (command.v - window_.v) / part_.v, omega = (command.omega - window_.omega) / part_.omega;
-  const auto inside = [](double at) { return at >= -kRounding && at <= kParts + kRounding; };
-  if (!in_parts_ || !inside(v) || !inside(omega)) return false;
-  const auto place = [](double at) { return std::min(kParts - 1, static_cast<std::size_t>(std::max(0.0, at))); };
-  const std::size_t i = place(v), j = place(omega);
-  Part& part = parts_[i * kParts + j];
-  if (part.looked_at) return part.free;
-  part.looked_at = true;
-  const Twist2 middle{window_.v + (static_cast<double>(i) + 0.5) * part_.v,
-                      window_.omega + (static_cast<double>(j) + 0.5) * part_.omega};
-  part.free = all_manoeuvres(middle, coarse_, [&](const BrakeManoeuvre& manoeuvre, PendingEnd& pending_end) {
+  WindowParts::Part* part = parts_.find(command);
+  if (part == nullptr || part->looked_at) return part != nullptr && part->free;
+  part->looked_at = true;
+  part->free = all_manoeuvres(part->middle, coarse_, [&](const BrakeManoeuvre& manoeuvre, PendingEnd& pending_end) {
     return pending_free(manoeuvre, coarse_, pending_end) &&
            free_with_margin(manoeuvre, part_margin(manoeuvre.pending), *pending_end.roller);
   });
-  return part.free;
+  return part->free;
 }
 
 // How much farther than in the middle one's manoeuvre a point of the robot may be in another one's, at equal times,
-// and what can_rest() asks of that one beside it. Until a command is reached, within a period, both velocities lie
-// between that of `pending` and their commands; from then on they differ by no more than the commands do, since both
-// brake alike. So ways and headings come to differ by the integrals ds and dtheta of these, and the distance by
-// ds + (radius + reach) dtheta: see brake_manoeuvre.hpp.
+// and what can_rest() asks of that one beside it: see brake_manoeuvre.hpp.
 double MoverCheck::part_margin(const PendingMotion& pending) const {
-  const auto apart = [this](double end, double least, double part) {
-    const double reaching = std::max(std::abs(end - least), std::abs(end - least - kParts * part));
-    return start_.period * reaching + duration_ * 0.5 * part;
-  };
-  const double way = apart(pending.end().v, window_.v, part_.v);
-  const double turn = apart(pending.end().omega, window_.omega, part_.omega);
-  return way + (radius_ + reach_) * turn + most_drift_ + 0.5 * kShortStep * fastest_ + kRounding;
+  const Twist2 apart = parts_.apart(pending.end(), most_.duration);
+  return apart.v + (radius_ + most_.reach) * apart.omega + most_.drift + 0.5 * kShortStep * most_.fastest + kRounding;
 }
 
 // Without gaps in time, up to when the last command of the part has come to rest.
@@ -244,7 +193,7 @@ bool MoverCheck::free_with_margin(const BrakeManoeuvre& manoeuvre, double margin
     time = roller.time();
     return clear_of_all(pose, time, margin);
   };
-  return clear_of_all(pose, time, margin) && roller.roll_to_rest(manoeuvre, visit) && stands(duration_);
+  return clear_of_all(pose, time, margin) && roller.roll_to_rest(manoeuvre, visit) && stands(most_.duration);
 }
 
 // Likewise half a long step before and after.
@@ -265,7 +214,7 @@ bool MoverCheck::clear_of_all(const TurnedPose& at, double time, double margin) 
 bool MoverCheck::rests_untouched(const Twist2& command, CheckPass& pass) {
   // Who brakes between two of these times is elsewhere by half of what the robot does between them.
   const double between = pass.fine ? 0.5 * late_times(pass).apart() : 0.0;
-  const double elsewhere = between * (speed_at(command, radius_) + std::abs(command.omega) * reach_);
+  const double elsewhere = between * (speed_at(command, radius_) + std::abs(command.omega) * most_.reach);
   return all_manoeuvres(command, pass, [&](const BrakeManoeuvre& manoeuvre, PendingEnd& pending_end) {
     return rolls_free(manoeuvre, pass, elsewhere, pending_end);
   });
@@ -274,7 +223,7 @@ bool MoverCheck::rests_untouched(const Twist2& command, CheckPass& pass) {
 // Up to when the command takes effect: once for all commands.
 bool MoverCheck::pending_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end) {
   if (pending_end.roller) return pending_end.free;
-  pending_end.roller.emplace(*limits_, radius_, kAnySpacing, with_heading(manoeuvre.start), pass.step);
+  pending_end.roller.emplace(start_->limits, radius_, kAnySpacing, with_heading(manoeuvre.start), pass.step);
   ManoeuvreRoller& roller = *pending_end.roller;
   ManoeuvreRoller past = roller;
   past.roll_past(manoeuvre.pending);
@@ -338,7 +287,7 @@ bool MoverCheck::free_at(const TurnedPose& at, double time, const ManoeuvreRolle
 // left cannot be used up.
 bool MoverCheck::clear(const Near& near, const TurnedPose& at, double time, double grown, double& clear_until) const {
   const ReachableSet& set = near.set;
-  const double most = most_grown_ + 0.5 * kLongStep * set.fastest();
+  const double most = most_.grown + 0.5 * kLongStep * set.fastest();
   const auto apart = [&](const Point& centre, double radius, double closing) {
     const Point seen = seen_from(at, centre);
     double gap = seen.norm() - radius_;

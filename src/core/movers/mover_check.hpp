@@ -30,13 +30,12 @@
 #include <optional>
 #include <vector>
 
-#include "core/motion/brake_manoeuvre.hpp"
-#include "core/motion/late_cycles.hpp"
-#include "core/motion/pending_motion_set.hpp"
-#include "core/motion/velocity_limits.hpp"
+#include "core/motion/cycle_start.hpp"
 #include "core/movers/advance.hpp"
 #include "core/movers/departures.hpp"
+#include "core/movers/manoeuvre_bounds.hpp"
 #include "core/movers/reachable_set.hpp"
+#include "core/movers/window_parts.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 
@@ -44,23 +43,12 @@ namespace hidwa_local_planner {
 
 class MoverCheck {
  public:
-  /// What a cycle starts from. All of it outlives the questions.
-  struct Start {
-    Pose2 pose;                                 // now, costmap frame
-    Pose2 origin;                               // where `pending` begins
-    Twist2 reference;                           // what a command starts from [m/s, rad/s]
-    const PendingMotionSet* pending = nullptr;  // until a command takes effect
-    double period = 0.05;                       // [s]
-    double longest_period = 0.05;               // [s]
-    bool rests = false;                         // the robot stands, and no pending command moves it
-  };
-
   MoverCheck();
   /// A new goal, or another cause to begin afresh.
   void forget() { departures_.forget(); }
-  /// Once per cycle.
-  void prepare(const Parameters& parameters, const VelocityLimits& limits, const Footprint& footprint,
-               const MovingObstacleEstimates& movers, const Start& start);
+  /// Once per cycle. `footprint` and `start` outlive the questions.
+  void prepare(const Parameters& parameters, const Footprint& footprint, const MovingObstacleEstimates& movers,
+               const CycleStart& start);
   /// No command of this cycle can meet anything that moves before rest.
   bool none_near() const { return near_.empty(); }
   std::size_t near() const { return near_.size(); }
@@ -109,16 +97,7 @@ class MoverCheck {
     std::array<PendingEnd, PendingMotionSet::kMost> pending_ends;
     std::vector<CachedResult> cache;  // by a hash of the command
   };
-
-  // A part of the dynamic window.
-  struct Part {
-    bool looked_at = false;
-    bool free = false;  // all of its commands are
-  };
-  static constexpr std::size_t kParts = 3;  // of each axis
-
   void add_near(const MovingObstacleEstimate& mover, const Parameters& parameters);
-  void divide_window();
   bool around(const ReachableSet& set) const;
   bool cached_check(const Twist2& command, CheckPass& pass);
   bool rests_untouched(const Twist2& command, CheckPass& pass);
@@ -139,23 +118,15 @@ class MoverCheck {
   bool leads_away(const Near& near, const TurnedPose& from, const TurnedPose& to, double time, double step) const;
   bool meets(const Near& near, const TurnedPose& at, double time, double grown, const VelocityRange& velocities) const;
 
-  const VelocityLimits* limits_ = nullptr;
   const Footprint* footprint_ = nullptr;
-  Start start_;
-  double radius_ = 0.0;      // circumscribed [m]
-  double reach_ = 0.0;       // of the robot's centre until rest, in any manoeuvre [m]
-  double most_drift_ = 0.0;  // [m]
-  double most_grown_ = 0.0;  // the robot's part of what sets grow by [m]
-  double fastest_ = 0.0;     // of the outline [m/s]
-  double duration_ = 0.0;    // of the longest manoeuvre [s]
-  double creeps_for_ = 0.0;  // one of a robot that creeps [s]
+  const CycleStart* start_ = nullptr;
+  double radius_ = 0.0;  // circumscribed [m]
+  ManoeuvreBounds most_;
   std::vector<Near> near_;
   Departures departures_;
   CheckPass coarse_, fine_;
-  std::array<Part, kParts * kParts> parts_;
-  Twist2 window_, part_;   // the least command of the window, and how large a part is [m/s, rad/s]
-  bool in_parts_ = false;  // the window is looked at in parts
-  Progress progress_;      // of the manoeuvre that is looked at
+  WindowParts parts_;
+  Progress progress_;  // of the manoeuvre that is looked at
   std::uint32_t cycle_ = 0;
 };
 

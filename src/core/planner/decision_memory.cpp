@@ -43,7 +43,7 @@ void write(const CycleStart& start, const Conclusion& conclusion, Decision& deci
   decision.problem_kind = conclusion.problem_kind;
   decision.problem = conclusion.problem;
   decision.reference = start.reference;
-  decision.pose = start.situation->pose;
+  decision.pose = start.pose;
   decision.velocity = start.velocity;
   decision.odometry_doubted = start.odometry_doubted;
   decision.odometry_fast = start.odometry_fast;

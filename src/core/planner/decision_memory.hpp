@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/cycle/conclusion.hpp"
-#include "core/cycle/cycle_start.hpp"
 #include "core/evaluation/critic_set.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
+#include "core/motion/cycle_start.hpp"
+#include "hidwa_local_planner/core/decision.hpp"
 
 namespace hidwa_local_planner {
 

@@ -55,8 +55,8 @@ void Explanation::describe_choice(Decision& decision) const {
 void Explanation::judge_operator(const Cycle& cycle, const Twist2& chosen, Decision& decision) {
   if (cycle.intent.influence == Influence::none) return;
   const Twist2& u_h = cycle.intent.u_h;
-  const double v_span = std::max(cycle.limits.x.max - cycle.limits.x.min, 1e-6);
-  const double omega_span = std::max(cycle.limits.theta.max - cycle.limits.theta.min, 1e-6);
+  const double v_span = std::max(cycle.start.limits.x.max - cycle.start.limits.x.min, 1e-6);
+  const double omega_span = std::max(cycle.start.limits.theta.max - cycle.start.limits.theta.min, 1e-6);
   decision.agreement =
       std::max(0.0, 1.0 - std::abs(u_h.v - chosen.v) / v_span - std::abs(u_h.omega - chosen.omega) / omega_span);
   marked_.operator_command = of_.candidates.operator_command(u_h);

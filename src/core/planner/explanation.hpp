@@ -16,6 +16,7 @@
 #include "core/evaluation/obstacles.hpp"
 #include "core/evaluation/scores.hpp"
 #include "core/evaluation/tile_filler.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
 
 namespace hidwa_local_planner {
 

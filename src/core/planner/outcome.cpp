@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/decision.hpp"
 
 namespace hidwa_local_planner {
 

@@ -22,6 +22,7 @@ Planner::Planner(Planner&&) noexcept = default;
 Planner& Planner::operator=(Planner&&) noexcept = default;
 
 const Parameters& Planner::parameters() const { return impl_->parameters; }
+const VelocityLimits& Planner::limits() const { return impl_->limits; }
 const Footprint& Planner::footprint() const { return impl_->footprint; }
 const Polygon& Planner::outline() const { return impl_->outline; }
 

@@ -49,21 +49,15 @@ void Planner::Impl::set_footprint(const Polygon& given) {
 const Decision& Planner::Impl::plan(const Situation& measured, const GridView& grid, const OperatorIntent& intent,
                                     const Sampling& sampling) {
   const double radius = footprint.fault() == nullptr ? footprint.circumscribed_radius() : 0.0;
-  const CycleStart start = start_estimator.estimate(measured, parameters, limits, radius);
-  const bool count = movers_count(start);
+  const CycleStart& start = start_estimator.estimate(measured, parameters, limits, radius);
+  const bool count = movers_count(measured);
   const bool once = count && parameters.moving_obstacles_clear_cells && plausible(grid);
   const GridView seen = once ? explained.without(grid, measured.moving_obstacles, parameters) : grid;
-  const Cycle cycle{parameters,
-                    *start.limits,
-                    footprint,
-                    seen,
-                    intent,
-                    sampling,
-                    *start.situation,
-                    start,
-                    look_at_movers(start, count),
-                    count,
-                    watch_movers(start, count)};
+  const Cycle cycle{parameters, footprint,
+                    seen,       intent,
+                    sampling,   measured,
+                    start,      look_at_movers(measured, start, count),
+                    count,      watch_movers(measured, count)};
   clear(decision);
   evaluation.clear();
   explanation.clear();
@@ -73,8 +67,8 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
 
 // Only where braking is checked: with the rollout alone a mover is what its cells are. What is no number is a fault of
 // the input, and the cycle brakes.
-bool Planner::Impl::movers_count(const CycleStart& start) const {
-  const MovingObstacleEstimates& all = start.situation->moving_obstacles;
+bool Planner::Impl::movers_count(const Situation& measured) const {
+  const MovingObstacleEstimates& all = measured.moving_obstacles;
   return !all.empty() && parameters.admissibility == Admissibility::braking && footprint.fault() == nullptr &&
          std::all_of(all.begin(), all.end(), [](const auto& one) { return plausible(one); });
 }
@@ -87,27 +81,22 @@ void Planner::Impl::forget_movers() {
 }
 
 // Null where what moves counts as keeping its velocity.
-const Accelerations* Planner::Impl::watch_movers(const CycleStart& start, bool count) {
+const Accelerations* Planner::Impl::watch_movers(const Situation& measured, bool count) {
   if (!count || parameters.evasion_time <= 0.0 || parameters.evasion_acceleration_time <= 0.0) {
     accelerations.forget();
     return nullptr;
   }
-  accelerations.watch(start.situation->moving_obstacles, start.situation->time);
+  accelerations.watch(measured.moving_obstacles, measured.time);
   return &accelerations;
 }
 
 // Null where nothing is near.
-MoverCheck* Planner::Impl::look_at_movers(const CycleStart& start, bool count) {
+MoverCheck* Planner::Impl::look_at_movers(const Situation& measured, const CycleStart& start, bool count) {
   if (!count) {
     movers.forget();
     return nullptr;
   }
-  const Situation& situation = *start.situation;
-  const PendingMotionSet& pending = *start.pending;
-  const bool rests = pending[0].rests() && !start.odometry_fast && at_rest(start.velocity, parameters);
-  movers.prepare(parameters, *start.limits, footprint, situation.moving_obstacles,
-                 {situation.pose, start.origin, start.reference, &pending, usable_period(situation),
-                  longest_period(situation), rests});
+  movers.prepare(parameters, footprint, measured.moving_obstacles, start);
   return movers.none_near() ? nullptr : &movers;
 }
 
@@ -183,7 +172,7 @@ Autonomy::Driven Planner::Impl::driven(const Cycle& cycle, const Arbiter::Choice
   Autonomy::Driven driven;
   driven.steps = choice.steps;
   driven.conclusion = conclusion;
-  driven.soon = cycle.situation.pose;
+  driven.soon = cycle.start.pose;
   const bool in_collision = evaluation.obstacles().in_collision();
   driven.trapped = in_collision && proposal.candidate < 0;
   if (proposal.candidate < 0) return driven;
@@ -200,7 +189,7 @@ Autonomy::Driven Planner::Impl::driven(const Cycle& cycle, const Arbiter::Choice
   const Tile tile = rollout.tile(rollout.tile_of(candidate));
   const std::size_t c = candidate - tile.first;
   driven.tight = tight_ahead(evaluation.obstacles().collision(), tile, c, kTightWithin, cycle.grid.resolution);
-  driven.soon = pose_within(tile, c, parameters.control_latency + cycle.situation.period);
+  driven.soon = pose_within(tile, c, parameters.control_latency + cycle.start.period);
   return driven;
 }
 

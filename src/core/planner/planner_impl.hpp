@@ -25,6 +25,7 @@
 #include "core/movers/accelerations.hpp"
 #include "core/movers/explained_cells.hpp"
 #include "core/planner/explanation.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
 
 namespace hidwa_local_planner {
 
@@ -54,9 +55,9 @@ struct Planner::Impl {
   Decision decision;  // the output: written, never read
 
  private:
-  bool movers_count(const CycleStart& start) const;
-  const Accelerations* watch_movers(const CycleStart& start, bool count);
-  MoverCheck* look_at_movers(const CycleStart& start, bool count);
+  bool movers_count(const Situation& measured) const;
+  const Accelerations* watch_movers(const Situation& measured, bool count);
+  MoverCheck* look_at_movers(const Situation& measured, const CycleStart& start, bool count);
   Conclusion conclude(const Cycle& cycle);
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);

@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kFirstMotion = 0.4;    // [s]
 constexpr double kFading = 2.0;         // what comes later by this counts 1/e as much [s]
-constexpr double kUnsure = 0.1;         // how fast D grows for everything that moves [m/s]
-constexpr double kTouches = 0.03;       // what is nearer counts as touched [m]
 constexpr double kTurning = 0.04;       // what a change of omega costs [s per rad/s]
 constexpr double kSpeeding = 0.2;       // what a change of v costs [s per m/s]
 constexpr double kTouchedSooner = 100;  // each second sooner costs so many
@@ -22,9 +20,6 @@ constexpr double kTouchedSooner = 100;  // each second sooner costs so many
 constexpr double kAlikePlace = 0.15;
 constexpr double kAlikeHeading = 0.955;
 constexpr double kAlikeSpeed = 0.8;
-
-// A robot that is slower rests [m/s].
-constexpr double kRests = 0.03;
 
 constexpr std::size_t kMoversInReach = 256;
 
@@ -49,29 +44,6 @@ double EvasionSearch::reach(const Parameters& parameters, const VelocityLimits& 
   return parameters.evasion_time * limits.x.fastest();
 }
 
-bool EvasionSearch::look(const Start& scene, const MovingObstacleEstimates& movers) {
-  movers_.clear();
-  const Parameters& p = scene.parameters;
-  horizon_ = p.evasion_time;
-  bends_for_ = p.evasion_acceleration_time;
-  fastest_ = scene.limits.x.fastest();
-  const double whole = scene.delay + horizon_;
-  for (const MovingObstacleEstimate& mover : movers) {
-    const Point now = mover.position_now();
-    const double grows = kUnsure + mover.velocity_deviation;
-    const Point bend = scene.accelerations != nullptr ? scene.accelerations->of(mover.id) : Point(0.0, 0.0);
-    const double off = std::hypot(now.x() - scene.start.pose.x, now.y() - scene.start.pose.y);
-    const double closes = (fastest_ + mover.velocity.norm() + bends_for_ * bend.norm() + grows) * whole;
-    const double radius = mover.radius + mover.position_deviation;
-    if (off > closes + radius + p.evasion_distance + scene.footprint.circumscribed_radius()) continue;
-    movers_.push_back({now.x(), now.y(), mover.velocity.x(), mover.velocity.y(), radius, p.evasion_distance, grows,
-                       bend.x(), bend.y()});
-  }
-  if (movers_.empty()) return false;
-  plan_spans(scene);
-  return true;
-}
-
 void EvasionSearch::plan_spans(const Start& scene) {
   const double first = std::min(kFirstMotion, horizon_ / kLevels);
   const double other = (horizon_ - first) / (kLevels - 1);
@@ -82,101 +54,17 @@ void EvasionSearch::plan_spans(const Start& scene) {
     span.from = from;
     span.step = length / static_cast<double>(MotionFan::kSteps);
     for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
-      span.share[k] = scene.parameters.evasion_scale * span.step * std::exp(-span.time(k) / kFading);
+      span.share[k] = scene.cycle.parameters.evasion_scale * span.step * std::exp(-span.time(k) / kFading);
     }
     from += length;
   }
 }
 
-// By how much an acceleration of 1 m/s^2 moves something until then [m].
-double EvasionSearch::bend(double time) const {
-  const double bends = std::min(time, bends_for_);
-  return bends * (time - 0.5 * bends);
-}
-
-// What may come near within a span, from here.
-void EvasionSearch::find_near(const Start& scene, const State& from, const Span& span) {
-  near_.clear();
-  const double length = span.length(), end = span.end();
-  const double own = scene.footprint.circumscribed_radius() + length * fastest_;
-  const double middle = span.from + 0.5 * length, bent = bend(middle);
-  const Stopping stops = stopping(scene, fastest_);
-  for (const Mover& mover : movers_) {
-    // To where it is in the middle of the span.
-    const double dx = mover.x_at(middle, bent) - from.x;
-    const double dy = mover.y_at(middle, bent) - from.y;
-    const double speed =
-        std::abs(mover.vx) + std::abs(mover.vy) + bends_for_ * (std::abs(mover.ax) + std::abs(mover.ay));
-    const double half = 0.5 * length * speed;
-    const double stopping_way = std::abs(stops.way) + stops.room + stops.time * speed;
-    const double most = own + half + mover.radius + std::max(mover.kept + mover.kept_grows * end, stopping_way);
-    if (dx * dx + dy * dy < most * most) near_.push_back(mover);
-  }
-  place_near(scene, span);
-  walls_ = !scene.checker.clear_around(from.x, from.y, length * fastest_);
-}
-
-// Many motions meet them at the same times.
-void EvasionSearch::place_near(const Start& scene, const Span& span) {
-  const double own = scene.footprint.circumscribed_radius();
-  for (std::size_t k = 0; k < places_.size(); ++k) {
-    const double time = span.time(k), bent = bend(time);
-    places_[k].clear();
-    for (const Mover& mover : near_) {
-      const double kept = mover.kept + mover.kept_grows * time;
-      const double most = own + mover.radius + kept;
-      places_[k].push_back({mover.x_at(time, bent), mover.y_at(time, bent), mover.radius, kept, most * most});
-    }
-  }
-}
-
-// Until a command takes effect, two periods, and half of the braking: the robot is half as fast then.
-EvasionSearch::Stopping EvasionSearch::stopping(const Start& scene, double v) {
-  const double speed = std::abs(v);
-  if (speed < kRests) return {};
-  const Parameters& p = scene.parameters;
-  const double time = p.control_latency + 2.0 * scene.period + 0.5 * speed / scene.limits.x.braking;
-  return {time, 0.5 * v * time, 0.5 * p.moving_obstacle_acc * time * time};
-}
-
-// Whether something that moves may be where the robot is when it has stopped.
-bool EvasionSearch::must_stop(const Start& scene, const State& state, double time) const {
-  if (near_.empty()) return false;
-  const Stopping stops = stopping(scene, state.v);
-  if (stops.time <= 0.0) return false;
-  const double own = scene.footprint.circumscribed_radius() + stops.room, then = time + stops.time, bent = bend(then);
-  const double x = state.x + stops.way * state.heading.c, y = state.y + stops.way * state.heading.s;
-  return std::any_of(near_.begin(), near_.end(), [&](const Mover& mover) {
-    const double dx = mover.x_at(then, bent) - x;
-    const double dy = mover.y_at(then, bent) - y;
-    const double most = own + mover.radius;
-    if (dx * dx + dy * dy >= most * most) return false;
-    const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
-    return scene.footprint.distance_to(seen) < mover.radius + stops.room;
-  });
-}
-
-// After the k-th step. What ends the way sets `touched`.
-double EvasionSearch::nearness(const Start& scene, const State& state, std::size_t k, bool& touched) const {
-  double sum = 0.0;
-  for (const NearMover& place : places_[k]) {
-    const double dx = place.x - state.x, dy = place.y - state.y;
-    if (dx * dx + dy * dy >= place.squared) continue;
-    const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
-    const double gap = scene.footprint.distance_to(seen) - place.radius;
-    if (gap >= place.kept) continue;
-    touched = touched || gap < kTouches;
-    const double share = 1.0 - std::max(0.0, gap) / place.kept;
-    sum += share * share;
-  }
-  return sum;
-}
-
 // What lies beyond the map is not known, and is free.
 bool EvasionSearch::blocked(const Start& scene, const State& state) const {
   if (!walls_ || scene.checker.clear(state.x, state.y)) return false;
-  const GridView& grid = scene.grid;
-  const double margin = scene.footprint.circumscribed_radius() + grid.resolution;
+  const GridView& grid = scene.cycle.grid;
+  const double margin = scene.cycle.footprint.circumscribed_radius() + grid.resolution;
   if (!grid.contains(grid.cell_at(state.x - margin, state.y - margin)) ||
       !grid.contains(grid.cell_at(state.x + margin, state.y + margin)) ||
       !scene.checker.in_reach(grid.cell_at(state.x, state.y))) {
@@ -225,7 +113,7 @@ bool EvasionSearch::go(const Start& scene, const MotionFan& fan, std::size_t i, 
 }
 
 EvasionSearch::ConstantMotion EvasionSearch::keep(const Start& scene, const Twist2& motion) {
-  State state{scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega};
+  State state{scene.from.pose.x, scene.from.pose.y, scene.from.heading, scene.velocity.v, scene.velocity.omega};
   first_fan_.clear();
   first_fan_.add(motion);
   ConstantMotion kept;
@@ -251,7 +139,7 @@ double EvasionSearch::least(const Start& scene, const PlanGuide& guide) const {
   const double slower = std::max(0.0, fastest_ - std::abs(scene.velocity.v));
   const double speeds_up = std::min(horizon_, slower / scene.limits.x.acc);
   const double lost = slower * speeds_up - 0.5 * scene.limits.x.acc * speeds_up * speeds_up;
-  return guide.least_left(scene.start.pose.x, scene.start.pose.y, fastest_ * horizon_ - lost);
+  return guide.least_left(scene.from.pose.x, scene.from.pose.y, fastest_ * horizon_ - lost);
 }
 
 // The own ones first. All within what the wheels allow.
@@ -275,7 +163,8 @@ void EvasionSearch::list_motions(const Start& scene, const std::vector<Twist2>& 
 }
 
 bool EvasionSearch::may_begin(const Start& scene, const Twist2& motion) {
-  return scene.movers == nullptr || scene.movers->can_rest(scene.limits.step(scene.reference, motion, scene.period));
+  return scene.cycle.movers == nullptr ||
+         scene.cycle.movers->can_rest(scene.limits.step(scene.cycle.start.reference, motion, scene.cycle.start.period));
 }
 
 void EvasionSearch::run(const Start& scene, const PlanGuide& guide, const std::vector<Twist2>& own) {
@@ -283,8 +172,7 @@ void EvasionSearch::run(const Start& scene, const PlanGuide& guide, const std::v
   branches_.clear();
   for (std::size_t i = 0; i < first_fan_.size(); ++i) branches_.push_back({first_fan_.motion(i), kEver, 0.0});
   beam_.clear();
-  beam_.push_back(
-      {scene.start.pose.x, scene.start.pose.y, scene.start.heading, scene.velocity.v, scene.velocity.omega});
+  beam_.push_back({scene.from.pose.x, scene.from.pose.y, scene.from.heading, scene.velocity.v, scene.velocity.omega});
   for (int level = 0; level < kLevels && !beam_.empty(); ++level) {
     next_.clear();
     const Span& span = spans_[static_cast<std::size_t>(level)];
@@ -325,27 +213,6 @@ void EvasionSearch::extend(const Start& scene, const PlanGuide& guide, const Sta
       note_touched(state);
     }
   }
-}
-
-// How long before the end it is touched if it goes straight on from where it is at `time`, as a disc [s].
-double EvasionSearch::touched_early(const Start& scene, const State& state, double time) const {
-  const double rest = scene.delay + horizon_ - time;
-  if (rest <= 0.0) return 0.0;
-  const double own = scene.footprint.inscribed_radius() + kTouches;
-  const double bends = std::min(time, bends_for_), bent = bend(time);
-  double first = rest;
-  for (const Mover& mover : movers_) {
-    const double dx = mover.x_at(time, bent) - state.x;
-    const double dy = mover.y_at(time, bent) - state.y;
-    const double vx = mover.vx + mover.ax * bends - state.v * state.heading.c;
-    const double vy = mover.vy + mover.ay * bends - state.v * state.heading.s;
-    const double closes = -(dx * vx + dy * vy), radius = own + mover.radius;
-    const double off = dx * dx + dy * dy - radius * radius;
-    if (closes <= 0.0 || off <= 0.0) continue;  // never, or it is looked at already
-    const double speed = vx * vx + vy * vy, root = closes * closes - speed * off;
-    if (root > 0.0) first = std::min(first, (closes - std::sqrt(root)) / speed);
-  }
-  return rest - first;
 }
 
 double EvasionSearch::unrest(const State& from, const State& to) {

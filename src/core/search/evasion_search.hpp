@@ -30,15 +30,9 @@
 #include <vector>
 
 #include "core/collision/collision.hpp"
-#include "core/motion/brake_manoeuvre.hpp"
-#include "core/motion/velocity_limits.hpp"
-#include "core/movers/accelerations.hpp"
-#include "core/movers/mover_check.hpp"
+#include "core/cycle/cycle.hpp"
 #include "core/search/motion_fan.hpp"
 #include "core/search/plan_guide.hpp"
-#include "hidwa_local_planner/core/footprint.hpp"
-#include "hidwa_local_planner/core/moving_obstacle.hpp"
-#include "hidwa_local_planner/core/parameters.hpp"
 
 namespace hidwa_local_planner {
 
@@ -47,20 +41,15 @@ class EvasionSearch {
   /// What a way costs that is touched, at least [s].
   static constexpr double kTouched = 1e4;
 
-  /// What a cycle starts from. All of it outlives the search.
+  /// What a search starts from. All of it outlives the search. A motion whose command the cycle's MoverCheck rejects is
+  /// no first motion.
   struct Start {
-    const Parameters& parameters;
-    const VelocityLimits& limits;
-    const Footprint& footprint;
-    const GridView& grid;
-    const CollisionChecker& checker;               // prepared
-    TurnedPose start;                              // where the robot is when a command takes effect
-    Twist2 velocity;                               // then [m/s, rad/s]
-    double delay = 0.0;                            // until then [s]
-    MoverCheck* movers = nullptr;                  // a first motion is none whose command it rejects; null: all are
-    Twist2 reference;                              // what that command starts from [m/s, rad/s]
-    double period = 0.05;                          // [s]
-    const Accelerations* accelerations = nullptr;  // of what moves; null: it keeps its velocity
+    const Cycle& cycle;
+    const VelocityLimits& limits;     // of its motions
+    const CollisionChecker& checker;  // prepared
+    TurnedPose from;                  // where the robot is when a command takes effect
+    Twist2 velocity;                  // then [m/s, rad/s]
+    double delay = 0.0;               // until then [s]
   };
   /// A first motion, and what the cheapest way costs that begins with it.
   struct Branch {
@@ -140,28 +129,30 @@ class EvasionSearch {
   void list_motions(const Start& scene, const std::vector<Twist2>& own);
   static bool may_begin(const Start& scene, const Twist2& motion);
   void plan_spans(const Start& scene);
-  double bend(double time) const;
-  void find_near(const Start& scene, const State& from, const Span& span);
   bool drive_on(const Start& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn, std::size_t k,
                 double time, State& state) const;
   bool go(const Start& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const;
+  bool blocked(const Start& scene, const State& state) const;
+  void extend(const Start& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
+  static double unrest(const State& from, const State& to);
+  void note_touched(const State& state);
+  void keep_best();
+  const State* best_of(std::size_t first) const;
+  static bool alike(const State& a, const State& b);
+
+  // What moves: evasion_movers.cpp.
   struct Stopping {
     double time = 0.0;  // until the robot rests, less half of the braking; 0 where it does [s]
     double way = 0.0;   // until then [m]
     double room = 0.0;  // by which a mover may be elsewhere then [m]
   };
   static Stopping stopping(const Start& scene, double v);
-  bool must_stop(const Start& scene, const State& state, double time) const;
+  double bend(double time) const;
+  void find_near(const Start& scene, const State& from, const Span& span);
   void place_near(const Start& scene, const Span& span);
+  bool must_stop(const Start& scene, const State& state, double time) const;
   double nearness(const Start& scene, const State& state, std::size_t k, bool& touched) const;
-  bool blocked(const Start& scene, const State& state) const;
-  void extend(const Start& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
   double touched_early(const Start& scene, const State& state, double time) const;
-  static double unrest(const State& from, const State& to);
-  void note_touched(const State& state);
-  void keep_best();
-  const State* best_of(std::size_t first) const;
-  static bool alike(const State& a, const State& b);
 
   std::vector<Mover> movers_, near_;
   std::array<std::vector<NearMover>, MotionFan::kSteps> places_;  // of near_, after each step

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/util/nearest_pose.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -25,10 +27,7 @@ void PlanGuide::prepare(const std::vector<Pose2>& plan, const Pose2& goal, const
   if (plan.empty()) return;
   inverse_speed_ = 1.0 / std::max(kSlowest, limits.x.fastest());
   turn_weight_ = 0.5 * M_PI * kTurnsFirst / std::max(kSlowest, limits.theta.fastest());
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < plan.size(); ++i) {
-    if (distance(plan[i], here) < distance(plan[nearest], here)) nearest = i;
-  }
+  const auto nearest = static_cast<std::size_t>(nearest_pose(plan, here) - plan.begin());
   // All but the last, for a plan that goes on straight.
   const double apart = ahead / static_cast<double>(kMost - 3);
   double way = 0.0;

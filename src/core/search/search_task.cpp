@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/util/nearest_pose.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"
 
 namespace hidwa_local_planner {
@@ -61,10 +62,7 @@ void find_target(const std::vector<Pose2>& plan, SearchTask& task) {
   const GridView grid = task.grid();
   task.target.clear();
   task.target.reserve(kUsualTarget);
-  std::size_t nearest = 0;
-  for (std::size_t i = 1; i < plan.size(); ++i) {
-    if (distance(plan[i], task.start) < distance(plan[nearest], task.start)) nearest = i;
-  }
+  const auto nearest = static_cast<std::size_t>(nearest_pose(plan, task.start) - plan.begin());
   // As far as it is on the map.
   double length = 0.0;
   std::size_t end = nearest;

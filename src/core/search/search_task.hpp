@@ -7,8 +7,8 @@
 #include "core/motion/velocity_limits.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/moving_obstacle.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
 
 namespace hidwa_local_planner {
 

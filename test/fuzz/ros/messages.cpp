@@ -10,6 +10,7 @@
 #include <ros/time.h>
 #include <tf2/buffer_core.h>
 
+#include "core/motion/velocity_limits.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
 #include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
@@ -51,7 +52,7 @@ void take_odometry(std::vector<std::uint8_t>& bytes) {
   const OdometryInput::Reading reading = input.read(10.1, 0.5);
   require(reading.velocity.has_value() != !reading.fault.empty(), "neither a velocity nor a fault, or both");
   if (reading.velocity) require(is_finite(*reading.velocity), "the velocity is not a number");
-  const std::optional<Twist2> settled = input.settled(10.1, 0.5, Parameters());
+  const std::optional<Twist2> settled = input.settled(10.1, 0.5, Parameters(), VelocityLimits::from({}));
   if (settled) require(is_finite(*settled), "the velocity is not a number");
 }
 

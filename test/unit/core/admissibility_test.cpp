@@ -16,29 +16,30 @@ using test::Scene;
 class Corridor {
  public:
   Corridor(double gap, const Parameters& p, double longest_period = 0.05)
-      : parameters_(p), limits_(VelocityLimits::from(p)), pending_(PendingMotion({0.5, 0.0}, p.control_latency)) {
+      : parameters_(p), pending_(PendingMotion({0.5, 0.0}, p.control_latency)) {
     scene_ = Scene::empty(121);
     scene_.fill(1.025, -9.0, 9.0, 9.0);  // cells from x = 1.025 on
-    start_ = {1.025 - 0.2 - gap, 0.0, 0.0};
+    start_.pose = start_.origin = {1.025 - 0.2 - gap, 0.0, 0.0};
+    start_.reference = {0.5, 0.0};
+    start_.limits = VelocityLimits::from(p);
+    start_.pending = &pending_;
+    start_.longest_period = longest_period;
     footprint_ = Footprint(scene_.outline);
-    checker_.prepare(scene_.grid(), footprint_, true, start_, 2.0, scene_.resolution);
-    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05,
-                   {start_, start_, {0.5, 0.0}, &pending_, 0.05, longest_period});
+    checker_.prepare(scene_.grid(), footprint_, true, start_.pose, 2.0, scene_.resolution);
+    check_.prepare(parameters_, checker_, footprint_, 0.05, {&start_});
   }
   Corridor(const Corridor&) = delete;
   bool can_brake(const Twist2& sample) { return check_.can_brake(sample, 0); }
   bool confirm_braking(const Twist2& sample) { return check_.confirm_braking(sample); }
   AdmissibilityCheck& check() { return check_; }
   const Scene& scene() const { return scene_; }
-  const Pose2& start() const { return start_; }
-  const VelocityLimits& limits() const { return limits_; }
+  const CycleStart& start() const { return start_; }
 
  private:
   Parameters parameters_;
-  VelocityLimits limits_;
   PendingMotionSet pending_;
   Scene scene_;
-  Pose2 start_;
+  CycleStart start_;
   Footprint footprint_;
   CollisionChecker checker_;
   AdmissibilityCheck check_;
@@ -100,13 +101,16 @@ class Alley {
     scene_.fill(-9.0, 0.525, 9.0, 9.0);  // cells from y = 0.525 on
     Parameters p;
     p.control_latency = 0.0;
-    limits_ = VelocityLimits::from(p);
     parameters_ = p;
-    const Pose2 start{0.0, 0.525 - 0.2 - gap, 0.0};
+    start_.pose = start_.origin = {0.0, 0.525 - 0.2 - gap, 0.0};
+    start_.reference = u;
+    start_.limits = VelocityLimits::from(p);
+    start_.pending = &pending_;
+    start_.period = start_.longest_period = 0.1;
     footprint_ = Footprint(scene_.outline);
     pending_ = PendingMotionSet(PendingMotion(u, 0.0));
-    checker_.prepare(scene_.grid(), footprint_, true, start, 2.0, 0.05, 0.5);
-    check_.prepare(parameters_, limits_, checker_, footprint_, 0.05, {start, start, u, &pending_, 0.1, 0.1});
+    checker_.prepare(scene_.grid(), footprint_, true, start_.pose, 2.0, 0.05, 0.5);
+    check_.prepare(parameters_, checker_, footprint_, 0.05, {&start_});
     command_ = command;
   }
   Alley(const Alley&) = delete;
@@ -115,7 +119,7 @@ class Alley {
  private:
   Scene scene_;
   Parameters parameters_;
-  VelocityLimits limits_;
+  CycleStart start_;
   Footprint footprint_;
   PendingMotionSet pending_;
   CollisionChecker checker_;
@@ -148,7 +152,7 @@ TEST(CanBrake, TheFirstStepCountsNotTheSampleItself) {
 
 const char* rollout_reason(Corridor& corridor, const Parameters& p, const Twist2& sample) {
   Rollout rollout;
-  rollout.run(p, corridor.limits(), corridor.start(), {0.5, 0.0}, {{sample, SampleKind::grid}});
+  rollout.run(p, corridor.start(), {{sample, SampleKind::grid}});
   Tile tile = rollout.tile(0);
   test::TileFiller tiles;
   tiles.prepare(corridor.scene());
@@ -176,12 +180,16 @@ TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
   Scene scene = Scene::empty(121);
   scene.at({68, 60}) = cost::kLethal;  // at x = 0.4
   const Footprint footprint(scene.outline);
-  const VelocityLimits limits = VelocityLimits::from(p);
-  CollisionChecker checker;
-  checker.prepare(scene.grid(), footprint, true, {-0.3, 0.0, 0.0}, 2.0, scene.resolution);
-  AdmissibilityCheck check;
   const PendingMotionSet steady(PendingMotion({0.5, 0.0}, p.control_latency));
-  check.prepare(p, limits, checker, footprint, 0.05, {{-0.3, 0.0, 0.0}, {-0.3, 0.0, 0.0}, {0.5, 0.0}, &steady});
+  CycleStart start;
+  start.pose = start.origin = {-0.3, 0.0, 0.0};
+  start.reference = {1.0, 0.0};
+  start.limits = VelocityLimits::from(p);
+  start.pending = &steady;
+  CollisionChecker checker;
+  checker.prepare(scene.grid(), footprint, true, start.pose, 2.0, scene.resolution);
+  AdmissibilityCheck check;
+  check.prepare(p, checker, footprint, 0.05, {&start});
   Rollout rollout;
   // From -0.3 to 1.4 at 1.0 m/s: both ends are free, the cell lies between.
   Parameters fast = p;
@@ -189,7 +197,7 @@ TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
   fast.linear_granularity = 1.0;
   fast.generator = Generator::dwa;
   fast.sim_time = 1.0;
-  rollout.run(fast, limits, {-0.3, 0.0, 0.0}, {1.0, 0.0}, {{{1.0, 0.0}, SampleKind::grid}});
+  rollout.run(fast, start, {{{1.0, 0.0}, SampleKind::grid}});
   ASSERT_EQ(rollout.tile(0).steps, 1u);
   Tile tile = rollout.tile(0);
   test::TileFiller tiles;

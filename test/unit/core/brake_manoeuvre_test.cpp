@@ -438,7 +438,12 @@ TEST(BrakeManoeuvreWays, ABaseAtEitherEndTouchesNothingBesideIt) {
     CollisionChecker checker;
     checker.prepare(grid, footprint, true, {}, 2.0, 0.05, 0.5);
     AdmissibilityCheck check;
-    check.prepare(p, l, checker, footprint, 0.05, {{}, {}, sending.last, &sending.pending, period, period});
+    CycleStart start;
+    start.reference = sending.last;
+    start.limits = l;
+    start.pending = &sending.pending;
+    start.period = start.longest_period = period;
+    check.prepare(p, checker, footprint, 0.05, {&start});
     ++asked;
     if (!check.confirm_braking(sending.own)) continue;
     ++passed;

@@ -95,27 +95,26 @@ TEST(OutlineDepth, OfAnOutlineThatIsNotConvex) {
 class Caught {
  public:
   Caught(const Scene& scene, const Pose2& start, bool steered = false)
-      : scene_(scene),
-        start_(start),
-        limits_(VelocityLimits::from(scene.parameters)),
-        pending_(PendingMotion({}, scene.parameters.control_latency)) {
+      : scene_(scene), pending_(PendingMotion({}, scene.parameters.control_latency)) {
     footprint_ = Footprint::from_outline(scene_.outline, 0.0);
-    rule_.look(scene_.parameters, limits_, scene_.grid(), footprint_, {start, {}, 0.05});
+    start_.pose = start_.origin = start;
+    start_.limits = VelocityLimits::from(scene.parameters);
+    start_.pending = &pending_;
+    rule_.look(scene_.parameters, scene_.grid(), footprint_, start_);
     if (!rule_.applies()) return;
     rule_.prepare(1.0, 0.05, 0.4);
     AdmissibilityCheck::Setup setup;
-    setup.start = setup.origin = start;
-    setup.pending = &pending_;
+    setup.start = &start_;
     setup.steered = steered;
     setup.escape = &rule_;
-    check_.prepare(scene_.parameters, limits_, rule_.rest(), footprint_, 0.05, setup);
+    check_.prepare(scene_.parameters, rule_.rest(), footprint_, 0.05, setup);
   }
   Caught(const Caught&) = delete;
   EscapeRule& rule() { return rule_; }
   /// Why it may not; empty where it may.
   std::string rejection(const Twist2& sample) {
     Rollout rollout;
-    rollout.run(scene_.parameters, limits_, start_, {}, {{sample, SampleKind::grid}});
+    rollout.run(scene_.parameters, start_, {{sample, SampleKind::grid}});
     const char* reason = nullptr;
     check_.check_rollouts(rollout.tile(0), &reason);
     if (reason != nullptr) return reason;
@@ -125,8 +124,7 @@ class Caught {
 
  private:
   Scene scene_;
-  Pose2 start_;
-  VelocityLimits limits_;
+  CycleStart start_;
   PendingMotionSet pending_;
   Footprint footprint_;
   EscapeRule rule_;

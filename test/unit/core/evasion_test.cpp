@@ -143,12 +143,14 @@ struct OpenGround {
                   EvasionSearch::reach(map.parameters, limits));
   }
   EvasionSearch::Start scene(const Twist2& velocity, double delay = 0.1) {
-    return {map.parameters, limits, body,    grid_ = map.grid(), checker, {{0.0, 0.0, 0.0}, {1.0, 0.0}},
-            velocity,       delay,  nullptr, velocity,           0.05};
+    start.reference = velocity;
+    return {cycle, limits, checker, {{0.0, 0.0, 0.0}, {1.0, 0.0}}, velocity, delay};
   }
 
- private:
-  GridView grid_;
+  CycleStart start;
+  GridView grid = map.grid();
+  Sampling sampling;
+  Cycle cycle{map.parameters, body, grid, map.intent, sampling, map.situation, start, nullptr, true};
 };
 
 // The motion kept from the start on in steps of a millisecond: the least gap less the distance D of that time [m].
@@ -196,8 +198,8 @@ TEST(EvasionSearches, WhatComesNearIsWhatASlowTwinSays) {
     before.velocity_deviation = 0.0;  // so that all of it counts
     accelerations.watch({before}, 0.3);
     EvasionSearch search;
-    EvasionSearch::Start scene = ground.scene(from);
-    scene.accelerations = &accelerations;
+    const EvasionSearch::Start scene = ground.scene(from);
+    ground.cycle.accelerations = &accelerations;
     const bool untroubled = !search.look(scene, {mover}) || search.keep(scene, motion).untroubled;
     const double gap = slow_least_gap(ground, from, motion, scene.delay, mover, accelerations.of(mover.id));
     // Between two looks, 0.13 s apart at most, they close up by half of 0.13 * (2.1 + 0.5 + 0.36 + 0.2) m, and the
@@ -354,22 +356,22 @@ TEST(EvasionSearches, BeginWithNoMotionThatThePassiveSafetyRejects) {
   OpenGround ground;
   Parameters p;
   const PendingMotionSet pending{PendingMotion({0.4, 0.0}, 0.1)};
-  MoverCheck::Start start;
+  CycleStart start;
+  start.limits = ground.limits;
   start.reference = {0.4, 0.0};
   start.pending = &pending;
   const MovingObstacleEstimates movers{disc_at(0.9, 0.35, -0.3, 0.0)};
   MoverCheck check;
-  check.prepare(p, ground.limits, ground.body, movers, start);
-  EvasionSearch::Start scene = ground.scene({0.4, 0.0});
-  scene.movers = &check;
-  scene.reference = start.reference;
+  check.prepare(p, ground.body, movers, start);
+  const EvasionSearch::Start scene = ground.scene({0.4, 0.0});
+  ground.cycle.movers = &check;
   EvasionSearch search;
   ASSERT_TRUE(search.look(scene, movers));
   search.run(scene, ground.guide, {{0.0, 0.0}});
   int known = 0, unsafe = 0;
   for (std::size_t i = 1; i < search.branches().size(); ++i) {
     const EvasionSearch::Branch& branch = search.branches()[i];
-    const bool safe = check.can_rest(ground.limits.step(scene.reference, branch.motion, scene.period));
+    const bool safe = check.can_rest(ground.limits.step(start.reference, branch.motion, start.period));
     unsafe += !safe;
     known += std::isfinite(branch.cost);
     EXPECT_FALSE(!safe && std::isfinite(branch.cost)) << i;

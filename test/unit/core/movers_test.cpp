@@ -80,9 +80,8 @@ TEST(FootprintDistance, IsThatOfPointsAlongTheOutline) {
 
 // One command's manoeuvre in steps of half a millisecond, every mover at every step, both discs at once.
 struct SlowTwin {
-  const VelocityLimits& limits;
   const Footprint& footprint;
-  const MoverCheck::Start& start;
+  const CycleStart& start;
 
   /// The larger gap to the two discs [m].
   double gap_to(const ReachableSet& set, const TurnedPose& at, double t) const {
@@ -97,8 +96,8 @@ struct SlowTwin {
   /// The least of that, over the time until rest.
   double least_gap(const Twist2& command, const std::vector<ReachableSet>& sets, double hold = 0.0) const {
     const TurnedPose begin{start.origin, {std::cos(start.origin.theta), std::sin(start.origin.theta)}};
-    ManoeuvreRoller roller(limits, footprint.circumscribed_radius(), 1.0, begin, 0.0005);
-    const BrakeManoeuvre manoeuvre{start.origin, (*start.pending)[0], command, start.period, hold};
+    ManoeuvreRoller roller(start.limits, footprint.circumscribed_radius(), 1.0, begin, 0.0005);
+    const BrakeManoeuvre manoeuvre = start.manoeuvre(0, command, hold);
     double least = 1e9;
     roller.roll(manoeuvre, [&](const TurnedPose& at) {
       for (const ReachableSet& set : sets) {
@@ -113,8 +112,8 @@ struct SlowTwin {
   /// where the robot stood before it moved on.
   bool can_rest(const Twist2& command, const std::vector<ReachableSet>& sets, double hold) const {
     const TurnedPose begin{start.origin, {std::cos(start.origin.theta), std::sin(start.origin.theta)}};
-    ManoeuvreRoller roller(limits, footprint.circumscribed_radius(), 1e3, begin, 0.05);
-    const BrakeManoeuvre manoeuvre{start.origin, (*start.pending)[0], command, start.period, hold};
+    ManoeuvreRoller roller(start.limits, footprint.circumscribed_radius(), 1e3, begin, 0.05);
+    const BrakeManoeuvre manoeuvre = start.manoeuvre(0, command, hold);
     TurnedPose before = begin;
     double then = -1.0;
     const auto free_at = [&](const TurnedPose& at, double t) {
@@ -175,7 +174,8 @@ TEST(MoverChecks, AnswerForEachCommandAsForItAlone) {
     const double latency = random.uniform(0.0, 0.1);
     const bool stale = random.chance(0.5);
     const PendingMotionSet pending{PendingMotion(stale ? commanded : now, latency)};
-    MoverCheck::Start start;
+    CycleStart start;
+    start.limits = limits;
     start.pose = start.origin = {0.0, 0.0, random.uniform(-3.0, 3.0)};
     start.reference = now;
     start.pending = &pending;
@@ -184,8 +184,8 @@ TEST(MoverChecks, AnswerForEachCommandAsForItAlone) {
     start.longest_period = k % 2 == 0 ? 0.05 : 0.15;
     const double latest = k % 2 == 0 ? 0.0 : 0.2;
     MoverCheck check;
-    check.prepare(p, limits, body, movers, start);
-    const SlowTwin twin{limits, body, start};
+    check.prepare(p, body, movers, start);
+    const SlowTwin twin{body, start};
     int free_here = 0, refused_here = 0;
     for (int i = -1; i <= 11; ++i) {
       for (int j = -1; j <= 11; ++j) {
@@ -218,7 +218,8 @@ TEST(MoverChecks, AgreeWithASlowTwin) {
     const VelocityLimits limits = VelocityLimits::from(p);
     const Twist2 now{random.uniform(0.0, 0.5), random.uniform(-1.0, 1.0)};
     const PendingMotionSet pending{PendingMotion(now, random.chance(0.5) ? 0.1 : 0.0)};
-    MoverCheck::Start start;
+    CycleStart start;
+    start.limits = limits;
     start.pose = start.origin = {0.0, 0.0, random.uniform(-3.0, 3.0)};
     start.reference = now;
     start.pending = &pending;
@@ -229,9 +230,9 @@ TEST(MoverChecks, AgreeWithASlowTwin) {
     }
     const std::vector<ReachableSet> sets = sets_of(movers, p);
     MoverCheck check;
-    check.prepare(p, limits, body, movers, start);
+    check.prepare(p, body, movers, start);
     const Twist2 command = limits.step(now, {random.uniform(-0.3, 0.5), random.uniform(-1.0, 1.0)}, start.period);
-    const double gap = SlowTwin{limits, body, start}.least_gap(command, sets);
+    const double gap = SlowTwin{body, start}.least_gap(command, sets);
     const bool passes = check.none_near() || check.confirm(command);
     if (gap <= 0.0) {
       EXPECT_FALSE(passes) << k;
@@ -258,7 +259,8 @@ TEST(MoverChecks, AgreeWithASlowTwinWhereCyclesAreLate) {
   for (int k = 0; k < 400; ++k) {
     const Twist2 now{random.uniform(0.3, 0.5), random.uniform(-0.5, 0.5)};
     const PendingMotionSet pending{PendingMotion(now, 0.0)};
-    MoverCheck::Start start;
+    CycleStart start;
+    start.limits = limits;
     start.reference = now;
     start.pending = &pending;
     start.longest_period = 0.15;
@@ -268,11 +270,11 @@ TEST(MoverChecks, AgreeWithASlowTwinWhereCyclesAreLate) {
     movers[0].position_deviation = movers[0].velocity_deviation = 0.01;
     const std::vector<ReachableSet> sets{ReachableSet(movers[0], p)};
     MoverCheck check;
-    check.prepare(p, limits, body, movers, start);
+    check.prepare(p, body, movers, start);
     const Twist2 command = limits.step(now, {0.5, random.uniform(-0.5, 0.5)}, start.period);
     double gap = 1e9;
     for (int late = 0; late <= 8; ++late) {
-      gap = std::min(gap, SlowTwin{limits, body, start}.least_gap(command, sets, 0.025 * late));
+      gap = std::min(gap, SlowTwin{body, start}.least_gap(command, sets, 0.025 * late));
     }
     const bool passes = check.none_near() || check.confirm(command);
     if (gap <= 0.0) {

@@ -64,8 +64,8 @@ TEST(ImpossibleOdometry, NorWhileSomebodyStopsTheRobot) {
     const Decision& decision = bench.cycle();
     EXPECT_TRUE(decision.command == Twist2{}) << decision.command.v << " " << decision.command.omega;
     // Silence follows: what brakes then starts from what was sent.
-    const FaultBrake::Command braking =
-        FaultBrake().brake(1.0, reading, decision.command, bench.planner().parameters(), kPeriod);
+    const FaultBrake::Command braking = FaultBrake().brake(1.0, reading, decision.command, bench.planner().parameters(),
+                                                           bench.planner().limits(), kPeriod);
     EXPECT_TRUE(braking.command == Twist2{});
   }
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/motion/velocity_limits.hpp"
 #include "hidwa_local_planner/control/fault_brake.hpp"
 #include "support/planner_bench.hpp"
 
@@ -100,7 +101,8 @@ TEST(Rest, ARobotThatStopsHoldsOnlyOnceItsCommandIsZero) {
 
 TEST(Rest, TheFaultBrakeDoesNotBrakeForARoundingError) {
   FaultBrake brake;
-  EXPECT_FALSE(brake.brake(10.0, Twist2{}, Twist2{0.3 - 0.1 - 0.2, 0.0}, Parameters(), 0.05).success);
+  EXPECT_FALSE(
+      brake.brake(10.0, Twist2{}, Twist2{0.3 - 0.1 - 0.2, 0.0}, Parameters(), VelocityLimits::from({}), 0.05).success);
 }
 
 }  // namespace

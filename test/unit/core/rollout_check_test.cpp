@@ -27,8 +27,8 @@ struct CheckedCycle : test::SceneRollout {
     const bool unknown = scene.parameters.unknown_is_obstacle;
     checker.prepare(grid, footprint, unknown, s.pose, reach, grid.resolution, 2.0 * grid.resolution);
     classes.prepare(checker, grid, unknown, s.pose, reach);
-    check.prepare(scene.parameters, limits, checker, footprint, grid.resolution,
-                  {s.pose, s.pose, s.last_command, &pending, s.period, s.period});
+    start.pending = &pending;
+    check.prepare(scene.parameters, checker, footprint, grid.resolution, {&start});
   }
   PendingMotionSet pending;
   CollisionChecker checker;

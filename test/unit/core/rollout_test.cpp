@@ -20,7 +20,11 @@ Parameters coarse(Integration integration) {
 
 Rollout run(const Parameters& p, const Pose2& start, const Twist2& reference, const std::vector<Sample>& samples) {
   Rollout rollout;
-  rollout.run(p, VelocityLimits::from(p), start, reference, samples);
+  CycleStart from;
+  from.pose = start;
+  from.reference = reference;
+  from.limits = VelocityLimits::from(p);
+  rollout.run(p, from, samples);
   return rollout;
 }
 

@@ -11,9 +11,15 @@
 namespace hidwa_local_planner {
 namespace {
 
-std::vector<Sample> make(const Parameters& p, const SampleRequest& request) {
+struct Request : SampleRequest {
+  Twist2 reference;  // [m/s, rad/s]
+};
+
+std::vector<Sample> make(const Parameters& p, const Request& request) {
+  CycleStart start;
+  start.reference = request.reference;
   Sampler sampler;
-  sampler.make(p, VelocityLimits::from(p), request);
+  sampler.make(p, VelocityLimits::from(p), start, request);
   return sampler.samples();
 }
 
@@ -24,8 +30,8 @@ Parameters plain() {
   return p;
 }
 
-SampleRequest driving(double v, double omega, int vx = 20, int vth = 20) {
-  SampleRequest request;
+Request driving(double v, double omega, int vx = 20, int vth = 20) {
+  Request request;
   request.reference = request.previous = {v, omega};
   request.vx_samples = vx;
   request.vth_samples = vth;
@@ -176,7 +182,7 @@ TEST(DeadBand, OnTheSpotHasItsOwnAndItsEdgesAreAlwaysTried) {
 
 TEST(ExtraSamples, EachWhereItIsAskedFor) {
   Parameters p = plain();
-  SampleRequest request = driving(0.3, 0.1, 3, 3);
+  Request request = driving(0.3, 0.1, 3, 3);
   request.previous = {0.31, 0.07};
   const Twist2 wanted{9.0, -0.33};
   request.operator_command = &wanted;

@@ -16,13 +16,13 @@ constexpr double kPatience = 1.0;  // [s], half of blocked_time
 double until_it_decides(const Twist2& u, bool yields) {
   test::Scene scene = test::Scene::empty();
   scene.parameters.blocked_time = 2.0 * kPatience;
-  const VelocityLimits limits = VelocityLimits::from(scene.parameters);
   const Footprint footprint = Footprint::from_outline(scene.outline, 0.0);
   const GridView grid = scene.grid();
   const OperatorIntent intent;
   const Sampling sampling;
-  const CycleStart start;
-  const Cycle cycle{scene.parameters, limits, footprint, grid, intent, sampling, scene.situation, start, nullptr, true};
+  CycleStart start;
+  start.limits = VelocityLimits::from(scene.parameters);
+  const Cycle cycle{scene.parameters, footprint, grid, intent, sampling, scene.situation, start, nullptr, true};
   Autonomy::Driven driven;
   driven.steps.asked = true;
   driven.conclusion = follow(u, u);
