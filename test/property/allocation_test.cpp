@@ -45,7 +45,7 @@ Polygon outline_of(Body body) {
 
 // Default parameters with fewer samples. Some robots stand in collision, for the outline is not the scene's
 // own; some cannot stop any more; some have reached their goal; some have no plan; one person in ten steers
-// alone, one in twenty stops the robot.
+// alone, half of them without a goal, one in twenty stops the robot.
 Scene make_scene(std::uint64_t seed, const Case& c) {
   Scene scene = test::random_scene(seed);
   scene.parameters = Parameters();
@@ -60,6 +60,11 @@ Scene make_scene(std::uint64_t seed, const Case& c) {
   if (random.chance(0.1)) scene.intent.influence = Influence::direct;
   if (scene.intent.influence == Influence::direct) scene.intent.guarded = random.chance(0.7);
   if (random.chance(0.05)) scene.intent.influence = Influence::stop;
+  if (scene.intent.influence == Influence::direct && scene.intent.guarded && random.chance(0.5)) {
+    scene.situation.goalless = true;
+    scene.situation.plan.clear();
+    scene.situation.goal = scene.situation.pose;
+  }
   return scene;
 }
 

@@ -369,5 +369,89 @@ TEST(ControlLoop, WhoeverIsCarriedAwayFromTheGoalBeginsAfresh) {
   EXPECT_TRUE(bench.loop().goal_begins());  // between two cycles
 }
 
+// Without a goal the operator drives; what they let go of brakes to rest, within the limits.
+TEST(ControlLoopWithoutGoal, TheOperatorDrivesAndTheirReleaseBrakes) {
+  Bench bench;
+  bench.seen().goalless = true;
+  bench.intent().state = OperatorStateId::manual;
+  bench.intent().influence = Influence::direct;
+  bench.intent().u_h = {0.4, 0.0};
+  Result result;
+  for (int k = 0; k < 20; ++k) result = bench.step();
+  EXPECT_NEAR(result.command.v, 0.4, 1e-9);
+  EXPECT_TRUE(result.goalless);
+  bench.intent() = {};
+  // 2.5 m/s^2 takes 0.4 m/s away in 0.16 s: in four cycles of 0.05 s.
+  for (const double v : {0.275, 0.15, 0.025, 0.0}) EXPECT_NEAR(bench.step().command.v, v, 1e-9);
+  EXPECT_EQ(bench.step().outcome, Outcome::hold);
+}
+
+// A cycle that would pass the command through with a goal is guarded without one.
+TEST(ControlLoopWithoutGoal, SharedAndUnguardedCommandsAreGuardedAndDirect) {
+  for (const Influence influence : {Influence::shared, Influence::direct}) {
+    Bench bench;
+    bench.pillar(0.8, 0.0);
+    bench.seen().goalless = true;
+    bench.intent().influence = influence;
+    bench.intent().guarded = false;
+    bench.intent().u_h = {0.5, 0.0};
+    for (int k = 0; k < 40; ++k) {
+      const Result result = bench.step();
+      bench.seen().pose.x += kPeriod * result.command.v;  // straight on, as far as it is let
+      ASSERT_LT(bench.seen().pose.x, 0.4);                // the pillar begins at 0.6 m, the robot's front is at 0.2 m
+    }
+  }
+}
+
+TEST(ControlLoopWithoutGoal, AGoalTakesOverWithoutAJumpAndIsANewOne) {
+  Bench bench;
+  bench.plan(straight(2.5));
+  bench.step();
+  bench.seen().goalless = true;
+  bench.intent().influence = Influence::direct;
+  bench.intent().u_h = {0.5, 0.0};
+  Twist2 last;
+  for (int k = 0; k < 20; ++k) last = bench.step().command;
+  bench.seen().goalless = false;
+  bench.intent() = {};
+  bench.plan(straight(2.5));  // the same goal as before: it begins anew
+  EXPECT_TRUE(bench.loop().goal_begins());
+  for (int k = 0; k < 10; ++k) {
+    const Twist2 next = bench.step().command;
+    EXPECT_LE(std::abs(next.v - last.v), bench.parameters().acc_lim_x * kPeriod + 1e-9);
+    EXPECT_LE(std::abs(next.omega - last.omega), bench.parameters().acc_lim_theta * kPeriod + 1e-9);
+    last = next;
+  }
+}
+
+// The state saved in the middle of a way round a pillar decides the next cycles alike, to the bit.
+TEST(ControlLoopWithoutGoal, WhatIsRememberedRepeatsACycle) {
+  Bench bench, other;
+  for (Bench* one : {&bench, &other}) {
+    one->pillar(1.4, 0.25);
+    one->seen().goalless = true;
+    one->intent().influence = Influence::direct;
+    one->intent().u_h = {0.5, 0.0};
+  }
+  bool turned = false;
+  for (int k = 0; k < 60; ++k) {
+    Bytes state;
+    bench.loop().save(state);
+    other.seen().pose = bench.seen().pose;
+    other.seen().velocity = bench.seen().velocity;
+    other.seen().timing = bench.seen().timing;
+    ASSERT_TRUE(other.loop().load(state));
+    const Twist2 command = bench.step().command, repeated = other.step().command;
+    ASSERT_TRUE(command == repeated) << k;
+    turned = turned || command.omega != 0.0;
+    Pose2& pose = bench.seen().pose;
+    pose.theta += kPeriod * command.omega;
+    pose.x += kPeriod * command.v * std::cos(pose.theta);
+    pose.y += kPeriod * command.v * std::sin(pose.theta);
+  }
+  EXPECT_TRUE(turned);
+  EXPECT_GT(bench.seen().pose.x, 1.0);
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner::control
