@@ -29,7 +29,7 @@ class RecordedDrive {
     std::vector<std::uint8_t> costs;  // of the local map; empty where input was missing
   };
 
-  RecordedDrive(std::uint64_t seed, OperatorMode mode) : random_(seed), loop_(critics::built_in()) {
+  RecordedDrive(std::uint64_t seed, OperatorMode mode) : random_(seed), goals_(seed + 47), loop_(critics::built_in()) {
     randomise_robot(random_, parameters_);
     randomise_search(random_, parameters_);
     randomise_costs(random_, parameters_);
@@ -152,7 +152,7 @@ class RecordedDrive {
   void aim() {
     const bool arrived = distance(pose_, goal_) < 0.3 && random_.chance(0.05);
     if (arrived) goal_ = {random_.uniform(5.0, 20.0), random_.uniform(5.0, 20.0), random_.uniform(-3.0, 3.0)};
-    if (arrived || random_.chance(0.05)) replan();
+    if ((arrived || random_.chance(0.05)) && !goalless_) replan();
   }
 
   control::Observation observe() {
@@ -179,10 +179,13 @@ class RecordedDrive {
     pass_time();
     touch();
     aim();
-    const control::Observation seen = observe();
+    if (goals_.chance(goalless_ ? 0.05 : 0.005)) goalless_ = !goalless_;  // the goal comes and goes
+    control::Observation seen = observe();
+    seen.goalless = goalless_;
+    machine_.set_goalless(goalless_);
     Sampling sampling = random_.chance(0.1) ? Sampling{3, 5} : Sampling{};
     if (random_.chance(0.3)) sampling.report = Report::legality;
-    if (random_.chance(0.5)) loop_.goal_reached(seen, machine_.manual());  // the host asks
+    if (random_.chance(0.5) && !goalless_) loop_.goal_reached(seen, machine_.manual());  // the host asks
     if (loop_.goal_begins()) machine_.new_goal();
     recorder_.operator_state().clear();
     ArchiveWriter write(recorder_.operator_state());
@@ -206,7 +209,7 @@ class RecordedDrive {
     from_plan_.origin.x += random_.uniform(-1e-3, 1e-3);  // localisation corrects itself
   }
 
-  Random random_;
+  Random random_, goals_;
   Parameters parameters_;
   input::OperatorStateMachine machine_;
   control::ControlLoop loop_;
@@ -218,7 +221,7 @@ class RecordedDrive {
   Twist2 last_, before_last_;
   control::Timing timing_;
   double time_ = 10.0, deflection_ = 0.0;
-  bool silent_ = false;
+  bool silent_ = false, goalless_ = false;
 };
 
 }  // namespace hidwa_local_planner::test

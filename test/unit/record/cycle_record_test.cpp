@@ -116,8 +116,8 @@ TEST(CycleRecord, OfAnotherFormatIsToldByNameWithTheReleaseThatReadsIt) {
   write(std::uint16_t{3}, std::uint32_t{17}, true, std::string("0.1.0"), std::string("max_vel_x 0.5"));
   EXPECT_EQ(
       decode(key, record),
-      "the record's format is 3, this release reads format 5: replay it with the release that recorded it, 0.1.0");
-  const std::string anonymous = "this release reads format 5: replay it with the release that recorded it";
+      "the record's format is 3, this release reads format 6: replay it with the release that recorded it, 0.1.0");
+  const std::string anonymous = "this release reads format 6: replay it with the release that recorded it";
   Bytes other;
   ArchiveWriter write_other(other);
   write_other(std::uint16_t{2}, std::uint32_t{18}, false, 1.5);
@@ -126,7 +126,7 @@ TEST(CycleRecord, OfAnotherFormatIsToldByNameWithTheReleaseThatReadsIt) {
   EXPECT_EQ(decode({4, 0}, record), "the record's format is 4, " + anonymous);
   EXPECT_EQ(decode({99, 0}, record), "the record's format is 99, " + anonymous);
   EXPECT_EQ(decode({}, record), "the record is empty");
-  EXPECT_EQ(decode({5}, record), "the record is empty");
+  EXPECT_EQ(decode({6}, record), "the record is empty");
 }
 
 // Cut behind a part, those behind it are missing.
