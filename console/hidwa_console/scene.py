@@ -25,7 +25,8 @@ CANDIDATES_PERIOD = 0.5   # [s]
 MOST_CANDIDATES = 600
 MOST_POINTS = 800          # of a path
 RUMBLE_ENDS = 0.3         # [s] after the last message
-LIMITS = ('max_vel_x', 'min_vel_x', 'max_vel_theta', 'acc_lim_x', 'acc_lim_theta', 'input_timeout', 'gesture_range')
+LIMITS = ('max_vel_x', 'min_vel_x', 'max_vel_theta', 'acc_lim_x', 'acc_lim_theta', 'input_timeout', 'gesture_range',
+          'drive_without_goal')
 CIRCLE = [[round(0.3 * math.cos(a), 3), round(0.3 * math.sin(a), 3)] for a in np.linspace(0, 2 * math.pi, 17)[:-1]]  # [m]
 
 
@@ -180,7 +181,8 @@ class Scene:
             if m is None:
                 return
             self.state_name = m.state_name
-            self.state = {'id': m.state, 'name': m.state_name, 'mode': m.mode_name, 'active': m.active,
+            self.state = {'id': m.state, 'name': m.state_name, 'mode': m.mode_name, 'without_goal': m.without_goal,
+                          'active': m.active,
                           'wanted': rounded((m.wanted.linear.x, m.wanted.angular.z)),
                           'command': rounded((m.command.linear.x, m.command.angular.z)), 'agreement': round(m.agreement, 3),
                           'refused_by': m.refused_by, 'input_age': round(m.input_age, 3), 'dropped': m.dropped,

@@ -12,7 +12,7 @@ import { CameraLink } from './link/camera_link.js';
 import { ControlLink } from './link/control_link.js';
 import { ViewLink } from './link/view_link.js';
 import { emptyScene } from './model/scene.js';
-import { announce, describe, MODES, refusal } from './model/words.js';
+import { announce, describe, inControl, MODES, refusal } from './model/words.js';
 import { ControlPanel } from './panels/control.js';
 import { GoalPanel } from './panels/goals.js';
 import { setUpLayout } from './panels/layout.js';
@@ -76,8 +76,7 @@ class App {
   }
 
   toggleControl() {
-    const manual = this.scene.state && this.scene.state.name === 'MANUAL';
-    this.send('take_control', { on: !manual });
+    this.send('take_control', { on: !inControl(this.scene.state) });
   }
 
   makeViews() {
@@ -128,8 +127,8 @@ class App {
   }
 
   headText() {
-    const { state, goals, robot } = this.scene;
-    const { title, line } = describe(state, goals);
+    const { state, robot } = this.scene;
+    const { title, line } = describe(this.scene);
     const speed = robot ? `${Math.abs(robot.v).toFixed(1)} m/s` : '';
     const notice = byId('notice').hidden ? '' : byId('notice').textContent;
     return {
@@ -217,7 +216,7 @@ class App {
       this.gamepads.rumble(this.rumble);
       if (this.headset) this.headset.rumble(this.rumble);
     }
-    const manual = Boolean(this.scene.state && this.scene.state.name === 'MANUAL');
+    const manual = inControl(this.scene.state);
     this.steering.manual = manual && this.holder.mine;
     byId('take').textContent = manual ? 'Give control back' : 'Take control';
   }

@@ -127,6 +127,14 @@ class Unheard(unittest.IsolatedAsyncioTestCase):
         await until(lambda: view.fields.get('unheard'), 'that nobody hears')
         self.assertIn(FLEX, view.fields['unheard']['text'])
 
+    async def test_whether_there_is_a_goal(self):
+        _, view = await self.console('--planner', PLANNER)
+        state = self.publishes(PLANNER + '/operator_state', OperatorState)
+        for name, without_goal in (('MANUAL', True), ('SHARED', False)):
+            message = OperatorState(state_name=name, without_goal=without_goal)
+            await until(lambda: state.publish(message) or (view.fields.get('state') or {}).get('name') == name, name)
+            self.assertIs(view.fields['state']['without_goal'], without_goal)
+
     async def test_what_the_planner_says_of_the_device(self):
         _, view = await self.console('--planner', PLANNER)
         said = self.publishes('/diagnostics', DiagnosticArray)

@@ -84,7 +84,7 @@ export class ViewLink {
       put(scene, 'robot', { x, y, yaw, v, omega });
     }
     put(scene, 'state', tick.state && readState(tick.state));
-    if (tick.limits) put(scene, 'limits', { maxV: tick.limits.max_vel_x, minV: tick.limits.min_vel_x, maxOmega: tick.limits.max_vel_theta, input_timeout: tick.limits.input_timeout });
+    if (tick.limits) put(scene, 'limits', { maxV: tick.limits.max_vel_x, minV: tick.limits.min_vel_x, maxOmega: tick.limits.max_vel_theta, input_timeout: tick.limits.input_timeout, driveWithoutGoal: Boolean(tick.limits.drive_without_goal) });
     if (tick.footprint) put(scene, 'outline', tick.footprint);
     if (tick.regions) put(scene, 'regions', tick.regions);
     if (tick.obstacles) put(scene, 'movers', tick.obstacles.map(({ id, x, y, vx, vy, r }) => ({ id, x, y, vx, vy, radius: r })));
@@ -98,7 +98,7 @@ export class ViewLink {
 
 function readState(state) {
   return {
-    name: state.name, mode: state.mode, active: state.active,
+    name: state.name, mode: state.mode, withoutGoal: state.without_goal, active: state.active,
     wanted: { v: state.wanted[0], omega: state.wanted[1] },
     command: { v: state.command[0], omega: state.command[1] },
     agreement: state.agreement, refusedBy: state.refused_by, next: state.next, nextReason: state.next_reason, age: state.age,

@@ -11,12 +11,12 @@ export function emptyScene() {
     costmap: null, // grid of the local costmap, as above
     robot: null, // {x, y, yaw, v, omega}: pose, and odometry's velocity [m/s, rad/s]
     outline: [], // of the robot, [[x, y], ...] in base_link
-    limits: { maxV: 0.5, minV: 0, maxOmega: 1 }, // [m/s, rad/s]
+    limits: { maxV: 0.5, minV: 0, maxOmega: 1, driveWithoutGoal: false }, // [m/s, rad/s]
     scan: new Float32Array(0), // x, y, x, y, ...
     plan: [], // [[x, y], ...]
     predicted: [], // [{x, y, yaw, t}], t from now [s]
     candidates: [], // [{points: [[x, y], ...], cost, legal, chosen}]; cost 0 (best) .. 1 (worst legal)
-    state: null, // {name, mode, active, wanted: {v, omega}, command: {v, omega}, agreement, refusedBy, next, nextReason}
+    state: null, // {name, mode, withoutGoal, active, wanted: {v, omega}, command: {v, omega}, agreement, refusedBy, next, nextReason}
     movers: [], // [{id, x, y, vx, vy, radius}]
     regions: [], // [{name, polygon: [[x, y], ...]}]
     goals: [], // [{x, y, yaw}], the first is the one that is driven to

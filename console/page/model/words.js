@@ -11,6 +11,13 @@ const STATES = {
   BLOCKED: ['Blocked', 'The robot waits: what you ask for is not safe.'],
 };
 
+// Those that say something else where the robot has no goal.
+const STATES_WITHOUT_GOAL = {
+  AUTONOMY: ['You let go', 'The robot brakes and stands.'],
+  MANUAL: ['You drive. No goal.', 'It goes where the stick says, avoids obstacles, and stops if you let go.'],
+  STOPPED: ['Stopped', 'It stands until the stop ends.'],
+};
+
 const REFUSALS = {
   Braking: 'it could not brake in time',
   Collision: 'it would hit something',
@@ -30,14 +37,14 @@ export const MODES = {
   off: ['Off', 'Nobody steers.'],
 };
 
-/** {key, title, line} for a state of the scene, or null where the robot has nothing to do. */
-export function describe(state, goals) {
+/** {key, title, line} for a scene's state (null: the planner runs no cycle), goals and limits. */
+export function describe({ state, goals, limits }) {
   if (!state) {
-    return goals.length
-      ? { key: 'NONE', title: 'Waiting', line: 'The robot has a goal and plans its way.' }
-      : { key: 'NONE', title: 'No goal', line: 'Set a goal in the map: steering works on the way to a goal.' };
+    if (goals.length) return { key: 'NONE', title: 'Waiting', line: 'The robot has a goal and plans its way.' };
+    const line = limits.driveWithoutGoal ? 'Steer to drive, or set a goal in the map.' : 'Set a goal in the map: steering works on the way to a goal.';
+    return { key: 'NONE', title: 'No goal', line };
   }
-  const [title, line] = STATES[state.name] || [state.name, ''];
+  const [title, line] = (state.withoutGoal && STATES_WITHOUT_GOAL[state.name]) || STATES[state.name] || [state.name, ''];
   return { key: state.name, title, line };
 }
 
@@ -48,9 +55,14 @@ export function refusal(state) {
   return why ? `Refused: ${why} (${state.refusedBy})` : `Refused by ${state.refusedBy}`;
 }
 
+/** Whether the operator has taken control on the way to a goal, so that it can be given back. */
+export function inControl(state) {
+  return Boolean(state && state.name === 'MANUAL' && !state.withoutGoal);
+}
+
 /** What autonomy is about to do. */
 export function announce(state) {
-  if (!state || !state.next) return '';
+  if (!state || !state.next || state.withoutGoal) return '';
   const what = NEXT[state.next] || state.next;
   return state.nextReason ? `Next: ${what}. ${state.nextReason}` : `Next: ${what}`;
 }

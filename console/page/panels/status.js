@@ -68,7 +68,9 @@ export class Status {
   watchSteering() {
     const { facts, scene } = this;
     const now = performance.now();
-    const taken = !scene.state || scene.state.active || facts.steering !== 'steers' || !facts.held || facts.size < DEFLECTED;
+    // Where no cycle runs, steering begins one only without a goal, and only if the parameter says so.
+    const idle = !scene.state && (scene.goals.length > 0 || !scene.limits.driveWithoutGoal);
+    const taken = idle || (scene.state && scene.state.active) || facts.steering !== 'steers' || !facts.held || facts.size < DEFLECTED;
     if (taken) this.takenAt = now;
     facts.ignored = now - this.takenAt > FOLLOWS;
   }
@@ -79,8 +81,8 @@ export class Status {
   }
 
   show() {
-    const { state, goals, robot } = this.scene;
-    const { key, title, line } = describe(state, goals);
+    const { state, robot } = this.scene;
+    const { key, title, line } = describe(this.scene);
     if (document.body.dataset.state !== key) document.body.dataset.state = key;
     this.facts.lost = key === 'LOST';
     write('state-title', title);

@@ -49,7 +49,7 @@ def way(pose, v, omega, seconds, pieces):
 
 
 def state(name='SHARED', **fields):
-    result = {'id': 1, 'name': name, 'mode': 'joystick', 'active': name in ('SHARED', 'BLOCKED', 'MANUAL'),
+    result = {'id': 1, 'name': name, 'mode': 'joystick', 'without_goal': False, 'active': name in ('SHARED', 'BLOCKED', 'MANUAL'),
               'wanted': [0.5, 0.6], 'command': [0.45, 0.3], 'agreement': 0.7, 'refused_by': '', 'input_age': 0.02, 'dropped': 0,
               'next': 'left', 'next_reason': '', 'age': 0.01}
     result.update(fields)

@@ -129,6 +129,30 @@ class Views(PageTest):
         self.server.show(state=office.state('LOST', active=False))
         self.browser.wait(lambda: 'LOST' in self.browser.text('notice'))
 
+    def test_says_that_the_person_drives_without_a_goal_and_invites_to(self):
+        goals = {'active': None, 'waiting': [], 'start': None, 'outcome': '', 'text': ''}
+        self.addCleanup(office.show, self.server)
+        self.server.show(goals=goals, state=None)
+        self.browser.wait(lambda: 'steering works on the way to a goal' in self.browser.text('state-line'))
+        self.server.show(limits={'max_vel_x': 0.5, 'min_vel_x': 0.0, 'max_vel_theta': 1.0, 'drive_without_goal': True})
+        self.browser.wait(lambda: self.browser.text('state-line').startswith('Steer to drive'))
+        self.server.show(state=office.state('MANUAL', without_goal=True, next='stop', next_reason='there is no goal'))
+        self.browser.wait(lambda: self.browser.text('state-title') == 'You drive. No goal.')
+        self.assertEqual(self.browser.text('next'), '')
+
+    def test_says_that_steering_without_a_goal_is_not_taken(self):
+        goals = {'active': None, 'waiting': [], 'start': None, 'outcome': '', 'text': ''}
+        self.addCleanup(office.show, self.server)
+        steered = "app.status.set({steering: 'steers', held: true, size: 1})"
+        self.addCleanup(self.browser.app, "app.status.set({steering: 'released', held: false, size: 0})")
+        self.server.show(goals=goals, state=None, limits={'max_vel_x': 0.5, 'min_vel_x': 0.0, 'max_vel_theta': 1.0,
+                                                          'drive_without_goal': True})
+        self.browser.wait(lambda: self.browser.app('app.scene.limits.driveWithoutGoal'))
+        self.browser.app(steered)
+        self.browser.wait(lambda: 'the robot takes none of it' in self.browser.text('notice'))
+        self.server.show(limits={'max_vel_x': 0.5, 'min_vel_x': 0.0, 'max_vel_theta': 1.0, 'drive_without_goal': False})
+        self.browser.wait(lambda: self.browser.text('notice') == '', 'without the parameter nobody expects it to')
+
     def test_the_floor_in_the_cameras_picture(self):
         # A lens 1 m above the floor that looks ahead: 2 m ahead and 0.5 m to the left is seen at
         # u = cx - fx 0.5 / 2 = 320 - 125 = 195 and v = cy + fy 1 / 2 = 240 + 250 = 490.
