@@ -80,7 +80,10 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
   reported_at_ = now;
   reported_messages_ = device.messages;
 
-  status.summary(Status::OK, to_string(person.state));
+  // Whoever drives and has not taken control has no goal.
+  const bool without_goal = person.state == OperatorStateId::manual && !person.manual;
+  const std::string state = std::string(to_string(person.state)) + (without_goal ? ", without a goal" : "");
+  status.summary(Status::OK, state);
   if (person.mode == OperatorMode::off) {
     const std::string off = "off: nobody steers (parameter mode, or the topic set_mode)";
     status.summary(Status::OK, person.state == OperatorStateId::stopped ? "STOPPED; " + off : off);
@@ -100,7 +103,7 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
   }
   if (!advice.empty()) status.mergeSummary(Status::WARN, advice);
   status.add("mode", name_of(person.mode));
-  status.add("state", to_string(person.state));
+  status.add("state", state);
   status.add("input", device.topic);
   status.add("device", device.sender.empty() ? "none yet" : device.sender);
   status.add("rate [Hz]", rate);

@@ -125,7 +125,8 @@ visualization_msgs::MarkerArray to_operator_markers(const OperatorState& state, 
   const std_msgs::ColorRGBA c = colour_of(state.state);
   // A place beside the robot in its own frame would turn with it, so the text hangs above its centre; line breaks
   // keep it off the robot in a view from above.
-  all.markers.push_back(text(base_frame, "state", state.state_name + "\n\n\n", kLetters, kTextHeight, c));
+  const std::string name = state.state_name + (state.without_goal != 0 ? "\nno goal\n" : "");
+  all.markers.push_back(text(base_frame, "state", name + "\n\n\n", kLetters, kTextHeight, c));
   const std::string rejected = state.refused_by.empty() ? "" : "\n\n\n\n\nrejected by " + state.refused_by;
   all.markers.push_back(text(base_frame, "rejection", rejected, kSmallLetters, kTextHeight, colour(200, 30, 20)));
   const bool commanded = state.active != 0;

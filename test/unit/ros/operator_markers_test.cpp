@@ -83,6 +83,15 @@ TEST(OperatorMarkers, TheStateIsWrittenInAColourOfItsOwn) {
   EXPECT_EQ(colours.size(), kStates);
 }
 
+TEST(OperatorMarkers, ThatThereIsNoGoalIsWrittenBelowTheState) {
+  OperatorState state = state_of(OperatorState::MANUAL);
+  const auto written = [&] { return group(to_operator_markers(state, "base_link"), "state").front().text; };
+  EXPECT_EQ(written(), "MANUAL\n\n\n");
+  state.without_goal = true;
+  // The lines hang in the middle: as many below the last word as above the robot's centre keep it off the robot.
+  EXPECT_EQ(written(), "MANUAL\nno goal\n\n\n\n");
+}
+
 TEST(OperatorMarkers, WhatRejectedTheOwnCommandIsWrittenAndTakenAway) {
   OperatorState state = steered();
   state.refused_by = "ObstacleFootprint";
