@@ -27,10 +27,11 @@ SIZE = (400, 120)      # cells: x from -2 to 18 m, y from -3 to 3 m
 FOOTPRINT = [[0.2, 0.15], [-0.2, 0.15], [-0.2, -0.15], [0.2, -0.15]]
 
 
-def own_message(name, of=None):
-    """The class of one of our messages, out of msg/ (no built workspace needed), or of another one that it is made `of`."""
+def own_message(name, of=None, without=()):
+    """The class of one of our messages, out of msg/ (no built workspace needed), or of another one that it is made `of`. `without`:
+    fields that it lacks, as in an older release."""
     with open(os.path.join(ROOT, 'msg', name + '.msg'), encoding='utf-8') as text:
-        definition = text.read()
+        definition = ''.join(line for line in text if line.split()[1:2] not in [[field] for field in without])
     parts = [definition]
     for package, cls in (('std_msgs/Header', Header), ('geometry_msgs/Twist', Twist), ('geometry_msgs/Point32', Point32),
                          ('geometry_msgs/Point', Point), ('geometry_msgs/Vector3', Vector3)):
@@ -45,20 +46,22 @@ def own_message(name, of=None):
 class SyntheticDrive:
     """A drive along y = lateral(x) at constant forward speed from x = 0 to x = length."""
 
-    def __init__(self, length=10.0, lateral=lambda x: 0.0, blocks=(), regions=(), stick=lambda t: 0.0, arrived=True, people=()):
+    def __init__(self, length=10.0, lateral=lambda x: 0.0, blocks=(), regions=(), stick=lambda t: 0.0, arrived=True, people=(),
+                 without_goal=lambda t: False):
         """people: {id: [(time, x, y), ...]}, discs of 0.3 m. blocks: occupied rectangles (x0, y0, x1, y1) on multiples
-        of 0.05 m; stick: deflection over time."""
+        of 0.05 m; stick: deflection over time; without_goal: whether the person drives without a goal, over time."""
         self.length, self.lateral, self.blocks, self.regions = length, lateral, blocks, regions
-        self.stick, self.arrived = stick, arrived
+        self.stick, self.arrived, self.without_goal = stick, arrived, without_goal
         self.info = {'map': 'synthetic', 'mode': 'joystick', 'host': 'compat', 'planner': 'HIDWAPlannerROS',
                      'operator': 'script', 'start': [0, 0, 0], 'goal': [length, 0, 0], 'rate': 1.0,
                      'footprint': FOOTPRINT, 'stick': {'axis': 0, 'sign': 1, 'dead_zone': 0.1}}
         self.omit = ()  # topics left out
+        self.unknown = ()  # fields of the state that this release does not know
         self.people = dict(people)
 
     def write(self, path):
         """Writes the bag; the goal comes 1 s after its begin."""
-        self._cycle, self._state = own_message('Cycle'), own_message('OperatorState')
+        self._cycle, self._state = own_message('Cycle'), own_message('OperatorState', without=self.unknown)
         with rosbag.Bag(path, 'w') as bag:
             self._bag = bag
             self._put('/demo_info', 0.1, String(json.dumps(self.info)))
@@ -138,6 +141,8 @@ class SyntheticDrive:
         state = self._state()
         state.state, state.active = (1, True) if abs(deflection) > 0.1 else (0, False)
         state.wanted.angular.z = deflection
+        if self.without_goal(time):
+            state.state, state.active, state.without_goal = 3, True, True
         self._put(PLANNER + 'operator_state', time, state)
         cycle = self._cycle()
         cycle.duration = 0.002 if round(time * RATE) % 50 else 0.006

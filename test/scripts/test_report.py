@@ -148,6 +148,28 @@ class Report(unittest.TestCase):
         self.assertEqual(report.main([path, '--out', self.folder.name]), 0)
         self.assertGreater(os.path.getsize(os.path.join(self.folder.name, 'report.png')), 10000)
 
+    def test_time_driven_without_a_goal(self):
+        path = os.path.join(self.folder.name, 'drive.bag')
+
+        def figures(omit=(), unknown=(), **drive):
+            synthetic = SyntheticDrive(**drive)
+            synthetic.omit, synthetic.unknown = omit, unknown
+            return report.write_report(synthetic.write(path), self.folder.name)
+        # The goal comes after 1 s. Before it the person drives for 0.6 s, which is no part of the way to the goal.
+        before = {'without_goal': lambda t: 0.2 <= t < 0.8}
+        written = figures(**before)
+        self.assertAlmostEqual(written['driven_without_goal_s'], 0.6, places=3)
+        self.assertEqual((written['state_s']['MANUAL'], written['operator_active_s']), (0.0, 0.0))
+        # A bag without any goal is one drive.
+        written = figures(omit=('/move_base/goal', '/move_base/result', '/move_base/NavfnROS/plan'), **before)
+        self.assertAlmostEqual(written['driven_without_goal_s'], 0.6, places=3)
+        self.assertAlmostEqual(written['state_s']['MANUAL'], 0.6, places=3)
+        self.assertIsNone(written['arrived'])
+        # Nobody does; an older release; no states.
+        self.assertEqual(figures()['driven_without_goal_s'], 0.0)
+        self.assertEqual(figures(unknown=('without_goal',))['driven_without_goal_s'], 0.0)
+        self.assertIsNone(figures(omit=('/move_base/HIDWAPlannerROS/operator_state',))['driven_without_goal_s'])
+
     def test_no_arrival(self):
         self.assertFalse(self.measured(SyntheticDrive(arrived=False))['arrived'])
         drive = SyntheticDrive()

@@ -81,7 +81,8 @@ class Drive:
     plans: list = field(default_factory=list)    # (time, (n, 2)), oldest first
     commands: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))  # time, v, omega
     sticks: list = field(default_factory=list)                              # (time, axes)
-    states: np.ndarray = field(default_factory=lambda: np.zeros((0, 4)))    # time, state, active, omega wanted
+    # time, state, active, omega wanted, without a goal
+    states: np.ndarray = field(default_factory=lambda: np.zeros((0, 5)))
     cycles: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))    # time, duration
     simulator: dict = field(default_factory=dict)                           # its own counts, for comparison
     people: list = field(default_factory=list)                              # who truly was around: people.Person
@@ -142,6 +143,10 @@ def _regions(array):
 
 def _points(path):
     return np.array([[p.pose.position.x, p.pose.position.y] for p in path.poses])
+
+
+def _without_goal(state):
+    return getattr(state, 'without_goal', False)  # older bags do not know it
 
 
 def _rows(messages, topic, row, width):
@@ -321,7 +326,7 @@ class Reader:
             regions=_regions(self._last('regions')) if self._has('regions') else [],
             commands=_rows(m, topics['cmd_vel'], lambda c, t: (t, c.linear.x, c.angular.z), 3),
             sticks=[(time, message.axes) for time, message in m.get(topics['joy'])],
-            states=_rows(m, topics['state'], lambda s, t: (t, s.state, s.active, s.wanted.angular.z), 4),
+            states=_rows(m, topics['state'], lambda s, t: (t, s.state, s.active, s.wanted.angular.z, _without_goal(s)), 5),
             cycles=_rows(m, topics['cycle'], lambda c, t: (t, c.duration), 2),
             outcomes=[(time, message.outcome) for time, message in m.get(topics['cycle'])],
             agreements=_rows(m, topics['state'], lambda s, t: (t, s.agreement), 2),

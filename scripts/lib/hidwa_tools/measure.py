@@ -125,11 +125,23 @@ def first_plan(drive):
     return plans[0] if plans else None
 
 
+def _seconds(states, which):
+    """Time [s] spent in those of the states (rows, time first) that the mask `which` names."""
+    lasted = np.minimum(np.diff(states[:, 0], append=states[-1:, 0]), LONGEST_SILENCE)
+    return round(float(lasted[which].sum()), 3)
+
+
 def state_seconds(drive):
     """Time [s] spent in each of the operator's states between goal and result."""
     states = drive.during(drive.states)
-    lasted = np.minimum(np.diff(states[:, 0], append=states[-1:, 0]), LONGEST_SILENCE)
-    return {name: round(float(lasted[states[:, 1] == i].sum()), 3) for i, name in enumerate(STATE_NAMES)}
+    return {name: _seconds(states, states[:, 1] == i) for i, name in enumerate(STATE_NAMES)}
+
+
+def driven_without_goal(drive):
+    """Time [s] in which the person drove without a goal, in the whole bag: it is between goals. None where nothing tells the
+    states."""
+    states = drive.states
+    return _seconds(states, (states[:, 1] == STATE_NAMES.index('MANUAL')) & (states[:, 4] != 0.0)) if len(states) else None
 
 
 def cycle_times(drive):

@@ -8,7 +8,7 @@ import sys
 from . import geometry
 from .bag import TOPICS, Names, read_drives
 from .errors import BagError
-from .measure import measure
+from .measure import driven_without_goal, measure
 from .options import positive
 
 NO_PICTURE = 'matplotlib is not installed: apt-get install python3-matplotlib'
@@ -25,6 +25,8 @@ def write_report(bag, folder, names=None, goal=None):
         if not 1 <= goal <= len(drives):
             raise BagError(f'{bag} has no goal {goal}: it holds {len(drives)}, counted from 1')
         drives = [drives[goal - 1]]
+    else:
+        remark = {'driven_without_goal_s': driven_without_goal(drives[0]), **remark}  # any drive has the whole bag's states
     if len(drives) == 1:
         report = {**_measured(bag, drives[0]), **remark}
         _write(folder, report)
