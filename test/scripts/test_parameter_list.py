@@ -33,6 +33,9 @@ class ParameterList(unittest.TestCase):
                 parameters('\n' + line)
             self.assertEqual(str(found.exception), fault)
 
+    def test_no_topic_is_among_what_the_page_may_set(self):
+        self.assertEqual([p.name for p in parameter_list.read() if p.tab in ('Operator', 'Critics') and p.name.endswith('_topic')], [])
+
     def test_the_planners_own(self):
         own = {p.name: p for p in parameter_list.read()}
         self.assertEqual((own['mode'].kind, own['mode'].choices), ('ENUM', ['off', 'joystick', 'gesture', 'switching']))
