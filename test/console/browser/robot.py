@@ -11,13 +11,13 @@ from hidwa_tools.processes import Child, free_port
 from hidwa_tools.waiting import PATIENCE
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..'))
-STATES = ('AUTONOMY', 'SHARED', 'HOLD', 'MANUAL', 'STOPPED', 'LOST', 'BLOCKED')
 
 
 class Robot:
-    """start: (x, y, yaw) in the map [m, m, rad]. Needs the environment of scripts/env."""
+    """start: (x, y, yaw) in the map [m, m, rad]; options: of the console; arguments: more of demo.launch. Needs the environment of
+    scripts/env."""
 
-    def __init__(self, start=(21.5, 8.7, 0.0), options=''):
+    def __init__(self, start=(21.5, 8.7, 0.0), options='', arguments=()):
         self.folder = tempfile.mkdtemp(prefix='console_robot_')
         self.port, self.ros_port = free_port(), free_port()
         environment = dict(os.environ, ROS_MASTER_URI='http://localhost:%d' % self.ros_port, ROS_HOSTNAME='localhost',
@@ -27,9 +27,10 @@ class Robot:
         page = os.path.join(ROOT, 'console', 'page')
         self.child = Child(['roslaunch', '-p', str(self.ros_port), 'hidwa_local_planner', 'demo.launch', 'operator:=page',
                             'x:=%g' % start[0], 'y:=%g' % start[1], 'yaw:=%g' % start[2], 'console_port:=%d' % self.port,
-                            'console_options:=--page %s --recordings %s %s' % (page, self.folder, options)], self.log, environment)
+                            'console_options:=--page %s --recordings %s %s' % (page, self.folder, options), *arguments],
+                           self.log, environment)
         self.lock = threading.Lock()
-        self.joys, self.commands, self.states, self.hands = [], [], [], []
+        self.joys, self.commands, self.states, self.hands, self.contacts = [], [], [], [], 0
         self.pose, self._has_goal, self._before = None, False, 0
         try:
             self._connect()
@@ -46,17 +47,21 @@ class Robot:
         import rospy
         from actionlib_msgs.msg import GoalStatus, GoalStatusArray
         from geometry_msgs.msg import PoseStamped, Twist
+        from hidwa_local_planner.msg import OperatorState
         from nav_msgs.msg import Odometry
         from sensor_msgs.msg import Joy
+        from std_msgs.msg import UInt32
         rospy.init_node('console_browser_test', disable_signals=True)
         self.subscribers = [
             rospy.Subscriber('/joy', Joy, lambda m: self._keep(self.joys, m), queue_size=1000, tcp_nodelay=True),
             rospy.Subscriber('/cmd_vel', Twist, lambda m: self._keep(self.commands, (m.linear.x, m.angular.z)), queue_size=1000),
             rospy.Subscriber('/hand_pose', PoseStamped, lambda m: self._keep(self.hands, m), queue_size=1000),
             rospy.Subscriber('/ground_truth', Odometry, self._place, queue_size=1),
+            rospy.Subscriber('/contacts', UInt32, self._touch, queue_size=1),
             rospy.Subscriber('/move_base/status', GoalStatusArray, self._goals,
                              (GoalStatus.PENDING, GoalStatus.ACTIVE, GoalStatus.PREEMPTING)),
-            rospy.Subscriber('/move_base/HIDWAPlannerROS/operator_state', rospy.AnyMsg, self._state, queue_size=1000)]
+            rospy.Subscriber('/move_base/HIDWAPlannerROS/operator_state', OperatorState,
+                             lambda m: self._keep(self.states, m.state_name), queue_size=1000)]
         # The planner must be there to see the page's first centred stick.
         while self.pose is None or self.subscribers[-1].get_num_connections() == 0:
             if time.monotonic() > deadline:
@@ -76,9 +81,8 @@ class Robot:
         self.pose = (p.x, p.y, math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z)))
         self.speed = (message.twist.twist.linear.x, message.twist.twist.angular.z)
 
-    def _state(self, message):
-        length = int.from_bytes(message._buff[12:16], 'little')  # of the header's frame: the byte after it is the state
-        self._keep(self.states, STATES[message._buff[16 + length]])
+    def _touch(self, message):
+        self.contacts = message.data
 
     def _goals(self, message, in_hand):
         has_goal = any(goal.status in in_hand for goal in message.status_list)

@@ -17,11 +17,11 @@ STOP_DELAY = 8.0          # [s] of the console; longer than any test but one hol
 robot = proxy = page = None
 
 
-def begin(scripts=(), options=''):
+def begin(scripts=(), options='', start=START, arguments=()):
     """(robot, proxy, page) for all tests of a module, which calls this in setUpModule; they end with it. scripts: run in every page
-    before its own; options: of the console."""
+    before its own; start, options, arguments: of the Robot."""
     global robot, proxy, page
-    robot = Robot(START, '--stop-delay %g %s' % (STOP_DELAY, options))
+    robot = Robot(start, '--stop-delay %g %s' % (STOP_DELAY, options), arguments)
     unittest.addModuleCleanup(robot.end)
     proxy = Proxy(robot.port)
     unittest.addModuleCleanup(proxy.end)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Driving without a goal, in the browser: the page's stick takes the simulated robot through a doorway, and a goal takes over."""
+import math
+import time
+import unittest
+
+import stage
+from stage import DriveTest, wait
+
+# A doorway of maps/office.yaml that leads south out of a corridor: x from 25.5 to 26.45 m, the wall's y from 6.45 to 6.6 m.
+# It is 0.95 m wide, the robot 0.60 m. The robot begins 1.5 m before it, 0.12 m beside its middle, and faces 4 degrees farther
+# to that side: straight on it would miss the middle by 0.12 + 1.5 tan(4 deg) = 0.22 m, and 0.95 / 2 - 0.30 = 0.175 m fit.
+DOOR, WALL, RADIUS = 25.975, 6.45, 0.30  # [m] each
+START = (DOOR - 0.12, 8.1, -math.pi / 2 - math.radians(4.0))
+FORWARD = (0, -1)  # of the stick: up
+DRIVING = 'You drive. No goal.'
+SWITCH = 'parameter-drive_without_goal'
+
+
+def setUpModule():
+    global robot, page
+    robot, _, page = stage.begin(start=START, arguments=('people:=0', 'drive_without_goal:=false'))
+
+
+class WithoutGoal(DriveTest):
+    def switch(self, on):
+        """The parameter, by the page's panel."""
+        page.click('tab-tuning')
+        page.until("return document.getElementById('%s') !== null" % SWITCH)
+        if page.js("return document.getElementById('%s').checked" % SWITCH) != on:
+            page.click(SWITCH)
+        page.wait(lambda: page.app('app.scene.limits.driveWithoutGoal') is on, 'the parameter in force')
+
+    @staticmethod
+    def drives():
+        return page.text('state-title') == DRIVING and robot.speed[0] > 0.15
+
+    @staticmethod
+    def rests():
+        return page.text('state-title') == 'No goal' and abs(robot.speed[0]) < 0.01
+
+    def test_a_while_it_is_off_the_stick_drives_nothing(self):
+        self.switch(False)
+        self.assertIn('steering works on the way to a goal', page.text('state-line'))
+        began = time.monotonic()
+        pose = robot.pose
+        at = self.press_stick(*FORWARD)
+        wait(lambda: len([joy for joy in robot.since(robot.joys, began) if joy.axes[1] > 0.9]) > 20, 'a second of the stick')
+        self.assertEqual((robot.since(robot.states, began), robot.since(robot.commands, began)), ([], []))
+        self.assertEqual(robot.pose, pose)
+        self.release_stick(at)
+        wait(lambda: robot.since(robot.joys, began)[-1].axes[1] == 0.0, 'the release')
+
+    def test_b_through_a_doorway_and_rest(self):
+        self.switch(True)
+        page.wait(lambda: page.text('state-line').startswith('Steer to drive'), 'an invitation')
+        began = time.monotonic()
+        at = self.steer(*FORWARD, self.drives)
+        wait(lambda: robot.pose[1] < WALL - 2 * RADIUS, 'the room behind the doorway')
+        self.assertEqual(page.text('state-title'), DRIVING)
+        self.assertEqual(set(robot.since(robot.states, began)), {'MANUAL'})
+        released = time.monotonic()
+        self.release_stick(at)
+        page.wait(self.rests, 'rest')
+        self.assertEqual(set(robot.since(robot.states, released)) - {'MANUAL'}, {'AUTONOMY'})
+        last = robot.since(robot.commands, released)
+        self.assertEqual((last[-1], last.count((0.0, 0.0))), ((0.0, 0.0), 1), 'one zero, then silence')
+        self.assertIn('Steer to drive', page.text('state-line'))
+        self.assertEqual(robot.contacts, 0)
+
+    def click_goal(self, metres):
+        """A goal by a click in the map, so far to the north of the robot."""
+        page.click('go')
+        x, y, _, _ = page.middle('above-canvas')
+        y -= metres * page.app('app.above.camera.scale')
+        page.mouse('mousePressed', x, y)
+        page.mouse('mouseReleased', x, y)
+
+    def hold_key(self):
+        """The arrow key drives ahead: the mouse is free."""
+        page.key('keyDown', 'ArrowUp', 'ArrowUp')
+        self.addCleanup(page.key, 'keyUp', 'ArrowUp', 'ArrowUp')
+        page.wait(self.drives, 'the robot drives')
+
+    def test_c_a_goal_that_is_clicked_while_the_robot_drives_takes_over(self):
+        self.switch(True)
+        self.hold_key()
+        self.click_goal(2.4)  # back into the corridor
+        page.wait(lambda: page.text('state-title') == 'The robot drives itself', 'that the page says so')
+        self.assertEqual(robot.state, 'AUTONOMY')
+        page.key('keyUp', 'ArrowUp', 'ArrowUp')
+        page.wait(lambda: page.text('notice') == 'The goal is reached.', 'the goal')
+        self.assertGreater(robot.pose[1], WALL + 2 * RADIUS)
+        self.assertEqual(robot.contacts, 0)
+
+
+if __name__ == '__main__':
+    unittest.main()
