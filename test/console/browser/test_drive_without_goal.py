@@ -5,7 +5,7 @@ import time
 import unittest
 
 import stage
-from stage import DriveTest, wait
+from stage import DriveTest, cycles, wait
 
 # A doorway of maps/office.yaml that leads south out of a corridor: x from 25.5 to 26.45 m, the wall's y from 6.45 to 6.6 m.
 # It is 0.95 m wide, the robot 0.60 m. The robot begins 1.5 m before it, 0.12 m beside its middle, and faces 4 degrees farther
@@ -92,6 +92,40 @@ class WithoutGoal(DriveTest):
         page.wait(lambda: page.text('notice') == 'The goal is reached.', 'the goal')
         self.assertGreater(robot.pose[1], WALL + 2 * RADIUS)
         self.assertEqual(robot.contacts, 0)
+
+    def test_d_a_stick_that_is_held_when_a_goal_ends_must_be_centred_first(self):
+        self.switch(True)
+        for cancel in (True, False):
+            self.hold_key()
+            self.click_goal(-0.6)
+            page.wait(lambda: page.text('state-title') == 'The robot drives itself', 'the goal has taken over')
+            if cancel:
+                page.app("app.send('cancel')")
+            wait(lambda: robot.state == '', 'the goal is cancelled, or reached')
+            ended = time.monotonic()
+            page.wait(self.rests, 'rest')
+            wait(lambda: sum(joy.axes[1] > 0.6 for joy in robot.since(robot.joys, ended)) > 40, 'two seconds of a held stick')
+            self.assertNotIn('MANUAL', robot.since(robot.states, ended))
+            self.assertIn('the robot takes none of it', page.text('notice'))
+            page.key('keyUp', 'ArrowUp', 'ArrowUp')
+            page.wait(lambda: page.text('notice') == '', 'nothing is wrong')
+        self.hold_key()
+        page.key('keyUp', 'ArrowUp', 'ArrowUp')
+        page.wait(self.rests, 'rest')
+
+    def test_e_a_mode_that_is_chosen_without_a_goal_counts_at_once(self):
+        self.switch(True)
+        self.click_goal(1.0)
+        wait(lambda: robot.state == 'AUTONOMY', 'the robot on its way')
+        self.mode('off')
+        cycles(5)
+        page.app("app.send('cancel')")
+        page.wait(self.rests, 'rest')
+        self.mode('switching')
+        at = self.steer(0.9, -0.4, lambda: page.text('state-title') == DRIVING)
+        self.assertEqual(page.text('take'), 'Take control', 'there is nothing to give back')
+        self.release_stick(at)
+        page.wait(self.rests, 'rest')
 
 
 if __name__ == '__main__':
