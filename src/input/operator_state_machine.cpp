@@ -72,9 +72,11 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
 void OperatorStateMachine::set_goalless(bool goalless) {
   if (goalless == goalless_) return;
   goalless_ = goalless;
-  if (goalless && channel_.active()) channel_.demand_neutral();
+  const bool steered = channel_.active();
   sources_.configure(source_parameters());
-  channel_.remap(sources_.steering().command());
+  const OperatorCommand command = sources_.steering().command();  // with a goal one axis alone may have counted
+  if (goalless && (steered || command.active)) channel_.demand_neutral();
+  channel_.remap(command);
 }
 
 Parameters OperatorStateMachine::source_parameters() const {

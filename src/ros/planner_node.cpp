@@ -127,6 +127,12 @@ CycleResult PlannerNode::cycle_without_goal(bool stop) {
   return run_cycle(stop, true);
 }
 
+void PlannerNode::take_parameters() {
+  if (!parameters_.waits()) return;
+  const Entry entry = enter();
+  if (parameters_.take()) check_horizon();
+}
+
 CycleResult PlannerNode::run_cycle(bool stop, bool goalless) {
   host_.cycle_called();
   operator_.set_goalless(goalless);

@@ -32,7 +32,9 @@ TEST_P(Goalless, WhatIsMeantIsDriven) {
     EXPECT_FALSE(run.touched);
     EXPECT_FALSE(run.against);
     EXPECT_LT(run.most_off, 32.5 * kDegree);  // 30 degrees, and a little to keep clear of a wall
-    if (run.passed && kind != "wall") EXPECT_LT(run.off_at_end, 3.0 * kDegree);
+    if (run.passed && kind != "wall") {
+      EXPECT_LT(run.off_at_end, 3.0 * kDegree);
+    }
     passed += run.passed && !run.stopped ? 1 : 0;
     const GoallessRun rule = run_goalless(scene, p, AssistedTeleop(scene));
     assisted += rule.passed && !rule.touched ? 1 : 0;

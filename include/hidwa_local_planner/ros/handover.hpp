@@ -20,6 +20,8 @@ class Handover {
   void put(T value) {
     const std::unique_ptr<T> replaced(value_.exchange(std::make_unique<T>(std::move(value)).release()));
   }
+  /// Something was put that was not taken.
+  bool waits() const { return value_.load() != nullptr; }
   /// Null where nothing new was put.
   std::unique_ptr<T> take() { return std::unique_ptr<T>(value_.exchange(nullptr)); }
 

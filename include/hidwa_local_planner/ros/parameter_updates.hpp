@@ -39,6 +39,8 @@ class ParameterUpdates {
   /// Takes what the parameter server holds, and starts dynamic_reconfigure. Where that is not valid the defaults are in
   /// force, and fault() says why. Returns how many values the parameter server had.
   std::size_t start(Targets targets);
+  /// A set was accepted that is not in force yet. From any thread.
+  bool waits() const { return pending_.waits(); }
   /// Between two cycles: puts the newest accepted set in force. True where there was one.
   bool take();
   /// Between two cycles: puts the set in force once more, since the host changed its tolerances.

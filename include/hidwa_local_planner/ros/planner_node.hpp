@@ -50,6 +50,8 @@ class PlannerNode {
   WithoutGoal without_goal() const;
   /// The operator gives input that counts. From any thread.
   bool steered() const { return operator_.steers(); }
+  /// Without a cycle: puts the newest parameters in force.
+  void take_parameters();
   /// See OperatorStateMachine. From any thread.
   void set_goalless(bool goalless) { operator_.set_goalless(goalless); }
   /// When the host called last, on the wall [s]; negative before the first call. From any thread.

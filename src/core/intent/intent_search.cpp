@@ -19,7 +19,7 @@ constexpr double kMostTurn = 1.5;
 
 // An arc of the search, and the poses that it keeps.
 constexpr double kArc = 0.15;  // [m]
-constexpr std::size_t kMostNodes = 6000;
+constexpr std::size_t kMostNodes = 2500;
 
 // Poses of one bin are alike: its side, and its heading.
 constexpr double kBin = 0.06;         // [m]
@@ -85,7 +85,7 @@ void IntentSearch::prepare(const Cycle& cycle, const Request& request) {
   curvature_ = request.wanted.omega / v;
   ahead_ = radius + std::clamp(kAheadTime * v, kAheadLeast, kAheadMost);
   if (curvature_ != 0.0) ahead_ = std::min(ahead_, kMostTurn / std::abs(curvature_));
-  comfort_ = std::max(2.0 * cell, 0.1);
+  comfort_ = std::max(2.0 * cell, 0.15);
   counted_ = comfort_ + 2.0 * cell;
   const double sharpest = std::min(kSharpest, cycle.start.limits.theta.max / kBendSpeed);
   gentle_ = 0.25 * sharpest;

@@ -62,6 +62,7 @@ void DriveWithoutGoal::tick() {
   const bool goalless = (wanted.drives || driving_) && !host_is_busy();
   planner_.set_goalless(goalless);
   if (!goalless) return end();
+  planner_.take_parameters();
   if (!driving_ && !planner_.steered()) return;
   if (!driving_ && (!costmap_runs() || !begin(wanted.topic))) return;
   drive(!wanted.drives);

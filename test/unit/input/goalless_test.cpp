@@ -69,6 +69,21 @@ TEST(WithoutGoal, WhoSteersWhenAGoalEndsMustBeNeutralFirst) {
   EXPECT_EQ(person.cycle(1.2).state, State::manual);
 }
 
+// With a goal a stick that is held straight forward asks for nothing; it does not drive on when the goal ends.
+TEST(WithoutGoal, AStickHeldForwardWhenAGoalEndsMustBeNeutralFirst) {
+  Person person(in_mode(OperatorMode::joystick));
+  person.stick(1.0, 0.0F);
+  person.stick(1.05, 0.0F, 1.0F);
+  EXPECT_EQ(person.cycle(1.05).state, State::autonomy);
+  person.machine.set_goalless(true);
+  person.stick(1.1, 0.0F, 1.0F);
+  EXPECT_FALSE(person.machine.steers());
+  expect_intent(person.cycle(1.1), State::autonomy, Influence::none, 0.0, 0.0);
+  person.stick(1.15, 0.0F);
+  person.stick(1.2, 0.0F, 1.0F);
+  EXPECT_EQ(person.cycle(1.2).state, State::manual);
+}
+
 TEST(WithoutGoal, SilenceIsALossAndStops) {
   Person person(in_mode(OperatorMode::joystick));
   person.machine.set_goalless(true);
