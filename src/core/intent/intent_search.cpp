@@ -23,7 +23,7 @@ constexpr std::size_t kMostNodes = 2500;
 
 // Poses of one bin are alike: its side, and its heading.
 constexpr double kBin = 0.06;         // [m]
-constexpr double kHeadingBin = 0.08;  // [rad]
+constexpr double kHeadingBin = 0.04;  // [rad]
 
 // The sharpest bend: the robot slows down for it [1/m], [m/s].
 constexpr double kSharpest = 2.5;
@@ -31,7 +31,7 @@ constexpr double kBendSpeed = 0.25;
 
 // What a path costs beyond its length, per metre: all off the direction, and without clearance.
 constexpr double kOffCost = 0.4;
-constexpr double kTightCost = 2.0;
+constexpr double kTightCost = 4.0;
 constexpr double kBendCost = 0.02;  // [m] for 1/m of change
 constexpr double kTurnCost = 0.5;   // a turn on the spot first [m]
 constexpr double kSideCost = 0.3;   // another side than before [m]
@@ -46,6 +46,9 @@ constexpr double kNeededOfStart = 0.8;
 // Pure pursuit aims so far ahead: at rest [m], and more with the speed [s].
 constexpr double kAim = 0.35;
 constexpr double kAimTime = 0.3;
+
+// Turns on the spot that are tried first [rad].
+constexpr double kTurnStep = 0.08;
 
 // A turn on the spot first takes about so long [s].
 constexpr double kTurnTime = 0.5;
@@ -205,7 +208,7 @@ void IntentSearch::leave(std::uint32_t from, int side) {
 void IntentSearch::turn_first(const Node& start, int side) {
   for (const double way : {1.0, -1.0}) {
     Node node = start;
-    for (double turned = kHeadingBin; turned <= 2.0 * HeldDirection::kMost; turned += kHeadingBin) {
+    for (double turned = kTurnStep; turned <= 2.0 * HeldDirection::kMost; turned += kTurnStep) {
       node.off = start.off + way * turned;
       node.pose.theta = start.pose.theta + way * turned;
       node.clearance = clearance_at(node.pose);
