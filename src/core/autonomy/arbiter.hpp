@@ -3,16 +3,17 @@
 //
 //   rule      where it is asked                              what it takes
 //   evasion   moving obstacles are near, and what the rules   what begins the best way that is not touched
-//             below take is touched or costs much more
-//   way       recovery follows a way that it has found       what gets farthest along the way
-//   rest      recovery needs rest for its search             rest
-//   escape    the robot stands in collision, and follows     what ends least deep; a turn towards a way out
-//             no way
-//   cheapest  none of these takes anything; in collision     the least total
+//             below take is touched or costs much more; not
+//             in collision
+//   escape    the robot stands in collision, and follows no   what ends least deep; a turn towards a way out
+//             way or has begun to escape: then the next two
+//             rules are not asked
+//   rest      recovery needs rest for its search              rest
+//   way       recovery follows a way that it has found        what gets farthest along the way
+//   cheapest  none of these takes anything; in collision      the least total
 //             only where escape and recovery are idle
 //
-// All but the last are autonomy's: with an operator, and at the goal's position, only the cheapest candidate counts. In
-// collision evasion is not asked.
+// All but the last are autonomy's: with an operator, and at the goal's position, only the cheapest candidate counts.
 //
 // Candidates are evaluated with gentle turns first. Where that leaves nothing but rest, or evasion needs more, they are
 // evaluated again with all turns that the limits allow.

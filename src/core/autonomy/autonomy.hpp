@@ -27,7 +27,7 @@ namespace hidwa_local_planner {
 
 class Autonomy {
  public:
-  /// All the memory that is large.
+  /// Allocates what is large.
   void reserve() { recovery_.reserve(); }
   /// A new goal.
   void reset();

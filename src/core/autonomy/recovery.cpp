@@ -12,12 +12,16 @@
 namespace hidwa_local_planner {
 namespace {
 
-// A search takes long after this time. It ends after another, since its map grows old: earlier where the robot drives
-// on, and earliest where it follows a way. Where there is no way the next search begins after a pause. [s]
+// A search that takes longer than this takes long [s].
 constexpr double kPromptSearch = 1.2;
+
+// A search ends after this time, since its map grows old [s]: of a robot that stands, of one that drives on, and of one
+// that follows a way.
 constexpr double kLongestSearch = 8.0;
 constexpr double kLongestAhead = 5.0;
 constexpr double kLongestRenewal = 1.0;
+
+// The next search begins after this pause [s]: where there is no way, and where one is followed.
 constexpr double kSearchPause = 2.0;
 constexpr double kRenewalPause = 0.2;
 

@@ -57,7 +57,7 @@ class Recovery {
   /// Then, unless the robot is trapped in collision: from phase to phase.
   void advance(const Cycle& cycle, const StallWatch& stall, const Outlook& outlook);
 
-  /// It decides what is driven.
+  /// It may decide what is driven: all candidates are checked.
   bool active() const { return holds_ || phase_ == Phase::follows; }
   bool follows() const { return phase_ == Phase::follows; }
   /// It follows the way back, to let out who blocks the plan.

@@ -52,7 +52,7 @@ class WayFollower {
   void clear();
   /// The robot is at the beginning of the way. `while_driving`: it was found while the robot drove.
   void begin(double now, bool while_driving);
-  /// A pose of the robot is near to something soon: then the way goes on although the cheapest candidate agrees.
+  /// The robot will soon be near an obstacle: then the way goes on although the cheapest candidate agrees.
   void note_tight(bool tight) { tight_ = tight; }
 
   /// Where all candidates are checked and scored. `may_agree`: the cheapest candidate counts.
@@ -63,7 +63,7 @@ class WayFollower {
   /// No cycle has followed it yet, and it leads somewhere.
   bool begins() const;
   bool narrower() const { return progress_.narrower; }
-  /// `other`, found from `start`, takes no longer.
+  /// `other`, found from `start`, takes little longer at most: see is_worse_than() in the source.
   bool is_worse_than(const Way& other, const Pose2& start) const;
   /// Another way takes the place of this one.
   void replace(Way& other, double now);

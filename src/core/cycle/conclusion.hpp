@@ -21,10 +21,10 @@ Conclusion follow(const Twist2& sample, const Twist2& command);
 Conclusion pass_through(const Cycle& cycle);
 /// The robot brakes, since it has no candidate to follow. A robot that stands fails instead.
 Conclusion brake(const Cycle& cycle, Problem kind, const char* problem);
-/// `problem`, but where the robot's centre is beyond the map, where everything is an obstacle: that.
+/// Returns `problem`. If the robot's centre is off the map, where everything is an obstacle, returns that instead.
 const char* unless_off_map(const Cycle& cycle, const char* problem);
 /// The cycle fails, and the host replans or recovers: it sends zero at once, whatever the robot did. So no cycle of a
-/// robot that moves fails: its conclusion stays as it is. Nothing else makes a cycle fail.
+/// robot that moves fails: its conclusion stays as it is. Nothing else in the planner makes a cycle fail.
 void fail(const Cycle& cycle, Problem kind, const char* problem, Conclusion& conclusion);
 /// The operator or the host stops the robot: it brakes, then holds.
 Conclusion stop(const Cycle& cycle);

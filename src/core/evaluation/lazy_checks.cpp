@@ -69,7 +69,7 @@ void LazyChecks::check_rests(const Tile& tile, TileState& state) {
   for (std::size_t c = 0; c < tile.count; ++c) check_rest(tile.first + c);
 }
 
-// What critics reject counts as touched, too.
+// Candidates that a critic rejected are checked, too.
 void LazyChecks::check_rest(std::size_t candidate) {
   const Rejecter by = scores_.rejected_by()[candidate];
   if (by == kCollision || by == kBraking || by == kMovingObstacle) return;

@@ -19,7 +19,7 @@ int Selection::cheapest(const TieRule& tie) {
   std::size_t best = cheapest.first;
   while (best + 1 < cheapest.first + cheapest.count && totals[best] != *least) ++best;
   const double equal = *least + kEqualTotals;
-  // Another total: what was the cheapest is rejected since its tile was scored.
+  // Another total: the cheapest candidate was rejected after its tile was scored.
   if (totals[best] != *least || !checks_.legal(best)) return cheapest_of_rest(tie);
   for (std::size_t t = 0; t < lowest.size(); ++t) {
     if (lowest[t] > equal) continue;

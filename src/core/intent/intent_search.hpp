@@ -6,7 +6,8 @@
 // 2. Else a path is searched for (A* over poses): it consists of short arcs, and its heading stays within 30 degrees of
 //    the operator's direction at each place. It costs its length; more where it leads off that direction, bends, or has
 //    little clearance; and the progress that is left. Progress is counted along the operator's direction.
-// 3. The path counts if it leads clearly farther than the operator's own motion, or has more clearance. The robot then aims at a point of it some tenths of a metre ahead (pure pursuit, Coulter 1992).
+// 3. The path counts if it leads clearly farther than the operator's own motion, or has more clearance. The robot then
+// aims at a point of it some tenths of a metre ahead (pure pursuit, Coulter 1992).
 // 4. Else the operator's own motion stays, and the robot stops where that ends.
 //
 // Why it is safe: nothing here makes a command legal. The result is what candidates are compared with.
