@@ -97,7 +97,7 @@ void ControlLoop::begin_goal() {
 
 void ControlLoop::finish_goal(const Timing& timing) {
   goal_.known = false;
-  take_what_was_sent(timing);
+  fill_timing_and_last_command(timing);
   planner_.skip(situation_);
   last_command_ = {};
 }
@@ -189,6 +189,7 @@ Result ControlLoop::step(const Observation& observation, const OperatorIntent& w
   } else {
     brake(observation, intent, result);
   }
+  fill_feedback(observation, result);
   remember(observation, result);
   return result;
 }
@@ -202,7 +203,7 @@ void ControlLoop::follow_operator(OperatorIntent& intent) {
 
 void ControlLoop::brake(const Observation& observation, const OperatorIntent& intent, Result& result) {
   const Timing& timing = observation.timing;
-  take_what_was_sent(timing);
+  fill_timing_and_last_command(timing);
   planner_.skip(situation_);
   const double period = late_brake_period(timing.interval, timing.period, timing.longest_period);
   const FaultBrake::Command braking =
@@ -227,7 +228,7 @@ void ControlLoop::choose_plan(const Observation& observation) {
   if (plan_choice_.prefers_offer(context, parameters())) plan_.replace_plan(plan_choice_.take());
 }
 
-void ControlLoop::take_what_was_sent(const Timing& timing) {
+void ControlLoop::fill_timing_and_last_command(const Timing& timing) {
   situation_.time = timing.now;
   situation_.period = timing.period;
   situation_.longest_period = timing.longest_period;
@@ -236,7 +237,7 @@ void ControlLoop::take_what_was_sent(const Timing& timing) {
 }
 
 void ControlLoop::take_situation(const Observation& observation) {
-  take_what_was_sent(observation.timing);
+  fill_timing_and_last_command(observation.timing);
   situation_.pose = observation.pose;
   situation_.velocity = *velocity_of(observation);
   situation_.velocity_time =
@@ -272,17 +273,21 @@ void ControlLoop::take_plan_window(const Observation& observation) {
   if (range.turns_back) situation_.plan.push_back(from_plan.apply(plan_.turn()));
 }
 
-void ControlLoop::remember(const Observation& observation, Result& result) {
-  last_command_ = result.command;  // zero on failure: so the host does
+void ControlLoop::fill_feedback(const Observation& observation, Result& result) const {
   input::CycleFeedback& feedback = result.feedback;
-  if (!observation.goalless) feedback.new_goal = std::exchange(goal_.begins, false);
+  if (!observation.goalless) feedback.new_goal = goal_.begins;
   feedback.command = result.command;
   const Twist2 velocity = velocity_of(observation).value_or(Twist2{});
   feedback.stands = hidwa_local_planner::stands(result.command, velocity, parameters());
   feedback.operator_command_rejected = result.decision != nullptr && !result.decision->operator_rejected_by.empty();
   feedback.goal_latched = goal_checker_.latched() && !observation.goalless;
-  stands_ = feedback.stands;
+}
+
+void ControlLoop::remember(const Observation& observation, const Result& result) {
+  last_command_ = result.command;  // zero on failure: so the host does
+  stands_ = result.feedback.stands;
   if (observation.goalless) return;
+  goal_.begins = false;
   if (result.outcome == Outcome::fail) plan_choice_.give_way();
   if (result.decision != nullptr && result.decision->problem_kind == Problem::stuck) plan_.give_way();
 }

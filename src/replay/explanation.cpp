@@ -83,12 +83,13 @@ std::string compare(const CandidateReport& a, const CandidateReport& b) {
   return text.empty() ? "all critics score them alike" : text;
 }
 
-const char* not_the_cheapest(ChoiceReport::Rule rule) {
+const char* reason_besides_total(ChoiceReport::Rule rule) {
   switch (rule) {
     case ChoiceReport::Rule::escape:
       return "it leads out of the collision that the robot stands in";
     case ChoiceReport::Rule::way:
-      return "it gets farthest along the way that a search has found (turn_when_stuck)";
+      return "it gets farthest along the way that a search has found, or nearly as far and is the cheapest "
+             "(turn_when_stuck)";
     case ChoiceReport::Rule::rest:
       return "the robot rests while a way is searched (turn_when_stuck)";
     case ChoiceReport::Rule::evasion:
@@ -106,8 +107,8 @@ std::string why_chosen(record::CycleReplay& replay) {
   if (best < 0 || all.empty()) return "";
   const CandidateReport& chosen = all[static_cast<std::size_t>(best)];
   std::string text = format("chosen: #%d %s, J = %.4f", best, in_words(chosen.sample).c_str(), chosen.total);
-  const char* rule = not_the_cheapest(replay.planner().choice().rule);
-  if (*rule != '\0') return text + ": not the cheapest; " + rule + "\n";
+  const char* rule = reason_besides_total(replay.planner().choice().rule);
+  if (*rule != '\0') return text + ": J did not decide alone; " + rule + "\n";
   const int second = runner_up(all, best);
   if (second < 0) return text + ": the only legal one\n";
   const CandidateReport& next = all[static_cast<std::size_t>(second)];
@@ -176,6 +177,7 @@ std::string explain(double time, record::CycleReplay& replay, const record::Repl
     text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time(),
                    record.observation.fault.c_str());
   }
+  if (record.observation.host_stops) text += "the host stops the robot\n";
   text += about_operator(replay, cycle);
   text += why_chosen(replay);
   if (replay.decision() != nullptr && !replay.decision()->problem.empty()) {

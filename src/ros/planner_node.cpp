@@ -150,7 +150,7 @@ CycleResult PlannerNode::run_cycle(bool stop, bool goalless) {
   outputs_.finish(now.stamp, result, duration, timing.period,
                   recorded ? &recorder_.finish(result, loop_.planner()) : nullptr);
   inputs_.watch_sender(loop_);
-  keep_budget(duration, timing.period, result);
+  adapt_sample_count(duration, timing.period, result);
   outputs_.diagnostics().set(result.fault, inputs_.odometry_watch().said(), load());
   return result;
 }
@@ -225,7 +225,7 @@ void PlannerNode::check_horizon() {
 }
 
 // Tries fewer samples rather than miss the rate. A cycle without candidates says nothing about their cost.
-void PlannerNode::keep_budget(double duration, double period, const CycleResult& result) {
+void PlannerNode::adapt_sample_count(double duration, double period, const CycleResult& result) {
   if (result.decision == nullptr || result.decision->candidates == 0) return;
   const double limit = cycle_budget(loop_.parameters(), period);  // [s]
   const SampleBudget::Event event = budget_.observe(duration, limit);

@@ -143,6 +143,9 @@ class ControlLoop {
     bool known = false;   // and not over
     bool begins = false;  // since the last cycle
   };
+  // save() adds planner_ and twist_watch_. Replay needs none of the rest. A step sets autonomous_ and goal_.begins
+  // before it reads them. No step reads stands_. Only set_plan() and callers read frame_ and goal_.known, and
+  // replay calls restore_plan() instead.
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.goal_checker_, self.fault_brake_, self.plan_, self.plan_choice_, self.goal_.first, self.goal_.pose,
@@ -160,11 +163,12 @@ class ControlLoop {
   void decide(const Observation& observation, const OperatorIntent& intent, const Sampling& sampling, Result& result);
   bool leads_the_same_way(const std::vector<Pose2>& plan) const;
   void choose_plan(const Observation& observation);
-  void take_what_was_sent(const Timing& timing);
+  void fill_timing_and_last_command(const Timing& timing);
   void take_situation(const Observation& observation);
   void take_no_goal(const Observation& observation);
   void take_plan_window(const Observation& observation);
-  void remember(const Observation& observation, Result& result);
+  void fill_feedback(const Observation& observation, Result& result) const;
+  void remember(const Observation& observation, const Result& result);
 
   Planner planner_;
   GoalChecker goal_checker_;
@@ -174,7 +178,7 @@ class ControlLoop {
   PlanChoice plan_choice_;  // a plan that waits, in the same frame
   std::string frame_;       // the plan's
   Goal goal_;
-  Situation situation_;  // kept for its memory
+  Situation situation_;  // reused, to avoid allocation
   Twist2 last_command_;  // [m/s, rad/s]
   bool stands_ = false;
   bool autonomous_ = true;  // nobody steered in the last cycle, and nobody stopped the robot

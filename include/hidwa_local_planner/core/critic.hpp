@@ -107,12 +107,12 @@ class ParameterSource {
 };
 
 /// Scores candidates. The life of a critic: configure once and on every change of parameters; then in each cycle
-/// prepare, score for every tile, and debrief; reset on a new goal. A cycle may prepare and score twice before debrief:
-/// with an authority between 0 and 1 once for autonomy alone, once with the operator; and where autonomy finds no way
-/// on that is gentle, once more with all turns. None of them may wait or log, and only configure may throw; after the
-/// first cycle prepare and score should not allocate. A rejection is for what is unsafe. A critic that rejects for the
-/// sake of autonomy (it should slow down at the goal, not go back and forth, keep to the plan) must not do so while
-/// CycleView::operator_decides.
+/// prepare, score for every tile, and debrief; reset on a new goal. A cycle may prepare and score up to three
+/// times before debrief: with an authority between 0 and 1 once for autonomy alone, once with the operator; where
+/// autonomy finds no way on that is gentle, once more with all turns; where evasion needs other turns, once more. None
+/// may wait or log, and only configure may throw; after the first cycle prepare and score should not allocate. A
+/// rejection is for what is unsafe. A critic that rejects for the sake of autonomy (it should slow down at the goal,
+/// not go back and forth, keep to the plan) must not do so while CycleView::operator_decides.
 class Critic {
  public:
   virtual ~Critic() = default;

@@ -95,7 +95,7 @@ struct ChoiceReport {
     none,      // nothing was chosen: a fault, a stop, no legal candidate, or u_h was passed through
     cheapest,  // the smallest total, ties by tie_break
     escape,    // autonomy stands in collision: it ends least deep, or turns towards a way out
-    way,       // it gets farthest along the way that a search has found
+    way,       // it gets farthest along the way that a search has found, or nearly as far and is the cheapest
     rest,      // the robot rests while a way is searched
     evasion    // it begins the best way that no moving obstacle touches
   };

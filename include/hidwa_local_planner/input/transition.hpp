@@ -19,8 +19,8 @@ struct Facts {
 };
 
 /// The state machine proper: a pure function. The first rule that applies decides, in this order: stopped, off, lost,
-/// without a goal, manual, steering, holding, autonomy. Stopping outranks all: a robot that was told to stop stays so
-/// until it is told otherwise.
+/// without a goal, manual, at the goal, steering, holding, autonomy. Stopping outranks all: a robot that was told to
+/// stop stays so until it is told otherwise.
 OperatorStateId next_state(OperatorStateId present, const Facts& facts);
 
 /// The operator is bending the motion: SHARED or BLOCKED.

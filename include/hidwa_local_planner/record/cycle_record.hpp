@@ -32,7 +32,8 @@
 namespace hidwa_local_planner {
 namespace record {
 
-/// Of the container, and of what loop and planner remember; a new kind of part is no new format.
+/// Of the container and the layout of its parts. The planner's state in `loop` has a number of its own besides, kLayout
+/// in planner.cpp. A new kind of part is no new format.
 constexpr std::uint16_t kFormat = 6;
 
 /// What stays the same over many cycles.

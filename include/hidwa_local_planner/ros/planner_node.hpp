@@ -83,7 +83,7 @@ class PlannerNode {
   RobotObservation observe(const LoopTime& now, const control::Timing& timing, bool goalless);
   std::string update_footprint();
   void check_horizon();
-  void keep_budget(double duration, double period, const CycleResult& result);
+  void adapt_sample_count(double duration, double period, const CycleResult& result);
   Diagnostics::Load load() const;
   double nominal_period() const { return host_.period(loop_.parameters()); }
 

@@ -41,7 +41,7 @@ Arbiter::Choice Arbiter::choose(const Cycle& cycle, const Steering& steering, bo
   return choice;
 }
 
-// Evaluates the candidates and asks the rules, but evasion, in the order of precedence.
+// Evaluates the candidates and asks all rules but evasion.
 void Arbiter::propose(const Cycle& cycle, const Steering& steering, bool autonomous, const ComfortTurn& comfort,
                       Choice& choice) {
   choice.evaluated = evaluation_.evaluate(cycle, steering, mode(cycle, autonomous, comfort));

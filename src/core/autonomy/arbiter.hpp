@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decides which candidate is driven. The rules, in the order of precedence:
+// Decides which candidate is driven. Autonomy asks these rules:
 //
-//   rule      where it is asked                              what it takes
-//   evasion   moving obstacles are near, and what the rules   what begins the best way that is not touched
-//             below take is touched or costs much more; not
-//             in collision
-//   escape    the robot stands in collision, and follows no   what ends least deep; a turn towards a way out
-//             way or has begun to escape: then the next two
-//             rules are not asked
-//   rest      recovery needs rest for its search              rest
-//   way       recovery follows a way that it has found        what gets farthest along the way
-//   cheapest  none of these takes anything; in collision      the least total
-//             only where escape and recovery are idle
+//   rule      when it is asked                               what it takes
+//   escape    the robot stands in collision, and it follows  what ends least deep; a turn towards a way out
+//             no way or an escape is active
+//   rest      escape is not asked, and recovery needs rest   rest
+//             for its search
+//   way       neither is asked, and recovery follows a way   what gets farthest along the way; the cheapest candidate
+//             that it has found                              if it gets nearly as far
+//   cheapest  none of these takes anything; in collision     the least total
+//             only while escape and recovery are idle
+//   evasion   after these, outside of collision: moving      what begins the best way that is not touched; where there
+//             obstacles are near, and what was taken is      is none, the choice stays
+//             touched or costs much more
 //
-// All but the last are autonomy's: with an operator, and at the goal's position, only the cheapest candidate counts.
+// With an operator, and at the goal's position, only the cheapest candidate counts.
 //
 // Candidates are evaluated with gentle turns first. Where that leaves nothing but rest, or evasion needs more, they are
 // evaluated again with all turns that the limits allow.

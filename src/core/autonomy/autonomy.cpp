@@ -73,7 +73,7 @@ void Autonomy::judge_collision(const Cycle& cycle, bool trapped, Conclusion& con
   const double now = cycle.situation.time;
   trapped_.observe(now, trapped);
   if (trapped_.for_at_least(kLongTrapped, now)) {
-    fail(cycle, Problem::rejected, unless_off_map(cycle, kTrapped), conclusion);
+    fail_if_stopped(cycle, Problem::rejected, unless_off_map(cycle, kTrapped), conclusion);
   } else if (trapped && conclusion.outcome == Outcome::fail) {
     conclusion.outcome = Outcome::brake;
   }
@@ -116,9 +116,9 @@ void Autonomy::judge_rest(const Cycle& cycle, const Driven& driven, Conclusion& 
   if (yields(driven, now)) return;
   const bool about_to_drive = recovery_.begins_way() && conclusion.outcome == Outcome::hold;
   if (*recovery_.problem() != '\0') {
-    fail(cycle, Problem::stuck, recovery_.problem(), conclusion);
+    fail_if_stopped(cycle, Problem::stuck, recovery_.problem(), conclusion);
   } else if (!about_to_drive && !recovery_.undecided() && stall_.standing_time(now) > cycle.parameters.blocked_time) {
-    fail(cycle, Problem::stuck, kStuck, conclusion);
+    fail_if_stopped(cycle, Problem::stuck, kStuck, conclusion);
   }
 }
 
@@ -136,7 +136,7 @@ bool Autonomy::judge_last_turn(const Cycle& cycle, bool steered, Conclusion& con
   if (p.turn_when_stuck) {
     recovery_.begin_at_goal(situation.time);
   } else {
-    fail(cycle, Problem::stuck, kTurnStuck, conclusion);
+    fail_if_stopped(cycle, Problem::stuck, kTurnStuck, conclusion);
   }
   return forget;
 }

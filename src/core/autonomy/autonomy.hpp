@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What autonomy remembers from cycle to cycle, and how a cycle changes it.
 //
-// A cycle reads the behaviours (Arbiter) and changes nothing. Then commit() is called once. It tells the behaviours
-// what was driven, and judges whether the robot gets on:
+// A cycle asks the behaviours for proposals (Arbiter). That changes nothing that they remember; Evasion writes scratch
+// data of the cycle. Then commit() is called once. It tells the behaviours what was driven, and judges whether the
+// robot gets on:
 //
 // 1. Collision: a robot that stands in collision, and that no legal motion leads out of, waits for a second. A new scan
 //    may take away what the last one has put under it. Then the cycle fails, so that the host clears its costmap.
@@ -27,7 +28,7 @@ namespace hidwa_local_planner {
 
 class Autonomy {
  public:
-  /// Allocates what is large.
+  /// Allocates the large buffers, so that no cycle has to.
   void reserve() { recovery_.reserve(); }
   /// A new goal.
   void reset();
@@ -38,7 +39,7 @@ class Autonomy {
   const Recovery& recovery() const { return recovery_; }
   Evasion& evasion() { return evasion_; }
   const Evasion& evasion() const { return evasion_; }
-  /// Escape or recovery decides what is driven: all candidates are checked.
+  /// Escape or recovery may decide what is driven: all candidates must be checked.
   bool active() const { return escape_.active() || recovery_.active(); }
   /// Nobody steers, and more is left than to turn at the goal.
   bool drives(const Cycle& cycle, const Steering& steering) const;
@@ -57,7 +58,7 @@ class Autonomy {
     Conclusion conclusion;
     bool trapped = false;  // the robot stands in collision and no legal motion leads out
     bool yields = false;   // moving obstacles decide: it evades, or stands for them
-    bool tight = false;    // it comes near to something soon
+    bool tight = false;    // it will soon be near an obstacle
     Pose2 soon;            // where it is when the next command takes effect, costmap frame
   };
   struct Verdict {
@@ -70,6 +71,7 @@ class Autonomy {
   /// A cycle without: there is nothing to evade.
   void end_evasion() { evasion_.commit({}); }
 
+  /// Without evasion_: Planner::save() writes it, and only if there is anything in it.
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.stall_, self.escape_, self.recovery_, self.trapped_, self.unturned_, self.unturned_reset_);

@@ -53,7 +53,7 @@ class Evasion {
   bool goes_on_ = false;  // the robot did in the cycle before what it proposed
   Twist2 motion_;         // that [m/s, rad/s]
 
-  // Of this cycle alone; kept for its memory.
+  // Scratch of this cycle, which wanted() and propose() write; reused, to avoid allocation.
   EvasionSearch search_;
   PlanGuide guide_;
   bool gently_ = false;

@@ -12,18 +12,13 @@
 namespace hidwa_local_planner {
 namespace {
 
-// A search that takes longer than this takes long [s].
-constexpr double kPromptSearch = 1.2;
-
-// A search ends after this time, since its map grows old [s]: of a robot that stands, of one that drives on, and of one
-// that follows a way.
-constexpr double kLongestSearch = 8.0;
-constexpr double kLongestAhead = 5.0;
-constexpr double kLongestRenewal = 1.0;
-
-// The next search begins after this pause [s]: where there is no way, and where one is followed.
-constexpr double kSearchPause = 2.0;
-constexpr double kRenewalPause = 0.2;
+// Times [s]. A search ends after some time, since its map grows old.
+constexpr double kPromptSearch = 1.2;    // a search at rest that takes longer makes one cycle fail
+constexpr double kLongestSearch = 8.0;   // a search at rest ends after this
+constexpr double kLongestAhead = 5.0;    // a search ahead, while the robot drives on, ends after this
+constexpr double kLongestRenewal = 1.0;  // a search for a better way, while the robot follows one, ends after this
+constexpr double kSearchPause = 2.0;     // after a search found no way, or between two beginnings of a search ahead
+constexpr double kRenewalPause = 0.2;    // between two beginnings of a search for a better way
 
 // Distance ahead within which moving obstacles block the plan [m].
 constexpr double kBlockingAhead = 2.5;
@@ -129,14 +124,14 @@ void Recovery::change_phase(const Cycle& cycle, const StallWatch& stall, const O
   const bool rests = phase_ == Phase::searches || phase_ == Phase::waits;
   if (rests && !stall.stands() && !holds_) enter(Phase::idle, now);
   if (ordinary && ((outlook.impatient && !stall.stands()) || stall.gets_nowhere(cycle))) {
-    phase_ = Phase::stops;
+    phase_ = Phase::stops;  // without enter(), which would end a search ahead that is under way
     holds_ = true;
   }
   const bool settled = stall.settled(cycle);
   const bool again = phase_ == Phase::waits && elapsed(since_, kSearchPause, now);
   const bool found_out = phase_ != Phase::follows && finder_.searching() && finder_.began_near(cycle.start.pose);
   if (settled && found_out && phase_ != Phase::searches) {
-    phase_ = Phase::searches;
+    phase_ = Phase::searches;  // without enter(): the time of this search counts from its beginning
     report_.tell_noted();
   } else if (settled && (ordinary || phase_ == Phase::stops || again)) {
     begin_search(cycle, Phase::searches, cycle.start.pose);
@@ -272,7 +267,7 @@ void Recovery::renew(const Cycle& cycle, const StallWatch& stall, const Pose2& s
   }
   const WaySearch::State state = finder_.run(cycle, other_);
   if (state == WaySearch::State::found) {
-    if (follower_.is_worse_than(other_, finder_.start())) follower_.replace(other_, now);
+    if (follower_.gives_way_to(other_, finder_.start())) follower_.replace(other_, now);
     follower_.accept_room();
   }
   if (state != WaySearch::State::searching || elapsed(renewed_, kLongestRenewal, now)) finder_.clear();

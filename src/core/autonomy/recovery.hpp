@@ -51,13 +51,13 @@ class Recovery {
   /// What is known of the time to come.
   struct Outlook {
     bool impatient = false;  // the robot has rested long enough
-    bool tight = false;      // it comes near to something soon
+    bool tight = false;      // it will soon be near an obstacle
     Pose2 soon;              // where it is when the next command takes effect, costmap frame
   };
-  /// Then, unless the robot is trapped in collision: from phase to phase.
+  /// Changes the phase. Call it after observe(), unless the robot is trapped in collision.
   void advance(const Cycle& cycle, const StallWatch& stall, const Outlook& outlook);
 
-  /// It may decide what is driven: all candidates are checked.
+  /// It may decide what is driven: all candidates must be checked.
   bool active() const { return holds_ || phase_ == Phase::follows; }
   bool follows() const { return phase_ == Phase::follows; }
   /// It follows the way back, to let out who blocks the plan.

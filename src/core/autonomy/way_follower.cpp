@@ -144,7 +144,7 @@ void WayFollower::measure_room(const PoseOnWay& at, Progress& progress) const {
 
 // Two ways of much the same length take turns otherwise, and the robot turns to and fro between them. The other one may
 // lead on beyond the end of this one: it was begun later.
-bool WayFollower::is_worse_than(const Way& other, const Pose2& start) const {
+bool WayFollower::gives_way_to(const Way& other, const Pose2& start) const {
   if (progress_.blocked) return true;
   const std::size_t end = way_.end_of_parts(start, progress_.part, kWayAhead, kUsualCell);
   const bool turns_back = way_.direction_from(progress_.part) * other.direction_from(0) < 0;

@@ -24,9 +24,9 @@ class WayFollower {
  public:
   /// How far the robot has come on the way.
   struct Progress {
-    std::uint32_t part = 0;                                       // of the way, that the robot is on
-    double since = 0.0;                                           // the remaining time fell last, or the way began [s]
-    double least = std::numeric_limits<double>::infinity();       // smallest remaining time until now [s]
+    std::uint32_t part = 0;                                  // of the way, that the robot is on
+    double since = 0.0;                                      // when the remaining time last fell, or the way began [s]
+    double least = std::numeric_limits<double>::infinity();  // smallest remaining time until now [s]
     double least_left = std::numeric_limits<double>::infinity();  // likewise, from the nearest pose of the way [s]
     double room = -1.0;     // clearance along the way when it was found; negative: not measured yet [m]
     bool narrower = false;  // now it is much less
@@ -63,8 +63,9 @@ class WayFollower {
   /// No cycle has followed it yet, and it leads somewhere.
   bool begins() const;
   bool narrower() const { return progress_.narrower; }
-  /// `other`, found from `start`, takes little longer at most: see is_worse_than() in the source.
-  bool is_worse_than(const Way& other, const Pose2& start) const;
+  /// `other`, found from `start`, is to replace it: it takes at most kSimilarTime longer; where it drives in the
+  /// opposite direction, it is at least so much shorter.
+  bool gives_way_to(const Way& other, const Pose2& start) const;
   /// Another way takes the place of this one.
   void replace(Way& other, double now);
   /// The clearance of now is good enough.

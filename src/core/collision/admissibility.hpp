@@ -23,8 +23,8 @@ class AdmissibilityCheck {
   AdmissibilityCheck(const AdmissibilityCheck&) = delete;
   AdmissibilityCheck& operator=(const AdmissibilityCheck&) = delete;
 
-  /// Once per cycle; `checker` is prepared (EscapeRule::rest() where that applies). All but `setup` itself must outlive
-  /// the questions. `resolution` is the map's [m].
+  /// Once per evaluation; `checker` is prepared (EscapeRule::rest() where that applies). All but `setup` itself must
+  /// outlive the questions. `resolution` is the map's [m].
   void prepare(const Parameters& parameters, const CollisionChecker& checker, const Footprint& footprint,
                double resolution, const Setup& setup);
 

@@ -44,7 +44,7 @@ class BrakingCheck {
   /// ManoeuvreRoller::growth(). `radius` [m] reaches from its centre to its farthest point.
   static double most_growth(const CycleStart& start, double radius, double reach);
 
-  /// Once per cycle; the arguments outlive the questions.
+  /// Once per evaluation; the arguments outlive the questions.
   void prepare(const Parameters& parameters, const CheckSetup& setup, ClearanceLookup& clearances, double radius,
                double resolution);
 

@@ -15,7 +15,7 @@ namespace hidwa_local_planner {
 /// the candidates' poses: one look-up a pose answers collision and every critic that asks for the centre's cell.
 class CellClasses {
  public:
-  /// Once a cycle, after the checker; `reach` [m] as there.
+  /// Once per evaluation, after the checker; `reach` [m] as there.
   void prepare(const CollisionChecker& checker, const GridView& grid, bool unknown_is_obstacle, const Pose2& centre,
                double reach);
   /// Sets `classes`, `touched` and `touched_any` of a tile. Valid until the next call.

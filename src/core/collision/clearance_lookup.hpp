@@ -10,8 +10,8 @@ namespace hidwa_local_planner {
 /// least. What was found once answers for the poses around it.
 class ClearanceLookup {
  public:
-  /// Once per cycle. `checker` is prepared and outlives the questions; `radius` [m] as of ClearanceMemo; `resolution`
-  /// of the map [m].
+  /// Once per evaluation. `checker` is prepared and outlives the questions; `radius` [m] as of ClearanceMemo;
+  /// `resolution` of the map [m].
   void prepare(const CollisionChecker& checker, double radius, double resolution) {
     checker_ = &checker;
     extra_ = kExtra * resolution;

@@ -34,7 +34,7 @@ namespace hidwa_local_planner {
 /// only 1 holds, with the outline alone.
 class EscapeRule {
  public:
-  /// Once a cycle, before the candidates are made. All must outlive the questions.
+  /// Once per evaluation, before the candidates are made. All must outlive the questions.
   void look(const Parameters& parameters, const GridView& grid, const Footprint& footprint, const CycleStart& start);
   /// The robot stands in collision: the ordinary rule would reject everything.
   bool applies() const { return !overlaps_.empty() || centre_inscribed_; }
@@ -43,7 +43,7 @@ class EscapeRule {
   /// Of the samples of this cycle.
   VelocityLimits slowed() const { return speed_.slowed(); }
 
-  /// Once a cycle where it applies; as of CollisionChecker::prepare().
+  /// Once per evaluation where it applies; as of CollisionChecker::prepare().
   void prepare(double reach, double margin, double largest_clearance);
   /// All obstacles that the ordinary rule holds for.
   const CollisionChecker& rest() const { return rest_; }

@@ -24,8 +24,8 @@ namespace hidwa_local_planner {
 
 class RolloutCheck {
  public:
-  /// Once per cycle; the arguments outlive the questions. `radius` [m] reaches from the robot's centre to its farthest
-  /// point, `resolution` is the map's [m].
+  /// Once per evaluation; the arguments outlive the questions. `radius` [m] reaches from the robot's centre to its
+  /// farthest point, `resolution` is the map's [m].
   void prepare(const CheckSetup& setup, ClearanceLookup& clearances, double radius, double resolution);
 
   /// Whether the cells decide every rollout of a tile; sets the reasons of those that they reject.

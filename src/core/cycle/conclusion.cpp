@@ -23,6 +23,8 @@ Twist2 brake_command(const CycleStart& start) {
   return start.limits.brake(from, late_brake_period(start.elapsed, start.period, start.longest_period));
 }
 
+bool stopped(const Cycle& cycle) { return stands(cycle.start.last_command, cycle.start.velocity, cycle.parameters); }
+
 }  // namespace
 
 Conclusion follow(const Twist2& sample, const Twist2& command) {
@@ -46,12 +48,12 @@ Conclusion brake(const Cycle& cycle, Problem kind, const char* problem) {
   conclusion.command = brake_command(cycle.start);
   conclusion.problem_kind = kind;
   conclusion.problem = problem;
-  fail(cycle, kind, problem, conclusion);
+  if (stopped(cycle)) conclusion.outcome = Outcome::fail;
   return conclusion;
 }
 
-void fail(const Cycle& cycle, Problem kind, const char* problem, Conclusion& conclusion) {
-  if (!stands(cycle.start.last_command, cycle.start.velocity, cycle.parameters)) return;
+void fail_if_stopped(const Cycle& cycle, Problem kind, const char* problem, Conclusion& conclusion) {
+  if (!stopped(cycle)) return;
   conclusion.outcome = Outcome::fail;
   conclusion.problem_kind = kind;
   conclusion.problem = problem;

@@ -21,11 +21,13 @@ Conclusion follow(const Twist2& sample, const Twist2& command);
 Conclusion pass_through(const Cycle& cycle);
 /// The robot brakes, since it has no candidate to follow. A robot that stands fails instead.
 Conclusion brake(const Cycle& cycle, Problem kind, const char* problem);
-/// Returns `problem`. If the robot's centre is off the map, where everything is an obstacle, returns that instead.
+/// Returns `problem`. If the robot's centre is off the map, where everything is an obstacle, returns that problem
+/// instead.
 const char* unless_off_map(const Cycle& cycle, const char* problem);
-/// The cycle fails, and the host replans or recovers: it sends zero at once, whatever the robot did. So no cycle of a
-/// robot that moves fails: its conclusion stays as it is. Nothing else in the planner makes a cycle fail.
-void fail(const Cycle& cycle, Problem kind, const char* problem, Conclusion& conclusion);
+/// The cycle of a robot that stands fails, and the host replans or recovers: it sends zero at once, whatever the robot
+/// did. So no cycle of a robot that moves fails: its conclusion stays as it is. Nothing else in the planner but brake()
+/// makes a cycle fail.
+void fail_if_stopped(const Cycle& cycle, Problem kind, const char* problem, Conclusion& conclusion);
 /// The operator or the host stops the robot: it brakes, then holds.
 Conclusion stop(const Cycle& cycle);
 

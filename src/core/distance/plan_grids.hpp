@@ -19,7 +19,7 @@ class PlanGrids {
   PlanGrids(const PlanGrids&) = delete;
   PlanGrids& operator=(const PlanGrids&) = delete;
 
-  /// Once a cycle; `grid` and `plan` must outlive the cycle.
+  /// Once per evaluation; `grid` and `plan` must outlive the cycle.
   void prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
                bool unknown_is_obstacle);
 

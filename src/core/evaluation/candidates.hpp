@@ -14,7 +14,7 @@ namespace hidwa_local_planner {
 /// They come in tiles of equal turn. A candidate's number is its place among the samples.
 class Candidates {
  public:
-  /// Once per cycle. `window_limits`: of the dynamic window. While the operator steers, the operator command is a
+  /// Once per evaluation. `window_limits`: of the dynamic window. While the operator steers, the operator command is a
   /// candidate, too, and so is its blend with autonomy's choice. They are rolled out for `sim_time` [s].
   void make(const Cycle& cycle, const VelocityLimits& window_limits, const Steering& steering,
             const ComfortTurn& comfort, double sim_time);

@@ -21,7 +21,9 @@ std::vector<std::string> CriticSet::faults_of(const std::vector<std::string>& na
     for (const std::string& other : registry_.names()) known += " " + other;
     faults.push_back("critics: no critic named " + name + "; there are" + known);
   }
-  if (names.size() > kMostCritics) faults.push_back("critics: more than 200; name fewer");
+  if (names.size() > kMostCritics) {
+    faults.push_back("critics: more than " + std::to_string(kMostCritics) + "; name fewer");
+  }
   return faults;
 }
 

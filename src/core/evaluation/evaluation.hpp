@@ -36,7 +36,8 @@ class Evaluation {
     ComfortTurn comfort;      // does not bind in collision
     bool to_goal = false;     // see Recovery::leads_to_goal()
   };
-  /// Once per cycle, and once more where the operator command is blended or autonomy gives up turning gently.
+  /// Up to three times per cycle. With an operator once, and once before where the operator command is blended. For
+  /// autonomy once, once more where it gives up turning gently, and once more where evasion needs other turns.
   Result evaluate(const Cycle& cycle, const Steering& steering, const Mode& mode);
   /// Nothing is evaluated.
   void clear() { scores_.clear(); }

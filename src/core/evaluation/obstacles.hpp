@@ -18,7 +18,7 @@ class Obstacles {
   /// Finds what the robot overlaps, and returns the limits of the dynamic window: in collision all candidates must be
   /// slow, and of the usual window hardly any would be slow enough.
   VelocityLimits find_overlaps(const Cycle& cycle);
-  /// Once per cycle, for the candidates that were rolled out. `turn_out`: see AdmissibilityCheck::Setup.
+  /// Once per evaluation, for the candidates that were rolled out. `turn_out`: see AdmissibilityCheck::Setup.
   void prepare(const Cycle& cycle, const Rollout& rollout, const ComfortTurn& comfort, bool steered, bool turn_out);
 
   /// Sets the cell classes of a tile.

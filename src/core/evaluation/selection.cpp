@@ -18,9 +18,9 @@ int Selection::cheapest(const TieRule& tie) {
   const Tile cheapest = rollout.extent(static_cast<std::size_t>(least - lowest.begin()));
   std::size_t best = cheapest.first;
   while (best + 1 < cheapest.first + cheapest.count && totals[best] != *least) ++best;
-  const double equal = *least + kEqualTotals;
-  // Another total: the cheapest candidate was rejected after its tile was scored.
-  if (totals[best] != *least || !checks_.legal(best)) return cheapest_of_rest(tie);
+  const double equal = *least + kEqual;
+  // If the totals differ, the cheapest candidate was rejected after its tile was scored.
+  if (totals[best] != *least || !checks_.legal(best)) return cheapest_of_remaining(tie);
   for (std::size_t t = 0; t < lowest.size(); ++t) {
     if (lowest[t] > equal) continue;
     const Tile tile = rollout.extent(t);
@@ -30,10 +30,10 @@ int Selection::cheapest(const TieRule& tie) {
       }
     }
   }
-  return checks_.confirm(best) ? static_cast<int>(best) : cheapest_of_rest(tie);
+  return checks_.confirm(best) ? static_cast<int>(best) : cheapest_of_remaining(tie);
 }
 
-int Selection::cheapest_of_rest(const TieRule& tie) {
+int Selection::cheapest_of_remaining(const TieRule& tie) {
   queue_.clear();
   for (std::size_t c = 0; c < scores_.count(); ++c) {
     if (scores_.legal(c)) queue_.emplace_back(scores_.total(c), static_cast<std::uint32_t>(c));
@@ -56,7 +56,7 @@ int Selection::cheapest_of_rest(const TieRule& tie) {
 // Takes the cheapest candidate, which is legal, and its equals off the heap. Returns the one that the tie rule prefers.
 std::uint32_t Selection::take_equals(const TieRule& tie) {
   std::uint32_t best = queue_.front().second;
-  const double equal = queue_.front().first + kEqualTotals;
+  const double equal = queue_.front().first + kEqual;
   equals_.clear();
   while (!queue_.empty() && queue_.front().first <= equal) {
     if (checks_.legal(queue_.front().second)) equals_.push_back(queue_.front().second);

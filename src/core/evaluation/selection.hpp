@@ -33,7 +33,7 @@ class Selection {
  private:
   using Queued = std::pair<double, std::uint32_t>;  // total, candidate
 
-  int cheapest_of_rest(const TieRule& tie);
+  int cheapest_of_remaining(const TieRule& tie);
   std::uint32_t take_equals(const TieRule& tie);
   void pop();
   void push(const Queued& queued);

@@ -6,8 +6,6 @@
 namespace hidwa_local_planner {
 namespace {
 
-constexpr double kEqual = 1e-9;
-
 bool differ(double a, double b) { return std::abs(a - b) > kEqual; }
 
 }  // namespace

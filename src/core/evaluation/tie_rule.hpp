@@ -6,8 +6,8 @@
 
 namespace hidwa_local_planner {
 
-/// Totals closer than this are equal.
-constexpr double kEqualTotals = 1e-9;
+/// Totals, velocities [m/s, rad/s] and times [s] of candidates that differ by no more than this are equal.
+constexpr double kEqual = 1e-9;
 
 /// Decides between candidates of equal totals.
 class TieRule {

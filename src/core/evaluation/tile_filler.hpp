@@ -14,7 +14,7 @@ class TileFiller {
  public:
   TileFiller(const Candidates& candidates, Obstacles& obstacles) : candidates_(candidates), obstacles_(obstacles) {}
 
-  /// Once a cycle.
+  /// Once per evaluation.
   void prepare(const TileSurroundings::Cycle& cycle) { surroundings_.prepare(cycle); }
   TileSurroundings& surroundings() { return surroundings_; }
 

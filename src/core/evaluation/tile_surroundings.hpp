@@ -20,7 +20,7 @@ class TileSurroundings final : public Surroundings {
     Pose2 pose;                                 // of the robot
     Pose2 goal;  // the last pose of the full plan, or of a window that ends where the plan turns back
   };
-  /// Once a cycle.
+  /// Once per evaluation.
   void prepare(const Cycle& cycle) { cycle_ = cycle; }
   /// Until the next call critics ask about this tile alone.
   void begin(Tile& tile) {

@@ -32,7 +32,7 @@ class Explanation {
     TileFiller& tiles;
     LazyChecks& checks;
   };
-  explicit Explanation(const Subject& subject) : of_(subject) {}
+  explicit Explanation(const Subject& subject) : parts_(subject) {}
 
   /// A new cycle: nothing is chosen.
   void clear();
@@ -64,7 +64,7 @@ class Explanation {
   void check_all(const Tile& tile);
   void ask_critics(const CycleView& view, const Tile& tile);
 
-  Subject of_;
+  Subject parts_;
   Planner::Marked marked_;  // but for the worst
   ChoiceReport choice_;
   Steering steering_;

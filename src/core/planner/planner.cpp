@@ -9,7 +9,9 @@
 namespace hidwa_local_planner {
 namespace {
 
-// Of what save() writes. Whoever changes that changes this number: then load() refuses what was written before.
+// The number of the layout of save(), which is the planner's state alone. Whoever changes that layout changes this
+// number: then load() refuses what was written before. The other parts of a record count under kFormat
+// (cycle_record.hpp).
 constexpr std::uint32_t kLayout = 20261130;
 
 }  // namespace

@@ -50,14 +50,14 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
                                     const Sampling& sampling) {
   const double radius = footprint.fault() == nullptr ? footprint.circumscribed_radius() : 0.0;
   const CycleStart& start = start_estimator.estimate(measured, parameters, limits, radius);
-  const bool count = movers_count(measured);
-  const bool once = count && parameters.moving_obstacles_clear_cells && plausible(grid);
-  const GridView seen = once ? explained.without(grid, measured.moving_obstacles, parameters) : grid;
+  const bool use_movers = uses_movers(measured);
+  const bool clear_mover_cells = use_movers && parameters.moving_obstacles_clear_cells && plausible(grid);
+  const GridView seen = clear_mover_cells ? explained.without(grid, measured.moving_obstacles, parameters) : grid;
   const Cycle cycle{parameters, footprint,
                     seen,       intent,
                     sampling,   measured,
-                    start,      look_at_movers(measured, start, count),
-                    count,      watch_movers(measured, count)};
+                    start,      prepare_mover_check(measured, start, use_movers),
+                    use_movers, update_accelerations(measured, use_movers)};
   clear(decision);
   evaluation.clear();
   explanation.clear();
@@ -67,7 +67,7 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
 
 // Only where braking is checked: with the rollout alone a mover is what its cells are. What is no number is a fault of
 // the input, and the cycle brakes.
-bool Planner::Impl::movers_count(const Situation& measured) const {
+bool Planner::Impl::uses_movers(const Situation& measured) const {
   const MovingObstacleEstimates& all = measured.moving_obstacles;
   return !all.empty() && parameters.admissibility == Admissibility::braking && footprint.fault() == nullptr &&
          std::all_of(all.begin(), all.end(), [](const auto& one) { return plausible(one); });
@@ -81,8 +81,8 @@ void Planner::Impl::forget_movers() {
 }
 
 // Null where what moves counts as keeping its velocity.
-const Accelerations* Planner::Impl::watch_movers(const Situation& measured, bool count) {
-  if (!count || parameters.evasion_time <= 0.0 || parameters.evasion_acceleration_time <= 0.0) {
+const Accelerations* Planner::Impl::update_accelerations(const Situation& measured, bool use_movers) {
+  if (!use_movers || parameters.evasion_time <= 0.0 || parameters.evasion_acceleration_time <= 0.0) {
     accelerations.forget();
     return nullptr;
   }
@@ -91,8 +91,8 @@ const Accelerations* Planner::Impl::watch_movers(const Situation& measured, bool
 }
 
 // Null where nothing is near.
-MoverCheck* Planner::Impl::look_at_movers(const Situation& measured, const CycleStart& start, bool count) {
-  if (!count) {
+MoverCheck* Planner::Impl::prepare_mover_check(const Situation& measured, const CycleStart& start, bool use_movers) {
+  if (!use_movers) {
     movers.forget();
     return nullptr;
   }

@@ -55,9 +55,9 @@ struct Planner::Impl {
   Decision decision;  // the output: written, never read
 
  private:
-  bool movers_count(const Situation& measured) const;
-  const Accelerations* watch_movers(const Situation& measured, bool count);
-  MoverCheck* look_at_movers(const Situation& measured, const CycleStart& start, bool count);
+  bool uses_movers(const Situation& measured) const;
+  const Accelerations* update_accelerations(const Situation& measured, bool use_movers);
+  MoverCheck* prepare_mover_check(const Situation& measured, const CycleStart& start, bool use_movers);
   Conclusion conclude(const Cycle& cycle);
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);

@@ -31,7 +31,7 @@ void GoalSuccession::take(const FramedGoal& goal, double now) {
   present_ = goal;
 }
 
-bool GoalSuccession::is_over(const FramedGoal& end) const {
+bool GoalSuccession::leads_to_earlier_goal(const FramedGoal& end) const {
   if (!present_ || same_place(*present_, end)) return false;
   return std::any_of(earlier_.begin(), earlier_.end(),
                      [&end](const auto& earlier) { return earlier && same_place(earlier->goal, end); });

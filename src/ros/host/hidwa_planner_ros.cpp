@@ -57,8 +57,8 @@ bool HIDWAPlannerROS::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
 // milliseconds.
 bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
   constexpr int kLate = 2;  // cycles in which a goal is still on its way
-  cycles_over_ = plan_is_over() && !host_goal_->leads_on(end_) ? cycles_over_ + 1 : 0;
-  const bool over = cycles_over_ > kLate;
+  cycles_outdated_ = plan_is_outdated() && !host_goal_->leads_on(end_) ? cycles_outdated_ + 1 : 0;
+  const bool over = cycles_outdated_ > kLate;
   const CycleResult result = planner_->cycle(over);
   command = to_message(result.command);
   if (!over) return result.outcome != Outcome::fail;
@@ -68,7 +68,7 @@ bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
   return !(result.command == Twist2{});
 }
 
-bool HIDWAPlannerROS::plan_is_over() const { return host_goal_ && host_goal_->is_over(end_); }
+bool HIDWAPlannerROS::plan_is_outdated() const { return host_goal_ && host_goal_->leads_to_earlier_goal(end_); }
 
 RestCommand HIDWAPlannerROS::keep() {
   const CycleResult result = planner_->cycle(true);
@@ -77,7 +77,7 @@ RestCommand HIDWAPlannerROS::keep() {
 }
 
 bool HIDWAPlannerROS::isGoalReached() {
-  return succeeds("isGoalReached", [&] { return planner_ && !plan_is_over() && planner_->goal_reached(); });
+  return succeeds("isGoalReached", [&] { return planner_ && !plan_is_outdated() && planner_->goal_reached(); });
 }
 
 }  // namespace hidwa_local_planner

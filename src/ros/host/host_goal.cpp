@@ -28,9 +28,9 @@ void HostGoal::hear(const geometry_msgs::PoseStamped& goal) {
   goals_.take(to_goal(goal), ros::Time::now().toSec());
 }
 
-bool HostGoal::is_over(const geometry_msgs::PoseStamped& end) const {
+bool HostGoal::leads_to_earlier_goal(const geometry_msgs::PoseStamped& end) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return goals_.is_over(to_goal(end));
+  return goals_.leads_to_earlier_goal(to_goal(end));
 }
 
 bool HostGoal::leads_on(const geometry_msgs::PoseStamped& end) const {

@@ -27,8 +27,8 @@ int cheapest(const std::vector<CandidateReport>& candidates, const Parameters& p
   const TieRule tie(p, last);
   int best = -1;
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    if (!candidates[c].legal() || candidates[c].total > lowest + kEqualTotals) continue;
-    if (best < 0 || candidates[c].total < candidates[static_cast<std::size_t>(best)].total - kEqualTotals ||
+    if (!candidates[c].legal() || candidates[c].total > lowest + kEqual) continue;
+    if (best < 0 || candidates[c].total < candidates[static_cast<std::size_t>(best)].total - kEqual ||
         tie.prefers(candidates[c].sample, candidates[static_cast<std::size_t>(best)].sample)) {
       best = static_cast<int>(c);
     }

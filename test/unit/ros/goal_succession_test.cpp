@@ -13,26 +13,26 @@ const FramedGoal kWall{"map", {7.0, 1.0, 0.5}};  // 5 m from the desk
 
 TEST(GoalSuccession, APlanToTheEarlierGoalIsOver) {
   GoalSuccession goals;
-  EXPECT_FALSE(goals.is_over(kDesk));  // no goal was heard of
+  EXPECT_FALSE(goals.leads_to_earlier_goal(kDesk));  // no goal was heard of
   goals.take(kDesk, 1.0);
-  EXPECT_FALSE(goals.is_over(kDesk));
+  EXPECT_FALSE(goals.leads_to_earlier_goal(kDesk));
   goals.take(kWall, 1.0);
-  EXPECT_TRUE(goals.is_over(kDesk));
-  EXPECT_FALSE(goals.is_over(kWall));
+  EXPECT_TRUE(goals.leads_to_earlier_goal(kDesk));
+  EXPECT_FALSE(goals.leads_to_earlier_goal(kWall));
 }
 
 TEST(GoalSuccession, AGoalThatComesAgainIsThePresentOne) {
   GoalSuccession goals;
   for (const FramedGoal& goal : {kDesk, kWall, kDesk}) goals.take(goal, 1.0);
-  EXPECT_FALSE(goals.is_over(kDesk));
-  EXPECT_TRUE(goals.is_over(kWall));
+  EXPECT_FALSE(goals.leads_to_earlier_goal(kDesk));
+  EXPECT_TRUE(goals.leads_to_earlier_goal(kWall));
 }
 
 TEST(GoalSuccession, AnotherHeadingIsAnotherGoal) {
   GoalSuccession goals;
   goals.take(kDesk, 1.0);
   goals.take({"map", {2.0, 1.0, 2.0}}, 1.0);
-  EXPECT_TRUE(goals.is_over(kDesk));
+  EXPECT_TRUE(goals.leads_to_earlier_goal(kDesk));
 }
 
 // A planner that ends its plans beside a goal that it cannot reach must not be taken for a late one.
@@ -40,17 +40,17 @@ TEST(GoalSuccession, APlanThatEndsElsewhereIsNotJudged) {
   GoalSuccession goals;
   goals.take(kDesk, 1.0);
   goals.take(kWall, 1.0);
-  EXPECT_FALSE(goals.is_over({"map", {6.5, 1.0, 0.5}}));
-  EXPECT_FALSE(goals.is_over({"odom", kDesk.pose}));
-  EXPECT_TRUE(goals.is_over({"map", {2.06, 1.06, 0.5}}));   // 0.085 m beside: a cell of 0.05 m
-  EXPECT_FALSE(goals.is_over({"map", {2.08, 1.08, 0.5}}));  // 0.113 m
+  EXPECT_FALSE(goals.leads_to_earlier_goal({"map", {6.5, 1.0, 0.5}}));
+  EXPECT_FALSE(goals.leads_to_earlier_goal({"odom", kDesk.pose}));
+  EXPECT_TRUE(goals.leads_to_earlier_goal({"map", {2.06, 1.06, 0.5}}));   // 0.085 m beside: a cell of 0.05 m
+  EXPECT_FALSE(goals.leads_to_earlier_goal({"map", {2.08, 1.08, 0.5}}));  // 0.113 m
 }
 
 TEST(GoalSuccession, TheLastFourEarlierGoalsAreKept) {
   GoalSuccession goals;
   for (double x = 0.0; x < 6.0; x += 1.0) goals.take({"map", {x, 0.0, 0.0}}, 1.0);
-  EXPECT_FALSE(goals.is_over({"map", {0.0, 0.0, 0.0}}));
-  for (double x = 1.0; x < 5.0; x += 1.0) EXPECT_TRUE(goals.is_over({"map", {x, 0.0, 0.0}})) << x;
+  EXPECT_FALSE(goals.leads_to_earlier_goal({"map", {0.0, 0.0, 0.0}}));
+  for (double x = 1.0; x < 5.0; x += 1.0) EXPECT_TRUE(goals.leads_to_earlier_goal({"map", {x, 0.0, 0.0}})) << x;
 }
 
 // A robot that follows somebody: a goal every 0.2 s, 0.15 m on, and plans that take 0.3 s: each comes when its goal is
@@ -63,7 +63,7 @@ TEST(GoalSuccession, APlanToTheGoalOfJustNowLeadsOnWhereThePresentOneIsNear) {
     goals.take(goal(k), now);
     if (k < 2) continue;
     for (const int late : {1, 2}) {
-      EXPECT_TRUE(goals.is_over(goal(k - late)));
+      EXPECT_TRUE(goals.leads_to_earlier_goal(goal(k - late)));
       EXPECT_TRUE(goals.leads_on(goal(k - late), now + 0.1));
     }
   }
@@ -89,7 +89,7 @@ TEST(GoalSuccession, APlanWithoutHeadingLeadsToThePresentGoal) {
   GoalSuccession goals;
   goals.take({"map", {2.0, 1.0, 0.0}}, 1.0);
   goals.take({"map", {2.0, 1.0, 2.0}}, 2.0);
-  EXPECT_FALSE(goals.is_over({"map", {2.0, 1.0, std::nan("")}}));
+  EXPECT_FALSE(goals.leads_to_earlier_goal({"map", {2.0, 1.0, std::nan("")}}));
 }
 
 }  // namespace

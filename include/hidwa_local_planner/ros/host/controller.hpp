@@ -29,7 +29,7 @@ enum class ControllerOutcome {
   invalid_path,
   map_error,  // the costmap is not current, or cannot be planned on
   tf_error,
-  not_initialized,  // nor are valid parameters, nor a footprint
+  not_initialized,  // not initialized, or parameters or footprint are missing
   internal_error
 };
 

@@ -24,7 +24,7 @@ class GoalSuccession {
   /// The host pursues `goal` from `now` on [s].
   void take(const FramedGoal& goal, double now);
   /// True where a plan that ends at `end` leads to an earlier goal and not to the present one.
-  bool is_over(const FramedGoal& end) const;
+  bool leads_to_earlier_goal(const FramedGoal& end) const;
   /// Such a plan leads the robot on until the next one comes, since its goal was given up lately, and the present one
   /// is near to it. So is the plan of a slow global planner for a robot that follows somebody.
   bool leads_on(const FramedGoal& end, double now) const;

@@ -34,14 +34,14 @@ class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
   bool isGoalReached() override;
 
  private:
-  bool plan_is_over() const;
+  bool plan_is_outdated() const;
   bool cycle(geometry_msgs::Twist& command);
   RestCommand keep();
 
   std::unique_ptr<PlannerNode> planner_;
   std::unique_ptr<HostGoal> host_goal_;
   geometry_msgs::PoseStamped end_;              // of the plan
-  int cycles_over_ = 0;                         // in which the plan led to an earlier goal, up to now
+  int cycles_outdated_ = 0;                     // in which the plan led to an earlier goal, up to now
   std::unique_ptr<RobotKeepers::Entry> entry_;  // goes before what it asks
   std::unique_ptr<DriveWithoutGoal> drive_;     // likewise
 };

@@ -63,7 +63,7 @@ class HostCalls {
 
   HostFrequency frequency_;
   CycleClock clock_;
-  std::chrono::steady_clock::time_point called_;  // the newest cycle was; long ago before the first one
+  std::chrono::steady_clock::time_point called_;  // time of the last call; the epoch before the first
   double silence_ = 0.0;                          // before that [s]
   bool was_away_ = false;
   bool arriving_ = false;

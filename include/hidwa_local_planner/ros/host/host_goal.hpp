@@ -20,7 +20,7 @@ class HostGoal {
   HostGoal();
   ~HostGoal();
   /// True where a plan that ends at `end` leads to an earlier goal; see GoalSuccession.
-  bool is_over(const geometry_msgs::PoseStamped& end) const;
+  bool leads_to_earlier_goal(const geometry_msgs::PoseStamped& end) const;
   /// Such a plan may be followed until the next one comes.
   bool leads_on(const geometry_msgs::PoseStamped& end) const;
 

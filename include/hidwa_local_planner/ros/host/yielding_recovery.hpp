@@ -15,7 +15,7 @@ namespace hidwa_local_planner {
 
 /// A recovery behaviour of move_base that never drives. It brakes, waits while the operator stops or steers the robot,
 /// then clears the costmaps far from the robot. Where HI-DWA is not the planner of this process it clears at once.
-/// Nothing thrown inside comes out.
+/// It catches every exception.
 class YieldingRecovery : public nav_core::RecoveryBehavior {
  public:
   /// `name`: the namespace of the parameters below the node's own.
