@@ -216,8 +216,11 @@ class Run {
   Twist2 step_loop(int now, const Pose2& pose, bool goal_begins) {
     const double time = seconds(now);
     const bool had_goal = !goalless_;
-    if (spec_.goalless >= 1.0 || (spec_.goalless > 0.0 && random_.chance(0.02)))
-      goalless_ = had_goal || spec_.goalless >= 1.0;
+    if (spec_.goalless >= 1.0) {
+      goalless_ = true;
+    } else if (spec_.goalless > 0.0 && random_.chance(0.02)) {
+      goalless_ = !goalless_;
+    }
     machine_.set_goalless(goalless_);
     if (goal_begins || (!had_goal && !goalless_)) loop_.set_plan(route_.points(), "map", time, 1e-3 * spec_.period);
     device_.send(time, intent_, parameters_);

@@ -71,7 +71,7 @@ OperatorIntent ControlState::intent(const CycleInput& cycle) const {
     intent.influence = Influence::shared;
     intent.u_h = cycle.channel.u_h();
     if (p.linear == LinearPolicy::current) intent.u_h.v = last_v_.value_or(0.0);
-  } else if (straight_on && !cycle.goalless) {
+  } else if (straight_on) {
     intent.influence = Influence::shared;
     intent.u_h = {hold_.v(), 0.0};
   }

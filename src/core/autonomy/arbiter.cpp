@@ -107,7 +107,7 @@ Proposal Arbiter::cheapest(const Cycle& cycle) {
 
 Twist2 Arbiter::cheapest_alone(const Cycle& cycle, const Twist2& u_h) {
   const Evaluation::Mode mode{cycle.parameters.sim_time, autonomy_.active(), {}, false};
-  if (!evaluation_.evaluate(cycle, {false, u_h, 0.0, 0.0}, mode).scored) return {};
+  if (!evaluation_.evaluate(cycle, {false, u_h}, mode).scored) return {};
   const Proposal proposal = cheapest(cycle);
   return proposal.candidate >= 0 ? sample(proposal) : Twist2{};
 }

@@ -23,23 +23,15 @@ constexpr std::size_t kMostWays = 4;
 // A candidate is like a motion if each axis differs by no more than this share of its limit.
 constexpr double kLike = 0.2;
 
-// Steps of the pending motion are no longer than this [s].
-constexpr double kPendingStep = 0.05;
-constexpr double kAnyDistance = 1e3;  // [m]
-
 }  // namespace
 
 bool Evasion::wanted(const Cycle& cycle, const CollisionChecker& checker, const Twist2& own, const ComfortTurn& comfort,
                      bool goes_back) {
-  const PendingMotionSet& all = *cycle.start.pending;
-  const PendingMotion& pending = all[all.likely() - 1];
-  ManoeuvreRoller roller(cycle.start.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
-                         {cycle.start.origin, Rotation::of(cycle.start.origin.theta)}, kPendingStep);
-  roller.roll_on(pending, [](const TurnedPose&) { return true; });
   VelocityLimits limits = cycle.start.limits;  // of the search: gentle ones first
   limits.theta = comfort.widest(cycle.start.limits.theta, cycle.start.reference.omega);
   gently_ = comfort.binds();
-  const EvasionSearch::Start scene{cycle, limits, checker, roller.at(), pending.end(), std::max(0.0, roller.time())};
+  const CommandStart from = cycle.start.command_start(cycle.footprint.circumscribed_radius());
+  const EvasionSearch::Start scene{cycle, limits, checker, from.at, from.velocity, from.delay};
   better_.clear();
   better_.reserve(64);
   own_.reserve(2);

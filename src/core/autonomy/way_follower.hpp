@@ -63,8 +63,8 @@ class WayFollower {
   /// No cycle has followed it yet, and it leads somewhere.
   bool begins() const;
   bool narrower() const { return progress_.narrower; }
-  /// `other`, found from `start`, is to replace it: it takes at most kSimilarTime longer; where it drives in the
-  /// opposite direction, it is at least so much shorter.
+  /// `other`, found from `start`, is to replace it: it takes at most kSimilarTime longer. If it drives in the opposite
+  /// direction, it must be shorter by kSimilarTime.
   bool gives_way_to(const Way& other, const Pose2& start) const;
   /// Another way takes the place of this one.
   void replace(Way& other, double now);

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/intent/goalless_intent.hpp"
 
-#include "core/motion/brake_manoeuvre.hpp"
-
 namespace hidwa_local_planner {
 namespace {
 
-// A turn of 1 rad/s off the target weighs as much as a speed so far off it [m/s].
+// Weight of a deviation of the turn: 1 rad/s counts as much as this deviation of the speed [m/s].
 constexpr double kTurnWeight = 20.0;
-
-constexpr double kPendingStep = 0.05;  // [s]
-constexpr double kAnyDistance = 1e3;   // [m]
 
 }  // namespace
 
@@ -19,13 +14,10 @@ Steering GoallessIntent::update(const Cycle& cycle) {
   request.wanted = cycle.start.limits.clamp(cycle.intent.u_h);
   const double off =
       direction_.update(cycle.start.pose.theta, request.wanted, cycle.start.elapsed, cycle.start.limits.theta.max);
-  const PendingMotionSet& all = *cycle.start.pending;
-  ManoeuvreRoller roller(cycle.start.limits, cycle.footprint.circumscribed_radius(), kAnyDistance,
-                         {cycle.start.origin, Rotation::of(cycle.start.origin.theta)}, kPendingStep);
-  roller.roll_on(all[all.likely() - 1], [](const TurnedPose&) { return true; });
-  request.start = roller.at().pose;
+  const CommandStart from = cycle.start.command_start(cycle.footprint.circumscribed_radius());
+  request.start = from.at.pose;
   const double turned = request.start.theta - cycle.start.pose.theta;
-  request.off = wrap_angle(off + turned - request.wanted.omega * std::max(0.0, roller.time()));
+  request.off = wrap_angle(off + turned - request.wanted.omega * from.delay);
   request.side = side_;
   const IntentSearch::Result result = search_.run(cycle, request);
   side_ = result.side;

@@ -36,21 +36,21 @@ constexpr double kBendCost = 0.02;  // [m] for 1/m of change
 constexpr double kTurnCost = 0.5;   // a turn on the spot first [m]
 constexpr double kSideCost = 0.3;   // another side than before [m]
 
-// Where the operator's own motion is blocked, a path must lead so much farther [m].
+// Least extra progress of a path where the operator's own motion is blocked [m].
 constexpr double kFarther = 0.3;
 
 // The least clearance of an arc, as a share of a cell, and of the one that the robot has at the start.
 constexpr double kNeededOfCell = 0.25;
 constexpr double kNeededOfStart = 0.8;
 
-// Pure pursuit aims so far ahead: at rest [m], and more with the speed [s].
+// Distance to the target of pure pursuit: at rest [m], and its growth with the speed [s].
 constexpr double kAim = 0.35;
 constexpr double kAimTime = 0.3;
 
 // Turns on the spot that are tried first [rad].
 constexpr double kTurnStep = 0.08;
 
-// A turn on the spot first takes about so long [s].
+// Duration of a first turn on the spot [s].
 constexpr double kTurnTime = 0.5;
 
 int sign(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
@@ -58,8 +58,8 @@ int sign(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 }  // namespace
 
 IntentSearch::IntentSearch() {
-  nodes_.reserve(kMostNodes + 16);
-  queue_.reserve(kMostNodes + 16);
+  nodes_.reserve(kMostNodes);
+  queue_.reserve(kMostNodes);
 }
 
 IntentSearch::Result IntentSearch::run(const Cycle& cycle, const Request& request) {
@@ -72,6 +72,7 @@ IntentSearch::Result IntentSearch::run(const Cycle& cycle, const Request& reques
   start.off = request.off;
   start.clearance = clearance_at(start.pose);
   if (start.clearance <= 0.0) return own;
+  needed_ = std::min(kNeededOfCell * cycle.grid.resolution, kNeededOfStart * start.clearance);
   const Node kept = own_motion(start);
   if (kept.progress >= ahead_ && kept.clearance >= comfort_) return own;
   const int last = search(start, request.side);
@@ -90,9 +91,8 @@ void IntentSearch::prepare(const Cycle& cycle, const Request& request) {
   if (curvature_ != 0.0) ahead_ = std::min(ahead_, kMostTurn / std::abs(curvature_));
   comfort_ = std::max(2.0 * cell, 0.15);
   counted_ = comfort_ + 2.0 * cell;
-  const double sharpest = std::min(kSharpest, cycle.start.limits.theta.max / kBendSpeed);
-  gentle_ = 0.25 * sharpest;
-  bends_ = {0.0, gentle_, -gentle_, sharpest, -sharpest, 0.0};
+  sharpest_ = std::min(kSharpest, cycle.start.limits.theta.max / kBendSpeed);
+  gentle_ = 0.25 * sharpest_;
   origin_ = request.start;
   checker_.prepare(cycle.grid, cycle.footprint, cycle.parameters.unknown_is_obstacle, request.start,
                    1.2 * ahead_ + kArc, cell / 16.0, counted_);
@@ -120,18 +120,21 @@ Pose2 IntentSearch::after(const Pose2& from, const Arc& arc) const {
           from.theta + turn};
 }
 
-// The least clearance of the poses along it; 0 where that is too little.
-double IntentSearch::clearance_along(const Node& from, const Arc& arc) const {
+// Goes on along an arc. Returns the least clearance of its poses; 0 where that is too little: then `node` stays.
+double IntentSearch::go_along(const Arc& arc, Node& node) const {
   const double cell = cycle_->grid.resolution;
-  const double needed = std::min(kNeededOfCell * cell, kNeededOfStart * nodes_.front().clearance);
   const double reach = arc.length * (1.0 + std::abs(arc.curvature) * cycle_->footprint.circumscribed_radius());
-  double least = from.clearance, clearance = from.clearance;
+  Pose2 pose;
+  double least = node.clearance, clearance = node.clearance;
   for (double gone = 0.0; gone < reach;) {
-    gone = std::min(reach, gone + std::max(clearance - needed, 0.5 * cell));
-    clearance = clearance_at(after(from.pose, {arc.length * gone / reach, arc.curvature}));
-    if (clearance < needed) return 0.0;
+    gone = std::min(reach, gone + std::max(clearance - needed_, 0.5 * cell));
+    pose = after(node.pose, {arc.length * (gone / reach), arc.curvature});
+    clearance = clearance_at(pose);
+    if (clearance < needed_) return 0.0;
     least = std::min(least, clearance);
   }
+  node.pose = pose;
+  node.clearance = clearance;
   return least;
 }
 
@@ -139,19 +142,15 @@ double IntentSearch::clearance_along(const Node& from, const Arc& arc) const {
 double IntentSearch::bend_home(double off) const { return std::clamp(-off / (2.0 * kArc), -gentle_, gentle_); }
 
 // How far the operator's own motion leads, and its least clearance.
-IntentSearch::Node IntentSearch::own_motion(const Node& start) {
-  nodes_.assign(1, start);
+IntentSearch::Node IntentSearch::own_motion(const Node& start) const {
   Node end = start;
   double least = start.clearance;
   while (end.progress < ahead_) {
     const double bend = bend_home(end.off);
-    const Arc arc{kArc, curvature_ + bend};
-    const double clearance = clearance_along(end, arc);
+    const double clearance = go_along({kArc, curvature_ + bend}, end);
     if (clearance <= 0.0) break;
     least = std::min(least, clearance);
-    end.pose = after(end.pose, arc);
     end.off += bend * kArc;
-    end.clearance = clearance_at(end.pose);
     end.progress += kArc * std::cos(end.off);
   }
   end.clearance = least;
@@ -162,7 +161,7 @@ IntentSearch::Node IntentSearch::own_motion(const Node& start) {
 int IntentSearch::search(const Node& start, int side) {
   nodes_.clear();
   queue_.clear();
-  bins_.reset(kMostNodes + 16);
+  bins_.reset(kMostNodes);
   push(start);
   turn_first(start, side);
   std::uint32_t farthest = 0;
@@ -178,20 +177,16 @@ int IntentSearch::search(const Node& start, int side) {
 }
 
 void IntentSearch::leave(std::uint32_t from, int side) {
-  bends_.back() = bend_home(nodes_[from].off);
-  for (const double tried : bends_) {
-    const Node node = nodes_[from];
+  const Node node = nodes_[from];
+  for (const double tried : {0.0, gentle_, -gentle_, sharpest_, -sharpest_, bend_home(node.off)}) {
     Node end = node;
     const double most = std::max(HeldDirection::kMost, std::abs(node.off));
     end.off = std::clamp(node.off + tried * kArc, -most, most);
     const double bend = (end.off - node.off) / kArc;
-    const Arc arc{kArc, curvature_ + bend};
-    const double least = clearance_along(node, arc);
+    const double least = go_along({kArc, curvature_ + bend}, end);
     if (least <= 0.0) continue;
     const double middle = 0.5 * (node.off + end.off), share = end.off / HeldDirection::kMost;
-    end.pose = after(node.pose, arc);
     end.progress = node.progress + kArc * std::cos(middle);
-    end.clearance = clearance_at(end.pose);
     end.bend = bend;
     end.parent = static_cast<std::int32_t>(from);
     end.cost += kArc * (1.0 + kOffCost * share * share + kTightCost * std::max(0.0, 1.0 - least / comfort_)) +
@@ -260,7 +255,7 @@ IntentSearch::Result IntentSearch::aim(int last, const Request& request) const {
   const double dx = target->pose.x - request.start.x, dy = target->pose.y - request.start.y;
   const double aside = heading.c * dy - heading.s * dx, squared = dx * dx + dy * dy;
   const double curvature = squared > 0.0 ? 2.0 * aside / squared : 0.0;
-  const double speed = std::min(v, std::abs(curvature) * v > turn_limit ? turn_limit / std::abs(curvature) : v);
+  const double speed = std::abs(curvature) * v > turn_limit ? turn_limit / std::abs(curvature) : v;
   return {{forward_ * speed, curvature * forward_ * speed}, side};
 }
 

@@ -3,17 +3,16 @@
 //
 // 1. The operator's own motion, kept, is a straight line or an arc. If it stays free for the look-ahead distance,
 //    nothing else is looked for.
-// 2. Else a path is searched for (A* over poses): it consists of short arcs, and its heading stays within 30 degrees of
-//    the operator's direction at each place. It costs its length; more where it leads off that direction, bends, or has
-//    little clearance; and the progress that is left. Progress is counted along the operator's direction.
-// 3. The path counts if it leads clearly farther than the operator's own motion, or has more clearance. The robot then
-// aims at a point of it some tenths of a metre ahead (pure pursuit, Coulter 1992).
+// 2. Else a path is searched for (A* over poses): it consists of short arcs, and its heading stays within 31.5 degrees
+//    of the operator's direction at each place. It costs its length; more where it leads off that direction, bends, or
+//    has little clearance; and the progress that is left. Progress is counted along the operator's direction.
+// 3. The path counts if it leads clearly farther than the operator's own motion, or has more clearance. The robot
+//    then aims at a point of it some tenths of a metre ahead (pure pursuit, Coulter 1992).
 // 4. Else the operator's own motion stays, and the robot stops where that ends.
 //
 // Why it is safe: nothing here makes a command legal. The result is what candidates are compared with.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -60,10 +59,10 @@ class IntentSearch {
 
   void prepare(const Cycle& cycle, const Request& request);
   double clearance_at(const Pose2& pose) const;
-  double clearance_along(const Node& from, const Arc& arc) const;
   Pose2 after(const Pose2& from, const Arc& arc) const;
+  double go_along(const Arc& arc, Node& node) const;
   double bend_home(double off) const;
-  Node own_motion(const Node& start);
+  Node own_motion(const Node& start) const;
   int search(const Node& start, int side);
   void leave(std::uint32_t from, int side);
   void turn_first(const Node& start, int side);
@@ -72,15 +71,16 @@ class IntentSearch {
   Result aim(int last, const Request& request) const;
 
   CollisionChecker checker_;
-  const Cycle* cycle_ = nullptr;   // during run()
-  double forward_ = 1.0;           // -1: the operator drives backwards
-  double curvature_ = 0.0;         // of the operator's own motion [1/m]
-  double ahead_ = 0.0;             // the look-ahead distance [m]
-  double comfort_ = 0.0;           // less clearance costs [m]
-  double counted_ = 0.0;           // the largest clearance that is told [m]
-  double gentle_ = 0.0;            // a gentle bend beyond the operator's own [1/m]
-  std::array<double, 6> bends_{};  // likewise, those that are tried; the last one leads back
-  Pose2 origin_;                   // of the bins
+  const Cycle* cycle_ = nullptr;  // during run()
+  double forward_ = 1.0;          // -1: the operator drives backwards
+  double curvature_ = 0.0;        // of the operator's own motion [1/m]
+  double ahead_ = 0.0;            // the look-ahead distance [m]
+  double comfort_ = 0.0;          // less clearance costs [m]
+  double counted_ = 0.0;          // the largest clearance that is told [m]
+  double gentle_ = 0.0;           // a gentle bend beyond the operator's own [1/m]
+  double sharpest_ = 0.0;         // the sharpest one [1/m]
+  double needed_ = 0.0;           // the least clearance of an arc [m]
+  Pose2 origin_;                  // of the bins
   std::vector<Node> nodes_;
   std::vector<std::pair<double, std::uint32_t>> queue_;  // negative bound of the cost [m], node
   BinTable bins_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+
 #include "core/motion/brake_manoeuvre.hpp"
 #include "core/motion/late_cycles.hpp"
 #include "core/motion/pending_motion_set.hpp"
@@ -8,6 +11,13 @@
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
+
+/// Where the robot is when a command takes effect.
+struct CommandStart {
+  TurnedPose at;       // costmap frame
+  Twist2 velocity;     // [m/s, rad/s]
+  double delay = 0.0;  // until then [s]
+};
 
 /// What a cycle starts from. StartEstimator finds it once, and nobody changes it.
 struct CycleStart {
@@ -30,6 +40,15 @@ struct CycleStart {
   /// effect `hold` [s] later than one period after it.
   BrakeManoeuvre manoeuvre(std::size_t motion, const Twist2& command, double hold) const {
     return {origin, (*pending)[motion], command, period, hold};
+  }
+  /// By the likeliest pending motion. `radius` [m] reaches from the robot's centre to its farthest point.
+  CommandStart command_start(double radius) const {
+    constexpr double kAnyDistance = 1e3;   // [m]
+    constexpr double kLongestStep = 0.05;  // [s]
+    const PendingMotion& likeliest = (*pending)[pending->likely() - 1];
+    ManoeuvreRoller roller(limits, radius, kAnyDistance, {origin, Rotation::of(origin.theta)}, kLongestStep);
+    roller.roll_on(likeliest, [](const TurnedPose&) { return true; });
+    return {roller.at(), likeliest.end(), std::max(0.0, roller.time())};
   }
 };
 
