@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "drive/local_costmap.hpp"
+#include "drive_on.hpp"
 #include "hidwa_local_planner/control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/diff_drive.hpp"
@@ -154,12 +155,8 @@ inline GoallessRun run_goalless(const GoallessScene& scene, const Parameters& p,
     seen.costmap = costmap.view();
     seen.goalless = true;
     const Twist2 command = commander(seen);
-    base.command({command.v, command.omega}, now);
-    for (int k = 0; k < 5; ++k) {
-      const sim::Pose next = sim::moved({pose.x, pose.y, pose.theta}, base.step(now + 0.01 * k, 0.01));
-      pose = {next.x, next.y, next.theta};
-      run.touched = run.touched || scene.world.touches(scene.outline, pose);
-    }
+    drive_on(pose, base, command, now, kPeriod, 5,
+             [&](int) { run.touched = run.touched || scene.world.touches(scene.outline, pose); });
     const bool stands = std::abs(base.velocity().v) < 0.02;
     drove = drove || !stands;
     standing = stands ? standing + 1 : 0;

@@ -16,6 +16,17 @@ Parameters in_mode(OperatorMode mode) {
   return p;
 }
 
+/// The goal ends while a stick is held there: it must be seen neutral before it drives.
+void expect_neutral_first(Person& person, float angular, float linear) {
+  person.machine.set_goalless(true);
+  person.stick(1.1, angular, linear);
+  EXPECT_FALSE(person.machine.steers());
+  expect_intent(person.cycle(1.1), State::autonomy, Influence::none, 0.0, 0.0);
+  person.stick(1.15, 0.0F);
+  person.stick(1.2, 0.0F, 1.0F);
+  EXPECT_EQ(person.cycle(1.2).state, State::manual);
+}
+
 TEST(WithoutGoal, BothAxesDriveInEveryModeOfTheStick) {
   for (const OperatorMode mode : {OperatorMode::joystick, OperatorMode::switching}) {
     Person person(in_mode(mode));
@@ -60,13 +71,7 @@ TEST(WithoutGoal, AGoalComesWhileTheStickIsHeld) {
 TEST(WithoutGoal, WhoSteersWhenAGoalEndsMustBeNeutralFirst) {
   Person person(in_mode(OperatorMode::joystick));
   EXPECT_EQ(person.steer(1.0).state, State::shared);
-  person.machine.set_goalless(true);
-  person.stick(1.1, 1.0F, 1.0F);
-  EXPECT_FALSE(person.machine.steers());
-  expect_intent(person.cycle(1.1), State::autonomy, Influence::none, 0.0, 0.0);
-  person.stick(1.15, 0.0F);
-  person.stick(1.2, 0.0F, 1.0F);
-  EXPECT_EQ(person.cycle(1.2).state, State::manual);
+  expect_neutral_first(person, 1.0F, 1.0F);
 }
 
 // With a goal a stick that is held straight forward asks for nothing; it does not drive on when the goal ends.
@@ -75,13 +80,7 @@ TEST(WithoutGoal, AStickHeldForwardWhenAGoalEndsMustBeNeutralFirst) {
   person.stick(1.0, 0.0F);
   person.stick(1.05, 0.0F, 1.0F);
   EXPECT_EQ(person.cycle(1.05).state, State::autonomy);
-  person.machine.set_goalless(true);
-  person.stick(1.1, 0.0F, 1.0F);
-  EXPECT_FALSE(person.machine.steers());
-  expect_intent(person.cycle(1.1), State::autonomy, Influence::none, 0.0, 0.0);
-  person.stick(1.15, 0.0F);
-  person.stick(1.2, 0.0F, 1.0F);
-  EXPECT_EQ(person.cycle(1.2).state, State::manual);
+  expect_neutral_first(person, 0.0F, 1.0F);
 }
 
 TEST(WithoutGoal, SilenceIsALossAndStops) {
