@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hidwa_local_planner/ros/host/drive_without_goal.hpp"
 
+#include <mutex>
 #include <set>
+#include <utility>
 
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
@@ -53,12 +55,13 @@ DriveWithoutGoal::~DriveWithoutGoal() {
 
 bool DriveWithoutGoal::host_is_busy() const {
   const double now = ros::SteadyTime::now().toSec();
-  return actions_.any_goal(now) || !is_pause(now - planner_.host_called(), period_);
+  return actions_->any_goal(now) || !is_pause(now - planner_.host_called(), period_);
 }
 
 void DriveWithoutGoal::tick() {
   const PlannerNode::WithoutGoal wanted = planner_.without_goal();
   if (!ros::ok()) return;
+  if (wanted.drives && !actions_) actions_.emplace();
   const bool goalless = (wanted.drives || driving_) && !host_is_busy();
   planner_.set_goalless(goalless);
   if (!goalless) return end();

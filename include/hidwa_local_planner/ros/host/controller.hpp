@@ -61,7 +61,7 @@ class Controller {
 
   std::unique_ptr<PlannerNode> planner_;
   CancelRequest cancel_;
-  std::unique_ptr<DriveWithoutGoal> drive_;  // likewise
+  std::unique_ptr<DriveWithoutGoal> drive_;  // goes before the planner
 };
 
 }  // namespace hidwa_local_planner

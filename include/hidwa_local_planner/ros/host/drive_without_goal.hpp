@@ -11,7 +11,7 @@
 // runs on a costmap that is gone.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
 
 #include <ros/publisher.h>
@@ -40,7 +40,7 @@ class DriveWithoutGoal {
 
   PlannerNode& planner_;
   const std::string name_;
-  HostActions actions_;
+  std::optional<HostActions> actions_;  // listened to once the parameter is on
   ros::Publisher commands_;
   std::string topic_;     // of commands_, resolved
   double period_ = 0.0;   // of the timer [s]
