@@ -64,8 +64,8 @@ class OperatorStateMachine {
   OperatorIntent update(double now);
   /// The operator gives input that counts.
   bool steers() const { return channel_.active(); }
-  /// Whether the host has no goal: then whoever steers drives (MANUAL), in every mode, and both axes of their device
-  /// count. Whoever steers when a goal ends must be seen neutral before they drive on.
+  /// Whether the host has no goal: then whoever steers drives (MANUAL), in every mode but off, and both axes of their
+  /// device count. Whoever steers when a goal ends must be seen neutral before they drive on.
   void set_goalless(bool goalless);
   /// What became of it. Call once a cycle, after plan().
   void debrief(double now, const CycleFeedback& feedback);
