@@ -72,6 +72,7 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
 void OperatorStateMachine::set_goalless(bool goalless) {
   if (goalless == goalless_) return;
   goalless_ = goalless;
+  handover_.end();
   const bool steered = channel_.active();
   sources_.configure(source_parameters());
   const OperatorCommand command = sources_.steering().command();  // with a goal one axis alone may have counted

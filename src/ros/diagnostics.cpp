@@ -80,8 +80,7 @@ void Diagnostics::report_person(diagnostic_updater::DiagnosticStatusWrapper& sta
   reported_at_ = now;
   reported_messages_ = device.messages;
 
-  // Whoever drives and has not taken control has no goal.
-  const bool without_goal = person.state == OperatorStateId::manual && !person.manual;
+  const bool without_goal = person.state == OperatorStateId::manual && person.goalless;
   const std::string state = std::string(to_string(person.state)) + (without_goal ? ", without a goal" : "");
   status.summary(Status::OK, state);
   if (person.mode == OperatorMode::off) {

@@ -195,6 +195,7 @@ OperatorInput::Status OperatorInput::status(double now) const {
   status.state = machine_.state();
   status.mode = mode_;
   status.manual = machine_.manual();
+  status.goalless = machine_.goalless();
   status.age = machine_.input_age(now);
   status.dropped = machine_.dropped();
   status.lost_by_pauses = machine_.lost_by_pauses(now);

@@ -23,6 +23,11 @@ class ControlHandover {
     if (requested_ && counts) manual_ = *requested_;
     requested_.reset();
   }
+  /// The operator has control no longer.
+  void end() {
+    manual_ = false;
+    requested_.reset();
+  }
   /// Another device is used now: whether its button was held before is not known.
   void forget_button() { known_ = false; }
   /// The clock was set back: whoever has control keeps it.

@@ -65,8 +65,10 @@ class OperatorStateMachine {
   /// The operator gives input that counts.
   bool steers() const { return channel_.active(); }
   /// Whether the host has no goal: then whoever steers drives (MANUAL), in every mode but off, and both axes of their
-  /// device count. Whoever steers when a goal ends must be seen neutral before they drive on.
+  /// device count. Whoever steers when a goal ends must be seen neutral before they drive on. Control that was taken
+  /// ends with the goal.
   void set_goalless(bool goalless);
+  bool goalless() const { return goalless_; }
   /// What became of it. Call once a cycle, after plan().
   void debrief(double now, const CycleFeedback& feedback);
   /// A new goal: the old one's latch no longer keeps the operator from steering, and a blockage is measured
@@ -79,7 +81,7 @@ class OperatorStateMachine {
   OperatorStateId state() const { return control_.state(); }
   /// Mode `switching`: the operator has taken control and has not given it back. The state may still be LOST or
   /// STOPPED.
-  bool manual() const { return parameters_.mode == OperatorMode::switching && handover_.manual(); }
+  bool manual() const { return parameters_.mode == OperatorMode::switching && !goalless_ && handover_.manual(); }
   /// The node whose device gives the operator command; empty where none does.
   const std::string& sender() const { return sources_.sender(); }
   double input_age(double now) const;                 // [s]; negative when none was accepted yet

@@ -55,13 +55,12 @@ DriveWithoutGoal::~DriveWithoutGoal() {
 
 bool DriveWithoutGoal::host_is_busy() const {
   const double now = ros::SteadyTime::now().toSec();
-  return actions_->any_goal(now) || !is_pause(now - planner_.host_called(), period_);
+  return actions_.any_goal(now) || !is_pause(now - planner_.host_called(), period_);
 }
 
 void DriveWithoutGoal::tick() {
   const PlannerNode::WithoutGoal wanted = planner_.without_goal();
   if (!ros::ok()) return;
-  if (wanted.drives && !actions_) actions_.emplace();
   const bool goalless = (wanted.drives || driving_) && !host_is_busy();
   planner_.set_goalless(goalless);
   if (!goalless) return end();

@@ -19,7 +19,7 @@ bool pursued(const actionlib_msgs::GoalStatus& goal) {
 
 }  // namespace
 
-HostActions::HostActions() : goal_sent_(ros::SteadyTime::now().toSec()) {
+HostActions::HostActions() {
   using Goal = const topic_tools::ShapeShifter::ConstPtr&;
   const boost::function<void(Goal)> note_goal = [this](Goal) { goal_sent_ = ros::SteadyTime::now().toSec(); };
   const ros::NodeHandle outer, own("~");

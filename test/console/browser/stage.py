@@ -111,11 +111,11 @@ class DriveTest(unittest.TestCase):
         return to
 
     def steer(self, dx, dy, counts=lambda: robot.state == 'SHARED', at=None):
-        """Holds the stick until it counts. Where it was lost meanwhile, since the page came late on a slow machine, it is centred
-        and held again, as the page asks for."""
+        """Holds the stick until it counts. Where it was lost meanwhile, since the page came late on a slow machine, or the planner
+        takes none of it, it is centred and held again, as the page asks for."""
         at = at or page
         lost = ("document.getElementById('state-title').textContent === 'Lost your steering' || "
-                "app.status.facts.steering === 'neutral_needed'")
+                "app.status.facts.steering === 'neutral_needed' || app.status.facts.ignored")
         for _ in range(5):
             to = self.press_stick(dx, dy, at)
             if self.until_told(lambda: counts() and 'counts' or at.app(lost) and 'lost', at) == 'counts':

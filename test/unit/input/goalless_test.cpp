@@ -83,6 +83,23 @@ TEST(WithoutGoal, AStickHeldForwardWhenAGoalEndsMustBeNeutralFirst) {
   expect_neutral_first(person, 0.0F, 1.0F);
 }
 
+// Control is taken on the way to a goal: what was taken ends with it, and the next goal begins in AUTONOMY.
+TEST(WithoutGoal, ControlThatWasTakenEndsWithTheGoal) {
+  Person person(in_mode(OperatorMode::switching));
+  person.stick(1.0, 0.0F);
+  person.cycle(1.0);
+  person.machine.take_control(true);
+  EXPECT_EQ(person.cycle(1.05).state, State::manual);
+  person.machine.set_goalless(true);
+  EXPECT_FALSE(person.machine.manual());
+  EXPECT_EQ(person.cycle(1.1).state, State::autonomy);
+  person.machine.take_control(true);  // there is nothing to take
+  EXPECT_EQ(person.cycle(1.15).state, State::autonomy);
+  person.machine.set_goalless(false);
+  EXPECT_FALSE(person.machine.manual());
+  EXPECT_EQ(person.cycle(1.2).state, State::autonomy);
+}
+
 TEST(WithoutGoal, SilenceIsALossAndStops) {
   Person person(in_mode(OperatorMode::joystick));
   person.machine.set_goalless(true);

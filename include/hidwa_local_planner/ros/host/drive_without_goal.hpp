@@ -11,7 +11,6 @@
 // runs on a costmap that is gone.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <ros/publisher.h>
@@ -40,7 +39,7 @@ class DriveWithoutGoal {
 
   PlannerNode& planner_;
   const std::string name_;
-  std::optional<HostActions> actions_;  // listened to once the parameter is on
+  HostActions actions_;
   ros::Publisher commands_;
   std::string topic_;     // of commands_, resolved
   double period_ = 0.0;   // of the timer [s]

@@ -15,8 +15,7 @@
 namespace hidwa_local_planner {
 
 /// Whether the host has a goal, heard on the topics of its actions that drive: move_base's, and those of Move Base
-/// Flex. A goal that was sent counts at once, for a second, before any status names it; so may one from before the
-/// construction. Thread-safe.
+/// Flex. A goal that was sent counts at once, for a second, before any status names it. Thread-safe.
 class HostActions {
  public:
   HostActions();
@@ -28,9 +27,9 @@ class HostActions {
   void hear_status(const std::string& action, const actionlib_msgs::GoalStatusArray& status);
 
   mutable std::mutex mutex_;
-  std::map<std::string, bool> active_;  // by action
-  std::atomic<double> goal_sent_;       // may have been, on the wall [s]
-  CallbackThread thread_;               // outlives the subscribers
+  std::map<std::string, bool> active_;   // by action
+  std::atomic<double> goal_sent_{-1e9};  // on the wall [s]
+  CallbackThread thread_;                // outlives the subscribers
   std::vector<ros::Subscriber> subscribers_;
 };
 
