@@ -53,9 +53,9 @@ class OperatorInput {
   struct Status {
     OperatorStateId state = OperatorStateId::autonomy;
     OperatorMode mode = OperatorMode::off;
-    bool manual = false;  // SW: the operator has taken control and not given it back
+    bool manual = false;    // SW: the operator has taken control and not given it back
     bool goalless = false;  // the host has no goal
-    double age = -1.0;    // of the last accepted message of what steers [s]; negative when none came yet
+    double age = -1.0;      // of the last accepted message of what steers [s]; negative when none came yet
     std::uint32_t dropped = 0;
     bool lost_by_pauses = false;  // the input is lost since the planner itself stood still
   };
