@@ -108,8 +108,7 @@ class OnBoard(unittest.IsolatedAsyncioTestCase):
         if self.view.fields['mode'] != mode:
             self.a.say('mode', mode=mode)
             await until(lambda: self.view.fields['mode'] == mode and self.a.told_control['neutral_needed'], mode)
-            self.a.stick(0.0)
-            await until(lambda: not self.a.told_control['neutral_needed'], 'a centred stick')
+            await self.hold(0.0, lambda: not self.a.told_control['neutral_needed'], 'a centred stick')
 
     async def drive(self):
         """Until the robot drives by itself."""
@@ -124,12 +123,15 @@ class OnBoard(unittest.IsolatedAsyncioTestCase):
             (page or self.a).stick(left, age=age)
             await asyncio.sleep(0.05)
 
-    async def steer_until(self, left, state, page=None):
-        """Holds the stick there until the planner is in that state, however long its cycles take just now."""
+    async def hold(self, left, condition, what, page=None):
+        """Holds the stick there until the condition holds: on a slow machine single messages are late and do not count."""
         deadline = time.monotonic() + PATIENCE
-        while self.state() != state:
-            self.assertLess(time.monotonic(), deadline, f'{state}; it is {self.state()}')
+        while not condition():
+            self.assertLess(time.monotonic(), deadline, f'{what}; the state is {self.state()}')
             await self.steer(left, 0.05, page)
+
+    async def steer_until(self, left, state, page=None):
+        await self.hold(left, lambda: self.state() == state, state, page)
 
 
 class Driving(OnBoard):
@@ -462,7 +464,8 @@ class Refused(unittest.IsolatedAsyncioTestCase):
         self.assertIn(await self.closed('x' * 200000), (1006, 1009))
 
     async def test_too_many(self):
-        self.assertEqual(await self.closed(*['{"type": "claim"}'] * 2000), 1008)
+        # 1006: what the server had not read when it closed resets the connection, and the close code with it.
+        self.assertIn(await self.closed(*['{"type": "claim"}'] * 2000), (1006, 1008))
 
     async def test_too_many_sockets(self):
         page = Page(W.port)
