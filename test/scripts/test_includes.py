@@ -24,11 +24,11 @@ def is_forwarding(text):
 
 
 class Tree:
-    """The C++ files below include/ and src/, and what each includes: {file: [(name, its file or None), ...]}."""
+    """The C++ files below include/, src/ and lab/, and what each includes: {file: [(name, its file or None), ...]}."""
 
     def __init__(self, root):
         self.root, self.includes, self.forwarding = root, {}, set()
-        for base in ('include', 'src'):
+        for base in ('include', 'src', 'lab'):
             for folder, _, names in os.walk(os.path.join(root, base)):
                 for name in names:
                     if name.endswith(('.hpp', '.cpp', '.inc')):
@@ -41,7 +41,7 @@ class Tree:
         self.includes[file] = [(name, self._find(file, name)) for _, name in INCLUDE.findall(text)]
 
     def _find(self, file, name):
-        for place in (os.path.dirname(file), 'include', 'src'):
+        for place in (os.path.dirname(file), 'include', 'src', 'lab'):
             path = os.path.normpath(os.path.join(place, name))
             if os.path.isfile(os.path.join(self.root, path)):
                 return path
@@ -53,6 +53,11 @@ class Tree:
     def private_includes_of_public_headers(self):
         return [f'{file}: {name}' for file in self.public() for name, found in self.includes[file]
                 if found is not None and not found.startswith(PUBLIC + os.sep)]
+
+    def includes_of_the_laboratory(self):
+        """By what runs on a robot."""
+        return [f'{file}: {name}' for file, includes in self.includes.items() if not file.startswith('lab' + os.sep)
+                for name, found in includes if found is not None and found.startswith('lab' + os.sep)]
 
     def edges(self):
         """{room: {room that it includes: [by which files]}}."""
@@ -94,8 +99,8 @@ class Tree:
 
 
 def room(file):
-    """core, core/motion, critics, ...: the folder, which is the same below include/ and src/."""
-    parts = os.path.relpath(file, PUBLIC if file.startswith(PUBLIC + os.sep) else 'src').split(os.sep)
+    """core, core/motion, critics, ...: the folder, which is the same below include/ and src/; lab/ has others."""
+    parts = os.path.relpath(file, PUBLIC if file.startswith(PUBLIC + os.sep) else file.split(os.sep)[0]).split(os.sep)
     return '/'.join(parts[:2]) if parts[0] == 'core' and len(parts) > 2 else parts[0]
 
 
@@ -192,6 +197,9 @@ class Includes(unittest.TestCase):
                    for name, found in includes if found is not None and in_core(room(found)) and not found.startswith(PUBLIC)]
         self.assertEqual(private, [])
 
+    def test_what_runs_on_a_robot_includes_nothing_of_the_laboratory(self):
+        self.assertEqual(self.tree.includes_of_the_laboratory(), [])
+
     def test_ros_is_included_by_mbf_and_replay_alone(self):
         self.assertEqual(self.tree.arrows(lambda a, b: b != 'ros' or a in ('mbf', 'replay')), [])
 
@@ -204,7 +212,7 @@ class MadeUp(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         for name, text in files.items():
             base, path = name.split('__', 1)
-            path = os.path.join(folder.name, PUBLIC if base == 'include' else 'src', *path.split('__')) + '.hpp'
+            path = os.path.join(folder.name, PUBLIC if base == 'include' else base, *path.split('__')) + '.hpp'
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, 'w', encoding='utf-8') as out:
                 out.write('#pragma once\n' + text)
@@ -214,6 +222,10 @@ class MadeUp(unittest.TestCase):
         tree = self.tree(include__core__a='#include "core/motion/b.hpp"\n', src__core__motion__b='')
         self.assertEqual(tree.private_includes_of_public_headers(),
                          [os.path.join(PUBLIC, 'core', 'a.hpp') + ': core/motion/b.hpp'])
+
+    def test_a_header_of_the_laboratory_in_one_of_the_robot(self):
+        tree = self.tree(src__core__a='#include "sim/b.hpp"\n', lab__sim__b='#include "core/a.hpp"\n')
+        self.assertEqual(tree.includes_of_the_laboratory(), [os.path.join('src', 'core', 'a.hpp') + ': sim/b.hpp'])
 
     def test_a_circle_of_three(self):
         tree = self.tree(src__core__motion__a='#include "core/distance/b.hpp"\n',

@@ -26,7 +26,7 @@ OTHER_NAMES = {
     'scipy': 'python3-scipy', 'tornado': 'python3-tornado', 'PIL': 'python3-pil', 'rospkg': 'python3-rospkg'}
 PROGRAMS = ('scripts/*', 'scripts/lib/**/*.py', 'console/*', 'console/hidwa_console/*.py')
 # What a robot does without: folders that HIDWA_TOOLS adds, and pictures.
-TOOLS = ('src/sim/', 'src/drive/', 'src/study/', 'src/replay/', 'src/attack/', 'launch/demo.launch', 'launch/two_robots.launch',
+TOOLS = ('lab/', 'launch/demo.launch', 'launch/two_robots.launch',
          'scripts/lib/hidwa_tools/figure.py', 'scripts/lib/hidwa_measure_base/picture.py')
 WITH_TOOLS, WITH_MBF = '$HIDWA_WITH_TOOLS == 1', '$HIDWA_WITH_MBF == 1'
 SYSTEM = {'sys', 'Threads'}       # of the compiler and of CMake
@@ -67,7 +67,7 @@ def headers(*folders, which=list):
 def cmake_packages(which=list):
     """What CMake is asked to find, components of catkin included, but for what only tests need."""
     found = set()
-    for path in which(files('CMakeLists.txt', 'cmake/*.cmake', 'src/*/CMakeLists.txt')):
+    for path in which(files('CMakeLists.txt', 'cmake/*.cmake', 'src/*/CMakeLists.txt', 'lab/*/CMakeLists.txt')):
         if path.endswith('/gtest.cmake'):
             continue
         text = re.sub(r'#.*', '', read(path))
@@ -125,7 +125,7 @@ class PackageXml(unittest.TestCase):
         return {tag.text for kind in kinds for tag in self.package.findall(kind)}
 
     def test_what_is_compiled_is_a_build_dependency(self):
-        needed = named(headers('src', 'include') | cmake_packages())
+        needed = named(headers('src', 'lab', 'include') | cmake_packages())
         self.assertIn('rosgraph_msgs', needed)
         self.assertIn('mbf_msgs', needed)
         self.assertEqual(needed - self.depends('depend', 'build_depend', 'buildtool_depend'), set())
@@ -144,17 +144,17 @@ class PackageXml(unittest.TestCase):
     def test_nothing_is_named_that_nothing_needs(self):
         # Used as programs, by CMake's macros, and by tests.
         by_name = {'catkin', 'message_generation', 'message_runtime', 'roslaunch', 'gtest'}
-        needed = named(headers('src', 'include', 'test/unit') | cmake_packages() | launched()
+        needed = named(headers('src', 'lab', 'include', 'test/unit') | cmake_packages() | launched()
                        | imports(*PROGRAMS, 'test/scripts/*.py', 'test/console/*.py', 'cfg/*.cfg'))
         named_here = self.depends('depend', 'build_depend', 'buildtool_depend', 'exec_depend', 'test_depend')
         self.assertEqual(named_here - needed - by_name, set())
 
     def test_move_base_flex_and_what_only_tools_need_are_optional_and_nothing_else(self):
         self.assertEqual(self.package.get('format'), '3')
-        robot = named(headers('src', 'include', which=of_robot) | cmake_packages(of_robot) | launched(of_robot)
+        robot = named(headers('src', 'lab', 'include', which=of_robot) | cmake_packages(of_robot) | launched(of_robot)
                       | imports(*ROBOT_PROGRAMS, *(os.path.join(LIBRARY, name + '.py') for name in installed()), which=of_robot))
         self.assertLessEqual({'costmap_2d', 'map_server', 'rosbag', 'tf2_py', 'python3-tornado'}, robot)
-        tools = named(headers('src') | cmake_packages() | launched() | imports(*PROGRAMS)) - robot
+        tools = named(headers('src', 'lab') | cmake_packages() | launched() | imports(*PROGRAMS)) - robot
         self.assertLessEqual({'rosbag_storage', 'yaml-cpp', 'python3-scipy', 'python3-matplotlib'}, tools)
         flex = {name for name in robot if name.startswith('mbf_')}
         for tag in self.package:

@@ -55,7 +55,7 @@ class OrderOfDraws(unittest.TestCase):
 
     def test_no_call_draws_twice(self):
         seen, where = 0, []
-        for folder in ('src', 'test', 'include'):
+        for folder in ('src', 'lab', 'test', 'include'):
             for path in glob.glob(os.path.join(ROOT, folder, '**', '*.[ch]pp'), recursive=True):
                 with open(path, encoding='utf-8') as source:
                     text = source.read()

@@ -104,7 +104,7 @@ class Shell(unittest.TestCase):
 
     def test_every_message_that_a_node_speaks_can_be_echoed_on_debian(self):
         spoken, root = set(), os.path.dirname(SCRIPTS)
-        for folder in ('src', 'include', 'compat'):
+        for folder in ('src', 'lab', 'include', 'compat'):
             for place, _, names in os.walk(os.path.join(root, folder)):
                 for name in names:
                     with open(os.path.join(place, name), encoding='utf-8', errors='replace') as text:

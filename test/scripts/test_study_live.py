@@ -181,7 +181,7 @@ class Analysis(Folder):
         self.assertAlmostEqual(float(way[-1]['x']), 2.0, delta=0.03)  # 0.05 s at 0.5 m/s
 
     def test_columns_are_those_of_hidwa_study(self):
-        with open(os.path.join(PACKAGE, 'src', 'study', 'table.cpp'), encoding='utf-8') as text:
+        with open(os.path.join(PACKAGE, 'lab', 'study', 'table.cpp'), encoding='utf-8') as text:
             source = text.read()
         block = source[source.index('names{') + 6:source.index('};', source.index('names{'))]
         self.assertEqual([name.strip().strip('"') for name in block.replace('\n', ' ').split(',')], list(study_bags.COLUMNS))

@@ -107,7 +107,7 @@ class Threads(unittest.TestCase):
     def test_only_these_libraries_start_one(self):
         starts = re.compile(r'\bstd::(jthread|thread|async)\s*[({]|\bstd::(jthread|thread)\s+\w+|<std::thread>|pthread_create')
         found = set()
-        for top in ('src', os.path.join('include', 'hidwa_local_planner')):
+        for top in ('src', 'lab', os.path.join('include', 'hidwa_local_planner')):
             for folder, _, names in os.walk(os.path.join(ROOT, top)):
                 for name in names:
                     with open(os.path.join(folder, name), encoding='utf-8') as text:
@@ -118,7 +118,7 @@ class Threads(unittest.TestCase):
 
 class Coverage(unittest.TestCase):
     GOOD = [row('src/core/motion/a.cpp', 60, 60), row('include/hidwa_local_planner/core/a.hpp', 40, 36), row('src/critics/a.cpp', 100, 95),
-            row('src/input/a.cpp', 100, 95, 10, 9), row('src/control/a.cpp', 1, 1, 0, 0), row('src/sim/a.cpp', 1000, 0)]
+            row('src/input/a.cpp', 100, 95, 10, 9), row('src/control/a.cpp', 1, 1, 0, 0), row('lab/sim/a.cpp', 1000, 0)]
 
     def test_headers_count_to_their_part_and_other_folders_do_not(self):
         found = coverage.shares(self.GOOD)

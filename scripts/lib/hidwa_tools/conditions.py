@@ -9,7 +9,7 @@ BAG = re.compile(r'p(\d+)_o([1-9])_(SJ|SG|SW)\.bag')
 
 
 def course(participant):
-    """A participant's conditions in their order: SJ and SW alternate over people, SG is last. As in src/study/plan.cpp."""
+    """A participant's conditions in their order: SJ and SW alternate over people, SG is last. As in lab/study/plan.cpp."""
     return ('SJ', 'SW', 'SG') if participant % 2 == 1 else ('SW', 'SJ', 'SG')
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How gently autonomy turned, from its commands: as src/drive/gentleness.hpp has it."""
+"""How gently autonomy turned, from its commands: as lab/drive/gentleness.hpp has it."""
 import numpy as np
 
 from .drawing import STATE_NAMES

@@ -59,7 +59,7 @@ def changed_sources():
     changed = set(git('diff', '--name-only', base).splitlines()) | set(git('ls-files', '--others', '--exclude-standard').splitlines())
     headers = {'/'.join(path.split('/')[-2:]) for path in changed if path.endswith('.hpp')}
     found = []
-    for path in files('src/*.cpp'):
+    for path in files('src/*.cpp', 'lab/*.cpp'):
         with open(os.path.join(ROOT, path), encoding='utf-8') as text:
             included = {'/'.join(name.split('/')[-2:]) for name in re.findall(r'^#include "(.*)"', text.read(), re.MULTILINE)}
         if path in changed or included & headers:
@@ -97,12 +97,12 @@ TOOLS = {
     'clang-tidy': tidy,
     'cppcheck': lambda: ['cppcheck', '--enable=warning,performance,portability', '--suppress=duplicateAssignExpression',
                          '--suppress=useInitializationList', '--inline-suppr', '--quiet', '--error-exitcode=1', '--std=c++17',
-                         '-I', 'include', '-j', str(os.cpu_count() or 1), 'src',
+                         '-I', 'include', '-j', str(os.cpu_count() or 1), 'src', 'lab',
                          *(path for path in (f'compat/{name}/src' for name in COMPAT) if os.path.isdir(os.path.join(ROOT, path)))],
     'flake8': lambda: ['flake8', 'scripts', 'console', 'test'],
     'shellcheck': lambda: ['shellcheck', '-x', '-e', 'SC1091', *shell_scripts()],
     'codespell': lambda: ['codespell', '-L', WORDS, *files('*.md', '*.rst', '*.hpp', '*.cpp', '*.py', '*.yaml', '*.launch', '*.msg')],
-    'grep': lambda: ['sh', '-c', '! grep -nE "$0" "$@" /dev/null', DIALECT, *files('src/*.cpp', 'src/*.hpp', 'include/*.hpp')],
+    'grep': lambda: ['sh', '-c', '! grep -nE "$0" "$@" /dev/null', DIALECT, *files('src/*.[ch]pp', 'lab/*.[ch]pp', 'include/*.hpp')],
     'catkin_lint': lambda: ['env', 'HIDWA_WITH_TOOLS=1', 'catkin_lint', '--offline', '-W0', '.',
                             *(os.path.join('compat', name) for name in COMPAT)],
 }

@@ -9,7 +9,7 @@ from .people import measure_people
 
 CONTACT_STEP = 0.01     # [s]; between recorded poses the drive is followed in steps no longer than this
 AFTER_RELEASE = 4.0     # [s]; how long after a release the path still counts as bent by it
-FAR = 1.0               # [m]; up to here distances to obstacles are measured, as in src/drive/result.hpp
+FAR = 1.0               # [m]; up to here distances to obstacles are measured, as in lab/drive/result.hpp
 CLEARANCE_STEP = 0.1    # [s]
 LONGEST_GAP = 0.35      # [s], simulated; between two commands, where a machine keeps up
 LONGEST_SILENCE = 0.25  # [s]; a state lasts until the next message, but no longer than this

@@ -22,7 +22,7 @@ from .places import ROOT, SPACE
 FOLDER = os.path.join(SPACE, 'build', 'mutate')
 FOLDERS = ('src/core', 'src/input', 'src/control')
 EQUIVALENT = os.path.join(ROOT, 'test', 'mutation', 'equivalent.txt')
-PARTS = ('CMakeLists.txt', 'cmake', 'src', 'include', 'test', 'launch', 'maps', 'urdf', 'scripts')  # what the tests need
+PARTS = ('CMakeLists.txt', 'cmake', 'src', 'lab', 'include', 'test', 'launch', 'maps', 'urdf', 'scripts')  # what the tests need
 SUITES = ('unit/core', 'unit/input', 'unit/control', 'unit/record', 'oracle', 'property', 'attack')
 CLOSED_LOOP = ('unit/drive', 'closed_loop')  # with --closed-loop: they take as long as all others together
 MEMORY = 6 << 30     # [byte], of a test: a fault may ask for all there is

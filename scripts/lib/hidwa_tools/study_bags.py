@@ -18,7 +18,7 @@ from .gentleness import FIGURES
 from .options import existing
 from .study_report import ReportError, picture_of, say, write_report
 
-# As src/study/table.cpp has them.
+# As lab/study/table.cpp has them.
 COLUMNS = ('id', 'experiment', 'participant', 'condition', 'order', 'setting', 'seed', 'ending', 'arrived', 'duration', 'length',
            'regions_crossed', 'contacts', 'operator_active', 'interventions', 'v_change', 'omega_change', 'agreement',
            'clearance', 'mode_errors', 'failures', 'brakes', *FIGURES, 'mean_clearance')

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which cycle `hidwa_replay --at` means.
-#include "../src/replay/moment.hpp"
+#include "../lab/replay/moment.hpp"
 
 #include <gtest/gtest.h>
 
