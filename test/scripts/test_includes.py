@@ -18,16 +18,11 @@ def read(*path):
         return text.read()
 
 
-def is_forwarding(text):
-    """A header that has moved, and is left behind for one release."""
-    return '#pragma message' in text
-
-
 class Tree:
     """The C++ files below include/, src/ and lab/, and what each includes: {file: [(name, its file or None), ...]}."""
 
     def __init__(self, root):
-        self.root, self.includes, self.forwarding = root, {}, set()
+        self.root, self.includes = root, {}
         for base in ('include', 'src', 'lab'):
             for folder, _, names in os.walk(os.path.join(root, base)):
                 for name in names:
@@ -36,8 +31,6 @@ class Tree:
 
     def _take(self, file):
         text = read(self.root, file)
-        if is_forwarding(text):
-            self.forwarding.add(file)
         self.includes[file] = [(name, self._find(file, name)) for _, name in INCLUDE.findall(text)]
 
     def _find(self, file, name):
@@ -63,7 +56,7 @@ class Tree:
         """{room: {room that it includes: [by which files]}}."""
         graph = collections.defaultdict(lambda: collections.defaultdict(list))
         for file, includes in self.includes.items():
-            for name, found in includes if file not in self.forwarding else ():
+            for name, found in includes:
                 if found is not None and room(found) != room(file):
                     graph[room(file)][room(found)].append(f'{file}: {name}')
         return graph
@@ -248,11 +241,6 @@ class MadeUp(unittest.TestCase):
                          src__core__movers__c='')
         self.assertEqual(tree.arrows(lambda a, b: row.get(b, 0) <= row.get(a, len(row))),
                          [os.path.join('src', 'core', 'motion', 'a.hpp') + ': core/cycle/b.hpp'])
-
-    def test_a_forwarding_header_is_no_arrow(self):
-        tree = self.tree(include__core__a='#pragma message("moved")\n#include "hidwa_local_planner/control/b.hpp"\n',
-                         include__control__b='#include "hidwa_local_planner/core/c.hpp"\n', include__core__c='')
-        self.assertEqual(tree.circles(), [])
 
     def test_a_header_that_lacks_an_include(self):
         tree = self.tree(include__core__good='#include <vector>\nusing Good = std::vector<int>;\n',

@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Moved; this file goes with the next release.
-#pragma once
-
-#pragma message("hidwa_local_planner/core/pause.hpp is now hidwa_local_planner/control/pause.hpp")
-#include "hidwa_local_planner/control/pause.hpp"
