@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "braking.hpp"
 #include "spec.hpp"
@@ -25,16 +26,16 @@ class CommandWatch {
     worst_.omega = std::max(worst_.omega, omega);
   }
   /// A command differs from the last one by no more than the larger acceleration limit allows within the longest recent
-  /// period [s]. Where the planner may start from odometry, the difference counts from the interval between the reading
-  /// and the last command.
+  /// period [s]. Where the planner may start from odometry, the difference counts from the interval that holds the last
+  /// command, the reading, and the velocity between the last two poses (`moved`), which replaces a doubted reading.
   void judge_acceleration(const Parameters& in_force, double longest, const Twist2& last, const Twist2& reading,
-                          const Twist2& command) {
+                          const Twist2& moved, const Twist2& command) {
     const double x = longest * std::max(in_force.acc_lim_x, braking_x(in_force));
     const double theta = longest * std::max(in_force.acc_lim_theta, braking_theta(in_force));
     const bool reads = in_force.velocity_reference == hidwa_local_planner::VelocityReference::odometry;
-    const Twist2 other = reads ? reading : last;
-    if (outside(command.v, last.v, other.v) > x + kRounding ||
-        outside(command.omega, last.omega, other.omega) > theta + kRounding)
+    const Twist2 read = reads ? reading : last, by_pose = reads ? moved : last;
+    if (outside(command.v, {last.v, read.v, by_pose.v}) > x + kRounding ||
+        outside(command.omega, {last.omega, read.omega, by_pose.omega}) > theta + kRounding)
       ++hard_;
   }
   int count() const { return count_; }            // of commands beyond the bound
@@ -43,9 +44,9 @@ class CommandWatch {
 
  private:
   static constexpr double kRounding = 1e-6;
-  // How far a value is from what lies between two others.
-  static double outside(double value, double a, double b) {
-    return std::max({std::min(a, b) - value, value - std::max(a, b), 0.0});
+  // How far a value is from what lies between others.
+  static double outside(double value, std::initializer_list<double> others) {
+    return std::max({std::min(others) - value, value - std::max(others), 0.0});
   }
   static double over(double limit, double last, double step, double command) {
     return command - std::max({limit, last - step, 0.0});

@@ -42,6 +42,12 @@ using hidwa_local_planner::Situation;
 constexpr int kAfterTouch = 1000;  // how long a drive goes on [ms]
 constexpr int kWalkers = 2;        // between two steps of walkers [ms]
 
+// The velocity that leads from one pose to another on an arc; `time` [s].
+Twist2 velocity_between(const Pose2& from, const Pose2& to, double time) {
+  const double turn = std::remainder(to.theta - from.theta, 2.0 * M_PI), heading = from.theta + 0.5 * turn;
+  return {((to.x - from.x) * std::cos(heading) + (to.y - from.y) * std::sin(heading)) / time, turn / time};
+}
+
 double size_of_world(const Spec& spec) { return spec.parameters.max_vel_x > 1.0 ? 14.0 : 9.0; }
 
 // So large that no rollout and no manoeuvre leaves it.
@@ -185,6 +191,8 @@ class Run {
     const bool goal_begins = route_.renew(now, pose);
     intent_ = person_.want(now, base_.pose(), parameters_);
     reading_ = sensors_.odometry(now);
+    moved_ = last_cycle_ < 0 ? last_ : velocity_between(told_, pose, 1e-3 * (now - last_cycle_));
+    told_ = pose;
     const double begun = onlooker_ ? processor_time() : 0.0;
     const Twist2 command = spec_.link != Link::none ? step_loop(now, pose, goal_begins) : plan(now, pose, goal_begins);
     if (onlooker_) onlooker_({now, processor_time() - begun, intent_.state, outcome_});
@@ -285,7 +293,7 @@ class Run {
   Twist2 judged(const Twist2& planned) {
     const Twist2 command = outcome_ == Outcome::fail ? Twist2{} : planned;
     commands_.observe(parameters_, 1e-3 * spec_.period, last_, command);
-    commands_.judge_acceleration(parameters_, longest(), last_, reading_.value_or(last_), command);
+    commands_.judge_acceleration(parameters_, longest(), last_, reading_.value_or(last_), moved_, command);
     return command;
   }
 
@@ -406,6 +414,8 @@ class Run {
   Twist2 last_;          // command [m/s, rad/s]
   OperatorIntent intent_;
   std::optional<Twist2> reading_;
+  Pose2 told_;    // in the last cycle
+  Twist2 moved_;  // from the pose told in the cycle before to that told in this one
   Outcome outcome_ = Outcome::hold;
   bool escaping_ = false;
   DriveResult result_;

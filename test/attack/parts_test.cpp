@@ -275,13 +275,13 @@ TEST(CommandWatch, TheLimitOrTheLastCommandReduced) {
 TEST(CommandWatch, WithinReachOfTheLastCommand) {
   const Parameters p;  // 2.5 m/s^2, 3.2 rad/s^2
   CommandWatch watch;
-  // 0.3 m/s and 2.5 x 0.1 either way: 0.05 to 0.55; 3.2 x 0.1 rad/s. Whatever was read.
-  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.0, 0.0}, {0.55, 0.32});
-  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.0, 0.0}, {0.05, -0.32});
+  // 0.3 m/s and 2.5 x 0.1 either way: 0.05 to 0.55; 3.2 x 0.1 rad/s. Whatever was read or moved.
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.0, 0.0}, {0.9, 0.9}, {0.55, 0.32});
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.0, 0.0}, {0.9, 0.9}, {0.05, -0.32});
   EXPECT_EQ(watch.hard(), 0);
-  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.0, 0.0}, {0.551, 0.0});
-  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.0, 0.0}, {0.049, 0.0});
-  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.3, -0.2}, {0.3, -0.321});
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.0, 0.0}, {0.9, 0.9}, {0.551, 0.0});
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.0, 0.0}, {0.9, 0.9}, {0.049, 0.0});
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.3, -0.2}, {0.9, 0.9}, {0.3, -0.321});
   EXPECT_EQ(watch.hard(), 3);
 }
 
@@ -290,13 +290,18 @@ TEST(CommandWatch, WithinReachOfWhatLiesBetweenLastCommandAndReadingWhereItStart
   p.velocity_reference = hidwa_local_planner::VelocityReference::odometry;
   CommandWatch watch;
   // Between 0.2 and 0.3 m/s, 2.5 x 0.1 either way: -0.05 to 0.55; between 0 and 0 rad/s, 3.2 x 0.1: -0.32 to 0.32.
-  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.55, 0.32});
-  watch.judge_acceleration(p, 0.1, {0.2, 0.0}, {0.3, 0.0}, {-0.05, -0.32});
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.2, 0.0}, {0.55, 0.32});
+  watch.judge_acceleration(p, 0.1, {0.2, 0.0}, {0.3, 0.0}, {0.3, 0.0}, {-0.05, -0.32});
   EXPECT_EQ(watch.hard(), 0);
-  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.551, 0.0});
-  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {-0.051, 0.0});
-  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.3, 0.321});
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.2, 0.0}, {0.551, 0.0});
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.2, 0.0}, {-0.051, 0.0});
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.2, 0.0}, {0.3, 0.321});
   EXPECT_EQ(watch.hard(), 3);
+  // The poses tell 0.4 m/s and 0.1 rad/s: -0.05 to 0.65, -0.32 to 0.42.
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.4, 0.1}, {0.65, 0.42});
+  EXPECT_EQ(watch.hard(), 3);
+  watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.4, 0.1}, {0.651, 0.42});
+  EXPECT_EQ(watch.hard(), 4);
 }
 
 TEST(ContactWatch, ATouchAndTheSpeedAtWhichItWasMet) {
