@@ -1,4 +1,4 @@
-# Faults that a run shows: sanitizers, coverage and fuzzing, for the whole build. docs/trust.md says how they are used.
+# Faults that a run shows: sanitizers, coverage and fuzzing, for the whole build. docs/evidence/trust.md says how they are used.
 
 set(HIDWA_SANITIZE "" CACHE STRING "Sanitizers of GCC or Clang for everything that is built: address,undefined or thread; empty: none")
 option(HIDWA_COVERAGE "Count which lines and branches run, for gcovr" OFF)

@@ -22,7 +22,7 @@ class NoPicture(Exception):
 
 
 def framed(form, stamp, data):
-    """A picture as docs/console_protocol.md lays it out."""
+    """A picture as docs/understand/console_protocol.md lays it out."""
     return struct.pack('<B7xd', form, stamp) + data
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Binary messages to the page, as docs/console_protocol.md lays them out."""
+"""Binary messages to the page, as docs/understand/console_protocol.md lays them out."""
 import struct
 
 import numpy as np

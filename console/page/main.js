@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Puts the page together: scene, links, views, inputs, panels. docs/console_protocol.md says what the server sends.
+// Puts the page together: scene, links, views, inputs, panels. docs/understand/console_protocol.md says what the server sends.
 import { watchCuts } from './input/cuts.js';
 import { Gamepads } from './input/gamepad.js';
 import { HandSteering } from './input/hand_steering.js';

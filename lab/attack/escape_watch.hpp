@@ -14,7 +14,7 @@ namespace hidwa_attack {
 /// depth never grows: the depth in the deepest cell of each cluster, cells that hang together, summed over the clusters
 /// (along a wall the number of cells under the robot comes and goes, the depth in the wall does not); and it is no
 /// faster than what stops within half a cell. A base that takes each command and axis at either end may go deeper by
-/// what docs/safety.md allows it.
+/// what docs/understand/safety.md allows it.
 class EscapeWatch {
  public:
   EscapeWatch(const World& world, const Shape& padded_shape, const Spec& spec);

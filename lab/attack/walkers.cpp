@@ -85,8 +85,8 @@ double Walkers::advance(const Walker& walker) const {
   return (velocity_.v - velocity_.omega * at.y) * to.x + velocity_.omega * at.x * to.y;
 }
 
-// As docs/safety.md allows it: he has stood at the robot for a second since it rested (an estimate may be old), it
-// creeps, and does not move into him.
+// As docs/understand/safety.md allows it: he has stood at the robot for a second since it rested (an estimate may be
+// old), it creeps, and does not move into him.
 bool Walkers::is_left(const Walker& walker) const {
   return walker.stood >= 1.0 - bounds_.oldest && speed_of_edge() <= kCreeps && advance(walker) <= kAdvances;
 }

@@ -13,7 +13,7 @@ record::ParameterChange change(const std::string& text) {
   record::ParameterChange change{text.substr(0, equals), text.substr(equals + 1)};
   Parameters trial;
   const std::string fault = set_parameter_text(trial, change.first, change.second);
-  if (!fault.empty()) throw UsageError("--set: " + fault + "; docs/parameters.md lists the parameters");
+  if (!fault.empty()) throw UsageError("--set: " + fault + "; docs/use/parameters.md lists the parameters");
   return change;
 }
 

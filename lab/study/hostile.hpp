@@ -8,8 +8,9 @@
 namespace hidwa_local_planner {
 namespace study {
 
-/// hidwa_study hostile: drives with people who want a collision until so many cycles are driven (docs/attack.md). Goes
-/// on where an earlier call into the same folder ended. 0: it held; 1: something within the promise was found.
+/// hidwa_study hostile: drives with people who want a collision until so many cycles are driven
+/// (docs/evidence/attack.md). Goes on where an earlier call into the same folder ended. 0: it held; 1: something within
+/// the promise was found.
 int hostile(const Options& options, std::ostream& out, std::ostream& errors);
 
 /// Whether these parts are of a hostile study; joins them.

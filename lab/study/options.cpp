@@ -286,19 +286,21 @@ std::string commands_help() {
   hidwa_study sweep --out DIR --vary NAME=V1,V2,... [--vary ...]
                                 as it is, then each value alone: the sensitivity to it
   hidwa_study barn --out DIR --worlds FILE
-                                BARN-2D: a Jackal in fields of cylinders, alone and with a person (docs/study.md)
+                                BARN-2D: a Jackal in fields of cylinders, alone and with a person (docs/use/study.md)
   hidwa_study dynabarn --out DIR --worlds FILE
-                                DynaBARN-2D: a Jackal through courts that cylinders cross (docs/study.md)
+                                DynaBARN-2D: a Jackal through courts that cylinders cross (docs/use/study.md)
   hidwa_study crowd --out DIR   the demo's robot and route among people who walk around
   hidwa_study hostile --out DIR --cycles N [--map FILE,FILE] [--worlds FILE]
                                 people who want a collision, in the office, on these maps, in BARN fields and in drawn
-                                scenes; ends with 1 where something within the promise was found (docs/attack.md)
+                                scenes; ends with 1 where something within the promise was found
+                                (docs/evidence/attack.md)
   hidwa_study soak --out DIR [--hours H]
-                                one planner for hours of simulated time: memory, cycle time, states (docs/attack.md)
+                                one planner for hours of simulated time: memory, cycle time, states
+                                (docs/evidence/attack.md)
   hidwa_study passage --out DIR --start X,Y,YAW --goal X,Y,YAW
-                                the demo's robot alone through a tight place, and how steadily (docs/recovery.md)
+                                the demo's robot alone through a tight place, and how steadily (docs/evidence/ways.md)
   hidwa_study gap --out DIR     the narrowest gap that a robot gets through, by cells, noise, outline and where the gap
-                                lies on the grid (docs/gaps.md)
+                                lies on the grid (docs/evidence/ways.md)
   hidwa_study merge --out DIR PART...
                                 joins what was made with --shard
 
@@ -333,7 +335,7 @@ std::string options_help() {
   --seed N                of everything random; default 1
   --profile default|paper
   --guard none|nearest    SW: the person's own velocity (default, the paper's), or the nearest legal one
-  --set NAME=VALUE        a parameter of the planner (docs/parameters.md), participant.TRAIT (see docs/study.md), or
+  --set NAME=VALUE        a parameter of the planner (docs/use/parameters.md), participant.TRAIT (docs/use/study.md), or
                           link_delay [s]; barn, dynabarn: also costmap.NAME; gap: also costmap.resolution,
                           costmap.footprint_padding and laser.noise; may be repeated
   --threads N             default: as many as there are cores

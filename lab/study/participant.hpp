@@ -8,7 +8,7 @@
 namespace hidwa_local_planner {
 namespace study {
 
-/// What one simulated person is like. docs/study.md has the distributions' sources.
+/// What one simulated person is like. docs/use/study.md has the distributions' sources.
 struct Participant {
   double reaction_time = 0.0;    // [s], from seeing to moving a hand
   double decision_period = 0.0;  // [s]

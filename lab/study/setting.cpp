@@ -26,8 +26,8 @@ void assign_parameter(Parameters& parameters, const Assignment& assignment) {
   const std::string fault = set_parameter_text(parameters, assignment.name, assignment.value);
   if (fault.empty()) return;
   throw UsageError(fault + (find_parameter(assignment.name) == nullptr
-                                ? ": docs/parameters.md lists the planner's; besides there are participant.TRAIT "
-                                  "(docs/study.md) and link_delay"
+                                ? ": docs/use/parameters.md lists the planner's; besides there are participant.TRAIT "
+                                  "(docs/use/study.md) and link_delay"
                                 : ""));
 }
 

@@ -75,7 +75,7 @@ std::string unknown(const std::string& key) {
   }
   const std::string near = suggestion_for(key);
   return "unknown parameter " + key +
-         (near.empty() ? ": it has no effect; remove it, or find the right name in docs/parameters.md"
+         (near.empty() ? ": it has no effect; remove it, or find the right name in docs/use/parameters.md"
                        : ": it has no effect; do you mean " + near + "?");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// hidwa_attack: a hostile campaign against the planner's library. See docs/attack.md.
+// hidwa_attack: a hostile campaign against the planner's library. See docs/evidence/attack.md.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page without a browser: a client of the console's sockets that reads docs/console_protocol.md the slow way, and shares no code
+"""A page without a browser: a client of the console's sockets that reads docs/understand/console_protocol.md the slow way, and shares no code
 with the server."""
 import asyncio
 import contextlib

@@ -20,7 +20,7 @@ class Documents(unittest.TestCase):
     """As they are in the source tree."""
 
     def pages(self):
-        return ['README.md'] + [os.path.relpath(path, ROOT) for path in sorted(glob.glob(os.path.join(ROOT, 'docs', '*.md')))]
+        return ['README.md'] + [os.path.relpath(path, ROOT) for path in sorted(glob.glob(os.path.join(ROOT, 'docs', '*', '*.md')))]
 
     def test_links_lead_to_files(self):
         broken = []
@@ -42,7 +42,7 @@ class Documents(unittest.TestCase):
 
 
 class Updates(unittest.TestCase):
-    """docs/updates.md: the newest row of each parameter says what it is now."""
+    """docs/use/updates.md: the newest row of each parameter says what it is now."""
 
     def assert_current(self, part, column, defaults):
         """Of the rows of a part, the cell in `column` is the default where it is a number."""
@@ -57,7 +57,7 @@ class Updates(unittest.TestCase):
                 self.assertEqual(float(value), float(defaults[name]), name)
 
     def test_defaults_are_those_of_today(self):
-        planner, tracker = (read('docs/updates.md').split(f'## Defaults of the {whose}')[1].split('\n## ')[0]
+        planner, tracker = (read('docs/use/updates.md').split(f'## Defaults of the {whose}')[1].split('\n## ')[0]
                             for whose in ('planner', 'tracker'))
         listed = dict(re.findall(r'HIDWA_(?:DOUBLE|INT|BOOL|STRING)\((\w+),\s*("[^"]*"|[^,]+),',
                                  read('include/hidwa_local_planner/core/parameter_list.inc')))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// hidwa_ways: does autonomy find every way that is there? See docs/ways.md.
+// hidwa_ways: does autonomy find every way that is there? See docs/evidence/ways.md.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

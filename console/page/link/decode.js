@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The binary messages of /view (docs/console_protocol.md) as plain values. Little-endian; frame map; [m, rad].
+// The binary messages of /view (docs/understand/console_protocol.md) as plain values. Little-endian; frame map; [m, rad].
 import { place } from '../model/geometry.js';
 
 const NO_INDEX = 0xffffffff;

@@ -14,7 +14,8 @@ class PeriodWatch {
  public:
   /// The time for which an interval counts at least [s]. A control period of up to a slot is added to it.
   static constexpr double kMemory = 3.0;
-  /// At most so many control periods count. A host that is later than that breaks an assumption (docs/safety.md).
+  /// At most so many control periods count. A host that is later than that breaks an assumption
+  /// (docs/understand/safety.md).
   static constexpr double kMost = 3.0;
 
   /// A cycle came `interval` [s] after the one before.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One kind of input device, as the operator state machine sees it. The machine holds a list of sources and knows no
-// kind of device; docs/contributing.md says how to add one.
+// kind of device; docs/understand/contributing.md says how to add one.
 //
 // The machine does the rest, alike for every source: late messages (MessageStream), another sender, the timeout,
 // require_neutral, the stop and who has control. A source only says what its messages mean.

@@ -12,7 +12,7 @@ namespace hidwa_local_planner {
 
 /// Moving obstacles out of laser scans. A point that lies where space was seen free a moment ago belongs to something
 /// that moves. Points become bodies, bodies are associated with tracks, and each track is a Kalman filter of constant
-/// velocity. The same scans give the same tracks. docs/tracker.md explains it.
+/// velocity. The same scans give the same tracks. docs/understand/tracker.md explains it.
 class Tracker {
  public:
   /// Throws std::invalid_argument with fault_of(settings).

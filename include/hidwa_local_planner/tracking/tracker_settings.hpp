@@ -5,7 +5,7 @@
 
 namespace hidwa_local_planner {
 
-/// How the tracker judges; docs/tracker.md explains each.
+/// How the tracker judges; docs/understand/tracker.md explains each.
 struct TrackerSettings {
   double reach = 12.0;            // what is farther from the sensor is not looked at [m]
   double range_noise = 0.02;      // standard deviation of a range [m]

@@ -30,7 +30,7 @@ def parse(arguments):
         prog='scripts/attack', formatter_class=argparse.RawDescriptionHelpFormatter,
         description='Installs what is missing, builds hidwa_attack without ROS, and drives the planner with people who want a\n'
         'collision, faulty odometry, late cycles and bases of all kinds: every condition, 300 drives of 20 s each.\n'
-        'Prints a line a condition and writes summary.json and drives.csv (docs/attack.md says what they hold).',
+        'Prints a line a condition and writes summary.json and drives.csv (docs/evidence/attack.md says what they hold).',
         epilog='exit status: 0 the planner held under every promised condition; 1 it did not; 2 something did not run\n'
         'environment: HIDWA_SPACE and HIDWA_INSTALL: scripts/build --help')
     parser.add_argument('--condition', metavar='NAME[,NAME...]', help='only these; --list names them')

@@ -138,7 +138,7 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(
         prog='scripts/fuzz', formatter_class=argparse.RawDescriptionHelpFormatter,
         description='Installs what is missing, builds the targets of test/fuzz with libFuzzer, address and undefined-behaviour\n'
-        'sanitizer, and gives each bytes that the fuzzer thinks of. The console has a fuzzer of its own. docs/trust.md says what\n'
+        'sanitizer, and gives each bytes that the fuzzer thinks of. The console has a fuzzer of its own. docs/evidence/trust.md says what\n'
         'each target takes.',
         epilog='exit status: 0 nothing was found; 1 something was; 2 something did not run\n'
         'environment: HIDWA_SPACE and HIDWA_INSTALL: scripts/build --help')

@@ -268,7 +268,7 @@ def main(arguments=None):
         prog='scripts/mutate', formatter_class=argparse.RawDescriptionHelpFormatter,
         description='Installs what is missing, builds core, input and control with one deliberate fault at a time (an operator or a\n'
         'constant changed), and runs the tests that need no ROS until one fails. The seed chooses the faults. Ends with the share\n'
-        'that was found; build/mutate/mutants.csv has a row each. It takes hours; docs/trust.md has the figures.',
+        'that was found; build/mutate/mutants.csv has a row each. It takes hours; docs/evidence/trust.md has the figures.',
         epilog=f'exit status: 0 at least {BAR:g} % were found; 1 fewer; 2 something did not run\n'
         'Faults that change nothing that can be seen are listed with their reasons in test/mutation/equivalent.txt.')
     parser.add_argument('--count', type=int, default=200, metavar='N', help='faults (200)')

@@ -77,7 +77,7 @@ def parser():
     p.add_argument('--people-seed', type=count, default=1, metavar='N', help='what their ways depend on (default: %(default)s)')
     p.add_argument('--report', default='report', metavar='DIR', help='where the results go (default: %(default)s)')
     p.add_argument('--console', action='store_true',
-                   help='you steer from a page: serves it, prints its address, and drives to and fro until Ctrl-C; docs/console.md')
+                   help='you steer from a page: serves it, prints its address, and drives to and fro until Ctrl-C; docs/use/console.md')
     p.add_argument('--console-options', default='', metavar='"..."',
                    help="further options of the console's node, for one --console-options=\"--port 8080\"")
     p.add_argument('--gui', action='store_true', help='watch in rviz')

@@ -32,7 +32,7 @@ def _table(path, needed):
         reader = csv.DictReader(text, skipinitialspace=True)
         missing = [name for name in needed if name not in (reader.fieldnames or ())]
         if missing:
-            raise AnswersError(f'{path} has no column {missing[0]}; docs/study.md lists the columns')
+            raise AnswersError(f'{path} has no column {missing[0]}; docs/use/study.md lists the columns')
         return [(i, {key: (value or '').strip() for key, value in row.items() if key}) for i, row in enumerate(reader, 2)]
 
 
@@ -113,7 +113,7 @@ def add_answers(folder, who, condition, ratings):
             columns = next(csv.reader(text, skipinitialspace=True))
         missing = [name for name in values if name not in columns]
         if missing:
-            raise AnswersError(f'{path} has no column {missing[0]}; docs/study.md lists the columns')
+            raise AnswersError(f'{path} has no column {missing[0]}; docs/use/study.md lists the columns')
     new = not os.path.exists(path)
     with open(path, 'a', encoding='utf-8', newline='') as out:
         writer = csv.DictWriter(out, columns, restval='')

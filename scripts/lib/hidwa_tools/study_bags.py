@@ -179,7 +179,7 @@ def main(arguments=None):
     """scripts/study analyse"""
     parser = argparse.ArgumentParser(
         prog='scripts/study analyse', description="Makes hidwa_study's tables (runs.csv, paths/) and the study's report of the bags that "
-        'scripts/study live recorded, with the answers in questionnaires.csv and choices.csv where they are (docs/study.md).')
+        'scripts/study live recorded, with the answers in questionnaires.csv and choices.csv where they are (docs/use/study.md).')
     parser.add_argument('folder', metavar='DIR')
     parser.add_argument('--map', type=existing, metavar='FILE.yaml', help="the floor to draw (default: the bags')")
     parser.add_argument('--regions', type=existing, metavar='FILE.yaml',

@@ -49,7 +49,7 @@ def parser():
                    help="in SW: the person's own velocity, even into an obstacle (the paper's), or the nearest legal one")
     p.add_argument('--console', action='store_true',
                    help="the participant sits at the console's page: consent, drive and questionnaire there; its answers go to "
-                   'OUT/questionnaires.csv. With the simulated robot only; docs/console.md')
+                   'OUT/questionnaires.csv. With the simulated robot only; docs/use/console.md')
     p.add_argument('--console-options', default='', metavar='"..."', help="further options of the console's node")
     p.add_argument('--port', type=int, metavar='N', help="the simulation's ROS master, for a device's own node (default: any free one)")
     p.add_argument('--yes', action='store_true', help='do not ask; a condition out of its order is refused all the same')

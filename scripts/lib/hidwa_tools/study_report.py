@@ -117,7 +117,7 @@ def caution(simulated):
     """What the figures are no evidence of."""
     text = 'The paper states neither speed nor length of the route, so that only ratio and order compare.'
     return text + (' The people here are a model: they say nothing about preference, workload, comfort or sickness, and what '
-                   'docs/study.md lists as not modelled is what can turn the order round.' if simulated else '')
+                   'docs/use/study.md lists as not modelled is what can turn the order round.' if simulated else '')
 
 
 def _ratio(joystick, switching):
@@ -187,7 +187,7 @@ def reasons(rows, simulated):
         said.append(f'Mode errors in SW: {sum(errors):.0f} in {len(errors)} runs.')
     if simulated:
         said.append('Simulated people see where everything is, do not hesitate and hardly err: what would cost time and contacts in SW '
-                    'is what the model leaves out (docs/study.md, "Not modelled").')
+                    'is what the model leaves out (docs/use/study.md, "Not modelled").')
     return said
 
 

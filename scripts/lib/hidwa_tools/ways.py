@@ -39,7 +39,7 @@ def parse(arguments):
         prog='scripts/ways', formatter_class=argparse.RawDescriptionHelpFormatter,
         description='Installs what is missing, builds hidwa_ways without ROS, and leaves a robot alone in 5,000 tight places:\n'
         'does autonomy find the way where an exhaustive search finds one, and does it say so where there is none?\n'
-        'Prints a table and writes summary.json, scenes.csv and table.txt (docs/ways.md says what they hold).',
+        'Prints a table and writes summary.json, scenes.csv and table.txt (docs/evidence/ways.md says what they hold).',
         epilog='exit status: 0 every bar was reached; 1 not; 2 something did not run\n'
         'environment: HIDWA_SPACE and HIDWA_INSTALL: scripts/build --help')
     parser.add_argument('--scenes', type=int, default=5000, metavar='N', help='of all kinds together (5000)')

@@ -35,8 +35,8 @@ class CollisionChecker {
   bool collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
   /// The robot overlaps obstacles there, and unknown cells are all of them. Slow: to say why.
   bool meets_unknown_only(const Pose2& pose, const Rotation& heading) const;
-  /// The clearance [m], see docs/design.md; 0 where the robot collides. A lower bound, at most `cap`, which counts up
-  /// to largest_clearance().
+  /// The clearance [m], see docs/understand/design.md; 0 where the robot collides. A lower bound, at most `cap`, which
+  /// counts up to largest_clearance().
   double clearance(const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap) const;
   double clearance(const Pose2& pose, const Rotation& heading, double cap) const {
     return clearance(pose, heading, *footprint_, cap);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The binary messages of /view (docs/console_protocol.md), written in the plainest way. Frame map; [m, rad]."""
+"""The binary messages of /view (docs/understand/console_protocol.md), written in the plainest way. Frame map; [m, rad]."""
 import struct
 
 import numpy
