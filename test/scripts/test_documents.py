@@ -16,6 +16,11 @@ def read(path):
         return text.read()
 
 
+def headings(text):
+    """As links name them: words in small letters, joined by hyphens."""
+    return [re.sub(r'[^\w\- ]', '', heading.lower()).strip().replace(' ', '-') for heading in re.findall(r'^#+ (.*)$', text, re.M)]
+
+
 class Documents(unittest.TestCase):
     """As they are in the source tree."""
 
@@ -28,6 +33,15 @@ class Documents(unittest.TestCase):
             for target in re.findall(r'\]\(([^)#]+)', read(page)):
                 if not target.startswith('http') and not os.path.exists(os.path.join(ROOT, os.path.dirname(page), target)):
                     broken.append(f'{page}: {target}')
+        self.assertEqual(broken, [])
+
+    def test_links_lead_to_headings(self):
+        broken = []
+        for page in self.pages():
+            for target, heading in re.findall(r'\]\(([^)#]*)#([^)]+)\)', read(page)):
+                path = os.path.normpath(os.path.join(os.path.dirname(page), target)) if target else page
+                if not target.startswith('http') and heading not in headings(read(path)):
+                    broken.append(f'{page}: {target}#{heading}')
         self.assertEqual(broken, [])
 
     def test_the_readme_names_every_page(self):
