@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page without a browser: a client of the console's sockets that reads docs/understand/console_protocol.md the slow way, and shares no code
-with the server."""
+"""A page without a browser: a client of the console's sockets that reads docs/understand/console_protocol.md the slow way.
+
+It shares no code with the server.
+"""
 import asyncio
 import contextlib
 import json
