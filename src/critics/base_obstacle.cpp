@@ -53,7 +53,7 @@ void BaseObstacle::score(const CycleView& /*cycle*/, const Tile& tile, TileScore
   } else {
     tile.costs(tile.steps, raw);
   }
-  if (!rejects_ || (tile.touched_any & cell_class::kBlocked) == 0) return;
+  if (!rejects_ || (tile.cells.touched_any & cell_class::kBlocked) == 0) return;
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (!scores.rejected(c) && tile.centre_blocked(c))
       scores.reject(c, "centre hits an obstacle or its inscribed cells");

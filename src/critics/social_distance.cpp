@@ -110,9 +110,7 @@ void SocialDistance::prepare(const CycleView& cycle) {
 // comes until then is not near: leaving it out changes nothing.
 void SocialDistance::choose_times(const CycleView& cycle, const Tile& tile) {
   double fastest = std::max(std::abs(cycle.velocity.v), std::abs(cycle.last_command.v));
-  for (std::size_t c = 0; c < tile.count; c += tile.ascending ? std::max<std::size_t>(tile.count - 1, 1) : 1) {
-    fastest = std::max(fastest, std::abs(tile.v[c]));
-  }
+  for (std::size_t c = 0; c < tile.count; ++c) fastest = std::max(fastest, std::abs(tile.v[c]));
   if (fastest <= fastest_ && tile.dt == dt_ && tile.steps == steps_) return;
   fastest_ = fastest;
   dt_ = tile.dt;
@@ -138,9 +136,10 @@ void SocialDistance::choose_times(const CycleView& cycle, const Tile& tile) {
 // The first and the last candidate, and some between them; all where their speeds are in no order.
 void SocialDistance::choose_knots(const Tile& tile) {
   knots_.clear();
+  const bool ascending = std::is_sorted(tile.v, tile.v + tile.count);
   for (std::size_t c = 0; c < tile.count; ++c) {
     const bool end = c == 0 || c + 1 == tile.count;
-    if (end || !tile.ascending || tile.v[c + 1] - tile.v[knots_.back()] > kSpeedsApart) knots_.push_back(c);
+    if (end || !ascending || tile.v[c + 1] - tile.v[knots_.back()] > kSpeedsApart) knots_.push_back(c);
   }
   const std::size_t padded = (knots_.size() + SideGaps::kPad - 1) / SideGaps::kPad * SideGaps::kPad;
   for (std::vector<double>* values : {&x_, &y_, &gap_}) values->resize(padded);

@@ -74,16 +74,14 @@ class Parts {
   }
   void classify() {
     for (std::size_t t = 0; t < rollout_.tile_count(); ++t) {
-      Tile tile = rollout_.tile(t);
-      classes_.classify(tile);
-      benchmark::DoNotOptimize(tile.classes);
+      benchmark::DoNotOptimize(classes_.under(rollout_.tile(t)).classes);
     }
   }
   void judge() {
     admissibility_.prepare(parameters_, collision_, footprint_, grid_.resolution, {&start_});
     for (std::size_t t = 0; t < rollout_.tile_count(); ++t) {
       Tile tile = rollout_.tile(t);
-      classes_.classify(tile);
+      tile.cells = classes_.under(tile);
       reasons_.assign(tile.count, nullptr);
       admissibility_.check_rollouts(tile, reasons_.data());
       for (std::size_t c = 0; c < tile.count; ++c) {

@@ -51,7 +51,7 @@ class TileFiller {
       for (std::size_t c = 0; c < tile.count; ++c) reach = std::max(reach, distance(start, tile.pose(k, c)));
     }
     if (reach > reach_ || distance(start, centre_) > 0.0) look_around(start, 1.5 * reach + 0.5);
-    classes_.classify(tile);
+    tile.cells = classes_.under(tile);
     surroundings_.begin(tile);
   }
 

@@ -17,28 +17,32 @@ constexpr std::uint8_t kHit = 2;      // it overlaps one at any heading
 constexpr std::uint8_t kBlocked = 4;  // lethal, inscribed, unknown where that is an obstacle, or off the map
 }  // namespace cell_class
 
+/// The classes of the cells under a tile's candidates, see cell_class.
+struct TileCells {
+  const std::uint8_t* classes = nullptr;  // [(steps + 1) * stride] of the cells under the centre
+  const std::uint8_t* touched = nullptr;  // [count] classes of all poses of a candidate, or-ed; kHit not of the start
+  std::uint8_t touched_any = 0xFF;        // `touched` of all candidates, or-ed; every class where nobody has looked
+};
+
 /// Candidates that share the rotational sample and the number of steps, and so every heading: one tile, small enough to
 /// stay in the first cache while all critics score it. Positions are rows a step, columns a candidate; row k = 0 is the
 /// start pose. Rows are `stride` apart: what lies beyond `count` is padding. A critic gets tiles in which everything is
 /// set.
 struct Tile {
-  double omega = 0.0;                     // the rotational sample [rad/s]
-  double dt = 0.0;                        // length of a step [s]
-  std::size_t steps = 0;                  // poses are steps + 1
-  std::size_t first = 0;                  // index of the first candidate in the batch's order
-  std::size_t count = 0;                  // number of candidates
-  std::size_t stride = 0;                 // >= count
-  const double* v = nullptr;              // [count] the forward samples [m/s]
-  const double* x = nullptr;              // [(steps + 1) * stride] costmap frame [m]
-  const double* y = nullptr;              // [(steps + 1) * stride] costmap frame [m]
-  const double* heading = nullptr;        // [steps + 1] [rad]
-  const double* cos_heading = nullptr;    // [steps + 1]
-  const double* sin_heading = nullptr;    // [steps + 1]
-  const double* omega_at = nullptr;       // [steps + 1] rotational velocity reached [rad/s]
-  const std::uint8_t* classes = nullptr;  // [(steps + 1) * stride] of the cells under the centre, see cell_class
-  const std::uint8_t* touched = nullptr;  // [count] classes of all poses of a candidate, or-ed; kHit not of the start
-  std::uint8_t touched_any = 0xFF;        // `touched` of all candidates, or-ed; every class where nobody has looked
-  bool ascending = false;                 // no candidate is slower than the one before it
+  double omega = 0.0;                   // the rotational sample [rad/s]
+  double dt = 0.0;                      // length of a step [s]
+  std::size_t steps = 0;                // poses are steps + 1
+  std::size_t first = 0;                // index of the first candidate in the batch's order
+  std::size_t count = 0;                // number of candidates
+  std::size_t stride = 0;               // >= count
+  const double* v = nullptr;            // [count] the forward samples [m/s]
+  const double* x = nullptr;            // [(steps + 1) * stride] costmap frame [m]
+  const double* y = nullptr;            // [(steps + 1) * stride] costmap frame [m]
+  const double* heading = nullptr;      // [steps + 1] [rad]
+  const double* cos_heading = nullptr;  // [steps + 1]
+  const double* sin_heading = nullptr;  // [steps + 1]
+  const double* omega_at = nullptr;     // [steps + 1] rotational velocity reached [rad/s]
+  TileCells cells;
   Surroundings* surroundings = nullptr;
 
   double x_at(std::size_t k, std::size_t c) const { return x[k * stride + c]; }
@@ -47,7 +51,7 @@ struct Tile {
   Pose2 last_pose(std::size_t c) const { return pose(steps, c); }
   Twist2 sample(std::size_t c) const { return {v[c], omega}; }
   /// The robot's centre enters a cell that is lethal, inscribed, off the map, or unknown where unknown is an obstacle.
-  bool centre_blocked(std::size_t c) const { return (touched[c] & cell_class::kBlocked) != 0; }
+  bool centre_blocked(std::size_t c) const { return (cells.touched[c] & cell_class::kBlocked) != 0; }
 
   /// See Surroundings; `found` [count].
   bool distances(const PlanDistance& distance, double forward, const TileScores& scores, double* found) const {

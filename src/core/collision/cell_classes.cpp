@@ -11,11 +11,7 @@
 namespace hidwa_local_planner {
 namespace {
 
-struct Table {
-  double corner_x, corner_y, cells_per_metre;
-  int shift;
-  std::uint32_t wrap;
-};
+using Table = CellClasses::Table;
 
 // Indices into the table. Its corner lies below all poses, so that truncating is rounding down.
 HIDWA_VECTOR_CLONES
@@ -23,7 +19,7 @@ void find_cells(const Table& t, const double* __restrict x, const double* __rest
                 std::size_t count) {
   const double corner_x = t.corner_x, corner_y = t.corner_y, scale = t.cells_per_metre;
   const int shift = t.shift;
-  const std::uint32_t wrap = t.wrap;
+  const auto wrap = static_cast<std::uint32_t>(t.size() - 1);
   for (std::size_t c = 0; c < count; ++c) {
     const auto i = static_cast<std::int32_t>((x[c] - corner_x) * scale);
     const auto j = static_cast<std::uint32_t>(static_cast<std::int32_t>((y[c] - corner_y) * scale));
@@ -94,34 +90,65 @@ void gather(const std::uint8_t* __restrict classes, std::size_t rows, std::size_
   }
 }
 
+void block_by_cost(const std::uint8_t* __restrict costs, int count, bool unknown_blocks,
+                   std::uint8_t* __restrict classes) {
+  const std::uint8_t third = unknown_blocks ? cost::kUnknown : cost::kLethal;
+  for (int i = 0; i < count; ++i) {
+    const bool blocked = (costs[i] == cost::kLethal) | (costs[i] == cost::kInscribed) | (costs[i] == third);
+    classes[i] = static_cast<std::uint8_t>(classes[i] | (blocked ? cell_class::kBlocked : 0));
+  }
+}
+
+// The classes of `width` cells of the map from `first` on.
+void fill_row(const CollisionChecker& checker, const GridView& grid, bool unknown_blocks, Cell first, int width,
+              std::uint8_t* classes) {
+  for (int i = 0; i < width; i += 64) {
+    const Cell from{first.i + i, first.j};
+    std::uint8_t near[64], hit[64];
+    BitGrid::unpack(checker.near_bits(from), near);
+    BitGrid::unpack(checker.hit_bits(from), hit);
+    const int end = std::min(width - i, 64);
+    for (int b = 0; b < end; ++b) {
+      classes[i + b] = static_cast<std::uint8_t>(near[b] * cell_class::kNear + hit[b] * cell_class::kHit);
+    }
+  }
+  // Beyond the map everything is blocked.
+  const bool on_map = first.j >= 0 && first.j < grid.size_y;
+  const int begin = on_map ? std::clamp(-first.i, 0, width) : width;
+  const int end = on_map ? std::clamp(grid.size_x - first.i, begin, width) : width;
+  for (int i = 0; i < begin; ++i) classes[i] |= cell_class::kBlocked;
+  for (int i = end; i < width; ++i) classes[i] |= cell_class::kBlocked;
+  if (begin == end) return;
+  block_by_cost(grid.costs + grid.index({first.i + begin, first.j}), end - begin, unknown_blocks, classes + begin);
+}
+
 }  // namespace
 
 void CellClasses::prepare(const CollisionChecker& checker, const GridView& grid, bool unknown_is_obstacle,
                           const Pose2& centre, double reach) {
   const int radius = static_cast<int>(std::ceil(reach / grid.resolution)) + 1;
   const Cell middle = grid.cell_at(centre.x, centre.y);
-  first_ = {middle.i - radius, middle.j - radius};
-  corner_x_ = grid.origin_x + first_.i * grid.resolution;
-  corner_y_ = grid.origin_y + first_.j * grid.resolution;
-  cells_per_metre_ = 1.0 / grid.resolution;
-  width_ = 2 * radius + 1;
-  shift_ = 0;
-  while ((1 << shift_) < width_) ++shift_;
-  const std::size_t size = std::size_t{1} << (2 * shift_);
-  wrap_ = static_cast<std::uint32_t>(size - 1);
-  if (table_.size() < size) table_.resize(size);
-  unknown_blocks_ = unknown_is_obstacle;
-  for (int row = 0; row < width_; ++row) fill_row(checker, grid, row);
+  const Cell first{middle.i - radius, middle.j - radius};
+  table_.corner_x = grid.origin_x + first.i * grid.resolution;
+  table_.corner_y = grid.origin_y + first.j * grid.resolution;
+  table_.cells_per_metre = 1.0 / grid.resolution;
+  table_.width = 2 * radius + 1;
+  table_.shift = 0;
+  while ((1 << table_.shift) < table_.width) ++table_.shift;
+  if (table_.cells.size() < table_.size()) table_.cells.resize(table_.size());
+  for (int j = 0; j < table_.width; ++j) {
+    fill_row(checker, grid, unknown_is_obstacle, {first.i, first.j + j}, table_.width, table_.row(j));
+  }
   count_marked();
 }
 
 // Crow 1984, summed-area tables: how many cells of a box have a class is then four look-ups.
 void CellClasses::count_marked() {
-  const std::size_t n = static_cast<std::size_t>(width_) + 1;
+  const std::size_t n = static_cast<std::size_t>(table_.width) + 1;
   if (marked_.size() < n * n) marked_.resize(n * n);
   std::fill_n(marked_.begin(), n, 0U);
   for (std::size_t j = 1; j < n; ++j) {
-    const std::uint8_t* classes = table_.data() + ((j - 1) << shift_);
+    const std::uint8_t* classes = table_.row(static_cast<int>(j) - 1);
     const std::uint32_t* below = marked_.data() + (j - 1) * n;
     std::uint32_t* sums = marked_.data() + j * n;
     std::uint32_t in_row = 0;
@@ -134,24 +161,20 @@ void CellClasses::count_marked() {
 }
 
 bool CellClasses::unmarked(const std::int32_t* cells) const {
-  const std::size_t n = static_cast<std::size_t>(width_) + 1;
+  const std::size_t n = static_cast<std::size_t>(table_.width) + 1;
   const auto i0 = static_cast<std::size_t>(cells[0]), i1 = static_cast<std::size_t>(cells[2]) + 1;
   const auto j0 = static_cast<std::size_t>(cells[1]) * n, j1 = (static_cast<std::size_t>(cells[3]) + 1) * n;
   return marked_[j1 + i1] - marked_[j0 + i1] - marked_[j1 + i0] + marked_[j0 + i0] == 0;
 }
 
 bool CellClasses::find_open_rows(const Tile& tile) {
-  Extremes extremes{tile.x, tile.y, tile.stride, 0, tile.count - 1};
-  if (!tile.ascending) {
-    const auto [slow, fast] = std::minmax_element(tile.v, tile.v + tile.count);
-    extremes.a = static_cast<std::size_t>(slow - tile.v);
-    extremes.b = static_cast<std::size_t>(fast - tile.v);
-  }
-  bound_rows(extremes, tile.steps + 1, boxes_.data());
+  const auto [slowest, fastest] = std::minmax_element(tile.v, tile.v + tile.count);
+  const auto a = static_cast<std::size_t>(slowest - tile.v), b = static_cast<std::size_t>(fastest - tile.v);
+  bound_rows({tile.x, tile.y, tile.stride, a, b}, tile.steps + 1, boxes_.data());
   const std::size_t count = tile.steps + 2;
-  find_corners({corner_x_, corner_y_, cells_per_metre_, 0, 0}, boxes_.data(), count, corners_.data());
+  find_corners(table_, boxes_.data(), count, corners_.data());
   const std::int32_t* whole = corners_.data() + 4 * (count - 1);
-  const bool inside = whole[0] >= 0 && whole[1] >= 0 && whole[2] < width_ && whole[3] < width_;
+  const bool inside = whole[0] >= 0 && whole[1] >= 0 && whole[2] < table_.width && whole[3] < table_.width;
   if (inside && unmarked(whole)) return true;
   for (std::size_t k = 0; k <= tile.steps; ++k) open_[k] = inside && unmarked(corners_.data() + 4 * k) ? 1 : 0;
   return false;
@@ -159,43 +182,12 @@ bool CellClasses::find_open_rows(const Tile& tile) {
 
 void CellClasses::classify_rows(const Tile& tile, std::size_t first, std::size_t end) {
   const std::size_t at = first * tile.stride, size = (end - first) * tile.stride;
-  find_cells({corner_x_, corner_y_, cells_per_metre_, shift_, wrap_}, tile.x + at, tile.y + at, index_.data(), size);
-  look_up(table_.data(), index_.data(), classes_.data() + at, size);
+  find_cells(table_, tile.x + at, tile.y + at, index_.data(), size);
+  look_up(table_.cells.data(), index_.data(), classes_.data() + at, size);
   gather(classes_.data() + at, end - first, tile.stride, first == 0, touched_.data());
 }
 
-void CellClasses::fill_row(const CollisionChecker& checker, const GridView& grid, int row) {
-  std::uint8_t* classes = table_.data() + (static_cast<std::size_t>(row) << shift_);
-  const int j = first_.j + row;
-  for (int i = 0; i < width_; i += 64) {
-    const Cell from{first_.i + i, j};
-    std::uint8_t near[64], hit[64];
-    BitGrid::unpack(checker.near_bits(from), near);
-    BitGrid::unpack(checker.hit_bits(from), hit);
-    const int end = std::min(width_ - i, 64);
-    for (int b = 0; b < end; ++b) {
-      classes[i + b] = static_cast<std::uint8_t>(near[b] * cell_class::kNear + hit[b] * cell_class::kHit);
-    }
-  }
-  // Beyond the map everything is blocked.
-  const bool on_map = j >= 0 && j < grid.size_y;
-  const int begin = on_map ? std::clamp(-first_.i, 0, width_) : width_;
-  const int end = on_map ? std::clamp(grid.size_x - first_.i, begin, width_) : width_;
-  for (int i = 0; i < begin; ++i) classes[i] |= cell_class::kBlocked;
-  for (int i = end; i < width_; ++i) classes[i] |= cell_class::kBlocked;
-  if (begin < end) block_by_cost(grid.costs + grid.index({first_.i + begin, j}), end - begin, classes + begin);
-}
-
-void CellClasses::block_by_cost(const std::uint8_t* __restrict costs, int count,
-                                std::uint8_t* __restrict classes) const {
-  const std::uint8_t third = unknown_blocks_ ? cost::kUnknown : cost::kLethal;
-  for (int i = 0; i < count; ++i) {
-    const bool blocked = (costs[i] == cost::kLethal) | (costs[i] == cost::kInscribed) | (costs[i] == third);
-    classes[i] = static_cast<std::uint8_t>(classes[i] | (blocked ? cell_class::kBlocked : 0));
-  }
-}
-
-void CellClasses::classify(Tile& tile) {
+void CellClasses::reserve(const Tile& tile) {
   const std::size_t size = (tile.steps + 1) * tile.stride;
   if (classes_.size() < size) {
     classes_.resize(size);
@@ -208,11 +200,11 @@ void CellClasses::classify(Tile& tile) {
     boxes_.resize(4 * (tile.steps + 2));
     corners_.resize(4 * (tile.steps + 2));
   }
-  if (find_open_rows(tile)) {
-    tile.classes = tile.touched = none_.data();
-    tile.touched_any = 0;
-    return;
-  }
+}
+
+TileCells CellClasses::under(const Tile& tile) {
+  reserve(tile);
+  if (find_open_rows(tile)) return {none_.data(), none_.data(), 0};
   std::fill_n(touched_.begin(), tile.stride, std::uint8_t{0});
   for (std::size_t k = 0; k <= tile.steps;) {
     const std::size_t first = k;
@@ -224,12 +216,11 @@ void CellClasses::classify(Tile& tile) {
       classify_rows(tile, first, k);
     }
   }
-  tile.classes = classes_.data();
-  tile.touched = touched_.data();
-  tile.touched_any = 0;
+  TileCells cells{classes_.data(), touched_.data(), 0};
   for (std::size_t c = 0; c < tile.count; ++c) {
-    tile.touched_any = static_cast<std::uint8_t>(tile.touched_any | touched_[c]);
+    cells.touched_any = static_cast<std::uint8_t>(cells.touched_any | touched_[c]);
   }
+  return cells;
 }
 
 }  // namespace hidwa_local_planner

@@ -18,24 +18,28 @@ class CellClasses {
   /// Once per evaluation, after the checker; `reach` [m] as there.
   void prepare(const CollisionChecker& checker, const GridView& grid, bool unknown_is_obstacle, const Pose2& centre,
                double reach);
-  /// Sets `classes`, `touched` and `touched_any` of a tile. Valid until the next call.
-  void classify(Tile& tile);
+  /// Of a tile that has its poses. Valid until the next call.
+  TileCells under(const Tile& tile);
+
+  /// A square table of the map's cells around the robot.
+  struct Table {
+    double corner_x = 0.0, corner_y = 0.0;  // costmap frame [m]
+    double cells_per_metre = 20.0;
+    int width = 0, shift = 0;         // rows of `width` cells lie 2^shift apart
+    std::vector<std::uint8_t> cells;  // classes
+
+    std::size_t size() const { return std::size_t{1} << (2 * shift); }
+    std::uint8_t* row(int j) { return cells.data() + (static_cast<std::size_t>(j) << shift); }
+  };
 
  private:
-  void fill_row(const CollisionChecker& checker, const GridView& grid, int row);
-  void block_by_cost(const std::uint8_t* costs, int count, std::uint8_t* classes) const;
+  void reserve(const Tile& tile);
   void count_marked();
   bool unmarked(const std::int32_t* cells) const;
   bool find_open_rows(const Tile& tile);
   void classify_rows(const Tile& tile, std::size_t first, std::size_t end);
 
-  Cell first_;                              // of the table, map cells
-  double corner_x_ = 0.0, corner_y_ = 0.0;  // of the table [m]
-  double cells_per_metre_ = 20.0;
-  int width_ = 0, shift_ = 0;  // the table's rows are 2^shift cells long
-  std::uint32_t wrap_ = 0;     // index mask
-  bool unknown_blocks_ = true;
-  std::vector<std::uint8_t> table_;
+  Table table_;
   std::vector<std::uint32_t> marked_;  // [(width + 1)^2] cells of any class below and to the left of a corner
   std::vector<std::uint8_t> classes_;  // of the tile's poses
   std::vector<std::uint8_t> touched_;  // of the tile's candidates

@@ -45,9 +45,9 @@ void EscapeRule::look(const Parameters& parameters, const GridView& grid, const 
   const Cell centre = grid.cell_at(start.pose.x, start.pose.y);
   centre_inscribed_ = footprint.is_circle() && grid.contains(centre) && grid.at(centre) == cost::kInscribed;
   if (!applies()) return;
-  arm_ = footprint.is_circle() ? 0.0 : footprint.circumscribed_radius();
+  const double arm = footprint.is_circle() ? 0.0 : footprint.circumscribed_radius();
   speed_ =
-      EscapeSpeed(start.limits, arm_, grid.resolution, parameters.control_latency + start.period + start.latest_hold());
+      EscapeSpeed(start.limits, arm, grid.resolution, parameters.control_latency + start.period + start.latest_hold());
 }
 
 TurnedPose EscapeRule::relative(const Pose2& pose, const Rotation& heading) const {
@@ -159,7 +159,7 @@ bool EscapeRule::descends(const TurnedPose& at, Ahead ahead, Descent& descent) {
 std::size_t EscapeRule::stride(const Tile& tile, std::size_t c) const {
   const double v = std::max(std::abs(tile.v[c]), std::abs(start_->reference.v));
   const double omega = std::max(std::abs(tile.omega), std::abs(start_->reference.omega));
-  const double way = (v + arm_ * omega) * tile.dt, most = kRolloutSpacing * window_.map.resolution;
+  const double way = (v + speed_.arm() * omega) * tile.dt, most = kRolloutSpacing * window_.map.resolution;
   if (way * static_cast<double>(tile.steps) <= most) return tile.steps;
   return std::max<std::size_t>(1, static_cast<std::size_t>(most / way));
 }

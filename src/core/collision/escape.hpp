@@ -87,7 +87,6 @@ class EscapeRule {
   const Footprint* footprint_ = nullptr;
   double sim_time_ = 0.0;  // [s]
   const CycleStart* start_ = nullptr;
-  double arm_ = 0.0;  // from the centre to where the outline moves most in a turn [m]
   EscapeSpeed speed_;
   OutlineDepth depth_;
   std::vector<ObstacleClusters::Overlap> overlaps_;

@@ -22,6 +22,7 @@ class EscapeSpeed {
   EscapeSpeed(const VelocityLimits& limits, double arm, double resolution, double delay)
       : limits_(limits), arm_(arm), room_(0.5 * resolution), delay_(delay) {}
 
+  double arm() const { return arm_; }  // [m]
   /// How far the outline's farthest point moves until rest, at most [m].
   double way(const Twist2& u) const {
     return (std::abs(u.v) + arm_ * std::abs(u.omega)) * delay_ + limits_.x.distance_to_rest(u.v) +

@@ -28,12 +28,12 @@ void RolloutCheck::prepare(const CheckSetup& setup, ClearanceLookup& clearances,
 
 bool RolloutCheck::decide_by_cells(const Tile& tile, const char** reasons) const {
   if (setup_->escape != nullptr) return false;  // the cells count what the robot may overlap, too
-  if ((tile.touched_any & (cell_class::kHit | cell_class::kNear)) == 0) return true;
+  if ((tile.cells.touched_any & (cell_class::kHit | cell_class::kNear)) == 0) return true;
   unsigned undecided = 0;
   for (std::size_t c = 0; c < tile.count; ++c) {
-    const bool hit = (tile.touched[c] & cell_class::kHit) != 0;
+    const bool hit = (tile.cells.touched[c] & cell_class::kHit) != 0;
     if (hit) reasons[c] = kHits;
-    undecided |= hit ? 0U : tile.touched[c] & cell_class::kNear;
+    undecided |= hit ? 0U : tile.cells.touched[c] & cell_class::kNear;
   }
   return undecided == 0;
 }
@@ -56,8 +56,8 @@ const char* RolloutCheck::fault_of(const Tile& tile, std::size_t c) {
 bool RolloutCheck::free(const Tile& tile, std::size_t c) {
   const bool cells_count = setup_->escape == nullptr;  // else they count what the robot may overlap, too
   if (cells_count) {
-    if ((tile.touched[c] & cell_class::kHit) != 0) return false;
-    if ((tile.touched[c] & cell_class::kNear) == 0) return true;
+    if ((tile.cells.touched[c] & cell_class::kHit) != 0) return false;
+    if ((tile.cells.touched[c] & cell_class::kNear) == 0) return true;
   }
   // Where its neighbour hit something, a candidate mostly does too.
   if (last_hit_ > 0 && clearance_at(tile, c, last_hit_) <= 0.0) return false;
@@ -65,7 +65,7 @@ bool RolloutCheck::free(const Tile& tile, std::size_t c) {
   const double step =
       std::max(std::abs(tile.v[c]), std::abs(setup_->start->reference.v)) * tile.dt + most_turn_ * radius_;
   double clearance = clearance_at(tile, c, 0);
-  const std::uint8_t* classes = cells_count ? tile.classes + c : nullptr;
+  const std::uint8_t* classes = cells_count ? tile.cells.classes + c : nullptr;
   for (std::size_t k = 0; k < tile.steps;) {
     if (classes != nullptr && ((classes[k * tile.stride] | classes[(k + 1) * tile.stride]) & cell_class::kNear) ==
                                   0) {  // so is what lies between, whatever the heading
@@ -92,7 +92,7 @@ bool RolloutCheck::free(const Tile& tile, std::size_t c) {
 // Of a pose of a rollout [m].
 double RolloutCheck::clearance_at(const Tile& tile, std::size_t c, std::size_t k) {
   const bool cells_count = setup_->escape == nullptr;
-  if (cells_count && (tile.classes[k * tile.stride + c] & cell_class::kNear) == 0) return margin_;
+  if (cells_count && (tile.cells.classes[k * tile.stride + c] & cell_class::kNear) == 0) return margin_;
   return clearances_->at(tile.pose(k, c), {tile.cos_heading[k], tile.sin_heading[k]});
 }
 

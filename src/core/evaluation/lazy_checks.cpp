@@ -39,7 +39,7 @@ void LazyChecks::check_cells(const Tile& tile, TileState& state) {
   AdmissibilityCheck& admissibility = obstacles_.admissibility();
   const char** reason = scores_.reasons().data() + tile.first;
   const bool decided = admissibility.cells_decide(tile, reason);
-  const bool hits = (tile.touched_any & cell_class::kHit) != 0;
+  const bool hits = (tile.cells.touched_any & cell_class::kHit) != 0;
   for (std::size_t c = 0; hits && c < tile.count; ++c) {
     if (reason[c] != nullptr) scores_.rejected_by()[tile.first + c] = kCollision;
   }

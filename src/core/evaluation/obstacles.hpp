@@ -21,8 +21,8 @@ class Obstacles {
   /// Once per evaluation, for the candidates that were rolled out. `turn_out`: see AdmissibilityCheck::Setup.
   void prepare(const Cycle& cycle, const Rollout& rollout, const ComfortTurn& comfort, bool steered, bool turn_out);
 
-  /// Sets the cell classes of a tile.
-  void classify(Tile& tile) { classes_.classify(tile); }
+  /// The classes of the cells under a tile's candidates. Valid until the next call.
+  TileCells cells_under(const Tile& tile) { return classes_.under(tile); }
   /// How far the robot's centre gets in any rollout or brake manoeuvre, with what is asked around it, at most [m].
   double reach() const { return reach_.all; }
   /// The robot overlaps an obstacle.

@@ -21,7 +21,7 @@ class TileFiller {
   /// Valid until the next call.
   Tile tile(std::size_t index) {
     Tile tile = candidates_.rollout().tile(index);
-    obstacles_.classify(tile);
+    tile.cells = obstacles_.cells_under(tile);
     surroundings_.begin(tile);
     return tile;
   }

@@ -96,7 +96,6 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
       longest_step_ = std::max(longest_step_, top_speed * block.dt);
     }
     Block& block = tiles_.back();
-    block.ascending = block.ascending && (block.count == 0 || v_[i - 1] <= sample.u.v);
     ++block.count;
     v_[i] = sample.u.v;
     i = add_row(samples, i);
@@ -110,10 +109,7 @@ std::size_t Rollout::add_row(const std::vector<Sample>& samples, std::size_t i) 
   const std::size_t most = row ? std::min(samples.size(), i + 1 + kMostColumns - block.count) : i + 1;
   std::size_t end = i + 1;
   while (end < most && samples[end].kind == SampleKind::grid && samples[end].u.omega == block.omega) ++end;
-  for (std::size_t next = i + 1; next < end; ++next) {
-    v_[next] = samples[next].u.v;
-    block.ascending &= samples[next - 1].u.v <= samples[next].u.v;
-  }
+  for (std::size_t next = i + 1; next < end; ++next) v_[next] = samples[next].u.v;
   block.count += end - (i + 1);
   return end - 1;
 }
@@ -205,7 +201,6 @@ Tile Rollout::extent(std::size_t index) const {
   tile.count = block.count;
   tile.stride = padded(block.count);
   tile.v = v_.data() + block.first;
-  tile.ascending = block.ascending;
   return tile;
 }
 

@@ -46,9 +46,8 @@ class Rollout {
   struct Block {
     double omega = 0.0, dt = 0.0;
     std::size_t steps = 0, first = 0, count = 0;
-    std::size_t turn = 0;   // blocks of the same turn share their headings
-    bool ascending = true;  // in speed
-    bool ramped = true;     // velocities ramp from the reference; else they are the sample's from the start
+    std::size_t turn = 0;  // blocks of the same turn share their headings
+    bool ramped = true;    // velocities ramp from the reference; else they are the sample's from the start
     bool brake = false;
   };
   // One turn's headings and bounds of speed, at each step.

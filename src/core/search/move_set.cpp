@@ -59,7 +59,7 @@ Pose2 part_of(const Move& move, double share) {
 
 void MoveSets::make(const SearchTask& task, double radius, Pass pass) {
   const bool coarse = pass == Pass::coarse;
-  const double cell = std::min(task.resolution, kUsualCell);
+  const double cell = std::min(task.map.resolution, kUsualCell);
   MoveSet& open = sets_[static_cast<std::size_t>(Fineness::open)];
   MoveSet& tight = sets_[static_cast<std::size_t>(Fineness::tight)];
   MoveSet& touching = sets_[static_cast<std::size_t>(Fineness::touching)];

@@ -33,21 +33,21 @@ constexpr std::size_t kUsualTarget = 256;
 // What is marked so near to the edge of something that moves is its own [m].
 constexpr double kBeside = 0.1;
 
-void copy_costs(const GridView& grid, const Pose2& pose, SearchTask& task) {
+void copy_map(const GridView& grid, const Pose2& pose, MapCopy& copy) {
   const int reach = static_cast<int>(std::ceil(kSnapshotReach / grid.resolution));
   const Cell middle = grid.cell_at(pose.x, pose.y);
   const int i0 = std::clamp(middle.i - reach, 0, grid.size_x), i1 = std::clamp(middle.i + reach + 1, i0, grid.size_x);
   const int j0 = std::clamp(middle.j - reach, 0, grid.size_y), j1 = std::clamp(middle.j + reach + 1, j0, grid.size_y);
-  task.size_x = i1 - i0;
-  task.size_y = j1 - j0;
-  task.resolution = grid.resolution;
-  task.origin_x = grid.origin_x + i0 * grid.resolution;
-  task.origin_y = grid.origin_y + j0 * grid.resolution;
-  task.costs.clear();
-  task.costs.reserve(static_cast<std::size_t>(2 * reach + 1) * static_cast<std::size_t>(2 * reach + 1));
+  copy.size_x = i1 - i0;
+  copy.size_y = j1 - j0;
+  copy.resolution = grid.resolution;
+  copy.origin_x = grid.origin_x + i0 * grid.resolution;
+  copy.origin_y = grid.origin_y + j0 * grid.resolution;
+  copy.costs.clear();
+  copy.costs.reserve(static_cast<std::size_t>(2 * reach + 1) * static_cast<std::size_t>(2 * reach + 1));
   for (int j = j0; j < j1; ++j) {
     const std::uint8_t* row = grid.costs + grid.index({i0, j});
-    task.costs.insert(task.costs.end(), row, row + task.size_x);
+    copy.costs.insert(copy.costs.end(), row, row + copy.size_x);
   }
 }
 
@@ -55,7 +55,7 @@ void copy_costs(const GridView& grid, const Pose2& pose, SearchTask& task) {
 void drop_inscribed(SearchTask& task) {
   const Cell cell = task.grid().cell_at(task.start.x, task.start.y);
   if (task.radius <= 0.0 || !task.grid().contains(cell) || task.grid().at(cell) != cost::kInscribed) return;
-  std::replace(task.costs.begin(), task.costs.end(), cost::kInscribed, cost::kFree);
+  std::replace(task.map.costs.begin(), task.map.costs.end(), cost::kInscribed, cost::kFree);
 }
 
 void find_target(const std::vector<Pose2>& plan, SearchTask& task) {
@@ -104,13 +104,15 @@ bool SearchTask::operator==(const SearchTask& other) const {
   return mine == its;
 }
 
-bool SearchTask::plausible() const {
+bool MapCopy::plausible() const {
   constexpr int kMostCells = 1 << 14;  // a side
+  return size_x > 0 && size_y > 0 && size_x < kMostCells && size_y < kMostCells &&
+         costs.size() == view().cell_count() && resolution > 1e-4 && resolution < 10.0;
+}
+
+bool SearchTask::plausible() const {
   constexpr std::size_t kMostCorners = 1 << 12;
-  const bool sized = size_x > 0 && size_y > 0 && size_x < kMostCells && size_y < kMostCells &&
-                     costs.size() == static_cast<std::size_t>(size_x) * static_cast<std::size_t>(size_y) &&
-                     outline.size() < kMostCorners;
-  if (!sized || !is_finite(start) || !(resolution > 1e-4 && resolution < 10.0)) return false;
+  if (!map.plausible() || outline.size() >= kMostCorners || !is_finite(start)) return false;
   const auto usual = [](double value) { return value >= 0.0 && value < 1e3; };
   const bool robot = usual(radius) && usual(forward) && usual(backward) && usual(turning) && usual(near_target) &&
                      std::isfinite(heading) && usual(heading_off);
@@ -125,7 +127,7 @@ void add_movers(const MovingObstacleEstimates& movers, const Footprint& footprin
     for_cells_within(mover.position_now(), mover.radius + 0.5 * grid.resolution, grid, [&](const Cell& cell) {
       const double dx = grid.centre(cell).x() - task.start.x, dy = grid.centre(cell).y() - task.start.y;
       if (footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) <= grid.resolution) return;
-      task.costs[grid.index(cell)] = cost::kLethal;
+      task.map.costs[grid.index(cell)] = cost::kLethal;
     });
   }
 }
@@ -134,7 +136,7 @@ void remove_movers(const MovingObstacleEstimates& movers, SearchTask& task) {
   const GridView grid = task.grid();
   for (const MovingObstacleEstimate& mover : movers) {
     for_cells_within(mover.position_now(), mover.radius + kBeside, grid,
-                     [&](const Cell& cell) { task.costs[grid.index(cell)] = cost::kFree; });
+                     [&](const Cell& cell) { task.map.costs[grid.index(cell)] = cost::kFree; });
   }
 }
 
@@ -152,14 +154,14 @@ void make_search_task(const Pose2& start, const std::vector<Pose2>& plan, const 
   task.near_target = std::max(kNearTarget, grid.resolution);
   task.heading = 0.0;
   task.heading_off = SearchTask::kAnyHeading;
-  copy_costs(grid, start, task);
+  copy_map(grid, start, task.map);
   drop_inscribed(task);
   find_target(plan, task);
 }
 
 void aim_at_goal(const Pose2& goal, const Parameters& parameters, SearchTask& task) {
   task.target.assign(1, Point(goal.x, goal.y));
-  task.near_target = std::max(kWithinTolerance * parameters.xy_goal_tolerance, task.resolution);
+  task.near_target = std::max(kWithinTolerance * parameters.xy_goal_tolerance, task.map.resolution);
   task.heading = goal.theta;
   task.heading_off = std::max(kWithinTolerance * parameters.yaw_goal_tolerance, kHeadingExact);
 }

@@ -12,15 +12,29 @@
 
 namespace hidwa_local_planner {
 
+/// A part of a map, with its own copy of the costs.
+struct MapCopy {
+  std::vector<std::uint8_t> costs;  // [size_x * size_y] of costmap_2d
+  int size_x = 0, size_y = 0;       // [cells]
+  double resolution = 0.05;         // [m]
+  double origin_x = 0.0;            // lower left corner, costmap frame [m]
+  double origin_y = 0.0;            // [m]
+
+  GridView view() const { return {costs.data(), size_x, size_y, resolution, origin_x, origin_y}; }
+  /// The costs fit the size, and a robot may drive on such cells. Damaged bytes may hold anything.
+  bool plausible() const;
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.costs, self.size_x, self.size_y, self.resolution, self.origin_x, self.origin_y);
+  }
+};
+
 /// What a search for a way is about: a snapshot of the map around the robot, the robot, and where it has to come. It is
 /// all that a search depends on, so that a search can be repeated from it.
 struct SearchTask {
   static constexpr double kAnyHeading = 4.0;  // more than pi [rad]
-  std::vector<std::uint8_t> costs;            // [size_x * size_y] of costmap_2d
-  int size_x = 0, size_y = 0;                 // [cells]
-  double resolution = 0.05;                   // [m]
-  double origin_x = 0.0;                      // lower left corner, costmap frame [m]
-  double origin_y = 0.0;                      // [m]
+  MapCopy map;
   bool unknown_is_obstacle = true;
   Pose2 start;                       // the robot stands there, costmap frame
   Polygon outline;                   // with its padding, robot frame [m]; empty for a circle
@@ -33,17 +47,16 @@ struct SearchTask {
   double heading = 0.0;              // that it has to end with [rad]
   double heading_off = kAnyHeading;  // by no more than that [rad]
 
-  GridView grid() const { return {costs.data(), size_x, size_y, resolution, origin_x, origin_y}; }
+  GridView grid() const { return map.view(); }
   Footprint footprint() const { return Footprint(outline, radius); }
   bool operator==(const SearchTask& other) const;
-  /// It can be searched: what was read from damaged bytes may say of itself what cannot be.
+  /// It can be searched. Damaged bytes may hold anything.
   bool plausible() const;
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.costs, self.size_x, self.size_y, self.resolution, self.origin_x, self.origin_y, self.unknown_is_obstacle,
-       self.start, self.outline, self.radius, self.forward, self.backward, self.turning, self.target, self.near_target,
-       self.heading, self.heading_off);
+    io(self.map, self.unknown_is_obstacle, self.start, self.outline, self.radius, self.forward, self.backward,
+       self.turning, self.target, self.near_target, self.heading, self.heading_off);
   }
 };
 

@@ -8,8 +8,8 @@ namespace hidwa_local_planner {
 
 void TargetDistance::prepare(const SearchTask& task, const CollisionChecker& checker) {
   task_ = &task;
-  blocked_.assign(task.costs.size(), cost::kFree);
   grid_ = task.grid();
+  blocked_.assign(grid_.cell_count(), cost::kFree);
   block(checker);
   grid_.costs = blocked_.data();
   find_sources();

@@ -70,7 +70,7 @@ void WaySearch::begin(const SearchTask& task) {
   if (!same_robot) footprint_ = task_.footprint();
   prepare();
   poses_ = 0;
-  nearest_ = Node();
+  end_ = Node();
   least_left_ = std::numeric_limits<double>::infinity();
   begin_pass(Pass::coarse);
 }
@@ -83,11 +83,11 @@ void WaySearch::repeat(bool searching, const SearchTask& task, std::int64_t pose
 }
 
 void WaySearch::prepare() {
-  const Pose2 middle{task_.origin_x + 0.5 * task_.size_x * task_.resolution,
-                     task_.origin_y + 0.5 * task_.size_y * task_.resolution, 0.0};
-  const double across = 0.5 * std::max(task_.size_x, task_.size_y) * task_.resolution;
-  checker_.prepare(task_.grid(), footprint_, task_.unknown_is_obstacle, middle, across, task_.resolution / 16.0,
-                   kClearanceCells * task_.resolution);
+  const Pose2 middle{task_.map.origin_x + 0.5 * task_.map.size_x * task_.map.resolution,
+                     task_.map.origin_y + 0.5 * task_.map.size_y * task_.map.resolution, 0.0};
+  const double across = 0.5 * std::max(task_.map.size_x, task_.map.size_y) * task_.map.resolution;
+  checker_.prepare(task_.grid(), footprint_, task_.unknown_is_obstacle, middle, across, task_.map.resolution / 16.0,
+                   kClearanceCells * task_.map.resolution);
   to_target_.prepare(task_, checker_);
   rotations_.resize(kHeadings);
   for (int k = 0; k < kHeadings; ++k) {
@@ -115,7 +115,7 @@ void WaySearch::add_start() {
   node.clearance = static_cast<float>(clearance_at(task_.start, rotation(0)));
   node.needed = needed_from(node.clearance, 0.0);
   if (node.clearance <= 0.0F || bound(node) < 0.0) {
-    nearest_ = node;  // the end() of a robot that comes nowhere
+    end_ = node;  // the end() of a robot that comes nowhere
     return;
   }
   state_ = State::searching;
@@ -148,10 +148,10 @@ void WaySearch::leave(std::uint32_t from) {
   const double left = to_target_.at(node.x, node.y);
   if (left >= 0.0 && left < least_left_) {
     least_left_ = left;
-    nearest_ = node;
+    end_ = node;
   }
   if (left == 0.0 && turn_left(node) <= task_.heading_off) {
-    last_ = from;
+    end_ = node;
     state_ = State::found;
     return;
   }
@@ -174,7 +174,7 @@ void WaySearch::try_move(std::uint32_t from, const Move& move) {
   const bool changes = start.move != end.move && start.move != static_cast<std::uint8_t>(MoveKind::none);
   const double soonest = start.time + move.time + (changes ? kChangeTime : 0.0);
   // What is certainly too late need not be looked at more closely.
-  end.clearance = static_cast<float>(kClearanceCells * task_.resolution);
+  end.clearance = static_cast<float>(kClearanceCells * task_.map.resolution);
   end.time = static_cast<float>(soonest);
   const std::uint32_t known = bins_.find(bin_of(end));
   if (known != BinTable::kNone && nodes_[known].time <= end.time) return;
@@ -189,13 +189,14 @@ void WaySearch::try_move(std::uint32_t from, const Move& move) {
 // How much longer a move counts. A circle that turns comes no nearer to anything.
 double WaySearch::tightness(const Move& move, double clearance) const {
   if (move.kind == MoveKind::turn && footprint_.is_circle()) return 0.0;
-  const double tight = 1.0 - clearance / (kClearanceCells * task_.resolution);
-  const double touching = std::max(0.0, 1.0 - clearance / (kNeededOfCell * task_.resolution));
+  const double tight = 1.0 - clearance / (kClearanceCells * task_.map.resolution);
+  const double touching = std::max(0.0, 1.0 - clearance / (kNeededOfCell * task_.map.resolution));
   return kTightFactor * tight + kTouchingFactor * touching;
 }
 
 float WaySearch::needed_from(double clearance, double needed) const {
-  return static_cast<float>(std::max(needed, std::min(kNeededOfCell * task_.resolution, kNeededOfMost * clearance)));
+  return static_cast<float>(
+      std::max(needed, std::min(kNeededOfCell * task_.map.resolution, kNeededOfMost * clearance)));
 }
 
 WaySearch::Clearance WaySearch::clearance_along(const Node& from, const Move& move) const {
@@ -220,19 +221,19 @@ WaySearch::Clearance WaySearch::clearance_along(const Node& from, const Move& mo
 
 // Up to a cell [m].
 double WaySearch::clearance_at(const Pose2& position, const Rotation& heading) const {
-  return checker_.clearance(position, heading, kClearanceCells * task_.resolution);
+  return checker_.clearance(position, heading, kClearanceCells * task_.map.resolution);
 }
 
 Fineness WaySearch::fineness(const Node& node) const {
-  if (node.clearance < kTouchesBelow * std::min(task_.resolution, kUsualCell)) return Fineness::touching;
-  return checker_.clear_around(node.x, node.y, kOpenCells * task_.resolution) ? Fineness::open : Fineness::tight;
+  if (node.clearance < kTouchesBelow * std::min(task_.map.resolution, kUsualCell)) return Fineness::touching;
+  return checker_.clear_around(node.x, node.y, kOpenCells * task_.map.resolution) ? Fineness::open : Fineness::tight;
 }
 
 std::uint64_t WaySearch::bin_of(const Node& node) const {
   const Fineness fine = fineness(node);
   const MoveSet& set = moves_.of(fine);
-  const auto i = static_cast<std::uint64_t>((node.x - task_.origin_x) / set.bin);
-  const auto j = static_cast<std::uint64_t>((node.y - task_.origin_y) / set.bin);
+  const auto i = static_cast<std::uint64_t>((node.x - task_.map.origin_x) / set.bin);
+  const auto j = static_cast<std::uint64_t>((node.y - task_.map.origin_y) / set.bin);
   const auto k = static_cast<std::uint64_t>(node.heading / set.heading_bin);
   return (((static_cast<std::uint64_t>(fine) << 20 | i) << 20 | j) << 9) | k;
 }
@@ -275,12 +276,12 @@ void WaySearch::write(Way& way) const {
   way.reserve(kUsualStations);
   if (state_ != State::found) return;
   double left = 0.0;
-  for (std::size_t n = last_;;) {
-    const Node& node = nodes_[n];
-    way.add({{node.x, node.y, heading_of(node.heading)}, left});
-    if (node.parent < 0) break;
-    left += time_between(nodes_[static_cast<std::size_t>(node.parent)], node);
-    n = static_cast<std::size_t>(node.parent);
+  for (const Node* node = &end_;;) {
+    way.add({{node->x, node->y, heading_of(node->heading)}, left});
+    if (node->parent < 0) break;
+    const Node* before = &nodes_[static_cast<std::size_t>(node->parent)];
+    left += time_between(*before, *node);
+    node = before;
   }
   way.reverse();
   for (int k = 0; k < kSmoothings; ++k) smooth(way);
@@ -307,14 +308,14 @@ double WaySearch::time_between(const Node& a, const Node& b) const {
 WaySearch::End WaySearch::end() {
   End end;
   if (rotations_.empty()) return end;  // never begun
-  const Node& node = nearest_;
+  const Node& node = end_;
   const Rotation r = rotation(node.heading);
   end.pose = {node.x, node.y, heading_of(node.heading)};
   placed_.clear();
   for (const Point& p : footprint_.outline()) placed_.push_back(r.placed(node.x, node.y, p.x(), p.y()));
   end.gap = std::numeric_limits<double>::infinity();
-  for (int j = 0; j < task_.size_y; ++j) {
-    for (int i = 0; i < task_.size_x; ++i) {
+  for (int j = 0; j < task_.map.size_y; ++j) {
+    for (int i = 0; i < task_.map.size_x; ++i) {
       const Point centre = task_.grid().centre({i, j});
       const double gap = checker_.obstacle({i, j}) ? gap_to(end.pose, centre) : end.gap;
       if (gap >= end.gap) continue;
@@ -329,7 +330,7 @@ WaySearch::End WaySearch::end() {
 
 // From the outline at end() to a cell [m].
 double WaySearch::gap_to(const Pose2& pose, const Point& centre) const {
-  const double side = task_.resolution, x = centre.x() - 0.5 * side, y = centre.y() - 0.5 * side;
+  const double side = task_.map.resolution, x = centre.x() - 0.5 * side, y = centre.y() - 0.5 * side;
   if (footprint_.is_circle()) {
     const double dx = std::max(std::abs(centre.x() - pose.x) - 0.5 * side, 0.0);
     const double dy = std::max(std::abs(centre.y() - pose.y) - 0.5 * side, 0.0);

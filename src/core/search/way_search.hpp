@@ -147,8 +147,7 @@ class WaySearch {
   std::vector<Queued> queue_;
   BinTable bins_;
   State state_ = State::idle;
-  std::uint32_t last_ = 0;   // node: the way's end
-  Node nearest_;             // to the target, of both passes
+  Node end_;                 // of the way that was found; until then the nearest to the target, of both passes
   double least_left_ = 0.0;  // of all that were left: distance to the target [m]
   Polygon placed_;           // the outline at end()
 };

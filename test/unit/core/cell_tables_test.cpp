@@ -143,13 +143,13 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
     CellClasses classes;
     classes.prepare(checker, cycle.grid, unknown, start, cycle.reach);
     for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
-      Tile tile = cycle.rollout.tile(t);
-      classes.classify(tile);
+      const Tile tile = cycle.rollout.tile(t);
+      const TileCells cells = classes.under(tile);
       std::uint8_t any = 0;
       for (std::size_t c = 0; c < tile.count; ++c) {
         std::uint8_t touched = 0;
         for (std::size_t k = 0; k <= tile.steps; ++k) {
-          const std::uint8_t found = tile.classes[k * tile.stride + c];
+          const std::uint8_t found = cells.classes[k * tile.stride + c];
           const Pose2 pose = tile.pose(k, c);
           const std::uint8_t by_cost = cost_class(scene, cycle.grid, pose.x, pose.y);
           ASSERT_EQ(found & cell_class::kBlocked, by_cost);
@@ -162,30 +162,15 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
           hit += (found & cell_class::kHit) != 0;
           blocked += by_cost != 0;
         }
-        ASSERT_EQ(tile.touched[c], touched) << "tile " << t << ", candidate " << c;
+        ASSERT_EQ(cells.touched[c], touched) << "tile " << t << ", candidate " << c;
         any = static_cast<std::uint8_t>(any | touched);
       }
-      ASSERT_EQ(tile.touched_any, any);
+      ASSERT_EQ(cells.touched_any, any);
       open += any == 0;
     }
   }
   std::printf("%d tiles near nothing; poses: %d near, %d hits, %d blocked\n", open, near, hit, blocked);
   for (const int often : {open, near, hit, blocked}) EXPECT_GT(often, 100);
-}
-
-// Rows of the grid of samples go from slow to fast: what is quicker to look at must be known as such.
-TEST(Tiles, KnowWhetherTheirSpeedsAscend) {
-  int ascending = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const Scene scene = test::random_scene(seed);
-    const SceneRollout cycle(scene);
-    for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
-      const Tile tile = cycle.rollout.tile(t);
-      EXPECT_EQ(tile.ascending, std::is_sorted(tile.v, tile.v + tile.count)) << "seed " << seed << ", tile " << t;
-      ascending += tile.ascending && tile.count > 1;
-    }
-  }
-  EXPECT_GT(ascending, 100);
 }
 
 TEST(EndCells, AreThoseOfThePointsAhead) {

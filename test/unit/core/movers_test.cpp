@@ -503,7 +503,7 @@ TEST(AmongMovers, TheSearchTakesThemWhereTheyAreNow) {
   const GridView grid = task.grid();
   EXPECT_EQ(grid.at(grid.cell_at(1.45, 0.5)), cost::kLethal);
   EXPECT_EQ(grid.at(grid.cell_at(0.8, 0.5)), cost::kFree);
-  std::fill(task.costs.begin(), task.costs.end(), cost::kFree);
+  std::fill(task.map.costs.begin(), task.map.costs.end(), cost::kFree);
   add_movers({mover_at(0.3, 0.0)}, Footprint(scene.outline), task);  // stands in the robot, whose front is at 0.2
   EXPECT_EQ(grid.at(grid.cell_at(0.15, 0.0)), cost::kFree);
   EXPECT_EQ(grid.at(grid.cell_at(0.45, 0.0)), cost::kLethal);

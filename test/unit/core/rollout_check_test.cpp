@@ -58,7 +58,7 @@ TEST(RolloutCheck, AsEveryPoseByItself) {
     if (cycle.checker.collides(scene.situation.pose)) continue;
     for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
       Tile tile = cycle.rollout.tile(t);
-      cycle.classes.classify(tile);
+      tile.cells = cycle.classes.under(tile);
       std::vector<const char*> reasons(tile.count, nullptr);
       cycle.check.check_rollouts(tile, reasons.data());
       for (std::size_t c = 0; c < tile.count; ++c) {

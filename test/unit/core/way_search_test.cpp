@@ -305,7 +305,7 @@ TEST(TargetDistance, NoColumnOfAWallIsOpen) {
     task.near_target = 0.05;
     const Footprint footprint = task.footprint();
     CollisionChecker checker;
-    checker.prepare(task.grid(), footprint, true, {}, 10.0, task.resolution / 16.0);
+    checker.prepare(task.grid(), footprint, true, {}, 10.0, task.map.resolution / 16.0);
     TargetDistance distances;
     distances.prepare(task, checker);
     const Point before = scene.grid().centre({column + 1, 80});
