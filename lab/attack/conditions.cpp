@@ -7,8 +7,8 @@ namespace hidwa_attack {
 namespace {
 
 using hidwa_local_planner::Admissibility;
-using hidwa_local_planner::CommandPolicy;
 using hidwa_local_planner::Generator;
+using hidwa_local_planner::Method;
 using hidwa_local_planner::VelocityReference;
 
 void rate(Spec& s, int hertz) { s.period = 1000 / hertz; }
@@ -90,7 +90,7 @@ void anything(Spec& s, Random& r) {
       {Odometry::exact, Odometry::noisy, Odometry::outliers, Odometry::outliers, Odometry::delayed, Odometry::silent});
   if (r.chance(0.4)) s.pose_age = 50;
   if (r.chance(0.3)) s.parameters.velocity_reference = VelocityReference::odometry;
-  if (r.chance(0.2)) s.parameters.command = CommandPolicy::target;
+  if (r.chance(0.2)) s.parameters.method = Method::paper;
   if (r.chance(0.3)) s.parameters.generator = Generator::dwa;
   if (r.chance(0.2)) s.parameters.sim_time = 0.2;
   if (r.chance(0.2)) s.limits_change = true;
@@ -264,8 +264,8 @@ std::vector<Condition> options() {
          s.parameters.velocity_reference = VelocityReference::odometry;
          s.odometry = Odometry::outliers;
        }},
-      {"command_target", true, "command: target, the braking check on",
-       [](Spec& s, Random&) { s.parameters.command = CommandPolicy::target; }},
+      {"method_paper", true, "method: paper, the braking check on",
+       [](Spec& s, Random&) { s.parameters.method = Method::paper; }},
       {"generator_dwa", true, "generator: dwa", [](Spec& s, Random&) { s.parameters.generator = Generator::dwa; }},
       {"short_sim_time", true, "sim_time 0.2 s: the braking check alone decides",
        [](Spec& s, Random& r) {

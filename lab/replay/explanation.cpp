@@ -113,7 +113,7 @@ std::string why_chosen(record::CycleReplay& replay) {
   if (second < 0) return text + ": the only legal one\n";
   const CandidateReport& next = all[static_cast<std::size_t>(second)];
   text += next.total - chosen.total > 1e-9 ? ": the smallest J of all legal ones\n"
-                                           : ": of those with the smallest J the one that tie_break prefers\n";
+                                           : ": of those with the smallest J the one that the rule for ties prefers\n";
   return text + format("next best: #%d %s, J = %.4f; the chosen one gains: %s\n", second, in_words(next.sample).c_str(),
                        next.total, compare(chosen, next).c_str());
 }

@@ -57,7 +57,7 @@ void ControlLoop::set_plan(std::vector<Pose2> plan, const std::string& frame, do
   const bool is_new = !goal_.known || frame != frame_ || !same_goal(goal_.pose, goal_.first, parameters());
   plan = with_poses_between(plan);
   situation_.plan.reserve(plan.size() + 1);  // what no window of it outgrows
-  const bool chooses = autonomous_ && parameters().plan_hysteresis > 0.0;
+  const bool chooses = autonomous_ && parameters().method == Method::hidwa;
   if (is_new || paused) {
     plan_choice_.clear();
     plan_.set_plan(std::move(plan));

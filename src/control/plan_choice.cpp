@@ -16,6 +16,10 @@ namespace {
 // Plans are compared over this distance ahead [m].
 constexpr double kSameWayFor = 6.0;
 
+// A plan on the other side costs less than going on by at least this share: a fifth. A convention: what is nearer to
+// each other is about the same, and plan_hysteresis_time bounds what it can cost.
+constexpr double kClearlyCheaper = 0.2;
+
 // navfn's: a cell costs 50 and 0.8 of its cost.
 constexpr double kCostPerMetre = 0.8 / 50.0;
 
@@ -96,7 +100,7 @@ std::vector<Pose2> PlanChoice::take() {
 }
 
 bool PlanChoice::prefers_offer(const Context& context, const Parameters& parameters) {
-  if (!context.autonomous || gives_way_ || !(parameters.plan_hysteresis > 0.0)) return true;
+  if (!context.autonomous || gives_way_ || parameters.method == Method::paper) return true;
   const GridView& grid = context.costmap;
   lay_out(context.followed, context.from_plan, context.robot, old_way_);
   lay_out(offered_, context.from_plan, context.robot, new_way_);
@@ -107,7 +111,7 @@ bool PlanChoice::prefers_offer(const Context& context, const Parameters& paramet
                   std::make_reverse_iterator(new_way_.begin() + static_cast<std::ptrdiff_t>(new_points)),
                   new_way_.rend());
   const bool waits = encloses_obstacle(outline_, grid) && !leads_through_obstacle(old_way_, old_points, grid) &&
-                     !(cost_of(new_way_, grid) < (1.0 - parameters.plan_hysteresis) * cost_of(old_way_, grid));
+                     !(cost_of(new_way_, grid) < (1.0 - kClearlyCheaper) * cost_of(old_way_, grid));
   waits_.observe(context.now, waits);
   return !waits || waits_.for_at_least(parameters.plan_hysteresis_time, context.now);
 }

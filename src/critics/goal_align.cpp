@@ -15,7 +15,7 @@ class GoalAlign : public MapGridCritic {
 };
 
 double GoalAlign::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  distance_ = parameters.map_grid;
+  paper_ = parameters.method == Method::paper;
   forward_ = parameters.GoalAlign_forward_point_distance;
   return 0.5 * parameters.GoalAlign_scale;
 }

@@ -15,7 +15,7 @@ class GoalDist : public MapGridCritic {
 };
 
 double GoalDist::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  distance_ = parameters.map_grid;
+  paper_ = parameters.method == Method::paper;
   return 0.5 * parameters.GoalDist_scale;
 }
 

@@ -28,7 +28,7 @@ double bearing_error(const Pose2& pose, const Pose2& target) {
 
 void MapGridCritic::prepare(const CycleView& cycle) {
   off_map_ = !cycle.plan_on_map();
-  rejects_ = distance_ == MapGridDistance::l1 && !cycle.operator_decides;
+  rejects_ = paper_ && !cycle.operator_decides;
   chosen_ = choose(cycle);
   unreached_ = cycle.grid->resolution * (cycle.grid->size_x + cycle.grid->size_y);
   if (off_map_) {

@@ -11,7 +11,7 @@ namespace hidwa_local_planner::critics {
 /// to the plan or the local goal; it weighs scale/2 per metre, as Nav2's resolution * scale / 2 per cell.
 /// Where no pose of the plan lies on the map, the score is how far the last pose's heading is off the bearing to the
 /// nearest plan pose [rad], so that a steered robot can be led back.
-/// `map_grid: l1` rejects candidates whose point has no way to the plan, as Nav2 does, unless the person decides.
+/// `method: paper` rejects candidates whose point has no way to the plan, as Nav2 does, unless the person decides.
 class MapGridCritic : public Critic {
  public:
   double reach() const final { return forward_; }
@@ -22,7 +22,7 @@ class MapGridCritic : public Critic {
   /// Which distance counts in this cycle; none turns the critic off for this cycle.
   virtual std::optional<PlanDistance> choose(const CycleView& cycle) const = 0;
 
-  MapGridDistance distance_ = MapGridDistance::geodesic;
+  bool paper_ = false;    // method: paper
   double forward_ = 0.0;  // the point's distance ahead of the robot [m]
 
  private:

@@ -9,7 +9,7 @@ namespace {
 
 /// Ends driving or turning back and forth: after a commanded change of sign only the new direction is legal, until the
 /// robot has moved, turned or waited enough. Turning counts only while the robot hardly drives. Scores 0. While the
-/// person steers it rejects only with `oscillation_while_steering`; where the person decides it rejects nothing.
+/// person steers it rejects only with `method: paper`; where the person decides it rejects nothing.
 class Oscillation : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;
@@ -54,7 +54,7 @@ double Oscillation::configure(const Parameters& parameters, const ParameterSourc
   reset_dist_ = parameters.Oscillation_reset_dist;
   reset_angle_ = parameters.Oscillation_reset_angle;
   reset_time_ = parameters.Oscillation_reset_time;
-  while_steering_ = parameters.oscillation_while_steering;
+  while_steering_ = parameters.method == Method::paper;
   return parameters.Oscillation_scale;
 }
 

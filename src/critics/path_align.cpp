@@ -16,7 +16,7 @@ class PathAlign : public MapGridCritic {
 };
 
 double PathAlign::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  distance_ = parameters.map_grid;
+  paper_ = parameters.method == Method::paper;
   forward_ = parameters.PathAlign_forward_point_distance;
   return 0.5 * parameters.PathAlign_scale;
 }

@@ -15,7 +15,7 @@ class PathDist : public MapGridCritic {
 };
 
 double PathDist::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  distance_ = parameters.map_grid;
+  paper_ = parameters.method == Method::paper;
   return 0.5 * parameters.PathDist_scale;
 }
 

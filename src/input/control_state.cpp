@@ -20,7 +20,7 @@ void ControlState::debrief(double now, const CycleFeedback& feedback, const Para
   last_v_ = feedback.command.v;
   blocked_.observe(now, is_steering(state_) && feedback.operator_command_rejected && feedback.stands);
   const bool straight_on = state_ == OperatorStateId::hold || state_ == OperatorStateId::lost;
-  if (straight_on && feedback.operator_command_rejected && parameters.hold_ends_when_refused) hold_.end();
+  if (straight_on && feedback.operator_command_rejected && parameters.method == Method::hidwa) hold_.end();
 }
 
 void ControlState::new_goal() {
@@ -32,7 +32,7 @@ void ControlState::new_goal() {
 void ControlState::begin_hold(const CycleInput& cycle) {
   const Parameters& p = cycle.parameters;
   if (cycle.channel.lost() && p.on_input_lost != OnInputLost::hold) return;
-  const bool from_robot = p.hold_linear == HoldLinear::robot || p.linear == LinearPolicy::current;
+  const bool from_robot = p.linear == LinearPolicy::current;
   hold_.begin(cycle.channel.ended_at(), from_robot ? last_v_.value_or(cycle.channel.u_h().v) : cycle.channel.u_h().v);
 }
 
@@ -48,7 +48,7 @@ Facts ControlState::facts(const CycleInput& cycle) const {
   facts.active = cycle.channel.active() && (!switching || cycle.goalless);
   facts.blocked = blocked_.for_at_least(p.blocked_time, cycle.now);
   facts.holding = hold_.running(cycle.now, p.delta);
-  facts.at_goal = goal_latched_ && !p.operator_in_goal_window;
+  facts.at_goal = goal_latched_ && p.method == Method::hidwa;
   return facts;
 }
 

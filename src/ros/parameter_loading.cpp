@@ -2,6 +2,7 @@
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -95,6 +96,51 @@ std::string meant_otherwise(const XmlRpcValue& content, const std::string& key, 
          "driving. Remove it; where the motors cannot turn slowly on the spot, set min_in_place_vel_theta";
 }
 
+/// A parameter that `method` took the place of, and what it would be with either method.
+struct FormerSwitch {
+  const char *name, *hidwa, *paper;
+};
+constexpr FormerSwitch kFormerSwitches[] = {{"command", "feasible", "target"},
+                                            {"hold_ends_when_refused", "true", "false"},
+                                            {"hold_linear", "operator", "operator"},
+                                            {"integration", "midpoint", "euler"},
+                                            {"map_grid", "geodesic", "l1"},
+                                            {"operator_in_goal_window", "false", "true"},
+                                            {"oscillation_while_steering", "false", "true"},
+                                            {"plan_hysteresis", "0.2", "0"},
+                                            {"sample_operator", "true", "false"},
+                                            {"sample_previous", "true", "false"},
+                                            {"sample_zero", "true", "false"},
+                                            {"tie_break", "least_change", "first"}};
+
+bool is_former_switch(const std::string& key) {
+  return std::any_of(std::begin(kFormerSwitches), std::end(kFormerSwitches),
+                     [&](const FormerSwitch& former) { return key == former.name; });
+}
+
+/// A file of before that sets all of them as the paper has them means the paper's method. Fewer of them have no effect;
+/// those that say what the method does anyway are no matter.
+void take_former_switches(LoadedParameters& loaded, const XmlRpcValue& content) {
+  const auto value_of = [&](const FormerSwitch& former) {
+    return content.hasMember(former.name) ? as_text(content[former.name]) : former.hidwa;
+  };
+  const bool as_paper = std::all_of(std::begin(kFormerSwitches), std::end(kFormerSwitches),
+                                    [&](const FormerSwitch& former) { return value_of(former) == former.paper; });
+  if (as_paper && !content.hasMember("method")) {
+    loaded.parameters.method = Method::paper;
+    loaded.warnings.push_back(
+        "method: paper is in force, for sample_zero, tie_break and the others that it took the place of are all set as "
+        "the paper has them: write method: paper instead of them");
+  }
+  const bool paper = loaded.parameters.method == Method::paper;
+  for (const FormerSwitch& former : kFormerSwitches) {
+    if (value_of(former) == (paper ? former.paper : former.hidwa) || !content.hasMember(former.name)) continue;
+    loaded.warnings.push_back(std::string("unknown parameter ") + former.name + ": it has no effect; it is " +
+                              former.hidwa + " with method: hidwa, and " + former.paper +
+                              " with method: paper: set method instead, or remove it");
+  }
+}
+
 /// DWB's layout, `PathAlign: {scale: 32}`.
 void take_nested(LoadedParameters& loaded, const std::string& group, const XmlRpcValue& members) {
   for (const auto& [member, value] : members) {
@@ -152,10 +198,11 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
       take(loaded, *info, key, value);
     } else if (value.getType() == XmlRpcValue::TypeStruct) {
       groups.emplace_back(key, &value);
-    } else {
+    } else if (!is_former_switch(key)) {
       loaded.warnings.push_back(unknown(key));
     }
   }
+  take_former_switches(loaded, content);
   std::set<std::string> listed;
   for (const std::string& critic : split_names(loaded.parameters.critics)) listed.insert(short_name(critic));
   for (const auto& [group, members] : groups) {

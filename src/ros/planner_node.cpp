@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/motion/velocity_limits.hpp"
-#include "core/planner/safe_values.hpp"
 #include "core/util/words.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
 #include "hidwa_local_planner/ros/conversions.hpp"
@@ -269,7 +268,6 @@ std::vector<std::string> PlannerNode::configure(const ParameterSet& set) {
   operator_.configure(wanted);
   recorder_.take(foreign_content(set));
   budget_.configure(configured_samples(loop_.parameters()));
-  for (const std::string& reason : make_safe(wanted)) ROS_WARN("%s: %s", name_.c_str(), reason.c_str());
   return {};
 }
 

@@ -90,9 +90,9 @@ class Parts {
     }
   }
   // All three sets at once, as the critics ask for them.
-  void measure_distances(MapGridDistance distance) {
+  void measure_distances(Method method) {
     const double ahead = parameters_.GoalAlign_forward_point_distance;
-    grids_.prepare(grid_, scene_->situation.plan, distance, parameters_.unknown_is_obstacle);
+    grids_.prepare(grid_, scene_->situation.plan, method, parameters_.unknown_is_obstacle);
     grids_.expect(pose(), reach_ + std::max(parameters_.PathAlign_forward_point_distance, ahead));
     grids_.to_goal_ahead(ahead, pose(), scene_->situation.goal);
     benchmark::DoNotOptimize(grids_.to_path().table().units);
@@ -141,8 +141,8 @@ constexpr Part kParts[] = {
     {"obstacles", sample_and_start, [](Parts& parts) { parts.mark_obstacles(); }},
     {"classes", all_before_the_tiles, [](Parts& parts) { parts.classify(); }},
     {"admissibility", all_before_the_tiles, [](Parts& parts) { parts.judge(); }},
-    {"geodesic", sample_and_start, [](Parts& parts) { parts.measure_distances(MapGridDistance::geodesic); }},
-    {"l1", sample_and_start, [](Parts& parts) { parts.measure_distances(MapGridDistance::l1); }},
+    {"geodesic", sample_and_start, [](Parts& parts) { parts.measure_distances(Method::hidwa); }},
+    {"l1", sample_and_start, [](Parts& parts) { parts.measure_distances(Method::paper); }},
 };
 
 void run_part(benchmark::State& state, const Effort& effort, const Part& part, CycleCase& cycles) {

@@ -64,13 +64,9 @@ TEST(ClosedLoop, PaperProfileArrives) {
   DriveSetup setup = office();
   Parameters& p = setup.parameters;
   p.max_vel_x = 0.26;
-  p.integration = Integration::euler;
-  p.sample_zero = p.sample_operator = p.sample_previous = false;
-  p.tie_break = TieBreak::first;
-  p.command = CommandPolicy::target;
+  p.method = Method::paper;
   p.admissibility = Admissibility::horizon;
   p.escape = p.turn_when_stuck = false;
-  p.map_grid = MapGridDistance::l1;
   p.forward_prune_auto = false;
   p.forward_prune_distance = 1.0;
   p.trans_stopped_velocity = p.rot_stopped_velocity = 0.25;

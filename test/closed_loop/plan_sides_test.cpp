@@ -37,10 +37,10 @@ struct Course {
   int swings = 0;         // how often it changes from turning left to turning right, or back
 };
 
-Course drive(double hysteresis) {
+Course drive(double wait) {
   Scene scene = Scene::empty(241, 0.05);
   scene.parameters = Parameters();
-  scene.parameters.plan_hysteresis = hysteresis;
+  scene.parameters.plan_hysteresis_time = wait;
   scene.parameters.comfort_acc_lim_theta = 0.0;
   scene.origin_x = -2.0;
   scene.origin_y = -6.0;
@@ -75,7 +75,7 @@ Course drive(double hysteresis) {
 
 TEST(PlanSides, ARobotThatKeepsToItsSideIsPastThePillarSooner) {
   const Course every = drive(0.0);
-  const Course kept = drive(Parameters().plan_hysteresis);
+  const Course kept = drive(Parameters().plan_hysteresis_time);
   RecordProperty("every_plan", std::to_string(every.duration) + " s, " + std::to_string(every.swings) + " swings");
   RecordProperty("kept", std::to_string(kept.duration) + " s, " + std::to_string(kept.swings) + " swings");
   // By (4, 1) to x = 4.5: hypot(4, 1) + 0.5 = 4.6 m, 9.3 s at 0.5 m/s, and the turns.

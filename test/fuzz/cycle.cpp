@@ -30,11 +30,9 @@ Parameters parameters_of(Input& input) {
   p.authority = input.within(0.0, 1.0);
   const unsigned choices = static_cast<unsigned>(input.integer(0, 65535));
   p.generator = (choices & 1U) != 0 ? Generator::dwa : Generator::standard;
-  p.integration = (choices & 2U) != 0 ? Integration::euler : Integration::midpoint;
+  p.method = (choices & 2U) != 0 ? Method::paper : Method::hidwa;
   p.velocity_reference = (choices & 4U) != 0 ? VelocityReference::odometry : VelocityReference::command;
-  p.tie_break = (choices & 8U) != 0 ? TieBreak::first : TieBreak::least_change;
   p.admissibility = (choices & 16U) != 0 ? Admissibility::horizon : Admissibility::braking;
-  p.map_grid = (choices & 32U) != 0 ? MapGridDistance::l1 : MapGridDistance::geodesic;
   p.escape = (choices & 64U) == 0;
   p.unknown_is_obstacle = (choices & 128U) == 0;
   p.turn_when_stuck = (choices & 256U) == 0;

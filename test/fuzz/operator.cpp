@@ -103,7 +103,7 @@ class Drive {
     p.mode = static_cast<OperatorMode>(choices % 4);
     p.linear = static_cast<LinearPolicy>(choices / 4 % 3);
     p.on_input_lost = static_cast<OnInputLost>(choices / 16 % 3);
-    p.hold_linear = (choices & 64U) != 0 ? HoldLinear::robot : HoldLinear::operator_;
+    p.method = (choices & 64U) != 0 ? Method::paper : Method::hidwa;
     p.guard = (choices & 128U) != 0 ? Guard::none : Guard::nearest;
     if ((choices & 256U) != 0) p.twist_topic = "twist";
     if ((choices & 512U) != 0) p.enable_button = 1;

@@ -28,12 +28,11 @@ constexpr int kRounds = 10;             // over them all; there are four cases
 enum class Body { circle, polygon };
 
 struct Case {
-  MapGridDistance distances;
+  Method method;
   Body body;
 };
 void PrintTo(const Case& c, std::ostream* out) {
-  *out << (c.distances == MapGridDistance::geodesic ? "geodesic" : "l1") << ", "
-       << (c.body == Body::circle ? "circle" : "polygon");
+  *out << (c.method == Method::hidwa ? "hidwa" : "paper") << ", " << (c.body == Body::circle ? "circle" : "polygon");
 }
 
 Polygon outline_of(Body body) {
@@ -51,7 +50,7 @@ Scene make_scene(std::uint64_t seed, const Case& c) {
   scene.parameters = Parameters();
   scene.parameters.vx_samples = 8;
   scene.parameters.vth_samples = 12;
-  scene.parameters.map_grid = c.distances;
+  scene.parameters.method = c.method;
   scene.outline = outline_of(c.body);
   Random random(seed + 1000000);
   if (random.chance(0.2)) scene.situation.velocity = scene.situation.last_command = {};
@@ -146,11 +145,9 @@ TEST_P(Allocations, NoneAmongMovers) {
   EXPECT_GT(refused, 20U);
 }
 
-INSTANTIATE_TEST_SUITE_P(GridsAndBodies, Allocations,
-                         ::testing::Values(Case{MapGridDistance::geodesic, Body::circle},
-                                           Case{MapGridDistance::geodesic, Body::polygon},
-                                           Case{MapGridDistance::l1, Body::circle},
-                                           Case{MapGridDistance::l1, Body::polygon}));
+INSTANTIATE_TEST_SUITE_P(MethodsAndBodies, Allocations,
+                         ::testing::Values(Case{Method::hidwa, Body::circle}, Case{Method::hidwa, Body::polygon},
+                                           Case{Method::paper, Body::circle}, Case{Method::paper, Body::polygon}));
 
 struct alignas(64) Wide {
   double values[8] = {};
@@ -173,7 +170,7 @@ TEST(AllocationCounter, SeesEveryKindOfAllocation) {
 }
 
 TEST(AllocationCounter, SeesTheLibrarysAllocations) {
-  Scene scene = make_scene(1, {MapGridDistance::geodesic, Body::polygon});
+  Scene scene = make_scene(1, {Method::hidwa, Body::polygon});
   Planner fresh(critics::built_in());
   ASSERT_TRUE(fresh.configure(scene.parameters).empty());
   fresh.set_footprint(scene.outline);

@@ -103,7 +103,7 @@ class NaiveCritics {
     return dense;
   }
   std::vector<Cell> cells(const std::vector<Pose2>& plan) const {
-    const bool stops = scene_.parameters.map_grid == MapGridDistance::l1 && scene_.parameters.unknown_is_obstacle;
+    const bool stops = scene_.parameters.method == Method::paper && scene_.parameters.unknown_is_obstacle;
     std::vector<Cell> found;
     for (const Pose2& pose : without_gaps(plan)) {
       const Cell cell = naive_cell(grid_, pose.x, pose.y);
@@ -114,7 +114,7 @@ class NaiveCritics {
     return found;
   }
   NaiveDistances distances(const std::vector<Cell>& sources) const {
-    if (scene_.parameters.map_grid == MapGridDistance::l1) return {naive_l1(grid_, sources), grid_.resolution};
+    if (scene_.parameters.method == Method::paper) return {naive_l1(grid_, sources), grid_.resolution};
     return {naive_geodesic(grid_, sources), grid_.resolution / 5};
   }
   double look_up(const NaiveDistances& d, double x, double y) const {
@@ -134,7 +134,7 @@ class NaiveCritics {
     }
     const double x = q.x + forward * std::cos(q.theta), y = q.y + forward * std::sin(q.theta);
     const double nose = look_up(d, x, y);
-    if (scene_.parameters.map_grid == MapGridDistance::l1) {
+    if (scene_.parameters.method == Method::paper) {
       rejects = nose < 0.0 && !operator_decides();
       return nose < 0.0 ? unreached() : nose;
     }

@@ -168,9 +168,10 @@ inline std::vector<NaiveCandidate> naive_candidates(const Scene& scene, const Tw
     if (naive_wheels_allow(p, {0.0, edge})) add({0.0, edge});
   }
   add({}, true);  // braking is always tried in these scenes
-  if (p.sample_operator && scene.intent.influence != Influence::none) add(naive_into_window(p, w, scene.intent.u_h));
+  if (p.method == Method::hidwa && scene.intent.influence != Influence::none)
+    add(naive_into_window(p, w, scene.intent.u_h));
   const Twist2 previous = naive_into_window(p, w, scene.situation.last_command);
-  if (p.sample_previous && (previous.v != 0.0 || previous.omega != 0.0)) add(previous);
+  if (p.method == Method::hidwa && (previous.v != 0.0 || previous.omega != 0.0)) add(previous);
   return all;
 }
 
@@ -194,7 +195,7 @@ inline void naive_roll_out(const Scene& scene, const Twist2& reference, std::vec
   double fastest = 0.0;
   for (const NaiveCandidate& c : all) fastest = std::max(fastest, std::abs(c.u.v));
   for (NaiveCandidate& c : all) {
-    const bool euler = p.integration == Integration::euler;
+    const bool euler = p.method == Method::paper;
     const double speed = euler && !c.brake ? std::abs(c.u.v) : fastest;
     const double n = std::max(
         1.0, std::ceil(std::max(speed * T / p.linear_granularity, std::abs(c.u.omega) * T / p.angular_granularity)));

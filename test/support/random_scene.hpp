@@ -123,16 +123,13 @@ inline void randomise_robot(Random& random, Parameters& p) {
 
 inline void randomise_search(Random& random, Parameters& p) {
   p.generator = random.chance(0.5) ? Generator::standard : Generator::dwa;
-  p.integration = random.chance(0.3) ? Integration::euler : Integration::midpoint;
+  p.method = random.chance(0.3) ? Method::paper : Method::hidwa;
   p.sim_time = random.uniform(0.8, 2.0);
   p.vx_samples = random.integer(2, 6);
   p.vth_samples = random.integer(3, 9);
   if (random.chance(0.1)) p.vx_samples = p.vth_samples = 20;
   p.linear_granularity = random.uniform(0.04, 0.1);
   p.angular_granularity = random.uniform(0.025, 0.1);
-  p.sample_zero = random.chance(0.8);
-  p.sample_operator = random.chance(0.8);
-  p.sample_previous = random.chance(0.8);
   p.velocity_reference = random.chance(0.7) ? VelocityReference::command : VelocityReference::odometry;
   p.control_latency = random.chance(0.3) ? 0.0 : random.uniform(0.02, 0.3);
   p.escape = random.chance(0.8);
@@ -145,7 +142,6 @@ inline void randomise_costs(Random& random, Parameters& p) {
        "PathDist, GoalDist, Twirling, BaseObstacle", "ObstacleFootprint, PathAlign, GoalAlign, PathDist, GoalDist",
        "RotateToGoal, Oscillation, ObstacleFootprint, GoalAlign, PathAlign, PathDist, GoalDist, "
        "PreferForward, Twirling"});
-  p.map_grid = random.chance(0.6) ? MapGridDistance::geodesic : MapGridDistance::l1;
   for (double* scale : {&p.PathAlign_scale, &p.PathDist_scale, &p.GoalAlign_scale, &p.GoalDist_scale}) {
     *scale = random.uniform(5.0, 40.0);
   }

@@ -21,7 +21,7 @@ class TileFiller {
     scene_ = &scene;
     grid_ = scene.grid();
     footprint_ = Footprint::from_outline(scene.outline, scene.parameters.footprint_padding);
-    grids_.prepare(grid_, scene.situation.plan, scene.parameters.map_grid, scene.parameters.unknown_is_obstacle);
+    grids_.prepare(grid_, scene.situation.plan, scene.parameters.method, scene.parameters.unknown_is_obstacle);
     reach_ = -1.0;
     surroundings_.prepare({&grid_, &grids_, &checker_, scene.situation.pose, scene.situation.goal});
   }

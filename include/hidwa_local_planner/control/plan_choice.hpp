@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of two plans to the same goal is followed (plan_hysteresis).
+// Which of two plans to the same goal is followed.
 //
 // A host plans anew about once a second. Where two ways round an obstacle cost about the same, its plans may change
 // sides each time, and a robot that follows every one of them turns to and fro before the obstacle. So a plan that
 // leads round the other side waits. It is followed as soon as one of these holds:
 //
-// - it costs less than going on, by the share plan_hysteresis;
+// - it costs less than going on, by a fifth;
 // - the followed plan crosses an obstacle: a cell of the local costmap where the robot's centre would collide;
 // - it, or others on its side, have waited for plan_hysteresis_time;
 // - the operator steers, or the last cycle failed: a new plan is what the robot needs then.
 //
-// A plan on the same side is followed at once. Two plans are on two sides of an obstacle if a lethal cell lies between
-// them, on the local costmap. Where they run so near to each other that nothing fits between them, the map need not be
-// asked (same_way()): so is nearly every plan of a robot that follows the one before.
+// A plan on the same side is followed at once; with `method: paper` every plan is. Two plans are on two
+// sides of an obstacle if a lethal cell lies between them, on the local costmap. Where they run so near to each other
+// that nothing fits between them, the map need not be asked (same_way()): so is nearly every plan of a robot that
+// follows the one before.
 //
 // The cost of a plan is its length from the robot to the goal; a metre on the local costmap counts 1 + 0.8 c/50, with
 // the cell's cost c. So does navfn, the host's usual planner, weigh them.

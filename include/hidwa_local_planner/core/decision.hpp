@@ -93,7 +93,7 @@ struct CandidateReport {
 struct ChoiceReport {
   enum class Rule {
     none,      // nothing was chosen: a fault, a stop, no legal candidate, or u_h was passed through
-    cheapest,  // the smallest total, ties by tie_break
+    cheapest,  // the smallest total, ties by the rule of `method`
     escape,    // autonomy stands in collision: it ends least deep, or turns towards a way out
     way,       // it gets farthest along the way that a search has found, or nearly as far and is the cheapest
     rest,      // the robot rests while a way is searched

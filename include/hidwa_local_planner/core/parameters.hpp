@@ -10,18 +10,14 @@
 namespace hidwa_local_planner {
 
 // The order of the enumerators is the order of the names in parameter_list.inc.
+enum class Method { hidwa, paper };
 enum class Generator { standard, dwa };
-enum class Integration { euler, midpoint };
-enum class CommandPolicy { feasible, target };
 enum class VelocityReference { command, odometry };
-enum class TieBreak { least_change, first };
 enum class Admissibility { braking, horizon };
-enum class MapGridDistance { geodesic, l1 };
 enum class OperatorMode { off, joystick, gesture, switching };
 enum class Guard { nearest, none };
 enum class LinearPolicy { v_max, axis, current };
 enum class HandAxis { x, y, z };
-enum class HoldLinear { operator_, robot };
 enum class OnInputLost { hold, stop, autonomy };
 
 /// Every tunable parameter with its default; see parameter_list.inc for units, ranges and meaning.
@@ -43,9 +39,12 @@ struct Parameters {
   double braking_theta() const {                                                               // [rad/s^2]
     return decel_lim_theta == 0.0 ? acc_lim_theta : std::abs(decel_lim_theta);
   }
+  /// The command is the chosen sample itself, not the first step towards it: as Nav2 did in 2022. The base then speeds
+  /// up at limits of its own, which the braking check cannot know.
+  bool commands_the_sample() const { return method == Method::paper && admissibility == Admissibility::horizon; }
   /// Autonomy turns gently. That takes rollouts whose velocities ramp, and commands that are their first step.
   bool turns_gently() const {
-    return comfort_acc_lim_theta > 0.0 && generator == Generator::standard && command == CommandPolicy::feasible;
+    return comfort_acc_lim_theta > 0.0 && generator == Generator::standard && !commands_the_sample();
   }
   bool has_wheel_limit() const { return wheel_radius > 0.0 && wheel_separation > 0.0 && max_wheel_velocity > 0.0; }
 };

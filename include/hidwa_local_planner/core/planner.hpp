@@ -32,7 +32,7 @@ class Planner {
 
   /// Takes a set of parameters. Returns every fault (validate() and unknown critics). With any fault nothing changes.
   std::vector<std::string> configure(const Parameters& parameters, const SourceFor& source_for = {});
-  /// The parameters in force: as they were given, except where make_safe() replaces a value that cannot be kept safe.
+  /// The parameters in force.
   const Parameters& parameters() const;
   /// The velocities and accelerations that these allow.
   const VelocityLimits& limits() const;

@@ -8,7 +8,7 @@ namespace hidwa_local_planner {
 struct Tile;
 class TileScores;
 
-/// What a distance is measured to: around obstacles, or as Nav2's map grids measure it, as the parameter `map_grid`
+/// What a distance is measured to: around obstacles, or as Nav2's map grids measure it, as the parameter `method`
 /// says.
 struct PlanDistance {
   enum class To { path, goal };
@@ -32,8 +32,8 @@ class Surroundings {
   virtual bool plan_on_map() const = 0;
   /// Announces that a distance will be asked for. Without it the answers are the same, but slower.
   virtual void expect(const PlanDistance& distance) = 0;
-  /// Distances [m] from the points `forward` [m] ahead of the last poses. Where such a point has none (`map_grid:
-  /// geodesic`: or lies on a lethal or inscribed cell) the robot's centre counts instead; not with `map_grid: l1`.
+  /// Distances [m] from the points `forward` [m] ahead of the last poses. Where such a point has none (`method:
+  /// hidwa`: or lies on a lethal or inscribed cell) the robot's centre counts instead; not with `method: paper`.
   /// Negative where there is no way, and for candidates that are rejected already. True when none is negative.
   virtual bool distances(const Tile& tile, const PlanDistance& distance, double forward, const TileScores& scores,
                          double* found) = 0;

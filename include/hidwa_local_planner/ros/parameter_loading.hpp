@@ -23,8 +23,9 @@ struct LoadedParameters {
 /// Reads the content of the planner's namespace (a struct, or an invalid value for an empty namespace).
 /// Takes YAML as people write it: `critics` as list or text, whole numbers for real ones, DWB's nested
 /// `PathAlign: {scale: 32}` for PathAlign_scale (it wins over the flat key), and the word `off`, which YAML
-/// reads as false. Namespaces of critics of other packages, listed in `critics`, are theirs. `completed`, where given,
-/// adds what is known of the robot besides before the set is validated. Throws nothing of its own.
+/// reads as false; and the switches that `method` took the place of, where all are as the paper has them. Namespaces of
+/// critics of other packages, listed in `critics`, are theirs. `completed`, where given, adds what is known of the
+/// robot besides before the set is validated. Throws nothing of its own.
 LoadedParameters load_parameters(const XmlRpc::XmlRpcValue& content,
                                  const std::function<Parameters(const Parameters&)>& completed = {});
 

@@ -50,7 +50,7 @@ void BrakingCheck::prepare(const Parameters& parameters, const CheckSetup& setup
   start_ = setup.start;
   setup_ = &setup;
   clearances_ = &clearances;
-  commands_the_target_ = parameters.command == CommandPolicy::target;
+  commands_the_sample_ = parameters.commands_the_sample();
   radius_ = radius;
   resolution_ = resolution;
   if (cache_.size() < kUsualColumns) cache_.resize(kUsualColumns);
@@ -78,7 +78,7 @@ bool BrakingCheck::nothing_in_reach() const {
 }
 
 Twist2 BrakingCheck::command_for(const Twist2& sample) const {
-  if (commands_the_target_) return sample;
+  if (commands_the_sample_) return sample;
   VelocityLimits limits = start_->limits;
   limits.theta = turn_limits(sample.omega, sample == Twist2{});
   return limits.step(start_->reference, sample, start_->period);
@@ -110,7 +110,7 @@ AxisLimits BrakingCheck::turn_limits(double target, bool brakes) const {
 
 // As command_for(): where no wheel couples the axes, a column shares its speed and a tile its turn.
 Twist2 BrakingCheck::quick_command_for(const Twist2& sample, CachedResult& cached) {
-  if (start_->limits.wheel_speed > 0.0 || commands_the_target_ || sample == Twist2{}) return command_for(sample);
+  if (start_->limits.wheel_speed > 0.0 || commands_the_sample_ || sample == Twist2{}) return command_for(sample);
   if (!cached.v_known || cached.sample_v != sample.v) {
     cached.v_known = true;
     cached.sample_v = sample.v;

@@ -107,7 +107,7 @@ class BrakingCheck {
   const CycleStart* start_ = nullptr;
   const CheckSetup* setup_ = nullptr;
   ClearanceLookup* clearances_ = nullptr;
-  bool commands_the_target_ = false;  // the sample itself is sent
+  bool commands_the_sample_ = false;  // the sample itself is sent
   double radius_ = 0.0;               // [m]
   double resolution_ = 0.05;          // [m]
   double clearance_now_ = 0.0;        // no more is asked for: what the robot has now [m]

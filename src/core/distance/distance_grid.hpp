@@ -10,9 +10,10 @@
 #include "core/distance/cell_index.hpp"
 #include "core/distance/distance_sweep.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
-#include "hidwa_local_planner/core/parameters.hpp"
 
 namespace hidwa_local_planner {
+
+enum class MapGridDistance { geodesic, l1 };
 
 /// Distances of every cell to the nearest of a set of cells, for a few sets at once and in whole units, so that
 /// symmetric scenes give equal values.

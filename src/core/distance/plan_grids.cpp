@@ -24,14 +24,13 @@ PlanGrids::PlanGrids()
   moved_plan_.reserve(DistanceGrids::kUsualSources);
 }
 
-void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
-                        bool unknown_is_obstacle) {
+void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, Method method, bool unknown_is_obstacle) {
   grid_ = grid;
   plan_ = &plan;
-  stops_at_unknown_ = distance == MapGridDistance::l1 && unknown_is_obstacle;  // Nav2's rule
+  stops_at_unknown_ = method == Method::paper && unknown_is_obstacle;  // Nav2's rule
   known_ahead_ = 0;
   find_cells_on_map(plan, path_cells_);
-  distances_.prepare(grid, distance);
+  distances_.prepare(grid, method == Method::paper ? MapGridDistance::l1 : MapGridDistance::geodesic);
   if (!on_map()) return;
   distances_.set_sources(kPath, path_cells_);
   last_cell_.assign(1, path_cells_.back());

@@ -19,9 +19,8 @@ class PlanGrids {
   PlanGrids(const PlanGrids&) = delete;
   PlanGrids& operator=(const PlanGrids&) = delete;
 
-  /// Once per evaluation; `grid` and `plan` must outlive the cycle.
-  void prepare(const GridView& grid, const std::vector<Pose2>& plan, MapGridDistance distance,
-               bool unknown_is_obstacle);
+  /// Once per evaluation; `method` says how distances are measured; `grid` and `plan` must outlive the cycle.
+  void prepare(const GridView& grid, const std::vector<Pose2>& plan, Method method, bool unknown_is_obstacle);
 
   /// The points that will be asked about lie within `reach` [m] of `centre`, mostly: saves looking farther.
   void expect(const Pose2& centre, double reach);

@@ -24,7 +24,7 @@ Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& stee
 
 void Evaluation::prepare_grids(const Cycle& cycle) {
   const Parameters& p = cycle.parameters;
-  grids_.prepare(cycle.grid, cycle.situation.plan, p.map_grid, p.unknown_is_obstacle);
+  grids_.prepare(cycle.grid, cycle.situation.plan, p.method, p.unknown_is_obstacle);
   grids_.expect(cycle.start.pose, obstacles_.reach() + critics_.reach());
   const Situation& situation = cycle.situation;
   const Pose2& aim = situation.turns_back ? situation.plan.back() : situation.goal;

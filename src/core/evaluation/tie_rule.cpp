@@ -11,7 +11,7 @@ bool differ(double a, double b) { return std::abs(a - b) > kEqual; }
 }  // namespace
 
 TieRule::TieRule(const Parameters& parameters, const Twist2& last_command)
-    : rule_(parameters.tie_break),
+    : first_(parameters.method == Method::paper),
       last_(last_command),
       acc_x_(parameters.acc_lim_x),
       acc_theta_(parameters.acc_lim_theta) {}
@@ -21,7 +21,7 @@ double TieRule::change(const Twist2& u) const {
 }
 
 bool TieRule::prefers(const Twist2& a, const Twist2& b) const {
-  if (rule_ == TieBreak::first) {
+  if (first_) {
     if (differ(a.v, b.v)) return a.v < b.v;
     return a.omega < b.omega - kEqual;
   }

@@ -13,15 +13,15 @@ constexpr double kEqual = 1e-9;
 class TieRule {
  public:
   TieRule(const Parameters& parameters, const Twist2& last_command);
-  /// True when `a` is to be preferred to `b`. `least_change`: the smallest change from the last command, as the time
-  /// that the acceleration limits need for it, then the smaller |omega|, then the side of the last turn, then left.
-  /// `first`: the lowest v, then the most negative omega.
+  /// True when `a` is to be preferred to `b`. With `method: hidwa` the smallest change from the last command, as the
+  /// time that the acceleration limits need for it, then the smaller |omega|, then the side of the last turn, then
+  /// left. With `method: paper`: the lowest v, then the most negative omega.
   bool prefers(const Twist2& a, const Twist2& b) const;
 
  private:
   double change(const Twist2& u) const;  // [s]
 
-  TieBreak rule_;
+  bool first_;
   Twist2 last_;
   double acc_x_, acc_theta_;
 };

@@ -46,7 +46,7 @@ std::size_t Rollout::Settings::steps(double v, double omega) const {
 
 void Rollout::run(const Parameters& p, const CycleStart& start, const std::vector<Sample>& samples,
                   const ComfortTurn& comfort, double sim_time) {
-  settings_ = {sim_time, p.linear_granularity, p.angular_granularity, p.integration == Integration::euler,
+  settings_ = {sim_time, p.linear_granularity, p.angular_granularity, p.method == Method::paper,
                p.generator == Generator::standard};
   comfort_ = comfort;
   start_ = start;

@@ -102,14 +102,15 @@ void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
 }
 
 void Sampler::add_extra(const Parameters& p, const VelocityLimits& limits, const SampleRequest& request) {
-  if (p.sample_zero || p.admissibility == Admissibility::braking) samples_.push_back({{}, SampleKind::brake});
-  if (p.sample_operator && request.operator_command != nullptr) {
+  const bool own = p.method == Method::hidwa;
+  if (own || p.admissibility == Admissibility::braking) samples_.push_back({{}, SampleKind::brake});
+  if (own && request.operator_command != nullptr) {
     samples_.push_back({into_window(p, limits, window_, *request.operator_command), SampleKind::operator_command});
   }
-  if (p.sample_operator && request.blended != nullptr) {
+  if (own && request.blended != nullptr) {
     samples_.push_back({into_window(p, limits, window_, *request.blended), SampleKind::blended});
   }
-  if (p.sample_previous) {
+  if (own) {
     const Twist2 u = into_window(p, limits, window_, request.previous);
     if (!is_zero(u)) samples_.push_back({u, SampleKind::previous});
   }

@@ -7,7 +7,6 @@
 #include "core/autonomy/tight_ahead.hpp"
 #include "core/cycle/input_fault.hpp"
 #include "core/planner/decision_memory.hpp"
-#include "core/planner/safe_values.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -34,7 +33,6 @@ std::vector<std::string> Planner::Impl::configure(const Parameters& given, const
   explanation.clear();
   reserve(decision, critics);
   parameters = given;
-  make_safe(parameters);
   if (parameters.turn_when_stuck) autonomy.reserve();
   limits = VelocityLimits::from(given);
   set_footprint(outline);

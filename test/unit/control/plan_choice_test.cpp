@@ -132,7 +132,7 @@ TEST_F(PlanChoiceTest, UnknownCellsBlockNothing) {
   EXPECT_FALSE(prefers(left, 10.0));
 }
 
-TEST_F(PlanChoiceTest, NothingWaitsForTheOperatorAfterAFailureOrWhereItIsOff) {
+TEST_F(PlanChoiceTest, NothingWaitsForTheOperatorAfterAFailureOrInThePapersMethod) {
   const std::vector<Pose2> left = round(0.8);
   choice_.offer(round(-0.8));
   EXPECT_TRUE(prefers(left, 10.0, false));
@@ -140,7 +140,7 @@ TEST_F(PlanChoiceTest, NothingWaitsForTheOperatorAfterAFailureOrWhereItIsOff) {
   choice_.give_way();
   EXPECT_TRUE(prefers(left, 10.0));
   choice_.take();
-  parameters_.plan_hysteresis = 0.0;
+  parameters_.method = Method::paper;
   choice_.offer(round(-0.8));
   EXPECT_TRUE(prefers(left, 10.0));
 }

@@ -146,7 +146,9 @@ TEST(CanBrake, TheFirstStepCountsNotTheSampleItself) {
   // Asking for 0 gives 0.375 first; asking for 0.375 the same.
   EXPECT_TRUE(Corridor(0.052, p).check().command_for({0.0, 0.0}) == (Twist2{0.375, 0.0}));
   EXPECT_TRUE(Corridor(0.052, p).can_brake({0.375, 0.0}));
-  p.command = CommandPolicy::target;
+  p.method = Method::paper;  // its command is the sample itself, where braking is not checked
+  EXPECT_TRUE(Corridor(0.052, p).check().command_for({0.0, 0.0}) == (Twist2{0.375, 0.0}));
+  p.admissibility = Admissibility::horizon;
   EXPECT_TRUE(Corridor(0.052, p).check().command_for({0.1, 0.3}) == (Twist2{0.1, 0.3}));
 }
 
@@ -176,7 +178,7 @@ TEST(RolloutCheck, NothingSlipsBetweenCoarsePoses) {
   // One step of 0.85 m over a single lethal cell.
   Parameters p;
   p.linear_granularity = 1.0;
-  p.integration = Integration::euler;
+  p.method = Method::paper;
   Scene scene = Scene::empty(121);
   scene.at({68, 60}) = cost::kLethal;  // at x = 0.4
   const Footprint footprint(scene.outline);

@@ -45,7 +45,9 @@ TEST(ComfortTurn, TakesRampsAndFeasibleCommands) {
   p.generator = Generator::dwa;
   EXPECT_FALSE(ComfortTurn::from(p).binds());
   p = Parameters();
-  p.command = CommandPolicy::target;
+  p.method = Method::paper;  // commands are feasible while braking is checked
+  EXPECT_TRUE(ComfortTurn::from(p).binds());
+  p.admissibility = Admissibility::horizon;
   EXPECT_FALSE(ComfortTurn::from(p).binds());
   p = Parameters();
   p.comfort_acc_lim_theta = 0.0;

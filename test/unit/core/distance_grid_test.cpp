@@ -127,7 +127,7 @@ TEST(PlanGridsSources, GapsAreFilledAndNeighboursAreNot) {
   const Scene scene = corner_scene();
   PlanGrids grids;
   const std::vector<Pose2> plan{{0.125, 0.525, 0.0}, {0.925, 0.525, 0.0}};  // cells (2, 10) and (18, 10)
-  grids.prepare(scene.grid(), plan, MapGridDistance::l1, true);
+  grids.prepare(scene.grid(), plan, Method::paper, true);
   for (int i = 2; i <= 18; ++i) EXPECT_EQ(grids.to_path().units({i, 10}), 0) << i;
   EXPECT_EQ(grids.to_path().units({19, 10}), 1);
   EXPECT_EQ(grids.to_goal().units({2, 10}), 16);
@@ -141,7 +141,7 @@ TEST(PlanGridsSources, OnlyTheFirstStretchOnTheMap) {
   for (int k = 0; k <= 15; ++k) plan.push_back({-0.225 + 0.05 * k, 1.025, 0.0});  // cells ... to (10, 20)
   plan.push_back({0.525, 2.525, 0.0});                                            // above the map
   plan.push_back({1.525, 1.025, 0.0});
-  grids.prepare(scene.grid(), plan, MapGridDistance::l1, true);
+  grids.prepare(scene.grid(), plan, Method::paper, true);
   ASSERT_TRUE(grids.on_map());
   EXPECT_EQ(grids.to_path().units({10, 30}), 0);  // on the way up
   EXPECT_EQ(grids.to_goal().units({10, 39}), 0);  // where it leaves
@@ -152,7 +152,7 @@ TEST(PlanGridsSources, NowhereOnTheMap) {
   const Scene scene = corner_scene();
   PlanGrids grids;
   const std::vector<Pose2> plan{{-1.0, 0.0, 0.0}, {-1.0, 0.05, 0.0}};
-  grids.prepare(scene.grid(), plan, MapGridDistance::geodesic, true);
+  grids.prepare(scene.grid(), plan, Method::hidwa, true);
   EXPECT_FALSE(grids.on_map());
 }
 
@@ -162,11 +162,11 @@ TEST(PlanGridsSources, Nav2sGridStopsAtUnknownCells) {
   std::vector<Pose2> plan;
   for (int i = 2; i <= 20; ++i) plan.push_back({0.05 * i + 0.025, 0.525, 0.0});
   PlanGrids grids;
-  grids.prepare(scene.grid(), plan, MapGridDistance::l1, true);
+  grids.prepare(scene.grid(), plan, Method::paper, true);
   EXPECT_EQ(grids.to_goal().units({9, 10}), 0);
-  grids.prepare(scene.grid(), plan, MapGridDistance::l1, false);
+  grids.prepare(scene.grid(), plan, Method::paper, false);
   EXPECT_EQ(grids.to_goal().units({20, 10}), 0);
-  grids.prepare(scene.grid(), plan, MapGridDistance::geodesic, true);
+  grids.prepare(scene.grid(), plan, Method::hidwa, true);
   EXPECT_EQ(grids.to_goal().units({20, 10}), 0);
 }
 
@@ -175,7 +175,7 @@ TEST(PlanGridsSources, TheGoalAheadIsMovedTowardsTheFinalGoal) {
   PlanGrids grids;
   std::vector<Pose2> plan;
   for (int i = 2; i <= 20; ++i) plan.push_back({0.05 * i + 0.025, 0.525, 0.0});
-  grids.prepare(scene.grid(), plan, MapGridDistance::l1, true);
+  grids.prepare(scene.grid(), plan, Method::paper, true);
   // From (0.125, 0.525) straight up to the goal: the last pose (1.025, 0.525) moves 0.2 m up, 4 cells.
   EXPECT_EQ(grids.to_goal_ahead(0.2, {0.125, 0.525, 0.0}, {0.125, 9.0, 0.0}).units({20, 14}), 0);
 }

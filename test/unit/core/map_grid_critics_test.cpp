@@ -32,7 +32,7 @@ TEST(PathDist, DistanceOfTheLastPoseFromThePlan) {
   EXPECT_EQ(raw("PathDist", scene, {0.5, 0.01, 0.3}), 0.0);
   EXPECT_NEAR(raw("PathDist", scene, {0.5, 0.3, 0.3}), 0.3, 1e-12);           // 6 cells up
   EXPECT_NEAR(raw("PathDist", scene, {1.2, 0.2, 0.0}), 0.01 * 4 * 7, 1e-12);  // 4 diagonals
-  scene.parameters.map_grid = MapGridDistance::l1;
+  scene.parameters.method = Method::paper;
   EXPECT_NEAR(raw("PathDist", scene, {1.2, 0.2, 0.0}), 0.4, 1e-12);  // 4 + 4 cells
 }
 
@@ -41,7 +41,7 @@ TEST(GoalDist, DistanceFromTheWindowsLastPose) {
   EXPECT_NEAR(raw("GoalDist", scene, {0.5, 0.0, 0.0}), 0.5, 1e-12);
   EXPECT_NEAR(raw("GoalDist", scene, {0.5, 0.3, 0.0}), 0.01 * (6 * 7 + 4 * 5),
               1e-12);  // 6 diagonal, 4 straight
-  scene.parameters.map_grid = MapGridDistance::l1;
+  scene.parameters.method = Method::paper;
   EXPECT_NEAR(raw("GoalDist", scene, {0.5, 0.3, 0.0}), 0.8, 1e-12);  // 10 + 6 cells
 }
 
@@ -79,11 +79,11 @@ TEST(GeodesicLookUp, ABlockedNoseTakesTheCentresValue) {
   EXPECT_EQ(raw("PathAlign", scene, {0.3, 0.0, M_PI / 2}), 0.0);
 }
 
-TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueUnderL1ItRejects) {
+TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueThePapersMethodRejects) {
   Scene scene = Scene::empty();  // ends at 1.525 m
   scene.parameters.PathAlign_forward_point_distance = 0.3;
   EXPECT_NEAR(raw("PathAlign", scene, {0.5, 1.3, M_PI / 2}), 1.3, 1e-12);
-  scene.parameters.map_grid = MapGridDistance::l1;
+  scene.parameters.method = Method::paper;
   CriticBench bench("PathAlign", scene);
   bench.prepare();
   EXPECT_TRUE(bench.score({0.5, 0.0}, {{}, {0.5, 1.3, M_PI / 2}}).rejected());
@@ -93,7 +93,7 @@ TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueUnderL1ItRejects) {
 TEST(L1LookUp, WhereThePersonDecidesItRejectsNothing) {
   Scene scene = Scene::empty();  // ends at 1.525 m
   scene.parameters.PathAlign_forward_point_distance = 0.3;
-  scene.parameters.map_grid = MapGridDistance::l1;
+  scene.parameters.method = Method::paper;
   scene.intent.influence = Influence::direct;
   // As far as nothing on the map is: 61 + 61 cells.
   EXPECT_NEAR(raw("PathAlign", scene, {0.5, 1.3, M_PI / 2}), 0.05 * (61 + 61), 1e-12);

@@ -124,7 +124,7 @@ TEST_F(OscillationTest, SilentWhileThePersonSteersButItKeepsCount) {
   EXPECT_FALSE(legal({0.0, 0.5}));
 
   Scene scene = Scene::empty();
-  scene.parameters.oscillation_while_steering = true;
+  scene.parameters.method = Method::paper;
   scene.steer({0.5, 1.0});
   CriticBench strict("Oscillation", scene);
   strict.prepare();
@@ -133,10 +133,10 @@ TEST_F(OscillationTest, SilentWhileThePersonSteersButItKeepsCount) {
   EXPECT_TRUE(strict.score({0.0, 0.5}, {{}, {}}).rejected());
 }
 
-TEST(OscillationPerson, WhereThePersonDecidesNoSwitchMakesItReject) {
+TEST(OscillationPerson, WhereThePersonDecidesNoMethodMakesItReject) {
   for (const Influence influence : {Influence::direct, Influence::shared}) {
     Scene scene = Scene::empty();
-    scene.parameters.oscillation_while_steering = true;
+    scene.parameters.method = Method::paper;
     scene.steer({0.5, 1.0});
     scene.intent.influence = influence;
     scene.situation.goal_latched = influence == Influence::shared;

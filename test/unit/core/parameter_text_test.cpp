@@ -21,7 +21,7 @@ TEST(ParameterText, ADoubleIsReadBackToTheSameBits) {
 
 TEST(ParameterText, LinesHoldEveryParameterOfEveryKind) {
   Parameters p;
-  p.map_grid = MapGridDistance::l1;
+  p.method = Method::paper;
   p.escape = !p.escape;
   p.vx_samples = 7;
   p.critics = "PathDist,\n GoalDist \\n";  // a YAML text may have lines of its own
@@ -39,7 +39,7 @@ TEST(ParameterText, WhatCannotBeSetIsNamed) {
   EXPECT_EQ(set_parameter_text(p, "sim_time", "nan"), "sim_time needs a number, not 'nan'");
   EXPECT_EQ(set_parameter_text(p, "vx_samples", "2.5"), "vx_samples needs a whole number, not '2.5'");
   EXPECT_EQ(set_parameter_text(p, "escape", "yes"), "escape is true or false, not 'yes'");
-  EXPECT_EQ(set_parameter_text(p, "map_grid", "l2"), "map_grid: expected one of geodesic l1");
+  EXPECT_EQ(set_parameter_text(p, "method", "DWB"), "method: expected one of hidwa paper");
   EXPECT_EQ(set_lines(p, "nonsense\n"), (std::vector<std::string>{"'nonsense' is not of the form name=value"}));
 }
 

@@ -365,9 +365,9 @@ TEST(LateCycles, ALateBrakeTakesAsMuchAsTwoOnTime) {
   EXPECT_NEAR(bench.cycle().command.v, 0.5 - 2.5 * 0.1, 1e-9);
 }
 
-TEST(CommandTarget, WithTheCheckForBrakingCommandsStayFeasible) {
+TEST(PapersMethod, WithTheCheckForBrakingCommandsStayFeasible) {
   Scene scene = at_rest_on_a_plan();
-  scene.parameters.command = CommandPolicy::target;
+  scene.parameters.method = Method::paper;
   scene.steer({0.5, 0.0});
   PlannerBench bench(scene);
   EXPECT_LE(bench.cycle().command.v, kStep + 1e-9);

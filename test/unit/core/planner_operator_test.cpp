@@ -119,22 +119,19 @@ TEST(Direct, AtTheGoalNoCriticRejectsThePerson) {
 }
 
 TEST(Shared, InTheGoalWindowThePersonMayDriveAsWellAsTurn) {
-  for (const MapGridDistance map_grid : {MapGridDistance::geodesic, MapGridDistance::l1}) {
-    Scene scene = at_the_goal(0.0);
-    scene.parameters.operator_in_goal_window = true;
-    scene.parameters.map_grid = map_grid;
-    scene.steer({0.5, 0.2});
-    PlannerBench bench(scene);
-    const Decision& decision = bench.cycle();
-    EXPECT_EQ(decision.legal, decision.candidates);
-    EXPECT_TRUE(decision.sample == (Twist2{0.5, 0.2})) << decision.sample.v << " " << decision.sample.omega;
-  }
+  Scene scene = at_the_goal(0.0);
+  scene.parameters.method = Method::paper;
+  scene.steer({0.5, 0.2});
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
+  EXPECT_EQ(decision.legal, decision.candidates);
+  EXPECT_TRUE(decision.sample == (Twist2{0.5, 0.2})) << decision.sample.v << " " << decision.sample.omega;
 }
 
-// Back and forth on the spot, as long as the person wants it, whatever the switch says.
+// Back and forth on the spot, as long as the person wants it, whatever the method.
 TEST(Direct, ThePersonMayGoBackAndForth) {
   Scene scene = driving(0.0);
-  scene.parameters.oscillation_while_steering = true;
+  scene.parameters.method = Method::paper;
   scene.intent.state = OperatorStateId::manual;
   scene.intent.influence = Influence::direct;
   PlannerBench bench(scene);
@@ -227,7 +224,7 @@ TEST(Stuck, AtTheGoalStandingStillIsNoFailure) {
 TEST(Stuck, AForbiddenLastTurnIsMadeAllTheSame) {
   for (const double side : {1.0, -1.0}) {
     Scene scene = driving(0.0);
-    scene.parameters.oscillation_while_steering = true;
+    scene.parameters.method = Method::paper;
     scene.situation.plan = {{0.0, 0.0, 0.0}};
     scene.situation.goal = {0.0, 0.0, side * 1.5};
     scene.situation.goal_latched = true;

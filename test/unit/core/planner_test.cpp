@@ -38,7 +38,7 @@ TEST(PlannerCycle, TheCommandIsTheFirstFeasibleStep) {
   EXPECT_DOUBLE_EQ(decision.command.v, 0.125);  // 2.5 * 0.05
   EXPECT_EQ(decision.sample.v, 0.5);
   Scene scene = driving(0.0);
-  scene.parameters.command = CommandPolicy::target;
+  scene.parameters.method = Method::paper;
   PlannerBench checked(scene);
   EXPECT_EQ(checked.cycle().command.v, 0.125);  // with the check for braking it is feasible all the same
   scene.parameters.admissibility = Admissibility::horizon;

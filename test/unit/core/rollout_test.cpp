@@ -8,9 +8,9 @@
 namespace hidwa_local_planner {
 namespace {
 
-Parameters coarse(Integration integration) {
+Parameters coarse(Method method) {
   Parameters p;
-  p.integration = integration;
+  p.method = method;
   p.generator = Generator::dwa;
   p.sim_time = 1.0;
   p.linear_granularity = 1.0;
@@ -30,7 +30,7 @@ Rollout run(const Parameters& p, const Pose2& start, const Twist2& reference, co
 
 TEST(RolloutSteps, Nav2sNumber) {
   Parameters p;
-  p.integration = Integration::euler;
+  p.method = Method::paper;
   p.angular_granularity = 0.025;
   p.sim_time = 1.7;
   // ceil(0.5 * 1.7 / 0.05) = 17; ceil(1 * 1.7 / 0.025) = 68; at least 1.
@@ -43,14 +43,14 @@ TEST(RolloutSteps, Nav2sNumber) {
 TEST(RolloutSteps, EulerCandidatesHaveTheirOwnMidpointOnesThoseOfTheFastest) {
   const std::vector<Sample> samples = {{{0.1, 0.2}, SampleKind::grid}, {{0.5, 0.2}, SampleKind::grid}};
   Parameters p;
-  p.integration = Integration::euler;
+  p.method = Method::paper;
   p.angular_granularity = 0.025;
   p.sim_time = 1.7;
   const Rollout euler = run(p, {}, {}, samples);
   ASSERT_EQ(euler.tile_count(), 2u);
   EXPECT_EQ(euler.tile(0).steps, 14u);  // ceil(0.2 * 1.7 / 0.025) = ceil(13.6)
   EXPECT_EQ(euler.tile(1).steps, 17u);
-  p.integration = Integration::midpoint;
+  p.method = Method::hidwa;
   const Rollout midpoint = run(p, {}, {}, samples);
   ASSERT_EQ(midpoint.tile_count(), 1u);
   EXPECT_EQ(midpoint.tile(0).steps, 17u);
@@ -59,7 +59,7 @@ TEST(RolloutSteps, EulerCandidatesHaveTheirOwnMidpointOnesThoseOfTheFastest) {
 
 TEST(RolloutArithmetic, EulerTakesTheHeadingAtTheStepsStart) {
   // 2 steps of 0.5 s: ceil(1 * 1 / 0.5). The first goes straight along +x, the second at 0.5 rad.
-  Parameters p = coarse(Integration::euler);
+  Parameters p = coarse(Method::paper);
   p.angular_granularity = 0.5;
   const Rollout rollout = run(p, {1.0, 2.0, 0.0}, {}, {{{0.4, 1.0}, SampleKind::grid}});
   const Tile tile = rollout.tile(0);
@@ -72,7 +72,7 @@ TEST(RolloutArithmetic, EulerTakesTheHeadingAtTheStepsStart) {
 }
 
 TEST(RolloutArithmetic, MidpointTakesTheHeadingInTheStepsMiddle) {
-  Parameters p = coarse(Integration::midpoint);
+  Parameters p = coarse(Method::hidwa);
   p.angular_granularity = 0.5;
   const Rollout rollout = run(p, {1.0, 2.0, 0.3}, {}, {{{0.4, 1.0}, SampleKind::grid}});
   const Tile tile = rollout.tile(0);
@@ -96,7 +96,7 @@ TEST(RolloutArithmetic, MidpointEndsOnTheArc) {
 }
 
 TEST(RolloutRamp, StandardRampsFromTheReferenceEuler) {
-  Parameters p = coarse(Integration::euler);
+  Parameters p = coarse(Method::paper);
   p.generator = Generator::standard;
   p.linear_granularity = 0.1;  // ceil(0.4 * 1 / 0.1) = 4 steps of 0.25 s
   p.acc_lim_x = 1.0;
@@ -109,7 +109,7 @@ TEST(RolloutRamp, StandardRampsFromTheReferenceEuler) {
 }
 
 TEST(RolloutRamp, StandardRampsFromTheReferenceMidpoint) {
-  Parameters p = coarse(Integration::midpoint);
+  Parameters p = coarse(Method::hidwa);
   p.generator = Generator::standard;
   p.linear_granularity = 0.1;
   p.acc_lim_x = 1.0;
@@ -137,7 +137,7 @@ TEST(RolloutRamp, StandardRampsFromTheReferenceMidpoint) {
 }
 
 TEST(RolloutRamp, DwaDrivesTheSampleFromTheStartButBrakesWithARamp) {
-  Parameters p = coarse(Integration::midpoint);
+  Parameters p = coarse(Method::hidwa);
   p.acc_lim_x = 1.0;  // and brakes at it
   p.linear_granularity = 0.1;
   const Rollout rollout = run(p, {}, {0.4, 0.0}, {{{0.4, 0.0}, SampleKind::grid}, {{0.0, 0.0}, SampleKind::brake}});

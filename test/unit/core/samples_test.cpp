@@ -25,7 +25,7 @@ std::vector<Sample> make(const Parameters& p, const Request& request) {
 
 Parameters plain() {
   Parameters p;
-  p.sample_zero = p.sample_operator = p.sample_previous = false;
+  p.method = Method::paper;
   p.admissibility = Admissibility::horizon;
   return p;
 }
@@ -180,26 +180,24 @@ TEST(DeadBand, OnTheSpotHasItsOwnAndItsEdgesAreAlwaysTried) {
   }
 }
 
-TEST(ExtraSamples, EachWhereItIsAskedFor) {
+TEST(ExtraSamples, ThePapersMethodHasNoneButToBrake) {
   Parameters p = plain();
   Request request = driving(0.3, 0.1, 3, 3);
   request.previous = {0.31, 0.07};
   const Twist2 wanted{9.0, -0.33};
   request.operator_command = &wanted;
   const std::size_t grid = make(p, request).size();
-  p.sample_zero = true;
-  EXPECT_TRUE(contains(make(p, request), {0.0, 0.0}, SampleKind::brake));
-  p.sample_zero = false;
   p.admissibility = Admissibility::braking;  // braking must be possible to choose
   EXPECT_TRUE(contains(make(p, request), {0.0, 0.0}, SampleKind::brake));
-  p.admissibility = Admissibility::horizon;
-  p.sample_operator = true;
-  EXPECT_TRUE(contains(make(p, request), {0.5, -0.33}, SampleKind::operator_command));
-  p.sample_previous = true;
-  EXPECT_TRUE(contains(make(p, request), {0.31, 0.07}, SampleKind::previous));
-  EXPECT_EQ(make(p, request).size(), grid + 2);
-  request.operator_command = nullptr;
   EXPECT_EQ(make(p, request).size(), grid + 1);
+  p.admissibility = Admissibility::horizon;
+  p.method = Method::hidwa;
+  EXPECT_TRUE(contains(make(p, request), {0.0, 0.0}, SampleKind::brake));
+  EXPECT_TRUE(contains(make(p, request), {0.5, -0.33}, SampleKind::operator_command));
+  EXPECT_TRUE(contains(make(p, request), {0.31, 0.07}, SampleKind::previous));
+  EXPECT_EQ(make(p, request).size(), grid + 3);
+  request.operator_command = nullptr;
+  EXPECT_EQ(make(p, request).size(), grid + 2);
 }
 
 TEST(IntoWindow, AxisEndsWheelsAndDeadBand) {

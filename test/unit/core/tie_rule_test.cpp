@@ -43,7 +43,7 @@ TEST(LeastChange, ThenLeft) {
 
 TEST(First, LowestSpeedThenMostNegativeTurn) {
   Parameters p;
-  p.tie_break = TieBreak::first;
+  p.method = Method::paper;
   const TieRule rule(p, {0.5, 1.0});
   EXPECT_TRUE(rule.prefers({0.1, 1.0}, {0.2, -1.0}));
   EXPECT_TRUE(rule.prefers({0.1, -0.5}, {0.1, 0.5}));

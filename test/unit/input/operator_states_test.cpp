@@ -78,22 +78,6 @@ TEST(OperatorStates, HoldKeepsThePersonsVelocityAtRelease) {
   expect_intent(person.cycle(1.15), State::hold, Influence::shared, p_y * p_y * 0.5, 0.0);  // 0.32 m/s
 }
 
-TEST(OperatorStates, HoldMayKeepTheRobotsVelocity) {
-  Parameters p;
-  p.hold_linear = HoldLinear::robot;
-  Person person(p);
-  person.stick(1.0, 0.0F);
-  person.stick(1.05, 1.0F);
-  CycleFeedback feedback;
-  feedback.command = {0.3, 0.7};
-  person.cycle(1.05, feedback);
-  person.stick(1.1, 0.0F);
-  expect_intent(person.cycle(1.1), State::hold, Influence::shared, 0.3, 0.0);
-  feedback.command = {0.1, 0.0};
-  person.cycle(1.15, feedback);
-  expect_intent(person.cycle(1.2), State::hold, Influence::shared, 0.3, 0.0);  // at release, not now
-}
-
 TEST(OperatorStates, TheRobotsOwnSpeedWhereThatIsThePolicy) {
   Parameters p;
   p.linear = LinearPolicy::current;
@@ -126,7 +110,7 @@ TEST(OperatorStates, HoldEndsWhenItIsRejected) {
 
 TEST(OperatorStates, HoldStaysWhenRejectedWhereThePaperSaysSo) {
   Parameters p;
-  p.hold_ends_when_refused = false;
+  p.method = Method::paper;
   Person person(p);
   person.steer(1.0);
   person.stick(1.1, 0.0F);
@@ -255,7 +239,7 @@ TEST(OperatorStates, GoalLatchEndsAHoldForGood) {
 
 TEST(OperatorStates, SteeringInTheGoalWindowWhereThePaperSaysSo) {
   Parameters p;
-  p.operator_in_goal_window = true;
+  p.method = Method::paper;
   Person person(p);
   person.stick(1.0, 0.0F);
   person.stick(1.05, 1.0F);

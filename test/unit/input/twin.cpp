@@ -284,7 +284,7 @@ bool Twin::manual(std::size_t event) const {
 }
 
 bool Twin::latched(const std::vector<Cycle>& past, std::size_t event) const {
-  if (past.empty() || p_.operator_in_goal_window) return false;
+  if (past.empty() || p_.method == Method::paper) return false;
   for (std::size_t e = past.back().event; e < event; ++e) {
     if (history_[e].kind == Event::Kind::new_goal) return false;
   }
@@ -316,7 +316,7 @@ std::optional<double> Twin::held_velocity(const std::vector<Cycle>& past, std::s
   for (std::size_t i = last; i < past.size(); ++i) {
     const std::vector<Cycle> before(past.begin(), past.begin() + static_cast<std::ptrdiff_t>(i));
     if (past[i].state == State::stopped || latched(before, past[i].event)) return std::nullopt;
-    if (p_.hold_ends_when_refused && past[i].feedback.operator_command_rejected) return std::nullopt;
+    if (p_.method == Method::hidwa && past[i].feedback.operator_command_rejected) return std::nullopt;
   }
   if (latched(past, event)) return std::nullopt;
   const std::size_t newest = last_heard(begin_event).value();
@@ -324,7 +324,7 @@ std::optional<double> Twin::held_velocity(const std::vector<Cycle>& past, std::s
   while (!counts(active)) --active;
   const double ended = p_.input_timeout > 0.0 ? heard_[active].time : heard_[newest].time;
   if (now - ended >= p_.delta) return std::nullopt;
-  const bool robots = p_.hold_linear == HoldLinear::robot || p_.linear == LinearPolicy::current;
+  const bool robots = p_.linear == LinearPolicy::current;
   return robots ? past[last - 1].feedback.command.v : heard_[active].u_h.v;
 }
 

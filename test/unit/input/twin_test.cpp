@@ -24,15 +24,13 @@ class Story {
     p.mode = chance(0.5) ? OperatorMode::joystick : OperatorMode::switching;
     p.linear = chance(0.3) ? LinearPolicy::axis : chance(0.2) ? LinearPolicy::current : LinearPolicy::v_max;
     p.min_vel_x = chance(0.3) ? -0.2 : 0.0;
-    p.hold_linear = chance(0.3) ? HoldLinear::robot : HoldLinear::operator_;
     p.on_input_lost = static_cast<OnInputLost>(random_() % 3);
     p.guard = chance(0.5) ? Guard::nearest : Guard::none;
     p.input_timeout = chance(0.2) ? 0.0 : 0.5;
     p.delta = chance(0.2) ? 0.3 : 2.0;
     p.blocked_time = chance(0.3) ? 0.1 : 0.6;
     p.require_neutral = chance(0.7);
-    p.hold_ends_when_refused = chance(0.7);
-    p.operator_in_goal_window = chance(0.2);
+    p.method = chance(0.3) ? Method::paper : Method::hidwa;
     p.toggle_button = 0;
     p.stop_button = 1;
     p.stop_pull = chance(0.3) ? 0.0 : 0.8;

@@ -74,7 +74,7 @@ TEST(Reconfigure, ParametersThereAndBack) {
   p.escape = false;
   p.critics = "PathDist";
   p.generator = Generator::dwa;
-  p.hold_linear = HoldLinear::robot;
+  p.method = Method::paper;
   std::vector<std::string> faults;
   const Parameters back = from_config(to_config(p), faults);
   EXPECT_TRUE(faults.empty());
@@ -86,7 +86,7 @@ TEST(Reconfigure, ParametersThereAndBack) {
 TEST(Reconfigure, UnknownNamesOfChoicesAreFaults) {
   HIDWAPlannerConfig config = to_config(Parameters());
   config.generator = "teb";
-  config.map_grid = "l2";
+  config.method = "DWB";
   std::vector<std::string> faults;
   from_config(config, faults);
   EXPECT_EQ(faults.size(), 2u);
