@@ -118,9 +118,9 @@ TEST(Direct, AtTheGoalNoCriticRejectsThePerson) {
   }
 }
 
-// The paper's method has no sample of its own for the operator command: 60 of them, from -1 to 1 rad/s, lie 2/59 rad/s
-// apart.
-double off_the_wanted_turn(Method method) { return method == Method::paper ? 1.0 / 59.0 : 0.0; }
+// The paper's method has no sample of its own for the operator command: 20 of them, from -1 to 1 rad/s, lie 2/19 rad/s
+// apart, more of them nearer.
+double off_the_wanted_turn(Method method) { return method == Method::paper ? 1.0 / 19.0 : 0.0; }
 
 TEST(Shared, InTheGoalWindowThePersonMayDriveAsWellAsTurn) {
   for (const Method method : {Method::hidwa, Method::paper}) {
