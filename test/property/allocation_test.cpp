@@ -94,13 +94,14 @@ class Allocations : public ::testing::TestWithParam<Case> {
 };
 
 TEST_P(Allocations, NoneAfterTheFirstRound) {
-  for (const Scene& scene : scenes_) planner_.plan(scene.situation, scene.grid(), scene.intent);
-  for (int round = 0; round < kRounds; ++round) {
+  // The first rounds see the largest map, and a search on it: what that remembers of the scene before decides.
+  for (int round = -2; round < kRounds; ++round) {
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       // Another order every time: 7 and 250 have no common divisor.
-      const Scene& scene = scenes_[round % 2 == 0 ? k : (7 * k + static_cast<std::size_t>(round)) % scenes_.size()];
+      const Scene& scene = scenes_[round % 2 == 0 ? k : (7 * k + static_cast<std::size_t>(round + 2)) % scenes_.size()];
       const AllocationCounter counter;
       const Decision& decision = planner_.plan(scene.situation, scene.grid(), scene.intent);
+      if (round < 0) continue;
       ASSERT_EQ(counter.count(), 0U) << "round " << round << ", call " << k;
       note(scene, decision);
     }

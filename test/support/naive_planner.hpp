@@ -315,6 +315,9 @@ class NaivePlanner {
     }
     if (std::abs(a.total - b.total) > 1e-9) return a.total < b.total;
     const Parameters& p = scene_.parameters;
+    if (p.method == Method::paper) {  // the first sample
+      return std::abs(a.u.v - b.u.v) > 1e-9 ? a.u.v < b.u.v : a.u.omega < b.u.omega - 1e-9;
+    }
     const Twist2& last = scene_.situation.last_command;
     const auto change = [&](const Twist2& u) {
       return std::abs(u.v - last.v) / p.acc_lim_x + std::abs(u.omega - last.omega) / p.acc_lim_theta;
