@@ -99,6 +99,7 @@ std::string meant_otherwise(const XmlRpcValue& content, const std::string& key, 
 /// A parameter that `method` took the place of, and what it would be with either method.
 struct FormerSwitch {
   const char *name, *hidwa, *paper;
+  bool differs() const { return std::string(hidwa) != paper; }
 };
 constexpr FormerSwitch kFormerSwitches[] = {{"command", "feasible", "target"},
                                             {"hold_ends_when_refused", "true", "false"},
@@ -124,8 +125,9 @@ void take_former_switches(LoadedParameters& loaded, const XmlRpcValue& content) 
   const auto value_of = [&](const FormerSwitch& former) {
     return content.hasMember(former.name) ? as_text(content[former.name]) : former.hidwa;
   };
-  const bool as_paper = std::all_of(std::begin(kFormerSwitches), std::end(kFormerSwitches),
-                                    [&](const FormerSwitch& former) { return value_of(former) == former.paper; });
+  const bool as_paper =
+      std::all_of(std::begin(kFormerSwitches), std::end(kFormerSwitches),
+                  [&](const FormerSwitch& former) { return !former.differs() || value_of(former) == former.paper; });
   if (as_paper && !content.hasMember("method")) {
     loaded.parameters.method = Method::paper;
     loaded.warnings.push_back(
@@ -135,9 +137,10 @@ void take_former_switches(LoadedParameters& loaded, const XmlRpcValue& content) 
   const bool paper = loaded.parameters.method == Method::paper;
   for (const FormerSwitch& former : kFormerSwitches) {
     if (value_of(former) == (paper ? former.paper : former.hidwa) || !content.hasMember(former.name)) continue;
-    loaded.warnings.push_back(std::string("unknown parameter ") + former.name + ": it has no effect; it is " +
-                              former.hidwa + " with method: hidwa, and " + former.paper +
-                              " with method: paper: set method instead, or remove it");
+    const std::string now = former.differs() ? former.hidwa + std::string(" with method: hidwa, and ") + former.paper +
+                                                   " with method: paper: set method instead, or remove it"
+                                             : former.hidwa + std::string(" with either method: remove it");
+    loaded.warnings.push_back(std::string("unknown parameter ") + former.name + ": it has no effect; it is " + now);
   }
 }
 

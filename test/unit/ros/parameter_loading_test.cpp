@@ -166,7 +166,12 @@ TEST(ParameterLoading, AFormerSwitchAloneHasNoEffectAndSaysWhatToWrite) {
   EXPECT_TRUE(load_parameters(content).warnings.empty());
   content["plan_hysteresis"] = 0.3;
   content["hold_linear"] = "robot";
-  EXPECT_EQ(load_parameters(content).warnings.size(), 2u);
+  const LoadedParameters others = load_parameters(content);
+  EXPECT_EQ(others.warnings.size(), 2u);
+  EXPECT_TRUE(contains(others.warnings, "hold_linear: it has no effect; it is operator with either method: remove it"));
+  XmlRpcValue paper = former_paper_switches();
+  paper["hold_linear"] = "robot";
+  EXPECT_EQ(load_parameters(paper).parameters.method, Method::paper);
 }
 
 /// A parameter file's numbers.
