@@ -111,18 +111,22 @@ class DriveTest(unittest.TestCase):
         return to
 
     def steer(self, dx, dy, counts=lambda: robot.state == 'SHARED', at=None):
-        """Holds the stick until it counts. Where it was lost meanwhile, since the page came late on a slow machine, or the planner
-        takes none of it, it is centred and held again, as the page asks for."""
+        """Holds the stick until it counts; where the stick is then, as press_stick says."""
         at = at or page
+        return self.hold(lambda: self.press_stick(dx, dy, at), lambda to: at.mouse('mouseReleased', *to), counts, at)
+
+    def hold(self, press, release, counts, at):
+        """Holds a device until it counts: what press() returned. Where it was lost meanwhile, since the page came late on a slow
+        machine, or the planner takes none of it, it is released, and held again, as the page asks for."""
         lost = ("document.getElementById('state-title').textContent === 'Lost your steering' || "
                 "app.status.facts.steering === 'neutral_needed' || app.status.facts.ignored")
         for _ in range(5):
-            to = self.press_stick(dx, dy, at)
+            held = press()
             if self.until_told(lambda: counts() and 'counts' or at.app(lost) and 'lost', at) == 'counts':
-                return to
-            at.mouse('mouseReleased', *to)
+                return held
+            release(held)
             at.wait(lambda: not at.app(lost), 'steering is free again')
-        raise AssertionError('five times the stick was lost')
+        raise AssertionError('five times the device was lost')
 
     def take_over(self, dx, dy):
         """Holds the stick until the page says that the person steers."""

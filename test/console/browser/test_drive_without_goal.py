@@ -77,9 +77,8 @@ class WithoutGoal(DriveTest):
 
     def hold_key(self):
         """The arrow key drives ahead: the mouse is free."""
-        page.key('keyDown', 'ArrowUp', 'ArrowUp')
         self.addCleanup(page.key, 'keyUp', 'ArrowUp', 'ArrowUp')
-        page.wait(self.drives, 'the robot drives')
+        self.hold(lambda: page.key('keyDown', 'ArrowUp', 'ArrowUp'), lambda _: page.key('keyUp', 'ArrowUp', 'ArrowUp'), self.drives, page)
 
     def test_c_a_goal_that_is_clicked_while_the_robot_drives_takes_over(self):
         self.switch(True)
