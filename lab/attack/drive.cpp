@@ -191,8 +191,6 @@ class Run {
     const bool goal_begins = route_.renew(now, pose);
     intent_ = person_.want(now, base_.pose(), parameters_);
     reading_ = sensors_.odometry(now);
-    moved_ = last_cycle_ < 0 ? last_ : velocity_between(told_, pose, 1e-3 * (now - last_cycle_));
-    told_ = pose;
     const double begun = onlooker_ ? processor_time() : 0.0;
     const Twist2 command = spec_.link != Link::none ? step_loop(now, pose, goal_begins) : plan(now, pose, goal_begins);
     if (onlooker_) onlooker_({now, processor_time() - begun, intent_.state, outcome_});
@@ -201,6 +199,7 @@ class Run {
     last_ = command;
     rhythm_.plan_next(now, rests(now));
     last_cycle_ = now;
+    told_ = pose;
   }
 
   // No command is on its way either.
@@ -251,7 +250,7 @@ class Run {
     outcome_ = result.outcome;
     escaping_ = result.decision != nullptr && result.decision->escaping;
     intent_ = result.intent;
-    return judged(result.command);
+    return judged(result.command, last_cycle_ < 0 ? last_ : velocity_between(told_, pose, 1e-3 * (now - last_cycle_)));
   }
 
   MovingObstacleEstimates told_walkers() { return walkers_.told(spec_.points_told ? &scenery_.world : nullptr); }
@@ -286,14 +285,15 @@ class Run {
     const Decision& decision = planner_.plan(situation_, view(pose), intent_);
     outcome_ = decision.outcome;
     escaping_ = decision.escaping;
-    return judged(decision.command);
+    return judged(decision.command, *reading_);
   }
 
-  // On failure the host sends zero, and the robot must be at rest by then.
-  Twist2 judged(const Twist2& planned) {
+  // On failure the host sends zero, and the robot must be at rest by then. `other`: what a cycle may start from instead
+  // of the reading. For the control loop, which may doubt its twist, that is the velocity between the last two poses.
+  Twist2 judged(const Twist2& planned, const Twist2& other) {
     const Twist2 command = outcome_ == Outcome::fail ? Twist2{} : planned;
     commands_.observe(parameters_, 1e-3 * spec_.period, last_, command);
-    commands_.judge_acceleration(parameters_, longest(), last_, reading_.value_or(last_), moved_, command);
+    commands_.judge_acceleration(parameters_, longest(), last_, reading_.value_or(last_), other, command);
     return command;
   }
 
@@ -414,8 +414,7 @@ class Run {
   Twist2 last_;          // command [m/s, rad/s]
   OperatorIntent intent_;
   std::optional<Twist2> reading_;
-  Pose2 told_;    // in the last cycle
-  Twist2 moved_;  // from the pose told in the cycle before to that told in this one
+  Pose2 told_;  // in the last cycle
   Outcome outcome_ = Outcome::hold;
   bool escaping_ = false;
   DriveResult result_;

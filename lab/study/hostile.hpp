@@ -8,7 +8,7 @@
 namespace hidwa_local_planner {
 namespace study {
 
-/// hidwa_study hostile: drives with people who want a collision until so many cycles are driven
+/// hidwa_study hostile: people who want a collision, drive after drive, until `cycles` are driven
 /// (docs/evidence/attack.md). Goes on where an earlier call into the same folder ended. 0: it held; 1: something within
 /// the promise was found.
 int hostile(const Options& options, std::ostream& out, std::ostream& errors);

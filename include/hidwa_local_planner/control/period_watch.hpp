@@ -14,7 +14,7 @@ class PeriodWatch {
  public:
   /// The time for which an interval counts at least [s]. A control period of up to a slot is added to it.
   static constexpr double kMemory = 3.0;
-  /// At most so many control periods count. A host that is later than that breaks an assumption
+  /// The longest interval that counts [control periods]. A host that is later breaks an assumption
   /// (docs/understand/safety.md).
   static constexpr double kMost = 3.0;
 

@@ -10,10 +10,10 @@
 // - it, or others on its side, have waited for plan_hysteresis_time;
 // - the operator steers, or the last cycle failed: a new plan is what the robot needs then.
 //
-// A plan on the same side is followed at once; with `method: paper` every plan is. Two plans are on two
-// sides of an obstacle if a lethal cell lies between them, on the local costmap. Where they run so near to each other
-// that nothing fits between them, the map need not be asked (same_way()): so is nearly every plan of a robot that
-// follows the one before.
+// A plan on the same side is followed at once. With `method: paper` every plan is followed at once. Two plans are on
+// two sides of an obstacle if a lethal cell of the local costmap lies between them. Two plans that run close together
+// have room for nothing between them; then the map is not asked (same_way()). Most plans of a robot are close to the
+// plan before.
 //
 // The cost of a plan is its length from the robot to the goal; a metre on the local costmap counts 1 + 0.8 c/50, with
 // the cell's cost c. So does navfn, the host's usual planner, weigh them.
