@@ -7,7 +7,7 @@ set(HIDWA_CATKIN_DEPENDS
 find_package(catkin REQUIRED COMPONENTS message_generation ${HIDWA_CATKIN_DEPENDS})
 
 add_message_files(DIRECTORY msg FILES
-  CriticScore.msg Cycle.msg Evaluation.msg MovingObstacle.msg MovingObstacles.msg OperatorState.msg Trajectory.msg
+  CriticScore.msg Cycle.msg Evaluation.msg MovingObstacle.msg MovingObstacles.msg ObservedSector.msg OperatorState.msg Trajectory.msg
   TrajectoryScore.msg)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 generate_dynamic_reconfigure_options(cfg/HIDWAPlanner.cfg)

@@ -201,6 +201,7 @@ class Run {
     observation.from_plan.origin = planar(map_in_odometry());
     observation.costmap = sensing_.costmap();
     observation.moving_obstacles = sensing_.moving_obstacles(world_, map_in_odometry());
+    observation.sensor_sectors = sensing_.sensor_sectors();
     return observation;
   }
 

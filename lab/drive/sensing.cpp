@@ -93,5 +93,15 @@ MovingObstacleEstimates Sensing::moving_obstacles(const sim::World& world, const
   return people_.truth(world.movers(), map_in_odometry);
 }
 
+SensorSectors Sensing::sensor_sectors() const {
+  if (!tracker_) return {};
+  SensorSectors sectors = tracker_->field_of_view();
+  for (SensorSector& sector : sectors) {
+    const sim::Pose pose = sim::compose(setup_.laser_pose, {sector.pose.x, sector.pose.y, sector.pose.theta});
+    sector.pose = {pose.x, pose.y, pose.theta};
+  }
+  return sectors;
+}
+
 }  // namespace drive
 }  // namespace hidwa_local_planner

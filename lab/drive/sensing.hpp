@@ -32,6 +32,9 @@ class Sensing {
   /// What the planner is told of people, as the setup's tracking has it, where they are now; costmap frame.
   MovingObstacleEstimates moving_obstacles(const sim::World& world, const sim::Pose& map_in_odometry) const;
 
+  /// What the laser looks at, robot frame; empty without a tracker.
+  SensorSectors sensor_sectors() const;
+
   GridView costmap() const { return costmap_.view(); }
 
   /// What was seen so far; only where the setup explores.

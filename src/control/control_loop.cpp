@@ -244,6 +244,7 @@ void ControlLoop::take_situation(const Observation& observation) {
       twist_watch_.doubts() ? observation.timing.now - observation.pose_age : observation.velocity_time;
   situation_.pose_age = observation.pose_age;
   situation_.moving_obstacles = observation.moving_obstacles;
+  situation_.sensor_sectors = observation.sensor_sectors;
   situation_.goalless = observation.goalless;
   if (observation.goalless) return take_no_goal(observation);
   situation_.goal = goal_of(observation);

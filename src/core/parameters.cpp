@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/util/words.hpp"
+#include "hidwa_local_planner/core/sensor_sector.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -232,6 +233,9 @@ std::vector<std::string> validate(const Parameters& parameters) {
   check_ranges(faults, parameters);
   check_limits(faults, parameters);
   check_rest(faults, parameters);
+  std::string fault;
+  parse_sensor_sectors(parameters.sensor_sectors, fault);
+  if (!fault.empty()) faults.push_back(fault);
   return faults;
 }
 

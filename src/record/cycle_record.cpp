@@ -108,6 +108,8 @@ namespace {
 
 // There only where anything moves.
 constexpr const char* kMovingObstacles = "moving_obstacles";
+// There only where it is told what the sensors look at.
+constexpr const char* kSensorSectors = "sensor_sectors";
 
 // In the order in which they are written.
 template <typename Record, typename Parts>
@@ -164,6 +166,8 @@ void encode(const CycleRecord& record, Bytes& bytes) {
   parts_of(record, parts);
   const MovingObstacleEstimates& moving = record.observation.moving_obstacles;
   if (!moving.empty()) parts.input(kMovingObstacles, moving);
+  const SensorSectors& sectors = record.observation.sensor_sectors;
+  if (!sectors.empty()) parts.input(kSensorSectors, sectors);
 }
 
 std::string decode(const Bytes& bytes, CycleRecord& record) {
@@ -177,6 +181,9 @@ std::string decode(const Bytes& bytes, CycleRecord& record) {
   std::optional<MovingObstacleEstimates> moving;
   parts.input(kMovingObstacles, moving);
   record.observation.moving_obstacles = moving ? std::move(*moving) : MovingObstacleEstimates();
+  std::optional<SensorSectors> sectors;
+  parts.input(kSensorSectors, sectors);
+  record.observation.sensor_sectors = sectors ? std::move(*sectors) : SensorSectors();
   record.unknown = parts.unknown();
   return parts.fault().empty() ? lacking(record) : parts.fault();
 }

@@ -49,8 +49,10 @@ void Inputs::observe(const LoopTime& now, const std::string& plan_frame, const P
   }
 }
 
-void Inputs::observe_moving_obstacles(double now, const Parameters& parameters, MovingObstacleEstimates& obstacles) {
-  moving_obstacles_.read(now, parameters.moving_obstacle_timeout, tf_, costmap_.getGlobalFrameID(), obstacles);
+void Inputs::observe_moving_obstacles(double now, const Parameters& parameters, RobotObservation& observation) {
+  moving_obstacles_.read(now, parameters.moving_obstacle_timeout, tf_, costmap_.getGlobalFrameID(),
+                         observation.moving_obstacles);
+  moving_obstacles_.read_sectors(tf_, costmap_.getBaseFrameID(), observation.sensor_sectors);
 }
 
 Twist2 Inputs::velocity_after_pause(double now, const Planner& planner) const {

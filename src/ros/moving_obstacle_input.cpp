@@ -78,6 +78,26 @@ std::string find_frame(const tf2::BufferCore& tf, const std::string& to, const s
   return is_finite(found) ? "" : "the transform from the frame " + from + " of what moves is not a number";
 }
 
+// A sensor may be mounted upside down: the middle of what it looks at is turned in space. The fault in words.
+std::string find_sector(const tf2::BufferCore& tf, const std::string& base, const ObservedSector& told,
+                        SensorSector& found) {
+  try {
+    const geometry_msgs::Transform sensor =
+        tf.lookupTransform(base, plain_frame(told.frame_id), ros::Time(0)).transform;
+    const geometry_msgs::Quaternion& q = sensor.rotation;
+    const double middle = 0.5 * (told.angle_min + told.angle_max);
+    const Eigen::Vector3d to =
+        Eigen::Quaterniond(q.w, q.x, q.y, q.z) * Eigen::Vector3d(std::cos(middle), std::sin(middle), 0.0);
+    found.pose = {sensor.translation.x, sensor.translation.y, std::atan2(to.y(), to.x())};
+    found.width = told.angle_max - told.angle_min;
+    found.range = told.range;
+  } catch (const tf2::TransformException& error) {
+    return "no transform from the sensor's frame " + told.frame_id + " to " + base + ": " + error.what();
+  }
+  const bool usable = is_finite(found.pose) && found.width > 0.0 && found.range > 0.0 && std::isfinite(found.range);
+  return usable ? "" : "what the sensor " + told.frame_id + " looks at is no sector";
+}
+
 }  // namespace
 
 void MovingObstacleInput::subscribe(ros::NodeHandle handle, const std::string& topic) {
@@ -93,6 +113,7 @@ void MovingObstacleInput::subscribe(ros::NodeHandle handle, const std::string& t
     resolved = subscriber_.getTopic();
   }
   const std::lock_guard<std::mutex> lock(mutex_);
+  sectors_.clear();
   status_ = {};
   status_.topic = std::move(resolved);
 }
@@ -117,6 +138,7 @@ void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, cons
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_ = message;
+  sectors_ = message->sensor_sectors;
   unreadable_.clear();
   told_of_ = message->header.stamp.isZero() ? received.seconds : received.of(message->header.stamp);
   ++status_.messages;
@@ -165,6 +187,24 @@ void MovingObstacleInput::read(double now, double timeout, const tf2::BufferCore
   const bool all = obstacles.size() == message->obstacles.size();
   report(obstacles.size(), age,
          all ? std::move(unreadable) : "some obstacles of the newest message cannot be used: see the log");
+}
+
+void MovingObstacleInput::read_sectors(const tf2::BufferCore& tf, const std::string& base, SensorSectors& sectors) {
+  std::vector<ObservedSector> told;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    told = sectors_;
+  }
+  sectors.clear();
+  for (const ObservedSector& one : told) {
+    SensorSector sector;
+    const std::string fault = find_sector(tf, plain_frame(base), one, sector);
+    if (!fault.empty()) {
+      ROS_WARN_THROTTLE(2.0, "sensor sectors: %s: it counts as seeing nothing", fault.c_str());
+      sector = {};
+    }
+    sectors.push_back(sector);
+  }
 }
 
 void MovingObstacleInput::report(std::size_t count, double age, std::string fault) {

@@ -193,7 +193,13 @@ RobotObservation PlannerNode::observe(const LoopTime& now, const control::Timing
   if (!seen.lacks(Missing::parameters, parameters_.fault()) && !goalless) seen.lacks(Missing::plan, plan_fault_);
   inputs_.observe(now, goalless ? costmap_.getGlobalFrameID() : loop_.plan_frame(), parameters, seen);
   if (seen.missing == Missing::nothing && !seen.lacks(Missing::footprint, update_footprint())) {
-    inputs_.observe_moving_obstacles(now.seconds, parameters, seen.moving_obstacles);
+    inputs_.observe_moving_obstacles(now.seconds, parameters, seen);
+    if (parameters.sensor_sectors.empty() && seen.sensor_sectors.empty()) {
+      ROS_INFO_ONCE(
+          "%s: what the robot's sensors look at is not known: it may drive fast to where nobody sees, until the tracker "
+          "tells it; or set sensor_sectors",
+          name_.c_str());
+    }
   }
   return seen;
 }

@@ -128,6 +128,19 @@ MovingObstacles to_message(const MovingObstacleEstimates& obstacles, const std::
   return message;
 }
 
+std::vector<ObservedSector> to_message(const SensorSectors& view, Mounting mounting, const std::string& frame) {
+  std::vector<ObservedSector> sectors;
+  for (const SensorSector& sector : view) {
+    const double middle = mounting == Mounting::upside_down ? -sector.pose.theta : sector.pose.theta;
+    ObservedSector& told = sectors.emplace_back();
+    told.frame_id = frame;
+    told.angle_min = middle - 0.5 * sector.width;
+    told.angle_max = middle + 0.5 * sector.width;
+    told.range = sector.range;
+  }
+  return sectors;
+}
+
 visualization_msgs::MarkerArray to_markers(const MovingObstacles& message) {
   visualization_msgs::MarkerArray all;
   for (const MovingObstacle& o : message.obstacles) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <geometry_msgs/Transform.h>
 #include <ros/time.h>
@@ -10,6 +11,7 @@
 
 #include "hidwa_local_planner/MovingObstacles.h"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
+#include "hidwa_local_planner/core/sensor_sector.hpp"
 #include "hidwa_local_planner/tracking/range_scan.hpp"
 
 namespace hidwa_local_planner {
@@ -30,6 +32,9 @@ Pose2 to_sensor_pose(const geometry_msgs::Transform& sensor);
 void to_range_scan(const sensor_msgs::LaserScan& message, Mounting mounting, RangeScan& scan);
 
 MovingObstacles to_message(const MovingObstacleEstimates& obstacles, const std::string& frame, const ros::Time& stamp);
+
+/// What a laser in `frame` looks at, from the field of view that the tracker made of its scans.
+std::vector<ObservedSector> to_message(const SensorSectors& view, Mounting mounting, const std::string& frame);
 
 /// For rviz: a disc, an arrow as long as one second of its way, and the id and speed of each. They vanish by
 /// themselves.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tracking/association.hpp"
+#include "tracking/field_of_view.hpp"
 #include "tracking/free_memory.hpp"
 #include "tracking/track.hpp"
 
@@ -62,6 +63,7 @@ class Tracker::Impl {
   }
 
   const MovingObstacleEstimates& obstacles() const { return obstacles_; }
+  SensorSectors field_of_view() const { return view_.sectors(std::min(settings_.reach, range_max_)); }
   double stamp() const { return beams_.end; }
   std::size_t candidates() const {
     return static_cast<std::size_t>(
@@ -78,6 +80,8 @@ class Tracker::Impl {
     sensor_ = scan.sensor_end;
     known_ = true;
     tracking::to_beams(scan, settings_, beams_);
+    view_.add(scan, beams_);
+    range_max_ = scan.range_max;
     memory_.centre_on(beams_.centre);
     memory_.judge(beams_, travel_);
     tracking::find_segments(beams_, settings_.range_noise, 2.0 * settings_.max_radius, segments_, hull_);
@@ -249,6 +253,8 @@ class Tracker::Impl {
   tracking::FreeMemory memory_;
   tracking::Association association_;
   tracking::Beams beams_;
+  tracking::FieldOfView view_;
+  double range_max_ = 0.0;  // of the laser [m]
   std::vector<Segment> segments_;
   std::vector<std::size_t> hull_;
   std::vector<Track> tracks_;
@@ -271,6 +277,7 @@ Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
 ScanUse Tracker::update(const RangeScan& scan) { return impl_->update(scan); }
 const MovingObstacleEstimates& Tracker::obstacles() const { return impl_->obstacles(); }
+SensorSectors Tracker::field_of_view() const { return impl_->field_of_view(); }
 double Tracker::stamp() const { return impl_->stamp(); }
 void Tracker::reset() { impl_->reset(); }
 std::size_t Tracker::candidates() const { return impl_->candidates(); }

@@ -112,6 +112,8 @@ class TrackerNode {
       const Pose2 before = scan_.sensor;
       std::swap(scan_, next_);
       scan_.sensor_end = pose_at_end(before, message);
+      mounting_ = mounting;
+      laser_frame_ = without_slash(message.header.frame_id);
       take(fault_of(scan_));
     } catch (const tf2::TransformException& e) {
       ++counts_.without_transform;
@@ -157,7 +159,8 @@ class TrackerNode {
   }
 
   void publish() {
-    const MovingObstacles message = to_message(tracker_.obstacles(), p_.fixed_frame, ros::Time(tracker_.stamp()));
+    MovingObstacles message = to_message(tracker_.obstacles(), p_.fixed_frame, ros::Time(tracker_.stamp()));
+    message.sensor_sectors = to_message(tracker_.field_of_view(), mounting_, laser_frame_);
     obstacles_.publish(message);
     if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(message));
     followed_ = message.obstacles.size();
@@ -203,6 +206,8 @@ class TrackerNode {
   Tracker tracker_;
   RangeScan scan_;              // the last one that was used
   RangeScan next_;              // is looked at before it takes that place
+  Mounting mounting_ = Mounting::upright;
+  std::string laser_frame_;
   double stamp_before_ = -1.0;  // of the scan before [s]
   double lag_ = 0.0;            // from the end of a scan to its use [s]
   std::size_t followed_ = 0;

@@ -199,6 +199,17 @@ TEST(PlannerTwin, LateCyclesAndOldPoses) {
   EXPECT_GT(tally.rejections["Braking"], 50);
 }
 
+// Robots with one sensor or two that drive backwards, too.
+TEST(PlannerTwin, WhereNobodySees) {
+  Tally tally;
+  Random random(48);
+  compare_all(
+      500, 5000000, [&random](Scene& scene) { test::add_sectors(random, scene); }, tally);
+  EXPECT_GE(tally.compared, 400);
+  EXPECT_LE(tally.doubtful, 5);
+  EXPECT_GT(tally.rejections["Blind"], 500);
+}
+
 // Random robots in all states of motion with some cells under their outline, as a new scan may have put them there.
 TEST(PlannerTwin, InCollision) {
   Tally tally;

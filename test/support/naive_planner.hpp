@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/naive_blind.hpp"
 #include "support/naive_critics.hpp"
 #include "support/naive_escape.hpp"
 #include "support/naive_gap.hpp"
@@ -49,6 +50,7 @@ class NaivePlanner {
   explicit NaivePlanner(const Scene& scene, std::vector<NaiveCycle> former = {})
       : origin_(scene.situation.pose),
         reference_(scene.parameters, with(std::move(former), naive_cycle(scene.situation))),
+        blind_(scene, naive_body(scene)),
         scene_(naive_led_on(scene, reference_)),
         grid_(scene_.grid()),
         body_(naive_body(scene_)),
@@ -61,6 +63,7 @@ class NaivePlanner {
       find_clusters(slow.parameters);
       if (!clusters_->overlaps()) slow = scene_;  // only its centre's cell is inscribed
     }
+    blind_.narrow(slow.parameters);
     keep_ = std::max(0.0, gap(scene_.situation.pose, 1.0) - 1e-6);
     gentle_ = scene_.intent.influence == Influence::none && scene_.parameters.turns_gently() && !escapes();
     try_all(slow);
@@ -287,6 +290,8 @@ class NaivePlanner {
       c.rejected_by = "Collision";
     } else if (cannot_brake(c.u, false) || (escapes() && sinks(c.u, grid_.resolution / 8))) {
       c.rejected_by = "Braking";
+    } else if (blind_.too_fast(c.u)) {
+      c.rejected_by = "Blind";
     }
     double autonomy = 0.0;
     for (const std::string& critic : split_names(p.critics)) {
@@ -337,6 +342,10 @@ class NaivePlanner {
       }
       if (best_ < 0) return;
       NaiveCandidate& chosen = candidates_[static_cast<std::size_t>(best_)];
+      if (blind_.too_fast_while_braking(command_for(chosen.u))) {
+        chosen.rejected_by = "Blind";
+        continue;
+      }
       const bool deeper = escapes() && sinks(chosen.u, grid_.resolution / 128);
       if (!cannot_brake(chosen.u, true) && !deeper) return;
       chosen.rejected_by = "Braking";
@@ -345,6 +354,7 @@ class NaivePlanner {
 
   Pose2 origin_;  // where the pose was measured
   NaiveReference reference_;
+  NaiveBlind blind_;
   Scene scene_;
   GridView grid_;
   NaiveBody body_;

@@ -172,6 +172,7 @@ class RecordedDrive {
     }
     look();
     seen.costmap = local_.grid();
+    if (parameters_.mode == OperatorMode::switching) seen.sensor_sectors = {{{0.1, 0.0, 0.0}, 4.7, 10.0}};
     return seen;
   }
 

@@ -24,6 +24,7 @@ const REFUSALS = {
   BaseObstacle: 'it would hit something',
   ObstacleFootprint: 'it would hit something',
   'Moving obstacle': 'somebody is in the way',
+  Blind: 'no sensor sees there, so it creeps',
   RotateToGoal: 'the robot turns at its goal',
   Oscillation: 'the robot would go back and forth',
 };

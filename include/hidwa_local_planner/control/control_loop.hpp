@@ -60,6 +60,7 @@ struct Observation {
   FrameTransform from_plan;        // of the plan's frame, in the costmap's
   GridView costmap;
   MovingObstacleEstimates moving_obstacles;
+  SensorSectors sensor_sectors;  // robot frame
   /// Set after a pause of the host: the robot's velocity, as far as it is known.
   std::optional<Twist2> resumed;
   bool host_stops = false;  // the robot is to brake to rest whatever the operator wants

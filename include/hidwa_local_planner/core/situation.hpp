@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
+#include "hidwa_local_planner/core/sensor_sector.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
@@ -27,6 +28,7 @@ struct Situation {
   bool resumed = false;         // the host paused and others may have driven: last_command is the velocity of now
   double time = 0.0;            // [s]
   MovingObstacleEstimates moving_obstacles;
+  SensorSectors sensor_sectors;  // as the tracker tells them; the parameter of this name goes before
 };
 
 /// How much a cycle finds out about its candidates. Each level includes the one before. All levels give the same

@@ -8,6 +8,7 @@
 //   plan         whole, in its own frame: in key records, and where it is another than a cycle before
 //   observation  what was known of the robot, but for the costmap
 //   moving_obstacles  what moves; absent where nothing does
+//   sensor_sectors  what the sensors look at; absent where nobody tells it
 //   costmap      what changed of it; absent where an input was missing, for then nothing reads it
 //   sampling     samples in force
 //   loop         what ControlLoop remembered before the cycle

@@ -46,8 +46,8 @@ class Inputs {
   /// Reads the velocity and, where nothing is missing already, the pose and the plan's frame; notes what is missing.
   void observe(const LoopTime& now, const std::string& plan_frame, const Parameters& parameters,
                RobotObservation& observation);
-  /// Reads what moves, in the costmap's frame.
-  void observe_moving_obstacles(double now, const Parameters& parameters, MovingObstacleEstimates& obstacles);
+  /// Reads what moves, in the costmap's frame, and what the sensors look at that find it.
+  void observe_moving_obstacles(double now, const Parameters& parameters, RobotObservation& observation);
   /// The robot's velocity after a pause, in which the host or another node may have sent commands [m/s, rad/s].
   Twist2 velocity_after_pause(double now, const Planner& planner) const;
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
@@ -12,6 +13,7 @@
 
 #include "hidwa_local_planner/MovingObstacles.h"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
+#include "hidwa_local_planner/core/sensor_sector.hpp"
 #include "hidwa_local_planner/ros/loop_time.hpp"
 
 namespace hidwa_local_planner {
@@ -42,6 +44,10 @@ class MovingObstacleInput {
   void read(double now, double timeout, const tf2::BufferCore& tf, const std::string& frame,
             MovingObstacleEstimates& obstacles);
 
+  /// What the sensors look at that find what moves, as the newest message told it, in the frame `base` of the robot. It
+  /// counts until another message tells something else. A sensor whose place is not known sees nothing.
+  void read_sectors(const tf2::BufferCore& tf, const std::string& base, SensorSectors& sectors);
+
   struct Status {
     std::string topic;           // empty: nothing is listened to
     std::uint64_t messages = 0;  // received
@@ -58,6 +64,7 @@ class MovingObstacleInput {
   ros::Subscriber subscriber_;
   mutable std::mutex mutex_;
   MovingObstacles::ConstPtr newest_;
+  std::vector<ObservedSector> sectors_;
   std::string unreadable_;  // why a message since then is none
   double told_of_ = 0.0;    // when what the newest tells was so, by the loop's time [s]
   Status status_;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
+#include "hidwa_local_planner/core/sensor_sector.hpp"
 #include "hidwa_local_planner/tracking/range_scan.hpp"
 #include "hidwa_local_planner/tracking/tracker_settings.hpp"
 
@@ -26,6 +27,9 @@ class Tracker {
 
   /// What moves, at `stamp()`, in the fixed frame; `age` is 0. In order of id.
   const MovingObstacleEstimates& obstacles() const;
+
+  /// What the laser looks at, in its own frame; known from the first scan on.
+  SensorSectors field_of_view() const;
 
   /// The time of obstacles(): the end of the last scan that was used [s].
   double stamp() const;

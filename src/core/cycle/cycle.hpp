@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/collision/blind_motion.hpp"
 #include "core/motion/cycle_start.hpp"
 #include "core/movers/accelerations.hpp"
 #include "core/movers/mover_check.hpp"
@@ -26,6 +27,7 @@ struct Cycle {
   const Sampling& sampling;
   const Situation& situation;                    // as it was given
   const CycleStart& start;                       // what follows from it, as the pose of now
+  const BlindMotion& blind;                      // where nobody sees
   MoverCheck* movers;                            // null where nothing that moves is near
   bool among_movers;                             // there are some, and they count
   const Accelerations* accelerations = nullptr;  // theirs; null: they keep their velocities

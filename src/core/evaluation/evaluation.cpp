@@ -15,7 +15,7 @@ Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& stee
   const CycleView view = view_of(cycle, steering, mode.to_goal);
   if (!grids_.on_map() && !steering.active) return {view, false, bound.binds()};
   critics_.prepare(view);
-  checks_.begin();
+  checks_.begin(cycle.blind);
   // Recovery, and a way out of collision, are chosen among all legal candidates.
   const bool out_of_collision = obstacles_.in_collision() && !steering.active;
   score_tiles(cycle, steering, view, cycle.sampling.report >= Report::legality || recovering || out_of_collision);

@@ -5,7 +5,8 @@
 
 namespace hidwa_local_planner {
 
-void LazyChecks::begin() {
+void LazyChecks::begin(const BlindMotion& blind) {
+  blind_ = &blind;
   const Rollout& rollout = candidates_.rollout();
   resize_with_spare(states_, rollout.tile_count());
   const AdmissibilityCheck& admissibility = obstacles_.admissibility();
@@ -43,7 +44,17 @@ void LazyChecks::check_cells(const Tile& tile, TileState& state) {
   for (std::size_t c = 0; hits && c < tile.count; ++c) {
     if (reason[c] != nullptr) scores_.rejected_by()[tile.first + c] = kCollision;
   }
+  if (blind_->bounds()) check_sight(tile);
   state.done = decided && (!admissibility.checks_braking() || admissibility.all_can_brake());
+}
+
+// Candidates of a tile have one rate of turn.
+void LazyChecks::check_sight(const Tile& tile) {
+  const Interval allowed = blind_->speeds(tile.omega);
+  for (std::size_t c = 0; c < tile.count; ++c) {
+    const bool seen = tile.v[c] >= allowed.lo && tile.v[c] <= allowed.hi;
+    if (!seen && scores_.rejected_by()[tile.first + c] == kNobody) scores_.reject(tile.first + c, kBlind, kUnseen);
+  }
 }
 
 void LazyChecks::check_closely(const Tile& tile, TileState& state) {
@@ -72,7 +83,7 @@ void LazyChecks::check_rests(const Tile& tile, TileState& state) {
 // Candidates that a critic rejected are checked, too.
 void LazyChecks::check_rest(std::size_t candidate) {
   const Rejecter by = scores_.rejected_by()[candidate];
-  if (by == kCollision || by == kBraking || by == kMovingObstacle) return;
+  if (by != kNobody && by < kFirstCritic) return;
   if (obstacles_.admissibility().can_rest(candidates_.sample(candidate))) return;
   scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
 }
@@ -91,6 +102,10 @@ bool LazyChecks::legal(std::size_t candidate) {
 bool LazyChecks::confirm(std::size_t candidate) {
   AdmissibilityCheck& admissibility = obstacles_.admissibility();
   const Twist2& sample = candidates_.sample(candidate);
+  if (!slow_where_blind(sample)) {
+    scores_.reject(candidate, kBlind, kUnseen);
+    return false;
+  }
   if (!admissibility.checks_braking()) return true;
   if (!admissibility.confirm_braking(sample)) {
     scores_.reject(candidate, kBraking, kCannotBrake);
@@ -99,6 +114,10 @@ bool LazyChecks::confirm(std::size_t candidate) {
   if (admissibility.confirm_rest(sample)) return true;
   scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
   return false;
+}
+
+bool LazyChecks::slow_where_blind(const Twist2& sample) const {
+  return blind_->allows(sample) && blind_->allows_braking_from(obstacles_.admissibility().command_for(sample));
 }
 
 void LazyChecks::check_all() {

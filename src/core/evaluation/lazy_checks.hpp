@@ -2,7 +2,7 @@
 // Checks candidates for collision and braking as late as the choice allows.
 //
 // 1. Before a tile is scored, the classes of its cells are looked at (check_cells()). They often decide the whole tile,
-//    at next to no cost.
+//    at next to no cost. Where nobody sees, the speed alone decides.
 // 2. All candidates are scored, also those that are not checked exactly yet.
 // 3. When the choice wants a candidate, its tile is checked exactly (legal()): the outline along the rollouts, and the
 //    brake manoeuvres. A whole tile at once, since the next candidate mostly belongs to it and shares what was
@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/collision/blind_motion.hpp"
 #include "core/evaluation/candidates.hpp"
 #include "core/evaluation/obstacles.hpp"
 #include "core/evaluation/scores.hpp"
@@ -35,15 +36,18 @@ class LazyChecks {
       : candidates_(candidates), obstacles_(obstacles), tiles_(tiles), scores_(scores) {}
 
   /// New candidates: nothing is checked.
-  void begin();
+  void begin(const BlindMotion& blind);
   /// Rejects what the cells around the robot already decide, before the tile is scored. With `closely` checks all.
   void check_before_scoring(const Tile& tile, std::size_t index, bool closely);
 
   /// Whether a scored candidate is legal; checks it and its tile if need be.
   bool legal(std::size_t candidate);
-  /// The last check of the candidate that is to be chosen: can it brake, and rest before anything
+  /// The last check of the candidate that is to be chosen: is it slow enough where nobody sees, also while it brakes;
+  /// can it brake, and rest before anything
   /// that moves can touch it, checked without gaps between the poses?
   bool confirm(std::size_t candidate);
+  /// Whether a sample, the first command towards it and the braking after that are slow enough where nobody sees.
+  bool slow_where_blind(const Twist2& sample) const;
   /// Checks every candidate: afterwards the rejections are complete.
   void check_all();
   /// Whether any legal candidate moves the robot. Where none does, all are checked.
@@ -57,6 +61,7 @@ class LazyChecks {
     bool rests = false;      // nothing that moves is left to check
   };
   void check_cells(const Tile& tile, TileState& state);
+  void check_sight(const Tile& tile);
   void check_closely(const Tile& tile, TileState& state);
   void check_rests(const Tile& tile, TileState& state);
   void check_rest(std::size_t candidate);
@@ -66,6 +71,7 @@ class LazyChecks {
   Obstacles& obstacles_;
   TileFiller& tiles_;
   Scores& scores_;
+  const BlindMotion* blind_ = nullptr;
   std::vector<TileState> states_;   // [tiles]
   std::vector<const char*> found_;  // [candidates of a tile] while it is checked
 };

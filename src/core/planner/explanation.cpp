@@ -65,6 +65,8 @@ void Explanation::judge_operator(const Cycle& cycle, const Twist2& chosen, Decis
   parts_.checks.legal(candidate);  // so that what rejects it is known
   const Rejecter rejecter = parts_.scores.rejected_by()[candidate];
   if (rejecter != kNobody) decision.operator_rejected_by = parts_.critics.name_of(rejecter);
+  // As it was meant: the window brought it to a speed that is allowed.
+  if (rejecter == kNobody && !cycle.blind.allows(u_h)) decision.operator_rejected_by = parts_.critics.name_of(kBlind);
   if (rejecter == kCollision && meets_unknown(candidate)) decision.operator_rejected_by = kUnknownCells;
 }
 
@@ -170,6 +172,9 @@ void Explanation::check_all(const Tile& tile) {
     std::vector<Rejection> rejections;
     if (collides[c] != nullptr) rejections.push_back({parts_.critics.name_of(kCollision), collides[c]});
     if (!brakes) rejections.push_back({parts_.critics.name_of(kBraking), kCannotBrake});
+    if (!parts_.checks.slow_where_blind(report.sample)) {
+      rejections.push_back({parts_.critics.name_of(kBlind), kUnseen});
+    }
     if (!rests) rejections.push_back({parts_.critics.name_of(kMovingObstacle), kMayBeTouched});
     if (!rejections.empty()) report.total = std::numeric_limits<double>::infinity();
     // A total that is not a number has no critic that says so.

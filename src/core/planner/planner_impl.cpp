@@ -35,6 +35,8 @@ std::vector<std::string> Planner::Impl::configure(const Parameters& given, const
   parameters = given;
   if (parameters.turn_when_stuck) autonomy.reserve();
   limits = VelocityLimits::from(given);
+  std::string none;
+  declared_sectors = parse_sensor_sectors(given.sensor_sectors, none);
   set_footprint(outline);
   return {};
 }
@@ -42,25 +44,35 @@ std::vector<std::string> Planner::Impl::configure(const Parameters& given, const
 void Planner::Impl::set_footprint(const Polygon& given) {
   if (&outline != &given) outline = given;
   footprint = Footprint::from_outline(outline, parameters.footprint_padding);
+  blind.forget();
 }
 
 const Decision& Planner::Impl::plan(const Situation& measured, const GridView& grid, const OperatorIntent& intent,
                                     const Sampling& sampling) {
   const double radius = footprint.fault() == nullptr ? footprint.circumscribed_radius() : 0.0;
-  const CycleStart& start = start_estimator.estimate(measured, parameters, limits, radius);
+  blind.prepare(parameters, footprint, limits, sectors_in_force(measured));
+  cycle_start = start_estimator.estimate(measured, parameters, limits, radius);
+  cycle_start.limits = blind.narrowed(cycle_start.limits);
+  const CycleStart& start = cycle_start;
   const bool use_movers = uses_movers(measured);
   const bool clear_mover_cells = use_movers && parameters.moving_obstacles_clear_cells && plausible(grid);
   const GridView seen = clear_mover_cells ? explained.without(grid, measured.moving_obstacles, parameters) : grid;
   const Cycle cycle{parameters, footprint,
                     seen,       intent,
                     sampling,   measured,
-                    start,      prepare_mover_check(measured, start, use_movers),
+                    start,      blind,
+                    prepare_mover_check(measured, start, use_movers),
                     use_movers, update_accelerations(measured, use_movers)};
   clear(decision);
   evaluation.clear();
   explanation.clear();
   write(start, conclude(cycle), decision);
   return decision;
+}
+
+// The parameter goes before the tracker: who says "all" or a list knows better.
+const SensorSectors& Planner::Impl::sectors_in_force(const Situation& measured) const {
+  return parameters.sensor_sectors.empty() ? measured.sensor_sectors : declared_sectors;
 }
 
 // Only where braking is checked: with the rollout alone a mover is what its cells are. What is no number is a fault of

@@ -16,6 +16,7 @@
 
 #include "core/autonomy/arbiter.hpp"
 #include "core/autonomy/autonomy.hpp"
+#include "core/collision/blind_motion.hpp"
 #include "core/cycle/conclusion.hpp"
 #include "core/cycle/cycle.hpp"
 #include "core/cycle/start_estimator.hpp"
@@ -43,7 +44,10 @@ struct Planner::Impl {
   Polygon outline;
   Footprint footprint;
   CriticSet critics;
+  SensorSectors declared_sectors;  // by the parameter
   StartEstimator start_estimator;
+  CycleStart cycle_start;
+  BlindMotion blind;
   Evaluation evaluation;
   Autonomy autonomy;
   Arbiter arbiter;
@@ -55,6 +59,7 @@ struct Planner::Impl {
   Decision decision;  // the output: written, never read
 
  private:
+  const SensorSectors& sectors_in_force(const Situation& measured) const;
   bool uses_movers(const Situation& measured) const;
   const Accelerations* update_accelerations(const Situation& measured, bool use_movers);
   MoverCheck* prepare_mover_check(const Situation& measured, const CycleStart& start, bool use_movers);

@@ -54,5 +54,22 @@ TEST(RecordedMovers, TakeNoRoomWhereNothingMoves) {
   EXPECT_TRUE(read.observation.moving_obstacles.empty());
 }
 
+TEST(RecordedSectors, ComeBackToTheBitAndTakeNoRoomWhereNobodyTellsThem) {
+  record::CycleRecord cycle = faulty_cycle();
+  Bytes bytes;
+  record::encode(cycle, bytes);
+  EXPECT_FALSE(holds(bytes, "sensor_sectors"));
+  cycle.observation.sensor_sectors = {{{0.1, -1.0 / 3.0, 0.7}, 4.7, 12.0}, {{-0.2, 0.0, 3.1}, 1.5, 4.0}};
+  record::encode(cycle, bytes);
+  record::CycleRecord read;
+  EXPECT_EQ(record::decode(bytes, read), "");
+  EXPECT_TRUE(read.unknown.empty());
+  EXPECT_TRUE(read.observation.sensor_sectors == cycle.observation.sensor_sectors);
+  cycle.observation.sensor_sectors.clear();
+  record::encode(cycle, bytes);
+  EXPECT_EQ(record::decode(bytes, read), "");
+  EXPECT_TRUE(read.observation.sensor_sectors.empty());
+}
+
 }  // namespace
 }  // namespace hidwa_local_planner

@@ -78,6 +78,46 @@ TEST_F(MovingObstacleInputs, PlacesAreBroughtToTheCostmapAndVelocitiesTurned) {
   EXPECT_NEAR(obstacles_[0].points[0].y(), 2.0 + 3.0, 1e-6);
 }
 
+ObservedSector sector(const std::string& frame, double from, double to) {
+  ObservedSector one;
+  one.frame_id = frame;
+  one.angle_min = from;
+  one.angle_max = to;
+  one.range = 10.0;
+  return one;
+}
+
+TEST_F(MovingObstacleInputs, SectorsAreBroughtToTheRobotAndCountUntilOthersAreTold) {
+  place_laser(10.0);
+  geometry_msgs::TransformStamped down;  // turned about its x axis by half a turn: left is right
+  down.header.frame_id = "odom";
+  down.header.stamp.fromSec(10.0);
+  down.child_frame_id = "down";
+  down.transform.translation.x = -0.2;
+  down.transform.rotation.x = 1.0;
+  tf_.setTransform(down, "test");
+  const auto made = message("odom", 10.0);
+  made->sensor_sectors = {sector("laser", -0.5, 1.5), sector("/down", 0.2, 0.4), sector("nowhere", -1.0, 1.0),
+                          sector("laser", 1.0, 0.5)};
+  input_.receive(made, at(10.0));
+  SensorSectors sectors;
+  input_.read_sectors(tf_, "odom", sectors);
+  ASSERT_EQ(sectors.size(), 4U);
+  EXPECT_NEAR(sectors[0].pose.x, 1.0, 1e-9);
+  EXPECT_NEAR(sectors[0].pose.theta, 0.5 * M_PI + 0.5, 1e-9);  // the laser faces left, and the sector's middle is at 0.5
+  EXPECT_NEAR(sectors[0].width, 2.0, 1e-9);
+  EXPECT_NEAR(sectors[1].pose.theta, -0.3, 1e-9);
+  EXPECT_NEAR(sectors[1].pose.x, -0.2, 1e-9);
+  EXPECT_TRUE(sectors[2] == SensorSector());  // its place is not known: it sees nothing
+  EXPECT_TRUE(sectors[3] == SensorSector());
+  EXPECT_TRUE(read(20.0).empty());  // long after, what moves does not count
+  input_.read_sectors(tf_, "odom", sectors);
+  EXPECT_EQ(sectors.size(), 4U);
+  input_.receive(message("odom", 20.0), at(20.0));
+  input_.read_sectors(tf_, "odom", sectors);
+  EXPECT_TRUE(sectors.empty());
+}
+
 TEST_F(MovingObstacleInputs, WhereTfIsLateTheNewestTransformIsTaken) {
   place_laser(9.9);
   const auto made = message("laser", 10.0);
