@@ -151,6 +151,12 @@ const char* name_of(Influence influence) {
   return "?";
 }
 
+std::string about_sector(const SensorSector& sector) {
+  constexpr double kDegree = M_PI / 180.0;
+  return format("a sensor at (%.2f m, %.2f m) looks %.0f degrees wide and %.1f m far around %.0f degrees\n",
+                sector.pose.x, sector.pose.y, sector.width / kDegree, sector.range, sector.pose.theta / kDegree);
+}
+
 std::string about_mover(const MovingObstacleEstimate& mover) {
   return format(
       "moving obstacle %u at (%.2f m, %.2f m) with (%.2f, %.2f) m/s, radius %.2f m, known within %.2f m and "
@@ -172,6 +178,7 @@ std::string explain(double time, record::CycleReplay& replay, const record::Repl
     text += format("robot at (%.3f m, %.3f m, %.3f rad), measured %s, last command %s\n", s.pose.x, s.pose.y,
                    s.pose.theta, in_words(s.velocity).c_str(), in_words(s.last_command).c_str());
     for (const MovingObstacleEstimate& mover : s.moving_obstacles) text += about_mover(mover);
+    for (const SensorSector& sector : s.sensor_sectors) text += about_sector(sector);
     text += count_rejections(replay.planner().candidates());
   } else {
     text += format("cycle at %.3f s (ROS time %.3f): no plan was made: %s\n", time, record.time(),

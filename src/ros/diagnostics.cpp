@@ -127,6 +127,7 @@ void Diagnostics::report_moving_obstacles(diagnostic_updater::DiagnosticStatusWr
   status.add("age of the newest message [s]", known.age);
   status.add("messages", known.messages);
   status.add("obstacles refused", known.refused);
+  status.add("sensor sectors told", known.sectors);
 }
 
 void Diagnostics::report_load(diagnostic_updater::DiagnosticStatusWrapper& status, const Load& load) const {

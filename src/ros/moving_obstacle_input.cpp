@@ -139,6 +139,7 @@ void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, cons
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_ = message;
   sectors_ = message->sensor_sectors;
+  status_.sectors = sectors_.size();
   unreadable_.clear();
   told_of_ = message->header.stamp.isZero() ? received.seconds : received.of(message->header.stamp);
   ++status_.messages;

@@ -17,7 +17,8 @@ struct NaivePlace {
   Point at, outwards;
 };
 
-/// All places of the outline that are looked at: not more than 0.02 m apart along each side, 180 of a circle.
+/// All places of the outline that are looked at: not more than 0.02 m apart along each side, 180 of a circle, and the
+/// directions of each corner.
 inline std::vector<NaivePlace> naive_places(const NaiveBody& body) {
   std::vector<NaivePlace> places;
   if (body.radius > 0.0) {
@@ -33,6 +34,15 @@ inline std::vector<NaivePlace> naive_places(const NaiveBody& body) {
     const int steps = static_cast<int>(std::ceil(way.norm() / 0.02));
     for (int k = 0; k <= steps; ++k) {
       places.push_back({from + way * (1.0 * k / steps), left_round * Point(way.y(), -way.x()) / way.norm()});
+    }
+    // Between this side's direction and the next one's, where the corner is no dent: not more than 5 degrees apart.
+    const Point next = body.corners[(i + 2) % body.corners.size()] - to;
+    const double turn = std::atan2(way.x() * next.y() - way.y() * next.x(), way.dot(next)) * left_round;
+    const int turns = static_cast<int>(std::ceil(turn / (M_PI / 36)));
+    const double direction = std::atan2(places.back().outwards.y(), places.back().outwards.x());
+    for (int k = 1; k < turns; ++k) {
+      const double angle = direction + left_round * turn * k / turns;
+      places.push_back({to, Point(std::cos(angle), std::sin(angle))});
     }
   }
   return places;

@@ -53,6 +53,7 @@ class MovingObstacleInput {
     std::uint64_t messages = 0;  // received
     std::uint64_t refused = 0;   // obstacles and messages that could not be used
     std::size_t count = 0;       // that counted in the last cycle
+    std::size_t sectors = 0;     // that sensors look at, as the newest message told it
     double age = 0.0;            // of the newest message in the last cycle [s]
     std::string fault;           // why nothing counts, or not all; empty where all is well
   };

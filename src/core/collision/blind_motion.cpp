@@ -12,6 +12,8 @@ namespace {
 constexpr double kSpacing = 0.02;
 // Between two places of a circle: less than kSpacing up to a radius of 0.6 m.
 constexpr int kPlacesOnCircle = 180;
+// Between two directions of a corner [rad]: 5 degrees.
+constexpr double kTurnOfNormal = M_PI / 36.0;
 // Until a robot that sees somebody begins to brake: two control periods of 20 Hz, besides the latency [s].
 constexpr double kReaction = 0.1;
 // Larger than rounding, smaller than what any base resolves [m/s].
@@ -40,24 +42,47 @@ void BlindMotion::prepare(const Parameters& parameters, const Footprint& footpri
   bounds_.clear();
   if (sectors.empty() || footprint.empty() || footprint.fault() != nullptr) return;
   if (footprint.is_circle()) return add_circle(footprint.radius());
-  const Polygon& outline = footprint.outline();
+  add_polygon(footprint.outline());
+}
+
+void BlindMotion::add_polygon(Polygon outline) {
+  outline.erase(std::unique(outline.begin(), outline.end()), outline.end());  // a corner may be told twice
+  if (outline.front() == outline.back()) outline.pop_back();
   const double around = turns_left(outline);
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point &from = outline[i], &to = outline[(i + 1) % outline.size()];
-    const Point way = to - from;
-    if (way.norm() > 0.0) add_side(from, to, around * Point(way.y(), -way.x()).normalized());
+  const std::size_t n = outline.size();
+  const auto normal_after = [&](std::size_t i) {
+    const Point way = outline[(i + 1) % n] - outline[i % n];
+    return Point(around * Point(way.y(), -way.x()).normalized());
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point normal = normal_after(i);
+    add_side(outline[i], outline[(i + 1) % n], normal);
+    add_corner(outline[(i + 1) % n], around > 0.0 ? normal : normal_after(i + 1),
+               around > 0.0 ? normal_after(i + 1) : normal);
+  }
+}
+
+// `before`, `after`: the normals of its sides, the outline going round to the left. A dent has no more than these.
+void BlindMotion::add_corner(const Point& corner, const Point& before, const Point& after) {
+  const double from = std::atan2(before.y(), before.x());
+  const double turn = wrap_angle(std::atan2(after.y(), after.x()) - from);
+  const auto steps = static_cast<int>(std::ceil(turn / kTurnOfNormal));
+  for (int i = 1; i < steps; ++i) {
+    const double angle = from + turn * i / steps;
+    const Point normal(std::cos(angle), std::sin(angle));
+    if (!sees_beside(corner, normal)) bounds_.push_back(bound_of(corner, normal));
   }
 }
 
 // The bound of a place is linear along a side, so of all blind ones the outermost two are enough.
 void BlindMotion::add_side(const Point& from, const Point& to, const Point& normal) {
-  const auto steps = static_cast<int>(std::ceil((to - from).norm() / kSpacing));
+  const auto steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / kSpacing)));
   bool any = false;
   Bound first, last;
   for (int i = 0; i <= steps; ++i) {
     const Point place = from + (to - from) * (static_cast<double>(i) / steps);
-    const Bound bound{normal.x(), normal.y() * place.x() - normal.x() * place.y()};
-    if (sees_beside(place, normal, bound)) continue;
+    if (sees_beside(place, normal)) continue;
+    const Bound bound = bound_of(place, normal);
     if (!any) first = bound;
     last = bound;
     any = true;
@@ -73,8 +98,8 @@ void BlindMotion::add_circle(double radius) {
   for (int i = 0; i < kPlacesOnCircle; ++i) {
     const double angle = 2.0 * M_PI * i / kPlacesOnCircle;
     const Point normal(std::cos(angle), std::sin(angle));
+    if (sees_beside(radius * normal, normal)) continue;
     const Bound bound{normal.x(), 0.0};
-    if (sees_beside(radius * normal, normal, bound)) continue;
     if (bound.along_v > ahead.along_v) ahead = bound;
     if (bound.along_v < back.along_v) back = bound;
   }
@@ -83,7 +108,8 @@ void BlindMotion::add_circle(double radius) {
 }
 
 // Wherever somebody may stand whom the place would come to before the robot rests.
-bool BlindMotion::sees_beside(const Point& place, const Point& normal, const Bound& motion) const {
+bool BlindMotion::sees_beside(const Point& place, const Point& normal) const {
+  const Bound motion = bound_of(place, normal);
   const double fastest = std::abs(motion.along_v) * limits_.x.fastest() +
                          std::abs(motion.along_omega) * limits_.theta.fastest();
   const double rest = std::max(limits_.x.time_to_rest(limits_.x.fastest()),
@@ -127,6 +153,15 @@ bool BlindMotion::allows_braking_from(const Twist2& command) const {
   if (until_v < until_omega) corner.omega = command.omega * (1.0 - until_v / until_omega);
   if (until_omega < until_v) corner.v = command.v * (1.0 - until_omega / until_v);
   return allows(command) && allows(corner);
+}
+
+Twist2 BlindMotion::slowed(const Twist2& velocity) const {
+  double share = 1.0;
+  for (const Bound& bound : bounds_) {
+    const double fast = bound.along_v * velocity.v + bound.along_omega * velocity.omega;
+    if (fast > blind_speed_) share = std::min(share, blind_speed_ / fast);
+  }
+  return {share * velocity.v, share * velocity.omega};
 }
 
 VelocityLimits BlindMotion::narrowed(VelocityLimits limits) const {

@@ -3,7 +3,7 @@
 //
 // Somebody may stand at a place of the outline, or as far from it as the place moves until the robot rests. Where his
 // middle would be in no sensor's field of view, the place may move outwards, along the normal n of its side, by no more
-// than blind_speed. A place (x, y) moves with (v - omega y, omega x). So the bound
+// than blind_speed; a corner so along each direction between the normals of its two sides. A place (x, y) moves with (v - omega y, omega x). So the bound
 //
 //   n_x v + (n_y x - n_x y) omega <= blind_speed
 //
@@ -42,6 +42,8 @@ class BlindMotion {
   bool allows(const Twist2& velocity) const;
   /// It, and all velocities of the braking after it.
   bool allows_braking_from(const Twist2& command) const;
+  /// The same way, slowly enough.
+  Twist2 slowed(const Twist2& velocity) const;
   /// The limits as they are while the robot drives straight on.
   VelocityLimits narrowed(VelocityLimits limits) const;
 
@@ -51,9 +53,14 @@ class BlindMotion {
     double along_v = 0.0;
     double along_omega = 0.0;  // [m]
   };
+  void add_polygon(Polygon outline);
+  void add_corner(const Point& corner, const Point& before, const Point& after);
   void add_side(const Point& from, const Point& to, const Point& normal);
   void add_circle(double radius);
-  bool sees_beside(const Point& place, const Point& normal, const Bound& motion) const;
+  static Bound bound_of(const Point& place, const Point& normal) {
+    return {normal.x(), normal.y() * place.x() - normal.x() * place.y()};
+  }
+  bool sees_beside(const Point& place, const Point& normal) const;
 
   std::vector<Bound> bounds_;
   SensorSectors sectors_;

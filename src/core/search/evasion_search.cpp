@@ -142,12 +142,12 @@ double EvasionSearch::least(const Start& scene, const PlanGuide& guide) const {
   return guide.least_left(scene.from.pose.x, scene.from.pose.y, fastest_ * horizon_ - lost);
 }
 
-// The own ones first. All within what the wheels allow.
+// The own ones first. All within what the wheels allow, and slow where nobody sees.
 void EvasionSearch::list_motions(const Start& scene, const std::vector<Twist2>& own) {
   const VelocityLimits& limits = scene.limits;
   const double back = limits.x.min, ahead = limits.x.max;
   const auto add = [&](MotionFan& fan, double v, std::initializer_list<double> turns) {
-    for (const double turn : turns) fan.add(limits.clamp({v, turn * limits.theta.max}));
+    for (const double turn : turns) fan.add(scene.cycle.blind.slowed(limits.clamp({v, turn * limits.theta.max})));
   };
   const auto add_speed = [&](double v) {
     add(first_fan_, v, {-1.0, -0.5, 0.0, 0.5, 1.0});
