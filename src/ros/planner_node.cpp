@@ -196,7 +196,8 @@ RobotObservation PlannerNode::observe(const LoopTime& now, const control::Timing
     inputs_.observe_moving_obstacles(now.seconds, parameters, seen);
     if (parameters.sensor_sectors.empty() && seen.sensor_sectors.empty()) {
       ROS_INFO_ONCE(
-          "%s: what the robot's sensors look at is not known: it may drive fast to where nobody sees, until the tracker "
+          "%s: what the robot's sensors look at is not known: it may drive fast to where nobody sees, until the "
+          "tracker "
           "tells it; or set sensor_sectors",
           name_.c_str());
     }

@@ -51,7 +51,8 @@ SensorSectors FieldOfView::sectors(double range) const {
   SensorSectors sectors;
   for (const Run& run : runs) {
     const double middle = static_cast<double>(run.first) + 0.5 * static_cast<double>(run.count - 1);
-    sectors.push_back({{0.0, 0.0, wrap_angle(first_ + middle * increment_)}, static_cast<double>(run.count) * step, range});
+    sectors.push_back(
+        {{0.0, 0.0, wrap_angle(first_ + middle * increment_)}, static_cast<double>(run.count) * step, range});
   }
   return sectors;
 }

@@ -204,8 +204,8 @@ class TrackerNode {
 
   NodeParameters p_;
   Tracker tracker_;
-  RangeScan scan_;              // the last one that was used
-  RangeScan next_;              // is looked at before it takes that place
+  RangeScan scan_;  // the last one that was used
+  RangeScan next_;  // is looked at before it takes that place
   Mounting mounting_ = Mounting::upright;
   std::string laser_frame_;
   double stamp_before_ = -1.0;  // of the scan before [s]

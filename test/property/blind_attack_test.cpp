@@ -26,15 +26,15 @@ using test::Random;
 const int encounters = test::effort(25, 1500);
 
 constexpr double kTick = 0.005, kPeriod = 0.05, kLatency = 0.1;  // [s]
-constexpr double kBlindSpeed = 0.1;                               // [m/s]
+constexpr double kBlindSpeed = 0.1;                              // [m/s]
 
 struct Tally {
   int met = 0, touched = 0;
-  int at_a_fast_place = 0;    // which moved towards somebody who had never been seen
-  int seen_before = 0;        // likewise, towards somebody who had come into view
-  int overtaken = 0;          // touched at a place that moved towards him slowly, or not at all
-  double fastest = -1e9;      // of the first kind [m/s]
-  double driven = 0.0;        // [m]
+  int at_a_fast_place = 0;  // which moved towards somebody who had never been seen
+  int seen_before = 0;      // likewise, towards somebody who had come into view
+  int overtaken = 0;        // touched at a place that moved towards him slowly, or not at all
+  double fastest = -1e9;    // of the first kind [m/s]
+  double driven = 0.0;      // [m]
 };
 
 struct Outline {
@@ -117,7 +117,8 @@ class Encounter {
 
   Point in_robot(const Point& p) const {
     const Point d = p - at_;
-    return {std::cos(heading_) * d.x() + std::sin(heading_) * d.y(), std::cos(heading_) * d.y() - std::sin(heading_) * d.x()};
+    return {std::cos(heading_) * d.x() + std::sin(heading_) * d.y(),
+            std::cos(heading_) * d.y() - std::sin(heading_) * d.x()};
   }
   Point in_world(const Point& p) const {
     return at_ + Point(std::cos(heading_) * p.x() - std::sin(heading_) * p.y(),
@@ -184,7 +185,8 @@ class Encounter {
     s.period = kPeriod;
     s.time = now;
     s.sensor_sectors = {{{laser_x_, 0.0, 0.0}, view_, 10.0}};
-    if ((goal_ - at_).norm() < 0.8 || random_.chance(0.005)) goal_ = 2.5 * Point(random_.uniform(-1.0, 1.0), random_.uniform(-1.0, 1.0));
+    if ((goal_ - at_).norm() < 0.8 || random_.chance(0.005))
+      goal_ = 2.5 * Point(random_.uniform(-1.0, 1.0), random_.uniform(-1.0, 1.0));
     const Point way = goal_ - at_;
     const double direction = std::atan2(way.y(), way.x());
     for (double l = 0.0; l < way.norm(); l += 0.05) {
@@ -241,9 +243,11 @@ Tally attack(int view, double reverse, bool bounded) {
   for (int k = 0; k < encounters; ++k) {
     Encounter(static_cast<std::uint64_t>(4810 + k), view, reverse, bounded, tally).run();
   }
-  std::printf("%3d degrees, reverse %.1f, %-8s %5d met, touched %4d: unseen at a fast place %3d (%.3f m/s), seen before %3d, "
-              "others %4d; %.0f m\n", view, reverse, bounded ? "bounded:" : "free:", tally.met, tally.touched,
-              tally.at_a_fast_place, tally.fastest, tally.seen_before, tally.overtaken, tally.driven);
+  std::printf(
+      "%3d degrees, reverse %.1f, %-8s %5d met, touched %4d: unseen at a fast place %3d (%.3f m/s), seen before %3d, "
+      "others %4d; %.0f m\n",
+      view, reverse, bounded ? "bounded:" : "free:", tally.met, tally.touched, tally.at_a_fast_place, tally.fastest,
+      tally.seen_before, tally.overtaken, tally.driven);
   return tally;
 }
 

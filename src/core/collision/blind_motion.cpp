@@ -110,10 +110,10 @@ void BlindMotion::add_circle(double radius) {
 // Wherever somebody may stand whom the place would come to before the robot rests.
 bool BlindMotion::sees_beside(const Point& place, const Point& normal) const {
   const Bound motion = bound_of(place, normal);
-  const double fastest = std::abs(motion.along_v) * limits_.x.fastest() +
-                         std::abs(motion.along_omega) * limits_.theta.fastest();
-  const double rest = std::max(limits_.x.time_to_rest(limits_.x.fastest()),
-                               limits_.theta.time_to_rest(limits_.theta.fastest()));
+  const double fastest =
+      std::abs(motion.along_v) * limits_.x.fastest() + std::abs(motion.along_omega) * limits_.theta.fastest();
+  const double rest =
+      std::max(limits_.x.time_to_rest(limits_.x.fastest()), limits_.theta.time_to_rest(limits_.theta.fastest()));
   const double reach = fastest * (latency_ + kReaction + 0.5 * rest);
   const auto steps = static_cast<int>(std::ceil(reach / kSpacing));
   for (int i = 0; i <= steps; ++i) {

@@ -3,7 +3,8 @@
 //
 // Somebody may stand at a place of the outline, or as far from it as the place moves until the robot rests. Where his
 // middle would be in no sensor's field of view, the place may move outwards, along the normal n of its side, by no more
-// than blind_speed; a corner so along each direction between the normals of its two sides. A place (x, y) moves with (v - omega y, omega x). So the bound
+// than blind_speed; a corner so along each direction between the normals of its two sides. A place (x, y) moves with (v
+// - omega y, omega x). So the bound
 //
 //   n_x v + (n_y x - n_x y) omega <= blind_speed
 //

@@ -57,12 +57,17 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
   const bool use_movers = uses_movers(measured);
   const bool clear_mover_cells = use_movers && parameters.moving_obstacles_clear_cells && plausible(grid);
   const GridView seen = clear_mover_cells ? explained.without(grid, measured.moving_obstacles, parameters) : grid;
-  const Cycle cycle{parameters, footprint,
-                    seen,       intent,
-                    sampling,   measured,
-                    start,      blind,
+  const Cycle cycle{parameters,
+                    footprint,
+                    seen,
+                    intent,
+                    sampling,
+                    measured,
+                    start,
+                    blind,
                     prepare_mover_check(measured, start, use_movers),
-                    use_movers, update_accelerations(measured, use_movers)};
+                    use_movers,
+                    update_accelerations(measured, use_movers)};
   clear(decision);
   evaluation.clear();
   explanation.clear();

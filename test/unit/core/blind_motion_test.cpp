@@ -238,7 +238,8 @@ TEST(BlindMotion, TheSectorsAreReadOrTheFaultNamesThem) {
   EXPECT_DOUBLE_EQ(two[1].pose.theta, M_PI);
   EXPECT_DOUBLE_EQ(two[1].pose.y, 0.05);
   EXPECT_EQ(two[1].range, 4.5);
-  for (const char* text : {"0 0 0 270", "0 0 0 270 10 1", "0 0 0 0 10", "0 0 0 361 10", "0 0 0 90 -1", "all;", "nan 0 0 90 1"}) {
+  for (const char* text :
+       {"0 0 0 270", "0 0 0 270 10 1", "0 0 0 0 10", "0 0 0 361 10", "0 0 0 90 -1", "all;", "nan 0 0 90 1"}) {
     fault.clear();
     EXPECT_TRUE(parse_sensor_sectors(text, fault).empty()) << text;
     EXPECT_NE(fault.find("sensor_sectors"), std::string::npos) << text;
@@ -298,8 +299,7 @@ TEST(PlannerThatIsBlindBehind, NoCommandAndNoBrakingMovesItsOutlineFast) {
       if (i % 10 == 0 && k % 2 == 0) bench.scene().steer({random.uniform(-0.5, 0.5), random.uniform(-1.0, 1.0)});
       const Twist2 u = bench.drive().command;
       const double slack = 0.02 * std::abs(u.omega) + 0.09 * (std::abs(u.v) + 0.35 * std::abs(u.omega)) + kRounding;
-      ASSERT_LE(twin.fastest(u, 0.0), 0.1 + slack)
-          << k << " " << i << ": " << u.v << " " << u.omega;
+      ASSERT_LE(twin.fastest(u, 0.0), 0.1 + slack) << k << " " << i << ": " << u.v << " " << u.omega;
       moved += std::abs(u.v) > 0.2 || std::abs(u.omega) > 0.3 ? 1 : 0;
     }
   }

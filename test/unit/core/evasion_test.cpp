@@ -150,7 +150,8 @@ struct OpenGround {
   CycleStart start;
   GridView grid = map.grid();
   Sampling sampling;
-  Cycle cycle{map.parameters, body, grid, map.intent, sampling, map.situation, start, nullptr, true};
+  BlindMotion all_round;
+  Cycle cycle{map.parameters, body, grid, map.intent, sampling, map.situation, start, all_round, nullptr, true};
 };
 
 // The motion kept from the start on in steps of a millisecond: the least gap less the distance D of that time [m].

@@ -22,7 +22,9 @@ double until_it_decides(const Twist2& u, bool yields) {
   const Sampling sampling;
   CycleStart start;
   start.limits = VelocityLimits::from(scene.parameters);
-  const Cycle cycle{scene.parameters, footprint, grid, intent, sampling, scene.situation, start, nullptr, true};
+  const BlindMotion all_round;
+  const Cycle cycle{scene.parameters, footprint, grid,      intent,  sampling,
+                    scene.situation,  start,     all_round, nullptr, true};
   Autonomy::Driven driven;
   driven.steps.asked = true;
   driven.conclusion = follow(u, u);

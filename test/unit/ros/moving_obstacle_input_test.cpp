@@ -104,7 +104,8 @@ TEST_F(MovingObstacleInputs, SectorsAreBroughtToTheRobotAndCountUntilOthersAreTo
   input_.read_sectors(tf_, "odom", sectors);
   ASSERT_EQ(sectors.size(), 4U);
   EXPECT_NEAR(sectors[0].pose.x, 1.0, 1e-9);
-  EXPECT_NEAR(sectors[0].pose.theta, 0.5 * M_PI + 0.5, 1e-9);  // the laser faces left, and the sector's middle is at 0.5
+  EXPECT_NEAR(sectors[0].pose.theta, 0.5 * M_PI + 0.5,
+              1e-9);  // the laser faces left, and the sector's middle is at 0.5
   EXPECT_NEAR(sectors[0].width, 2.0, 1e-9);
   EXPECT_NEAR(sectors[1].pose.theta, -0.3, 1e-9);
   EXPECT_NEAR(sectors[1].pose.x, -0.2, 1e-9);
