@@ -15,7 +15,6 @@ namespace tracking {
 class FieldOfView {
  public:
   void add(const RangeScan& scan, const Beams& beams);
-  void clear() { answered_.clear(); }
   /// In the sensor's frame, up to `range` [m]. Gaps that are narrower than 10 degrees count as looked at.
   SensorSectors sectors(double range) const;
 
