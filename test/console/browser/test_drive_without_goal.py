@@ -11,6 +11,7 @@ from stage import DriveTest, cycles, wait
 # It is 0.95 m wide, the robot 0.60 m. The robot begins 1.5 m before it, 0.12 m beside its middle, and faces 4 degrees farther
 # to that side: straight on it would miss the middle by 0.12 + 1.5 tan(4 deg) = 0.22 m, and 0.95 / 2 - 0.30 = 0.175 m fit.
 DOOR, WALL, RADIUS = 25.975, 6.45, 0.30  # [m] each
+CORRIDOR = 8.4  # [m] the y of its middle
 START = (DOOR - 0.12, 8.1, -math.pi / 2 - math.radians(4.0))
 FORWARD = (0, -1)  # of the stick: up
 DRIVING = 'You drive. No goal.'
@@ -68,12 +69,12 @@ class WithoutGoal(DriveTest):
         self.assertEqual(robot.contacts, 0)
 
     def click_goal(self, metres):
-        """A goal by a click in the map, so far to the north of the robot."""
+        """A goal by a click in the map: in the corridor, so far east of the doorway. The map shows the place in its middle."""
+        page.app('Object.assign(app.above.camera, {x: %g, y: %g, following: false})' % (DOOR + metres, CORRIDOR))
         page.click('go')
-        x, y, _, _ = page.middle('above-canvas')
-        y -= metres * page.app('app.above.camera.scale')
-        page.mouse('mousePressed', x, y)
-        page.mouse('mouseReleased', x, y)
+        at = page.middle('above-canvas')[:2]
+        page.mouse('mousePressed', *at)
+        page.mouse('mouseReleased', *at)
 
     def hold_key(self):
         """The arrow key drives ahead: the mouse is free."""
@@ -83,7 +84,7 @@ class WithoutGoal(DriveTest):
     def test_c_a_goal_that_is_clicked_while_the_robot_drives_takes_over(self):
         self.switch(True)
         self.hold_key()
-        self.click_goal(2.4)  # back into the corridor
+        self.click_goal(2.0)  # back through the doorway
         page.wait(lambda: page.text('state-title') == 'The robot drives itself', 'that the page says so')
         self.assertEqual(robot.state, 'AUTONOMY')
         page.key('keyUp', 'ArrowUp', 'ArrowUp')
@@ -95,7 +96,7 @@ class WithoutGoal(DriveTest):
         self.switch(True)
         for cancel in (True, False):
             self.hold_key()
-            self.click_goal(-0.6)
+            self.click_goal(4.0)
             page.wait(lambda: page.text('state-title') == 'The robot drives itself', 'the goal has taken over')
             if cancel:
                 page.app("app.send('cancel')")
@@ -113,7 +114,7 @@ class WithoutGoal(DriveTest):
 
     def test_e_a_mode_that_is_chosen_without_a_goal_counts_at_once(self):
         self.switch(True)
-        self.click_goal(1.0)
+        self.click_goal(0.0)
         wait(lambda: robot.state == 'AUTONOMY', 'the robot on its way')
         self.mode('off')
         cycles(5)
