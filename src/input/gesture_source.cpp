@@ -32,8 +32,9 @@ std::string why_jumped(double jump, double limit) {
          " m): its tracking is unreliable; bring it back into view, or raise gesture_jump";
 }
 
-float deflection(const Eigen::Vector3d& displacement, HandAxis axis, int sign, double range) {
-  return static_cast<float>(sign * displacement[static_cast<int>(axis)] / range);
+float deflection(const Eigen::Vector3d& displacement, HandAxis axis, double range) {
+  const int sign = axis >= HandAxis::minus_x ? -1 : 1;
+  return static_cast<float>(sign * displacement[static_cast<int>(axis) % 3] / range);
 }
 
 }  // namespace
@@ -49,8 +50,7 @@ bool GestureSource::same_device(const Parameters& a, const Parameters& b) const 
 }
 
 bool GestureSource::same_mapping(const Parameters& a, const Parameters& b) const {
-  return a.gesture_axis == b.gesture_axis && a.gesture_axis_sign == b.gesture_axis_sign &&
-         a.gesture_linear_axis == b.gesture_linear_axis && a.gesture_linear_sign == b.gesture_linear_sign;
+  return a.gesture_axis == b.gesture_axis && a.gesture_linear_axis == b.gesture_linear_axis;
 }
 
 // A release counts at once, not with the hand's next pose.
@@ -89,8 +89,8 @@ OperatorCommand GestureSource::command() const {
   if (!engaged()) return {};
   const Parameters& p = parameters();
   const Eigen::Vector3d moved = state_.position - state_.origin;
-  return command_of_deflection(deflection(moved, p.gesture_axis, p.gesture_axis_sign, p.gesture_range),
-                               deflection(moved, p.gesture_linear_axis, p.gesture_linear_sign, p.gesture_range), p);
+  return command_of_deflection(deflection(moved, p.gesture_axis, p.gesture_range),
+                               deflection(moved, p.gesture_linear_axis, p.gesture_range), p);
 }
 
 bool GestureSource::gone(double now) const {

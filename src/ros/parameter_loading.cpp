@@ -2,11 +2,12 @@
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <sstream>
+
+#include "hidwa_local_planner/ros/former_parameters.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -96,58 +97,12 @@ std::string meant_otherwise(const XmlRpcValue& content, const std::string& key, 
          "driving. Remove it; where the motors cannot turn slowly on the spot, set min_in_place_vel_theta";
 }
 
-/// A parameter that `method` took the place of, and what it would be with either method.
-struct FormerSwitch {
-  const char *name, *hidwa, *paper;
-  bool differs() const { return std::string(hidwa) != paper; }
-};
-constexpr FormerSwitch kFormerSwitches[] = {{"command", "feasible", "target"},
-                                            {"hold_ends_when_refused", "true", "false"},
-                                            {"hold_linear", "operator", "operator"},
-                                            {"integration", "midpoint", "euler"},
-                                            {"map_grid", "geodesic", "l1"},
-                                            {"operator_in_goal_window", "false", "true"},
-                                            {"oscillation_while_steering", "false", "true"},
-                                            {"plan_hysteresis", "0.2", "0"},
-                                            {"sample_operator", "true", "false"},
-                                            {"sample_previous", "true", "false"},
-                                            {"sample_zero", "true", "false"},
-                                            {"tie_break", "least_change", "first"}};
-
-bool is_former_switch(const std::string& key) {
-  return std::any_of(std::begin(kFormerSwitches), std::end(kFormerSwitches),
-                     [&](const FormerSwitch& former) { return key == former.name; });
-}
-
-/// A file of before that sets all of them as the paper has them means the paper's method. Fewer of them have no effect;
-/// those that say what the method does anyway are no matter.
-void take_former_switches(LoadedParameters& loaded, const XmlRpcValue& content) {
-  const auto value_of = [&](const FormerSwitch& former) {
-    return content.hasMember(former.name) ? as_text(content[former.name]) : former.hidwa;
-  };
-  const bool as_paper =
-      std::all_of(std::begin(kFormerSwitches), std::end(kFormerSwitches),
-                  [&](const FormerSwitch& former) { return !former.differs() || value_of(former) == former.paper; });
-  if (as_paper && !content.hasMember("method")) {
-    loaded.parameters.method = Method::paper;
-    loaded.warnings.push_back(
-        "method: paper is in force, for sample_zero, tie_break and the others that it took the place of are all set as "
-        "the paper has them: write method: paper instead of them");
-  }
-  const bool paper = loaded.parameters.method == Method::paper;
-  for (const FormerSwitch& former : kFormerSwitches) {
-    if (value_of(former) == (paper ? former.paper : former.hidwa) || !content.hasMember(former.name)) continue;
-    const std::string now = former.differs() ? former.hidwa + std::string(" with method: hidwa, and ") + former.paper +
-                                                   " with method: paper: set method instead, or remove it"
-                                             : former.hidwa + std::string(" with either method: remove it");
-    loaded.warnings.push_back(std::string("unknown parameter ") + former.name + ": it has no effect; it is " + now);
-  }
-}
-
 /// DWB's layout, `PathAlign: {scale: 32}`.
-void take_nested(LoadedParameters& loaded, const std::string& group, const XmlRpcValue& members) {
+void take_nested(LoadedParameters& loaded, const std::string& group, const XmlRpcValue& members,
+                 const std::set<std::string>& former) {
   for (const auto& [member, value] : members) {
     const std::string key = group + "/" + member;
+    if (former.count(key) != 0) continue;
     const std::string flat = group + "_" + member;
     const ParameterInfo* info = find_parameter(flat);
     if (info == nullptr) {
@@ -192,25 +147,28 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
     loaded.faults.push_back("expected the planner's parameters by name, found " + as_text(content));
     return loaded;
   }
+  const PresentContent present = in_present_words(content);
+  loaded.warnings = present.warnings;
+  loaded.aliases.assign(present.former.begin(), present.former.end());
   std::vector<std::pair<std::string, const XmlRpcValue*>> groups;
-  for (const auto& [key, value] : content) {
-    if (const std::string why = meant_otherwise(content, key, value); !why.empty()) {
+  for (const auto& [key, value] : present.content) {
+    if (present.former.count(key) != 0) continue;
+    if (const std::string why = meant_otherwise(present.content, key, value); !why.empty()) {
       loaded.warnings.push_back(why);
       loaded.aliases.push_back(key);
     } else if (const ParameterInfo* info = find_parameter(key)) {
       take(loaded, *info, key, value);
     } else if (value.getType() == XmlRpcValue::TypeStruct) {
       groups.emplace_back(key, &value);
-    } else if (!is_former_switch(key)) {
+    } else {
       loaded.warnings.push_back(unknown(key));
     }
   }
-  take_former_switches(loaded, content);
   std::set<std::string> listed;
   for (const std::string& critic : split_names(loaded.parameters.critics)) listed.insert(short_name(critic));
   for (const auto& [group, members] : groups) {
     if (is_built_in_group(group)) {
-      take_nested(loaded, group, *members);
+      take_nested(loaded, group, *members, present.former);
     } else if (!remark_on(group).empty()) {
       loaded.warnings.push_back(unknown(group));
     } else if (listed.count(group) == 0) {

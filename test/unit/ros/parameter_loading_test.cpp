@@ -111,69 +111,6 @@ TEST(ParameterLoading, UnknownKeysAreNamedWithTheLikelyOne) {
   EXPECT_TRUE(contains(loaded.warnings, "namespace PahtAlign"));
 }
 
-/// What paper.yaml set before `method` took its place.
-XmlRpcValue former_paper_switches() {
-  XmlRpcValue content;
-  for (const char* name : {"sample_zero", "sample_operator", "sample_previous", "hold_ends_when_refused"}) {
-    content[name] = false;
-  }
-  for (const char* name : {"oscillation_while_steering", "operator_in_goal_window"}) content[name] = true;
-  content["plan_hysteresis"] = 0.0;
-  content["tie_break"] = "first";
-  content["command"] = "target";
-  content["integration"] = "euler";
-  content["map_grid"] = "l1";
-  content["hold_linear"] = "operator";
-  return content;
-}
-
-TEST(ParameterLoading, TheFormerSwitchesOfThePaperAreItsMethod) {
-  LoadedParameters loaded = load_parameters(former_paper_switches());
-  EXPECT_TRUE(loaded.faults.empty());
-  EXPECT_EQ(loaded.parameters.method, Method::paper);
-  ASSERT_EQ(loaded.warnings.size(), 1u);
-  EXPECT_TRUE(contains(loaded.warnings, "write method: paper"));
-  XmlRpcValue both = former_paper_switches();  // as a parameter server has it once the planner ran
-  both["method"] = "paper";
-  loaded = load_parameters(both);
-  EXPECT_EQ(loaded.parameters.method, Method::paper);
-  EXPECT_TRUE(loaded.warnings.empty());
-  both["method"] = "hidwa";  // the file's own word counts
-  loaded = load_parameters(both);
-  EXPECT_EQ(loaded.parameters.method, Method::hidwa);
-  EXPECT_EQ(loaded.warnings.size(), 11u);  // all but hold_linear, which is the same in both
-}
-
-TEST(ParameterLoading, AFormerSwitchAloneHasNoEffectAndSaysWhatToWrite) {
-  for (const auto& [name, value] : former_paper_switches()) {
-    XmlRpcValue content;
-    content[name] = value;
-    const LoadedParameters loaded = load_parameters(content);
-    EXPECT_TRUE(loaded.faults.empty());
-    EXPECT_EQ(loaded.parameters.method, Method::hidwa) << name;
-    EXPECT_EQ(loaded.warnings.size(), name == "hold_linear" ? 0u : 1u) << name;
-    if (name == "hold_linear") continue;
-    EXPECT_TRUE(contains(loaded.warnings, "unknown parameter " + name + ": it has no effect")) << name;
-    EXPECT_TRUE(contains(loaded.warnings, as_text(value) + " with method: paper")) << name;
-  }
-  XmlRpcValue one_missing = former_paper_switches();
-  one_missing["tie_break"] = "least_change";
-  EXPECT_EQ(load_parameters(one_missing).parameters.method, Method::hidwa);
-  XmlRpcValue content;  // what the default method does anyway
-  content["sample_zero"] = true;
-  content["plan_hysteresis"] = 0.2;
-  content["command"] = "feasible";
-  EXPECT_TRUE(load_parameters(content).warnings.empty());
-  content["plan_hysteresis"] = 0.3;
-  content["hold_linear"] = "robot";
-  const LoadedParameters others = load_parameters(content);
-  EXPECT_EQ(others.warnings.size(), 2u);
-  EXPECT_TRUE(contains(others.warnings, "hold_linear: it has no effect; it is operator with either method: remove it"));
-  XmlRpcValue paper = former_paper_switches();
-  paper["hold_linear"] = "robot";
-  EXPECT_EQ(load_parameters(paper).parameters.method, Method::paper);
-}
-
 /// A parameter file's numbers.
 XmlRpcValue numbers(const std::vector<std::pair<std::string, double>>& all) {
   XmlRpcValue content;

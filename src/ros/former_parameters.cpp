@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hidwa_local_planner/ros/former_parameters.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "hidwa_local_planner/core/parameter_text.hpp"
+#include "hidwa_local_planner/ros/parameter_loading.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+class Words {
+ public:
+  explicit Words(const XmlRpcValue& content) { present_.content = content; }
+
+  /// The value of a key, in DWB's layout before the flat one; nullptr where there is none.
+  const XmlRpcValue* find(const std::string& name) {
+    XmlRpcValue& all = present_.content;
+    if (const auto [group, member] = parts(name); has(group, member)) return &all[group][member];
+    return all.hasMember(name) ? &all[name] : nullptr;
+  }
+  std::string text(const std::string& name, const std::string& fallback) {
+    const XmlRpcValue* value = find(name);
+    return value != nullptr ? as_text(*value) : fallback;
+  }
+  void put(const std::string& name, const XmlRpcValue& value) {
+    forget(name);
+    present_.former.erase(name);
+    present_.content[name] = value;
+  }
+  void forget(const std::string& name) {
+    const auto [group, member] = parts(name);
+    if (present_.content.hasMember(name)) present_.former.insert(name);
+    if (has(group, member)) present_.former.insert(group + "/" + member);
+  }
+  void say(const std::string& line) { present_.warnings.push_back(line); }
+  const PresentContent& present() const { return present_; }
+
+ private:
+  static std::pair<std::string, std::string> parts(const std::string& name) {
+    const std::size_t end = name.find('_');
+    return {name.substr(0, end), end == std::string::npos ? "" : name.substr(end + 1)};
+  }
+  bool has(const std::string& group, const std::string& member) {
+    XmlRpcValue& all = present_.content;
+    return all.hasMember(group) && all[group].getType() == XmlRpcValue::TypeStruct && all[group].hasMember(member);
+  }
+  PresentContent present_;
+};
+
+/// A parameter that went. `was` is what it was where nobody set it; what `now` is depends on `take`.
+struct Former {
+  const char *name, *was;
+  void (*take)(Words& words, const Former& former);
+  const char* now;
+
+  std::string set(Words& words) const { return std::string(name) + ": " + words.text(name, was); }
+};
+
+/// Says `now`, which is what to do without it.
+void drop(Words& words, const Former& former) {
+  words.say("unknown parameter " + former.set(words) + " has no effect: " + former.now);
+}
+
+/// A sign of the axis `now`.
+void turn_round(Words& words, const Former& former) {
+  const ParameterInfo& info = parameter_info(former.now);
+  const bool joy = info.type == "axis";
+  std::string axis = words.text(former.now, to_text(info.value));
+  if (words.text(former.name, "") != "-1" || axis == "-1") {
+    return words.say("unknown parameter " + former.set(words) + " has no effect; " + former.now + " says it: " + axis +
+                     (joy ? ", or such as 3 reversed" : ", or -" + axis));
+  }
+  const bool reversed_already = joy ? axis.find(' ') != std::string::npos : axis.front() == '-';
+  if (!reversed_already) axis = joy ? axis + " reversed" : "-" + axis;
+  words.put(former.now, axis);
+  words.say(former.set(words) + " is taken as " + former.now + ": " + axis + ": write that instead");
+}
+
+/// A part of what `method` says; `was` is it with method: hidwa, `now` with method: paper.
+void leave_to_method(Words& words, const Former& former) {
+  const std::string hidwa = former.was, paper = former.now;
+  if (words.text(former.name, hidwa) == (words.text("method", "hidwa") == "paper" ? paper : hidwa)) return;
+  words.say(std::string("unknown parameter ") + former.name + ": it has no effect; it is " + hidwa +
+            (hidwa == paper
+                 ? " with either method: remove it"
+                 : " with method: hidwa, and " + paper + " with method: paper: set method instead, or remove it"));
+}
+
+constexpr Former kFormer[] = {
+    {"axis_angular_sign", "1", turn_round, "axis_angular"},
+    {"axis_linear_sign", "1", turn_round, "axis_linear"},
+    {"clutch_axis_sign", "1", turn_round, "clutch_axis"},
+    {"gesture_axis_sign", "1", turn_round, "gesture_axis"},
+    {"gesture_linear_sign", "1", turn_round, "gesture_linear_axis"},
+    {"command", "feasible", leave_to_method, "target"},
+    {"hold_ends_when_refused", "true", leave_to_method, "false"},
+    {"hold_linear", "operator", leave_to_method, "operator"},
+    {"integration", "midpoint", leave_to_method, "euler"},
+    {"map_grid", "geodesic", leave_to_method, "l1"},
+    {"operator_in_goal_window", "false", leave_to_method, "true"},
+    {"oscillation_while_steering", "false", leave_to_method, "true"},
+    {"plan_hysteresis", "0.2", leave_to_method, "0"},
+    {"sample_operator", "true", leave_to_method, "false"},
+    {"sample_previous", "true", leave_to_method, "false"},
+    {"sample_zero", "true", leave_to_method, "false"},
+    {"tie_break", "least_change", leave_to_method, "first"},
+};
+
+/// A file of before that sets all parts of the method as the paper has them means the paper's method. Fewer of them
+/// have no effect.
+void find_method(Words& words) {
+  if (words.find("method") != nullptr) return;
+  const bool paper = std::all_of(std::begin(kFormer), std::end(kFormer), [&](const Former& former) {
+    return former.take != leave_to_method || std::string(former.was) == former.now ||
+           words.text(former.name, former.was) == former.now;
+  });
+  if (!paper) return;
+  words.put("method", std::string("paper"));
+  words.say(
+      "method: paper is in force, for sample_zero, tie_break and the others that it took the place of are all set as "
+      "the paper has them: write method: paper instead of them");
+}
+
+}  // namespace
+
+PresentContent in_present_words(const XmlRpcValue& content) {
+  Words words(content);
+  find_method(words);
+  for (const Former& former : kFormer) {
+    if (words.find(former.name) == nullptr) continue;
+    if (words.text(former.name, "") != former.was || former.take == leave_to_method) former.take(words, former);
+    words.forget(former.name);
+  }
+  return words.present();
+}
+
+}  // namespace hidwa_local_planner

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that set parameters of before.
+#include "hidwa_local_planner/ros/former_parameters.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/parameter_text.hpp"
+#include "hidwa_local_planner/ros/parameter_loading.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+bool contains(const std::vector<std::string>& texts, const std::string& part) {
+  for (const std::string& text : texts) {
+    if (text.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+XmlRpcValue file_of(const std::vector<std::pair<std::string, XmlRpcValue>>& all) {
+  XmlRpcValue content;
+  for (const auto& [key, value] : all) content[key] = value;
+  return content;
+}
+
+/// Both drive the same, the former one with `lines` lines that say what to write.
+void expect_same(const XmlRpcValue& former, const XmlRpcValue& present, const std::vector<std::string>& lines) {
+  const LoadedParameters loaded = load_parameters(former), wanted = load_parameters(present);
+  EXPECT_EQ(loaded.faults, std::vector<std::string>());
+  EXPECT_EQ(to_lines(loaded.parameters), to_lines(wanted.parameters));
+  EXPECT_EQ(loaded.warnings, lines);
+  EXPECT_EQ(wanted.warnings, std::vector<std::string>());
+}
+
+TEST(FormerParameters, ASignTurnsItsAxisRound) {
+  expect_same(file_of({{"axis_angular_sign", -1}}), file_of({{"axis_angular", "0 reversed"}}),
+              {"axis_angular_sign: -1 is taken as axis_angular: 0 reversed: write that instead"});
+  expect_same(file_of({{"axis_linear", 3}, {"axis_linear_sign", -1}}), file_of({{"axis_linear", "3 reversed"}}),
+              {"axis_linear_sign: -1 is taken as axis_linear: 3 reversed: write that instead"});
+  expect_same(file_of({{"clutch_axis", 4}, {"clutch_axis_sign", -1}}), file_of({{"clutch_axis", "4 reversed"}}),
+              {"clutch_axis_sign: -1 is taken as clutch_axis: 4 reversed: write that instead"});
+  expect_same(file_of({{"gesture_axis", "x"}, {"gesture_axis_sign", -1}, {"gesture_linear_sign", -1}}),
+              file_of({{"gesture_axis", "-x"}, {"gesture_linear_axis", "-x"}}),
+              {"gesture_axis_sign: -1 is taken as gesture_axis: -x: write that instead",
+               "gesture_linear_sign: -1 is taken as gesture_linear_axis: -x: write that instead"});
+}
+
+TEST(FormerParameters, ASignThatSaysNothingNewIsNoMatter) {
+  const XmlRpcValue axis = file_of({{"axis_angular", 2}});
+  expect_same(file_of({{"axis_angular", 2}, {"axis_angular_sign", 1}}), axis, {});
+  // A parameter server that still has it beside what it became.
+  expect_same(file_of({{"axis_angular", "2 reversed"}, {"axis_angular_sign", -1}}),
+              file_of({{"axis_angular", "2 reversed"}}),
+              {"axis_angular_sign: -1 is taken as axis_angular: 2 reversed: write that instead"});
+  expect_same(file_of({{"axis_angular", 2}, {"axis_angular_sign", 0}}), axis,
+              {"unknown parameter axis_angular_sign: 0 has no effect; axis_angular says it: 2, or such as 3 reversed"});
+  expect_same(file_of({{"clutch_axis_sign", -1}}), XmlRpcValue(file_of({{"clutch_axis", -1}})),
+              {"unknown parameter clutch_axis_sign: -1 has no effect; clutch_axis says it: -1, or such as 3 reversed"});
+}
+
+// What the planner takes off the parameter server, where it would hide later changes from the next start.
+TEST(FormerParameters, WhatWasTakenOverIsNamed) {
+  EXPECT_EQ(load_parameters(file_of({{"axis_angular_sign", -1}, {"max_vel_x", 0.4}})).aliases,
+            std::vector<std::string>{"axis_angular_sign"});
+}
+
+/// What paper.yaml set before `method` took its place.
+XmlRpcValue former_paper_switches() {
+  XmlRpcValue content;
+  for (const char* name : {"sample_zero", "sample_operator", "sample_previous", "hold_ends_when_refused"}) {
+    content[name] = false;
+  }
+  for (const char* name : {"oscillation_while_steering", "operator_in_goal_window"}) content[name] = true;
+  content["plan_hysteresis"] = 0.0;
+  content["tie_break"] = "first";
+  content["command"] = "target";
+  content["integration"] = "euler";
+  content["map_grid"] = "l1";
+  content["hold_linear"] = "operator";
+  return content;
+}
+
+TEST(FormerParameters, TheFormerSwitchesOfThePaperAreItsMethod) {
+  LoadedParameters loaded = load_parameters(former_paper_switches());
+  EXPECT_TRUE(loaded.faults.empty());
+  EXPECT_EQ(loaded.parameters.method, Method::paper);
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_TRUE(contains(loaded.warnings, "write method: paper"));
+  XmlRpcValue both = former_paper_switches();  // as a parameter server has it once the planner ran
+  both["method"] = "paper";
+  loaded = load_parameters(both);
+  EXPECT_EQ(loaded.parameters.method, Method::paper);
+  EXPECT_TRUE(loaded.warnings.empty());
+  both["method"] = "hidwa";  // the file's own word counts
+  loaded = load_parameters(both);
+  EXPECT_EQ(loaded.parameters.method, Method::hidwa);
+  EXPECT_EQ(loaded.warnings.size(), 11u);  // all but hold_linear, which is the same in both
+}
+
+TEST(FormerParameters, AFormerSwitchAloneHasNoEffectAndSaysWhatToWrite) {
+  for (const auto& [name, value] : former_paper_switches()) {
+    XmlRpcValue content;
+    content[name] = value;
+    const LoadedParameters loaded = load_parameters(content);
+    EXPECT_TRUE(loaded.faults.empty());
+    EXPECT_EQ(loaded.parameters.method, Method::hidwa) << name;
+    EXPECT_EQ(loaded.warnings.size(), name == "hold_linear" ? 0u : 1u) << name;
+    if (name == "hold_linear") continue;
+    EXPECT_TRUE(contains(loaded.warnings, "unknown parameter " + name + ": it has no effect")) << name;
+    EXPECT_TRUE(contains(loaded.warnings, as_text(value) + " with method: paper")) << name;
+  }
+  XmlRpcValue one_missing = former_paper_switches();
+  one_missing["tie_break"] = "least_change";
+  EXPECT_EQ(load_parameters(one_missing).parameters.method, Method::hidwa);
+  XmlRpcValue content;  // what the default method does anyway
+  content["sample_zero"] = true;
+  content["plan_hysteresis"] = 0.2;
+  content["command"] = "feasible";
+  EXPECT_TRUE(load_parameters(content).warnings.empty());
+  content["plan_hysteresis"] = 0.3;
+  content["hold_linear"] = "robot";
+  const LoadedParameters others = load_parameters(content);
+  EXPECT_EQ(others.warnings.size(), 2u);
+  EXPECT_TRUE(contains(others.warnings, "hold_linear: it has no effect; it is operator with either method: remove it"));
+  XmlRpcValue paper = former_paper_switches();
+  paper["hold_linear"] = "robot";
+  EXPECT_EQ(load_parameters(paper).parameters.method, Method::paper);
+}
+
+}  // namespace
+}  // namespace hidwa_local_planner
