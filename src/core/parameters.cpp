@@ -177,11 +177,8 @@ void check_limits(std::vector<std::string>& faults, const Parameters& p) {
         "min_in_place_vel_theta is above max_vel_theta: the robot could never turn on the spot; lower "
         "min_in_place_vel_theta");
   }
-  const int wheel_values = (p.wheel_radius > 0.0) + (p.wheel_separation > 0.0) + (p.max_wheel_velocity > 0.0);
-  if (wheel_values != 0 && wheel_values != 3) {
-    faults.push_back(
-        "wheel_radius, wheel_separation and max_wheel_velocity belong together: set all three, or all to 0 for no "
-        "wheel limit");
+  if ((p.wheel_separation > 0.0) != (p.max_wheel_speed > 0.0)) {
+    faults.push_back("wheel_separation and max_wheel_speed belong together: set both, or both to 0 for no wheel limit");
   }
 }
 

@@ -15,7 +15,7 @@ constexpr double kAboutY = 0.9994;          // cosine of 2 degrees: axes farther
 constexpr double kAlong = 0.9962;           // cosine of 5 degrees: a cylinder farther from the axis does not roll on it
 constexpr double kOpposite = 0.005;         // two wheels of a pair may be so far from facing each other [m]
 constexpr double kSmallest = 0.001;         // of a radius or a separation [m]
-constexpr double kLargestRadius = 2.0;      // as wheel_radius [m]
+constexpr double kLargestRadius = 2.0;      // [m]
 constexpr double kLargestSeparation = 5.0;  // as wheel_separation [m]
 
 using Pair = std::pair<const Joint*, const Joint*>;  // left, right
@@ -135,7 +135,7 @@ std::string add_wheel(Wheels& wheels, const Joint& joint, const Link& link) {
   if (rim.radius <= 0.0) {
     if (wheels.no_radius.empty())
       wheels.no_radius =
-          rim.missing + ": set wheel_radius, or give the link a cylinder along the axis as collision geometry";
+          rim.missing + ": set max_wheel_speed, or give the link a cylinder along the axis as collision geometry";
   } else {
     wheels.radius = wheels.radius > 0.0 ? std::min(wheels.radius, rim.radius) : rim.radius;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/util/words.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
@@ -36,6 +37,13 @@ class Words {
     if (present_.content.hasMember(name)) present_.former.insert(name);
     if (has(group, member)) present_.former.insert(group + "/" + member);
   }
+  double number(const std::string& name, double fallback) {
+    const XmlRpcValue* value = find(name);
+    if (value == nullptr) return fallback;
+    if (value->getType() == XmlRpcValue::TypeInt) return static_cast<const int&>(*value);
+    return value->getType() == XmlRpcValue::TypeDouble ? static_cast<const double&>(*value) : fallback;
+  }
+  void refuse(const std::string& fault) { present_.faults.push_back(fault); }
   void say(const std::string& line) { present_.warnings.push_back(line); }
   const PresentContent& present() const { return present_; }
 
@@ -80,6 +88,20 @@ void turn_round(Words& words, const Former& former) {
   words.say(former.set(words) + " is taken as " + former.now + ": " + axis + ": write that instead");
 }
 
+/// One of two numbers that counted only as their product, which `now` is.
+void multiply(Words& words, const Former& former) {
+  const std::string radius = "wheel_radius", turning = "max_wheel_velocity";
+  if (words.find(former.now) != nullptr) return;
+  const double product = words.number(radius, 0.0) * words.number(turning, 0.0);
+  if (product <= 0.0) {
+    return words.refuse(former.set(words) + " without " + (former.name == radius ? turning : radius) +
+                        " is no speed: write " + former.now + ", the radius times the turning speed, in its place");
+  }
+  words.put(former.now, product);
+  words.say(radius + ": " + words.text(radius, "") + " and " + turning + ": " + words.text(turning, "") +
+            " are taken as " + former.now + ": " + shortest(product) + ": write that instead");
+}
+
 /// A part of what `method` says; `was` is it with method: hidwa, `now` with method: paper.
 void leave_to_method(Words& words, const Former& former) {
   const std::string hidwa = former.was, paper = former.now;
@@ -96,6 +118,8 @@ constexpr Former kFormer[] = {
     {"clutch_axis_sign", "1", turn_round, "clutch_axis"},
     {"gesture_axis_sign", "1", turn_round, "gesture_axis"},
     {"gesture_linear_sign", "1", turn_round, "gesture_linear_axis"},
+    {"wheel_radius", "0", multiply, "max_wheel_speed"},
+    {"max_wheel_velocity", "0", multiply, "max_wheel_speed"},
     {"command", "feasible", leave_to_method, "target"},
     {"hold_ends_when_refused", "true", leave_to_method, "false"},
     {"hold_linear", "operator", leave_to_method, "operator"},

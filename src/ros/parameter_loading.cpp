@@ -148,6 +148,7 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
     return loaded;
   }
   const PresentContent present = in_present_words(content);
+  loaded.faults = present.faults;
   loaded.warnings = present.warnings;
   loaded.aliases.assign(present.former.begin(), present.former.end());
   std::vector<std::pair<std::string, const XmlRpcValue*>> groups;

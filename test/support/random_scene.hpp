@@ -110,9 +110,8 @@ inline void randomise_robot(Random& random, Parameters& p) {
   p.decel_lim_x = random.chance(0.5) ? 0.0 : random.uniform(-3.0, -0.5);
   p.decel_lim_theta = random.chance(0.5) ? 0.0 : random.uniform(0.8, 4.0);
   if (random.chance(0.3)) {
-    p.wheel_radius = 0.1;
     p.wheel_separation = random.uniform(0.2, 0.5);
-    p.max_wheel_velocity = random.uniform(0.8, 1.5) * p.max_vel_x / p.wheel_radius;
+    p.max_wheel_speed = random.uniform(0.8, 1.5) * p.max_vel_x;
   }
   p.footprint_padding = random.chance(0.3) ? random.uniform(0.005, 0.03) : 0.0;
   if (random.chance(0.15)) {
@@ -164,7 +163,7 @@ inline Twist2 random_velocity(Random& random, const Parameters& p) {
   Twist2 u{random.uniform(p.min_vel_x, p.max_vel_x), random.uniform(-p.max_vel_theta, p.max_vel_theta)};
   if (p.has_wheel_limit()) {
     const double wheel = std::abs(u.v) + std::abs(u.omega) * p.wheel_separation / 2.0;
-    const double scale = std::min(1.0, p.wheel_radius * p.max_wheel_velocity / wheel);
+    const double scale = std::min(1.0, p.max_wheel_speed / wheel);
     u = {u.v * scale, u.omega * scale};
   }
   return u;

@@ -57,7 +57,7 @@ struct Parameters {
   bool turns_gently() const {
     return comfort_acc_lim_theta > 0.0 && generator == Generator::standard && !commands_the_sample();
   }
-  bool has_wheel_limit() const { return wheel_radius > 0.0 && wheel_separation > 0.0 && max_wheel_velocity > 0.0; }
+  bool has_wheel_limit() const { return wheel_separation > 0.0 && max_wheel_speed > 0.0; }
 };
 
 /// A value as the outside world writes it: enumerations as their names.

@@ -14,6 +14,7 @@ namespace hidwa_local_planner {
 struct PresentContent {
   XmlRpc::XmlRpcValue content;        // with what former parameters became beside them
   std::set<std::string> former;       // keys that count no more, nested ones as "PathAlign/scale"
+  std::vector<std::string> faults;    // what cannot be said in today's words
   std::vector<std::string> warnings;  // a line for each that says something: what it is taken as, and what to write
 };
 

@@ -165,7 +165,7 @@ TEST(Validate, ReturnsEveryFaultAtOnce) {
   p.min_vel_x = 0.6;               // above max_vel_x
   p.min_vel_theta = 1.1;           // above max_vel_theta
   p.min_in_place_vel_theta = 1.2;  // likewise
-  p.wheel_radius = 0.1;            // alone
+  p.max_wheel_speed = 1.0;         // alone
   p.odom_topic = "";
   p.critics = " , ";
   p.vx_samples = p.vth_samples = 500;  // 250000 candidates

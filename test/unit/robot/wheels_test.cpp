@@ -102,7 +102,7 @@ TEST(Wheels, AMeshHasNoRadius) {
   ASSERT_TRUE(found.wheels) << found.fault;
   EXPECT_EQ(found.wheels->radius, 0.0);
   EXPECT_NE(found.wheels->no_radius.find("_joint"), std::string::npos) << found.wheels->no_radius;
-  EXPECT_NE(found.wheels->no_radius.find("set wheel_radius"), std::string::npos) << found.wheels->no_radius;
+  EXPECT_NE(found.wheels->no_radius.find("set max_wheel_speed"), std::string::npos) << found.wheels->no_radius;
 }
 
 TEST(Wheels, ACylinderAcrossTheAxisDoesNotRoll) {

@@ -64,6 +64,22 @@ TEST(FormerParameters, ASignThatSaysNothingNewIsNoMatter) {
               {"unknown parameter clutch_axis_sign: -1 has no effect; clutch_axis says it: -1, or such as 3 reversed"});
 }
 
+TEST(FormerParameters, TheWheelsRadiusTimesTheirTurningIsTheirSpeed) {
+  const XmlRpcValue present = file_of({{"wheel_separation", 0.16}, {"max_wheel_speed", 0.22011}});
+  XmlRpcValue former = file_of({{"wheel_radius", 0.033}, {"wheel_separation", 0.16}, {"max_wheel_velocity", 6.67}});
+  expect_same(
+      former, present,
+      {"wheel_radius: 0.033 and max_wheel_velocity: 6.67 are taken as max_wheel_speed: 0.22011: write that instead"});
+  former["max_wheel_speed"] = 0.22011;  // beside it, as on a parameter server
+  expect_same(former, present, {});
+  expect_same(file_of({{"wheel_radius", 0.0}, {"max_wheel_velocity", 0}}), file_of({{"max_vel_x", 0.5}}), {});
+  const LoadedParameters alone = load_parameters(file_of({{"max_wheel_velocity", 6.67}}));
+  EXPECT_TRUE(
+      contains(alone.faults, "max_wheel_velocity: 6.67 without wheel_radius is no speed: write max_wheel_speed"));
+  EXPECT_TRUE(
+      contains(load_parameters(file_of({{"wheel_radius", 1}})).faults, "wheel_radius: 1 without max_wheel_velocity"));
+}
+
 // What the planner takes off the parameter server, where it would hide later changes from the next start.
 TEST(FormerParameters, WhatWasTakenOverIsNamed) {
   EXPECT_EQ(load_parameters(file_of({{"axis_angular_sign", -1}, {"max_vel_x", 0.4}})).aliases,

@@ -212,16 +212,15 @@ TEST(ParameterLoading, FaultsNameTheValueAndTheRemedy) {
 
 TEST(ParameterLoading, WhatIsKnownBesidesCountsInTheValidation) {
   XmlRpcValue content;
-  content["max_wheel_velocity"] = 5.0;
+  content["max_wheel_speed"] = 0.5;
   EXPECT_TRUE(contains(load_parameters(content).faults, "belong together"));
   const LoadedParameters loaded = load_parameters(content, [](Parameters p) {
-    p.wheel_radius = 0.1;
     p.wheel_separation = 0.4;
     return p;
   });
   EXPECT_TRUE(loaded.faults.empty());
-  EXPECT_EQ(loaded.parameters.max_wheel_velocity, 5.0);
-  EXPECT_EQ(loaded.parameters.wheel_radius, 0.0);  // what was written stays what was written
+  EXPECT_EQ(loaded.parameters.max_wheel_speed, 0.5);
+  EXPECT_EQ(loaded.parameters.wheel_separation, 0.0);  // what was written stays what was written
 }
 
 TEST(ParameterLoading, SomethingElseThanParametersIsAFault) {
