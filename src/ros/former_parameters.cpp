@@ -102,6 +102,15 @@ void multiply(Words& words, const Former& former) {
             " are taken as " + former.now + ": " + shortest(product) + ": write that instead");
 }
 
+/// A parameter that is two now; it counts on for itself.
+void share(Words& words, const Former& former) {
+  const XmlRpcValue* value = words.find(former.name);
+  if (words.find(former.now) != nullptr) return;
+  words.say(former.set(words) + " is taken as " + former.now + ": " + as_text(*value) +
+            " too, which it was until 2026-11-29: write both");
+  words.put(former.now, *value);
+}
+
 /// A part of what `method` says; `was` is it with method: hidwa, `now` with method: paper.
 void leave_to_method(Words& words, const Former& former) {
   const std::string hidwa = former.was, paper = former.now;
@@ -120,6 +129,7 @@ constexpr Former kFormer[] = {
     {"gesture_linear_sign", "1", turn_round, "gesture_linear_axis"},
     {"wheel_radius", "0", multiply, "max_wheel_speed"},
     {"max_wheel_velocity", "0", multiply, "max_wheel_speed"},
+    {"blocked_time", "1", share, "stall_time"},
     {"command", "feasible", leave_to_method, "target"},
     {"hold_ends_when_refused", "true", leave_to_method, "false"},
     {"hold_linear", "operator", leave_to_method, "operator"},
@@ -157,7 +167,7 @@ PresentContent in_present_words(const XmlRpcValue& content) {
   for (const Former& former : kFormer) {
     if (words.find(former.name) == nullptr) continue;
     if (words.text(former.name, "") != former.was || former.take == leave_to_method) former.take(words, former);
-    words.forget(former.name);
+    if (former.take != share) words.forget(former.name);
   }
   return words.present();
 }

@@ -37,7 +37,7 @@ class RecordedDrive {
     parameters_.velocity_reference_tolerance_theta = 0.03;
     parameters_.mode = mode;
     parameters_.delta = 0.4;
-    parameters_.blocked_time = 0.2;
+    parameters_.blocked_time = parameters_.stall_time = 0.2;
     parameters_.stop_button = 3;
     if (random_.chance(0.5)) parameters_.enable_button = 5;
     parameters_.authority = random_.chance(0.3) ? 0.5 : 1.0;

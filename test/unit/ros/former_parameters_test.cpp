@@ -80,6 +80,13 @@ TEST(FormerParameters, TheWheelsRadiusTimesTheirTurningIsTheirSpeed) {
       contains(load_parameters(file_of({{"wheel_radius", 1}})).faults, "wheel_radius: 1 without max_wheel_velocity"));
 }
 
+TEST(FormerParameters, TheTimeUntilBlockedWasAutonomysToo) {
+  expect_same(file_of({{"blocked_time", 2.5}}), file_of({{"blocked_time", 2.5}, {"stall_time", 2.5}}),
+              {"blocked_time: 2.5 is taken as stall_time: 2.5 too, which it was until 2026-11-29: write both"});
+  EXPECT_EQ(load_parameters(file_of({{"blocked_time", 2.5}, {"stall_time", 1.0}})).parameters.stall_time, 1.0);
+  EXPECT_TRUE(load_parameters(file_of({{"blocked_time", 1.0}})).warnings.empty());  // the default of both
+}
+
 // What the planner takes off the parameter server, where it would hide later changes from the next start.
 TEST(FormerParameters, WhatWasTakenOverIsNamed) {
   EXPECT_EQ(load_parameters(file_of({{"axis_angular_sign", -1}, {"max_vel_x", 0.4}})).aliases,
