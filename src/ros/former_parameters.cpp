@@ -18,7 +18,7 @@ class Words {
   explicit Words(const XmlRpcValue& content) { present_.content = content; }
 
   /// The value of a key, in DWB's layout before the flat one; nullptr where there is none.
-  const XmlRpcValue* find(const std::string& name) {
+  XmlRpcValue* find(const std::string& name) {
     XmlRpcValue& all = present_.content;
     if (const auto [group, member] = parts(name); has(group, member)) return &all[group][member];
     return all.hasMember(name) ? &all[name] : nullptr;
@@ -73,6 +73,49 @@ void drop(Words& words, const Former& former) {
   words.say("unknown parameter " + former.set(words) + " has no effect: " + former.now);
 }
 
+/// Another name, or one of several that are one now.
+void rename(Words& words, const Former& former) {
+  const XmlRpcValue value = *words.find(former.name);
+  if (const XmlRpcValue* now = words.find(former.now); now != nullptr) {
+    if (as_text(*now) == as_text(value)) return;
+    return words.say("unknown parameter " + former.set(words) + " has no effect: " + former.now + ": " + as_text(*now) +
+                     " holds");
+  }
+  words.put(former.now, value);
+  words.say(former.set(words) + " is taken as " + former.now + ": " + as_text(value) + ": write that instead");
+}
+
+/// A weight of the critic `now`, which scores nothing: 0 switched it off.
+void leave_out(Words& words, const Former& former) {
+  if (words.number(former.name, 1.0) != 0.0) {
+    return words.say("unknown parameter " + former.set(words) + " has no effect: " + former.now +
+                     " only rejects: remove it");
+  }
+  std::string all, rest;
+  XmlRpcValue* listed = words.find("critics");
+  for (int i = 0; listed != nullptr && listed->getType() == XmlRpcValue::TypeArray && i < listed->size(); ++i) {
+    all += as_text((*listed)[i]) + " ";
+  }
+  if (all.empty()) all = words.text("critics", Parameters().critics);
+  for (const std::string& critic : split_names(all)) {
+    if (short_name(critic) != former.now) rest += (rest.empty() ? "" : ", ") + critic;
+  }
+  words.put("critics", rest);
+  words.say(former.set(words) + " is taken as critics: " + rest + ": write that instead");
+}
+
+/// The weight of a critic whose terms have weights of their own.
+void distribute(Words& words, const Former& former) {
+  std::string terms;
+  for (const char* name : {"PreferForward_penalty", "PreferForward_theta_scale"}) {
+    const double value =
+        words.number(former.name, 1.0) * words.number(name, std::get<double>(parameter_info(name).value));
+    words.put(name, value);
+    terms += (terms.empty() ? "" : " and ") + std::string(name) + ": " + shortest(value);
+  }
+  words.say(former.set(words) + " is taken as " + terms + ": write those instead");
+}
+
 /// A sign of the axis `now`.
 void turn_round(Words& words, const Former& former) {
   const ParameterInfo& info = parameter_info(former.now);
@@ -112,7 +155,7 @@ void share(Words& words, const Former& former) {
 }
 
 /// A part of what `method` says; `was` is it with method: hidwa, `now` with method: paper.
-void leave_to_method(Words& words, const Former& former) {
+void follow_method(Words& words, const Former& former) {
   const std::string hidwa = former.was, paper = former.now;
   if (words.text(former.name, hidwa) == (words.text("method", "hidwa") == "paper" ? paper : hidwa)) return;
   words.say(std::string("unknown parameter ") + former.name + ": it has no effect; it is " + hidwa +
@@ -120,6 +163,9 @@ void leave_to_method(Words& words, const Former& former) {
                  ? " with either method: remove it"
                  : " with method: hidwa, and " + paper + " with method: paper: set method instead, or remove it"));
 }
+
+/// The same, of those that `method` took the place of.
+void leave_to_method(Words& words, const Former& former) { follow_method(words, former); }
 
 constexpr Former kFormer[] = {
     {"axis_angular_sign", "1", turn_round, "axis_angular"},
@@ -130,6 +176,18 @@ constexpr Former kFormer[] = {
     {"wheel_radius", "0", multiply, "max_wheel_speed"},
     {"max_wheel_velocity", "0", multiply, "max_wheel_speed"},
     {"blocked_time", "1", share, "stall_time"},
+    {"PathAlign_forward_point_distance", "0.1", rename, "forward_point_distance"},
+    {"GoalAlign_forward_point_distance", "0.1", rename, "forward_point_distance"},
+    {"BaseObstacle_sum_scores", "false", drop, "the cost at the last pose counts: remove it"},
+    {"ObstacleFootprint_sum_scores", "false", drop, "the cost at the last pose counts: remove it"},
+    {"RotateToGoal_slowing_factor", "5", drop, "it is 5: remove it"},
+    {"RotateToGoal_lookahead_time", "0.5", follow_method, "-1"},
+    {"Oscillation_scale", "1", leave_out, "Oscillation"},
+    {"Oscillation_x_only_threshold", "0.05", drop, "it is 0.05 m/s: remove it"},
+    {"Oscillation_reset_time", "-1", drop, "time alone allows nothing again: remove it"},
+    {"PreferForward_scale", "1", distribute, ""},
+    {"PreferForward_strafe_x", "0.1", drop, "it is 0.1 m/s: remove it"},
+    {"PreferForward_strafe_theta", "0.2", drop, "it is 0.2 rad/s: remove it"},
     {"command", "feasible", leave_to_method, "target"},
     {"hold_ends_when_refused", "true", leave_to_method, "false"},
     {"hold_linear", "operator", leave_to_method, "operator"},
@@ -166,7 +224,9 @@ PresentContent in_present_words(const XmlRpcValue& content) {
   find_method(words);
   for (const Former& former : kFormer) {
     if (words.find(former.name) == nullptr) continue;
-    if (words.text(former.name, "") != former.was || former.take == leave_to_method) former.take(words, former);
+    if (words.text(former.name, "") != former.was || former.take == leave_to_method || former.take == follow_method) {
+      former.take(words, former);
+    }
     if (former.take != share) words.forget(former.name);
   }
   return words.present();

@@ -87,6 +87,64 @@ TEST(FormerParameters, TheTimeUntilBlockedWasAutonomysToo) {
   EXPECT_TRUE(load_parameters(file_of({{"blocked_time", 1.0}})).warnings.empty());  // the default of both
 }
 
+TEST(FormerParameters, TheForwardPointIsOneForBothCritics) {
+  const std::string line = "_forward_point_distance: 0.3 is taken as forward_point_distance: 0.3: write that instead";
+  const XmlRpcValue present = file_of({{"forward_point_distance", 0.3}});
+  expect_same(file_of({{"PathAlign_forward_point_distance", 0.3}, {"GoalAlign_forward_point_distance", 0.3}}), present,
+              {"PathAlign" + line});
+  XmlRpcValue nested;
+  nested["GoalAlign"]["forward_point_distance"] = 0.3;
+  expect_same(nested, present, {"GoalAlign" + line});
+  EXPECT_EQ(load_parameters(nested).aliases, std::vector<std::string>{"GoalAlign/forward_point_distance"});
+  nested["PathAlign_forward_point_distance"] = 0.2;
+  expect_same(
+      nested, file_of({{"forward_point_distance", 0.2}}),
+      {"PathAlign_forward_point_distance: 0.2 is taken as forward_point_distance: 0.2: write that instead",
+       "unknown parameter GoalAlign_forward_point_distance: 0.3 has no effect: forward_point_distance: 0.2 holds"});
+}
+
+TEST(FormerParameters, AWeightThatOnlySwitchedACriticOffLeavesItOut) {
+  expect_same(file_of({{"critics", "RotateToGoal, Oscillation, PathDist"}, {"Oscillation_scale", 0.0}}),
+              file_of({{"critics", "RotateToGoal, PathDist"}}),
+              {"Oscillation_scale: 0 is taken as critics: RotateToGoal, PathDist: write that instead"});
+  XmlRpcValue list = file_of({{"Oscillation_scale", 0}});
+  list["critics"].setSize(2);
+  list["critics"][0] = std::string("Oscillation");
+  list["critics"][1] = std::string("PathDist");
+  EXPECT_EQ(load_parameters(list).parameters.critics, "PathDist");
+  expect_same(file_of({{"Oscillation_scale", 2.0}}), file_of({{"max_vel_x", 0.5}}),
+              {"unknown parameter Oscillation_scale: 2 has no effect: Oscillation only rejects: remove it"});
+}
+
+TEST(FormerParameters, AWeightOfTermsWithWeightsGoesIntoThem) {
+  XmlRpcValue nested = file_of({{"PreferForward_theta_scale", 4.0}});
+  nested["PreferForward"]["scale"] = 3.0;
+  nested["PreferForward"]["penalty"] = 2;
+  expect_same(nested, file_of({{"PreferForward_penalty", 6.0}, {"PreferForward_theta_scale", 12.0}}),
+              {"PreferForward_scale: 3 is taken as PreferForward_penalty: 6 and PreferForward_theta_scale: 12: write "
+               "those instead"});
+}
+
+TEST(FormerParameters, WhatIsFixedNowSaysWhatItIs) {
+  const std::pair<const char*, const char*> told[] = {{"Oscillation_x_only_threshold", "it is 0.05 m/s: remove it"},
+                                                      {"Oscillation_reset_time", "time alone allows nothing again"},
+                                                      {"PreferForward_strafe_x", "it is 0.1 m/s"},
+                                                      {"PreferForward_strafe_theta", "it is 0.2 rad/s"},
+                                                      {"RotateToGoal_slowing_factor", "it is 5"},
+                                                      {"RotateToGoal_lookahead_time", "-1 with method: paper"},
+                                                      {"BaseObstacle_sum_scores", "the cost at the last pose counts"},
+                                                      {"ObstacleFootprint_sum_scores", "the last pose counts"}};
+  for (const auto& [name, line] : told) {
+    const LoadedParameters loaded = load_parameters(file_of({{name, 0.7}}));
+    ASSERT_EQ(loaded.warnings.size(), 1u) << name;
+    EXPECT_EQ(loaded.warnings[0].rfind(std::string("unknown parameter ") + name + ": ", 0), 0u) << loaded.warnings[0];
+    EXPECT_NE(loaded.warnings[0].find(line), std::string::npos) << loaded.warnings[0];
+  }
+  expect_same(file_of({{"method", "paper"}, {"RotateToGoal_lookahead_time", -1.0}}), file_of({{"method", "paper"}}),
+              {});
+  expect_same(file_of({{"RotateToGoal_lookahead_time", 0.5}}), file_of({{"max_vel_x", 0.5}}), {});
+}
+
 // What the planner takes off the parameter server, where it would hide later changes from the next start.
 TEST(FormerParameters, WhatWasTakenOverIsNamed) {
   EXPECT_EQ(load_parameters(file_of({{"axis_angular_sign", -1}, {"max_vel_x", 0.4}})).aliases,

@@ -84,13 +84,13 @@ TEST(ParameterLoading, TheBareWordOffIsAName) {
 TEST(ParameterLoading, NestedCriticParametersStandForFlatOnes) {
   XmlRpcValue content;
   content["PathAlign"]["scale"] = 16.0;
-  content["PathAlign"]["forward_point_distance"] = 0.2;
+  content["Oscillation"]["reset_dist"] = 0.2;
   content["PathAlign_scale"] = 8.0;
   const LoadedParameters loaded = load_parameters(content);
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_TRUE(loaded.warnings.empty());
   EXPECT_EQ(loaded.parameters.PathAlign_scale, 16.0);
-  EXPECT_EQ(loaded.parameters.PathAlign_forward_point_distance, 0.2);
+  EXPECT_EQ(loaded.parameters.Oscillation_reset_dist, 0.2);
   EXPECT_EQ(loaded.aliases.size(), 2u);
 }
 
@@ -172,7 +172,7 @@ TEST(ParameterLoading, WhatOtherPlannersHaveIsToldWithWhatToDo) {
       {"publish_traj_pc", "remove it"},
       {"escape_vel", "negative min_vel_x"},
       {"BaseObstacle.scale", "do you mean BaseObstacle_scale?"},
-      {"PathAlign.forward_point_distance", "do you mean PathAlign_forward_point_distance?"},
+      {"PathAlign.forward_point_distance", "do you mean forward_point_distance?"},
       {"short_circuit_trajectory_evaluation", "remove it"}};
   for (const auto& [key, part] : told) {
     const LoadedParameters loaded = load_parameters(numbers({{key, 1.0}}));
