@@ -29,8 +29,7 @@ def joy_of(command, p):
     if p.get('mode') == 'gesture':
         clutch_axis, sign = _axis(p, 'clutch_axis', -1)
         if clutch_axis >= 0:
-            released = -1.0 if p.get('clutch_threshold', 0.5) < 0.0 else 0.0
-            axes[clutch_axis] = sign * (1.0 if clutch else released)
+            axes[clutch_axis] = sign * float(clutch)
         else:
             buttons[p.get('clutch_button', 0)] = int(clutch)
     return _filled(axes, AXES, 0.0), _filled(buttons, BUTTONS, 0)

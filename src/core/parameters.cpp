@@ -180,6 +180,10 @@ void check_limits(std::vector<std::string>& faults, const Parameters& p) {
   if ((p.wheel_separation > 0.0) != (p.max_wheel_speed > 0.0)) {
     faults.push_back("wheel_separation and max_wheel_speed belong together: set both, or both to 0 for no wheel limit");
   }
+  if (const std::size_t joints = split_names(p.wheel_joints).size(); joints != 0 && joints != 2) {
+    faults.push_back("wheel_joints = " + p.wheel_joints +
+                     ": name two joints, the left and the right one, or none to have them found");
+  }
 }
 
 void check_operator(std::vector<std::string>& faults, const Parameters& p) {

@@ -8,6 +8,8 @@ namespace hidwa_local_planner::critics {
 namespace {
 
 constexpr double kHardlyDrives = 0.05;  // [m/s]
+constexpr double kMoved = 0.05;         // [m]
+constexpr double kTurned = 0.2;         // [rad]
 
 /// Ends driving or turning back and forth: after a commanded change of sign only the new direction is legal, until the
 /// robot has moved or turned enough. Turning counts only while the robot hardly drives. Scores 0. While the
@@ -40,8 +42,6 @@ class Oscillation : public Critic {
     io(self.x_, self.theta_, self.since_pose_);
   }
 
-  double reset_dist_ = 0.05;  // [m]
-  double reset_angle_ = 0.2;  // [rad]
   bool while_steering_ = false;
   bool silent_ = false;
   Axis x_, theta_;
@@ -49,8 +49,6 @@ class Oscillation : public Critic {
 };
 
 double Oscillation::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  reset_dist_ = parameters.Oscillation_reset_dist;
-  reset_angle_ = parameters.Oscillation_reset_angle;
   while_steering_ = parameters.method == Method::paper;
   return 1.0;
 }
@@ -84,8 +82,8 @@ void Oscillation::debrief(const CycleView& cycle, const Twist2& command) {
 }
 
 bool Oscillation::may_forget(const CycleView& cycle) const {
-  if (reset_dist_ > 0.0 && distance(cycle.pose, since_pose_) > reset_dist_) return true;
-  return reset_angle_ > 0.0 && std::abs(wrap_angle(cycle.pose.theta - since_pose_.theta)) > reset_angle_;
+  return distance(cycle.pose, since_pose_) > kMoved ||
+         std::abs(wrap_angle(cycle.pose.theta - since_pose_.theta)) > kTurned;
 }
 
 void Oscillation::reset() { x_ = theta_ = Axis{}; }

@@ -9,6 +9,7 @@
 namespace hidwa_local_planner::input {
 namespace {
 
+constexpr double kJump = 0.3;           // farther than a hand gets between two poses [m]
 constexpr double kNoQuaternion = 1e-3;  // of a shorter norm
 
 // Trackers that have lost the hand send zeros, some with a proper identity orientation.
@@ -26,10 +27,10 @@ std::string why_not_tracked(const HandMessage& message) {
   return {};
 }
 
-std::string why_jumped(double jump, double limit) {
-  if (!(jump > limit)) return {};
-  return "the hand jumped by " + worded(jump, 3) + " m, more than gesture_jump (" + worded(limit, 3) +
-         " m): its tracking is unreliable; bring it back into view, or raise gesture_jump";
+std::string why_jumped(double jump) {
+  if (!(jump > kJump)) return {};
+  return "the hand jumped by " + worded(jump, 3) + " m between two poses, more than " + worded(kJump, 3) +
+         " m: its tracking is unreliable; bring it back into view";
 }
 
 float deflection(const Eigen::Vector3d& displacement, HandAxis axis, double range) {
@@ -68,7 +69,7 @@ SourceReading GestureSource::taken(const HandMessage& message, double now) {
   SourceReading reading;
   reading.fault = why_not_tracked(message);
   if (reading.fault.empty() && engaged()) {
-    reading.fault = why_jumped((message.position - state_.position).norm(), parameters().gesture_jump);
+    reading.fault = why_jumped((message.position - state_.position).norm());
   }
   if (!reading.fault.empty()) {
     lose();

@@ -14,6 +14,7 @@ namespace {
 // Drivers overshoot by rounding: -32768 / 32767 is 1.00003.
 constexpr float kRangeTolerance = 0.01F;
 
+constexpr float kHeld = 0.5F;        // beyond it a clutch_axis is held
 constexpr float kEnd = 0.99F;        // beyond it an axis is at an end
 constexpr double kCentredFor = 1.0;  // a trigger on its way to its other end passes the centre faster [s]
 constexpr int kStickAxes = 2;        // the first ones of every device with a stick
@@ -70,7 +71,7 @@ bool clutch_held(const StickMessage& message, const Parameters& parameters) {
   const JoyAxis& axis = parameters.clutch_axis;
   if (axis.index < 0) return held(message, parameters.clutch_button);
   const float pressed = axis.turned(message.axes[static_cast<std::size_t>(axis.index)]);
-  return pressed > static_cast<float>(parameters.clutch_threshold);
+  return pressed > kHeld;
 }
 
 bool needs_clutch(const Parameters& parameters) { return parameters.mode == OperatorMode::gesture; }

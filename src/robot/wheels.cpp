@@ -48,7 +48,7 @@ std::vector<Pair> pairs_of(const Model& model) {
 }
 
 std::string choice_of(const std::vector<Pair>& pairs) {
-  const std::string remedy = "name the driving ones by left_wheel_joint and right_wheel_joint";
+  const std::string remedy = "name the driving ones by wheel_joints";
   if (pairs.empty()) {
     return "no two joints turn freely about y, opposite each other, with a wheel on them: " + remedy;
   }
@@ -153,7 +153,7 @@ WheelSearch wheels_on(const Model& model, const Joint& left, const Joint& right)
   if (search.fault.empty() && !(wheels.separation >= kSmallest && wheels.separation <= kLargestSeparation)) {
     search.fault = left.name + " and " + right.name + ": they lie " + worded(wheels.separation) +
                    " m apart across y, outside [" + worded(kSmallest) + ", " + worded(kLargestSeparation) +
-                   "] m: correct their origins, or left_wheel_joint and right_wheel_joint";
+                   "] m: correct their origins, or wheel_joints";
   }
   if (!wheels.no_radius.empty()) wheels.radius = 0.0;
   if (search.fault.empty()) search.wheels = std::move(wheels);
@@ -172,11 +172,11 @@ WheelSearch find_wheels(const Model& model, const std::string& left, const std::
     return search;
   }
   if (left.empty() || right.empty()) {
-    search.fault = "left_wheel_joint and right_wheel_joint belong together: name both, or neither to have them found";
+    search.fault = "wheel_joints names one joint: name the left and the right one, or none to have them found";
     return search;
   }
-  search.fault = joint_fault(model, "left_wheel_joint", left);
-  if (search.fault.empty()) search.fault = joint_fault(model, "right_wheel_joint", right);
+  search.fault = joint_fault(model, "wheel_joints", left);
+  if (search.fault.empty()) search.fault = joint_fault(model, "wheel_joints", right);
   if (!search.fault.empty()) return search;
   return wheels_on(model, *joint_named(model, left), *joint_named(model, right));
 }

@@ -116,6 +116,31 @@ void distribute(Words& words, const Former& former) {
   words.say(former.set(words) + " is taken as " + terms + ": write those instead");
 }
 
+/// A weight of everything else, of which only the ratio to those of the operator counts.
+void divide(Words& words, const Former& former) {
+  const double weight = words.number(former.name, 1.0);
+  if (weight <= 0.0) {
+    return words.refuse(former.set(words) +
+                        " is no weight now: raise s_v and s_omega, or leave critics out of critics");
+  }
+  std::string terms;
+  for (const char* name : {"s_v", "s_omega"}) {
+    const double value = words.number(name, std::get<double>(parameter_info(name).value)) / weight;
+    words.put(name, value);
+    terms += (terms.empty() ? "" : " and ") + std::string(name) + ": " + shortest(value);
+  }
+  words.say(former.set(words) + " is taken as " + terms + ": write those instead");
+}
+
+/// One of two names of joints, which `now` lists.
+void pair_up(Words& words, const Former& former) {
+  if (words.find(former.now) != nullptr) return;
+  const std::string joints = words.text("left_wheel_joint", "") + ", " + words.text("right_wheel_joint", "");
+  words.put(former.now, joints);
+  words.say("left_wheel_joint and right_wheel_joint are taken as " + std::string(former.now) + ": [" + joints +
+            "]: write that instead");
+}
+
 /// A sign of the axis `now`.
 void turn_round(Words& words, const Former& former) {
   const ParameterInfo& info = parameter_info(former.now);
@@ -188,6 +213,17 @@ constexpr Former kFormer[] = {
     {"PreferForward_scale", "1", distribute, ""},
     {"PreferForward_strafe_x", "0.1", drop, "it is 0.1 m/s: remove it"},
     {"PreferForward_strafe_theta", "0.2", drop, "it is 0.2 rad/s: remove it"},
+    {"left_wheel_joint", "", pair_up, "wheel_joints"},
+    {"right_wheel_joint", "", pair_up, "wheel_joints"},
+    {"s_nv", "1", divide, ""},
+    {"velocity_reference_tolerance_x", "0.2", drop, "it is 0.2 m/s: remove it"},
+    {"velocity_reference_tolerance_theta", "0.5", drop, "it is 0.5 rad/s: remove it"},
+    {"prune_distance", "1", drop, "it is 1 m: remove it"},
+    {"forward_prune_auto", "true", follow_method, "false"},
+    {"Oscillation_reset_dist", "0.05", drop, "it is 0.05 m: remove it"},
+    {"Oscillation_reset_angle", "0.2", drop, "it is 0.2 rad: remove it"},
+    {"clutch_threshold", "0.5", drop, "it is 0.5: remove it"},
+    {"gesture_jump", "0.3", drop, "it is 0.3 m: remove it"},
     {"command", "feasible", leave_to_method, "target"},
     {"hold_ends_when_refused", "true", leave_to_method, "false"},
     {"hold_linear", "operator", leave_to_method, "operator"},

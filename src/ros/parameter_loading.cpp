@@ -25,6 +25,8 @@ std::optional<std::string> joined(const XmlRpcValue& list) {
   return text;
 }
 
+bool takes_list(const ParameterInfo& info) { return info.name == "critics" || info.name == "wheel_joints"; }
+
 std::optional<ParameterValue> converted(const ParameterInfo& info, const XmlRpcValue& value) {
   switch (value.getType()) {
     case XmlRpcValue::TypeBoolean: {
@@ -41,7 +43,7 @@ std::optional<ParameterValue> converted(const ParameterInfo& info, const XmlRpcV
       return ParameterValue(static_cast<const std::string&>(value));
     case XmlRpcValue::TypeArray: {
       const std::optional<std::string> names = joined(value);
-      if (info.name != "critics" || !names) return std::nullopt;
+      if (!takes_list(info) || !names) return std::nullopt;
       return ParameterValue(*names);
     }
     default:
@@ -62,7 +64,7 @@ void take(LoadedParameters& loaded, const ParameterInfo& info, const std::string
   if (const std::optional<ParameterValue> plain = converted(info, value)) {
     fault = set_parameter(loaded.parameters, info.name, *plain);
   } else {
-    fault = info.name + ": expected a single value" + (info.name == "critics" ? " or a list of names" : "");
+    fault = info.name + ": expected a single value" + (takes_list(info) ? " or a list of names" : "");
   }
   if (!fault.empty()) {
     loaded.faults.push_back(fault + ", found " + key + ": " + as_text(value) + remedy_for(info, value));
@@ -150,7 +152,8 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
   const PresentContent present = in_present_words(content);
   loaded.faults = present.faults;
   loaded.warnings = present.warnings;
-  loaded.aliases.assign(present.former.begin(), present.former.end());
+  // What was refused stays where it is: the next start must find it.
+  if (present.faults.empty()) loaded.aliases.assign(present.former.begin(), present.former.end());
   std::vector<std::pair<std::string, const XmlRpcValue*>> groups;
   for (const auto& [key, value] : present.content) {
     if (present.former.count(key) != 0) continue;
@@ -230,8 +233,6 @@ std::string suggestion_for(const std::string& key) {
       {"twirling_scale", "Twirling_scale, with Twirling in critics"},
       {"PathAlign.forward_point_distance", "forward_point_distance"},
       {"GoalAlign.forward_point_distance", "forward_point_distance"},
-      {"oscillation_reset_dist", "Oscillation_reset_dist"},
-      {"oscillation_reset_angle", "Oscillation_reset_angle"},
       {"max_scaling_factor", "footprint_padding"},
       {"min_obstacle_dist", "footprint_padding"},
       {"dwa", "generator: dwa"},
@@ -265,8 +266,10 @@ std::string remark_on(const std::string& key) {
       {"min_speed_xy", minimum},
       {"min_rot_vel", minimum},
       {"min_speed_theta", minimum},
+      {"oscillation_reset_dist", "it is 0.05 m: remove it"},
+      {"oscillation_reset_angle", "it is 0.2 rad: remove it"},
       {"latch_xy_goal_tolerance", "the goal's position is always latched: remove it"},
-      {"prune_plan", "the plan is always pruned (prune_distance): remove it"},
+      {"prune_plan", "the plan is always pruned (forward_prune_distance): remove it"},
       {"stop_time_buffer", "admissibility: braking sees to it that the robot stops in time: remove it"},
       {"scaling_speed", "admissibility: braking sees to it that the robot stops in time: remove it"},
       {"escape_vel", "for driving backwards set a negative min_vel_x, else remove it"},

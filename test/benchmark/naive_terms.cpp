@@ -63,7 +63,7 @@ std::optional<double> NaiveTerms::total(const Twist2& sample, const std::vector<
   autonomy += p.PathDist_scale / 2 * map_grid(path_, 0.0, last);
   autonomy += p.GoalDist_scale / 2 * map_grid(goal_, 0.0, last);
   const Twist2& wanted = scene_.intent.u_h;
-  return p.s_nv * autonomy + p.s_v * std::abs(wanted.v - sample.v) + p.s_omega * std::abs(wanted.omega - sample.omega);
+  return autonomy + p.s_v * std::abs(wanted.v - sample.v) + p.s_omega * std::abs(wanted.omega - sample.omega);
 }
 
 double NaiveTerms::distance_at(const std::vector<int>& distances, double x, double y) const {

@@ -184,7 +184,7 @@ class Device(unittest.TestCase):
         self.assertEqual(joy_of(hand, p)[1][:4], [0, 0, 1, 0])
         self.assertEqual(joy_of(hand._replace(grip=False), p)[1][:4], [0, 0, 0, 0])
         self.assertEqual(joy_of(hand, {**p, 'clutch_axis': '3 reversed'})[0][3], -1.0)
-        self.assertEqual(joy_of(hand._replace(grip=False), {**p, 'clutch_axis': 3, 'clutch_threshold': -0.5})[0][3], -1.0)
+        self.assertEqual(joy_of(hand._replace(grip=False), {**p, 'clutch_axis': '3'})[0][3], 0.0)
         self.assertEqual(position_of(hand, {}), [0.1, 0.2, -0.3])  # x ahead, y left, z up
         unity = {'gesture_axis': '-x', 'gesture_linear_axis': 'z'}
         self.assertEqual(position_of(hand, unity), [-0.2, -0.3, 0.1])

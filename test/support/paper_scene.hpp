@@ -26,7 +26,6 @@ inline Parameters paper_parameters() {
   p.escape = false;
   p.turn_when_stuck = false;
   p.velocity_reference = VelocityReference::odometry;
-  p.forward_prune_auto = false;
   p.forward_prune_distance = 1.0;
   return p;
 }

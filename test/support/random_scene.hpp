@@ -149,7 +149,6 @@ inline void randomise_costs(Random& random, Parameters& p) {
   p.Twirling_scale = random.uniform(0.1, 5.0);
   p.PreferForward_penalty = random.uniform(0.1, 2.0);
   p.xy_goal_tolerance = random.uniform(0.1, 0.4);
-  p.s_nv = random.uniform(0.5, 2.0);
   p.s_v = random.uniform(20.0, 500.0);
   p.s_omega = random.uniform(20.0, 900.0);
 }

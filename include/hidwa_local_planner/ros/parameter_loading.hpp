@@ -21,8 +21,8 @@ struct LoadedParameters {
 };
 
 /// Reads the content of the planner's namespace (a struct, or an invalid value for an empty namespace).
-/// Takes YAML as people write it: `critics` as list or text, whole numbers for real ones, DWB's nested
-/// `PathAlign: {scale: 32}` for PathAlign_scale (it wins over the flat key), and the word `off`, which YAML
+/// Takes YAML as people write it: `critics` and `wheel_joints` as list or text, whole numbers for real ones, DWB's
+/// nested `PathAlign: {scale: 32}` for PathAlign_scale (it wins over the flat key), and the word `off`, which YAML
 /// reads as false; and parameters that went (former_parameters.hpp). Namespaces of critics of other packages, listed in
 /// `critics`, are theirs. `completed`, where given, adds what is known of the robot besides before the set is
 /// validated. Throws nothing of its own.

@@ -121,7 +121,6 @@ TEST(BadMessages, RandomOnesOfEveryKindNeverMakeACommand) {
     p.clutch_axis = {static_cast<int>(below(4)) - 1};
     p.stop_button = static_cast<int>(below(4)) - 1;
     p.require_neutral = below(2) == 0;
-    p.gesture_jump = below(2) == 0 ? 0.3 : 10.0;
     Person person(p);
     double now = 10.0;
     std::uint32_t dropped = 0;

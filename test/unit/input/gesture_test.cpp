@@ -14,7 +14,7 @@ using State = OperatorStateId;
 constexpr std::size_t kClutch = 0;
 
 Parameters by_hand() {
-  Parameters p;  // gesture_axis y, gesture_range 0.3 m, gesture_jump 0.3 m, clutch_button 0
+  Parameters p;  // gesture_axis y, gesture_range 0.3 m, clutch_button 0
   p.mode = OperatorMode::gesture;
   return p;
 }
@@ -46,18 +46,18 @@ void steer(Person& person) {
 
 /// The command for a hand displaced by `moved`.
 OperatorCommand command_of_hand(const Parameters& p, const Eigen::Vector3d& moved) {
-  Parameters far = p;
-  far.gesture_jump = 10.0;
   GestureSource source;
-  source.configure(far, true);
+  source.configure(p, true);
   Buttons held;
   held.clutch = true;
   source.take_buttons(Buttons(), 1.0);
   source.take_buttons(held, 1.0);
   EXPECT_EQ(source.take(hand_at(1.0, 4.0, -5.0, 6.0), 1.0).fault, "");  // the origin may be anywhere
-  HandMessage message = hand_at(1.05, 4.0, -5.0, 6.0);
-  message.position += moved;
-  EXPECT_EQ(source.take(message, 1.05).fault, "");
+  for (int k = 1; k <= 10; ++k) {                                       // a jump would be none of a hand
+    HandMessage message = hand_at(1.0 + 0.05 * k, 4.0, -5.0, 6.0);
+    message.position += 0.1 * k * moved;
+    EXPECT_EQ(source.take(message, 1.0 + 0.05 * k).fault, "");
+  }
   EXPECT_TRUE(source.engaged());
   return source.command();
 }
@@ -185,7 +185,6 @@ TEST(Gesture, AClutchHeldAtTheStartMustBeLetGoWithoutNeutralToo) {
 TEST(Gesture, AnAxisMayBeTheClutch) {
   Parameters p = by_hand();
   p.clutch_axis = {1, true};  // a trigger that rests at +1 and goes to -1
-  p.clutch_threshold = 0.5;
   p.stop_pull = 0.0;
   Person person(p);
   const auto at = [&person](double time, float trigger, double y) {

@@ -127,6 +127,14 @@ TEST(FormerParameters, AWeightOfTermsWithWeightsGoesIntoThem) {
 
 TEST(FormerParameters, WhatIsFixedNowSaysWhatItIs) {
   const std::pair<const char*, const char*> told[] = {{"Oscillation_x_only_threshold", "it is 0.05 m/s: remove it"},
+                                                      {"Oscillation_reset_dist", "it is 0.05 m"},
+                                                      {"Oscillation_reset_angle", "it is 0.2 rad"},
+                                                      {"velocity_reference_tolerance_x", "it is 0.2 m/s"},
+                                                      {"velocity_reference_tolerance_theta", "it is 0.5 rad/s"},
+                                                      {"prune_distance", "it is 1 m"},
+                                                      {"forward_prune_auto", "false with method: paper"},
+                                                      {"clutch_threshold", "it is 0.5"},
+                                                      {"gesture_jump", "it is 0.3 m"},
                                                       {"Oscillation_reset_time", "time alone allows nothing again"},
                                                       {"PreferForward_strafe_x", "it is 0.1 m/s"},
                                                       {"PreferForward_strafe_theta", "it is 0.2 rad/s"},
@@ -143,6 +151,21 @@ TEST(FormerParameters, WhatIsFixedNowSaysWhatItIs) {
   expect_same(file_of({{"method", "paper"}, {"RotateToGoal_lookahead_time", -1.0}}), file_of({{"method", "paper"}}),
               {});
   expect_same(file_of({{"RotateToGoal_lookahead_time", 0.5}}), file_of({{"max_vel_x", 0.5}}), {});
+}
+
+TEST(FormerParameters, TheWeightOfAutonomyGoesIntoTheOperators) {
+  expect_same(file_of({{"s_nv", 2.0}, {"s_v", 300.0}}), file_of({{"s_v", 150.0}, {"s_omega", 400.0}}),
+              {"s_nv: 2 is taken as s_v: 150 and s_omega: 400: write those instead"});
+  const LoadedParameters refused = load_parameters(file_of({{"s_nv", 0}}));
+  EXPECT_TRUE(contains(refused.faults, "s_nv: 0 is no weight now: raise s_v"));
+  EXPECT_TRUE(refused.aliases.empty());  // the next start finds it again
+}
+
+TEST(FormerParameters, TwoJointsAreAList) {
+  expect_same(file_of({{"left_wheel_joint", "l"}, {"right_wheel_joint", "r"}}), file_of({{"wheel_joints", "l, r"}}),
+              {"left_wheel_joint and right_wheel_joint are taken as wheel_joints: [l, r]: write that instead"});
+  expect_same(file_of({{"left_wheel_joint", ""}, {"right_wheel_joint", ""}}), file_of({{"max_vel_x", 0.5}}), {});
+  EXPECT_TRUE(contains(load_parameters(file_of({{"left_wheel_joint", "l"}})).faults, "name two joints"));
 }
 
 // What the planner takes off the parameter server, where it would hide later changes from the next start.

@@ -84,13 +84,13 @@ TEST(ParameterLoading, TheBareWordOffIsAName) {
 TEST(ParameterLoading, NestedCriticParametersStandForFlatOnes) {
   XmlRpcValue content;
   content["PathAlign"]["scale"] = 16.0;
-  content["Oscillation"]["reset_dist"] = 0.2;
+  content["SocialDistance"]["fading_time"] = 0.2;
   content["PathAlign_scale"] = 8.0;
   const LoadedParameters loaded = load_parameters(content);
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_TRUE(loaded.warnings.empty());
   EXPECT_EQ(loaded.parameters.PathAlign_scale, 16.0);
-  EXPECT_EQ(loaded.parameters.Oscillation_reset_dist, 0.2);
+  EXPECT_EQ(loaded.parameters.SocialDistance_fading_time, 0.2);
   EXPECT_EQ(loaded.aliases.size(), 2u);
 }
 

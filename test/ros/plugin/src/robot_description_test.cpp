@@ -138,12 +138,11 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RobotDescription, MissingJointsAndParametersAreNamed) {
   const LogListener log;
   describe("Missing", urdf("2"));
-  ros::param::set(ns("Missing") + "left_wheel_joint", "wheel_l");
-  ros::param::set(ns("Missing") + "right_wheel_joint", "right_wheel_joint");
+  ros::param::set(ns("Missing") + "wheel_joints", "wheel_l, right_wheel_joint");
   Host missing("Missing");
   EXPECT_TRUE(wait_for([&] {
     return log.said(
-        "wheel_l: there is no such joint (left_wheel_joint); those that turn freely are "
+        "wheel_l: there is no such joint (wheel_joints); those that turn freely are "
         "left_wheel_joint, right_wheel_joint");
   }));
   ros::param::set(ns("Nowhere") + "robot_description_param", "no_such_urdf");
