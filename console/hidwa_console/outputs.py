@@ -10,7 +10,6 @@ from std_msgs.msg import Bool, String
 from .steering import DEVICE_OF_MODE, NEUTRAL, Hand, is_neutral
 
 AXES, BUTTONS = 8, 11   # those of a common gamepad; more where a parameter names a higher index
-AXIS_INDEX = {'x': 0, 'y': 1, 'z': 2}
 FRAME = 'console'
 CONNECTING = 2.0   # [s] for which nodes that connect may take to hear each other
 
@@ -21,18 +20,25 @@ def joy_of(command, p):
     axes, buttons = {}, {}
     if not hand:
         rest = p.get('axis_linear_rest', 0.0)
-        forward = p.get('axis_linear_sign', 1) * command.forward
-        axes[p.get('axis_linear', 1)] = max(-1.0, min(1.0, rest + (1.0 + abs(rest)) * forward))
-        axes[p.get('axis_angular', 0)] = p.get('axis_angular_sign', 1) * command.left
+        linear, sign = _axis(p, 'axis_linear', 1)
+        axes[linear] = max(-1.0, min(1.0, rest + (1.0 + abs(rest)) * sign * command.forward))
+        angular, sign = _axis(p, 'axis_angular', 0)
+        axes[angular] = sign * command.left
         buttons[p.get('enable_button', -1)] = int(command.held)
     clutch = hand and command.grip
     if p.get('mode') == 'gesture':
-        if p.get('clutch_axis', -1) >= 0:
-            released = -1.0 if p.get('clutch_threshold', 0.5) < 0.0 else 0.0
-            axes[p['clutch_axis']] = p.get('clutch_axis_sign', 1) * (1.0 if clutch else released)
+        clutch_axis, sign = _axis(p, 'clutch_axis', -1)
+        if clutch_axis >= 0:
+            axes[clutch_axis] = sign * float(clutch)
         else:
             buttons[p.get('clutch_button', 0)] = int(clutch)
     return _filled(axes, AXES, 0.0), _filled(buttons, BUTTONS, 0)
+
+
+def _axis(p, name, default):
+    """(index, sign) of an axis such as 3 or '3 reversed'."""
+    index, *reversed_ = str(p.get(name, default)).split()
+    return int(index), -1 if reversed_ else 1
 
 
 def _filled(values, least, empty):
@@ -46,9 +52,8 @@ def _filled(values, least, empty):
 def position_of(hand, p):
     """x, y, z [m] of the hand on the axes that the planner reads."""
     place = [hand.up] * 3
-    forward, left = AXIS_INDEX[p.get('gesture_linear_axis', 'x')], AXIS_INDEX[p.get('gesture_axis', 'y')]
-    place[forward] = p.get('gesture_linear_sign', 1) * hand.forward
-    place[left] = p.get('gesture_axis_sign', 1) * hand.left
+    for axis, way in ((p.get('gesture_linear_axis', 'x'), hand.forward), (p.get('gesture_axis', 'y'), hand.left)):
+        place['xyz'.index(axis[-1])] = -way if axis.startswith('-') else way
     return place
 
 

@@ -12,7 +12,7 @@ from dynamic_reconfigure.msg import (BoolParameter, Config, ConfigDescription, D
 from dynamic_reconfigure.srv import Reconfigure
 
 TABS = {'Operator input': 'Operator', 'Operator_input': 'Operator', 'Operator': 'Operator', 'Critics': 'Critics'}
-WEIGHT = re.compile(r'.*_scale|s_nv')
+WEIGHT = re.compile(r'.*_scale')
 UNDOS = 20
 KINDS = {'double': ('doubles', DoubleParameter, float), 'int': ('ints', IntParameter, int),
          'bool': ('bools', BoolParameter, bool), 'str': ('strs', StrParameter, str)}

@@ -49,7 +49,7 @@ void Route::lead_to(const Spot& next) {
 void Route::window(const Pose2& robot, const Parameters& parameters, std::vector<Pose2>& part) {
   const auto reach = static_cast<std::size_t>(
       std::max(parameters.forward_prune_distance, 1.2 * parameters.max_vel_x * parameters.sim_time) / kSpacing);
-  const auto behind = static_cast<std::size_t>(parameters.prune_distance / kSpacing);
+  const auto behind = static_cast<std::size_t>(1.0 / kSpacing);
   const std::size_t last = std::min(points_.size() - 1, near_ + reach);
   for (std::size_t k = near_; k <= last; ++k) {
     if (apart(points_[k], robot) < apart(points_[near_], robot)) near_ = k;

@@ -24,9 +24,8 @@ void check(const DriveLimits& l) {
   require(l.max_vel_x > 0.0 && l.max_vel_theta > 0.0, "max_vel_x and max_vel_theta must be positive");
   require(l.acc_lim_x > 0.0 && l.acc_lim_theta > 0.0, "acc_lim_x and acc_lim_theta must be positive");
   require(l.decel_lim_x > 0.0 && l.decel_lim_theta > 0.0, "decel_lim_x and decel_lim_theta must be positive");
-  require(l.max_wheel_velocity >= 0.0, "max_wheel_velocity must not be negative");
-  require(l.max_wheel_velocity == 0.0 || (l.wheel_radius > 0.0 && l.wheel_separation > 0.0),
-          "max_wheel_velocity needs wheel_radius and wheel_separation, both positive");
+  require(l.max_wheel_speed >= 0.0, "max_wheel_speed must not be negative");
+  require(l.max_wheel_speed == 0.0 || l.wheel_separation > 0.0, "max_wheel_speed needs a positive wheel_separation");
   require(l.latency >= 0.0 && l.command_timeout >= 0.0, "latency and command_timeout must not be negative");
 }
 
@@ -60,10 +59,10 @@ DiffDrive::DiffDrive(const DriveLimits& limits) : limits_(limits) { check(limits
 Velocity DiffDrive::limited(Velocity velocity) const {
   velocity.v = clamp_magnitude(finite_or_zero(velocity.v), limits_.max_vel_x);
   velocity.omega = clamp_magnitude(finite_or_zero(velocity.omega), limits_.max_vel_theta);
-  if (limits_.max_wheel_velocity > 0.0) {
+  if (limits_.max_wheel_speed > 0.0) {
     // Where a wheel would have to turn faster than it can, the base slows down on the same curve.
     const double fastest = std::abs(velocity.v) + 0.5 * limits_.wheel_separation * std::abs(velocity.omega);
-    const double share = std::min(1.0, limits_.wheel_radius * limits_.max_wheel_velocity / std::max(fastest, 1e-9));
+    const double share = std::min(1.0, limits_.max_wheel_speed / std::max(fastest, 1e-9));
     velocity.v *= share;
     velocity.omega *= share;
   }

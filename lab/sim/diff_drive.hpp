@@ -16,17 +16,16 @@ struct Velocity {
 
 /// What the base can do.
 struct DriveLimits {
-  double max_vel_x = 0.5;           // [m/s], either way
-  double max_vel_theta = 1.0;       // [rad/s]
-  double acc_lim_x = 2.5;           // [m/s2], speeding up
-  double acc_lim_theta = 3.2;       // [rad/s2]
-  double decel_lim_x = 2.5;         // [m/s2], slowing down
-  double decel_lim_theta = 3.2;     // [rad/s2]
-  double wheel_separation = 0.0;    // [m]
-  double wheel_radius = 0.0;        // [m]
-  double max_wheel_velocity = 0.0;  // [rad/s]; 0: no wheel limit
-  double latency = 0.0;             // [s], from a command's arrival to its effect
-  double command_timeout = 0.5;     // [s], without a command the base brakes to rest; 0: never
+  double max_vel_x = 0.5;         // [m/s], either way
+  double max_vel_theta = 1.0;     // [rad/s]
+  double acc_lim_x = 2.5;         // [m/s2], speeding up
+  double acc_lim_theta = 3.2;     // [rad/s2]
+  double decel_lim_x = 2.5;       // [m/s2], slowing down
+  double decel_lim_theta = 3.2;   // [rad/s2]
+  double wheel_separation = 0.0;  // [m]
+  double max_wheel_speed = 0.0;   // [m/s], of its rim; 0: no wheel limit
+  double latency = 0.0;           // [s], from a command's arrival to its effect
+  double command_timeout = 0.5;   // [s], without a command the base brakes to rest; 0: never
 };
 
 /// Throws std::invalid_argument naming the first limit that makes no sense.

@@ -57,8 +57,7 @@ DriveLimits read_limits(const ros::NodeHandle& node) {
   l.decel_lim_x = node.param("decel_lim_x", l.acc_lim_x);
   l.decel_lim_theta = node.param("decel_lim_theta", l.acc_lim_theta);
   node.getParam("wheel_separation", l.wheel_separation);
-  node.getParam("wheel_radius", l.wheel_radius);
-  node.getParam("max_wheel_velocity", l.max_wheel_velocity);
+  node.getParam("max_wheel_speed", l.max_wheel_speed);
   node.getParam("latency", l.latency);
   node.getParam("command_timeout", l.command_timeout);
   return l;

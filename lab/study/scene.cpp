@@ -16,9 +16,8 @@ namespace {
 // Of urdf/telepresence_base.urdf and launch/params.
 constexpr double kRadius = 0.30;             // [m], what planner and costmap take it for
 constexpr double kPadding = 0.01;            // [m]
-constexpr double kWheelRadius = 0.0985;      // [m]
 constexpr double kWheelSeparation = 0.4044;  // [m]
-constexpr double kWheelVelocity = 8.0;       // [rad/s]
+constexpr double kWheelSpeed = 0.788;        // [m/s], a radius of 0.0985 m x 8 rad/s
 constexpr double kLatency = 0.05;            // [s], of the base
 constexpr double kLaserNoise = 0.01;         // [m]
 constexpr double kSlip = 0.01;               // of the odometry
@@ -27,9 +26,8 @@ drive::DriveSetup telepresence_base() {
   drive::DriveSetup robot;
   robot.footprint = drive::telepresence_footprint();
   robot.outline = drive::circle_outline(kRadius, kPadding);
-  robot.limits.wheel_radius = kWheelRadius;
   robot.limits.wheel_separation = kWheelSeparation;
-  robot.limits.max_wheel_velocity = kWheelVelocity;
+  robot.limits.max_wheel_speed = kWheelSpeed;
   robot.limits.latency = kLatency;
   robot.laser.noise = kLaserNoise;
   robot.odometry_noise.slip_x = robot.odometry_noise.slip_theta = kSlip;

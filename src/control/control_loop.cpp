@@ -31,9 +31,11 @@ bool same_poses(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
                     [](const Pose2& p, const Pose2& q) { return p.x == q.x && p.y == q.y; });
 }
 
-// Length of the plan's window [m]. Where that is wanted, it never limits the speed.
+constexpr double kLengthBehind = 1.0;  // of the plan's window [m]
+
+// Length of the plan's window ahead of the robot [m]. It never limits the speed, but with the paper's method.
 double length_ahead(const Parameters& p) {
-  const double least = p.forward_prune_auto ? 1.2 * p.max_vel_x * p.sim_time : 0.0;
+  const double least = p.method == Method::paper ? 0.0 : 1.2 * p.max_vel_x * p.sim_time;
   return std::max(p.forward_prune_distance, least);
 }
 
@@ -267,7 +269,7 @@ void ControlLoop::take_plan_window(const Observation& observation) {
   const double ahead = length_ahead(parameters());
   follow_progress(observation);
   if (parameters().plan_in_order) plan_.find_turn(ahead, order(), {observation.costmap, from_plan});
-  const PlanWindow::Range range = plan_.range(parameters().prune_distance, ahead);
+  const PlanWindow::Range range = plan_.range(kLengthBehind, ahead);
   situation_.plan.clear();
   for (std::size_t i = range.begin; i < range.end; ++i) situation_.plan.push_back(from_plan.apply(plan_.plan()[i]));
   situation_.turns_back = range.turns_back;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "core/util/words.hpp"
@@ -20,6 +21,10 @@ std::string wrong_type(const ParameterInfo& info) {
   if (info.type == "enum") {
     wanted = "one of";
     for (const std::string& choice : info.choices) wanted += " " + choice;
+  }
+  if (info.type == "axis") {
+    const std::string last = shortest(info.max);
+    wanted = "an axis, " + shortest(info.min) + " to " + last + ", or such as " + last + " reversed";
   }
   return info.name + ": expected " + wanted;
 }
@@ -47,6 +52,21 @@ bool assign_choice(Enum& field, const ParameterValue& value, const std::vector<s
   if (found == choices.end()) return false;
   field = static_cast<Enum>(found - choices.begin());
   return true;
+}
+
+constexpr const char* kReversed = " reversed";
+
+std::string text_of(const JoyAxis& axis) { return std::to_string(axis.index) + (axis.reversed ? kReversed : ""); }
+
+std::optional<JoyAxis> axis_in(const ParameterValue& value) {
+  if (const int* index = std::get_if<int>(&value)) return JoyAxis{*index};
+  const std::string* text = std::get_if<std::string>(&value);
+  if (text == nullptr) return std::nullopt;
+  const std::size_t end = text->find(kReversed);
+  const std::optional<double> index = number_in(text->substr(0, end));
+  if (!index || std::abs(*index) > 1e9) return std::nullopt;
+  const JoyAxis axis{static_cast<int>(*index), end != std::string::npos};
+  return text_of(axis) == *text && !(axis.reversed && axis.index < 0) ? std::optional(axis) : std::nullopt;
 }
 
 struct Naming {
@@ -93,6 +113,20 @@ ParameterInfo choice(const Naming& naming, Enum Parameters::*member, const std::
   return info;
 }
 
+ParameterInfo axis(const Naming& naming, JoyAxis Parameters::*member, int min, int max) {
+  ParameterInfo info = named(naming);
+  info.min = min;
+  info.max = max;
+  info.get = [member](const Parameters& p) { return ParameterValue(text_of(p.*member)); };
+  info.set = [member, min, max](Parameters& p, const ParameterValue& value) {
+    const std::optional<JoyAxis> wanted = axis_in(value);
+    if (!wanted || wanted->index < min || wanted->index > max) return false;
+    p.*member = *wanted;
+    return true;
+  };
+  return info;
+}
+
 std::vector<ParameterInfo> make_table() {
   using P = Parameters;
   std::vector<ParameterInfo> table;
@@ -104,12 +138,15 @@ std::vector<ParameterInfo> make_table() {
 #define HIDWA_STRING(name, value, tab, text) table.push_back(plain({#name, "str", tab, text}, &P::name));
 #define HIDWA_ENUM(Type, name, value, names, tab, text) \
   table.push_back(choice({#name, "enum", tab, text}, &P::name, names));
+#define HIDWA_AXIS(name, value, min, max, tab, text) \
+  table.push_back(axis({#name, "axis", tab, text}, &P::name, min, max));
 #include "hidwa_local_planner/core/parameter_list.inc"
 #undef HIDWA_DOUBLE
 #undef HIDWA_INT
 #undef HIDWA_BOOL
 #undef HIDWA_STRING
 #undef HIDWA_ENUM
+#undef HIDWA_AXIS
   const Parameters defaults;
   for (ParameterInfo& info : table) info.value = info.get(defaults);
   return table;
@@ -141,21 +178,17 @@ void check_limits(std::vector<std::string>& faults, const Parameters& p) {
         "min_in_place_vel_theta is above max_vel_theta: the robot could never turn on the spot; lower "
         "min_in_place_vel_theta");
   }
-  const int wheel_values = (p.wheel_radius > 0.0) + (p.wheel_separation > 0.0) + (p.max_wheel_velocity > 0.0);
-  if (wheel_values != 0 && wheel_values != 3) {
-    faults.push_back(
-        "wheel_radius, wheel_separation and max_wheel_velocity belong together: set all three, or all to 0 for no "
-        "wheel limit");
+  if ((p.wheel_separation > 0.0) != (p.max_wheel_speed > 0.0)) {
+    faults.push_back("wheel_separation and max_wheel_speed belong together: set both, or both to 0 for no wheel limit");
+  }
+  if (const std::size_t joints = split_names(p.wheel_joints).size(); joints != 0 && joints != 2) {
+    faults.push_back("wheel_joints = " + p.wheel_joints +
+                     ": name two joints, the left and the right one, or none to have them found");
   }
 }
 
 void check_operator(std::vector<std::string>& faults, const Parameters& p) {
-  if (p.axis_angular_sign == 0) faults.push_back("axis_angular_sign = 0: set 1 (left is +1) or -1 (right is +1)");
-  if (p.axis_linear_sign == 0) faults.push_back("axis_linear_sign = 0: set 1 (up is +1) or -1 (down is +1)");
-  if (p.clutch_axis_sign == 0) faults.push_back("clutch_axis_sign = 0: set 1 or -1 (a pressed axis is negative)");
-  if (p.gesture_axis_sign == 0) faults.push_back("gesture_axis_sign = 0: set 1 (left is positive) or -1 (right is)");
-  if (p.gesture_linear_sign == 0) faults.push_back("gesture_linear_sign = 0: set 1 or -1 (forward is negative)");
-  if (p.mode == OperatorMode::gesture && p.clutch_button < 0 && p.clutch_axis < 0) {
+  if (p.mode == OperatorMode::gesture && p.clutch_button < 0 && p.clutch_axis.index < 0) {
     faults.push_back("mode gesture needs a clutch: set clutch_button or clutch_axis");
   }
   if (p.mode == OperatorMode::gesture && p.gesture_frame.empty() && p.gesture_topic.empty()) {

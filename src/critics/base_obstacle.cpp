@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <vector>
-
 #include "critics/built_in_entry.hpp"
 #include "hidwa_local_planner/core/critic.hpp"
 
 namespace hidwa_local_planner::critics {
 namespace {
 
-/// The cost of the cell under the robot's centre at the last pose, or summed over all poses, in [0, 252] a pose.
+/// The cost of the cell under the robot's centre at the last pose, in [0, 252].
 /// Rejects candidates whose centre enters lethal, inscribed or (by policy) unknown cells or leaves the map; not where
 /// the robot already stands in one and `escape` is on, or it could never leave.
 class BaseObstacle : public Critic {
@@ -19,17 +16,13 @@ class BaseObstacle : public Critic {
 
  private:
   bool obstacle(const GridView& grid, double x, double y) const;
-  void sum_costs(const Tile& tile, double* sum);
 
-  bool sum_scores_ = false;
   bool escape_ = true;
   bool unknown_is_obstacle_ = true;
   bool rejects_ = true;
-  std::vector<double> costs_;  // of one step
 };
 
 double BaseObstacle::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  sum_scores_ = parameters.BaseObstacle_sum_scores;
   escape_ = parameters.escape;
   unknown_is_obstacle_ = parameters.unknown_is_obstacle;
   return parameters.BaseObstacle_scale;
@@ -47,25 +40,11 @@ void BaseObstacle::prepare(const CycleView& cycle) {
 }
 
 void BaseObstacle::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
-  double* raw = scores.set_all();
-  if (sum_scores_) {
-    sum_costs(tile, raw);
-  } else {
-    tile.costs(tile.steps, raw);
-  }
+  tile.costs(tile.steps, scores.set_all());
   if (!rejects_ || (tile.cells.touched_any & cell_class::kBlocked) == 0) return;
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (!scores.rejected(c) && tile.centre_blocked(c))
       scores.reject(c, "centre hits an obstacle or its inscribed cells");
-  }
-}
-
-void BaseObstacle::sum_costs(const Tile& tile, double* sum) {
-  if (costs_.size() < tile.stride) costs_.resize(tile.stride);
-  std::fill_n(sum, tile.count, 0.0);
-  for (std::size_t k = 0; k <= tile.steps; ++k) {
-    tile.costs(k, costs_.data());
-    for (std::size_t c = 0; c < tile.count; ++c) sum[c] += costs_[c];
   }
 }
 

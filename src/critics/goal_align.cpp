@@ -16,7 +16,7 @@ class GoalAlign : public MapGridCritic {
 
 double GoalAlign::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   paper_ = parameters.method == Method::paper;
-  forward_ = parameters.GoalAlign_forward_point_distance;
+  forward_ = parameters.forward_point_distance;
   return 0.5 * parameters.GoalAlign_scale;
 }
 

@@ -31,7 +31,7 @@ void trace_outline(const Footprint& footprint, double spacing, Polygon& points) 
   }
 }
 
-/// The largest cost under the footprint's outline at the last pose, or summed over all poses. Rejects candidates whose
+/// The largest cost under the footprint's outline at the last pose. Rejects candidates whose
 /// outline touches a lethal or (by policy) unknown cell or leaves the map; not where it already does and `escape` is
 /// on.
 class ObstacleFootprint : public Critic {
@@ -44,7 +44,6 @@ class ObstacleFootprint : public Critic {
   /// The largest cost under the outline at a pose; negative where it touches an obstacle.
   double outline_cost(const GridView& grid, double x, double y, double cosine, double sine) const;
 
-  bool sum_scores_ = false;
   bool escape_ = true;
   bool unknown_is_obstacle_ = true;
   bool rejects_ = true;
@@ -52,7 +51,6 @@ class ObstacleFootprint : public Critic {
 };
 
 double ObstacleFootprint::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  sum_scores_ = parameters.ObstacleFootprint_sum_scores;
   escape_ = parameters.escape;
   unknown_is_obstacle_ = parameters.unknown_is_obstacle;
   return parameters.ObstacleFootprint_scale;
@@ -79,17 +77,15 @@ double ObstacleFootprint::outline_cost(const GridView& grid, double x, double y,
 void ObstacleFootprint::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (scores.rejected(c)) continue;
-    double sum = 0.0;
     double last = 0.0;
     for (std::size_t k = 0; k <= tile.steps && last >= 0.0; ++k) {
       last = outline_cost(*cycle.grid, tile.x_at(k, c), tile.y_at(k, c), tile.cos_heading[k], tile.sin_heading[k]);
       if (last < 0.0 && !rejects_) last = cost::kLethal;
-      sum += last;
     }
     if (last < 0.0) {
       scores.reject(c, "outline hits an obstacle");
     } else {
-      scores.set(c, sum_scores_ ? sum : last);
+      scores.set(c, last);
     }
   }
 }

@@ -7,8 +7,12 @@
 namespace hidwa_local_planner::critics {
 namespace {
 
+constexpr double kHardlyDrives = 0.05;  // [m/s]
+constexpr double kMoved = 0.05;         // [m]
+constexpr double kTurned = 0.2;         // [rad]
+
 /// Ends driving or turning back and forth: after a commanded change of sign only the new direction is legal, until the
-/// robot has moved, turned or waited enough. Turning counts only while the robot hardly drives. Scores 0. While the
+/// robot has moved or turned enough. Turning counts only while the robot hardly drives. Scores 0. While the
 /// person steers it rejects only with `method: paper`; where the person decides it rejects nothing.
 class Oscillation : public Critic {
  public:
@@ -35,27 +39,18 @@ class Oscillation : public Critic {
   bool may_forget(const CycleView& cycle) const;
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.x_, self.theta_, self.since_pose_, self.since_time_);
+    io(self.x_, self.theta_, self.since_pose_);
   }
 
-  double x_only_threshold_ = 0.05;  // [m/s]
-  double reset_dist_ = 0.05;        // [m]
-  double reset_angle_ = 0.2;        // [rad]
-  double reset_time_ = -1.0;        // [s]; negative: never
   bool while_steering_ = false;
   bool silent_ = false;
   Axis x_, theta_;
   Pose2 since_pose_;
-  double since_time_ = 0.0;  // [s]
 };
 
 double Oscillation::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  x_only_threshold_ = parameters.Oscillation_x_only_threshold;
-  reset_dist_ = parameters.Oscillation_reset_dist;
-  reset_angle_ = parameters.Oscillation_reset_angle;
-  reset_time_ = parameters.Oscillation_reset_time;
   while_steering_ = parameters.method == Method::paper;
-  return parameters.Oscillation_scale;
+  return 1.0;
 }
 
 void Oscillation::prepare(const CycleView& cycle) {
@@ -81,18 +76,14 @@ bool Oscillation::Axis::note(double velocity) {
 
 void Oscillation::debrief(const CycleView& cycle, const Twist2& command) {
   bool changed = x_.note(command.v);
-  if (std::abs(command.v) <= x_only_threshold_ && theta_.note(command.omega)) changed = true;
-  if (changed) {
-    since_pose_ = cycle.pose;
-    since_time_ = cycle.time;
-  }
+  if (std::abs(command.v) <= kHardlyDrives && theta_.note(command.omega)) changed = true;
+  if (changed) since_pose_ = cycle.pose;
   if ((x_.only != 0 || theta_.only != 0) && may_forget(cycle)) reset();
 }
 
 bool Oscillation::may_forget(const CycleView& cycle) const {
-  if (reset_dist_ > 0.0 && distance(cycle.pose, since_pose_) > reset_dist_) return true;
-  if (reset_angle_ > 0.0 && std::abs(wrap_angle(cycle.pose.theta - since_pose_.theta)) > reset_angle_) return true;
-  return reset_time_ >= 0.0 && cycle.time - since_time_ > reset_time_;
+  return distance(cycle.pose, since_pose_) > kMoved ||
+         std::abs(wrap_angle(cycle.pose.theta - since_pose_.theta)) > kTurned;
 }
 
 void Oscillation::reset() { x_ = theta_ = Axis{}; }

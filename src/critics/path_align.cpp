@@ -17,7 +17,7 @@ class PathAlign : public MapGridCritic {
 
 double PathAlign::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   paper_ = parameters.method == Method::paper;
-  forward_ = parameters.PathAlign_forward_point_distance;
+  forward_ = parameters.forward_point_distance;
   return 0.5 * parameters.PathAlign_scale;
 }
 

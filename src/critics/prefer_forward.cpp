@@ -7,8 +7,11 @@
 namespace hidwa_local_planner::critics {
 namespace {
 
-/// Penalises driving backwards and creeping (neither driving nor turning faster than the strafe thresholds); all other
-/// candidates cost |omega| * theta_scale.
+// What drives and turns more slowly creeps. DWB's strafe_x and strafe_theta.
+constexpr double kCreepX = 0.1;      // [m/s]
+constexpr double kCreepTheta = 0.2;  // [rad/s]
+
+/// Penalises driving backwards and creeping; all other candidates cost |omega| * theta_scale.
 class PreferForward : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;
@@ -16,23 +19,19 @@ class PreferForward : public Critic {
 
  private:
   double penalty_ = 1.0;
-  double strafe_x_ = 0.1;      // [m/s]
-  double strafe_theta_ = 0.2;  // [rad/s]
   double theta_scale_ = 10.0;  // [s/rad]
 };
 
 double PreferForward::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   penalty_ = parameters.PreferForward_penalty;
-  strafe_x_ = parameters.PreferForward_strafe_x;
-  strafe_theta_ = parameters.PreferForward_strafe_theta;
   theta_scale_ = parameters.PreferForward_theta_scale;
-  return parameters.PreferForward_scale;
+  return 1.0;
 }
 
 void PreferForward::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
   const double turn = std::abs(tile.omega);
   for (std::size_t c = 0; c < tile.count; ++c) {
-    const bool creeps = tile.v[c] < strafe_x_ && turn < strafe_theta_;
+    const bool creeps = tile.v[c] < kCreepX && turn < kCreepTheta;
     scores.set(c, tile.v[c] < 0.0 || creeps ? penalty_ : turn * theta_scale_);
   }
 }

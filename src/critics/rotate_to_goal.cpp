@@ -11,10 +11,15 @@ namespace {
 // A sample slower than this does not drive [m/s].
 constexpr double kStill = 1e-5;
 
+constexpr double kSlowingFactor = 5.0;  // [rad s^2/m^2]
+constexpr double kLookahead = 0.5;      // [s]
+
 /// Turns the robot to the goal's heading once it is there. Outside the position tolerance it scores 0. Inside, latched
-/// until a new goal: while still driving it rejects what does not slow down and scores speed^2 * slowing_factor plus
+/// until a new goal: while still driving it rejects what does not slow down and scores speed^2 * kSlowingFactor plus
 /// the heading error; once stopped, also latched, it rejects driving and scores the heading error [rad]. While the
 /// person steers, or a way leads to the heading, it scores likewise and rejects nothing.
+///
+/// The heading is that at the lookahead time, or with `method: paper` that at the end of the rollout.
 ///
 /// Autonomy's turn ends gently: the heading error is that of where the turn comes to rest if it slows down within
 /// comfort_acc_lim_theta from the lookahead time on: omega^2 / (2 a) farther (constant deceleration a).
@@ -32,9 +37,8 @@ class RotateToGoal : public Critic {
 
   double xy_goal_tolerance_ = 0.25;      // [m]
   double trans_stopped_velocity_ = 0.1;  // [m/s]
-  double slowing_factor_ = 5.0;          // [rad s^2/m^2]
-  double lookahead_time_ = -1.0;         // [s]; negative: the end of the rollout
-  double comfort_ = 0.0;                 // [rad/s^2]; 0: the turn need not end gently
+  bool looks_ahead_ = true;
+  double comfort_ = 0.0;  // [rad/s^2]; 0: the turn need not end gently
   bool in_window_ = false;
   bool rotating_ = false;
   bool rejects_ = true;
@@ -44,8 +48,7 @@ class RotateToGoal : public Critic {
 double RotateToGoal::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   xy_goal_tolerance_ = parameters.xy_goal_tolerance;
   trans_stopped_velocity_ = parameters.trans_stopped_velocity;
-  slowing_factor_ = parameters.RotateToGoal_slowing_factor;
-  lookahead_time_ = parameters.RotateToGoal_lookahead_time;
+  looks_ahead_ = parameters.method != Method::paper;
   comfort_ = parameters.turns_gently() ? parameters.comfort_acc_lim_theta : 0.0;
   return parameters.RotateToGoal_scale;
 }
@@ -59,8 +62,8 @@ void RotateToGoal::prepare(const CycleView& cycle) {
 
 double RotateToGoal::heading_error(const Tile& tile, double goal_heading) const {
   double heading = tile.heading[tile.steps], omega = tile.omega_at[tile.steps];
-  if (lookahead_time_ >= 0.0) {
-    const double at = std::min(lookahead_time_ / tile.dt, static_cast<double>(tile.steps));
+  if (looks_ahead_) {
+    const double at = std::min(kLookahead / tile.dt, static_cast<double>(tile.steps));
     const auto k = std::min(static_cast<std::size_t>(at), tile.steps - 1);
     const double part = at - static_cast<double>(k);
     heading = tile.heading[k] + part * (tile.heading[k + 1] - tile.heading[k]);
@@ -81,7 +84,7 @@ void RotateToGoal::score(const CycleView& cycle, const Tile& tile, TileScores& s
     } else if (rejects_ && !rotating_ && speed2 >= speed2_) {
       scores.reject(c, "does not slow down at the goal");
     } else {
-      scores.set(c, rotating_ ? error : speed2 * slowing_factor_ + error);
+      scores.set(c, rotating_ ? error : speed2 * kSlowingFactor + error);
     }
   }
 }

@@ -9,6 +9,7 @@
 namespace hidwa_local_planner::input {
 namespace {
 
+constexpr double kJump = 0.3;           // farther than a hand gets between two poses [m]
 constexpr double kNoQuaternion = 1e-3;  // of a shorter norm
 
 // Trackers that have lost the hand send zeros, some with a proper identity orientation.
@@ -26,14 +27,15 @@ std::string why_not_tracked(const HandMessage& message) {
   return {};
 }
 
-std::string why_jumped(double jump, double limit) {
-  if (!(jump > limit)) return {};
-  return "the hand jumped by " + worded(jump, 3) + " m, more than gesture_jump (" + worded(limit, 3) +
-         " m): its tracking is unreliable; bring it back into view, or raise gesture_jump";
+std::string why_jumped(double jump) {
+  if (!(jump > kJump)) return {};
+  return "the hand jumped by " + worded(jump, 3) + " m between two poses, more than " + worded(kJump, 3) +
+         " m: its tracking is unreliable; bring it back into view";
 }
 
-float deflection(const Eigen::Vector3d& displacement, HandAxis axis, int sign, double range) {
-  return static_cast<float>(sign * displacement[static_cast<int>(axis)] / range);
+float deflection(const Eigen::Vector3d& displacement, HandAxis axis, double range) {
+  const int sign = axis >= HandAxis::minus_x ? -1 : 1;
+  return static_cast<float>(sign * displacement[static_cast<int>(axis) % 3] / range);
 }
 
 }  // namespace
@@ -49,8 +51,7 @@ bool GestureSource::same_device(const Parameters& a, const Parameters& b) const 
 }
 
 bool GestureSource::same_mapping(const Parameters& a, const Parameters& b) const {
-  return a.gesture_axis == b.gesture_axis && a.gesture_axis_sign == b.gesture_axis_sign &&
-         a.gesture_linear_axis == b.gesture_linear_axis && a.gesture_linear_sign == b.gesture_linear_sign;
+  return a.gesture_axis == b.gesture_axis && a.gesture_linear_axis == b.gesture_linear_axis;
 }
 
 // A release counts at once, not with the hand's next pose.
@@ -68,7 +69,7 @@ SourceReading GestureSource::taken(const HandMessage& message, double now) {
   SourceReading reading;
   reading.fault = why_not_tracked(message);
   if (reading.fault.empty() && engaged()) {
-    reading.fault = why_jumped((message.position - state_.position).norm(), parameters().gesture_jump);
+    reading.fault = why_jumped((message.position - state_.position).norm());
   }
   if (!reading.fault.empty()) {
     lose();
@@ -89,8 +90,8 @@ OperatorCommand GestureSource::command() const {
   if (!engaged()) return {};
   const Parameters& p = parameters();
   const Eigen::Vector3d moved = state_.position - state_.origin;
-  return command_of_deflection(deflection(moved, p.gesture_axis, p.gesture_axis_sign, p.gesture_range),
-                               deflection(moved, p.gesture_linear_axis, p.gesture_linear_sign, p.gesture_range), p);
+  return command_of_deflection(deflection(moved, p.gesture_axis, p.gesture_range),
+                               deflection(moved, p.gesture_linear_axis, p.gesture_range), p);
 }
 
 bool GestureSource::gone(double now) const {

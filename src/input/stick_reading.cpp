@@ -14,6 +14,7 @@ namespace {
 // Drivers overshoot by rounding: -32768 / 32767 is 1.00003.
 constexpr float kRangeTolerance = 0.01F;
 
+constexpr float kHeld = 0.5F;        // beyond it a clutch_axis is held
 constexpr float kEnd = 0.99F;        // beyond it an axis is at an end
 constexpr double kCentredFor = 1.0;  // a trigger on its way to its other end passes the centre faster [s]
 constexpr int kStickAxes = 2;        // the first ones of every device with a stick
@@ -61,15 +62,16 @@ bool held(const StickMessage& message, int index) {
 }
 
 std::string check_clutch(const StickMessage& message, const Parameters& parameters) {
-  if (parameters.clutch_axis >= 0) return check_axis(message, "clutch_axis", parameters.clutch_axis);
+  const int axis = parameters.clutch_axis.index;
+  if (axis >= 0) return check_axis(message, "clutch_axis", axis);
   return check_button(message, "clutch_button", parameters.clutch_button);
 }
 
 bool clutch_held(const StickMessage& message, const Parameters& parameters) {
-  if (parameters.clutch_axis < 0) return held(message, parameters.clutch_button);
-  const float pressed =
-      message.axes[static_cast<std::size_t>(parameters.clutch_axis)] * static_cast<float>(parameters.clutch_axis_sign);
-  return pressed > static_cast<float>(parameters.clutch_threshold);
+  const JoyAxis& axis = parameters.clutch_axis;
+  if (axis.index < 0) return held(message, parameters.clutch_button);
+  const float pressed = axis.turned(message.axes[static_cast<std::size_t>(axis.index)]);
+  return pressed > kHeld;
 }
 
 bool needs_clutch(const Parameters& parameters) { return parameters.mode == OperatorMode::gesture; }
@@ -89,10 +91,10 @@ bool pull_stops(const StickUse& use) {
 std::string check(const StickMessage& message, const StickUse& use) {
   const Parameters& parameters = use.parameters;
   std::string fault;
-  if (use.steers) fault = check_axis(message, "axis_angular", parameters.axis_angular);
+  if (use.steers) fault = check_axis(message, "axis_angular", parameters.axis_angular.index);
   const bool needs_linear = use.steers && steers_both_axes(parameters);
-  const bool reads_linear = needs_linear || (has(message.axes, parameters.axis_linear) && pull_stops(use));
-  if (fault.empty() && reads_linear) fault = check_axis(message, "axis_linear", parameters.axis_linear);
+  const bool reads_linear = needs_linear || (has(message.axes, parameters.axis_linear.index) && pull_stops(use));
+  if (fault.empty() && reads_linear) fault = check_axis(message, "axis_linear", parameters.axis_linear.index);
   if (fault.empty() && use.steers) fault = check_button(message, "enable_button", parameters.enable_button);
   if (fault.empty()) fault = check_button(message, "stop_button", parameters.stop_button);
   if (fault.empty() && needs_clutch(parameters)) fault = check_clutch(message, parameters);
@@ -114,7 +116,7 @@ bool has_sound(const StickMessage& message, int index) {
 float linear_of(float value, const StickUse& use) {
   const auto rest = static_cast<float>(use.parameters.axis_linear_rest);
   const float from_rest = use.linear_untouched && value == 0.0F ? 0.0F : (value - rest) / (1.0F + std::abs(rest));
-  return from_rest * static_cast<float>(use.parameters.axis_linear_sign);
+  return use.parameters.axis_linear.turned(from_rest);
 }
 
 // Axes are floats: a dead zone of 0.1 must hold the float 0.1 too, which as a double is a little more.
@@ -133,23 +135,24 @@ Twist2 mapped(float angular, float linear, const Parameters& parameters) {
 }  // namespace
 
 bool AxisStart::Of::is(const StickMessage& message, const Parameters& parameters) const {
-  return sender == message.sender && axes == message.axes.size() && index == parameters.axis_linear &&
+  return sender == message.sender && axes == message.axes.size() && index == parameters.axis_linear.index &&
          rest == parameters.axis_linear_rest;
 }
 
 void AxisStart::observe(const StickMessage& message, const Parameters& parameters, double now) {
-  if (!has(message.axes, parameters.axis_linear)) return;
+  if (!has(message.axes, parameters.axis_linear.index)) return;
   if (!of_.is(message, parameters)) {
     *this = AxisStart();
-    of_ = {message.sender, message.axes.size(), parameters.axis_linear, parameters.axis_linear_rest};
+    of_ = {message.sender, message.axes.size(), parameters.axis_linear.index, parameters.axis_linear_rest};
   }
-  const float value = axis(message, parameters.axis_linear);
+  const float value = axis(message, parameters.axis_linear.index);
   const bool centred = std::abs(value) <= static_cast<float>(parameters.dead_zone);
   if (doubted_ && centred_ && now - centred_since_ >= kCentredFor) doubted_ = false;
   if (!moved_ && value != 0.0F) {
     moved_ = true;
     end_ = value > 0.0F ? 1.0F : -1.0F;
-    doubted_ = std::abs(value) >= kEnd && parameters.axis_linear >= kStickAxes && parameters.axis_linear_rest == 0.0;
+    doubted_ =
+        std::abs(value) >= kEnd && parameters.axis_linear.index >= kStickAxes && parameters.axis_linear_rest == 0.0;
   }
   if (centred && !centred_) centred_since_ = now;
   centred_ = centred;
@@ -172,11 +175,11 @@ std::string read_stick(const StickMessage& message, const StickUse& use, StickRe
   std::string fault = check(message, use);
   if (!fault.empty()) return fault;
   reading = StickReading();
-  if (has_sound(message, parameters.axis_angular)) {
-    reading.angular = axis(message, parameters.axis_angular) * static_cast<float>(parameters.axis_angular_sign);
+  if (has_sound(message, parameters.axis_angular.index)) {
+    reading.angular = parameters.axis_angular.turned(axis(message, parameters.axis_angular.index));
   }
-  if (has_sound(message, parameters.axis_linear)) {
-    reading.linear = linear_of(axis(message, parameters.axis_linear), use);
+  if (has_sound(message, parameters.axis_linear.index)) {
+    reading.linear = linear_of(axis(message, parameters.axis_linear.index), use);
   }
   if (use.steers) reading.enabled = held(message, parameters.enable_button);
   if (parameters.mode == OperatorMode::switching) reading.toggle = held(message, parameters.toggle_button);
@@ -190,8 +193,8 @@ StopReading stop_reading_of(const StickMessage& message, const StickUse& use) {
   reading.shape = message.shape();
   const bool has_button = parameters.stop_button < static_cast<int>(message.buttons.size());
   reading.button = has_button && held(message, parameters.stop_button);
-  if (!pull_stops(use) || !has(message.axes, parameters.axis_linear)) return reading;
-  const auto forward = static_cast<double>(linear_of(axis(message, parameters.axis_linear), use));
+  if (!pull_stops(use) || !has(message.axes, parameters.axis_linear.index)) return reading;
+  const auto forward = static_cast<double>(linear_of(axis(message, parameters.axis_linear.index), use));
   if (std::isfinite(forward)) reading.back = -forward;
   return reading;
 }

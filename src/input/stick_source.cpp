@@ -7,10 +7,9 @@ namespace hidwa_local_planner::input {
 
 bool StickSource::same_mapping(const Parameters& a, const Parameters& b) const {
   return a.axis_angular == b.axis_angular && a.axis_linear == b.axis_linear &&
-         a.axis_angular_sign == b.axis_angular_sign && a.axis_linear_sign == b.axis_linear_sign &&
          a.axis_linear_rest == b.axis_linear_rest && a.enable_button == b.enable_button &&
          a.stop_button == b.stop_button && a.toggle_button == b.toggle_button && a.clutch_button == b.clutch_button &&
-         a.clutch_axis == b.clutch_axis && a.clutch_axis_sign == b.clutch_axis_sign;
+         a.clutch_axis == b.clutch_axis;
 }
 
 ParsedMessage StickSource::parsed(const StickMessage& message) {
@@ -37,7 +36,7 @@ SourceReading StickSource::taken(const StickMessage& message, double now) {
 
 std::string StickSource::advice() const {
   if (!state_.linear_start.doubted() || !reads_linear_axis({parameters(), steers()})) return {};
-  const std::string name = "axes[" + std::to_string(parameters().axis_linear) + "]";
+  const std::string name = "axes[" + std::to_string(parameters().axis_linear.index) + "]";
   const std::string end = state_.linear_start.end() > 0.0F ? "1" : "-1";
   return "The first movement of " + name + " led to its end " + end +
          ", as that of a trigger or a pedal does: it gives no speed until it has stood in its centre for 1 s. Let it "

@@ -15,21 +15,21 @@ constexpr double kSame = 0.02;  // lengths that differ by less are one
 // generators and examples write velocity="1" where the motor's limit is not known.
 constexpr double kSuspicious = 0.5;
 
-constexpr const char* kParameter = "max_wheel_velocity";  // what limits where no joint does
+constexpr const char* kParameter = "max_wheel_speed";  // what limits where no joint does
 
 bool all_in_range(const Parameters& p) {
-  for (const char* name :
-       {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_radius", "wheel_separation", "max_wheel_velocity"}) {
+  for (const char* name : {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_separation", "max_wheel_speed"}) {
     if (!parameter_info(name).is_in_range(p)) return false;
   }
   return true;
 }
 
-void compare(std::vector<Remark>& remarks, const std::string& name, double own, double urdf, const Wheels& wheels) {
+void compare_separation(std::vector<Remark>& remarks, double own, const Wheels& wheels) {
+  const double urdf = wheels.separation;
   if (own == 0.0 || urdf == 0.0 || std::abs(own - urdf) <= kSame * urdf) return;
-  remarks.push_back({Remark::Level::warning, name + " differs",
-                     name + " = " + worded(own) + " m holds, but the URDF says " + worded(urdf) + " m (" + wheels.left +
-                         ", " + wheels.right + "): correct one of them"});
+  remarks.push_back({Remark::Level::warning, "wheel_separation differs",
+                     "wheel_separation = " + worded(own) + " m holds, but the URDF says " + worded(urdf) + " m (" +
+                         wheels.left + ", " + wheels.right + "): correct one of them"});
 }
 
 /// Says which of two limits on one thing holds, and returns the tighter one.
@@ -59,37 +59,33 @@ LimitedParameters limited(const Parameters& wanted, const Wheels& wheels) {
   LimitedParameters result{wanted, {}};
   std::vector<Remark>& remarks = result.remarks;
   if (!all_in_range(wanted)) return result;  // whoever validates them says so
-  compare(remarks, "wheel_radius", wanted.wheel_radius, wheels.radius, wheels);
-  compare(remarks, "wheel_separation", wanted.wheel_separation, wheels.separation, wheels);
-  const double radius = wanted.wheel_radius > 0.0 ? wanted.wheel_radius : wheels.radius;
+  compare_separation(remarks, wanted.wheel_separation, wheels);
   const double separation = wanted.wheel_separation > 0.0 ? wanted.wheel_separation : wheels.separation;
-  const bool joint_limits = wheels.max_velocity > 0.0;
-  if (!joint_limits && wanted.max_wheel_velocity <= 0.0) {
+  const bool joint_limits = wheels.max_velocity > 0.0 && wheels.radius > 0.0;
+  if (wheels.max_velocity > 0.0 && !joint_limits && wanted.max_wheel_speed <= 0.0) {
+    remarks.push_back({Remark::Level::fault, "no radius", wheels.no_radius});
+    return result;
+  }
+  if (!joint_limits && wanted.max_wheel_speed <= 0.0) {
     remarks.push_back(
         {Remark::Level::info, "no velocity",
          wheels.left + " and " + wheels.right + " have no <limit velocity>: the limits of the parameters hold"});
     return result;
   }
-  if (radius <= 0.0) {
-    remarks.push_back({Remark::Level::fault, "no radius", wheels.no_radius});
-    return result;
-  }
 
   Parameters& p = result.parameters;
   std::string by = kParameter;
-  double velocity = wanted.max_wheel_velocity;
+  double fastest = wanted.max_wheel_speed;  // [m/s]
   if (joint_limits) {
     by = wheels.slower;
-    velocity = std::min(wheels.max_velocity, parameter_info("max_wheel_velocity").max);
-    if (wanted.max_wheel_velocity > 0.0) {
-      velocity = tighter(remarks, by, velocity, kParameter, wanted.max_wheel_velocity, "rad/s");
-      if (velocity == wanted.max_wheel_velocity) by = kParameter;
+    fastest = std::min(wheels.radius * wheels.max_velocity, parameter_info(kParameter).max);
+    if (wanted.max_wheel_speed > 0.0) {
+      fastest = tighter(remarks, by, fastest, kParameter, wanted.max_wheel_speed, "m/s");
+      if (fastest == wanted.max_wheel_speed) by = kParameter;
     }
   }
-  p.wheel_radius = radius;
   p.wheel_separation = separation;
-  p.max_wheel_velocity = velocity;
-  const double fastest = radius * velocity;        // [m/s]
+  p.max_wheel_speed = fastest;
   const double turn = 2.0 * fastest / separation;  // [rad/s]
   p.max_vel_x = tighter(remarks, by, fastest, "max_vel_x", wanted.max_vel_x, "m/s");
   p.min_vel_x = std::max(wanted.min_vel_x, -fastest);

@@ -15,7 +15,7 @@ constexpr double kAboutY = 0.9994;          // cosine of 2 degrees: axes farther
 constexpr double kAlong = 0.9962;           // cosine of 5 degrees: a cylinder farther from the axis does not roll on it
 constexpr double kOpposite = 0.005;         // two wheels of a pair may be so far from facing each other [m]
 constexpr double kSmallest = 0.001;         // of a radius or a separation [m]
-constexpr double kLargestRadius = 2.0;      // as wheel_radius [m]
+constexpr double kLargestRadius = 2.0;      // [m]
 constexpr double kLargestSeparation = 5.0;  // as wheel_separation [m]
 
 using Pair = std::pair<const Joint*, const Joint*>;  // left, right
@@ -48,7 +48,7 @@ std::vector<Pair> pairs_of(const Model& model) {
 }
 
 std::string choice_of(const std::vector<Pair>& pairs) {
-  const std::string remedy = "name the driving ones by left_wheel_joint and right_wheel_joint";
+  const std::string remedy = "name the driving ones by wheel_joints";
   if (pairs.empty()) {
     return "no two joints turn freely about y, opposite each other, with a wheel on them: " + remedy;
   }
@@ -135,7 +135,7 @@ std::string add_wheel(Wheels& wheels, const Joint& joint, const Link& link) {
   if (rim.radius <= 0.0) {
     if (wheels.no_radius.empty())
       wheels.no_radius =
-          rim.missing + ": set wheel_radius, or give the link a cylinder along the axis as collision geometry";
+          rim.missing + ": set max_wheel_speed, or give the link a cylinder along the axis as collision geometry";
   } else {
     wheels.radius = wheels.radius > 0.0 ? std::min(wheels.radius, rim.radius) : rim.radius;
   }
@@ -153,7 +153,7 @@ WheelSearch wheels_on(const Model& model, const Joint& left, const Joint& right)
   if (search.fault.empty() && !(wheels.separation >= kSmallest && wheels.separation <= kLargestSeparation)) {
     search.fault = left.name + " and " + right.name + ": they lie " + worded(wheels.separation) +
                    " m apart across y, outside [" + worded(kSmallest) + ", " + worded(kLargestSeparation) +
-                   "] m: correct their origins, or left_wheel_joint and right_wheel_joint";
+                   "] m: correct their origins, or wheel_joints";
   }
   if (!wheels.no_radius.empty()) wheels.radius = 0.0;
   if (search.fault.empty()) search.wheels = std::move(wheels);
@@ -172,11 +172,11 @@ WheelSearch find_wheels(const Model& model, const std::string& left, const std::
     return search;
   }
   if (left.empty() || right.empty()) {
-    search.fault = "left_wheel_joint and right_wheel_joint belong together: name both, or neither to have them found";
+    search.fault = "wheel_joints names one joint: name the left and the right one, or none to have them found";
     return search;
   }
-  search.fault = joint_fault(model, "left_wheel_joint", left);
-  if (search.fault.empty()) search.fault = joint_fault(model, "right_wheel_joint", right);
+  search.fault = joint_fault(model, "wheel_joints", left);
+  if (search.fault.empty()) search.fault = joint_fault(model, "wheel_joints", right);
   if (!search.fault.empty()) return search;
   return wheels_on(model, *joint_named(model, left), *joint_named(model, right));
 }

@@ -2,11 +2,12 @@
 #include "hidwa_local_planner/ros/parameter_loading.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <sstream>
+
+#include "hidwa_local_planner/ros/former_parameters.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -24,6 +25,8 @@ std::optional<std::string> joined(const XmlRpcValue& list) {
   return text;
 }
 
+bool takes_list(const ParameterInfo& info) { return info.name == "critics" || info.name == "wheel_joints"; }
+
 std::optional<ParameterValue> converted(const ParameterInfo& info, const XmlRpcValue& value) {
   switch (value.getType()) {
     case XmlRpcValue::TypeBoolean: {
@@ -40,7 +43,7 @@ std::optional<ParameterValue> converted(const ParameterInfo& info, const XmlRpcV
       return ParameterValue(static_cast<const std::string&>(value));
     case XmlRpcValue::TypeArray: {
       const std::optional<std::string> names = joined(value);
-      if (info.name != "critics" || !names) return std::nullopt;
+      if (!takes_list(info) || !names) return std::nullopt;
       return ParameterValue(*names);
     }
     default:
@@ -61,7 +64,7 @@ void take(LoadedParameters& loaded, const ParameterInfo& info, const std::string
   if (const std::optional<ParameterValue> plain = converted(info, value)) {
     fault = set_parameter(loaded.parameters, info.name, *plain);
   } else {
-    fault = info.name + ": expected a single value" + (info.name == "critics" ? " or a list of names" : "");
+    fault = info.name + ": expected a single value" + (takes_list(info) ? " or a list of names" : "");
   }
   if (!fault.empty()) {
     loaded.faults.push_back(fault + ", found " + key + ": " + as_text(value) + remedy_for(info, value));
@@ -96,58 +99,12 @@ std::string meant_otherwise(const XmlRpcValue& content, const std::string& key, 
          "driving. Remove it; where the motors cannot turn slowly on the spot, set min_in_place_vel_theta";
 }
 
-/// A parameter that `method` took the place of, and what it would be with either method.
-struct FormerSwitch {
-  const char *name, *hidwa, *paper;
-  bool differs() const { return std::string(hidwa) != paper; }
-};
-constexpr FormerSwitch kFormerSwitches[] = {{"command", "feasible", "target"},
-                                            {"hold_ends_when_refused", "true", "false"},
-                                            {"hold_linear", "operator", "operator"},
-                                            {"integration", "midpoint", "euler"},
-                                            {"map_grid", "geodesic", "l1"},
-                                            {"operator_in_goal_window", "false", "true"},
-                                            {"oscillation_while_steering", "false", "true"},
-                                            {"plan_hysteresis", "0.2", "0"},
-                                            {"sample_operator", "true", "false"},
-                                            {"sample_previous", "true", "false"},
-                                            {"sample_zero", "true", "false"},
-                                            {"tie_break", "least_change", "first"}};
-
-bool is_former_switch(const std::string& key) {
-  return std::any_of(std::begin(kFormerSwitches), std::end(kFormerSwitches),
-                     [&](const FormerSwitch& former) { return key == former.name; });
-}
-
-/// A file of before that sets all of them as the paper has them means the paper's method. Fewer of them have no effect;
-/// those that say what the method does anyway are no matter.
-void take_former_switches(LoadedParameters& loaded, const XmlRpcValue& content) {
-  const auto value_of = [&](const FormerSwitch& former) {
-    return content.hasMember(former.name) ? as_text(content[former.name]) : former.hidwa;
-  };
-  const bool as_paper =
-      std::all_of(std::begin(kFormerSwitches), std::end(kFormerSwitches),
-                  [&](const FormerSwitch& former) { return !former.differs() || value_of(former) == former.paper; });
-  if (as_paper && !content.hasMember("method")) {
-    loaded.parameters.method = Method::paper;
-    loaded.warnings.push_back(
-        "method: paper is in force, for sample_zero, tie_break and the others that it took the place of are all set as "
-        "the paper has them: write method: paper instead of them");
-  }
-  const bool paper = loaded.parameters.method == Method::paper;
-  for (const FormerSwitch& former : kFormerSwitches) {
-    if (value_of(former) == (paper ? former.paper : former.hidwa) || !content.hasMember(former.name)) continue;
-    const std::string now = former.differs() ? former.hidwa + std::string(" with method: hidwa, and ") + former.paper +
-                                                   " with method: paper: set method instead, or remove it"
-                                             : former.hidwa + std::string(" with either method: remove it");
-    loaded.warnings.push_back(std::string("unknown parameter ") + former.name + ": it has no effect; it is " + now);
-  }
-}
-
 /// DWB's layout, `PathAlign: {scale: 32}`.
-void take_nested(LoadedParameters& loaded, const std::string& group, const XmlRpcValue& members) {
+void take_nested(LoadedParameters& loaded, const std::string& group, const XmlRpcValue& members,
+                 const std::set<std::string>& former) {
   for (const auto& [member, value] : members) {
     const std::string key = group + "/" + member;
+    if (former.count(key) != 0) continue;
     const std::string flat = group + "_" + member;
     const ParameterInfo* info = find_parameter(flat);
     if (info == nullptr) {
@@ -192,25 +149,30 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
     loaded.faults.push_back("expected the planner's parameters by name, found " + as_text(content));
     return loaded;
   }
+  const PresentContent present = in_present_words(content);
+  loaded.faults = present.faults;
+  loaded.warnings = present.warnings;
+  // What was refused stays where it is: the next start must find it.
+  if (present.faults.empty()) loaded.aliases.assign(present.former.begin(), present.former.end());
   std::vector<std::pair<std::string, const XmlRpcValue*>> groups;
-  for (const auto& [key, value] : content) {
-    if (const std::string why = meant_otherwise(content, key, value); !why.empty()) {
+  for (const auto& [key, value] : present.content) {
+    if (present.former.count(key) != 0) continue;
+    if (const std::string why = meant_otherwise(present.content, key, value); !why.empty()) {
       loaded.warnings.push_back(why);
       loaded.aliases.push_back(key);
     } else if (const ParameterInfo* info = find_parameter(key)) {
       take(loaded, *info, key, value);
     } else if (value.getType() == XmlRpcValue::TypeStruct) {
       groups.emplace_back(key, &value);
-    } else if (!is_former_switch(key)) {
+    } else {
       loaded.warnings.push_back(unknown(key));
     }
   }
-  take_former_switches(loaded, content);
   std::set<std::string> listed;
   for (const std::string& critic : split_names(loaded.parameters.critics)) listed.insert(short_name(critic));
   for (const auto& [group, members] : groups) {
     if (is_built_in_group(group)) {
-      take_nested(loaded, group, *members);
+      take_nested(loaded, group, *members, present.former);
     } else if (!remark_on(group).empty()) {
       loaded.warnings.push_back(unknown(group));
     } else if (listed.count(group) == 0) {
@@ -269,9 +231,8 @@ std::string suggestion_for(const std::string& key) {
       {"gdist_scale", "GoalDist_scale (its unit differs)"},
       {"occdist_scale", "BaseObstacle_scale (its unit differs)"},
       {"twirling_scale", "Twirling_scale, with Twirling in critics"},
-      {"forward_point_distance", "PathAlign_forward_point_distance and GoalAlign_forward_point_distance"},
-      {"oscillation_reset_dist", "Oscillation_reset_dist"},
-      {"oscillation_reset_angle", "Oscillation_reset_angle"},
+      {"PathAlign.forward_point_distance", "forward_point_distance"},
+      {"GoalAlign.forward_point_distance", "forward_point_distance"},
       {"max_scaling_factor", "footprint_padding"},
       {"min_obstacle_dist", "footprint_padding"},
       {"dwa", "generator: dwa"},
@@ -305,8 +266,10 @@ std::string remark_on(const std::string& key) {
       {"min_speed_xy", minimum},
       {"min_rot_vel", minimum},
       {"min_speed_theta", minimum},
+      {"oscillation_reset_dist", "it is 0.05 m: remove it"},
+      {"oscillation_reset_angle", "it is 0.2 rad: remove it"},
       {"latch_xy_goal_tolerance", "the goal's position is always latched: remove it"},
-      {"prune_plan", "the plan is always pruned (prune_distance): remove it"},
+      {"prune_plan", "the plan is always pruned (forward_prune_distance): remove it"},
       {"stop_time_buffer", "admissibility: braking sees to it that the robot stops in time: remove it"},
       {"scaling_speed", "admissibility: braking sees to it that the robot stops in time: remove it"},
       {"escape_vel", "for driving backwards set a negative min_vel_x, else remove it"},

@@ -45,7 +45,9 @@ RobotDescription::RobotDescription(const ros::NodeHandle& handle, const std::str
     : handle_(handle), base_frame_(base_frame) {}
 
 Parameters RobotDescription::limited(const Parameters& wanted) {
-  const Names names{wanted.robot_description_param, wanted.left_wheel_joint, wanted.right_wheel_joint};
+  std::vector<std::string> joints = split_names(wanted.wheel_joints);
+  joints.resize(2);  // more are refused (validate())
+  const Names names{wanted.robot_description_param, joints[0], joints[1]};
   if (names_ != names) read(names);
   if (!wheels_) return wanted;
   robot::LimitedParameters result = robot::limited(wanted, *wheels_);

@@ -44,11 +44,11 @@ NaiveTerms::NaiveTerms(const Scene& scene) : scene_(scene), grid_(scene.grid()) 
   const Situation& s = scene.situation;
   const std::vector<Cell> path = cells_on_map(grid_, s.plan);
   const double bearing = std::atan2(s.goal.y - s.pose.y, s.goal.x - s.pose.x);
-  const Point ahead = p.GoalAlign_forward_point_distance * Point(std::cos(bearing), std::sin(bearing));
+  const Point ahead = p.forward_point_distance * Point(std::cos(bearing), std::sin(bearing));
   path_ = naive_grid(grid_, path);
   goal_ = naive_grid(grid_, {path.back()});
   ahead_ = naive_grid(grid_, {moved_end(grid_, s.plan, ahead)});
-  aligns_ = distance(s.goal, s.pose) > p.PathAlign_forward_point_distance;
+  aligns_ = distance(s.goal, s.pose) > p.forward_point_distance;
 }
 
 std::optional<double> NaiveTerms::total(const Twist2& sample, const std::vector<Pose2>& poses) const {
@@ -58,12 +58,12 @@ std::optional<double> NaiveTerms::total(const Twist2& sample, const std::vector<
   const std::optional<double> obstacle = base_obstacle(poses);
   if (!rotate || !obstacle) return std::nullopt;
   double autonomy = p.RotateToGoal_scale * *rotate + p.BaseObstacle_scale * *obstacle;
-  autonomy += p.GoalAlign_scale / 2 * map_grid(ahead_, p.GoalAlign_forward_point_distance, last);
-  if (aligns_) autonomy += p.PathAlign_scale / 2 * map_grid(path_, p.PathAlign_forward_point_distance, last);
+  autonomy += p.GoalAlign_scale / 2 * map_grid(ahead_, p.forward_point_distance, last);
+  if (aligns_) autonomy += p.PathAlign_scale / 2 * map_grid(path_, p.forward_point_distance, last);
   autonomy += p.PathDist_scale / 2 * map_grid(path_, 0.0, last);
   autonomy += p.GoalDist_scale / 2 * map_grid(goal_, 0.0, last);
   const Twist2& wanted = scene_.intent.u_h;
-  return p.s_nv * autonomy + p.s_v * std::abs(wanted.v - sample.v) + p.s_omega * std::abs(wanted.omega - sample.omega);
+  return autonomy + p.s_v * std::abs(wanted.v - sample.v) + p.s_omega * std::abs(wanted.omega - sample.omega);
 }
 
 double NaiveTerms::distance_at(const std::vector<int>& distances, double x, double y) const {

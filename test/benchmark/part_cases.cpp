@@ -91,9 +91,9 @@ class Parts {
   }
   // All three sets at once, as the critics ask for them.
   void measure_distances(Method method) {
-    const double ahead = parameters_.GoalAlign_forward_point_distance;
+    const double ahead = parameters_.forward_point_distance;
     grids_.prepare(grid_, scene_->situation.plan, method, parameters_.unknown_is_obstacle);
-    grids_.expect(pose(), reach_ + std::max(parameters_.PathAlign_forward_point_distance, ahead));
+    grids_.expect(pose(), reach_ + std::max(parameters_.forward_point_distance, ahead));
     grids_.to_goal_ahead(ahead, pose(), scene_->situation.goal);
     benchmark::DoNotOptimize(grids_.to_path().table().units);
   }

@@ -67,7 +67,6 @@ TEST(ClosedLoop, PaperProfileArrives) {
   p.method = Method::paper;
   p.admissibility = Admissibility::horizon;
   p.escape = p.turn_when_stuck = false;
-  p.forward_prune_auto = false;
   p.forward_prune_distance = 1.0;
   p.trans_stopped_velocity = p.rot_stopped_velocity = 0.25;
   const DriveResult result = drive::drive(setup);

@@ -171,8 +171,8 @@ class Device(unittest.TestCase):
     def test_a_stick_as_the_parameters_ask_for_it(self):
         axes, buttons = joy_of(Stick(0.5, -1.0, True), {})
         self.assertEqual((axes[:2], len(axes), sum(buttons), len(buttons)), ([0.5, -1.0], 8, 0, 11))
-        unity = {'axis_angular': 3, 'axis_angular_sign': -1, 'axis_linear': 9, 'enable_button': 12, 'mode': 'joystick'}
-        trigger = {'axis_linear_rest': 1.0, 'axis_linear_sign': -1}  # pressed to -1; it knows no way back
+        unity = {'axis_angular': '3 reversed', 'axis_linear': '9', 'enable_button': 12, 'mode': 'joystick'}
+        trigger = {'axis_linear_rest': 1.0, 'axis_linear': '1 reversed'}  # pressed to -1; it knows no way back
         self.assertEqual([joy_of(Stick(0.0, forward, True), trigger)[0][1] for forward in (0.0, 0.5, 1.0, -1.0)],
                          [1.0, 0.0, -1.0, 1.0])
         axes, buttons = joy_of(Stick(0.5, -1.0, True), unity)
@@ -183,10 +183,10 @@ class Device(unittest.TestCase):
         p = {'mode': 'gesture', 'clutch_button': 2}
         self.assertEqual(joy_of(hand, p)[1][:4], [0, 0, 1, 0])
         self.assertEqual(joy_of(hand._replace(grip=False), p)[1][:4], [0, 0, 0, 0])
-        self.assertEqual(joy_of(hand, {**p, 'clutch_axis': 3, 'clutch_axis_sign': -1})[0][3], -1.0)
-        self.assertEqual(joy_of(hand._replace(grip=False), {**p, 'clutch_axis': 3, 'clutch_threshold': -0.5})[0][3], -1.0)
+        self.assertEqual(joy_of(hand, {**p, 'clutch_axis': '3 reversed'})[0][3], -1.0)
+        self.assertEqual(joy_of(hand._replace(grip=False), {**p, 'clutch_axis': '3'})[0][3], 0.0)
         self.assertEqual(position_of(hand, {}), [0.1, 0.2, -0.3])  # x ahead, y left, z up
-        unity = {'gesture_axis': 'x', 'gesture_axis_sign': -1, 'gesture_linear_axis': 'z'}
+        unity = {'gesture_axis': '-x', 'gesture_linear_axis': 'z'}
         self.assertEqual(position_of(hand, unity), [-0.2, -0.3, 0.1])
 
 

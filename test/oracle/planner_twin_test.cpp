@@ -125,7 +125,7 @@ void compare(const Scene& scene, const std::vector<NaiveCycle>& former, Tally& t
   compare_start(naive.reference(), decision, tally);
   const double lag = std::abs(scene.situation.velocity.v - decision.reference.v);
   const bool goes_on = decision.reference == scene.situation.last_command;
-  tally.lagging += goes_on && lag > scene.parameters.velocity_reference_tolerance_x;
+  tally.lagging += goes_on && lag > 0.2;
   tally.told_apart += !former.empty() && goes_on && former_commands_count(scene, naive);
   if (naive.gives_up()) {
     ASSERT_NE(decision.outcome, Outcome::drive);

@@ -103,8 +103,7 @@ void expect_within_limits(const Parameters& p, const Decision& decision, const T
   if (p.has_wheel_limit()) {
     const double half = 0.5 * p.wheel_separation;
     const double before = std::abs(from.v) + half * std::abs(from.omega);
-    EXPECT_LE(std::abs(u.v) + half * std::abs(u.omega), std::max(p.wheel_radius * p.max_wheel_velocity, before) + 1e-8)
-        << seed;
+    EXPECT_LE(std::abs(u.v) + half * std::abs(u.omega), std::max(p.max_wheel_speed, before) + 1e-8) << seed;
   }
   // Braking may start from the last command: odometry that lags must not take back what brakes already.
   const auto step = [](double to, double reference, double before) {

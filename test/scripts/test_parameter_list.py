@@ -11,12 +11,13 @@ HIDWA_INT   (samples, 40, 2, 2000, "", "Sampling", "Both ends included")
 HIDWA_BOOL(escape, true, "Safety", "Out of it")
 HIDWA_STRING(topic, "", "Topics", "Empty: none")
 HIDWA_ENUM(HoldLinear, hold, operator_, "operator|robot", "Operator", "Whose")
+HIDWA_AXIS(clutch, -1, -1, 31, "Operator", "Pressed: positive")
 '''
 
 
 class ParameterList(unittest.TestCase):
     def test_every_kind(self):
-        speed, samples, escape, topic, hold = parameters(TEXT)
+        speed, samples, escape, topic, hold, clutch = parameters(TEXT)
         self.assertEqual(
             (speed.kind, speed.name, speed.default, speed.low, speed.high, speed.unit, speed.tab, speed.description),
             ('DOUBLE', 'max_vel_x', '0.5', '0.0', '10.0', 'm/s', 'Robot', 'Largest velocity, forward'))
@@ -24,6 +25,7 @@ class ParameterList(unittest.TestCase):
         self.assertEqual((escape.kind, escape.default, escape.unit, escape.choices), ('BOOL', 'true', '', []))
         self.assertEqual((topic.kind, topic.default, topic.description), ('STRING', '', 'Empty: none'))
         self.assertEqual((hold.kind, hold.default, hold.choices), ('ENUM', 'operator', ['operator', 'robot']))
+        self.assertEqual((clutch.kind, clutch.default, clutch.low, clutch.high, clutch.tab), ('AXIS', '-1', '-1', '31', 'Operator'))
 
     def test_a_bad_line_is_named(self):
         for line, fault in (('HIDWA_BOOL(escape,', 'line 2: a declaration must stand on one line'),

@@ -25,6 +25,13 @@ LAUNCH = '''<launch><group ns="robot">
 </group></launch>'''
 
 
+class Stick(unittest.TestCase):
+    def test_its_sign_stands_in_the_axis_or_as_in_bags_of_before_alone(self):
+        for parameters, axis, sign in (({}, 0, 1), ({'axis_angular': '3'}, 3, 1), ({'axis_angular': '3 reversed'}, 3, -1),
+                                       ({'axis_angular': 2, 'axis_angular_sign': -1}, 2, -1)):
+            self.assertEqual(recording.stick_of(parameters), {'axis': axis, 'sign': sign, 'dead_zone': 0.1})
+
+
 class Names(unittest.TestCase):
     def test_demo_and_launch_share_a_list(self):
         short, full = recording.recorded_topics('NavfnROS'), recording.recorded_topics('NavfnROS', seen=True)

@@ -36,8 +36,8 @@ class NaiveCritics {
     std::vector<Pose2> ahead = scene.situation.plan;
     const Pose2 aim = scene.situation.turns_back ? scene.situation.plan.back() : scene.situation.goal;
     const double bearing = std::atan2(aim.y - scene.situation.pose.y, aim.x - scene.situation.pose.x);
-    ahead.back().x += scene.parameters.GoalAlign_forward_point_distance * std::cos(bearing);
-    ahead.back().y += scene.parameters.GoalAlign_forward_point_distance * std::sin(bearing);
+    ahead.back().x += scene.parameters.forward_point_distance * std::cos(bearing);
+    ahead.back().y += scene.parameters.forward_point_distance * std::sin(bearing);
     const std::vector<Cell> moved = cells(ahead);
     ahead_ = distances({moved.empty() ? path.back() : moved.back()});
   }
@@ -51,9 +51,8 @@ class NaiveCritics {
     if (critic == "BaseObstacle") return p.BaseObstacle_scale;
     if (critic == "ObstacleFootprint") return p.ObstacleFootprint_scale;
     if (critic == "RotateToGoal") return p.RotateToGoal_scale;
-    if (critic == "PreferForward") return p.PreferForward_scale;
     if (critic == "Twirling") return p.Twirling_scale;
-    return 1.0;  // Oscillation
+    return 1.0;  // Oscillation, PreferForward
   }
 
   bool steered() const { return scene_.intent.influence != Influence::none; }
@@ -67,18 +66,18 @@ class NaiveCritics {
     const Parameters& p = scene_.parameters;
     if (critic == "PathDist") return map_grid(path_, 0.0, c, rejects);
     if (critic == "GoalDist") return map_grid(goal_, 0.0, c, rejects);
-    if (critic == "GoalAlign") return map_grid(ahead_, p.GoalAlign_forward_point_distance, c, rejects);
+    if (critic == "GoalAlign") return map_grid(ahead_, p.forward_point_distance, c, rejects);
     if (critic == "PathAlign") {
       const double to_goal = std::hypot(scene_.situation.goal.x - scene_.situation.pose.x,
                                         scene_.situation.goal.y - scene_.situation.pose.y);
-      if (on_map_ && to_goal <= p.PathAlign_forward_point_distance) return 0.0;
-      return map_grid(path_, p.PathAlign_forward_point_distance, c, rejects);
+      if (on_map_ && to_goal <= p.forward_point_distance) return 0.0;
+      return map_grid(path_, p.forward_point_distance, c, rejects);
     }
     if (critic == "BaseObstacle") return base_obstacle(c, rejects);
     if (critic == "ObstacleFootprint") return obstacle_footprint(c, rejects);
     if (critic == "RotateToGoal") return rotate_to_goal(c, rejects);
     if (critic == "PreferForward") {
-      const bool creeps = c.u.v < p.PreferForward_strafe_x && std::abs(c.u.omega) < p.PreferForward_strafe_theta;
+      const bool creeps = c.u.v < 0.1 && std::abs(c.u.omega) < 0.2;
       return c.u.v < 0.0 || creeps ? p.PreferForward_penalty : std::abs(c.u.omega) * p.PreferForward_theta_scale;
     }
     return critic == "Twirling" ? std::abs(c.u.omega) : 0.0;
@@ -153,14 +152,13 @@ class NaiveCritics {
   }
   double base_obstacle(const NaiveCandidate& c, bool& rejects) const {
     const bool may_leave = scene_.parameters.escape && bad_centre(scene_.situation.pose.x, scene_.situation.pose.y);
-    double sum = 0.0, last = 0.0;
+    double last = 0.0;
     for (const Pose2& q : c.poses) {
       if (!may_leave && bad_centre(q.x, q.y)) rejects = true;
       const Cell cell = naive_cell(grid_, q.x, q.y);
       last = grid_.contains(cell) ? grid_.at(cell) : 0.0;
-      sum += last;
     }
-    return scene_.parameters.BaseObstacle_sum_scores ? sum : last;
+    return last;
   }
 
   // Points along the outline, at most half a cell apart.
@@ -199,15 +197,14 @@ class NaiveCritics {
     bool stands_in_one = false;
     outline_cost(scene_.situation.pose, stands_in_one);
     const bool may_leave = scene_.parameters.escape && stands_in_one;
-    double sum = 0.0, last = 0.0;
+    double last = 0.0;
     for (const Pose2& q : c.poses) {
       bool hits = false;
       last = outline_cost(q, hits);
       if (hits && !may_leave) rejects = true;
       if (hits) last = 254.0;
-      sum += last;
     }
-    return scene_.parameters.ObstacleFootprint_sum_scores ? sum : last;
+    return last;
   }
 
   // `time` [s] after the start, evenly from pose to pose; at the end where that is negative or beyond it.
@@ -236,14 +233,14 @@ class NaiveCritics {
     const Situation& s = scene_.situation;
     if (!s.goal_next) return 0.0;
     if (std::hypot(s.goal.x - s.pose.x, s.goal.y - s.pose.y) > p.xy_goal_tolerance) return 0.0;
-    const double ahead = p.RotateToGoal_lookahead_time;
+    const double ahead = p.method == Method::paper ? -1.0 : 0.5;
     const double error = naive_angle(s.goal.theta - heading_at(c, ahead) - rest_of_turn(c, ahead));
     if (std::abs(s.velocity.v) <= p.trans_stopped_velocity) {
       rejects = !steered() && std::abs(c.u.v) > 1e-5;
       return error;
     }
     rejects = !steered() && c.u.v * c.u.v >= s.velocity.v * s.velocity.v;
-    return c.u.v * c.u.v * p.RotateToGoal_slowing_factor + error;
+    return c.u.v * c.u.v * 5.0 + error;
   }
 
   const Scene& scene_;

@@ -41,7 +41,7 @@ inline Parameters naive_gentle_rest(Parameters p, double omega) {
 inline double naive_wheel_room(const Parameters& p,
                                double omega) {  // [m/s] left for driving; infinite without wheels
   if (!p.has_wheel_limit()) return INFINITY;
-  return p.wheel_radius * p.max_wheel_velocity - 0.5 * p.wheel_separation * std::abs(omega);
+  return p.max_wheel_speed - 0.5 * p.wheel_separation * std::abs(omega);
 }
 inline bool naive_wheels_allow(const Parameters& p, const Twist2& u) {
   return std::abs(u.v) <= naive_wheel_room(p, u.omega) + 1e-9;
@@ -52,7 +52,7 @@ inline Twist2 naive_inside_limits(const Parameters& p, Twist2 u) {
   u.v = naive_clip(u.v, std::min(0.0, p.min_vel_x), p.max_vel_x);
   u.omega = naive_clip(u.omega, -p.max_vel_theta, p.max_vel_theta);
   if (naive_wheels_allow(p, u)) return u;
-  const double most = p.wheel_radius * p.max_wheel_velocity / (0.5 * p.wheel_separation);
+  const double most = p.max_wheel_speed / (0.5 * p.wheel_separation);
   u.omega = naive_clip(u.omega, -most, most);
   const double room = std::max(0.0, naive_wheel_room(p, u.omega));
   u.v = naive_clip(u.v, -room, room);
@@ -68,8 +68,7 @@ inline Twist2 naive_command(const Parameters& p, const Twist2& reference, const 
   u.v = std::abs(slowest) > std::min(std::abs(u.v), room) ? slowest : naive_clip(u.v, -room, room);
   if (naive_wheels_allow(p, u)) return u;
   const double straightest = naive_ramp_omega(p, reference.omega, 0.0, period);
-  const double turn =
-      std::max(0.0, (p.wheel_radius * p.max_wheel_velocity - std::abs(u.v)) / (0.5 * p.wheel_separation));
+  const double turn = std::max(0.0, (p.max_wheel_speed - std::abs(u.v)) / (0.5 * p.wheel_separation));
   u.omega = std::abs(straightest) > std::min(std::abs(u.omega), turn) ? straightest : naive_clip(u.omega, -turn, turn);
   return u;
 }

@@ -302,7 +302,7 @@ class NaivePlanner {
     }
     const double deviation =
         p.s_v * std::abs(scene_.intent.u_h.v - c.u.v) + p.s_omega * std::abs(scene_.intent.u_h.omega - c.u.omega);
-    c.total = p.s_nv * autonomy;
+    c.total = autonomy;
     if (scene_.intent.influence == Influence::shared) c.total += deviation;
     if (scene_.intent.influence == Influence::direct) c.total = deviation;
   }

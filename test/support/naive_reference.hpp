@@ -74,7 +74,7 @@ class NaiveHistory {
 
   NaiveExplained explained(double Twist2::*axis) const {
     const Twist2 last = now_.last_command;
-    NaiveExplained all{last.*axis, last.*axis, p_.velocity_reference_tolerance_x};
+    NaiveExplained all{last.*axis, last.*axis, 0.2};
     for (std::size_t i = first_shown(); i < effects_.list().size(); ++i) {
       for (const double u : {effects_.list()[i].command.*axis, effects_.from(i).*axis}) {
         all.lo = std::min(all.lo, u);
@@ -84,8 +84,7 @@ class NaiveHistory {
     if (axis == &Twist2::v) return all;
     // Inside its dead band a robot stands though it is told to turn.
     const double dead_band = std::max(p_.min_vel_theta, p_.min_in_place_vel_theta);
-    all.tolerance =
-        p_.velocity_reference_tolerance_theta + (std::abs(last.omega) <= dead_band ? std::abs(last.omega) : 0.0);
+    all.tolerance = 0.5 + (std::abs(last.omega) <= dead_band ? std::abs(last.omega) : 0.0);
     return all;
   }
 

@@ -21,13 +21,11 @@ inline Parameters paper_parameters() {
   p.PathAlign_scale = p.PathDist_scale = 32.0;
   p.vx_samples = 20;
   p.vth_samples = 20;
-  p.RotateToGoal_lookahead_time = -1.0;
   p.comfort_acc_lim_theta = 0.0;
   p.admissibility = Admissibility::horizon;
   p.escape = false;
   p.turn_when_stuck = false;
   p.velocity_reference = VelocityReference::odometry;
-  p.forward_prune_auto = false;
   p.forward_prune_distance = 1.0;
   return p;
 }

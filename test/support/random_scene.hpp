@@ -110,9 +110,8 @@ inline void randomise_robot(Random& random, Parameters& p) {
   p.decel_lim_x = random.chance(0.5) ? 0.0 : random.uniform(-3.0, -0.5);
   p.decel_lim_theta = random.chance(0.5) ? 0.0 : random.uniform(0.8, 4.0);
   if (random.chance(0.3)) {
-    p.wheel_radius = 0.1;
     p.wheel_separation = random.uniform(0.2, 0.5);
-    p.max_wheel_velocity = random.uniform(0.8, 1.5) * p.max_vel_x / p.wheel_radius;
+    p.max_wheel_speed = random.uniform(0.8, 1.5) * p.max_vel_x;
   }
   p.footprint_padding = random.chance(0.3) ? random.uniform(0.005, 0.03) : 0.0;
   if (random.chance(0.15)) {
@@ -145,16 +144,11 @@ inline void randomise_costs(Random& random, Parameters& p) {
   for (double* scale : {&p.PathAlign_scale, &p.PathDist_scale, &p.GoalAlign_scale, &p.GoalDist_scale}) {
     *scale = random.uniform(5.0, 40.0);
   }
-  p.PathAlign_forward_point_distance = random.uniform(0.05, 0.4);
-  p.GoalAlign_forward_point_distance = random.uniform(0.05, 0.4);
+  p.forward_point_distance = random.uniform(0.05, 0.4);
   p.BaseObstacle_scale = random.uniform(0.01, 0.1);
-  p.BaseObstacle_sum_scores = random.chance(0.3);
-  p.ObstacleFootprint_sum_scores = random.chance(0.3);
   p.Twirling_scale = random.uniform(0.1, 5.0);
-  p.PreferForward_scale = random.uniform(0.1, 2.0);
-  p.RotateToGoal_slowing_factor = random.uniform(1.0, 8.0);
+  p.PreferForward_penalty = random.uniform(0.1, 2.0);
   p.xy_goal_tolerance = random.uniform(0.1, 0.4);
-  p.s_nv = random.uniform(0.5, 2.0);
   p.s_v = random.uniform(20.0, 500.0);
   p.s_omega = random.uniform(20.0, 900.0);
 }
@@ -164,7 +158,7 @@ inline Twist2 random_velocity(Random& random, const Parameters& p) {
   Twist2 u{random.uniform(p.min_vel_x, p.max_vel_x), random.uniform(-p.max_vel_theta, p.max_vel_theta)};
   if (p.has_wheel_limit()) {
     const double wheel = std::abs(u.v) + std::abs(u.omega) * p.wheel_separation / 2.0;
-    const double scale = std::min(1.0, p.wheel_radius * p.max_wheel_velocity / wheel);
+    const double scale = std::min(1.0, p.max_wheel_speed / wheel);
     u = {u.v * scale, u.omega * scale};
   }
   return u;
@@ -228,7 +222,6 @@ inline Scene random_scene(std::uint64_t seed) {
   add_obstacles(random, scene, random.integer(0, 25), keep_free);
   const double inscribed = random.uniform(0.1, 0.25), scaling = random.uniform(2.0, 10.0);
   inflate(scene, inscribed, inscribed + random.uniform(0.1, 0.4), scaling);
-  scene.parameters.RotateToGoal_lookahead_time = random.chance(0.5) ? -1.0 : random.uniform(0.0, 2.2);
   scene.parameters.comfort_acc_lim_theta = random.chance(0.3) ? 0.0 : random.uniform(0.2, 3.0);
   scene.parameters.comfort_turn_time = random.chance(0.3) ? 0.0 : random.uniform(0.1, 1.5);
   Parameters& p = scene.parameters;

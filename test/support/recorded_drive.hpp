@@ -33,11 +33,9 @@ class RecordedDrive {
     randomise_robot(random_, parameters_);
     randomise_search(random_, parameters_);
     randomise_costs(random_, parameters_);
-    parameters_.velocity_reference_tolerance_x = 0.03;  // so little that what was commanded before counts
-    parameters_.velocity_reference_tolerance_theta = 0.03;
     parameters_.mode = mode;
     parameters_.delta = 0.4;
-    parameters_.blocked_time = 0.2;
+    parameters_.blocked_time = parameters_.stall_time = 0.2;
     parameters_.stop_button = 3;
     if (random_.chance(0.5)) parameters_.enable_button = 5;
     parameters_.authority = random_.chance(0.3) ? 0.5 : 1.0;

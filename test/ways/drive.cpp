@@ -155,7 +155,7 @@ class Drive {
       result_.failed_at = now;
       result_.problem = failure;
     }
-    if (now > novelty_.since() + parameters_.blocked_time + kAnswer && result_.failed_at < 0.0)
+    if (now > novelty_.since() + parameters_.stall_time + kAnswer && result_.failed_at < 0.0)
       result_.failed_late = true;
     if (finding_.answer == Class::sure && result_.nearer_at < 0.0 && remaining() <= finding_.remaining - kNearer)
       result_.nearer_at = now;

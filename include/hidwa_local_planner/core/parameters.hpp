@@ -17,8 +17,17 @@ enum class Admissibility { braking, horizon };
 enum class OperatorMode { off, joystick, gesture, switching };
 enum class Guard { nearest, none };
 enum class LinearPolicy { v_max, axis, current };
-enum class HandAxis { x, y, z };
+enum class HandAxis { x, y, z, minus_x, minus_y, minus_z };
 enum class OnInputLost { hold, stop, autonomy };
+
+/// An axis of sensor_msgs/Joy. Its text is `3`, or `3 reversed` where its signs are turned round: `-3` would not do,
+/// since YAML reads -0 as 0.
+struct JoyAxis {
+  int index = 0;  // negative: none
+  bool reversed = false;
+  float turned(float value) const { return reversed ? -value : value; }
+  bool operator==(const JoyAxis& other) const { return index == other.index && reversed == other.reversed; }
+};
 
 /// Every tunable parameter with its default; see parameter_list.inc for units, ranges and meaning.
 struct Parameters {
@@ -27,12 +36,14 @@ struct Parameters {
 #define HIDWA_BOOL(name, value, tab, text) bool name = value;
 #define HIDWA_STRING(name, value, tab, text) std::string name = value;
 #define HIDWA_ENUM(Type, name, value, names, tab, text) Type name = Type::value;
+#define HIDWA_AXIS(name, value, min, max, tab, text) JoyAxis name{value};
 #include "hidwa_local_planner/core/parameter_list.inc"
 #undef HIDWA_DOUBLE
 #undef HIDWA_INT
 #undef HIDWA_BOOL
 #undef HIDWA_STRING
 #undef HIDWA_ENUM
+#undef HIDWA_AXIS
 
   /// Braking limits as positive numbers: their sign is the user's choice, 0 stands for the acceleration limit.
   double braking_x() const { return decel_lim_x == 0.0 ? acc_lim_x : std::abs(decel_lim_x); }  // [m/s^2]
@@ -46,7 +57,7 @@ struct Parameters {
   bool turns_gently() const {
     return comfort_acc_lim_theta > 0.0 && generator == Generator::standard && !commands_the_sample();
   }
-  bool has_wheel_limit() const { return wheel_radius > 0.0 && wheel_separation > 0.0 && max_wheel_velocity > 0.0; }
+  bool has_wheel_limit() const { return wheel_separation > 0.0 && max_wheel_speed > 0.0; }
 };
 
 /// A value as the outside world writes it: enumerations as their names.
@@ -56,16 +67,16 @@ using ParameterValue = std::variant<bool, int, double, std::string>;
 /// text, dynamic_reconfigure, the parameter server) goes through these.
 struct ParameterInfo {
   std::string name;
-  std::string type;             // "double", "int", "bool", "str" or "enum"
+  std::string type;             // "double", "int", "bool", "str", "enum" or "axis"
   ParameterValue value;         // the default
-  double min = 0.0, max = 0.0;  // numbers only
+  double min = 0.0, max = 0.0;  // numbers and axes only
   std::string unit;             // empty where it has none
   std::string tab;
   std::string description;
   std::vector<std::string> choices;  // enumerations only
   std::function<ParameterValue(const Parameters&)> get;
-  /// Returns false, and changes nothing, where the value has the wrong type or names no choice. A double takes an
-  /// integer too.
+  /// Returns false, and changes nothing, where the value has the wrong type or names no choice or axis. A double and an
+  /// axis take an integer too.
   std::function<bool(Parameters&, const ParameterValue&)> set;
 
   bool is_number() const { return type == "double" || type == "int"; }

@@ -5,7 +5,7 @@
 // 3. releasing the clutch ends the input at once, not with the next pose.
 //
 // Tracking is lost by an invalid pose (all-zero quaternion, everything zero, not a number), by one that lies farther
-// than gesture_jump from the one before it while the clutch is held, and by the silence of the hand or of the clutch.
+// than 0.3 m from the one before it while the clutch is held, and by the silence of the hand or of the clutch.
 // Then, and at the start, the clutch must be let go and pressed anew: the origin may have moved meanwhile, and a hand
 // that comes back elsewhere must not steer.
 #pragma once

@@ -23,12 +23,11 @@ struct LimitedParameters {
 };
 
 /// The parameters of a robot with these wheels; where both limit something, the tighter one holds.
-/// wheel_radius and wheel_separation of the parameters describe the same robot: where they are set they
-/// count, and more than 2 % between them and the URDF is a warning. The wheel velocity is the smaller of
-/// max_wheel_velocity and the joints' limit. With a wheel velocity w, radius r and separation d known,
-/// max_vel_x and min_vel_x come down to r w, max_vel_theta to 2 r w / d, and the corners of the window are
-/// cut by the wheel parameters. Where one of the three is known to neither side, or a parameter is out of its
-/// range, the parameters stay as they are.
+/// wheel_separation of the parameters describes the same robot: where it is set it counts, and more than 2 % between it
+/// and the URDF is a warning. The wheel speed s is the smaller of max_wheel_speed and the joints' limit times the
+/// radius. With it and the separation d, max_vel_x and min_vel_x come down to s, max_vel_theta to 2 s / d, and the
+/// corners of the window are cut by the wheel parameters. Where s is known to neither side, or a parameter is out of
+/// its range, the parameters stay as they are.
 LimitedParameters limited(const Parameters& wanted, const Wheels& wheels);
 
 }  // namespace hidwa_local_planner::robot

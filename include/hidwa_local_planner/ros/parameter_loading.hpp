@@ -17,15 +17,15 @@ struct LoadedParameters {
   std::vector<std::string> found;     // "max_vel_x: 0.5" for every value that came from the namespace
   std::vector<std::string> faults;    // each names the parameter and the remedy; any of them makes the set invalid
   std::vector<std::string> warnings;  // unknown keys, with the likely right one
-  std::vector<std::string> aliases;   // nested keys taken over, "PathAlign/scale"
+  std::vector<std::string> aliases;   // nested and former keys taken over, "PathAlign/scale"
 };
 
 /// Reads the content of the planner's namespace (a struct, or an invalid value for an empty namespace).
-/// Takes YAML as people write it: `critics` as list or text, whole numbers for real ones, DWB's nested
-/// `PathAlign: {scale: 32}` for PathAlign_scale (it wins over the flat key), and the word `off`, which YAML
-/// reads as false; and the switches that `method` took the place of, where all are as the paper has them. Namespaces of
-/// critics of other packages, listed in `critics`, are theirs. `completed`, where given, adds what is known of the
-/// robot besides before the set is validated. Throws nothing of its own.
+/// Takes YAML as people write it: `critics` and `wheel_joints` as list or text, whole numbers for real ones, DWB's
+/// nested `PathAlign: {scale: 32}` for PathAlign_scale (it wins over the flat key), and the word `off`, which YAML
+/// reads as false; and parameters that went (former_parameters.hpp). Namespaces of critics of other packages, listed in
+/// `critics`, are theirs. `completed`, where given, adds what is known of the robot besides before the set is
+/// validated. Throws nothing of its own.
 LoadedParameters load_parameters(const XmlRpc::XmlRpcValue& content,
                                  const std::function<Parameters(const Parameters&)>& completed = {});
 

@@ -11,7 +11,7 @@ from .bagfile import choose, read_messages
 from .errors import BagError
 from .people import read_people
 from .poses import TF, Frames, clean, odometry_rows, with_speed
-from .recording import plugin_name
+from .recording import plugin_name, stick_of
 from .seen import Seen
 
 # actionlib_msgs/GoalStatus
@@ -318,8 +318,7 @@ class Reader:
             'map': None, 'host': None, 'operator': None, 'rate': None, 'start': None, 'goal': None,
             'planner': plugin_name(str(self.parameters.get('base_local_planner', ''))) or None, **self.info,
             'mode': states[-1][1].mode_name if states else mode.data if mode else None, 'footprint': outline}
-        info.setdefault('stick', {'axis': planner.get('axis_angular', 0), 'sign': planner.get('axis_angular_sign', 1),
-                                  'dead_zone': planner.get('dead_zone', 0.1)})
+        info.setdefault('stick', stick_of(planner))
         info.setdefault('acc_lim_theta', planner.get('acc_lim_theta'))
         common = dict(
             grid=self.grid, truth=self.truth, plans=self.plans, demo=self.demo, pose_from=self.pose_from,

@@ -20,7 +20,7 @@ from .drawing import STATE_NAMES
 from .errors import DemoError
 from .geometry import circle
 from .pose_goal import goal_message
-from .recording import plugin_name
+from .recording import plugin_name, stick_of
 from .waiting import PATIENCE, wait_for
 from .wheels import Wheels
 
@@ -135,8 +135,7 @@ class Drive:
             'map': o.map_name, 'mode': parameters.get('mode', 'off'), 'host': host, 'planner': name,
             'operator': o.operator_name, 'start': o.start, 'goal': o.goal, 'rate': o.rate,
             'footprint': footprint_of(rospy.get_param('/hidwa_sim')), 'acc_lim_theta': parameters.get('acc_lim_theta'),
-            'stick': {'axis': parameters.get('axis_angular', 0), 'sign': parameters.get('axis_angular_sign', 1),
-                      'dead_zone': parameters.get('dead_zone', 0.1)}}))
+            'stick': stick_of(parameters)}))
 
     def wait_for_recorder(self, node, topics, recorder):
         """Until `node`, run by the Child `recorder`, is connected to every publisher of the topics: what is said before that

@@ -9,14 +9,15 @@ LIST = os.path.join(ROOT, 'include', 'hidwa_local_planner', 'core', 'parameter_l
 NUMBER = ('name', 'default', 'low', 'high', 'unit', 'tab', 'description')
 PLAIN = ('name', 'default', 'tab', 'description')
 FIELDS = {'DOUBLE': NUMBER, 'INT': NUMBER, 'BOOL': PLAIN, 'STRING': PLAIN,
-          'ENUM': ('enumeration', 'name', 'default', 'choices', 'tab', 'description')}
+          'ENUM': ('enumeration', 'name', 'default', 'choices', 'tab', 'description'),
+          'AXIS': ('name', 'default', 'low', 'high', 'tab', 'description')}
 
 
 class Parameter:
     """One declaration; every value is the text of the list. `choices` is a list, empty but for enumerations."""
 
     def __init__(self, kind, fields):
-        self.kind = kind  # DOUBLE, INT, BOOL, STRING or ENUM
+        self.kind = kind  # DOUBLE, INT, BOOL, STRING, ENUM or AXIS
         self.low = self.high = self.unit = self.choices = ''
         vars(self).update(fields)
         self.choices = self.choices.split('|') if self.choices else []

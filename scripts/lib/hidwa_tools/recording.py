@@ -43,6 +43,14 @@ def operator_topics(parameters):
             if name.endswith('_topic') and name != 'rumble_topic' and isinstance(topic, str) and topic]
 
 
+def stick_of(parameters):
+    """The steering axis of a planner with these parameters: {'axis', 'sign', 'dead_zone'}. Until 2026-11-29 the sign was a
+    parameter of its own."""
+    index, *reversed_ = str(parameters.get('axis_angular', 0)).split()
+    return {'axis': int(index), 'sign': -1 if reversed_ else parameters.get('axis_angular_sign', 1),
+            'dead_zone': parameters.get('dead_zone', 0.1)}
+
+
 def observed_topics(costmap):
     """(laser scans, other sources) that a costmap's layers watch, by the costmap's parameters."""
     scans, others = [], []

@@ -87,7 +87,7 @@ bool Autonomy::yields(const Driven& driven, double now) const {
 // True when the critics must forget.
 bool Autonomy::observe(const Cycle& cycle, bool autonomous, const Driven& driven, const Conclusion& conclusion) {
   const Parameters& p = cycle.parameters;
-  const double now = cycle.situation.time, patience = 0.5 * p.blocked_time;
+  const double now = cycle.situation.time, patience = 0.5 * p.stall_time;
   StallWatch::Motion motion;
   motion.stands = conclusion.outcome == Outcome::hold || conclusion.outcome == Outcome::fail || driven.trapped;
   motion.creeps = conclusion.outcome == Outcome::drive && conclusion.sample.v == 0.0 &&
@@ -117,7 +117,7 @@ void Autonomy::judge_rest(const Cycle& cycle, const Driven& driven, Conclusion& 
   const bool about_to_drive = recovery_.begins_way() && conclusion.outcome == Outcome::hold;
   if (*recovery_.problem() != '\0') {
     fail_if_stopped(cycle, Problem::stuck, recovery_.problem(), conclusion);
-  } else if (!about_to_drive && !recovery_.undecided() && stall_.standing_time(now) > cycle.parameters.blocked_time) {
+  } else if (!about_to_drive && !recovery_.undecided() && stall_.standing_time(now) > cycle.parameters.stall_time) {
     fail_if_stopped(cycle, Problem::stuck, kStuck, conclusion);
   }
 }
@@ -129,10 +129,10 @@ bool Autonomy::judge_last_turn(const Cycle& cycle, bool steered, Conclusion& con
   const double off = std::abs(wrap_angle(situation.goal.theta - cycle.start.pose.theta));
   const bool stands = !steered && situation.goal_latched && conclusion.outcome == Outcome::hold;
   unturned_.observe(situation.time, stands && off > p.yaw_goal_tolerance);
-  const bool long_enough = unturned_.for_at_least(0.5 * p.blocked_time, situation.time);
+  const bool long_enough = unturned_.for_at_least(0.5 * p.stall_time, situation.time);
   const bool forget = long_enough && !unturned_reset_;
   unturned_reset_ = long_enough;
-  if (unturned_.time(situation.time) <= p.blocked_time || recovery_.leads_to_goal()) return forget;
+  if (unturned_.time(situation.time) <= p.stall_time || recovery_.leads_to_goal()) return forget;
   if (p.turn_when_stuck) {
     recovery_.begin_at_goal(situation.time);
   } else {

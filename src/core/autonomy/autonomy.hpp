@@ -8,11 +8,11 @@
 // 1. Collision: a robot that stands in collision, and that no legal motion leads out of, waits for a second. A new scan
 //    may take away what the last one has put under it. Then the cycle fails, so that the host clears its costmap.
 // 2. Rest: autonomy that prefers standing still to every legal motion is stuck. Recovery searches for a way; after half
-//    of blocked_time it drives. Where there is no way the cycle fails at once, else after all of blocked_time, so that
+//    of stall_time it drives. Where there is no way the cycle fails at once, else after all of stall_time, so that
 //    the host replans or recovers.
 // 3. The last turn: at the goal's position only a turn is left. Where a critic forbids its direction (one that the
 //    operator had the robot turn from, for example), the other one is longer, and standing still is cheaper for ever.
-//    After half of blocked_time the critics forget. After all of it the outline cannot turn there, and Recovery leads
+//    After half of stall_time the critics forget. After all of it the outline cannot turn there, and Recovery leads
 //    to the goal's pose by another way; with turn_when_stuck off the cycle fails.
 //
 // Why it is safe: commit() changes the outcome to failing or braking, and resets critics. It makes no command.

@@ -45,7 +45,7 @@ void Scores::score(const CycleView& view, const Tile& tile, std::size_t index, c
                    const Cycle& cycle, const Steering& steering) {
   const std::size_t scored = ask_critics(view, tile, critics);
   // Direct control takes the legal candidate nearest to the operator command: critics only reject.
-  sum_up(tile, cycle.intent.influence != Influence::direct ? scored : 0, cycle, steering);
+  sum_up(tile, cycle.intent.influence != Influence::direct ? scored : 0, steering);
   reject_infinite(tile, critics);
   lowest_[index] = lowest_of(totals_.data() + tile.first, tile.count);
 }
@@ -73,13 +73,13 @@ std::size_t Scores::ask_critics(const CycleView& view, const Tile& tile, const C
   return scored;
 }
 
-void Scores::sum_up(const Tile& tile, std::size_t scored, const Cycle& cycle, const Steering& steering) {
+void Scores::sum_up(const Tile& tile, std::size_t scored, const Steering& steering) {
   kernel::Deviation deviation;
   if (steering.active) {
     deviation = {tile.v, steering.target.v, steering.s_v,
                  steering.s_omega * std::abs(steering.target.omega - tile.omega)};
   }
-  kernel::sum_up(weighted_.data(), scored, cycle.parameters.s_nv, deviation, tile.count, totals_.data() + tile.first);
+  kernel::sum_up(weighted_.data(), scored, deviation, tile.count, totals_.data() + tile.first);
 }
 
 void Scores::reject_infinite(const Tile& tile, const CriticSet& critics) {

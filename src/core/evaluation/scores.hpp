@@ -3,7 +3,7 @@
 //
 // For one tile (score()):
 // 1. every critic gives raw scores or rejects (ask_critics());
-// 2. the total is J = s_nv * (sum of weight * raw) + the deviation from the operator command, in the order of the
+// 2. the total is J = the sum of weight * raw, + the deviation from the operator command, in the order of the
 //    critics: Kalliokoski 2022, section III (sum_kernel.hpp);
 // 3. a total that is no finite number is a rejection by the critic that made it so: critics of other packages may
 //    answer anything;
@@ -54,7 +54,7 @@ class Scores {
 
  private:
   std::size_t ask_critics(const CycleView& view, const Tile& tile, const CriticSet& critics);
-  void sum_up(const Tile& tile, std::size_t scored, const Cycle& cycle, const Steering& steering);
+  void sum_up(const Tile& tile, std::size_t scored, const Steering& steering);
   void reject_infinite(const Tile& tile, const CriticSet& critics);
   Rejecter maker_of_infinite(std::size_t candidate, const CriticSet& critics) const;
 

@@ -8,8 +8,8 @@
 namespace hidwa_local_planner::kernel {
 
 HIDWA_VECTOR_CLONES
-void sum_up(const WeightedScores* scores, std::size_t critics, double s_nv, const Deviation& deviation,
-            std::size_t count, double* totals) {
+void sum_up(const WeightedScores* scores, std::size_t critics, const Deviation& deviation, std::size_t count,
+            double* totals) {
   double* __restrict total = totals;
   for (std::size_t c = 0; c < count; ++c) total[c] = 0.0;
   for (std::size_t i = 0; i < critics; ++i) {
@@ -19,10 +19,8 @@ void sum_up(const WeightedScores* scores, std::size_t critics, double s_nv, cons
   }
   const double* __restrict v = deviation.v;
   const double target_v = deviation.target_v, s_v = deviation.s_v, of_turn = deviation.of_turn;
-  if (v == nullptr) {
-    for (std::size_t c = 0; c < count; ++c) total[c] *= s_nv;
-  } else {
-    for (std::size_t c = 0; c < count; ++c) total[c] = total[c] * s_nv + (s_v * std::abs(target_v - v[c]) + of_turn);
+  if (v != nullptr) {
+    for (std::size_t c = 0; c < count; ++c) total[c] = total[c] + (s_v * std::abs(target_v - v[c]) + of_turn);
   }
 }
 

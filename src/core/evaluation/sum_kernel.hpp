@@ -19,8 +19,8 @@ struct Deviation {
   double of_turn = 0.0;  // the part of the tile's omega
 };
 
-/// totals[c] = s_nv * (sum of weight * raw[c], critic by critic) + s_v * |target_v - v[c]| + of_turn.
-void sum_up(const WeightedScores* scores, std::size_t critics, double s_nv, const Deviation& deviation,
-            std::size_t count, double* totals);
+/// totals[c] = sum of weight * raw[c], critic by critic, + s_v * |target_v - v[c]| + of_turn.
+void sum_up(const WeightedScores* scores, std::size_t critics, const Deviation& deviation, std::size_t count,
+            double* totals);
 
 }  // namespace hidwa_local_planner::kernel

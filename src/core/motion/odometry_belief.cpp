@@ -9,6 +9,10 @@
 namespace hidwa_local_planner {
 namespace {
 
+// Odometry agrees within these: what a base lags behind its ramp, noise and slip.
+constexpr double kToleranceX = 0.2;      // [m/s]
+constexpr double kToleranceTheta = 0.5;  // [rad/s]
+
 // From `before` to `after` [unit/s] within `time` [s]: as fast as the limits allow, and the tolerance.
 bool follows(double after, double before, double time, double tolerance, const AxisLimits& axis) {
   return std::abs(after - before) <= tolerance + std::max(axis.acc, axis.braking) * std::max(time, 0.0);
@@ -20,7 +24,7 @@ Twist2 reading_tolerance(const Parameters& p, const Twist2& last) {
   // Inside the motors' dead band the robot does not move yet although the command grows: such a reading agrees.
   const double omega = std::abs(last.omega);
   const double standing = omega <= std::max(p.min_in_place_vel_theta, p.min_vel_theta) ? omega : 0.0;
-  return {p.velocity_reference_tolerance_x, p.velocity_reference_tolerance_theta + standing};
+  return {kToleranceX, kToleranceTheta + standing};
 }
 
 bool is_explained(double measured, const Interval& explained, double tolerance) {

@@ -54,7 +54,7 @@ VelocityLimits VelocityLimits::from(const Parameters& p) {
   limits.theta = {-p.max_vel_theta, p.max_vel_theta, p.acc_lim_theta, p.braking_theta()};
   if (p.has_wheel_limit()) {
     limits.half_separation = 0.5 * p.wheel_separation;
-    limits.wheel_speed = p.wheel_radius * p.max_wheel_velocity;
+    limits.wheel_speed = p.max_wheel_speed;
   }
   return limits;
 }

@@ -36,8 +36,7 @@ double Explanation::deviation(std::size_t candidate) const {
 
 void Explanation::list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const {
   for (std::size_t i = 0; i < parts_.critics.size(); ++i) {
-    const double weight = parts_.parameters.s_nv * parts_.critics[i].weight;
-    terms.push_back({parts_.critics[i].name, parts_.scores.raw(i, candidate), weight});
+    terms.push_back({parts_.critics[i].name, parts_.scores.raw(i, candidate), parts_.critics[i].weight});
   }
   terms.push_back({kDeviation, deviation(candidate), 1.0});
 }
@@ -192,7 +191,7 @@ void Explanation::ask_critics(const CycleView& view, const Tile& tile) {
     if (entry.weight != 0.0) entry.critic->score(view, tile, scores);
     for (std::size_t c = 0; c < tile.count; ++c) {
       CandidateReport& report = full_[tile.first + c];
-      report.terms.push_back({entry.name, raw[c], parts_.parameters.s_nv * entry.weight});
+      report.terms.push_back({entry.name, raw[c], entry.weight});
       if (reasons[c] != nullptr) report.rejections.push_back({entry.name, reasons[c]});
     }
   }

@@ -121,17 +121,17 @@ TEST(ControlLoop, TheWindowOfThePlanIsInTheCostmapsFrame) {
   const Situation& situation = bench.loop().situation();
   ASSERT_FALSE(situation.plan.empty());
   EXPECT_NEAR(situation.plan.front().x, 1.0, 1e-9);
-  EXPECT_NEAR(situation.plan.front().y, -2.0, 0.1 + 1e-9);  // prune_distance 1 m behind
+  EXPECT_NEAR(situation.plan.front().y, -2.0, 0.1 + 1e-9);  // 1 m behind
   EXPECT_NEAR(situation.plan.back().y, 0.5, 1e-9);
   EXPECT_NEAR(situation.plan.back().theta, M_PI / 2, 1e-9);
   EXPECT_NEAR(situation.goal.y, 0.5, 1e-9);
 }
 
-TEST(ControlLoop, TheWindowReachesAsFarAheadAsTheParametersSay) {
-  const auto last_pose = [](bool automatic) {
+TEST(ControlLoop, TheWindowReachesAsFarAheadAsTheParametersAndTheMethodSay) {
+  const auto last_pose = [](Method method) {
     Bench bench;
     Parameters wanted = bench.parameters();
-    wanted.forward_prune_auto = automatic;
+    wanted.method = method;
     wanted.forward_prune_distance = 0.5;
     wanted.max_vel_x = 0.5;
     wanted.sim_time = 2.0;
@@ -140,8 +140,8 @@ TEST(ControlLoop, TheWindowReachesAsFarAheadAsTheParametersSay) {
     bench.step();
     return bench.loop().situation().plan.back().x;
   };
-  EXPECT_NEAR(last_pose(false), 0.5, 1e-9);
-  EXPECT_NEAR(last_pose(true), 1.2, 1e-9);  // 1.2 x 0.5 m/s x 2 s
+  EXPECT_NEAR(last_pose(Method::paper), 0.5, 1e-9);
+  EXPECT_NEAR(last_pose(Method::hidwa), 1.2, 1e-9);  // 1.2 x 0.5 m/s x 2 s
 }
 
 // From (0, 0) by way of (1.2, y) to (2.4, 0), a pose every 0.1 m of x.

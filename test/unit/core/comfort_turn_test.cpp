@@ -121,7 +121,6 @@ TEST(GentleAutonomy, TheLastTurnEndsInARamp) {
   scene.situation.goal = {0.0, 0.0, 1.5};
   scene.situation.plan = {{-0.05, 0.0, 0.0}, {0.0, 0.0, 1.5}};
   scene.situation.goal_latched = true;
-  scene.parameters.RotateToGoal_lookahead_time = 0.5;
   PlannerBench bench(scene);
   double before = 0.0, hardest = 0.0, farthest = 0.0;
   for (int k = 0; k < 100; ++k) {

@@ -26,8 +26,6 @@ Parameters parameters() {
   p.acc_lim_x = 2.5;
   p.acc_lim_theta = 3.2;
   p.control_latency = 0.1;
-  p.velocity_reference_tolerance_x = 0.2;
-  p.velocity_reference_tolerance_theta = 0.5;
   return p;
 }
 

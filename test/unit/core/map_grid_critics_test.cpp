@@ -47,7 +47,7 @@ TEST(GoalDist, DistanceFromTheWindowsLastPose) {
 
 TEST(PathAlign, DistanceOfTheNoseFromThePlan) {
   Scene scene = Scene::empty();
-  scene.parameters.PathAlign_forward_point_distance = 0.3;
+  scene.parameters.forward_point_distance = 0.3;
   // The nose is 0.3 m to the left of (0.5, 0).
   EXPECT_NEAR(raw("PathAlign", scene, {0.5, 0.0, M_PI / 2}), 0.3, 1e-12);
   EXPECT_EQ(raw("PathAlign", scene, {0.5, 0.0, 0.0}), 0.0);
@@ -55,7 +55,7 @@ TEST(PathAlign, DistanceOfTheNoseFromThePlan) {
 
 TEST(PathAlign, IsOffWithinTheNosesLengthOfTheGoal) {
   Scene scene = Scene::empty();
-  scene.parameters.PathAlign_forward_point_distance = 0.3;
+  scene.parameters.forward_point_distance = 0.3;
   scene.situation.goal = {0.29, 0.0, 0.0};
   EXPECT_EQ(raw("PathAlign", scene, {0.5, 0.0, M_PI / 2}), 0.0);
   scene.situation.goal = {0.31, 0.0, 0.0};
@@ -64,7 +64,7 @@ TEST(PathAlign, IsOffWithinTheNosesLengthOfTheGoal) {
 
 TEST(GoalAlign, TheNoseAgainstTheGoalMovedAhead) {
   Scene scene = Scene::empty();
-  scene.parameters.GoalAlign_forward_point_distance = 0.3;
+  scene.parameters.forward_point_distance = 0.3;
   // The local goal moves from x = 1.0 to 1.3, the nose from 0.5 to 0.8: 0.5 m remain.
   EXPECT_NEAR(raw("GoalAlign", scene, {0.5, 0.0, 0.0}), 0.5, 1e-12);
   // Turned left the nose is at (0.5, 0.3): 16 columns and 6 rows, 6 diagonal and 10 straight.
@@ -73,7 +73,7 @@ TEST(GoalAlign, TheNoseAgainstTheGoalMovedAhead) {
 
 TEST(GeodesicLookUp, ABlockedNoseTakesTheCentresValue) {
   Scene scene = Scene::empty();
-  scene.parameters.PathAlign_forward_point_distance = 0.3;
+  scene.parameters.forward_point_distance = 0.3;
   scene.at({36, 36}) = cost::kInscribed;  // at (0.3, 0.3)
   // Centre at (0.3, 0), nose at (0.3, 0.3) in the blocked cell: the centre's 0 instead of 0.3.
   EXPECT_EQ(raw("PathAlign", scene, {0.3, 0.0, M_PI / 2}), 0.0);
@@ -81,7 +81,7 @@ TEST(GeodesicLookUp, ABlockedNoseTakesTheCentresValue) {
 
 TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueThePapersMethodRejects) {
   Scene scene = Scene::empty();  // ends at 1.525 m
-  scene.parameters.PathAlign_forward_point_distance = 0.3;
+  scene.parameters.forward_point_distance = 0.3;
   EXPECT_NEAR(raw("PathAlign", scene, {0.5, 1.3, M_PI / 2}), 1.3, 1e-12);
   scene.parameters.method = Method::paper;
   CriticBench bench("PathAlign", scene);
@@ -92,7 +92,7 @@ TEST(GeodesicLookUp, ANoseOffTheMapTakesTheCentresValueThePapersMethodRejects) {
 
 TEST(L1LookUp, WhereThePersonDecidesItRejectsNothing) {
   Scene scene = Scene::empty();  // ends at 1.525 m
-  scene.parameters.PathAlign_forward_point_distance = 0.3;
+  scene.parameters.forward_point_distance = 0.3;
   scene.parameters.method = Method::paper;
   scene.intent.influence = Influence::direct;
   // As far as nothing on the map is: 61 + 61 cells.

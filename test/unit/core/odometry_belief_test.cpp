@@ -188,16 +188,14 @@ TEST(OdometryBelief, SavedAndLoadedItGoesOn) {
 
 TEST(ReadingTolerance, InsideTheDeadBandARobotStands) {
   Parameters p;
-  p.velocity_reference_tolerance_x = 0.2;
-  p.velocity_reference_tolerance_theta = 0.1;
   p.min_in_place_vel_theta = 0.4;
   EXPECT_EQ(reading_tolerance(p, {0.5, 0.3}).v, 0.2);
-  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.3}).omega, 0.4);  // 0.1 + 0.3
-  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, -0.3}).omega, 0.4);
-  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.5}).omega, 0.1);  // beyond the dead band
+  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.3}).omega, 0.8);  // 0.5 + 0.3
+  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, -0.3}).omega, 0.8);
+  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.5}).omega, 0.5);  // beyond the dead band
   p.min_in_place_vel_theta = 0.0;
   p.min_vel_theta = 0.35;
-  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.3}).omega, 0.4);
+  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.3}).omega, 0.8);
 }
 
 }  // namespace

@@ -84,26 +84,12 @@ TEST_F(OscillationTest, TurningEndsTheBanAndAnglesWrap) {
   EXPECT_TRUE(legal({0.0, 0.5}));
 }
 
-TEST_F(OscillationTest, TimeEndsTheBanOnlyWhereSet) {
+TEST_F(OscillationTest, TimeAloneEndsNoBan) {
   command({0.0, 0.5});
   command({0.0, -0.5});
   situation().time = 1e6;
   command({0.0, -0.5});
   EXPECT_FALSE(legal({0.0, 0.5}));
-
-  Scene scene = Scene::empty();
-  scene.parameters.Oscillation_reset_time = 2.0;
-  scene.situation.time = 10.0;
-  CriticBench timed("Oscillation", scene);
-  timed.prepare();
-  timed.debrief({0.0, 0.5});
-  timed.debrief({0.0, -0.5});
-  timed.scene().situation.time = 12.0;
-  timed.debrief({0.0, -0.5});
-  EXPECT_TRUE(timed.score({0.0, 0.5}, {{}, {}}).rejected());
-  timed.scene().situation.time = 12.1;
-  timed.debrief({0.0, -0.5});
-  EXPECT_FALSE(timed.score({0.0, 0.5}, {{}, {}}).rejected());
 }
 
 TEST_F(OscillationTest, ANewGoalForgets) {
@@ -146,12 +132,6 @@ TEST(OscillationPerson, WhereThePersonDecidesNoMethodMakesItReject) {
     bench.debrief({0.0, -0.5});
     EXPECT_FALSE(bench.score({0.0, 0.5}, {{}, {}}).rejected());
   }
-}
-
-TEST(OscillationWeight, ZeroTurnsItOff) {
-  Scene scene = Scene::empty();
-  scene.parameters.Oscillation_scale = 0.0;
-  EXPECT_EQ(CriticBench("Oscillation", scene).weight(), 0.0);
 }
 
 }  // namespace

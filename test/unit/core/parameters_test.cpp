@@ -40,6 +40,7 @@ TEST(ParameterAccess, SetAndGetEveryOneByName) {
     if (info.type == "bool") value = !std::get<bool>(info.value);
     if (info.type == "str") value = std::string("something else");
     if (info.type == "enum") value = info.choices.back();
+    if (info.type == "axis") value = std::string("31 reversed");
     ASSERT_EQ(set_parameter(p, info.name, value), "") << info.name;
     EXPECT_TRUE(get_parameter(p, info.name) == value) << info.name;
     // Nothing else changed.
@@ -66,6 +67,36 @@ TEST(ParameterAccess, EnumerationsByName) {
   const std::string fault = set_parameter(p, "generator", std::string("nonsense"));
   for (const char* word : {"generator", "standard", "dwa"}) EXPECT_NE(fault.find(word), std::string::npos) << fault;
   EXPECT_EQ(p.generator, Generator::dwa);
+}
+
+TEST(ParameterAccess, AnAxisIsItsIndexOrReversed) {
+  Parameters p;
+  EXPECT_EQ(set_parameter(p, "axis_angular", 3), "");  // as YAML reads it
+  EXPECT_TRUE(p.axis_angular == (JoyAxis{3, false}));
+  EXPECT_EQ(set_parameter(p, "axis_angular", std::string("0 reversed")), "");
+  EXPECT_TRUE(p.axis_angular == (JoyAxis{0, true}));
+  EXPECT_EQ(p.axis_angular.turned(0.5F), -0.5F);
+  EXPECT_EQ(std::get<std::string>(get_parameter(p, "axis_angular")), "0 reversed");
+  EXPECT_EQ(set_parameter(p, "axis_angular", std::string("2")), "");
+  EXPECT_TRUE(p.axis_angular == (JoyAxis{2, false}));
+  EXPECT_EQ(set_parameter(p, "clutch_axis", -1), "");
+  const ParameterValue wrong[] = {-1,
+                                  32,
+                                  2.0,
+                                  true,
+                                  std::string("-0"),
+                                  std::string("2 reverse"),
+                                  std::string("32 reversed"),
+                                  std::string("reversed"),
+                                  std::string("1.5"),
+                                  std::string("2 reversed reversed"),
+                                  std::string()};
+  for (const ParameterValue& value : wrong) {
+    EXPECT_EQ(set_parameter(p, "axis_angular", value),
+              "axis_angular: expected an axis, 0 to 31, or such as 31 reversed");
+  }
+  EXPECT_NE(set_parameter(p, "clutch_axis", std::string("-1 reversed")), "");
+  EXPECT_TRUE(p.axis_angular == (JoyAxis{2, false}));
 }
 
 TEST(ParameterAccess, FaultsNameTheParameterAndWhatItWants) {
@@ -134,17 +165,14 @@ TEST(Validate, ReturnsEveryFaultAtOnce) {
   p.min_vel_x = 0.6;               // above max_vel_x
   p.min_vel_theta = 1.1;           // above max_vel_theta
   p.min_in_place_vel_theta = 1.2;  // likewise
-  p.wheel_radius = 0.1;            // alone
-  p.axis_angular_sign = 0;
-  p.axis_linear_sign = 0;
+  p.max_wheel_speed = 1.0;         // alone
   p.odom_topic = "";
   p.critics = " , ";
   p.vx_samples = p.vth_samples = 500;  // 250000 candidates
   const std::vector<std::string> faults = validate(p);
-  EXPECT_EQ(faults.size(), 11u);
-  for (const char* name :
-       {"sim_time", "acc_lim_x", "min_vel_x", "min_vel_theta", "min_in_place_vel_theta", "wheel_separation",
-        "axis_angular_sign", "axis_linear_sign", "odom_topic", "critics", "vx_samples"}) {
+  EXPECT_EQ(faults.size(), 9u);
+  for (const char* name : {"sim_time", "acc_lim_x", "min_vel_x", "min_vel_theta", "min_in_place_vel_theta",
+                           "wheel_separation", "odom_topic", "critics", "vx_samples"}) {
     EXPECT_TRUE(names(faults, name)) << name;
   }
 }
@@ -159,22 +187,18 @@ TEST(Validate, TellsWhatADeviceLacks) {
     return all;
   };
   EXPECT_EQ(faults_with([](Parameters&) {}), "");
-  EXPECT_EQ(faults_with([](Parameters& p) { p.axis_linear_sign = 0; }).find("axis_linear_sign = 0: set 1"), 0u);
-  EXPECT_EQ(faults_with([](Parameters& p) { p.clutch_axis_sign = 0; }).find("clutch_axis_sign = 0: set 1"), 0u);
-  EXPECT_EQ(faults_with([](Parameters& p) { p.gesture_axis_sign = 0; }).find("gesture_axis_sign = 0: set 1"), 0u);
-  EXPECT_EQ(faults_with([](Parameters& p) { p.gesture_linear_sign = 0; }).find("gesture_linear_sign = 0: set 1"), 0u);
   EXPECT_EQ(faults_with([](Parameters& p) { p.gesture_frame = "hand"; }).find("gesture_frame and gesture_parent_frame"),
             0u);
   const auto by_hand = [](Parameters& p) {
     p.mode = OperatorMode::gesture;
-    p.clutch_button = p.clutch_axis = -1;
+    p.clutch_button = -1;
     p.gesture_topic.clear();
   };
   EXPECT_NE(faults_with(by_hand).find("needs a clutch: set clutch_button or clutch_axis"), std::string::npos);
   EXPECT_NE(faults_with(by_hand).find("needs a hand: set gesture_topic"), std::string::npos);
   const auto with_axis = [&](Parameters& p) {
     by_hand(p);
-    p.clutch_axis = 0;
+    p.clutch_axis = {0};
     p.gesture_frame = "hand";
     p.gesture_parent_frame = "room";
   };

@@ -216,7 +216,7 @@ TEST(Stuck, AutonomyThatPrefersStandingStillFailsAfterAWhile) {
       EXPECT_EQ(decision.outcome, Outcome::hold);
     }
   }
-  // More than blocked_time (1 s) after the first cycle at rest, in cycles of 0.05 s.
+  // More than stall_time (1 s) after the first cycle at rest, in cycles of 0.05 s.
   EXPECT_GT(failed_at, 1.0 - 1e-9);
   EXPECT_LT(failed_at, 1.1 + 1e-9);
 }

@@ -562,7 +562,7 @@ void expect_remembered_whole(const Scene& scene, bool& drove, bool& failed, bool
 TEST(Recovery, GoesOnFromItsStateAlone) {
   Scene scene = in_a_pocket();
   scene.situation.pose.x = 0.2;
-  scene.parameters.blocked_time = 3.0;
+  scene.parameters.stall_time = 3.0;
   scene.parameters.search_poses = 20;
   bool drove = false, failed = false;
   expect_remembered_whole(scene, drove, failed, true);

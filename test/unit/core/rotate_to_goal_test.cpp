@@ -98,33 +98,32 @@ TEST(RotateToGoal, BothLatchesHoldUntilANewGoal) {
 TEST(RotateToGoal, LookaheadInterpolatesBetweenPoses) {
   Scene scene = Scene::empty();
   scene.situation.goal = {0.0, 0.0, 1.0};
-  scene.parameters.RotateToGoal_lookahead_time = 0.25;
   scene.parameters.comfort_acc_lim_theta = 0.0;
   CriticBench bench("RotateToGoal", scene);
   bench.prepare();
-  // Steps of 0.1 s at headings 0, 0.1, 0.2, 0.4: 0.25 s lies halfway between 0.2 and 0.4.
+  // Steps of 0.2 s at headings 0, 0.1, 0.2, 0.4: 0.5 s lies halfway between 0.2 and 0.4.
   const std::vector<Pose2> poses{{}, {0, 0, 0.1}, {0, 0, 0.2}, {0, 0, 0.4}};
-  EXPECT_NEAR(bench.score({0.0, 1.0}, poses).raw, 1.0 - 0.3, 1e-12);
-  scene.parameters.RotateToGoal_lookahead_time = 9.0;  // beyond the end: the end
-  CriticBench late("RotateToGoal", scene);
-  late.prepare();
-  EXPECT_NEAR(late.score({0.0, 1.0}, poses).raw, 0.6, 1e-12);
+  EXPECT_NEAR(bench.score({0.0, 1.0}, poses, 0.2).raw, 1.0 - 0.3, 1e-12);
+  EXPECT_NEAR(bench.score({0.0, 1.0}, poses, 0.1).raw, 0.6, 1e-12);  // it ends before: its end
+  scene.parameters.method = Method::paper;
+  CriticBench end("RotateToGoal", scene);
+  end.prepare();
+  EXPECT_NEAR(end.score({0.0, 1.0}, poses, 0.2).raw, 0.6, 1e-12);
 }
 
 TEST(RotateToGoal, AGentleTurnIsJudgedByWhereItComesToRest) {
   Scene scene = Scene::empty();
   scene.situation.goal = {0.0, 0.0, 1.0};
-  scene.parameters.RotateToGoal_lookahead_time = 0.25;
   scene.parameters.comfort_acc_lim_theta = 0.8;
   const std::vector<Pose2> poses{{}, {0, 0, 0.1}, {0, 0, 0.2}, {0, 0, 0.4}};
   const std::vector<double> omegas{0.2, 0.4, 0.6, 0.8};
   CriticBench bench("RotateToGoal", scene);
   bench.prepare();
-  // At 0.25 s the heading is 0.3 rad and omega 0.7 rad/s: 0.49 / (2 * 0.8) rad until rest.
-  EXPECT_NEAR(bench.score({0.0, 0.8}, poses, 0.1, omegas).raw, 1.0 - 0.3 - 0.49 / 1.6, 1e-12);
+  // At 0.5 s the heading is 0.3 rad and omega 0.7 rad/s: 0.49 / (2 * 0.8) rad until rest.
+  EXPECT_NEAR(bench.score({0.0, 0.8}, poses, 0.2, omegas).raw, 1.0 - 0.3 - 0.49 / 1.6, 1e-12);
   bench.scene().steer({0.0, 0.8});  // the person's turn is theirs
   bench.prepare();
-  EXPECT_NEAR(bench.score({0.0, 0.8}, poses, 0.1, omegas).raw, 1.0 - 0.3, 1e-12);
+  EXPECT_NEAR(bench.score({0.0, 0.8}, poses, 0.2, omegas).raw, 1.0 - 0.3, 1e-12);
 }
 
 }  // namespace

@@ -142,9 +142,8 @@ TEST(Grid, ReverseWhereAllowed) {
 
 TEST(Grid, WheelsCutTheCorners) {
   Parameters p = plain();
-  p.wheel_radius = 0.1;
   p.wheel_separation = 0.4;
-  p.max_wheel_velocity = 5.0;
+  p.max_wheel_speed = 0.5;
   const std::vector<Sample> samples = make(p, driving(0.5, 0.0, 6, 5));
   // |v| + 0.2 |omega| <= 0.5 with v in {0, .1, .. .5}: omega 0: 5 without (0, 0); +-0.5: v <= 0.4: 5 each;
   // +-1: v <= 0.3: 4 each. 5 + 10 + 8.
@@ -202,9 +201,8 @@ TEST(ExtraSamples, ThePapersMethodHasNoneButToBrake) {
 
 TEST(IntoWindow, AxisEndsWheelsAndDeadBand) {
   Parameters p;
-  p.wheel_radius = 0.1;
   p.wheel_separation = 0.4;
-  p.max_wheel_velocity = 5.0;
+  p.max_wheel_speed = 0.5;
   p.min_vel_theta = 0.2;
   const VelocityLimits limits = VelocityLimits::from(p);
   const DynamicWindow window{{0.1, 0.5}, {-0.8, 0.8}};
@@ -218,9 +216,8 @@ TEST(IntoWindow, AxisEndsWheelsAndDeadBand) {
 
 TEST(IntoWindow, TheWheelsHoldAfterTheDeadBandToo) {
   Parameters p;
-  p.wheel_radius = 0.1;
   p.wheel_separation = 0.4;
-  p.max_wheel_velocity = 5.0;
+  p.max_wheel_speed = 0.5;
   p.min_vel_theta = 0.2;
   const VelocityLimits limits = VelocityLimits::from(p);
   // (0.48, 0.1) fits the wheels just so; (0.48, 0.2) would not: 0.48 + 0.04 = 0.52 > 0.5.

@@ -45,16 +45,12 @@ Scene costly() {
 
 const std::vector<Pose2> kToTheRight{{}, {0.05, 0.0, 0.0}, {0.1, 0.0, 0.0}, {0.15, 0.0, 0.0}};
 
-TEST(BaseObstacle, TheLastCellsCostOrTheSum) {
+TEST(BaseObstacle, TheLastCellsCost) {
   Scene scene = costly();
   CriticBench last("BaseObstacle", scene);
   last.prepare();
   EXPECT_EQ(last.weight(), 0.02);
   EXPECT_EQ(last.score({0.5, 0.0}, kToTheRight).raw, 252.0);
-  scene.parameters.BaseObstacle_sum_scores = true;
-  CriticBench sum("BaseObstacle", scene);
-  sum.prepare();
-  EXPECT_EQ(sum.score({0.5, 0.0}, kToTheRight).raw, 0.0 + 10.0 + 100.0 + 252.0);
 }
 
 TEST(BaseObstacle, RejectsLethalInscribedUnknownAndTheEdge) {
@@ -85,7 +81,7 @@ TEST(BaseObstacle, FromWithinAnObstacleItLetsOutWhereEscapeIsOn) {
 }
 
 // The outline reaches 0.2 m each way.
-TEST(ObstacleFootprint, TheOutlinesLargestCostAtTheLastPoseOrTheSum) {
+TEST(ObstacleFootprint, TheOutlinesLargestCostAtTheLastPose) {
   Scene scene = Scene::empty();
   scene.at({38, 30}) = 70;   // at 0.4: under the front edge when the robot is at x = 0.2
   scene.at({40, 30}) = 120;  // at 0.5: under it at x = 0.3
@@ -95,10 +91,6 @@ TEST(ObstacleFootprint, TheOutlinesLargestCostAtTheLastPoseOrTheSum) {
   last.prepare();
   EXPECT_EQ(last.weight(), 0.01);
   EXPECT_EQ(last.score({0.5, 0.0}, poses).raw, 120.0);
-  scene.parameters.ObstacleFootprint_sum_scores = true;
-  CriticBench sum("ObstacleFootprint", scene);
-  sum.prepare();
-  EXPECT_EQ(sum.score({0.5, 0.0}, poses).raw, 0.0 + 70.0 + 120.0);
 }
 
 TEST(ObstacleFootprint, RejectsLethalUnknownAndTheEdgeUnderTheOutlineOnly) {

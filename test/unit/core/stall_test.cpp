@@ -10,12 +10,12 @@ namespace hidwa_local_planner {
 namespace {
 
 constexpr double kPeriod = 0.05;   // [s]
-constexpr double kPatience = 1.0;  // [s], half of blocked_time
+constexpr double kPatience = 1.0;  // [s], half of stall_time
 
 // How long a robot that stays where it is drives like that until recovery decides [s]; negative: longer than 20 s.
 double until_it_decides(const Twist2& u, bool yields) {
   test::Scene scene = test::Scene::empty();
-  scene.parameters.blocked_time = 2.0 * kPatience;
+  scene.parameters.stall_time = 2.0 * kPatience;
   const Footprint footprint = Footprint::from_outline(scene.outline, 0.0);
   const GridView grid = scene.grid();
   const OperatorIntent intent;

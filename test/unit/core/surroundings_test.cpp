@@ -71,8 +71,7 @@ TEST(Surroundings, DistancesAreThoseThatTheMapGridCriticsScore) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Scene scene = autonomous(seed);
-    scene.parameters.PathAlign_forward_point_distance = 0.2;
-    scene.parameters.GoalAlign_forward_point_distance = 0.3;
+    scene.parameters.forward_point_distance = 0.3;
     std::map<std::size_t, std::map<std::string, double>> found;  // of a candidate
     const auto records = ask(scene, "PathDist, GoalDist, PathAlign, GoalAlign",
                              [&found](const CycleView& cycle, const Tile& tile, TileScores& scores) {

@@ -100,17 +100,16 @@ TEST(WheelLimit, ClampKeepsTheTurnAndReducesTheSpeed) {
 
 TEST(WheelLimit, FromParameters) {
   Parameters p;
-  p.wheel_radius = 0.1;
   p.wheel_separation = 0.4;
-  p.max_wheel_velocity = 5.0;
+  p.max_wheel_speed = 0.5;
   p.decel_lim_x = -1.0;
   p.decel_lim_theta = 2.0;
   const VelocityLimits limits = VelocityLimits::from(p);
-  EXPECT_DOUBLE_EQ(limits.wheel_speed, 0.5);  // 0.1 * 5
+  EXPECT_DOUBLE_EQ(limits.wheel_speed, 0.5);
   EXPECT_DOUBLE_EQ(limits.half_separation, 0.2);
   EXPECT_EQ(limits.x.braking, 1.0);  // either sign
   EXPECT_EQ(limits.theta.braking, 2.0);
-  p.max_wheel_velocity = 0.0;
+  p.max_wheel_speed = 0.0;
   EXPECT_EQ(VelocityLimits::from(p).wheel_speed, 0.0);
   p.decel_lim_x = 0.0;
   EXPECT_EQ(VelocityLimits::from(p).x.braking, p.acc_lim_x);

@@ -115,7 +115,7 @@ TEST(Drive, OdometryThatLagsIsNoDisagreement) {
     const Situation& s = cycle.situation;
     EXPECT_TRUE(cycle.decision.reference == s.last_command) << cycle.time << " s: odometry " << s.velocity.v;
     ++cycles;
-    lagging += std::abs(s.velocity.v - s.last_command.v) > setup.parameters.velocity_reference_tolerance_x;
+    lagging += std::abs(s.velocity.v - s.last_command.v) > 0.2;  // more than is tolerated
   });
   EXPECT_TRUE(result.arrived);
   EXPECT_EQ(result.contacts, 0);

@@ -76,8 +76,8 @@ TEST(BadMessages, RandomOnesNeverMakeACommand) {
   const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   for (int run = 0; run < 200; ++run) {
     Parameters p;
-    p.axis_angular = static_cast<int>(below(3));
-    p.axis_linear = static_cast<int>(below(3));
+    p.axis_angular = {static_cast<int>(below(3))};
+    p.axis_linear = {static_cast<int>(below(3))};
     p.enable_button = static_cast<int>(below(4)) - 1;
     p.linear = below(2) == 0 ? LinearPolicy::v_max : LinearPolicy::axis;
     p.require_neutral = below(2) == 0;
@@ -118,10 +118,9 @@ TEST(BadMessages, RandomOnesOfEveryKindNeverMakeACommand) {
     p.mode = static_cast<OperatorMode>(below(4));
     p.twist_topic = below(2) == 0 ? "" : "operator_twist";
     p.linear = static_cast<LinearPolicy>(below(3));
-    p.clutch_axis = static_cast<int>(below(4)) - 1;
+    p.clutch_axis = {static_cast<int>(below(4)) - 1};
     p.stop_button = static_cast<int>(below(4)) - 1;
     p.require_neutral = below(2) == 0;
-    p.gesture_jump = below(2) == 0 ? 0.3 : 10.0;
     Person person(p);
     double now = 10.0;
     std::uint32_t dropped = 0;

@@ -236,7 +236,7 @@ TEST(Beside, AnotherMappingAsksAllOfThem) {
   Beside both;
   both.period(0.0F, 0.0F);
   both.steer_beside(0.0F);
-  both.p.axis_angular_sign = -1;
+  both.p.axis_angular.reversed = true;
   both.machine.configure(both.p);
   EXPECT_NE(both.period(1.0F, -1.0F), State::shared);
   EXPECT_NE(both.period(1.0F, -1.0F), State::shared);

@@ -51,14 +51,14 @@ Steerer by_hand() {
   Steerer s;
   s.name = "hand";
   s.p.mode = OperatorMode::gesture;
-  s.p.gesture_jump = 0.5;
+  s.p.gesture_range = 0.2;
   s.at_rest = [](Person& person, double time) {
     person.stick(time, 0.0F);
     person.hand(time, 0.0);
   };
   s.full = [](Person& person, double time) {
     person.button(time, 0);
-    person.hand(time, time < 1.07 ? 0.0 : 0.4);  // the first one is the origin
+    person.hand(time, time < 1.07 ? 0.0 : 0.25);  // the first one is the origin
   };
   s.after_cut = [](Person&, double) {};
   return s;

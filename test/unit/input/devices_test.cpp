@@ -201,7 +201,7 @@ void steer_by_hand(Device& device, const Eigen::Vector3d& left, Press press, Rel
   press();
   EXPECT_EQ(device.play(0.2).state, State::autonomy);  // here is the origin
   const Eigen::Vector3d origin = device.hand;
-  device.hand = origin + 0.9 * left;  // below gesture_jump
+  device.hand = origin + 0.9 * left;  // no jump
   const double p = static_cast<double>(0.9F);
   OperatorIntent intent = device.play(0.2);
   EXPECT_EQ(intent.state, State::shared);

@@ -14,7 +14,7 @@ using State = OperatorStateId;
 constexpr std::size_t kClutch = 0;
 
 Parameters by_hand() {
-  Parameters p;  // gesture_axis y, gesture_range 0.3 m, gesture_jump 0.3 m, clutch_button 0
+  Parameters p;  // gesture_axis y, gesture_range 0.3 m, clutch_button 0
   p.mode = OperatorMode::gesture;
   return p;
 }
@@ -46,18 +46,18 @@ void steer(Person& person) {
 
 /// The command for a hand displaced by `moved`.
 OperatorCommand command_of_hand(const Parameters& p, const Eigen::Vector3d& moved) {
-  Parameters far = p;
-  far.gesture_jump = 10.0;
   GestureSource source;
-  source.configure(far, true);
+  source.configure(p, true);
   Buttons held;
   held.clutch = true;
   source.take_buttons(Buttons(), 1.0);
   source.take_buttons(held, 1.0);
   EXPECT_EQ(source.take(hand_at(1.0, 4.0, -5.0, 6.0), 1.0).fault, "");  // the origin may be anywhere
-  HandMessage message = hand_at(1.05, 4.0, -5.0, 6.0);
-  message.position += moved;
-  EXPECT_EQ(source.take(message, 1.05).fault, "");
+  for (int k = 1; k <= 10; ++k) {                                       // a jump would be none of a hand
+    HandMessage message = hand_at(1.0 + 0.05 * k, 4.0, -5.0, 6.0);
+    message.position += 0.1 * k * moved;
+    EXPECT_EQ(source.take(message, 1.0 + 0.05 * k).fault, "");
+  }
   EXPECT_TRUE(source.engaged());
   return source.command();
 }
@@ -102,19 +102,18 @@ TEST(Gesture, RangeAndMaximum) {
 }
 
 TEST(Gesture, EachAxisAndSign) {
-  const HandAxis axes[] = {HandAxis::x, HandAxis::y, HandAxis::z};
+  const HandAxis axes[2][3] = {{HandAxis::x, HandAxis::y, HandAxis::z},
+                               {HandAxis::minus_x, HandAxis::minus_y, HandAxis::minus_z}};
   for (int i = 0; i < 3; ++i) {
     for (const int sign : {1, -1}) {
       Parameters p = by_hand();
-      p.gesture_axis = axes[i];
-      p.gesture_axis_sign = sign;
+      p.gesture_axis = axes[sign < 0][i];
       Eigen::Vector3d moved = Eigen::Vector3d::Zero();
       moved[i] = 0.15;
       EXPECT_NEAR(command_of_hand(p, moved).u_h.omega, 0.25 * sign, 1e-6);  // (0.15 / 0.3)^2
       p.linear = LinearPolicy::axis;
-      p.gesture_linear_axis = axes[i];
-      p.gesture_linear_sign = sign;
-      p.gesture_axis = axes[(i + 1) % 3];
+      p.gesture_linear_axis = axes[sign < 0][i];
+      p.gesture_axis = axes[0][(i + 1) % 3];
       const OperatorCommand command = command_of_hand(p, moved);
       EXPECT_TRUE(command.active);
       EXPECT_NEAR(command.u_h.v, 0.125 * sign, 1e-6);  // (0.15 / 0.3)^2 * 0.5 m/s
@@ -185,9 +184,7 @@ TEST(Gesture, AClutchHeldAtTheStartMustBeLetGoWithoutNeutralToo) {
 
 TEST(Gesture, AnAxisMayBeTheClutch) {
   Parameters p = by_hand();
-  p.clutch_axis = 1;
-  p.clutch_axis_sign = -1;  // a trigger that rests at +1 and goes to -1
-  p.clutch_threshold = 0.5;
+  p.clutch_axis = {1, true};  // a trigger that rests at +1 and goes to -1
   p.stop_pull = 0.0;
   Person person(p);
   const auto at = [&person](double time, float trigger, double y) {
@@ -216,10 +213,10 @@ TEST(Gesture, AClutchThatTheDeviceLacksIsNamedWithTheRemedy) {
   EXPECT_EQ(Person(p).stick(1.0, 0.0F),
             "clutch_button = 5, but the message has only buttons 0 to 1: set clutch_button to one that the device "
             "has, or to -1 for none");
-  p.clutch_axis = 6;
+  p.clutch_axis = {6};
   EXPECT_EQ(Person(p).stick(1.0, 0.0F),
             "clutch_axis = 6, but the message has only axes 0 to 1: set clutch_axis to one that the device has");
-  p.clutch_axis = 1;
+  p.clutch_axis = {1};
   p.stop_pull = 0.0;
   EXPECT_EQ(Person(p).stick(1.0, 0.0F, -2.0F),
             "axes[1] = -2 is outside [-1, 1]: scale it at the sender, or set clutch_axis to another axis");

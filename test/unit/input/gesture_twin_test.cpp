@@ -18,7 +18,7 @@ namespace {
 using State = OperatorStateId;
 constexpr double kTimeout = 0.5;  // input_timeout [s]
 constexpr double kRange = 0.3;    // gesture_range [m]
-constexpr double kJump = 0.3;     // gesture_jump [m]
+constexpr double kJump = 0.3;     // [m] between two poses
 
 struct Event {
   enum class Kind { clutch, hand, cycle };

@@ -101,7 +101,7 @@ TEST(LiveConfiguration, AWiderDeadZoneReleases) {
 TEST(LiveConfiguration, AnotherAxisMustBeSeenCentred) {
   Person person;
   person.steer(1.0);
-  person.p.axis_angular = 1;
+  person.p.axis_angular = {1};
   person.machine.configure(person.p);
   EXPECT_EQ(person.cycle(1.1).state, State::hold);
   person.stick(1.15, 0.0F, 1.0F);

@@ -387,7 +387,7 @@ TEST(Manual, EnableButton) {
 
 TEST(Manual, WhatTheDeviceLacksIsNamedWithTheRemedy) {
   Parameters p = switching();
-  p.axis_linear = 4;
+  p.axis_linear = {4};
   EXPECT_EQ(Person(p).stick(1.0, 0.0F),
             "axis_linear = 4, but the message has only axes 0 to 1: set axis_linear to one that the device has");
   p = switching();

@@ -153,7 +153,6 @@ TEST(Pause, IsNamedInsteadOfTheLink) {
 TEST(Pause, OfAHandAndItsClutch) {
   Parameters p;
   p.mode = OperatorMode::gesture;
-  p.gesture_jump = 0.5;
   Person person(p);
   double now = 100.0;
   const auto step = [&](double seconds, bool held, double y) {
@@ -165,9 +164,9 @@ TEST(Pause, OfAHandAndItsClutch) {
   };
   step(kPeriod, false, 0.0);
   step(kPeriod, true, 0.0);
-  ASSERT_EQ(step(kPeriod, true, 0.3), State::shared);
+  ASSERT_EQ(step(kPeriod, true, 0.2), State::shared);
   EXPECT_EQ(person.cycle(now += 0.8).state, State::shared);
-  EXPECT_EQ(step(kPeriod, true, 0.3), State::shared);  // the origin is still the same
+  EXPECT_EQ(step(kPeriod, true, 0.2), State::shared);  // the origin is still the same
 }
 
 TEST(Pause, IsKeptByAnArchive) {

@@ -100,10 +100,8 @@ TEST(StickSource, SwitchingAtItsEdges) {
 TEST(StickSource, IndicesAndSigns) {
   Parameters p;
   p.linear = LinearPolicy::axis;
-  p.axis_angular = 2;
-  p.axis_linear = 3;
-  p.axis_angular_sign = -1;  // right is +1
-  p.axis_linear_sign = -1;   // down is +1
+  p.axis_angular = {2, true};  // right is +1
+  p.axis_linear = {3, true};   // down is +1
   const OperatorCommand command = command_from(message_of({0.3F, 0.3F, 0.5F, -1.0F}), p);
   EXPECT_DOUBLE_EQ(command.u_h.omega, -0.25);
   EXPECT_DOUBLE_EQ(command.u_h.v, 0.5);
@@ -124,12 +122,12 @@ TEST(StickSource, FaultsNameTheThingAndTheRemedy) {
   Parameters p;
   StickReading reading;
   reading.angular = 0.75F;
-  p.axis_angular = 3;
+  p.axis_angular = {3};
   EXPECT_EQ(read_stick(message_of({0.0F, 0.0F}), {p}, reading),
             "axis_angular = 3, but the message has only axes 0 to 1: set axis_angular to one that the device has");
   EXPECT_EQ(read_stick(message_of({}), {p}, reading),
             "axis_angular = 3, but the message has no axes: set axis_angular to one that the device has");
-  p.axis_angular = 0;
+  p.axis_angular = {0};
   p.enable_button = 5;
   EXPECT_EQ(read_stick(message_of({0.0F, 0.0F}, {0}), {p}, reading),
             "enable_button = 5, but the message has only buttons 0 to 0: set enable_button to one that the "

@@ -159,7 +159,7 @@ TEST(Stop, PulledBackWithHysteresis) {
 
 TEST(Stop, PulledByTheSignOfTheAxis) {
   Parameters p;
-  p.axis_linear_sign = -1;  // down is +1
+  p.axis_linear.reversed = true;  // down is +1
   Person person(p);
   person.stick(1.0, 0.0F);
   person.stick(1.05, 0.0F, -1.0F);
@@ -485,7 +485,7 @@ TEST(Stop, BesideATwistAndAHandToo) {
 
   p = with_button();
   p.mode = OperatorMode::gesture;
-  p.clutch_axis = 3;  // the device does not have it
+  p.clutch_axis = {3};  // the device does not have it
   Person by_hand(p);
   by_hand.hand(1.0, 0.0);
   EXPECT_NE(by_hand.machine.receive(from("/joy", 1.05, true)), "");

@@ -15,7 +15,7 @@ Parameters by_axis(double rest, int sign) {
   Parameters p;  // max_vel_x 0.5, exponent 2
   p.linear = LinearPolicy::axis;
   p.axis_linear_rest = rest;
-  p.axis_linear_sign = sign;
+  p.axis_linear.reversed = sign < 0;
   return p;
 }
 
@@ -58,7 +58,7 @@ StickMessage pad_at(double time, float angular, float trigger) {
 
 Parameters by_trigger() {
   Parameters p = by_axis(0.0, 1);
-  p.axis_linear = 5;
+  p.axis_linear = {5};
   return p;
 }
 
@@ -118,8 +118,8 @@ TEST(Trigger, AStickIsNeverAsked) {
 // the right mapping.
 TEST(Trigger, AStopByItsRestIsNamedAndEndsWithTheMapping) {
   Parameters p;
-  p.axis_linear = 5;
-  p.axis_linear_sign = -1;
+  p.axis_linear = {5};
+  p.axis_linear.reversed = true;
   Person person(p);
   person.machine.receive(pad_at(1.0, 0.0F, 0.0F));
   person.machine.receive(pad_at(1.05, 0.0F, 1.0F));
@@ -136,7 +136,7 @@ TEST(Trigger, AStopByItsRestIsNamedAndEndsWithTheMapping) {
 TEST(Trigger, MovesNobodyWhoHasControl) {
   Parameters p;
   p.mode = OperatorMode::switching;
-  p.axis_linear = 5;
+  p.axis_linear = {5};
   Person person(p);
   person.machine.receive(pad_at(1.0, 0.0F, 0.0F));
   person.cycle(1.0);

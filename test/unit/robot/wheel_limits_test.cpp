@@ -59,7 +59,7 @@ TEST(WheelLimits, WhatTakesMoreThanHalfIsAWarningWithTheRemedy) {
   wanted.max_vel_x = 0.067;
   EXPECT_TRUE(says(limited(wanted, small), "left_joint allows 0.033 m/s and holds", Remark::Level::warning));
   // A parameter that limits the same wheels was meant.
-  wanted.max_wheel_velocity = 0.9;
+  wanted.max_wheel_speed = 0.03;
   EXPECT_FALSE(says(limited(wanted, small), "", Remark::Level::warning));
 }
 
@@ -87,56 +87,54 @@ TEST(WheelLimits, AbsurdIsHeldByTheParameters) {
   EXPECT_TRUE(says(result, "left_joint allows 10 m/s, max_vel_x 0.5 m/s holds"));
   EXPECT_TRUE(says(result, "left_joint allows 50 rad/s, max_vel_theta 1 rad/s holds"));
   EXPECT_EQ(result.remarks.size(), 2u);
-  // Beyond the parameter's own range of 200 rad/s the set stays valid.
+  // Beyond the parameter's own range of 20 m/s the set stays valid.
   EXPECT_TRUE(validate(limited(Parameters(), wheels(1e9)).parameters).empty());
 }
 
 TEST(WheelLimits, TheParametersMayRestrictFurther) {
   Parameters wanted;
-  wanted.max_wheel_velocity = 2.0;  // alone: radius and separation come from the URDF
+  wanted.max_wheel_speed = 0.2;  // alone: the separation comes from the URDF
   LimitedParameters result = limited(wanted, wheels(10.0));
   EXPECT_TRUE(validate(result.parameters).empty());
   EXPECT_NEAR(result.parameters.max_vel_x, 0.2, 1e-12);
-  EXPECT_TRUE(says(result, "left_joint allows 10 rad/s, max_wheel_velocity 2 rad/s holds"));
+  EXPECT_TRUE(says(result, "left_joint allows 1 m/s, max_wheel_speed 0.2 m/s holds"));
   result = limited(wanted, wheels(1.0));
-  EXPECT_NEAR(result.parameters.max_wheel_velocity, 1.0, 1e-12);
-  EXPECT_TRUE(says(result, "left_joint allows 1 rad/s and holds: max_wheel_velocity 2 rad/s is more"));
+  EXPECT_NEAR(result.parameters.max_wheel_speed, 0.1, 1e-12);
+  EXPECT_TRUE(says(result, "left_joint allows 0.1 m/s and holds: max_wheel_speed 0.2 m/s is more"));
   result = limited(wanted, wheels(0.0));
-  EXPECT_NEAR(result.parameters.max_wheel_velocity, 2.0, 1e-12);
+  EXPECT_NEAR(result.parameters.max_wheel_speed, 0.2, 1e-12);
   EXPECT_NEAR(result.parameters.wheel_separation, 0.4, 1e-12);
 }
 
-TEST(WheelLimits, LengthsOfTheParametersCountAndADifferenceIsSaid) {
+TEST(WheelLimits, TheSeparationOfTheParametersCountsAndADifferenceIsSaid) {
   Parameters wanted;
-  wanted.wheel_radius = 0.101;  // 1 % more
+  wanted.wheel_separation = 0.404;  // 1 % more
   LimitedParameters result = limited(wanted, wheels(1.0));
-  EXPECT_EQ(result.parameters.wheel_radius, 0.101);
-  EXPECT_FALSE(says(result, "wheel_radius", Remark::Level::warning));
-  wanted.wheel_radius = 0.103;
+  EXPECT_EQ(result.parameters.wheel_separation, 0.404);
+  EXPECT_FALSE(says(result, "wheel_separation", Remark::Level::warning));
   wanted.wheel_separation = 0.3;
   result = limited(wanted, wheels(1.0));
-  EXPECT_TRUE(says(result, "wheel_radius = 0.103 m holds, but the URDF says 0.1 m", Remark::Level::warning));
   EXPECT_TRUE(says(result, "wheel_separation = 0.3 m holds, but the URDF says 0.4 m", Remark::Level::warning));
-  EXPECT_NEAR(result.parameters.max_vel_x, 0.103, 1e-12);
+  EXPECT_NEAR(result.parameters.max_vel_theta, 2.0 * 0.1 / 0.3, 1e-12);
 }
 
-TEST(WheelLimits, AMissingRadiusIsAFaultUntilTheParametersHaveIt) {
+TEST(WheelLimits, AMissingRadiusIsAFaultUntilTheParametersHaveTheSpeed) {
   Wheels mesh = wheels(2.0);
   mesh.radius = 0.0;
-  mesh.no_radius = "left_joint: a mesh: set wheel_radius";
+  mesh.no_radius = "left_joint: a mesh: set max_wheel_speed";
   Parameters wanted;
   LimitedParameters result = limited(wanted, mesh);
-  EXPECT_TRUE(says(result, "left_joint: a mesh: set wheel_radius", Remark::Level::fault));
+  EXPECT_TRUE(says(result, "left_joint: a mesh: set max_wheel_speed", Remark::Level::fault));
   EXPECT_FALSE(result.parameters.has_wheel_limit());
-  wanted.wheel_radius = 0.1;
+  wanted.max_wheel_speed = 0.2;
   result = limited(wanted, mesh);
   EXPECT_TRUE(validate(result.parameters).empty());
   EXPECT_NEAR(result.parameters.max_vel_x, 0.2, 1e-12);
+  EXPECT_NEAR(result.parameters.wheel_separation, 0.4, 1e-12);
 }
 
 TEST(WheelLimits, FaultyParametersStayForTheValidationToName) {
-  for (const char* name :
-       {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_radius", "wheel_separation", "max_wheel_velocity"}) {
+  for (const char* name : {"max_vel_x", "min_vel_x", "max_vel_theta", "wheel_separation", "max_wheel_speed"}) {
     for (const double value : {-99.0, 999.0, std::nan("")}) {
       Parameters wanted;
       set_parameter(wanted, name, value);

@@ -102,7 +102,7 @@ TEST(Wheels, AMeshHasNoRadius) {
   ASSERT_TRUE(found.wheels) << found.fault;
   EXPECT_EQ(found.wheels->radius, 0.0);
   EXPECT_NE(found.wheels->no_radius.find("_joint"), std::string::npos) << found.wheels->no_radius;
-  EXPECT_NE(found.wheels->no_radius.find("set wheel_radius"), std::string::npos) << found.wheels->no_radius;
+  EXPECT_NE(found.wheels->no_radius.find("set max_wheel_speed"), std::string::npos) << found.wheels->no_radius;
 }
 
 TEST(Wheels, ACylinderAcrossTheAxisDoesNotRoll) {
@@ -126,9 +126,9 @@ TEST(Wheels, NonsenseIsAFaultThatNamesTheJoint) {
 
 TEST(Wheels, MissingJointsAreNamedWithWhatThereIs) {
   expect_fault(search(base_text(), "left", "wheel_right_joint"),
-               {"left: there is no such joint (left_wheel_joint)", "wheel_left_joint, wheel_right_joint"});
-  expect_fault(search(base_text(), "wheel_left_joint", "right"), {"right: there is no such joint (right_wheel_joint)"});
-  expect_fault(search(base_text(), "wheel_left_joint", ""), {"belong together"});
+               {"left: there is no such joint (wheel_joints)", "wheel_left_joint, wheel_right_joint"});
+  expect_fault(search(base_text(), "wheel_left_joint", "right"), {"right: there is no such joint (wheel_joints)"});
+  expect_fault(search(base_text(), "wheel_left_joint", ""), {"wheel_joints names one joint"});
   expect_fault(search(base_text(), "wheel_left_joint", "wheel_left_joint"), {"0 m apart"});
   expect_fault(search("<robot name='r'><link name='base_link'/></robot>", "l", "r"),
                {"l: there is no such joint", "none"});
@@ -158,8 +158,8 @@ std::string four_wheels() {
 TEST(Wheels, FourWheelsNeedNames) {
   const WheelSearch found = search(four_wheels());
   EXPECT_TRUE(found.undecided);
-  expect_fault(found, {"front_left_joint and front_right_joint", "rear_left_joint and rear_right_joint",
-                       "left_wheel_joint and right_wheel_joint"});
+  expect_fault(found,
+               {"front_left_joint and front_right_joint", "rear_left_joint and rear_right_joint", "by wheel_joints"});
   const WheelSearch named = search(four_wheels(), "rear_left_joint", "rear_right_joint");
   ASSERT_TRUE(named.wheels) << named.fault;
   EXPECT_NEAR(named.wheels->separation, 0.5, 1e-12);

@@ -84,13 +84,13 @@ TEST(ParameterLoading, TheBareWordOffIsAName) {
 TEST(ParameterLoading, NestedCriticParametersStandForFlatOnes) {
   XmlRpcValue content;
   content["PathAlign"]["scale"] = 16.0;
-  content["PathAlign"]["forward_point_distance"] = 0.2;
+  content["SocialDistance"]["fading_time"] = 0.2;
   content["PathAlign_scale"] = 8.0;
   const LoadedParameters loaded = load_parameters(content);
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_TRUE(loaded.warnings.empty());
   EXPECT_EQ(loaded.parameters.PathAlign_scale, 16.0);
-  EXPECT_EQ(loaded.parameters.PathAlign_forward_point_distance, 0.2);
+  EXPECT_EQ(loaded.parameters.SocialDistance_fading_time, 0.2);
   EXPECT_EQ(loaded.aliases.size(), 2u);
 }
 
@@ -109,69 +109,6 @@ TEST(ParameterLoading, UnknownKeysAreNamedWithTheLikelyOne) {
   EXPECT_TRUE(contains(loaded.warnings, "something_else"));
   EXPECT_TRUE(contains(loaded.warnings, "PathAlign/scal: it has no effect; do you mean PathAlign_scale?"));
   EXPECT_TRUE(contains(loaded.warnings, "namespace PahtAlign"));
-}
-
-/// What paper.yaml set before `method` took its place.
-XmlRpcValue former_paper_switches() {
-  XmlRpcValue content;
-  for (const char* name : {"sample_zero", "sample_operator", "sample_previous", "hold_ends_when_refused"}) {
-    content[name] = false;
-  }
-  for (const char* name : {"oscillation_while_steering", "operator_in_goal_window"}) content[name] = true;
-  content["plan_hysteresis"] = 0.0;
-  content["tie_break"] = "first";
-  content["command"] = "target";
-  content["integration"] = "euler";
-  content["map_grid"] = "l1";
-  content["hold_linear"] = "operator";
-  return content;
-}
-
-TEST(ParameterLoading, TheFormerSwitchesOfThePaperAreItsMethod) {
-  LoadedParameters loaded = load_parameters(former_paper_switches());
-  EXPECT_TRUE(loaded.faults.empty());
-  EXPECT_EQ(loaded.parameters.method, Method::paper);
-  ASSERT_EQ(loaded.warnings.size(), 1u);
-  EXPECT_TRUE(contains(loaded.warnings, "write method: paper"));
-  XmlRpcValue both = former_paper_switches();  // as a parameter server has it once the planner ran
-  both["method"] = "paper";
-  loaded = load_parameters(both);
-  EXPECT_EQ(loaded.parameters.method, Method::paper);
-  EXPECT_TRUE(loaded.warnings.empty());
-  both["method"] = "hidwa";  // the file's own word counts
-  loaded = load_parameters(both);
-  EXPECT_EQ(loaded.parameters.method, Method::hidwa);
-  EXPECT_EQ(loaded.warnings.size(), 11u);  // all but hold_linear, which is the same in both
-}
-
-TEST(ParameterLoading, AFormerSwitchAloneHasNoEffectAndSaysWhatToWrite) {
-  for (const auto& [name, value] : former_paper_switches()) {
-    XmlRpcValue content;
-    content[name] = value;
-    const LoadedParameters loaded = load_parameters(content);
-    EXPECT_TRUE(loaded.faults.empty());
-    EXPECT_EQ(loaded.parameters.method, Method::hidwa) << name;
-    EXPECT_EQ(loaded.warnings.size(), name == "hold_linear" ? 0u : 1u) << name;
-    if (name == "hold_linear") continue;
-    EXPECT_TRUE(contains(loaded.warnings, "unknown parameter " + name + ": it has no effect")) << name;
-    EXPECT_TRUE(contains(loaded.warnings, as_text(value) + " with method: paper")) << name;
-  }
-  XmlRpcValue one_missing = former_paper_switches();
-  one_missing["tie_break"] = "least_change";
-  EXPECT_EQ(load_parameters(one_missing).parameters.method, Method::hidwa);
-  XmlRpcValue content;  // what the default method does anyway
-  content["sample_zero"] = true;
-  content["plan_hysteresis"] = 0.2;
-  content["command"] = "feasible";
-  EXPECT_TRUE(load_parameters(content).warnings.empty());
-  content["plan_hysteresis"] = 0.3;
-  content["hold_linear"] = "robot";
-  const LoadedParameters others = load_parameters(content);
-  EXPECT_EQ(others.warnings.size(), 2u);
-  EXPECT_TRUE(contains(others.warnings, "hold_linear: it has no effect; it is operator with either method: remove it"));
-  XmlRpcValue paper = former_paper_switches();
-  paper["hold_linear"] = "robot";
-  EXPECT_EQ(load_parameters(paper).parameters.method, Method::paper);
 }
 
 /// A parameter file's numbers.
@@ -235,7 +172,7 @@ TEST(ParameterLoading, WhatOtherPlannersHaveIsToldWithWhatToDo) {
       {"publish_traj_pc", "remove it"},
       {"escape_vel", "negative min_vel_x"},
       {"BaseObstacle.scale", "do you mean BaseObstacle_scale?"},
-      {"PathAlign.forward_point_distance", "do you mean PathAlign_forward_point_distance?"},
+      {"PathAlign.forward_point_distance", "do you mean forward_point_distance?"},
       {"short_circuit_trajectory_evaluation", "remove it"}};
   for (const auto& [key, part] : told) {
     const LoadedParameters loaded = load_parameters(numbers({{key, 1.0}}));
@@ -275,16 +212,15 @@ TEST(ParameterLoading, FaultsNameTheValueAndTheRemedy) {
 
 TEST(ParameterLoading, WhatIsKnownBesidesCountsInTheValidation) {
   XmlRpcValue content;
-  content["max_wheel_velocity"] = 5.0;
+  content["max_wheel_speed"] = 0.5;
   EXPECT_TRUE(contains(load_parameters(content).faults, "belong together"));
   const LoadedParameters loaded = load_parameters(content, [](Parameters p) {
-    p.wheel_radius = 0.1;
     p.wheel_separation = 0.4;
     return p;
   });
   EXPECT_TRUE(loaded.faults.empty());
-  EXPECT_EQ(loaded.parameters.max_wheel_velocity, 5.0);
-  EXPECT_EQ(loaded.parameters.wheel_radius, 0.0);  // what was written stays what was written
+  EXPECT_EQ(loaded.parameters.max_wheel_speed, 0.5);
+  EXPECT_EQ(loaded.parameters.wheel_separation, 0.0);  // what was written stays what was written
 }
 
 TEST(ParameterLoading, SomethingElseThanParametersIsAFault) {

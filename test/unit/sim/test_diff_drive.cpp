@@ -69,9 +69,8 @@ TEST(DiffDrive, CommandsAreLimited) {
 
 TEST(DiffDrive, WheelLimitKeepsTheCurve) {
   DriveLimits limits = limits_without_timeout();
-  limits.wheel_radius = 0.1;
   limits.wheel_separation = 0.4;
-  limits.max_wheel_velocity = 3.5;
+  limits.max_wheel_speed = 0.35;
   DiffDrive drive(limits);
   // The faster wheel would need 0.5 + 0.2 = 0.7 m/s and has 0.35: half of both.
   drive.command({0.5, 1.0}, 0.0);
@@ -109,7 +108,7 @@ TEST(DiffDrive, SenselessLimitsAreRefused) {
   limits.acc_lim_x = 0.0;
   EXPECT_THROW(DiffDrive{limits}, std::invalid_argument);
   limits = DriveLimits();
-  limits.max_wheel_velocity = 5.0;  // without wheels
+  limits.max_wheel_speed = 0.5;  // without wheels
   EXPECT_THROW(DiffDrive{limits}, std::invalid_argument);
 }
 

@@ -144,7 +144,7 @@ TEST_F(Allocations, NoneWhileThePersonSteers) {
 TEST_F(Allocations, NoneWhileThePersonIsRejected) {
   ros::param::set(ns("Rejects") + "critics",
                   "RotateToGoal, Oscillation, ObstacleFootprint, GoalAlign, PathAlign, PathDist, GoalDist");
-  ros::param::set(ns("Rejects") + "blocked_time", 0.5);
+  for (const char* name : {"blocked_time", "stall_time"}) ros::param::set(ns("Rejects") + name, 0.5);
   ros::param::set(ns("Rejects") + "cycle_budget", -1.0);  // a busy machine would be told so, in the log
   // A wall across the grid marks other cells as the robot turns, with corners nearer to it than the wall: it would be
   // told that it collides, again and again. Along the grid's columns it marks the same cells from anywhere.

@@ -92,7 +92,6 @@ TEST_F(Gesture, TheHandSteersWhileTheClutchIsHeld) {
 
 TEST_F(Gesture, ATriggerBeyondItsThresholdIsAClutch) {
   set("clutch_axis", 2);
-  set("clutch_threshold", 0.5);
   start_gesture();
   drive();
   person().button = true;  // means nothing now

@@ -178,11 +178,11 @@ TEST(Plugin, ShowsPlansAndTrajectories) {
     return c.command.linear.x > 0.4 && global_plan.get() && local_plan.get() && trajectories.get();
   }));
   EXPECT_EQ(global_plan.get()->header.frame_id, "odom");
-  // At most prune_distance behind and forward_prune_distance ahead of the robot, a pose every 0.05 m.
+  // At most 1 m behind and forward_prune_distance ahead of the robot, a pose every 0.05 m.
   const hidwa_local_planner::Parameters defaults;
   const double poses = static_cast<double>(global_plan.get()->poses.size());
   EXPECT_GE(poses, defaults.forward_prune_distance / 0.05);
-  EXPECT_LE(poses, (defaults.prune_distance + defaults.forward_prune_distance) / 0.05 + 2.0);
+  EXPECT_LE(poses, (1.0 + defaults.forward_prune_distance) / 0.05 + 2.0);
   EXPECT_EQ(local_plan.get()->header.frame_id, "odom");
   EXPECT_GT(local_plan.get()->poses.size(), 2u);
   const auto& markers = trajectories.get()->markers;

@@ -73,12 +73,12 @@ TEST(RobotDescription, ATighterUrdfHoldsInEverySampleAndCommand) {
   EXPECT_TRUE(wait_for([&] { return log.said("_wheel_joint allows 0.2 m/s and holds: max_vel_x 0.5 m/s is more"); }));
   // What the parameters say stays theirs.
   EXPECT_EQ(ros::param::param(ns("Tight") + "max_vel_x", 0.0), 0.5);
-  EXPECT_EQ(ros::param::param(ns("Tight") + "wheel_radius", -1.0), 0.0);
+  EXPECT_EQ(ros::param::param(ns("Tight") + "max_wheel_speed", -1.0), 0.0);
 
   // A change of parameters loses nothing, and may restrict further.
   ASSERT_TRUE(Change().set("max_vel_x", 0.45).send(host));
   for (int i = 0; i < 20; ++i) EXPECT_LE(host.cycle().command.linear.x, 0.2 + 1e-9);
-  ASSERT_TRUE(Change().set("max_wheel_velocity", 1.0).send(host));
+  ASSERT_TRUE(Change().set("max_wheel_speed", 0.1).send(host));
   EXPECT_TRUE(reaches(host, 0.1));
   EXPECT_EQ(log.times("max_vel_x 0.5 m/s is more"), 1);
   EXPECT_EQ(log.times("allows 0.2 m/s and holds: max_vel_x 0.45 m/s"), 0);  // still the same side
@@ -132,18 +132,17 @@ INSTANTIATE_TEST_SUITE_P(
                       BrokenUrdf{"ZeroVelocity", urdf("0"), "left_wheel_joint: <limit velocity> is 0 rad/s"},
                       BrokenUrdf{"ZeroRadius", urdf("2", "<cylinder radius='0' length='0.04'/>"),
                                  "left_wheel_joint: its link left_wheel has a radius of 0 m"},
-                      BrokenUrdf{"Mesh", urdf("2", "<mesh filename='package://r/tyre.stl'/>"), "set wheel_radius"}),
+                      BrokenUrdf{"Mesh", urdf("2", "<mesh filename='package://r/tyre.stl'/>"), "set max_wheel_speed"}),
     [](const auto& broken) { return std::string(broken.param.name); });
 
 TEST(RobotDescription, MissingJointsAndParametersAreNamed) {
   const LogListener log;
   describe("Missing", urdf("2"));
-  ros::param::set(ns("Missing") + "left_wheel_joint", "wheel_l");
-  ros::param::set(ns("Missing") + "right_wheel_joint", "right_wheel_joint");
+  ros::param::set(ns("Missing") + "wheel_joints", "wheel_l, right_wheel_joint");
   Host missing("Missing");
   EXPECT_TRUE(wait_for([&] {
     return log.said(
-        "wheel_l: there is no such joint (left_wheel_joint); those that turn freely are "
+        "wheel_l: there is no such joint (wheel_joints); those that turn freely are "
         "left_wheel_joint, right_wheel_joint");
   }));
   ros::param::set(ns("Nowhere") + "robot_description_param", "no_such_urdf");
