@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <ros/console.h>
 #include <tf2/exceptions.h>
 
