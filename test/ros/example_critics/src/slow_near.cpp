@@ -35,7 +35,7 @@ class SlowNear : public hidwa_local_planner::Critic {
       if (to != "path" && to != "goal") throw std::invalid_argument("SlowNear/to: expected path or goal, found " + to);
       targets_.push_back(to == "path" ? PlanDistance::to_path() : PlanDistance::to_goal());
     }
-    forward_ = own.word("measured_at", "centre") == "nose" ? parameters.PathAlign_forward_point_distance : 0.0;
+    forward_ = own.word("measured_at", "centre") == "nose" ? parameters.forward_point_distance : 0.0;
     return own.number("scale", 1.0);
   }
   double reach() const override { return forward_; }
