@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "hidwa_local_planner/critics/built_in.hpp"
 #include "hidwa_local_planner/ros/former_parameters.hpp"
 
 namespace hidwa_local_planner {
@@ -118,12 +119,6 @@ void take_nested(LoadedParameters& loaded, const std::string& group, const XmlRp
   }
 }
 
-bool is_built_in_group(const std::string& group) {
-  const std::vector<ParameterInfo>& table = parameter_table();
-  return std::any_of(table.begin(), table.end(),
-                     [&](const ParameterInfo& info) { return info.name.rfind(group + "_", 0) == 0; });
-}
-
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -170,8 +165,9 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
   }
   std::set<std::string> listed;
   for (const std::string& critic : split_names(loaded.parameters.critics)) listed.insert(short_name(critic));
+  const CriticRegistry own = critics::built_in();
   for (const auto& [group, members] : groups) {
-    if (is_built_in_group(group)) {
+    if (own.knows(group)) {
       take_nested(loaded, group, *members, present.former);
     } else if (!remark_on(group).empty()) {
       loaded.warnings.push_back(unknown(group));

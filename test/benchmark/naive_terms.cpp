@@ -102,7 +102,7 @@ std::optional<double> NaiveTerms::rotate_to_goal(const Twist2& sample, const Pos
     return error;
   }
   if (sample.v * sample.v >= s.velocity.v * s.velocity.v) return std::nullopt;
-  return 5.0 * sample.v * sample.v + error;
+  return sample.v * sample.v * 5.0 + error;
 }
 
 }  // namespace hidwa_local_planner::test

@@ -125,7 +125,7 @@ TEST(OscillationTwin, RandomHistories) {
     bool banned = false;
     for (int k = 0; k < 60; ++k) {
       s.time += 0.05;
-      s.pose.x += random.uniform(-0.01, 0.01);
+      s.pose.x += random.uniform(-0.02, 0.02);
       s.pose.theta += random.uniform(-0.05, 0.05);
       const Twist2 command{random.pick({0.0, 0.0, 0.04, -0.04, 0.3}), random.pick({0.0, 0.5, -0.5})};
       bench.prepare();

@@ -90,7 +90,7 @@ TEST(Surroundings, DistancesAreThoseThatTheMapGridCriticsScore) {
                                };
                                note("PathDist", PlanDistance::to_path(), 0.0);
                                note("GoalDist", PlanDistance::to_goal(), 0.0);
-                               note("PathAlign", PlanDistance::to_path(), 0.2);
+                               note("PathAlign", PlanDistance::to_path(), 0.3);
                                note("GoalAlign", PlanDistance::to_goal(0.3), 0.3);
                              });
     for (const auto& [candidate, by_name] : found) {

@@ -53,9 +53,9 @@ OperatorCommand command_of_hand(const Parameters& p, const Eigen::Vector3d& move
   source.take_buttons(Buttons(), 1.0);
   source.take_buttons(held, 1.0);
   EXPECT_EQ(source.take(hand_at(1.0, 4.0, -5.0, 6.0), 1.0).fault, "");  // the origin may be anywhere
-  for (int k = 1; k <= 10; ++k) {                                       // a jump would be none of a hand
+  for (int k = 1; k <= 20; ++k) {                                       // a jump would be none of a hand
     HandMessage message = hand_at(1.0 + 0.05 * k, 4.0, -5.0, 6.0);
-    message.position += 0.1 * k * moved;
+    message.position += 0.05 * k * moved;
     EXPECT_EQ(source.take(message, 1.0 + 0.05 * k).fault, "");
   }
   EXPECT_TRUE(source.engaged());

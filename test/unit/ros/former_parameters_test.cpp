@@ -116,6 +116,14 @@ TEST(FormerParameters, AWeightThatOnlySwitchedACriticOffLeavesItOut) {
               {"unknown parameter Oscillation_scale: 2 has no effect: Oscillation only rejects: remove it"});
 }
 
+TEST(FormerParameters, ACriticWithoutParametersTakesNoneUnnoticed) {
+  XmlRpcValue nested;
+  nested["Oscillation"]["scale"] = 1.0;
+  EXPECT_TRUE(load_parameters(nested).warnings.empty());
+  nested["Oscillation"]["reset_distance"] = 1.0;
+  EXPECT_TRUE(contains(load_parameters(nested).warnings, "unknown parameter Oscillation/reset_distance"));
+}
+
 TEST(FormerParameters, AWeightOfTermsWithWeightsGoesIntoThem) {
   XmlRpcValue nested = file_of({{"PreferForward_theta_scale", 4.0}});
   nested["PreferForward"]["scale"] = 3.0;
