@@ -70,7 +70,8 @@ class Faults(unittest.TestCase):
         self.commands(20)
         self.assertTrue(HOST.drives(), f'the robot does not drive on; {LOG.lines[-5:]}')
         self.assertEqual(WATCH.faults(), [])
-        self.assertLessEqual(WATCH.abrupt_stops(), abrupt)
+        held = sum('the robot is held' in line for line in LOG.lines)  # by the host, where the machine is late with its scans
+        self.assertLessEqual(WATCH.abrupt_stops(), abrupt + held)
         self.assertEqual(HOST.contacts, self.contacts)
 
     def said(self, *parts):
