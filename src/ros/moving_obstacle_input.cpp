@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Geometry>
 #include <ros/console.h>
 #include <tf2/exceptions.h>
+#include <Eigen/Geometry>
 
 #include "core/util/words.hpp"
 #include "detector_messages.hpp"
