@@ -185,8 +185,10 @@ class Encounter {
     s.period = kPeriod;
     s.time = now;
     s.sensor_sectors = {{{laser_x_, 0.0, 0.0}, view_, 10.0}};
-    if ((goal_ - at_).norm() < 0.8 || random_.chance(0.005))
-      goal_ = 2.5 * Point(random_.uniform(-1.0, 1.0), random_.uniform(-1.0, 1.0));
+    if ((goal_ - at_).norm() < 0.8 || random_.chance(0.005)) {
+      const double x = random_.uniform(-2.5, 2.5), y = random_.uniform(-2.5, 2.5);
+      goal_ = {x, y};
+    }
     const Point way = goal_ - at_;
     const double direction = std::atan2(way.y(), way.x());
     for (double l = 0.0; l < way.norm(); l += 0.05) {
@@ -196,7 +198,10 @@ class Encounter {
     s.goal = {goal_.x(), goal_.y(), direction};
     OperatorIntent wish;
     if (hostile_) {
-      if (random_.chance(0.05)) whim_ = {random_.pick({slowest_, fastest_, 0.0}), random_.uniform(-1.0, 1.0)};
+      if (random_.chance(0.05)) {
+        const double v = random_.pick({slowest_, fastest_, 0.0}), omega = random_.uniform(-1.0, 1.0);
+        whim_ = {v, omega};
+      }
       wish = {};
       wish.state = OperatorStateId::manual;
       wish.influence = Influence::direct;

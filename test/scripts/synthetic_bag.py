@@ -37,8 +37,9 @@ def own_message(name, of=None, without=()):
                          ('geometry_msgs/Point', Point), ('geometry_msgs/Vector3', Vector3)):
         parts.append(f'MSG: {package}\n{cls._full_text}')
     if name == 'MovingObstacles':
-        with open(os.path.join(ROOT, 'msg', 'MovingObstacle.msg'), encoding='utf-8') as text:
-            parts.append('MSG: hidwa_local_planner/MovingObstacle\n' + text.read())
+        for part in ('MovingObstacle', 'ObservedSector'):
+            with open(os.path.join(ROOT, 'msg', part + '.msg'), encoding='utf-8') as text:
+                parts.append(f'MSG: hidwa_local_planner/{part}\n' + text.read())
     full = ('\n' + '=' * 80 + '\n').join(parts)
     return generate_dynamic('hidwa_local_planner/' + name, full)['hidwa_local_planner/' + (of or name)]
 
