@@ -165,9 +165,10 @@ Twist2 BlindMotion::slowed(const Twist2& velocity) const {
 }
 
 VelocityLimits BlindMotion::narrowed(VelocityLimits limits) const {
+  constexpr double kInside = 1.0 - 1e-9;  // else rounding may put the limit itself beyond the bound
   const Interval straight = speeds(0.0);
-  limits.x.min = std::min(limits.x.max, std::max(limits.x.min, straight.lo));
-  limits.x.max = std::max(limits.x.min, std::min(limits.x.max, straight.hi));
+  limits.x.min = std::min(limits.x.max, std::max(limits.x.min, kInside * straight.lo));
+  limits.x.max = std::max(limits.x.min, std::min(limits.x.max, kInside * straight.hi));
   return limits;
 }
 
