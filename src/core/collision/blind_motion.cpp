@@ -165,7 +165,7 @@ Twist2 BlindMotion::slowed(const Twist2& velocity) const {
 }
 
 VelocityLimits BlindMotion::narrowed(VelocityLimits limits) const {
-  constexpr double kInside = 1.0 - 1e-9;  // else rounding may put the limit itself beyond the bound
+  constexpr double kInside = 1.0 - 1e-12;  // else rounding may put the limit itself beyond the bound
   const Interval straight = speeds(0.0);
   limits.x.min = std::min(limits.x.max, std::max(limits.x.min, kInside * straight.lo));
   limits.x.max = std::max(limits.x.min, std::min(limits.x.max, kInside * straight.hi));
