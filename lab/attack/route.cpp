@@ -8,6 +8,7 @@ namespace hidwa_attack {
 namespace {
 
 constexpr double kSpacing = 0.05;  // of its points [m]
+constexpr double kBehind = 1.0;    // of the window behind the robot [m]
 constexpr int kAtGoal = 1500;      // how long the robot is left at the goal [ms]
 
 double apart(const Pose2& a, const Pose2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -49,7 +50,7 @@ void Route::lead_to(const Spot& next) {
 void Route::window(const Pose2& robot, const Parameters& parameters, std::vector<Pose2>& part) {
   const auto reach = static_cast<std::size_t>(
       std::max(parameters.forward_prune_distance, 1.2 * parameters.max_vel_x * parameters.sim_time) / kSpacing);
-  const auto behind = static_cast<std::size_t>(1.0 / kSpacing);
+  const auto behind = static_cast<std::size_t>(kBehind / kSpacing);
   const std::size_t last = std::min(points_.size() - 1, near_ + reach);
   for (std::size_t k = near_; k <= last; ++k) {
     if (apart(points_[k], robot) < apart(points_[near_], robot)) near_ = k;

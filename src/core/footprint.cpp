@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/util/convex_hull.hpp"
+#include "core/util/outline.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -21,16 +22,6 @@ double squared_distance_to_segment(const Point& a, const Point& b) {
   const double length2 = d.squaredNorm();
   const double t = length2 > 0.0 ? std::clamp(-a.dot(d) / length2, 0.0, 1.0) : 0.0;
   return (a + t * d).squaredNorm();
-}
-
-double signed_area(const Polygon& outline) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point& a = outline[i];
-    const Point& b = outline[(i + 1) % outline.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return 0.5 * twice;
 }
 
 bool has_area(const Polygon& outline) { return std::abs(signed_area(outline)) > 1e-9; }
@@ -132,16 +123,6 @@ std::vector<Footprint::Side> convex_sides(const Polygon& outline) {
     sides.push_back({normal, offset});
   }
   return sides;
-}
-
-// What is not a number repeats nothing.
-Polygon without_repeats(const Polygon& outline) {
-  Polygon kept;
-  for (const Point& p : outline) {
-    if (kept.empty() || !((p - kept.back()).norm() <= 1e-9)) kept.push_back(p);
-  }
-  while (kept.size() > 1 && (kept.front() - kept.back()).norm() <= 1e-9) kept.pop_back();
-  return kept;
 }
 
 }  // namespace

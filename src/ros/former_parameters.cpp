@@ -64,6 +64,7 @@ struct Former {
   const char *name, *was;
   void (*take)(Words& words, const Former& former);
   const char* now;
+  bool chose_method = false;  // files set these, all together, before there was a `method`
 
   std::string set(Words& words) const { return std::string(name) + ": " + words.text(name, was); }
 };
@@ -189,9 +190,6 @@ void follow_method(Words& words, const Former& former) {
                  : " with method: hidwa, and " + paper + " with method: paper: set method instead, or remove it"));
 }
 
-/// The same, of those that `method` took the place of.
-void leave_to_method(Words& words, const Former& former) { follow_method(words, former); }
-
 constexpr Former kFormer[] = {
     {"axis_angular_sign", "1", turn_round, "axis_angular"},
     {"axis_linear_sign", "1", turn_round, "axis_linear"},
@@ -224,18 +222,18 @@ constexpr Former kFormer[] = {
     {"Oscillation_reset_angle", "0.2", drop, "it is 0.2 rad: remove it"},
     {"clutch_threshold", "0.5", drop, "it is 0.5: remove it"},
     {"gesture_jump", "0.3", drop, "it is 0.3 m: remove it"},
-    {"command", "feasible", leave_to_method, "target"},
-    {"hold_ends_when_refused", "true", leave_to_method, "false"},
-    {"hold_linear", "operator", leave_to_method, "operator"},
-    {"integration", "midpoint", leave_to_method, "euler"},
-    {"map_grid", "geodesic", leave_to_method, "l1"},
-    {"operator_in_goal_window", "false", leave_to_method, "true"},
-    {"oscillation_while_steering", "false", leave_to_method, "true"},
-    {"plan_hysteresis", "0.2", leave_to_method, "0"},
-    {"sample_operator", "true", leave_to_method, "false"},
-    {"sample_previous", "true", leave_to_method, "false"},
-    {"sample_zero", "true", leave_to_method, "false"},
-    {"tie_break", "least_change", leave_to_method, "first"},
+    {"command", "feasible", follow_method, "target", true},
+    {"hold_ends_when_refused", "true", follow_method, "false", true},
+    {"hold_linear", "operator", follow_method, "operator", true},
+    {"integration", "midpoint", follow_method, "euler", true},
+    {"map_grid", "geodesic", follow_method, "l1", true},
+    {"operator_in_goal_window", "false", follow_method, "true", true},
+    {"oscillation_while_steering", "false", follow_method, "true", true},
+    {"plan_hysteresis", "0.2", follow_method, "0", true},
+    {"sample_operator", "true", follow_method, "false", true},
+    {"sample_previous", "true", follow_method, "false", true},
+    {"sample_zero", "true", follow_method, "false", true},
+    {"tie_break", "least_change", follow_method, "first", true},
 };
 
 /// A file of before that sets all parts of the method as the paper has them means the paper's method. Fewer of them
@@ -243,7 +241,7 @@ constexpr Former kFormer[] = {
 void find_method(Words& words) {
   if (words.find("method") != nullptr) return;
   const bool paper = std::all_of(std::begin(kFormer), std::end(kFormer), [&](const Former& former) {
-    return former.take != leave_to_method || std::string(former.was) == former.now ||
+    return !former.chose_method || std::string(former.was) == former.now ||
            words.text(former.name, former.was) == former.now;
   });
   if (!paper) return;
@@ -260,7 +258,7 @@ PresentContent in_present_words(const XmlRpcValue& content) {
   find_method(words);
   for (const Former& former : kFormer) {
     if (words.find(former.name) == nullptr) continue;
-    if (words.text(former.name, "") != former.was || former.take == leave_to_method || former.take == follow_method) {
+    if (words.text(former.name, "") != former.was || former.take == follow_method) {
       former.take(words, former);
     }
     if (former.take != share) words.forget(former.name);

@@ -114,7 +114,7 @@ void MovingObstacleInput::subscribe(ros::NodeHandle handle, const std::string& t
     resolved = subscriber_.getTopic();
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  sectors_.clear();
+  sectors_of_.reset();
   status_ = {};
   status_.topic = std::move(resolved);
 }
@@ -139,8 +139,8 @@ void MovingObstacleInput::receive(const MovingObstacles::ConstPtr& message, cons
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   newest_ = message;
-  sectors_ = message->sensor_sectors;
-  status_.sectors = sectors_.size();
+  sectors_of_ = message;
+  status_.sectors = message->sensor_sectors.size();
   unreadable_.clear();
   told_of_ = message->header.stamp.isZero() ? received.seconds : received.of(message->header.stamp);
   ++status_.messages;
@@ -192,13 +192,14 @@ void MovingObstacleInput::read(double now, double timeout, const tf2::BufferCore
 }
 
 void MovingObstacleInput::read_sectors(const tf2::BufferCore& tf, const std::string& base, SensorSectors& sectors) {
-  std::vector<ObservedSector> told;
+  MovingObstacles::ConstPtr message;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    told = sectors_;
+    message = sectors_of_;
   }
   sectors.clear();
-  for (const ObservedSector& one : told) {
+  if (!message) return;
+  for (const ObservedSector& one : message->sensor_sectors) {
     SensorSector sector;
     const std::string fault = find_sector(tf, plain_frame(base), one, sector);
     if (!fault.empty()) {

@@ -197,8 +197,7 @@ RobotObservation PlannerNode::observe(const LoopTime& now, const control::Timing
     if (parameters.sensor_sectors.empty() && seen.sensor_sectors.empty()) {
       ROS_INFO_ONCE(
           "%s: what the robot's sensors look at is not known: it may drive fast to where nobody sees, until the "
-          "tracker "
-          "tells it; or set sensor_sectors",
+          "tracker tells it; or set sensor_sectors",
           name_.c_str());
     }
   }

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking/field_of_view.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
-constexpr double kNarrow = M_PI / 18.0;  // [rad]
+constexpr double kNarrow = M_PI / 18.0;  // of a gap between beams that see: 10 degrees [rad]
 
 }  // namespace
 
 void FieldOfView::add(const RangeScan& scan, const Beams& beams) {
   const std::size_t n = beams.all.size();
+  range_ = scan.range_max;
   if (answered_.size() != n || first_ != scan.angle_min || increment_ != scan.angle_increment) {
     answered_.assign(n, 0);
     first_ = scan.angle_min;
@@ -24,10 +26,10 @@ void FieldOfView::add(const RangeScan& scan, const Beams& beams) {
   }
 }
 
-SensorSectors FieldOfView::sectors(double range) const {
-  // A run of beams: from the first one on, so many.
+SensorSectors FieldOfView::sectors(double reach) const {
+  const double range = std::min(reach, range_);
   struct Run {
-    std::size_t first, count;
+    std::size_t first, count;  // index of the first beam, and the number of beams
   };
   const std::size_t n = answered_.size();
   const double step = std::abs(increment_);
@@ -42,7 +44,8 @@ SensorSectors FieldOfView::sectors(double range) const {
     }
   }
   if (runs.empty()) return {};
-  const std::size_t gap = n - (runs.back().first + runs.back().count) + runs.front().first;  // over the whole turn
+  // Beams between the last run and the first one.
+  const std::size_t gap = n - (runs.back().first + runs.back().count) + runs.front().first;
   if (whole_turn_ && static_cast<double>(gap) * step < kNarrow) {
     if (runs.size() == 1) return {{{}, 2.0 * M_PI, range}};
     runs.front() = {runs.back().first, runs.back().count + gap + runs.front().count};

@@ -15,13 +15,14 @@ namespace tracking {
 class FieldOfView {
  public:
   void add(const RangeScan& scan, const Beams& beams);
-  /// In the sensor's frame, up to `range` [m]. Gaps that are narrower than 10 degrees count as looked at.
-  SensorSectors sectors(double range) const;
+  /// In the sensor's frame, up to its range or `reach` [m]. Gaps that are narrower than 10 degrees count as looked at.
+  SensorSectors sectors(double reach) const;
 
  private:
   std::vector<std::uint8_t> answered_;  // [beams]
   double first_ = 0.0;                  // bearing of the first beam, sensor frame [rad]
   double increment_ = 0.0;              // from beam to beam [rad]
+  double range_ = 0.0;                  // of the laser [m]
   bool whole_turn_ = false;
 };
 

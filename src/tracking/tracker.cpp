@@ -63,7 +63,7 @@ class Tracker::Impl {
   }
 
   const MovingObstacleEstimates& obstacles() const { return obstacles_; }
-  SensorSectors field_of_view() const { return view_.sectors(std::min(settings_.reach, range_max_)); }
+  SensorSectors field_of_view() const { return view_.sectors(settings_.reach); }
   double stamp() const { return beams_.end; }
   std::size_t candidates() const {
     return static_cast<std::size_t>(
@@ -81,7 +81,6 @@ class Tracker::Impl {
     known_ = true;
     tracking::to_beams(scan, settings_, beams_);
     view_.add(scan, beams_);
-    range_max_ = scan.range_max;
     memory_.centre_on(beams_.centre);
     memory_.judge(beams_, travel_);
     tracking::find_segments(beams_, settings_.range_noise, 2.0 * settings_.max_radius, segments_, hull_);
@@ -254,7 +253,6 @@ class Tracker::Impl {
   tracking::Association association_;
   tracking::Beams beams_;
   tracking::FieldOfView view_;
-  double range_max_ = 0.0;  // of the laser [m]
   std::vector<Segment> segments_;
   std::vector<std::size_t> hull_;
   std::vector<Track> tracks_;

@@ -204,12 +204,12 @@ class TrackerNode {
 
   NodeParameters p_;
   Tracker tracker_;
-  RangeScan scan_;  // the last one that was used
-  RangeScan next_;  // is looked at before it takes that place
-  Mounting mounting_ = Mounting::upright;
-  std::string laser_frame_;
-  double stamp_before_ = -1.0;  // of the scan before [s]
-  double lag_ = 0.0;            // from the end of a scan to its use [s]
+  RangeScan scan_;                         // the last one that was used
+  RangeScan next_;                         // is looked at before it takes that place
+  Mounting mounting_ = Mounting::upright;  // of the laser at the last scan that was used
+  std::string laser_frame_;                // likewise
+  double stamp_before_ = -1.0;             // of the scan before [s]
+  double lag_ = 0.0;                       // from the end of a scan to its use [s]
   std::size_t followed_ = 0;
   Counts counts_, reported_;
   std::string transform_fault_, scan_fault_, coarse_;

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
-#include <vector>
 
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
@@ -65,9 +64,9 @@ class MovingObstacleInput {
   ros::Subscriber subscriber_;
   mutable std::mutex mutex_;
   MovingObstacles::ConstPtr newest_;
-  std::vector<ObservedSector> sectors_;
-  std::string unreadable_;  // why a message since then is none
-  double told_of_ = 0.0;    // when what the newest tells was so, by the loop's time [s]
+  MovingObstacles::ConstPtr sectors_of_;  // the last one that was heard, also when what moves does not count
+  std::string unreadable_;                // why a message since then is none
+  double told_of_ = 0.0;                  // when what the newest tells was so, by the loop's time [s]
   Status status_;
 };
 

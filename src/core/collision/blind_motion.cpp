@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/util/outline.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -19,16 +21,6 @@ constexpr double kReaction = 0.1;
 // Larger than rounding, smaller than what any base resolves [m/s].
 constexpr double kVelocityRounding = 1e-9;
 
-// Outlines may go round either way.
-double turns_left(const Polygon& outline) {
-  double twice_area = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    twice_area += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice_area < 0.0 ? -1.0 : 1.0;
-}
-
 }  // namespace
 
 void BlindMotion::prepare(const Parameters& parameters, const Footprint& footprint, const VelocityLimits& limits,
@@ -42,13 +34,11 @@ void BlindMotion::prepare(const Parameters& parameters, const Footprint& footpri
   bounds_.clear();
   if (sectors.empty() || footprint.empty() || footprint.fault() != nullptr) return;
   if (footprint.is_circle()) return add_circle(footprint.radius());
-  add_polygon(footprint.outline());
+  add_polygon(without_repeats(footprint.outline()));
 }
 
-void BlindMotion::add_polygon(Polygon outline) {
-  outline.erase(std::unique(outline.begin(), outline.end()), outline.end());  // a corner may be told twice
-  if (outline.front() == outline.back()) outline.pop_back();
-  const double around = turns_left(outline);
+void BlindMotion::add_polygon(const Polygon& outline) {
+  const double around = signed_area(outline) > 0.0 ? 1.0 : -1.0;
   const std::size_t n = outline.size();
   const auto normal_after = [&](std::size_t i) {
     const Point way = outline[(i + 1) % n] - outline[i % n];
@@ -141,9 +131,8 @@ Interval BlindMotion::speeds(double omega) const {
 }
 
 bool BlindMotion::allows(const Twist2& velocity) const {
-  return std::all_of(bounds_.begin(), bounds_.end(), [&](const Bound& bound) {
-    return bound.along_v * velocity.v + bound.along_omega * velocity.omega <= blind_speed_ + kVelocityRounding;
-  });
+  const Interval allowed = speeds(velocity.omega);
+  return velocity.v >= allowed.lo && velocity.v <= allowed.hi;
 }
 
 // One axis comes to rest first.
@@ -165,10 +154,9 @@ Twist2 BlindMotion::slowed(const Twist2& velocity) const {
 }
 
 VelocityLimits BlindMotion::narrowed(VelocityLimits limits) const {
-  constexpr double kInside = 1.0 - 1e-12;  // else rounding may put the limit itself beyond the bound
   const Interval straight = speeds(0.0);
-  limits.x.min = std::min(limits.x.max, std::max(limits.x.min, kInside * straight.lo));
-  limits.x.max = std::max(limits.x.min, std::min(limits.x.max, kInside * straight.hi));
+  limits.x.min = std::min(limits.x.max, std::max(limits.x.min, straight.lo));
+  limits.x.max = std::max(limits.x.min, std::min(limits.x.max, straight.hi));
   return limits;
 }
 

@@ -54,7 +54,7 @@ class BlindMotion {
     double along_v = 0.0;
     double along_omega = 0.0;  // [m]
   };
-  void add_polygon(Polygon outline);
+  void add_polygon(const Polygon& outline);
   void add_corner(const Point& corner, const Point& before, const Point& after);
   void add_side(const Point& from, const Point& to, const Point& normal);
   void add_circle(double radius);

@@ -33,7 +33,7 @@ void hold(AxisLimits& axis, double reading, double period) {
 }  // namespace
 
 const CycleStart& StartEstimator::estimate(const Situation& measured, const Parameters& parameters,
-                                           const VelocityLimits& limits, double radius) {
+                                           const VelocityLimits& limits, const BlindMotion& blind, double radius) {
   const double period = usable_period(measured), age = usable_age(measured), latency = parameters.control_latency;
   remember_command(measured, limits, latency + period + age);
   PendingMotion& as_commanded = pending_.first();
@@ -57,6 +57,7 @@ const CycleStart& StartEstimator::estimate(const Situation& measured, const Para
     commands_.play(limits, period, latency, age, lagging, lag);
     lagging.mark_past(age);
   }
+  start_.limits = blind.narrowed(start_.limits);
   start_.pose = pose_of_now(age, limits, radius);
   return start_;
 }

@@ -15,6 +15,7 @@
 // motion of the set into account, so it holds whichever the robot does.
 #pragma once
 
+#include "core/collision/blind_motion.hpp"
 #include "core/motion/command_history.hpp"
 #include "core/motion/cycle_start.hpp"
 #include "core/motion/odometry_belief.hpp"
@@ -26,10 +27,10 @@ namespace hidwa_local_planner {
 
 class StartEstimator {
  public:
-  /// Once per cycle. `radius` [m] reaches from the robot's centre to its farthest point. The result stays valid until
-  /// the next call.
+  /// Once per cycle. `blind` is prepared and narrows the limits of this cycle's commands. `radius` [m] reaches from the
+  /// robot's centre to its farthest point. The result stays valid until the next call.
   const CycleStart& estimate(const Situation& measured, const Parameters& parameters, const VelocityLimits& limits,
-                             double radius);
+                             const BlindMotion& blind, double radius);
   /// A cycle in which the host decides: see Planner::skip().
   void skip(const Situation& measured, const VelocityLimits& limits);
   /// See Planner::believed() [m/s, rad/s].

@@ -51,9 +51,7 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
                                     const Sampling& sampling) {
   const double radius = footprint.fault() == nullptr ? footprint.circumscribed_radius() : 0.0;
   blind.prepare(parameters, footprint, limits, sectors_in_force(measured));
-  cycle_start = start_estimator.estimate(measured, parameters, limits, radius);
-  cycle_start.limits = blind.narrowed(cycle_start.limits);
-  const CycleStart& start = cycle_start;
+  const CycleStart& start = start_estimator.estimate(measured, parameters, limits, blind, radius);
   const bool use_movers = uses_movers(measured);
   const bool clear_mover_cells = use_movers && parameters.moving_obstacles_clear_cells && plausible(grid);
   const GridView seen = clear_mover_cells ? explained.without(grid, measured.moving_obstacles, parameters) : grid;

@@ -46,7 +46,6 @@ struct Planner::Impl {
   CriticSet critics;
   SensorSectors declared_sectors;  // by the parameter
   StartEstimator start_estimator;
-  CycleStart cycle_start;
   BlindMotion blind;
   Evaluation evaluation;
   Autonomy autonomy;
