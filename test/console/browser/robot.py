@@ -31,7 +31,7 @@ class Robot:
                            self.log, environment)
         self.lock = threading.Lock()
         self.joys, self.commands, self.states, self.hands, self.contacts = [], [], [], [], 0
-        self.pose, self._has_goal, self._before = None, False, 0
+        self.pose, self.has_goal, self._before = None, False, 0
         try:
             self._connect()
         except Exception:
@@ -87,9 +87,9 @@ class Robot:
     def _goals(self, message, in_hand):
         has_goal = any(goal.status in in_hand for goal in message.status_list)
         with self.lock:
-            if has_goal and not self._has_goal:
+            if has_goal and not self.has_goal:
                 self._before = len(self.states)
-            self._has_goal = has_goal
+            self.has_goal = has_goal
 
     def since(self, where, began):
         """What came at or after a time of time.monotonic()."""
@@ -104,7 +104,7 @@ class Robot:
     def state(self):
         """The state of the newest cycle towards the goal that the host has in hand, or empty."""
         with self.lock:
-            return self.states[-1][1] if self._has_goal and len(self.states) > self._before else ''
+            return self.states[-1][1] if self.has_goal and len(self.states) > self._before else ''
 
     def end(self):
         """Ends everything that was started here."""

@@ -35,9 +35,7 @@ def address():
     return 'http://localhost:%d/' % robot.port
 
 
-def wait(condition, what):
-    """Until condition() is true; its value."""
-    return browser.Browser.wait(condition, what)
+wait = browser.Browser.wait  # until condition() is true; its value
 
 
 def cycles(count):

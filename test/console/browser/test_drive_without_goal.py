@@ -78,7 +78,7 @@ class WithoutGoal(DriveTest):
             page.mouse('mousePressed', *at)
             page.mouse('mouseReleased', *at)
             try:
-                return page.wait(lambda: page.app('app.scene.goals.length > 0') or robot.state == 'AUTONOMY', 'the goal', 30.0)
+                return wait(lambda: robot.has_goal, 'the goal', 30.0)
             except AssertionError:
                 pass
         raise AssertionError('five clicks set no goal; notice: ' + page.text('notice'))
@@ -91,7 +91,7 @@ class WithoutGoal(DriveTest):
     def test_c_a_goal_that_is_clicked_while_the_robot_drives_takes_over(self):
         self.switch(True)
         self.hold_key()
-        self.click_goal(2.0)  # back through the doorway
+        self.click_goal(8.0)  # back through the doorway, and so far that a slow page sees the robot drive
         self.until_told(lambda: page.text('state-title') == 'The robot drives itself', page)
         self.assertEqual(robot.state, 'AUTONOMY')
         page.key('keyUp', 'ArrowUp', 'ArrowUp')
@@ -103,7 +103,7 @@ class WithoutGoal(DriveTest):
         self.switch(True)
         for cancel in (True, False):
             self.hold_key()
-            self.click_goal(4.0)
+            self.click_goal(8.0)
             self.until_told(lambda: page.text('state-title') == 'The robot drives itself', page)
             if cancel:
                 page.app("app.send('cancel')")
