@@ -29,6 +29,8 @@ struct Cycle {
   const CycleStart& start;                       // what follows from it, as the pose of now
   const BlindMotion& blind;                      // where nobody sees
   MoverCheck* movers;                            // null where nothing that moves is near
+  MoverCheck* hidden;                            // null where nobody may come out, or `occlusion` is not `bound`
+  const std::vector<Point>& hidden_places;       // see HiddenPlaces
   bool among_movers;                             // there are some, and they count
   const Accelerations* accelerations = nullptr;  // theirs; null: they keep their velocities
 };
