@@ -16,9 +16,10 @@ namespace {
 constexpr double kTimesApart = 0.25;
 // Until a robot that sees somebody begins to brake: two control periods of 20 Hz, besides the latency [s].
 constexpr double kReaction = 0.1;
-// A metre that is driven at full risk costs about what half a metre beside the path does.
-constexpr double kWeight = 12.0;
-constexpr std::size_t kUsualCandidates = 256;
+// A metre that is driven at full risk costs nearly what the progress is worth that it makes.
+constexpr double kWeight = 20.0;
+// Memory is kept for so many.
+constexpr std::size_t kUsualCandidates = 256, kUsualPlaces = 512;
 
 /// Driving fast past where somebody may step out, whom an obstacle hides. With the speed v, the braking limit a, the
 /// reaction time t (control_latency and two periods) and s = occlusion_speed the robot needs
@@ -56,6 +57,7 @@ double Occlusion::configure(const Parameters& parameters, const ParameterSource&
   knots_.reserve(kUsualCandidates);
   needed_.reserve(kUsualCandidates);
   sum_.reserve(kUsualCandidates);
+  places_.reserve(kUsualPlaces);
   return parameters.occlusion == ::hidwa_local_planner::Occlusion::cost ? kWeight : 0.0;
 }
 

@@ -49,7 +49,7 @@ CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering, bool
   view.footprint = &cycle.footprint;
   view.surroundings = &tiles_.surroundings();
   view.moving_obstacles = &cycle.situation.moving_obstacles;
-  view.hidden_places = &cycle.hidden_places;
+  view.hidden_places = cycle.hidden_places;
   view.hidden_radius = HiddenPlaces::kRadius;
   return view;
 }

@@ -15,7 +15,9 @@ constexpr double kBody = BlindMotion::kBodyRadius;  // [m]
 constexpr double kFits = 0.15;
 // Between two places, and between two that are tried [m].
 constexpr double kSpacing = 0.3;
-constexpr double kTried = 0.1;
+constexpr double kTried = 0.05;
+// Farther from the robot's centre no sensor is mounted [m].
+constexpr double kFarthestMount = 100.0;
 // A circle around a sensor has no fewer bins, and no more.
 constexpr double kFewest = 90.0, kMost = 720.0;
 // Memory is kept for so many.
@@ -27,20 +29,21 @@ HiddenPlaces::HiddenPlaces() { places_.reserve(kUsualPlaces); }
 
 void HiddenPlaces::find(const GridView& grid, const Pose2& robot, const SensorSectors& sectors, double reach) {
   places_.clear();
-  view_count_ = sectors.size();
-  while (views_.size() < view_count_) {
-    views_.emplace_back();
-    views_.back().lengths.reserve(static_cast<std::size_t>(kMost));
-  }
+  view_count_ = 0;
   double farthest = 0.0;
-  for (std::size_t i = 0; i < view_count_; ++i) {
-    const SensorSector& sector = sectors[i];
-    View& view = views_[i];
+  for (const SensorSector& sector : sectors) {
     const double off = std::hypot(sector.pose.x, sector.pose.y);
+    if (!is_finite(sector.pose) || off > kFarthestMount) continue;
+    if (views_.size() == view_count_) {
+      views_.emplace_back();
+      views_.back().lengths.reserve(static_cast<std::size_t>(kMost));
+    }
+    View& view = views_[view_count_++];
     view.from = Rotation::of(robot.theta).placed(robot.x, robot.y, sector.pose.x, sector.pose.y);
     view.middle = wrap_angle(robot.theta + sector.pose.theta);
     view.half = 0.5 * sector.width;
-    view.range = std::min(sector.range, reach + off);
+    view.reach = reach + off;
+    view.range = std::min(view.reach + kBody + kFits, sector.range);  // a place lies beside its line
     farthest = std::max(farthest, view.range);
   }
   bins_ = static_cast<std::size_t>(std::clamp(std::ceil(2.0 * M_PI * farthest / grid.resolution), kFewest, kMost));
@@ -78,12 +81,29 @@ void HiddenPlaces::find_beside(const GridView& grid, const View& view) {
     if (std::abs(next - here) < 2.0 * kFits) continue;
     const double angle = static_cast<double>(k + 1) * bin_;
     if (!faces(view, angle)) continue;
-    add_along(grid, view, angle, next > here ? -1.0 : 1.0, std::min(here, next), std::max(here, next));
+    const double edge = std::min(here, next);
+    if (!lets_through(view, k + 1, next > here, edge)) continue;
+    add_along(grid, view, angle, next > here ? -1.0 : 1.0, edge, std::min(view.reach, std::max(here, next)));
+  }
+}
+
+// Whether what is seen on the open side of an edge, which is `length` away [m], leaves room for a body beside it.
+bool HiddenPlaces::lets_through(const View& view, std::size_t border, bool to_left, double length) const {
+  const double angle = static_cast<double>(border) * bin_;
+  const Point edge = length * Point(std::cos(angle), std::sin(angle));
+  for (std::size_t m = 0;; ++m) {
+    const double turned = static_cast<double>(m) * bin_, off = turned + 0.5 * bin_;
+    if (turned >= M_PI_2 || length * std::sin(turned) >= 2.0 * kFits) return true;
+    const double sight = view.lengths[(to_left ? border + m : border + bins_ - 1 - m) % bins_];
+    const double bearing = to_left ? angle + off : angle - off;
+    const Point seen = sight * Point(std::cos(bearing), std::sin(bearing));
+    if (sight < view.range && (seen - edge).norm() < 2.0 * kFits) return false;
   }
 }
 
 // `side`: 1 where the shadow is to the left of the line of sight at `angle`, which is open from `from` to `to` [m].
-void HiddenPlaces::add_along(const GridView& grid, const View& view, double angle, double side, double from, double to) {
+void HiddenPlaces::add_along(const GridView& grid, const View& view, double angle, double side, double from,
+                             double to) {
   const Point ahead(std::cos(angle), std::sin(angle)), across = side * Point(-ahead.y(), ahead.x());
   double length = from;
   while (length < to) {

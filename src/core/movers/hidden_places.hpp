@@ -3,9 +3,9 @@
 //
 // An obstacle hides what is behind it. Seen from a sensor, the length of sight jumps at its edge: beside that line of
 // sight, on the side of the shadow, somebody may stand. He comes out across the line. So such places lie along it, half
-// a body beside it, and count where a body fits there and on the line (no wall is crossed, no slit passed), and where
-// the shadow is wide enough to hide one. Who stands deeper in the shadow crosses the line later, and near to one of
-// them.
+// a body beside it, and count where a body fits there and on the line (no wall is crossed), where the shadow is wide
+// enough to hide one, and where one gets through beside the edge (no slit is passed). Who stands deeper in the shadow
+// crosses the line later, and near to one of them.
 //
 // What is outside of all fields of view is another matter: see BlindMotion.
 #pragma once
@@ -38,11 +38,13 @@ class HiddenPlaces {
     Point from{0.0, 0.0};         // costmap frame [m]
     double middle = 0.0;          // of its field of view [rad]
     double half = 0.0;            // of its width [rad]
-    double range = 0.0;           // [m]
+    double reach = 0.0;           // of places [m]
+    double range = 0.0;           // of sight [m]
     std::vector<double> lengths;  // [bins] of sight [m]
   };
   void look(const GridView& grid, View& view) const;
   void find_beside(const GridView& grid, const View& view);
+  bool lets_through(const View& view, std::size_t border, bool to_left, double length) const;
   void add_along(const GridView& grid, const View& view, double angle, double side, double from, double to);
   bool faces(const View& view, double bearing) const;
   bool hidden(const Point& point) const;

@@ -32,8 +32,8 @@ constexpr double kLeavesAt = 0.15;
 // No place of its outline that may be touched then moves outwards faster [m/s].
 constexpr double kAdvances = 0.02;
 
-// Who has come out since was not seen yet: a scan at 10 Hz, and the way of its message [s].
-constexpr double kSightAge = 0.15;
+// Who has come out since is not told of yet: the tracker finds somebody who steps out within this time [s].
+constexpr double kSightAge = 0.4;
 
 // Memory is kept for so many at once.
 constexpr std::size_t kUsualMovers = 256;
@@ -304,7 +304,7 @@ bool MoverCheck::free_at(const ManoeuvreRoller& roller, double elsewhere, Progre
     const bool creeps = roller.step().fastest <= kLeavesAt;
     if (!creeps || !leads_away(near, progress.pose, roller.at(), roller.time(), roller.step().duration)) return false;
     const double grown = roller.drift() + elsewhere + allowance(roller) * (roller.step().fastest + near.set.fastest());
-    if (meets(near, roller.at(), roller.time(), grown, progress.velocities)) return false;
+    if (meets(near, roller.at(), roller.time(), grown, kAdvances, progress.velocities)) return false;
   }
   progress.pose = roller.at();
   progress.time = roller.time();
@@ -315,11 +315,12 @@ bool MoverCheck::free_at(const TurnedPose& at, double time, const ManoeuvreRolle
                          Progress& progress) const {
   const double half = 0.5 * roller.step().duration, allowed = allowance(roller);
   const double robot = roller.drift() + elsewhere + allowed * roller.step().fastest;
-  if (roller.step().fastest <= creep_) return true;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     const Near& near = near_[i];
     if (near.leaves || time + half <= progress.clear_until[i]) continue;
-    if (!clear(near, at, time, robot + allowed * near.set.fastest(), progress.clear_until[i])) return false;
+    const double grown = robot + allowed * near.set.fastest();
+    if (clear(near, at, time, grown, progress.clear_until[i])) continue;
+    if (creep_ < 0.0 || meets(near, at, time, grown, creep_, progress.velocities)) return false;
   }
   return true;
 }
@@ -348,11 +349,12 @@ bool MoverCheck::leads_away(const Near& near, const TurnedPose& from, const Turn
   return footprint_->distance_to(seen_from(to, near.set.centre(time))) > before;
 }
 
-// Whether a place of the outline that may move outwards is in both discs, both larger by `grown` [m].
-bool MoverCheck::meets(const Near& near, const TurnedPose& at, double time, double grown,
+// Whether a place of the outline that may move outwards faster than `speed` [m/s] is in both discs, both larger by
+// `grown` [m].
+bool MoverCheck::meets(const Near& near, const TurnedPose& at, double time, double grown, double speed,
                        const VelocityRange& velocities) const {
   const auto within = [&](const Point& centre, double radius) {
-    return advances_near(*footprint_, velocities, kAdvances, seen_from(at, centre), radius + grown);
+    return advances_near(*footprint_, velocities, speed, seen_from(at, centre), radius + grown);
   };
   return within(near.set.centre(time), near.set.radius(time)) &&
          within(near.set.position(), near.set.speed_radius(time));

@@ -14,9 +14,9 @@
 // 6. Commands differ little from their neighbours in the dynamic window. So it is cut into a few parts, and the command
 //    in the middle of each is looked at first, with an allowance for all others of its part: where it is free, they
 //    are. What the allowance is made of: see part_margin().
-// 7. Where somebody may stand unseen (HiddenPlaces) is such a set, too. There the outline may be touched while it
-// creeps:
-//    else no robot would come through a doorway.
+// 7. Where somebody may stand unseen (HiddenPlaces) is such a set, too. It may be touched by a place of the outline
+// that
+//    moves outwards no faster than blind_speed: the robot comes through a doorway, and is overtaken.
 //
 // can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
 // steps, all pending motions, and commands to brake at all times. A robot that stays at rest has nothing to be asked.
@@ -52,8 +52,8 @@ class MoverCheck {
   /// Once per cycle. `footprint` and `start` outlive the questions.
   void prepare(const Parameters& parameters, const Footprint& footprint, const MovingObstacleEstimates& movers,
                const CycleStart& start);
-  /// Likewise, for somebody who may come out of each of these places (HiddenPlaces) [m]. The outline may be touched
-  /// while no point of it is faster than blind_speed.
+  /// Likewise, for somebody who may come out of each of these places (HiddenPlaces) [m]. A place of the
+  /// outline that moves outwards no faster than blind_speed may be touched.
   void prepare_hidden(const Parameters& parameters, const Footprint& footprint, const std::vector<Point>& places,
                       const CycleStart& start);
   /// From the robot's centre, where such a place still counts: for prepare_hidden() and the critic Occlusion [m].
@@ -128,12 +128,13 @@ class MoverCheck {
                Progress& progress) const;
   bool clear(const Near& near, const TurnedPose& at, double time, double grown, double& clear_until) const;
   bool leads_away(const Near& near, const TurnedPose& from, const TurnedPose& to, double time, double step) const;
-  bool meets(const Near& near, const TurnedPose& at, double time, double grown, const VelocityRange& velocities) const;
+  bool meets(const Near& near, const TurnedPose& at, double time, double grown, double speed,
+             const VelocityRange& velocities) const;
 
   const Footprint* footprint_ = nullptr;
   const CycleStart* start_ = nullptr;
   double radius_ = 0.0;  // circumscribed [m]
-  double creep_ = -1.0;  // slower than this the robot may be touched [m/s]
+  double creep_ = -1.0;  // a place that moves outwards no faster may be touched [m/s]; negative: none may
   ManoeuvreBounds most_;
   std::vector<Near> near_;
   Departures departures_;

@@ -65,10 +65,10 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
                     start,
                     blind,
                     prepare_mover_check(measured, start, use_movers),
-                    prepare_hidden(sectors, start, seen),
-                    hidden_places.all(),
                     use_movers,
-                    update_accelerations(measured, use_movers)};
+                    update_accelerations(measured, use_movers),
+                    prepare_hidden(sectors, start, seen),
+                    &hidden_places.all()};
   clear(decision);
   evaluation.clear();
   explanation.clear();
@@ -120,7 +120,7 @@ MoverCheck* Planner::Impl::prepare_mover_check(const Situation& measured, const 
 MoverCheck* Planner::Impl::prepare_hidden(const SensorSectors& sectors, const CycleStart& start, const GridView& grid) {
   hidden_places.clear();
   if (parameters.occlusion == Occlusion::off || sectors.empty() || footprint.fault() != nullptr || !plausible(grid) ||
-      !is_finite(start.pose)) {
+      !plausible(start.pose)) {
     return nullptr;
   }
   hidden_places.find(grid, start.pose, sectors, MoverCheck::reach_of_hidden(parameters, footprint, start));
