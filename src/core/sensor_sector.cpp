@@ -2,6 +2,7 @@
 #include "hidwa_local_planner/core/sensor_sector.hpp"
 
 #include <cmath>
+#include <limits>
 #include <locale>
 #include <sstream>
 
@@ -36,7 +37,7 @@ bool operator==(const SensorSector& a, const SensorSector& b) {
 
 SensorSectors parse_sensor_sectors(const std::string& text, std::string& fault) {
   SensorSectors sectors;
-  if (text == "all") return sectors;
+  if (text == "all") return {{{}, 2.0 * M_PI, std::numeric_limits<double>::infinity()}};
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ';');) {
     SensorSector sector;

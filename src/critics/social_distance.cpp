@@ -7,6 +7,7 @@
 
 #include "critics/built_in_entry.hpp"
 #include "critics/side_gaps.hpp"
+#include "critics/speed_knots.hpp"
 #include "hidwa_local_planner/core/critic.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 
@@ -15,9 +16,6 @@ namespace {
 
 // Times at which the distance is measured are about so far apart [s].
 constexpr double kTimesApart = 0.25;
-
-// Candidates of a tile whose speeds are about so far apart are measured [m/s]; the others lie between them.
-constexpr double kSpeedsApart = 0.1;
 
 // For rounding [m].
 constexpr double kSpare = 0.01;
@@ -57,12 +55,11 @@ class SocialDistance : public Critic {
     std::size_t first = 0, end = 0;  // of in_reach_
   };
   void choose_times(const CycleView& cycle, const Tile& tile);
-  void choose_knots(const Tile& tile);
+  void begin_tile(const Tile& tile);
   void take_row(const Tile& tile, std::size_t k);
   bool far_from_row(const Disc& disc) const;
   bool near_at(const Tile& tile, const TimeStep& at, const Footprint& footprint);
   void measure_one_by_one(const Tile& tile, std::size_t k, const Footprint& footprint);
-  void interpolate(const Tile& tile, double* raw) const;
 
   double kept_ = 0.5;        // social_distance [m]
   double fading_ = 1.5;      // [s]
@@ -73,8 +70,8 @@ class SocialDistance : public Critic {
   std::vector<Disc> in_reach_;  // at these times
   double dt_ = 0.0;             // of the tiles [s]
   std::size_t steps_ = 0;
-  double fastest_ = -1.0;           // of their candidates [m/s]
-  std::vector<std::size_t> knots_;  // candidates of a tile that are measured, ascending
+  double fastest_ = -1.0;  // of their candidates [m/s]
+  SpeedKnots knots_;
   // Of the knots, and of the last one again up to a whole number of SideGaps::kPad, at one time:
   std::vector<double> x_, y_;  // [m]
   SideGaps sides_;
@@ -133,14 +130,8 @@ void SocialDistance::choose_times(const CycleView& cycle, const Tile& tile) {
   }
 }
 
-// The first and the last candidate, and some between them; all where their speeds are in no order.
-void SocialDistance::choose_knots(const Tile& tile) {
-  knots_.clear();
-  const bool ascending = std::is_sorted(tile.v, tile.v + tile.count);
-  for (std::size_t c = 0; c < tile.count; ++c) {
-    const bool end = c == 0 || c + 1 == tile.count;
-    if (end || !ascending || tile.v[c + 1] - tile.v[knots_.back()] > kSpeedsApart) knots_.push_back(c);
-  }
+void SocialDistance::begin_tile(const Tile& tile) {
+  knots_.choose(tile);
   const std::size_t padded = (knots_.size() + SideGaps::kPad - 1) / SideGaps::kPad * SideGaps::kPad;
   for (std::vector<double>* values : {&x_, &y_, &gap_}) values->resize(padded);
   sum_.assign(knots_.size(), 0.0);
@@ -198,21 +189,11 @@ void SocialDistance::measure_one_by_one(const Tile& tile, std::size_t k, const F
   }
 }
 
-void SocialDistance::interpolate(const Tile& tile, double* raw) const {
-  raw[0] = sum_[0];
-  for (std::size_t i = 1; i < knots_.size(); ++i) {
-    const double from = tile.v[knots_[i - 1]], span = tile.v[knots_[i]] - from;
-    const double slope = span > 0.0 ? (sum_[i] - sum_[i - 1]) / span : 0.0;
-    for (std::size_t c = knots_[i - 1] + 1; c < knots_[i]; ++c) raw[c] = sum_[i - 1] + slope * (tile.v[c] - from);
-    raw[knots_[i]] = sum_[i];
-  }
-}
-
 void SocialDistance::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   if (movers_.empty() || tile.steps == 0 || tile.count == 0) return;
   choose_times(cycle, tile);
   if (times_.empty()) return;
-  choose_knots(tile);
+  begin_tile(tile);
   bool any = false;
   for (const TimeStep& at : times_) {
     if (!near_at(tile, at, *cycle.footprint)) continue;
@@ -222,7 +203,7 @@ void SocialDistance::score(const CycleView& cycle, const Tile& tile, TileScores&
       sum_[i] += at.share * std::max(0.0, nearness);
     }
   }
-  if (any) interpolate(tile, scores.set_all());
+  if (any) knots_.interpolate(tile, sum_, scores.set_all());
 }
 
 const BuiltInEntry entry("SocialDistance", make<SocialDistance>);

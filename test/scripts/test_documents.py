@@ -73,7 +73,7 @@ class Updates(unittest.TestCase):
     def test_defaults_are_those_of_today(self):
         planner, tracker = (read('docs/use/updates.md').split(f'## Defaults of the {whose}')[1].split('\n## ')[0]
                             for whose in ('planner', 'tracker'))
-        listed = dict(re.findall(r'HIDWA_(?:DOUBLE|INT|BOOL|STRING)\((\w+),\s*("[^"]*"|[^,]+),',
+        listed = dict(re.findall(r'HIDWA_(?:(?:DOUBLE|INT|BOOL|STRING)\(|ENUM\(\w+, )(\w+),\s*("[^"]*"|[^,]+),',
                                  read('include/hidwa_local_planner/core/parameter_list.inc')))
         changed, new = planner.split('New parameters')
         self.assert_current(changed, 3, listed)

@@ -25,6 +25,7 @@ const REFUSALS = {
   ObstacleFootprint: 'it would hit something',
   'Moving obstacle': 'somebody is in the way',
   Blind: 'no sensor sees there, so it creeps',
+  Occlusion: 'somebody may step out there, so it creeps',
   RotateToGoal: 'the robot turns at its goal',
   Oscillation: 'the robot would go back and forth',
 };

@@ -40,6 +40,10 @@ struct CycleView {
   const Footprint* footprint = nullptr;
   Surroundings* surroundings = nullptr;
   const MovingObstacleEstimates* moving_obstacles = nullptr;  // that count
+  // Discs in which somebody may stand whom an obstacle hides, and from where he may step out; only near the robot, and
+  // as `occlusion` says. Null: there are none.
+  const std::vector<Point>* hidden_places = nullptr;  // their centres [m]
+  double hidden_radius = 0.0;                         // of each [m]
 
   /// False where no pose of the plan lies on the local map: then no distance is known.
   bool plan_on_map() const { return surroundings->plan_on_map(); }

@@ -15,7 +15,8 @@ const char* to_string(Outcome outcome);
 
 /// Names stay valid until the planner is configured anew.
 struct RejectionCount {
-  std::string_view name;  // "Collision", "Unknown cells", "Braking", "Moving obstacle", "Blind" or a critic
+  std::string_view
+      name;  // "Collision", "Unknown cells", "Braking", "Moving obstacle", "Blind", "Occlusion" or a critic
   std::size_t count = 0;
 };
 using RefusalCount [[deprecated("is RejectionCount")]] = RejectionCount;
@@ -66,7 +67,7 @@ struct Decision {
 
 /// Who rejects a candidate, and why. Names stay valid until the planner is configured anew.
 struct Rejection {
-  std::string_view name;  // "Collision", "Braking", "Moving obstacle", "Blind" or a critic
+  std::string_view name;  // "Collision", "Braking", "Moving obstacle", "Blind", "Occlusion" or a critic
   const char* reason = "";
 };
 

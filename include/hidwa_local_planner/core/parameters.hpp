@@ -14,6 +14,7 @@ enum class Method { hidwa, paper };
 enum class Generator { standard, dwa };
 enum class VelocityReference { command, odometry };
 enum class Admissibility { braking, horizon };
+enum class Occlusion { off, cost, bound };
 enum class OperatorMode { off, joystick, gesture, switching };
 enum class Guard { nearest, none };
 enum class LinearPolicy { v_max, axis, current };

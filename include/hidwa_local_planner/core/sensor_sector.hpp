@@ -29,7 +29,8 @@ bool operator==(const SensorSector& a, const SensorSector& b);
 using SensorSectors = std::vector<SensorSector>;
 
 /// The parameter `sensor_sectors`: "x y direction width range" of each sensor in m and degrees, with ';' between two of
-/// them. "all" and "" have none. On a fault `fault` says it in words.
+/// them; "all": one that sees all round from
+/// the robot's centre. On a fault `fault` says it in words.
 SensorSectors parse_sensor_sectors(const std::string& text, std::string& fault);
 
 }  // namespace hidwa_local_planner

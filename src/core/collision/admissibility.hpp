@@ -37,8 +37,8 @@ class AdmissibilityCheck {
   bool checks_braking() const { return checks_braking_; }
   /// Every candidate can brake: can_brake() need not be called.
   bool all_can_brake() const { return braking_.all_can_brake(); }
-  /// Nothing that moves is near: can_rest() need not be called.
-  bool all_can_rest() const { return setup_.movers == nullptr; }
+  /// Nothing that moves is near, and nobody may come out: can_rest() and rests_before_hidden() need not be called.
+  bool all_can_rest() const { return setup_.movers == nullptr && setup_.hidden == nullptr; }
   /// Whether the robot can come to rest in free space after the first command towards a sample, however the base
   /// reaches its commands: poses at most half a cell apart. `column`: of the sample among those of its omega.
   bool can_brake(const Twist2& sample, std::size_t column) { return braking_.can_brake(sample, column); }
@@ -46,11 +46,19 @@ class AdmissibilityCheck {
   bool can_rest(const Twist2& sample) {
     return setup_.movers == nullptr || setup_.movers->can_rest(braking_.command_for(sample));
   }
+  /// Likewise, somebody who may come out of where nobody sees him.
+  bool rests_before_hidden(const Twist2& sample) {
+    return setup_.hidden == nullptr || setup_.hidden->can_rest(braking_.command_for(sample));
+  }
   /// As can_brake(), without gaps between the poses: for the candidate that is chosen.
   bool confirm_braking(const Twist2& sample) { return braking_.confirm_braking(sample); }
   /// Likewise can_rest().
   bool confirm_rest(const Twist2& sample) {
     return setup_.movers == nullptr || setup_.movers->confirm(braking_.command_for(sample));
+  }
+  /// Likewise rests_before_hidden().
+  bool confirm_hidden(const Twist2& sample) {
+    return setup_.hidden == nullptr || setup_.hidden->confirm(braking_.command_for(sample));
   }
   /// The first command towards a sample [m/s, rad/s].
   Twist2 command_for(const Twist2& sample) const { return braking_.command_for(sample); }

@@ -16,6 +16,7 @@ struct CheckSetup {
   EscapeRule* escape = nullptr;  // where it applies
   ComfortTurn comfort{};         // of commands
   MoverCheck* movers = nullptr;  // where anything that moves is near
+  MoverCheck* hidden = nullptr;  // where somebody may come out
 
   /// The robot overlaps an obstacle.
   bool escaping() const { return escape != nullptr && escape->overlaps(); }

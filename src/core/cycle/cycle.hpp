@@ -25,12 +25,14 @@ struct Cycle {
   const GridView& grid;
   const OperatorIntent& intent;
   const Sampling& sampling;
-  const Situation& situation;                    // as it was given
-  const CycleStart& start;                       // what follows from it, as the pose of now
-  const BlindMotion& blind;                      // where nobody sees
-  MoverCheck* movers;                            // null where nothing that moves is near
-  bool among_movers;                             // there are some, and they count
-  const Accelerations* accelerations = nullptr;  // theirs; null: they keep their velocities
+  const Situation& situation;                         // as it was given
+  const CycleStart& start;                            // what follows from it, as the pose of now
+  const BlindMotion& blind;                           // where nobody sees
+  MoverCheck* movers;                                 // null where nothing that moves is near
+  bool among_movers;                                  // there are some, and they count
+  const Accelerations* accelerations = nullptr;       // theirs; null: they keep their velocities
+  MoverCheck* hidden = nullptr;                       // null where nobody may come out, or `occlusion` is not `bound`
+  const std::vector<Point>* hidden_places = nullptr;  // see HiddenPlaces; null: there are none
 };
 
 /// What the deviation from the operator command is measured against.

@@ -56,7 +56,7 @@ std::vector<std::string> CriticSet::configure(const std::vector<std::string>& na
 }
 
 std::string_view CriticSet::name_of(Rejecter rejecter) const {
-  constexpr std::string_view kNames[] = {"", "Collision", "Braking", "Moving obstacle", "Blind"};
+  constexpr std::string_view kNames[] = {"", "Collision", "Braking", "Moving obstacle", "Blind", "Occlusion"};
   if (rejecter < kFirstCritic) return kNames[rejecter];
   return entries_[static_cast<std::size_t>(rejecter - kFirstCritic)].name;
 }

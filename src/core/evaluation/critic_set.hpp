@@ -34,7 +34,7 @@ class CriticSet {
   const Entry& operator[](std::size_t i) const { return entries_[i]; }
   std::vector<Entry>::const_iterator begin() const { return entries_.begin(); }
   std::vector<Entry>::const_iterator end() const { return entries_.end(); }
-  /// "Collision", "Braking", "Moving obstacle", "Blind" or a critic's name; empty for nobody.
+  /// "Collision", "Braking", "Moving obstacle", "Blind", "Occlusion" or a critic's name; empty for nobody.
   std::string_view name_of(Rejecter rejecter) const;
 
   /// How far beyond the end of a candidate any of them looks [m].

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/evaluation/evaluation.hpp"
 
+#include "core/movers/hidden_places.hpp"
+
 namespace hidwa_local_planner {
 
 Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& steering, const Mode& mode) {
@@ -47,6 +49,8 @@ CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering, bool
   view.footprint = &cycle.footprint;
   view.surroundings = &tiles_.surroundings();
   view.moving_obstacles = &cycle.situation.moving_obstacles;
+  view.hidden_places = cycle.hidden_places;
+  view.hidden_radius = HiddenPlaces::kRadius;
   return view;
 }
 

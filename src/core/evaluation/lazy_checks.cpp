@@ -84,8 +84,13 @@ void LazyChecks::check_rests(const Tile& tile, TileState& state) {
 void LazyChecks::check_rest(std::size_t candidate) {
   const Rejecter by = scores_.rejected_by()[candidate];
   if (by != kNobody && by < kFirstCritic) return;
-  if (obstacles_.admissibility().can_rest(candidates_.sample(candidate))) return;
-  scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
+  AdmissibilityCheck& admissibility = obstacles_.admissibility();
+  const Twist2& sample = candidates_.sample(candidate);
+  if (!admissibility.can_rest(sample)) {
+    scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
+  } else if (!admissibility.rests_before_hidden(sample)) {
+    scores_.reject(candidate, kOcclusion, kHidden);
+  }
 }
 
 void LazyChecks::check_tile(std::size_t index) {
@@ -111,8 +116,12 @@ bool LazyChecks::confirm(std::size_t candidate) {
     scores_.reject(candidate, kBraking, kCannotBrake);
     return false;
   }
-  if (admissibility.confirm_rest(sample)) return true;
-  scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
+  if (!admissibility.confirm_rest(sample)) {
+    scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
+    return false;
+  }
+  if (admissibility.confirm_hidden(sample)) return true;
+  scores_.reject(candidate, kOcclusion, kHidden);
   return false;
 }
 

@@ -37,7 +37,7 @@ void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, const Comfor
   if (escape_.applies()) escape_.prepare(reach_.all, reach_.margin, reach_.clearance);
   admissibility_.prepare(
       cycle.parameters, escape_.applies() ? escape_.rest() : collision_, cycle.footprint, cycle.grid.resolution,
-      {&cycle.start, turn_out, steered, escape_.applies() ? &escape_ : nullptr, comfort, cycle.movers});
+      {&cycle.start, turn_out, steered, escape_.applies() ? &escape_ : nullptr, comfort, cycle.movers, cycle.hidden});
 }
 
 }  // namespace hidwa_local_planner

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/movers/hidden_places.hpp"
 #include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {
@@ -20,8 +21,9 @@ constexpr double kAnySpacing = 1e3;
 // Moments that differ by less are one [s].
 constexpr double kSameMoment = 1e-9;
 
-// For rounding [m].
+// For rounding [m], [m/s].
 constexpr double kRounding = 1e-6;
+constexpr double kVelocityRounding = 1e-9;
 
 // What is slower stands, and may be left [m/s]; the robot's outermost point is no faster then [m/s].
 constexpr double kStands = 0.3;
@@ -29,6 +31,9 @@ constexpr double kLeavesAt = 0.15;
 
 // No place of its outline that may be touched then moves outwards faster [m/s].
 constexpr double kAdvances = 0.02;
+
+// Who has come out since is not told of yet: the tracker finds somebody who steps out within this time [s].
+constexpr double kSightAge = 0.4;
 
 // Memory is kept for so many at once.
 constexpr std::size_t kUsualMovers = 256;
@@ -87,36 +92,71 @@ void MoverCheck::prepare(const Parameters& parameters, const Footprint& footprin
   near_.clear();
   departures_.begin(start.period);
   if (movers.empty()) return;
+  begin(footprint, start);
+  for (const MovingObstacleEstimate& mover : movers) {
+    const ReachableSet set(mover, parameters);
+    if (!in_reach(set)) continue;
+    add_near(set,
+             around(set) && set.velocity().norm() <= kStands && departures_.admit(mover.id, rests(start, parameters)));
+  }
+  divide_window();
+}
+
+void MoverCheck::prepare_hidden(const Parameters& parameters, const Footprint& footprint,
+                                const std::vector<Point>& places, const CycleStart& start) {
+  near_.clear();
+  if (places.empty()) return;
+  begin(footprint, start);
+  creep_ = parameters.blind_speed + kVelocityRounding;
+  for (const Point& place : places) {
+    const ReachableSet set =
+        ReachableSet::of_hidden(place, HiddenPlaces::kRadius, parameters.occlusion_speed, kSightAge);
+    if (in_reach(set)) add_near(set, false);
+  }
+  divide_window();
+}
+
+double MoverCheck::reach_of_hidden(const Parameters& parameters, const Footprint& footprint, const CycleStart& start) {
+  const double radius = footprint.circumscribed_radius();
+  const ManoeuvreBounds most = ManoeuvreBounds::of(start, radius, kLongStep, kLeavesAt);
+  return radius + most.reach + most.grown + parameters.occlusion_speed * (most.duration + kLongStep + kSightAge) +
+         HiddenPlaces::kRadius;
+}
+
+void MoverCheck::begin(const Footprint& footprint, const CycleStart& start) {
   footprint_ = &footprint;
   start_ = &start;
   ++cycle_;
   radius_ = footprint.circumscribed_radius();
   most_ = ManoeuvreBounds::of(start, radius_, kLongStep, kLeavesAt);
-  for (const MovingObstacleEstimate& mover : movers) add_near(mover, parameters);
   for (CheckPass* pass : {&coarse_, &fine_}) {
     for (PendingEnd& pending_end : pass->pending_ends) pending_end.roller.reset();
   }
+}
+
+void MoverCheck::divide_window() {
   if (std::any_of(near_.begin(), near_.end(), [](const Near& near) { return near.leaves; })) {
     parts_.leave_whole();
   } else {
-    parts_.divide(start);
+    parts_.divide(*start_);
   }
 }
 
 // What is too far away to be met until rest, whatever it and the robot do, is left out.
-void MoverCheck::add_near(const MovingObstacleEstimate& mover, const Parameters& parameters) {
-  const ReachableSet set(mover, parameters);
+bool MoverCheck::in_reach(const ReachableSet& set) const {
   const Point here(start_->pose.x, start_->pose.y);
   const double own = radius_ + most_.reach + most_.grown + 0.5 * kLongStep * set.fastest();
   const double until_rest = most_.duration;
-  if ((set.position() - here).norm() > own + set.speed_radius(until_rest)) return;
-  if (distance_to_way(here, set.centre(0.0), until_rest * set.velocity()) > own + set.radius(until_rest)) return;
+  return (set.position() - here).norm() <= own + set.speed_radius(until_rest) &&
+         distance_to_way(here, set.centre(0.0), until_rest * set.velocity()) <= own + set.radius(until_rest);
+}
+
+void MoverCheck::add_near(const ReachableSet& set, bool leaves) {
   Near near;
   near.set = set;
-  near.leaves =
-      around(set) && set.velocity().norm() <= kStands && departures_.admit(mover.id, rests(*start_, parameters));
+  near.leaves = leaves;
   near.closing_speed = most_.fastest + set.fastest();
-  near.closing_acc = most_.fastest + set.velocity().norm() + set.growth(until_rest);
+  near.closing_acc = most_.fastest + set.velocity().norm() + set.growth(most_.duration);
   near_.push_back(near);
 }
 
@@ -264,7 +304,7 @@ bool MoverCheck::free_at(const ManoeuvreRoller& roller, double elsewhere, Progre
     const bool creeps = roller.step().fastest <= kLeavesAt;
     if (!creeps || !leads_away(near, progress.pose, roller.at(), roller.time(), roller.step().duration)) return false;
     const double grown = roller.drift() + elsewhere + allowance(roller) * (roller.step().fastest + near.set.fastest());
-    if (meets(near, roller.at(), roller.time(), grown, progress.velocities)) return false;
+    if (meets(near, roller.at(), roller.time(), grown, kAdvances, progress.velocities)) return false;
   }
   progress.pose = roller.at();
   progress.time = roller.time();
@@ -278,7 +318,9 @@ bool MoverCheck::free_at(const TurnedPose& at, double time, const ManoeuvreRolle
   for (std::size_t i = 0; i < near_.size(); ++i) {
     const Near& near = near_[i];
     if (near.leaves || time + half <= progress.clear_until[i]) continue;
-    if (!clear(near, at, time, robot + allowed * near.set.fastest(), progress.clear_until[i])) return false;
+    const double grown = robot + allowed * near.set.fastest();
+    if (clear(near, at, time, grown, progress.clear_until[i])) continue;
+    if (creep_ < 0.0 || meets(near, at, time, grown, creep_, progress.velocities)) return false;
   }
   return true;
 }
@@ -307,11 +349,12 @@ bool MoverCheck::leads_away(const Near& near, const TurnedPose& from, const Turn
   return footprint_->distance_to(seen_from(to, near.set.centre(time))) > before;
 }
 
-// Whether a place of the outline that may move outwards is in both discs, both larger by `grown` [m].
-bool MoverCheck::meets(const Near& near, const TurnedPose& at, double time, double grown,
+// Whether a place of the outline that may move outwards faster than `speed` [m/s] is in both discs, both larger by
+// `grown` [m].
+bool MoverCheck::meets(const Near& near, const TurnedPose& at, double time, double grown, double speed,
                        const VelocityRange& velocities) const {
   const auto within = [&](const Point& centre, double radius) {
-    return advances_near(*footprint_, velocities, kAdvances, seen_from(at, centre), radius + grown);
+    return advances_near(*footprint_, velocities, speed, seen_from(at, centre), radius + grown);
   };
   return within(near.set.centre(time), near.set.radius(time)) &&
          within(near.set.position(), near.set.speed_radius(time));

@@ -14,6 +14,9 @@
 // 6. Commands differ little from their neighbours in the dynamic window. So it is cut into a few parts, and the command
 //    in the middle of each is looked at first, with an allowance for all others of its part: where it is free, they
 //    are. What the allowance is made of: see part_margin().
+// 7. Where somebody may stand unseen (HiddenPlaces) is such a set, too. It may be touched by a place of the outline
+// that
+//    moves outwards no faster than blind_speed: the robot comes through a doorway, and is overtaken.
 //
 // can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
 // steps, all pending motions, and commands to brake at all times. A robot that stays at rest has nothing to be asked.
@@ -49,6 +52,12 @@ class MoverCheck {
   /// Once per cycle. `footprint` and `start` outlive the questions.
   void prepare(const Parameters& parameters, const Footprint& footprint, const MovingObstacleEstimates& movers,
                const CycleStart& start);
+  /// Likewise, for somebody who may come out of each of these places (HiddenPlaces) [m]. A place of the
+  /// outline that moves outwards no faster than blind_speed may be touched.
+  void prepare_hidden(const Parameters& parameters, const Footprint& footprint, const std::vector<Point>& places,
+                      const CycleStart& start);
+  /// From the robot's centre, where such a place still counts: for prepare_hidden() and the critic Occlusion [m].
+  static double reach_of_hidden(const Parameters& parameters, const Footprint& footprint, const CycleStart& start);
   /// No command of this cycle can meet anything that moves before rest.
   bool none_near() const { return near_.empty(); }
   std::size_t near() const { return near_.size(); }
@@ -97,7 +106,10 @@ class MoverCheck {
     std::array<PendingEnd, PendingMotionSet::kMost> pending_ends;
     std::vector<CachedResult> cache;  // by a hash of the command
   };
-  void add_near(const MovingObstacleEstimate& mover, const Parameters& parameters);
+  void begin(const Footprint& footprint, const CycleStart& start);
+  void divide_window();
+  bool in_reach(const ReachableSet& set) const;
+  void add_near(const ReachableSet& set, bool leaves);
   bool around(const ReachableSet& set) const;
   bool cached_check(const Twist2& command, CheckPass& pass);
   bool rests_untouched(const Twist2& command, CheckPass& pass);
@@ -116,11 +128,13 @@ class MoverCheck {
                Progress& progress) const;
   bool clear(const Near& near, const TurnedPose& at, double time, double grown, double& clear_until) const;
   bool leads_away(const Near& near, const TurnedPose& from, const TurnedPose& to, double time, double step) const;
-  bool meets(const Near& near, const TurnedPose& at, double time, double grown, const VelocityRange& velocities) const;
+  bool meets(const Near& near, const TurnedPose& at, double time, double grown, double speed,
+             const VelocityRange& velocities) const;
 
   const Footprint* footprint_ = nullptr;
   const CycleStart* start_ = nullptr;
   double radius_ = 0.0;  // circumscribed [m]
+  double creep_ = -1.0;  // a place that moves outwards no faster may be touched [m/s]; negative: none may
   ManoeuvreBounds most_;
   std::vector<Near> near_;
   Departures departures_;

@@ -30,6 +30,16 @@ class ReachableSet {
         half_acc_(0.5 * parameters.moving_obstacle_acc),
         fastest_(std::max(parameters.moving_obstacle_speed, mover.velocity.norm() + spread_)) {}
 
+  /// Of somebody who was anywhere in a disc [m] `age` ago [s], and is no faster than `speed` [m/s].
+  static ReachableSet of_hidden(const Point& place, double radius, double speed, double age) {
+    ReachableSet set;
+    set.position_ = place;
+    set.age_ = age;
+    set.base_ = radius;
+    set.spread_ = set.fastest_ = speed;
+    return set;
+  }
+
   /// The least disc that holds it at the estimate [m].
   static double radius_then(const MovingObstacleEstimate& mover, const Parameters& parameters) {
     return mover.radius + parameters.moving_obstacle_deviations * mover.position_deviation;

@@ -168,6 +168,7 @@ void Explanation::check_all(const Tile& tile) {
     const bool checked = admissibility.checks_braking();
     const bool brakes = !checked || (by != kBraking && admissibility.confirm_braking(report.sample));
     const bool rests = !checked || (by != kMovingObstacle && admissibility.confirm_rest(report.sample));
+    const bool unhidden = !checked || (by != kOcclusion && admissibility.confirm_hidden(report.sample));
     std::vector<Rejection> rejections;
     if (collides[c] != nullptr) rejections.push_back({parts_.critics.name_of(kCollision), collides[c]});
     if (!brakes) rejections.push_back({parts_.critics.name_of(kBraking), kCannotBrake});
@@ -175,6 +176,7 @@ void Explanation::check_all(const Tile& tile) {
       rejections.push_back({parts_.critics.name_of(kBlind), kUnseen});
     }
     if (!rests) rejections.push_back({parts_.critics.name_of(kMovingObstacle), kMayBeTouched});
+    if (!unhidden) rejections.push_back({parts_.critics.name_of(kOcclusion), kHidden});
     if (!rejections.empty()) report.total = std::numeric_limits<double>::infinity();
     // A total that is not a number has no critic that says so.
     if (rejections.empty() && parts_.scores.reasons()[tile.first + c] == kNotANumber) rejections = report.rejections;

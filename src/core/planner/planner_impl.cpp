@@ -50,7 +50,8 @@ void Planner::Impl::set_footprint(const Polygon& given) {
 const Decision& Planner::Impl::plan(const Situation& measured, const GridView& grid, const OperatorIntent& intent,
                                     const Sampling& sampling) {
   const double radius = footprint.fault() == nullptr ? footprint.circumscribed_radius() : 0.0;
-  blind.prepare(parameters, footprint, limits, sectors_in_force(measured));
+  const SensorSectors& sectors = sectors_in_force(measured);
+  blind.prepare(parameters, footprint, limits, sectors);
   const CycleStart& start = start_estimator.estimate(measured, parameters, limits, blind, radius);
   const bool use_movers = uses_movers(measured);
   const bool clear_mover_cells = use_movers && parameters.moving_obstacles_clear_cells && plausible(grid);
@@ -65,7 +66,9 @@ const Decision& Planner::Impl::plan(const Situation& measured, const GridView& g
                     blind,
                     prepare_mover_check(measured, start, use_movers),
                     use_movers,
-                    update_accelerations(measured, use_movers)};
+                    update_accelerations(measured, use_movers),
+                    prepare_hidden(sectors, start, seen),
+                    &hidden_places.all()};
   clear(decision);
   evaluation.clear();
   explanation.clear();
@@ -111,6 +114,19 @@ MoverCheck* Planner::Impl::prepare_mover_check(const Situation& measured, const 
   }
   movers.prepare(parameters, footprint, measured.moving_obstacles, start);
   return movers.none_near() ? nullptr : &movers;
+}
+
+// Null where nobody may come out who could touch the robot before it rests. What is no number is a fault of the input.
+MoverCheck* Planner::Impl::prepare_hidden(const SensorSectors& sectors, const CycleStart& start, const GridView& grid) {
+  hidden_places.clear();
+  if (parameters.occlusion == Occlusion::off || sectors.empty() || footprint.fault() != nullptr || !plausible(grid) ||
+      !plausible(start.pose)) {
+    return nullptr;
+  }
+  hidden_places.find(grid, start.pose, sectors, MoverCheck::reach_of_hidden(parameters, footprint, start));
+  if (parameters.occlusion != Occlusion::bound || parameters.admissibility != Admissibility::braking) return nullptr;
+  hidden.prepare_hidden(parameters, footprint, hidden_places.all(), start);
+  return hidden.none_near() ? nullptr : &hidden;
 }
 
 Conclusion Planner::Impl::conclude(const Cycle& cycle) {

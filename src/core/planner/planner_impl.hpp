@@ -25,6 +25,7 @@
 #include "core/intent/goalless_intent.hpp"
 #include "core/movers/accelerations.hpp"
 #include "core/movers/explained_cells.hpp"
+#include "core/movers/hidden_places.hpp"
 #include "core/planner/explanation.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 
@@ -52,6 +53,8 @@ struct Planner::Impl {
   Arbiter arbiter;
   GoallessIntent goalless;
   MoverCheck movers;
+  HiddenPlaces hidden_places;
+  MoverCheck hidden;
   Accelerations accelerations;
   ExplainedCells explained;
   Explanation explanation;
@@ -62,6 +65,7 @@ struct Planner::Impl {
   bool uses_movers(const Situation& measured) const;
   const Accelerations* update_accelerations(const Situation& measured, bool use_movers);
   MoverCheck* prepare_mover_check(const Situation& measured, const CycleStart& start, bool use_movers);
+  MoverCheck* prepare_hidden(const SensorSectors& sectors, const CycleStart& start, const GridView& grid);
   Conclusion conclude(const Cycle& cycle);
   Conclusion drive(const Cycle& cycle);
   Steering find_steering(const Cycle& cycle);

@@ -56,7 +56,7 @@ TEST(PlannerCost, TheTotalIsTheSumOfItsTerms) {
   for (const CriticTerm& term : decision.terms) sum += term.raw * term.weight;
   EXPECT_NEAR(decision.total, sum, 1e-9);
   EXPECT_EQ(decision.terms.back().name, "OperatorDeviation");
-  EXPECT_EQ(decision.terms.size(), 9u);
+  EXPECT_EQ(decision.terms.size(), 10u);  // nine critics, and the deviation
 }
 
 TEST(PlannerCost, WithoutAutonomyOnlyTheDeviationIsLeft) {

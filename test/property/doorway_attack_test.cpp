@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// People who run out of doorways at the robot, no faster than `occlusion_speed`, while autonomy drives to random goals
+// in a corridor and its rooms, or a hostile operator steers it. They are told of, exactly, from 0.3 s after the first
+// scan on that sees any part of them: the tracker takes 0.25 s mostly, 0.4 s at most from where they are in view.
+// World, robot, laser, people and contact are this file's own.
+//
+// HIDWA_LONG: 3,000 encounters, where it is 300.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <deque>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/critics/built_in.hpp"
+#include "support/effort.hpp"
+#include "support/random.hpp"
+
+namespace hidwa_local_planner {
+namespace {
+
+using test::Random;
+
+const int encounters = test::effort(300, 3000);
+
+constexpr double kFinds = 0.3;                                                      // [s]
+constexpr double kTick = 0.005, kPeriod = 0.05, kLatency = 0.1, kScanPeriod = 0.1;  // [s]
+constexpr double kBlindSpeed = 0.1, kRunSpeed = 1.3;                                // [m/s]
+constexpr double kTurns = 1.4;                                                      // of people [m/s^2]
+constexpr double kBody = 0.2;                                                       // [m]
+
+struct Tally {
+  int met = 0, out = 0, touched = 0, at_a_fast_place = 0;
+  double fastest = -1e9, driven = 0.0;  // [m/s], [m]
+};
+
+// A wall, axis-parallel.
+struct Box {
+  double x0, y0, x1, y1;  // [m]
+  double distance(const Point& p) const {
+    return std::hypot(std::max({x0 - p.x(), 0.0, p.x() - x1}), std::max({y0 - p.y(), 0.0, p.y() - y1}));
+  }
+  // Whether a straight line enters it: the parameters at which it is between both pairs of sides overlap.
+  bool crosses(const Point& a, const Point& b) const {
+    double from = 0.0, to = 1.0;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double lo = axis == 0 ? x0 : y0, hi = axis == 0 ? x1 : y1, at = a[axis], way = b[axis] - a[axis];
+      if (std::abs(way) < 1e-12) {
+        if (at < lo || at > hi) return false;
+        continue;
+      }
+      const double one = (lo - at) / way, other = (hi - at) / way;
+      from = std::max(from, std::min(one, other));
+      to = std::min(to, std::max(one, other));
+    }
+    return from < to;
+  }
+};
+
+class Encounter {
+ public:
+  Encounter(std::uint64_t seed, Occlusion occlusion, Tally& tally) : random_(seed), tally_(tally) {
+    build();
+    Parameters p;
+    p.vx_samples = 14;
+    p.vth_samples = 15;
+    p.min_vel_x = -0.2;
+    p.max_vel_x = random_.chance(0.5) ? 0.5 : 1.0;
+    p.blind_speed = kBlindSpeed;
+    p.occlusion = occlusion;
+    p.occlusion_speed = kRunSpeed;
+    fastest_ = p.max_vel_x;
+    acc_ = p.acc_lim_x = random_.pick({2.5, 0.8});
+    EXPECT_TRUE(planner_.configure(p).empty());
+    if (random_.chance(0.5)) {
+      for (int i = 0; i < 16; ++i) {
+        outline_.emplace_back(0.3 * std::cos(M_PI * i / 8), 0.3 * std::sin(M_PI * i / 8));
+      }
+    } else {
+      outline_ = {{0.35, 0.22}, {-0.3, 0.22}, {-0.3, -0.22}, {0.35, -0.22}};
+    }
+    planner_.set_footprint(outline_);
+    hostile_ = random_.chance(0.5);
+    near_ = random_.uniform(0.5, 1.5);
+    at_ = {-3.0, 0.0};
+    goal_ = {3.0, 0.0};
+  }
+
+  void run() {
+    double next = 0.0, scan = 0.0;
+    for (double now = 0.0; now < 15.0; now += kTick) {
+      if (!there_) hide();
+      if (now >= scan) {
+        if (there_ && !seen_ && sees()) {
+          seen_ = true;
+          seen_at_ = now;
+        }
+        if (seen_ && now >= seen_at_ + kFinds - 1e-9) {
+          told_ = true;
+          told_at_ = now;
+          told_where_ = where_;
+          told_velocity_ = velocity_;
+        }
+        scan = now + kScanPeriod;
+      }
+      if (now >= next) {
+        cycle(now);
+        next = now + kPeriod;
+      }
+      move(now);
+      if (there_ && (walk() || over_)) break;
+    }
+  }
+
+ private:
+  static constexpr int kCells = 160;
+  static constexpr double kCell = 0.05, kOrigin = -0.5 * kCells * kCell;  // [m]
+
+  // A corridor along x with rooms on both sides, of which some have a door.
+  void build() {
+    half_ = random_.uniform(0.7, 1.2);
+    for (const double side : {-1.0, 1.0}) {
+      const double inner = side * half_, outer = side * (half_ + 0.1);
+      const double y0 = std::min(inner, outer), y1 = std::max(inner, outer);
+      double begin = -4.0;
+      for (const double about : {-1.6, 0.4, 2.4}) {
+        if (random_.chance(0.4)) continue;
+        const double middle = about + random_.uniform(-0.3, 0.3), width = random_.uniform(0.8, 1.2);
+        walls_.push_back({begin, y0, middle - 0.5 * width, y1});
+        begin = middle + 0.5 * width;
+        doors_.emplace_back(middle, 0.5 * (y0 + y1));
+      }
+      walls_.push_back({begin, y0, 4.0, y1});
+    }
+    costs_.assign(kCells * kCells, cost::kFree);
+    for (int j = 0; j < kCells; ++j) {
+      for (int i = 0; i < kCells; ++i) {
+        const Point cell(kOrigin + (i + 0.5) * kCell, kOrigin + (j + 0.5) * kCell);
+        for (const Box& wall : walls_) {
+          if (wall.distance(cell) <= 0.5 * kCell) costs_[static_cast<std::size_t>(j * kCells + i)] = cost::kLethal;
+        }
+      }
+    }
+  }
+
+  Point in_robot(const Point& p) const {
+    const Point d = p - at_;
+    return {std::cos(heading_) * d.x() + std::sin(heading_) * d.y(),
+            std::cos(heading_) * d.y() - std::sin(heading_) * d.x()};
+  }
+  bool open(const Point& a, const Point& b) const {
+    return std::none_of(walls_.begin(), walls_.end(), [&](const Box& wall) { return wall.crosses(a, b); });
+  }
+  double room_at(const Point& p) const {
+    double least = 1e9;
+    for (const Box& wall : walls_) least = std::min(least, wall.distance(p));
+    return least;
+  }
+  // Any part of him.
+  bool sees() const {
+    const Point across = Point(-(where_ - at_).y(), (where_ - at_).x()).normalized();
+    for (int i = -9; i <= 9; ++i) {
+      if (open(at_, where_ + (0.99 * kBody * i / 9) * across)) return true;
+    }
+    return false;
+  }
+
+  // Where nobody sees him, near a door that the robot comes to.
+  void hide() {
+    if (doors_.empty()) return;
+    const Point door = doors_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(doors_.size()) - 1))];
+    const double reach = (door - at_).norm();
+    if (reach > 2.0) return;
+    const double dx = random_.uniform(-0.9, 0.9), dy = random_.uniform(0.0, 0.6);
+    where_ = door + Point(dx, door.y() > 0.0 ? dy : -dy);
+    if (room_at(where_) < kBody || sees()) return;
+    // Straight on to where he comes through the door.
+    const double beside = random_.uniform(-0.3, 0.3);
+    const Point way = door + Point(beside, 0.0) - where_;
+    if (way.norm() < 0.05) return;
+    run_ = random_.uniform(0.6, 1.0) * kRunSpeed * way.normalized();
+    if (random_.chance(0.7)) run_ *= kRunSpeed / run_.norm();
+    velocity_ = {0.0, 0.0};
+    door_ = door;
+    waits_ = there_ = true;
+    ++tally_.met;
+  }
+
+  // True once he touches the robot.
+  bool walk() {
+    const Point to = at_ - where_;
+    if (waits_ && (seen_ || (door_ - at_).norm() < near_)) {
+      waits_ = false;
+      velocity_ = run_;
+    }
+    if (!waits_ && (seen_ || std::abs(where_.y()) < half_ + 0.1)) {
+      Point change = to.normalized() * velocity_.norm() - velocity_;
+      if (seen_ && change.norm() > kTurns * kTick) change *= kTurns * kTick / change.norm();
+      velocity_ += change;
+    }
+    where_ += velocity_ * kTick;
+    over_ = room_at(where_) < 0.15 || to.norm() > 5.0;
+    const Point he = in_robot(where_), place = nearest(he);
+    if ((he - place).norm() > kBody) return false;
+    const Point velocity(u_.v - u_.omega * place.y(), u_.omega * place.x());
+    const double towards = velocity.dot((he - place).normalized());
+    ++tally_.touched;
+    if (towards > kBlindSpeed + 1e-6) ++tally_.at_a_fast_place;
+    tally_.fastest = std::max(tally_.fastest, towards);
+    return true;
+  }
+
+  Point nearest(const Point& to) const {
+    Point best(0.0, 0.0);
+    double least = 1e9;
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+      const Point a = outline_[i], way = outline_[(i + 1) % outline_.size()] - a;
+      const Point point = a + way * std::clamp((to - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      if ((to - point).norm() < least) {
+        least = (to - point).norm();
+        best = point;
+      }
+    }
+    return best;
+  }
+
+  void new_goal() {
+    if (!doors_.empty() && random_.chance(0.5)) {
+      const Point door = doors_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(doors_.size()) - 1))];
+      via_ = door;
+      goal_ = door + Point(0.0, door.y() > 0.0 ? 1.2 : -1.2);
+    } else {
+      const double x = random_.uniform(-3.0, 3.0);
+      goal_ = {x, 0.0};
+      via_ = goal_;
+    }
+  }
+
+  void add_line(std::vector<Pose2>& plan, const Point& from, const Point& to) {
+    const Point way = to - from;
+    for (double l = 0.0; l < way.norm(); l += 0.05) {
+      const Point p = from + l * way.normalized();
+      plan.push_back({p.x(), p.y(), std::atan2(way.y(), way.x())});
+    }
+  }
+
+  void cycle(double now) {
+    Situation s;
+    s.pose = {at_.x(), at_.y(), heading_};
+    s.velocity = u_;
+    s.last_command = last_;
+    s.period = kPeriod;
+    s.time = now;
+    s.sensor_sectors = {{{}, 2.0 * M_PI, 10.0}};
+    if (told_) {
+      MovingObstacleEstimate one;
+      one.position = told_where_;
+      one.velocity = told_velocity_;
+      one.radius = kBody;
+      one.age = now - told_at_;
+      s.moving_obstacles.push_back(one);
+    }
+    if ((goal_ - at_).norm() < 0.5) new_goal();
+    if ((via_ - at_).norm() < 0.4) via_ = goal_;
+    add_line(s.plan, at_, via_);
+    add_line(s.plan, via_, goal_);
+    s.goal = {goal_.x(), goal_.y(), 0.0};
+    OperatorIntent wish;
+    if (hostile_) {
+      if (random_.chance(0.05)) {
+        const double omega = random_.uniform(-1.0, 1.0);
+        whim_ = {random_.pick({fastest_, fastest_, 0.3, 0.0}), omega};
+      }
+      wish.state = OperatorStateId::manual;
+      wish.influence = Influence::direct;
+      wish.guarded = true;
+      wish.u_h = whim_;
+    }
+    const GridView grid{costs_.data(), kCells, kCells, kCell, kOrigin, kOrigin};
+    const Decision& decision = planner_.plan(s, grid, wish);
+    last_ = decision.outcome == Outcome::fail ? Twist2{} : decision.command;
+    sent_.push_back({now + kLatency, last_});
+  }
+
+  void move(double now) {
+    while (!sent_.empty() && sent_.front().first <= now + 1e-9) {
+      wanted_ = sent_.front().second;
+      sent_.pop_front();
+      rate_ = {std::min(acc_, std::abs(wanted_.v - u_.v) / kPeriod),
+               std::min(3.2, std::abs(wanted_.omega - u_.omega) / kPeriod)};
+    }
+    const auto towards = [](double from, double to, double most) { return from + std::clamp(to - from, -most, most); };
+    u_ = {towards(u_.v, wanted_.v, rate_.v * kTick), towards(u_.omega, wanted_.omega, rate_.omega * kTick)};
+    heading_ += u_.omega * kTick;
+    at_ += u_.v * kTick * Point(std::cos(heading_), std::sin(heading_));
+    tally_.driven += std::abs(u_.v) * kTick;
+  }
+
+  Random random_;
+  Tally& tally_;
+  std::vector<Box> walls_;
+  std::vector<Point> doors_;
+  std::vector<std::uint8_t> costs_;
+  Polygon outline_;
+  Planner planner_{critics::built_in()};
+  bool hostile_ = false, there_ = false, waits_ = false, seen_ = false, told_ = false, over_ = false;
+  double half_ = 1.0, near_ = 1.0, fastest_ = 0.5, acc_ = 2.5, heading_ = 0.0, seen_at_ = 0.0, told_at_ = 0.0;
+  Point goal_{0.0, 0.0}, via_{3.0, 0.0}, at_{0.0, 0.0}, where_{0.0, 0.0}, velocity_{0.0, 0.0}, run_{0.0, 0.0},
+      door_{0.0, 0.0};
+  Point told_where_{0.0, 0.0}, told_velocity_{0.0, 0.0};
+  Twist2 u_, last_, wanted_, rate_, whim_;
+  std::deque<std::pair<double, Twist2>> sent_;
+};
+
+Tally attack(Occlusion occlusion, const char* name) {
+  Tally tally;
+  for (int k = 0; k < encounters; ++k) Encounter(static_cast<std::uint64_t>(48100 + k), occlusion, tally).run();
+  std::printf("%-6s %5d met, touched %4d, at a fast place %3d (%.3f m/s); %.0f m\n", name, tally.met, tally.touched,
+              tally.at_a_fast_place, tally.fastest, tally.driven);
+  return tally;
+}
+
+TEST(DoorwayAttack, NobodyIsTouchedByAPlaceThatMovesTowardsHimFast) {
+  const Tally tally = attack(Occlusion::bound, "bound");
+  EXPECT_EQ(tally.at_a_fast_place, 0);
+  EXPECT_GT(tally.touched, encounters / 10);
+  EXPECT_GT(tally.driven, 0.5 * encounters);
+}
+
+TEST(DoorwayAttack, FindsThemWhereTheBoundIsOff) { EXPECT_GT(attack(Occlusion::off, "off").at_a_fast_place, 0); }
+
+}  // namespace
+}  // namespace hidwa_local_planner
