@@ -71,7 +71,7 @@ TEST(RestBeforeHidden, ARobotThatStaysAtRestIsFree) {
 }
 
 TEST(RestBeforeHidden, ARobotThatCreepsIsFreeEvenWhereHeMayBe) {
-  const Parameters p;                         // blind_speed 0.1
+  const Parameters p;        // blind_speed 0.1
   const double lever = 0.3;  // of the corners, outwards along the normals of the long sides
   const Motion rests(p, {}), creeps(p, {0.1, 0.0}), turns(p, {0.0, 0.1 / lever}), turns_fast(p, {0.0, 0.11 / 0.3});
   for (const std::vector<Point>& places :
@@ -102,9 +102,9 @@ TEST(RestBeforeHidden, AFastRobotIsRefusedNearAPlaceAndFreeFarAway) {
 
 // Every half of a millisecond until rest, every place.
 struct SlowRest {
-  double gap = 1e9;  // the least one [m]
+  double gap = 1e9;             // the least one [m]
   double gap_where_fast = 1e9;  // likewise to the places that move outwards faster than blind_speed [m]
-  double fastest = 0.0;  // of these points [m/s]
+  double fastest = 0.0;         // of these points [m/s]
 };
 
 struct NaivePlace {
@@ -135,7 +135,8 @@ SlowRest rest_slowly(const Motion& motion, const Twist2& command, const std::vec
   roller.roll(start.manoeuvre(0, command, 0.0), [&](const TurnedPose& at) {
     const double dt = roller.time() - then, turn = std::abs(at.pose.theta - before.theta);
     const double omega = (at.pose.theta - before.theta) / dt;
-    const double speed = ((at.pose.x - before.x) * std::cos(before.theta) + (at.pose.y - before.y) * std::sin(before.theta)) / dt;
+    const double speed =
+        ((at.pose.x - before.x) * std::cos(before.theta) + (at.pose.y - before.y) * std::sin(before.theta)) / dt;
     const double fastest = (distance(at.pose, before) + kBody.circumscribed_radius() * turn) / dt;
     rest.fastest = std::max(rest.fastest, fastest);
     before = at.pose;
