@@ -4,8 +4,8 @@
 #include <deque>
 
 #include "hidwa_local_planner/core/operator_intent.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
-#include "hidwa_local_planner/input/stick_reading.hpp"
+#include "input/operator_state_machine.hpp"
+#include "input/stick_reading.hpp"
 #include "random.hpp"
 #include "spec.hpp"
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "input/operator_state_machine.hpp"
 #include "operator_link.hpp"
 #include "recorder.hpp"
 #include "sensing.hpp"

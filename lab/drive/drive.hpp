@@ -5,7 +5,7 @@
 
 #include "drive/result.hpp"
 #include "drive/setup.hpp"
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"

@@ -4,9 +4,9 @@
 #include <deque>
 
 #include "drive/setup.hpp"
-#include "hidwa_local_planner/input/gesture_source.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
-#include "hidwa_local_planner/input/stick_reading.hpp"
+#include "input/gesture_source.hpp"
+#include "input/operator_state_machine.hpp"
+#include "input/stick_reading.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {

@@ -8,7 +8,7 @@
 #include "drive/people_sight.hpp"
 #include "drive/seen_map.hpp"
 #include "drive/setup.hpp"
-#include "hidwa_local_planner/tracking/tracker.hpp"
+#include "tracking/tracker.hpp"
 #include "sim/random.hpp"
 #include "sim/silhouettes.hpp"
 #include "sim/world.hpp"

@@ -10,7 +10,7 @@
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/situation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
-#include "hidwa_local_planner/tracking/tracker_settings.hpp"
+#include "tracking/tracker_settings.hpp"
 #include "sim/diff_drive.hpp"
 #include "sim/grid_route.hpp"
 #include "sim/laser.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hidwa_local_planner/record/cycle_replay.hpp"
+#include "record/cycle_replay.hpp"
 
 namespace hidwa_local_planner {
 namespace replay {

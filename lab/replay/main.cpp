@@ -11,8 +11,8 @@
 
 #include "cycle_bag.hpp"
 #include "explanation.hpp"
-#include "hidwa_local_planner/ros/critic_loading.hpp"
-#include "hidwa_local_planner/ros/parameter_set.hpp"
+#include "ros/critic_loading.hpp"
+#include "ros/parameter_set.hpp"
 #include "options.hpp"
 #include "picture.hpp"
 #include "what_if.hpp"

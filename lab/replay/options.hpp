@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hidwa_local_planner/record/cycle_replay.hpp"
+#include "record/cycle_replay.hpp"
 #include "moment.hpp"
 
 namespace hidwa_local_planner {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "hidwa_local_planner/record/cycle_replay.hpp"
+#include "record/cycle_replay.hpp"
 
 namespace hidwa_local_planner {
 namespace replay {

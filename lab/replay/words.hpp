@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/util/words.hpp"
-#include "hidwa_local_planner/record/cycle_record.hpp"
+#include "record/cycle_record.hpp"
 
 namespace hidwa_local_planner {
 namespace replay {

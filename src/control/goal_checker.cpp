@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/goal_checker.hpp"
+#include "control/goal_checker.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hidwa_local_planner/control/pause.hpp"
+#include "control/pause.hpp"
 #include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/plan_window.hpp"
+#include "control/plan_window.hpp"
 
 #include <algorithm>
 #include <cmath>

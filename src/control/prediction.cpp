@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/prediction.hpp"
+#include "control/prediction.hpp"
 
 #include <algorithm>
 #include <cmath>

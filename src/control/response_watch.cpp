@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/response_watch.hpp"
+#include "control/response_watch.hpp"
 
 #include <algorithm>
 #include <cmath>

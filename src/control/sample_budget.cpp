@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/sample_budget.hpp"
+#include "control/sample_budget.hpp"
 
 #include <algorithm>
 

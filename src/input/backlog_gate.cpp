@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/backlog_gate.hpp"
+#include "input/backlog_gate.hpp"
 
 #include <algorithm>
 #include <cmath>

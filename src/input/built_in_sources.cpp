@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/gesture_source.hpp"
-#include "hidwa_local_planner/input/source_list.hpp"
-#include "hidwa_local_planner/input/stick_source.hpp"
-#include "hidwa_local_planner/input/twist_source.hpp"
+#include "input/gesture_source.hpp"
+#include "input/source_list.hpp"
+#include "input/stick_source.hpp"
+#include "input/twist_source.hpp"
 
 namespace hidwa_local_planner::input {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/control_state.hpp"
+#include "input/control_state.hpp"
 
 namespace hidwa_local_planner::input {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/gesture_source.hpp"
+#include "input/gesture_source.hpp"
 
 #include <cmath>
 
 #include "core/util/words.hpp"
-#include "hidwa_local_planner/input/stick_reading.hpp"
+#include "input/stick_reading.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {

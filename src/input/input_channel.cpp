@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/input_channel.hpp"
+#include "input/input_channel.hpp"
 
 #include <algorithm>
 

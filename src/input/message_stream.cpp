@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/message_stream.hpp"
+#include "input/message_stream.hpp"
 
 #include <cstddef>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
+#include "input/operator_state_machine.hpp"
 
 #include <algorithm>
 #include <cmath>

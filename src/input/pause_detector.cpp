@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/pause_detector.hpp"
+#include "input/pause_detector.hpp"
 
 #include <algorithm>
 #include <cmath>

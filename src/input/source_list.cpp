@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/source_list.hpp"
+#include "input/source_list.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/stick_reading.hpp"
+#include "input/stick_reading.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "core/util/words.hpp"
-#include "hidwa_local_planner/input/joystick_map.hpp"
+#include "input/joystick_map.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/stick_source.hpp"
+#include "input/stick_source.hpp"
 
 #include <string>
 

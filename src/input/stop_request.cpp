@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/stop_request.hpp"
+#include "input/stop_request.hpp"
 
 #include <algorithm>
 

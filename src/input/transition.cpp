@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/transition.hpp"
+#include "input/transition.hpp"
 
 namespace hidwa_local_planner::input {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/twist_source.hpp"
+#include "input/twist_source.hpp"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/yielding.hpp"
+#include "input/yielding.hpp"
 
 #include <algorithm>
 
-#include "hidwa_local_planner/input/transition.hpp"
+#include "input/transition.hpp"
 
 namespace hidwa_local_planner::input {
 

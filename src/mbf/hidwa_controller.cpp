@@ -7,7 +7,7 @@
 #include <ros/time.h>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "hidwa_local_planner/ros/host/controller.hpp"
+#include "ros/host/controller.hpp"
 
 namespace hidwa_local_planner {
 namespace {

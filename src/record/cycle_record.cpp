@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/record/cycle_record.hpp"
+#include "record/cycle_record.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <string_view>
 #include <utility>
 
-#include "hidwa_local_planner/record/parts.hpp"
+#include "record/parts.hpp"
 
 namespace hidwa_local_planner {
 namespace record {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/record/grid_chain.hpp"
+#include "record/grid_chain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/robot/outline.hpp"
+#include "robot/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/robot/urdf_reading.hpp"
+#include "robot/urdf_reading.hpp"
 
 #include <cmath>
 #include <exception>

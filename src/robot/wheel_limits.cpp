@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/robot/wheel_limits.hpp"
+#include "robot/wheel_limits.hpp"
 
 #include <algorithm>
 #include <cmath>

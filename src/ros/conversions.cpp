@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/conversions.hpp"
+#include "ros/conversions.hpp"
 
 #include <cmath>
 #include <limits>

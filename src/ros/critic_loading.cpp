@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/critic_loading.hpp"
+#include "ros/critic_loading.hpp"
 
 #include <map>
 #include <memory>
@@ -11,7 +11,7 @@
 #include <pluginlib/class_loader.hpp>
 
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/ros/parameter_loading.hpp"
+#include "ros/parameter_loading.hpp"
 #include "ros/guarded_critic.hpp"
 
 namespace hidwa_local_planner {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/cycle_result.hpp"
+#include "ros/cycle_result.hpp"
 
 namespace hidwa_local_planner {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/diagnostics.hpp"
+#include "ros/diagnostics.hpp"
 
-#include "hidwa_local_planner/control/response_watch.hpp"
-#include "hidwa_local_planner/ros/operator_feedback.hpp"
+#include "control/response_watch.hpp"
+#include "ros/operator_feedback.hpp"
 
 namespace hidwa_local_planner {
 

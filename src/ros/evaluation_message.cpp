@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/evaluation_message.hpp"
+#include "ros/evaluation_message.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "hidwa_local_planner/ros/conversions.hpp"
+#include "ros/conversions.hpp"
 
 namespace hidwa_local_planner {
 namespace {

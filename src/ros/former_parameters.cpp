@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/former_parameters.hpp"
+#include "ros/former_parameters.hpp"
 
 #include <algorithm>
 #include <iterator>
 
 #include "core/util/words.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
-#include "hidwa_local_planner/ros/parameter_loading.hpp"
+#include "ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
 namespace {

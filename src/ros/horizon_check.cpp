@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/horizon_check.hpp"
+#include "ros/horizon_check.hpp"
 
 #include <algorithm>
 

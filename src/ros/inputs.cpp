@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/inputs.hpp"
+#include "ros/inputs.hpp"
 
 #include <algorithm>
 
 #include <tf2/exceptions.h>
 
 #include "core/util/words.hpp"
-#include "hidwa_local_planner/ros/conversions.hpp"
+#include "ros/conversions.hpp"
 
 namespace hidwa_local_planner {
 

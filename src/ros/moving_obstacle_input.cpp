@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
+#include "ros/moving_obstacle_input.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "core/util/words.hpp"
 #include "detector_messages.hpp"
-#include "hidwa_local_planner/ros/conversions.hpp"
+#include "ros/conversions.hpp"
 
 namespace hidwa_local_planner {
 namespace {

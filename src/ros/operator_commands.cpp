@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/operator_commands.hpp"
+#include "ros/operator_commands.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/operator_devices.hpp"
+#include "ros/operator_devices.hpp"
 
 #include <utility>
 
@@ -12,10 +12,10 @@
 #include <sensor_msgs/Joy.h>
 #include <topic_tools/shape_shifter.h>
 
-#include "hidwa_local_planner/input/stick_reading.hpp"
-#include "hidwa_local_planner/input/twist_source.hpp"
-#include "hidwa_local_planner/ros/connection_numbers.hpp"
-#include "hidwa_local_planner/ros/conversions.hpp"
+#include "input/stick_reading.hpp"
+#include "input/twist_source.hpp"
+#include "ros/connection_numbers.hpp"
+#include "ros/conversions.hpp"
 
 namespace hidwa_local_planner {
 namespace {

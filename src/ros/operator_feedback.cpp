@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/operator_feedback.hpp"
+#include "ros/operator_feedback.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include "hidwa_local_planner/ros/conversions.hpp"
-#include "hidwa_local_planner/ros/operator_markers.hpp"
+#include "ros/conversions.hpp"
+#include "ros/operator_markers.hpp"
 
 namespace hidwa_local_planner {
 namespace {

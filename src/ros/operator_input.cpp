@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/operator_input.hpp"
+#include "ros/operator_input.hpp"
 
 #include <chrono>
 #include <ctime>

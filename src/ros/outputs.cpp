@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/outputs.hpp"
+#include "ros/outputs.hpp"
 
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/parameter_loading.hpp"
+#include "ros/parameter_loading.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/ros/former_parameters.hpp"
+#include "ros/former_parameters.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/parameter_set.hpp"
+#include "ros/parameter_set.hpp"
 
 #include <algorithm>
 #include <set>
@@ -9,10 +9,10 @@
 #include <ros/param.h>
 
 #include "core/evaluation/critic_set.hpp"
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/ros/critic_loading.hpp"
-#include "hidwa_local_planner/ros/parameter_loading.hpp"
+#include "ros/critic_loading.hpp"
+#include "ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
 namespace {

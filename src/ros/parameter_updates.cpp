@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/parameter_updates.hpp"
+#include "ros/parameter_updates.hpp"
 
 #include <utility>
 

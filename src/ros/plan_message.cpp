@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/plan_message.hpp"
+#include "ros/plan_message.hpp"
 
-#include "hidwa_local_planner/ros/conversions.hpp"
+#include "ros/conversions.hpp"
 
 namespace hidwa_local_planner {
 namespace {

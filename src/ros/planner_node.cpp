@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/planner_node.hpp"
+#include "ros/planner_node.hpp"
 
 #include <cmath>
 #include <utility>
@@ -7,10 +7,10 @@
 #include "core/motion/velocity_limits.hpp"
 #include "core/util/words.hpp"
 #include "hidwa_local_planner/core/parameter_text.hpp"
-#include "hidwa_local_planner/ros/conversions.hpp"
-#include "hidwa_local_planner/ros/critic_loading.hpp"
-#include "hidwa_local_planner/ros/horizon_check.hpp"
-#include "hidwa_local_planner/ros/plan_message.hpp"
+#include "ros/conversions.hpp"
+#include "ros/critic_loading.hpp"
+#include "ros/horizon_check.hpp"
+#include "ros/plan_message.hpp"
 
 namespace hidwa_local_planner {
 namespace {

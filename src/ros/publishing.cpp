@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/publishing.hpp"
+#include "ros/publishing.hpp"
 
 #include <utility>
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include "hidwa_local_planner/ros/conversions.hpp"
-#include "hidwa_local_planner/ros/evaluation_message.hpp"
+#include "ros/conversions.hpp"
+#include "ros/evaluation_message.hpp"
 
 namespace hidwa_local_planner {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/robot_description.hpp"
+#include "ros/robot_description.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <ros/console.h>
 
 #include "core/util/words.hpp"
-#include "hidwa_local_planner/robot/urdf_reading.hpp"
+#include "robot/urdf_reading.hpp"
 
 namespace hidwa_local_planner {
 namespace {

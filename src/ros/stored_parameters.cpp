@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/stored_parameters.hpp"
+#include "ros/stored_parameters.hpp"
 
 #include <optional>
 #include <utility>
 
-#include "hidwa_local_planner/ros/parameter_loading.hpp"
+#include "ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
 namespace {

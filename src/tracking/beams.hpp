@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "hidwa_local_planner/tracking/range_scan.hpp"
-#include "hidwa_local_planner/tracking/tracker_settings.hpp"
+#include "tracking/range_scan.hpp"
+#include "tracking/tracker_settings.hpp"
 
 namespace hidwa_local_planner {
 namespace tracking {

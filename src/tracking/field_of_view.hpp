@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/sensor_sector.hpp"
-#include "hidwa_local_planner/tracking/range_scan.hpp"
+#include "tracking/range_scan.hpp"
 #include "tracking/beams.hpp"
 
 namespace hidwa_local_planner {

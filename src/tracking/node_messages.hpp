@@ -12,7 +12,7 @@
 #include "hidwa_local_planner/MovingObstacles.h"
 #include "hidwa_local_planner/core/moving_obstacle.hpp"
 #include "hidwa_local_planner/core/sensor_sector.hpp"
-#include "hidwa_local_planner/tracking/range_scan.hpp"
+#include "tracking/range_scan.hpp"
 
 namespace hidwa_local_planner {
 namespace tracking {

@@ -5,7 +5,7 @@
 
 #include <ros/node_handle.h>
 
-#include "hidwa_local_planner/tracking/tracker_settings.hpp"
+#include "tracking/tracker_settings.hpp"
 
 namespace hidwa_local_planner {
 namespace tracking {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "hidwa_local_planner/tracking/range_scan.hpp"
-#include "hidwa_local_planner/tracking/tracker_settings.hpp"
+#include "tracking/range_scan.hpp"
+#include "tracking/tracker_settings.hpp"
 
 namespace hidwa_local_planner {
 namespace {

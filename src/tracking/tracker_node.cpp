@@ -12,7 +12,7 @@
 #include <ros/ros.h>
 #include <tf2_ros/transform_listener.h>
 
-#include "hidwa_local_planner/tracking/tracker.hpp"
+#include "tracking/tracker.hpp"
 #include "tracking/laser_choice.hpp"
 #include "tracking/node_messages.hpp"
 #include "tracking/node_parameters.hpp"

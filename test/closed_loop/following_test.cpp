@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
-#include "hidwa_local_planner/input/stick_reading.hpp"
+#include "input/operator_state_machine.hpp"
+#include "input/stick_reading.hpp"
 #include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {

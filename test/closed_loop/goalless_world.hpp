@@ -15,7 +15,7 @@
 
 #include "drive/local_costmap.hpp"
 #include "drive_on.hpp"
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/diff_drive.hpp"
 #include "sim/laser.hpp"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "drive/drive.hpp"
-#include "hidwa_local_planner/control/prediction.hpp"
+#include "control/prediction.hpp"
 #include "office.hpp"
 
 namespace hidwa_local_planner::test {

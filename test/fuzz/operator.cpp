@@ -9,12 +9,12 @@
 #include "fuzz/mover.hpp"
 #include "fuzz/require.hpp"
 #include "fuzz/small_world.hpp"
-#include "hidwa_local_planner/control/prediction.hpp"
+#include "control/prediction.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/input/gesture_source.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
-#include "hidwa_local_planner/input/stick_reading.hpp"
-#include "hidwa_local_planner/input/twist_source.hpp"
+#include "input/gesture_source.hpp"
+#include "input/operator_state_machine.hpp"
+#include "input/stick_reading.hpp"
+#include "input/twist_source.hpp"
 
 namespace hidwa_local_planner::fuzz {
 namespace {

@@ -7,7 +7,7 @@
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/record/cycle_replay.hpp"
+#include "record/cycle_replay.hpp"
 
 namespace hidwa_local_planner::fuzz {
 namespace {

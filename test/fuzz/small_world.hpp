@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 
 namespace hidwa_local_planner::fuzz {
 

@@ -7,9 +7,9 @@
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
-#include "hidwa_local_planner/robot/outline.hpp"
-#include "hidwa_local_planner/robot/urdf_reading.hpp"
-#include "hidwa_local_planner/robot/wheel_limits.hpp"
+#include "robot/outline.hpp"
+#include "robot/urdf_reading.hpp"
+#include "robot/wheel_limits.hpp"
 
 namespace hidwa_local_planner::fuzz {
 namespace {

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
-#include "hidwa_local_planner/input/stick_reading.hpp"
+#include "input/operator_state_machine.hpp"
+#include "input/stick_reading.hpp"
 
 namespace hidwa_local_planner {
 namespace {

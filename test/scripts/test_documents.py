@@ -78,7 +78,7 @@ class Updates(unittest.TestCase):
         changed, new = planner.split('New parameters')
         self.assert_current(changed, 3, listed)
         self.assert_current(new, 2, listed)
-        settings = read('include/hidwa_local_planner/tracking/tracker_settings.hpp')
+        settings = read('src/tracking/tracker_settings.hpp')
         self.assert_current(tracker, 3, dict(re.findall(r'^  double (\w+) = ([^;]+);', settings, re.M)))
 
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/motion/velocity_limits.hpp"
-#include "hidwa_local_planner/control/prediction.hpp"
+#include "control/prediction.hpp"
 #include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner::test {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/drive_limits.hpp"
 #include "support/scene.hpp"

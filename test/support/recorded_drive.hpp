@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include "hidwa_local_planner/control/control_loop.hpp"
-#include "hidwa_local_planner/control/pause.hpp"
+#include "control/control_loop.hpp"
+#include "control/pause.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
-#include "hidwa_local_planner/input/stick_reading.hpp"
-#include "hidwa_local_planner/record/cycle_recorder.hpp"
+#include "input/operator_state_machine.hpp"
+#include "input/stick_reading.hpp"
+#include "record/cycle_recorder.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"
 

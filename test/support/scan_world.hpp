@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/types.hpp"
-#include "hidwa_local_planner/tracking/range_scan.hpp"
+#include "tracking/range_scan.hpp"
 #include "support/random.hpp"
 
 namespace hidwa_local_planner::test {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/scene.hpp"
 

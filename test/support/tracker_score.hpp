@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "hidwa_local_planner/tracking/tracker.hpp"
+#include "tracking/tracker.hpp"
 #include "support/scan_world.hpp"
 
 namespace hidwa_local_planner::test {

@@ -11,7 +11,7 @@
 #include "attack/base.hpp"
 #include "attack/contact_watch.hpp"
 #include "attack/processor_time.hpp"
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "ways/grid_plan.hpp"
 #include "ways/novelty.hpp"

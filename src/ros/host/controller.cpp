@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/controller.hpp"
+#include "ros/host/controller.hpp"
 
 #include <ros/time.h>
 
-#include "hidwa_local_planner/ros/conversions.hpp"
-#include "hidwa_local_planner/ros/guarded.hpp"
-#include "hidwa_local_planner/ros/host/drive_without_goal.hpp"
-#include "hidwa_local_planner/ros/planner_node.hpp"
+#include "ros/conversions.hpp"
+#include "ros/guarded.hpp"
+#include "ros/host/drive_without_goal.hpp"
+#include "ros/planner_node.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/costmap_clearing.hpp"
+#include "ros/host/costmap_clearing.hpp"
 
 #include <algorithm>
 

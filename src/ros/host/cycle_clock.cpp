@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/cycle_clock.hpp"
+#include "ros/host/cycle_clock.hpp"
 
 #include <cmath>
 
 #include "core/util/words.hpp"
-#include "hidwa_local_planner/control/pause.hpp"
+#include "control/pause.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/drive_without_goal.hpp"
+#include "ros/host/drive_without_goal.hpp"
 
 #include <mutex>
 #include <set>
@@ -8,9 +8,9 @@
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 
-#include "hidwa_local_planner/control/pause.hpp"
-#include "hidwa_local_planner/ros/conversions.hpp"
-#include "hidwa_local_planner/ros/guarded.hpp"
+#include "control/pause.hpp"
+#include "ros/conversions.hpp"
+#include "ros/guarded.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/hidwa_planner_ros.hpp"
+#include "ros/host/hidwa_planner_ros.hpp"
 
 #include <pluginlib/class_list_macros.hpp>
 
-#include "hidwa_local_planner/input/yielding.hpp"
-#include "hidwa_local_planner/ros/conversions.hpp"
-#include "hidwa_local_planner/ros/guarded.hpp"
-#include "hidwa_local_planner/ros/host/drive_without_goal.hpp"
-#include "hidwa_local_planner/ros/planner_node.hpp"
+#include "input/yielding.hpp"
+#include "ros/conversions.hpp"
+#include "ros/guarded.hpp"
+#include "ros/host/drive_without_goal.hpp"
+#include "ros/planner_node.hpp"
 
 namespace hidwa_local_planner {
 namespace {

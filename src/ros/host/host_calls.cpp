@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/host_calls.hpp"
+#include "ros/host/host_calls.hpp"
 
 #include <algorithm>
 #include <cmath>

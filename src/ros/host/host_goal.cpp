@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/host_goal.hpp"
+#include "ros/host/host_goal.hpp"
 
-#include "hidwa_local_planner/ros/conversions.hpp"
+#include "ros/conversions.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/robot_keepers.hpp"
+#include "ros/host/robot_keepers.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/yielding_recovery.hpp"
+#include "ros/host/yielding_recovery.hpp"
 
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "core/util/words.hpp"
-#include "hidwa_local_planner/ros/conversions.hpp"
-#include "hidwa_local_planner/ros/guarded.hpp"
-#include "hidwa_local_planner/ros/host/costmap_clearing.hpp"
-#include "hidwa_local_planner/ros/host/robot_keepers.hpp"
-#include "hidwa_local_planner/ros/loop_time.hpp"
+#include "ros/conversions.hpp"
+#include "ros/guarded.hpp"
+#include "ros/host/costmap_clearing.hpp"
+#include "ros/host/robot_keepers.hpp"
+#include "ros/loop_time.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -15,7 +15,7 @@
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/record/cycle_replay.hpp"
+#include "record/cycle_replay.hpp"
 #include "replay/cycle_bag.hpp"
 #include "replay/options.hpp"
 #include "support/shape.hpp"

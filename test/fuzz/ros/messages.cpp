@@ -13,9 +13,9 @@
 #include "core/motion/velocity_limits.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
-#include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
-#include "hidwa_local_planner/ros/odometry_input.hpp"
-#include "hidwa_local_planner/ros/plan_message.hpp"
+#include "ros/moving_obstacle_input.hpp"
+#include "ros/odometry_input.hpp"
+#include "ros/plan_message.hpp"
 #include "support/shape.hpp"
 
 namespace hidwa_local_planner::fuzz {

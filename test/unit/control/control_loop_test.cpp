@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/control_loop.hpp"
+#include "control/control_loop.hpp"
 
 #include <cmath>
 

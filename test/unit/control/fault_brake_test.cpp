@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/fault_brake.hpp"
+#include "control/fault_brake.hpp"
 
 #include <gtest/gtest.h>
 

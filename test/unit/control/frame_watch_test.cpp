@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/frame_watch.hpp"
+#include "control/frame_watch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/goal_checker.hpp"
+#include "control/goal_checker.hpp"
 
 #include <gtest/gtest.h>
 

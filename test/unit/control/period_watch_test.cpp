@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/period_watch.hpp"
+#include "control/period_watch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/plan_choice.hpp"
+#include "control/plan_choice.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/prediction.hpp"
+#include "control/prediction.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 
 namespace hidwa_local_planner::control {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What those who watch are told of the next seconds.
-#include "hidwa_local_planner/control/prediction.hpp"
+#include "control/prediction.hpp"
 
 #include <cmath>
 #include <cstdint>

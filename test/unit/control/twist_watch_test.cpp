@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/control/twist_watch.hpp"
+#include "control/twist_watch.hpp"
 
 #include <cmath>
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/control/fault_brake.hpp"
+#include "control/fault_brake.hpp"
 #include "support/planner_bench.hpp"
 
 namespace hidwa_local_planner {

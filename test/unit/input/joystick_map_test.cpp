@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/joystick_map.hpp"
+#include "input/joystick_map.hpp"
 
 #include <cmath>
 #include <limits>

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/input/gesture_source.hpp"
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
-#include "hidwa_local_planner/input/stick_source.hpp"
-#include "hidwa_local_planner/input/twist_source.hpp"
+#include "input/gesture_source.hpp"
+#include "input/operator_state_machine.hpp"
+#include "input/stick_source.hpp"
+#include "input/twist_source.hpp"
 
 namespace hidwa_local_planner::input {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/stick_reading.hpp"
+#include "input/stick_reading.hpp"
 
 #include <cmath>
 #include <limits>

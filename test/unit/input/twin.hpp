@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "hidwa_local_planner/input/operator_state_machine.hpp"
-#include "hidwa_local_planner/input/stick_reading.hpp"
+#include "input/operator_state_machine.hpp"
+#include "input/stick_reading.hpp"
 
 namespace hidwa_local_planner::input {
 

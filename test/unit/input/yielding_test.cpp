@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/input/yielding.hpp"
+#include "input/yielding.hpp"
 
 #include <gtest/gtest.h>
 

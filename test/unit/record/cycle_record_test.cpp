@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/record/cycle_record.hpp"
+#include "record/cycle_record.hpp"
 
 #include <array>
 

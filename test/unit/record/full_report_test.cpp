@@ -8,7 +8,7 @@
 #include "core/evaluation/tie_rule.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/record/cycle_record.hpp"
+#include "record/cycle_record.hpp"
 #include "support/random_scene.hpp"
 
 namespace hidwa_local_planner {

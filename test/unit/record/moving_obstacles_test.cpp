@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/record/cycle_record.hpp"
+#include "record/cycle_record.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/robot/outline.hpp"
+#include "robot/outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/core/footprint.hpp"
-#include "hidwa_local_planner/robot/urdf_reading.hpp"
+#include "robot/urdf_reading.hpp"
 #include "unit/robot/urdf_texts.hpp"
 
 namespace hidwa_local_planner::robot {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/robot/wheels.hpp"
+#include "robot/wheels.hpp"
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/robot/urdf_reading.hpp"
+#include "robot/urdf_reading.hpp"
 #include "unit/robot/urdf_texts.hpp"
 
 namespace hidwa_local_planner::robot {

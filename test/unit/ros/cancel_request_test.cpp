@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/cancel_request.hpp"
+#include "ros/host/cancel_request.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/connection_numbers.hpp"
+#include "ros/connection_numbers.hpp"
 
 #include <gtest/gtest.h>
 #include <boost/make_shared.hpp>

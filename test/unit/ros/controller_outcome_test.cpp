@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/ros/host/controller.hpp"
+#include "ros/host/controller.hpp"
 
 namespace hidwa_local_planner {
 namespace {

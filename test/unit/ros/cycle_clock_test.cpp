@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/cycle_clock.hpp"
+#include "ros/host/cycle_clock.hpp"
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/cycle_statistics.hpp"
+#include "ros/cycle_statistics.hpp"
 
 #include <gtest/gtest.h>
 

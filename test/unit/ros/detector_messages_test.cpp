@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <boost/make_shared.hpp>
 
-#include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
+#include "ros/moving_obstacle_input.hpp"
 #include "support/shape.hpp"
 #include "support/wire_bytes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/evaluation_message.hpp"
+#include "ros/evaluation_message.hpp"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files that set parameters of before.
-#include "hidwa_local_planner/ros/former_parameters.hpp"
+#include "ros/former_parameters.hpp"
 
 #include <string>
 #include <utility>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/core/parameter_text.hpp"
-#include "hidwa_local_planner/ros/parameter_loading.hpp"
+#include "ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/host/goal_succession.hpp"
+#include "ros/host/goal_succession.hpp"
 
 #include <cmath>
 

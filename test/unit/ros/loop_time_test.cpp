@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/loop_time.hpp"
+#include "ros/loop_time.hpp"
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/ros/odometry_input.hpp"
+#include "ros/odometry_input.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/message_throttle.hpp"
+#include "ros/message_throttle.hpp"
 
 #include <gtest/gtest.h>
 

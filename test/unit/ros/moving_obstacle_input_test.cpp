@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/moving_obstacle_input.hpp"
+#include "ros/moving_obstacle_input.hpp"
 
 #include <cmath>
 #include <limits>

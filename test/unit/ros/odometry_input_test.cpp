@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/odometry_input.hpp"
+#include "ros/odometry_input.hpp"
 
 #include <limits>
 

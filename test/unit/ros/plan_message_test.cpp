@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hidwa_local_planner/ros/plan_message.hpp"
+#include "ros/plan_message.hpp"
 
 #include <cmath>
 #include <limits>

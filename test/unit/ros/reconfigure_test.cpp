@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cfg/HIDWAPlanner.cfg against the parameters' one declaration.
-#include "hidwa_local_planner/ros/reconfigure.hpp"
+#include "ros/reconfigure.hpp"
 
 #include <limits>
 #include <map>

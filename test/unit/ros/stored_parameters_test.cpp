@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "hidwa_local_planner/ros/critic_loading.hpp"
-#include "hidwa_local_planner/ros/parameter_set.hpp"
+#include "ros/critic_loading.hpp"
+#include "ros/parameter_set.hpp"
 
 namespace hidwa_local_planner {
 namespace {

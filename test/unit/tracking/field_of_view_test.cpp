@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/tracking/tracker.hpp"
+#include "tracking/tracker.hpp"
 
 namespace hidwa_local_planner {
 namespace {

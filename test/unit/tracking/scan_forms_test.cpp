@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/tracking/tracker.hpp"
+#include "tracking/tracker.hpp"
 #include "support/office_scans.hpp"
 
 namespace hidwa_local_planner {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <hidwa_local_planner/ros/host/controller.hpp>
+#include "ros/host/controller.hpp"
 
 #include "stage.hpp"
 

@@ -3,7 +3,7 @@
 // valid.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
-#include <hidwa_local_planner/ros/parameter_loading.hpp>
+#include "ros/parameter_loading.hpp"
 
 namespace hidwa_plugin_tests {
 namespace {

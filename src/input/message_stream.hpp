@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "input/backlog_gate.hpp"
+#include "input/catch_up_watch.hpp"
+#include "input/device_watch.hpp"
+#include "input/operator_message.hpp"
+
+namespace hidwa_local_planner::input {
+
+/// One topic's messages: which devices send them, and whether the link held them back.
+///
+/// Devices are told apart by sender and shape, and remembered. One of them is in use. While it steers, no other that is
+/// known or idle takes its place. Where it was lost, none does that is idle as it was before: that says nothing new.
+class MessageStream {
+ public:
+  enum class Arrival {
+    live,
+    late,          // held back: to be dropped
+    beside,        // live, and of a device that is not in use: it changes nothing
+    new_device,    // live, and the first of a device that was not known; it is in use from now on
+    other_device,  // live, and of a device that is known and in use from now on
+    slower_link,   // live, and the first since the link is known to be slower
+    new_clock      // live, and the first since a clock was set or stood still
+  };
+  /// What a message meets.
+  struct Use {
+    bool idle = false;    // the message asks for nothing
+    bool steers = false;  // what the device in use asks for counts
+    bool lost = false;    // it did, and fell silent
+    bool armed = false;   // the device in use was seen neutral
+  };
+  struct Device {
+    std::string sender;
+    DeviceShape shape;
+    BacklogGate backlog;
+    CatchUpWatch catch_up;
+    bool armed = false;            // seen neutral since that was demanded; while it is in use others know better
+    bool idle = false;             // its newest message asked for nothing
+    bool was_idle = false;         // nor did the one before
+    double heard = 0.0;            // [s]
+    std::uint64_t connection = 0;  // of its newest message
+  };
+
+  /// Judges a message; `received`: when it arrived, never decreasing [s]; limits.late 0: none is too late.
+  Arrival judge(const OperatorMessage& message, const Use& use, double received, const BacklogGate::Limits& limits);
+  /// The device in use; at the start one without a name.
+  const Device& in_use() const { return in_use_ < devices_.size() ? devices_[in_use_] : none_; }
+  /// Whether the message of the device in use may be one that the link held back during a silence (CatchUpWatch).
+  bool catching_up(double received, double timeout) {
+    return devices_[in_use_].catch_up.catching_up(received, timeout);
+  }
+  /// Each device must be seen neutral once (again).
+  void demand_neutral();
+  /// By how much the last message was later than the link was at best [s].
+  double excess() const { return excess_; }
+  /// Two nodes that take turns, and a link that became slower, in words, with the remedy; else empty.
+  std::string advice(const std::string& topic) const;
+  void forget_lag();
+  void add_to_lag(double step);  // [s]
+  void reset() { *this = MessageStream(); }
+
+ private:
+  std::size_t find(const OperatorMessage& message) const;
+  Arrival choose(std::size_t from, bool known, const Use& use, double received, double patience);
+  void remember(const OperatorMessage& message);
+
+  DeviceWatch senders_;
+  std::vector<Device> devices_;
+  Device none_;
+  std::size_t in_use_ = 0;
+  double excess_ = 0.0;  // of the message judged last [s]
+};
+
+}  // namespace hidwa_local_planner::input

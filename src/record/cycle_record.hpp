@@ -1,0 +1,113 @@
+// One control cycle as bytes: the arguments of ControlLoop::step(), all that it depends on besides, and what it came
+// to. Replay gives the same to the same function.
+//
+// A record is the format's number and named parts (parts.hpp):
+//
+//   cycle        its number
+//   setup        release, parameters, footprint: in key records alone
+//   plan         whole, in its own frame: in key records, and where it is another than a cycle before
+//   observation  what was known of the robot, but for the costmap
+//   moving_obstacles  what moves; absent where nothing does
+//   sensor_sectors  what the sensors look at; absent where nobody tells it
+//   costmap      what changed of it; absent where an input was missing, for then nothing reads it
+//   sampling     samples in force
+//   loop         what ControlLoop remembered before the cycle
+//   operator     what the operator's state machine remembered before the cycle
+//   intent, verdict  what came of it
+//
+// The whole plan takes less than its window in each cycle: it comes about once a second, and a window is a tenth of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "control/control_loop.hpp"
+#include "hidwa_local_planner/core/operator_intent.hpp"
+#include "hidwa_local_planner/core/planner.hpp"
+#include "hidwa_local_planner/core/types.hpp"
+#include "hidwa_local_planner/core/util/archive.hpp"
+#include "record/grid_chain.hpp"
+
+namespace hidwa_local_planner {
+namespace record {
+
+/// Of the container and the layout of its parts. The planner's state in `loop` has a number of its own besides, kLayout
+/// in planner.cpp. A new kind of part is no new format.
+constexpr std::uint16_t kFormat = 6;
+
+/// What stays the same over many cycles.
+struct Setup {
+  std::string version;     // of the package that recorded
+  std::string parameters;  // of planner and operator, see to_lines()
+  std::string critics;     // the parameters of other packages' critics, as XML-RPC; empty where there are none
+  Polygon outline;         // without padding, robot frame [m]
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.version, self.parameters, self.critics, self.outline);
+  }
+};
+
+/// Sampling, as bytes.
+struct RecordedSampling : Sampling {
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.vx_samples, self.vth_samples, self.search_poses, self.report);
+  }
+};
+
+/// What a cycle came to, in so far as two are compared.
+struct DecisionRecord {
+  Outcome outcome = Outcome::fail;
+  Twist2 command;      // sent; zero on failure [m/s, rad/s]
+  Twist2 sample;       // chosen [m/s, rad/s]
+  Twist2 reference;    // [m/s, rad/s]
+  double total = 0.0;  // J
+  double agreement = 1.0;
+  std::uint32_t candidates = 0;
+  std::uint32_t legal = 0;
+  /// A hash (64 bit FNV-1a) of the totals of all candidates, the chosen trajectory, the terms, the rejections and
+  /// the kind of problem. Not of the words: they may become better from one release to the next.
+  std::uint64_t digest = 0;
+
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.outcome, self.command, self.sample, self.reference, self.total, self.agreement, self.candidates, self.legal,
+       self.digest);
+  }
+};
+
+/// Of the cycle that `planner` has just decided; where an input was missing, of the fault brake.
+DecisionRecord decision_record(const control::Result& result, const Planner& planner);
+/// Of a cycle that planned; `totals`: see Planner::totals().
+DecisionRecord decision_record(const Decision& decision, const std::vector<double>& totals);
+/// The same to the bit.
+bool identical(const DecisionRecord& a, const DecisionRecord& b);
+bool identical(const OperatorIntent& a, const OperatorIntent& b);
+
+/// One control cycle: all that it was decided from, and what was decided.
+struct CycleRecord {
+  std::uint32_t sequence = 0;              // one more than that of the record before, or it is a key record
+  std::optional<Setup> setup;              // a key record has it, a whole plan and a whole costmap
+  std::optional<std::vector<Pose2>> plan;  // in its own frame; empty where there is none to follow
+  control::Observation observation;        // without its costmap
+  std::optional<GridPatch> costmap;
+  RecordedSampling sampling;
+  Bytes loop_state;      // see ControlLoop::save()
+  Bytes operator_state;  // see OperatorStateMachine::save()
+  OperatorIntent intent;
+  DecisionRecord decision;
+  std::vector<std::string> unknown;  // critical parts that this release does not know; decode() fills it
+
+  double time() const { return observation.timing.now; }  // [s]
+};
+
+/// As bytes: the format's number, then the parts.
+void encode(const CycleRecord& record, Bytes& bytes);
+/// The fault in words, empty when the record was read. A record without a fault can be given to a ControlLoop.
+std::string decode(const Bytes& bytes, CycleRecord& record);
+
+}  // namespace record
+}  // namespace hidwa_local_planner
