@@ -8,6 +8,9 @@
 
 namespace hidwa_local_planner {
 
+/// Of somebody whom no sensor sees [m]; nobody is thinner.
+constexpr double kBodyRadius = 0.2;
+
 /// What a sensor on the robot looks at.
 struct SensorSector {
   Pose2 pose;          // of the sensor; it faces the middle of its field of view; robot frame
@@ -29,8 +32,7 @@ bool operator==(const SensorSector& a, const SensorSector& b);
 using SensorSectors = std::vector<SensorSector>;
 
 /// The parameter `sensor_sectors`: "x y direction width range" of each sensor in m and degrees, with ';' between two of
-/// them; "all": one that sees all round from
-/// the robot's centre. On a fault `fault` says it in words.
+/// them; "all": one that sees all round from the robot's centre. On a fault `fault` says it in words.
 SensorSectors parse_sensor_sectors(const std::string& text, std::string& fault);
 
 }  // namespace hidwa_local_planner

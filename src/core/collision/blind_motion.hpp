@@ -27,9 +27,6 @@ namespace hidwa_local_planner {
 
 class BlindMotion {
  public:
-  /// Of somebody who stands at the robot [m].
-  static constexpr double kBodyRadius = 0.2;
-
   /// Once a cycle. Without sectors nothing is bounded.
   void prepare(const Parameters& parameters, const Footprint& footprint, const VelocityLimits& limits,
                const SensorSectors& sectors);

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/collision/blind_motion.hpp"
 #include "core/util/rotation.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
-constexpr double kBody = BlindMotion::kBodyRadius;  // [m]
 // Of the middle of a body, from what it stands beside: somebody squeezes past, and cells are coarse [m].
 constexpr double kFits = 0.15;
 // Between two places, and between two that are tried [m].
@@ -43,7 +41,7 @@ void HiddenPlaces::find(const GridView& grid, const Pose2& robot, const SensorSe
     view.middle = wrap_angle(robot.theta + sector.pose.theta);
     view.half = 0.5 * sector.width;
     view.reach = reach + off;
-    view.range = std::min(view.reach + kBody + kFits, sector.range);  // a place lies beside its line
+    view.range = std::min(view.reach + kBodyRadius + kFits, sector.range);  // a place lies beside its line
     farthest = std::max(farthest, view.range);
   }
   bins_ = static_cast<std::size_t>(std::clamp(std::ceil(2.0 * M_PI * farthest / grid.resolution), kFewest, kMost));
@@ -107,7 +105,7 @@ void HiddenPlaces::add_along(const GridView& grid, const View& view, double angl
   const Point ahead(std::cos(angle), std::sin(angle)), across = side * Point(-ahead.y(), ahead.x());
   double length = from;
   while (length < to) {
-    const Point line = view.from + length * ahead, place = line + kBody * across;
+    const Point line = view.from + length * ahead, place = line + kBodyRadius * across;
     const bool counts = fits(grid, line) && fits(grid, place) && hidden(place) && hidden(place + kFits * across);
     if (counts) places_.push_back(place);
     length += counts ? kSpacing : kTried;
