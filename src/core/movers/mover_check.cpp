@@ -32,11 +32,11 @@ constexpr double kLeavesAt = 0.15;
 // No place of its outline that may be touched then moves outwards faster [m/s].
 constexpr double kAdvances = 0.02;
 
-// Who has come out since is not told of yet: the tracker finds somebody who steps out within this time [s].
+// The tracker finds somebody who steps out within this time after half of him is in view [s].
 constexpr double kSightAge = 0.4;
 
 // Memory is kept for so many at once.
-constexpr std::size_t kUsualMovers = 256;
+constexpr std::size_t kUsualMovers = 512;
 
 TurnedPose with_heading(const Pose2& pose) { return {pose, {std::cos(pose.theta), std::sin(pose.theta)}}; }
 
@@ -93,6 +93,7 @@ void MoverCheck::prepare(const Parameters& parameters, const Footprint& footprin
   departures_.begin(start.period);
   if (movers.empty()) return;
   begin(footprint, start);
+  creep_ = -1.0;
   for (const MovingObstacleEstimate& mover : movers) {
     const ReachableSet set(mover, parameters);
     if (!in_reach(set)) continue;
