@@ -14,7 +14,7 @@ constexpr double kFits = 0.15;
 // Between two places, and between two that are tried [m].
 constexpr double kSpacing = 0.3;
 constexpr double kTried = 0.05;
-constexpr double kRounding = 1e-9;
+constexpr double kSameLength = 1e-9;
 // Farther from the robot's centre no sensor is mounted [m].
 constexpr double kFarthestMount = 100.0;
 // A circle around a sensor has no fewer bins, and no more.
@@ -120,7 +120,7 @@ void HiddenPlaces::add_along(const GridView& grid, const View& view, double angl
       continue;
     }
     counted = length;
-    if (length - added < kSpacing - kRounding) continue;
+    if (length - added < kSpacing - kSameLength) continue;
     places_.push_back(place);
     added = length;
   }
