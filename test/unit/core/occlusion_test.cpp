@@ -253,9 +253,9 @@ TEST(Occlusions, CostTheShareOfTheRoomThatIsMissingTimesTheSpeed) {
   p.occlusion_speed = 1.0;
   p.blind_speed = 0.1;
   OcclusionBench bench(p);
-  bench.prepare({{2.0, 3.0}, {1.2, 0.0}});
+  bench.prepare({{2.0, 3.0}, {1.3, 0.0}});
   // 0.4 m/s rests 0.1 + 0.1 + 0.4 / 2 = 0.4 s from now: he 0.4 m farther, the robot 0.4 * 0.2 + 0.4^2 / 4 = 0.12 m:
-  // 0.52 m. Standing there the gap is 1.2 - 0.4 - 0.2 = 0.6 m: nothing. After 0.5 s, at 0.2, it is 0.4 m, after 0.75 s
+  // 0.52 m. Standing there the gap is 1.3 - 0.5 - 0.2 = 0.6 m: nothing. After 0.5 s, at 0.2, it is 0.4 m, after 0.75 s
   // 0.3, after 1 s 0.2, and after 0.25 s 0.5.
   const double missing = 4.0 - (0.5 + 0.4 + 0.3 + 0.2) / 0.52;
   EXPECT_NEAR(bench.raw(0.4, straight(0.4)), 0.25 * missing * (0.4 - 0.1), 1e-12);
