@@ -22,8 +22,8 @@ TEST(BuiltIn, HasTheCriticsOfTheHandbook) {
   }
 }
 
-// Each has a weight, under its own name; but Oscillation, which only rejects, PreferForward, whose terms have theirs, and
-// Occlusion, which `occlusion` switches.
+// Each has a weight, under its own name; but Oscillation, which only rejects, PreferForward, whose terms have theirs,
+// and Occlusion, which `occlusion` switches.
 TEST(BuiltIn, EveryCriticThatScoresHasAScaleAmongTheParameters) {
   const Parameters parameters;
   for (const std::string& name : critics::built_in().names()) {
