@@ -13,7 +13,7 @@
 
 namespace hidwa_local_planner::test {
 
-/// What hides somebody, by sight in so many directions.
+/// The length of sight from each sensor in each direction, and the places that it hides.
 class NaiveHidden {
  public:
   NaiveHidden(const GridView& grid, const Pose2& robot, const SensorSectors& sectors, double reach) : grid_(grid) {
@@ -165,7 +165,7 @@ class NaiveHidden {
 };
 
 /// [m] What Occlusion says of a rollout of this sample [m/s]. `poses`: start pose first, `step` [s] apart. `inscribed`:
-/// radius of the robot's inscribed circle, `disc`: of a place [m]. `apart` [s]: so far apart are the times that count.
+/// radius of the robot's inscribed circle, `disc`: of a place [m]. `apart`: time between two poses that count [s].
 inline double naive_occlusion(const std::vector<Pose2>& poses, double step, double sample, double inscribed,
                               const std::vector<Point>& places, double disc, const Parameters& p, double apart = 0.25) {
   const double v = std::abs(sample), a = p.decel_lim_x == 0.0 ? p.acc_lim_x : std::abs(p.decel_lim_x);

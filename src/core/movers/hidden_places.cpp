@@ -19,7 +19,7 @@ constexpr double kSameLength = 1e-9;
 constexpr double kFarthestMount = 100.0;
 // A circle around a sensor has no fewer bins, and no more.
 constexpr double kFewest = 90.0, kMost = 720.0;
-// Memory is kept for so many.
+// Memory is reserved for this many places.
 constexpr std::size_t kUsualPlaces = 512;
 
 }  // namespace

@@ -92,8 +92,7 @@ void MoverCheck::prepare(const Parameters& parameters, const Footprint& footprin
   near_.clear();
   departures_.begin(start.period);
   if (movers.empty()) return;
-  begin(footprint, start);
-  creep_ = -1.0;
+  begin(footprint, start, -1.0);
   for (const MovingObstacleEstimate& mover : movers) {
     const ReachableSet set(mover, parameters);
     if (!in_reach(set)) continue;
@@ -107,8 +106,7 @@ void MoverCheck::prepare_hidden(const Parameters& parameters, const Footprint& f
                                 const std::vector<Point>& places, const CycleStart& start) {
   near_.clear();
   if (places.empty()) return;
-  begin(footprint, start);
-  creep_ = parameters.blind_speed + kVelocityRounding;
+  begin(footprint, start, parameters.blind_speed + kVelocityRounding);
   for (const Point& place : places) {
     const ReachableSet set =
         ReachableSet::of_hidden(place, HiddenPlaces::kRadius, parameters.occlusion_speed, kSightAge);
@@ -124,7 +122,8 @@ double MoverCheck::reach_of_hidden(const Parameters& parameters, const Footprint
          HiddenPlaces::kRadius;
 }
 
-void MoverCheck::begin(const Footprint& footprint, const CycleStart& start) {
+void MoverCheck::begin(const Footprint& footprint, const CycleStart& start, double creep) {
+  creep_ = creep;
   footprint_ = &footprint;
   start_ = &start;
   ++cycle_;

@@ -91,7 +91,7 @@ class WithoutGoal(DriveTest):
     def test_c_a_goal_that_comes_while_the_robot_drives_takes_over(self):
         self.switch(True)
         self.hold_key()
-        self.give_goal(8.0)  # back through the doorway, and so far that a slow page sees the robot drive
+        self.give_goal(8.0)  # it leads back through the doorway, and takes long enough for a slow page
         self.robot_drives()
         page.key('keyUp', 'ArrowUp', 'ArrowUp')
         page.wait(lambda: page.text('state-title') == 'The robot drives itself')
