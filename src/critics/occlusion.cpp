@@ -12,14 +12,14 @@
 namespace hidwa_local_planner::critics {
 namespace {
 
-// Times at which the distance is measured are about so far apart [s].
+// Time between two poses of the rollout that count [s].
 constexpr double kTimesApart = 0.25;
 // Until a robot that sees somebody begins to brake: two control periods of 20 Hz, besides the latency [s].
 constexpr double kReaction = 0.1;
 // A metre that is driven at full risk costs nearly what the progress is worth that it makes.
 constexpr double kWeight = 20.0;
-// Memory is kept for so many.
-constexpr std::size_t kUsualCandidates = 256, kUsualPlaces = 512;
+// Memory is reserved for this many candidates of a tile.
+constexpr std::size_t kUsualCandidates = 256;
 
 /// Driving fast past where somebody may step out, whom an obstacle hides. With the speed v, the braking limit a, the
 /// reaction time t (control_latency and two periods) and s = occlusion_speed the robot needs
@@ -41,10 +41,10 @@ class Occlusion : public Critic {
   }
   bool add_row(const Tile& tile, std::size_t step, double lasts);
 
-  double speed_ = 0.0, creep_ = 0.0;       // [m/s]
-  double reaction_ = 0.0, braking_ = 1.0;  // [s], [m/s^2]
-  double radius_ = 0.0;                    // of a place and the robot's inscribed circle [m]
-  std::vector<Point> places_;              // [m]
+  double speed_ = 0.0, creep_ = 0.0;            // [m/s]
+  double reaction_ = 0.0, braking_ = 1.0;       // [s], [m/s^2]
+  double radius_ = 0.0;                         // of a place and the robot's inscribed circle [m]
+  const std::vector<Point>* places_ = nullptr;  // of the cycle [m]; null: there are none
   SpeedKnots knots_;
   std::vector<double> needed_, sum_;  // [knots] [m]
 };
@@ -57,19 +57,16 @@ double Occlusion::configure(const Parameters& parameters, const ParameterSource&
   knots_.reserve(kUsualCandidates);
   needed_.reserve(kUsualCandidates);
   sum_.reserve(kUsualCandidates);
-  places_.reserve(kUsualPlaces);
   return parameters.occlusion == ::hidwa_local_planner::Occlusion::cost ? kWeight : 0.0;
 }
 
 void Occlusion::prepare(const CycleView& cycle) {
-  places_.clear();
-  if (cycle.hidden_places == nullptr) return;
+  places_ = cycle.hidden_places;
   radius_ = cycle.hidden_radius + cycle.footprint->inscribed_radius();
-  places_ = *cycle.hidden_places;
 }
 
 void Occlusion::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
-  if (places_.empty() || tile.steps == 0 || tile.count == 0) return;
+  if (places_ == nullptr || places_->empty() || tile.steps == 0 || tile.count == 0) return;
   knots_.choose(tile);
   needed_.clear();
   sum_.assign(knots_.size(), 0.0);
@@ -89,7 +86,7 @@ bool Occlusion::add_row(const Tile& tile, std::size_t step, double lasts) {
     if (speed <= creep_) continue;
     const Point at(tile.x_at(step, knots_[i]), tile.y_at(step, knots_[i]));
     double nearest2 = most * most;
-    for (const Point& place : places_) nearest2 = std::min(nearest2, (place - at).squaredNorm());
+    for (const Point& place : *places_) nearest2 = std::min(nearest2, (place - at).squaredNorm());
     const double left = most - std::max(std::sqrt(nearest2), radius_);
     if (left <= 0.0) continue;
     sum_[i] += lasts * left / needed_[i] * (speed - creep_);

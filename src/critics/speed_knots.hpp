@@ -13,7 +13,7 @@ namespace hidwa_local_planner::critics {
 /// are about 0.1 m/s apart; all where the speeds are in no order. The others are interpolated.
 class SpeedKnots {
  public:
-  /// Memory for so many candidates.
+  /// Reserves memory for `count` candidates.
   void reserve(std::size_t count) { knots_.reserve(count); }
 
   void choose(const Tile& tile) {

@@ -13,7 +13,7 @@
 
 namespace hidwa_local_planner::test {
 
-/// What hides somebody, by sight in so many directions.
+/// The length of sight from each sensor in each direction, and the places that it hides.
 class NaiveHidden {
  public:
   NaiveHidden(const GridView& grid, const Pose2& robot, const SensorSectors& sectors, double reach) : grid_(grid) {
@@ -26,10 +26,11 @@ class NaiveHidden {
     for (const SensorSector& sector : sectors) {
       const double x = sector.pose.x, y = sector.pose.y, c = std::cos(robot.theta), s = std::sin(robot.theta);
       Sensor sensor;
+      const double across = std::hypot(grid.size_x, grid.size_y) * grid.resolution;
       sensor.at = Point(robot.x + c * x - s * y, robot.y + s * x + c * y);
       sensor.direction = robot.theta + sector.pose.theta;
       sensor.width = sector.width;
-      sensor.reach = reach + std::hypot(x, y);
+      sensor.reach = std::min(reach, across) + std::hypot(x, y);
       sensor.range = std::min(sector.range, sensor.reach + 0.35);
       farthest = std::max(farthest, sensor.range);
       sensors_.push_back(sensor);
@@ -55,12 +56,25 @@ class NaiveHidden {
         const Point shadow = left < right ? to_left : Point(-to_left);
         const double edge = std::min(left, right);
         if (is_slit(sensor, border, edge, left > right)) continue;
-        for (double along = edge; along < std::min(sensor.reach, std::max(left, right));) {
+        // All places that count; of them the first, what is 0.3 m farther, and so on; and the last one before a gap,
+        // where that is more than 0.15 m farther.
+        std::vector<double> chosen, counting;
+        const auto close = [&] {
+          if (!chosen.empty() && !counting.empty() && counting.back() - chosen.back() > 0.15) {
+            chosen.push_back(counting.back());
+          }
+        };
+        for (double along = edge; along < std::min(sensor.reach, std::max(left, right)); along += 0.05) {
           const Point line = sensor.at + along * ahead, place = line + 0.2 * shadow, deeper = line + 0.35 * shadow;
-          const bool counts = has_room(line) && has_room(place) && unseen(place) && unseen(deeper);
-          if (counts) found.push_back(place);
-          along += counts ? 0.3 : 0.05;
+          if (has_room(line) && has_room(place) && unseen(place) && unseen(deeper)) {
+            counting.push_back(along);
+            if (chosen.empty() || along - chosen.back() >= 0.3 - 1e-9) chosen.push_back(along);
+          } else {
+            close();
+          }
         }
+        close();
+        for (const double along : chosen) found.push_back(sensor.at + along * ahead + 0.2 * shadow);
       }
     }
     return found;
@@ -151,7 +165,7 @@ class NaiveHidden {
 };
 
 /// [m] What Occlusion says of a rollout of this sample [m/s]. `poses`: start pose first, `step` [s] apart. `inscribed`:
-/// radius of the robot's inscribed circle, `disc`: of a place [m]. `apart` [s]: so far apart are the times that count.
+/// radius of the robot's inscribed circle, `disc`: of a place [m]. `apart`: time between two poses that count [s].
 inline double naive_occlusion(const std::vector<Pose2>& poses, double step, double sample, double inscribed,
                               const std::vector<Point>& places, double disc, const Parameters& p, double apart = 0.25) {
   const double v = std::abs(sample), a = p.decel_lim_x == 0.0 ? p.acc_lim_x : std::abs(p.decel_lim_x);

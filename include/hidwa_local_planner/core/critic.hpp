@@ -41,7 +41,7 @@ struct CycleView {
   Surroundings* surroundings = nullptr;
   const MovingObstacleEstimates* moving_obstacles = nullptr;  // that count
   // Discs in which somebody may stand whom an obstacle hides, and from where he may step out; only near the robot, and
-  // as `occlusion` says. Null: there are none.
+  // as `occlusion` says. Empty or null: there are none.
   const std::vector<Point>* hidden_places = nullptr;  // their centres [m]
   double hidden_radius = 0.0;                         // of each [m]
 

@@ -15,8 +15,8 @@ const char* to_string(Outcome outcome);
 
 /// Names stay valid until the planner is configured anew.
 struct RejectionCount {
-  std::string_view
-      name;  // "Collision", "Unknown cells", "Braking", "Moving obstacle", "Blind", "Occlusion" or a critic
+  // "Collision", "Unknown cells", "Braking", "Moving obstacle", "Blind", "Occlusion" or a critic
+  std::string_view name;
   std::size_t count = 0;
 };
 using RefusalCount [[deprecated("is RejectionCount")]] = RejectionCount;

@@ -20,7 +20,7 @@ constexpr Rejecter kFirstCritic = 6;
 inline constexpr char kCannotBrake[] = "cannot stop in free space";
 inline constexpr char kMayBeTouched[] = "something that moves may touch the robot before it rests";
 inline constexpr char kUnseen[] = "it moves too fast towards where nobody sees";
-inline constexpr char kHidden[] = "somebody may come out of where no sensor sees, and touch the robot before it rests";
+inline constexpr char kHidden[] = "somebody may step out of where no sensor sees, and touch the robot while it drives";
 inline constexpr char kNotANumber[] = "total is not a number";
 
 }  // namespace hidwa_local_planner

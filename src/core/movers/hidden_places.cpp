@@ -14,11 +14,12 @@ constexpr double kFits = 0.15;
 // Between two places, and between two that are tried [m].
 constexpr double kSpacing = 0.3;
 constexpr double kTried = 0.05;
+constexpr double kSameLength = 1e-9;
 // Farther from the robot's centre no sensor is mounted [m].
 constexpr double kFarthestMount = 100.0;
 // A circle around a sensor has no fewer bins, and no more.
 constexpr double kFewest = 90.0, kMost = 720.0;
-// Memory is kept for so many.
+// Memory is reserved for this many places.
 constexpr std::size_t kUsualPlaces = 512;
 
 }  // namespace
@@ -28,10 +29,11 @@ HiddenPlaces::HiddenPlaces() { places_.reserve(kUsualPlaces); }
 void HiddenPlaces::find(const GridView& grid, const Pose2& robot, const SensorSectors& sectors, double reach) {
   places_.clear();
   view_count_ = 0;
+  reach = std::min(reach, std::hypot(grid.size_x, grid.size_y) * grid.resolution);  // beyond the map is nobody
   double farthest = 0.0;
   for (const SensorSector& sector : sectors) {
     const double off = std::hypot(sector.pose.x, sector.pose.y);
-    if (!is_finite(sector.pose) || off > kFarthestMount) continue;
+    if (!is_finite(sector.pose) || off > kFarthestMount || !(sector.range > 0.0)) continue;
     if (views_.size() == view_count_) {
       views_.emplace_back();
       views_.back().lengths.reserve(static_cast<std::size_t>(kMost));
@@ -103,13 +105,26 @@ bool HiddenPlaces::lets_through(const View& view, std::size_t border, bool to_le
 void HiddenPlaces::add_along(const GridView& grid, const View& view, double angle, double side, double from,
                              double to) {
   const Point ahead(std::cos(angle), std::sin(angle)), across = side * Point(-ahead.y(), ahead.x());
-  double length = from;
-  while (length < to) {
-    const Point line = view.from + length * ahead, place = line + kBodyRadius * across;
-    const bool counts = fits(grid, line) && fits(grid, place) && hidden(place) && hidden(place + kFits * across);
-    if (counts) places_.push_back(place);
-    length += counts ? kSpacing : kTried;
+  const auto place_at = [&](double length) { return Point(view.from + length * ahead + kBodyRadius * across); };
+  double added = from - 2.0 * kSpacing, counted = added;  // the last place, and the last one that could be one [m]
+  const auto end_stretch = [&] {
+    if (counted - added <= 0.5 * kSpacing) return;
+    places_.push_back(place_at(counted));
+    added = counted;
+  };
+  for (double length = from; length < to; length += kTried) {
+    const Point place = place_at(length);
+    if (!fits(grid, view.from + length * ahead) || !fits(grid, place) || !hidden(place) ||
+        !hidden(place + kFits * across)) {
+      end_stretch();
+      continue;
+    }
+    counted = length;
+    if (length - added < kSpacing - kSameLength) continue;
+    places_.push_back(place);
+    added = length;
   }
+  end_stretch();
 }
 
 bool HiddenPlaces::faces(const View& view, double bearing) const {
@@ -129,6 +144,7 @@ bool HiddenPlaces::hidden(const Point& point) const {
 
 // Somebody's middle can be there.
 bool HiddenPlaces::fits(const GridView& grid, const Point& middle) {
+  if (!grid.holds(middle)) return false;
   const Cell lo = grid.cell_at(middle.x() - kFits, middle.y() - kFits);
   const Cell hi = grid.cell_at(middle.x() + kFits, middle.y() + kFits);
   for (int j = lo.j; j <= hi.j; ++j) {

@@ -21,9 +21,9 @@ namespace hidwa_local_planner {
 
 class HiddenPlaces {
  public:
-  /// Whoever may come out is, when he is seen first, in a disc of this radius around one of the places [m]: his body,
-  /// half of the spacing of places, and a cell.
-  static constexpr double kRadius = 0.4;
+  /// Whoever comes out is in a disc of this radius around one of the places until half of him is in view [m]: his
+  /// middle is on the line then, hypot(0.2, half of the spacing) away; his body, and a cell.
+  static constexpr double kRadius = 0.5;
 
   HiddenPlaces();
   /// Once a cycle: the places up to `reach` from the robot [m].

@@ -32,11 +32,11 @@ constexpr double kLeavesAt = 0.15;
 // No place of its outline that may be touched then moves outwards faster [m/s].
 constexpr double kAdvances = 0.02;
 
-// Who has come out since is not told of yet: the tracker finds somebody who steps out within this time [s].
+// The tracker finds somebody who steps out within this time after half of him is in view [s].
 constexpr double kSightAge = 0.4;
 
 // Memory is kept for so many at once.
-constexpr std::size_t kUsualMovers = 256;
+constexpr std::size_t kUsualMovers = 512;
 
 TurnedPose with_heading(const Pose2& pose) { return {pose, {std::cos(pose.theta), std::sin(pose.theta)}}; }
 
@@ -92,7 +92,7 @@ void MoverCheck::prepare(const Parameters& parameters, const Footprint& footprin
   near_.clear();
   departures_.begin(start.period);
   if (movers.empty()) return;
-  begin(footprint, start);
+  begin(footprint, start, -1.0);
   for (const MovingObstacleEstimate& mover : movers) {
     const ReachableSet set(mover, parameters);
     if (!in_reach(set)) continue;
@@ -106,8 +106,7 @@ void MoverCheck::prepare_hidden(const Parameters& parameters, const Footprint& f
                                 const std::vector<Point>& places, const CycleStart& start) {
   near_.clear();
   if (places.empty()) return;
-  begin(footprint, start);
-  creep_ = parameters.blind_speed + kVelocityRounding;
+  begin(footprint, start, parameters.blind_speed + kVelocityRounding);
   for (const Point& place : places) {
     const ReachableSet set =
         ReachableSet::of_hidden(place, HiddenPlaces::kRadius, parameters.occlusion_speed, kSightAge);
@@ -123,7 +122,8 @@ double MoverCheck::reach_of_hidden(const Parameters& parameters, const Footprint
          HiddenPlaces::kRadius;
 }
 
-void MoverCheck::begin(const Footprint& footprint, const CycleStart& start) {
+void MoverCheck::begin(const Footprint& footprint, const CycleStart& start, double creep) {
+  creep_ = creep;
   footprint_ = &footprint;
   start_ = &start;
   ++cycle_;

@@ -106,7 +106,7 @@ class MoverCheck {
     std::array<PendingEnd, PendingMotionSet::kMost> pending_ends;
     std::vector<CachedResult> cache;  // by a hash of the command
   };
-  void begin(const Footprint& footprint, const CycleStart& start);
+  void begin(const Footprint& footprint, const CycleStart& start, double creep);
   void divide_window();
   bool in_reach(const ReachableSet& set) const;
   void add_near(const ReachableSet& set, bool leaves);

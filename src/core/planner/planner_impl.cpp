@@ -120,7 +120,7 @@ MoverCheck* Planner::Impl::prepare_mover_check(const Situation& measured, const 
 MoverCheck* Planner::Impl::prepare_hidden(const SensorSectors& sectors, const CycleStart& start, const GridView& grid) {
   hidden_places.clear();
   if (parameters.occlusion == Occlusion::off || sectors.empty() || footprint.fault() != nullptr || !plausible(grid) ||
-      !plausible(start.pose)) {
+      !plausible(start.pose) || !grid.holds({start.pose.x, start.pose.y})) {
     return nullptr;
   }
   hidden_places.find(grid, start.pose, sectors, MoverCheck::reach_of_hidden(parameters, footprint, start));

@@ -89,12 +89,12 @@ TEST(RestBeforeHidden, AFastRobotIsRefusedNearAPlaceAndFreeFarAway) {
   const Parameters p;  // 0.1 s of latency, 2.5 m/s^2
   const Motion fast(p, {0.5, 0.0});
   // It brakes 0.1 + 0.05 s from now on, and is slower than 0.1 m/s 0.4 / 2.5 = 0.16 s later: after 0.31 s he has come
-  // 0.4 + 1.3 * (0.31 + 0.4) = 1.3 m from the place, and the robot's front is at 0.3 + 0.5 * 0.15 + 0.3 * 0.16 = 0.42.
+  // 0.5 + 1.3 * (0.31 + 0.4) = 1.4 m from the place, and the robot's front is at 0.3 + 0.5 * 0.15 + 0.3 * 0.16 = 0.42.
   EXPECT_FALSE(confirms(p, fast, {{1.3, 0.0}}, {0.5, 0.0}));
   EXPECT_FALSE(confirms(p, fast, {{-3.0, 0.0}, {1.3, 0.0}}, {0.5, 0.0}));
   EXPECT_TRUE(confirms(p, fast, {{2.1, 0.0}}, {0.5, 0.0}));
   EXPECT_TRUE(confirms(p, fast, {{5.0, 0.0}, {0.0, -5.0}}, {0.5, 0.0}));
-  // Who steps out more slowly, 0.4 + 0.3 * 0.71 = 0.61 m, is nearer.
+  // Who steps out more slowly, 0.5 + 0.3 * 0.71 = 0.71 m, is nearer.
   Parameters slow = p;
   slow.occlusion_speed = 0.3;
   EXPECT_TRUE(confirms(slow, fast, {{1.3, 0.0}}, {0.5, 0.0}));
@@ -144,7 +144,7 @@ SlowRest rest_slowly(const Motion& motion, const Twist2& command, const std::vec
     for (const Point& place : places) {
       const double dx = place.x() - at.pose.x, dy = place.y() - at.pose.y;
       const double c = std::cos(at.pose.theta), s = std::sin(at.pose.theta);
-      const double grown = 0.4 + p.occlusion_speed * (roller.time() + 0.4);
+      const double grown = 0.5 + p.occlusion_speed * (roller.time() + 0.4);
       const double gap = kBody.distance_to({c * dx + s * dy, c * dy - s * dx}) - grown;
       rest.gap = std::min(rest.gap, gap);
       for (const NaivePlace& one : outline) {
@@ -253,9 +253,9 @@ TEST(Occlusions, CostTheShareOfTheRoomThatIsMissingTimesTheSpeed) {
   p.occlusion_speed = 1.0;
   p.blind_speed = 0.1;
   OcclusionBench bench(p);
-  bench.prepare({{2.0, 3.0}, {1.2, 0.0}});
+  bench.prepare({{2.0, 3.0}, {1.3, 0.0}});
   // 0.4 m/s rests 0.1 + 0.1 + 0.4 / 2 = 0.4 s from now: he 0.4 m farther, the robot 0.4 * 0.2 + 0.4^2 / 4 = 0.12 m:
-  // 0.52 m. Standing there the gap is 1.2 - 0.4 - 0.2 = 0.6 m: nothing. After 0.5 s, at 0.2, it is 0.4 m, after 0.75 s
+  // 0.52 m. Standing there the gap is 1.3 - 0.5 - 0.2 = 0.6 m: nothing. After 0.5 s, at 0.2, it is 0.4 m, after 0.75 s
   // 0.3, after 1 s 0.2, and after 0.25 s 0.5.
   const double missing = 4.0 - (0.5 + 0.4 + 0.3 + 0.2) / 0.52;
   EXPECT_NEAR(bench.raw(0.4, straight(0.4)), 0.25 * missing * (0.4 - 0.1), 1e-12);
