@@ -23,7 +23,7 @@ add_custom_command(
 
 catkin_package(
   INCLUDE_DIRS include
-  LIBRARIES hidwa_core hidwa_critics hidwa_input hidwa_control hidwa_record hidwa_robot hidwa_tracking hidwa_local_planner
+  LIBRARIES hidwa_core hidwa_tracking hidwa_local_planner
   CATKIN_DEPENDS message_runtime ${HIDWA_CATKIN_DEPENDS}
   DEPENDS EIGEN3
   CFG_EXTRAS hidwa_local_planner-extras.cmake)

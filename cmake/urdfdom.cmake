@@ -1,4 +1,4 @@
-# Finds urdfdom, 1.0 or later: HIDWA_ROBOT says whether hidwa_robot can be built, hidwa_urdfdom is what it links.
+# Finds urdfdom, 1.0 or later: HIDWA_ROBOT says whether src/robot can be built, hidwa_urdfdom is what it links.
 
 find_package(urdfdom_headers QUIET)
 find_package(urdfdom QUIET)
@@ -11,7 +11,7 @@ endif()
 if(NOT HIDWA_ROBOT AND HIDWA_ROS)
   message(FATAL_ERROR "urdfdom or console_bridge not found: install liburdfdom-dev and libconsole-bridge-dev")
 elseif(NOT HIDWA_ROBOT)
-  message(STATUS "urdfdom or console_bridge not found: building without hidwa_robot (limits from the URDF)")
+  message(STATUS "urdfdom or console_bridge not found: no limits from the URDF")
 else()
   add_library(hidwa_urdfdom INTERFACE)
   # Named by its real path, /usr/include is left to the compiler, which knows it.

@@ -5,13 +5,12 @@
 The compiler says nothing when it no longer vectorises a loop, and every result stays the same: only the time grows.
 Exit status: 0 they do; 1 some do not; 77 the library has no such clones by its nature."""
 import argparse
-import os
 import re
 import subprocess
 import sys
 
 # What the innermost loops must hold: packed operations, without the v of AVX. In the clone for AVX2 on 256 bits.
-OF_CORE = {
+PACKED = {
     'bound_rows': ('subpd', 'addpd'),
     'find_cells': ('subpd', 'mulpd', 'cvttpd2dq'),         # of CellClasses
     'find_corners': ('mulpd', 'addpd', 'cvttpd2dq'),
@@ -27,12 +26,9 @@ OF_CORE = {
     'least_inside': ('mulpd', 'subpd'),
     'least_of_rows': ('paddw', 'pminsw'),
     'take_from': ('paddw', 'pminsw'),
-}
-OF_CRITICS = {
     'critics::least_gaps': ('subpd',),
     'critics::place_sides': ('mulpd', 'addpd'),
 }
-PACKED = {'libhidwa_core.so': OF_CORE, 'libhidwa_critics.so': OF_CRITICS}
 CLONES = {'avx2': ('v', '%ymm'), 'default': ('', '%xmm')}
 SKIPPED = 77
 
@@ -108,7 +104,7 @@ def judge(listing, packed):
 def main():
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('library', help=' or '.join(PACKED))
+    parser.add_argument('library', help='libhidwa_core.so')
     parser.add_argument('--objdump', default='objdump', help='the disassembler')
     parser.add_argument('--compiler', default='GNU', help='who compiled it, in the words of CMake')
     options = parser.parse_args()
@@ -122,9 +118,8 @@ def main():
     if options.compiler != 'GNU':
         print(f'skipped: clones are made by GCC only, and this library was compiled by {options.compiler}')
         return SKIPPED
-    packed = PACKED[os.path.basename(options.library)]
-    faults = judge(objdump('--disassemble', '--no-show-raw-insn'), packed)
-    print('\n'.join(faults) if faults else f'{len(packed)} functions, each vectorised in {len(CLONES)} clones')
+    faults = judge(objdump('--disassemble', '--no-show-raw-insn'), PACKED)
+    print('\n'.join(faults) if faults else f'{len(PACKED)} functions, each vectorised in {len(CLONES)} clones')
     return 1 if faults else 0
 
 

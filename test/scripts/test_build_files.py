@@ -128,7 +128,7 @@ class UnderCatkin(unittest.TestCase):
 
     def test_tests_belong_to_run_tests_and_a_build_leaves_them_out(self):
         build = self.configured()
-        for name in ('hidwa_unit_input', 'hidwa_unit_ros', 'hidwa_vector_width_core_test'):
+        for name in ('hidwa_unit_input', 'hidwa_unit_ros', 'hidwa_vector_width_test'):
             self.assertIn(f'run_tests_hidwa_local_planner_gtest_{name}', build.targets())
             self.assertIn(f'_ctest_hidwa_local_planner_gtest_{name}', build.tests())
         built = build.built_by_all()

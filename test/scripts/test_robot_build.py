@@ -9,7 +9,7 @@ import unittest
 from test_build_files import Configured, ROOT
 
 NAME = 'hidwa_local_planner'
-LIBRARIES = {'hidwa_core', 'hidwa_critics', 'hidwa_input', 'hidwa_control', 'hidwa_record', 'hidwa_robot', 'hidwa_tracking', NAME}
+LIBRARIES = {'hidwa_core', 'hidwa_tracking', NAME}
 COMPILED = {'hidwa_tracker', 'hidwa_plan_follower'}
 PROGRAMS = COMPILED | {'joy_reader', 'quest2ros_joy', 'record_drive', 'measure_base', 'bag_test', 'console'}
 # What package.xml names for tools and tests alone: a robot may lack it.

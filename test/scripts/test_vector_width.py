@@ -32,7 +32,7 @@ LISTING = '''
 
 class VectorWidth(unittest.TestCase):
     def faults(self, listing, name):
-        return [fault for fault in vector_width.judge(listing, vector_width.OF_CORE) if fault.startswith(name)]
+        return [fault for fault in vector_width.judge(listing, vector_width.PACKED) if fault.startswith(name)]
 
     def test_names(self):
         self.assertEqual(set(vector_width.functions(LISTING)),
