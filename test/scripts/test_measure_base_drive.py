@@ -21,7 +21,7 @@ from hidwa_tools.places import ROOT
 from hidwa_tools.processes import Child, end_on_signals
 from hidwa_tools.waiting import PATIENCE, wait_for
 
-LATENCY, ACC, DECEL, ACC_THETA, DECEL_THETA, TIMEOUT = 0.15, 0.8, 0.6, 2.0, 1.6, 0.4
+LATENCY, ACC, DECEL, ACC_THETA, DECEL_THETA, TIMEOUT = 0.15, 0.8, 0.6, 2.0, 1.6, 1.0
 LAUNCH = f'''<launch>
   <param name="/use_sim_time" value="true"/>
   <node name="hidwa_sim" pkg="hidwa_local_planner" type="hidwa_sim_node" required="true">
