@@ -142,7 +142,7 @@ class Course:
         late, early = self._speed(newest - LOOK_BACK, newest, axis), self._speed(newest - 2.0 * LOOK_BACK, newest - LOOK_BACK, axis)
         if late * wanted < 0.0 and abs(late) > 0.2 * abs(wanted):
             raise Doubt(f'odometry moves the other way ({late:.2f} where {wanted:.2f} is commanded): check the signs of cmd_vel and odom')
-        if abs(late) < 0.1 * abs(wanted) and passed > 2.0:
+        if passed >= LONGEST and not self._moved():
             raise Doubt(f'the robot does not move at a command of {wanted:.2f} {("m/s", "rad/s")[axis]}: are its motors on, is its stop '
                         'released, is this the topic that its driver hears?')
         return passed >= LONGEST or abs(late - early) < SETTLED * abs(wanted) and abs(late) >= 0.1 * abs(wanted)

@@ -81,7 +81,8 @@ class Robot:
         """Until odometry and a listener are there; Doubt where they do not come."""
         self._looked, end = 0.0, time.monotonic() + START
         listeners = []
-        while time.monotonic() < end and not (self._arrived and listeners):
+        # A listener that the master knows is not yet connected; this node listens, too.
+        while time.monotonic() < end and not (self._arrived and listeners and self.velocity.get_num_connections() > 1):
             time.sleep(0.1)
             _, listeners = publishers(self.topic)
         if not self._arrived:
