@@ -212,6 +212,9 @@ double longest_rollout(const Parameters& p) {
 void check_rest(std::vector<std::string>& faults, const Parameters& p) {
   check_operator(faults, p);
   if (p.odom_topic.empty()) faults.push_back("odom_topic is empty: name the robot's nav_msgs/Odometry topic");
+  if (p.occlusion == Occlusion::bound && p.admissibility != Admissibility::braking) {
+    faults.push_back("occlusion: bound needs admissibility: braking: set that, or occlusion to cost or \"off\"");
+  }
   if (split_names(p.critics).empty()) faults.push_back("critics is empty: name at least one, for example PathDist");
   const double samples = static_cast<double>(p.vx_samples) * static_cast<double>(p.vth_samples);
   if (samples > 200000.0) {

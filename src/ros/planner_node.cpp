@@ -199,6 +199,12 @@ RobotObservation PlannerNode::observe(const LoopTime& now, const control::Timing
           "%s: what the robot's sensors look at is not known: it may drive fast to where nobody sees, until the "
           "tracker tells it; or set sensor_sectors",
           name_.c_str());
+      if (parameters.occlusion == Occlusion::bound) {
+        ROS_WARN_THROTTLE(30.0,
+                          "%s: occlusion: bound has no effect, since nobody tells what the robot's sensors look at: start "
+                          "the tracker, or set sensor_sectors",
+                          name_.c_str());
+      }
     }
   }
   return seen;

@@ -47,6 +47,8 @@ Parameters parameters_of(Input& input) {
     p.wheel_separation = 0.4;
     p.max_wheel_speed = 1.0;
   }
+  if ((choices & 8192U) != 0) p.occlusion = Occlusion::off;
+  if ((choices & 16384U) != 0 && p.admissibility == Admissibility::braking) p.occlusion = Occlusion::bound;
   if ((choices & 4096U) != 0) p.min_in_place_vel_theta = 0.5 * p.max_vel_theta;
   return p;
 }
@@ -124,6 +126,12 @@ void look(Input& input, Situation& situation) {
       mover.points.emplace_back(x, y);
     }
     situation.moving_obstacles.push_back(mover);
+  }
+  situation.sensor_sectors.clear();
+  for (int k = input.integer(0, 2); k > 0; --k) {
+    const Pose2 at{input.number(-0.5, 0.5), input.number(-0.5, 0.5), input.number(-4.0, 4.0)};
+    const double width = input.number(0.0, 7.0), range = input.number(0.0, 10.0);
+    situation.sensor_sectors.push_back({at, width, range});
   }
 }
 

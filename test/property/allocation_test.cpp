@@ -146,6 +146,29 @@ TEST_P(Allocations, NoneAmongMovers) {
   EXPECT_GT(refused, 20U);
 }
 
+// A sensor in the middle that sees all round, and one at the front; somebody may step out of every shadow.
+TEST_P(Allocations, NoneAtCorners) {
+  for (const Occlusion occlusion : {Occlusion::cost, Occlusion::bound}) {
+    Parameters parameters = scenes_.front().parameters;
+    parameters.occlusion = occlusion;
+    ASSERT_TRUE(planner_.configure(parameters).empty());
+    for (Scene& scene : scenes_) {
+      scene.situation.sensor_sectors = {{{0.0, 0.0, 0.0}, 7.0, 8.0}, {{0.2, 0.0, 0.0}, 3.0, 8.0}};
+    }
+    for (int round = 0; round < 2; ++round) {  // in the second one it remembers the first
+      for (const Scene& scene : scenes_) planner_.plan(scene.situation, scene.grid(), scene.intent);
+    }
+    std::uint64_t refused = 0;
+    for (const Scene& scene : scenes_) {
+      const AllocationCounter counter;
+      const Decision& decision = planner_.plan(scene.situation, scene.grid(), scene.intent);
+      ASSERT_EQ(counter.count(), 0U) << scene.situation.time;
+      for (const RejectionCount& rejection : decision.rejections) refused += rejection.name == "Occlusion";
+    }
+    EXPECT_EQ(refused > 20U, occlusion == Occlusion::bound) << refused;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(MethodsAndBodies, Allocations,
                          ::testing::Values(Case{Method::hidwa, Body::circle}, Case{Method::hidwa, Body::polygon},
                                            Case{Method::paper, Body::circle}, Case{Method::paper, Body::polygon}));

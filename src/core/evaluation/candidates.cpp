@@ -17,6 +17,8 @@ void Candidates::make(const Cycle& cycle, const VelocityLimits& window_limits, c
   request.blended = steering.active && !(steering.target == cycle.intent.u_h) ? &steering.target : nullptr;
   request.vx_samples = sampling.vx_samples > 0 ? sampling.vx_samples : parameters.vx_samples;
   request.vth_samples = sampling.vth_samples > 0 ? sampling.vth_samples : parameters.vth_samples;
+  // Where somebody may step out, other speeds may all be too fast.
+  if (cycle.hidden != nullptr) request.creep = parameters.blind_speed;
   VelocityLimits limits = window_limits;
   limits.theta = comfort.widest(limits.theta, cycle.start.reference.omega);
   sampler_.make(parameters, limits, cycle.start, request);

@@ -71,10 +71,19 @@ void Sampler::make(const Parameters& p, const VelocityLimits& limits, const Cycl
   window_ = dynamic_window(p, limits, start.reference, start.period);
   spread(window_.v, request.vx_samples, v_);
   spread(window_.omega, request.vth_samples, omega_);
+  if (request.creep > 0.0) {
+    add_speed(request.creep);
+    add_speed(-request.creep);
+  }
   const std::size_t most = (v_.size() + 1) * (omega_.size() + 1) + 8;
   if (samples_.capacity() < most) samples_.reserve(most + most / 8);
   add_grid(p, limits);
   add_extra(p, limits, request);
+}
+
+void Sampler::add_speed(double v) {
+  const auto at = std::lower_bound(v_.begin(), v_.end(), v);
+  if (v > window_.v.lo && v < window_.v.hi && *at != v) v_.insert(at, v);
 }
 
 void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {

@@ -43,11 +43,12 @@ struct SampleRequest {
   const Twist2* blended = nullptr;           // u_ref where it differs from that (authority below 1)
   int vx_samples = 20;
   int vth_samples = 20;
+  double creep = 0.0;  // above 0: this speed is among the samples, forwards and backwards [m/s]
 };
 
 /// The samples of one cycle, grouped by omega in ascending order, v ascending within: the grid over the window without
 /// (0, 0) and without what the wheels or dead bands exclude, a min_vel_x above 0 too; then the extra ones that the
-/// parameters ask for.
+/// parameters ask for. `creep` is a row of the grid where the window holds it.
 class Sampler {
  public:
   /// `limits`: of the window.
@@ -56,6 +57,7 @@ class Sampler {
   const std::vector<Sample>& samples() const { return samples_; }
 
  private:
+  void add_speed(double v);
   void add_grid(const Parameters& parameters, const VelocityLimits& limits);
   void add_extra(const Parameters& parameters, const VelocityLimits& limits, const SampleRequest& request);
 

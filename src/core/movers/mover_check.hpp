@@ -15,8 +15,7 @@
 //    in the middle of each is looked at first, with an allowance for all others of its part: where it is free, they
 //    are. What the allowance is made of: see part_margin().
 // 7. Where somebody may stand unseen (HiddenPlaces) is such a set, too. It may be touched by a place of the outline
-// that
-//    moves outwards no faster than blind_speed: the robot comes through a doorway, and is overtaken.
+//    that moves outwards no faster than blind_speed: the robot comes through a doorway, and is overtaken.
 //
 // can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
 // steps, all pending motions, and commands to brake at all times. A robot that stays at rest has nothing to be asked.

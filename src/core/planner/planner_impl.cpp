@@ -124,7 +124,7 @@ MoverCheck* Planner::Impl::prepare_hidden(const SensorSectors& sectors, const Cy
     return nullptr;
   }
   hidden_places.find(grid, start.pose, sectors, MoverCheck::reach_of_hidden(parameters, footprint, start));
-  if (parameters.occlusion != Occlusion::bound || parameters.admissibility != Admissibility::braking) return nullptr;
+  if (parameters.occlusion != Occlusion::bound) return nullptr;
   hidden.prepare_hidden(parameters, footprint, hidden_places.all(), start);
   return hidden.none_near() ? nullptr : &hidden;
 }

@@ -436,9 +436,29 @@ TEST(PlannerThatThinksOfWhoIsHidden, WithoutSensorsOrInTheOpenRefusesNothing) {
   Scene open = beside_a_corner(Occlusion::bound);
   std::fill(open.costs.begin(), open.costs.end(), cost::kFree);
   EXPECT_EQ(rejections_by(PlannerBench(open).cycle(), "Occlusion"), 0U);
-  Scene horizon = beside_a_corner(Occlusion::bound);
-  horizon.parameters.admissibility = Admissibility::horizon;
-  EXPECT_EQ(rejections_by(PlannerBench(horizon).cycle(), "Occlusion"), 0U);
+}
+
+TEST(PlannerThatThinksOfWhoIsHidden, TakesBrakingForABound) {
+  Parameters p;
+  p.occlusion = Occlusion::bound;
+  EXPECT_TRUE(validate(p).empty());
+  p.admissibility = Admissibility::horizon;
+  ASSERT_EQ(validate(p).size(), 1U);
+  EXPECT_EQ(validate(p).front().find("occlusion: bound needs admissibility: braking"), 0U);
+  p.occlusion = Occlusion::cost;
+  EXPECT_TRUE(validate(p).empty());
+}
+
+// Two speeds are far apart: 0 and 0.5 m/s, and the one between them.
+TEST(PlannerThatThinksOfWhoIsHidden, HasASampleThatCreepsPastADoorPost) {
+  Scene scene = beside_a_corner(Occlusion::bound);
+  scene.parameters.vx_samples = 2;
+  scene.situation.velocity = scene.situation.last_command = {};
+  scene.steer({0.5, 0.0});
+  PlannerBench bench(scene);
+  for (int k = 0; k < 40; ++k) bench.drive();
+  EXPECT_GT(bench.scene().situation.pose.x, 0.05);
+  EXPECT_NEAR(bench.scene().situation.velocity.v, scene.parameters.blind_speed, 1e-9);
 }
 
 TEST(PlannerThatThinksOfWhoIsHidden, NamesOcclusionOfEveryFastCandidate) {
