@@ -8,6 +8,7 @@
 
 #include "core/util/convex_hull.hpp"
 #include "core/util/outline.hpp"
+#include "core/util/segment.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -16,13 +17,6 @@ namespace {
 constexpr double kFarthestCorner = 20.0;
 
 bool is_finite_point(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
-
-double squared_distance_to_segment(const Point& a, const Point& b) {
-  const Point d = b - a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp(-a.dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (a + t * d).squaredNorm();
-}
 
 bool has_area(const Polygon& outline) { return std::abs(signed_area(outline)) > 1e-9; }
 
@@ -135,7 +129,7 @@ Footprint::Footprint(Polygon outline, double radius) : outline_(std::move(outlin
   inscribed_ = outline_.empty() ? 0.0 : std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline_.size(); ++i) {
     circumscribed_ = std::max(circumscribed_, outline_[i].norm());
-    const double squared = squared_distance_to_segment(outline_[i], outline_[(i + 1) % outline_.size()]);
+    const double squared = squared_distance_to_segment(Point::Zero(), outline_[i], outline_[(i + 1) % outline_.size()]);
     inscribed_ = std::min(inscribed_, std::sqrt(squared));
     const Point way = outline_[(i + 1) % outline_.size()] - outline_[i];
     const double length2 = way.squaredNorm();

@@ -9,6 +9,7 @@
 #include <tf2/exceptions.h>
 #include <Eigen/Geometry>
 
+#include "core/util/rotation.hpp"
 #include "core/util/words.hpp"
 #include "detector_messages.hpp"
 #include "ros/conversions.hpp"
@@ -41,23 +42,19 @@ const char* fault_of(const MovingObstacle& one) {
   return nullptr;
 }
 
-Point turned(const Pose2& frame, double x, double y) {
-  const double c = std::cos(frame.theta), s = std::sin(frame.theta);
-  return {c * x - s * y, s * x + c * y};
-}
-
 void convert(const MovingObstacle& from, const Pose2& frame, double age, MovingObstacleEstimate& to) {
   const Point origin(frame.x, frame.y);
+  const Rotation turn = Rotation::direction(frame.theta);
   to.id = from.id;
-  to.position = origin + turned(frame, from.position.x, from.position.y);
-  to.velocity = turned(frame, from.velocity.x, from.velocity.y);
+  to.position = origin + turn.apply({from.position.x, from.position.y});
+  to.velocity = turn.apply({from.velocity.x, from.velocity.y});
   to.radius = from.radius;
   to.position_deviation = from.position_deviation;
   to.velocity_deviation = from.velocity_deviation;
   to.age = age;
   to.points.clear();
   for (const geometry_msgs::Point32& point : from.points) {
-    if (std::isfinite(point.x) && std::isfinite(point.y)) to.points.push_back(origin + turned(frame, point.x, point.y));
+    if (std::isfinite(point.x) && std::isfinite(point.y)) to.points.push_back(origin + turn.apply({point.x, point.y}));
   }
 }
 

@@ -24,7 +24,6 @@ constexpr double kSameDistance = 1e-6;
 // Poses need not lie nearer to each other [m].
 constexpr double kFinest = 1e-4;
 
-TurnedPose turned(const Pose2& pose) { return {pose, {std::cos(pose.theta), std::sin(pose.theta)}}; }
 
 }  // namespace
 
@@ -65,7 +64,7 @@ void BrakingCheck::prepare(const Parameters& parameters, const CheckSetup& setup
   clearance_now_ = 0.0;
   if (all_clear_) return;
   const CollisionChecker& checker = clearances.checker();
-  const double clearance = checker.clearance(start_->pose, turned(start_->pose).heading, checker.largest_clearance());
+  const double clearance = checker.clearance(start_->pose, Rotation::direction(start_->pose.theta), checker.largest_clearance());
   clearance_now_ = std::max(0.0, clearance - kSameDistance);
 }
 
@@ -129,7 +128,7 @@ bool BrakingCheck::confirm_braking(const Twist2& sample) {
 }
 
 ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) const {
-  return ManoeuvreRoller(start_->limits, radius_, spacing, turned(start));
+  return ManoeuvreRoller(start_->limits, radius_, spacing, TurnedPose::of(start));
 }
 
 // For each pending motion, and whether the command to brake comes after a period or as late as it may. In a turn,

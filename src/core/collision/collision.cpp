@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/collision/rounding.hpp"
+#include "core/util/segment.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -47,14 +48,6 @@ double distance_to_cell(double x, double y, double cell_x, double cell_y, double
   return std::sqrt(dx * dx + dy * dy);
 }
 
-// Between a point and the part of a line from a to b.
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point d = b - a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0.0 ? std::min(std::max((p - a).dot(d) / length2, 0.0), 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
-
 }  // namespace
 
 // Nearest to each other are a corner of one and a side of the other.
@@ -63,7 +56,7 @@ double distance_to_square(const Polygon& polygon, double x, double y, double sid
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     least = std::min(least, distance_to_cell(polygon[i].x(), polygon[i].y(), x, y, side));
     for (const Point& corner : {Point(x, y), Point(x + side, y), Point(x, y + side), Point(x + side, y + side)}) {
-      least = std::min(least, distance_to_segment(corner, polygon[j], polygon[i]));
+      least = std::min(least, std::sqrt(squared_distance_to_segment(corner, polygon[j], polygon[i])));
     }
   }
   return least;

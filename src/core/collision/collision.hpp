@@ -27,7 +27,7 @@ class CollisionChecker {
                double reach, double margin, double largest_clearance = 0.0);
 
   bool collides(const Pose2& pose) const {
-    return collides(pose, Rotation{std::cos(pose.theta), std::sin(pose.theta)});
+    return collides(pose, Rotation::direction(pose.theta));
   }
   /// With the cosine and sine of the heading.
   bool collides(const Pose2& pose, const Rotation& heading) const;

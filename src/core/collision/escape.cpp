@@ -59,7 +59,7 @@ void EscapeRule::find_overlaps() {
   if (overlaps_.empty()) return;
   for (std::vector<double>* values : {&x_, &y_, &depths_}) values->resize(OutlineDepth::padded(overlaps_.size()));
   const double theta = start_->pose.theta;
-  depth_.of({0.0, 0.0, theta}, {std::cos(theta), std::sin(theta)}, x_.data(), y_.data(), overlaps_.size(),
+  depth_.of({0.0, 0.0, theta}, Rotation::direction(theta), x_.data(), y_.data(), overlaps_.size(),
             depths_.data());
   std::size_t kept = 0;
   for (std::size_t k = 0; k < overlaps_.size(); ++k) {
@@ -131,7 +131,7 @@ void EscapeRule::list_members() {
   for (std::vector<double>* values : {&x_, &y_, &depths_})
     values->resize(OutlineDepth::padded(clusters_.members().size()));
   Descent descent{std::numeric_limits<double>::infinity(), 0.0};
-  descends({start_->pose, {std::cos(start_->pose.theta), std::sin(start_->pose.theta)}}, Ahead::rollout, descent);
+  descends(TurnedPose::of(start_->pose), Ahead::rollout, descent);
   start_total_ = descent.total;
 }
 
@@ -197,13 +197,13 @@ double EscapeRule::distance_to_overlapped(const Pose2& pose) const {
 }
 
 bool EscapeRule::may_face(double heading) {
-  const TurnedPose at{{start_->pose.x, start_->pose.y, heading}, {std::cos(heading), std::sin(heading)}};
+  const TurnedPose at = TurnedPose::of({start_->pose.x, start_->pose.y, heading});
   Descent descent = start();
   return !rest_.collides(at.pose, at.heading) && descends(at, Ahead::rollout, descent);
 }
 
 bool EscapeRule::leads_out(double heading, double length) {
-  const Rotation direction{std::cos(heading), std::sin(heading)};
+  const Rotation direction = Rotation::direction(heading);
   Descent descent = start();
   TurnedPose at{start_->pose, direction};
   at.pose.theta = heading;

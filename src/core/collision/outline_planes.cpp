@@ -20,18 +20,18 @@ void OutlinePlanes::reserve() {
 void OutlinePlanes::turn(const Footprint& outline, const Pose2& pose, const Rotation& heading, double half) {
   double lo_x = std::numeric_limits<double>::infinity(), lo_y = lo_x, hi_x = -lo_x, hi_y = -lo_x;
   for (const Point& p : outline.outline()) {
-    const double x = heading.c * p.x() - heading.s * p.y(), y = heading.s * p.x() + heading.c * p.y();
-    lo_x = std::min(lo_x, x);
-    hi_x = std::max(hi_x, x);
-    lo_y = std::min(lo_y, y);
-    hi_y = std::max(hi_y, y);
+    const Point at = heading.apply(p);
+    lo_x = std::min(lo_x, at.x());
+    hi_x = std::max(hi_x, at.x());
+    lo_y = std::min(lo_y, at.y());
+    hi_y = std::max(hi_y, at.y());
   }
   normal_x_.assign({1.0, -1.0, 0.0, 0.0});
   normal_y_.assign({0.0, 0.0, 1.0, -1.0});
   offset_.assign({pose.x + hi_x + half, half - lo_x - pose.x, pose.y + hi_y + half, half - lo_y - pose.y});
   for (const Footprint::Side& side : outline.sides()) {
-    const double x = heading.c * side.normal.x() - heading.s * side.normal.y();
-    const double y = heading.s * side.normal.x() + heading.c * side.normal.y();
+    const Point normal = heading.apply(side.normal);
+    const double x = normal.x(), y = normal.y();
     normal_x_.push_back(x);
     normal_y_.push_back(y);
     offset_.push_back(side.offset + half * (std::abs(x) + std::abs(y)) + x * pose.x + y * pose.y);

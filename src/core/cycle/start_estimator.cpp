@@ -117,7 +117,7 @@ void StartEstimator::add_prompt_motions(double age, double latency, const Veloci
 Pose2 StartEstimator::pose_of_now(double age, const VelocityLimits& limits, double radius) const {
   const Pose2& measured = start_.origin;
   if (age <= 0.0 || !plausible(measured)) return measured;
-  const Rotation heading{std::cos(measured.theta), std::sin(measured.theta)};
+  const Rotation heading = Rotation::direction(measured.theta);
   ManoeuvreRoller roller(limits, radius, kAdvanceSpacing, {measured, heading});
   roller.roll_past(pending_[likeliest_]);
   return roller.at().pose;

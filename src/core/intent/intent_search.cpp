@@ -104,7 +104,7 @@ double IntentSearch::clearance_at(const Pose2& pose) const {
   double clearance = checker_.clearance(pose, heading, counted_);
   for (const MovingObstacleEstimate& mover : cycle_->situation.moving_obstacles) {
     const Point to = mover.position_now() - Point(pose.x, pose.y);
-    const Point seen(heading.c * to.x() + heading.s * to.y(), heading.c * to.y() - heading.s * to.x());
+    const Point seen = heading.undo(to);
     const double reach = cycle_->footprint.circumscribed_radius() + mover.radius + counted_;
     if (seen.squaredNorm() > reach * reach) continue;
     clearance = std::min(clearance, std::max(0.0, cycle_->footprint.distance_to(seen) - mover.radius));

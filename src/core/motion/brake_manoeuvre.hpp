@@ -53,12 +53,6 @@ struct BrakeManoeuvre {
   }
 };
 
-/// A pose and its heading's cosine and sine.
-struct TurnedPose {
-  Pose2 pose;
-  Rotation heading;
-};
-
 /// The last part of braking: this much [unit/s] is braked evenly over a period. No other remainder gets farther.
 inline double brake_tail(const AxisLimits& axis, double velocity, double period) {
   return std::min(std::abs(velocity), 0.5 * axis.braking * period);

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/movers/hidden_places.hpp"
+#include "core/util/segment.hpp"
 #include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {
@@ -38,14 +39,6 @@ constexpr double kSightAge = 0.4;
 // Memory is kept for so many at once.
 constexpr std::size_t kUsualMovers = 512;
 
-TurnedPose with_heading(const Pose2& pose) { return {pose, {std::cos(pose.theta), std::sin(pose.theta)}}; }
-
-// A point of the costmap frame in the robot's.
-Point seen_from(const TurnedPose& robot, const Point& point) {
-  const double dx = point.x() - robot.pose.x, dy = point.y() - robot.pose.y;
-  return {robot.heading.c * dx + robot.heading.s * dy, robot.heading.c * dy - robot.heading.s * dx};
-}
-
 std::size_t hash_of(const Twist2& command) {
   std::uint64_t v = 0, omega = 0;
   std::memcpy(&v, &command.v, sizeof(v));
@@ -64,13 +57,6 @@ VelocityRange velocities_of(const PendingMotion& pending) {
   range.include(pending.begin());
   for (const PendingMotion::Leg& leg : pending.legs()) range.include(leg.end);
   return range;
-}
-
-// From a point to where something goes straight on from `from` [m].
-double distance_to_way(const Point& point, const Point& from, const Point& way) {
-  const double length2 = way.squaredNorm();
-  const double part = length2 > 0.0 ? std::clamp((point - from).dot(way) / length2, 0.0, 1.0) : 0.0;
-  return (from + part * way - point).norm();
 }
 
 }  // namespace
@@ -147,8 +133,9 @@ bool MoverCheck::in_reach(const ReachableSet& set) const {
   const Point here(start_->pose.x, start_->pose.y);
   const double own = radius_ + most_.reach + most_.grown + 0.5 * kLongStep * set.fastest();
   const double until_rest = most_.duration;
+  const Point expected = set.centre(0.0), goes_to = expected + until_rest * set.velocity();
   return (set.position() - here).norm() <= own + set.speed_radius(until_rest) &&
-         distance_to_way(here, set.centre(0.0), until_rest * set.velocity()) <= own + set.radius(until_rest);
+         std::sqrt(squared_distance_to_segment(here, expected, goes_to)) <= own + set.radius(until_rest);
 }
 
 void MoverCheck::add_near(const ReachableSet& set, bool leaves) {
@@ -162,11 +149,11 @@ void MoverCheck::add_near(const ReachableSet& set, bool leaves) {
 
 // The robot is where it may be before even a robot that creeps can rest, or within the allowance of one short step.
 bool MoverCheck::around(const ReachableSet& set) const {
-  const TurnedPose here = with_heading(start_->pose);
+  const TurnedPose here = TurnedPose::of(start_->pose);
   const double allowance = most_.drift + 0.5 * kShortStep * (set.fastest() + most_.fastest);
   const double t = most_.creeps_for;
-  return footprint_->distance_to(seen_from(here, set.centre(t))) <= set.radius(t) + allowance &&
-         footprint_->distance_to(seen_from(here, set.position())) <= set.speed_radius(t) + allowance;
+  return footprint_->distance_to(here.seen(set.centre(t))) <= set.radius(t) + allowance &&
+         footprint_->distance_to(here.seen(set.position())) <= set.speed_radius(t) + allowance;
 }
 
 // Many samples share a first command.
@@ -242,7 +229,7 @@ bool MoverCheck::clear_of_all(const TurnedPose& at, double time, double margin) 
     const ReachableSet& set = near.set;
     const double more = margin + 0.5 * kShortStep * set.fastest();
     const auto apart = [&](const Point& centre, double radius, double closing) {
-      const Point seen = seen_from(at, centre);
+      const Point seen = at.seen(centre);
       const double most = radius + more + 0.5 * kLongStep * closing;
       return seen.norm() - radius_ > most || footprint_->distance_to(seen) > most;
     };
@@ -263,7 +250,7 @@ bool MoverCheck::rests_untouched(const Twist2& command, CheckPass& pass) {
 // Up to when the command takes effect: once for all commands.
 bool MoverCheck::pending_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end) {
   if (pending_end.roller) return pending_end.free;
-  pending_end.roller.emplace(start_->limits, radius_, kAnySpacing, with_heading(manoeuvre.start), pass.step);
+  pending_end.roller.emplace(start_->limits, radius_, kAnySpacing, TurnedPose::of(manoeuvre.start), pass.step);
   ManoeuvreRoller& roller = *pending_end.roller;
   ManoeuvreRoller past = roller;
   past.roll_past(manoeuvre.pending);
@@ -331,7 +318,7 @@ bool MoverCheck::clear(const Near& near, const TurnedPose& at, double time, doub
   const ReachableSet& set = near.set;
   const double most = most_.grown + 0.5 * kLongStep * set.fastest();
   const auto apart = [&](const Point& centre, double radius, double closing) {
-    const Point seen = seen_from(at, centre);
+    const Point seen = at.seen(centre);
     double gap = seen.norm() - radius_;
     if (gap <= radius + most) gap = footprint_->distance_to(seen);
     const double left = gap - radius - most;
@@ -345,8 +332,8 @@ bool MoverCheck::clear(const Near& near, const TurnedPose& at, double time, doub
 // In a step the outline gets farther from where the obstacle is expected.
 bool MoverCheck::leads_away(const Near& near, const TurnedPose& from, const TurnedPose& to, double time,
                             double step) const {
-  const double before = footprint_->distance_to(seen_from(from, near.set.centre(time - step)));
-  return footprint_->distance_to(seen_from(to, near.set.centre(time))) > before;
+  const double before = footprint_->distance_to(from.seen(near.set.centre(time - step)));
+  return footprint_->distance_to(to.seen(near.set.centre(time))) > before;
 }
 
 // Whether a place of the outline that may move outwards faster than `speed` [m/s] is in both discs, both larger by
@@ -354,7 +341,7 @@ bool MoverCheck::leads_away(const Near& near, const TurnedPose& from, const Turn
 bool MoverCheck::meets(const Near& near, const TurnedPose& at, double time, double grown, double speed,
                        const VelocityRange& velocities) const {
   const auto within = [&](const Point& centre, double radius) {
-    return advances_near(*footprint_, velocities, speed, seen_from(at, centre), radius + grown);
+    return advances_near(*footprint_, velocities, speed, at.seen(centre), radius + grown);
   };
   return within(near.set.centre(time), near.set.radius(time)) &&
          within(near.set.position(), near.set.speed_radius(time));

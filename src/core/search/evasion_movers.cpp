@@ -103,7 +103,7 @@ bool EvasionSearch::must_stop(const Start& scene, const State& state, double tim
     const double dy = mover.y_at(then, bent) - y;
     const double most = own + mover.radius;
     if (dx * dx + dy * dy >= most * most) return false;
-    const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
+    const Point seen = state.heading.undo({dx, dy});
     return scene.cycle.footprint.distance_to(seen) < mover.radius + stops.room;
   });
 }
@@ -114,7 +114,7 @@ double EvasionSearch::nearness(const Start& scene, const State& state, std::size
   for (const NearMover& place : places_[k]) {
     const double dx = place.x - state.x, dy = place.y - state.y;
     if (dx * dx + dy * dy >= place.squared) continue;
-    const Point seen(state.heading.c * dx + state.heading.s * dy, state.heading.c * dy - state.heading.s * dx);
+    const Point seen = state.heading.undo({dx, dy});
     const double gap = scene.cycle.footprint.distance_to(seen) - place.radius;
     if (gap >= place.kept) continue;
     touched = touched || gap < kTouches;

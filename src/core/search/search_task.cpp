@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/util/nearest_pose.hpp"
+#include "core/util/rotation.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"
 
 namespace hidwa_local_planner {
@@ -122,11 +123,10 @@ bool SearchTask::plausible() const {
 
 void add_movers(const MovingObstacleEstimates& movers, const Footprint& footprint, SearchTask& task) {
   const GridView grid = task.grid();
-  const double c = std::cos(task.start.theta), s = std::sin(task.start.theta);
+  const TurnedPose robot = TurnedPose::of(task.start);
   for (const MovingObstacleEstimate& mover : movers) {
     for_cells_within(mover.position_now(), mover.radius + 0.5 * grid.resolution, grid, [&](const Cell& cell) {
-      const double dx = grid.centre(cell).x() - task.start.x, dy = grid.centre(cell).y() - task.start.y;
-      if (footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) <= grid.resolution) return;
+      if (footprint.distance_to(robot.seen(grid.centre(cell))) <= grid.resolution) return;
       task.map.costs[grid.index(cell)] = cost::kLethal;
     });
   }

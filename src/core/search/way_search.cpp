@@ -92,7 +92,7 @@ void WaySearch::prepare() {
   rotations_.resize(kHeadings);
   for (int k = 0; k < kHeadings; ++k) {
     const double heading = task_.start.theta + k * kHeadingStep;
-    rotations_[static_cast<std::size_t>(k)] = {std::cos(heading), std::sin(heading)};
+    rotations_[static_cast<std::size_t>(k)] = Rotation::direction(heading);
   }
   reserve();
   placed_.reserve(footprint_.outline().size());
