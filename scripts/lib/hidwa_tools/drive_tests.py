@@ -110,8 +110,8 @@ def drive(name, *arguments, expect):
 
 
 def avoid():
-    """Through the office with a person who steers round the regions to avoid."""
-    return drive('avoid', '--operator', 'avoid', expect={
+    """Through a part of the office with a person who steers round the regions to avoid."""
+    return drive('avoid', *PART, '--operator', 'avoid', expect={
         'no region is crossed': lambda r: r['regions_crossed'] == 0,
         'the person steers': lambda r: r['operator_active_s'] > 1.0})
 

@@ -53,7 +53,7 @@ class Elsewhere:
         self.addCleanup(camera.unregister)
         port = free_port()
         child, token = self.console(port)
-        page = browser.Browser(rules='MAP robot.lan 127.0.0.1', arguments=('--ignore-certificate-errors',))
+        page = browser.Browser(scale=0.5, rules='MAP robot.lan 127.0.0.1', arguments=('--ignore-certificate-errors',))
         self.addCleanup(page.end)
         address = 'https://robot.lan:%d/' % port
 

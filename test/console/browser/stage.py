@@ -25,7 +25,8 @@ def begin(scripts=(), options='', start=START, arguments=()):
     unittest.addModuleCleanup(robot.end)
     proxy = Proxy(robot.port)
     unittest.addModuleCleanup(proxy.end)
-    page = browser.Browser(scripts=scripts, rules='MAP localhost:%d 127.0.0.1:%d' % (robot.port, proxy.port))
+    # A quarter of the pixels, which are drawn in software: the robot needs the processors.
+    page = browser.Browser(scripts=scripts, scale=0.5, rules='MAP localhost:%d 127.0.0.1:%d' % (robot.port, proxy.port))
     unittest.addModuleCleanup(page.end)
     return robot, proxy, page
 

@@ -42,13 +42,13 @@ class Drive(DriveTest):
                 off, on = 'robot = () => {}', 'robot = Object.getPrototypeOf(app.above).robot'
             with_robot = numpy.asarray(page.crop(view), dtype=int)
             page.app(hide % off)
-            changed = page.wait(lambda: self.difference(view, with_robot, 200), 'pixels of the robot in ' + view)
+            changed = page.wait(lambda: self.difference(view, with_robot, 50), 'pixels of the robot in ' + view)
             page.app(hide % on)
             if view == 'above-canvas':
                 rows, columns = changed
                 # The median: what else changes meanwhile lies elsewhere.
-                self.assertAlmostEqual(numpy.median(columns), with_robot.shape[1] / 2, delta=15)
-                self.assertAlmostEqual(numpy.median(rows), with_robot.shape[0] / 2, delta=15)
+                self.assertAlmostEqual(numpy.median(columns), with_robot.shape[1] / 2, delta=8)
+                self.assertAlmostEqual(numpy.median(rows), with_robot.shape[0] / 2, delta=8)
 
     @staticmethod
     def difference(view, before, least):
