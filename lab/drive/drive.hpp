@@ -3,9 +3,9 @@
 
 #include <functional>
 
+#include "control/control_loop.hpp"
 #include "drive/result.hpp"
 #include "drive/setup.hpp"
-#include "control/control_loop.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"

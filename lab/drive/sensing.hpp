@@ -8,10 +8,10 @@
 #include "drive/people_sight.hpp"
 #include "drive/seen_map.hpp"
 #include "drive/setup.hpp"
-#include "tracking/tracker.hpp"
 #include "sim/random.hpp"
 #include "sim/silhouettes.hpp"
 #include "sim/world.hpp"
+#include "tracking/tracker.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {

@@ -10,7 +10,6 @@
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/situation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
-#include "tracking/tracker_settings.hpp"
 #include "sim/diff_drive.hpp"
 #include "sim/grid_route.hpp"
 #include "sim/laser.hpp"
@@ -20,6 +19,7 @@
 #include "sim/operator_device.hpp"
 #include "sim/polygon.hpp"
 #include "sim/regions.hpp"
+#include "tracking/tracker_settings.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {

@@ -11,10 +11,10 @@
 
 #include "cycle_bag.hpp"
 #include "explanation.hpp"
-#include "ros/critic_loading.hpp"
-#include "ros/parameter_set.hpp"
 #include "options.hpp"
 #include "picture.hpp"
+#include "ros/critic_loading.hpp"
+#include "ros/parameter_set.hpp"
 #include "what_if.hpp"
 #include "words.hpp"
 

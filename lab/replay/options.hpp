@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "record/cycle_replay.hpp"
 #include "moment.hpp"
+#include "record/cycle_replay.hpp"
 
 namespace hidwa_local_planner {
 namespace replay {

@@ -11,8 +11,8 @@
 #include <pluginlib/class_loader.hpp>
 
 #include "hidwa_local_planner/critics/built_in.hpp"
-#include "ros/parameter_loading.hpp"
 #include "ros/guarded_critic.hpp"
+#include "ros/parameter_loading.hpp"
 
 namespace hidwa_local_planner {
 namespace {

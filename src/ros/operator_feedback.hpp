@@ -8,8 +8,8 @@
 #include <sensor_msgs/JoyFeedbackArray.h>
 #include <std_msgs/String.h>
 
-#include "hidwa_local_planner/OperatorState.h"
 #include "control/prediction.hpp"
+#include "hidwa_local_planner/OperatorState.h"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "ros/cycle_result.hpp"
 #include "ros/operator_input.hpp"

@@ -8,8 +8,8 @@
 #include <ros/names.h>
 #include <ros/param.h>
 
-#include "core/evaluation/critic_set.hpp"
 #include "control/control_loop.hpp"
+#include "core/evaluation/critic_set.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "ros/critic_loading.hpp"
 #include "ros/parameter_loading.hpp"

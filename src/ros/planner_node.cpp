@@ -200,10 +200,11 @@ RobotObservation PlannerNode::observe(const LoopTime& now, const control::Timing
           "tracker tells it; or set sensor_sectors",
           name_.c_str());
       if (parameters.occlusion == Occlusion::bound) {
-        ROS_WARN_THROTTLE(30.0,
-                          "%s: occlusion: bound has no effect, since nobody tells what the robot's sensors look at: start "
-                          "the tracker, or set sensor_sectors",
-                          name_.c_str());
+        ROS_WARN_THROTTLE(
+            30.0,
+            "%s: occlusion: bound has no effect, since nobody tells what the robot's sensors look at: start "
+            "the tracker, or set sensor_sectors",
+            name_.c_str());
       }
     }
   }

@@ -9,8 +9,8 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
-#include "hidwa_local_planner/Cycle.h"
 #include "control/prediction.hpp"
+#include "hidwa_local_planner/Cycle.h"
 #include "hidwa_local_planner/core/operator_intent.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/sensor_sector.hpp"
-#include "tracking/range_scan.hpp"
 #include "tracking/beams.hpp"
+#include "tracking/range_scan.hpp"
 
 namespace hidwa_local_planner {
 namespace tracking {

@@ -12,10 +12,10 @@
 #include <ros/ros.h>
 #include <tf2_ros/transform_listener.h>
 
-#include "tracking/tracker.hpp"
 #include "tracking/laser_choice.hpp"
 #include "tracking/node_messages.hpp"
 #include "tracking/node_parameters.hpp"
+#include "tracking/tracker.hpp"
 
 namespace hidwa_local_planner {
 namespace tracking {

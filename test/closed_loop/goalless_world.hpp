@@ -13,9 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include "control/control_loop.hpp"
 #include "drive/local_costmap.hpp"
 #include "drive_on.hpp"
-#include "control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/diff_drive.hpp"
 #include "sim/laser.hpp"

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "drive/drive.hpp"
 #include "control/prediction.hpp"
+#include "drive/drive.hpp"
 #include "office.hpp"
 
 namespace hidwa_local_planner::test {

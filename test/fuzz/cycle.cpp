@@ -129,9 +129,9 @@ void look(Input& input, Situation& situation) {
   }
   situation.sensor_sectors.clear();
   for (int k = input.integer(0, 2); k > 0; --k) {
-    const Pose2 at{input.number(-0.5, 0.5), input.number(-0.5, 0.5), input.number(-4.0, 4.0)};
+    const Pose2 mounted{input.number(-0.5, 0.5), input.number(-0.5, 0.5), input.number(-4.0, 4.0)};
     const double width = input.number(0.0, 7.0), range = input.number(0.0, 10.0);
-    situation.sensor_sectors.push_back({at, width, range});
+    situation.sensor_sectors.push_back({mounted, width, range});
   }
 }
 

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <string>
 
+#include "control/prediction.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/mover.hpp"
 #include "fuzz/require.hpp"
 #include "fuzz/small_world.hpp"
-#include "control/prediction.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "input/gesture_source.hpp"
 #include "input/operator_state_machine.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/velocity_limits.hpp"
 #include "control/prediction.hpp"
+#include "core/motion/velocity_limits.hpp"
 #include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner::test {

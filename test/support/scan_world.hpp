@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "hidwa_local_planner/core/types.hpp"
-#include "tracking/range_scan.hpp"
 #include "support/random.hpp"
+#include "tracking/range_scan.hpp"
 
 namespace hidwa_local_planner::test {
 

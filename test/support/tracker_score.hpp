@@ -9,8 +9,8 @@
 #include <set>
 #include <vector>
 
-#include "tracking/tracker.hpp"
 #include "support/scan_world.hpp"
+#include "tracking/tracker.hpp"
 
 namespace hidwa_local_planner::test {
 

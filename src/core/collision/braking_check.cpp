@@ -24,7 +24,6 @@ constexpr double kSameDistance = 1e-6;
 // Poses need not lie nearer to each other [m].
 constexpr double kFinest = 1e-4;
 
-
 }  // namespace
 
 double BrakingCheck::reach_of_manoeuvres(const CycleStart& start, double fastest) {
@@ -64,7 +63,8 @@ void BrakingCheck::prepare(const Parameters& parameters, const CheckSetup& setup
   clearance_now_ = 0.0;
   if (all_clear_) return;
   const CollisionChecker& checker = clearances.checker();
-  const double clearance = checker.clearance(start_->pose, Rotation::direction(start_->pose.theta), checker.largest_clearance());
+  const double clearance =
+      checker.clearance(start_->pose, Rotation::direction(start_->pose.theta), checker.largest_clearance());
   clearance_now_ = std::max(0.0, clearance - kSameDistance);
 }
 

@@ -26,9 +26,7 @@ class CollisionChecker {
   void prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle, const Pose2& centre,
                double reach, double margin, double largest_clearance = 0.0);
 
-  bool collides(const Pose2& pose) const {
-    return collides(pose, Rotation::direction(pose.theta));
-  }
+  bool collides(const Pose2& pose) const { return collides(pose, Rotation::direction(pose.theta)); }
   /// With the cosine and sine of the heading.
   bool collides(const Pose2& pose, const Rotation& heading) const;
   /// As collides(), for an outline that differs from the prepared one by less than the margin.

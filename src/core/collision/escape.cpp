@@ -59,8 +59,7 @@ void EscapeRule::find_overlaps() {
   if (overlaps_.empty()) return;
   for (std::vector<double>* values : {&x_, &y_, &depths_}) values->resize(OutlineDepth::padded(overlaps_.size()));
   const double theta = start_->pose.theta;
-  depth_.of({0.0, 0.0, theta}, Rotation::direction(theta), x_.data(), y_.data(), overlaps_.size(),
-            depths_.data());
+  depth_.of({0.0, 0.0, theta}, Rotation::direction(theta), x_.data(), y_.data(), overlaps_.size(), depths_.data());
   std::size_t kept = 0;
   for (std::size_t k = 0; k < overlaps_.size(); ++k) {
     if (depths_[k] >= -kRounding) overlaps_[kept++] = {overlaps_[k].cell, depths_[k]};

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/util/words.hpp"
 #include "control/pause.hpp"
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/motion/velocity_limits.hpp"
 #include "control/fault_brake.hpp"
+#include "core/motion/velocity_limits.hpp"
 #include "support/planner_bench.hpp"
 
 namespace hidwa_local_planner {

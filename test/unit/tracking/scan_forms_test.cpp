@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tracking/tracker.hpp"
 #include "support/office_scans.hpp"
+#include "tracking/tracker.hpp"
 
 namespace hidwa_local_planner {
 namespace {
