@@ -42,10 +42,8 @@ void drive(const Parameters& parameters) {
   for (int cycle = 0; cycle < 3; ++cycle) {
     const control::Result result = loop.step(world.observe(10.0 + 0.05 * cycle, 0.05, last), {});
     require_within_limits(result.command, last, parameters);
-    if (parameters.method == Method::hidwa || parameters.admissibility == Admissibility::braking) {
-      const Twist2 from = result.decision != nullptr ? result.decision->reference : last;
-      require_within_accelerations(result.command, last, from, parameters, 0.05);
-    }
+    const Twist2 from = result.decision != nullptr ? result.decision->reference : last;
+    require_within_accelerations(result.command, last, from, parameters, 0.05);
     last = result.command;
   }
 }
