@@ -70,5 +70,21 @@ void Association::assign(const Beams& beams, const TrackerSettings& settings, st
   }
 }
 
+bool Association::may_mix_legs(const Track& pair, const std::vector<Segment>& segments,
+                               const std::vector<Track>& tracks) const {
+  const auto is_near = [&](std::size_t leg) {
+    const auto end = pair.segments.begin() + pair.segment_count;
+    return std::any_of(pair.segments.begin(), end, [&](std::size_t own) {
+      return (fits_[leg].centre - fits_[own].centre).norm() < kLegsApart;
+    });
+  };
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const std::int32_t owner = segments[s].track;
+    const bool paired = owner >= 0 && tracks[static_cast<std::size_t>(owner)].segment_count > 1;
+    if (!paired && fits_[s].radius < kSmall && is_near(s)) return true;
+  }
+  return false;
+}
+
 }  // namespace tracking
 }  // namespace hidwa_local_planner

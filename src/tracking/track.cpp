@@ -36,6 +36,8 @@ constexpr double kUsualChange = 0.03;    // of a radius from scan to scan: arms,
 constexpr double kLeastChange = 0.002;   // of anything [m]
 constexpr double kChangeShare = 0.2;     // of the newest change in the mean square
 constexpr double kArcFloor = 0.1;        // the same by arcs alone [m]
+constexpr double kMixedLegs = 0.1;       // deviation of the middle of two people's legs from either of them [m]
+constexpr double kAlikeFor = 1.0;        // errors of what is hidden in part, and of mixed legs, last for this [s]
 constexpr double kLegsTogether = 0.3;    // what is larger and in one piece is no pair of legs [m]
 
 bool is_small(const BodyFit& fit) { return fit.radius < kLegRadius; }
@@ -113,6 +115,15 @@ void learn_radius(const Sighting& sighting, const TrackerSettings& settings, Tra
   track.radius_deviation = std::max(b.radius_deviation, floor);
 }
 
+// Of the place, `elapsed` [s] after the sighting before. What hides a part of somebody, and whose legs are taken for a
+// pair, is the same from scan to scan: all readings of that time together tell no more than one.
+Eigen::Matrix2d covariance_of(const Sighting& sighting, double elapsed) {
+  Eigen::Matrix2d covariance = sighting.body.covariance;
+  if (sighting.mixed) covariance.diagonal().array() += kMixedLegs * kMixedLegs;
+  const bool alike = sighting.mixed || (!sighting.legs && !sighting.body.radius_seen);
+  return alike ? covariance * std::max(1.0, kAlikeFor / std::max(elapsed, 1e-3)) : covariance;
+}
+
 // Who walks changes speed at each step. Of a body the readings tell it, those of legs are too vague.
 double usual_acceleration(bool legs, const TrackerSettings& settings) {
   return legs ? settings.leg_acceleration : settings.acceleration;
@@ -166,7 +177,7 @@ void correct_track(Track& track, const Sighting& sighting, const TrackerSettings
   if (!sighting.legs && b.radius_seen && b.radius > kLegsTogether) track.two_legs = false;
   track.filter.expect(usual_acceleration(track.two_legs, settings));
   track.filter.predict(b.time);
-  const double mismatch = track.filter.correct(b.centre, b.covariance);
+  const double mismatch = track.filter.correct(b.centre, covariance_of(sighting, b.time - track.seen));
   track.surprise += kSurpriseShare * (std::min(mismatch, 20.0) - track.surprise);
   learn_radius(sighting, settings, track);
   track.unevenness += kUnevenShare * (b.unevenness - track.unevenness);

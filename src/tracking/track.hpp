@@ -19,6 +19,7 @@ namespace tracking {
 struct Sighting {
   BodyFit body;
   bool legs = false;         // the body is the middle of two legs
+  bool mixed = false;        // the legs may be those of two people
   bool small = false;        // as small as a leg
   bool free_before = false;  // a third of it lies where space was seen free
   bool whole = false;        // nothing hides a part of it

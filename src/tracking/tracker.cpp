@@ -106,7 +106,9 @@ class Tracker::Impl {
     association_.assign(beams_, settings_, segments_, tracks_);
     for (Track& t : tracks_) {
       if (t.segment_count == 0) continue;
-      tracking::correct_track(t, tracking::look(beams_, segments_, t, settings_), settings_);
+      Sighting sighting = tracking::look(beams_, segments_, t, settings_);
+      sighting.mixed = sighting.legs && association_.may_mix_legs(t, segments_, tracks_);
+      tracking::correct_track(t, sighting, settings_);
     }
   }
 
