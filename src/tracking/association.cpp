@@ -74,9 +74,8 @@ bool Association::may_mix_legs(const Track& pair, const std::vector<Segment>& se
                                const std::vector<Track>& tracks) const {
   const auto is_near = [&](std::size_t leg) {
     const auto end = pair.segments.begin() + pair.segment_count;
-    return std::any_of(pair.segments.begin(), end, [&](std::size_t own) {
-      return (fits_[leg].centre - fits_[own].centre).norm() < kLegsApart;
-    });
+    return std::any_of(pair.segments.begin(), end,
+                       [&](std::size_t own) { return (fits_[leg].centre - fits_[own].centre).norm() < kLegsApart; });
   };
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const std::int32_t owner = segments[s].track;

@@ -464,8 +464,9 @@ class Refused(unittest.IsolatedAsyncioTestCase):
         self.assertIn(await self.closed('x' * 200000), (1006, 1009))
 
     async def test_too_many(self):
+        # Of those that get no answer: on a busy machine the answers alone would make 2,000 last longer than the limit allows.
         # 1006: what the server had not read when it closed resets the connection, and the close code with it.
-        self.assertIn(await self.closed(*['{"type": "claim"}'] * 2000), (1006, 1008))
+        self.assertIn(await self.closed(*['{"type": "pong", "id": 0, "t": 0}'] * 2000), (1006, 1008))
 
     async def test_too_many_sockets(self):
         page = Page(W.port)

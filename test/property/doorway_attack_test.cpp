@@ -2,35 +2,37 @@
 // People who run out of doorways at the robot, no faster than `occlusion_speed`, while autonomy drives to random goals
 // in a corridor and its rooms, or a hostile operator steers it. They are told of, exactly, from 0.3 s after the first
 // scan on that sees any part of them: the tracker takes 0.25 s mostly, 0.4 s at most from where they are in view.
-// World, robot, laser, people and contact are this file's own.
+// World, laser and people are this file's own, the robot and the contact are in attacked_base.hpp.
 //
 // HIDWA_LONG: 3,000 encounters, where it is 300.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <deque>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
+#include "property/attacked_base.hpp"
 #include "support/effort.hpp"
 #include "support/random.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
+using test::AttackedBase;
 using test::Random;
 
 const int encounters = test::effort(300, 3000);
 
-constexpr double kFinds = 0.3;                                                      // [s]
-constexpr double kTick = 0.005, kPeriod = 0.05, kLatency = 0.1, kScanPeriod = 0.1;  // [s]
-constexpr double kBlindSpeed = 0.1, kRunSpeed = 1.3;                                // [m/s]
-constexpr double kTurns = 1.4;                                                      // of people [m/s^2]
-constexpr double kBody = 0.2;                                                       // [m]
+constexpr double kFinds = 0.3;                                                                     // [s]
+constexpr double kTick = AttackedBase::kTick, kPeriod = AttackedBase::kPeriod, kScanPeriod = 0.1;  // [s]
+constexpr double kBlindSpeed = 0.1, kRunSpeed = 1.3;                                               // [m/s]
+constexpr double kTurns = 1.4;                                                                     // of people [m/s^2]
+constexpr double kBody = 0.2;                                                                      // [m]
 
 struct Tally {
   int met = 0, out = 0, touched = 0, at_a_fast_place = 0;
@@ -73,19 +75,14 @@ class Encounter {
     p.occlusion = occlusion;
     p.occlusion_speed = kRunSpeed;
     fastest_ = p.max_vel_x;
-    acc_ = p.acc_lim_x = random_.pick({2.5, 0.8});
+    base_.acc = p.acc_lim_x = random_.pick({2.5, 0.8});
     EXPECT_TRUE(planner_.configure(p).empty());
-    if (random_.chance(0.5)) {
-      for (int i = 0; i < 16; ++i) {
-        outline_.emplace_back(0.3 * std::cos(M_PI * i / 8), 0.3 * std::sin(M_PI * i / 8));
-      }
-    } else {
-      outline_ = {{0.35, 0.22}, {-0.3, 0.22}, {-0.3, -0.22}, {0.35, -0.22}};
-    }
-    planner_.set_footprint(outline_);
+    base_.corners = random_.chance(0.5) ? test::round_outline(0.3)
+                                        : Polygon{{0.35, 0.22}, {-0.3, 0.22}, {-0.3, -0.22}, {0.35, -0.22}};
+    planner_.set_footprint(base_.corners);
     hostile_ = random_.chance(0.5);
     near_ = random_.uniform(0.5, 1.5);
-    at_ = {-3.0, 0.0};
+    base_.at = {-3.0, 0.0};
     goal_ = {3.0, 0.0};
   }
 
@@ -110,9 +107,10 @@ class Encounter {
         cycle(now);
         next = now + kPeriod;
       }
-      move(now);
+      base_.move(now);
       if (there_ && (walk() || over_)) break;
     }
+    tally_.driven += base_.driven;
   }
 
  private:
@@ -146,11 +144,6 @@ class Encounter {
     }
   }
 
-  Point in_robot(const Point& p) const {
-    const Point d = p - at_;
-    return {std::cos(heading_) * d.x() + std::sin(heading_) * d.y(),
-            std::cos(heading_) * d.y() - std::sin(heading_) * d.x()};
-  }
   bool open(const Point& a, const Point& b) const {
     return std::none_of(walls_.begin(), walls_.end(), [&](const Box& wall) { return wall.crosses(a, b); });
   }
@@ -161,9 +154,9 @@ class Encounter {
   }
   // Any part of him.
   bool sees() const {
-    const Point across = Point(-(where_ - at_).y(), (where_ - at_).x()).normalized();
+    const Point across = Point(-(where_ - base_.at).y(), (where_ - base_.at).x()).normalized();
     for (int i = -9; i <= 9; ++i) {
-      if (open(at_, where_ + (0.99 * kBody * i / 9) * across)) return true;
+      if (open(base_.at, where_ + (0.99 * kBody * i / 9) * across)) return true;
     }
     return false;
   }
@@ -172,7 +165,7 @@ class Encounter {
   void hide() {
     if (doors_.empty()) return;
     const Point door = doors_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(doors_.size()) - 1))];
-    const double reach = (door - at_).norm();
+    const double reach = (door - base_.at).norm();
     if (reach > 2.0) return;
     const double dx = random_.uniform(-0.9, 0.9), dy = random_.uniform(0.0, 0.6);
     where_ = door + Point(dx, door.y() > 0.0 ? dy : -dy);
@@ -191,8 +184,8 @@ class Encounter {
 
   // True once he touches the robot.
   bool walk() {
-    const Point to = at_ - where_;
-    if (waits_ && (seen_ || (door_ - at_).norm() < near_)) {
+    const Point to = base_.at - where_;
+    if (waits_ && (seen_ || (door_ - base_.at).norm() < near_)) {
       waits_ = false;
       velocity_ = run_;
     }
@@ -203,28 +196,12 @@ class Encounter {
     }
     where_ += velocity_ * kTick;
     over_ = room_at(where_) < 0.15 || to.norm() > 5.0;
-    const Point he = in_robot(where_), place = nearest(he);
-    if ((he - place).norm() > kBody) return false;
-    const Point velocity(u_.v - u_.omega * place.y(), u_.omega * place.x());
-    const double towards = velocity.dot((he - place).normalized());
+    const std::optional<double> towards = base_.touched(where_, kBody);
+    if (!towards) return false;
     ++tally_.touched;
-    if (towards > kBlindSpeed + 1e-6) ++tally_.at_a_fast_place;
-    tally_.fastest = std::max(tally_.fastest, towards);
+    if (*towards > kBlindSpeed + 1e-6) ++tally_.at_a_fast_place;
+    tally_.fastest = std::max(tally_.fastest, *towards);
     return true;
-  }
-
-  Point nearest(const Point& to) const {
-    Point best(0.0, 0.0);
-    double least = 1e9;
-    for (std::size_t i = 0; i < outline_.size(); ++i) {
-      const Point a = outline_[i], way = outline_[(i + 1) % outline_.size()] - a;
-      const Point point = a + way * std::clamp((to - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-      if ((to - point).norm() < least) {
-        least = (to - point).norm();
-        best = point;
-      }
-    }
-    return best;
   }
 
   void new_goal() {
@@ -249,9 +226,9 @@ class Encounter {
 
   void cycle(double now) {
     Situation s;
-    s.pose = {at_.x(), at_.y(), heading_};
-    s.velocity = u_;
-    s.last_command = last_;
+    s.pose = {base_.at.x(), base_.at.y(), base_.heading};
+    s.velocity = base_.u;
+    s.last_command = base_.last;
     s.period = kPeriod;
     s.time = now;
     s.sensor_sectors = {{{}, 2.0 * M_PI, 10.0}};
@@ -263,9 +240,9 @@ class Encounter {
       one.age = now - told_at_;
       s.moving_obstacles.push_back(one);
     }
-    if ((goal_ - at_).norm() < 0.5) new_goal();
-    if ((via_ - at_).norm() < 0.4) via_ = goal_;
-    add_line(s.plan, at_, via_);
+    if ((goal_ - base_.at).norm() < 0.5) new_goal();
+    if ((via_ - base_.at).norm() < 0.4) via_ = goal_;
+    add_line(s.plan, base_.at, via_);
     add_line(s.plan, via_, goal_);
     s.goal = {goal_.x(), goal_.y(), 0.0};
     OperatorIntent wish;
@@ -281,22 +258,7 @@ class Encounter {
     }
     const GridView grid{costs_.data(), kCells, kCells, kCell, kOrigin, kOrigin};
     const Decision& decision = planner_.plan(s, grid, wish);
-    last_ = decision.outcome == Outcome::fail ? Twist2{} : decision.command;
-    sent_.push_back({now + kLatency, last_});
-  }
-
-  void move(double now) {
-    while (!sent_.empty() && sent_.front().first <= now + 1e-9) {
-      wanted_ = sent_.front().second;
-      sent_.pop_front();
-      rate_ = {std::min(acc_, std::abs(wanted_.v - u_.v) / kPeriod),
-               std::min(3.2, std::abs(wanted_.omega - u_.omega) / kPeriod)};
-    }
-    const auto towards = [](double from, double to, double most) { return from + std::clamp(to - from, -most, most); };
-    u_ = {towards(u_.v, wanted_.v, rate_.v * kTick), towards(u_.omega, wanted_.omega, rate_.omega * kTick)};
-    heading_ += u_.omega * kTick;
-    at_ += u_.v * kTick * Point(std::cos(heading_), std::sin(heading_));
-    tally_.driven += std::abs(u_.v) * kTick;
+    base_.take(now, decision.outcome == Outcome::fail ? Twist2{} : decision.command);
   }
 
   Random random_;
@@ -304,15 +266,13 @@ class Encounter {
   std::vector<Box> walls_;
   std::vector<Point> doors_;
   std::vector<std::uint8_t> costs_;
-  Polygon outline_;
+  AttackedBase base_;
   Planner planner_{critics::built_in()};
   bool hostile_ = false, there_ = false, waits_ = false, seen_ = false, told_ = false, over_ = false;
-  double half_ = 1.0, near_ = 1.0, fastest_ = 0.5, acc_ = 2.5, heading_ = 0.0, seen_at_ = 0.0, told_at_ = 0.0;
-  Point goal_{0.0, 0.0}, via_{3.0, 0.0}, at_{0.0, 0.0}, where_{0.0, 0.0}, velocity_{0.0, 0.0}, run_{0.0, 0.0},
-      door_{0.0, 0.0};
+  double half_ = 1.0, near_ = 1.0, fastest_ = 0.5, seen_at_ = 0.0, told_at_ = 0.0;
+  Point goal_{0.0, 0.0}, via_{3.0, 0.0}, where_{0.0, 0.0}, velocity_{0.0, 0.0}, run_{0.0, 0.0}, door_{0.0, 0.0};
   Point told_where_{0.0, 0.0}, told_velocity_{0.0, 0.0};
-  Twist2 u_, last_, wanted_, rate_, whim_;
-  std::deque<std::pair<double, Twist2>> sent_;
+  Twist2 whim_;
 };
 
 Tally attack(Occlusion occlusion, const char* name) {

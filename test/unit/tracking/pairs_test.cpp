@@ -36,7 +36,7 @@ Side round_each_other(double time) { return {std::cos(0.5 * time), std::sin(0.5 
 Side near_and_apart(double time) { return {0.15, 1.3 + 0.3 * std::sin(0.4 * time)}; }
 
 constexpr double kBodyRadius = 0.22;  // [m]
-constexpr double kMiddle = 7.0;      // of the hall, x and y [m]
+constexpr double kMiddle = 7.0;       // of the hall, x and y [m]
 
 // Two pairs on circles about the middle of the hall, 2.8 and 4.2 m away from it.
 ScanWorld pairs(const Case& c, double gap) {
