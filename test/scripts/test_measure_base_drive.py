@@ -90,7 +90,12 @@ class MeasureBaseDrive(unittest.TestCase):
         self.assertIsNone(program.poll(), program.poll() and program.stderr.read())
 
     def test_it_measures_what_the_robot_is(self):
-        status, said, complaint = self.end_of(self.start('yes'))
+        for _ in range(3):
+            status, said, complaint = self.end_of(self.start('yes'))
+            if 'odometry is missing' not in complaint:
+                break
+            self.doCleanups()  # a busy machine did not hear it for a quarter of a second: anew, as a user would
+            self.setUp()
         self.assertEqual(status, 0, complaint)
         values = yaml.safe_load(said[said.index('# Measured'):])['HIDWAPlannerROS']
         # Steps of the simulation last 0.01 s. Messages take some milliseconds, twice as many by the clock of the simulation.
