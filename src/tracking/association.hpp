@@ -16,8 +16,8 @@ class Association {
   /// Sets Segment::track and the segments of each track. Tracks are at the time of the scan.
   void assign(const Beams& beams, const TrackerSettings& settings, std::vector<Segment>& segments,
               std::vector<Track>& tracks);
-  /// After assign(): whether a leg that belongs to no pair stands so near to a leg of this pair that the two may be of
-  /// one person, and this pair of two.
+  /// After assign(): whether the pair may hold the legs of two people. A leg that belongs to no pair is near one of
+  /// them then.
   bool may_mix_legs(const Track& pair, const std::vector<Segment>& segments, const std::vector<Track>& tracks) const;
 
  private:

@@ -90,6 +90,11 @@ struct ScanWorld {
     for (const Wall& wall : {Wall{a, b}, Wall{b, c}, Wall{c, d}, Wall{d, a}}) walls.push_back(wall);
   }
 
+  /// How many beams meet half of a walker at this distance from the laser [m] where nothing hides him.
+  double half_of(const Walker& walker, double distance) const {
+    const double width = walker.legs ? 0.26 : 2.0 * walker.radius;
+    return 0.5 * width / distance / (laser.view / (laser.beams - 1));
+  }
   double bearing_of(int beam) const { return -0.5 * laser.view + laser.view * beam / (laser.beams - 1); }
 
   /// What the laser sees at `time` [s] from its true pose. `seen` counts the beams that meet each walker. The scan

@@ -85,9 +85,7 @@ struct Tally {
     }
     for (std::size_t w = 0; w < known.size(); ++w) {
       const double away = (world.walkers[w].at(time) - Point(robot.truth().x, robot.truth().y)).norm();
-      const double width = world.walkers[w].legs ? 0.26 : 2.0 * kBodyRadius;
-      const double half = 0.5 * width / away / (world.laser.view / (world.laser.beams - 1));
-      if (beams[w] < std::max(4.0, half) || away > 5.0) continue;
+      if (beams[w] < std::max(4.0, world.half_of(world.walkers[w], away)) || away > 5.0) continue;
       ++seen;
       followed += known[w];
     }
