@@ -130,7 +130,8 @@ class TrackerDrive {
     watched.velocity = velocity;
     const double distance = (place - Point(robot_.odometry().x, robot_.odometry().y)).norm();
     // In view is of whom half or more is seen.
-    if (beams < 4 || beams < world_.half_of(walker, distance) || distance > far || distance < near || velocity.norm() < 0.4) {
+    if (beams < 4 || beams < world_.half_of(walker, distance) || distance > far || distance < near ||
+        velocity.norm() < 0.4) {
       watched.in_view_since = watched.found_at = -1.0;
       return;
     }
