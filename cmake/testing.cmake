@@ -60,11 +60,11 @@ function(hidwa_test_headers target kind)
 endfunction()
 
 # How a test is compiled. `computes`: its own code takes long to run. That of the others takes longer to compile than to run,
-# and is hardly optimised.
+# and is not optimised.
 function(hidwa_test_options target kind)
   hidwa_warnings(${target})
   hidwa_arithmetic(${target})
-  set(level 1)
+  set(level 0)
   if(kind STREQUAL "computes")
     set(level 2)
   endif()

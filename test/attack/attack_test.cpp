@@ -25,7 +25,7 @@ constexpr int kSeconds = 20;
 #ifdef HIDWA_SANITIZED_THREADS
 constexpr int kDrives = 4;
 #else
-const int kDrives = hidwa_local_planner::test::effort(4, 16);
+const int kDrives = hidwa_local_planner::test::effort(2, 16);
 #endif
 
 // Seeds from here on found most of what the long form did when it was first run.

@@ -21,7 +21,7 @@ class Goalless : public testing::TestWithParam<const char*> {};
 TEST_P(Goalless, WhatIsMeantIsDriven) {
   const std::string kind = GetParam();
   const Parameters p = goalless_parameters();
-  const int scenes = effort(24, 501);
+  const int scenes = effort(9, 501);
   int passed = 0, assisted = 0;
   for (int k = 0; k < scenes; ++k) {
     SCOPED_TRACE(kind + " " + std::to_string(k));

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/effort.hpp"
 #include "support/naive_collision.hpp"
 #include "support/naive_inflation.hpp"
 #include "support/random.hpp"
@@ -75,7 +76,7 @@ TEST(LastTurn, DrivesOnWithinTheToleranceToWhereItCanTurn) {
 // over there, both with 0.05 m to spare and more.
 TEST(LastTurn, EndsAmongPostsWhereverItCouldDriveOnAndTurn) {
   int blocked = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= effort(16u, 40u); ++seed) {
     Random random(seed);
     Scene scene = at_the_goal(random.uniform(-M_PI, M_PI));
     for (int k = 0; k < 12; ++k) {
@@ -97,7 +98,7 @@ TEST(LastTurn, EndsAmongPostsWhereverItCouldDriveOnAndTurn) {
     EXPECT_TRUE(course.settled) << seed;
     EXPECT_FALSE(course.touched) << seed;
   }
-  EXPECT_GT(blocked, 10);
+  EXPECT_GT(blocked, effort(4, 10));
 }
 
 // A corridor of 0.7 m, in which it cannot turn at all. It ends 0.3 m beyond the goal, whose heading is the other way

@@ -7,7 +7,7 @@ import types
 import unittest
 from unittest import mock
 
-from hidwa_tools import long_forms
+from hidwa_tools import long_forms, sanitize
 from hidwa_tools.counting import Counts
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
@@ -54,6 +54,17 @@ class Forms(unittest.TestCase):
         self.run_forms()
         rows = [[cell.strip() for cell in line.strip('|').split('|')] for line in long_forms.table(['one', 'two'])[2:]]
         self.assertEqual([row[:4] + row[5:6] for row in rows], [['one', '3', '0', '0', 'a'], ['two', '1', '2', '0', 'a']])
+
+
+class Builds(unittest.TestCase):
+    def test_each_form_without_ros_configures_builds_and_tests(self):
+        for name in ('plain', *sanitize.FORMS):
+            commands = []
+            with mock.patch.object(long_forms.tests, 'run', lambda log, *command, **more: commands.append(command)), \
+                 mock.patch.object(long_forms.tests, 'ctest', lambda *arguments, **more: (Counts(passed=1), [])), \
+                 mock.patch.object(sanitize.compilers, 'fuzzes', lambda compiler: True):
+                self.assertEqual(long_forms.FORMS[name](), Counts(passed=1), name)
+            self.assertEqual([command[:2] for command in commands], [('cmake', '-S'), ('cmake', '--build')], name)
 
 
 class Weekly(unittest.TestCase):

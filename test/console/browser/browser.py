@@ -14,6 +14,8 @@ from selenium.webdriver.chrome.service import Service
 
 DESKTOP = (1280, 720)
 PHONE = (390, 844)
+# A script for a page that draws seven frames a second, which leaves the processors to others: they draw it.
+FEW_FRAMES = 'const everyFrame = requestAnimationFrame; window.requestAnimationFrame = (draw) => setTimeout(() => everyFrame(draw), 150);'
 
 
 class Browser:

@@ -17,7 +17,7 @@ STOP_DELAY = 8.0          # [s] of the console; longer than any test but one hol
 robot = proxy = page = None
 
 
-def begin(scripts=(), options='', start=START, arguments=()):
+def begin(scripts=(browser.FEW_FRAMES,), options='', start=START, arguments=()):
     """(robot, proxy, page) for all tests of a module, which calls this in setUpModule; they end with it. scripts: run in every page
     before its own; start, options, arguments: of the Robot."""
     global robot, proxy, page

@@ -43,7 +43,7 @@ Sampling with(Report report) {
 }
 
 TEST(FullReport, TheDecisionIsTheSameToTheBit) {
-  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
     const Scene scene = random_scene(seed);
     Planner legality(critics::built_in()), full(critics::built_in());
     for (Planner* planner : {&legality, &full}) {
@@ -74,7 +74,7 @@ void expect_consistent(const CandidateReport& candidate, const Scene& scene) {
 
 TEST(FullReport, ExplainsTheChoice) {
   int chosen = 0, rejected_twice = 0;
-  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
     const Scene scene = random_scene(seed);
     Planner planner(critics::built_in());
     ASSERT_TRUE(planner.configure(scene.parameters).empty());
@@ -95,8 +95,8 @@ TEST(FullReport, ExplainsTheChoice) {
     EXPECT_EQ(planner.choice().rule, ChoiceReport::Rule::cheapest);
     EXPECT_EQ(all[static_cast<std::size_t>(best)].sample, decision.sample);
   }
-  EXPECT_GT(chosen, 250);
-  EXPECT_GT(rejected_twice, 1000);
+  EXPECT_GT(chosen, 90);
+  EXPECT_GT(rejected_twice, 400);
 }
 
 // A critic that gives no numbers rejects by that: it is named, though it never says so itself.

@@ -110,7 +110,7 @@ TEST(TrackerDrive, MakesNobodyOutOfAnOffice) {
     ScanRobot robot(office_round(), 0.5, 1.0);
     robot.slip_x = robot.slip_theta = o.slip;
     TrackerDrive drive(world, robot, TrackerSettings(), 2);
-    const TrackerScore score = drive.run(effort(60.0, 600.0));
+    const TrackerScore score = drive.run(effort(30.0, 600.0));
     std::printf("noise %.2f m, slip %.2f: %zu false tracks, %d false points\n", o.noise, o.slip, score.false_ids.size(),
                 score.false_points);
     EXPECT_LE(score.false_ids.size(), 1u);

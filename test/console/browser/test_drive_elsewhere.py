@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page opened from another machine: by a name, with TLS and a token. test_drive.py runs this test, with its robot. A second
-console serves it; for the browser robot.lan is this machine."""
+"""The page opened from another machine: by a name, with TLS and a token. A second console serves it; for the browser robot.lan is
+this machine."""
 import io
 import os
 import re
 import subprocess
 import sys
 import time
+import unittest
 
 import browser
 import stage
@@ -25,7 +26,11 @@ def jpeg():
     return out.getvalue()
 
 
-class Elsewhere:
+def setUpModule():
+    stage.begin()
+
+
+class Elsewhere(stage.DriveTest):
     def console(self, port):
         """(process, token) of a console that listens on every address."""
         folder = stage.robot.folder
@@ -114,3 +119,7 @@ class Elsewhere:
         page.until("return document.body.dataset.state !== undefined")
         page.app('app.loaded.then(() => true)')
         page.wait(lambda: page.app('Boolean(app.scene.robot && app.holder.mine && !app.status.facts.neutralNeeded)'), 'the controls')
+
+
+if __name__ == '__main__':
+    unittest.main()

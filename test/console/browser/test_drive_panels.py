@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an operator does besides steering: goals, panels, recording, the camera, a gamepad. test_drive.py runs these tests, with its
-robot and its browser."""
+"""What an operator does in a drive besides steering by the stick: goals, panels, recording, the camera, a gamepad, a slow link."""
 import glob
 import math
 import os
 import re
 import time
+import unittest
 
+import browser
 import numpy
 import stage
-from stage import wait
+from stage import DriveTest, wait
 
 # A gamepad that is there once window.padOn is set; what it is asked to rumble is kept.
 PAD = """
@@ -26,7 +27,11 @@ CAMERA = '/eye/image'
 PLANNER = '/move_base/HIDWAPlannerROS/'
 
 
-class Goals:
+def setUpModule():
+    stage.begin((browser.FEW_FRAMES, PAD), '--camera ' + CAMERA)
+
+
+class Goals(DriveTest):
     def press_map(self, button, metres):
         """Presses a button, then the map so many metres to the east of the robot, and drags to the east."""
         page = stage.page
@@ -72,7 +77,7 @@ class Goals:
         wait(lambda: abs(robot.speed[0]) < 0.02, 'rest')
 
 
-class Panels:
+class Panels(DriveTest):
     def test_a_parameter_is_changed_and_undone_and_a_preset_too(self):
         import rospy
         page = stage.page
@@ -127,7 +132,7 @@ def picture(red_columns):
     return image
 
 
-class Camera:
+class Camera(DriveTest):
     def publish_calibration(self):
         """A lens 1 m above the robot that looks ahead and down by 30 degrees: it sees 1 to 5 m of the floor."""
         import rospy
@@ -195,7 +200,7 @@ class Camera:
         page.wait(lambda: not page.app('app.cameraOn'), 'no picture comes any more')
 
 
-class Gamepad:
+class Gamepad(DriveTest):
     def test_it_steers_and_rumbles_as_long_as_the_planner_says(self):
         import rospy
         from sensor_msgs.msg import JoyFeedback, JoyFeedbackArray
@@ -220,7 +225,7 @@ class Gamepad:
         self.assertEqual(page.js('return window.rumbled.length'), count)
 
 
-class SlowLink:
+class SlowLink(DriveTest):
     def test_above_the_limit_the_robot_is_asked_to_stop(self):
         page, robot, proxy = stage.page, stage.robot, stage.proxy
         self.drive_off()
@@ -238,3 +243,7 @@ class SlowLink:
         self.assertEqual(robot.state, 'STOPPED', 'until somebody lets go')
         page.click('letgo')
         wait(lambda: robot.state == 'AUTONOMY', 'on its way again')
+
+
+if __name__ == '__main__':
+    unittest.main()
