@@ -81,6 +81,6 @@ hidwa_rostests() {
   . "$HIDWA_ROOT/scripts/env"
   # C++14, the default of GCC 9: a package with critics is lifted from it by this one.
   MAKEFLAGS="-j$(hidwa_jobs)" hidwa_workspace "$HIDWA_SPACE/build/tests/ros" "${manifests[@]%/package.xml}" -- \
-    -DCMAKE_CXX_FLAGS=-std=gnu++14 -DHIDWA_WERROR="$(hidwa_werror)" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O0 \
+    -DCMAKE_CXX_FLAGS=-std=gnu++14 -DHIDWA_WERROR="$(hidwa_werror)" -DCMAKE_BUILD_TYPE=Release \
     -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 --no-warn-unused-cli
 }

@@ -233,7 +233,7 @@ bool way_exists(const Robot& robot, bool reverse) {
 }
 
 TEST(Escape, FromRandomStartsNothingIsEnteredThatTheRuleForbids) {
-  const int kStarts = effort(20, 300);
+  const int kStarts = effort(40, 300);
   int starts = 0, out = 0, said_so = 0, ways = 0, ways_found = 0;
   double deepest = 0.0, most = 0.0;
   for (std::uint64_t seed = 1; starts < kStarts; ++seed) {

@@ -136,8 +136,8 @@ def switching():
 
 
 def people():
-    """Through the office among people who keep away from the robot, as scripts/demo drives by itself."""
-    return drive('people', '--people', '6', '--operator', 'avoid', expect={
+    """A part of the office among people who keep away from the robot."""
+    return drive('people', *PART, '--people', '6', '--operator', 'avoid', expect={
         'six people are there': lambda r: r['people'] == 6,
         'the robot meets somebody': lambda r: r['closest_person_m'] < 2.0,
         'nobody is touched by the moving robot': lambda r: r['contacts_moving'] == 0})
