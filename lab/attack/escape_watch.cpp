@@ -11,7 +11,7 @@
 namespace hidwa_attack {
 namespace {
 
-constexpr double kFinest = 2e-5;     // between two looks [m]
+constexpr double kFinestMove = 2e-5;     // between two looks [m]
 constexpr double kBeside = 0.01;     // looked for around the outline [m]
 constexpr double kEitherEnd = 3e-3;  // so much deeper may a base go that takes each command and axis at either end [m]
 
@@ -67,7 +67,7 @@ void EscapeWatch::decide(int now, const Pose2& pose, const Twist2& velocity) {
 
 void EscapeWatch::observe(int now, const Pose2& pose, const Twist2& velocity) {
   moved_ += 1e-3 * (std::abs(velocity.v) + outermost_ * std::abs(velocity.omega));
-  if (moved_ < kFinest && now != judged_from_) return;
+  if (moved_ < kFinestMove && now != judged_from_) return;
   moved_ = 0.0;
   Set now_in = overlapped(pose);
   if (judging(now)) {

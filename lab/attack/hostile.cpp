@@ -18,7 +18,7 @@ constexpr std::uint64_t kOutsideEvery = 20;
 constexpr std::uint64_t kGoallessEvery = 3;
 
 // What only a study does.
-const std::vector<Condition>& outside() {
+const std::vector<Condition>& study_only() {
   static const std::vector<Condition> conditions{
       {"out_slip", false, "the base slips by up to 10 %", [](Spec& s, Random&) { s.slip = 0.1; }},
       {"out_flicker", false,
@@ -56,7 +56,7 @@ std::vector<Condition> conditions_of(bool promised) {
   for (const Condition& condition : all_conditions()) {
     if (condition.promised == promised && starts_free(condition)) conditions.push_back(condition);
   }
-  if (!promised) conditions.insert(conditions.end(), outside().begin(), outside().end());
+  if (!promised) conditions.insert(conditions.end(), study_only().begin(), study_only().end());
   return conditions;
 }
 

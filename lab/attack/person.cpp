@@ -10,7 +10,7 @@ namespace {
 using hidwa_local_planner::Influence;
 using hidwa_local_planner::OperatorStateId;
 
-constexpr double kSight = 3.0;  // [m]
+constexpr double kSightOfRobot = 3.0;  // [m]
 
 double bearing(const Pose2& robot, const Spot& target) {
   return std::remainder(std::atan2(target.y - robot.y, target.x - robot.x) - robot.theta, 2.0 * M_PI);
@@ -100,9 +100,9 @@ Twist2 Person::full(const Parameters& limits) {
 
 Spot Person::nearest(const Pose2& robot) const {
   Spot found{robot.x + std::cos(robot.theta), robot.y + std::sin(robot.theta)};
-  double least = kSight * kSight;
-  for (int j = world_.cell(robot.y - kSight); j <= world_.cell(robot.y + kSight); ++j) {
-    for (int i = world_.cell(robot.x - kSight); i <= world_.cell(robot.x + kSight); ++i) {
+  double least = kSightOfRobot * kSightOfRobot;
+  for (int j = world_.cell(robot.y - kSightOfRobot); j <= world_.cell(robot.y + kSightOfRobot); ++j) {
+    for (int i = world_.cell(robot.x - kSightOfRobot); i <= world_.cell(robot.x + kSightOfRobot); ++i) {
       if (!world_.lethal(i, j)) continue;
       const double dx = world_.middle(i) - robot.x, dy = world_.middle(j) - robot.y;
       if (dx * dx + dy * dy >= least) continue;

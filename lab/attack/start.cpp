@@ -7,12 +7,12 @@
 namespace hidwa_attack {
 namespace {
 
-struct Bounds {
+struct Depths {
   double least = 0.0, most = 0.0;  // [m]
 };
 
 // Sets `count` cells in which the robot lies so deep; where it is apart from them, negative.
-void put_cells(World& world, const Placed& placed, int count, const Bounds& depth, Random& random) {
+void put_cells(World& world, const Placed& placed, int count, const Depths& depth, Random& random) {
   const double side = world.resolution(), around = std::max(0.0, -depth.least) + side;
   for (int attempt = 0; attempt < 2000 && count > 0; ++attempt) {
     const int i = world.cell(random.in(placed.low().x - around, placed.high().x + around));

@@ -20,7 +20,7 @@ using hidwa_attack::deepest;
 using hidwa_attack::LocalMap;
 using hidwa_attack::Placed;
 
-constexpr double kNear = 3.0, kFar = 8.0;  // how far a goal is along the plan [m]
+constexpr double kNear = 3.0, kFarAway = 8.0;  // how far a goal is along the plan [m]
 constexpr double kPassing = 0.4;           // so near a plan leads by a site's place [m]
 
 bool stands_free(const World& world, const Shape& shape, const Pose2& pose, double margin) {
@@ -61,7 +61,7 @@ std::optional<Spot> find_goal(const Site& site, const GridPlan& from_start, Rand
   for (int attempt = 0; attempt < 2000 && left > 0; ++attempt) {
     const double x = random.in(0.0, site.world.width());
     const Spot goal{x, random.in(0.0, site.world.height())};
-    if (!from_start.reaches(goal) || from_start.length(goal) < kNear || from_start.length(goal) > kFar) continue;
+    if (!from_start.reaches(goal) || from_start.length(goal) < kNear || from_start.length(goal) > kFarAway) continue;
     --left;
     any = goal;
     if (!site.passed) break;

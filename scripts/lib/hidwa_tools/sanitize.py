@@ -13,7 +13,7 @@ UNFIT = ('hidwa_vector_width_core_test', 'hidwa_vector_width_critics_test')
 # Slow cycles say so in words, which allocates.
 UNFIT_CASES = '-Allocations.NoneWhileThePersonSteers'
 # The short form: what reads bytes, and what starts threads.
-SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/robot;fuzz', '-DHIDWA_FUZZ_MUTATIONS=4')
+SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/robot;fuzz')
 # A program with one thread has no race to find: the thread sanitizer takes the folders whose tests start threads of their own.
 # No other library without ROS starts one; test/scripts looks.
 THREAD_SUITES = ('unit/robot', 'unit/study', 'attack', 'ways')

@@ -125,18 +125,19 @@ void Robot::step(double dt) {
     deliver(odometry_publisher_, message);
   }
   if (laser) {
-    sensor_msgs::LaserScan scan;
-    scan.header.stamp = ros::Time::now();
-    scan.header.frame_id = "base_link";
-    scan.angle_min = -3.0f;
-    scan.angle_max = 3.0f;
-    scan.angle_increment = 0.02f;
-    scan.range_min = 0.05f;
-    scan.range_max = 10.0f;
+    // Shared: it is in the queue of who listens when publish() returns.
+    const auto scan = boost::make_shared<sensor_msgs::LaserScan>();
+    scan->header.stamp = ros::Time::now();
+    scan->header.frame_id = "base_link";
+    scan->angle_min = -3.0f;
+    scan->angle_max = 3.0f;
+    scan->angle_increment = 0.02f;
+    scan->range_min = 0.05f;
+    scan->range_max = 10.0f;
     const std::lock_guard<std::mutex> lock(mutex_);
     for (int i = 0; i <= 300; ++i) {
       const auto distance = static_cast<float>(range(now, -3.0 + 0.02 * i));
-      scan.ranges.push_back(distance < scan.range_max ? distance : std::numeric_limits<float>::infinity());
+      scan->ranges.push_back(distance < scan->range_max ? distance : std::numeric_limits<float>::infinity());
     }
     laser_publisher_.publish(scan);
   }
