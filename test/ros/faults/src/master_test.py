@@ -65,6 +65,7 @@ class Masters(unittest.TestCase):
         self.assertTrue(wait_for(lambda: modes.get_num_connections() > 0))
         self.assertTrue(host.drives())
         watch.begin()
+        self.assertTrue(wait_for(watch.cycles), 'no cycles come')  # who has not found the planner yet never does without a master
 
         os.kill(self.master.pid, signal.SIGKILL)
         self.assertTrue(wait_for(lambda: not rosgraph.is_master_online()))
