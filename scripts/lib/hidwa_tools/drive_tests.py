@@ -13,12 +13,13 @@ import signal
 import subprocess
 import sys
 
+from .demo import LONGEST_GAP
 from .places import DATA, ROOT, SPACE
 from .processes import end_on_signals
 
 WORK = os.path.join(SPACE, 'build', 'tests')
 LEFT_OUT = 77
-FASTEST = 3.0        # simulated seconds a second; where the machine does not keep up the simulator itself slows down
+RATES = (3.0, 1.5, 0.75)  # [simulated seconds a second]; the next one where the machine did not keep up
 CONTROL_RATE = 20.0  # [Hz]
 RECORD_RATE = 200e3  # [byte/s], of cycle records: twice what the demo's take, since a machine that keeps up maps more often
 PART = ('--start', '18.0,8.0,0.0', '--goal', '33.3,18.7,1.05')  # of the office, past two regions
@@ -62,10 +63,10 @@ def host():
     return 'compat' if os.path.isdir(os.path.join(SPACE, 'build', 'move_base')) else 'real'
 
 
-def demo(name, *arguments):
+def demo(name, rate, *arguments):
     """Runs scripts/demo: (exit status, report, output)."""
     folder = os.path.join(WORK, name)
-    status, output = run([os.path.join(ROOT, 'scripts', 'demo'), '--no-build', '--rate', f'{FASTEST:g}', '--report', folder,
+    status, output = run([os.path.join(ROOT, 'scripts', 'demo'), '--no-build', '--rate', f'{rate:g}', '--report', folder,
                           *arguments], name)
     path = os.path.join(folder, 'report.json')
     if not os.path.exists(path):
@@ -95,9 +96,18 @@ def replayed(bag, *arguments, log='replay'):
 
 
 def drive(name, *arguments, expect):
-    """Whether one demo, and each of the expectations on its report, holds. Nobody walks around unless the arguments say so."""
-    name = f'drive_{name}'
-    status, report, output = demo(name, '--people', '0', *arguments)
+    """Whether one demo, and each of the expectations on its report, holds, if need be at a rate that the machine keeps up with.
+    Nobody walks around unless the arguments say so."""
+    for rate in RATES:
+        status, report, output = demo(f'drive_{name}', rate, '--people', '0', *arguments)
+        if judge_drive(f'drive_{name}', status, report, output, expect):
+            return True
+        if report['contacts'] or (report['longest_gap_s'] or 0.0) <= LONGEST_GAP:
+            return False
+    return False
+
+
+def judge_drive(name, status, report, output, expect):
     repeated = replayed(os.path.join(WORK, name, 'drive.bag'), log=f'{name}_replay')
     return judge({
         'arrives without contact (exit status 0)': status == 0,
