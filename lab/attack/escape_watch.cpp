@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFinestMove = 2e-5;  // between two looks [m]
 constexpr double kBeside = 0.01;      // looked for around the outline [m]
-constexpr double kEitherEnd = 3e-3;   // so much deeper may a base go that takes each command and axis at either end [m]
+constexpr double kEitherEnd = 3e-3;   // Allowance for a base that takes up each axis at either end of a period [m]
 
 // v (latency + period) + v^2 / (2 dec) = way, solved for v.
 double speed_that_stops_in(double way, double delay, double dec) {

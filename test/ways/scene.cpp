@@ -21,7 +21,7 @@ using hidwa_attack::LocalMap;
 using hidwa_attack::Placed;
 
 constexpr double kNear = 3.0, kFarAway = 8.0;  // how far a goal is along the plan [m]
-constexpr double kPassing = 0.4;               // so near a plan leads by a site's place [m]
+constexpr double kPassing = 0.4;               // A plan this near to the site's place passes it [m]
 
 bool stands_free(const World& world, const Shape& shape, const Pose2& pose, double margin) {
   const double gap = margin + 0.004;  // a little more than the search takes

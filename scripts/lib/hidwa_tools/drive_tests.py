@@ -108,6 +108,7 @@ def drive(name, *arguments, expect):
 
 
 def judge_drive(name, status, report, output, expect):
+    """Whether one demo holds what each must, and each of the expectations on its report."""
     repeated = replayed(os.path.join(WORK, name, 'drive.bag'), log=f'{name}_replay')
     return judge({
         'arrives without contact (exit status 0)': status == 0,

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "hidwa_local_planner/critics/built_in.hpp"
+#include "support/effort.hpp"
 #include "support/recorded_drive.hpp"
 
 namespace hidwa_local_planner::record {
@@ -72,7 +73,7 @@ TEST(CycleReplay, TheRecordedStatesDecide) {
     EXPECT_EQ(replay.take(bytes), Reading::ready) << replay.fault();
     return replay.run().identical ? 0 : 1;
   };
-  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::effort<std::uint64_t>(6, 12); ++seed) {
     CycleReplay without_loop(critics::built_in()), without_operator(critics::built_in());
     for (const RecordedDrive::Cycle& cycle : drive(seed)) {
       CycleRecord record;
@@ -170,7 +171,7 @@ TEST(CycleReplay, NewParametersAreInForceFromTheirCycleOn) {
 
 TEST(CycleReplay, AChangedParameterChangesCyclesAndNoneChangesNone) {
   std::vector<std::vector<RecordedDrive::Cycle>> drives;
-  for (std::uint64_t seed = 1; seed < 19; seed += 3) drives.push_back(drive(seed, 150));  // in SJ
+  for (std::uint64_t seed = 1; seed < 19; seed += 3) drives.push_back(drive(seed, test::effort(150, 400)));  // in SJ
   const auto differences = [&drives](const std::vector<ParameterChange>& changes) {
     int different = 0;
     for (const std::vector<RecordedDrive::Cycle>& cycles : drives) {

@@ -9,11 +9,13 @@
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "record/cycle_record.hpp"
+#include "support/effort.hpp"
 #include "support/random_scene.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
+using test::effort;
 using test::random_scene;
 using test::Scene;
 
@@ -43,7 +45,7 @@ Sampling with(Report report) {
 }
 
 TEST(FullReport, TheDecisionIsTheSameToTheBit) {
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (std::uint64_t seed = 0; seed < effort<std::uint64_t>(150, 400); ++seed) {
     const Scene scene = random_scene(seed);
     Planner legality(critics::built_in()), full(critics::built_in());
     for (Planner* planner : {&legality, &full}) {
@@ -74,7 +76,7 @@ void expect_consistent(const CandidateReport& candidate, const Scene& scene) {
 
 TEST(FullReport, ExplainsTheChoice) {
   int chosen = 0, rejected_twice = 0;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (std::uint64_t seed = 0; seed < effort<std::uint64_t>(150, 400); ++seed) {
     const Scene scene = random_scene(seed);
     Planner planner(critics::built_in());
     ASSERT_TRUE(planner.configure(scene.parameters).empty());
@@ -95,8 +97,8 @@ TEST(FullReport, ExplainsTheChoice) {
     EXPECT_EQ(planner.choice().rule, ChoiceReport::Rule::cheapest);
     EXPECT_EQ(all[static_cast<std::size_t>(best)].sample, decision.sample);
   }
-  EXPECT_GT(chosen, 90);
-  EXPECT_GT(rejected_twice, 400);
+  EXPECT_GT(chosen, effort(94, 250));
+  EXPECT_GT(rejected_twice, effort(400, 1000));
 }
 
 // A critic that gives no numbers rejects by that: it is named, though it never says so itself.
