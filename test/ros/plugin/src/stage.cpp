@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <future>
@@ -12,6 +13,7 @@
 #include <costmap_2d/cost_values.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
+#include <ros/poll_manager.h>
 #include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/LaserScan.h>
 
@@ -23,6 +25,19 @@ constexpr double kOnTheWay = 0.005;      // how old a message is when it comes [
 constexpr unsigned long kMapSteps = 4;   // the costmap is brought up to date every 0.1 s
 // Simulated seconds a second, at most: what comes once a second of wall time, as diagnostics, comes while it drives.
 constexpr double kFastest = 5.0;
+
+/// Waits until what this process has published is in the queues of those who listen within it. roscpp's poll thread
+/// puts it there in each of its turns: one is under way perhaps, the next one has all.
+void hand_over() {
+  static std::atomic<unsigned long> turns{0};
+  static const boost::signals2::connection connection =
+      ros::PollManager::instance()->addPollThreadListener([] { ++turns; });
+  const unsigned long before = turns;
+  wait_for([&] {
+    ros::PollManager::instance()->getPollSet().signal();  // else a turn waits for the next message, up to 0.1 s
+    return turns >= before + 2;
+  });
+}
 
 /// Waits until the callbacks that are due now have run.
 void run_callbacks() {
@@ -125,19 +140,18 @@ void Robot::step(double dt) {
     deliver(odometry_publisher_, message);
   }
   if (laser) {
-    // Shared: it is in the queue of who listens when publish() returns.
-    const auto scan = boost::make_shared<sensor_msgs::LaserScan>();
-    scan->header.stamp = ros::Time::now();
-    scan->header.frame_id = "base_link";
-    scan->angle_min = -3.0f;
-    scan->angle_max = 3.0f;
-    scan->angle_increment = 0.02f;
-    scan->range_min = 0.05f;
-    scan->range_max = 10.0f;
+    sensor_msgs::LaserScan scan;
+    scan.header.stamp = ros::Time::now();
+    scan.header.frame_id = "base_link";
+    scan.angle_min = -3.0f;
+    scan.angle_max = 3.0f;
+    scan.angle_increment = 0.02f;
+    scan.range_min = 0.05f;
+    scan.range_max = 10.0f;
     const std::lock_guard<std::mutex> lock(mutex_);
     for (int i = 0; i <= 300; ++i) {
       const auto distance = static_cast<float>(range(now, -3.0 + 0.02 * i));
-      scan->ranges.push_back(distance < scan->range_max ? distance : std::numeric_limits<float>::infinity());
+      scan.ranges.push_back(distance < scan.range_max ? distance : std::numeric_limits<float>::infinity());
     }
     laser_publisher_.publish(scan);
   }
@@ -179,6 +193,7 @@ void Stage::step() {
     for (const std::function<void()>* tick : ticking_) (*tick)();
   }
   skip(kOnTheWay);
+  hand_over();
   run_callbacks();  // of what came
   run_callbacks();  // and of what those have made due, as a scan whose transform is there
   if (costmap && costmap_follows && steps_ % kMapSteps == 0) costmap->updateMap();
