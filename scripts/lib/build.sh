@@ -31,6 +31,14 @@ hidwa_built_with() {
   grep -q "^$1:[A-Z]*=ON" "$HIDWA_SPACE/build/hidwa_local_planner/CMakeCache.txt" 2>/dev/null
 }
 
+# Says so where a source file is newer than the last build.
+hidwa_check_age() {
+  local newer
+  [ -e "$HIDWA_SPACE/log/latest_build" ] || return 0
+  newer=$(find "$HIDWA_ROOT"/{include,src,lab,msg,CMakeLists.txt} -newer "$HIDWA_SPACE/log/latest_build" -type f -print -quit)
+  [ -z "$newer" ] || say "${newer#"$HIDWA_ROOT/"} is newer than the last build: scripts/build --all builds anew" >&2
+}
+
 # hidwa_workspace FOLDER PACKAGE_FOLDER... -- CMAKE_ARGUMENT...: builds packages and their tests into FOLDER/{build,install,log}, by
 # colcon, or by catkin where there is no colcon (Debian 11). Each package has its build folder in FOLDER/build either way.
 hidwa_workspace() {
