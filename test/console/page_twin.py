@@ -81,8 +81,15 @@ class Page:
         """Takes the controls, and centres the stick."""
         self.say('claim')
         await self.until(lambda: self.told_control.get('held'), 'the controls')
-        self.stick(0.0)
-        await self.until(lambda: not self.told_control['neutral_needed'], 'a centred stick')
+        await self.centre(lambda: not self.told_control['neutral_needed'], 'a centred stick')
+
+    async def centre(self, condition, what):
+        """Says that the stick is centred until the condition holds: a message that is late does not count."""
+        deadline = time.monotonic() + PATIENCE
+        while not condition():
+            assert time.monotonic() < deadline, f'waited {PATIENCE:.0f} s for {what}'
+            self.stick(0.0)
+            await asyncio.sleep(0.05)
 
     def cut(self):
         """The connection ends as when a cable is pulled: no close frame."""

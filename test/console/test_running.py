@@ -115,8 +115,12 @@ class OnBoard(unittest.IsolatedAsyncioTestCase):
         self.a.say('goal', **FAR)
         await until(lambda: self.state() == 'AUTONOMY' and self.view.fields['velocity'][0] > 0.3, 'a robot that drives')
 
+    def told(self, field, otherwise=None):
+        """Of the newest state that the view has."""
+        return (self.view.fields['state'] or {}).get(field, otherwise)
+
     def state(self):
-        return (self.view.fields['state'] or {}).get('name')
+        return self.told('name')
 
     async def steer(self, left, seconds, page=None, age=0.0):
         for _ in range(round(20 * seconds)):
@@ -144,7 +148,7 @@ class Driving(OnBoard):
             await self.steer_until(left, 'SHARED')
             # dead zone 0.1, exponent 2, max_vel_theta 1 rad/s: 0.8^2 * 1 = 0.64 rad/s to that side.
             wanted = 0.64 if left > 0 else -0.64
-            await self.hold(left, lambda: abs((self.view.fields['state'] or {}).get('wanted', (0.0, 0.0))[1] - wanted) < 0.005, f'{wanted} rad/s')
+            await self.hold(left, lambda: abs(self.told('wanted', (0.0, 0.0))[1] - wanted) < 0.005, f'{wanted} rad/s')
             self.assertLessEqual({round(j.axes[0], 6) for j in W.heard.joy[before:]}, {0.0, left})
             before = len(W.heard.joy)
             self.a.stick(0.0)
@@ -176,8 +180,7 @@ class Driving(OnBoard):
         self.assertNotIn(0.0, [j.axes[0] for j in W.heard.joy[sent:]])
         again = await self.page('a')
         self.assertTrue(again.told_control['held'] and again.told_control['neutral_needed'])
-        again.stick(0.0)
-        await until(lambda: self.state() in ('HOLD', 'AUTONOMY'), 'the end of LOST')
+        await again.centre(lambda: self.state() in ('HOLD', 'AUTONOMY'), 'the end of LOST')
         self.assertFalse(watcher.told_control['held'])
         again.say('give')
 
