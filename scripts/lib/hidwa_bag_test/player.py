@@ -86,9 +86,9 @@ class Player:
         while now < end:
             while events and events[0][0] <= now:
                 _, publisher, message = events.popleft()
-                publisher.publish(message)
-                if publisher is self._plan:
+                if publisher is self._plan:  # before it is sent: a goal may be reached at once
                     planned, self._answers.reached = now, False
+                publisher.publish(message)
             self._tick(now)
             due = max(due + STEP / self._description.rate, time.monotonic())
             time.sleep(max(0.0, due - time.monotonic()))
