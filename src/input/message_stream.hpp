@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,11 +40,11 @@ class MessageStream {
     DeviceShape shape;
     BacklogGate backlog;
     CatchUpWatch catch_up;
-    bool armed = false;            // seen neutral since that was demanded; while it is in use others know better
-    bool idle = false;             // its newest message asked for nothing
-    bool was_idle = false;         // nor did the one before
-    double heard = 0.0;            // [s]
-    std::uint64_t connection = 0;  // of its newest message
+    bool armed = false;     // seen neutral since that was demanded; while it is in use others know better
+    bool idle = false;      // its newest message asked for nothing
+    bool was_idle = false;  // nor did the one before
+    double heard = 0.0;     // [s]
+    std::shared_ptr<const void> connection;  // of its newest message
   };
 
   /// Judges a message; `received`: when it arrived, never decreasing [s]; limits.late 0: none is too late.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <string>
 
 namespace hidwa_local_planner::input {
@@ -18,10 +18,10 @@ struct OperatorMessage {
   virtual ~OperatorMessage() = default;
   virtual DeviceShape shape() const { return {}; }
 
-  double stamp = 0.0;            // header stamp [s]; 0 where the sender leaves it empty
-  double received = 0.0;         // when it arrived [s]
-  std::string sender;            // who sent it, where known: another sender is another device
-  std::uint64_t connection = 0;  // another number: the sender connected anew, and nothing of before is on its way
+  double stamp = 0.0;                      // header stamp [s]; 0 where the sender leaves it empty
+  double received = 0.0;                   // when it arrived [s]
+  std::string sender;                      // who sent it, where known: another sender is another device
+  std::shared_ptr<const void> connection;  // another: the sender connected anew, and nothing of before is on its way
 
  protected:
   OperatorMessage() = default;

@@ -6,21 +6,16 @@
 namespace hidwa_local_planner {
 
 void CycleStatistics::add(double duration, double period) {
-  const std::lock_guard<std::mutex> lock(mutex_);
   durations_[cycles_ % kWindow] = duration;
   ++cycles_;
   if (duration > period) ++late_;
 }
 
 CycleStatistics::Summary CycleStatistics::summary() const {
-  std::array<double, kWindow> sorted{};
   Summary summary;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    sorted = durations_;
-    summary.cycles = cycles_;
-    summary.late = late_;
-  }
+  summary.cycles = cycles_;
+  summary.late = late_;
+  std::array<double, kWindow> sorted = durations_;
   const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(summary.cycles, kWindow));
   if (count == 0) return summary;
   std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(count));

@@ -4,12 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 
 namespace hidwa_local_planner {
 
-/// Durations of the last cycles. Written by the control thread, read by the diagnostics; both hold the lock
-/// for a copy of numbers only.
+/// Durations of the last cycles. Not thread-safe.
 class CycleStatistics {
  public:
   struct Summary {
@@ -23,7 +21,6 @@ class CycleStatistics {
   Summary summary() const;
 
  private:
-  mutable std::mutex mutex_;
   std::array<double, kWindow> durations_{};  // ring [s]
   std::uint64_t cycles_ = 0;
   std::uint64_t late_ = 0;

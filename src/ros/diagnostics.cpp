@@ -6,12 +6,9 @@
 
 namespace hidwa_local_planner {
 
-Diagnostics::Diagnostics(ros::NodeHandle handle, const std::string& name, const CycleStatistics& statistics,
-                         const OperatorInput& person, const MovingObstacleInput& moving_obstacles)
-    : statistics_(statistics),
-      person_(person),
-      moving_obstacles_(moving_obstacles),
-      updater_(handle, ros::NodeHandle("~")) {
+Diagnostics::Diagnostics(ros::NodeHandle handle, const std::string& name, const OperatorInput& person,
+                         const MovingObstacleInput& moving_obstacles)
+    : person_(person), moving_obstacles_(moving_obstacles), updater_(handle, ros::NodeHandle("~")) {
   updater_.setHardwareID("none");
   updater_.add(name, [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
   updater_.add(name + " operator",
@@ -22,35 +19,36 @@ Diagnostics::Diagnostics(ros::NodeHandle handle, const std::string& name, const 
       handle.createWallTimer(ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 
+void Diagnostics::add(double duration, double period) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  statistics_.add(duration, period);
+}
+
+// A text as long as the one before takes no other memory.
 void Diagnostics::set(const std::string& fault, const std::string& odometry, const Load& load) {
-  const auto other = [](const std::string& text, std::string& known) {
-    if (text == known) return std::shared_ptr<const std::string>();
-    known = text;
-    return std::make_shared<const std::string>(text);
-  };
-  std::shared_ptr<const std::string> other_fault = other(fault, known_fault_);
-  std::shared_ptr<const std::string> other_odometry = other(odometry, known_odometry_);
   const std::lock_guard<std::mutex> lock(mutex_);
   load_ = load;
-  if (other_fault) fault_.swap(other_fault);
-  if (other_odometry) odometry_.swap(other_odometry);
+  fault_ = fault;
+  odometry_ = odometry;
 }
 
 void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using Status = diagnostic_msgs::DiagnosticStatus;
-  const CycleStatistics::Summary cycles = statistics_.summary();
-  std::shared_ptr<const std::string> fault, odometry;
+  CycleStatistics statistics;
+  std::string fault, odometry;
   Load load;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    statistics = statistics_;
     fault = fault_;
     odometry = odometry_;
     load = load_;
   }
+  const CycleStatistics::Summary cycles = statistics.summary();
   status.summary(Status::OK, "ready");
   const std::string thinned = thinning_complaint(load.in_force, load.full, load.budget);
   if (!thinned.empty()) status.mergeSummary(Status::WARN, thinned);
-  if (!odometry->empty()) status.mergeSummary(Status::WARN, *odometry);
+  if (!odometry.empty()) status.mergeSummary(Status::WARN, odometry);
   if (cycles.p99 > load.period) {
     status.mergeSummary(Status::WARN, "cycles take longer than the control period: lower vx_samples or vth_samples");
   }
@@ -58,7 +56,7 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
       load.answered ? latency_complaint(*load.answered, load.control_latency, load.period) : std::string();
   if (!late.empty()) status.mergeSummary(Status::WARN, late);
   const bool idle = cycles.cycles == reported_cycles_;  // what was missing in the last cycle is old
-  if (!fault->empty() && !idle) status.mergeSummary(Status::ERROR, *fault);
+  if (!fault.empty() && !idle) status.mergeSummary(Status::ERROR, fault);
   reported_cycles_ = cycles.cycles;
   status.add("cycles", cycles.cycles);
   status.add("cycles longer than the period", cycles.late);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -19,13 +18,12 @@
 namespace hidwa_local_planner {
 
 /// Once a second on /diagnostics, from the handle's callback thread: cycle times, samples, the operator, what
-/// is missing. The control thread never waits for a report: the lock is held to hand over numbers and a
-/// pointer.
+/// is missing. The control thread never waits for a report: the lock is held to copy numbers and two short texts.
 class Diagnostics {
  public:
-  /// The statistics, the operator and the moving obstacles must outlive it.
-  Diagnostics(ros::NodeHandle handle, const std::string& name, const CycleStatistics& statistics,
-              const OperatorInput& person, const MovingObstacleInput& moving_obstacles);
+  /// The operator and the moving obstacles must outlive it.
+  Diagnostics(ros::NodeHandle handle, const std::string& name, const OperatorInput& person,
+              const MovingObstacleInput& moving_obstacles);
   /// How the cycles are doing.
   struct Load {
     double period = 0.0;             // of the control cycle [s]
@@ -37,6 +35,8 @@ class Diagnostics {
     Sampling in_force;
     Sampling full;
   };
+  /// From the control thread, once a cycle: it took `duration` of its `period` [s].
+  void add(double duration, double period);
   /// From the control thread, once a cycle. `fault`: what is missing at present; `odometry`: what is odd about the
   /// odometry. Each is empty when nothing is.
   void set(const std::string& fault, const std::string& odometry, const Load& load);
@@ -47,13 +47,11 @@ class Diagnostics {
   void report_moving_obstacles(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void report_load(diagnostic_updater::DiagnosticStatusWrapper& status, const Load& load) const;
 
-  const CycleStatistics& statistics_;
   const OperatorInput& person_;
   const MovingObstacleInput& moving_obstacles_;
-  std::string known_fault_, known_odometry_;  // the control thread's: what fault_ and odometry_ hold
   std::mutex mutex_;
-  std::shared_ptr<const std::string> fault_ = std::make_shared<const std::string>();
-  std::shared_ptr<const std::string> odometry_ = std::make_shared<const std::string>();
+  CycleStatistics statistics_;
+  std::string fault_, odometry_;
   Load load_;
   std::uint64_t reported_cycles_ = 0;
   std::uint64_t reported_messages_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/operator_devices.hpp"
 
+#include <memory>
 #include <utility>
 
 #include <geometry_msgs/PoseStamped.h>
@@ -14,7 +15,6 @@
 
 #include "input/stick_reading.hpp"
 #include "input/twist_source.hpp"
-#include "ros/connection_numbers.hpp"
 #include "ros/conversions.hpp"
 
 namespace hidwa_local_planner {
@@ -31,6 +31,12 @@ struct Misfit {
   std::string what;  // it is
   std::string why;   // with the remedy
 };
+
+/// roscpp gives each connection a header of its own, and all messages of a connection share it. While it is held, no
+/// other one lies at its address.
+std::shared_ptr<const void> connection_of(const boost::shared_ptr<ros::M_string>& header) {
+  return {header.get(), [header](const void*) {}};
+}
 
 /// Subscribes to messages of type RosMessage and makes a Message of each.
 template <typename RosMessage, typename Message>
@@ -64,7 +70,7 @@ class DeviceTopic : public OperatorDevice {
     Message message;
     message.sender = event.getPublisherName();
     message.received = now.seconds;
-    message.connection = connections_.of(event.getConnectionHeaderPtr());
+    message.connection = connection_of(event.getConnectionHeaderPtr());
     const Misfit misfit = convert_(*event.getConstMessage(), now, message);
     if (!misfit.what.empty()) {
       ROS_WARN_THROTTLE(5.0, "%s carries %s from %s: %s", topic.c_str(), misfit.what.c_str(), message.sender.c_str(),
@@ -78,7 +84,6 @@ class DeviceTopic : public OperatorDevice {
   DeviceName name_;
   Convert convert_;
   DeliverMessage deliver_;
-  ConnectionNumbers connections_;
   std::string topic_;
   ros::Subscriber subscriber_;
 };

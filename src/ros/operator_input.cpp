@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <ros/console.h>
+#include <std_msgs/Bool.h>
 #include <tf2/exceptions.h>
 
 namespace hidwa_local_planner {
@@ -58,6 +59,23 @@ void OperatorInput::listen(const ros::NodeHandle& handle, const Parameters& para
       device->follow(thread_.serve(handle), source.listened_to ? source.topic.topic : "");
     }
   }
+}
+
+// A stop waits for no other callback: a change of parameters may take long.
+void OperatorInput::listen_to_commands(const ros::NodeHandle& handle) {
+  ros::NodeHandle prompt = thread_.serve(handle);
+  const auto without_delay = ros::TransportHints().tcpNoDelay();
+  using Request = const std_msgs::Bool::ConstPtr&;
+  const boost::function<void(Request)> take_control = [this](Request request) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    machine_.take_control(request->data);
+  };
+  const boost::function<void(Request)> stop = [this](Request request) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    machine_.stop(request->data);
+  };
+  take_control_ = prompt.subscribe<std_msgs::Bool>("take_control", 1, take_control, nullptr, without_delay);
+  stop_ = prompt.subscribe<std_msgs::Bool>("stop", 1, stop, nullptr, without_delay);
 }
 
 // The counts begin anew where another device steers or has its clutch.
@@ -177,16 +195,6 @@ bool OperatorInput::steers() const {
 bool OperatorInput::manual() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return machine_.manual();
-}
-
-void OperatorInput::take_control(bool manual) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  machine_.take_control(manual);
-}
-
-void OperatorInput::stop(bool stop) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  machine_.stop(stop);
 }
 
 OperatorInput::Status OperatorInput::status(double now) const {

@@ -10,6 +10,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
+#include <ros/subscriber.h>
 #include <tf2_ros/buffer.h>
 
 #include "hidwa_local_planner/core/parameters.hpp"
@@ -31,8 +32,9 @@ class OperatorInput {
   void listen(const ros::NodeHandle& handle, const Parameters& parameters);
   /// What messages mean and what follows from them, from the next cycle on.
   void configure(const Parameters& parameters);
-  /// The same handle, its callbacks served by the thread that takes the operator's messages.
-  ros::NodeHandle serve(const ros::NodeHandle& handle) { return thread_.serve(handle); }
+  /// Subscribes to what a device without the right buttons can ask for by topic, below the planner's name:
+  /// `take_control` and `stop` (std_msgs/Bool).
+  void listen_to_commands(const ros::NodeHandle& handle);
   /// Takes the hand as tf has it, in mode gesture where it is a frame; the same transform again is no message. A
   /// transform that cannot be looked up counts as silence of the device.
   void look_for_hand(const Parameters& parameters, const LoopTime& now);
@@ -46,9 +48,6 @@ class OperatorInput {
   void set_goalless(bool goalless);
   bool steers() const;
   bool manual() const;
-  /// In words: see OperatorStateMachine.
-  void take_control(bool manual);
-  void stop(bool stop);
 
   struct Status {
     OperatorStateId state = OperatorStateId::autonomy;
@@ -90,6 +89,7 @@ class OperatorInput {
   CallbackThread thread_;                // outlives the subscribers and the timer that it serves
   ros::SteadyTimer heartbeat_;           // of that thread
   OperatorDevices devices_;
+  ros::Subscriber take_control_, stop_;
 };
 
 }  // namespace hidwa_local_planner

@@ -12,7 +12,7 @@ Outputs::Outputs(const Names& names, const ros::NodeHandle& handle, const ros::N
     : name_(names.planner),
       publishing_(handle, names.frame),
       feedback_(handle, ros::NodeHandle(), names.frame, names.base_frame),
-      diagnostics_(diagnostics, name_, statistics_, person, moving_obstacles) {}
+      diagnostics_(diagnostics, name_, person, moving_obstacles) {}
 
 void Outputs::predict(const control::ControlLoop& loop, const control::Observation& observation,
                       const control::Result& result) {
@@ -33,9 +33,10 @@ void Outputs::tell(const LoopTime& now, const control::ControlLoop& loop, const 
 void Outputs::finish(const ros::Time& stamp, const CycleResult& result, double duration, double period,
                      const Bytes* record) {
   publishing_.publish_cycle(stamp, result, result.intent.state, duration, record);
-  statistics_.add(duration, period);
+  diagnostics_.add(duration, period);
 }
 
+// What lasts for many cycles is said at once when it is new, then once a second. Figures make no difference.
 void Outputs::explain(double now, const CycleResult& result) {
   const bool rejected = result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);
   const bool escaping = result.decision && !rejected && result.decision->escaping;
@@ -43,10 +44,14 @@ void Outputs::explain(double now, const CycleResult& result) {
                                 : escaping ? kEscapes
                                            : std::string_view(result.fault);
   if (what.empty()) {
-    if (explanations_.end()) ROS_INFO("%s: driving again", name_.c_str());
+    if (!said_.empty()) ROS_INFO("%s: driving again", name_.c_str());
+    said_.clear();
     return;
   }
-  if (!explanations_.due(now, what)) return;
+  const std::string_view kind = what.substr(0, what.find_first_of("0123456789"));
+  if (kind == said_ && now - said_at_ < 1.0) return;
+  said_ = kind;
+  said_at_ = now;
   const std::string message = rejected ? rejections_in_words(*result.decision) : std::string(what);
   const char* consequence = result.outcome == Outcome::fail    ? "; the robot stands, the host replans or recovers"
                             : result.outcome == Outcome::brake ? "; braking"

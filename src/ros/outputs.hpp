@@ -7,10 +7,8 @@
 
 #include "control/control_loop.hpp"
 #include "control/prediction.hpp"
-#include "ros/cycle_statistics.hpp"
 #include "ros/diagnostics.hpp"
 #include "ros/loop_time.hpp"
-#include "ros/message_throttle.hpp"
 #include "ros/operator_feedback.hpp"
 #include "ros/operator_input.hpp"
 #include "ros/publishing.hpp"
@@ -44,7 +42,7 @@ class Outputs {
   /// The cycle took `duration` of its `period` [s]. `record`: see Publishing.
   void finish(const ros::Time& stamp, const CycleResult& result, double duration, double period, const Bytes* record);
   /// Time jumped back.
-  void forget() { explanations_.end(); }
+  void forget() { said_.clear(); }
 
  private:
   void explain(double now, const CycleResult& result);
@@ -52,9 +50,9 @@ class Outputs {
   const std::string name_;
   Publishing publishing_;
   OperatorFeedback feedback_;
-  CycleStatistics statistics_;
   Diagnostics diagnostics_;
-  MessageThrottle explanations_;
+  std::string said_;      // what explain() said last, up to its first digit; empty once the robot drives again
+  double said_at_ = 0.0;  // [s]
   control::Prediction prediction_;  // of the last cycle, where somebody watched
   bool predicted_ = false;
 };

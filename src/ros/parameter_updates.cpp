@@ -26,7 +26,15 @@ std::size_t ParameterUpdates::start(Targets targets) {
   reconfigure_ = std::make_unique<Reconfigure>(handle_, loaded.parameters,
                                                [this](const Parameters& wanted) { return judge(wanted); });
   targets_.accepted(accepted_->parameters);
+  set_mode_ = handle_.subscribe<std_msgs::String>(
+      "set_mode", 1, [this](const std_msgs::String::ConstPtr& message) { set_mode(message->data); });
   return loaded.found.size();
+}
+
+void ParameterUpdates::set_mode(const std::string& mode) {
+  for (const std::string& fault : reconfigure_->set("mode", ParameterValue(mode))) {
+    ROS_ERROR("set_mode: %s", fault.c_str());
+  }
 }
 
 LoadedParameters ParameterUpdates::load() {
@@ -69,17 +77,17 @@ std::vector<std::string> ParameterUpdates::judge(const Parameters& wanted) {
   }
   accepted_ = set;
   targets_.accepted(set->parameters);
-  pending_.put(set);
+  std::atomic_store(&pending_, set);
   return {};
 }
 
 bool ParameterUpdates::take() {
-  const std::unique_ptr<SharedSet> set = pending_.take();
+  const SharedSet set = std::atomic_exchange(&pending_, SharedSet());
   if (!set) return false;
-  const std::vector<std::string> faults = targets_.configure(**set);
+  const std::vector<std::string> faults = targets_.configure(*set);
   for (const std::string& fault : faults) ROS_ERROR("parameters not taken: %s", fault.c_str());
   if (!faults.empty()) return false;
-  in_force_ = *set;
+  in_force_ = set;
   fault_.clear();
   return true;
 }

@@ -8,9 +8,10 @@
 
 #include <costmap_2d/costmap_2d_ros.h>
 #include <ros/node_handle.h>
+#include <ros/subscriber.h>
+#include <std_msgs/String.h>
 
 #include "hidwa_local_planner/core/critic_registry.hpp"
-#include "ros/handover.hpp"
 #include "ros/parameter_loading.hpp"
 #include "ros/parameter_set.hpp"
 #include "ros/reconfigure.hpp"
@@ -37,10 +38,11 @@ class ParameterUpdates {
   ParameterUpdates(std::string name, const ros::NodeHandle& handle, const std::string& base, CriticRegistry registry);
 
   /// Takes what the parameter server holds, and starts dynamic_reconfigure. Where that is not valid the defaults are in
-  /// force, and fault() says why. Returns how many values the parameter server had.
+  /// force, and fault() says why. Returns how many values the parameter server had. From then on a device without the
+  /// right buttons can ask for a mode by topic, below the planner's name: `set_mode` (std_msgs/String).
   std::size_t start(Targets targets);
   /// A set was accepted that is not in force yet. From any thread.
-  bool waits() const { return pending_.waits(); }
+  bool waits() const { return std::atomic_load(&pending_) != nullptr; }
   /// Between two cycles: puts the newest accepted set in force. True where there was one.
   bool take();
   /// Between two cycles: puts the set in force once more, since the host changed its tolerances.
@@ -49,7 +51,6 @@ class ParameterUpdates {
   /// the cycles.
   const std::string& fault() const { return fault_; }
   const CriticRegistry& registry() const { return registry_; }  // by which sets are judged
-  Reconfigure& reconfigure() { return *reconfigure_; }
   /// See RobotDescription; only before callbacks are served.
   void give_outline(costmap_2d::Costmap2DROS& costmap) const {
     description_.give_outline(costmap, accepted_->parameters.footprint_from_urdf);
@@ -62,17 +63,19 @@ class ParameterUpdates {
   std::vector<std::string> judge(const Parameters& wanted);
   void warn(const std::vector<std::string>& warnings) const;
   void warn_of_misplaced() const;
+  void set_mode(const std::string& mode);
 
   const std::string name_;
-  const ros::NodeHandle handle_;
+  ros::NodeHandle handle_;
   RobotDescription description_;
   const CriticRegistry registry_;
   Targets targets_;
-  SharedSet accepted_;           // the last valid set, in force or about to be
-  Handover<SharedSet> pending_;  // accepted, in force from the next cycle on
+  SharedSet accepted_;  // the last valid set, in force or about to be
+  SharedSet pending_;   // accepted, in force from the next cycle on; two threads: only by std::atomic_...
   SharedSet in_force_;
   std::string fault_;
   std::unique_ptr<Reconfigure> reconfigure_;
+  ros::Subscriber set_mode_;
 };
 
 }  // namespace hidwa_local_planner

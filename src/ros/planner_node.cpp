@@ -259,7 +259,7 @@ void PlannerNode::start_parameters() {
     without_goal_ = {parameters.drive_without_goal, parameters.drive_topic};
   };
   report_start(parameters_.start(std::move(targets)));
-  commands_ = std::make_unique<OperatorCommands>(thread_.serve(handle_of(name_)), operator_, parameters_.reconfigure());
+  operator_.listen_to_commands(handle_of(name_));
 }
 
 std::string PlannerNode::listen(const Parameters& parameters) {

@@ -17,7 +17,6 @@
 #include "ros/callback_thread.hpp"
 #include "ros/host/host_calls.hpp"
 #include "ros/inputs.hpp"
-#include "ros/operator_commands.hpp"
 #include "ros/operator_input.hpp"
 #include "ros/outputs.hpp"
 #include "ros/parameter_updates.hpp"
@@ -104,7 +103,6 @@ class PlannerNode {
   SampleBudget budget_;
   std::string plan_fault_ = "no plan was given yet";  // empty when there is a plan to follow
   std::vector<std::string> horizon_said_;
-  std::unique_ptr<OperatorCommands> commands_;
 };
 
 /// Every plugin calls this when its host initializes it. Makes the planner, once; logs what is missing.

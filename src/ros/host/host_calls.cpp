@@ -5,8 +5,12 @@
 #include <cmath>
 #include <string>
 
+#include <dynamic_reconfigure/Config.h>
+
 namespace hidwa_local_planner {
 namespace {
+
+constexpr char kFrequency[] = "controller_frequency";
 
 // A host may ask for a value beyond the parameter's range.
 double in_range(const std::string& parameter, double value) {
@@ -16,9 +20,25 @@ double in_range(const std::string& parameter, double value) {
 
 }  // namespace
 
+HostCalls::HostCalls(ros::NodeHandle node) {
+  std::string key;
+  double frequency = 0.0;
+  if (node.searchParam(kFrequency, key) && node.getParam(key, frequency)) take_frequency(frequency);
+  host_parameters_ = node.subscribe<dynamic_reconfigure::Config>(
+      "parameter_updates", 10, [this](const dynamic_reconfigure::Config::ConstPtr& config) {
+        for (const dynamic_reconfigure::DoubleParameter& parameter : config->doubles) {
+          if (parameter.name == kFrequency) take_frequency(parameter.value);
+        }
+      });
+}
+
+void HostCalls::take_frequency(double frequency) {
+  if (std::isfinite(frequency) && frequency > 0.0) host_frequency_ = frequency;
+}
+
 double HostCalls::period(const Parameters& parameters) const {
   const double own = parameters.controller_frequency;
-  return 1.0 / (own > 0.0 ? own : frequency_.get());
+  return 1.0 / (own > 0.0 ? own : host_frequency_.load());
 }
 
 void HostCalls::cycle_called() {

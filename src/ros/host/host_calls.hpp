@@ -3,31 +3,34 @@
 // Base Flex:
 //
 //   hidwa_planner_ros, controller     their calls, one class each
-//   host_calls, cycle_clock,          their rate and its pauses, in which another node may drive; their checks of the
-//   host_frequency                    goal between two cycles; the tolerances of Move Base Flex
+//   host_calls, cycle_clock           their rate and its pauses, in which another node may drive; their checks of the
+//                                     goal between two cycles; the tolerances of Move Base Flex
 //   host_goal, goal_succession        plans of move_base to a goal that it no longer pursues
 //   drive_without_goal, host_actions  the operator drives while the host has no goal
 //   cancel_request                    Move Base Flex cancels a drive
-//   yielding_recovery, host_requests, move_base recovers
-//   robot_keepers, costmap_clearing
+//   yielding_recovery, robot_keepers, move_base recovers
+//   costmap_clearing
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <optional>
 
 #include <ros/node_handle.h>
+#include <ros/subscriber.h>
 
 #include "control/control_loop.hpp"
 #include "ros/host/cycle_clock.hpp"
-#include "ros/host/host_frequency.hpp"
 
 namespace hidwa_local_planner {
 
-/// When a host calls, and what it asks for besides. Not thread-safe: the host's control thread.
+/// When a host calls, and what it asks for besides. Not thread-safe: the host's control thread. The host's rate, its
+/// parameter controller_frequency, can change while move_base runs.
 class HostCalls {
  public:
-  /// `node`: the host's private namespace; its callback queue serves changes of the host's rate.
-  explicit HostCalls(const ros::NodeHandle& node) { frequency_.follow(node); }
+  /// Reads the host's rate in its private namespace `node`, or in one above it. The callback queue of `node` serves
+  /// what the host's dynamic_reconfigure server announces.
+  explicit HostCalls(ros::NodeHandle node);
 
   /// The nominal control period [s].
   double period(const Parameters& parameters) const;
@@ -61,7 +64,10 @@ class HostCalls {
     double xy = 0.0, yaw = 0.0;  // [m], [rad]
   };
 
-  HostFrequency frequency_;
+  void take_frequency(double frequency);
+
+  std::atomic<double> host_frequency_{20.0};  // of its control cycle [Hz]; at first move_base's usual one
+  ros::Subscriber host_parameters_;
   CycleClock clock_;
   std::chrono::steady_clock::time_point called_;  // time of the last call; the epoch before the first
   double silence_ = 0.0;                          // before that [s]

@@ -3,6 +3,7 @@
 
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
+#include <topic_tools/shape_shifter.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "core/util/words.hpp"
@@ -33,14 +34,14 @@ void read(const ros::NodeHandle& handle, const char* key, double most, double& v
 void YieldingRecovery::initialize(std::string name, tf2_ros::Buffer* /*tf*/, costmap_2d::Costmap2DROS* global_costmap,
                                   costmap_2d::Costmap2DROS* local_costmap) {
   guarded("YieldingRecovery", "initialize", false, [&] {
-    if (requests_) {
+    if (global_costmap_ != nullptr) {
       ROS_WARN("%s is initialized already; the second call is ignored", name.c_str());
     } else if (global_costmap == nullptr || local_costmap == nullptr) {
       ROS_ERROR("%s needs both costmaps", name.c_str());
     } else {
+      start(name);
       global_costmap_ = global_costmap;
       local_costmap_ = local_costmap;
-      start(name);
     }
     return true;
   });
@@ -54,19 +55,31 @@ void YieldingRecovery::start(const std::string& name) {
   read(handle, "reset_distance", 1000.0, settings_.reset_distance);
   handle.getParam("layer_names", settings_.layer_names);
   velocity_ = ros::NodeHandle().advertise<geometry_msgs::Twist>("cmd_vel", 1);
-  requests_ = std::make_unique<HostRequests>();
+  hear_requests();
+}
+
+// What is asked of move_base while it is busy: another goal, or to cancel. It looks at these itself only after the
+// recovery that it runs.
+void YieldingRecovery::hear_requests() {
+  using Message = const topic_tools::ShapeShifter::ConstPtr&;
+  const boost::function<void(Message)> ask = [this](Message) { asked_ = true; };
+  ros::NodeHandle action = thread_.serve(ros::NodeHandle("move_base"));
+  goal_ = action.subscribe<topic_tools::ShapeShifter>("goal", 1, ask);
+  cancel_ = action.subscribe<topic_tools::ShapeShifter>("cancel", 1, ask);
+  thread_.start();
 }
 
 void YieldingRecovery::runBehavior() {
   guarded("YieldingRecovery", "runBehavior", false, [&] {
-    if (requests_) {
+    if (global_costmap_ != nullptr) {
       run();
     } else {
       ROS_ERROR("YieldingRecovery was not initialized: it clears nothing");
     }
     return true;
   });
-  if (requests_) velocity_.publish(geometry_msgs::Twist());  // however it ended, the host goes on with a robot at rest
+  // However it ended, the host goes on with a robot at rest.
+  if (global_costmap_ != nullptr) velocity_.publish(geometry_msgs::Twist());
 }
 
 void YieldingRecovery::run() {
@@ -77,7 +90,7 @@ void YieldingRecovery::run() {
 
 // False where the host was asked for something else meanwhile.
 bool YieldingRecovery::yield() {
-  requests_->clear();
+  asked_ = false;
   told_ = Phase::quiet;
   input::Yielding yielding(settings_.yielding);
   while (ros::ok()) {
@@ -87,7 +100,7 @@ bool YieldingRecovery::yield() {
     const Phase phase = yielding.step(LoopTime::now().seconds, kept->stands, kept->attended);
     tell(phase);
     if (phase == Phase::quiet || phase == Phase::out_of_patience) return true;
-    if (kept->stands && requests_->any()) {
+    if (kept->stands && asked_) {
       ROS_INFO("%s: a new goal or a cancel came: nothing is cleared", name_.c_str());
       return false;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The offset between the sender's clock and the robot's changes: a computer that slept, a clock that was set.
+#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ struct Sender : Person {
       taken += send(sent + 0.05 * i, sent + lag + 0.05 * i, angular) == "";
     return taken;
   }
-  std::uint64_t connection = 1;
+  std::shared_ptr<const void> connection = std::make_shared<int>();
 };
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -92,7 +93,7 @@ TEST(Offset, ANewConnectionBeginsWithoutABacklog) {
   Sender sender;
   sender.play(100.0, 5.0, 0.0F, 0.02);
   EXPECT_EQ(sender.play(105.0, 3.0, 1.0F, 10.02), 0);
-  sender.connection = 2;
+  sender.connection = std::make_shared<int>();
   EXPECT_EQ(sender.play(108.0, 1.0, 1.0F, 10.02), 20);
   EXPECT_NE(sender.machine.state(), State::shared);
   EXPECT_TRUE(says(sender.machine.take_warnings(), "was set or stood still"));
@@ -106,7 +107,7 @@ TEST(Offset, ANewConnectionAloneChangesNothing) {
   Sender sender;
   sender.play(100.0, 5.0, 0.0F, 0.02);
   sender.play(105.0, 1.0, 1.0F, 0.02);
-  sender.connection = 2;
+  sender.connection = std::make_shared<int>();
   EXPECT_EQ(sender.play(106.0, 0.3, 1.0F, 0.02), 6);
   EXPECT_EQ(sender.machine.state(), State::shared);
 }

@@ -117,6 +117,21 @@ TEST_F(MissingInput, Odometry) {
   expect_driving_again();
 }
 
+// The age of the odometry is another figure in each cycle: the line is the same.
+TEST_F(MissingInput, TheLogSaysSoOnceASecond) {
+  drive();
+  const LogListener log;
+  const std::string line = "s old (odom_timeout 0.50 s)";
+  const ros::Time begin = ros::Time::now();
+  Stage::get().robot.odometry = false;
+  host_.cycle_until([&begin](const Host::Cycle&) { return ros::Time::now() - begin > ros::Duration(3.0); });
+  EXPECT_TRUE(wait_for([&] { return log.times(line) >= 2; }));
+  EXPECT_LE(log.times(line), 1 + (ros::Time::now() - begin).toSec());
+  Stage::get().robot.odometry = true;
+  expect_driving_again();
+  EXPECT_TRUE(wait_for([&log] { return log.said(": driving again"); }));
+}
+
 TEST_F(MissingInput, WhileItTurns) {
   ASSERT_TRUE(host_.planner().setPlan(straight_plan(6.0, "odom", 1.5)));
   const auto turns = [this](const Host::Cycle& c) {
