@@ -238,11 +238,6 @@ PlanWindow::Range PlanWindow::range(double behind, double ahead) const {
   return range;
 }
 
-PlanWindow::Range PlanWindow::around(const Pose2& robot, double behind, double ahead) {
-  advance(robot, nullptr);
-  return range(behind, ahead);
-}
-
 Pose2 PlanWindow::at(double arc) const {
   const auto after = static_cast<std::size_t>(std::lower_bound(arc_.begin(), arc_.end(), arc) - arc_.begin());
   if (after == 0) return plan_.front();

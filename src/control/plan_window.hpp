@@ -67,8 +67,6 @@ class PlanWindow {
   Range range(double behind, double ahead) const;
   /// Where the plan turns back next, of a range that does.
   Pose2 turn() const { return at(turn_); }
-  /// advance() without order, and range().
-  Range around(const Pose2& robot, double behind, double ahead);
 
   /// What is left of the plan leads to its end and nowhere else: it lies within `tolerance` [m] of the end, or is too
   /// short to get out of there and back.

@@ -32,9 +32,6 @@ double worst_deviation(const Eigen::Matrix2d& c) {
 
 }  // namespace
 
-MotionFilter::MotionFilter(const Point& position, double deviation, double speed_deviation, double time)
-    : MotionFilter(position, isotropic(deviation), speed_deviation, time) {}
-
 MotionFilter::MotionFilter(const Point& position, const Eigen::Matrix2d& covariance, double speed_deviation,
                            double time)
     : p_(position), pp_(covariance), vv_(isotropic(speed_deviation)), time_(time) {}
@@ -56,10 +53,6 @@ double MotionFilter::mismatch(const Point& position, const Eigen::Matrix2d& cova
   return innovation.dot(s.inverse() * innovation);
 }
 
-double MotionFilter::mismatch(const Point& position, double deviation) const {
-  return mismatch(position, isotropic(deviation));
-}
-
 double MotionFilter::correct(const Point& position, const Eigen::Matrix2d& covariance) {
   const Point innovation = position - p_;
   const Eigen::Matrix2d inverse = Eigen::Matrix2d(pp_ + covariance).inverse();
@@ -73,10 +66,6 @@ double MotionFilter::correct(const Point& position, const Eigen::Matrix2d& covar
   pp_ = Eigen::Matrix2d(0.5 * (pp_ + pp_.transpose()));
   vv_ = Eigen::Matrix2d(0.5 * (vv_ + vv_.transpose()));
   return innovation.dot(inverse * innovation);
-}
-
-double MotionFilter::correct(const Point& position, double deviation) {
-  return correct(position, isotropic(deviation));
 }
 
 double MotionFilter::position_deviation() const { return worst_deviation(pp_); }

@@ -17,27 +17,23 @@ class MotionFilter {
  public:
   MotionFilter() = default;
 
-  /// At rest at `position`, with deviations of position [m] and velocity [m/s].
-  MotionFilter(const Point& position, double deviation, double speed_deviation, double time);
+  /// At rest at `position`, with its covariance [m^2] and the deviation of the velocity [m/s].
   MotionFilter(const Point& position, const Eigen::Matrix2d& covariance, double speed_deviation, double time);
 
   /// To a later time [s]; `density` is that of the acceleration [m^2/s^3]. An earlier time changes nothing.
   void predict(double time, double density);
 
-  /// Takes a position with its covariance [m^2], or its deviation along any axis [m]. Returns the square of the
-  /// innovation over its variance: chi-squared with two degrees of freedom.
+  /// Takes a position with its covariance [m^2]. Returns the square of the innovation over its variance: chi-squared
+  /// with two degrees of freedom.
   double correct(const Point& position, const Eigen::Matrix2d& covariance);
-  double correct(const Point& position, double deviation);
 
   /// What correct() would return.
   double mismatch(const Point& position, const Eigen::Matrix2d& covariance) const;
-  double mismatch(const Point& position, double deviation) const;
 
   const Point& position() const { return p_; }
   const Point& velocity() const { return v_; }
-  const Eigen::Matrix2d& position_covariance() const { return pp_; }  // [m^2]
-  double position_deviation() const;                                  // along the worst axis [m]
-  double velocity_deviation() const;                                  // likewise [m/s]
+  double position_deviation() const;  // along the worst axis [m]
+  double velocity_deviation() const;  // likewise [m/s]
   double time() const { return time_; }
 
  private:

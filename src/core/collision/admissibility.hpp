@@ -62,8 +62,6 @@ class AdmissibilityCheck {
   }
   /// The first command towards a sample [m/s, rad/s].
   Twist2 command_for(const Twist2& sample) const { return braking_.command_for(sample); }
-  /// The robot overlaps something.
-  bool escaping() const { return setup_.escaping(); }
 
  private:
   Setup setup_;

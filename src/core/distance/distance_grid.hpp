@@ -37,7 +37,6 @@ class DistanceGrids {
   void prepare(const GridView& grid, MapGridDistance distance);
   /// The cells that will be asked about, mostly.
   void set_interest(const kernel::CellBox& box);
-  const kernel::CellBox& interest() const { return interest_; }
   /// The sources of a set, all of which must lie in the grid.
   void set_sources(int set, const std::vector<Cell>& cells);
 

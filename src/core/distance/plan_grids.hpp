@@ -28,9 +28,6 @@ class PlanGrids {
   /// Around obstacles, or as Nav2's map grids.
   MapGridDistance measures() const { return distances_.measures(); }
 
-  /// The cells of those points.
-  const kernel::CellBox& interest() const { return distances_.interest(); }
-
   /// False when no pose of the plan lies on the map: the grids then cannot be made.
   bool on_map() const { return !path_cells_.empty(); }
 

@@ -30,7 +30,7 @@ void Evaluation::prepare_grids(const Cycle& cycle) {
   grids_.expect(cycle.start.pose, obstacles_.reach() + critics_.reach());
   const Situation& situation = cycle.situation;
   const Pose2& aim = situation.turns_back ? situation.plan.back() : situation.goal;
-  tiles_.prepare({&cycle.grid, &grids_, &obstacles_.collision(), cycle.start.pose, aim});
+  surroundings_.prepare({&cycle.grid, &grids_, &obstacles_.collision(), cycle.start.pose, aim});
 }
 
 CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering, bool to_goal) {
@@ -47,7 +47,7 @@ CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering, bool
   view.plan = &cycle.situation.plan;
   view.grid = &cycle.grid;
   view.footprint = &cycle.footprint;
-  view.surroundings = &tiles_.surroundings();
+  view.surroundings = &surroundings_;
   view.moving_obstacles = &cycle.situation.moving_obstacles;
   view.hidden_places = cycle.hidden_places;
   view.hidden_radius = HiddenPlaces::kRadius;
@@ -56,7 +56,7 @@ CycleView Evaluation::view_of(const Cycle& cycle, const Steering& steering, bool
 
 void Evaluation::score_tiles(const Cycle& cycle, const Steering& steering, const CycleView& view, bool check_closely) {
   for (std::size_t t = 0; t < candidates_.rollout().tile_count(); ++t) {
-    const Tile tile = tiles_.tile(t);
+    const Tile tile = checks_.tile(t);
     scores_.begin(tile);
     checks_.check_before_scoring(tile, t, check_closely);
     scores_.score(view, tile, t, critics_, cycle, steering);

@@ -15,7 +15,7 @@
 #include "core/evaluation/lazy_checks.hpp"
 #include "core/evaluation/obstacles.hpp"
 #include "core/evaluation/scores.hpp"
-#include "core/evaluation/tile_filler.hpp"
+#include "core/evaluation/tile_surroundings.hpp"
 
 namespace hidwa_local_planner {
 
@@ -46,7 +46,6 @@ class Evaluation {
   const Scores& scores() const { return scores_; }
   LazyChecks& checks() { return checks_; }
   Obstacles& obstacles() { return obstacles_; }
-  TileFiller& tiles() { return tiles_; }
   PlanGrids& grids() { return grids_; }
 
  private:
@@ -58,9 +57,9 @@ class Evaluation {
   Candidates candidates_;
   Obstacles obstacles_;
   PlanGrids grids_;
-  TileFiller tiles_{candidates_, obstacles_};
+  TileSurroundings surroundings_;
   Scores scores_;
-  LazyChecks checks_{candidates_, obstacles_, tiles_, scores_};
+  LazyChecks checks_{candidates_, obstacles_, surroundings_, scores_};
 };
 
 }  // namespace hidwa_local_planner

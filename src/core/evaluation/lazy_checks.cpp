@@ -28,6 +28,13 @@ void LazyChecks::begin(const BlindMotion& blind) {
   resize_with_spare(found_, largest);
 }
 
+Tile LazyChecks::tile(std::size_t index) {
+  Tile tile = candidates_.rollout().tile(index);
+  tile.cells = obstacles_.cells_under(tile);
+  tile.surroundings = &surroundings_;
+  return tile;
+}
+
 void LazyChecks::check_before_scoring(const Tile& tile, std::size_t index, bool closely) {
   TileState& state = states_[index];
   check_cells(tile, state);
@@ -94,7 +101,7 @@ void LazyChecks::check_rest(std::size_t candidate) {
 }
 
 void LazyChecks::check_tile(std::size_t index) {
-  if (!states_[index].done) check_closely(tiles_.tile(index), states_[index]);
+  if (!states_[index].done) check_closely(tile(index), states_[index]);
 }
 
 bool LazyChecks::legal(std::size_t candidate) {

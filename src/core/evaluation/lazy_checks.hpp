@@ -26,17 +26,19 @@
 #include "core/evaluation/candidates.hpp"
 #include "core/evaluation/obstacles.hpp"
 #include "core/evaluation/scores.hpp"
-#include "core/evaluation/tile_filler.hpp"
+#include "core/evaluation/tile_surroundings.hpp"
 
 namespace hidwa_local_planner {
 
 class LazyChecks {
  public:
-  LazyChecks(const Candidates& candidates, Obstacles& obstacles, TileFiller& tiles, Scores& scores)
-      : candidates_(candidates), obstacles_(obstacles), tiles_(tiles), scores_(scores) {}
+  LazyChecks(const Candidates& candidates, Obstacles& obstacles, TileSurroundings& surroundings, Scores& scores)
+      : candidates_(candidates), obstacles_(obstacles), surroundings_(surroundings), scores_(scores) {}
 
   /// New candidates: nothing is checked.
   void begin(const BlindMotion& blind);
+  /// A tile with all that checks and critics read of it. Valid until the next call.
+  Tile tile(std::size_t index);
   /// Rejects what the cells around the robot already decide, before the tile is scored. With `closely` checks all.
   void check_before_scoring(const Tile& tile, std::size_t index, bool closely);
 
@@ -69,7 +71,7 @@ class LazyChecks {
 
   const Candidates& candidates_;
   Obstacles& obstacles_;
-  TileFiller& tiles_;
+  TileSurroundings& surroundings_;
   Scores& scores_;
   const BlindMotion* blind_ = nullptr;
   std::vector<TileState> states_;   // [tiles]

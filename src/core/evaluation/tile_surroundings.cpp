@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/distance/cell_index.hpp"
+#include "core/distance/end_distances.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -26,11 +27,10 @@ bool TileSurroundings::distances(const Tile& tile, const PlanDistance& distance,
     return false;
   }
   const bool centre_counts = cycle_.grids->measures() == MapGridDistance::geodesic;
-  return ends_.find({*cycle_.grid, grid_of(distance), centre_counts, forward, scores}, tile, found);
+  return EndDistances{*cycle_.grid, grid_of(distance), centre_counts, forward, scores}.find(tile, found);
 }
 
 void TileSurroundings::costs(const Tile& tile, std::size_t step, double* found) {
-  if (step == tile.steps) return look_up_last_costs(tile, found);
   const std::size_t row = step * tile.stride;
   for (std::size_t first = 0; first < tile.count; first += kernel::kMostPoints) {
     const std::size_t count = std::min(kernel::kMostPoints, tile.count - first);
@@ -44,21 +44,6 @@ void TileSurroundings::look_up_costs(const double* x, const double* y, std::size
   std::int32_t i[kernel::kMostPoints], j[kernel::kMostPoints];
   kernel::find_cells(grid, {0, 0, grid.size_x, grid.size_y}, x, y, 0.0, 0.0, count, i, j);
   for (std::size_t c = 0; c < count; ++c) found[c] = i[c] >= 0 ? static_cast<double>(grid.at({i[c], j[c]})) : 0.0;
-}
-
-// Those cells are known where somebody asked for distances.
-void TileSurroundings::look_up_last_costs(const Tile& tile, double* found) {
-  const GridView& grid = *cycle_.grid;
-  const kernel::CellBox& box = cycle_.grids->interest();
-  const EndCells::Cells ends = ends_.cells().of(grid, box, tile, 0.0);
-  const std::size_t row = tile.steps * tile.stride;
-  for (std::size_t c = 0; c < tile.count; ++c) {
-    if (ends.i[c] >= 0) {
-      found[c] = static_cast<double>(grid.at({box.i + ends.i[c], box.j + ends.j[c]}));
-    } else {
-      look_up_costs(tile.x + row + c, tile.y + row + c, 1, found + c);
-    }
-  }
 }
 
 void TileSurroundings::clearances(const Tile& tile, std::size_t step, double* found) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/collision/collision.hpp"
-#include "core/distance/end_distances.hpp"
+#include "core/distance/distance_grid.hpp"
 #include "core/distance/plan_grids.hpp"
 #include "hidwa_local_planner/core/surroundings.hpp"
 #include "hidwa_local_planner/core/tile.hpp"
@@ -22,11 +22,6 @@ class TileSurroundings final : public Surroundings {
   };
   /// Once per evaluation.
   void prepare(const Cycle& cycle) { cycle_ = cycle; }
-  /// Until the next call critics ask about this tile alone.
-  void begin(Tile& tile) {
-    ends_.forget();
-    tile.surroundings = this;
-  }
 
   bool plan_on_map() const override { return cycle_.grids->on_map(); }
   void expect(const PlanDistance& distance) override { grid_of(distance); }
@@ -38,10 +33,8 @@ class TileSurroundings final : public Surroundings {
  private:
   const DistanceGrid& grid_of(const PlanDistance& distance);
   void look_up_costs(const double* x, const double* y, std::size_t count, double* found) const;
-  void look_up_last_costs(const Tile& tile, double* found);
 
   Cycle cycle_;
-  EndDistances ends_;
 };
 
 }  // namespace hidwa_local_planner

@@ -32,8 +32,6 @@ class ExplainedCells {
   /// The costmap without what the movers' points explain; `grid` itself where that is nothing. Valid until the next
   /// call.
   GridView without(const GridView& grid, const MovingObstacleEstimates& movers, const Parameters& parameters);
-  /// The number of cells that were taken out.
-  std::size_t count() const { return taken_.size(); }
 
  private:
   void reserve(const GridView& grid);

@@ -59,7 +59,6 @@ class MoverCheck {
   static double reach_of_hidden(const Parameters& parameters, const Footprint& footprint, const CycleStart& start);
   /// No command of this cycle can meet anything that moves before rest.
   bool none_near() const { return near_.empty(); }
-  std::size_t near() const { return near_.size(); }
 
   /// Whether nothing can touch the robot before it rests, after a first command [m/s, rad/s].
   bool can_rest(const Twist2& command) { return cached_check(command, coarse_); }

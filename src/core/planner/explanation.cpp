@@ -151,7 +151,7 @@ Planner::Marked Explanation::marked() const {
 void Explanation::ask_all_critics(const CycleView& view) {
   full_ = candidates();
   for (std::size_t t = 0; t < parts_.candidates.rollout().tile_count(); ++t) {
-    const Tile tile = parts_.tiles.tile(t);
+    const Tile tile = parts_.checks.tile(t);
     check_all(tile);
     ask_critics(view, tile);
   }

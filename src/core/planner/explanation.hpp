@@ -15,7 +15,6 @@
 #include "core/evaluation/lazy_checks.hpp"
 #include "core/evaluation/obstacles.hpp"
 #include "core/evaluation/scores.hpp"
-#include "core/evaluation/tile_filler.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 
 namespace hidwa_local_planner {
@@ -29,7 +28,6 @@ class Explanation {
     const Candidates& candidates;
     const Scores& scores;
     Obstacles& obstacles;
-    TileFiller& tiles;
     LazyChecks& checks;
   };
   explicit Explanation(const Subject& subject) : parts_(subject) {}

@@ -21,7 +21,7 @@ Planner::Impl::Impl(CriticRegistry registry)
       evaluation(critics),
       arbiter(evaluation, autonomy),
       explanation({parameters, critics, evaluation.candidates(), evaluation.scores(), evaluation.obstacles(),
-                   evaluation.tiles(), evaluation.checks()}) {}
+                   evaluation.checks()}) {}
 
 std::vector<std::string> Planner::Impl::configure(const Parameters& given, const SourceFor& source_for) {
   std::vector<std::string> faults = validate(given);

@@ -170,7 +170,7 @@ bool EvasionSearch::may_begin(const Start& scene, const Twist2& motion) {
 void EvasionSearch::run(const Start& scene, const PlanGuide& guide, const std::vector<Twist2>& own) {
   list_motions(scene, own);
   branches_.clear();
-  for (std::size_t i = 0; i < first_fan_.size(); ++i) branches_.push_back({first_fan_.motion(i), kEver, 0.0});
+  for (std::size_t i = 0; i < first_fan_.size(); ++i) branches_.push_back({first_fan_.motion(i), kEver});
   beam_.clear();
   beam_.push_back({scene.from.pose.x, scene.from.pose.y, scene.from.heading, scene.velocity.v, scene.velocity.omega});
   for (int level = 0; level < kLevels && !beam_.empty(); ++level) {
@@ -181,9 +181,7 @@ void EvasionSearch::run(const Start& scene, const PlanGuide& guide, const std::v
   }
   for (const State& state : next_) {
     Branch& branch = branches_[state.first];
-    if (state.cost >= branch.cost) continue;
-    branch.cost = state.cost;
-    branch.until = kEver;
+    branch.cost = std::min(branch.cost, state.cost);
   }
 }
 
@@ -223,9 +221,7 @@ void EvasionSearch::note_touched(const State& state) {
   const double sooner = spans_.back().end() - state.until;
   const double cost = kTouched + state.cost + kTouchedSooner * sooner * std::exp(-state.until / kFading);
   Branch& branch = branches_[state.first];
-  if (cost >= branch.cost) return;
-  branch.cost = cost;
-  branch.until = state.until;
+  branch.cost = std::min(branch.cost, cost);
 }
 
 bool EvasionSearch::alike(const State& a, const State& b) {

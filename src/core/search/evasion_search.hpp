@@ -53,9 +53,8 @@ class EvasionSearch {
   };
   /// A first motion, and what the cheapest way costs that begins with it.
   struct Branch {
-    Twist2 motion;       // [m/s, rad/s]
-    double cost = 0.0;   // [s]; infinite where it is not known
-    double until = 0.0;  // untouched so long; infinite where that is the whole time [s]
+    Twist2 motion;      // [m/s, rad/s]
+    double cost = 0.0;  // [s]; infinite where it is not known
   };
 
   /// Where a robot comes to that keeps one motion.

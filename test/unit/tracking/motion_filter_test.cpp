@@ -21,6 +21,8 @@ struct Reading {
   double deviation;
 };
 
+Eigen::Matrix2d covariance_of(double deviation) { return deviation * deviation * Eigen::Matrix2d::Identity(); }
+
 std::vector<Reading> readings_of(Random& random, const Point& start, const Point& velocity, int count) {
   std::vector<Reading> readings;
   double time = 3.0;
@@ -42,10 +44,10 @@ TEST(MotionFilter, IsTheLeastSquaresFitOfAStraightLine) {
         velocity{random.uniform(-2, 2), random.uniform(-2, 2)};
     const std::vector<Reading> readings = readings_of(random, start, velocity, 12);
     const Point prior(1.0, 2.0);
-    MotionFilter filter(prior, 0.5, 1.5, 3.0);
+    MotionFilter filter(prior, covariance_of(0.5), 1.5, 3.0);
     for (const Reading& r : readings) {
       filter.predict(r.time, 0.0);
-      filter.correct(r.place, r.deviation);
+      filter.correct(r.place, covariance_of(r.deviation));
     }
     const double end = readings.back().time;
     Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero();
@@ -71,11 +73,12 @@ TEST(MotionFilter, IsTheLeastSquaresFitOfAStraightLine) {
 TEST(MotionFilter, DeviationsAreThoseOfTheErrors) {
   Random random(2);
   const double density = 0.2, dt = 0.05, deviation = 0.03;
+  const Eigen::Matrix2d covariance = covariance_of(deviation);
   double mismatch = 0.0, place = 0.0, speed = 0.0;
   int count = 0;
   for (int trial = 0; trial < 400; ++trial) {
     Point p(0.0, 0.0), v{normal(random), normal(random)};
-    MotionFilter filter({deviation * normal(random), deviation * normal(random)}, deviation, 1.0, 0.0);
+    MotionFilter filter({deviation * normal(random), deviation * normal(random)}, covariance, 1.0, 0.0);
     for (int i = 1; i <= 60; ++i) {
       for (int k = 0; k < 20; ++k) {  // white acceleration, nearly
         const double h = dt / 20.0;
@@ -83,7 +86,7 @@ TEST(MotionFilter, DeviationsAreThoseOfTheErrors) {
         v += std::sqrt(density * h) * Point{normal(random), normal(random)};
       }
       filter.predict(i * dt, density);
-      const double m = filter.correct(p + deviation * Point{normal(random), normal(random)}, deviation);
+      const double m = filter.correct(p + deviation * Point{normal(random), normal(random)}, covariance);
       if (i % 15 != 0) continue;
       mismatch += m;
       place += (filter.position() - p).squaredNorm() / std::pow(filter.position_deviation(), 2);
@@ -98,7 +101,7 @@ TEST(MotionFilter, DeviationsAreThoseOfTheErrors) {
 }
 
 TEST(MotionFilter, AnEarlierTimeChangesNothing) {
-  MotionFilter filter({1.0, 2.0}, 0.1, 1.0, 5.0);
+  MotionFilter filter({1.0, 2.0}, covariance_of(0.1), 1.0, 5.0);
   filter.predict(4.0, 1.0);
   EXPECT_EQ(filter.time(), 5.0);
   EXPECT_DOUBLE_EQ(filter.position_deviation(), 0.1);
@@ -106,7 +109,7 @@ TEST(MotionFilter, AnEarlierTimeChangesNothing) {
 
 // A walker's track after `steps` readings of 0.05 s each, since a leap from one velocity to another.
 ManoeuvreFilter after_leap(Random& random, const Point& from, const Point& to, double deviation, int steps) {
-  const Eigen::Matrix2d covariance = deviation * deviation * Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d covariance = covariance_of(deviation);
   const auto noise = [&] { return Point{deviation * normal(random), deviation * normal(random)}; };
   Point p(0.0, 0.0);
   ManoeuvreFilter filter(p + noise(), covariance, 1.2, 0.0, 0.8);
@@ -162,7 +165,7 @@ TEST(ManoeuvreFilter, ALeapIsOverSoonerTheBetterTheReadings) {
 }
 
 TEST(ManoeuvreFilter, AnEarlierTimeChangesNothing) {
-  ManoeuvreFilter filter({1.0, 2.0}, 0.01 * Eigen::Matrix2d::Identity(), 1.0, 5.0, 0.8);
+  ManoeuvreFilter filter({1.0, 2.0}, covariance_of(0.1), 1.0, 5.0, 0.8);
   filter.predict(4.0);
   EXPECT_EQ(filter.time(), 5.0);
   EXPECT_DOUBLE_EQ(filter.position_deviation(), 0.1);
