@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "barn.hpp"
+#include "experiments.hpp"
 
 #include <map>
 #include <string>

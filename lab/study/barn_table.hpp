@@ -5,7 +5,7 @@
 #include <string>
 
 #include "study/barn_drive.hpp"
-#include "study/tables.hpp"
+#include "study/groups.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

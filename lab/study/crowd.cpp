@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "crowd.hpp"
+#include "experiments.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -35,8 +35,8 @@ std::string manifest_of_crowd(const Options& options, const Scene& scene) {
 
 }  // namespace
 
-int crowd(Options options, std::ostream& out, std::ostream& errors) {
-  name_floor(options);
+int crowd(const Options& asked, std::ostream& out, std::ostream& errors) {
+  const Options options = with_floor(asked);
   const Scene scene = scene_of(options);
   std::vector<int> numbers;
   for (int k = 1; k <= options.seeds; ++k) numbers.push_back(k);

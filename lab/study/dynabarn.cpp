@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dynabarn.hpp"
+#include "experiments.hpp"
 
 #include <algorithm>
 #include <map>

@@ -6,7 +6,7 @@
 
 #include "drive/result.hpp"
 #include "drive/setup.hpp"
-#include "study/tables.hpp"
+#include "study/groups.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -88,7 +88,7 @@ int execute(const Options& options, const Plan& plan, const std::string& manifes
   make_runs(wanted.size(), threads, make_and_keep, [&progress] { progress.step(); });
   store.write("timing.json", timing_json(threads, wanted.size(), kept, progress.elapsed(), timing));
   const std::size_t finished = store.finish(plan);
-  out << tables.digest(plan, store.rows(plan));
+  out << digest(tables, plan, store.rows(plan));
   out << finished << " of " << plan.runs.size() << " runs: " << options.out << "/summary.json" << std::endl;
   return 0;
 }
@@ -111,7 +111,7 @@ int merge(const Options& options, std::ostream& out) {
   store.begin(study, plan, true);
   for (std::size_t i = 0; i < found.size(); ++i) store.keep(found[i].row, found[i].part->path(plan.runs[i]));
   store.finish(plan);
-  out << tables.digest(plan, store.rows(plan));
+  out << digest(tables, plan, store.rows(plan));
   out << plan.runs.size() << " runs: " << options.out << "/summary.json" << std::endl;
   return 0;
 }

@@ -7,11 +7,12 @@
 namespace hidwa_local_planner {
 namespace study {
 
-void name_floor(Options& options) {
+Options with_floor(Options options) {
   if (options.regions.empty()) {
     options.regions = options.map.empty() ? share_file("maps/office_regions.yaml") : "none";
   }
   if (options.map.empty()) options.map = share_file("maps/office.yaml");
+  return options;
 }
 
 Scene scene_of(const Options& options) { return load_scene(options.map, options.regions, options.start, options.goal); }

@@ -11,8 +11,8 @@
 namespace hidwa_local_planner {
 namespace study {
 
-/// Fills in map and regions where the options name none: the package's office, another map without regions.
-void name_floor(Options& options);
+/// The options with map and regions where they name none: the package's office, another map without regions.
+Options with_floor(Options options);
 
 /// The floor of options whose map and regions are named. Throws UsageError.
 Scene scene_of(const Options& options);

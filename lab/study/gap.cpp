@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gap.hpp"
+#include "experiments.hpp"
 
 #include <cstdint>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "study/gap_drive.hpp"
-#include "study/tables.hpp"
+#include "study/groups.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

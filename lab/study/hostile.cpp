@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hostile.hpp"
+#include "experiments.hpp"
 
 #include <cmath>
 #include <exception>

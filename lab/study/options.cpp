@@ -6,7 +6,9 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "core/util/words.hpp"
 #include "study/barn_drive.hpp"
@@ -18,7 +20,8 @@ namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-std::uint64_t whole(const std::string& option, const std::string& text, std::uint64_t least, std::uint64_t greatest) {
+std::uint64_t whole_number(const std::string& option, const std::string& text, std::uint64_t least,
+                           std::uint64_t greatest) {
   const bool digits = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
   const std::uint64_t value = digits ? std::strtoull(text.c_str(), nullptr, 10) : 0;
   if (!digits || value < least || value > greatest) {
@@ -35,202 +38,225 @@ std::vector<std::string> list(const std::string& text) {
   return parts;
 }
 
-sim::Pose pose(const std::string& option, const std::string& text) {
-  const std::vector<std::string> parts = list(text);
-  std::vector<double> numbers;
-  for (const std::string& part : parts) {
-    if (const std::optional<double> number = number_in(part)) numbers.push_back(*number);
+// "first, second and third", with `last` between the two last ones.
+std::string in_words(const std::vector<std::string>& parts, const std::string& last) {
+  std::string all;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    all += (k == 0 ? "" : k + 1 == parts.size() ? last : ", ") + parts[k];
   }
-  if (parts.size() != 3 || numbers.size() != 3)
-    throw UsageError(option + " needs x,y,yaw in metres and radians, not '" + text + "'");
-  return {numbers[0], numbers[1], numbers[2]};
+  return all;
 }
 
-std::vector<std::string> conditions(const std::string& text) {
-  std::vector<std::string> names = list(text);
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  const bool known = std::all_of(names.begin(), names.end(),
-                                 [](const std::string& name) { return name == "SJ" || name == "SG" || name == "SW"; });
-  if (names.empty() || !known) throw UsageError("--conditions needs some of SJ,SG,SW, not '" + text + "'");
-  return names;
+// Takes what is given to an option of this name.
+using Reader = std::function<void(Options& options, const std::string& name, const std::string& text)>;
+
+Reader text(std::string Options::*member) {
+  return [member](Options& o, const std::string&, const std::string& text) { o.*member = text; };
 }
 
-std::vector<std::string> modes(const std::string& text) {
-  std::vector<std::string> names;
-  for (const std::string& name : list(text)) {
-    if (name == "SHARED") {
-      names.insert(names.end(), {"HELPFUL", "HOSTILE"});
-    } else if (std::count(barn_modes().begin(), barn_modes().end(), name) > 0) {
-      names.push_back(name);
-    } else {
-      names.clear();
-      break;
-    }
-  }
-  if (names.empty()) {
-    throw UsageError("--mode needs some of AUTONOMY,HELPFUL,HOSTILE,AFTERMATH (SHARED: HELPFUL,HOSTILE), not '" + text +
-                     "'");
-  }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  return names;
+// Each time that the option is there.
+Reader texts(std::vector<std::string> Options::*member) {
+  return [member](Options& o, const std::string&, const std::string& text) { (o.*member).push_back(text); };
 }
 
-std::string one_of(const std::string& option, const std::string& text, const std::string& a, const std::string& b) {
-  if (text != a && text != b) throw UsageError(option + " is " + a + " or " + b + ", not '" + text + "'");
-  return text;
+// An option without a value.
+Reader turned(bool Options::*member, bool value) {
+  return [member, value](Options& o, const std::string&, const std::string&) { o.*member = value; };
 }
 
-double number_within(const std::string& option, const std::string& text, double least, double greatest) {
-  const std::optional<double> value = number_in(text);
-  if (!value || *value < least || *value > greatest) {
-    throw UsageError(option + " needs a number from " + shortest(least) + " to " + shortest(greatest) + ", not '" +
-                     text + "'");
-  }
-  return *value;
-}
-
-std::vector<std::string> outlines(const std::string& text) {
-  std::vector<std::string> names;
-  for (const std::string& name : list(text)) {
-    if (std::count(gap_outlines().begin(), gap_outlines().end(), name) == 0) {
-      throw UsageError("--outline needs some of circle,square,long, not '" + text + "'");
-    }
-    if (std::count(names.begin(), names.end(), name) == 0) names.push_back(name);
-  }
-  if (names.empty()) throw UsageError("--outline needs some of circle,square,long");
-  return names;
-}
-
-drive::Tracking tracking(const std::string& text) {
-  if (text == "none") return drive::Tracking::none;
-  if (text == "truth") return drive::Tracking::truth;
-  if (text == "laser") return drive::Tracking::laser;
-  throw UsageError("--tracking is none, truth or laser, not '" + text + "'");
-}
-
-void read_shard(const std::string& text, Options& options) {
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) throw UsageError("--shard needs K/N, such as 1/8, not '" + text + "'");
-  options.shards = whole("--shard", text.substr(slash + 1), 1, 1000000);
-  options.shard = whole("--shard", text.substr(0, slash), 1, options.shards);
-}
-
-using Reader = std::function<void(const std::string&)>;
-
-std::map<std::string, Reader> readers(Options& o) {
-  return {
-      {"--out", [&o](const std::string& v) { o.out = v; }},
-      {"--map", [&o](const std::string& v) { o.map = v; }},
-      {"--regions", [&o](const std::string& v) { o.regions = v; }},
-      {"--start", [&o](const std::string& v) { o.start = pose("--start", v); }},
-      {"--goal", [&o](const std::string& v) { o.goal = pose("--goal", v); }},
-      {"--participants",
-       [&o](const std::string& v) { o.participants = static_cast<int>(whole("--participants", v, 1, 9999)); }},
-      {"--conditions", [&o](const std::string& v) { o.conditions = conditions(v); }},
-      {"--seed", [&o](const std::string& v) { o.seed = whole("--seed", v, 0, 999999999999ULL); }},
-      {"--threads", [&o](const std::string& v) { o.threads = whole("--threads", v, 1, 1024); }},
-      {"--profile", [&o](const std::string& v) { o.profile = one_of("--profile", v, "default", "paper"); }},
-      {"--guard",
-       [&o](const std::string& v) {
-         o.guard = one_of("--guard", v, "none", "nearest") == "none" ? Guard::none : Guard::nearest;
-       }},
-      {"--set", [&o](const std::string& v) { o.sets.push_back(parse_assignment(v)); }},
-      {"--grid", [&o](const std::string& v) { o.grid.push_back(v); }},
-      {"--vary", [&o](const std::string& v) { o.vary.push_back(v); }},
-      {"--worlds", [&o](const std::string& v) { o.worlds = v; }},
-      {"--mode", [&o](const std::string& v) { o.modes = modes(v); }},
-      {"--tracking", [&o](const std::string& v) { o.tracking = tracking(v); }},
-      {"--motion",
-       [&o](const std::string& v) {
-         o.motion =
-             one_of("--motion", v, "linear", "spline") == "linear" ? sim::KeyMotion::linear : sim::KeyMotion::spline;
-       }},
-      {"--speed", [&o](const std::string& v) { o.speed = number_within("--speed", v, 0.1, 2.0); }},
-      {"--seeds", [&o](const std::string& v) { o.seeds = static_cast<int>(whole("--seeds", v, 1, 9999)); }},
-      {"--outline", [&o](const std::string& v) { o.outlines = outlines(v); }},
-      {"--phases", [&o](const std::string& v) { o.phases = static_cast<int>(whole("--phases", v, 1, 1000)); }},
-      {"--people", [&o](const std::string& v) { o.people = static_cast<int>(whole("--people", v, 0, 200)); }},
-      {"--yielding", [&o](const std::string& v) { o.yielding = number_within("--yielding", v, 0.0, 1.0); }},
-      {"--cycles", [&o](const std::string& v) { o.cycles = whole("--cycles", v, 1, 999999999999ULL); }},
-      {"--hours", [&o](const std::string& v) { o.hours = number_within("--hours", v, 0.01, 1000.0); }},
-      {"--drive", [&o](const std::string& v) { o.drive = whole("--drive", v, 0, 999999999999ULL); }},
-      {"--shard", [&o](const std::string& v) { read_shard(v, o); }},
+template <typename Number>
+Reader whole(Number Options::*member, std::uint64_t least, std::uint64_t greatest) {
+  return [member, least, greatest](Options& o, const std::string& name, const std::string& text) {
+    o.*member = static_cast<Number>(whole_number(name, text, least, greatest));
   };
 }
 
-std::map<std::string, std::function<void()>> switches(Options& o) {
-  return {{"--resume", [&o] { o.resume = true; }},
-          {"--no-resume", [&o] { o.resume = false; }},
-          {"--paths", [&o] { o.paths = true; }},
-          {"--no-paths", [&o] { o.paths = false; }}};
+Reader number_within(double Options::*member, double least, double greatest) {
+  return [member, least, greatest](Options& o, const std::string& name, const std::string& text) {
+    const std::optional<double> value = number_in(text);
+    if (!value || *value < least || *value > greatest) {
+      throw UsageError(name + " needs a number from " + shortest(least) + " to " + shortest(greatest) + ", not '" +
+                       text + "'");
+    }
+    o.*member = *value;
+  };
 }
 
-// The commands that an option is for; empty: for all.
-std::vector<std::string> commands_of(const std::string& name) {
-  const std::vector<std::string> study{"run", "pilot", "sweep"}, floor{"run", "pilot", "sweep", "crowd", "passage"};
-  const std::vector<std::string> maps{"run", "pilot", "sweep", "crowd", "passage", "hostile"};
-  const std::map<std::string, std::vector<std::string>> of{{"--map", maps},
-                                                           {"--regions", floor},
-                                                           {"--start", floor},
-                                                           {"--goal", floor},
-                                                           {"--participants", study},
-                                                           {"--conditions", study},
-                                                           {"--profile", study},
-                                                           {"--guard", study},
-                                                           {"--worlds", {"barn", "dynabarn", "hostile"}},
-                                                           {"--mode", {"barn", "dynabarn", "crowd"}},
-                                                           {"--tracking", {"dynabarn", "crowd"}},
-                                                           {"--seeds", {"dynabarn", "crowd", "passage"}},
-                                                           {"--outline", {"gap"}},
-                                                           {"--phases", {"gap"}},
-                                                           {"--motion", {"dynabarn"}},
-                                                           {"--speed", {"dynabarn"}},
-                                                           {"--people", {"crowd"}},
-                                                           {"--cycles", {"hostile"}},
-                                                           {"--drive", {"hostile"}},
-                                                           {"--hours", {"soak"}},
-                                                           {"--yielding", {"crowd"}}};
-  const auto found = of.find(name);
-  return found == of.end() ? std::vector<std::string>{} : found->second;
+Reader pose(std::optional<sim::Pose> Options::*member) {
+  return [member](Options& o, const std::string& name, const std::string& text) {
+    const std::vector<std::string> parts = list(text);
+    std::vector<double> numbers;
+    for (const std::string& part : parts) {
+      if (const std::optional<double> number = number_in(part)) numbers.push_back(*number);
+    }
+    if (parts.size() != 3 || numbers.size() != 3)
+      throw UsageError(name + " needs x,y,yaw in metres and radians, not '" + text + "'");
+    o.*member = sim::Pose{numbers[0], numbers[1], numbers[2]};
+  };
 }
+
+// One of these words, each with what it stands for.
+template <typename Value>
+Reader one_of(Value Options::*member, const std::vector<std::pair<std::string, Value>>& choices) {
+  return [member, choices](Options& o, const std::string& name, const std::string& text) {
+    std::vector<std::string> words;
+    for (const auto& [word, value] : choices) {
+      words.push_back(word);
+      if (word != text) continue;
+      o.*member = value;
+      return;
+    }
+    throw UsageError(name + " is " + in_words(words, " or ") + ", not '" + text + "'");
+  };
+}
+
+// Some of these words, each with the names for which it stands. `listed`: the words as a fault lists them.
+Reader some_of(std::vector<std::string> Options::*member,
+               const std::map<std::string, std::vector<std::string>>& choices, const std::string& listed) {
+  return [member, choices, listed](Options& o, const std::string& name, const std::string& text) {
+    const UsageError fault(name + " needs some of " + listed + ", not '" + text + "'");
+    std::set<std::string> names;
+    for (const std::string& word : list(text)) {
+      const auto choice = choices.find(word);
+      if (choice == choices.end()) throw fault;
+      names.insert(choice->second.begin(), choice->second.end());
+    }
+    if (names.empty()) throw fault;
+    (o.*member).assign(names.begin(), names.end());
+  };
+}
+
+void read_outlines(Options& options, const std::string& name, const std::string& text) {
+  std::vector<std::string> outlines;
+  for (const std::string& outline : list(text)) {
+    if (std::count(gap_outlines().begin(), gap_outlines().end(), outline) == 0) {
+      throw UsageError(name + " needs some of circle,square,long, not '" + text + "'");
+    }
+    if (std::count(outlines.begin(), outlines.end(), outline) == 0) outlines.push_back(outline);
+  }
+  if (outlines.empty()) throw UsageError(name + " needs some of circle,square,long");
+  options.outlines = outlines;
+}
+
+void read_set(Options& options, const std::string&, const std::string& text) {
+  options.sets.push_back(parse_assignment(text));
+}
+
+void read_shard(Options& options, const std::string& name, const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) throw UsageError(name + " needs K/N, such as 1/8, not '" + text + "'");
+  options.shards = whole_number(name, text.substr(slash + 1), 1, 1000000);
+  options.shard = whole_number(name, text.substr(0, slash), 1, options.shards);
+}
+
+struct Option {
+  std::string name;
+  std::string commands;  // that it is for, with blanks between them; empty: all
+  std::string value;     // what --help calls its value; empty: it takes none
+  Reader read;
+  std::optional<std::string> help;  // none: not among the options that --help lists
+};
+
+const char* const kPeople = "run pilot sweep";
+const char* const kFloor = "run pilot sweep crowd passage";
+const std::uint64_t kGreatest = 999999999999ULL;
+
+// In the order of --help.
+const std::vector<Option> kOptions{
+    {"--out", "", "DIR", text(&Options::out), std::nullopt},
+    {"--grid", "", "NAME=V1,V2,...", texts(&Options::grid), std::nullopt},
+    {"--vary", "", "NAME=V1,V2,...", texts(&Options::vary), std::nullopt},
+    {"--worlds", "barn dynabarn hostile", "FILE", text(&Options::worlds), std::nullopt},
+    {"--map", "run pilot sweep crowd passage hostile", "FILE.yaml", text(&Options::map),
+     "the map; default: the package's office"},
+    {"--regions", kFloor, "FILE.yaml", text(&Options::regions),
+     "regions to avoid, with start and goal; none: no regions"},
+    {"--start", kFloor, "X,Y,YAW", pose(&Options::start), "[m, m, rad]; default: the regions file's"},
+    {"--goal", kFloor, "X,Y,YAW", pose(&Options::goal), ""},
+    {"--participants", kPeople, "N", whole(&Options::participants, 1, 9999), ""},
+    {"--conditions", kPeople, "SJ,SG,SW",
+     some_of(&Options::conditions, {{"SJ", {"SJ"}}, {"SG", {"SG"}}, {"SW", {"SW"}}}, "SJ,SG,SW"), "some of them"},
+    {"--mode", "barn dynabarn crowd", "AUTONOMY,HELPFUL,HOSTILE,AFTERMATH",
+     some_of(&Options::modes,
+             {{"AUTONOMY", {"AUTONOMY"}},
+              {"HELPFUL", {"HELPFUL"}},
+              {"HOSTILE", {"HOSTILE"}},
+              {"AFTERMATH", {"AFTERMATH"}},
+              {"SHARED", {"HELPFUL", "HOSTILE"}}},
+             "AUTONOMY,HELPFUL,HOSTILE,AFTERMATH (SHARED: HELPFUL,HOSTILE)"),
+     "barn, dynabarn, crowd: some of them; SHARED: HELPFUL and HOSTILE; AFTERMATH: barn only;\n"
+     "default: all but AFTERMATH"},
+    {"--tracking", "dynabarn crowd", "none|truth|laser",
+     one_of(&Options::tracking,
+            {{"none", drive::Tracking::none}, {"truth", drive::Tracking::truth}, {"laser", drive::Tracking::laser}}),
+     "dynabarn, crowd: what the planner is told of what moves: nothing, its true states (default), or\n"
+     "what the tracker makes of the scans"},
+    {"--seeds", "dynabarn crowd passage", "N", whole(&Options::seeds, 1, 9999),
+     "dynabarn: drives in each world and mode; crowd: drives in each mode; passage: drives;\n"
+     "default 10"},
+    {"--outline", "gap", "circle,square,long", read_outlines, "gap: some of them; default all"},
+    {"--phases", "gap", "N", whole(&Options::phases, 1, 1000),
+     "gap: places on the grid, of each outline and setting; default 8"},
+    {"--motion", "dynabarn", "linear|spline",
+     one_of(&Options::motion, {{"linear", sim::KeyMotion::linear}, {"spline", sim::KeyMotion::spline}}),
+     "dynabarn: between key frames; default linear"},
+    {"--speed", "dynabarn", "V", number_within(&Options::speed, 0.1, 2.0),
+     "dynabarn: max_vel_x, and the most that it drives backwards [m/s]; default 2.0"},
+    {"--people", "crowd", "N", whole(&Options::people, 0, 200), "crowd; default 20"},
+    {"--yielding", "crowd", "SHARE", number_within(&Options::yielding, 0.0, 1.0),
+     "crowd: of the people, who keep away from the robot; the others do not mind it; default 0.5"},
+    {"--hours", "soak", "H", number_within(&Options::hours, 0.01, 1000.0), "soak: simulated; default 1"},
+    {"--cycles", "hostile", "N", whole(&Options::cycles, 1, kGreatest),
+     "hostile: control cycles, at least; default 100000"},
+    {"--drive", "hostile", "N", whole(&Options::drive, 0, kGreatest),
+     "hostile: this drive alone, with what happened every 10 ms in a file"},
+    {"--seed", "", "N", whole(&Options::seed, 0, kGreatest), "of everything random; default 1"},
+    {"--profile", kPeople, "default|paper", one_of(&Options::profile, {{"default", "default"}, {"paper", "paper"}}),
+     ""},
+    {"--guard", kPeople, "none|nearest", one_of(&Options::guard, {{"none", Guard::none}, {"nearest", Guard::nearest}}),
+     "SW: the person's own velocity (default, the paper's), or the nearest legal one"},
+    {"--set", "", "NAME=VALUE", read_set,
+     "a parameter of the planner (docs/use/parameters.md), participant.TRAIT (docs/use/study.md), or\n"
+     "link_delay [s]; barn, dynabarn: also costmap.NAME; gap: also costmap.resolution,\n"
+     "costmap.footprint_padding and laser.noise; may be repeated"},
+    {"--threads", "", "N", whole(&Options::threads, 1, 1024), "default: as many as there are cores"},
+    {"--shard", "", "K/N", read_shard, "the K-th of N parts only"},
+    {"--resume", "", "", turned(&Options::resume, true), std::nullopt},
+    {"--no-resume", "", "", turned(&Options::resume, false), "make runs again that are finished; default: keep them"},
+    {"--paths", "", "", turned(&Options::paths, true), std::nullopt},
+    {"--no-paths", "", "", turned(&Options::paths, false), "do not keep the ways driven"}};
 
 // Options that say nothing to a command are refused: whoever gives them expects something else.
-void check_option(const std::string& command, const std::string& name) {
-  const std::vector<std::string> commands = commands_of(name);
-  if (commands.empty() || std::count(commands.begin(), commands.end(), command) > 0) return;
-  std::string all;
-  for (std::size_t k = 0; k < commands.size(); ++k) {
-    all += (k == 0 ? "" : k + 1 == commands.size() ? " and " : ", ") + commands[k];
-  }
-  throw UsageError(name + " is for " + all + ": see hidwa_study --help");
+void check_command(const Option& option, const std::string& command) {
+  const std::vector<std::string> commands = split(option.commands, ' ');
+  if (option.commands.empty() || std::count(commands.begin(), commands.end(), command) > 0) return;
+  throw UsageError(option.name + " is for " + in_words(commands, " and ") + ": see hidwa_study --help");
 }
 
 void read_arguments(const std::vector<std::string>& arguments, Options& options) {
-  const std::map<std::string, Reader> with_value = readers(options);
-  const std::map<std::string, std::function<void()>> without = switches(options);
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     std::string name = arguments[i];
-    std::optional<std::string> joined;  // --name=value
+    std::optional<std::string> value;
     const std::size_t equals = name.find('=');
     if (name.compare(0, 2, "--") == 0 && equals != std::string::npos) {
-      joined = name.substr(equals + 1);
+      value = name.substr(equals + 1);
       name.resize(equals);
     }
     if (name == "--help" || name == "-h") {
       options.command = "help";
       return;
     }
-    check_option(options.command, name);
-    const auto reader = with_value.find(name);
-    const auto toggle = without.find(name);
-    if (reader != with_value.end()) {
-      if (!joined && i + 1 == arguments.size()) throw UsageError(name + " needs a value: see hidwa_study --help");
-      reader->second(joined ? *joined : arguments[++i]);
-    } else if (toggle != without.end()) {
-      if (joined) throw UsageError(name + " takes no value: see hidwa_study --help");
-      toggle->second();
+    const auto option =
+        std::find_if(kOptions.begin(), kOptions.end(), [&name](const Option& other) { return other.name == name; });
+    if (option != kOptions.end()) {
+      check_command(*option, options.command);
+      const bool takes_one = !option->value.empty();
+      if (value && !takes_one) throw UsageError(name + " takes no value: see hidwa_study --help");
+      if (!value && takes_one) {
+        if (i + 1 == arguments.size()) throw UsageError(name + " needs a value: see hidwa_study --help");
+        value = arguments[++i];
+      }
+      option->read(options, name, value.value_or(""));
     } else if (options.command == "merge" && !name.empty() && name.front() != '-') {
       options.parts.push_back(name);
     } else {
@@ -263,10 +289,9 @@ void check(const Options& o) {
   const bool several = std::count(varied.begin(), varied.end(), o.command) > 0;
   if (several && o.command != "sweep" && !o.grid.empty() && !o.vary.empty())
     throw UsageError(o.command + " takes --grid or --vary, not both");
-  if (!several && !o.grid.empty())
-    throw UsageError("--grid is for sweep, barn, dynabarn, crowd, passage and gap; for one value take --set");
-  if (!several && !o.vary.empty())
-    throw UsageError("--vary is for sweep, barn, dynabarn, crowd, passage and gap; for one value take --set");
+  const std::string others = " is for " + in_words(varied, " and ") + "; for one value take --set";
+  if (!several && !o.grid.empty()) throw UsageError("--grid" + others);
+  if (!several && !o.vary.empty()) throw UsageError("--vary" + others);
   if (o.command == "pilot") {
     for (const Assignment& set : o.sets) {
       if (set.name == "s_v" || set.name == "s_omega" || set.name == "delta") {
@@ -307,42 +332,23 @@ std::string commands_help() {
 )";
 }
 
-std::string options_help() {
-  return R"(  --map FILE.yaml         the map; default: the package's office
-  --regions FILE.yaml     regions to avoid, with start and goal; none: no regions
-  --start X,Y,YAW         [m, m, rad]; default: the regions file's
-  --goal X,Y,YAW
-  --participants N
-  --conditions SJ,SG,SW   some of them
-  --mode AUTONOMY,HELPFUL,HOSTILE,AFTERMATH
-                          barn, dynabarn, crowd: some of them; SHARED: HELPFUL and HOSTILE; AFTERMATH: barn only;
-                          default: all but AFTERMATH
-  --tracking none|truth|laser
-                          dynabarn, crowd: what the planner is told of what moves: nothing, its true states (default), or
-                          what the tracker makes of the scans
-  --seeds N               dynabarn: drives in each world and mode; crowd: drives in each mode; passage: drives;
-                          default 10
-  --outline circle,square,long
-                          gap: some of them; default all
-  --phases N              gap: places on the grid, of each outline and setting; default 8
-  --motion linear|spline  dynabarn: between key frames; default linear
-  --speed V               dynabarn: max_vel_x, and the most that it drives backwards [m/s]; default 2.0
-  --people N              crowd; default 20
-  --yielding SHARE        crowd: of the people, who keep away from the robot; the others do not mind it; default 0.5
-  --hours H               soak: simulated; default 1
-  --cycles N              hostile: control cycles, at least; default 100000
-  --drive N               hostile: this drive alone, with what happened every 10 ms in a file
-  --seed N                of everything random; default 1
-  --profile default|paper
-  --guard none|nearest    SW: the person's own velocity (default, the paper's), or the nearest legal one
-  --set NAME=VALUE        a parameter of the planner (docs/use/parameters.md), participant.TRAIT (docs/use/study.md), or
-                          link_delay [s]; barn, dynabarn: also costmap.NAME; gap: also costmap.resolution,
-                          costmap.footprint_padding and laser.noise; may be repeated
-  --threads N             default: as many as there are cores
-  --shard K/N             the K-th of N parts only
-  --no-resume             make runs again that are finished; default: keep them
-  --no-paths              do not keep the ways driven
+// Name and value, and from a column on what there is to be said of them.
+std::string help_of(const Option& option) {
+  const std::string name = "  " + option.name + (option.value.empty() ? "" : " ") + option.value;
+  if (option.help->empty()) return name + '\n';
+  std::string lines = name.size() < 26 ? "" : name + '\n';
+  for (const std::string& line : split(*option.help, '\n')) {
+    lines += format("%-26s", lines.empty() ? name.c_str() : "") + line + '\n';
+  }
+  return lines;
+}
 
+std::string options_help() {
+  std::string all;
+  for (const Option& option : kOptions) {
+    if (option.help) all += help_of(option);
+  }
+  return all + R"(
 In DIR: runs.csv, summary.json, ranking.csv (several settings), paths/, timing.json.
 Ends with 0; 1 where a run could not be made; 2 where the arguments make no sense.
 )";
@@ -355,12 +361,10 @@ Options parse_options(const std::vector<std::string>& arguments) {
   options.command = arguments.empty() ? "" : arguments.front();
   if (options.command == "--help" || options.command == "-h") options.command = "help";
   const std::vector<std::string> commands{"run",     "pilot", "sweep",   "barn", "dynabarn", "crowd",
-                                          "passage", "gap",   "hostile", "soak", "merge",    "help"};
-  if (std::count(commands.begin(), commands.end(), options.command) == 0) {
+                                          "passage", "gap",   "hostile", "soak", "merge"};
+  if (options.command != "help" && std::count(commands.begin(), commands.end(), options.command) == 0) {
     throw UsageError((options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
-                     std::string(": hidwa_study run, pilot, sweep, barn, dynabarn, crowd, passage, gap, hostile, soak "
-                                 "or merge; see hidwa_study "
-                                 "--help"));
+                     ": hidwa_study " + in_words(commands, " or ") + "; see hidwa_study --help");
   }
   if (options.command == "pilot" || options.command == "sweep") {
     options.participants = 8;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "passage.hpp"
+#include "experiments.hpp"
 
 #include <cstdint>
 #include <string>
@@ -29,8 +29,8 @@ Subject demo_robot() {
 
 }  // namespace
 
-int passage(Options options, std::ostream& out, std::ostream& errors) {
-  name_floor(options);
+int passage(const Options& asked, std::ostream& out, std::ostream& errors) {
+  const Options options = with_floor(asked);
   const Scene scene = scene_of(options);
   std::vector<int> numbers;
   for (int k = 1; k <= options.seeds; ++k) numbers.push_back(k);

@@ -1,74 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/passage_table.hpp"
 
-#include <algorithm>
-#include <string>
-#include <tuple>
-#include <vector>
-
-#include <nlohmann/json.hpp>
-
 #include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-const std::vector<std::string>& columns_of_passages() {
-  static const std::vector<std::string> all{"id",       "drive",          "setting",  "seed",     "ending",
-                                            "arrived",  "steady",         "duration", "stops",    "longest_stand",
-                                            "standing", "length",         "contacts", "v_change", "omega_change",
-                                            "acc_rms",  "share_at_limit", "failures", "brakes"};
-  return all;
-}
+double most(const Group& group, const std::string& column) { return statistics(group.values(column)).max; }
+long stood_long(const Group& group) { return group.above("longest_stand", kLongestStand); }
+long stopped_often(const Group& group) { return group.above("stops", kMostStops); }
 
-double measure_of(const Row& row, const std::string& column) { return value(row, column, columns_of_passages()); }
-
-// The drives of one setting.
-struct Passages {
-  std::string setting;
-  std::vector<Row> rows;
-
-  double sum(const std::string& column) const {
-    double all = 0.0;
-    for (const Row& row : rows) all += measure_of(row, column);
-    return all;
-  }
-  double mean(const std::string& column) const { return sum(column) / static_cast<double>(rows.size()); }
-  double most(const std::string& column) const {
-    double most = 0.0;
-    for (const Row& row : rows) most = std::max(most, measure_of(row, column));
-    return most;
-  }
-  long above(const std::string& column, double bound) const {
-    return std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return measure_of(row, column) > bound; });
-  }
-  long arrived() const { return above("arrived", 0.5); }
-  long stood_long() const { return above("longest_stand", kLongestStand); }
-  long stopped_often() const { return above("stops", kMostStops); }
-};
-
-std::vector<Passages> passages_of(const Plan& plan, const std::vector<Row>& rows) {
-  std::vector<Passages> groups;
-  for (const Setting& setting : plan.settings) {
-    Passages group{to_string(setting), {}};
-    for (const Row& row : rows) {
-      if (cell(row, "setting", columns_of_passages()) == group.setting) group.rows.push_back(row);
-    }
-    if (!group.rows.empty()) groups.push_back(group);
-  }
-  return groups;
-}
-
-nlohmann::json json_of(const Passages& group) {
-  return {{"setting", group.setting},
-          {"n", group.rows.size()},
-          {"arrived", group.arrived()},
-          {"stood_long", group.stood_long()},
-          {"stopped_often", group.stopped_often()},
-          {"most_stops", group.most("stops")},
+nlohmann::json passage_figures(const Group& group) {
+  return {{"arrived", group.count("arrived")},
+          {"stood_long", stood_long(group)},
+          {"stopped_often", stopped_often(group)},
+          {"most_stops", most(group, "stops")},
           {"mean_stops", group.mean("stops")},
-          {"longest_stand", group.most("longest_stand")},
+          {"longest_stand", most(group, "longest_stand")},
           {"standing", group.mean("standing")},
           {"duration", group.mean("duration")},
           {"v_change", group.mean("v_change")},
@@ -78,54 +27,41 @@ nlohmann::json json_of(const Passages& group) {
           {"failures", group.mean("failures")}};
 }
 
-std::string summary_of_passages(const Plan& plan, const std::vector<Row>& rows) {
-  nlohmann::json all = nlohmann::json::array();
-  for (const Passages& group : passages_of(plan, rows)) all.push_back(json_of(group));
-  const nlohmann::json summary = {
-      {"experiment", plan.experiment}, {"runs_planned", plan.runs.size()}, {"runs", rows.size()}, {"groups", all}};
-  return summary.dump(2) + '\n';
+// Fewest contacts, then most steady drives, least time.
+std::vector<double> passage_merit(const Group& group) {
+  return {group.mean("contacts"), -group.mean("steady"), group.mean("duration")};
 }
 
-// The best first: fewest contacts, most steady drives, least time.
-std::string ranking_of_passages(const Plan& plan, const std::vector<Row>& rows) {
-  std::vector<Passages> ranked = passages_of(plan, rows);
-  const auto merit = [](const Passages& group) {
-    return std::make_tuple(group.mean("contacts"), -group.mean("steady"), group.mean("duration"));
-  };
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [&merit](const Passages& a, const Passages& b) { return merit(a) < merit(b); });
-  std::string csv = "rank,setting,n,arrived,steady,duration,mean_stops,longest_stand\n";
-  int rank = 0;
-  for (const Passages& group : ranked) {
-    csv += std::to_string(++rank) + ',' + group.setting + ',' + std::to_string(group.rows.size()) + ',' +
-           std::to_string(group.arrived());
-    for (const double value :
-         {group.mean("steady"), group.mean("duration"), group.mean("stops"), group.most("longest_stand")}) {
-      csv += ',' + number(value);
-    }
-    csv += '\n';
-  }
-  return csv;
+nlohmann::json passage_ranked(const Group& group) {
+  return {group.count("arrived"), group.mean("steady"), group.mean("duration"), group.mean("stops"),
+          most(group, "longest_stand")};
 }
 
-std::string digest_of_passages(const Plan& plan, const std::vector<Row>& rows) {
-  std::string lines;
-  for (const Passages& group : passages_of(plan, rows)) {
-    lines += group.setting + ": " +
-             format(
-                 "n %zu, arrived %ld, %.1f s, worst stand %.2f s (%ld above %.0f s), stops %.2f, at most %.0f (%ld "
-                 "above %d), contacts %.0f\n",
-                 group.rows.size(), group.arrived(), group.mean("duration"), group.most("longest_stand"),
-                 group.stood_long(), kLongestStand, group.mean("stops"), group.most("stops"), group.stopped_often(),
-                 kMostStops, group.sum("contacts"));
-  }
-  return lines;
+std::string passage_line(const Group& group) {
+  return group.name() +
+         format(
+             ": n %zu, arrived %ld, %.1f s, worst stand %.2f s (%ld above %.0f s), stops %.2f, at most %.0f (%ld "
+             "above %d), contacts %ld\n",
+             group.rows.size(), group.count("arrived"), group.mean("duration"), most(group, "longest_stand"),
+             stood_long(group), kLongestStand, group.mean("stops"), most(group, "stops"), stopped_often(group),
+             kMostStops, group.count("contacts"));
 }
 
 }  // namespace
 
 Tables passage_tables() {
-  return {columns_of_passages(), summary_of_passages, ranking_of_passages, digest_of_passages};
+  Tables tables;
+  tables.columns = {"id",           "drive",   "setting",        "seed",     "ending", "arrived",  "steady",
+                    "duration",     "stops",   "longest_stand",  "standing", "length", "contacts", "v_change",
+                    "omega_change", "acc_rms", "share_at_limit", "failures", "brakes"};
+  tables.keys = {"setting"};
+  tables.sorted_by = {"setting"};
+  tables.figures = passage_figures;
+  tables.merit = passage_merit;
+  tables.ranked = {"arrived", "steady", "duration", "mean_stops", "longest_stand"};
+  tables.ranked_values = passage_ranked;
+  tables.digest_line = passage_line;
+  return tables;
 }
 
 Row passage_row(const Plan& plan, const Run& run, std::uint64_t world_seed, const drive::DriveResult& r,

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "drive/result.hpp"
+#include "study/groups.hpp"
 #include "study/passage_watch.hpp"
-#include "study/tables.hpp"
 
 namespace hidwa_local_planner {
 namespace study {

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/program.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <exception>
-#include <stdexcept>
+#include <map>
 #include <utility>
 
-#include "barn.hpp"
 #include "core/util/words.hpp"
-#include "crowd.hpp"
-#include "dynabarn.hpp"
 #include "execution.hpp"
+#include "experiments.hpp"
 #include "floor.hpp"
-#include "gap.hpp"
-#include "hostile.hpp"
 #include "manifest.hpp"
-#include "passage.hpp"
 #include "share.hpp"
-#include "soak.hpp"
 #include "study/error.hpp"
 #include "study/options.hpp"
 #include "study/scene.hpp"
@@ -88,8 +81,9 @@ void check_settings(const Options& options, const Parameters& base, const Plan& 
   }
 }
 
-int experiment(Options options, std::ostream& out, std::ostream& errors) {
-  name_floor(options);
+// With simulated people: run, pilot and sweep.
+int people(const Options& asked, std::ostream& out, std::ostream& errors) {
+  const Options options = with_floor(asked);
   const Plan plan = plan_of(options);
   const Parameters base = profile(options.profile);
   check_settings(options, base, plan);
@@ -106,25 +100,31 @@ int experiment(Options options, std::ostream& out, std::ostream& errors) {
   return execute(options, plan, manifest(options, plan, scene), make, out, errors);
 }
 
+int join(const Options& options, std::ostream& out, std::ostream&) {
+  return are_hostile(options.parts) ? merge_hostile(options, out) : merge(options, out);
+}
+
+int tell_help(const Options&, std::ostream& out, std::ostream&) {
+  out << help();
+  return 0;
+}
+
+using Command = int (*)(const Options& options, std::ostream& out, std::ostream& errors);
+
+Command command_of(const std::string& name) {
+  static const std::map<std::string, Command> commands{{"run", people}, {"pilot", people},      {"sweep", people},
+                                                       {"barn", barn},  {"dynabarn", dynabarn}, {"crowd", crowd},
+                                                       {"gap", gap},    {"passage", passage},   {"hostile", hostile},
+                                                       {"soak", soak},  {"merge", join},        {"help", tell_help}};
+  return commands.at(name);
+}
+
 }  // namespace
 
 int program(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& errors) {
   try {
     const Options options = parse_options(arguments);
-    if (options.command == "help") {
-      out << help();
-      return 0;
-    }
-    if (options.command == "merge")
-      return are_hostile(options.parts) ? merge_hostile(options, out) : merge(options, out);
-    if (options.command == "barn") return barn(options, out, errors);
-    if (options.command == "dynabarn") return dynabarn(options, out, errors);
-    if (options.command == "hostile") return hostile(options, out, errors);
-    if (options.command == "soak") return soak(options, out, errors);
-    if (options.command == "crowd") return crowd(options, out, errors);
-    if (options.command == "gap") return gap(options, out, errors);
-    if (options.command == "passage") return passage(options, out, errors);
-    return experiment(options, out, errors);
+    return command_of(options.command)(options, out, errors);
   } catch (const UsageError& e) {
     errors << "hidwa_study: " << e.what() << std::endl;
     return 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "soak.hpp"
+#include "experiments.hpp"
 
 #include <unistd.h>
 

@@ -90,8 +90,8 @@ std::size_t Store::finish(const Plan& plan) const {
   std::string csv = to_line(tables_.columns) + '\n';
   for (const Row& row : finished) csv += to_line(row) + '\n';
   write("runs.csv", csv);
-  if (plan.settings.size() > 1) write("ranking.csv", tables_.ranking(plan, finished));
-  write("summary.json", tables_.summary(plan, finished));
+  if (plan.settings.size() > 1) write("ranking.csv", ranking_csv(tables_, plan, finished));
+  write("summary.json", summary_json(tables_, plan, finished));
   return finished.size();
 }
 

@@ -6,33 +6,53 @@
 #include "study/encounter_table.hpp"
 #include "study/gap_table.hpp"
 #include "study/passage_table.hpp"
-#include "study/summary.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-std::string digest(const Plan& plan, const std::vector<Row>& rows) {
-  std::string lines;
-  for (const Group& group : groups(plan, rows)) {
-    double arrived = 0.0, contacts = 0.0, crossed = 0.0, duration = 0.0;
-    for (const Row& row : group.rows) {
-      arrived += value(row, "arrived");
-      contacts += value(row, "contacts");
-      crossed += value(row, "regions_crossed");
-      duration += value(row, "duration");
-    }
-    const auto n = static_cast<double>(group.rows.size());
-    lines += group.condition + " " + group.setting + ": " +
-             format("n %.0f, arrived %.0f, %.2f s, %.3f regions crossed, contacts %.0f in all\n", n, arrived,
-                    duration / n, crossed / n, contacts);
+nlohmann::json people_figures(const Group& group) {
+  nlohmann::json all = nlohmann::json::object();
+  for (const std::string& measure : measures()) {
+    const Statistics s = statistics(group.values(measure));
+    all[measure] = {{"mean", s.mean}, {"median", s.median}, {"sd", s.sd}, {"min", s.min}, {"max", s.max}};
   }
-  return lines;
+  return {{"arrived", group.count("arrived")}, {"measures", all}};
+}
+
+// Most arrivals, then fewest contacts, fewest regions crossed, least time.
+std::vector<double> people_merit(const Group& group) {
+  return {-group.mean("arrived"), group.mean("contacts"), group.mean("regions_crossed"), group.mean("duration")};
+}
+
+nlohmann::json people_ranked(const Group& group) {
+  nlohmann::json figures = nlohmann::json::array({group.count("arrived")});
+  for (const std::string& measure : measures()) figures.push_back(group.mean(measure));
+  return figures;
+}
+
+std::string people_line(const Group& group) {
+  return group.name() + format(": n %zu, arrived %ld, %.2f s, %.3f regions crossed, contacts %ld in all\n",
+                               group.rows.size(), group.count("arrived"), group.mean("duration"),
+                               group.mean("regions_crossed"), group.count("contacts"));
 }
 
 }  // namespace
 
-Tables people_tables() { return {columns(), summary_json, ranking_csv, digest}; }
+Tables people_tables() {
+  Tables tables;
+  tables.columns = columns();
+  tables.keys = {"condition", "setting"};
+  tables.sorted_by = {"setting", "condition"};
+  tables.order = {"SJ", "SG", "SW"};
+  tables.figures = people_figures;
+  tables.merit = people_merit;
+  tables.ranked = {"arrived"};
+  for (const std::string& measure : measures()) tables.ranked.push_back("mean_" + measure);
+  tables.ranked_values = people_ranked;
+  tables.digest_line = people_line;
+  return tables;
+}
 
 Tables tables_of(const std::string& experiment) {
   if (experiment == "barn") return barn_tables();

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <string>
-#include <vector>
 
-#include "study/table.hpp"
+#include "study/groups.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
 
-/// What an experiment keeps of its runs, and what it makes of them.
-struct Tables {
-  using Text = std::function<std::string(const Plan&, const std::vector<Row>&)>;
-  std::vector<std::string> columns;  // of runs.csv
-  Text summary;                      // summary.json
-  Text ranking;                      // ranking.csv, where there are several settings
-  Text digest;                       // what is told at the end, in lines
-};
-
-/// Those of the study with simulated people.
+/// Those of the study with simulated people: by setting, then by condition.
 Tables people_tables();
 
 /// Those of an experiment: run, pilot, sweep, barn, dynabarn, crowd, passage or gap.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "study/summary.hpp"
+#include "study/tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(Summary, ALineIsReadAsItWasWritten) {
 TEST(Summary, TheBestSettingIsRankedFirst) {
   const Plan plan = make_plan("sweep", 1, {"SJ"}, combinations({"s_v=1,2,3"}), false);
   const std::string csv =
-      ranking_csv(plan, {row(plan, 0, 10.0, 1, 0), row(plan, 1, 12.0, 0, 0), row(plan, 2, 5.0, 0, 1)});
+      ranking_csv(people_tables(), plan, {row(plan, 0, 10.0, 1, 0), row(plan, 1, 12.0, 0, 0), row(plan, 2, 5.0, 0, 1)});
   const std::size_t first = csv.find("1,SJ,s_v=2"), second = csv.find("2,SJ,s_v=1"), third = csv.find("3,SJ,s_v=3");
   ASSERT_NE(third, std::string::npos) << csv;
   EXPECT_LT(first, second);
@@ -59,11 +59,12 @@ TEST(Summary, GroupsAreConditionsAndSettings) {
   const Plan plan = make_plan("run", 2, {"SJ", "SW"}, {{}}, false);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < 4; ++i) rows.push_back(row(plan, i, 10.0 + static_cast<double>(i), 0, 0));
-  const std::vector<Group> all = groups(plan, rows);
+  const Tables tables = people_tables();
+  const std::vector<Group> all = groups(tables, plan, rows);
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_EQ(all[0].condition, "SJ");
+  EXPECT_EQ(all[0].names.front(), "SJ");
   EXPECT_EQ(all[1].rows.size(), 2u);
-  EXPECT_NE(summary_json(plan, rows).find("\"n\": 2"), std::string::npos);
+  EXPECT_NE(summary_json(tables, plan, rows).find("\"n\": 2"), std::string::npos);
 }
 
 }  // namespace
