@@ -9,8 +9,9 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmark/cases.hpp"
-#include "benchmark/office_drive.hpp"
+#include "drive/drive.hpp"
 #include "sim/avoiding_operator.hpp"
+#include "support/office.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -24,8 +25,8 @@ struct Work {
   double planning = 0.0;   // [s], wall clock
 };
 
-DriveSetup office(bool steered) {
-  DriveSetup setup = office_drive();
+DriveSetup office_drive(bool steered) {
+  DriveSetup setup = office(0.0);
   if (steered) {
     setup.person = std::make_shared<sim::AvoidingOperator>(sim::OperatorTraits(), sim::RobotHabits(),
                                                            *setup.ground->map(), setup.regions, 1);
@@ -44,7 +45,7 @@ void add(const DriveResult& result, Work& work) {
 
 // Everything counts: reading the map, what is worked out of it, and the way there; then back.
 void there_and_back(bool steered, Work& work) {
-  DriveSetup setup = office(steered);
+  DriveSetup setup = office_drive(steered);
   add(drive::drive(setup), work);
   std::swap(setup.start, setup.goal);
   setup.start.theta += M_PI;

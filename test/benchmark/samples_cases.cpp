@@ -12,9 +12,10 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmark/cases.hpp"
-#include "benchmark/office_drive.hpp"
+#include "drive/drive.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "sim/random.hpp"
+#include "support/office.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -54,7 +55,7 @@ double deviation_of(const Decision& decision, const Twist2& u_h, const Parameter
 
 // The same cycles of the same drives for every sampling: the default's drives, looked at by two planners more.
 void look_at_rejections(const Sampling& sampling, std::uint64_t seed, Rejected& rejected) {
-  drive::DriveSetup setup = office_drive();
+  drive::DriveSetup setup = office(0.0);
   setup.laser_seed = seed;
   setup.person = std::make_shared<Pusher>(seed);
   Planner planner(critics::built_in()), finest(critics::built_in());
@@ -82,7 +83,7 @@ void run_samples(benchmark::State& state, const Sampling& sampling, std::uint64_
   Rejected rejected;
   for (auto _ : state) {
     try {
-      drive::DriveSetup setup = office_drive();
+      drive::DriveSetup setup = office(0.0);
       setup.parameters.vx_samples = sampling.vx_samples;
       setup.parameters.vth_samples = sampling.vth_samples;
       alone = drive::drive(setup);

@@ -13,6 +13,7 @@
 #include "support/naive_manoeuvre.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -26,9 +27,7 @@ constexpr double kAhead = 3.0;            // [m]
 
 Polygon outline_of(Body body) {
   if (body == Body::polygon) return {{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, -0.165}};
-  Polygon corners;  // as costmap_2d makes them of robot_radius
-  for (int i = 0; i < 16; ++i) corners.emplace_back(0.3 * std::cos(M_PI * i / 8.0), 0.3 * std::sin(M_PI * i / 8.0));
-  return corners;
+  return round_outline(0.3);
 }
 
 // The map's corner: a window centred on the robot that moves by whole cells.

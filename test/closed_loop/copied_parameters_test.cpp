@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers of other planners' parameter files, as they are: the robot reaches a goal ahead, one behind and one with a
 // heading.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -103,13 +102,7 @@ const std::vector<File>& files() {
   return all;
 }
 
-struct Course {
-  bool arrived = false;
-  double time = 0.0;  // [s]
-  std::string problem;
-};
-
-// A base that does what it is told, in free space.
+// In free space.
 Course drive(const File& file, const Pose2& goal) {
   Scene scene = Scene::empty(161, 0.05);
   scene.parameters = Parameters();
@@ -127,23 +120,7 @@ Course drive(const File& file, const Pose2& goal) {
   now.plan.clear();
   for (int k = 0; k <= 40; ++k) now.plan.push_back({goal.x * k / 40.0, goal.y * k / 40.0, 0.0});
   now.plan.back() = goal;
-  SceneLoop loop(scene);
-  Course course;
-  const Parameters& p = scene.parameters;
-  while (!course.arrived && course.time < 60.0) {
-    const control::Result result = loop.cycle();
-    const Twist2 u = result.command;
-    if (result.decision != nullptr && !result.decision->problem.empty()) course.problem = result.decision->problem;
-    const double middle = now.pose.theta + 0.5 * u.omega * now.period;
-    now.pose = {now.pose.x + u.v * std::cos(middle) * now.period, now.pose.y + u.v * std::sin(middle) * now.period,
-                wrap_angle(now.pose.theta + u.omega * now.period)};
-    now.velocity = u;
-    now.time += now.period;
-    course.time += now.period;
-    course.arrived = u == Twist2{} && distance(now.pose, goal) <= p.xy_goal_tolerance &&
-                     std::abs(wrap_angle(goal.theta - now.pose.theta)) <= p.yaw_goal_tolerance;
-  }
-  return course;
+  return drive_to_goal(scene, 60.0);
 }
 
 TEST(CopiedParameters, ReachAGoalAheadOneBehindAndOneWithAHeading) {

@@ -20,11 +20,9 @@ void drive_on(Pose2& pose, sim::DiffDrive& base, const Twist2& command, double n
   }
 }
 
-/// A base is sent the decision's command (zero where it failed) and moves for one control period, as above. Time, pose
-/// and last command of `now` go on with it.
+/// Likewise. Time, pose and last command of `now` go on with it.
 template <typename Seen>
-void drive_on(Situation& now, sim::DiffDrive& base, const Decision& decision, int steps, Seen&& seen) {
-  const Twist2 command = decision.outcome == Outcome::fail ? Twist2{} : decision.command;
+void drive_on(Situation& now, sim::DiffDrive& base, const Twist2& command, int steps, Seen&& seen) {
   drive_on(now.pose, base, command, now.time, now.period, steps, seen);
   now.last_command = command;
   now.time += now.period;

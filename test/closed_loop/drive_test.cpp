@@ -7,9 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "drive/drive.hpp"
-#include "office.hpp"
 #include "sim/avoiding_operator.hpp"
 #include "sim/scripted_operator.hpp"
+#include "support/effort.hpp"
+#include "support/office.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -74,18 +75,42 @@ TEST(ClosedLoop, PaperProfileArrives) {
   EXPECT_EQ(result.contacts, 0);
 }
 
-// Somebody who knows of the regions keeps the robot out of them; it cannot see them itself.
-TEST(ClosedLoop, APersonKeepsItOutOfTheRegions) {
-  DriveSetup setup = office();
+// Somebody who knows of the regions, and takes the robot for the demo's, keeps it out of them; it cannot see them.
+DriveResult drive_avoiding(DriveSetup setup, std::uint64_t seed) {
   setup.person = std::make_shared<sim::AvoidingOperator>(sim::OperatorTraits(), sim::RobotHabits(),
-                                                         *setup.ground->map(), setup.regions, 1);
+                                                         *setup.ground->map(), setup.regions, seed);
   const DriveResult result = drive::drive(setup);
-  EXPECT_TRUE(result.arrived);
-  EXPECT_EQ(result.contacts, 0);
-  EXPECT_EQ(result.regions_crossed, 0);
-  EXPECT_GE(result.interventions, 3);
-  EXPECT_GT(result.operator_active, 1.0);
-  EXPECT_GT(result.agreement, 0.5);
+  EXPECT_TRUE(result.arrived) << seed;
+  EXPECT_EQ(result.contacts, 0) << seed;
+  EXPECT_EQ(result.regions_crossed, 0) << seed;
+  return result;
+}
+
+TEST(ClosedLoop, APersonKeepsItOutOfTheRegions) {
+  for (std::uint64_t seed = 1; seed <= effort(1u, 4u); ++seed) {
+    const DriveResult result = drive_avoiding(office(), seed);
+    EXPECT_GE(result.interventions, 3) << seed;
+    EXPECT_GT(result.agreement, 0.5) << seed;
+    // Help, not driving.
+    EXPECT_GT(result.operator_active, 4.0) << seed;
+    EXPECT_LT(result.operator_active, 0.3 * result.duration) << seed;
+  }
+}
+
+TEST(ClosedLoop, ARobotSomewhatOtherThanThoughtIsMasteredToo) {
+  DriveSetup setup = office(0.15);
+  setup.parameters.delta = 1.0;
+  setup.parameters.max_vel_theta = 0.9;
+  drive_avoiding(setup, 9);
+}
+
+TEST(ClosedLoop, SameSeedSameDrive) {
+  const DriveResult first = drive_avoiding(office(), 3), second = drive_avoiding(office(), 3);
+  ASSERT_EQ(first.samples.size(), second.samples.size());
+  for (std::size_t i = 0; i < first.samples.size(); ++i) {
+    ASSERT_TRUE(first.samples[i].wanted == second.samples[i].wanted) << i;
+    ASSERT_TRUE(first.samples[i].command == second.samples[i].command) << i;
+  }
 }
 
 // Full deflection to either side, again and again, all the way: the robot turns where it can and touches nothing.

@@ -19,6 +19,7 @@
 #include "support/naive_inflation.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
+#include "support/round_outline.hpp"
 #include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {
@@ -33,16 +34,6 @@ constexpr double kTouches = 5e-4;
 // As far as a cluster is followed: beyond it no rollout gets [cells].
 constexpr int kClusterSteps = 8;
 
-Polygon circle() {
-  Polygon corners;
-  for (int i = 0; i < 16; ++i) corners.emplace_back(0.3 * std::cos(i * M_PI / 8.0), 0.3 * std::sin(i * M_PI / 8.0));
-  return corners;
-}
-Polygon octagon() {
-  Polygon corners;
-  for (int i = 0; i < 8; ++i) corners.emplace_back(0.3 * std::cos(i * M_PI / 4.0), 0.3 * std::sin(i * M_PI / 4.0));
-  return corners;
-}
 Polygon rectangle(double rear, double front, double half_width) {
   return {{front, half_width}, {rear, half_width}, {rear, -half_width}, {front, -half_width}};
 }
@@ -64,9 +55,9 @@ class Robot {
   Cycle cycle() {
     Situation& now = scene_.situation;
     now.velocity = {drive_.velocity().v, drive_.velocity().omega};
-    Cycle cycle;
-    cycle.decision = *loop_.cycle().decision;
-    drive_on(now, drive_, cycle.decision, 50, [&](int step) {
+    const control::Result result = loop_.cycle();
+    Cycle cycle{*result.decision, {}};
+    drive_on(now, drive_, result.command, 50, [&](int step) {
       if (step % 10 == 9) cycle.poses.push_back(now.pose);
     });
     return cycle;
@@ -165,8 +156,8 @@ TEST(Escape, OutAndRoundAPostFartherAhead) {
 Scene random_start(std::uint64_t seed) {
   Random random(seed);
   const int shape = random.integer(0, 3);
-  Scene scene = at_rest_in(shape == 0   ? circle()
-                           : shape == 1 ? octagon()
+  Scene scene = at_rest_in(shape == 0   ? round_outline(0.3)
+                           : shape == 1 ? round_outline(0.3, 8)
                            : shape == 2 ? rectangle(-0.25, 0.25, 0.2)
                                         : rectangle(-0.2, 0.6, 0.2));
   Parameters& p = scene.parameters;

@@ -52,7 +52,7 @@ class Follower {
     machine_.debrief(now.time, result.feedback);
     cycle.intent = result.intent;
     cycle.decision = *result.decision;
-    move(result.command);
+    carry_out(scene_, result.command);
     return cycle;
   }
 
@@ -66,23 +66,11 @@ class Follower {
     return scene;
   }
 
-  void move(const Twist2& u) {
-    Situation& now = scene_.situation;
-    const double heading = now.pose.theta + 0.5 * u.omega * kPeriod;
-    now.pose.x += u.v * std::cos(heading) * kPeriod;
-    now.pose.y += u.v * std::sin(heading) * kPeriod;
-    now.pose.theta += u.omega * kPeriod;
-    now.velocity = now.last_command = u;
-    now.time += kPeriod;
-  }
-
   /// The costmap rolls along; once a second there is another plan, straight to the goal.
   void surround() {
-    const Pose2& pose = scene_.situation.pose;
-    const double half = 0.5 * scene_.size_x * scene_.resolution;
-    scene_.origin_x = std::floor(pose.x / scene_.resolution) * scene_.resolution - half;
-    scene_.origin_y = std::floor(pose.y / scene_.resolution) * scene_.resolution - half;
+    follow_robot(scene_);
     if (cycles_++ % 20 != 0) return;
+    const Pose2& pose = scene_.situation.pose;
     const double heading = std::atan2(kGoal.y - pose.y, kGoal.x - pose.x);
     scene_.situation.plan.clear();
     for (int i = 0; i <= 60; ++i) {

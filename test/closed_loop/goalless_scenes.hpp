@@ -6,6 +6,7 @@
 #include <string>
 
 #include "goalless_world.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner::test {
 
@@ -13,9 +14,7 @@ namespace hidwa_local_planner::test {
 inline Polygon goalless_outline(int kind) {
   if (kind == 1) return {{0.3, 0.225}, {-0.3, 0.225}, {-0.3, -0.225}, {0.3, -0.225}};
   if (kind == 2) return {{0.25, 0.25}, {-0.65, 0.25}, {-0.65, -0.25}, {0.25, -0.25}};
-  Polygon circle;
-  for (int i = 0; i < 16; ++i) circle.emplace_back(0.25 * std::cos(i * M_PI / 8.0), 0.25 * std::sin(i * M_PI / 8.0));
-  return circle;
+  return round_outline(0.25);
 }
 
 inline double half_width(int kind) { return kind == 0 ? 0.25 : kind == 1 ? 0.225 : 0.25; }  // [m]

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The goal's position is reached where the outline cannot turn to the goal's heading: a robot with a long tail.
-#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -13,8 +12,6 @@
 
 namespace hidwa_local_planner::test {
 namespace {
-
-constexpr double kSettled = 0.25;  // both tolerances [m, rad]
 
 // It stands at (-0.23, 0), which is within 0.25 m of the goal at (0, 0), and faces along +x. Its corners behind are
 // hypot(0.9, 0.2) = 0.92 m from its centre.
@@ -31,33 +28,9 @@ Scene at_the_goal(double heading) {
   return scene;
 }
 
-struct Course {
-  bool settled = false;   // it rests at the goal, with its heading
-  int failures = 0;       // cycles
-  double farthest = 0.0;  // from the goal [m]
-  bool touched = false;
-};
-
 Course drive(Scene scene, double duration) {
   inflate(scene, 0.2, 0.8, 3.0);
-  SceneLoop loop(scene);
-  Situation& now = scene.situation;
-  Course course;
-  while (!course.settled && now.time < 1.0 + duration) {
-    const control::Result result = loop.cycle();
-    const Twist2 u = result.command;
-    course.failures += result.outcome == Outcome::fail;
-    const double middle = now.pose.theta + 0.5 * u.omega * now.period;
-    now.pose = {now.pose.x + u.v * std::cos(middle) * now.period, now.pose.y + u.v * std::sin(middle) * now.period,
-                now.pose.theta + u.omega * now.period};
-    now.velocity = u;
-    now.time += now.period;
-    course.farthest = std::max(course.farthest, distance(now.pose, now.goal));
-    course.touched = course.touched || naive_overlap(scene.grid(), {scene.outline, 0.0}, now.pose, true) > 0.0;
-    course.settled = u == Twist2{} && distance(now.pose, now.goal) <= kSettled &&
-                     std::abs(wrap_angle(now.goal.theta - now.pose.theta)) <= kSettled;
-  }
-  return course;
+  return drive_to_goal(scene, duration);
 }
 
 // Two posts beside its tail are 0.85 m from its centre, less than 0.92 m. 0.3 m farther on they are 1.13 m from it.
@@ -66,7 +39,7 @@ TEST(LastTurn, DrivesOnWithinTheToleranceToWhereItCanTurn) {
   scene.fill(-1.05, -0.4, -0.95, -0.3);
   scene.fill(-1.05, 0.3, -0.95, 0.4);
   const Course course = drive(scene, 20.0);
-  EXPECT_TRUE(course.settled);
+  EXPECT_TRUE(course.arrived);
   EXPECT_EQ(course.failures, 0);
   EXPECT_FALSE(course.touched);
   EXPECT_LE(course.farthest, 0.25);
@@ -95,7 +68,7 @@ TEST(LastTurn, EndsAmongPostsWhereverItCouldDriveOnAndTurn) {
     }
     blocked += free ? 0 : 1;
     const Course course = drive(scene, 30.0);
-    EXPECT_TRUE(course.settled) << seed;
+    EXPECT_TRUE(course.arrived) << seed;
     EXPECT_FALSE(course.touched) << seed;
   }
   EXPECT_GT(blocked, effort(4, 10));
@@ -108,7 +81,7 @@ TEST(LastTurn, GoesOutOfTheToleranceAndBackWhereNothingElseLeadsToTheHeading) {
   scene.fill(-3.5, 0.35, 0.3, 0.45);
   scene.fill(-3.5, -0.45, 0.3, -0.35);
   const Course course = drive(scene, 60.0);
-  EXPECT_TRUE(course.settled);
+  EXPECT_TRUE(course.arrived);
   EXPECT_FALSE(course.touched);
   EXPECT_GT(course.farthest, 0.8);  // its tail, 0.9 m long, is out: 0.3 + 0.9 m, less what it turns meanwhile
 }
@@ -120,7 +93,7 @@ TEST(LastTurn, SaysSoWhereNothingLeadsToTheHeading) {
   scene.fill(-3.5, -0.45, 0.6, -0.35);
   scene.fill(0.5, -0.45, 0.6, 0.45);
   const Course course = drive(scene, 20.0);
-  EXPECT_FALSE(course.settled);
+  EXPECT_FALSE(course.arrived);
   EXPECT_GT(course.failures, 10);
   EXPECT_LE(course.farthest, 0.25);
 }
@@ -128,7 +101,7 @@ TEST(LastTurn, SaysSoWhereNothingLeadsToTheHeading) {
 // An open floor: it turns as ever, at once.
 TEST(LastTurn, TurnsOnTheSpotWhereItCan) {
   const Course course = drive(at_the_goal(0.5 * M_PI), 8.0);
-  EXPECT_TRUE(course.settled);
+  EXPECT_TRUE(course.arrived);
   EXPECT_EQ(course.failures, 0);
   EXPECT_LE(course.farthest, 0.25);
 }

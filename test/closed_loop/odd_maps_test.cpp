@@ -2,12 +2,10 @@
 // Outlines and maps that are not what the default is: an outline beside the robot's origin, fine and coarse cells, maps
 // that are not square, that change their size or do not hold the robot, and unknown cells.
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "support/naive_collision.hpp"
 #include "support/naive_inflation.hpp"
 #include "support/scene_loop.hpp"
 
@@ -33,40 +31,6 @@ Scene scene_of(double width, double height, double resolution) {
   return scene;
 }
 
-struct Course {
-  bool arrived = false;
-  bool touched = false;
-  double time = 0.0;  // [s]
-  std::string problem;
-  std::string rejected_by;  // all of the last cycle with a problem
-};
-
-/// `change` is called before each cycle.
-Course drive(Scene& scene, double seconds, const std::function<void(double)>& change = {}) {
-  SceneLoop loop(scene);
-  Situation& now = scene.situation;
-  Course course;
-  for (; !course.arrived && course.time < seconds; course.time += now.period) {
-    if (change) change(course.time);
-    const control::Result result = loop.cycle();
-    if (result.decision != nullptr && !result.decision->problem.empty()) {
-      course.problem = result.decision->problem;
-      course.rejected_by.clear();
-      for (const RejectionCount& rejection : result.decision->rejections) course.rejected_by += rejection.name;
-    }
-    const Twist2 u = result.command;
-    const double middle = now.pose.theta + 0.5 * u.omega * now.period;
-    now.pose = {now.pose.x + u.v * std::cos(middle) * now.period, now.pose.y + u.v * std::sin(middle) * now.period,
-                wrap_angle(now.pose.theta + u.omega * now.period)};
-    now.velocity = u;
-    now.time += now.period;
-    course.touched = course.touched || naive_overlap(scene.grid(), {scene.outline, 0.0}, now.pose, true) > 0.0;
-    course.arrived = u == Twist2{} && distance(now.pose, now.goal) <= 0.25 &&
-                     std::abs(wrap_angle(now.goal.theta - now.pose.theta)) <= 0.25;
-  }
-  return course;
-}
-
 void expect_arrival(const Course& course, const std::string& what) {
   EXPECT_TRUE(course.arrived) << what << ": " << course.problem;
   EXPECT_FALSE(course.touched) << what;
@@ -81,7 +45,7 @@ TEST(OddMaps, AnOutlineThatDoesNotHoldTheOriginDrives) {
     scene.outline = outline;
     scene.fill(-0.1, 0.3, 0.1, 0.5);
     inflate(scene, 0.05, 0.8, 3.0);
-    expect_arrival(drive(scene, 40.0), "the first corner is at " + std::to_string(outline[0].x()));
+    expect_arrival(drive_to_goal(scene, 40.0), "the first corner is at " + std::to_string(outline[0].x()));
   }
 }
 
@@ -90,21 +54,21 @@ TEST(OddMaps, FineAndCoarseCellsDrive) {
     Scene scene = scene_of(6.0, 6.0, resolution);
     scene.fill(-0.2, 0.5, 0.2, 0.9);
     inflate(scene, 0.2, 0.8, 3.0);
-    expect_arrival(drive(scene, 40.0), std::to_string(resolution));
+    expect_arrival(drive_to_goal(scene, 40.0), std::to_string(resolution));
   }
 }
 
 TEST(OddMaps, MapsThatAreNotSquareDrive) {
   for (const auto& [width, height] : {std::pair{10.0, 3.0}, std::pair{4.4, 12.0}, std::pair{4.5, 2.05}}) {
     Scene scene = scene_of(width, height, 0.05);
-    expect_arrival(drive(scene, 40.0), std::to_string(width));
+    expect_arrival(drive_to_goal(scene, 40.0), std::to_string(width));
   }
 }
 
 // Every second another size and another place, as a host does that reconfigures its costmap.
 TEST(OddMaps, AMapThatIsResizedDrives) {
   Scene scene = scene_of(6.0, 6.0, 0.05);
-  const Course course = drive(scene, 40.0, [&scene](double time) {
+  const Course course = drive_to_goal(scene, 40.0, [&scene](double time) {
     const int phase = static_cast<int>(time) % 4;
     const double width = phase == 1 ? 10.0 : 6.0, height = phase == 2 ? 4.4 : 6.0;
     const Scene other = scene_of(width, height, phase == 3 ? 0.1 : 0.05);
@@ -123,7 +87,7 @@ TEST(OddMaps, AMapThatDoesNotHoldTheRobotIsNamed) {
   Scene scene = scene_of(6.0, 6.0, 0.05);
   const double origin = scene.origin_x;
   const Course course =
-      drive(scene, 40.0, [&](double time) { scene.origin_x = time > 2.0 && time < 4.0 ? 20.0 : origin; });
+      drive_to_goal(scene, 40.0, [&](double time) { scene.origin_x = time > 2.0 && time < 4.0 ? 20.0 : origin; });
   EXPECT_NE(course.problem.find("map"), std::string::npos) << course.problem;
   EXPECT_TRUE(course.arrived);
 }
@@ -133,7 +97,7 @@ TEST(OddMaps, UnknownCellsAreNamed) {
   for (const double resolution : {0.02, 0.05, 0.2}) {
     Scene scene = scene_of(6.0, 6.0, resolution);
     scene.fill(0.0, -4.0, 4.0, 4.0, cost::kUnknown);
-    const Course course = drive(scene, 20.0);
+    const Course course = drive_to_goal(scene, 20.0);
     EXPECT_FALSE(course.touched);
     EXPECT_NE(course.problem.find("unknown"), std::string::npos) << course.problem;
     EXPECT_EQ(course.problem.find("obstacle"), std::string::npos) << course.problem;
@@ -147,7 +111,7 @@ TEST(OddMaps, AWallBeforeUnknownCellsIsAnObstacle) {
   scene.fill(0.0, -4.0, 4.0, 4.0, cost::kUnknown);
   scene.fill(0.0, -4.0, 0.1, 4.0);
   inflate(scene, 0.2, 0.8, 3.0);
-  const Course course = drive(scene, 20.0);
+  const Course course = drive_to_goal(scene, 20.0);
   EXPECT_NE(course.problem.find("nearest obstacle"), std::string::npos) << course.problem;
   EXPECT_EQ(course.rejected_by.find("Unknown"), std::string::npos) << course.rejected_by;
 }

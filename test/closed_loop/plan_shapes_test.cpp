@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/plan_drive.hpp"
+#include "plan_drive.hpp"
 #include "support/random.hpp"
 
 namespace hidwa_local_planner::test {

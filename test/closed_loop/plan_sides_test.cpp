@@ -11,7 +11,6 @@
 namespace hidwa_local_planner::test {
 namespace {
 
-constexpr double kPeriod = 0.05;  // [s]
 const Pose2 kPillar{4.0, 0.0, 0.0};
 const Pose2 kGoal{8.0, 0.0, 0.0};
 
@@ -32,12 +31,12 @@ std::vector<Pose2> plan_round(const Pose2& from, double side) {
   return plan;
 }
 
-struct Course {
+struct Passage {
   double duration = 0.0;  // until the robot is past the pillar [s]
   int swings = 0;         // how often it changes from turning left to turning right, or back
 };
 
-Course drive(double wait) {
+Passage drive(double wait) {
   Scene scene = Scene::empty(241, 0.05);
   scene.parameters = Parameters();
   scene.parameters.plan_hysteresis_time = wait;
@@ -46,12 +45,11 @@ Course drive(double wait) {
   scene.origin_y = -6.0;
   scene.fill(kPillar.x - 0.3, kPillar.y - 0.3, kPillar.x + 0.3, kPillar.y + 0.3, cost::kLethal);
   scene.situation.pose = {0.0, 0.0, 0.0};
-  scene.situation.period = kPeriod;
   scene.situation.time = 1.0;
   scene.situation.goal = kGoal;
   scene.situation.plan = plan_round(scene.situation.pose, 1.0);
   SceneLoop loop(scene);
-  Course course;
+  Passage passage;
   double turning = 0.0;
   for (int k = 0; k < 1200 && scene.situation.pose.x < kPillar.x + 0.5; ++k) {
     Situation& now = scene.situation;
@@ -60,22 +58,18 @@ Course drive(double wait) {
       loop.plan();
     }
     const Twist2 u = loop.cycle().command;
-    const double heading = now.pose.theta + 0.5 * u.omega * kPeriod;
-    now.pose = {now.pose.x + u.v * std::cos(heading) * kPeriod, now.pose.y + u.v * std::sin(heading) * kPeriod,
-                now.pose.theta + u.omega * kPeriod};
-    now.velocity = u;
-    now.time += kPeriod;
-    course.duration = now.time - 1.0;
+    carry_out(scene, u);
+    passage.duration = now.time - 1.0;
     if (std::abs(u.omega) < 0.2) continue;
-    if (turning * u.omega < 0.0) ++course.swings;
+    if (turning * u.omega < 0.0) ++passage.swings;
     turning = u.omega;
   }
-  return course;
+  return passage;
 }
 
 TEST(PlanSides, ARobotThatKeepsToItsSideIsPastThePillarSooner) {
-  const Course every = drive(0.0);
-  const Course kept = drive(Parameters().plan_hysteresis_time);
+  const Passage every = drive(0.0);
+  const Passage kept = drive(Parameters().plan_hysteresis_time);
   RecordProperty("every_plan", std::to_string(every.duration) + " s, " + std::to_string(every.swings) + " swings");
   RecordProperty("kept", std::to_string(kept.duration) + " s, " + std::to_string(kept.swings) + " swings");
   // By (4, 1) to x = 4.5: hypot(4, 1) + 0.5 = 4.6 m, 9.3 s at 0.5 m/s, and the turns.

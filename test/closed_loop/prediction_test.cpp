@@ -9,7 +9,7 @@
 
 #include "control/prediction.hpp"
 #include "drive/drive.hpp"
-#include "office.hpp"
+#include "support/office.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {

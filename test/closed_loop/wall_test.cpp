@@ -53,9 +53,9 @@ class Room {
     Situation& now = scene_.situation;
     now.velocity = {drive_.velocity().v, drive_.velocity().omega};
     scene_.intent.u_h = wanted;
-    const Decision decision = *loop_->cycle(stop).decision;
-    drive_on(now, drive_, decision, 5, [](int) {});
-    return decision;
+    const control::Result result = loop_->cycle(stop);
+    drive_on(now, drive_, result.command, 5, [](int) {});
+    return *result.decision;
   }
   /// How far into an obstacle it reaches [m].
   double overlap() const {

@@ -57,10 +57,7 @@ Course drive(Lie lie, double heading) {
     before = result.command.v;
     course.doubted = course.doubted || loop.doubts_velocity();
     course.arrived = result.command == Twist2{} && distance(now.pose, now.goal) < 0.25;
-    Decision sent;
-    sent.outcome = result.outcome;
-    sent.command = result.command;
-    drive_on(now, base, sent, 5, [](int) {});
+    drive_on(now, base, result.command, 5, [](int) {});
     now.velocity = lie({base.velocity().v, base.velocity().omega}, now.pose.theta);
     course.time += now.period;
   }

@@ -8,6 +8,7 @@
 #include "fuzz/require.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner::fuzz {
 namespace {
@@ -55,14 +56,9 @@ Parameters parameters_of(Input& input) {
 
 // Round or with up to eight corners; one in eight numbers is anything.
 Polygon outline_of(Input& input) {
-  Polygon outline;
-  if (input.flag()) {
-    const double radius = input.number(0.1, 0.5);
-    for (int k = 0; k < 16; ++k)
-      outline.emplace_back(radius * std::cos(k * M_PI / 8.0), radius * std::sin(k * M_PI / 8.0));
-    return outline;
-  }
+  if (input.flag()) return test::round_outline(input.number(0.1, 0.5));
   if (input.flag()) return {{0.25, 0.2}, {-0.25, 0.2}, {-0.25, -0.2}, {0.25, -0.2}};
+  Polygon outline;
   for (int k = input.integer(0, 8); k > 0; --k) {
     const double x = input.number(-0.6, 0.6), y = input.number(-0.6, 0.6);
     outline.emplace_back(x, y);

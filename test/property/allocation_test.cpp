@@ -14,6 +14,7 @@
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/allocation_counter.hpp"
 #include "support/random_scene.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -37,9 +38,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 Polygon outline_of(Body body) {
   if (body == Body::polygon) return {{0.21, 0.165}, {-0.21, 0.165}, {-0.21, -0.165}, {0.21, -0.165}};
-  Polygon corners;  // as costmap_2d makes them of robot_radius
-  for (int i = 0; i < 16; ++i) corners.emplace_back(0.2 * std::cos(M_PI * i / 8.0), 0.2 * std::sin(M_PI * i / 8.0));
-  return corners;
+  return test::round_outline(0.2);
 }
 
 // Default parameters with fewer samples. Some robots stand in collision, for the outline is not the scene's

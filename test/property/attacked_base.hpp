@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hidwa_local_planner/core/types.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner::test {
 
@@ -79,14 +80,5 @@ class AttackedBase {
   Twist2 wanted_, rate_;
   std::deque<std::pair<double, Twist2>> sent_;
 };
-
-/// With this radius, as costmap_2d makes it of robot_radius [m].
-inline Polygon round_outline(double radius) {
-  Polygon corners;
-  for (int i = 0; i < 16; ++i) {
-    corners.emplace_back(radius * std::cos(M_PI * i / 8), radius * std::sin(M_PI * i / 8));
-  }
-  return corners;
-}
 
 }  // namespace hidwa_local_planner::test

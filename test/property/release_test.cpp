@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "control/control_loop.hpp"
-#include "hidwa_local_planner/critics/built_in.hpp"
 #include "input/operator_state_machine.hpp"
 #include "input/stick_reading.hpp"
+#include "support/round_outline.hpp"
+#include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -37,68 +37,56 @@ struct Step {
 // A straight plan along +x, a rolling empty map of 9 x 9 m, a stick that repeats at 20 Hz.
 class Drive {
  public:
-  explicit Drive(const Case& c) : loop_(critics::built_in()) {
-    p_.max_vel_x = c.v_max;
-    EXPECT_TRUE(loop_.configure(p_).empty());
-    machine_.configure(p_);
-    Polygon outline;
-    for (int i = 0; i < 16; ++i) outline.emplace_back(0.3 * std::cos(M_PI * i / 8), 0.3 * std::sin(M_PI * i / 8));
-    loop_.set_footprint(outline);
+  explicit Drive(const Case& c) : scene_(begin(c)) {
+    machine_.configure(parameters());
     // p^2 max_vel_theta = omega_h.
-    deflection_ = static_cast<float>(std::copysign(std::sqrt(std::abs(c.omega_h) / p_.max_vel_theta), c.omega_h));
-    std::vector<Pose2> plan;
-    for (int i = 0; i <= 1200; ++i) plan.push_back({0.05 * i, 0.0, 0.0});
-    loop_.set_plan(plan, "map", 0.0, kPeriod);
-    costs_.assign(kCells * kCells, cost::kFree);
-    pose_.x = 1.0;
+    deflection_ =
+        static_cast<float>(std::copysign(std::sqrt(std::abs(c.omega_h) / parameters().max_vel_theta), c.omega_h));
   }
 
   std::vector<Step> run() {
     std::vector<Step> steps;
-    for (int k = 0; k * kPeriod < kEnd; ++k) steps.push_back(cycle(k * kPeriod));
+    while (scene_.situation.time < kEnd) steps.push_back(cycle());
     return steps;
   }
-  const Parameters& parameters() const { return p_; }
+  const Parameters& parameters() const { return scene_.parameters; }
 
  private:
-  static constexpr int kCells = 180;
+  static test::Scene begin(const Case& c) {
+    test::Scene scene = test::Scene::empty(180);
+    scene.parameters = Parameters();
+    scene.parameters.max_vel_x = c.v_max;
+    scene.outline = test::round_outline(0.3);
+    Situation& now = scene.situation;
+    now.plan.clear();
+    for (int i = 0; i <= 1200; ++i) now.plan.push_back({0.05 * i, 0.0, 0.0});
+    now.goal = now.plan.back();
+    now.pose.x = 1.0;
+    return scene;
+  }
 
-  Step cycle(double now) {
+  Step cycle() {
+    const Situation& now = scene_.situation;
     input::StickMessage message;
-    message.received = now - 0.01;
-    const bool pressed = now > kPressed - 1e-9 && now < kReleased - 1e-9;
+    message.received = now.time - 0.01;
+    const bool pressed = now.time > kPressed - 1e-9 && now.time < kReleased - 1e-9;
     message.axes = {pressed ? deflection_ : 0.0F, 0.0F};
     EXPECT_EQ(machine_.receive(message), "");
 
-    control::Observation seen;
-    seen.timing = {now, kPeriod, kPeriod, kPeriod, false};
-    seen.pose = pose_;
-    seen.velocity = u_;
-    seen.costmap = {costs_.data(),
-                    kCells,
-                    kCells,
-                    0.05,
-                    std::floor(pose_.x / 0.05) * 0.05 - 4.5,
-                    std::floor(pose_.y / 0.05) * 0.05 - 4.5};
+    test::follow_robot(scene_);
     if (loop_.goal_begins()) machine_.new_goal();
-    const control::Result result = loop_.step(seen, machine_.update(now));
-    machine_.debrief(now, result.feedback);
-    const Step step{now, result.intent.state, result.outcome, u_, result.command, pose_};
-    u_ = result.command;
-    const double middle = pose_.theta + 0.5 * u_.omega * kPeriod;
-    pose_.x += u_.v * std::cos(middle) * kPeriod;
-    pose_.y += u_.v * std::sin(middle) * kPeriod;
-    pose_.theta += u_.omega * kPeriod;
+    scene_.intent = machine_.update(now.time);
+    const control::Result result = loop_.cycle();
+    machine_.debrief(now.time, result.feedback);
+    const Step step{now.time, result.intent.state, result.outcome, now.velocity, result.command, now.pose};
+    test::carry_out(scene_, result.command);
     return step;
   }
 
-  Parameters p_;
+  test::Scene scene_;
+  test::SceneLoop loop_{scene_};
   input::OperatorStateMachine machine_;
-  control::ControlLoop loop_;
   float deflection_ = 0.0F;
-  std::vector<std::uint8_t> costs_;
-  Pose2 pose_;
-  Twist2 u_;
 };
 
 class Release : public ::testing::TestWithParam<Case> {};

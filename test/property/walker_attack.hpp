@@ -14,6 +14,7 @@
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/random.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner::test::walkers {
 
@@ -89,7 +90,7 @@ class World {
     Polygon outline;
     Shape shape;
     if (kind < 1.0) {
-      for (int i = 0; i < 16; ++i) outline.emplace_back(0.25 * std::cos(M_PI * i / 8), 0.25 * std::sin(M_PI * i / 8));
+      outline = round_outline(0.25);
       shape.radius = 0.25;
     } else {
       const double front = kind < 2.0 ? 0.25 : 0.6, rear = kind < 2.0 ? 0.25 : 0.1, side = kind < 2.0 ? 0.2 : 0.25;

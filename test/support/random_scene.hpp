@@ -10,6 +10,7 @@
 #include "support/naive_collision.hpp"
 #include "support/naive_inflation.hpp"
 #include "support/random.hpp"
+#include "support/round_outline.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
@@ -21,15 +22,6 @@ inline double inside_cell(double value) {
   const double cell = std::floor(value / kSceneResolution);
   const double offset = std::round((value - cell * kSceneResolution) * 1024.0);  // in [0, 64]
   return cell * kSceneResolution + std::min(std::max(offset, 4.0), 60.0) / 1024.0;
-}
-
-inline Polygon random_circle_outline(Random& random) {
-  const double radius = random.uniform(0.12, 0.3);
-  Polygon corners;  // as costmap_2d makes them of robot_radius
-  for (int i = 0; i < 16; ++i) {
-    corners.emplace_back(radius * std::cos(M_PI * i / 8.0), radius * std::sin(M_PI * i / 8.0));
-  }
-  return corners;
 }
 
 /// Corners on an ellipse: convex. The origin lies well inside.
@@ -59,7 +51,7 @@ inline Polygon random_star_outline(Random& random) {
 
 inline Polygon random_outline(Random& random) {
   const double kind = random.uniform(0.0, 1.0);
-  if (kind < 0.35) return random_circle_outline(random);
+  if (kind < 0.35) return round_outline(random.uniform(0.12, 0.3));
   return kind < 0.7 ? random_convex_outline(random) : random_star_outline(random);
 }
 

@@ -52,7 +52,7 @@ class TileFiller {
     }
     if (reach > reach_ || distance(start, centre_) > 0.0) look_around(start, 1.5 * reach + 0.5);
     tile.cells = classes_.under(tile);
-    surroundings_.begin(tile);
+    tile.surroundings = &surroundings_;
   }
 
  private:

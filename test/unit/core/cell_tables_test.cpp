@@ -2,6 +2,7 @@
 // Tables of cells that are made and read many at a time, against one cell or one pose at a time.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -11,7 +12,7 @@
 #include "core/collision/bit_grid.hpp"
 #include "core/collision/cell_classes.hpp"
 #include "core/collision/collision.hpp"
-#include "core/distance/end_cells.hpp"
+#include "core/distance/cell_index.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"
@@ -173,32 +174,32 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
   for (const int often : {open, near, hit, blocked}) EXPECT_GT(often, 100);
 }
 
-TEST(EndCells, AreThoseOfThePointsAhead) {
+TEST(FindCells, AreThoseOfThePointsAhead) {
   Random random(3);
   int outside = 0, inside = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Scene scene = test::random_scene(seed);
     SceneRollout cycle(scene);
-    EndCells ends;
     const kernel::CellBox box{random.integer(-3, 10), random.integer(-3, 10), random.integer(5, 60),
                               random.integer(5, 60)};
     for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
       const Tile tile = cycle.rollout.tile(t);
-      ends.forget();
-      // More distances than are kept, each asked for twice.
-      for (const double forward : {0.0, 0.325, 0.0, 0.1, 0.2, 0.3, 0.4, 0.325, 0.0}) {
-        const EndCells::Cells cells = ends.of(cycle.grid, box, tile, forward);
+      const std::size_t row = tile.steps * tile.stride;
+      for (const double forward : {0.0, 0.1, 0.325}) {
+        std::vector<std::int32_t> at_i(tile.count), at_j(tile.count);
+        kernel::find_cells(cycle.grid, box, tile.x + row, tile.y + row, forward * tile.cos_heading[tile.steps],
+                           forward * tile.sin_heading[tile.steps], tile.count, at_i.data(), at_j.data());
         for (std::size_t c = 0; c < tile.count; ++c) {
           const Pose2 last = tile.last_pose(c);
           const Cell cell = cycle.grid.cell_at(last.x + forward * tile.cos_heading[tile.steps],
                                                last.y + forward * tile.sin_heading[tile.steps]);
           const int i = cell.i - box.i, j = cell.j - box.j;
           const bool in_box = i >= 0 && i < box.width && j >= 0 && j < box.height;
-          ASSERT_EQ(cells.i[c] >= 0, in_box);
+          ASSERT_EQ(at_i[c] >= 0, in_box);
           ++(in_box ? inside : outside);
           if (!in_box) continue;
-          ASSERT_EQ(cells.i[c], i);
-          ASSERT_EQ(cells.j[c], j);
+          ASSERT_EQ(at_i[c], i);
+          ASSERT_EQ(at_j[c], j);
         }
       }
     }

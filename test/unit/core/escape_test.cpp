@@ -8,6 +8,7 @@
 
 #include "core/collision/admissibility.hpp"
 #include "core/motion/rollout.hpp"
+#include "support/round_outline.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner {
@@ -219,8 +220,7 @@ TEST(EscapeRule, DepthsOfSeparateObstaclesAddUp) {
 // A person may have it stand, and turn where that is no deeper; autonomy gets out.
 TEST(EscapeRule, APersonMayHaveItStandAndTurn) {
   Scene scene = square();
-  scene.outline.clear();
-  for (int i = 0; i < 16; ++i) scene.outline.push_back({0.2 * std::cos(i * M_PI / 8), 0.2 * std::sin(i * M_PI / 8)});
+  scene.outline = test::round_outline(0.2);
   scene.fill(0.1, -9.0, 9.0, 9.0);  // from x = 0.125 on: 75 mm deep
   Caught person(scene, {0.0, 0.0, 0.0}, true), autonomy(scene, {0.0, 0.0, 0.0});
   EXPECT_TRUE(person.may({}));
@@ -234,8 +234,7 @@ TEST(EscapeRule, APersonMayHaveItStandAndTurn) {
 // A disc whose outline is free, its centre's cell inscribed by rounding: it drives as ever, but touches nothing.
 TEST(EscapeRule, AnInscribedCentreIsNoOverlap) {
   Scene scene = square();
-  scene.outline.clear();
-  for (int i = 0; i < 16; ++i) scene.outline.push_back({0.2 * std::cos(i * M_PI / 8), 0.2 * std::sin(i * M_PI / 8)});
+  scene.outline = test::round_outline(0.2);
   scene.fill(-9.0, 0.2, 9.0, 9.0);
   scene.at({60, 60}) = cost::kInscribed;
   Caught robot(scene, {0.0, 0.024, 0.0});  // 1 mm beside the wall

@@ -10,17 +10,12 @@
 #include "core/util/convex_hull.hpp"
 #include "support/naive_padding.hpp"
 #include "support/random_scene.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
-Polygon round_outline(int corners, double radius) {
-  Polygon outline;
-  for (int i = 0; i < corners; ++i) {
-    outline.emplace_back(radius * std::cos(2.0 * M_PI * i / corners), radius * std::sin(2.0 * M_PI * i / corners));
-  }
-  return outline;
-}
+using test::round_outline;
 
 TEST(FootprintRadii, RectangleAroundTheOrigin) {
   const Footprint f(Polygon{{0.3, 0.2}, {-0.4, 0.2}, {-0.4, -0.2}, {0.3, -0.2}});
@@ -58,13 +53,13 @@ TEST(FootprintRadii, EmptyAndCircle) {
 }
 
 TEST(FootprintCircle, TheHostsSixteenCornersAreACircle) {
-  const Footprint f = Footprint::from_outline(round_outline(16, 0.3), 0.02);
+  const Footprint f = Footprint::from_outline(round_outline(0.3), 0.02);
   ASSERT_TRUE(f.is_circle());
   EXPECT_DOUBLE_EQ(f.radius(), 0.32);
 }
 
 TEST(FootprintCircle, PaddedCoordinateByCoordinateAsTheHostDoes) {
-  Polygon outline = round_outline(16, 0.3);
+  Polygon outline = round_outline(0.3);
   for (Point& p : outline) p += Point(std::copysign(0.01, p.x()), std::copysign(0.01, p.y()));
   const Footprint f = Footprint::from_outline(outline, 0.0);
   ASSERT_TRUE(f.is_circle());
@@ -73,8 +68,8 @@ TEST(FootprintCircle, PaddedCoordinateByCoordinateAsTheHostDoes) {
 }
 
 TEST(FootprintCircle, FewOrUnevenCornersAreAPolygon) {
-  EXPECT_FALSE(Footprint::from_outline(round_outline(8, 0.3), 0.0).is_circle());
-  Polygon outline = round_outline(16, 0.3);
+  EXPECT_FALSE(Footprint::from_outline(round_outline(0.3, 8), 0.0).is_circle());
+  Polygon outline = round_outline(0.3);
   outline[3] *= 1.05;
   EXPECT_FALSE(Footprint::from_outline(outline, 0.0).is_circle());
 }
@@ -273,16 +268,16 @@ TEST(FootprintFault, NamesTheThingAndTheRemedy) {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(fault({{0.3, 0.2}, {-0.3, 0.2}, {0.0, -0.2}}, 0.0), "");
-  EXPECT_EQ(fault(round_outline(16, 0.3), 0.1), "");
+  EXPECT_EQ(fault(round_outline(0.3), 0.1), "");
   EXPECT_NE(fault({}, 0.1).find("robot_radius"), std::string::npos);
   EXPECT_NE(fault({{0.3, 0.2}, {nan, 0.2}, {0.0, -0.2}}, 0.1).find("not a number"), std::string::npos);
   EXPECT_NE(fault({{0.3, 0.2}, {-inf, 0.2}, {0.0, -0.2}}, 0.1).find("not a number"), std::string::npos);
-  Polygon round = round_outline(16, 0.3);
+  Polygon round = round_outline(0.3);
   round[5].x() = nan;
   EXPECT_NE(fault(round, 0.0).find("not a number"), std::string::npos);
   for (const double far : {21.0, 100.0, 1e300}) {
     EXPECT_NE(fault({{far, 0.0}, {0.0, far}, {0.0, 0.0}}, 0.1).find("20 m"), std::string::npos) << far;
-    EXPECT_NE(fault(round_outline(16, far), 0.1).find("20 m"), std::string::npos) << far;
+    EXPECT_NE(fault(round_outline(far), 0.1).find("20 m"), std::string::npos) << far;
   }
   EXPECT_NE(fault({{0.3, 0.0}, {-0.3, 0.0}}, 0.0).find("footprint_padding"), std::string::npos);
   EXPECT_EQ(fault({{0.3, 0.0}, {-0.3, 0.0}}, 0.01), "");

@@ -531,7 +531,6 @@ TEST(ExplainedCell, LeavesTheMapAsIfNobodyHadBeenThere) {
     test::inflate(peopled, 0.2, 0.55, 4.0);
     ExplainedCells cells;
     const GridView seen = cells.without(peopled.grid(), {mover}, {});
-    EXPECT_EQ(cells.count(), 12U);
     int different = 0;
     for (std::size_t c = 0; c < empty.costs.size(); ++c) different += seen.costs[c] != empty.costs[c];
     EXPECT_EQ(different, 0) << k;
@@ -552,12 +551,11 @@ TEST(ExplainedCell, WhatTheDiscDoesNotCoverStays) {
   EXPECT_EQ(cells.without(grid, {mover}, {}).costs, scene.costs.data());
   mover.position_deviation = 0.009;  // 0.327; the cells around (0.30, +-0.05) end hypot(0.325, 0.075) = 0.3335 away
   GridView seen = cells.without(grid, {mover}, {});
-  EXPECT_EQ(cells.count(), 1U);
   EXPECT_LT(seen.at(grid.cell_at(0.30, 0.0)), cost::kLethal);
   EXPECT_EQ(seen.at(grid.cell_at(0.30, 0.05)), cost::kLethal);
   mover.position_deviation = 0.012;  // 0.336
   seen = cells.without(grid, {mover}, {});
-  EXPECT_EQ(cells.count(), 3U);
+  EXPECT_LT(seen.at(grid.cell_at(0.30, 0.05)), cost::kLethal);
   EXPECT_EQ(seen.at(grid.cell_at(0.35, 0.0)), cost::kLethal);
   Parameters p;
   p.moving_obstacle_deviations = 1.0;  // 0.312
@@ -573,11 +571,9 @@ TEST(ExplainedCell, TheDiscIsWhereTheMoverIsByNow) {
   Parameters p;
   p.moving_obstacle_acc = 1.5;
   ExplainedCells cells;
-  cells.without(scene.grid(), {mover}, p);
-  EXPECT_EQ(cells.count(), 1U);
+  EXPECT_LT(cells.without(scene.grid(), {mover}, p).at(scene.grid().cell_at(0.30, 0.0)), cost::kLethal);
   mover.age = 0.1;  // hypot(0.325 + 0.1, 0.025) = 0.426 from where it is, and 0.33 + 1.5 * 0.1 * 0.1 / 2 = 0.338
-  cells.without(scene.grid(), {mover}, p);
-  EXPECT_EQ(cells.count(), 0U);
+  EXPECT_EQ(cells.without(scene.grid(), {mover}, p).costs, scene.costs.data());
 }
 
 }  // namespace

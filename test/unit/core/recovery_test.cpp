@@ -12,6 +12,7 @@
 #include "support/naive_inflation.hpp"
 #include "support/naive_planner.hpp"
 #include "support/planner_bench.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -28,10 +29,7 @@ bool drives_on_a_way(const Decision& decision) { return decision.recovering && !
 Scene round_robot() {
   Scene scene = Scene::empty(81, 0.05);
   scene.parameters = Parameters();
-  scene.outline.clear();
-  for (int i = 0; i < 16; ++i) {
-    scene.outline.push_back({kRadius * std::cos(i * M_PI / 8.0), kRadius * std::sin(i * M_PI / 8.0)});
-  }
+  scene.outline = test::round_outline(kRadius);
   return scene;
 }
 

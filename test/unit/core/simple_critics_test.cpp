@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/critic_bench.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -127,8 +128,7 @@ TEST(ObstacleFootprint, FromWithinAnObstacleItLetsOutWhereEscapeIsOn) {
 
 TEST(ObstacleFootprint, ACircleHasAnOutlineToo) {
   Scene scene = Scene::empty();
-  scene.outline.clear();
-  for (int i = 0; i < 16; ++i) scene.outline.emplace_back(0.2 * std::cos(M_PI * i / 8), 0.2 * std::sin(M_PI * i / 8));
+  scene.outline = test::round_outline(0.2);
   scene.at({30, 38}) = cost::kLethal;  // from y = 0.375 on
   CriticBench bench("ObstacleFootprint", scene);
   bench.prepare();

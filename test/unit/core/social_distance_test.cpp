@@ -9,6 +9,7 @@
 #include "support/naive_social_distance.hpp"
 #include "support/planner_bench.hpp"
 #include "support/random.hpp"
+#include "support/round_outline.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -78,11 +79,7 @@ TEST(SocialDistances, AreWhatASlowTwinSaysOfEveryCandidate) {
     double off = 0.0, sum = 0.0;
     for (int k = 0; k < 25; ++k) {
       Scene scene = Scene::empty(121);
-      if (circle) {
-        scene.outline.clear();
-        for (int i = 0; i < 16; ++i)
-          scene.outline.emplace_back(0.25 * std::cos(M_PI * i / 8), 0.25 * std::sin(M_PI * i / 8));
-      }
+      if (circle) scene.outline = test::round_outline(0.25);
       scene.situation.velocity = scene.situation.last_command = {random.uniform(0.0, 0.4), random.uniform(-0.5, 0.5)};
       for (int j = 0; j < 3; ++j) {
         const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.9, 2.0);

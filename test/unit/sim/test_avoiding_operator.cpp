@@ -2,102 +2,13 @@
 #include "sim/avoiding_operator.hpp"
 
 #include <cmath>
-#include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "stand_in.hpp"
-
 namespace hidwa_local_planner {
 namespace sim {
 namespace {
-
-/// The office and the way through it, made once.
-class Office : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    map_ = std::make_shared<OccupancyMap>(load_map(HIDWA_MAPS_DIR "/office.yaml"));
-    file_ = load_regions(HIDWA_MAPS_DIR "/office_regions.yaml");
-    routes_ = std::make_unique<GridRoute>(*map_, RouteClearance(), goal());
-  }
-  static void TearDownTestSuite() {
-    map_.reset();
-    routes_.reset();
-  }
-
-  static Eigen::Vector2d goal() { return {file_.goal->x, file_.goal->y}; }
-
-  static World make_world(double latency = 0.0) {
-    WorldSetup setup;
-    setup.map = map_;
-    setup.regions = file_.regions;
-    setup.footprint = circle_polygon(0.3, 16);
-    setup.start = *file_.start;
-    setup.limits.latency = latency;
-    return World(setup);
-  }
-
-  static DriveResult drive_avoiding(World& world, const RobotHabits& robot, const RobotHabits& believed,
-                                    std::uint64_t seed) {
-    AvoidingOperator person(OperatorTraits(), believed, *map_, file_.regions, seed);
-    return drive(
-        world, *routes_, goal(), robot, person, [&](const Route& plan) { person.set_plan(plan); }, 400.0);
-  }
-
-  static std::shared_ptr<OccupancyMap> map_;
-  static RegionsFile file_;
-  static std::unique_ptr<GridRoute> routes_;
-};
-
-std::shared_ptr<OccupancyMap> Office::map_;
-RegionsFile Office::file_;
-std::unique_ptr<GridRoute> Office::routes_;
-
-TEST_F(Office, TheAutonomyAloneCrossesRegions) {
-  World world = make_world();
-  AbsentOperator nobody;
-  const DriveResult result = drive(
-      world, *routes_, goal(), RobotHabits(), nobody, [](const Route&) {}, 400.0);
-  EXPECT_TRUE(result.arrived);
-  EXPECT_EQ(world.contacts(), 0);
-  EXPECT_GE(world.regions().crossed(), 3);
-  EXPECT_EQ(result.active, 0.0);
-}
-
-TEST_F(Office, ThePersonKeepsItOutOfAllRegions) {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    World world = make_world();
-    const DriveResult result = drive_avoiding(world, RobotHabits(), RobotHabits(), seed);
-    EXPECT_TRUE(result.arrived) << seed;
-    EXPECT_EQ(world.contacts(), 0) << seed;
-    EXPECT_EQ(world.regions().crossed(), 0) << seed;
-    // Help, not driving: some 4 regions of a few seconds each.
-    EXPECT_GT(result.active, 4.0) << seed;
-    EXPECT_LT(result.active, 0.3 * world.time()) << seed;
-  }
-}
-
-TEST_F(Office, ARobotSomewhatOtherThanThoughtIsMasteredToo) {
-  RobotHabits robot;
-  robot.hold_time = 1.0;
-  robot.pursuit = 0.4;
-  robot.max_vel_theta = 0.9;
-  World world = make_world(0.15);
-  const DriveResult result = drive_avoiding(world, robot, RobotHabits(), 9);
-  EXPECT_TRUE(result.arrived);
-  EXPECT_EQ(world.contacts(), 0);
-  EXPECT_EQ(world.regions().crossed(), 0);
-}
-
-TEST_F(Office, SameSeedSameDrive) {
-  std::vector<double> sticks[2];
-  for (std::vector<double>& s : sticks) {
-    World world = make_world();
-    s = drive_avoiding(world, RobotHabits(), RobotHabits(), 3).sticks;
-  }
-  EXPECT_EQ(sticks[0], sticks[1]);
-}
 
 /// A hall with one region ahead of a straight plan along x at y = 5.
 class Hall : public ::testing::Test {

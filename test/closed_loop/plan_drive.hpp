@@ -9,12 +9,10 @@
 #include <limits>
 #include <vector>
 
-#include <gtest/gtest.h>
-
-#include "control/control_loop.hpp"
-#include "hidwa_local_planner/critics/built_in.hpp"
+#include "drive_on.hpp"
 #include "support/drive_limits.hpp"
-#include "support/scene.hpp"
+#include "support/naive_inflation.hpp"
+#include "support/scene_loop.hpp"
 
 namespace hidwa_local_planner::test {
 
@@ -76,13 +74,7 @@ struct PlanCourse {
 
 class PlanDrive {
  public:
-  static constexpr double kPeriod = 0.05;  // [s]
-
-  explicit PlanDrive(const Parameters& parameters = {})
-      : parameters_(parameters), loop_(critics::built_in()), base_(limits_of(parameters)) {
-    EXPECT_EQ(loop_.configure(parameters_), std::vector<std::string>{});
-    loop_.set_footprint({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
-  }
+  explicit PlanDrive(const Parameters& parameters = {}) : scene_(begin(parameters)), base_(limits_of(parameters)) {}
 
   /// The host plans, whenever it likes. Called before each cycle.
   std::function<void(PlanDrive&)> host;
@@ -91,76 +83,60 @@ class PlanDrive {
   /// Whether a cell is lethal [m].
   std::function<bool(double, double)> obstacle;
 
-  void plan(PlanShape shape) { loop_.set_plan(std::move(shape), "map", now_, kPeriod); }
-  const Pose2& pose() const { return pose_; }
-  double time() const { return now_ - 1.0; }
-  control::ControlLoop& loop() { return loop_; }
-  void put(const Pose2& pose) { pose_ = pose; }
+  void plan(PlanShape shape) {
+    scene_.situation.goal = shape.back();
+    scene_.situation.plan = std::move(shape);
+    loop_.plan();
+  }
+  const Pose2& pose() const { return scene_.situation.pose; }
+  double time() const { return scene_.situation.time - 1.0; }
+  void put(const Pose2& pose) { scene_.situation.pose = pose; }
 
   PlanCourse run(double longest) {
     PlanCourse course;
     while (time() < longest) {
-      course.track.push_back(pose_);
+      course.track.push_back(pose());
       if (host) host(*this);
-      const control::Observation seen = observe();
-      course.arrived = loop_.goal_reached(seen, false);
+      surround();
+      course.arrived = loop_.goal_reached();
       course.duration = time();
       if (course.arrived) break;
       if (loop_.goal_begins()) ++course.new_goals;
-      const control::Result result = loop_.step(seen, wants ? wants(*this) : OperatorIntent());
+      scene_.intent = wants ? wants(*this) : OperatorIntent();
+      const control::Result result = loop_.cycle();
       if (result.feedback.new_goal) ++course.new_goals;
       course.failures += result.outcome == Outcome::fail ? 1 : 0;
-      base_.command({result.command.v, result.command.omega}, now_);
-      for (int k = 0; k < 5; ++k) {
-        const sim::Pose next = sim::moved({pose_.x, pose_.y, pose_.theta}, base_.step(now_ + 0.01 * k, 0.01));
-        pose_ = {next.x, next.y, next.theta};
-      }
-      now_ += kPeriod;
+      drive_on(scene_.situation, base_, result.command, 5, [](int) {});
+      scene_.situation.velocity = {base_.velocity().v, base_.velocity().omega};
     }
     return course;
   }
 
  private:
-  static constexpr int kCells = 160;
-
-  control::Observation observe() {
-    control::Observation seen;
-    seen.timing = {now_, kPeriod, kPeriod, kPeriod, false};
-    seen.pose = pose_;
-    seen.velocity = Twist2{base_.velocity().v, base_.velocity().omega};
-    const double x = (std::floor(pose_.x / 0.05) - kCells / 2) * 0.05,
-                 y = (std::floor(pose_.y / 0.05) - kCells / 2) * 0.05;
-    costs_.assign(static_cast<std::size_t>(kCells) * kCells, cost::kFree);
-    seen.costmap = {costs_.data(), kCells, kCells, 0.05, x, y};
-    if (!obstacle) return seen;
-    for (int j = 0; j < kCells; ++j) {
-      for (int i = 0; i < kCells; ++i) {
-        const Point centre = seen.costmap.centre({i, j});
-        if (obstacle(centre.x(), centre.y())) {
-          mark(i, j);
-        }
-      }
-    }
-    return seen;
-  }
-  // With the cells in which the robot's centre would collide.
-  void mark(int i, int j) {
-    constexpr int kInscribed = 4;
-    for (int y = std::max(0, j - kInscribed); y <= std::min(kCells - 1, j + kInscribed); ++y) {
-      for (int x = std::max(0, i - kInscribed); x <= std::min(kCells - 1, i + kInscribed); ++x) {
-        std::uint8_t& at = costs_[static_cast<std::size_t>(y * kCells + x)];
-        if ((x - i) * (x - i) + (y - j) * (y - j) <= kInscribed * kInscribed) at = std::max(at, cost::kInscribed);
-      }
-    }
-    costs_[static_cast<std::size_t>(j * kCells + i)] = cost::kLethal;
+  static Scene begin(const Parameters& parameters) {
+    Scene scene = Scene::empty(160);
+    scene.parameters = parameters;
+    scene.situation.plan.clear();
+    scene.situation.time = 1.0;
+    return scene;
   }
 
-  Parameters parameters_;
-  control::ControlLoop loop_;
+  void surround() {
+    follow_robot(scene_);
+    if (!obstacle) return;
+    scene_.costs.assign(scene_.costs.size(), cost::kFree);
+    for (int j = 0; j < scene_.size_y; ++j) {
+      for (int i = 0; i < scene_.size_x; ++i) {
+        const Point centre = scene_.grid().centre({i, j});
+        if (obstacle(centre.x(), centre.y())) scene_.at({i, j}) = cost::kLethal;
+      }
+    }
+    inflate(scene_, 0.2, 0.2, 0.0);
+  }
+
+  Scene scene_;
+  SceneLoop loop_{scene_};
   sim::DiffDrive base_;
-  Pose2 pose_;
-  double now_ = 1.0;  // [s]
-  std::vector<std::uint8_t> costs_;
 };
 
 }  // namespace hidwa_local_planner::test

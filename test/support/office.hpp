@@ -9,8 +9,8 @@
 
 namespace hidwa_local_planner::test {
 
-/// The demo's drive, in the default profile.
-inline drive::DriveSetup office() {
+/// The demo's drive, in the default profile, with nobody on board. The base has this latency [s].
+inline drive::DriveSetup office(double latency = 0.05) {
   const std::string folder = HIDWA_MAPS;
   drive::DriveSetup setup;
   setup.ground =
@@ -21,7 +21,7 @@ inline drive::DriveSetup office() {
   setup.goal = *regions.goal;
   setup.footprint = drive::telepresence_footprint();
   setup.outline = drive::circle_outline(0.30, 0.01);
-  setup.limits.latency = 0.05;
+  setup.limits.latency = latency;
   setup.laser.noise = 0.01;
   return setup;
 }
