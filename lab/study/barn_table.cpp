@@ -23,11 +23,6 @@ std::vector<double> barn_merit(const Group& group) {
   return {group.mean("contacts"), -group.mean("metric"), -group.mean("success")};
 }
 
-nlohmann::json barn_ranked(const Group& group) {
-  return {group.mean("success"), group.mean("collision"), group.mean("timeout"), group.time_of_successes(),
-          group.mean("metric")};
-}
-
 std::string barn_line(const Group& group) {
   return group.name() + format(
                             ": n %zu, success %.3f, collision %.3f, timeout %.3f, %.1f s, metric %.3f, contacts %ld, "
@@ -52,7 +47,6 @@ Tables barn_tables() {
   tables.figures = barn_figures;
   tables.merit = barn_merit;
   tables.ranked = {"success", "collision", "timeout", "time_of_successes", "metric"};
-  tables.ranked_values = barn_ranked;
   tables.digest_line = barn_line;
   return tables;
 }

@@ -34,11 +34,6 @@ std::vector<double> encounter_merit(const Group& group) {
   return {group.share("touched_moving"), -group.mean("success"), group.mean("time")};
 }
 
-nlohmann::json encounter_ranked(const Group& group) {
-  return {group.mean("success"), group.share("touched_moving"), group.share("touched_at_rest"), group.mean("timeout"),
-          group.time_of_successes()};
-}
-
 std::string encounter_line(const Group& group) {
   return group.name() +
          format(
@@ -76,7 +71,6 @@ Tables encounter_tables() {
   tables.figures = encounter_figures;
   tables.merit = encounter_merit;
   tables.ranked = {"success", "touched_moving", "touched_at_rest", "timeout", "time_of_successes"};
-  tables.ranked_values = encounter_ranked;
   tables.digest_line = encounter_line;
   return tables;
 }

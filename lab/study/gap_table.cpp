@@ -22,11 +22,6 @@ nlohmann::json gap_figures(const Group& group) {
 
 std::vector<double> gap_merit(const Group& group) { return {statistics(group.values("width")).mean}; }
 
-nlohmann::json gap_ranked(const Group& group) {
-  const Statistics width = statistics(group.values("width"));
-  return {width.min, width.mean, width.max};
-}
-
 std::string gap_line(const Group& group) {
   const Statistics width = statistics(group.values("width"));
   return format("%-7s  %.3f   %.3f   %.3f                  %.2f   %.3f  %.2f\n", group.names.front().c_str(),
@@ -47,7 +42,6 @@ Tables gap_tables() {
   tables.figures = gap_figures;
   tables.merit = gap_merit;
   tables.ranked = {"least", "mean", "most"};
-  tables.ranked_values = gap_ranked;
   tables.digest_head = "outline  padded  cells   noise   narrowest gap: least  mean   most [m]\n";
   tables.digest_line = gap_line;
   return tables;

@@ -119,7 +119,10 @@ std::string ranking_csv(const Tables& tables, const Plan& plan, const std::vecto
   int rank = 0;
   for (const Group& group : ranked) {
     csv += std::to_string(++rank) + ',' + to_line(group.names) + ',' + std::to_string(group.rows.size());
-    for (const nlohmann::json& figure : tables.ranked_values(group)) {
+    nlohmann::json figures = tables.figures(group);
+    figures.update(tables.only_ranked(group));
+    for (const std::string& name : tables.ranked) {
+      const nlohmann::json& figure = figures.at(name);
       csv += ',' + (figure.is_number_float() ? number(figure.get<double>()) : figure.dump());
     }
     csv += '\n';

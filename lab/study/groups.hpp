@@ -51,8 +51,9 @@ struct Tables {
   std::function<nlohmann::json(const Group&)> figures;     // in summary.json, by name
   std::function<std::vector<double>(const Group&)> merit;  // the least comes first in ranking.csv
   std::vector<std::string> ranked;                         // names of the figures there
-  std::function<nlohmann::json(const Group&)> ranked_values;  // those figures, a list
-  std::string digest_head;                                    // what is told at the end, before the lines of the groups
+  // Figures there that summary.json does not have, by name.
+  std::function<nlohmann::json(const Group&)> only_ranked = [](const Group&) { return nlohmann::json::object(); };
+  std::string digest_head;  // what is told at the end, before the lines of the groups
   std::function<std::string(const Group&)> digest_line;
 };
 

@@ -32,10 +32,7 @@ std::vector<double> passage_merit(const Group& group) {
   return {group.mean("contacts"), -group.mean("steady"), group.mean("duration")};
 }
 
-nlohmann::json passage_ranked(const Group& group) {
-  return {group.count("arrived"), group.mean("steady"), group.mean("duration"), group.mean("stops"),
-          most(group, "longest_stand")};
-}
+nlohmann::json passage_ranked(const Group& group) { return {{"steady", group.mean("steady")}}; }
 
 std::string passage_line(const Group& group) {
   return group.name() +
@@ -59,7 +56,7 @@ Tables passage_tables() {
   tables.figures = passage_figures;
   tables.merit = passage_merit;
   tables.ranked = {"arrived", "steady", "duration", "mean_stops", "longest_stand"};
-  tables.ranked_values = passage_ranked;
+  tables.only_ranked = passage_ranked;
   tables.digest_line = passage_line;
   return tables;
 }

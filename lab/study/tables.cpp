@@ -26,9 +26,9 @@ std::vector<double> people_merit(const Group& group) {
 }
 
 nlohmann::json people_ranked(const Group& group) {
-  nlohmann::json figures = nlohmann::json::array({group.count("arrived")});
-  for (const std::string& measure : measures()) figures.push_back(group.mean(measure));
-  return figures;
+  nlohmann::json means = nlohmann::json::object();
+  for (const std::string& measure : measures()) means["mean_" + measure] = group.mean(measure);
+  return means;
 }
 
 std::string people_line(const Group& group) {
@@ -49,7 +49,7 @@ Tables people_tables() {
   tables.merit = people_merit;
   tables.ranked = {"arrived"};
   for (const std::string& measure : measures()) tables.ranked.push_back("mean_" + measure);
-  tables.ranked_values = people_ranked;
+  tables.only_ranked = people_ranked;
   tables.digest_line = people_line;
   return tables;
 }
