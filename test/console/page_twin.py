@@ -81,14 +81,15 @@ class Page:
         """Takes the controls, and centres the stick."""
         self.say('claim')
         await self.until(lambda: self.told_control.get('held'), 'the controls')
-        await self.centre(lambda: not self.told_control['neutral_needed'], 'a centred stick')
+        await self.hold(0.0, lambda: not self.told_control['neutral_needed'], 'a centred stick')
 
-    async def centre(self, condition, what):
-        """Says that the stick is centred until the condition holds: a message that is late does not count."""
+    async def hold(self, left, condition, what):
+        """Holds the stick there until the condition holds. On a slow machine single messages are late and do not count, and after
+        a longer pause the stick must be seen centred first."""
         deadline = time.monotonic() + PATIENCE
         while not condition():
             assert time.monotonic() < deadline, f'waited {PATIENCE:.0f} s for {what}'
-            self.stick(0.0)
+            self.stick(0.0 if self.told_control['neutral_needed'] else left)
             await asyncio.sleep(0.05)
 
     def cut(self):

@@ -108,7 +108,7 @@ class OnBoard(unittest.IsolatedAsyncioTestCase):
         if self.view.fields['mode'] != mode:
             self.a.say('mode', mode=mode)
             await until(lambda: self.view.fields['mode'] == mode and self.a.told_control['neutral_needed'], mode)
-            await self.hold(0.0, lambda: not self.a.told_control['neutral_needed'], 'a centred stick')
+            await self.a.hold(0.0, lambda: not self.a.told_control['neutral_needed'], 'a centred stick')
 
     async def drive(self):
         """Until the robot drives by itself."""
@@ -127,17 +127,8 @@ class OnBoard(unittest.IsolatedAsyncioTestCase):
             (page or self.a).stick(left, age=age)
             await asyncio.sleep(0.05)
 
-    async def hold(self, left, condition, what, page=None):
-        """Holds the stick there until the condition holds. On a slow machine single messages are late and do not count, and after
-        a longer pause the stick must be seen centred first."""
-        deadline = time.monotonic() + PATIENCE
-        while not condition():
-            self.assertLess(time.monotonic(), deadline, f'{what}; the state is {self.state()}')
-            needs = (page or self.a).told_control['neutral_needed']
-            await self.steer(0.0 if needs else left, 0.05, page)
-
     async def steer_until(self, left, state, page=None):
-        await self.hold(left, lambda: self.state() == state, state, page)
+        await (page or self.a).hold(left, lambda: self.state() == state, state)
 
 
 class Driving(OnBoard):
@@ -148,7 +139,7 @@ class Driving(OnBoard):
             await self.steer_until(left, 'SHARED')
             # dead zone 0.1, exponent 2, max_vel_theta 1 rad/s: 0.8^2 * 1 = 0.64 rad/s to that side.
             wanted = 0.64 if left > 0 else -0.64
-            await self.hold(left, lambda: abs(self.told('wanted', (0.0, 0.0))[1] - wanted) < 0.005, f'{wanted} rad/s')
+            await self.a.hold(left, lambda: abs(self.told('wanted', (0.0, 0.0))[1] - wanted) < 0.005, f'{wanted} rad/s')
             self.assertLessEqual({round(j.axes[0], 6) for j in W.heard.joy[before:]}, {0.0, left})
             before = len(W.heard.joy)
             self.a.stick(0.0)
@@ -169,7 +160,7 @@ class Driving(OnBoard):
         while not heard or '0.2' not in heard[-1]:  # while somebody steers it hears that, but on a slow machine the stick may be lost
             self.assertLess(len(heard), 5, heard)
             listener, said = await first()
-            await self.hold(0.2, said.done, 'what is steered')
+            await self.a.hold(0.2, said.done, 'what is steered')
             heard.append((await said)[0].decode().split('\n')[0])
 
     async def test_cut_while_steering_it_is_lost(self):
@@ -183,7 +174,7 @@ class Driving(OnBoard):
         self.assertNotIn(0.0, [j.axes[0] for j in W.heard.joy[sent:]])
         again = await self.page('a')
         self.assertTrue(again.told_control['held'] and again.told_control['neutral_needed'])
-        await again.centre(lambda: self.state() in ('HOLD', 'AUTONOMY'), 'the end of LOST')
+        await again.hold(0.0, lambda: self.state() in ('HOLD', 'AUTONOMY'), 'the end of LOST')
         self.assertFalse(watcher.told_control['held'])
         again.say('give')
 

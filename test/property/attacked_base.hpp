@@ -34,6 +34,12 @@ class AttackedBase {
             std::cos(heading) * d.y() - std::sin(heading) * d.x()};
   }
 
+  /// A sensor `ahead` of its middle [m] that looks ahead, `view` [rad] wide, looks at a place; 2 pi: all round.
+  bool in_view(const Point& place, double ahead, double view) const {
+    const Point seen = in_robot(place) - Point(ahead, 0.0);
+    return view > 6.28 || std::abs(std::atan2(seen.y(), seen.x())) < 0.5 * view;
+  }
+
   void take(double now, const Twist2& command) {
     last = command;
     sent_.push_back({now + kLatency, command});

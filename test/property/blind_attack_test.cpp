@@ -91,10 +91,7 @@ class Encounter {
   static constexpr int kCells = 160;
   static constexpr double kCell = 0.05, kOrigin = -0.5 * kCells * kCell;  // [m]
 
-  bool in_view(const Point& world) const {
-    const Point p = base_.in_robot(world) - Point(laser_x_, 0.0);
-    return view_ > 6.28 || std::abs(std::atan2(p.y(), p.x())) < 0.5 * view_;
-  }
+  bool in_view(const Point& p) const { return base_.in_view(p, laser_x_, view_); }
 
   // A laser that sees all round sees him too: then he comes from anywhere.
   void appear() {

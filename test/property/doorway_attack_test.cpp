@@ -147,10 +147,7 @@ class Encounter {
     for (const Box& wall : walls_) least = std::min(least, wall.distance(p));
     return least;
   }
-  bool in_view(const Point& p) const {
-    const Point seen = base_.in_robot(p);
-    return view_ > 6.28 || std::abs(std::atan2(seen.y(), seen.x())) < 0.5 * view_;
-  }
+  bool in_view(const Point& p) const { return base_.in_view(p, 0.0, view_); }
   // Any part of him.
   bool sees() const {
     const Point across = Point(-(where_ - base_.at).y(), (where_ - base_.at).x()).normalized();
