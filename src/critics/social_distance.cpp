@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "critics/built_in_entry.hpp"
-#include "critics/side_gaps.hpp"
 #include "critics/speed_knots.hpp"
 #include "hidwa_local_planner/core/critic.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
+#include "hidwa_local_planner/core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner::critics {
 namespace {
@@ -20,11 +20,26 @@ constexpr double kTimesApart = 0.25;
 // For rounding [m].
 constexpr double kSpare = 0.01;
 
-// Memory is kept for this many candidates of a tile, sides of a footprint, movers, and times.
+// Memory is kept for this many candidates of a tile, movers, and times.
 constexpr std::size_t kUsualCandidates = 256;
-constexpr std::size_t kUsualSides = 32;
 constexpr std::size_t kUsualMovers = 64;
 constexpr std::size_t kUsualTimes = 16;
+
+struct Disc {
+  double x, y;    // [m]
+  double radius;  // [m]
+};
+
+// How far beyond a side, whose normal is (nx, ny), something lies that is `beyond` along it for an outline at the
+// origin: the most of that and of what other sides gave, at each place of the outline.
+HIDWA_VECTOR_CLONES
+void add_side(double nx, double ny, double offset, double beyond, const std::vector<double>& x,
+              const std::vector<double>& y, std::vector<double>& most) {
+  for (std::size_t i = 0; i < most.size(); ++i) {
+    const double gap = beyond - (nx * x[i] + ny * y[i] + offset);
+    most[i] = most[i] < gap ? gap : most[i];
+  }
+}
 
 /// Coming near to what moves, where robot and mover are at the same time, if the mover keeps its velocity. With the
 /// distance d(t) from the footprint to the nearest mover's disc, D = social_distance and T =
@@ -47,7 +62,6 @@ class SocialDistance : public Critic {
     Point velocity;  // [m/s]
     double radius;   // [m]
   };
-  using Disc = SideGaps::Disc;
   // One time at which the distance is measured, and what any candidate may come near then.
   struct TimeStep {
     std::size_t step = 0;
@@ -59,7 +73,7 @@ class SocialDistance : public Critic {
   void take_row(const Tile& tile, std::size_t k);
   bool far_from_row(const Disc& disc) const;
   bool near_at(const Tile& tile, const TimeStep& at, const Footprint& footprint);
-  void measure_one_by_one(const Tile& tile, std::size_t k, const Footprint& footprint);
+  void measure(const Disc& disc, const Footprint& footprint, double cosine, double sine);
 
   double kept_ = 0.5;        // social_distance [m]
   double fading_ = 1.5;      // [s]
@@ -72,10 +86,10 @@ class SocialDistance : public Critic {
   std::size_t steps_ = 0;
   double fastest_ = -1.0;  // of their candidates [m/s]
   SpeedKnots knots_;
-  // Of the knots, and of the last one again up to a whole number of SideGaps::kPad, at one time:
-  std::vector<double> x_, y_;  // [m]
-  SideGaps sides_;
+  // Of the knots, at one time:
+  std::vector<double> x_, y_;                                 // [m]
   std::vector<Disc> near_;                                    // there
+  std::vector<double> off_;                                   // from the outline to the middle of one of them [m]
   std::vector<double> gap_;                                   // to the nearest of them [m]
   std::vector<double> sum_;                                   // over all times
   double lo_x_ = 0.0, hi_x_ = 0.0, lo_y_ = 0.0, hi_y_ = 0.0;  // around them [m]
@@ -89,8 +103,7 @@ double SocialDistance::configure(const Parameters& parameters, const ParameterSo
   in_reach_.reserve(kUsualTimes * kUsualMovers);
   near_.reserve(kUsualMovers);
   knots_.reserve(kUsualCandidates);
-  for (std::vector<double>* values : {&x_, &y_, &gap_, &sum_}) values->reserve(kUsualCandidates);
-  sides_.reserve(kUsualCandidates, kUsualSides);
+  for (std::vector<double>* values : {&x_, &y_, &off_, &gap_, &sum_}) values->reserve(kUsualCandidates);
   return kept_ > 0.0 ? parameters.SocialDistance_scale : 0.0;
 }
 
@@ -132,25 +145,20 @@ void SocialDistance::choose_times(const CycleView& cycle, const Tile& tile) {
 
 void SocialDistance::begin_tile(const Tile& tile) {
   knots_.choose(tile);
-  const std::size_t padded = (knots_.size() + SideGaps::kPad - 1) / SideGaps::kPad * SideGaps::kPad;
-  for (std::vector<double>* values : {&x_, &y_, &gap_}) values->resize(padded);
+  for (std::vector<double>* values : {&x_, &y_, &off_, &gap_}) values->resize(knots_.size());
   sum_.assign(knots_.size(), 0.0);
 }
 
 void SocialDistance::take_row(const Tile& tile, std::size_t k) {
   for (std::size_t i = 0; i < x_.size(); ++i) {
-    const std::size_t knot = knots_[std::min(i, knots_.size() - 1)];
-    x_[i] = tile.x_at(k, knot);
-    y_[i] = tile.y_at(k, knot);
+    x_[i] = tile.x_at(k, knots_[i]);
+    y_[i] = tile.y_at(k, knots_[i]);
   }
-  lo_x_ = hi_x_ = x_[0];
-  lo_y_ = hi_y_ = y_[0];
-  for (std::size_t i = 1; i < knots_.size(); ++i) {
-    lo_x_ = std::min(lo_x_, x_[i]);
-    hi_x_ = std::max(hi_x_, x_[i]);
-    lo_y_ = std::min(lo_y_, y_[i]);
-    hi_y_ = std::max(hi_y_, y_[i]);
-  }
+  const auto x = std::minmax_element(x_.begin(), x_.end()), y = std::minmax_element(y_.begin(), y_.end());
+  lo_x_ = *x.first;
+  hi_x_ = *x.second;
+  lo_y_ = *y.first;
+  hi_y_ = *y.second;
 }
 
 bool SocialDistance::far_from_row(const Disc& disc) const {
@@ -168,24 +176,25 @@ bool SocialDistance::near_at(const Tile& tile, const TimeStep& at, const Footpri
     if (!far_from_row(in_reach_[i])) near_.push_back(in_reach_[i]);
   }
   if (near_.empty()) return false;
-  if (footprint.sides().empty()) {
-    measure_one_by_one(tile, at.step, footprint);
-    return true;
+  std::fill(gap_.begin(), gap_.end(), std::numeric_limits<double>::infinity());
+  for (const Disc& disc : near_) {
+    measure(disc, footprint, tile.cos_heading[at.step], tile.sin_heading[at.step]);
+    for (std::size_t i = 0; i < gap_.size(); ++i) gap_[i] = std::min(gap_[i], off_[i] - disc.radius);
   }
-  sides_.turn(footprint, tile.cos_heading[at.step], tile.sin_heading[at.step]);
-  sides_.measure(x_, y_, near_, -own_radius_, gap_);
   return true;
 }
 
-void SocialDistance::measure_one_by_one(const Tile& tile, std::size_t k, const Footprint& footprint) {
-  const double cosine = tile.cos_heading[k], sine = tile.sin_heading[k];
-  std::fill(gap_.begin(), gap_.end(), std::numeric_limits<double>::infinity());
-  for (const Disc& disc : near_) {
-    for (std::size_t i = 0; i < gap_.size(); ++i) {
-      const double dx = disc.x - x_[i], dy = disc.y - y_[i];
-      const double off = footprint.distance_to({cosine * dx + sine * dy, cosine * dy - sine * dx});
-      gap_[i] = std::min(gap_[i], off - disc.radius);
-    }
+void SocialDistance::measure(const Disc& disc, const Footprint& footprint, double cosine, double sine) {
+  std::fill(off_.begin(), off_.end(), -own_radius_);
+  for (const Footprint::Side& side : footprint.sides()) {
+    const double nx = cosine * side.normal.x() - sine * side.normal.y();
+    const double ny = sine * side.normal.x() + cosine * side.normal.y();
+    add_side(nx, ny, side.offset, nx * disc.x + ny * disc.y, x_, y_, off_);
+  }
+  if (!footprint.sides().empty()) return;
+  for (std::size_t i = 0; i < off_.size(); ++i) {
+    const double dx = disc.x - x_[i], dy = disc.y - y_[i];
+    off_[i] = footprint.distance_to({cosine * dx + sine * dy, cosine * dy - sine * dx});
   }
 }
 

@@ -33,21 +33,10 @@ class CellClasses {
   };
 
  private:
-  void reserve(const Tile& tile);
-  void count_marked();
-  bool unmarked(const std::int32_t* cells) const;
-  bool find_open_rows(const Tile& tile);
-  void classify_rows(const Tile& tile, std::size_t first, std::size_t end);
-
   Table table_;
-  std::vector<std::uint32_t> marked_;  // [(width + 1)^2] cells of any class below and to the left of a corner
   std::vector<std::uint8_t> classes_;  // of the tile's poses
   std::vector<std::uint8_t> touched_;  // of the tile's candidates
-  std::vector<std::uint8_t> none_;     // zeros, for a tile that comes near nothing
   std::vector<std::int32_t> index_;    // of the tile's poses
-  std::vector<double> boxes_;          // four a row of the tile, then of the tile [m]
-  std::vector<std::int32_t> corners_;  // their cells
-  std::vector<std::uint8_t> open_;     // of the tile's rows: no cell within reach of it has a class
 };
 
 }  // namespace hidwa_local_planner

@@ -57,7 +57,7 @@ TurnedPose EscapeRule::relative(const Pose2& pose, const Rotation& heading) cons
 void EscapeRule::find_overlaps() {
   list_near_cells();
   if (overlaps_.empty()) return;
-  for (std::vector<double>* values : {&x_, &y_, &depths_}) values->resize(OutlineDepth::padded(overlaps_.size()));
+  depths_.resize(overlaps_.size());
   const double theta = start_->pose.theta;
   depth_.of({0.0, 0.0, theta}, Rotation::direction(theta), x_.data(), y_.data(), overlaps_.size(), depths_.data());
   std::size_t kept = 0;
@@ -127,8 +127,7 @@ void EscapeRule::list_members() {
     x_.push_back(centre.x() - start_->pose.x);
     y_.push_back(centre.y() - start_->pose.y);
   }
-  for (std::vector<double>* values : {&x_, &y_, &depths_})
-    values->resize(OutlineDepth::padded(clusters_.members().size()));
+  depths_.resize(clusters_.members().size());
   Descent descent{std::numeric_limits<double>::infinity(), 0.0};
   descends(TurnedPose::of(start_->pose), Ahead::rollout, descent);
   start_total_ = descent.total;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "core/collision/collision.hpp"
@@ -15,19 +14,15 @@ namespace {
 
 // Of each point: how far it lies inside the plane that it lies least inside.
 HIDWA_VECTOR_CLONES
-void least_inside(const OutlinePlanes& planes, const double* x, const double* y, std::size_t count, double* inside) {
-  const double *normal_x = planes.normal_x(), *normal_y = planes.normal_y(), *offset = planes.offset();
-  const std::size_t sides = planes.count();
-  for (std::size_t first = 0; first < count; first += 4) {
-    Four px, py;
-    std::memcpy(&px, x + first, sizeof(px));
-    std::memcpy(&py, y + first, sizeof(py));
-    Four least = Four{} + std::numeric_limits<double>::infinity();
-    for (std::size_t m = 0; m < sides; ++m) {
-      const Four in = offset[m] - px * normal_x[m] - py * normal_y[m];
-      least = in < least ? in : least;
+void least_inside(const OutlinePlanes& planes, const double* __restrict x, const double* __restrict y,
+                  std::size_t count, double* __restrict inside) {
+  std::fill_n(inside, count, std::numeric_limits<double>::infinity());
+  for (std::size_t m = 0; m < planes.count(); ++m) {
+    const double normal_x = planes.normal_x()[m], normal_y = planes.normal_y()[m], offset = planes.offset()[m];
+    for (std::size_t k = 0; k < count; ++k) {
+      const double in = offset - x[k] * normal_x - y[k] * normal_y;
+      inside[k] = in < inside[k] ? in : inside[k];
     }
-    std::memcpy(inside + first, &least, sizeof(least));
   }
 }
 

@@ -25,11 +25,8 @@ class OutlineDepth {
   /// Once a cycle. `resolution` [m] is a cell's side. `footprint` must outlive the questions.
   void prepare(const Footprint& footprint, double resolution);
 
-  /// Room for so many cells: a whole number of Fours.
-  static std::size_t padded(std::size_t count) { return (count + 3) / 4 * 4; }
-
-  /// Depths [m] in cells with the centres (x, y) [m], padded(count) each. Not positive where they share no area. Only
-  /// the first `count` depths count. Poses and centres have the same origin, best one near the robot: less rounding.
+  /// Depths [m] in `count` cells with the centres (x, y) [m]. Not positive where they share no area. Poses and centres
+  /// have the same origin, best one near the robot: less rounding.
   void of(const Pose2& pose, const Rotation& heading, const double* x, const double* y, std::size_t count,
           double* depth);
 

@@ -5,21 +5,6 @@
 #include <limits>
 
 namespace hidwa_local_planner {
-namespace {
-
-// Four searches side by side.
-double lowest_of(const double* values, std::size_t count) {
-  double lowest[4];
-  std::fill_n(lowest, 4, std::numeric_limits<double>::infinity());
-  std::size_t c = 0;
-  for (; c + 4 <= count; c += 4) {
-    for (std::size_t lane = 0; lane < 4; ++lane) lowest[lane] = std::min(lowest[lane], values[c + lane]);
-  }
-  for (; c < count; ++c) lowest[0] = std::min(lowest[0], values[c]);
-  return std::min(std::min(lowest[0], lowest[1]), std::min(lowest[2], lowest[3]));
-}
-
-}  // namespace
 
 void Scores::resize(std::size_t candidates, std::size_t tiles, std::size_t critics) {
   resize_with_spare(totals_, candidates);
@@ -47,7 +32,8 @@ void Scores::score(const CycleView& view, const Tile& tile, std::size_t index, c
   // Direct control takes the legal candidate nearest to the operator command: critics only reject.
   sum_up(tile, cycle.intent.influence != Influence::direct ? scored : 0, steering);
   reject_infinite(tile, critics);
-  lowest_[index] = lowest_of(totals_.data() + tile.first, tile.count);
+  const double* totals = totals_.data() + tile.first;
+  lowest_[index] = *std::min_element(totals, totals + tile.count);
 }
 
 // How many critics scored anything: those alone are summed.

@@ -22,17 +22,15 @@ std::size_t padded(std::size_t count) {
   return (count + kernel::kLaneMultiple - 1) / kernel::kLaneMultiple * kernel::kLaneMultiple;
 }
 
-// The least and the largest, where there are any; two searches side by side.
+// The least and the largest, where there are any.
 std::pair<double, double> speeds(const std::vector<Sample>& samples, double where_none) {
   if (samples.empty()) return {where_none, where_none};
-  double least[2] = {samples.front().u.v, samples.back().u.v}, most[2] = {least[0], least[1]};
-  for (std::size_t i = 0; i + 1 < samples.size(); i += 2) {
-    for (std::size_t lane = 0; lane < 2; ++lane) {
-      least[lane] = std::min(least[lane], samples[i + lane].u.v);
-      most[lane] = std::max(most[lane], samples[i + lane].u.v);
-    }
+  double least = samples.front().u.v, most = least;
+  for (const Sample& sample : samples) {
+    least = std::min(least, sample.u.v);
+    most = std::max(most, sample.u.v);
   }
-  return {std::min(least[0], least[1]), std::max(most[0], most[1])};
+  return {least, most};
 }
 
 }  // namespace
@@ -98,20 +96,7 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
     Block& block = tiles_.back();
     ++block.count;
     v_[i] = sample.u.v;
-    i = add_row(samples, i);
   }
-}
-
-// The rest of a grid's row goes the same way as its candidate `i`. Returns the last one that was added.
-std::size_t Rollout::add_row(const std::vector<Sample>& samples, std::size_t i) {
-  Block& block = tiles_.back();
-  const bool row = samples[i].kind == SampleKind::grid && !settings_.euler;
-  const std::size_t most = row ? std::min(samples.size(), i + 1 + kMostColumns - block.count) : i + 1;
-  std::size_t end = i + 1;
-  while (end < most && samples[end].kind == SampleKind::grid && samples[end].u.omega == block.omega) ++end;
-  for (std::size_t next = i + 1; next < end; ++next) v_[next] = samples[next].u.v;
-  block.count += end - (i + 1);
-  return end - 1;
 }
 
 void Rollout::roll_turn(const Block& block) const {

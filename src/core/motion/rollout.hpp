@@ -65,7 +65,6 @@ class Rollout {
     std::size_t steps(double v, double omega) const;
   };
   void make_tiles(const std::vector<Sample>& samples);
-  std::size_t add_row(const std::vector<Sample>& samples, std::size_t i);
   void roll_turn(const Block& block) const;
   void roll_steady_turn(const Block& block, std::size_t first, double turn, const Rotation& direction) const;
   void roll_speed(const Block& block) const;
