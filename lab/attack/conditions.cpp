@@ -8,6 +8,7 @@ namespace {
 
 using hidwa_local_planner::Admissibility;
 using hidwa_local_planner::Generator;
+using hidwa_local_planner::LinearPolicy;
 using hidwa_local_planner::Method;
 using hidwa_local_planner::VelocityReference;
 
@@ -48,6 +49,10 @@ Spec usual(Random& r) {
   p.vx_samples = 10;
   p.vth_samples = 15;
   p.cycle_budget = -1.0;
+  // The stick says what the person wants, to the full and backwards too.
+  p.linear = LinearPolicy::axis;
+  p.exponent = 1.0;
+  p.stop_pull = 0.0;
   return s;
 }
 
@@ -271,6 +276,15 @@ std::vector<Condition> options() {
        [](Spec& s, Random& r) {
          s.parameters.sim_time = 0.2;
          fast(s, r.of({0.5, 1.0, 2.0}));
+       }},
+      {"quick_base", true, "2 m/s, 4 rad/s, strong brakes, sim_time 0.2 s, latencies of 50 to 170 ms",
+       [](Spec& s, Random& r) {
+         fast(s, 2.0);
+         s.parameters.max_vel_theta = 4.0;
+         s.parameters.acc_lim_x = 10.0;
+         s.parameters.acc_lim_theta = 20.0;
+         s.parameters.sim_time = 0.2;
+         latency(s, r.of({50, 100, 120, 170}));
        }},
       {"lowered_limits", true, "max_vel_x and max_vel_theta are lowered and raised while it drives",
        [](Spec& s, Random&) {

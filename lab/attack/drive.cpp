@@ -14,7 +14,6 @@
 #include "control/period_watch.hpp"
 #include "device.hpp"
 #include "escape_watch.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "input/operator_state_machine.hpp"
 #include "local_map.hpp"
@@ -25,19 +24,15 @@
 #include "sensors.hpp"
 #include "stand_watch.hpp"
 #include "start.hpp"
-#include "told.hpp"
 
 namespace hidwa_attack {
 namespace {
 
 namespace control = hidwa_local_planner::control;
 namespace critics = hidwa_local_planner::critics;
-using hidwa_local_planner::Decision;
 using hidwa_local_planner::Influence;
 using hidwa_local_planner::MovingObstacleEstimates;
-using hidwa_local_planner::Planner;
 using hidwa_local_planner::Polygon;
-using hidwa_local_planner::Situation;
 
 constexpr int kAfterTouch = 1000;  // how long a drive goes on [ms]
 constexpr int kWalkers = 2;        // between two steps of walkers [ms]
@@ -55,10 +50,6 @@ double side_of_window(const Spec& spec) {
   const Parameters& p = spec.parameters;
   const double v = p.max_vel_x;
   return std::max(6.0, 2.0 * (1.2 * v * p.sim_time + 0.5 * v * v / braking_x(p) + v * p.control_latency + 1.2));
-}
-
-double towards_rest(double value, double step) {
-  return std::abs(value) <= step ? 0.0 : value - std::copysign(step, value);
 }
 
 Base::Make make_of(const Spec& spec) {
@@ -88,20 +79,19 @@ class Run {
         sensors_(spec_, random_.bits()),
         rhythm_(spec, random_.bits()),
         walkers_(spec.walkers, spec.bounds, shape_, scenery_.start, spec.walkers > 0 ? random_.bits() : 0),
-        person_(scenery_.world, &walkers_, spec.relentless, random_.bits()),
+        person_(scenery_.world, walkers_, spec.steering, spec.relentless, random_.bits()),
         route_(scenery_.world, random_.bits()),
         contacts_(scenery_.world, padded_),
         stand_(scenery_.world, outermost(padded_)),
         escape_(scenery_.world, padded_, spec),
         parameters_(spec.parameters),
-        device_(spec.link, machine_, spec.link == Link::none ? 0 : random_.bits()),
+        device_(spec.link, machine_, random_.bits()),
         trace_(trace) {
     put_in_force();
     if (rhythm_.before() > 0.0) periods_.observe(seconds(0), rhythm_.before());
     make_maps();
     Polygon outline;
     for (const Spot& corner : told_corners(shape_)) outline.emplace_back(corner.x, corner.y);
-    planner_.set_footprint(outline);
     loop_.set_footprint(outline);
     appears_at_ = spec.start == Start::appearing ? random_.whole(2000, 6000) : -1;
     if (trace_ != nullptr)
@@ -166,8 +156,7 @@ class Run {
   }
 
   void put_in_force() {
-    const std::vector<std::string> faults =
-        spec_.link == Link::none ? planner_.configure(parameters_) : loop_.configure(parameters_);
+    const std::vector<std::string> faults = loop_.configure(parameters_);
     if (!faults.empty()) throw std::logic_error(faults.front());
     machine_.configure(parameters_);
   }
@@ -192,7 +181,7 @@ class Run {
     intent_ = person_.want(now, base_.pose(), parameters_);
     reading_ = sensors_.odometry(now);
     const double begun = onlooker_ ? processor_time() : 0.0;
-    const Twist2 command = spec_.link != Link::none ? step_loop(now, pose, goal_begins) : plan(now, pose, goal_begins);
+    const Twist2 command = plan(now, pose, goal_begins);
     if (onlooker_) onlooker_({now, processor_time() - begun, intent_.state, outcome_});
     stand_.observe(now, {base_.pose(), base_.velocity()}, wants_to_drive(), route_.points());
     base_.send(now, command);
@@ -214,13 +203,8 @@ class Run {
     return intent_.influence == Influence::none && !goalless_ && !route_.latched() && outcome_ != Outcome::fail;
   }
 
-  Twist2 plan(int now, const Pose2& pose, bool goal_begins) {
-    if (goal_begins) planner_.reset();
-    return reading_ ? ask(now, pose) : brake_blindly(now);
-  }
-
   // As a plugin: the whole control loop, and a person who steers by messages.
-  Twist2 step_loop(int now, const Pose2& pose, bool goal_begins) {
+  Twist2 plan(int now, const Pose2& pose, bool goal_begins) {
     const double time = seconds(now);
     const bool had_goal = !goalless_;
     if (spec_.goalless >= 1.0) {
@@ -266,46 +250,13 @@ class Run {
   // As the plugin measures it: the planner's own watch is attacked too.
   double longest() const { return periods_.longest(1e-3 * spec_.period); }
 
-  void tell_cycle(int now) {
-    situation_.last_command = last_;
-    situation_.period = 1e-3 * spec_.period;
-    situation_.time = seconds(now);
-  }
-
-  Twist2 ask(int now, const Pose2& pose) {
-    tell_cycle(now);
-    situation_.pose = pose;
-    situation_.velocity = *reading_;
-    route_.window(pose, parameters_, situation_.plan);
-    situation_.goal = route_.goal();
-    situation_.goal_latched = route_.latched();
-    tell_times(situation_, longest(), spec_.age_told ? 1e-3 * spec_.pose_age : 0.0);
-    situation_.moving_obstacles.clear();
-    if (spec_.walkers > 0 && spec_.walkers_told) situation_.moving_obstacles = told_walkers();
-    const Decision& decision = planner_.plan(situation_, view(pose), intent_);
-    outcome_ = decision.outcome;
-    escaping_ = decision.escaping;
-    return judged(decision.command, *reading_);
-  }
-
   // On failure the host sends zero, and the robot must be at rest by then. `other`: what a cycle may start from instead
-  // of the reading. For the control loop, which may doubt its twist, that is the velocity between the last two poses.
+  // of a reading that it doubts, the velocity between the last two poses.
   Twist2 judged(const Twist2& planned, const Twist2& other) {
     const Twist2 command = outcome_ == Outcome::fail ? Twist2{} : planned;
     commands_.observe(parameters_, 1e-3 * spec_.period, last_, command);
     commands_.judge_acceleration(parameters_, longest(), last_, reading_.value_or(last_), other, command);
     return command;
-  }
-
-  // Without odometry a host brakes from its last command.
-  Twist2 brake_blindly(int now) {
-    tell_cycle(now);
-    planner_.skip(situation_);
-    outcome_ = Outcome::brake;
-    escaping_ = false;
-    const double period = 1e-3 * spec_.period;
-    return {towards_rest(last_.v, braking_x(parameters_) * period),
-            towards_rest(last_.omega, braking_theta(parameters_) * period)};
   }
 
   // A sensor that sees as far as the robot needs to stop, and 0.3 m.
@@ -327,13 +278,11 @@ class Run {
   void change_limits() {
     parameters_.max_vel_x = random_.of({1.0, 0.6, 0.3}) * spec_.parameters.max_vel_x;
     parameters_.max_vel_theta = random_.of({1.0, 0.6, 0.3}) * spec_.parameters.max_vel_theta;
-    if (spec_.link != Link::none) {
-      using hidwa_local_planner::OperatorMode;
-      parameters_.mode = random_.of({OperatorMode::joystick, OperatorMode::switching, spec_.parameters.mode});
-      parameters_.s_v = random_.in(0.0, 5.0);
-      parameters_.s_omega = random_.in(0.0, 5.0);
-      parameters_.BaseObstacle_scale = random_.in(0.0, 0.1);
-    }
+    using hidwa_local_planner::OperatorMode;
+    parameters_.mode = random_.of({OperatorMode::joystick, OperatorMode::switching, spec_.parameters.mode});
+    parameters_.s_v = random_.in(0.0, 5.0);
+    parameters_.s_omega = random_.in(0.0, 5.0);
+    parameters_.BaseObstacle_scale = random_.in(0.0, 0.1);
     put_in_force();
   }
 
@@ -397,7 +346,6 @@ class Run {
   EscapeWatch escape_;
   CommandWatch commands_;
   Parameters parameters_;  // in force
-  Planner planner_{critics::built_in()};
   hidwa_local_planner::input::OperatorStateMachine machine_;
   control::ControlLoop loop_{critics::built_in()};
   Device device_;
@@ -408,7 +356,6 @@ class Run {
   int last_cycle_ = -1;    // [ms]
   int rests_from_ = 0;     // [ms]
   double driven_ = 0.0;    // [s]
-  Situation situation_;
   std::ostream* trace_;
   int appears_at_ = -1;  // [ms]
   Twist2 last_;          // command [m/s, rad/s]

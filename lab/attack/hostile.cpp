@@ -60,7 +60,7 @@ std::vector<Condition> conditions_of(bool promised) {
   return conditions;
 }
 
-// The person's device; where it is none they have the planner's ear.
+// Of the person's device.
 void give_device(Spec& s, Random& r) {
   if (r.chance(0.4)) return;
   s.link = r.of({Link::prompt, Link::late, Link::frozen, Link::silent, Link::nonsense});
@@ -93,7 +93,6 @@ void add(Spec& s, bool condition_has_speed, Random& r) {
 
 // Without a goal all the time, or one that comes and goes.
 void take_goal(Spec& s, Random& r) {
-  if (s.link == Link::none) s.link = Link::prompt;
   s.parameters.linear = LinearPolicy::axis;
   s.goalless = r.of({0.5, 1.0});
 }
@@ -128,8 +127,6 @@ HostileDrive hostile_drive(std::uint64_t study_seed, std::uint64_t index, const 
 
 const char* name_of(Link link) {
   switch (link) {
-    case Link::none:
-      return "none";
     case Link::prompt:
       return "prompt";
     case Link::late:

@@ -21,7 +21,7 @@ double bearing(const Pose2& robot, const Spot& target) {
 OperatorIntent Person::want(int now, const Pose2& robot, const Parameters& limits) {
   if (now >= until_) change_mind(now, robot, limits);
   OperatorIntent intent;
-  if (way_ == Way::none) return intent;
+  if (steering_ == Steering::nobody || way_ == Way::none) return intent;
   if (way_ == Way::stop) {
     intent.influence = Influence::stop;
     intent.state = OperatorStateId::stopped;
@@ -40,6 +40,7 @@ void Person::change_mind(int now, const Pose2& robot, const Parameters& limits) 
   if (relentless_ && random_.chance(0.7))
     way_ = random_.of({Way::nearest, Way::chosen, Way::chosen, Way::beside, Way::beside, Way::slalom});
   manual_ = random_.chance(0.5);
+  if (steering_ != Steering::either) manual_ = steering_ == Steering::manual;
   turns_first_ = random_.chance(0.5);
   until_ = now + (way_ == Way::stop ? random_.whole(200, 800) : random_.whole(1000, 4000));
   beside_ = random_.in(-0.6, 0.6);
@@ -110,8 +111,8 @@ Spot Person::nearest(const Pose2& robot) const {
       found = {world_.middle(i), world_.middle(j)};
     }
   }
-  if (walkers_ == nullptr || walkers_->all().empty()) return found;
-  const Walker& walker = walkers_->nearest();
+  if (walkers_.all().empty()) return found;
+  const Walker& walker = walkers_.nearest();
   return std::hypot(walker.p.x - robot.x, walker.p.y - robot.y) < std::sqrt(least) + walker.radius ? walker.p : found;
 }
 

@@ -14,9 +14,9 @@ using hidwa_local_planner::OperatorIntent;
 /// Somebody who wants a collision. Every few seconds they go about it in another way.
 class Person {
  public:
-  /// `walkers` may be null; else they are obstacles too. Somebody relentless hardly ever leaves the robot alone.
-  Person(const World& world, const Walkers* walkers, bool relentless, std::uint64_t seed)
-      : world_(world), walkers_(walkers), relentless_(relentless), random_(seed) {}
+  /// `walkers` are obstacles too. Somebody relentless hardly ever leaves the robot alone.
+  Person(const World& world, const Walkers& walkers, Steering steering, bool relentless, std::uint64_t seed)
+      : world_(world), walkers_(walkers), steering_(steering), relentless_(relentless), random_(seed) {}
 
   /// What they want at `now` [ms], from a robot at this pose with these limits.
   OperatorIntent want(int now, const Pose2& robot, const Parameters& limits);
@@ -43,7 +43,8 @@ class Person {
   Spot ahead(const Pose2& robot);
 
   const World& world_;
-  const Walkers* walkers_;
+  const Walkers& walkers_;
+  Steering steering_;
   bool relentless_;
   Random random_;
   Way way_ = Way::none;

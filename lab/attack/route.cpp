@@ -8,7 +8,6 @@ namespace hidwa_attack {
 namespace {
 
 constexpr double kSpacing = 0.05;  // of its points [m]
-constexpr double kBehind = 1.0;    // of the window behind the robot [m]
 constexpr int kAtGoal = 1500;      // how long the robot is left at the goal [ms]
 
 double apart(const Pose2& a, const Pose2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -28,7 +27,6 @@ bool Route::renew(int now, const Pose2& robot) {
 
 void Route::lay(const Pose2& robot) {
   points_.assign(1, robot);
-  near_ = 0;
   latched_ = false;
   for (int bends = random_.whole(1, 3); bends > 0; --bends) {
     const double angle = random_.in(-M_PI, M_PI), by = random_.in(1.0, 4.0);
@@ -45,19 +43,6 @@ void Route::lead_to(const Spot& next) {
     const double t = static_cast<double>(k) / parts;
     points_.push_back({from.x + t * dx, from.y + t * dy, std::atan2(dy, dx)});
   }
-}
-
-void Route::window(const Pose2& robot, const Parameters& parameters, std::vector<Pose2>& part) {
-  const auto reach = static_cast<std::size_t>(
-      std::max(parameters.forward_prune_distance, 1.2 * parameters.max_vel_x * parameters.sim_time) / kSpacing);
-  const auto behind = static_cast<std::size_t>(kBehind / kSpacing);
-  const std::size_t last = std::min(points_.size() - 1, near_ + reach);
-  for (std::size_t k = near_; k <= last; ++k) {
-    if (apart(points_[k], robot) < apart(points_[near_], robot)) near_ = k;
-  }
-  const std::size_t first = near_ > behind ? near_ - behind : 0;
-  const std::size_t end = std::min(points_.size(), near_ + reach + 1);
-  part.assign(points_.begin() + static_cast<std::ptrdiff_t>(first), points_.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
 }  // namespace hidwa_attack

@@ -17,8 +17,6 @@ class Route {
 
   /// True where a new goal begins at `now` [ms].
   bool renew(int now, const Pose2& robot);
-  /// The part around the robot, as long as the parameters ask for.
-  void window(const Pose2& robot, const Parameters& parameters, std::vector<Pose2>& part);
   const Pose2& goal() const { return points_.back(); }
   const std::vector<Pose2>& points() const { return points_; }  // from where the robot was
   /// The position of the goal was reached.
@@ -31,8 +29,7 @@ class Route {
   const World& world_;
   Random random_;
   std::vector<Pose2> points_;
-  std::size_t near_ = 0;  // index of the point where the robot is
-  int until_ = 0;         // [ms]
+  int until_ = 0;  // [ms]
   bool latched_ = false;
 };
 

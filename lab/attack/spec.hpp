@@ -32,15 +32,17 @@ enum class Start {
   appearing  // free; later the map adds cells under the outline
 };
 
-/// How the person's wish comes to the planner.
+/// How the stick's messages come to the planner.
 enum class Link {
-  none,      // straight, as an intent, without the control loop
-  prompt,    // by stick, operator state machine and control loop, as the others too
+  prompt,
   late,      // now and then a second late; then all at once
   frozen,    // now and then the same message again and again
   silent,    // now and then not at all
   nonsense,  // not a number, beyond bounds, axes missing, stamps of any time
 };
+
+/// In which way the person has the robot; with `nobody` autonomy drives.
+enum class Steering { either, nobody, shared, manual };
 
 /// What one drive is. Times of the host and of the base in whole milliseconds.
 struct Spec {
@@ -75,9 +77,10 @@ struct Spec {
   bool limits_change = false;
   double slip = 0.0;  // what the base drives is off from its wheels by up to this share, drawn anew twice a second
 
-  Link link = Link::none;
+  Link link = Link::prompt;
+  Steering steering = Steering::either;
   bool relentless = false;  // the person hardly ever rests
-  double goalless = 0.0;    // the share of time in which the host has no goal; not with Link::none
+  double goalless = 0.0;    // the share of time in which the host has no goal
   int walkers = 0;
   Bounds bounds;  // of walkers
   bool walkers_told = true;

@@ -137,6 +137,8 @@ const char* name_of(Place place) {
       return "dead_ends";
     case Place::clutter:
       return "clutter";
+    case Place::open:
+      return "open";
   }
   return "";
 }
@@ -185,6 +187,8 @@ Scenery build(Place place, double size, double resolution, const Shape& shape, R
       break;
     case Place::clutter:
       add_clutter(world, random);
+      break;
+    case Place::open:
       break;
   }
   wall_in(world);

@@ -7,7 +7,7 @@
 
 namespace hidwa_attack {
 
-enum class Place { posts, walls, corridor, dead_ends, clutter };
+enum class Place { posts, walls, corridor, dead_ends, clutter, open };
 const char* name_of(Place place);
 
 /// Where a drive happens, and where it begins.

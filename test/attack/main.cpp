@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // hidwa_attack: a hostile campaign against the planner's library. See docs/evidence/attack.md.
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <map>
 #include <stdexcept>
 
+#include "arguments.hpp"
 #include "campaign.hpp"
 #include "drive.hpp"
 #include "report.hpp"
@@ -17,56 +13,22 @@ namespace hidwa_attack {
 namespace {
 
 constexpr const char* kHelp =
-    "hidwa_attack [--condition NAME[,NAME...]] [--drives N] [--seconds N] [--first-seed N] [--jobs N] [--out DIR]\n"
-    "hidwa_attack --condition NAME --seed N [--seconds N] [--trace FILE.csv]   one drive alone\n"
-    "hidwa_attack --list                                                       the conditions\n"
-    "exit status: 0 the planner held under every promised condition; 1 it did not; 2 wrong arguments\n";
+    "People who want a collision, faulty odometry, late cycles and bases of all kinds.\n"
+    "  [--condition NAME[,NAME...]] [--drives N] [--seconds N] [--first-seed N] [--jobs N] [--out DIR]\n"
+    "                   every condition, 300 drives of 20 s each; summary.json and drives.csv go to DIR\n"
+    "  --condition NAME --seed N [--seconds N] [--trace FILE.csv]\n"
+    "                   one drive alone, with what happened every 10 ms\n"
+    "  --list           the conditions\n"
+    "exit status: 0 the planner held under every promised condition; 1 it did not; 2 something did not run\n";
 
-using Options = std::map<std::string, std::string>;
-
-Options read(int count, char** words) {
-  Options options;
-  for (int k = 1; k < count; ++k) {
-    const std::string word = words[k];
-    const bool alone = word == "--list" || word == "--help";
-    const char* known[] = {"--condition", "--drives", "--seconds", "--first-seed",
-                           "--jobs",      "--out",    "--seed",    "--trace"};
-    bool takes = false;
-    for (const char* name : known) takes = takes || word == name;
-    if (!alone && !takes) throw std::invalid_argument("unknown option " + word);
-    if (takes && k + 1 >= count) throw std::invalid_argument(word + " needs a value");
-    options[word] = alone ? "" : words[++k];
-  }
-  return options;
-}
-
-long whole(const Options& options, const char* name, long fallback, long least) {
-  const auto found = options.find(name);
-  if (found == options.end()) return fallback;
-  char* end = nullptr;
-  const long value = std::strtol(found->second.c_str(), &end, 10);
-  if (*end != '\0' || end == found->second.c_str() || value < least) {
-    throw std::invalid_argument(std::string(name) + ": '" + found->second + "' is no whole number of at least " +
-                                std::to_string(least));
-  }
-  return value;
-}
-
-std::vector<const Condition*> chosen(const Options& options) {
+std::vector<const Condition*> chosen(const Arguments& arguments) {
   std::vector<const Condition*> conditions;
-  const auto found = options.find("--condition");
-  if (found == options.end()) {
-    for (const Condition& condition : all_conditions()) conditions.push_back(&condition);
-    return conditions;
+  for (const std::string& name : arguments.list("--condition")) {
+    conditions.push_back(find_condition(name));
+    if (conditions.back() == nullptr) throw std::invalid_argument("no condition '" + name + "'; --list names them");
   }
-  std::string names = found->second + ",";
-  for (std::size_t comma = names.find(','); comma != std::string::npos; comma = names.find(',')) {
-    const std::string name = names.substr(0, comma);
-    names.erase(0, comma + 1);
-    const Condition* condition = find_condition(name);
-    if (condition == nullptr) throw std::invalid_argument("no condition '" + name + "'; --list names them");
-    conditions.push_back(condition);
-  }
+  if (!conditions.empty()) return conditions;
+  for (const Condition& condition : all_conditions()) conditions.push_back(&condition);
   return conditions;
 }
 
@@ -76,14 +38,10 @@ int list() {
   return 0;
 }
 
-int drive_one(const Condition& condition, const Options& options) {
-  const auto seed = static_cast<std::uint64_t>(whole(options, "--seed", 1, 0));
-  const Spec spec = spec_of(condition, seed, static_cast<int>(whole(options, "--seconds", 20, 1)));
-  std::ofstream trace;
-  const auto file = options.find("--trace");
-  if (file != options.end()) trace.open(file->second);
-  if (file != options.end() && !trace) throw std::invalid_argument("cannot write " + file->second);
-  trace.precision(9);
+int drive_one(const Condition& condition, const Arguments& arguments) {
+  const std::uint64_t seed = arguments.seed("--seed");
+  const Spec spec = spec_of(condition, seed, static_cast<int>(arguments.whole("--seconds", 20, 1)));
+  std::ofstream trace = arguments.trace();
   const DriveResult result = drive(spec, seed, trace.is_open() ? &trace : nullptr);
   const Summary summary(condition, {result});
   std::printf("%s %s of %.3f m cells, %.0f Hz, latency %d ms (told %.0f), limits %.2f m/s, %.2f rad/s\n",
@@ -94,20 +52,13 @@ int drive_one(const Condition& condition, const Options& options) {
   return summary.promised && !summary.held() ? 1 : 0;
 }
 
-void write(const std::string& path, const std::string& content) {
-  std::ofstream out(path);
-  out << content;
-  if (!out.flush()) throw std::invalid_argument("cannot write " + path);
-}
-
-int attack(const std::vector<const Condition*>& conditions, const Options& options) {
+int attack(const std::vector<const Condition*>& conditions, const Arguments& arguments) {
   Extent extent;
-  extent.drives = static_cast<int>(whole(options, "--drives", 300, 1));
-  extent.seconds = static_cast<int>(whole(options, "--seconds", 20, 1));
-  extent.first_seed = static_cast<std::uint64_t>(whole(options, "--first-seed", 1, 0));
-  extent.threads = static_cast<int>(whole(options, "--jobs", 1, 1));
-  const auto out = options.find("--out");
-  if (out != options.end()) std::filesystem::create_directories(out->second);
+  extent.drives = static_cast<int>(arguments.whole("--drives", 300, 1));
+  extent.seconds = static_cast<int>(arguments.whole("--seconds", 20, 1));
+  extent.first_seed = arguments.seed("--first-seed");
+  extent.threads = static_cast<int>(arguments.whole("--jobs", 1, 1));
+  if (arguments.has("--out")) std::filesystem::create_directories(arguments.text("--out"));
   std::vector<Summary> summaries;
   std::string drives = drives_head(), repeats;
   int status = 0;
@@ -123,22 +74,22 @@ int attack(const std::vector<const Condition*>& conditions, const Options& optio
     if (summary.promised && !summary.held()) status = 1;
   }
   if (!repeats.empty()) std::printf("\nthe worst of each, alone:\n%s", repeats.c_str());
-  if (out == options.end()) return status;
-  write(out->second + "/summary.json", as_json(summaries, extent.seconds));
-  write(out->second + "/drives.csv", drives);
+  if (!arguments.has("--out")) return status;
+  write_file(arguments.text("--out") + "/summary.json", as_json(summaries, extent.seconds));
+  write_file(arguments.text("--out") + "/drives.csv", drives);
   return status;
 }
 
-int main_with(const Options& options) {
-  if (options.count("--help") != 0) {
+int main_with(const Arguments& arguments) {
+  if (arguments.has("--help")) {
     std::printf("%s", kHelp);
     return 0;
   }
-  if (options.count("--list") != 0) return list();
-  const std::vector<const Condition*> conditions = chosen(options);
-  if (options.count("--seed") == 0) return attack(conditions, options);
+  if (arguments.has("--list")) return list();
+  const std::vector<const Condition*> conditions = chosen(arguments);
+  if (!arguments.has("--seed")) return attack(conditions, arguments);
   if (conditions.size() != 1) throw std::invalid_argument("--seed needs one --condition");
-  return drive_one(*conditions.front(), options);
+  return drive_one(*conditions.front(), arguments);
 }
 
 }  // namespace
@@ -146,7 +97,12 @@ int main_with(const Options& options) {
 
 int main(int count, char** words) {
   try {
-    return hidwa_attack::main_with(hidwa_attack::read(count, words));
+    return hidwa_attack::main_with(
+        {count,
+         words,
+         {"--condition", "--drives", "--seconds", "--first-seed", "--jobs", "--out", "--seed", "--trace"},
+         {"--list", "--help"},
+         {{"--seed", "--condition"}, {"--trace", "--seed"}}});
   } catch (const std::exception& fault) {
     std::fprintf(stderr, "hidwa_attack: %s\n%s", fault.what(), hidwa_attack::kHelp);
     return 2;

@@ -13,7 +13,6 @@
 #include "local_map.hpp"
 #include "rhythm.hpp"
 #include "shape.hpp"
-#include "told.hpp"
 #include "world.hpp"
 
 namespace hidwa_attack {
@@ -357,17 +356,6 @@ TEST(EscapeWatch, TheSpeedThatStopsWithinHalfACell) {
   const World world(3.0, 2.0, kSquare);
   // 0.1404 x (0.1 + 0.05) + 0.1404^2 / (2 x 2.5) = 0.0211 + 0.0039 = 0.025.
   EXPECT_NEAR(EscapeWatch(world, {{}, 0.25}, Spec()).speed_bound(), 0.1404, 1e-4);
-}
-
-struct Modest {
-  double pose_age = 0.0;
-};
-
-TEST(Told, OnlyWhatIsAskedFor) {
-  Modest modest;
-  tell_times(modest, 0.1, 0.05);
-  EXPECT_EQ(modest.pose_age, 0.05);
-  EXPECT_FALSE(AsksForLongestPeriod<Modest>::value);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ class RobotBuild(unittest.TestCase):
         build = self.configured()
         self.assert_of_robot(build)
         waiting = {name for name in build.built_by('tests') if name.startswith('hidwa_')}
-        self.assertLessEqual({'hidwa_unit_ros', 'hidwa_attack_test', 'hidwa_ways_test', 'hidwa_replay_messages'}, waiting)
+        self.assertLessEqual({'hidwa_unit_ros', 'hidwa_attack_test', 'hidwa_replay_messages'}, waiting)
         self.assertFalse({'hidwa_sim', 'hidwa_drive'} & waiting)
 
 

@@ -3,39 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <map>
 #include <stdexcept>
 
+#include "sim/occupancy_map.hpp"
 #include "ways/drawing.hpp"
 
 namespace hidwa_ways {
 namespace {
+
+namespace sim = hidwa_local_planner::sim;
 
 constexpr double kPart = 12.0;                // [m]
 constexpr double kNarrow = 0.5, kWide = 1.2;  // of gaps [m]
 constexpr double kDeep = 0.5;                 // so far on is free before and behind a gap [m]
 constexpr double kFar = 1.5;                  // farther is not looked [m]
 constexpr int kDirections = 8;                // across a gap, of half a turn
-
-std::map<std::string, std::string> read_keys(const std::string& yaml) {
-  std::ifstream in(yaml);
-  if (!in) throw std::invalid_argument("cannot read the map '" + yaml + "'");
-  std::map<std::string, std::string> keys;
-  for (std::string line; std::getline(in, line);) {
-    const std::size_t colon = line.find(':'), from = line.find_first_not_of(" ", colon + 1);
-    if (colon == std::string::npos || from == std::string::npos || line.front() == '#') continue;
-    keys[line.substr(0, colon)] = line.substr(from, line.find_first_of(" #\r", from) - from);
-  }
-  return keys;
-}
-
-// The next number of a PGM's head.
-int next_number(std::istream& in) {
-  std::string word;
-  while (in >> word && word.front() == '#') std::getline(in, word);
-  return std::stoi(word);
-}
 
 // How far it is free from a place [m].
 double free_along(const World& map, const Spot& from, double direction) {
@@ -84,25 +66,12 @@ Site part_about(const World& map, const Spot& at) {
 }  // namespace
 
 World read_map(const std::string& yaml) {
-  const std::map<std::string, std::string> keys = read_keys(yaml);
-  if (keys.count("image") == 0 || keys.count("resolution") == 0)
-    throw std::invalid_argument("'" + yaml + "' is no map: it has no image or no resolution");
-  const std::size_t slash = yaml.rfind('/');
-  const std::string image = (slash == std::string::npos ? "" : yaml.substr(0, slash + 1)) + keys.at("image");
-  std::ifstream in(image, std::ios::binary);
-  std::string magic;
-  if (!(in >> magic) || magic != "P5") throw std::invalid_argument("'" + image + "' is no binary PGM");
-  const int columns = next_number(in), rows = next_number(in);
-  next_number(in);  // the largest value
-  in.get();
-  const double resolution = std::stod(keys.at("resolution"));
-  const double free = 255.0 * (1.0 - (keys.count("free_thresh") != 0 ? std::stod(keys.at("free_thresh")) : 0.196));
-  World map(columns * resolution, rows * resolution, resolution);
-  for (int j = rows - 1; j >= 0; --j) {
-    for (int i = 0; i < columns; ++i) map.set(i, j, in.get() <= free);
+  const sim::OccupancyMap map = sim::load_map(yaml);
+  World world(map.width * map.resolution, map.height * map.resolution, map.resolution);
+  for (int j = 0; j < map.height; ++j) {
+    for (int i = 0; i < map.width; ++i) world.set(i, j, map.cells[map.index(i, j)] != sim::Cell::kFree);
   }
-  if (!in) throw std::invalid_argument("'" + image + "' ends too early");
-  return map;
+  return world;
 }
 
 Site gap_of(const World& map, Random& random) {

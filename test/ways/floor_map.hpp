@@ -7,7 +7,7 @@
 
 namespace hidwa_ways {
 
-/// A map as map_server reads it (YAML and a PGM): what is not known to be free is lethal. Throws std::invalid_argument.
+/// A map as sim::load_map() reads it: what is not known to be free is lethal.
 World read_map(const std::string& yaml);
 
 /// A part of 12 m about a random gap, between 0.5 m and 1.2 m wide.

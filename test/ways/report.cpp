@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ways/report.hpp"
 
-#include <cstdio>
+#include "core/util/words.hpp"
 
 namespace hidwa_ways {
 namespace {
 
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char line[600];
-  std::snprintf(line, sizeof(line), format, values...);
-  return line;
-}
+using hidwa_local_planner::format;
 
 // "97.3 %" of those; "-" where there are none.
-std::string share(int part, int whole) { return whole == 0 ? "-" : text("%.1f %%", 100.0 * part / whole); }
+std::string share(int part, int whole) { return whole == 0 ? "-" : format("%.1f %%", 100.0 * part / whole); }
 
 std::string object(const Summary& s) {
-  return text("{\"kind\": \"%s\", \"body\": \"%s\", \"held\": %s, \"scenes\": %d, \"sure\": %d, \"nearer\": %d, ",
-              s.kind.c_str(), s.body.c_str(), s.held() ? "true" : "false", s.scenes, s.sure, s.nearer) +
-         text("\"through\": %d, \"unverified\": %d, \"none\": %d, \"failed\": %d, \"none_through\": %d, ", s.through,
-              s.unverified, s.none, s.failed, s.none_through) +
-         text("\"open\": %d, \"open_through\": %d, \"contacts\": %d, \"worst_mm\": %.4f, \"worst_cycle_ms\": %.3f}",
-              s.open, s.open_through, s.contacts, 1e3 * s.worst_depth, 1e3 * s.worst_cycle);
+  return format("{\"kind\": \"%s\", \"body\": \"%s\", \"held\": %s, \"scenes\": %d, \"sure\": %d, \"nearer\": %d, ",
+                s.kind.c_str(), s.body.c_str(), s.held() ? "true" : "false", s.scenes, s.sure, s.nearer) +
+         format("\"through\": %d, \"unverified\": %d, \"none\": %d, \"failed\": %d, \"none_through\": %d, ", s.through,
+                s.unverified, s.none, s.failed, s.none_through) +
+         format("\"open\": %d, \"open_through\": %d, \"contacts\": %d, \"worst_mm\": %.4f, \"worst_cycle_ms\": %.3f}",
+                s.open, s.open_through, s.contacts, 1e3 * s.worst_depth, 1e3 * s.worst_cycle);
 }
 
 std::string quoted(const std::string& words) {
@@ -34,25 +29,25 @@ std::string quoted(const std::string& words) {
 }  // namespace
 
 std::string table(const std::vector<Summary>& summaries) {
-  std::string lines = text("%-10s %-15s %7s %6s %8s %8s %6s %9s %6s %8s %9s %9s\n", "kind", "outline", "scenes", "sure",
-                           "nearer", "through", "none", "says so", "open", "through", "contacts", "cycle ms");
+  std::string lines = format("%-10s %-15s %7s %6s %8s %8s %6s %9s %6s %8s %9s %9s\n", "kind", "outline", "scenes",
+                             "sure", "nearer", "through", "none", "says so", "open", "through", "contacts", "cycle ms");
   for (const Summary& s : summaries)
-    lines += text("%-10s %-15s %7d %6d %8s %8s %6d %9s %6d %8s %9d %9.1f\n", s.kind.c_str(), s.body.c_str(), s.scenes,
-                  s.sure, share(s.nearer, s.sure).c_str(), share(s.through, s.sure).c_str(), s.none,
-                  share(s.failed, s.none).c_str(), s.open, share(s.open_through, s.open).c_str(), s.contacts,
-                  1e3 * s.worst_cycle);
+    lines += format("%-10s %-15s %7d %6d %8s %8s %6d %9s %6d %8s %9d %9.1f\n", s.kind.c_str(), s.body.c_str(), s.scenes,
+                    s.sure, share(s.nearer, s.sure).c_str(), share(s.through, s.sure).c_str(), s.none,
+                    share(s.failed, s.none).c_str(), s.open, share(s.open_through, s.open).c_str(), s.contacts,
+                    1e3 * s.worst_cycle);
   return lines;
 }
 
 std::string in_words(const Result& r) {
-  std::string line = text("%s %s%s, %.3f m cells: %s", r.kind.c_str(), r.body.c_str(), r.reverse ? " with reverse" : "",
-                          r.resolution, to_string(r.answer));
+  std::string line = format("%s %s%s, %.3f m cells: %s", r.kind.c_str(), r.body.c_str(),
+                            r.reverse ? " with reverse" : "", r.resolution, to_string(r.answer));
   if (r.answer == Class::sure)
-    line += text(" (a way of %.2f m, %.1f s%s); nearer at %.2f s (limit %.2f s)", r.way_length, r.way_time,
-                 r.verified ? "" : ", NOT VERIFIED", r.nearer_at, r.nearer_limit);
-  line += text("; through at %.2f s (limit %.1f s)", r.through_at, r.through_limit);
-  if (r.failed_at >= 0.0) line += text("; failed at %.2f s: ", r.failed_at) + r.problem;
-  if (r.touched) line += text("; TOUCHED by %.2f mm", 1e3 * r.depth);
+    line += format(" (a way of %.2f m, %.1f s%s); nearer at %.2f s (limit %.2f s)", r.way_length, r.way_time,
+                   r.verified ? "" : ", NOT VERIFIED", r.nearer_at, r.nearer_limit);
+  line += format("; through at %.2f s (limit %.1f s)", r.through_at, r.through_limit);
+  if (r.failed_at >= 0.0) line += format("; failed at %.2f s: ", r.failed_at) + r.problem;
+  if (r.touched) line += format("; TOUCHED by %.2f mm", 1e3 * r.depth);
   return line;
 }
 
@@ -83,11 +78,11 @@ std::string scenes_csv(const std::vector<Result>& results) {
       "kind,seed,outline,reverse,resolution,class,verified,way_m,way_s,nearer_at,nearer_limit,through_at,through_limit,"
       "failed_at,failed_late,touched,depth_mm,cycles,worst_cycle_ms,good,problem\n";
   for (const Result& r : results) {
-    lines += text("%s,%llu,%s,%d,%.3f,%s,%d,%.3f,%.3f,%.2f,%.2f,", r.kind.c_str(),
-                  static_cast<unsigned long long>(r.seed), r.body.c_str(), r.reverse, r.resolution, to_string(r.answer),
-                  r.verified, r.way_length, r.way_time, r.nearer_at, r.nearer_limit) +
-             text("%.2f,%.2f,%.2f,%d,%d,%.4f,%d,%.3f,%d,", r.through_at, r.through_limit, r.failed_at, r.failed_late,
-                  r.touched, 1e3 * r.depth, r.cycles, 1e3 * r.worst_cycle, r.good()) +
+    lines += format("%s,%llu,%s,%d,%.3f,%s,%d,%.3f,%.3f,%.2f,%.2f,", r.kind.c_str(),
+                    static_cast<unsigned long long>(r.seed), r.body.c_str(), r.reverse, r.resolution,
+                    to_string(r.answer), r.verified, r.way_length, r.way_time, r.nearer_at, r.nearer_limit) +
+             format("%.2f,%.2f,%.2f,%d,%d,%.4f,%d,%.3f,%d,", r.through_at, r.through_limit, r.failed_at, r.failed_late,
+                    r.touched, 1e3 * r.depth, r.cycles, 1e3 * r.worst_cycle, r.good()) +
              quoted(r.problem) + "\n";
   }
   return lines;

@@ -7,7 +7,7 @@
 
 namespace hidwa_ways {
 
-/// The stretch of a plan that a way must come to: from 1.5 m along the plan on.
+/// The stretch of a plan that a way must come to.
 class Target {
  public:
   /// From the plan's start on. A shorter plan has its goal for a target.
@@ -15,7 +15,6 @@ class Target {
   /// Whether a place is within `tolerance` [m] of it.
   bool near(double x, double y, double tolerance) const { return squared(x, y) <= tolerance * tolerance; }
   double distance(double x, double y) const;  // [m]
-  const std::vector<Spot>& points() const { return points_; }
 
  private:
   double squared(double x, double y) const;
