@@ -3,6 +3,7 @@
 import asyncio
 import http.client
 import json
+import math
 import os
 import shutil
 import signal
@@ -32,7 +33,7 @@ from page_twin import PATIENCE, Page, View, until
 from running import World
 from test_layouts import bytes_of
 
-FAR = {'x': 55.0, 'y': 27.0, 'yaw': 1.57}  # [m, m, rad] in the office: the other end of it
+ENDS = ({'x': 5.5, 'y': 2.5, 'yaw': -1.57}, {'x': 55.0, 'y': 27.0, 'yaw': 1.57})  # [m, m, rad] of the office
 W = None
 
 
@@ -111,8 +112,9 @@ class OnBoard(unittest.IsolatedAsyncioTestCase):
             await self.a.hold(0.0, lambda: not self.a.told_control['neutral_needed'], 'a centred stick')
 
     async def drive(self):
-        """Until the robot drives by itself."""
-        self.a.say('goal', **FAR)
+        """Until the robot drives by itself, to the end that is farther away: it is a minute from there at least."""
+        x, y = self.view.fields['pose'][:2]
+        self.a.say('goal', **max(ENDS, key=lambda end: math.hypot(end['x'] - x, end['y'] - y)))
         await until(lambda: self.state() == 'AUTONOMY' and self.view.fields['velocity'][0] > 0.3, 'a robot that drives')
 
     def told(self, field, otherwise=None):
@@ -304,6 +306,7 @@ class Killed(OnBoard):
         await until(lambda: watch.count() > begun + 60 and self.view.fields['velocity'][0] > 0.3, 'a robot that drives on')
         self.assertEqual(self.view.fields['state']['wanted'][1], 0.0)
         _, again = await self.console('f')
+        await self.drive()
         await self.steer_until(-0.5, 'SHARED', again)
         again.stick(0.0)
         await until(lambda: self.state() in ('HOLD', 'AUTONOMY'), 'the release')

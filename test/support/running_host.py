@@ -70,10 +70,12 @@ class RunningHost:
         self.pose, self.velocity = None, (0.0, 0.0)
         self._goal = rospy.Publisher('/move_base_simple/goal', PoseStamped, queue_size=1)
         self._cancel = rospy.Publisher('/move_base/cancel', GoalID, queue_size=1)
-        rospy.Subscriber(PLANNER + '/operator_state', OperatorState, lambda m: setattr(self, 'state', m), queue_size=10)
-        rospy.Subscriber('/move_base/result', MoveBaseActionResult, self._take_result, queue_size=10)
-        rospy.Subscriber('/contacts', UInt32, lambda m: setattr(self, 'contacts', m.data), queue_size=10)
-        rospy.Subscriber('/ground_truth', Odometry, self._take_truth, queue_size=10)
+        self._topics = [
+            self._goal, self._cancel,
+            rospy.Subscriber(PLANNER + '/operator_state', OperatorState, lambda m: setattr(self, 'state', m), queue_size=10),
+            rospy.Subscriber('/move_base/result', MoveBaseActionResult, self._take_result, queue_size=10),
+            rospy.Subscriber('/contacts', UInt32, lambda m: setattr(self, 'contacts', m.data), queue_size=10),
+            rospy.Subscriber('/ground_truth', Odometry, self._take_truth, queue_size=10)]
         self._driving = False  # a goal is in hand
 
     def _take_result(self, message):
@@ -87,7 +89,7 @@ class RunningHost:
 
     def wait_until_ready(self):
         """False where move_base has not come up."""
-        return wait_for(lambda: self._goal.get_num_connections() and self._cancel.get_num_connections() and self.pose)
+        return wait_for(lambda: all(topic.get_num_connections() for topic in self._topics) and self.pose)
 
     def state_name(self):
         return self.state.state_name if self.state else ''
@@ -119,6 +121,11 @@ class RunningHost:
             self.go_on()
             return self.velocity[0] > speed
         return wait_for(fast)
+
+    def account(self, what):
+        """That, and what the robot does instead: for the message of a test that fails."""
+        return (f'{what}: at {self.pose}, velocity {self.velocity}, state {self.state_name()}, '
+                f'goal in hand {self._driving}, last result {self.result}')
 
     def stands(self):
         return wait_for(lambda: abs(self.velocity[0]) < 1e-3 and abs(self.velocity[1]) < 1e-3)

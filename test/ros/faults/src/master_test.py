@@ -80,7 +80,8 @@ class Masters(unittest.TestCase):
 
         self.start_master()
         modes.publish('joystick')
-        self.assertTrue(host.drives(), 'the robot does not drive on')
+        if not host.drives():
+            self.fail(host.account('the robot does not drive on') + '\n' + '\n'.join(log.lines[-20:]))
         self.goes_on(watch)
         if version_of('xmlrpcpp') >= (1, 15, 12):  # before, what has asked a dead master asks it for ever (ros_comm #2185)
             self.assertTrue(wait_for(lambda: not waiting.is_alive()), 'the change was never answered')
