@@ -9,7 +9,7 @@
 
 #include "input/operator_state_machine.hpp"
 #include "input/stick_reading.hpp"
-#include "support/scene_loop.hpp"
+#include "plan_drive.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -70,13 +70,8 @@ class Follower {
   void surround() {
     follow_robot(scene_);
     if (cycles_++ % 20 != 0) return;
-    const Pose2& pose = scene_.situation.pose;
-    const double heading = std::atan2(kGoal.y - pose.y, kGoal.x - pose.x);
-    scene_.situation.plan.clear();
-    for (int i = 0; i <= 60; ++i) {
-      scene_.situation.plan.push_back(
-          {pose.x + 0.05 * i * std::cos(heading), pose.y + 0.05 * i * std::sin(heading), heading});
-    }
+    scene_.situation.plan = {scene_.situation.pose};
+    go_to(scene_.situation.plan, kGoal.x, kGoal.y);
     loop_.plan();
   }
 

@@ -34,7 +34,7 @@ inline GoallessScene make_scene(const std::string& kind, int outline, Random& ra
     const double gap = far * std::abs(std::sin(angle));
     const Point away = Point(-std::sin(angle), std::cos(angle)) * side;  // from the wall to the robot
     const double more = std::max(0.0, half + 0.25 - gap);
-    for (Segment& wall : scene.world.walls) wall = {wall.a - more * away, wall.b - more * away};
+    for (Wall& wall : scene.world.walls) wall = {wall.a - more * away, wall.b - more * away};
     scene.finish = 7.0;
   } else if (kind == "doorway") {  // met `far` ahead, missed by up to 0.15 m and 15 degrees
     const double angle = random.uniform(-M_PI / 12.0, M_PI / 12.0), miss = random.uniform(-0.15, 0.15);

@@ -21,41 +21,21 @@
 #include "sim/laser.hpp"
 #include "support/drive_limits.hpp"
 #include "support/random.hpp"
+#include "support/scan_world.hpp"
 
 namespace hidwa_local_planner::test {
 
-struct Segment {
-  Point a, b;  // [m]
-};
-struct Post {
-  Point centre;
-  double radius = 0.0;  // [m]
-};
-
 /// The true world; distances are exact.
 struct TrueWorld {
-  std::vector<Segment> walls;
+  std::vector<Wall> walls;
   std::vector<Post> posts;
 
   /// From a point in a direction to the first surface [m]; infinite where there is none.
   double range(const Point& from, double angle) const {
-    const Point way(std::cos(angle), std::sin(angle));
+    const Point beam(std::cos(angle), std::sin(angle));
     double least = std::numeric_limits<double>::infinity();
-    for (const Segment& wall : walls) {
-      const Point along = wall.b - wall.a, to = wall.a - from;
-      const double cross = way.x() * along.y() - way.y() * along.x();
-      if (std::abs(cross) < 1e-12) continue;
-      const double t = (to.x() * along.y() - to.y() * along.x()) / cross;
-      const double s = (to.x() * way.y() - to.y() * way.x()) / cross;
-      if (t >= 0.0 && s >= 0.0 && s <= 1.0) least = std::min(least, t);
-    }
-    for (const Post& post : posts) {
-      const Point to = post.centre - from;
-      const double ahead = to.dot(way), aside = std::abs(to.x() * way.y() - to.y() * way.x());
-      if (ahead > 0.0 && aside < post.radius) {
-        least = std::min(least, ahead - std::sqrt(post.radius * post.radius - aside * aside));
-      }
-    }
+    for (const Wall& wall : walls) least = std::min(least, range_to(wall, from, beam));
+    for (const Post& post : posts) least = std::min(least, range_to(post, from, beam));
     return least;
   }
 
@@ -65,8 +45,8 @@ struct TrueWorld {
     const double c = std::cos(pose.theta), s = std::sin(pose.theta);
     for (const Point& p : outline) placed.emplace_back(pose.x + c * p.x() - s * p.y(), pose.y + s * p.x() + c * p.y());
     for (std::size_t i = 0; i < placed.size(); ++i) {
-      const Segment side{placed[i], placed[(i + 1) % placed.size()]};
-      for (const Segment& wall : walls) {
+      const Wall side{placed[i], placed[(i + 1) % placed.size()]};
+      for (const Wall& wall : walls) {
         if (crosses(side, wall)) return true;
       }
       for (const Post& post : posts) {
@@ -76,12 +56,12 @@ struct TrueWorld {
     return false;
   }
 
-  static double distance_to(const Segment& side, const Point& p) {
+  static double distance_to(const Wall& side, const Point& p) {
     const Point along = side.b - side.a;
     const double t = std::clamp((p - side.a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
     return (side.a + t * along - p).norm();
   }
-  static bool crosses(const Segment& p, const Segment& q) {
+  static bool crosses(const Wall& p, const Wall& q) {
     const auto turn = [](const Point& a, const Point& b, const Point& c) {
       return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
     };

@@ -3,14 +3,12 @@
 // and notices nonetheless when the robot does something else.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <ostream>
 
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/planner.hpp"
-#include "hidwa_local_planner/critics/built_in.hpp"
-#include "sim/diff_drive.hpp"
+#include "drive_on.hpp"
+#include "support/drive_limits.hpp"
 #include "support/random.hpp"
 #include "support/scene_loop.hpp"
 
@@ -28,20 +26,7 @@ void PrintTo(const Base& b, std::ostream* out) { *out << b.acc_x << " m/s^2, " <
 // In free space a person moves it as they like.
 class LaggingRobot {
  public:
-  explicit LaggingRobot(const Base& base) : drive_(limits(base)) {
-    Parameters& p = scene_.parameters;
-    p = Parameters();
-    p.max_vel_x = base.v;
-    p.min_vel_x = -base.v;
-    p.max_vel_theta = base.omega;
-    p.acc_lim_x = base.acc_x;
-    p.acc_lim_theta = base.acc_theta;
-    p.decel_lim_x = -base.decel_x;
-    p.control_latency = base.latency;
-    scene_.intent.influence = Influence::direct;
-    scene_.intent.guarded = false;
-    loop_.emplace(scene_);
-  }
+  explicit LaggingRobot(const Base& base) : scene_(begin(base)), drive_(limits(scene_.parameters)), loop_(scene_) {}
 
   struct Cycle {
     Twist2 measured, last_command, reference, command;
@@ -55,19 +40,15 @@ class LaggingRobot {
     if (held) drive_.set_velocity({});
     now.velocity = {drive_.velocity().v, drive_.velocity().omega};
     scene_.intent.u_h = wanted;
-    const control::Result result = loop_->cycle(stopped_);
+    const control::Result result = loop_.cycle(stopped_);
     const Decision& decision = *result.decision;
     const Cycle cycle{now.velocity,   now.last_command,          decision.reference,
                       result.command, decision.odometry_doubted, decision.odometry_fast};
-    drive_.command({cycle.command.v, cycle.command.omega}, now.time);
-    constexpr int kSteps = 5;
-    for (int k = 0; k < kSteps; ++k) {
-      const double step = now.period / kSteps;
-      drive_.step(now.time + k * step, step);
+    const Pose2 stays = now.pose;  // the planner sees it in the same place
+    drive_on(now, drive_, cycle.command, 5, [&](int) {
       if (held) drive_.set_velocity({});
-    }
-    now.last_command = cycle.command;
-    now.time += now.period;
+    });
+    now.pose = stays;
     return cycle;
   }
   void stop(bool stops) { stopped_ = stops; }
@@ -75,20 +56,32 @@ class LaggingRobot {
   double period() const { return scene_.situation.period; }
 
  private:
-  static sim::DriveLimits limits(const Base& base) {
-    sim::DriveLimits limits;
-    limits.max_vel_x = 2.0 * base.v;  // as much as somebody may push it to
-    limits.max_vel_theta = 2.0 * base.omega;
-    limits.acc_lim_x = base.acc_x;
-    limits.decel_lim_x = base.decel_x;
-    limits.acc_lim_theta = limits.decel_lim_theta = base.acc_theta;
-    limits.latency = base.latency;
+  static Scene begin(const Base& base) {
+    Scene scene = Scene::empty();
+    Parameters& p = scene.parameters;
+    p = Parameters();
+    p.max_vel_x = base.v;
+    p.min_vel_x = -base.v;
+    p.max_vel_theta = base.omega;
+    p.acc_lim_x = base.acc_x;
+    p.acc_lim_theta = base.acc_theta;
+    p.decel_lim_x = -base.decel_x;
+    p.control_latency = base.latency;
+    scene.intent.influence = Influence::direct;
+    scene.intent.guarded = false;
+    return scene;
+  }
+  // It may be pushed to twice its speed.
+  static sim::DriveLimits limits(const Parameters& p) {
+    sim::DriveLimits limits = limits_of(p);
+    limits.max_vel_x *= 2.0;
+    limits.max_vel_theta *= 2.0;
     return limits;
   }
 
-  Scene scene_ = Scene::empty();
+  Scene scene_;
   sim::DiffDrive drive_;
-  std::optional<SceneLoop> loop_;
+  SceneLoop loop_;
   bool stopped_ = false;  // by the host
 };
 

@@ -62,14 +62,6 @@ PlanCourse drive(const PlanShape& plan, double longest = 120.0, const Parameters
   return robot.run(longest);
 }
 
-// It arrives, and was never farther than `off` [m] from where the plan leads in its order.
-void expect_driven(const std::string& name, const PlanShape& plan, double off) {
-  const PlanCourse course = drive(plan);
-  EXPECT_TRUE(course.arrived) << name;
-  EXPECT_EQ(course.failures, 0) << name;
-  EXPECT_LE(farthest_apart(plan, course.track), off) << name;
-}
-
 TEST(PlanShapes, AnySpacingDrivesAsADensePlan) {
   for (const std::vector<std::pair<double, double>>& corners :
        {std::vector<std::pair<double, double>>{{0.0, 0.0}, {10.0, 0.0}}, {{0.0, 0.0}, {5.0, 0.0}, {5.0, 5.0}}}) {
@@ -95,67 +87,80 @@ TEST(PlanShapes, TheTipOfAHairpinIsReached) {
   }
 }
 
-// Out and back by the same way.
-TEST(PlanShapes, TheTipOfASpikeIsReached) {
-  const PlanShape plan = straight_through({{0.0, 0.0}, {4.0, 0.0}, {1.0, 0.0}});
-  expect_driven("spike", plan, 0.45);
-  EXPECT_LE(drive(plan).nearest_to({4.0, 0.0, 0.0}), kTolerance);
+// Four lanes of 3 m.
+PlanShape lanes(double apart) {
+  return straight_through({{0.0, 0.0},
+                           {3.0, 0.0},
+                           {3.0, apart},
+                           {0.0, apart},
+                           {0.0, 2.0 * apart},
+                           {3.0, 2.0 * apart},
+                           {3.0, 3.0 * apart},
+                           {0.0, 3.0 * apart}});
 }
 
-TEST(PlanShapes, LanesAreDrivenOneAfterTheOther) {
-  for (const double apart : {0.3, 0.5}) {
-    expect_driven("lanes",
-                  straight_through({{0.0, 0.0},
-                                    {3.0, 0.0},
-                                    {3.0, apart},
-                                    {0.0, apart},
-                                    {0.0, 2.0 * apart},
-                                    {3.0, 2.0 * apart},
-                                    {3.0, 3.0 * apart},
-                                    {0.0, 3.0 * apart}}),
-                  0.45);
+// On the way straight on, once round.
+PlanShape loop(double radius) {
+  PlanShape plan = straight_through({{0.0, 0.0}, {2.0, 0.0}});
+  go_round(plan, radius, 2.0 * M_PI);
+  go_to(plan, 5.0, 0.0);
+  return plan;
+}
+
+PlanShape circle(double radius) {
+  PlanShape plan{{0.0, 0.0, 0.0}};
+  go_round(plan, radius, 2.0 * M_PI);
+  return plan;
+}
+
+PlanShape eight(double radius) {
+  PlanShape plan = circle(radius);
+  go_round(plan, radius, -2.0 * M_PI);
+  return plan;
+}
+
+// It arrives, and is never farther than `off` from where the plan leads in its order.
+TEST(PlanShapes, EachIsDrivenInItsOrder) {
+  struct Row {
+    std::string name;
+    PlanShape plan;
+    double off;  // [m]
+  };
+  std::vector<Row> rows = {
+      {"a spike, out and back by the same way", straight_through({{0.0, 0.0}, {4.0, 0.0}, {1.0, 0.0}}), 0.45},
+      {"a spike to where it begins", straight_through({{0.0, 0.0}, {3.0, 0.0}, {0.0, 0.0}}), 0.45},
+      {"a square", straight_through({{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {0.0, 2.0}, {0.0, 0.0}}), 0.6},
+      {"a spiral outwards", spiral(0.5, false), 0.5},
+      {"a spiral inwards", spiral(0.5, true), 0.5}};
+  const auto add = [&rows](const std::string& name, double size, PlanShape plan, double off) {
+    rows.push_back({name + " of " + std::to_string(size) + " m", std::move(plan), off});
+  };
+  for (const double apart : {0.3, 0.5}) add("lanes", apart, lanes(apart), 0.45);
+  for (const double inner : {0.3, 0.6, 0.9}) {
+    const std::string name = "a zigzag with " + std::to_string(inner) + " rad in its corners";
+    for (const double leg : {1.0, 2.0}) add(name, leg, zigzag(leg, inner), 0.55);
   }
-}
-
-TEST(PlanShapes, ZigzagsAreDrivenToTheirCorners) {
-  for (const double leg : {1.0, 2.0}) {
-    for (const double inner : {0.3, 0.6, 0.9}) expect_driven("zigzag", zigzag(leg, inner), 0.55);
-  }
-}
-
-TEST(PlanShapes, LoopsAndCrossingsAreDriven) {
   for (const double radius : {0.3, 0.5, 1.0}) {
-    PlanShape loop = straight_through({{0.0, 0.0}, {2.0, 0.0}});
-    go_round(loop, radius, 2.0 * M_PI);
-    go_to(loop, 5.0, 0.0);
-    expect_driven("loop", loop, 0.5);
-    PlanShape eight{{0.0, 0.0, 0.0}};
-    go_round(eight, radius, 2.0 * M_PI);
-    go_round(eight, radius, -2.0 * M_PI);
-    expect_driven("eight", eight, 0.5);
+    add("a loop", radius, loop(radius), 0.5);
+    add("an eight", radius, eight(radius), 0.5);
+  }
+  for (const double radius : {0.5, 1.0, 2.0}) add("a circle", radius, circle(radius), 0.4);
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.name);
+    const PlanCourse course = drive(row.plan);
+    EXPECT_TRUE(course.arrived);
+    EXPECT_EQ(course.failures, 0);
+    EXPECT_LE(farthest_apart(row.plan, course.track), row.off);
   }
 }
 
-TEST(PlanShapes, SpiralsAreDriven) {
-  for (const bool inwards : {false, true}) expect_driven("spiral", spiral(0.5, inwards), 0.5);
-}
-
-// A loop that ends where it begins.
-TEST(PlanShapes, ALoopThatEndsAtTheRobotIsDriven) {
-  expect_driven("square", straight_through({{0.0, 0.0}, {2.0, 0.0}, {2.0, 2.0}, {0.0, 2.0}, {0.0, 0.0}}), 0.6);
-  expect_driven("out and back", straight_through({{0.0, 0.0}, {3.0, 0.0}, {0.0, 0.0}}), 0.45);
-  for (const double radius : {0.5, 1.0, 2.0}) {
-    PlanShape circle{{0.0, 0.0, 0.0}};
-    go_round(circle, radius, 2.0 * M_PI);
-    expect_driven("circle", circle, 0.4);
+// The goal lies on the way out to the tip.
+TEST(PlanShapes, AGoalThatIsPassedOnTheWayToATipDoesNotCountYet) {
+  for (const double goal : {1.0, 2.0}) {
+    const PlanCourse course = drive(straight_through({{0.0, 0.0}, {4.0, 0.0}, {goal, 0.0}}));
+    EXPECT_TRUE(course.arrived) << goal;
+    EXPECT_LE(course.nearest_to({4.0, 0.0, 0.0}), kTolerance) << goal;
   }
-}
-
-// The goal lies on the way out to the place before it.
-TEST(PlanShapes, AGoalThatIsPassedOnTheWayDoesNotCountYet) {
-  const PlanCourse course = drive(straight_through({{0.0, 0.0}, {4.0, 0.0}, {2.0, 0.0}}));
-  EXPECT_TRUE(course.arrived);
-  EXPECT_LE(course.nearest_to({4.0, 0.0, 0.0}), kTolerance);
 }
 
 TEST(PlanShapes, APlanToWhereTheRobotStandsIsReachedAtOnce) {

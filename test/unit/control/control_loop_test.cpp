@@ -25,7 +25,7 @@ std::vector<Pose2> straight(double length, double goal_yaw = 0.0) {
 class Bench {
  public:
   Bench() : scene_(test::Scene::empty(121)), loop_(critics::built_in()) {
-    EXPECT_TRUE(loop_.configure(scene_.parameters).empty());
+    set(scene_.parameters);
     loop_.set_footprint(scene_.outline);
     seen_.timing = {10.0, kPeriod, kPeriod, kPeriod, false};
     seen_.velocity = Twist2{};
@@ -41,6 +41,16 @@ class Bench {
     seen_.resumed.reset();
     return result;
   }
+  Result steps(int count) {
+    for (int k = 1; k < count; ++k) step();
+    return step();
+  }
+  void wants(OperatorStateId state, Influence influence, const Twist2& u_h) {
+    intent_.state = state;
+    intent_.influence = influence;
+    intent_.u_h = u_h;
+  }
+  void set(const Parameters& wanted) { EXPECT_TRUE(loop_.configure(wanted).empty()); }
   void pillar(double x, double y) { scene_.fill(x - 0.2, y - 0.2, x + 0.2, y + 0.2); }
   OperatorIntent& intent() { return intent_; }
   ControlLoop& loop() { return loop_; }
@@ -59,8 +69,7 @@ TEST(ControlLoop, DrivesAlongItsPlanAndSaysWhatBecameOfIt) {
   EXPECT_FALSE(bench.loop().has_plan());
   bench.plan(straight(2.5));
   EXPECT_TRUE(bench.loop().has_plan());
-  for (int k = 0; k < 5; ++k) bench.step();
-  const Result result = bench.step();
+  const Result result = bench.steps(6);
   EXPECT_EQ(result.outcome, Outcome::drive);
   EXPECT_NEAR(result.command.v, 0.5, 1e-9);  // 6 periods of 2.5 m/s^2 are 0.75 m/s
   EXPECT_EQ(result.feedback.command, result.command);
@@ -73,7 +82,7 @@ TEST(ControlLoop, ASetWithFaultsChangesNothing) {
   Bench bench;
   Parameters wanted = bench.parameters();
   wanted.s_omega = 123.0;
-  EXPECT_TRUE(bench.loop().configure(wanted).empty());
+  bench.set(wanted);
   EXPECT_EQ(bench.loop().parameters().s_omega, 123.0);
   wanted.s_omega = 77.0;
   wanted.critics = "NoSuchCritic";
@@ -135,7 +144,7 @@ TEST(ControlLoop, TheWindowReachesAsFarAheadAsTheParametersAndTheMethodSay) {
     wanted.forward_prune_distance = 0.5;
     wanted.max_vel_x = 0.5;
     wanted.sim_time = 2.0;
-    EXPECT_TRUE(bench.loop().configure(wanted).empty());
+    bench.set(wanted);
     bench.plan(straight(2.5));
     bench.step();
     return bench.loop().situation().plan.back().x;
@@ -163,8 +172,7 @@ TEST(ControlLoop, APlanRoundTheOtherSideWaitsWhileAutonomyDrives) {
     bench.step();
     ASSERT_EQ(side(), 0.9) << k;
   }
-  bench.step();
-  bench.step();
+  bench.steps(2);
   EXPECT_EQ(side(), -0.9);
 
   bench.plan(round_by(0.9));
@@ -176,8 +184,7 @@ TEST(ControlLoop, APlanRoundTheOtherSideWaitsWhileAutonomyDrives) {
   EXPECT_EQ(side(), -0.8);
 
   bench.plan(round_by(0.9));
-  bench.intent().state = OperatorStateId::shared;
-  bench.intent().influence = Influence::shared;
+  bench.wants(OperatorStateId::shared, Influence::shared, {});
   bench.step();
   EXPECT_EQ(side(), 0.9);  // who steers chooses the side
   bench.plan(round_by(-0.9));
@@ -187,7 +194,7 @@ TEST(ControlLoop, APlanRoundTheOtherSideWaitsWhileAutonomyDrives) {
 TEST(ControlLoop, WhereSomethingIsMissingItBrakes) {
   Bench bench;
   bench.plan(straight(2.5));
-  for (int k = 0; k < 6; ++k) bench.step();
+  bench.steps(6);
   bench.seen().fault = "no scan";
   Result result = bench.step();
   EXPECT_EQ(result.decision, nullptr);
@@ -196,8 +203,7 @@ TEST(ControlLoop, WhereSomethingIsMissingItBrakes) {
   // Four periods to rest; a late cycle brakes for the time since the one before.
   bench.seen().timing.interval = bench.seen().timing.longest_period = 2.0 * kPeriod;
   EXPECT_NEAR(bench.step().command.v, 0.5 - 3.0 * 2.5 * kPeriod, 1e-9);
-  bench.step();
-  result = bench.step();
+  result = bench.steps(2);
   EXPECT_EQ(result.outcome, Outcome::fail);
   EXPECT_EQ(result.command, Twist2{});
   EXPECT_TRUE(bench.loop().stands());
@@ -216,9 +222,9 @@ double led_on(Bench& bench) {
 void drive_without_latency(Bench& bench) {
   Parameters wanted = bench.parameters();
   wanted.control_latency = 0.0;
-  ASSERT_TRUE(bench.loop().configure(wanted).empty());
+  bench.set(wanted);
   bench.plan(straight(2.5));
-  for (int k = 0; k < 8; ++k) bench.step();
+  bench.steps(8);
   ASSERT_NEAR(bench.loop().last_command().v, 0.5, 1e-9);
 }
 
@@ -226,8 +232,7 @@ TEST(ControlLoop, WhatWasSentWhileAnInputWasMissingStillActs) {
   Bench bench;
   drive_without_latency(bench);
   bench.seen().fault = "no scan";
-  bench.step();  // 0.375 m/s
-  bench.step();  // 0.25 m/s
+  bench.steps(2);  // 0.375 m/s, 0.25 m/s
   // Evenly from 0.5 to 0.375 to 0.25 m/s: 0.05 x (0.4375 + 0.3125) m.
   EXPECT_NEAR(led_on(bench), 0.0375, 1e-9);
 }
@@ -238,8 +243,7 @@ TEST(ControlLoop, WhatWasSentAfterAPauseWhileAnInputWasMissingStillActs) {
   bench.seen().timing.now += 1.0;
   bench.seen().resumed = Twist2{0.4, 0.0};  // another node drove
   bench.seen().fault = "no scan";
-  bench.step();  // 0.275 m/s
-  bench.step();  // 0.15 m/s
+  bench.steps(2);  // 0.275 m/s, 0.15 m/s
   EXPECT_NEAR(led_on(bench), 0.05 * (0.3375 + 0.2125), 1e-9);
 }
 
@@ -257,8 +261,7 @@ TEST(ControlLoop, WhatWasSentBeforeAClockWasSetBackStillActs) {
   Bench bench;
   drive_without_latency(bench);
   bench.seen().host_stops = true;
-  bench.step();  // 0.375 m/s
-  bench.step();  // 0.25 m/s
+  bench.steps(2);  // 0.375 m/s, 0.25 m/s
   bench.seen().timing.now -= 50.0;
   bench.seen().timing.jumped_back = true;
   EXPECT_NEAR(led_on(bench), 0.0375, 1e-9);  // as above
@@ -279,10 +282,8 @@ TEST(ControlLoop, TheFirstCycleAfterAFaultBrakesByOnePeriod) {
 TEST(ControlLoop, TheHostStopsTheRobotWhateverTheOperatorWants) {
   Bench bench;
   bench.plan(straight(2.5));
-  for (int k = 0; k < 6; ++k) bench.step();
-  bench.intent().state = OperatorStateId::shared;
-  bench.intent().influence = Influence::shared;
-  bench.intent().u_h = {0.5, 0.3};
+  bench.steps(6);
+  bench.wants(OperatorStateId::shared, Influence::shared, {0.5, 0.3});
   bench.seen().host_stops = true;
   const Result result = bench.step();
   ASSERT_NE(result.decision, nullptr);
@@ -373,11 +374,8 @@ TEST(ControlLoop, WhoeverIsCarriedAwayFromTheGoalBeginsAfresh) {
 TEST(ControlLoopWithoutGoal, TheOperatorDrivesAndTheirReleaseBrakes) {
   Bench bench;
   bench.seen().goalless = true;
-  bench.intent().state = OperatorStateId::manual;
-  bench.intent().influence = Influence::direct;
-  bench.intent().u_h = {0.4, 0.0};
-  Result result;
-  for (int k = 0; k < 20; ++k) result = bench.step();
+  bench.wants(OperatorStateId::manual, Influence::direct, {0.4, 0.0});
+  const Result result = bench.steps(20);
   EXPECT_NEAR(result.command.v, 0.4, 1e-9);
   EXPECT_TRUE(result.goalless);
   bench.intent() = {};
@@ -392,9 +390,8 @@ TEST(ControlLoopWithoutGoal, SharedAndUnguardedCommandsAreGuardedAndDirect) {
     Bench bench;
     bench.pillar(0.8, 0.0);
     bench.seen().goalless = true;
-    bench.intent().influence = influence;
+    bench.wants(OperatorStateId::manual, influence, {0.5, 0.0});
     bench.intent().guarded = false;
-    bench.intent().u_h = {0.5, 0.0};
     for (int k = 0; k < 40; ++k) {
       const Result result = bench.step();
       bench.seen().pose.x += kPeriod * result.command.v;  // straight on, as far as it is let
@@ -408,10 +405,8 @@ TEST(ControlLoopWithoutGoal, AGoalTakesOverWithoutAJumpAndIsANewOne) {
   bench.plan(straight(2.5));
   bench.step();
   bench.seen().goalless = true;
-  bench.intent().influence = Influence::direct;
-  bench.intent().u_h = {0.5, 0.0};
-  Twist2 last;
-  for (int k = 0; k < 20; ++k) last = bench.step().command;
+  bench.wants(OperatorStateId::manual, Influence::direct, {0.5, 0.0});
+  Twist2 last = bench.steps(20).command;
   bench.seen().goalless = false;
   bench.intent() = {};
   bench.plan(straight(2.5));  // the same goal as before: it begins anew
@@ -430,8 +425,7 @@ TEST(ControlLoopWithoutGoal, WhatIsRememberedRepeatsACycle) {
   for (Bench* one : {&bench, &other}) {
     one->pillar(1.4, 0.25);
     one->seen().goalless = true;
-    one->intent().influence = Influence::direct;
-    one->intent().u_h = {0.5, 0.0};
+    one->wants(OperatorStateId::manual, Influence::direct, {0.5, 0.0});
   }
   bool turned = false;
   for (int k = 0; k < 60; ++k) {

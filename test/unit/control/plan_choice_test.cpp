@@ -45,29 +45,28 @@ class PlanChoiceTest : public testing::Test {
   Map map_;
   PlanChoice choice_;
   Parameters parameters_;
+  const std::vector<Pose2> left_ = round(0.8), right_ = round(-0.8);
 };
 
 TEST_F(PlanChoiceTest, APlanRoundTheOtherSideWaitsForItsTime) {
-  const std::vector<Pose2> left = round(0.8), right = round(-0.8);
-  choice_.offer(right);
-  EXPECT_FALSE(prefers(left, 10.0));
-  EXPECT_FALSE(prefers(left, 10.0 + 0.99 * parameters_.plan_hysteresis_time));
-  choice_.offer(right);  // as a host that plans every second does
-  EXPECT_TRUE(prefers(left, 10.0 + parameters_.plan_hysteresis_time));
-  EXPECT_EQ(choice_.take().size(), right.size());
+  choice_.offer(right_);
+  EXPECT_FALSE(prefers(left_, 10.0));
+  EXPECT_FALSE(prefers(left_, 10.0 + 0.99 * parameters_.plan_hysteresis_time));
+  choice_.offer(right_);  // as a host that plans every second does
+  EXPECT_TRUE(prefers(left_, 10.0 + parameters_.plan_hysteresis_time));
+  EXPECT_EQ(choice_.take().size(), right_.size());
   EXPECT_FALSE(choice_.offers());
 }
 
 TEST_F(PlanChoiceTest, APlanOnTheSameSideIsFollowedAtOnceAndEndsTheWaiting) {
-  const std::vector<Pose2> left = round(0.8);
-  choice_.offer(round(-0.8));
-  EXPECT_FALSE(prefers(left, 10.0));
+  choice_.offer(right_);
+  EXPECT_FALSE(prefers(left_, 10.0));
   choice_.offer(round(0.7));
-  EXPECT_TRUE(prefers(left, 11.0));
+  EXPECT_TRUE(prefers(left_, 11.0));
   choice_.take();
-  choice_.offer(round(-0.8));
-  EXPECT_FALSE(prefers(left, 12.0));
-  EXPECT_FALSE(prefers(left, 12.0 + 0.99 * parameters_.plan_hysteresis_time));  // counted from 12 s on
+  choice_.offer(right_);
+  EXPECT_FALSE(prefers(left_, 12.0));
+  EXPECT_FALSE(prefers(left_, 12.0 + 0.99 * parameters_.plan_hysteresis_time));  // counted from 12 s on
 }
 
 TEST_F(PlanChoiceTest, WhatIsClearlyCheaperIsFollowedAtOnce) {
@@ -84,35 +83,32 @@ TEST_F(PlanChoiceTest, CostsOfCellsCount) {
   for (int i = 0; i < 15; ++i) {
     for (int j = 1; j < 12; ++j) map_.set(0.05 + 0.1 * i, 0.05 + 0.1 * j, 125);
   }
-  const std::vector<Pose2> left = round(0.8);
-  choice_.offer(round(-0.8));  // the same length, without costs: 3.4 m against 1.7 x 3 + 1.7 = 6.8 m
-  EXPECT_TRUE(prefers(left, 10.0));
+  choice_.offer(right_);  // the same length, without costs: 3.4 m against 1.7 x 3 + 1.7 = 6.8 m
+  EXPECT_TRUE(prefers(left_, 10.0));
 }
 
 TEST_F(PlanChoiceTest, NothingWaitsWhereTheOldPlanIsBlocked) {
-  const std::vector<Pose2> left = round(0.8);
-  choice_.offer(round(-0.8));
-  EXPECT_FALSE(prefers(left, 10.0));
+  choice_.offer(right_);
+  EXPECT_FALSE(prefers(left_, 10.0));
   map_.set(1.55, 0.75, cost::kInscribed);  // on the left way: a robot there touches something
-  EXPECT_TRUE(prefers(left, 10.05));
+  EXPECT_TRUE(prefers(left_, 10.05));
 }
 
 TEST_F(PlanChoiceTest, NorWhereSomethingStandsBetweenTwoOfItsPoses) {
-  const std::vector<Pose2> left = {{0.0, 0.0, 0.0}, {1.5, 0.8, 0.0}, {3.0, 0.0, 0.0}};
-  choice_.offer(round(-0.8));
-  EXPECT_FALSE(prefers(left, 10.0));
+  const std::vector<Pose2> coarse = {{0.0, 0.0, 0.0}, {1.5, 0.8, 0.0}, {3.0, 0.0, 0.0}};
+  choice_.offer(right_);
+  EXPECT_FALSE(prefers(coarse, 10.0));
   map_.set(2.25, 0.4, cost::kInscribed);  // half-way between the last two
-  EXPECT_TRUE(prefers(left, 10.05));
+  EXPECT_TRUE(prefers(coarse, 10.05));
 }
 
 // A metre of unknown cells counts as a free one. Both ways are 2 hypot(1.5, 0.8) = 3.4 m long.
 TEST_F(PlanChoiceTest, UnknownCellsCostWhatFreeOnesDo) {
-  const std::vector<Pose2> left = round(0.8);
   for (int i = 0; i < 30; ++i) {
     for (int j = 1; j < 12; ++j) map_.set(0.05 + 0.1 * i, -0.35 - 0.1 * j, cost::kUnknown);
   }
-  choice_.offer(round(-0.8));
-  EXPECT_FALSE(prefers(left, 10.0));
+  choice_.offer(right_);
+  EXPECT_FALSE(prefers(left_, 10.0));
 }
 
 // Both lead round the pillar, then a way back to where the robot is, and its distance from their two ends is the same.
@@ -126,23 +122,21 @@ TEST_F(PlanChoiceTest, OfARoundTripTheWholeWayCounts) {
 }
 
 TEST_F(PlanChoiceTest, UnknownCellsBlockNothing) {
-  const std::vector<Pose2> left = round(0.8);
   map_.set(1.55, 0.75, cost::kUnknown);
-  choice_.offer(round(-0.8));
-  EXPECT_FALSE(prefers(left, 10.0));
+  choice_.offer(right_);
+  EXPECT_FALSE(prefers(left_, 10.0));
 }
 
 TEST_F(PlanChoiceTest, NothingWaitsForTheOperatorAfterAFailureOrInThePapersMethod) {
-  const std::vector<Pose2> left = round(0.8);
-  choice_.offer(round(-0.8));
-  EXPECT_TRUE(prefers(left, 10.0, false));
-  EXPECT_FALSE(prefers(left, 10.0));
+  choice_.offer(right_);
+  EXPECT_TRUE(prefers(left_, 10.0, false));
+  EXPECT_FALSE(prefers(left_, 10.0));
   choice_.give_way();
-  EXPECT_TRUE(prefers(left, 10.0));
+  EXPECT_TRUE(prefers(left_, 10.0));
   choice_.take();
   parameters_.method = Method::paper;
-  choice_.offer(round(-0.8));
-  EXPECT_TRUE(prefers(left, 10.0));
+  choice_.offer(right_);
+  EXPECT_TRUE(prefers(left_, 10.0));
 }
 
 TEST_F(PlanChoiceTest, TheFrameOfThePlansMayBeAnother) {
@@ -153,8 +147,8 @@ TEST_F(PlanChoiceTest, TheFrameOfThePlansMayBeAnother) {
     for (Pose2& pose : plan) pose = from_plan.apply_inverse(pose);
     return plan;
   };
-  const std::vector<Pose2> left = in_plan_frame(round(0.8));
-  choice_.offer(in_plan_frame(round(-0.8)));
+  const std::vector<Pose2> left = in_plan_frame(left_);
+  choice_.offer(in_plan_frame(right_));
   EXPECT_FALSE(choice_.prefers_offer({{0.0, 0.0, 0.0}, from_plan, map_.grid, left, 10.0, true}, parameters_));
   choice_.offer(in_plan_frame(round(0.7)));
   EXPECT_TRUE(choice_.prefers_offer({{0.0, 0.0, 0.0}, from_plan, map_.grid, left, 10.0, true}, parameters_));
@@ -189,9 +183,8 @@ TEST_F(PlanChoiceTest, APoseThatIsNoPlaceLiesOffTheMap) {
 }
 
 TEST_F(PlanChoiceTest, IsRememberedWhole) {
-  const std::vector<Pose2> left = round(0.8);
-  choice_.offer(round(-0.8));
-  EXPECT_FALSE(prefers(left, 10.0));
+  choice_.offer(right_);
+  EXPECT_FALSE(prefers(left_, 10.0));
   Bytes bytes;
   ArchiveWriter write(bytes);
   write(choice_);
@@ -200,8 +193,8 @@ TEST_F(PlanChoiceTest, IsRememberedWhole) {
   read(other);
   ASSERT_TRUE(read.complete());
   choice_ = other;
-  EXPECT_FALSE(prefers(left, 10.0 + 0.99 * parameters_.plan_hysteresis_time));
-  EXPECT_TRUE(prefers(left, 10.0 + parameters_.plan_hysteresis_time));
+  EXPECT_FALSE(prefers(left_, 10.0 + 0.99 * parameters_.plan_hysteresis_time));
+  EXPECT_TRUE(prefers(left_, 10.0 + parameters_.plan_hysteresis_time));
 }
 
 TEST(SameWay, PlansThatRunSideBySideLeadTheSameWay) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -18,51 +20,72 @@ std::vector<Pose2> straight(double metres) {
   return plan;
 }
 
-// Without the plan's order.
-PlanWindow::Range around(PlanWindow& window, const Pose2& robot, double behind, double ahead) {
-  window.advance(robot, nullptr);
-  return window.range(behind, ahead);
+PlanWindow window_on(std::vector<Pose2> plan) {
+  PlanWindow window;
+  window.set_plan(std::move(plan));
+  return window;
 }
 
+struct Window {
+  const char* name;
+  std::vector<Pose2> plan;
+  Pose2 robot;
+  double behind, ahead;          // asked for [m]
+  double progress;               // [m]
+  std::size_t next, begin, end;  // the pose from there on, and the range
+};
+
+// The first query of a window, without the plan's order.
 TEST(PlanWindow, ReachesAsFarAsAskedAlongThePlan) {
-  PlanWindow window;
-  window.set_plan(straight(10.0));
-  const PlanWindow::Range range = around(window, {4.03, 0.5, 0.0}, 1.0, 2.0);
-  EXPECT_NEAR(window.progress(), 4.03, 1e-9);
-  // From 3.03 to 6.03: poses 3.1 to 6.0.
-  EXPECT_EQ(range.begin, 31u);
-  EXPECT_EQ(range.end, 61u);
+  const std::vector<Pose2> corner{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}};
+  std::vector<Pose2> repeated(5, Pose2{1.0, 0.0, 0.0});
+  repeated.push_back({2.0, 0.0, 0.0});
+  const Window windows[] = {
+      {"from 3.03 to 6.03: poses 3.1 to 6.0", straight(10.0), {4.03, 0.5, 0.0}, 1.0, 2.0, 4.03, 41, 31, 61},
+      {"the first query searches the whole plan", straight(30.0), {25.0, 0.1, 0.0}, 1.0, 2.0, 25.0, 250, 240, 271},
+      {"outside of a corner it is at the corner", corner, {1.2, -0.1, 0.0}, 1.0, 2.0, 1.0, 1, 0, 3},
+      {"a short plan is given whole", straight(0.3), {0.1, 0.0, 0.0}, 1.0, 2.0, 0.1, 1, 0, 4},
+      {"beyond the end the last pose remains", straight(5.0), {9.0, 0.0, 0.0}, 0.0, 2.0, 5.0, 50, 50, 51},
+      {"one pose", {{3.0, 1.0, 0.5}}, {0.0, 0.0, 0.0}, 1.0, 2.0, 0.0, 0, 0, 1},
+      {"repeated poses do no harm", repeated, {1.5, 0.0, 0.0}, 1.0, 2.0, 0.5, 5, 0, 6},
+  };
+  for (const Window& row : windows) {
+    SCOPED_TRACE(row.name);
+    PlanWindow window = window_on(row.plan);
+    for (int k = 0; k < 3; ++k) {  // asked again it says the same
+      window.advance(row.robot, nullptr);
+      EXPECT_NEAR(window.progress(), row.progress, 1e-9);
+      EXPECT_EQ(window.next_pose(), row.next);
+      const PlanWindow::Range range = window.range(row.behind, row.ahead);
+      EXPECT_EQ(range.begin, row.begin);
+      EXPECT_EQ(range.end, row.end);
+    }
+  }
 }
 
-TEST(PlanWindow, ProgressNeverGoesBack) {
-  PlanWindow window;
-  window.set_plan(straight(10.0));
-  around(window, {4.0, 0.0, 0.0}, 1.0, 2.0);
-  around(window, {3.0, 0.0, 0.0}, 1.0, 2.0);
+TEST(PlanWindow, OfNoPlanItIsEmpty) {
+  PlanWindow window = window_on({});
+  EXPECT_TRUE(window.empty());
+  window.advance({}, nullptr);
+  const PlanWindow::Range none = window.range(1.0, 2.0);
+  EXPECT_EQ(none.begin, none.end);
+}
+
+TEST(PlanWindow, ProgressNeverGoesBackButWithANewPlan) {
+  PlanWindow window = window_on(straight(10.0));
+  window.advance({4.0, 0.0, 0.0}, nullptr);
+  window.advance({3.0, 0.0, 0.0}, nullptr);
   EXPECT_NEAR(window.progress(), 4.0, 1e-9);
   double before = 0.0;
   for (int k = 0; k <= 100; ++k) {  // forward with a jitter of 0.3 m
-    around(window, {4.0 + 0.05 * k + (k % 2 == 0 ? 0.3 : 0.0), 0.2, 0.0}, 1.0, 2.0);
+    window.advance({4.0 + 0.05 * k + (k % 2 == 0 ? 0.3 : 0.0), 0.2, 0.0}, nullptr);
     EXPECT_GE(window.progress(), before);
     before = window.progress();
   }
   EXPECT_NEAR(before, 9.3, 1e-9);  // 4.0 + 5.0 + 0.3
-}
-
-// Outside of a corner the nearest place is the corner itself, 1 m along the plan; not where its leg would lead on.
-TEST(PlanWindow, OutsideOfACornerItIsAtTheCorner) {
-  PlanWindow window;
-  window.set_plan({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}});
-  around(window, {1.2, -0.1, 0.0}, 1.0, 2.0);
-  EXPECT_NEAR(window.progress(), 1.0, 1e-9);
-  EXPECT_EQ(window.next_pose(), 1u);
-}
-
-TEST(PlanWindow, TheFirstQuerySearchesTheWholePlan) {
-  PlanWindow window;
-  window.set_plan(straight(30.0));
-  around(window, {25.0, 0.1, 0.0}, 1.0, 2.0);
-  EXPECT_NEAR(window.progress(), 25.0, 1e-9);
+  window.set_plan(straight(10.0));
+  window.advance({2.0, 0.0, 0.0}, nullptr);
+  EXPECT_NEAR(window.progress(), 2.0, 1e-9);
 }
 
 TEST(PlanWindow, ALoopCannotPullToTheWrongBranch) {
@@ -70,76 +93,22 @@ TEST(PlanWindow, ALoopCannotPullToTheWrongBranch) {
   std::vector<Pose2> plan = straight(6.0);
   for (int i = 1; i <= 4; ++i) plan.push_back({6.0, 0.1 * i, M_PI / 2});
   for (int i = 1; i <= 60; ++i) plan.push_back({6.0 - 0.1 * i, 0.4, M_PI});
-  PlanWindow window;
-  window.set_plan(plan);
-  around(window, {0.0, 0.0, 0.0}, 1.0, 2.0);
+  PlanWindow window = window_on(plan);
+  window.advance({0.0, 0.0, 0.0}, nullptr);
   // The robot drifts to y = 0.3, nearer to the way back (0.1 m) than to the way out (0.3 m).
   for (int k = 0; k <= 50; ++k) {
-    const double x = 0.05 * k;
-    around(window, {x, 0.3, 0.0}, 1.0, 2.0);
-    ASSERT_NEAR(window.progress(), x, 1e-9);
+    window.advance({0.05 * k, 0.3, 0.0}, nullptr);
+    ASSERT_NEAR(window.progress(), 0.05 * k, 1e-9);
   }
 }
 
 // The way back along y = 1 begins 2 m ahead, where the search for the nearest stretch ends; so far the robot may have
 // come.
 TEST(PlanWindow, AStretchThatBeginsWhereTheSearchEndsIsFound) {
-  PlanWindow window;
-  window.set_plan({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}});
-  around(window, {0.0, 0.0, 0.0}, 1.0, 2.0);
-  around(window, {0.0, 0.9, 0.0}, 1.0, 2.0);
+  PlanWindow window = window_on({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}});
+  window.advance({0.0, 0.0, 0.0}, nullptr);
+  window.advance({0.0, 0.9, 0.0}, nullptr);
   EXPECT_EQ(window.progress(), 2.0);
-}
-
-TEST(PlanWindow, AReplanStartsAnew) {
-  PlanWindow window;
-  window.set_plan(straight(10.0));
-  around(window, {8.0, 0.0, 0.0}, 1.0, 2.0);
-  window.set_plan(straight(10.0));
-  const PlanWindow::Range range = around(window, {2.0, 0.0, 0.0}, 1.0, 2.0);
-  EXPECT_NEAR(window.progress(), 2.0, 1e-9);
-  EXPECT_EQ(range.begin, 10u);
-}
-
-TEST(PlanWindow, ShortPlansAreGivenWhole) {
-  PlanWindow window;
-  window.set_plan(straight(0.3));
-  const PlanWindow::Range range = around(window, {0.1, 0.0, 0.0}, 1.0, 2.0);
-  EXPECT_EQ(range.begin, 0u);
-  EXPECT_EQ(range.end, 4u);
-}
-
-TEST(PlanWindow, BeyondTheEndTheLastPoseRemains) {
-  PlanWindow window;
-  window.set_plan(straight(5.0));
-  const PlanWindow::Range range = around(window, {9.0, 0.0, 0.0}, 0.0, 2.0);
-  EXPECT_EQ(range.begin, 50u);
-  EXPECT_EQ(range.end, 51u);
-}
-
-TEST(PlanWindow, OnePoseAndNone) {
-  PlanWindow window;
-  window.set_plan({{3.0, 1.0, 0.5}});
-  for (int k = 0; k < 3; ++k) {
-    const PlanWindow::Range range = around(window, {0.0, 0.0, 0.0}, 1.0, 2.0);
-    EXPECT_EQ(range.begin, 0u);
-    EXPECT_EQ(range.end, 1u);
-  }
-  window.set_plan({});
-  EXPECT_TRUE(window.empty());
-  const PlanWindow::Range none = around(window, {0.0, 0.0, 0.0}, 1.0, 2.0);
-  EXPECT_EQ(none.begin, none.end);
-}
-
-TEST(PlanWindow, RepeatedPosesDoNoHarm) {
-  std::vector<Pose2> plan(5, Pose2{1.0, 0.0, 0.0});
-  plan.push_back({2.0, 0.0, 0.0});
-  PlanWindow window;
-  window.set_plan(plan);
-  const PlanWindow::Range range = around(window, {1.5, 0.0, 0.0}, 1.0, 2.0);
-  EXPECT_NEAR(window.progress(), 0.5, 1e-9);
-  EXPECT_EQ(range.begin, 0u);
-  EXPECT_EQ(range.end, 6u);
 }
 
 TEST(PlanWindow, PosesArePutInWhereAPlanHasNone) {

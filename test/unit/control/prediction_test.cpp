@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,13 @@ class Predictions : public testing::Test {
     result_.outcome = Outcome::drive;
     change(result_, decision_);
     prediction_.update(loop_, seen_, result_);
+    return prediction_;
+  }
+  // One cycle and its decision as it is.
+  const Prediction& predicted() {
+    loop_.set_plan(plan_, "map", seen_.timing.now, 0.05);
+    prediction_.update(loop_, seen_, loop_.step(seen_, {}));
+    for (const TimedPose& said : prediction_.poses()) EXPECT_TRUE(is_finite(said.pose)) << said.time;
     return prediction_;
   }
   // The operator has just let go at a speed of `v`: the plan is followed from here on.
@@ -98,39 +106,6 @@ TEST_F(Predictions, RestsBeforeAnObstacleOnThePlan) {
   EXPECT_EQ(prediction_.reason(), "an obstacle is on the plan");
   EXPECT_NEAR(prediction_.poses().back().pose.x, 0.625, 0.05);
   EXPECT_NEAR(prediction_.poses().back().pose.theta, 0.0, 1e-9);
-}
-
-// The plan's second leg is turned by 40 degrees = 0.70 rad, more than the 0.35 rad that are called a turn; by 10
-// degrees = 0.17 rad it is none.
-TEST_F(Predictions, ABendIsATurnToItsSide) {
-  const std::pair<double, NextMove> bends[] = {
-      {0.70, NextMove::left}, {-0.70, NextMove::right}, {0.17, NextMove::straight}, {-0.17, NextMove::straight}};
-  for (const auto& [bend, move] : bends) {
-    plan_to(0.475);
-    for (int k = 1; k <= 60; ++k) plan_.push_back({0.475 + 0.05 * k * std::cos(bend), 0.05 * k * std::sin(bend), bend});
-    EXPECT_EQ(driving(0.5).next(), move) << bend;
-    EXPECT_NEAR(prediction_.poses().back().pose.theta, bend, 0.05);
-    seen_.timing.now += 1.0;
-  }
-}
-
-// Three tenths of the rollout, whose poses are 0.15 s = 0.03 m apart: 2 of them, and a straight line between.
-TEST_F(Predictions, BeginWithWhatAutonomyHasChosen) {
-  plan_to(3.0);
-  predicted([](Result& result, Decision& decision) {
-    result.command = decision.sample = {0.2, 0.0};
-    decision.step = 0.15;
-    decision.trajectory = {{0.0, 0.0, 3.1}, {0.03, 0.06, -3.1}, {0.06, 0.12, -3.0}};
-  });
-  const std::vector<TimedPose>& poses = prediction_.poses();
-  ASSERT_EQ(poses.size(), 31u);
-  EXPECT_NEAR(poses[1].pose.x, 0.02, 1e-12);  // 2/3 of the first leg
-  EXPECT_NEAR(poses[1].pose.y, 0.04, 1e-12);
-  EXPECT_NEAR(poses[1].pose.theta, wrap_angle(3.1 + (2.0 * M_PI - 6.2) * 2.0 / 3.0), 1e-12);
-  EXPECT_NEAR(poses[2].pose.x, 0.04, 1e-12);  // 1/3 of the second
-  EXPECT_NEAR(poses[2].pose.theta, -3.1 + 0.1 / 3.0, 1e-12);
-  EXPECT_NEAR(poses[3].pose.y, 0.12, 1e-12);  // its end
-  EXPECT_NEAR(poses[3].time, 0.3, 1e-12);
 }
 
 TEST_F(Predictions, AreAsASlowTwinSays) {
@@ -210,10 +185,30 @@ TEST_F(Predictions, AReasonIsGivenWhereItDoesNotJustFollowThePlan) {
   EXPECT_EQ(prediction_.reason(), "it waits for what moves to go");
   seen_.fault = "no transform";
   seen_.velocity.reset();
-  prediction_.update(loop_, seen_, loop_.step(seen_, {}));
-  EXPECT_TRUE(prediction_.poses().empty());
+  EXPECT_TRUE(predicted().poses().empty());
   EXPECT_EQ(prediction_.reason(), "no transform");
   EXPECT_EQ(prediction_.next(), NextMove::stop);
+}
+
+TEST_F(Predictions, InputThatThePlannerRefusesIsNotPredictedFrom) {
+  plan_to(3.0);
+  EXPECT_EQ(predicted().poses().size(), 31u);
+  plan_[3].y = std::nan("");
+  EXPECT_TRUE(predicted().poses().empty());
+  EXPECT_NE(prediction_.reason().find("plan"), std::string::npos) << prediction_.reason();
+}
+
+// A robot that stops does so whatever is known, but not where nobody knows where it is.
+TEST_F(Predictions, ARobotThatStopsIsPredictedWhateverItsPlan) {
+  plan_to(3.0);
+  seen_.host_stops = true;
+  for (const double bad : {std::nan(""), HUGE_VAL, 1e300}) {
+    plan_[3].y = bad;
+    plan_.back().theta = bad;
+    EXPECT_EQ(predicted().poses().size(), 31u);
+  }
+  seen_.pose.x = std::nan("");
+  EXPECT_TRUE(predicted().poses().empty());
 }
 
 TEST(NextMoves, HaveNames) {

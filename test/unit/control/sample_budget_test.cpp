@@ -38,6 +38,15 @@ Event cycles(SampleBudget& budget, int count, double duration) {
   return last;
 }
 
+/// Of 20 x 20 samples by three cycles of twice the budget: 0.7 / 2 of 400 candidates are 140, and 10 x 10 is the first
+/// of 18 x 18, 16 x 16, ... below.
+SampleBudget thinned_to_10_x_10() {
+  SampleBudget budget = budget_for(20, 20);
+  cycles(budget, 3, 2.0 * kBudget);
+  expect_samples(budget, 10, 10);
+  return budget;
+}
+
 TEST(SampleBudget, WhatTheParametersAskFor) {
   Parameters parameters;
   parameters.vx_samples = 7;
@@ -61,6 +70,9 @@ TEST(SampleBudget, AllSamplesWhileThereIsTime) {
 }
 
 TEST(SampleBudget, TwoOutliersInFiveChangeNothingThreeDo) {
+  SampleBudget first = budget_for(20, 20);  // the first three cycles may thin
+  EXPECT_EQ(cycles(first, 2, 0.05), Event::none);
+  EXPECT_EQ(cycles(first, 1, 0.05), Event::thinning_began);
   SampleBudget budget = budget_for(20, 20);
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(cycles(budget, 3, 0.002), Event::none);
@@ -77,17 +89,8 @@ TEST(SampleBudget, AsManyAreLeftAsCanBeAfforded) {
   expect_samples(budget, 10, 10);
 }
 
-TEST(SampleBudget, TheFirstThreeCyclesMayThin) {
-  SampleBudget budget = budget_for(20, 20);
-  EXPECT_EQ(cycles(budget, 2, 0.05), Event::none);
-  EXPECT_EQ(cycles(budget, 1, 0.05), Event::thinning_began);
-}
-
 TEST(SampleBudget, ThinsInProportionToWhatIsTooLong) {
-  // Twice the budget: 0.7 / 2 of 400 candidates are 140; 10 x 10 is the first of 18 x 18, 16 x 16, ... below.
-  SampleBudget square = budget_for(20, 20);
-  cycles(square, 3, 2.0 * kBudget);
-  expect_samples(square, 10, 10);
+  thinned_to_10_x_10();
   // 400 x 20: level k takes k of the 197 pairs of one axis and k 7 / 197 of the 7 of the other. Of 8000
   // candidates 2800 are affordable: 248 x 14 = 3472 at level 76, ..., 204 x 14 = 2856 at 98, 202 x 12 = 2424
   // at 99, where 99 x 7 / 197 = 3.52 rounds to 4 pairs.
@@ -97,24 +100,18 @@ TEST(SampleBudget, ThinsInProportionToWhatIsTooLong) {
 }
 
 TEST(SampleBudget, OddCountsStayOddAndSmallOnesAsTheyAre) {
-  SampleBudget odd = budget_for(21, 15);
-  cycles(odd, 100, 1.0);
-  expect_samples(odd, 5, 5);
-  SampleBudget even = budget_for(20, 40);
-  cycles(even, 100, 1.0);
-  expect_samples(even, 6, 6);
-  SampleBudget few = budget_for(3, 20);
-  cycles(few, 100, 1.0);
-  expect_samples(few, 3, 6);
-  SampleBudget fewest = budget_for(5, 4);
-  EXPECT_EQ(cycles(fewest, 100, 1.0), Event::none);
-  expect_samples(fewest, 5, 4);
+  struct Row {
+    int vx, vth, fewest_vx, fewest_vth;
+  };
+  for (const Row& row : {Row{21, 15, 5, 5}, Row{20, 40, 6, 6}, Row{3, 20, 3, 6}, Row{5, 4, 5, 4}}) {
+    SampleBudget budget = budget_for(row.vx, row.vth);
+    cycles(budget, 100, 1.0);
+    expect_samples(budget, row.fewest_vx, row.fewest_vth);
+  }
 }
 
 TEST(SampleBudget, ComesBackStepByStepAfterACalmWhile) {
-  SampleBudget budget = budget_for(20, 20);
-  cycles(budget, 3, 2.0 * kBudget);
-  expect_samples(budget, 10, 10);
+  SampleBudget budget = thinned_to_10_x_10();
   // No thinning followed a return yet: each step takes 40 calm cycles. 12 x 12 is 1.44 times as many.
   for (const int count : {12, 14, 16, 18}) {
     EXPECT_EQ(cycles(budget, 39, 0.002), Event::none);
@@ -127,9 +124,7 @@ TEST(SampleBudget, ComesBackStepByStepAfterACalmWhile) {
 }
 
 TEST(SampleBudget, StaysWhereAStepMoreWouldLeaveNoRoom) {
-  SampleBudget budget = budget_for(20, 20);
-  cycles(budget, 3, 2.0 * kBudget);
-  expect_samples(budget, 10, 10);
+  SampleBudget budget = thinned_to_10_x_10();
   // 144 candidates instead of 100 would take 1.44 x 0.56 = 0.806 of the budget: more than 0.8.
   cycles(budget, 1000, 0.56 * kBudget);
   expect_samples(budget, 10, 10);
@@ -138,8 +133,7 @@ TEST(SampleBudget, StaysWhereAStepMoreWouldLeaveNoRoom) {
 }
 
 TEST(SampleBudget, OneOutlierPutsAReturnOff) {
-  SampleBudget budget = budget_for(20, 20);
-  cycles(budget, 3, 2.0 * kBudget);
+  SampleBudget budget = thinned_to_10_x_10();
   cycles(budget, 39, 0.002);
   cycles(budget, 1, 1.0);  // costs half of the 40: 19 are left
   cycles(budget, 20, 0.002);
@@ -203,8 +197,7 @@ TEST(SampleBudget, ReturnsThatWereTooEarlyBecomeRare) {
 }
 
 TEST(SampleBudget, PatienceReturnsAfterALongCalmWithAllSamples) {
-  SampleBudget budget = budget_for(20, 20);
-  cycles(budget, 3, 2.0 * kBudget);
+  SampleBudget budget = thinned_to_10_x_10();
   cycles(budget, 5 * 40, 0.002);
   cycles(budget, 3, 2.0 * kBudget);  // too early: 80 cycles a step from now on
   cycles(budget, 5 * 80, 0.002);

@@ -30,7 +30,7 @@ VelocityLimits limits(double braking_x, double braking_theta) {
 std::vector<Pose2> poses(const BrakeManoeuvre& m, const VelocityLimits& l, double radius = 0.3,
                          double spacing = 0.025) {
   std::vector<Pose2> out;
-  ManoeuvreRoller roller(l, radius, spacing, {m.start, {std::cos(m.start.theta), std::sin(m.start.theta)}});
+  ManoeuvreRoller roller(l, radius, spacing, TurnedPose::of(m.start));
   roller.roll(m, [&out](const TurnedPose& at) {
     out.push_back(at.pose);
     return true;
@@ -38,17 +38,17 @@ std::vector<Pose2> poses(const BrakeManoeuvre& m, const VelocityLimits& l, doubl
   return out;
 }
 
-// The last of braking, what takes half a period at the limit, is done evenly over a period: with a limit b and a period
-// T that is b T / 2 over T instead of T / 2, b T^2 / 8 more.
-double tail(double braking) { return braking * 0.05 * 0.05 / 8.0; }
+PendingMotion motion_of(const Twist2& begin, const std::vector<PendingMotion::Leg>& legs) {
+  PendingMotion motion;
+  motion.begin(begin);
+  for (const PendingMotion::Leg& leg : legs) motion.add(leg.end, leg.duration, leg.spread);
+  return motion;
+}
 
 // From 0.1 m/s to 0.5, to -0.7 and to 0.2 m/s, in 1 s each, and to 0.4 rad/s in the last of them.
 TEST(PendingMotions, AreBoundedLegByLeg) {
-  PendingMotion motion;
-  motion.begin({0.1, 0.0});
-  motion.add({0.5, 0.0}, 1.0, {0.01, 0.0});
-  motion.add({-0.7, 0.0}, 1.0, {0.02, 0.03});
-  motion.add({0.2, 0.4}, 1.0);
+  const PendingMotion motion =
+      motion_of({0.1, 0.0}, {{{0.5, 0.0}, 1.0, {0.01, 0.0}}, {{-0.7, 0.0}, 1.0, {0.02, 0.03}}, {{0.2, 0.4}, 1.0, {}}});
   EXPECT_EQ(motion.fastest(), 0.7);
   EXPECT_NEAR(motion.reach(), 0.5 + 0.7 + 0.7, 1e-12);
   EXPECT_NEAR(motion.reach(2.0), 0.5 + 0.7 + 1.0, 1e-12);  // 0.2 + 2 x 0.4 m/s in the last
@@ -71,76 +71,54 @@ TEST(LateCycles, AreLookedAtHalfAPeriodApartButNotWithoutEnd) {
   EXPECT_EQ(parts(0.0, 0.05), 0.0);
 }
 
-TEST(BrakeManoeuvreDistance, StraightOn) {
-  // 0.1 s at 0.5, 0.05 s from 0.5 to 0.4, then 0.4^2 / (2 * 2) and the tail.
-  const PendingMotion steady({0.5, 0.0}, 0.1);
-  const std::vector<Pose2> path = poses({{1.0, 2.0, 0.0}, steady, {0.4, 0.0}, 0.05}, limits(2.0, 3.0));
-  EXPECT_NEAR(path.back().x - 1.0, 0.05 + 0.0225 + 0.04 + tail(2.0), 1e-12);
-  EXPECT_EQ(path.back().y, 2.0);
+// The last of braking, what takes half a period at the limit, is done evenly over a period: with a limit b and a period
+// T that is b T / 2 over T instead of T / 2, b T^2 / 8 more.
+double tail(double braking) { return braking * 0.05 * 0.05 / 8.0; }
+
+// A robot is sent a command while a motion is pending.
+struct Stop {
+  const char* of;
+  PendingMotion pending;
+  Twist2 command;
+  double x, theta;    // where it rests [m], [rad]
+  double hold = 0.0;  // the command to brake is so late [s]
+};
+
+// It brakes at 2 m/s^2 and at 1.6 rad/s^2.
+TEST(BrakeManoeuvreDistance, IsThatOfEachPart) {
+  for (const Stop& stop : {
+           // 0.1 s at 0.5, 0.05 s from 0.5 to 0.4, then 0.4^2 / (2 * 2) and the tail.
+           Stop{"straight on", {{0.5, 0.0}, 0.1}, {0.4, 0.0}, 0.05 + 0.0225 + 0.04 + tail(2.0), 0.0},
+           // 0.05 s at 0.4, 0.03 s more, then 0.4^2 / (2 * 2).
+           Stop{"late", {{0.4, 0.0}, 0.0}, {0.4, 0.0}, 0.02 + 0.012 + 0.04 + tail(2.0), 0.0, 0.03},
+           // From 0.03 m/s, less than 2 * 0.05 / 2: 0.05 s at it, and evenly over 0.05 s.
+           Stop{"nothing but a tail", {{0.03, 0.0}, 0.0}, {0.03, 0.0}, 0.0015 + 0.00075, 0.0},
+           // From -0.05 evenly to 0.05 it gets nowhere; then, all of it tail, evenly to rest: 0.05 * 0.05 / 2.
+           Stop{"the other way", {{-0.05, 0.0}, 0.0}, {0.05, 0.0}, 0.00125, 0.0},
+           // 0.1 * 1.0, 0.05 s from 1 to 0.92: it is on its way to 0.8 yet when the next command takes effect. Then
+           // 0.92^2 / (2 * 1.6) = 0.2645 rad.
+           Stop{"on the spot", {{0.0, 1.0}, 0.1}, {0.0, 0.8}, 0.0, 0.1 + 0.048 + 0.2645 + tail(1.6)},
+       }) {
+    const BrakeManoeuvre manoeuvre{{1.0, 2.0, 0.0}, stop.pending, stop.command, 0.05, stop.hold};
+    const Pose2 end = poses(manoeuvre, limits(2.0, 1.6)).back();
+    EXPECT_NEAR(end.x, 1.0 + stop.x, 1e-12) << stop.of;
+    EXPECT_EQ(end.y, 2.0) << stop.of;
+    EXPECT_NEAR(end.theta, stop.theta, 1e-12) << stop.of;
+  }
 }
 
-TEST(BrakeManoeuvreDistance, ALateCommandToBrakeLetsItGoOn) {
-  // 0.05 s at 0.4, 0.03 s more, then 0.4^2 / (2 * 2).
-  const PendingMotion steady({0.4, 0.0}, 0.0);
-  const BrakeManoeuvre late{{}, steady, {0.4, 0.0}, 0.05, 0.03};
-  EXPECT_NEAR(poses(late, limits(2.0, 3.0)).back().x, 0.02 + 0.012 + 0.04 + tail(2.0), 1e-12);
-  // Two periods and the hold at 0.4, and the way to rest.
-  EXPECT_NEAR(late.reach(limits(2.0, 3.0)), 0.4 * 0.13 + 0.04, 1e-12);
-}
-
-TEST(BrakeManoeuvreDistance, TheTailOfASlowRobotIsAllOfIt) {
-  // From 0.03 m/s, less than 2 * 0.05 / 2: 0.05 s at it, and evenly over 0.05 s.
-  const PendingMotion steady({0.03, 0.0}, 0.0);
-  EXPECT_NEAR(poses({{}, steady, {0.03, 0.0}, 0.05}, limits(2.0, 3.0)).back().x, 0.0015 + 0.00075, 1e-12);
-}
-
+// It has begun to brake at 2.5 m/s^2 and the robot does not yet: 0.5^2 / (2 * 2.5) = 0.05 m from here, of which
+// 0.05 * (0.4375 + 0.3125) = 0.0375 m within the latency. The last command alone would have said 0.1 * 0.25.
 TEST(BrakeManoeuvreDistance, ThePendingMotionComesFirst) {
-  // It has begun to brake at 2.5 m/s^2 and the robot does not yet: 0.5^2 / (2 * 2.5) = 0.05 m from here, of which
-  // 0.05 * (0.4375 + 0.3125) = 0.0375 m within the latency. The last command alone would have said 0.1 * 0.25.
-  PendingMotion braking;
-  braking.begin({0.5, 0.0});
-  braking.add({0.375, 0.0}, 0.05);
-  braking.add({0.25, 0.0}, 0.05);
+  const PendingMotion braking = motion_of({0.5, 0.0}, {{{0.375, 0.0}, 0.05, {}}, {{0.25, 0.0}, 0.05, {}}});
   const BrakeManoeuvre m{{}, braking, {0.125, 0.0}, 0.05};
   EXPECT_NEAR(poses(m, limits(2.5, 3.0)).back().x, 0.05 + tail(2.5), 1e-12);
   // The faster end of each leg: 0.05 * (0.5 + 0.375); two periods at 0.25, and 0.25^2 / 5.
   EXPECT_NEAR(m.reach(limits(2.5, 3.0)), 0.04375 + 0.025 + 0.0125, 1e-12);
-}
-
-TEST(BrakeManoeuvreDistance, APendingTurnCounts) {
-  // 0.1 s from 1 to 0.68 rad/s, 0.05 s to 0.52, then 0.52^2 / (2 * 3.2): 0.084 + 0.03 + 0.04225 rad.
-  PendingMotion straightening;
-  straightening.begin({0.0, 1.0});
-  straightening.add({0.0, 0.68}, 0.1);
-  EXPECT_NEAR(poses({{}, straightening, {0.0, 0.52}, 0.05}, limits(2.0, 3.2)).back().theta, 0.15625 + tail(3.2), 1e-12);
-}
-
-TEST(BrakeManoeuvreDistance, SpeedingUpIsDoneAtTheLimit) {
-  // From 0.4 to 0.45 at 2.5 m/s^2 in 0.02 s, 0.03 s at 0.45, then 0.45^2 / (2 * 2).
+  // Late by 0.03 s: two periods and that at 0.4, and 0.4^2 / (2 * 2) to rest.
   const PendingMotion steady({0.4, 0.0}, 0.0);
-  const double way = 0.0085 + 0.0135 + 0.050625 + tail(2.0);
-  EXPECT_NEAR(poses({{}, steady, {0.45, 0.0}, 0.05}, limits(2.0, 3.0)).back().x, way, 1e-12);
-  // Both axes, each in its own time: 0.16 rad/s at 3.2 rad/s^2 take the whole period.
-  const Pose2 end = poses({{}, steady, {0.45, 0.16}, 0.05}, limits(2.0, 3.2), 0.3, 1e-4).back();
-  EXPECT_NEAR(end.theta, 0.05 * 0.08 + 0.16 * 0.16 / 6.4 + tail(3.2), 1e-12);
-  EXPECT_NEAR(std::hypot(end.x, end.y), way, 1e-5);
-}
-
-TEST(BrakeManoeuvreDistance, FromOneDirectionToTheOther) {
-  // From -0.05 evenly to 0.05 it gets nowhere; then, all of it tail, evenly to rest: 0.05 * 0.05 / 2.
-  const PendingMotion steady({-0.05, 0.0}, 0.0);
-  EXPECT_NEAR(poses({{}, steady, {0.05, 0.0}, 0.05}, limits(2.0, 3.0), 0.3, 1e-5).back().x, 0.00125, 1e-12);
-}
-
-TEST(BrakeManoeuvreDistance, TurnOnTheSpotStopsAtItsOwnLimit) {
-  // 0.1 * 1.0, 0.05 s from 1 to 0.92 at 1.6 rad/s^2, 0.92^2 / (2 * 1.6) = 0.2645 rad.
-  const PendingMotion steady({0.0, 1.0}, 0.1);
-  const double turn = 0.1 + 0.048 + 0.2645 + tail(1.6);
-  EXPECT_NEAR(poses({{}, steady, {0.0, 0.92}, 0.05}, limits(2.0, 1.6)).back().theta, turn, 1e-12);
-  // No command brakes it faster: it is on its way to 0.8 yet when the next one takes effect, and that starts from 0.92
-  // too.
-  EXPECT_NEAR(poses({{}, steady, {0.0, 0.8}, 0.05}, limits(2.0, 1.6)).back().theta, turn, 1e-12);
-  EXPECT_EQ(poses({{}, steady, {0.0, 0.8}, 0.05}, limits(2.0, 1.6)).back().x, 0.0);
+  const BrakeManoeuvre late{{}, steady, {0.4, 0.0}, 0.05, 0.03};
+  EXPECT_NEAR(late.reach(limits(2.0, 3.0)), 0.4 * 0.13 + 0.04, 1e-12);
 }
 
 TEST(BrakeManoeuvreDistance, AtRestItDoesNotMove) {
@@ -160,6 +138,11 @@ PendingMotion random_way(test::Random& random) {
   return way;
 }
 
+// Of a disc of `radius` [m], the point that moves farthest between two poses.
+double displacement(const Pose2& a, const Pose2& b, double radius) {
+  return std::hypot(a.x - b.x, a.y - b.y) + 2.0 * radius * std::abs(std::sin(0.5 * (a.theta - b.theta)));
+}
+
 TEST(BrakeManoeuvrePoses, NoPointOfTheRobotMovesFartherThanTheSpacing) {
   test::Random random(7);
   for (int k = 0; k < 300; ++k) {
@@ -168,14 +151,7 @@ TEST(BrakeManoeuvrePoses, NoPointOfTheRobotMovesFartherThanTheSpacing) {
     const double radius = random.uniform(0.1, 0.6);
     Pose2 before = m.start;
     for (const Pose2& pose : poses(m, limits(1.0, 2.0), radius, 0.02)) {
-      for (int a = 0; a < 8; ++a) {  // points on the outer circle
-        const double angle = M_PI / 4 * a;
-        const double dx =
-            pose.x + radius * std::cos(pose.theta + angle) - before.x - radius * std::cos(before.theta + angle);
-        const double dy =
-            pose.y + radius * std::sin(pose.theta + angle) - before.y - radius * std::sin(before.theta + angle);
-        ASSERT_LE(std::hypot(dx, dy), 0.02 + 1e-9);
-      }
+      ASSERT_LE(displacement(before, pose, radius), 0.02 + 1e-9);
       ASSERT_LE(std::hypot(pose.x, pose.y), m.reach(limits(1.0, 2.0)) + 1e-9);
       before = pose;
     }
@@ -332,11 +308,6 @@ Parameters random_robot(test::Random& random) {
   return p;
 }
 
-// Of a disc of `radius` [m], the point that moves farthest between two poses.
-double displacement(const Pose2& a, const Pose2& b, double radius) {
-  return std::hypot(a.x - b.x, a.y - b.y) + 2.0 * radius * std::abs(std::sin(0.5 * (a.theta - b.theta)));
-}
-
 // How far beyond the growth the robot is from where the nearest rolled-out pose has it, at most [m].
 double beyond_growth(const std::vector<Pose2>& driven, const std::vector<std::pair<Pose2, double>>& rolled,
                      double radius) {
@@ -374,24 +345,23 @@ TEST(BrakeManoeuvreGrowth, NoBaseIsFartherOff) {
   EXPECT_GT(parted, 60);  // without the growth many are
 }
 
-TEST(BrakeManoeuvreGrowth, StraightOnAndAtRestThereIsNone) {
-  const VelocityLimits l = limits(2.0, 3.0);
+// What grows up to rest [m].
+double growth_of(const PendingMotion& pending, const Twist2& command) {
+  const VelocityLimits l = limits(2.0, 3.2);
   ManoeuvreRoller roller(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
-  roller.roll({{}, PendingMotion({0.5, 0.0}, 0.1), {0.52, 0.0}, 0.05}, [](const TurnedPose&) { return true; });
-  EXPECT_GT(roller.at().pose.x, 0.1);
-  EXPECT_EQ(roller.growth(), 0.0);
-  ManoeuvreRoller rest(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
-  rest.roll({{}, PendingMotion({}, 0.1), {}, 0.05}, [](const TurnedPose&) { return true; });
-  EXPECT_EQ(rest.growth(), 0.0);
+  roller.roll({{}, pending, command, 0.05}, [](const TurnedPose&) { return true; });
+  return roller.growth();
+}
+
+TEST(BrakeManoeuvreGrowth, StraightOnAndAtRestThereIsNone) {
+  EXPECT_EQ(growth_of(PendingMotion({0.5, 0.0}, 0.1), {0.52, 0.0}), 0.0);
+  EXPECT_EQ(growth_of(PendingMotion({}, 0.1), {}), 0.0);
 }
 
 TEST(BrakeManoeuvreGrowth, ATurnOnTheSpot) {
   // From 0.5 to 0.4 rad/s at 3.2 rad/s^2 in 0.03125 s or evenly in 0.05 s: 0.1 * (0.05 - 0.03125) / 2 = 0.9375 mrad.
   // The tail of 0.08 rad/s in 0.025 s or in 0.05 s: 0.08 * 0.025 / 2 = 1 mrad. At 0.3 m: 0.58 mm.
-  const VelocityLimits l = limits(2.0, 3.2);
-  ManoeuvreRoller roller(l, 0.3, 1e-3, {{}, {1.0, 0.0}});
-  roller.roll({{}, PendingMotion({0.0, 0.5}, 0.0), {0.0, 0.4}, 0.05}, [](const TurnedPose&) { return true; });
-  EXPECT_NEAR(roller.growth(), 0.3 * (0.0009375 + 0.001), 1e-9);
+  EXPECT_NEAR(growth_of(PendingMotion({0.0, 0.5}, 0.0), {0.0, 0.4}), 0.3 * (0.0009375 + 0.001), 1e-9);
 }
 
 // One cell of 5 cm, which a driven robot would graze.

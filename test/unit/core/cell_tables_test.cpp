@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <vector>
 
@@ -170,7 +169,6 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
       open += any == 0;
     }
   }
-  std::printf("%d tiles near nothing; poses: %d near, %d hits, %d blocked\n", open, near, hit, blocked);
   for (const int often : {open, near, hit, blocked}) EXPECT_GT(often, 100);
 }
 

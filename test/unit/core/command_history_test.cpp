@@ -2,7 +2,6 @@
 #include "core/motion/command_history.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -81,89 +80,10 @@ TEST(ShownByOdometry, LatencyExplainsWhatWasCommandedAMomentAgo) {
   expect_range(cycles.range(), 0.5, 0.5);
 }
 
-TEST(ShownByOdometry, TurnsThroughZero) {
-  Cycles turning;
-  for (const double omega : {0.32, 0.16, 0.0, -0.16}) turning.observe({0.3, omega});  // 3.2 * 0.05 a cycle
-  expect_range(turning.history().range(&Twist2::omega), -0.16, 0.32);
-  expect_range(turning.range(), 0.3, 0.3);
-}
-
-// The host set zero: the base brakes at its limit, 0.125 m/s a cycle.
-TEST(ShownByOdometry, AJumpTakesAsLongAsTheLimitSays) {
-  Cycles stopped;
-  for (const double v : {0.5, 0.5, 0.5, 0.5, 0.0}) stopped.observe({v, 0.0});
-  expect_range(stopped.range(), 0.0, 0.5);
-  for (const double from : {0.375, 0.25, 0.125}) {  // of the commands that were sent 0.05 s ago
-    stopped.observe({0.0, 0.0});
-    EXPECT_NEAR(stopped.range().lo, 0.0, 1e-9) << from;
-  }
-  // The one in force 0.15 s ago started from 0.375; two cycles later, from 0.125; then it stood.
-  expect_range(stopped.range(), 0.0, 0.375);
-  stopped.observe({0.0, 0.0});
-  stopped.observe({0.0, 0.0});
-  expect_range(stopped.range(), 0.0, 0.125);
-  stopped.observe({0.0, 0.0});
-  expect_range(stopped.range(), 0.0, 0.0);
-}
-
-TEST(ShownByOdometry, BrakesMayBeStrongerThanTheMotorThatSpeedsUp) {
-  Parameters p = parameters();
-  p.decel_lim_x = -5.0;
-  Cycles strong(p);
-  for (const double v : {0.5, 0.5, 0.5, 0.25, 0.0}) strong.observe({v, 0.0});  // 5 * 0.05 a cycle
-  strong.observe({0.0, 0.0});
-  strong.observe({0.0, 0.0});
-  expect_range(strong.range(), 0.0, 0.25);
-  p.decel_lim_x = -2.5;
-  Cycles weak(p);
-  for (const double v : {0.5, 0.5, 0.5, 0.25, 0.0}) weak.observe({v, 0.0});
-  weak.observe({0.0, 0.0});
-  weak.observe({0.0, 0.0});
-  expect_range(weak.range(), 0.0, 0.375);  // 0.125 a cycle
-}
-
-TEST(CommandHistory, AfterAPauseOnlyTheLastCommandCounts) {
-  Cycles cycles;
-  cycles.ramp(0.0, 0.5, 0.125);
-  cycles.observe_at(cycles.time() + 0.25, {0.5, 0.0});  // sent in the cycle before it, and reached long ago
-  EXPECT_EQ(cycles.history().size(), 1u);
-  EXPECT_NEAR(cycles.history().elapsed(), 0.25, 1e-9);
-  expect_range(cycles.range(), 0.5, 0.5);
-}
-
-TEST(CommandHistory, WhereTimeGoesBackAPeriodHasPassed) {
-  Cycles set_back, steady;
-  for (Cycles* cycles : {&set_back, &steady}) cycles->ramp(0.0, 0.375, 0.125);
-  for (const double v : {0.5, 0.375, 0.5, 0.5, 0.5}) {
-    steady.observe({v, 0.0});
-    v == 0.375 ? set_back.observe_at(10.0, {v, 0.0}) : set_back.observe({v, 0.0});
-    EXPECT_EQ(set_back.history().size(), steady.history().size());
-    EXPECT_NEAR(set_back.history().elapsed(), kPeriod, 1e-9);
-    expect_range(set_back.range(), steady.range().lo, steady.range().hi);
-  }
-}
-
-TEST(CommandHistory, ASecondCycleOfTheSameTimeTakesThePlaceOfTheFirst) {
-  Cycles cycles;
-  for (const double v : {0.25, 0.375, 0.5}) cycles.observe({v, 0.0});
-  const std::size_t size = cycles.history().size();
-  cycles.observe_at(cycles.time(), {0.5, 0.0});
-  EXPECT_EQ(cycles.history().size(), size);
-  expect_range(cycles.range(), 0.25, 0.5);
-  cycles.observe_at(cycles.time(), {0.375, 0.0});
-  expect_range(cycles.range(), 0.25, 0.375);  // 0.5 was never sent
-  // A time that stands still: each is the first.
-  Cycles still;
-  for (const double v : {0.0, 0.125, 0.25, 0.375}) still.observe_at(1.0, {v, 0.0});
-  EXPECT_EQ(still.history().size(), 1u);
-  EXPECT_EQ(still.history().last().v, 0.375);
-}
-
 TEST(CommandHistory, TimesThatAreNoNumbersLeaveTheLastCommandOnly) {
   Cycles cycles;
   cycles.ramp(0.0, 0.5, 0.125);
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-                           -std::numeric_limits<double>::infinity()}) {
+  for (const double bad : {NAN, INFINITY, -INFINITY}) {
     Cycles after = cycles;
     after.observe_at(bad, {0.5, 0.0});
     EXPECT_EQ(after.history().size(), 1u) << bad;
@@ -205,60 +125,48 @@ void expect_legs(const PendingMotion& pending, double begin, const std::vector<s
   }
 }
 
-TEST(Play, OneCommandForLongIsOneLegOfTheLatency) {
-  const PendingMotion steady = played({0.3, 0.3, 0.3, 0.3, 0.3, 0.3}, 0.1);
-  ASSERT_EQ(steady.legs().size(), 1u);
-  EXPECT_EQ(steady.begin().v, 0.3);
-  EXPECT_EQ(steady.legs()[0].end.v, 0.3);
-  EXPECT_EQ(steady.legs()[0].duration, 0.1);
-  EXPECT_EQ(played({0.3}, 0.1).legs()[0].duration, 0.1);
-}
+struct Played {
+  const char* of;
+  std::vector<double> commands;  // [m/s]
+  double latency, age;           // [s]
+  double begin;                  // [m/s]
+  std::vector<std::pair<double, double>> legs;
+};
 
+// Legs last so long [s] and end with this velocity [m/s]. The limit is 2.5 * 0.05 = 0.125 m/s a cycle.
 TEST(Play, EachCommandTakesEffectALatencyAfterItWasSent) {
-  // The last but one takes effect now, the last one period later.
-  expect_legs(played({0.5, 0.5, 0.5, 0.375, 0.25}, 0.1), 0.5, {{0.05, 0.375}, {0.05, 0.25}});
-  // Back at the start there are those that have been reached: 0.5 was sent three cycles ago.
-  expect_legs(played({0.125, 0.25, 0.375, 0.5, 0.375, 0.25}, 0.1), 0.5, {{0.05, 0.375}, {0.05, 0.25}});
-  expect_legs(played({0.5, 0.5, 0.375, 0.375}, 0.1), 0.5, {{0.05, 0.375}, {0.05, 0.375}});
-  expect_legs(played({0.5, 0.5, 0.5, 0.375}, 0.0), 0.375, {});
-}
-
-TEST(Play, ALatencyBetweenTwoCycles) {
-  // The command of three cycles ago took effect 0.15 - 0.12 = 0.03 s ago: 3/5 of the way from 0.5 to 0.375.
-  expect_legs(played({0.5, 0.5, 0.375, 0.25, 0.125}, 0.12), 0.425, {{0.02, 0.375}, {0.05, 0.25}, {0.05, 0.125}});
-}
-
-TEST(Play, SpeedingUpTakesAsLongAsTheLimitSays) {
-  // 0.05 m/s at 2.5 m/s^2 take 0.02 s.
-  expect_legs(played({0.3, 0.3, 0.3, 0.35, 0.35}, 0.1), 0.3, {{0.02, 0.35}, {0.08, 0.35}});
-}
-
-TEST(Play, ACycleThatComesEarlyLeavesItsCommandLessTime) {
-  Cycles cycles;
-  for (int k = 0; k < 5; ++k) cycles.observe({0.5, 0.0});
-  cycles.observe({0.375, 0.0});                          // sent 0.08 s before the end
-  cycles.observe_at(cycles.time() + 0.03, {0.25, 0.0});  // sent 0.03 s before
-  PendingMotion pending;
-  cycles.history().play(cycles.limits(), kPeriod, 0.1, 0.0, pending);
-  expect_legs(pending, 0.5, {{0.02, 0.5}, {0.05, 0.375}, {0.03, 0.3}});  // 0.375 - 2.5 * 0.03
+  for (const Played& row :
+       {Played{"one command for long is one leg", {0.3, 0.3, 0.3, 0.3}, 0.1, 0.0, 0.3, {{0.1, 0.3}}},
+        Played{"the first command of all", {0.3}, 0.1, 0.0, 0.3, {{0.1, 0.3}}},
+        Played{"without latency nothing is pending", {0.5, 0.5, 0.5, 0.375}, 0.0, 0.0, 0.375, {}},
+        // The last but one takes effect now, the last one period later.
+        Played{"two commands", {0.5, 0.5, 0.5, 0.375, 0.25}, 0.1, 0.0, 0.5, {{0.05, 0.375}, {0.05, 0.25}}},
+        // That of three cycles ago took effect 0.15 - 0.12 = 0.03 s ago: 3/5 of the way from 0.5 to 0.375.
+        Played{"a latency between two cycles",
+               {0.5, 0.5, 0.375, 0.25, 0.125},
+               0.12,
+               0.0,
+               0.425,
+               {{0.02, 0.375}, {0.05, 0.25}, {0.05, 0.125}}},
+        // 0.05 m/s at 2.5 m/s^2 take 0.02 s.
+        Played{"faster", {0.3, 0.3, 0.3, 0.35, 0.35}, 0.1, 0.0, 0.3, {{0.02, 0.35}, {0.08, 0.35}}},
+        Played{"a jump", {0.5, 0.5, 0.5, 0.0, 0.0}, 0.1, 0.0, 0.5, {{0.05, 0.375}, {0.05, 0.25}}},
+        // 0.375 took effect 0.05 s ago, 0.25 takes effect now.
+        Played{"from 0.1 s ago on",
+               {0.5, 0.5, 0.5, 0.5, 0.375, 0.25},
+               0.05,
+               0.1,
+               0.5,
+               {{0.05, 0.5}, {0.05, 0.375}, {0.05, 0.25}}}}) {
+    SCOPED_TRACE(row.of);
+    expect_legs(played(row.commands, row.latency, row.age), row.begin, row.legs);
+  }
 }
 
 TEST(Play, NothingIsSaidOfNothing) {
   PendingMotion pending({1.0, 1.0}, 1.0);
   CommandHistory().play(VelocityLimits::from(parameters()), kPeriod, 0.1, 0.0, pending);
   expect_legs(pending, 0.0, {{0.1, 0.0}});
-}
-
-// The base brakes at its limit, whatever the jump.
-TEST(Play, AJumpIsDoneAtTheLimit) {
-  expect_legs(played({0.5, 0.5, 0.5, 0.0}, 0.1), 0.5, {{0.05, 0.5}, {0.05, 0.375}});  // 2.5 * 0.05
-  expect_legs(played({0.5, 0.5, 0.5, 0.0, 0.0}, 0.1), 0.5, {{0.05, 0.375}, {0.05, 0.25}});
-}
-
-TEST(Play, FromThePastOn) {
-  // 0.375 took effect 0.05 s ago, 0.25 takes effect now.
-  const PendingMotion pending = played({0.5, 0.5, 0.5, 0.5, 0.375, 0.25}, 0.05, 0.1);
-  expect_legs(pending, 0.5, {{0.05, 0.5}, {0.05, 0.375}, {0.05, 0.25}});
 }
 
 TEST(Play, SaysHowFarApartTheWaysGet) {
@@ -338,12 +246,15 @@ void compare_with_twin(std::uint64_t seed, Checked& checked) {
   const VelocityLimits limits = VelocityLimits::from(p);
   const double period = random.pick({0.04, 0.05, 0.1});
   CommandHistory history;
+  double apart = 0.0;  // the last two cycles at different times [s]
   std::vector<NaiveCycle> cycles{{random.uniform(0.0, 1e4), period, {}, {}, age}};
   for (int k = 0; k < 80; ++k) {
     NaiveCycle cycle = cycles.back();
     if (k > 0) {
       cycle.time += random.chance(0.8) ? period : random.pick({0.0, 0.45 * period, 1.7 * period, 6.0 * period});
       if (random.chance(0.02)) cycle.time -= random.uniform(0.0, 5.0);
+      const double passed = cycle.time - cycles.back().time;
+      if (passed != 0.0) apart = passed < 0.0 ? period : passed;
       // Not all that a period allows: at exactly that, rounding decides how the twin and the history take it.
       const double elapsed = random.uniform(0.5, 0.99) * period;
       cycle.last_command =
@@ -354,6 +265,7 @@ void compare_with_twin(std::uint64_t seed, Checked& checked) {
     history.observe(cycle.time, period, p.control_latency + period + age, cycle.last_command, limits);
     const NaiveHistory twin(p, cycles);
     ASSERT_EQ(history.size(), twin.shown()) << k;
+    ASSERT_NEAR(history.elapsed(), apart, 1e-9) << k;
     checked.begun_anew += k > 0 && history.size() == 1;
     for (double Twist2::*axis : {&Twist2::v, &Twist2::omega}) {
       ASSERT_NEAR(history.range(axis).lo, twin.explained(axis).lo, kRounding) << k;

@@ -32,8 +32,6 @@ TEST(BuiltIn, EveryCriticThatScoresHasAScaleAmongTheParameters) {
   }
 }
 
-TEST(CriticRegistry, IsEmptyAtFirst) { EXPECT_TRUE(CriticRegistry().names().empty()); }
-
 TEST(CriticRegistry, UnknownNamesGiveNothing) {
   const CriticRegistry registry = critics::built_in();
   EXPECT_FALSE(registry.knows("PathDst"));

@@ -15,17 +15,16 @@ namespace {
 
 using test::Scene;
 
-DistanceGrid distances_to(DistanceGrids& grids, const Scene& scene, MapGridDistance kind,
-                          const std::vector<Cell>& sources) {
-  grids.prepare(scene.grid(), kind);
-  grids.set_sources(0, sources);
+DistanceGrid distances_to(DistanceGrids& grids, const Scene& scene, const Cell& source) {
+  grids.prepare(scene.grid(), MapGridDistance::geodesic);
+  grids.set_sources(0, {source});
   return {grids, 0};
 }
 
 TEST(GeodesicGrid, WithinEightPercentOfEuclidOnAnEmptyMap) {
   const Scene scene = Scene::empty(101);
   DistanceGrids grids;
-  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{50, 50}});
+  const DistanceGrid distances = distances_to(grids, scene, {50, 50});
   double most = 0.0, least = 1e9;
   for (int j = 0; j < 101; ++j) {
     for (int i = 0; i < 101; ++i) {
@@ -43,36 +42,17 @@ TEST(GeodesicGrid, WithinEightPercentOfEuclidOnAnEmptyMap) {
   EXPECT_NEAR(least, 7.0 / (5.0 * std::sqrt(2.0)), 1e-9);
 }
 
-TEST(GeodesicGrid, GoesRoundAWall) {
-  Scene scene = Scene::empty(11);
-  for (int j = 0; j <= 8; ++j) scene.at({5, j}) = cost::kInscribed;
-  DistanceGrids grids;
-  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{4, 4}});
-  // Up 5 rows to the gap at row 9, over and down: (4,4) -> (4,8) 4 straight, 2 diagonals to (6,8) through
-  // (5,9), 4 straight down: 8 * 5 + 2 * 7.
-  EXPECT_EQ(distances.units({6, 4}), 54);
-}
-
 TEST(GeodesicGrid, ABlockedSourceSeedsAndBlockedCellsGetValuesButLeadNowhere) {
   Scene scene = Scene::empty(9);
   for (int j = 0; j < 9; ++j) scene.at({4, j}) = scene.at({5, j}) = cost::kLethal;
   DistanceGrids grids;
-  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{4, 4}});  // on the wall
+  const DistanceGrid distances = distances_to(grids, scene, {4, 4});  // on the wall
   EXPECT_EQ(distances.units({4, 4}), 0);
   EXPECT_EQ(distances.units({3, 4}), 5);
   EXPECT_EQ(distances.units({4, 5}), 5);   // beside the source
   EXPECT_EQ(distances.units({5, 4}), 5);   // in the wall's other half
   EXPECT_EQ(distances.units({4, 7}), 15);  // along the wall from the source: free cells are no shorter
   EXPECT_EQ(distances.units({6, 4}), DistanceGrid::kUnreached);  // nothing passes through
-}
-
-TEST(GeodesicGrid, NoWayIsUnreached) {
-  Scene scene = Scene::empty(9);
-  for (int j = 0; j < 9; ++j) scene.at({4, j}) = cost::kLethal;
-  DistanceGrids grids;
-  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{1, 1}});
-  EXPECT_EQ(distances.units({7, 7}), DistanceGrid::kUnreached);
-  EXPECT_EQ(distances.units({4, 1}), 15);  // the wall itself: three straight steps
 }
 
 // From (-1, -13) to (u, 13), through a wall along w = 0 with gaps at u = -12 and u = `gap`, where the cells of interest
@@ -106,21 +86,18 @@ TEST(GeodesicGrid, ACellBesideTheInterestIsLookedForOnTheWholeMap) {
   for (int side = 0; side < 4; ++side) EXPECT_EQ(way_through_a_gap(side, 11, 1), 174) << side;
 }
 
-TEST(L1Grid, IsBlindToCosts) {
-  Scene scene = Scene::empty(9);
-  for (int j = 0; j < 9; ++j) scene.at({4, j}) = cost::kLethal;
-  DistanceGrids grids;
-  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::l1, {{1, 1}, {8, 0}});
-  EXPECT_EQ(distances.units({4, 4}), 6);  // 3 + 3
-  EXPECT_EQ(distances.units({7, 2}), 3);  // 1 + 2 from (8, 0)
-  EXPECT_DOUBLE_EQ(distances.metres_per_unit(), 0.05);
-}
-
 // Cells of 0.05 m with a corner at the origin.
 Scene corner_scene() {
   Scene scene = Scene::empty(40);
   scene.origin_x = scene.origin_y = 0.0;
   return scene;
+}
+
+// Through the middles of its cells from (2, 10) to (20, 10).
+std::vector<Pose2> plan_in_a_row() {
+  std::vector<Pose2> plan;
+  for (int i = 2; i <= 20; ++i) plan.push_back({0.05 * i + 0.025, 0.525, 0.0});
+  return plan;
 }
 
 TEST(PlanGridsSources, GapsAreFilledAndNeighboursAreNot) {
@@ -159,8 +136,7 @@ TEST(PlanGridsSources, NowhereOnTheMap) {
 TEST(PlanGridsSources, Nav2sGridStopsAtUnknownCells) {
   Scene scene = corner_scene();
   scene.at({10, 10}) = cost::kUnknown;
-  std::vector<Pose2> plan;
-  for (int i = 2; i <= 20; ++i) plan.push_back({0.05 * i + 0.025, 0.525, 0.0});
+  const std::vector<Pose2> plan = plan_in_a_row();
   PlanGrids grids;
   grids.prepare(scene.grid(), plan, Method::paper, true);
   EXPECT_EQ(grids.to_goal().units({9, 10}), 0);
@@ -173,8 +149,7 @@ TEST(PlanGridsSources, Nav2sGridStopsAtUnknownCells) {
 TEST(PlanGridsSources, TheGoalAheadIsMovedTowardsTheFinalGoal) {
   const Scene scene = corner_scene();
   PlanGrids grids;
-  std::vector<Pose2> plan;
-  for (int i = 2; i <= 20; ++i) plan.push_back({0.05 * i + 0.025, 0.525, 0.0});
+  const std::vector<Pose2> plan = plan_in_a_row();
   grids.prepare(scene.grid(), plan, Method::paper, true);
   // From (0.125, 0.525) straight up to the goal: the last pose (1.025, 0.525) moves 0.2 m up, 4 cells.
   EXPECT_EQ(grids.to_goal_ahead(0.2, {0.125, 0.525, 0.0}, {0.125, 9.0, 0.0}).units({20, 14}), 0);
@@ -184,7 +159,7 @@ TEST(PlanGridsLookUp, MetresOrNegative) {
   Scene scene = corner_scene();
   for (int j = 0; j < 40; ++j) scene.at({30, j}) = cost::kLethal;
   DistanceGrids grids;
-  const DistanceGrid distances = distances_to(grids, scene, MapGridDistance::geodesic, {{2, 10}});
+  const DistanceGrid distances = distances_to(grids, scene, {2, 10});
   // Cell (12, 10): 10 straight steps of 0.05 m.
   EXPECT_NEAR(PlanGrids::at(distances, scene.grid(), 0.61, 0.54), 0.5, 1e-12);
   EXPECT_LT(PlanGrids::at(distances, scene.grid(), -0.01, 0.54), 0.0);

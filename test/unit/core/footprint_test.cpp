@@ -17,30 +17,29 @@ namespace {
 
 using test::round_outline;
 
-TEST(FootprintRadii, RectangleAroundTheOrigin) {
-  const Footprint f(Polygon{{0.3, 0.2}, {-0.4, 0.2}, {-0.4, -0.2}, {0.3, -0.2}});
-  EXPECT_DOUBLE_EQ(f.inscribed_radius(), 0.2);
-  EXPECT_DOUBLE_EQ(f.circumscribed_radius(), std::hypot(0.4, 0.2));
-  EXPECT_FALSE(f.is_circle());
-  EXPECT_FALSE(f.empty());
-}
+struct Radii {
+  const char* of;
+  Polygon outline;
+  double inscribed, circumscribed;  // [m]
+};
 
-TEST(FootprintRadii, EitherWayRound) {
-  const Footprint f(Polygon{{0.3, -0.2}, {-0.4, -0.2}, {-0.4, 0.2}, {0.3, 0.2}});
-  EXPECT_DOUBLE_EQ(f.inscribed_radius(), 0.2);
-}
-
-TEST(FootprintRadii, OriginOutsideHasNoInscribedCircle) {
-  const Footprint f(Polygon{{0.3, 0.2}, {0.1, 0.2}, {0.1, -0.2}, {0.3, -0.2}});
-  EXPECT_EQ(f.inscribed_radius(), 0.0);
-  EXPECT_DOUBLE_EQ(f.circumscribed_radius(), std::hypot(0.3, 0.2));
-}
-
-TEST(FootprintRadii, NonConvexTakesItsDent) {
-  // A dent from the front to x = 0.05.
-  const Footprint f(Polygon{{0.3, 0.3}, {-0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3}, {0.05, 0.0}});
-  // The dent's tip is nearest: its sides lead away from the origin.
-  EXPECT_NEAR(f.inscribed_radius(), 0.05, 1e-12);
+TEST(FootprintRadii, OfPolygons) {
+  for (const Radii& radii : {
+           Radii{"a rectangle", {{0.3, 0.2}, {-0.4, 0.2}, {-0.4, -0.2}, {0.3, -0.2}}, 0.2, std::hypot(0.4, 0.2)},
+           Radii{
+               "the other way round", {{0.3, -0.2}, {-0.4, -0.2}, {-0.4, 0.2}, {0.3, 0.2}}, 0.2, std::hypot(0.4, 0.2)},
+           Radii{
+               "the origin is outside", {{0.3, 0.2}, {0.1, 0.2}, {0.1, -0.2}, {0.3, -0.2}}, 0.0, std::hypot(0.3, 0.2)},
+           // Its sides lead away from the origin: its tip is nearest.
+           Radii{"a dent from the front to x = 0.05",
+                 {{0.3, 0.3}, {-0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3}, {0.05, 0.0}},
+                 0.05,
+                 std::hypot(0.3, 0.3)},
+       }) {
+    const Footprint footprint(radii.outline);
+    EXPECT_NEAR(footprint.inscribed_radius(), radii.inscribed, 1e-12) << radii.of;
+    EXPECT_NEAR(footprint.circumscribed_radius(), radii.circumscribed, 1e-12) << radii.of;
+  }
 }
 
 TEST(FootprintRadii, EmptyAndCircle) {
@@ -74,21 +73,30 @@ TEST(FootprintCircle, FewOrUnevenCornersAreAPolygon) {
   EXPECT_FALSE(Footprint::from_outline(outline, 0.0).is_circle());
 }
 
-// Along each edge in small steps; inside is what the outline goes once around.
+// The outline goes once around the point, or not at all.
+bool inside(const Polygon& outline, const Point& p) {
+  double turned = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point a = outline[i] - p, b = outline[(i + 1) % outline.size()] - p;
+    turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  }
+  return std::abs(turned) > M_PI;
+}
+
+// Along each edge in small steps.
 double naive_distance(const Polygon& outline, const Point& point) {
   constexpr int kSteps = 2000;
-  double nearest = std::numeric_limits<double>::infinity(), turned = 0.0;
+  double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Point a = outline[i] - point, b = outline[(i + 1) % outline.size()] - point;
     for (int k = 0; k <= kSteps; ++k) nearest = std::min(nearest, (a + (b - a) * k / kSteps).norm());
-    turned += wrap_angle(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x()));
   }
-  return std::abs(turned) > M_PI ? -nearest : nearest;
+  return inside(outline, point) ? -nearest : nearest;
 }
 
 TEST(FootprintDistance, IsThatToTheNearestPlaceOfAnyEdge) {
   test::Random random(12);
-  int inside = 0;
+  int within = 0;
   for (int k = 0; k < 300; ++k) {
     Polygon outline = random.chance(0.5) ? test::random_star_outline(random) : test::random_convex_outline(random);
     if (random.chance(0.5)) std::reverse(outline.begin(), outline.end());
@@ -98,34 +106,15 @@ TEST(FootprintDistance, IsThatToTheNearestPlaceOfAnyEdge) {
     const double expected = naive_distance(outline, point), found = Footprint(outline).distance_to(point);
     // Off by no more than half a step, of edges no longer than 2 m.
     ASSERT_NEAR(found, expected, 0.5e-3) << k;
-    inside += found < 0.0 ? 1 : 0;
+    within += found < 0.0;
   }
-  EXPECT_GT(inside, 60);
+  EXPECT_GT(within, 60);
   EXPECT_DOUBLE_EQ(Footprint({}, 0.3).distance_to({0.3, 0.4}), 0.2);
   // On the corner, beside it, and with a corner twice.
   const Footprint square({{0.2, 0.2}, {-0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
   EXPECT_DOUBLE_EQ(square.distance_to({0.2, 0.2}), 0.0);
   EXPECT_DOUBLE_EQ(square.distance_to({0.5, 0.6}), 0.5);  // (0.3, 0.4) from the corner
   EXPECT_DOUBLE_EQ(square.distance_to({0.0, 0.15}), -0.05);
-}
-
-TEST(FootprintPadding, EverySideMovesOutwards) {
-  for (const bool reversed : {false, true}) {
-    Polygon outline{{0.3, 0.2}, {-0.4, 0.2}, {-0.4, -0.2}, {0.3, -0.2}};
-    if (reversed) outline = Polygon(outline.rbegin(), outline.rend());
-    const Footprint f = Footprint::from_outline(outline, 0.05);
-    EXPECT_NEAR(f.inscribed_radius(), 0.25, 1e-12);
-    EXPECT_NEAR(f.circumscribed_radius(), std::hypot(0.45, 0.25), 1e-12);
-  }
-}
-
-TEST(FootprintPadding, ADentMovesOutwardsToo) {
-  // An L: the inner corner at (0, 0) goes to (0.05, 0.05), the outer ones away from the body.
-  const Footprint f(Polygon{{0.4, -0.4}, {0.4, 0.0}, {0.0, 0.0}, {0.0, 0.4}, {-0.4, 0.4}, {-0.4, -0.4}});
-  const Polygon padded = f.padded(0.05).outline();
-  EXPECT_NEAR((padded[2] - Point(0.05, 0.05)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((padded[1] - Point(0.45, 0.05)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((padded[5] - Point(-0.45, -0.45)).norm(), 0.0, 1e-12);
 }
 
 TEST(FootprintPadding, RepeatedCornersDoNoHarm) {
@@ -141,16 +130,6 @@ TEST(FootprintPadding, NoneChangesNothing) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(f.outline()[i], outline[i]);
 }
 
-// Counts how often the outline winds around the point.
-bool inside(const Polygon& outline, const Point& p) {
-  double turned = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point a = outline[i] - p, b = outline[(i + 1) % outline.size()] - p;
-    turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-  }
-  return std::abs(turned) > M_PI;
-}
-
 // Everything within `padding` of the outline, seen at 50 points of each side in 32 directions.
 void expect_all_within(const Polygon& outline, double padding, const Polygon& padded) {
   const double reach = padding * (1.0 - 1e-6);
@@ -164,6 +143,11 @@ void expect_all_within(const Polygon& outline, double padding, const Polygon& pa
       }
     }
   }
+}
+
+bool has_corner(const Polygon& outline, const Point& corner) {
+  return std::any_of(outline.begin(), outline.end(),
+                     [&](const Point& found) { return (found - corner).norm() < 1e-9; });
 }
 
 Polygon padded(const Polygon& outline, double padding) { return Footprint::from_outline(outline, padding).outline(); }
@@ -187,9 +171,7 @@ TEST(FootprintPadding, TwoPointsBecomeARectangle) {
   const Footprint f = Footprint::from_outline({{-0.3, 0.0}, {0.2, 0.0}}, 0.05);
   ASSERT_EQ(f.outline().size(), 4u);
   for (const Point& corner : {Point(-0.35, -0.05), Point(-0.35, 0.05), Point(0.25, 0.05), Point(0.25, -0.05)}) {
-    EXPECT_TRUE(std::any_of(f.outline().begin(), f.outline().end(), [&](const Point& found) {
-      return (found - corner).norm() < 1e-12;
-    })) << corner.transpose();
+    EXPECT_TRUE(has_corner(f.outline(), corner)) << corner.transpose();
   }
   EXPECT_NEAR(f.inscribed_radius(), 0.05, 1e-12);
   EXPECT_EQ(f.sides().size(), 4u);  // convex
@@ -212,30 +194,38 @@ TEST(FootprintPadding, OnePointBecomesASquare) {
   expect_all_within({{0.1, 0.2}}, 0.05, square);
 }
 
-// A slot 0.06 m wide from the front: open with 0.02 m on each side, filled with 0.04 m.
+struct Padding {
+  const char* of;
+  const Polygon& outline;
+  double padding;  // [m]
+  std::size_t corners;
+};
+
+// What is filled has the four corners of the convex hull.
 TEST(FootprintPadding, ADentThatItClosesIsFilled) {
   const Polygon slotted{{0.3, 0.3},   {-0.3, 0.3},  {-0.3, -0.3}, {0.3, -0.3},
                         {0.3, -0.03}, {0.0, -0.03}, {0.0, 0.03},  {0.3, 0.03}};
-  const Polygon open = padded(slotted, 0.02);
-  EXPECT_EQ(open.size(), 8u);
-  EXPECT_FALSE(inside(open, {0.25, 0.0}));
-  const Polygon filled = padded(slotted, 0.04);
-  EXPECT_EQ(filled.size(), 4u);  // of the convex hull
-  expect_all_within(slotted, 0.04, filled);
-  EXPECT_NEAR(Footprint(filled).circumscribed_radius(), 0.34 * std::sqrt(2.0), 1e-12);
-  // A bottle: no side vanishes, but its neck of 0.04 m closes.
   const Polygon bottle{{0.3, 0.3},   {-0.3, 0.3},   {-0.3, -0.3}, {0.3, -0.3}, {0.3, -0.02}, {0.1, -0.02},
                        {0.1, -0.15}, {-0.2, -0.15}, {-0.2, 0.15}, {0.1, 0.15}, {0.1, 0.02},  {0.3, 0.02}};
-  EXPECT_EQ(padded(bottle, 0.01).size(), 12u);
-  EXPECT_EQ(padded(bottle, 0.03).size(), 4u);
-  // A sharp dent, whose sides meet far outside once moved.
   const Polygon cut{{0.3, 0.3}, {-0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3}, {0.3, -0.01}, {-0.2, 0.0}, {0.3, 0.01}};
-  expect_all_within(cut, 0.02, padded(cut, 0.02));
-  EXPECT_EQ(padded(cut, 0.02).size(), 4u);
-  EXPECT_EQ(padded({{0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}}, 0.02).size(), 4u);  // a bow tie
+  const Polygon bow_tie{{0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}};
+  for (const Padding& row : {Padding{"a slot 0.06 m wide stays open", slotted, 0.02, 8},
+                             Padding{"a slot 0.06 m wide closes", slotted, 0.04, 4},
+                             Padding{"the neck of a bottle, 0.04 m wide, stays open", bottle, 0.01, 12},
+                             Padding{"the neck closes, though no side vanishes", bottle, 0.03, 4},
+                             Padding{"the sides of a sharp dent meet far outside once moved", cut, 0.02, 4},
+                             Padding{"a bow tie crosses itself", bow_tie, 0.02, 4}}) {
+    SCOPED_TRACE(row.of);
+    const Polygon result = padded(row.outline, row.padding);
+    EXPECT_EQ(result.size(), row.corners);
+    expect_all_within(row.outline, row.padding, result);
+  }
+  EXPECT_FALSE(inside(padded(slotted, 0.02), {0.25, 0.0}));
+  EXPECT_NEAR(Footprint(padded(slotted, 0.04)).circumscribed_radius(), 0.34 * std::sqrt(2.0), 1e-12);
 }
 
-// Random outlines, sharp and dented: nothing within the padding is left out, and the slow twin makes the same of them.
+// Random outlines, sharp and dented, either way round: nothing within the padding is left out, and the slow twin makes
+// the same of them.
 TEST(FootprintPadding, RandomOutlines) {
   test::Random random(11);
   int sharp = 0, filled = 0;
@@ -243,6 +233,7 @@ TEST(FootprintPadding, RandomOutlines) {
     const bool dented = random.chance(0.5);
     Polygon outline = dented ? test::random_star_outline(random) : test::random_convex_outline(random);
     for (std::size_t i = 0; dented && i < outline.size(); i += 2) outline[i] *= random.uniform(0.1, 0.5);
+    if (random.chance(0.5)) std::reverse(outline.begin(), outline.end());
     const double padding = random.uniform(0.005, 0.3);
     const Polygon result = Footprint(outline).padded(padding).outline();
     SCOPED_TRACE(k);
@@ -252,10 +243,7 @@ TEST(FootprintPadding, RandomOutlines) {
     filled += result.size() < outline.size();
     const Polygon twin = test::naive_padded({outline, 0.0}, padding).corners;
     ASSERT_EQ(result.size(), twin.size());
-    for (const Point& corner : result) {
-      EXPECT_TRUE(
-          std::any_of(twin.begin(), twin.end(), [&](const Point& found) { return (found - corner).norm() < 1e-9; }));
-    }
+    for (const Point& corner : result) EXPECT_TRUE(has_corner(twin, corner)) << corner.transpose();
   }
   EXPECT_GE(sharp, 50);
   EXPECT_GE(filled, 5);

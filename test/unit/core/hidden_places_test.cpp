@@ -43,7 +43,7 @@ Scene wall_that_ends() {
   return scene;
 }
 
-// Likewise without an end, but for an opening of so many cells around y = 0.
+// Likewise without an end, but for an opening of so many cells around y = 0. Its ends are hypot(1, 3) = 3.16 m away.
 Scene wall_with_opening(int cells) {
   Scene scene = room();
   scene.fill(0.98, -3.1, 1.02, 3.1);
@@ -51,15 +51,39 @@ Scene wall_with_opening(int cells) {
   return scene;
 }
 
-TEST(HiddenPlaces, AreNoneInAnEmptyMapAndWithoutSensors) {
-  EXPECT_TRUE(places(room()).empty());
-  EXPECT_TRUE(places(wall_that_ends(), {}).empty());
+// The leg of a table 1 m ahead, so many cells wide.
+Scene table_leg(int cells) {
+  Scene scene = room();
+  scene.fill(0.98, -0.02, 1.02, 0.05 * cells - 0.03);
+  return scene;
 }
 
-TEST(HiddenPlaces, AreNoneBehindAWallThatGoesOnBeyondTheReach) {
-  Scene scene = room();
-  scene.fill(0.98, -3.1, 1.02, 3.1);  // its ends are hypot(1, 3) = 3.16 m away
-  EXPECT_TRUE(places(scene).empty());
+struct Nobody {
+  const char* where;
+  Scene scene;
+  SensorSectors sectors = kAllRound;
+  double reach = kReach;  // [m]
+};
+
+TEST(HiddenPlaces, AreNoneWhereNobodyFitsOrNothingHides) {
+  for (const Nobody& nobody : {
+           Nobody{"in an empty map", room()},
+           Nobody{"without sensors", wall_that_ends(), {}},
+           Nobody{"behind a wall that goes on beyond the reach", wall_with_opening(0)},
+           Nobody{"behind a slit of 5 cm, through which nobody comes", wall_with_opening(1)},
+           Nobody{"behind a slit of 15 cm", wall_with_opening(3)},
+           // From 1 m away one cell's disc hides 2 asin(0.035 / 1) = 0.071, up to 4 bins: 0.080; two hide 0.121, up to
+           // 8: 0.160 at most. A place and 0.15 m more need 0.35 m beside the line: 0.35 / 0.160 = 2.2 m away.
+           Nobody{"behind the leg of a table", table_leg(1)},
+           Nobody{"behind a wide leg of a table, up to 2 m away", table_leg(2), kAllRound, 2.0},
+           // The sight ends where the reach does: what is just beyond it is not hidden for that. The line's point 2.0 m
+           // away is in reach, a place 0.2 m beside it is hypot(2.0, 0.2) = 2.010 m away.
+           Nobody{"behind the leg of a table where the reach ends", table_leg(1), kAllRound, 2.005},
+           Nobody{"behind a wall that is out of reach", wall_that_ends(), kAllRound, 0.95},
+           Nobody{"behind a wall that is out of sight", wall_that_ends(), {sensor(0.0, 0.0, 0.0, 360.0, 0.95)}},
+       }) {
+    EXPECT_TRUE(places(nobody.scene, nobody.sectors, nobody.reach).empty()) << nobody.where;
+  }
 }
 
 TEST(HiddenPlaces, LieBesideTheLineOfSightBehindTheEndOfAWall) {
@@ -88,52 +112,6 @@ TEST(HiddenPlaces, LieOnBothSidesBehindADoorway) {
   }
   EXPECT_GT(left, 0U);
   EXPECT_EQ(2 * left, found.size());
-}
-
-// Nobody comes through 5 or 15 cm.
-TEST(HiddenPlaces, AreNoneBehindASlit) {
-  for (const int cells : {1, 3}) EXPECT_TRUE(places(wall_with_opening(cells)).empty()) << cells;
-}
-
-// From 1 m away one cell's disc hides 2 asin(0.035 / 1) = 0.071, up to 4 bins: 0.080; two hide 0.121, up to 8: 0.160 at
-// most. A place and 0.15 m more need 0.35 m beside the line: 0.35 / 0.160 = 2.2 m away, so that the two are looked at
-// no farther away than 2 m.
-TEST(HiddenPlaces, AreNoneBehindATableLeg) {
-  Scene scene = room();
-  scene.fill(0.98, -0.02, 1.02, 0.02);
-  EXPECT_TRUE(places(scene).empty());
-  scene.fill(0.98, -0.02, 1.02, 0.07);
-  EXPECT_TRUE(places(scene, kAllRound, 2.0).empty());
-}
-
-TEST(HiddenPlaces, LieBehindBothEdgesOfABoxAndNotInIt) {
-  Scene scene = room();
-  scene.fill(0.98, -0.52, 2.02, 0.52);
-  std::size_t left = 0, right = 0;
-  for (const Point& place : places(scene)) {
-    const bool in = place.x() > 0.83 && place.x() < 2.17 && std::abs(place.y()) < 0.65;  // or nearer than 0.15 m
-    EXPECT_FALSE(in) << place.transpose();
-    // The line from the sensor along the front's corner at (1, 0.5), and one cell and bin beside it.
-    EXPECT_LT(std::abs(place.y()), 0.62 * place.x());
-    ++(place.y() > 0.0 ? left : right);
-  }
-  EXPECT_GT(left, 0U);
-  EXPECT_GT(right, 0U);
-}
-
-// From (0, 1.5) and (0, -1.5) only the triangle behind the box, from (2, 0.5) and (2, -0.5) to (3, 0), is not seen.
-TEST(HiddenPlaces, AreFewerWhereTwoSensorsLookFromBothSides) {
-  Scene scene = room();
-  scene.fill(0.98, -0.52, 2.02, 0.52);
-  const SensorSector left = sensor(0.0, 1.5, 0.0, 360.0), right = sensor(0.0, -1.5, 0.0, 360.0);
-  const std::vector<Point> one = places(scene, {left}), both = places(scene, {left, right});
-  EXPECT_GT(both.size(), 0U);
-  EXPECT_LT(both.size(), one.size());
-  for (const Point& place : both) {
-    EXPECT_GT(place.x(), 2.1);
-    // Cells and bins hide up to 0.035 + 2 * 0.05 m more, across lines with a slope of 1 / 2.
-    EXPECT_LT(std::abs(place.y()), 1.5 - 0.5 * place.x() + 0.15);
-  }
 }
 
 TEST(HiddenPlaces, AreNoneWhereTheSensorDoesNotLook) {
@@ -169,28 +147,6 @@ TEST(HiddenPlaces, AreNoneAlongAWallThatIsVeryNear) {
     EXPECT_TRUE(places(scene).empty()) << k;
     EXPECT_TRUE(places(scene, {sensor(0.2, 0.0, 0.0, 270.0)}, 2.0).empty()) << k;
   }
-}
-
-TEST(HiddenPlaces, AreNoFartherAwayThanTheReach) {
-  const Scene scene = wall_that_ends();
-  EXPECT_TRUE(places(scene, kAllRound, 0.95).empty());  // the wall is 1 m away
-  EXPECT_TRUE(places(scene, {sensor(0.0, 0.0, 0.0, 360.0, 0.95)}).empty());
-  std::size_t before = 0;
-  for (const double reach : {1.45, 1.75, 2.05, 2.45}) {  // 1, 2, 3, 5 with lines from about 1.2 m on, see above
-    const std::vector<Point> found = places(scene, kAllRound, reach);
-    EXPECT_GT(found.size(), before) << reach;
-    before = found.size();
-    // The line's point is in reach, the place 0.2 m beside it.
-    for (const Point& place : found) EXPECT_LT(place.norm(), std::hypot(reach, 0.2));
-  }
-}
-
-// The sight ends where the reach does: what is just beyond it is not hidden for that.
-TEST(HiddenPlaces, AreNoneBehindATableLegWhereTheReachEnds) {
-  Scene scene = room();
-  scene.fill(0.98, -0.02, 1.02, 0.02);
-  // The line's point 2.0 m away is in reach, a place 0.2 m beside it is hypot(2.0, 0.2) = 2.010 m away.
-  EXPECT_TRUE(places(scene, kAllRound, 2.005).empty());
 }
 
 // Walls, boxes and single cells, some of them unknown.

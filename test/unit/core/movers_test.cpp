@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "core/motion/brake_manoeuvre.hpp"
 #include "core/movers/departures.hpp"
 #include "core/movers/explained_cells.hpp"
 #include "core/movers/mover_check.hpp"
 #include "core/movers/reachable_set.hpp"
 #include "core/search/search_task.hpp"
+#include "support/cycle_motion.hpp"
 #include "support/naive_advance.hpp"
 #include "support/naive_inflation.hpp"
 #include "support/planner_bench.hpp"
@@ -20,6 +20,7 @@
 namespace hidwa_local_planner {
 namespace {
 
+using test::CycleMotion;
 using test::PlannerBench;
 using test::Random;
 using test::rejections_by;
@@ -55,84 +56,48 @@ TEST(ReachableSets, AreWhatAccelerationAndSpeedAllow) {
   EXPECT_NEAR(ReachableSet(mover, p).speed_radius(0.3), 0.3 + 1 * 0.02 + (3.0 + 1 * 0.1) * 0.4, 1e-12);
 }
 
-// The distance to the outline by points a millimetre apart along it, negative where most rays hit an odd number of
-// sides; see Footprint::distance_to().
-TEST(FootprintDistance, IsThatOfPointsAlongTheOutline) {
-  const std::vector<Polygon> outlines{{{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}},
-                                      {{0.4, 0.0}, {0.0, 0.1}, {-0.3, 0.3}, {-0.1, 0.0}, {-0.3, -0.3}, {0.0, -0.1}}};
-  Random random(3);
-  for (const Polygon& outline : outlines) {
-    const Footprint footprint(outline);
-    for (int k = 0; k < 300; ++k) {
-      const Point p{random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6)};
-      double least = 1e9, turned = 0.0;
-      for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point a = outline[i], b = outline[(i + 1) % outline.size()];
-        for (int part = 0; part <= 1000; ++part) least = std::min(least, (a + (b - a) * (part / 1000.0) - p).norm());
-        turned += std::atan2((a - p).x() * (b - p).y() - (a - p).y() * (b - p).x(), (a - p).dot(b - p));
-      }
-      const bool inside = std::abs(turned) > M_PI;  // the outline goes once around the point, or not at all
-      EXPECT_NEAR(footprint.distance_to(p), inside ? -least : least, 1e-3);
-    }
-  }
-  EXPECT_NEAR(Footprint({}, 0.25).distance_to({0.3, 0.4}), 0.25, 1e-12);  // 0.5 - 0.25
+const Footprint kBody({{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}});
+
+// The larger gap to the two discs [m].
+double gap_to(const ReachableSet& set, const TurnedPose& at, double t) {
+  const auto gap = [&at](const Point& centre, double radius) {
+    return kBody.distance_to(test::in_frame_of(at.pose, centre)) - radius;
+  };
+  return std::max(gap(set.centre(t), set.radius(t)), gap(set.position(), set.speed_radius(t)));
 }
 
-// One command's manoeuvre in steps of half a millisecond, every mover at every step, both discs at once.
-struct SlowTwin {
-  const Footprint& footprint;
-  const CycleStart& start;
+// The least of that over the time until rest, in steps of half a millisecond, every mover at every step.
+double least_gap(const CycleMotion& motion, const Twist2& command, const std::vector<ReachableSet>& sets,
+                 double hold = 0.0) {
+  ManoeuvreRoller roller = motion.roller(kBody.circumscribed_radius(), 1.0, 0.0005);
+  double least = 1e9;
+  roller.roll(motion.start.manoeuvre(0, command, hold), [&](const TurnedPose& at) {
+    for (const ReachableSet& set : sets) least = std::min(least, gap_to(set, at, roller.time()));
+    return true;
+  });
+  return least;
+}
 
-  /// The larger gap to the two discs [m].
-  double gap_to(const ReachableSet& set, const TurnedPose& at, double t) const {
-    const auto gap = [&](const Point& centre, double radius) {
-      const double dx = centre.x() - at.pose.x, dy = centre.y() - at.pose.y;
-      const double c = std::cos(at.pose.theta), s = std::sin(at.pose.theta);
-      return footprint.distance_to({c * dx + s * dy, c * dy - s * dx}) - radius;
-    };
-    return std::max(gap(set.centre(t), set.radius(t)), gap(set.position(), set.speed_radius(t)));
-  }
-
-  /// The least of that, over the time until rest.
-  double least_gap(const Twist2& command, const std::vector<ReachableSet>& sets, double hold = 0.0) const {
-    const TurnedPose begin{start.origin, {std::cos(start.origin.theta), std::sin(start.origin.theta)}};
-    ManoeuvreRoller roller(start.limits, footprint.circumscribed_radius(), 1.0, begin, 0.0005);
-    const BrakeManoeuvre manoeuvre = start.manoeuvre(0, command, hold);
-    double least = 1e9;
-    roller.roll(manoeuvre, [&](const TurnedPose& at) {
-      for (const ReachableSet& set : sets) {
-        least = std::min(least, gap_to(set, at, roller.time()));
-      }
-      return true;
+// What can_rest() asks, of this command alone: poses 0.05 s apart, each free for 5 ms before and after, and free where
+// the robot stood before it moved on.
+bool can_rest(const CycleMotion& motion, const Twist2& command, const std::vector<ReachableSet>& sets, double hold) {
+  ManoeuvreRoller roller = motion.roller(kBody.circumscribed_radius(), 1e3, 0.05);
+  TurnedPose before = TurnedPose::of(motion.start.origin);
+  double then = -1.0;
+  const auto free_at = [&](const TurnedPose& at, double t) {
+    return std::all_of(sets.begin(), sets.end(), [&](const ReachableSet& set) {
+      const double allowed = std::min(0.005, 0.5 * roller.step().duration);
+      return gap_to(set, at, t) > roller.drift() + allowed * (roller.step().fastest + set.fastest());
     });
-    return least;
-  }
-
-  /// What can_rest() asks, of this command alone: poses 0.05 s apart, each free for 5 ms before and after, and free
-  /// where the robot stood before it moved on.
-  bool can_rest(const Twist2& command, const std::vector<ReachableSet>& sets, double hold) const {
-    const TurnedPose begin{start.origin, {std::cos(start.origin.theta), std::sin(start.origin.theta)}};
-    ManoeuvreRoller roller(start.limits, footprint.circumscribed_radius(), 1e3, begin, 0.05);
-    const BrakeManoeuvre manoeuvre = start.manoeuvre(0, command, hold);
-    TurnedPose before = begin;
-    double then = -1.0;
-    const auto free_at = [&](const TurnedPose& at, double t) {
-      for (const ReachableSet& set : sets) {
-        const double allowed = std::min(0.005, 0.5 * roller.step().duration);
-        const double grown = roller.drift() + allowed * (roller.step().fastest + set.fastest());
-        if (gap_to(set, at, t) <= grown) return false;
-      }
-      return true;
-    };
-    return roller.roll(manoeuvre, [&](const TurnedPose& at) {
-      const double moves_on = roller.time() - roller.step().duration;
-      if (moves_on > then + 1e-9 && !free_at(before, moves_on)) return false;
-      before = at;
-      then = roller.time();
-      return free_at(at, then);
-    });
-  }
-};
+  };
+  return roller.roll(motion.start.manoeuvre(0, command, hold), [&](const TurnedPose& at) {
+    const double moves_on = roller.time() - roller.step().duration;
+    if (moves_on > then + 1e-9 && !free_at(before, moves_on)) return false;
+    before = at;
+    then = roller.time();
+    return free_at(at, then);
+  });
+}
 
 // Between so far away [m], no faster along either axis than `fastest` [m/s].
 MovingObstacleEstimates three_around(Random& random, double nearest, double farthest, double fastest) {
@@ -153,12 +118,18 @@ std::vector<ReachableSet> sets_of(const MovingObstacleEstimates& movers, const P
   return sets;
 }
 
+bool confirms(const Parameters& p, const MovingObstacleEstimates& movers, const CycleMotion& motion,
+              const Twist2& command) {
+  MoverCheck check;
+  check.prepare(p, kBody, movers, motion.start);
+  return check.none_near() || check.confirm(command);
+}
+
 // All over the dynamic window, and beyond: what is answered for a part of it holds for each of its commands. In each
 // other scene cycles come up to 0.1 s late, and the first command to brake up to 0.2 s.
 TEST(MoverChecks, AnswerForEachCommandAsForItAlone) {
   Random random(13);
   int refused = 0, free = 0, mixed = 0;
-  const Footprint body({{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}});
   for (int k = 0; k < 600; ++k) {
     Parameters p;
     p.min_vel_x = -0.5;
@@ -171,21 +142,16 @@ TEST(MoverChecks, AnswerForEachCommandAsForItAlone) {
     const VelocityLimits limits = VelocityLimits::from(p);
     const Twist2 now{random.uniform(-0.5, 0.5), random.uniform(-1.0, 1.0)};
     const Twist2 commanded{now.v + random.uniform(-0.1, 0.1), now.omega + random.uniform(-0.1, 0.1)};
-    const double latency = random.uniform(0.0, 0.1);
+    p.control_latency = random.uniform(0.0, 0.1);
     const bool stale = random.chance(0.5);
-    const PendingMotionSet pending{PendingMotion(stale ? commanded : now, latency)};
-    CycleStart start;
-    start.limits = limits;
-    start.pose = start.origin = {0.0, 0.0, random.uniform(-3.0, 3.0)};
-    start.reference = now;
-    start.pending = &pending;
+    CycleMotion motion(p, now, {0.0, 0.0, random.uniform(-3.0, 3.0)}, stale ? commanded : now);
+    CycleStart& start = motion.start;
     const MovingObstacleEstimates movers = three_around(random, 0.5, 1.2, 1.5 * lively);
     const std::vector<ReachableSet> sets = sets_of(movers, p);
     start.longest_period = k % 2 == 0 ? 0.05 : 0.15;
     const double latest = k % 2 == 0 ? 0.0 : 0.2;
     MoverCheck check;
-    check.prepare(p, body, movers, start);
-    const SlowTwin twin{body, start};
+    check.prepare(p, kBody, movers, start);
     int free_here = 0, refused_here = 0;
     for (int i = -1; i <= 11; ++i) {
       for (int j = -1; j <= 11; ++j) {
@@ -193,7 +159,7 @@ TEST(MoverChecks, AnswerForEachCommandAsForItAlone) {
         const double most_omega = std::max(limits.theta.acc, limits.theta.braking) * start.period;
         const Twist2 command{now.v + (0.2 * i - 1.0) * most_v, now.omega + (0.2 * j - 1.0) * most_omega};
         const bool answer = check.none_near() || check.can_rest(command);
-        const bool rests = twin.can_rest(command, sets, 0.0) && twin.can_rest(command, sets, latest);
+        const bool rests = can_rest(motion, command, sets, 0.0) && can_rest(motion, command, sets, latest);
         EXPECT_EQ(answer, rests) << k << ": " << i << ", " << j;
         ++(answer ? free_here : refused_here);
       }
@@ -210,85 +176,54 @@ TEST(MoverChecks, AnswerForEachCommandAsForItAlone) {
 // What the twin says is touched is rejected; what it says stays farther away than every allowance is not.
 TEST(MoverChecks, AgreeWithASlowTwin) {
   Random random(11);
-  int touched = 0, free = 0;
-  const Footprint body({{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}});
+  test::GapTally tally;
   for (int k = 0; k < 1500; ++k) {
+    SCOPED_TRACE(k);
     Parameters p;
     p.min_vel_x = -0.3;
-    const VelocityLimits limits = VelocityLimits::from(p);
     const Twist2 now{random.uniform(0.0, 0.5), random.uniform(-1.0, 1.0)};
-    const PendingMotionSet pending{PendingMotion(now, random.chance(0.5) ? 0.1 : 0.0)};
-    CycleStart start;
-    start.limits = limits;
-    start.pose = start.origin = {0.0, 0.0, random.uniform(-3.0, 3.0)};
-    start.reference = now;
-    start.pending = &pending;
+    p.control_latency = random.chance(0.5) ? 0.1 : 0.0;
+    const CycleMotion motion(p, now, {0.0, 0.0, random.uniform(-3.0, 3.0)});
     MovingObstacleEstimates movers = three_around(random, 0.65, 1.6, 1.5);
     for (MovingObstacleEstimate& mover : movers) {
       mover.position_deviation = 0.02;
       mover.velocity_deviation = 0.05;
     }
-    const std::vector<ReachableSet> sets = sets_of(movers, p);
-    MoverCheck check;
-    check.prepare(p, body, movers, start);
-    const Twist2 command = limits.step(now, {random.uniform(-0.3, 0.5), random.uniform(-1.0, 1.0)}, start.period);
-    const double gap = SlowTwin{body, start}.least_gap(command, sets);
-    const bool passes = check.none_near() || check.confirm(command);
-    if (gap <= 0.0) {
-      EXPECT_FALSE(passes) << k;
-      ++touched;
-    }
+    const Twist2 wanted{random.uniform(-0.3, 0.5), random.uniform(-1.0, 1.0)};
+    const Twist2 command = motion.start.limits.step(now, wanted, motion.start.period);
     // Half a short step at 1.8 + 0.9 m/s, and a drift of some millimetres, all twice: the discs are taken apart.
-    if (gap > 0.08) {
-      EXPECT_TRUE(passes) << k;
-      ++free;
-    }
+    tally.add(least_gap(motion, command, sets_of(movers, p)), 0.08, confirms(p, movers, motion, command));
   }
-  EXPECT_GT(touched, 200);
-  EXPECT_GT(free, 200);
+  EXPECT_GT(tally.touched, 200);
+  EXPECT_GT(tally.free, 200);
 }
 
 // Cycles of up to 0.15 s where 0.05 s are asked for: the first command to brake comes up to 2 x (0.15 - 0.05) = 0.2 s
 // late, and the robot must rest untouched whenever it comes.
 TEST(MoverChecks, AgreeWithASlowTwinWhereCyclesAreLate) {
   Random random(12);
-  int touched = 0, free = 0;
-  const Footprint body({{0.3, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.3, -0.2}});
-  const Parameters p;
-  const VelocityLimits limits = VelocityLimits::from(p);
+  test::GapTally tally;
+  Parameters p;
+  p.control_latency = 0.0;
   for (int k = 0; k < 400; ++k) {
+    SCOPED_TRACE(k);
     const Twist2 now{random.uniform(0.3, 0.5), random.uniform(-0.5, 0.5)};
-    const PendingMotionSet pending{PendingMotion(now, 0.0)};
-    CycleStart start;
-    start.limits = limits;
-    start.reference = now;
-    start.pending = &pending;
-    start.longest_period = 0.15;
+    CycleMotion motion(p, now);
+    motion.start.longest_period = 0.15;
     const double angle = random.uniform(-0.6, 0.6), away = random.uniform(0.7, 1.3);
     const double vx = random.uniform(-0.6, 0.1), vy = random.uniform(-0.3, 0.3);
     MovingObstacleEstimates movers{mover_at(away * std::cos(angle), away * std::sin(angle), vx, vy)};
     movers[0].position_deviation = movers[0].velocity_deviation = 0.01;
-    const std::vector<ReachableSet> sets{ReachableSet(movers[0], p)};
-    MoverCheck check;
-    check.prepare(p, body, movers, start);
-    const Twist2 command = limits.step(now, {0.5, random.uniform(-0.5, 0.5)}, start.period);
+    const Twist2 command = motion.start.limits.step(now, {0.5, random.uniform(-0.5, 0.5)}, motion.start.period);
     double gap = 1e9;
     for (int late = 0; late <= 8; ++late) {
-      gap = std::min(gap, SlowTwin{body, start}.least_gap(command, sets, 0.025 * late));
-    }
-    const bool passes = check.none_near() || check.confirm(command);
-    if (gap <= 0.0) {
-      EXPECT_FALSE(passes) << k;
-      ++touched;
+      gap = std::min(gap, least_gap(motion, command, sets_of(movers, p), 0.025 * late));
     }
     // As above, and half of the 0.025 s between two commands to brake, at 0.9 m/s: 0.011 m.
-    if (gap > 0.06) {
-      EXPECT_TRUE(passes) << k;
-      ++free;
-    }
+    tally.add(gap, 0.06, confirms(p, movers, motion, command));
   }
-  EXPECT_GT(touched, 50);
-  EXPECT_GT(free, 50);
+  EXPECT_GT(tally.touched, 50);
+  EXPECT_GT(tally.free, 50);
 }
 
 Scene among(const MovingObstacleEstimates& movers, double speed) {

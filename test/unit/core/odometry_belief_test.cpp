@@ -39,22 +39,37 @@ class Axis {
   double time_ = 100.0;  // [s]
 };
 
-TEST(OdometryBelief, WithinTheToleranceItAgrees) {
-  Axis axis({0.1, 0.4});
-  EXPECT_EQ(axis.read(-0.09), OdometryReading::agrees);
-  EXPECT_EQ(axis.read(0.25), OdometryReading::agrees);
-  EXPECT_EQ(axis.read(0.59), OdometryReading::agrees);
-}
+struct Story {
+  const char* what;
+  Interval explained;
+  struct Step {
+    double measured;
+    OdometryReading reading;
+  };
+  std::vector<Step> steps;
+};
 
-TEST(OdometryBelief, SlowerIsBelievedOnceThreeInARowAgree) {
-  Axis forward({0.3, 0.5});
-  EXPECT_EQ(forward.read(0.09), OdometryReading::maybe_slower);
-  EXPECT_EQ(forward.read(0.0), OdometryReading::maybe_slower);
-  EXPECT_EQ(forward.read(-0.19), OdometryReading::slower);  // at rest, within the tolerance
-  EXPECT_EQ(forward.read(0.0), OdometryReading::slower);
-  Axis backward({-0.5, -0.3});
-  EXPECT_EQ(backward.read(-0.09, 2), OdometryReading::maybe_slower);
-  EXPECT_EQ(backward.read(0.19), OdometryReading::slower);
+TEST(OdometryBelief, JudgesEachReadingByTheCommandsAndThoseBefore) {
+  constexpr OdometryReading agrees = OdometryReading::agrees, maybe_slower = OdometryReading::maybe_slower,
+                            slower = OdometryReading::slower, doubted = OdometryReading::doubted;
+  const Story stories[] = {
+      {"it agrees within the tolerance", {0.1, 0.4}, {{-0.09, agrees}, {0.25, agrees}, {0.59, agrees}}},
+      {"it is slower once three in a row agree",
+       {0.3, 0.5},
+       {{0.09, maybe_slower}, {0.0, maybe_slower}, {-0.19, slower}, {0.0, slower}}},
+      {"backwards too", {-0.5, -0.3}, {{-0.09, maybe_slower}, {-0.09, maybe_slower}, {0.19, slower}}},
+      {"it is faster: 0.5 + 0.21", {0.3, 0.5}, {{0.71, doubted}}},
+      {"it goes the other way: -0.21", {0.3, 0.5}, {{-0.21, doubted}}},
+      {"it is faster backwards", {-0.5, -0.3}, {{-0.71, doubted}}},
+      {"it goes the other way from there", {-0.5, -0.3}, {{0.21, doubted}}},
+      {"it moves without a command", {0.0, 0.0}, {{5.0, doubted}}},
+      {"an outlier changes nothing", {0.3, 0.5}, {{0.4, agrees}, {5.0, doubted}, {0.4, agrees}}},
+  };
+  for (const Story& story : stories) {
+    Axis axis(story.explained);
+    for (const Story::Step& step : story.steps) EXPECT_EQ(axis.read(step.measured), step.reading) << story.what;
+    EXPECT_FALSE(axis.belief().sure()) << story.what;
+  }
 }
 
 TEST(OdometryBelief, SlowerOnesThatAreNotInARowOrDoNotAgreeAreNeverBelieved) {
@@ -93,22 +108,8 @@ TEST(OdometryBelief, BetweenTwoCyclesWhatTheCommandsDoNotExplainIsDoubted) {
   EXPECT_EQ(believed(axis, 0.01), 0.01);
 }
 
-TEST(OdometryBelief, FasterOrTheOtherWayIsDoubted) {
-  Axis forward({0.3, 0.5});
-  EXPECT_EQ(forward.read(0.71), OdometryReading::doubted);  // 0.5 + 0.21
-  EXPECT_EQ(Axis({0.3, 0.5}).read(-0.21), OdometryReading::doubted);
-  EXPECT_EQ(Axis({-0.5, -0.3}).read(-0.71), OdometryReading::doubted);
-  EXPECT_EQ(Axis({-0.5, -0.3}).read(0.21), OdometryReading::doubted);
-  EXPECT_EQ(Axis().read(5.0), OdometryReading::doubted);
-  EXPECT_FALSE(forward.belief().sure());
-}
-
-TEST(OdometryBelief, AnOutlierChangesNothing) {
+TEST(OdometryBelief, ManyOutliersOneAtATimeChangeNothing) {
   Axis axis({0.3, 0.5});
-  EXPECT_EQ(axis.read(0.4), OdometryReading::agrees);
-  EXPECT_EQ(axis.read(5.0), OdometryReading::doubted);
-  EXPECT_EQ(axis.read(0.4), OdometryReading::agrees);
-  // Nor do many, one at a time.
   for (int k = 0; k < 40; ++k)
     EXPECT_EQ(axis.read(k % 2 > 0 ? 5.0 : 0.4), k % 2 > 0 ? OdometryReading::doubted : OdometryReading::agrees);
 }

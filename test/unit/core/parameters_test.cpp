@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -80,17 +80,10 @@ TEST(ParameterAccess, AnAxisIsItsIndexOrReversed) {
   EXPECT_EQ(set_parameter(p, "axis_angular", std::string("2")), "");
   EXPECT_TRUE(p.axis_angular == (JoyAxis{2, false}));
   EXPECT_EQ(set_parameter(p, "clutch_axis", -1), "");
-  const ParameterValue wrong[] = {-1,
-                                  32,
-                                  2.0,
-                                  true,
-                                  std::string("-0"),
-                                  std::string("2 reverse"),
-                                  std::string("32 reversed"),
-                                  std::string("reversed"),
-                                  std::string("1.5"),
-                                  std::string("2 reversed reversed"),
-                                  std::string()};
+  std::vector<ParameterValue> wrong{-1, 32, 2.0, true};
+  for (const char* text : {"-0", "2 reverse", "32 reversed", "reversed", "1.5", "2 reversed reversed", ""}) {
+    wrong.emplace_back(std::string(text));
+  }
   for (const ParameterValue& value : wrong) {
     EXPECT_EQ(set_parameter(p, "axis_angular", value),
               "axis_angular: expected an axis, 0 to 31, or such as 31 reversed");
@@ -127,35 +120,34 @@ TEST(Validate, EveryNumberIsHeldToItsRange) {
   }
 }
 
-// The larger of what speed and turn need, each over the whole sim_time.
-TEST(Parameters, RolloutsWithoutEndAreRefused) {
-  const auto refused = [](const std::function<void(Parameters&)>& change) {
-    Parameters p;
-    p.vx_samples = p.vth_samples = 20;
-    p.max_vel_x = 1.0;
-    p.max_vel_theta = 1.0;
-    p.sim_time = 10.0;
-    change(p);
-    return !validate(p).empty();
+struct Rollouts {
+  const char* what;
+  double linear_granularity, angular_granularity, min_vel_x, max_vel_x, max_vel_theta;
+  int samples;  // of each axis
+  bool refused;
+};
+
+// The larger of what speed and turn need, each over the whole sim_time of 10 s.
+TEST(Validate, RolloutsWithoutEndAreRefused) {
+  const Rollouts all[] = {
+      {"10 m / 1 mm = 10,000 poses of 400 samples", 0.001, 0.05, 0.0, 1.0, 1.0, 20, false},
+      {"10 rad / 1 mrad, as many", 0.05, 0.001, 0.0, 1.0, 1.0, 20, false},
+      {"30,000 poses", 0.001, 0.05, 0.0, 3.0, 1.0, 20, true},
+      {"as many backwards", 0.001, 0.05, -3.0, 1.0, 1.0, 20, true},
+      {"30,000 poses of a turn", 0.05, 0.001, 0.0, 1.0, 3.0, 20, true},
+      {"10,000 poses of 2,500 samples", 0.001, 0.05, 0.0, 1.0, 1.0, 50, true},
   };
-  EXPECT_FALSE(refused([](Parameters& p) { p.linear_granularity = 0.001; }));  // 10 m / 1 mm = 10,000 poses of 400
-  EXPECT_FALSE(refused([](Parameters& p) { p.angular_granularity = 0.001; }));
-  EXPECT_TRUE(refused([](Parameters& p) {  // 30,000 poses
-    p.linear_granularity = 0.001;
-    p.max_vel_x = 3.0;
-  }));
-  EXPECT_TRUE(refused([](Parameters& p) {  // as many backwards
-    p.linear_granularity = 0.001;
-    p.min_vel_x = -3.0;
-  }));
-  EXPECT_TRUE(refused([](Parameters& p) {  // 30,000 of a turn
-    p.angular_granularity = 0.001;
-    p.max_vel_theta = 3.0;
-  }));
-  EXPECT_TRUE(refused([](Parameters& p) {  // 10,000 poses of 2,500 samples
-    p.linear_granularity = 0.001;
-    p.vx_samples = p.vth_samples = 50;
-  }));
+  for (const Rollouts& rollouts : all) {
+    Parameters p;
+    p.sim_time = 10.0;
+    p.linear_granularity = rollouts.linear_granularity;
+    p.angular_granularity = rollouts.angular_granularity;
+    p.min_vel_x = rollouts.min_vel_x;
+    p.max_vel_x = rollouts.max_vel_x;
+    p.max_vel_theta = rollouts.max_vel_theta;
+    p.vx_samples = p.vth_samples = rollouts.samples;
+    EXPECT_EQ(!validate(p).empty(), rollouts.refused) << rollouts.what;
+  }
 }
 
 TEST(Validate, ReturnsEveryFaultAtOnce) {

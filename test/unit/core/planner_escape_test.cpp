@@ -169,12 +169,5 @@ TEST(Escape, AlongAGrazedWallInACorridor) {
   EXPECT_GE(bench.scene().situation.pose.x, 0.8);
 }
 
-TEST(Escape, AStandingRobotInFreeSpaceIsNotEscaping) {
-  Scene scene = against_the_wall();
-  scene.situation.pose.x = -0.1;
-  PlannerBench bench(scene);
-  EXPECT_FALSE(bench.cycle().escaping);
-}
-
 }  // namespace
 }  // namespace hidwa_local_planner

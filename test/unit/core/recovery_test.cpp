@@ -25,12 +25,32 @@ constexpr double kRadius = 0.31;  // [m]
 // It drives along a way of its recovery.
 bool drives_on_a_way(const Decision& decision) { return decision.recovering && !(decision.command == Twist2{}); }
 
-// A round robot at rest in an empty map.
-Scene round_robot() {
-  Scene scene = Scene::empty(81, 0.05);
+// A robot at rest in an empty map.
+Scene robot(const Polygon& outline, int cells = 81) {
+  Scene scene = Scene::empty(cells, 0.05);
   scene.parameters = Parameters();
-  scene.outline = test::round_outline(kRadius);
+  scene.outline = outline;
   return scene;
+}
+Scene round_robot(int cells = 81) { return robot(test::round_outline(kRadius), cells); }
+
+// For a round robot: 0.31 cos(pi / 16) is inscribed.
+void inflate(Scene& scene) { test::inflate(scene, 0.304, 0.8, 3.0); }
+
+// A plan along the x axis.
+std::vector<Pose2> straight(double from, double to) {
+  std::vector<Pose2> plan;
+  for (int k = 0; from + 0.05 * k <= to + 1e-9; ++k) plan.push_back({from + 0.05 * k, 0.0, 0.0});
+  return plan;
+}
+
+MovingObstacleEstimate somebody_at(const Point& position, const Point& velocity = {0.0, 0.0}) {
+  MovingObstacleEstimate somebody;
+  somebody.id = 1;
+  somebody.position = position;
+  somebody.velocity = velocity;
+  somebody.radius = 0.3;
+  return somebody;
 }
 
 // A plan that passes a block on its right more closely than the robot may: the block begins `ahead` of the robot's
@@ -38,7 +58,7 @@ Scene round_robot() {
 Scene beside_a_block(double ahead, double y) {
   Scene scene = round_robot();
   scene.fill(ahead, -1.0, ahead + 0.4, -0.275);
-  test::inflate(scene, 0.304, 0.8, 3.0);  // 0.31 cos(pi / 16) is inscribed
+  inflate(scene);
   for (Pose2& pose : scene.situation.plan) pose.y = y;
   scene.situation.pose.y = scene.situation.goal.y = y;
   return scene;
@@ -136,40 +156,49 @@ TEST(Recovery, WhereThereIsNoneItSaysSo) {
   EXPECT_LT(std::hypot(bench.scene().situation.pose.x, bench.scene().situation.pose.y), 0.03);
 }
 
-// A corridor of 0.9 m that somebody closes, who stands 0.4 m from the robot's edge; or a wall before him does.
-Scene in_a_corridor(bool walled) {
+// A corridor of 0.9 m, closed behind the robot; 0.4 m from its edge somebody stands in it, or a wall before him.
+Scene in_a_corridor(double closed_at, bool walled = false) {
   Scene scene = round_robot();
-  scene.fill(-1.0, 0.45, 2.0, 0.6);
-  scene.fill(-1.0, -0.6, 2.0, -0.45);
-  scene.fill(-1.0, -0.6, -0.5, 0.6);
+  scene.fill(closed_at - 0.1, 0.45, 2.0, 0.6);
+  scene.fill(closed_at - 0.1, -0.6, 2.0, -0.45);
+  scene.fill(closed_at - 0.1, -0.6, closed_at, 0.6);
   if (walled) scene.fill(0.65, -0.6, 0.75, 0.6);
-  test::inflate(scene, 0.304, 0.8, 3.0);
-  MovingObstacleEstimate somebody;
-  somebody.id = 1;
-  somebody.position = {1.0, 0.0};
-  somebody.radius = 0.3;
-  scene.situation.moving_obstacles = {somebody};
+  inflate(scene);
+  scene.situation.moving_obstacles = {somebody_at({1.0, 0.0})};
   return scene;
+}
+
+// What came until a cycle failed; -1: none did.
+struct Failure {
+  int cycle = -1;
+  std::string problem;
+  bool waiting = false;
+  int waited = 0, drove_on_a_way = 0;  // cycles
+};
+Failure first_failure(PlannerBench& bench, int cycles) {
+  Failure failure;
+  for (int k = 0; k < cycles; ++k) {
+    const Decision& decision = bench.drive();
+    failure.waited += decision.waiting;
+    failure.drove_on_a_way += drives_on_a_way(decision);
+    if (decision.outcome != Outcome::fail) continue;
+    failure.cycle = k;
+    failure.problem = decision.problem;
+    failure.waiting = decision.waiting;
+    break;
+  }
+  return failure;
 }
 
 // 30 s of waiting, 3 s for what leads there: 50 ms a cycle.
 TEST(Recovery, WaitsForWhomBlocksTheOnlyWay) {
-  PlannerBench bench(in_a_corridor(false));
-  int first = -1, waiting = 0;
-  std::string problem;
-  for (int k = 0; k < 800 && first < 0; ++k) {
-    const Decision& decision = bench.drive();
-    waiting += decision.waiting;
-    if (decision.outcome == Outcome::fail) {
-      EXPECT_FALSE(decision.waiting) << "it has given up";
-      first = k;
-    }
-    problem = decision.problem;
-  }
-  EXPECT_GE(first, 600);
-  EXPECT_LE(first, 660 + 40);  // it asks again every 2 s
-  EXPECT_NE(problem.find("what moves has blocked the only way"), std::string::npos) << problem;
-  EXPECT_GE(waiting, 590);
+  PlannerBench bench(in_a_corridor(-0.5));
+  const Failure failure = first_failure(bench, 800);
+  EXPECT_GE(failure.cycle, 600);
+  EXPECT_LE(failure.cycle, 660 + 40);  // it asks again every 2 s
+  EXPECT_NE(failure.problem.find("what moves has blocked the only way"), std::string::npos) << failure.problem;
+  EXPECT_GE(failure.waited, 590);
+  EXPECT_FALSE(failure.waiting) << "it has given up";
   // He goes, and the way is free.
   bench.scene().situation.moving_obstacles.clear();
   for (int k = 0; k < 200; ++k) bench.drive();
@@ -177,18 +206,20 @@ TEST(Recovery, WaitsForWhomBlocksTheOnlyWay) {
   EXPECT_GT(bench.scene().situation.pose.x, 0.9);
 }
 
-// A corridor of 0.9 m, closed behind the robot, which comes along it. 2.5 m ahead somebody stands in it.
+TEST(Recovery, DoesNotWaitWhereAWallIsInTheWayToo) {
+  PlannerBench bench(in_a_corridor(-0.5, true));
+  const Failure failure = first_failure(bench, 400);
+  EXPECT_EQ(failure.waited, 0);
+  EXPECT_GE(failure.cycle, 0);
+  EXPECT_LE(failure.cycle, 160);  // the patience, two searches of much less than 8 s, and some cycles
+}
+
+// It comes along the corridor. 2.5 m ahead somebody stands in it.
 Scene along_a_corridor(double step_back_after) {
-  Scene scene = in_a_corridor(false);
+  Scene scene = in_a_corridor(-1.9);
   scene.parameters.step_back_after = step_back_after;
-  std::fill(scene.costs.begin(), scene.costs.end(), cost::kFree);
-  scene.fill(-2.0, 0.45, 2.0, 0.6);
-  scene.fill(-2.0, -0.6, 2.0, -0.45);
-  scene.fill(-2.0, -0.6, -1.9, 0.6);
-  test::inflate(scene, 0.304, 0.8, 3.0);
   scene.situation.pose.x = -1.5;
-  scene.situation.plan.clear();
-  for (int k = 0; k <= 66; ++k) scene.situation.plan.push_back({-1.5 + 0.05 * k, 0.0, 0.0});
+  scene.situation.plan = straight(-1.5, 1.8);
   return scene;
 }
 
@@ -229,7 +260,7 @@ TEST(Recovery, DoesNotStepBackUnlessAsked) {
 TEST(Recovery, StepsBackThoughTheMapIsBlockedBehindHim) {
   Scene scene = along_a_corridor(1.0);
   scene.fill(1.4, -0.45, 1.5, 0.45);
-  test::inflate(scene, 0.304, 0.8, 3.0);
+  inflate(scene);
   PlannerBench blocked(scene);
   EXPECT_GT(stepped_back(blocked).by, 0.3);
   scene.situation.moving_obstacles.clear();
@@ -240,21 +271,16 @@ TEST(Recovery, StepsBackThoughTheMapIsBlockedBehindHim) {
 // Once and again; then the host is told.
 TEST(Recovery, DoesNotStepBackForEver) {
   PlannerBench bench(along_a_corridor(1.0));
-  int failed = -1, back = 0;
-  for (int k = 0; k < 2400 && failed < 0; ++k) {
-    const Decision& decision = bench.drive();
-    if (decision.outcome == Outcome::fail) failed = k;
-    back += drives_on_a_way(decision);
-  }
-  EXPECT_GT(back, 20);
-  EXPECT_GT(failed, 600);  // 30 s of waiting
+  const Failure failure = first_failure(bench, 2400);
+  EXPECT_GT(failure.drove_on_a_way, 20);
+  EXPECT_GT(failure.cycle, 600);  // 30 s of waiting
 }
 
 // Two come along the corridor side by side, and never get there: autonomy stands for them, by choice where they are 2 m
 // away, and because nothing else is legal where they are 0.1 m from its edge. 30 s of that are 600 cycles.
 TEST(Recovery, IsNotStuckWhileItStandsForWhatMoves) {
   for (const double away : {2.0, 0.73}) {
-    Scene scene = in_a_corridor(false);
+    Scene scene = in_a_corridor(-0.5);
     scene.parameters.evasion_time = 3.0;
     scene.situation.moving_obstacles.resize(2, scene.situation.moving_obstacles.front());
     scene.situation.moving_obstacles.back().id = 2;
@@ -282,9 +308,9 @@ TEST(Recovery, IsNotStuckWhileItStandsForWhatMoves) {
 Scene in_a_pen() {
   Scene scene = round_robot();
   scene.parameters.evasion_time = 3.0;
-  for (double x = 1.05; x < 1.95; x += 0.05) scene.situation.plan.push_back({x, 0.0, 0.0});
+  scene.situation.plan = straight(-1.0, 1.9);
   wall_in(scene, 1.5, 1.6);
-  test::inflate(scene, 0.304, 0.8, 3.0);
+  inflate(scene);
   return scene;
 }
 
@@ -294,14 +320,9 @@ Point have_somebody_walk_at(PlannerBench& bench) {
   for (int k = 0; k < 800 && failures < 40; ++k) failures += bench.drive().outcome == Outcome::fail;
   EXPECT_EQ(failures, 40);
   Situation& s = bench.scene().situation;
-  MovingObstacleEstimate somebody;
-  somebody.id = 1;
-  somebody.radius = 0.3;
   const Point ahead(std::cos(s.pose.theta), std::sin(s.pose.theta));
-  somebody.position = Point(s.pose.x, s.pose.y) - 1.8 * ahead;
-  somebody.velocity = 0.6 * ahead;
-  s.moving_obstacles = {somebody};
-  return somebody.velocity;
+  s.moving_obstacles = {somebody_at(Point(s.pose.x, s.pose.y) - 1.8 * ahead, 0.6 * ahead)};
+  return 0.6 * ahead;
 }
 
 TEST(Recovery, DoesNotStopARobotThatEvades) {
@@ -325,15 +346,13 @@ TEST(Recovery, DoesNotStopARobotThatEvades) {
 // no way. Then somebody walks at it, and vanishes while it evades him. The host is told at rest that there is no way,
 // not before: it would stop the robot at once.
 TEST(Recovery, FailsAtRestOnly) {
-  Scene scene = Scene::empty(141, 0.05);
-  scene.parameters = Parameters();
+  Scene scene = round_robot(141);
   scene.parameters.evasion_time = 3.0;
-  scene.outline = round_robot().outline;
   for (double x = 1.05; x < 2.9; x += 0.05) scene.situation.plan.push_back({x, 0.0, 0.0});
   wall_in(scene, 2.4, 2.5);
   scene.fill(1.5, -2.5, 1.6, 2.5);
   scene.fill(1.5, 1.0, 1.6, 2.0, cost::kFree);
-  test::inflate(scene, 0.304, 0.8, 3.0);
+  inflate(scene);
   PlannerBench bench(scene);
   bool follows = false;
   for (int k = 0; k < 400 && !follows; ++k) {
@@ -342,7 +361,7 @@ TEST(Recovery, FailsAtRestOnly) {
   }
   ASSERT_TRUE(follows);
   bench.scene().fill(1.5, 1.0, 1.6, 2.0);
-  test::inflate(bench.scene(), 0.304, 0.8, 3.0);
+  inflate(bench.scene());
   const Point velocity = have_somebody_walk_at(bench);
   Situation& s = bench.scene().situation;
   int failures = 0;
@@ -364,25 +383,11 @@ TEST(Recovery, FailsAtRestOnly) {
   EXPECT_GT(failures, 0);
 }
 
-TEST(Recovery, DoesNotWaitWhereAWallIsInTheWayToo) {
-  PlannerBench bench(in_a_corridor(true));
-  int first = -1;
-  for (int k = 0; k < 400 && first < 0; ++k) {
-    const Decision& decision = bench.drive();
-    EXPECT_FALSE(decision.waiting);
-    if (decision.outcome == Outcome::fail) first = k;
-  }
-  EXPECT_GE(first, 0);
-  EXPECT_LE(first, 160);  // the patience, two searches of much less than 8 s, and some cycles
-}
-
 // A rectangle that is long ahead of its centre and faces away from the plan. What stands on its right is 0.35 m away,
 // and its front 0.5 m long: it can only turn left, which is the longer way.
 Scene beside_a_thing() {
-  Scene scene = Scene::empty(81, 0.05);
-  scene.parameters = Parameters();
+  Scene scene = robot({{0.5, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.5, -0.2}});
   scene.parameters.search_poses = 500;  // so that it takes some cycles
-  scene.outline = {{0.5, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.5, -0.2}};
   scene.situation.pose.theta = 2.8;
   scene.fill(-0.2, 0.35, 0.2, 0.45);
   test::inflate(scene, 0.2, 0.55, 3.0);
@@ -398,9 +403,7 @@ TEST(Recovery, TurnsTheLongWayRound) {
 
 // In a pocket it faces the wall behind it.
 Scene in_a_pocket() {
-  Scene scene = Scene::empty(81, 0.05);
-  scene.parameters = Parameters();
-  scene.outline = {{0.35, 0.2}, {-0.35, 0.2}, {-0.35, -0.2}, {0.35, -0.2}};
+  Scene scene = robot({{0.35, 0.2}, {-0.35, 0.2}, {-0.35, -0.2}, {0.35, -0.2}});
   scene.situation.pose.theta = 3.1;
   scene.fill(-0.5, 0.45, 1.0, 0.55);
   scene.fill(-0.5, -0.55, 1.0, -0.45);
@@ -410,44 +413,28 @@ Scene in_a_pocket() {
 }
 
 // With few poses a cycle the search takes longer than the 1.2 s after which the robot says so: once the host is told,
-// the search goes on, and the way is taken.
-TEST(Recovery, SaysThatItTakesLongAndGoesOnSearching) {
-  Scene scene = in_a_pocket();
-  scene.parameters.search_poses = 10;
-  PlannerBench bench(scene);
-  int failed = -1, drives = -1;
-  for (int k = 0; k < 400 && drives < 0; ++k) {
-    const Decision& decision = bench.drive();
-    if (decision.outcome == Outcome::fail) {
+// the search goes on, and the way is taken. A host that begins afresh after the failure, since it took its time for
+// another plan, is not told again: the second search has the time that it takes.
+TEST(Recovery, SaysOnceThatItTakesLongAndGoesOnSearching) {
+  for (const bool begins_afresh : {false, true}) {
+    Scene scene = in_a_pocket();
+    scene.parameters.search_poses = 10;
+    PlannerBench bench(scene);
+    int failed = -1, drives = -1;
+    for (int k = 0; k < 400 && drives < 0; ++k) {
+      const Decision& decision = bench.drive();
+      if (drives_on_a_way(decision)) drives = k;
+      if (decision.outcome != Outcome::fail) continue;
       EXPECT_EQ(failed, -1) << "told again in cycle " << k;
-      EXPECT_NE(std::string(decision.problem).find("no way was found in time"), std::string::npos) << decision.problem;
+      EXPECT_NE(decision.problem.find("no way was found in time"), std::string::npos) << decision.problem;
       failed = k;
+      if (begins_afresh) bench.planner().reset();
     }
-    if (drives_on_a_way(decision)) drives = k;
+    // The search begins when it has stood for the latency of 0.1 s and two cycles of 0.05 s: 1.4 s in all.
+    EXPECT_GE(failed, 26);
+    EXPECT_LE(failed, 30);
+    EXPECT_GT(drives, begins_afresh ? 60 : failed + 10);
   }
-  // The search begins when it has stood for the latency of 0.1 s and two cycles of 0.05 s: 1.4 s in all.
-  EXPECT_GE(failed, 26);
-  EXPECT_LE(failed, 30);
-  EXPECT_GT(drives, failed + 10);
-}
-
-// A host that begins afresh after the failure, since it took its time for another plan, is not told again: the second
-// search has the time that it takes.
-TEST(Recovery, IsNotToldAgainAndAgain) {
-  Scene scene = in_a_pocket();
-  scene.parameters.search_poses = 10;
-  PlannerBench bench(scene);
-  int failures = 0, drives = -1;
-  for (int k = 0; k < 400 && drives < 0; ++k) {
-    const Decision& decision = bench.drive();
-    if (decision.outcome == Outcome::fail) {
-      ++failures;
-      bench.planner().reset();
-    }
-    if (drives_on_a_way(decision)) drives = k;
-  }
-  EXPECT_EQ(failures, 1);
-  EXPECT_GT(drives, 60);
 }
 
 // While it searches the plan comes to lead elsewhere: the way that is found leads to where the plan was, and is not
@@ -508,18 +495,13 @@ TEST(Recovery, StandsWhereItDoesNotGetOnAlongItsWay) {
 // a new way ends, another 2.5 m on, does not speak against it: the robot keeps to the other side. Beside the cell it
 // has 0.04 m to share on its left.
 TEST(Recovery, KeepsAwayFromACellNearTheEndOfItsWay) {
-  Scene scene = round_robot();
-  const Scene wide = Scene::empty(161, 0.05);
-  scene.size_x = scene.size_y = 161;
-  scene.origin_x = scene.origin_y = wide.origin_x;
-  scene.costs = wide.costs;
-  scene.situation.plan.clear();
-  for (int i = -20; i <= 75; ++i) scene.situation.plan.push_back({0.05 * i, 0.0, 0.0});
+  Scene scene = round_robot(161);
+  scene.situation.plan = straight(-1.0, 3.75);
   scene.fill(0.3, -3.9, 3.5, -0.36);
   scene.fill(0.3, 0.36, 3.5, 3.9);
   Scene marked = scene;
   marked.fill(1.9, -0.36, 1.95, -0.32);
-  for (Scene* one : {&scene, &marked}) test::inflate(*one, 0.304, 0.8, 3.0);
+  for (Scene* one : {&scene, &marked}) inflate(*one);
   PlannerBench bench(scene);
   const Pose2& pose = bench.scene().situation.pose;
   bool followed = false;
@@ -532,12 +514,47 @@ TEST(Recovery, KeepsAwayFromACellNearTheEndOfItsWay) {
   EXPECT_GT(pose.y, 0.01);
 }
 
+// In a pocket whose way out waits for the patience. The robot is not where an empty state would have it.
+Scene patient_in_a_pocket() {
+  Scene scene = in_a_pocket();
+  scene.situation.pose.x = 0.2;
+  scene.parameters.stall_time = 3.0;
+  scene.parameters.search_poses = 20;
+  return scene;
+}
+
+Scene walled_in_beside_a_thing() {
+  Scene scene = beside_a_thing();
+  wall_in(scene, 0.9, 1.1);
+  return scene;
+}
+
+// Within 0.25 m of its goal, with a tail of 0.9 m between posts: see test/closed_loop/last_turn_test.cpp.
+Scene at_its_last_turn() {
+  Scene scene = robot({{0.2, 0.2}, {-0.9, 0.2}, {-0.9, -0.2}, {0.2, -0.2}});
+  scene.situation.pose = {-0.23, 0.0, 0.0};
+  scene.situation.goal = {0.0, 0.0, 0.5 * M_PI};
+  scene.situation.goal_latched = true;
+  scene.fill(-1.05, -0.4, -0.95, -0.3);
+  scene.fill(-1.05, 0.3, -0.95, 0.4);
+  test::inflate(scene, 0.2, 0.8, 3.0);
+  return scene;
+}
+
+struct Memory {
+  const char* of;
+  Scene scene;
+  bool afresh;  // loaded by a planner that has seen nothing else
+  int cycles;
+  bool drives, fails;  // along a way; at last
+};
+
 // Saved and loaded at each cycle, while it searches, follows and waits: the next decision is the same to the bit.
-// `afresh`: loaded by a planner that has seen nothing else.
-void expect_remembered_whole(const Scene& scene, bool& drove, bool& failed, bool afresh = false, int cycles = 160) {
-  PlannerBench bench(scene), copy(scene);
-  for (int k = 0; k < cycles; ++k) {
-    if (afresh) copy = PlannerBench(scene);
+void expect_remembered_whole(const Memory& memory) {
+  PlannerBench bench(memory.scene), copy(memory.scene);
+  bool drove = false, failed = false;
+  for (int k = 0; k < memory.cycles; ++k) {
+    if (memory.afresh) copy = PlannerBench(memory.scene);
     Bytes state, again;
     bench.planner().save(state);
     ASSERT_TRUE(copy.planner().load(state));
@@ -553,60 +570,23 @@ void expect_remembered_whole(const Scene& scene, bool& drove, bool& failed, bool
     drove = drove || bench.planner().choice().rule == ChoiceReport::Rule::way;
     failed = failed || decision.outcome == Outcome::fail;
   }
-}
-
-// A planner that has seen nothing else goes on from the state alone: while a search goes on, and while a way that is
-// found waits for the patience. The robot is not where an empty state would have it.
-TEST(Recovery, GoesOnFromItsStateAlone) {
-  Scene scene = in_a_pocket();
-  scene.situation.pose.x = 0.2;
-  scene.parameters.stall_time = 3.0;
-  scene.parameters.search_poses = 20;
-  bool drove = false, failed = false;
-  expect_remembered_whole(scene, drove, failed, true);
-  EXPECT_TRUE(drove);
-}
-
-TEST(Recovery, WaitingIsRememberedWhole) {
-  bool drove = false, failed = false;
-  expect_remembered_whole(in_a_corridor(false), drove, failed);
-  EXPECT_FALSE(failed);
-}
-
-TEST(Recovery, SteppingBackIsRememberedWhole) {
-  bool drove = false, failed = false;
-  expect_remembered_whole(along_a_corridor(0.5), drove, failed, true, 400);
-  EXPECT_TRUE(drove);
-}
-
-// Within 0.25 m of its goal, with a tail of 0.9 m between posts: see test/closed_loop/last_turn_test.cpp.
-TEST(Recovery, TheWayToTheGoalsHeadingIsRememberedWhole) {
-  Scene scene = Scene::empty(81, 0.05);
-  scene.parameters = Parameters();
-  scene.outline = {{0.2, 0.2}, {-0.9, 0.2}, {-0.9, -0.2}, {0.2, -0.2}};
-  scene.situation.pose = {-0.23, 0.0, 0.0};
-  scene.situation.goal = {0.0, 0.0, 0.5 * M_PI};
-  scene.situation.goal_latched = true;
-  scene.fill(-1.05, -0.4, -0.95, -0.3);
-  scene.fill(-1.05, 0.3, -0.95, 0.4);
-  test::inflate(scene, 0.2, 0.8, 3.0);
-  bool drove = false, failed = false;
-  expect_remembered_whole(scene, drove, failed, true);
-  EXPECT_TRUE(drove);
-  EXPECT_FALSE(failed);
+  EXPECT_EQ(drove, memory.drives);
+  EXPECT_EQ(failed, memory.fails);
 }
 
 TEST(Recovery, IsRememberedWhole) {
-  bool drove = false, failed = false;
-  Scene scene = beside_a_thing();
-  expect_remembered_whole(scene, drove, failed);
-  EXPECT_TRUE(drove);
-  scene.fill(-1.0, -1.1, 1.0, -0.9);  // walled in
-  scene.fill(-1.0, 0.9, 1.0, 1.1);
-  scene.fill(0.9, -1.1, 1.0, 1.1);
-  scene.fill(-1.0, -1.1, -0.9, 1.1);
-  expect_remembered_whole(scene, drove, failed);
-  EXPECT_TRUE(failed);
+  const Memory memories[] = {
+      {"a way past a thing", beside_a_thing(), false, 160, true, false},
+      {"that there is none", walled_in_beside_a_thing(), false, 160, false, true},
+      {"a search and its patience", patient_in_a_pocket(), true, 160, true, true},
+      {"waiting", in_a_corridor(-0.5), false, 160, false, false},
+      {"stepping back", along_a_corridor(0.5), true, 400, true, false},
+      {"the way to the goal's heading", at_its_last_turn(), true, 160, true, false},
+  };
+  for (const Memory& memory : memories) {
+    SCOPED_TRACE(memory.of);
+    expect_remembered_whole(memory);
+  }
 }
 
 }  // namespace

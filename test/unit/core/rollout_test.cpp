@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// By hand; test/oracle/planner_twin_test.cpp compares the rollouts of random scenes.
 #include "core/motion/rollout.hpp"
 
 #include <cmath>
@@ -33,11 +34,11 @@ TEST(RolloutSteps, Nav2sNumber) {
   p.method = Method::paper;
   p.angular_granularity = 0.025;
   p.sim_time = 1.7;
-  // ceil(0.5 * 1.7 / 0.05) = 17; ceil(1 * 1.7 / 0.025) = 68; at least 1.
-  EXPECT_EQ(run(p, {}, {}, {{{0.5, 0.0}, SampleKind::grid}}).tile(0).steps, 17u);
-  EXPECT_EQ(run(p, {}, {}, {{{0.5, -1.0}, SampleKind::grid}}).tile(0).steps, 68u);
-  EXPECT_EQ(run(p, {}, {}, {{{0.0, 0.0}, SampleKind::grid}}).tile(0).steps, 1u);
-  EXPECT_DOUBLE_EQ(run(p, {}, {}, {{{0.5, 0.0}, SampleKind::grid}}).tile(0).dt, 0.1);
+  const auto tile_of = [&p](const Twist2& u) { return run(p, {}, {}, {{u, SampleKind::grid}}).tile(0); };
+  EXPECT_EQ(tile_of({0.5, 0.0}).steps, 17u);   // ceil(0.5 * 1.7 / 0.05)
+  EXPECT_EQ(tile_of({0.5, -1.0}).steps, 68u);  // ceil(1 * 1.7 / 0.025)
+  EXPECT_EQ(tile_of({0.0, 0.0}).steps, 1u);    // at least
+  EXPECT_DOUBLE_EQ(tile_of({0.5, 0.0}).dt, 0.1);
 }
 
 TEST(RolloutSteps, EulerCandidatesHaveTheirOwnMidpointOnesThoseOfTheFastest) {
@@ -71,17 +72,6 @@ TEST(RolloutArithmetic, EulerTakesTheHeadingAtTheStepsStart) {
   EXPECT_DOUBLE_EQ(tile.heading[2], 1.0);
 }
 
-TEST(RolloutArithmetic, MidpointTakesTheHeadingInTheStepsMiddle) {
-  Parameters p = coarse(Method::hidwa);
-  p.angular_granularity = 0.5;
-  const Rollout rollout = run(p, {1.0, 2.0, 0.3}, {}, {{{0.4, 1.0}, SampleKind::grid}});
-  const Tile tile = rollout.tile(0);
-  EXPECT_NEAR(tile.x_at(2, 0), 1.0 + 0.2 * std::cos(0.55) + 0.2 * std::cos(1.05), 1e-15);
-  EXPECT_NEAR(tile.y_at(2, 0), 2.0 + 0.2 * std::sin(0.55) + 0.2 * std::sin(1.05), 1e-15);
-  EXPECT_NEAR(tile.cos_heading[1], std::cos(0.8), 1e-15);
-  EXPECT_NEAR(tile.sin_heading[2], std::sin(1.3), 1e-15);
-}
-
 TEST(RolloutArithmetic, MidpointEndsOnTheArc) {
   Parameters p;
   p.sim_time = 1.7;
@@ -93,47 +83,6 @@ TEST(RolloutArithmetic, MidpointEndsOnTheArc) {
   EXPECT_NEAR(end.x, 0.5 * std::sin(1.7), 4e-4);
   EXPECT_NEAR(end.y, 0.5 * (1.0 - std::cos(1.7)), 4e-4);
   EXPECT_NEAR(end.theta, 1.7, 1e-12);
-}
-
-TEST(RolloutRamp, StandardRampsFromTheReferenceEuler) {
-  Parameters p = coarse(Method::paper);
-  p.generator = Generator::standard;
-  p.linear_granularity = 0.1;  // ceil(0.4 * 1 / 0.1) = 4 steps of 0.25 s
-  p.acc_lim_x = 1.0;
-  const Rollout rollout = run(p, {}, {0.0, 0.0}, {{{0.4, 0.0}, SampleKind::grid}});
-  const Tile tile = rollout.tile(0);
-  ASSERT_EQ(tile.steps, 4u);
-  // Velocities after each step's ramp: 0.25, 0.4, 0.4, 0.4.
-  EXPECT_DOUBLE_EQ(tile.x_at(1, 0), 0.0625);
-  EXPECT_DOUBLE_EQ(tile.x_at(4, 0), 0.25 * (0.25 + 0.4 + 0.4 + 0.4));
-}
-
-TEST(RolloutRamp, StandardRampsFromTheReferenceMidpoint) {
-  Parameters p = coarse(Method::hidwa);
-  p.generator = Generator::standard;
-  p.linear_granularity = 0.1;
-  p.acc_lim_x = 1.0;
-  p.acc_lim_theta = 1.0;
-  const Rollout rollout = run(p, {}, {0.0, 0.0}, {{{0.4, 0.3}, SampleKind::grid}});
-  const Tile tile = rollout.tile(0);
-  ASSERT_EQ(tile.steps, 4u);
-  // Mean speeds 0.125, 0.325, 0.4, 0.4; turns 0.25 * (0.125, 0.275, 0.3, 0.3); headings in the middle of each
-  // step.
-  const double first = 0.25 * 0.125, second = 0.25 * 0.275, whole = 0.25 * 0.3;
-  const double headings[] = {first / 2, first + second / 2, first + second + whole / 2,
-                             first + second + whole + whole / 2};
-  const double speeds[] = {0.125, 0.325, 0.4, 0.4};
-  double x = 0.0, y = 0.0;
-  for (int k = 0; k < 4; ++k) {
-    // The middle's heading is taken at a quarter of the sum of both ends' velocities: exact for an even ramp.
-    x += 0.25 * speeds[k] * std::cos(headings[k]);
-    y += 0.25 * speeds[k] * std::sin(headings[k]);
-  }
-  EXPECT_NEAR(tile.heading[4], first + second + 2 * whole, 1e-15);
-  EXPECT_NEAR(tile.x_at(4, 0), x, 1e-15);
-  EXPECT_NEAR(tile.y_at(4, 0), y, 1e-15);
-  EXPECT_DOUBLE_EQ(tile.omega_at[1], 0.25);
-  EXPECT_DOUBLE_EQ(tile.omega_at[4], 0.3);
 }
 
 TEST(RolloutRamp, DwaDrivesTheSampleFromTheStartButBrakesWithARamp) {

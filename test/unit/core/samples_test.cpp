@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// By hand; test/oracle/planner_twin_test.cpp compares the samples of random scenes.
 #include "core/motion/samples.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ Parameters plain() {
   return p;
 }
 
-Request driving(double v, double omega, int vx = 20, int vth = 20) {
+Request driving(double v, double omega, int vx, int vth) {
   Request request;
   request.reference = request.previous = {v, omega};
   request.vx_samples = vx;
@@ -43,21 +44,15 @@ bool contains(const std::vector<Sample>& samples, const Twist2& u, SampleKind ki
 }
 
 TEST(Spread, EvenlyWithBothEndsAndAnExactZero) {
-  std::vector<double> values;
-  spread({-1.0, 1.0}, 4, values);
-  ASSERT_EQ(values.size(), 5u);  // -1, -1/3, (0), 1/3, 1
-  EXPECT_EQ(values[0], -1.0);
-  EXPECT_DOUBLE_EQ(values[1], -1.0 / 3.0);
-  EXPECT_EQ(values[2], 0.0);
-  EXPECT_DOUBLE_EQ(values[3], 1.0 / 3.0);
-  EXPECT_EQ(values[4], 1.0);
-  spread({-1.0, 1.0}, 5, values);  // hits 0 by itself: not twice
-  EXPECT_EQ(values.size(), 5u);
-  EXPECT_EQ(values[2], 0.0);
-  spread({0.0, 0.5}, 3, values);  // 0 is an end
-  EXPECT_EQ(values, (std::vector<double>{0.0, 0.25, 0.5}));
-  spread({0.3, 0.3}, 7, values);
-  EXPECT_EQ(values, (std::vector<double>{0.3}));
+  const auto values_of = [](const Interval& interval, int count) {
+    std::vector<double> values;
+    spread(interval, count, values);
+    return values;
+  };
+  EXPECT_EQ(values_of({-1.0, 1.0}, 2), (std::vector<double>{-1.0, 0.0, 1.0}));
+  EXPECT_EQ(values_of({-1.0, 1.0}, 5), (std::vector<double>{-1.0, -0.5, 0.0, 0.5, 1.0}));  // it holds 0 by itself
+  EXPECT_EQ(values_of({0.0, 0.5}, 3), (std::vector<double>{0.0, 0.25, 0.5}));              // 0 is an end
+  EXPECT_EQ(values_of({0.3, 0.3}, 7), (std::vector<double>{0.3}));
 }
 
 TEST(Spread, MirroredIntervalsGiveMirroredValuesToTheBit) {
@@ -77,26 +72,6 @@ TEST(Spread, MirroredIntervalsGiveMirroredValuesToTheBit) {
   }
 }
 
-TEST(Window, StandardReachesAsFarAsTheHorizonDwaAsOnePeriod) {
-  Parameters p;
-  p.sim_time = 1.7;
-  p.max_vel_x = 5.0;
-  p.max_vel_theta = 9.0;
-  p.decel_lim_x = 1.0;
-  const VelocityLimits limits = VelocityLimits::from(p);
-  // 1.7 s: v to 0.5 + 2.5 * 1.7 = 4.75, down past 0 to the limit; omega 0.2 +- 3.2 * 1.7 = 5.44.
-  const DynamicWindow standard = dynamic_window(p, limits, {0.5, 0.2}, 0.05);
-  EXPECT_DOUBLE_EQ(standard.v.hi, 4.75);
-  EXPECT_EQ(standard.v.lo, 0.0);
-  EXPECT_DOUBLE_EQ(standard.omega.hi, 5.64);
-  p.generator = Generator::dwa;
-  const DynamicWindow dwa = dynamic_window(p, limits, {0.5, 0.2}, 0.05);
-  EXPECT_DOUBLE_EQ(dwa.v.lo, 0.45);  // 0.5 - 1.0 * 0.05
-  EXPECT_DOUBLE_EQ(dwa.v.hi, 0.625);
-  EXPECT_DOUBLE_EQ(dwa.omega.lo, 0.04);
-  EXPECT_DOUBLE_EQ(dwa.omega.hi, 0.36);
-}
-
 TEST(Window, IsNoShorterThanAPeriod) {
   Parameters p;
   p.sim_time = 0.1;
@@ -112,70 +87,30 @@ TEST(Window, IsNoShorterThanAPeriod) {
   EXPECT_DOUBLE_EQ(dynamic_window(p, limits, {0.0, 0.987}, 0.2).omega.hi, 0.3);
 }
 
-TEST(Grid, ThePapersGridHas419Samples) {
-  // 20 speeds x (20 turns and an exact 0), without (0, 0).
-  const std::vector<Sample> samples = make(plain(), driving(0.5, 0.0));
-  EXPECT_EQ(samples.size(), 419u);
-  EXPECT_FALSE(contains(samples, {0.0, 0.0}, SampleKind::grid));
-  EXPECT_TRUE(contains(samples, {0.5, 0.0}, SampleKind::grid));
-  EXPECT_TRUE(contains(samples, {0.0, -1.0}, SampleKind::grid));
-  EXPECT_TRUE(contains(samples, {0.5, 1.0}, SampleKind::grid));
-}
+struct Grid {
+  const char* what;
+  double min_vel_x, max_wheel_speed, min_vel_theta;
+  int vx_samples, vth_samples;
+  std::size_t samples;
+};
 
-TEST(Grid, GroupedByOmegaAscendingWithSpeedsAscending) {
-  const std::vector<Sample> samples = make(plain(), driving(0.5, 0.3, 7, 8));
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const Twist2& a = samples[i - 1].u;
-    const Twist2& b = samples[i].u;
-    EXPECT_TRUE(a.omega < b.omega || (a.omega == b.omega && a.v < b.v));
-  }
-}
-
-TEST(Grid, ReverseWhereAllowed) {
-  Parameters p = plain();
-  p.min_vel_x = -0.2;
-  const std::vector<Sample> samples = make(p, driving(0.0, 0.0, 8, 3));
-  // v: -0.2, -0.1, 0, 0.1 ... 0.5 (8 values); omega -1, 0, 1: 24 without (0, 0).
-  EXPECT_EQ(samples.size(), 23u);
-  EXPECT_TRUE(contains(samples, {-0.2, 1.0}, SampleKind::grid));
-}
-
-TEST(Grid, WheelsCutTheCorners) {
-  Parameters p = plain();
-  p.wheel_separation = 0.4;
-  p.max_wheel_speed = 0.5;
-  const std::vector<Sample> samples = make(p, driving(0.5, 0.0, 6, 5));
-  // |v| + 0.2 |omega| <= 0.5 with v in {0, .1, .. .5}: omega 0: 5 without (0, 0); +-0.5: v <= 0.4: 5 each;
-  // +-1: v <= 0.3: 4 each. 5 + 10 + 8.
-  EXPECT_EQ(samples.size(), 23u);
-  EXPECT_TRUE(contains(samples, {0.5, 0.0}, SampleKind::grid));
-  EXPECT_FALSE(contains(samples, {0.5, 0.5}, SampleKind::grid));
-}
-
-TEST(DeadBand, SlowTurnsAreNotCommanded) {
-  Parameters p = plain();
-  p.min_vel_theta = 0.3;
-  const std::vector<Sample> samples = make(p, driving(0.5, 0.0, 3, 9));
-  // omega: -1, -.75, -.5, (-.25), 0, (.25), .5, .75, 1: seven of them; v 0, .25, .5; on the spot only
-  // min_in_place_vel_theta (0) counts: 7 * 3 - (0, 0) + 2 on the spot.
-  EXPECT_EQ(samples.size(), 22u);
-  EXPECT_FALSE(contains(samples, {0.5, 0.25}, SampleKind::grid));
-  EXPECT_TRUE(contains(samples, {0.0, 0.25}, SampleKind::grid));
-  EXPECT_TRUE(contains(samples, {0.5, 0.0}, SampleKind::grid));
-}
-
-TEST(DeadBand, OnTheSpotHasItsOwnAndItsEdgesAreAlwaysTried) {
-  Parameters p = plain();
-  p.min_in_place_vel_theta = 0.4;
-  p.generator = Generator::dwa;
-  // At rest the window is +-3.2 * 0.05 = 0.16, all of it inside the band on the spot.
-  const std::vector<Sample> samples = make(p, driving(0.0, 0.0, 2, 2));
-  EXPECT_TRUE(contains(samples, {0.0, 0.4}, SampleKind::grid));
-  EXPECT_TRUE(contains(samples, {0.0, -0.4}, SampleKind::grid));
-  EXPECT_TRUE(contains(samples, {2.5 * 0.05, 3.2 * 0.05}, SampleKind::grid));  // while driving there is no band
-  for (const Sample& sample : samples) {
-    const bool turns_on_the_spot = std::abs(sample.u.v) < 0.01 && sample.u.omega != 0.0;
-    EXPECT_TRUE(!turns_on_the_spot || std::abs(sample.u.omega) >= 0.4) << sample.u.omega;
+// Speeds up to 0.5 m/s and turns up to 1 rad/s, without (0, 0).
+TEST(Grid, HoldsWhatTheRobotCanDrive) {
+  const Grid grids[] = {
+      {"20 speeds x (20 turns and an exact 0)", 0.0, 0.0, 0.0, 20, 20, 20 * 21 - 1},
+      {"-0.2, -0.1, 0 ... 0.5 m/s x -1, 0, 1 rad/s", -0.2, 0.0, 0.0, 8, 3, 8 * 3 - 1},
+      // |v| + 0.2 |omega| <= 0.5 with v in {0, 0.1 ... 0.5}: v <= 0.4 with +-0.5 rad/s, v <= 0.3 with +-1 rad/s.
+      {"what the wheels can do", 0.0, 0.5, 0.0, 6, 5, 5 + 2 * 5 + 2 * 4},
+      // Without +-0.25 rad/s, but on the spot.
+      {"0, 0.25, 0.5 m/s x 9 turns but the slow ones", 0.0, 0.0, 0.3, 3, 9, 3 * 7 - 1 + 2},
+  };
+  for (const Grid& grid : grids) {
+    Parameters p = plain();
+    p.min_vel_x = grid.min_vel_x;
+    p.wheel_separation = grid.max_wheel_speed > 0.0 ? 0.4 : 0.0;
+    p.max_wheel_speed = grid.max_wheel_speed;
+    p.min_vel_theta = grid.min_vel_theta;
+    EXPECT_EQ(make(p, driving(0.0, 0.0, grid.vx_samples, grid.vth_samples)).size(), grid.samples) << grid.what;
   }
 }
 
@@ -199,6 +134,12 @@ TEST(ExtraSamples, ThePapersMethodHasNoneButToBrake) {
   EXPECT_EQ(make(p, request).size(), grid + 2);
 }
 
+struct Wish {
+  const char* what;
+  Twist2 wanted, becomes;
+};
+
+// Wheels of 0.5 m/s, 0.2 m from the middle; no turns slower than 0.2 rad/s.
 TEST(IntoWindow, AxisEndsWheelsAndDeadBand) {
   Parameters p;
   p.wheel_separation = 0.4;
@@ -206,24 +147,18 @@ TEST(IntoWindow, AxisEndsWheelsAndDeadBand) {
   p.min_vel_theta = 0.2;
   const VelocityLimits limits = VelocityLimits::from(p);
   const DynamicWindow window{{0.1, 0.5}, {-0.8, 0.8}};
-  EXPECT_EQ(into_window(p, limits, window, {-1.0, 0.5}).v, 0.1);
-  const Twist2 cut = into_window(p, limits, window, {0.5, 2.0});
-  EXPECT_EQ(cut.omega, 0.8);
-  EXPECT_DOUBLE_EQ(cut.v, 0.34);                                        // 0.5 - 0.8 * 0.2
-  EXPECT_EQ(into_window(p, limits, window, {0.3, 0.09}).omega, 0.0);    // less than half the band
-  EXPECT_EQ(into_window(p, limits, window, {0.3, -0.11}).omega, -0.2);  // more: its edge
-}
-
-TEST(IntoWindow, TheWheelsHoldAfterTheDeadBandToo) {
-  Parameters p;
-  p.wheel_separation = 0.4;
-  p.max_wheel_speed = 0.5;
-  p.min_vel_theta = 0.2;
-  const VelocityLimits limits = VelocityLimits::from(p);
-  // (0.48, 0.1) fits the wheels just so; (0.48, 0.2) would not: 0.48 + 0.04 = 0.52 > 0.5.
-  const Twist2 u = into_window(p, limits, {{0.0, 0.5}, {-1.0, 1.0}}, {0.48, 0.1});
-  EXPECT_EQ(u.omega, 0.2);
-  EXPECT_DOUBLE_EQ(u.v, 0.46);  // 0.5 - 0.2 * 0.2
+  const Wish wishes[] = {
+      {"is slower than the window", {-1.0, 0.5}, {0.1, 0.5}},
+      {"turns faster: 0.5 - 0.8 * 0.2 is left to drive", {0.5, 2.0}, {0.34, 0.8}},
+      {"turns less than half of the dead band", {0.3, 0.09}, {0.3, 0.0}},
+      {"turns more than half of it", {0.3, -0.11}, {0.3, -0.2}},
+      {"fits the wheels, but not with the turn that it gets: 0.5 - 0.2 * 0.2", {0.48, 0.1}, {0.46, 0.2}},
+  };
+  for (const Wish& wish : wishes) {
+    const Twist2 u = into_window(p, limits, window, wish.wanted);
+    EXPECT_DOUBLE_EQ(u.v, wish.becomes.v) << wish.what;
+    EXPECT_DOUBLE_EQ(u.omega, wish.becomes.omega) << wish.what;
+  }
 }
 
 // As in collision: what the motors cannot turn so slowly is no turn.

@@ -14,17 +14,18 @@ using test::PlannerBench;
 using test::rejections_by;
 using test::Scene;
 
-// Says `value` of every candidate, or rejects those that turn left.
+enum class Rejects { none, left, all };
+
+// Says `value` of every candidate that it does not reject.
 class Opinion : public Critic {
  public:
-  explicit Opinion(double value, bool rejects_left = false, bool rejects_all = false)
-      : value_(value), rejects_left_(rejects_left), rejects_all_(rejects_all) {}
+  explicit Opinion(double value, Rejects rejects = Rejects::none) : value_(value), rejects_(rejects) {}
   double configure(const Parameters& /*parameters*/, const ParameterSource& own) override {
     return own.number("scale", 2.0);
   }
   void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
     for (std::size_t c = 0; c < tile.count; ++c) {
-      if (rejects_all_ || (rejects_left_ && tile.omega > 0.0)) {
+      if (rejects_ == Rejects::all || (rejects_ == Rejects::left && tile.omega > 0.0)) {
         scores.reject(c, "in my opinion");
       } else {
         scores.set(c, value_);
@@ -34,13 +35,21 @@ class Opinion : public Critic {
 
  private:
   double value_;
-  bool rejects_left_, rejects_all_;
+  Rejects rejects_;
 };
 
-CriticRegistry with(const std::function<std::shared_ptr<Critic>()>& maker) {
+// The built-in critics, and this one by the name of Opinion.
+CriticRegistry with(const std::shared_ptr<Critic>& opinion) {
   CriticRegistry registry = critics::built_in();
-  registry.add("Opinion", maker);
+  registry.add("Opinion", [opinion] { return opinion; });
   return registry;
+}
+
+// What is set for Opinion alone.
+template <typename Source>
+std::unique_ptr<ParameterSource> of_opinion(const std::string& name) {
+  if (name == "Opinion") return std::make_unique<Source>();
+  return nullptr;
 }
 
 Scene asking(double v = 0.5) {
@@ -51,7 +60,7 @@ Scene asking(double v = 0.5) {
 }
 
 TEST(ThirdPartyCritic, IsWeighedAndListed) {
-  PlannerBench bench(asking(), with([] { return std::make_shared<Opinion>(3.0); }));
+  PlannerBench bench(asking(), with(std::make_shared<Opinion>(3.0)));
   const Decision& decision = bench.cycle();
   ASSERT_EQ(decision.terms.size(), 3u);
   EXPECT_EQ(decision.terms[1].name, "Opinion");
@@ -64,13 +73,9 @@ TEST(ThirdPartyCritic, ReadsItsOwnParameters) {
   struct Source : ParameterSource {
     double number(const std::string& key, double fallback) const override { return key == "scale" ? 5.0 : fallback; }
   };
-  Planner planner(with([] { return std::make_shared<Opinion>(3.0); }));
+  Planner planner(with(std::make_shared<Opinion>(3.0)));
   const Scene scene = asking();
-  const auto source = [](const std::string& name) -> std::unique_ptr<ParameterSource> {
-    if (name == "Opinion") return std::make_unique<Source>();
-    return nullptr;
-  };
-  ASSERT_TRUE(planner.configure(scene.parameters, source).empty());
+  ASSERT_TRUE(planner.configure(scene.parameters, of_opinion<Source>).empty());
   planner.set_footprint(scene.outline);
   EXPECT_EQ(planner.plan(scene.situation, scene.grid(), scene.intent).terms[1].weight, 5.0);
 }
@@ -79,14 +84,10 @@ TEST(ThirdPartyCritic, AValueThatItCannotReadIsAFaultOfTheSet) {
   struct Source : ParameterSource {
     std::vector<std::string> faults() const override { return {"Opinion/scale: expected a number, found x"}; }
   };
-  Planner planner(with([] { return std::make_shared<Opinion>(3.0); }));
+  Planner planner(with(std::make_shared<Opinion>(3.0)));
   Parameters parameters = asking().parameters;
   parameters.sim_time = 1.25;
-  const auto source = [](const std::string& name) -> std::unique_ptr<ParameterSource> {
-    if (name == "Opinion") return std::make_unique<Source>();
-    return nullptr;
-  };
-  EXPECT_EQ(planner.configure(parameters, source),
+  EXPECT_EQ(planner.configure(parameters, of_opinion<Source>),
             std::vector<std::string>{"Opinion/scale: expected a number, found x"});
   EXPECT_NE(planner.parameters().sim_time, 1.25);
   EXPECT_TRUE(planner.configure(parameters).empty());
@@ -94,14 +95,14 @@ TEST(ThirdPartyCritic, AValueThatItCannotReadIsAFaultOfTheSet) {
 }
 
 TEST(ThirdPartyCritic, ItsRejectionsCountUnderItsName) {
-  PlannerBench bench(asking(), with([] { return std::make_shared<Opinion>(0.0, true); }));
+  PlannerBench bench(asking(), with(std::make_shared<Opinion>(0.0, Rejects::left)));
   const Decision& decision = bench.cycle();
   EXPECT_EQ(rejections_by(decision, "Opinion"), 200u);  // 20 speeds x 10 left turns
   EXPECT_EQ(decision.outcome, Outcome::drive);
 }
 
 TEST(ThirdPartyCritic, RejectingEverythingBrakesThenFails) {
-  PlannerBench bench(asking(0.2), with([] { return std::make_shared<Opinion>(0.0, false, true); }));
+  PlannerBench bench(asking(0.2), with(std::make_shared<Opinion>(0.0, Rejects::all)));
   const Decision first = bench.drive();
   EXPECT_EQ(first.outcome, Outcome::brake);
   EXPECT_NEAR(first.command.v, 0.075, 1e-12);  // 0.2 - 0.125
@@ -113,7 +114,7 @@ TEST(ThirdPartyCritic, RejectingEverythingBrakesThenFails) {
 TEST(ThirdPartyCritic, IsToldWhereThePersonDecides) {
   // Rejects left turns for the sake of autonomy.
   struct Considerate : Opinion {
-    Considerate() : Opinion(0.0, true) {}
+    Considerate() : Opinion(0.0, Rejects::left) {}
     void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override {
       if (!cycle.operator_decides) Opinion::score(cycle, tile, scores);
     }
@@ -122,13 +123,14 @@ TEST(ThirdPartyCritic, IsToldWhereThePersonDecides) {
     Influence influence;
     bool goal_latched, decides;
   };
-  for (const Case& c : {Case{Influence::none, false, false}, Case{Influence::none, true, false},
-                        Case{Influence::shared, false, false}, Case{Influence::shared, true, true},
-                        Case{Influence::direct, false, true}, Case{Influence::direct, true, true}}) {
+  const Case cases[] = {{Influence::none, false, false},   {Influence::none, true, false},
+                        {Influence::shared, false, false}, {Influence::shared, true, true},
+                        {Influence::direct, false, true},  {Influence::direct, true, true}};
+  for (const Case& c : cases) {
     Scene scene = asking();
     scene.intent.influence = c.influence;
     scene.situation.goal_latched = c.goal_latched;
-    PlannerBench bench(scene, with([] { return std::make_shared<Considerate>(); }));
+    PlannerBench bench(scene, with(std::make_shared<Considerate>()));
     EXPECT_EQ(rejections_by(bench.cycle(), "Opinion") == 0, c.decides);
   }
 }
@@ -136,7 +138,7 @@ TEST(ThirdPartyCritic, IsToldWhereThePersonDecides) {
 TEST(ThirdPartyCritic, NotANumberIsARejectionOfTheOneThatSaidIt) {
   for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                              -std::numeric_limits<double>::infinity()}) {
-    PlannerBench bench(asking(0.2), with([value] { return std::make_shared<Opinion>(value); }));
+    PlannerBench bench(asking(0.2), with(std::make_shared<Opinion>(value)));
     const Decision& decision = bench.cycle();
     EXPECT_EQ(decision.outcome, Outcome::brake);
     EXPECT_NEAR(decision.command.v, 0.075, 1e-12);
@@ -147,10 +149,10 @@ TEST(ThirdPartyCritic, NotANumberIsARejectionOfTheOneThatSaidIt) {
 
 TEST(ThirdPartyCritic, WeightZeroTurnsItOffRejectionsIncluded) {
   struct Off : Opinion {
-    Off() : Opinion(0.0, false, true) {}
+    Off() : Opinion(0.0, Rejects::all) {}
     double configure(const Parameters& /*parameters*/, const ParameterSource& /*own*/) override { return 0.0; }
   };
-  PlannerBench bench(asking(), with([] { return std::make_shared<Off>(); }));
+  PlannerBench bench(asking(), with(std::make_shared<Off>()));
   const Decision& decision = bench.cycle();
   EXPECT_EQ(decision.outcome, Outcome::drive);
   EXPECT_EQ(decision.legal, decision.candidates);

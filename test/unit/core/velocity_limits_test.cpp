@@ -11,42 +11,28 @@ namespace {
 // Accelerates at 2, brakes at 4, between -1 and 1.
 constexpr AxisLimits kAxis{-1.0, 1.0, 2.0, 4.0};
 
-TEST(AxisRamp, AcceleratesAwayFromZeroAndStopsAtTheTarget) {
-  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, 1.0, 0.1), 0.4);     // 0.2 + 2 * 0.1
-  EXPECT_DOUBLE_EQ(kAxis.ramp(-0.2, -1.0, 0.1), -0.4);  // -0.2 - 2 * 0.1
-  EXPECT_EQ(kAxis.ramp(0.2, 0.3, 0.1), 0.3);            // needs 0.05 s only
-  EXPECT_EQ(kAxis.ramp(0.0, 0.0, 0.1), 0.0);
-}
+struct Ramp {
+  const char* what;
+  double from, to, time, result;
+};
 
-TEST(AxisRamp, BrakesTowardsZero) {
-  EXPECT_DOUBLE_EQ(kAxis.ramp(0.9, 0.0, 0.1), 0.5);  // 0.9 - 4 * 0.1
-  EXPECT_DOUBLE_EQ(kAxis.ramp(-0.9, -0.1, 0.1), -0.5);
-  EXPECT_EQ(kAxis.ramp(0.3, 0.0, 0.1), 0.0);  // needs 0.075 s only
-  EXPECT_EQ(kAxis.ramp(0.9, 0.8, 0.1), 0.8);
-}
-
-TEST(AxisRamp, ThroughZeroBrakesFirstAndAcceleratesThen) {
-  // 0.2 / 4 = 0.05 s to rest, the other 0.05 s at 2.
-  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, -1.0, 0.1), -0.1);
-  EXPECT_DOUBLE_EQ(kAxis.ramp(-0.2, 1.0, 0.1), 0.1);
-  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, -1.0, 0.05), 0.0);
-  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, -1.0, 0.025), 0.1);
-  EXPECT_DOUBLE_EQ(kAxis.ramp(0.2, -0.05, 0.1), -0.05);
-}
-
-TEST(AxisRamp, DistanceToRest) {
-  EXPECT_DOUBLE_EQ(kAxis.distance_to_rest(0.8), 0.08);  // 0.8^2 / (2 * 4)
-}
-
-TEST(Reachable, WindowBetweenBrakingAndAccelerating) {
-  const Interval inside = reachable(kAxis, 0.5, 0.1);
-  EXPECT_DOUBLE_EQ(inside.lo, 0.1);  // 0.5 - 4 * 0.1
-  EXPECT_DOUBLE_EQ(inside.hi, 0.7);  // 0.5 + 2 * 0.1
-  const Interval through = reachable(kAxis, 0.2, 0.1);
-  EXPECT_DOUBLE_EQ(through.lo, -0.1);  // 0.05 s to rest, 0.05 s at 2
-  const Interval cut = reachable(kAxis, 0.9, 1.0);
-  EXPECT_EQ(cut.hi, 1.0);
-  EXPECT_EQ(cut.lo, -1.0);
+TEST(AxisRamp, AcceleratesAwayFromZeroAndBrakesTowardsIt) {
+  const Ramp ramps[] = {
+      {"0.2 + 2 * 0.1", 0.2, 1.0, 0.1, 0.4},
+      {"-0.2 - 2 * 0.1", -0.2, -1.0, 0.1, -0.4},
+      {"accelerates for 0.05 s only", 0.2, 0.3, 0.1, 0.3},
+      {"rests", 0.0, 0.0, 0.1, 0.0},
+      {"0.9 - 4 * 0.1", 0.9, 0.0, 0.1, 0.5},
+      {"-0.9 + 4 * 0.1", -0.9, -0.1, 0.1, -0.5},
+      {"brakes for 0.075 s only", 0.3, 0.0, 0.1, 0.0},
+      {"brakes, but not to rest", 0.9, 0.8, 0.1, 0.8},
+      {"brakes for 0.2 / 4 = 0.05 s, and accelerates for the other 0.05 s", 0.2, -1.0, 0.1, -0.1},
+      {"the same from the other side", -0.2, 1.0, 0.1, 0.1},
+      {"just rests", 0.2, -1.0, 0.05, 0.0},
+      {"brakes before it goes the other way", 0.2, -1.0, 0.025, 0.1},
+      {"is there sooner", 0.2, -0.05, 0.1, -0.05},
+  };
+  for (const Ramp& ramp : ramps) EXPECT_DOUBLE_EQ(kAxis.ramp(ramp.from, ramp.to, ramp.time), ramp.result) << ramp.what;
 }
 
 TEST(Reachable, OutsideTheLimitsIsBroughtBackAndNeverEmpty) {
@@ -96,42 +82,6 @@ TEST(WheelLimit, ClampKeepsTheTurnAndReducesTheSpeed) {
   slow.wheel_speed = 0.3;
   EXPECT_DOUBLE_EQ(slow.clamp({0.5, -2.0}).omega, -1.5);
   EXPECT_DOUBLE_EQ(slow.clamp({0.5, -2.0}).v, 0.0);
-}
-
-TEST(WheelLimit, FromParameters) {
-  Parameters p;
-  p.wheel_separation = 0.4;
-  p.max_wheel_speed = 0.5;
-  p.decel_lim_x = -1.0;
-  p.decel_lim_theta = 2.0;
-  const VelocityLimits limits = VelocityLimits::from(p);
-  EXPECT_DOUBLE_EQ(limits.wheel_speed, 0.5);
-  EXPECT_DOUBLE_EQ(limits.half_separation, 0.2);
-  EXPECT_EQ(limits.x.braking, 1.0);  // either sign
-  EXPECT_EQ(limits.theta.braking, 2.0);
-  p.max_wheel_speed = 0.0;
-  EXPECT_EQ(VelocityLimits::from(p).wheel_speed, 0.0);
-  p.decel_lim_x = 0.0;
-  EXPECT_EQ(VelocityLimits::from(p).x.braking, p.acc_lim_x);
-}
-
-TEST(FeasibleStep, ArithmeticWithinTheWheels) {
-  const VelocityLimits limits = wheeled();
-  // v: 0.2 -> 0.2 + 2.5 * 0.05 = 0.325; omega: 0 -> 3.2 * 0.05 = 0.16; wheels 0.325 + 0.032 < 0.5.
-  const Twist2 u = limits.step({0.2, 0.0}, {0.5, 1.0}, 0.05);
-  EXPECT_DOUBLE_EQ(u.v, 0.325);
-  EXPECT_DOUBLE_EQ(u.omega, 0.16);
-  const Twist2 brake = limits.brake({0.2, -0.5}, 0.05);
-  EXPECT_DOUBLE_EQ(brake.v, 0.075);      // 0.2 - 0.125
-  EXPECT_DOUBLE_EQ(brake.omega, -0.34);  // -0.5 + 0.16
-}
-
-TEST(FeasibleStep, WhereTheWheelsCutTheTurnIsKeptAndTheSpeedGivesWay) {
-  const VelocityLimits limits = wheeled();
-  // omega 0.5 -> 0.66 takes 0.132 of the wheels; v may be 0.368, and 0.4 - 0.125 = 0.275 is in reach.
-  const Twist2 u = limits.step({0.4, 0.5}, {0.5, 2.0}, 0.05);
-  EXPECT_DOUBLE_EQ(u.omega, 0.66);
-  EXPECT_NEAR(u.v, 0.368, 1e-12);
 }
 
 TEST(FeasibleStep, AlwaysWithinLimitsWheelsAndAccelerations) {

@@ -81,18 +81,28 @@ bool is_free(const Scene& scene, const Way& way) {
   return true;
 }
 
-Way search(const Scene& scene, State expected) {
-  WaySearch search;
-  search.begin(task_of(scene));
-  EXPECT_EQ(search.run(kEnough), expected);
+// A search that is over. Its way, where it has found one, is free.
+struct Searched {
+  State state;
+  Pass pass;
   Way way;
-  search.write(way);
-  return way;
+};
+Searched searched(const Scene& scene, const SearchTask& task) {
+  WaySearch search;
+  search.begin(task);
+  Searched result;
+  result.state = search.run(kEnough);
+  result.pass = search.pass();
+  search.write(result.way);
+  EXPECT_EQ(result.way.empty(), result.state != State::found);
+  EXPECT_TRUE(is_free(scene, result.way));
+  return result;
 }
+Searched searched(const Scene& scene) { return searched(scene, task_of(scene)); }
 
 TEST(WaySearch, StraightOnWhereNothingIs) {
   const Scene scene = room();
-  const Way way = search(scene, State::found);
+  const Way way = searched(scene).way;
   ASSERT_FALSE(way.empty());
   EXPECT_EQ(distance(way.stations().front().pose, scene.situation.pose), 0.0);
   // The target begins 1.5 m along the plan, and counts from 0.15 m before: 1.35 m at 0.5 m/s, and no more than a move
@@ -122,16 +132,13 @@ TEST(WaySearch, EndsAtTheGoalsPoseWhereThatIsAskedFor) {
     const Pose2 goal{random.uniform(-0.25, 0.25), random.uniform(-0.25, 0.25), random.uniform(-M_PI, M_PI)};
     SearchTask task = task_of(scene);
     aim_at_goal(goal, scene.parameters, task);
-    WaySearch search;
-    search.begin(task);
-    if (search.run(kEnough) != State::found) continue;
+    SCOPED_TRACE(seed);
+    const Searched search = searched(scene, task);
+    if (search.state != State::found) continue;
     ++found;
-    Way way;
-    search.write(way);
-    EXPECT_TRUE(is_free(scene, way)) << seed;
-    const Pose2& end = way.stations().back().pose;
-    EXPECT_LE(distance(end, goal), 0.2 + 0.036) << seed;
-    EXPECT_LE(std::abs(wrap_angle(end.theta - goal.theta)), 0.2 + 1e-9) << seed;
+    const Pose2& end = search.way.stations().back().pose;
+    EXPECT_LE(distance(end, goal), 0.2 + 0.036);
+    EXPECT_LE(std::abs(wrap_angle(end.theta - goal.theta)), 0.2 + 1e-9);
   }
   EXPECT_GT(found, 8);
 }
@@ -145,20 +152,14 @@ TEST(WaySearch, WaysAreFree) {
     scene.situation.pose.theta = random.uniform(-M_PI, M_PI);
     if (random.chance(0.5)) scene.parameters.min_vel_x = -0.25;
     if (!clutter(scene, random, 14)) continue;
-    WaySearch search;
-    search.begin(task_of(scene));
-    const State state = search.run(kEnough);
-    none += state != State::found;
-    if (state != State::found) continue;
-    ++found;
-    Way way;
-    search.write(way);
-    EXPECT_TRUE(is_free(scene, way)) << seed;
-    EXPECT_LE(off_plan(scene, way.stations().back().pose), 0.15 + 0.05) << seed;
-    turned += std::abs(wrap_angle(way.stations().back().pose.theta - scene.situation.pose.theta)) > 1.0;
-    for (std::size_t k = 0; k + 1 < way.stations().size(); ++k) {
-      EXPECT_GT(way.stations()[k].left, way.stations()[k + 1].left);
-    }
+    SCOPED_TRACE(seed);
+    const Searched search = searched(scene);
+    ++(search.state == State::found ? found : none);
+    if (search.state != State::found) continue;
+    const std::vector<Way::Station>& stations = search.way.stations();
+    EXPECT_LE(off_plan(scene, stations.back().pose), 0.15 + 0.05);
+    turned += std::abs(wrap_angle(stations.back().pose.theta - scene.situation.pose.theta)) > 1.0;
+    for (std::size_t k = 0; k + 1 < stations.size(); ++k) EXPECT_GT(stations[k].left, stations[k + 1].left);
   }
   EXPECT_GE(found, test::effort(3, 15));  // or these scenes show nothing
   EXPECT_GE(none, test::effort(1, 3));
@@ -168,11 +169,10 @@ TEST(WaySearch, WaysAreFree) {
 // 0.7 m long and 0.4 m wide it cannot turn in 0.55 m.
 TEST(WaySearch, BackwardsOutOfADeadEndWhereTheRobotCan) {
   Scene scene = dead_end();
-  search(scene, State::no_way);
+  EXPECT_EQ(searched(scene).state, State::no_way);
   scene.parameters.min_vel_x = -0.2;
-  const Way way = search(scene, State::found);
+  const Way way = searched(scene).way;
   ASSERT_FALSE(way.empty());
-  EXPECT_TRUE(is_free(scene, way));
   EXPECT_LT(way.stations().back().pose.x, -1.3);
 }
 
@@ -199,12 +199,7 @@ TEST(WaySearch, ThroughGapsThatAreWideEnough) {
     scene.fill(0.7, half + shift, 0.8, 2.1);
     scene.fill(0.7, -2.1, 0.8, -half + shift);
     for (Pose2& pose : scene.situation.plan) pose.y = shift;
-    WaySearch search;
-    search.begin(task_of(scene));
-    EXPECT_EQ(search.run(kEnough) == State::found, cells > 8) << cells;
-    Way way;
-    search.write(way);
-    EXPECT_TRUE(way.empty() || is_free(scene, way)) << cells;
+    EXPECT_EQ(searched(scene).state == State::found, cells > 8) << cells;
   }
 }
 
@@ -217,13 +212,10 @@ TEST(WaySearch, LooksCloselyWhereItHasFoundNothing) {
     scene.situation.pose.theta = random.uniform(-M_PI, M_PI);
     scene.parameters.min_vel_x = -0.25;
     if (!clutter(scene, random, 18)) continue;
-    WaySearch search;
-    search.begin(task_of(scene));
-    if (search.run(kEnough) != State::found) continue;
-    (search.pass() == Pass::close ? closely : coarsely) += 1;
-    Way way;
-    search.write(way);
-    EXPECT_TRUE(is_free(scene, way)) << seed;
+    SCOPED_TRACE(seed);
+    const Searched search = searched(scene);
+    if (search.state != State::found) continue;
+    ++(search.pass == Pass::close ? closely : coarsely);
   }
   EXPECT_GE(closely, 1);
   EXPECT_GE(coarsely, 3);
@@ -232,7 +224,7 @@ TEST(WaySearch, LooksCloselyWhereItHasFoundNothing) {
 TEST(WaySearch, PortionsChangeNothing) {
   Scene scene = dead_end();
   scene.parameters.min_vel_x = -0.2;
-  const Way whole = search(scene, State::found);
+  const Way whole = searched(scene).way;
   WaySearch search;
   search.begin(task_of(scene));
   int portions = 1;
@@ -315,13 +307,16 @@ TEST(TargetDistance, NoColumnOfAWallIsOpen) {
   }
 }
 
+Way way_of(const std::vector<Way::Station>& stations) {
+  Way way;
+  for (const Way::Station& station : stations) way.add(station);
+  return way;
+}
+
 // The remaining time beside a way: that of the nearest place on it, and what it takes to get there: 0.1 m/s within its
 // room, 0.04 m/s beyond.
 TEST(Way, TellsTheRemainingTime) {
-  Way way;
-  way.add({{0.0, 0.0, 0.0}, 3.0});
-  way.add({{1.0, 0.0, 0.0}, 1.0});
-  way.add({{1.0, 0.0, 1.0}, 0.0});
+  const Way way = way_of({{{0.0, 0.0, 0.0}, 3.0}, {{1.0, 0.0, 0.0}, 1.0}, {{1.0, 0.0, 1.0}, 0.0}});
   const Way::Projection beside = way.nearest({0.5, 0.02, 0.0}, 0, 2, 0.05);
   EXPECT_EQ(beside.part, 0U);
   EXPECT_NEAR(beside.left, 2.0, 1e-12);                      // half of the first part
@@ -342,10 +337,7 @@ TEST(Way, TellsTheRemainingTime) {
 }
 
 TEST(Way, TimeUntilItIsNearAPose) {
-  Way way;
-  way.add({{0.0, 0.0, 0.0}, 3.0});
-  way.add({{1.0, 0.0, 0.0}, 1.0});
-  way.add({{1.2, 0.0, 0.0}, 0.5});
+  const Way way = way_of({{{0.0, 0.0, 0.0}, 3.0}, {{1.0, 0.0, 0.0}, 1.0}, {{1.2, 0.0, 0.0}, 0.5}});
   EXPECT_EQ(way.time_until_near({1.0, 0.1, 2.0}, 0.1), 2.0);  // 3.0 - 1.0, whatever the heading
   EXPECT_EQ(way.time_until_near({1.2, 0.0, 0.0}, 0.1), 2.5);  // the station before is 0.2 m away
   EXPECT_EQ(way.time_until_near({0.0, 0.1, 0.0}, 0.1), 0.0);
@@ -356,11 +348,10 @@ TEST(Way, TimeUntilItIsNearAPose) {
 // 0.5 m forwards, a turn of 0.5 rad, and 0.5 m backwards: the last part counts once the robot is within `near` of where
 // that begins.
 TEST(Way, IsFollowedToWhereItTurnsBack) {
-  Way way;
-  way.add({{0.0, 0.0, 0.0}, 2.5});
-  way.add({{0.5, 0.0, 0.0}, 1.5});
-  way.add({{0.5, 0.0, 0.5}, 1.0});
-  way.add({{0.5 - 0.5 * std::cos(0.5), -0.5 * std::sin(0.5), 0.5}, 0.0});
+  const Way way = way_of({{{0.0, 0.0, 0.0}, 2.5},
+                          {{0.5, 0.0, 0.0}, 1.5},
+                          {{0.5, 0.0, 0.5}, 1.0},
+                          {{0.5 - 0.5 * std::cos(0.5), -0.5 * std::sin(0.5), 0.5}, 0.0}});
   EXPECT_EQ(way.end_of_parts({0.3, 0.0, 0.0}, 0, 10.0, 0.02), 2U);  // forwards, and the turn
   EXPECT_EQ(way.end_of_parts({0.5, 0.0, 0.4}, 0, 10.0, 0.02), 2U);  // 0.1 rad are 0.04 m
   EXPECT_EQ(way.end_of_parts({0.5, 0.0, 0.46}, 0, 10.0, 0.02), 3U);
@@ -370,12 +361,16 @@ TEST(Way, IsFollowedToWhereItTurnsBack) {
   EXPECT_EQ(way.end_of_parts({0.3, 0.0, 0.0}, 2, 10.0, 0.02), 3U);   // it is on the last one already
 }
 
+// With 1 s left at each pose: what is smoothed does not count on that.
+Way along(const std::vector<Pose2>& poses) {
+  Way way;
+  for (const Pose2& pose : poses) way.add({pose, 1.0});
+  return way;
+}
+
 // Headings that alternate by 0.1 rad come to their mean, and a station beside the line halfway to it.
 TEST(Way, SmoothsWhereItGoesOn) {
-  Way way;
-  for (const Pose2& pose : {Pose2{0.0, 0.0, 3.1}, {-0.1, 0.0, -3.1}, {-0.2, 0.02, 3.1}, {-0.3, 0.0, -3.1}}) {
-    way.add({pose, 1.0});
-  }
+  Way way = along({{0.0, 0.0, 3.1}, {-0.1, 0.0, -3.1}, {-0.2, 0.02, 3.1}, {-0.3, 0.0, -3.1}});
   Way stays = way;
   stays.smooth([](const Pose2&, const Pose2&) { return false; });
   way.smooth([](const Pose2& from, const Pose2& to) { return distance(from, to) < 0.011; });
@@ -394,11 +389,8 @@ TEST(Way, SmoothsWhereItGoesOn) {
 
 // 0.1 m and 0.1 m forwards, a turn, and as far backwards twice: only what is halfway forwards or backwards moves.
 TEST(Way, SmoothsNoTurn) {
-  Way way;
-  for (const Pose2& pose :
-       {Pose2{0.0, 0.0, 0.0}, {0.1, 0.01, 0.0}, {0.2, 0.0, 0.0}, {0.2, 0.0, 0.1}, {0.1, 0.01, 0.1}, {0.0, 0.0, 0.1}}) {
-    way.add({pose, 1.0});
-  }
+  Way way =
+      along({{0.0, 0.0, 0.0}, {0.1, 0.01, 0.0}, {0.2, 0.0, 0.0}, {0.2, 0.0, 0.1}, {0.1, 0.01, 0.1}, {0.0, 0.0, 0.1}});
   const Way before = way;
   way.smooth([](const Pose2&, const Pose2&) { return true; });
   for (const std::size_t k : {0U, 1U, 2U, 3U, 4U, 5U}) {
@@ -411,11 +403,11 @@ TEST(Way, SmoothsNoTurn) {
 // another direction than the robot faces. Where the arcs are of 0.2 rad all may move.
 TEST(Way, SmoothsNothingBesideAStationThatStaysInABend) {
   for (const double turn : {0.2, 0.4}) {
-    Way way;
+    std::vector<Pose2> arc;
     for (int k = 0; k < 6; ++k) {
-      const double angle = turn * k;
-      way.add({{0.4 * std::sin(angle), 0.4 * (1.0 - std::cos(angle)), angle}, 1.0});
+      arc.push_back({0.4 * std::sin(turn * k), 0.4 * (1.0 - std::cos(turn * k)), turn * k});
     }
+    Way way = along(arc);
     const Way before = way;
     way.smooth([](const Pose2&, const Pose2&) { return true; });
     // A quarter of the second difference of a circle's points: 0.25 * 2 * 0.4 * (1 - cos 0.2).
@@ -428,15 +420,8 @@ TEST(Way, SmoothsNothingBesideAStationThatStaysInABend) {
 
 // Straight on, a bend of 0.4 rad between two stations that move, straight on.
 TEST(Way, SmoothsABendAmongStationsThatMove) {
-  Way way;
-  for (const Pose2& pose : {Pose2{0.0, 0.0, 0.0},
-                            {0.1, 0.0, 0.0},
-                            {0.2, 0.0, 0.0},
-                            {0.3, 0.02, 0.4},
-                            {0.39, 0.059, 0.4},
-                            {0.48, 0.098, 0.4}}) {
-    way.add({pose, 1.0});
-  }
+  Way way = along(
+      {{0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, {0.2, 0.0, 0.0}, {0.3, 0.02, 0.4}, {0.39, 0.059, 0.4}, {0.48, 0.098, 0.4}});
   way.smooth([](const Pose2&, const Pose2&) { return true; });
   EXPECT_NEAR(way.stations()[1].pose.theta, 0.0, 1e-12);
   EXPECT_NEAR(way.stations()[2].pose.theta, 0.25 * 0.4, 1e-12);

@@ -48,22 +48,6 @@ TEST(Project, WhatMeetsNothingEndsAtFullRangeAndWhatIsNoRangeIsDropped) {
   EXPECT_EQ(beams.ends.size(), 2u);  // range_min is 0.05
 }
 
-TEST(MarkEnds, MarksWithinRangeAndWithinTheGridAlone) {
-  RollingGrid grid(4.0, 0.05);
-  grid.follow(0.0, 0.0);
-  Beams beams;
-  beams.origin = {0.0, 0.0};
-  beams.ends = {{1.0, 0.0}, {-1.6, 0.0}, {0.0, 2.5}};
-  mark_ends(beams, 1.5, grid);
-  int lethal = 0;
-  for (int j = 0; j < grid.cells(); ++j) {
-    for (int i = 0; i < grid.cells(); ++i) lethal += grid.row(j)[i] == cost::kLethal;
-  }
-  EXPECT_EQ(lethal, 1);
-  const GridView view = grid.view();
-  EXPECT_EQ(view.at(view.cell_at(1.0, 0.0)), cost::kLethal);
-}
-
 // Against lines whose cells are worked out one by one.
 TEST(ClearAlong, FreesTheCellsOfTheLineUpToTheRange) {
   sim::Random random(7);
@@ -91,16 +75,6 @@ TEST(ClearAlong, FreesTheCellsOfTheLineUpToTheRange) {
   }
 }
 
-TEST(ClearAlong, ABeamThatLeavesTheGridIsFollowedToItsEdge) {
-  RollingGrid grid(2.0, 0.05);
-  fill(grid, cost::kLethal);
-  Beams beams;
-  beams.origin = {1.0, 1.01};
-  beams.ends = {{9.0, 1.01}};
-  clear_along(beams, 20.0, grid);
-  for (int i = 0; i < grid.cells(); ++i) EXPECT_EQ(grid.row(20)[i], i < 20 ? cost::kLethal : cost::kFree) << i;
-}
-
 TEST(ClearAlong, ASensorOutsideFreesNothing) {
   RollingGrid grid(2.0, 0.05);
   fill(grid, cost::kLethal);
@@ -109,18 +83,6 @@ TEST(ClearAlong, ASensorOutsideFreesNothing) {
   beams.ends = {{1.5, 1.0}};
   clear_along(beams, 20.0, grid);
   for (int i = 0; i < grid.cells(); ++i) EXPECT_EQ(grid.row(20)[i], cost::kLethal);
-}
-
-TEST(ClearPolygon, FreesOutlineAndInside) {
-  RollingGrid grid(2.0, 0.1);
-  fill(grid, cost::kLethal);
-  clear_polygon({{0.52, 0.52}, {1.18, 0.52}, {1.18, 0.98}, {0.52, 0.98}}, grid);
-  for (int j = 0; j < grid.cells(); ++j) {
-    for (int i = 0; i < grid.cells(); ++i) {
-      const bool within = i >= 5 && i <= 11 && j >= 5 && j <= 9;
-      EXPECT_EQ(grid.row(j)[i], within ? cost::kFree : cost::kLethal) << i << " " << j;
-    }
-  }
 }
 
 TEST(ClearPolygon, APolygonPartlyOutsideFreesNothing) {

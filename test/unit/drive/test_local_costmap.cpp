@@ -61,29 +61,6 @@ TEST(LocalCostmap, AgreesWithTheNaiveTwinOnRandomScans) {
   }
 }
 
-TEST(LocalCostmap, RemembersAnObstacleThatNoBeamSeesNow) {
-  LocalCostmap costmap(CostmapSettings(), circle_outline(0.3, 0.01));
-  Beams beams;
-  beams.origin = {0.02, 0.02};
-  beams.ends = {{1.02, 0.02}};
-  costmap.update({}, beams);
-  EXPECT_EQ(costmap.view().at(costmap.view().cell_at(1.02, 0.02)), cost::kLethal);
-  beams.ends = {{-1.02, 0.02}};
-  costmap.update({0.2, 0.1, 0.0}, beams);
-  EXPECT_EQ(costmap.view().at(costmap.view().cell_at(1.02, 0.02)), cost::kLethal);
-  beams.ends = {{1.52, 0.02}};
-  costmap.update({0.2, 0.1, 0.0}, beams);
-  EXPECT_NE(costmap.view().at(costmap.view().cell_at(1.02, 0.02)), cost::kLethal);
-}
-
-TEST(LocalCostmap, AnObstacleSeenUnderTheRobotIsNone) {
-  LocalCostmap costmap(CostmapSettings(), circle_outline(0.3, 0.01));
-  Beams beams;
-  beams.ends = {{0.2, 0.1}};
-  costmap.update({}, beams);
-  EXPECT_EQ(costmap.view().at(costmap.view().cell_at(0.2, 0.1)), cost::kFree);
-}
-
 }  // namespace
 }  // namespace drive
 }  // namespace hidwa_local_planner

@@ -70,6 +70,11 @@ TEST(PeopleSight, RemembersAPointWhileTheCostmapMarksItsCell) {
   EXPECT_TRUE(sight.truth({mover(3, 0.0, 0.0)}, {})[0].points.empty());
 }
 
+std::shared_ptr<sim::KeyFramePeople> somebody_along(const std::vector<sim::KeyFrame>& frames) {
+  const std::vector<sim::KeyFrameTrack> tracks{sim::KeyFrameTrack(frames, sim::KeyMotion::linear)};
+  return std::make_shared<sim::KeyFramePeople>(tracks, 0.3, 0.0);
+}
+
 // Somebody crosses 2.5 m ahead of a robot on its way through an open square.
 DriveSetup crossing(Tracking tracking) {
   DriveSetup setup;
@@ -82,10 +87,7 @@ DriveSetup crossing(Tracking tracking) {
   setup.tracking = tracking;
   setup.time_limit = 40.0;
   // To and fro, 1 m/s, from 3 m to the right to 3 m to the left.
-  setup.people = std::make_shared<sim::KeyFramePeople>(
-      std::vector<sim::KeyFrameTrack>{
-          {{{0.0, {2.5, -3.0}}, {6.0, {2.5, 3.0}}, {12.0, {2.5, -3.0}}}, sim::KeyMotion::linear}},
-      0.3, 0.0);
+  setup.people = somebody_along({{0.0, {2.5, -3.0}}, {6.0, {2.5, 3.0}}, {12.0, {2.5, -3.0}}});
   return setup;
 }
 
@@ -132,10 +134,7 @@ TEST(DriveAmongPeople, TheTrackerFindsWhoCrosses) {
 TEST(DriveAmongPeople, ATouchIsCountedAndEndsTheDriveWhereItShall) {
   // They run into the robot from behind at 3 m/s, wherever it goes.
   DriveSetup setup = crossing(Tracking::none);
-  setup.people = std::make_shared<sim::KeyFramePeople>(
-      std::vector<sim::KeyFrameTrack>{
-          {{{0.0, {-3.0, 0.0}}, {3.0, {6.0, 0.0}}, {4.0, {6.0, 2.0}}}, sim::KeyMotion::linear}},
-      0.3, 0.0);
+  setup.people = somebody_along({{0.0, {-3.0, 0.0}}, {3.0, {6.0, 0.0}}, {4.0, {6.0, 2.0}}});
   setup.end_at_contact = true;
   const DriveResult result = drive(setup);
   EXPECT_EQ(result.ending, Ending::contact);

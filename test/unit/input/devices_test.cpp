@@ -11,8 +11,6 @@
 namespace hidwa_local_planner::input {
 namespace {
 
-using State = OperatorStateId;
-
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
   if (first == std::string::npos) return "";
@@ -95,99 +93,96 @@ struct Device : Person {
   Eigen::Vector3d hand{0.2, -0.3, 1.1};  // [m]
 };
 
-/// The stick with the axes `angular` and `linear`, steered, stopped and released. `left` and `up`: what the
-/// device sends for them. `stop`: its button, if it has so many.
-void steer_and_stop(Device& device, std::size_t angular, std::size_t linear, float left, float up, std::size_t stop) {
+/// Some sticks, whose axes 0 and 1 go to the side and forward. Forward is +1.
+struct Sticks {
+  const char* name;
+  const char* parameters;   // the file's name
+  std::vector<float> rest;  // the axes at rest
+  std::size_t buttons;      // so many it has
+  double rate;              // [Hz]
+  bool stamped;
+  float left;  // what axis 0 sends for it
+  int stop;    // the button; -1: none
+  std::size_t toggle;
+};
+
+// xpad's axes: left x, left y, left trigger, right x, right y, right trigger, cross x, cross y. joy_node says 0 for a
+// trigger until it first moves. The Quest's axes: left x, left y, right x, right y, triggers, grips.
+const Sticks kSticks[] = {
+    {"xbox on joy_node", "xbox", {0, 0, 1, 0, 0, 1, 0, 0}, 11, 20.0, true, 1.0F, 1, 3},
+    {"xbox before a trigger moved", "xbox", {0, 0, 0, 0, 0, 0, 0, 0}, 11, 20.0, true, 1.0F, 1, 3},
+    {"ps4 on joy_node", "ps4", {0, 0, 1, 0, 0, 1, 0, 0}, 13, 20.0, true, 1.0F, 1, 2},
+    {"quest at 72 Hz", "quest_joystick", {0, 0, 0, 0, 0, 0, 0, 0}, 17, 72.0, false, -1.0F, 2, 0},
+    {"quest at 120 Hz", "quest_joystick", {0, 0, 0, 0, 0, 0, 0, 0}, 17, 120.0, false, -1.0F, 2, 0},
+    {"unity_ros_tcp without stamps", "unity_tcp", {0, 0}, 2, 50.0, false, -1.0F, -1, 0},
+    {"unity_ros_tcp with stamps", "unity_tcp", {0, 0}, 2, 50.0, true, -1.0F, -1, 0},
+};
+
+void steer_and_stop(Device& device, const Sticks& sticks) {
   std::vector<float>& axes = device.message.axes;
-  expect_intent(device.play(0.2), State::autonomy, Influence::none, 0.0, 0.0);
-  axes[angular] = left;
-  expect_intent(device.play(0.2), State::shared, Influence::shared, 0.5, 1.0);  // 1^2 * max_vel_theta
-  axes[angular] = -0.5F * left;
-  expect_intent(device.play(0.2), State::shared, Influence::shared, 0.5, -0.25);  // -(0.5^2)
-  axes[linear] = -up;
-  expect_intent(device.play(0.2), State::stopped, Influence::stop, 0.0, 0.0);
-  axes[linear] = up;
-  expect_intent(device.play(0.2), State::shared, Influence::shared, 0.5, -0.25);
-  if (stop < device.message.buttons.size()) {
-    device.message.buttons[stop] = 1;
-    expect_intent(device.play(0.2), State::stopped, Influence::stop, 0.0, 0.0);
-    device.message.buttons[stop] = 0;
+  expect_autonomy(device.play(0.2));
+  axes[0] = sticks.left;
+  expect_shared(device.play(0.2), 0.5, 1.0);  // 1^2 * max_vel_theta
+  axes[0] = -1.00003F * sticks.left;          // joy_node overshoots by rounding
+  expect_shared(device.play(0.2), 0.5, -1.0);
+  axes[0] = -0.5F * sticks.left;
+  expect_shared(device.play(0.2), 0.5, -0.25);  // -(0.5^2)
+  axes[1] = -1.0F;
+  expect_stopped(device.play(0.2));
+  axes[1] = 1.0F;
+  expect_shared(device.play(0.2), 0.5, -0.25);
+  if (sticks.stop >= 0) {
+    int& stop = device.message.buttons[static_cast<std::size_t>(sticks.stop)];
+    stop = 1;
+    expect_stopped(device.play(0.2));
+    stop = 0;
     EXPECT_EQ(device.play(0.2).state, State::shared);
   }
   device.let_go();
-  expect_intent(device.play(0.2), State::hold, Influence::shared, 0.5, 0.0);
-  expect_intent(device.play(2.1), State::autonomy, Influence::none, 0.0, 0.0);  // delta 2 s
+  expect_hold(device.play(0.2), 0.5);
+  expect_autonomy(device.play(2.1));  // delta 2 s
 }
 
-/// The same stick in mode switching: taken and given back by `toggle`.
-void take_and_give_back(Device& device, std::size_t angular, std::size_t linear, float left, float up,
-                        std::size_t toggle) {
-  device.p.mode = OperatorMode::switching;
-  device.machine.configure(device.p);
+void play_with_all_that_nobody_reads(Device& device, const Sticks& sticks) {
+  for (std::size_t k = 2; k < sticks.rest.size(); ++k) device.message.axes[k] = sticks.rest[k] > 0 ? -1.0F : 1.0F;
+  device.message.buttons.assign(sticks.buttons, 1);
+  if (sticks.stop >= 0) device.message.buttons[static_cast<std::size_t>(sticks.stop)] = 0;
+  expect_autonomy(device.play(0.2));
+  device.let_go();
+}
+
+/// In mode switching.
+void take_control_and_give_it_back(Device& device, const Sticks& sticks) {
+  device.set_mode(OperatorMode::switching);
   const auto press = [&] {
-    device.message.buttons[toggle] = 1;
+    device.message.buttons[sticks.toggle] = 1;
     device.play(0.1);
-    device.message.buttons[toggle] = 0;
+    device.message.buttons[sticks.toggle] = 0;
     return device.play(0.1);
   };
-  device.let_go();
   for (int i = 0; i < 5; ++i) EXPECT_EQ(device.play(0.1).state, State::autonomy);
-  expect_intent(press(), State::manual, Influence::direct, 0.0, 0.0);
-  device.message.axes[angular] = left;
-  device.message.axes[linear] = 0.5F * up;
-  expect_intent(device.play(0.1), State::manual, Influence::direct, 0.125, 1.0);  // 0.5^2 * 0.5, 1^2
+  expect_manual(press(), 0.0, 0.0);
+  device.message.axes[0] = sticks.left;
+  device.message.axes[1] = 0.5F;
+  expect_manual(device.play(0.1), 0.125, 1.0);  // 0.5^2 * 0.5, 1^2
   device.let_go();
-  expect_intent(device.play(0.1), State::manual, Influence::direct, 0.0, 0.0);
-  expect_intent(press(), State::autonomy, Influence::none, 0.0, 0.0);
+  expect_manual(device.play(0.1), 0.0, 0.0);
+  expect_autonomy(press());
 }
 
-// xpad's axes: left x, left y, left trigger, right x, right y, right trigger, cross x, cross y.
-TEST(Devices, XboxOnJoyNode) {
-  Device device("xbox", {0, 0, 1, 0, 0, 1, 0, 0}, 11, 20.0);
-  device.stamped = true;
-  steer_and_stop(device, 0, 1, 1.0F, 1.0F, 1);
-  device.message.axes[5] = -1.0F;  // a trigger pressed: nobody reads it
-  device.message.axes[3] = 1.0F;   // nor the right stick
-  EXPECT_EQ(device.play(0.2).state, State::autonomy);
-  take_and_give_back(device, 0, 1, 1.0F, 1.0F, 3);
-}
-
-// joy_node says 0 for a trigger until it first moves, and its stick overshoots by rounding.
-TEST(Devices, XboxOnJoyNodeBeforeATriggerMoved) {
-  Device device("xbox", {0, 0, 0, 0, 0, 0, 0, 0}, 11, 20.0);
-  device.stamped = true;
-  steer_and_stop(device, 0, 1, 1.0F, 1.0F, 1);
-  device.message.axes[0] = -1.00003F;
-  expect_intent(device.play(0.2), State::shared, Influence::shared, 0.5, -1.0);
-}
-
-TEST(Devices, Ps4OnJoyNode) {
-  Device device("ps4", {0, 0, 1, 0, 0, 1, 0, 0}, 13, 20.0);
-  device.stamped = true;
-  steer_and_stop(device, 0, 1, 1.0F, 1.0F, 1);
-  take_and_give_back(device, 0, 1, 1.0F, 1.0F, 2);
-}
-
-// Left x, left y, right x, right y, triggers, grips; right is +1.
-TEST(Devices, QuestOnUnityRosTeleoperation) {
-  for (const double rate : {72.0, 120.0}) {
-    Device device("quest_joystick", {0, 0, 0, 0, 0, 0, 0, 0}, 17, rate);
-    EXPECT_EQ(device.p.joy_topic, "/quest/joystick");
-    steer_and_stop(device, 0, 1, -1.0F, 1.0F, 2);
-    device.message.axes[7] = 1.0F;  // a grip held, and its button
-    device.message.buttons[11] = 1;
-    EXPECT_EQ(device.play(0.2).state, State::autonomy);
-    take_and_give_back(device, 0, 1, -1.0F, 1.0F, 0);
+TEST(Devices, SticksSteerStopAndTakeControl) {
+  for (const Sticks& sticks : kSticks) {
+    SCOPED_TRACE(sticks.name);
+    Device device(sticks.parameters, sticks.rest, sticks.buttons, sticks.rate);
+    device.stamped = sticks.stamped;
+    steer_and_stop(device, sticks);
+    play_with_all_that_nobody_reads(device, sticks);
+    take_control_and_give_it_back(device, sticks);
   }
 }
 
-TEST(Devices, UnityRosTcp) {
-  for (const bool stamped : {false, true}) {
-    Device device("unity_tcp", {0, 0}, 2, 50.0);
-    device.stamped = stamped;
-    steer_and_stop(device, 0, 1, -1.0F, 1.0F, 99);
-    take_and_give_back(device, 0, 1, -1.0F, 1.0F, 0);
-  }
+TEST(Devices, TheQuestsTopicIsThatOfUnityRosTeleoperation) {
+  EXPECT_EQ(shipped("quest_joystick").joy_topic, "/quest/joystick");
 }
 
 /// A hand that is moved by `left` (full deflection), half of it back to the right and so on, while `press`
@@ -195,7 +190,7 @@ TEST(Devices, UnityRosTcp) {
 template <typename Press, typename Release>
 void steer_by_hand(Device& device, const Eigen::Vector3d& left, Press press, Release release) {
   EXPECT_EQ(device.p.mode, OperatorMode::gesture);
-  expect_intent(device.play(0.2), State::autonomy, Influence::none, 0.0, 0.0);
+  expect_autonomy(device.play(0.2));
   device.hand += left;  // without the clutch
   EXPECT_EQ(device.play(0.2).state, State::autonomy);
   press();
@@ -212,11 +207,11 @@ void steer_by_hand(Device& device, const Eigen::Vector3d& left, Press press, Rel
   device.hand = origin - 0.5 * left;
   EXPECT_NEAR(device.play(0.2).u_h.omega, -0.25, 1e-6);  // -(0.5^2)
   device.message.buttons[static_cast<std::size_t>(device.p.stop_button)] = 1;
-  expect_intent(device.play(0.2), State::stopped, Influence::stop, 0.0, 0.0);
+  expect_stopped(device.play(0.2));
   device.message.buttons[static_cast<std::size_t>(device.p.stop_button)] = 0;
   EXPECT_EQ(device.play(0.2).state, State::shared);
   release();
-  expect_intent(device.play(0.2), State::hold, Influence::shared, 0.5, 0.0);
+  expect_hold(device.play(0.2), 0.5);
   device.hand = origin + Eigen::Vector3d(5.0, 5.0, 5.0);  // with the clutch released it may jump
   EXPECT_EQ(device.play(2.1).state, State::autonomy);
 }
@@ -251,30 +246,19 @@ TEST(Devices, Vive) {
 TEST(Devices, KeyboardTwist) {
   Person person(shipped("keyboard"));
   const auto key = [&person](double time, double v, double omega) {
-    TwistMessage message;
-    message.u = {v, omega};
-    message.received = time;
-    message.sender = "/teleop_twist_keyboard";
-    EXPECT_EQ(person.machine.receive(message), "");
+    return person.cycle_with(from("/teleop_twist_keyboard", twist_at(time, v, omega)));
   };
   EXPECT_EQ(person.cycle(100.0).state, State::autonomy);
-  key(100.1, 0.0, 0.0);  // k
-  EXPECT_EQ(person.cycle(100.1).state, State::autonomy);
-  key(101.0, 0.5, 1.0);  // u
-  expect_intent(person.cycle(101.0), State::shared, Influence::shared, 0.5, 1.0);
-  expect_intent(person.cycle(105.0), State::shared, Influence::shared, 0.5,
-                1.0);    // a key once pressed counts on
-  key(105.1, 0.5, 0.0);  // i
-  expect_intent(person.cycle(105.1), State::shared, Influence::shared, 0.5, 0.0);
-  key(106.0, 0.0, 1.0);  // j
-  expect_intent(person.cycle(106.0), State::shared, Influence::shared, 0.0, 1.0);
-  key(106.5, -0.5, 0.0);  // comma: a Twist is no pulled stick
-  expect_intent(person.cycle(106.5), State::shared, Influence::shared, -0.5, 0.0);
+  EXPECT_EQ(key(100.1, 0.0, 0.0).state, State::autonomy);  // k
+  expect_shared(key(101.0, 0.5, 1.0), 0.5, 1.0);           // u
+  expect_shared(person.cycle(105.0), 0.5, 1.0);            // a key once pressed counts on
+  expect_shared(key(105.1, 0.5, 0.0), 0.5, 0.0);           // i
+  expect_shared(key(106.0, 0.0, 1.0), 0.0, 1.0);           // j
+  expect_shared(key(106.5, -0.5, 0.0), -0.5, 0.0);         // comma: a Twist is no pulled stick
   key(107.0, 0.5, 0.0);
-  person.cycle(107.0);
-  key(108.0, 0.0, 0.0);  // k
-  expect_intent(person.cycle(108.0), State::hold, Influence::shared, 0.5, 0.0);
-  expect_intent(person.cycle(110.1), State::autonomy, Influence::none, 0.0, 0.0);
+  expect_hold(key(108.0, 0.0, 0.0), 0.5);  // k
+  expect_autonomy(person.cycle(110.1));
+  EXPECT_EQ(person.machine.dropped(), 0U);
 }
 
 }  // namespace

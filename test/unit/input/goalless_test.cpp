@@ -2,92 +2,64 @@
 // While the host has no goal whoever steers drives, in every mode, with both axes of their device.
 #include <gtest/gtest.h>
 
-#include "hidwa_local_planner/core/util/archive.hpp"
 #include "person.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {
 
-using State = OperatorStateId;
-
-Parameters in_mode(OperatorMode mode) {
-  Parameters p;  // max_vel_x 0.5, max_vel_theta 1, linear v_max
-  p.mode = mode;
-  return p;
-}
-
-/// The goal ends while a stick is held there: it must be seen neutral before it drives.
-void expect_neutral_first(Person& person, float angular, float linear) {
-  person.machine.set_goalless(true);
-  person.stick(1.1, angular, linear);
-  EXPECT_FALSE(person.machine.steers());
-  expect_intent(person.cycle(1.1), State::autonomy, Influence::none, 0.0, 0.0);
-  person.stick(1.15, 0.0F);
-  person.stick(1.2, 0.0F, 1.0F);
-  EXPECT_EQ(person.cycle(1.2).state, State::manual);
-}
+/// Somebody whose host has no goal; linear is v_max.
+struct Goalless : Person {
+  explicit Goalless(const Parameters& parameters = Parameters()) : Person(parameters) { machine.set_goalless(true); }
+};
 
 TEST(WithoutGoal, BothAxesDriveInEveryModeOfTheStick) {
   for (const OperatorMode mode : {OperatorMode::joystick, OperatorMode::switching}) {
-    Person person(in_mode(mode));
-    person.machine.set_goalless(true);
-    person.stick(1.0, 0.0F);
-    expect_intent(person.cycle(1.0), State::autonomy, Influence::none, 0.0, 0.0);
-    person.stick(1.05, 0.0F, 1.0F);
+    Goalless person(in_mode(mode));
+    expect_autonomy(person.cycle_with_stick(1.0, 0.0F));
+    expect_manual(person.cycle_with_stick(1.05, 0.0F, 1.0F), 0.5, 0.0);
     EXPECT_TRUE(person.machine.steers());
-    expect_intent(person.cycle(1.05), State::manual, Influence::direct, 0.5, 0.0);
-    person.stick(1.1, -0.5F, 0.5F);
-    expect_intent(person.cycle(1.1), State::manual, Influence::direct, 0.125, -0.25);  // 0.5^2 * 0.5, -(0.5^2) * 1
-    person.stick(1.15, 0.0F, 0.0F);
-    expect_intent(person.cycle(1.15), State::autonomy, Influence::none, 0.0, 0.0);  // no HOLD
+    expect_manual(person.cycle_with_stick(1.1, -0.5F, 0.5F), 0.125, -0.25);  // 0.5^2 * 0.5, -(0.5^2) * 1
+    expect_autonomy(person.cycle_with_stick(1.15, 0.0F, 0.0F));              // no HOLD
   }
 }
 
 TEST(WithoutGoal, AlwaysGuarded) {
   Parameters p = in_mode(OperatorMode::switching);
   p.guard = Guard::none;
-  Person person(p);
-  person.machine.set_goalless(true);
-  EXPECT_TRUE(person.steer(1.0, 0.0F, 1.0F).guarded);
+  EXPECT_TRUE(Goalless(p).steer(1.0, 0.0F, 1.0F).guarded);
 }
 
 TEST(WithoutGoal, ModeOffDrivesNothing) {
-  Person person(in_mode(OperatorMode::off));
-  person.machine.set_goalless(true);
-  expect_intent(person.steer(1.0, 1.0F, 1.0F), State::autonomy, Influence::none, 0.0, 0.0);
+  expect_autonomy(Goalless(in_mode(OperatorMode::off)).steer(1.0, 1.0F, 1.0F));
 }
 
 // With a goal the stick's side alone counts again; a stick that is held forward then asks for nothing.
 TEST(WithoutGoal, AGoalComesWhileTheStickIsHeld) {
-  Person person(in_mode(OperatorMode::joystick));
-  person.machine.set_goalless(true);
+  Goalless person;
   person.steer(1.0, 0.0F, 1.0F);
   person.machine.set_goalless(false);
   EXPECT_EQ(person.cycle(1.1).state, State::autonomy);
-  person.stick(1.15, 1.0F, 1.0F);
-  expect_intent(person.cycle(1.15), State::shared, Influence::shared, 0.5, 1.0);
+  expect_shared(person.cycle_with_stick(1.15, 1.0F, 1.0F), 0.5, 1.0);
 }
 
-TEST(WithoutGoal, WhoSteersWhenAGoalEndsMustBeNeutralFirst) {
-  Person person(in_mode(OperatorMode::joystick));
-  EXPECT_EQ(person.steer(1.0).state, State::shared);
-  expect_neutral_first(person, 1.0F, 1.0F);
-}
-
-// With a goal a stick that is held straight forward asks for nothing; it does not drive on when the goal ends.
-TEST(WithoutGoal, AStickHeldForwardWhenAGoalEndsMustBeNeutralFirst) {
-  Person person(in_mode(OperatorMode::joystick));
-  person.stick(1.0, 0.0F);
-  person.stick(1.05, 0.0F, 1.0F);
-  EXPECT_EQ(person.cycle(1.05).state, State::autonomy);
-  expect_neutral_first(person, 0.0F, 1.0F);
+// The stick steers, or is held straight forward, which with a goal asks for nothing. It does not drive on when the goal
+// ends.
+TEST(WithoutGoal, AStickHeldWhenAGoalEndsMustBeNeutralFirst) {
+  for (const float angular : {1.0F, 0.0F}) {
+    Person person;
+    EXPECT_EQ(person.steer(1.0, angular, 1.0F).state, angular > 0.0F ? State::shared : State::autonomy);
+    person.machine.set_goalless(true);
+    person.stick(1.1, angular, 1.0F);
+    EXPECT_FALSE(person.machine.steers());
+    expect_autonomy(person.cycle(1.1));
+    EXPECT_EQ(person.steer(1.15, 0.0F, 1.0F).state, State::manual);
+  }
 }
 
 // Control is taken on the way to a goal: what was taken ends with it, and the next goal begins in AUTONOMY.
 TEST(WithoutGoal, ControlThatWasTakenEndsWithTheGoal) {
   Person person(in_mode(OperatorMode::switching));
-  person.stick(1.0, 0.0F);
-  person.cycle(1.0);
+  person.cycle_with_stick(1.0, 0.0F);
   person.machine.take_control(true);
   EXPECT_EQ(person.cycle(1.05).state, State::manual);
   person.machine.set_goalless(true);
@@ -101,35 +73,27 @@ TEST(WithoutGoal, ControlThatWasTakenEndsWithTheGoal) {
 }
 
 TEST(WithoutGoal, SilenceIsALossAndStops) {
-  Person person(in_mode(OperatorMode::joystick));
-  person.machine.set_goalless(true);
+  Goalless person;
   person.steer(1.0, 0.0F, 1.0F);
-  expect_intent(person.cycle(1.05 + person.p.input_timeout + 0.01), State::lost, Influence::stop, 0.0, 0.0);
+  expect_lost(person.cycle(1.05 + person.p.input_timeout + 0.01), Influence::stop);
   EXPECT_FALSE(person.machine.steers());
 }
 
 TEST(WithoutGoal, AStopOutranksTheStick) {
-  Person person(in_mode(OperatorMode::joystick));
-  person.machine.set_goalless(true);
+  Goalless person;
   person.steer(1.0, 0.0F, 1.0F);
   person.machine.stop(true);
-  expect_intent(person.cycle(1.1), State::stopped, Influence::stop, 0.0, 0.0);
+  expect_stopped(person.cycle(1.1));
 }
 
 // What was remembered before a cycle repeats it.
 TEST(WithoutGoal, ItIsRemembered) {
-  Person person(in_mode(OperatorMode::joystick)), other(in_mode(OperatorMode::joystick));
-  person.machine.set_goalless(true);
+  Goalless person;
   person.steer(1.0, 0.5F, 1.0F);
-  Bytes state;
-  ArchiveWriter write(state);
-  person.machine.save(write);
-  ArchiveReader read(state);
-  other.machine.load(read);
-  ASSERT_TRUE(read.complete());
-  expect_intent(other.machine.update(1.1), State::manual, Influence::direct, 0.5, 0.25);  // 1, 0.5^2
-  other.stick(1.15, 0.0F, 0.5F);
-  expect_intent(other.machine.update(1.15), State::manual, Influence::direct, 0.125, 0.0);
+  Person other;
+  load(other.machine, saved(person.machine));
+  expect_manual(other.machine.update(1.1), 0.5, 0.25);  // 1, 0.5^2
+  expect_manual(other.cycle_with_stick(1.15, 0.0F, 0.5F), 0.125, 0.0);
 }
 
 }  // namespace

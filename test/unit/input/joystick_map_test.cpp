@@ -10,32 +10,30 @@ namespace hidwa_local_planner::input {
 namespace {
 
 TEST(JoystickMap, PaperAtItsEdges) {
-  EXPECT_EQ(map_axis(0.0, 0.1, 2.0, 1.0), 0.0);
-  EXPECT_EQ(map_axis(0.1, 0.1, 2.0, 1.0), 0.0);  // |p| <= 0.1
-  EXPECT_EQ(map_axis(-0.1, 0.1, 2.0, 1.0), 0.0);
+  struct Row {
+    double deflection, dead_zone, exponent, maximum, mapped;
+  };
   const double above = std::nextafter(0.1, 1.0);
-  EXPECT_DOUBLE_EQ(map_axis(above, 0.1, 2.0, 1.0), 0.01);  // 0.1^2: the map jumps here
-  EXPECT_DOUBLE_EQ(map_axis(-above, 0.1, 2.0, 1.0), -0.01);
-  EXPECT_DOUBLE_EQ(map_axis(0.5, 0.1, 2.0, 1.0), 0.25);  // 0.5^2
-  EXPECT_DOUBLE_EQ(map_axis(-0.5, 0.1, 2.0, 1.0), -0.25);
-  EXPECT_EQ(map_axis(1.0, 0.1, 2.0, 1.0), 1.0);
-  EXPECT_EQ(map_axis(-1.0, 0.1, 2.0, 1.0), -1.0);
-}
-
-TEST(JoystickMap, MaximumAndExponent) {
-  EXPECT_DOUBLE_EQ(map_axis(0.5, 0.1, 2.0, 0.8), 0.2);     // 0.25 * 0.8
-  EXPECT_DOUBLE_EQ(map_axis(-0.5, 0.1, 3.0, 2.0), -0.25);  // -0.125 * 2
-  EXPECT_DOUBLE_EQ(map_axis(0.5, 0.1, 1.0, 1.0), 0.5);
-  EXPECT_EQ(map_axis(0.5, 0.6, 1.0, 1.0), 0.0);
-}
-
-TEST(JoystickMap, BeyondFullScaleIsFullScale) {
-  EXPECT_EQ(map_axis(1.00003, 0.1, 2.0, 1.0), 1.0);
-  EXPECT_EQ(map_axis(-7.0, 0.1, 2.0, 0.5), -0.5);
-}
-
-TEST(JoystickMap, NotANumberIsNoDeflection) {
-  EXPECT_EQ(map_axis(std::numeric_limits<double>::quiet_NaN(), 0.1, 2.0, 1.0), 0.0);
+  const double no_number = std::numeric_limits<double>::quiet_NaN();
+  const Row rows[] = {
+      {0.0, 0.1, 2.0, 1.0, 0.0},        // centred
+      {0.1, 0.1, 2.0, 1.0, 0.0},        // |p| <= 0.1
+      {above, 0.1, 2.0, 1.0, 0.01},     // 0.1^2: the map jumps here
+      {0.5, 0.1, 2.0, 1.0, 0.25},       // 0.5^2
+      {1.0, 0.1, 2.0, 1.0, 1.0},        // full scale
+      {0.5, 0.1, 2.0, 0.8, 0.2},        // 0.5^2 * 0.8
+      {0.5, 0.1, 3.0, 2.0, 0.25},       // 0.5^3 * 2
+      {0.5, 0.1, 1.0, 1.0, 0.5},        // 0.5^1
+      {0.5, 0.6, 1.0, 1.0, 0.0},        // |p| <= 0.6
+      {1.00003, 0.1, 2.0, 1.0, 1.0},    // beyond full scale is full scale
+      {7.0, 0.1, 2.0, 0.5, 0.5},        // however far
+      {no_number, 0.1, 2.0, 1.0, 0.0},  // no deflection
+  };
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.deflection);
+    EXPECT_DOUBLE_EQ(map_axis(row.deflection, row.dead_zone, row.exponent, row.maximum), row.mapped);
+    EXPECT_DOUBLE_EQ(map_axis(-row.deflection, row.dead_zone, row.exponent, row.maximum), -row.mapped);
+  }
 }
 
 }  // namespace

@@ -6,68 +6,42 @@
 namespace hidwa_local_planner::input {
 namespace {
 
-using State = OperatorStateId;
-
 TEST(LiveConfiguration, OffIsAutonomyAtOnceAndTakesNothing) {
   Person person;
   person.steer(1.0);
-  person.p.mode = OperatorMode::off;
-  person.machine.configure(person.p);
-  expect_intent(person.cycle(1.1), State::autonomy, Influence::none, 0.0, 0.0);
+  person.set_mode(OperatorMode::off);
+  expect_autonomy(person.cycle(1.1));
   EXPECT_EQ(person.stick(1.15, 1.0F), "");
   EXPECT_EQ(person.stick(1.15, 7.0F), "");  // nobody reads it
   EXPECT_EQ(person.machine.dropped(), 0U);
   EXPECT_EQ(person.cycle(1.15).state, State::autonomy);
 }
 
-TEST(LiveConfiguration, AnotherModeMustSeeTheStickCentred) {
-  Person person;
-  person.steer(1.0);
-  person.p.mode = OperatorMode::off;
-  person.machine.configure(person.p);
-  person.p.mode = OperatorMode::joystick;
-  person.machine.configure(person.p);
-  person.stick(1.1, 1.0F);
-  EXPECT_EQ(person.cycle(1.1).state, State::autonomy);
-  person.stick(1.15, 0.0F);
-  person.stick(1.2, 1.0F);
-  EXPECT_EQ(person.cycle(1.2).state, State::shared);
-}
-
 TEST(LiveConfiguration, AnyModeChangeWhileSteeringIsAutonomyAndNeedsNeutral) {
   for (const OperatorMode mode : {OperatorMode::off, OperatorMode::gesture, OperatorMode::switching}) {
     Person person;
     person.steer(1.0);
-    person.p.mode = mode;
-    person.machine.configure(person.p);
-    expect_intent(person.cycle(1.1), State::autonomy, Influence::none, 0.0, 0.0);
-    person.p.mode = OperatorMode::joystick;
-    person.machine.configure(person.p);
-    person.stick(1.15, 1.0F);
-    expect_intent(person.cycle(1.15), State::autonomy, Influence::none, 0.0, 0.0);
-    person.steer(1.2);
-    EXPECT_EQ(person.machine.state(), State::shared);
+    person.set_mode(mode);
+    expect_autonomy(person.cycle(1.1));
+    person.set_mode(OperatorMode::joystick);
+    expect_autonomy(person.cycle_with_stick(1.15, 1.0F));
+    EXPECT_EQ(person.steer(1.2).state, State::shared);
   }
 }
 
 TEST(LiveConfiguration, AnotherModeLeavesNoHold) {
   Person person;
   person.steer(1.0);
-  person.stick(1.1, 0.0F);
-  EXPECT_EQ(person.cycle(1.1).state, State::hold);
-  person.p.mode = OperatorMode::gesture;
-  person.machine.configure(person.p);
+  EXPECT_EQ(person.cycle_with_stick(1.1, 0.0F).state, State::hold);
+  person.set_mode(OperatorMode::gesture);
   EXPECT_EQ(person.cycle(1.15).state, State::autonomy);
 }
 
 TEST(LiveConfiguration, LostEndsWithTheMode) {
-  Parameters p;
-  p.on_input_lost = OnInputLost::stop;
-  Person person(p);
+  Person person(with_policy(OnInputLost::stop));
   person.steer(1.0);
   EXPECT_EQ(person.cycle(1.6).influence, Influence::stop);
-  person.p.mode = OperatorMode::off;
-  person.machine.configure(person.p);
+  person.set_mode(OperatorMode::off);
   EXPECT_EQ(person.cycle(1.65).influence, Influence::none);
 }
 
@@ -77,24 +51,23 @@ TEST(LiveConfiguration, TuningDoesNotInterruptSteering) {
   person.p.max_vel_x = 0.4;
   person.p.max_vel_theta = 2.0;
   person.p.s_omega = 400.0;
-  person.machine.configure(person.p);
-  expect_intent(person.cycle(1.1), State::shared, Influence::shared, 0.4,
-                0.5);  // 0.5^2 * 2, without a new message
+  person.configure();
+  expect_shared(person.cycle(1.1), 0.4, 0.5);  // 0.5^2 * 2, without a new message
 }
 
 TEST(LiveConfiguration, TheLinearPolicyChangesWhileSteering) {
   Person person;
   person.steer(1.0, 1.0F, 0.5F);
   person.p.linear = LinearPolicy::axis;
-  person.machine.configure(person.p);
-  expect_intent(person.cycle(1.1), State::shared, Influence::shared, 0.125, 1.0);  // 0.5^2 * 0.5
+  person.configure();
+  expect_shared(person.cycle(1.1), 0.125, 1.0);  // 0.5^2 * 0.5
 }
 
 TEST(LiveConfiguration, AWiderDeadZoneReleases) {
   Person person;
   person.steer(1.0, 0.5F);
   person.p.dead_zone = 0.6;
-  person.machine.configure(person.p);
+  person.configure();
   EXPECT_EQ(person.cycle(1.1).state, State::hold);
 }
 
@@ -102,22 +75,18 @@ TEST(LiveConfiguration, AnotherAxisMustBeSeenCentred) {
   Person person;
   person.steer(1.0);
   person.p.axis_angular = {1};
-  person.machine.configure(person.p);
+  person.configure();
   EXPECT_EQ(person.cycle(1.1).state, State::hold);
-  person.stick(1.15, 0.0F, 1.0F);
-  EXPECT_EQ(person.cycle(1.15).state, State::hold);
-  person.stick(1.2, 0.0F, 0.0F);
-  person.stick(1.25, 0.0F, 1.0F);
-  EXPECT_EQ(person.cycle(1.25).state, State::shared);
+  EXPECT_EQ(person.cycle_with_stick(1.15, 0.0F, 1.0F).state, State::hold);
+  EXPECT_EQ(person.steer(1.2, 0.0F, 1.0F).state, State::shared);
 }
 
 TEST(LiveConfiguration, AnotherTopicMustBeSeenCentred) {
   Person person;
   person.steer(1.0);
   person.p.joy_topic = "other_joy";
-  person.machine.configure(person.p);
-  person.stick(1.1, 1.0F);
-  EXPECT_EQ(person.cycle(1.1).state, State::hold);
+  person.configure();
+  EXPECT_EQ(person.cycle_with_stick(1.1, 1.0F).state, State::hold);
 }
 
 TEST(LiveConfiguration, DeltaChangesDuringHold) {
@@ -126,7 +95,7 @@ TEST(LiveConfiguration, DeltaChangesDuringHold) {
   person.stick(1.1, 0.0F);
   EXPECT_EQ(person.cycle(1.5).state, State::hold);
   person.p.delta = 0.4;
-  person.machine.configure(person.p);
+  person.configure();
   EXPECT_EQ(person.cycle(1.55).state, State::autonomy);
 }
 
@@ -137,8 +106,8 @@ TEST(LiveConfiguration, TheTimeoutChangesWhileSilent) {
   person.steer(1.0);
   EXPECT_EQ(person.cycle(10.0).state, State::shared);
   person.p.input_timeout = 0.5;
-  person.machine.configure(person.p);
-  expect_intent(person.cycle(10.05), State::lost, Influence::none, 0.0, 0.0);
+  person.configure();
+  expect_lost(person.cycle(10.05), Influence::none);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // A device that this package does not know, driven through the machine: all that is not the device's own meaning of a
 // message follows the same rules as for a stick.
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -11,8 +12,6 @@
 
 namespace hidwa_local_planner::input {
 namespace {
-
-using State = OperatorStateId;
 
 struct WheelMessage : OperatorMessage {
   double turn = 0.0;   // in [-1, 1], left positive
@@ -64,12 +63,6 @@ class Wheel : public SourceOf<WheelMessage, WheelState> {
   }
 };
 
-Sources with_wheel() {
-  Sources sources = built_in_sources();
-  sources.push_back(std::make_unique<Wheel>());
-  return sources;
-}
-
 WheelMessage turned(double received, double turn) {
   WheelMessage message;
   message.turn = turn;
@@ -77,40 +70,37 @@ WheelMessage turned(double received, double turn) {
   return message;
 }
 
-/// A machine that knows the wheel, and its driver.
-struct Driver {
-  explicit Driver(const Parameters& parameters = Parameters()) : p(parameters) {
-    Sources sources = with_wheel();
+WheelMessage pressed(double received) {
+  WheelMessage message = turned(received, 0.0);
+  message.press = true;
+  return message;
+}
+
+/// A person whose machine knows the wheel.
+struct Driver : Person {
+  explicit Driver(const Parameters& parameters = Parameters()) : Person(parameters) {
+    Sources sources = built_in_sources();
+    sources.push_back(std::make_unique<Wheel>());
     wheel = static_cast<Wheel*>(sources.back().get());
-    machine = std::make_unique<OperatorStateMachine>(std::move(sources));
-    machine->configure(p);
+    machine = OperatorStateMachine(std::move(sources));
+    configure();
   }
-  std::string turn(double time, double turn) { return machine->receive(turned(time, turn)); }
-  OperatorIntent cycle(double time) {
-    const OperatorIntent intent = machine->update(time);
-    machine->debrief(time, {});
-    return intent;
-  }
+  OperatorIntent cycle_with_turn(double time, double turn) { return cycle_with(turned(time, turn)); }
   /// Neutral at `time`, turned 0.05 s later, one cycle.
-  OperatorIntent steer(double time, double to = 0.5) {
-    turn(time, 0.0);
-    turn(time + 0.05, to);
-    return cycle(time + 0.05);
+  OperatorIntent steer(double time) {
+    machine.receive(turned(time, 0.0));
+    return cycle_with_turn(time + 0.05, 0.5);
   }
 
-  Parameters p;  // max_vel_x 0.5, max_vel_theta 1, input_timeout 0.5 s, delta 2 s
   Wheel* wheel = nullptr;
-  std::unique_ptr<OperatorStateMachine> machine;
 };
 
 TEST(OperatorSource, SteersSharedControlAndIsLetGo) {
   Driver driver;
-  driver.turn(1.0, 0.5);
-  EXPECT_EQ(driver.cycle(1.0).state, State::autonomy);  // not seen neutral yet
-  EXPECT_NE(driver.machine->advice().find("require_neutral"), std::string::npos);
-  expect_intent(driver.steer(1.1), State::shared, Influence::shared, 0.5, 0.5);
-  driver.turn(1.2, 0.0);
-  expect_intent(driver.cycle(1.2), State::hold, Influence::shared, 0.5, 0.0);
+  EXPECT_EQ(driver.cycle_with_turn(1.0, 0.5).state, State::autonomy);  // not seen neutral yet
+  EXPECT_TRUE(says(driver.machine.advice(), "require_neutral"));
+  expect_shared(driver.steer(1.1), 0.5, 0.5);
+  expect_hold(driver.cycle_with_turn(1.2, 0.0), 0.5);
   EXPECT_EQ(driver.cycle(3.2).state, State::autonomy);  // delta
 }
 
@@ -119,23 +109,21 @@ TEST(OperatorSource, TakesNewParametersWithoutAnInterruption) {
   Driver driver;
   driver.steer(1.0);
   driver.p.max_vel_theta = 2.0;
-  driver.machine->configure(driver.p);
-  expect_intent(driver.cycle(1.1), State::shared, Influence::shared, 0.5, 1.0);
+  driver.configure();
+  expect_shared(driver.cycle(1.1), 0.5, 1.0);
   driver.p.exponent = 3.0;  // another mapping, as this device has it
-  driver.machine->configure(driver.p);
-  driver.turn(1.2, 0.5);
-  EXPECT_EQ(driver.cycle(1.2).state, State::hold);
+  driver.configure();
+  EXPECT_EQ(driver.cycle_with_turn(1.2, 0.5).state, State::hold);
   EXPECT_EQ(driver.wheel->losses, 1);
 }
 
 TEST(OperatorSource, TheLastInTheListThatCanSteerDoes) {
   Driver driver;
-  driver.machine->receive(stick_at(1.0, 0.0F));
-  driver.machine->receive(stick_at(1.05, 1.0F));
-  EXPECT_EQ(driver.cycle(1.05).state, State::autonomy);
+  driver.stick(1.0, 0.0F);
+  EXPECT_EQ(driver.cycle_with_stick(1.05, 1.0F).state, State::autonomy);
   EXPECT_EQ(driver.steer(1.1).state, State::shared);
-  driver.machine->receive(stick_at(1.2, 0.0F));  // the stick's being neutral releases nothing
-  EXPECT_EQ(driver.cycle(1.2).state, State::shared);
+  // The stick's being neutral releases nothing.
+  EXPECT_EQ(driver.cycle_with_stick(1.2, 0.0F).state, State::shared);
 
   Person person;
   EXPECT_EQ(person.machine.receive(turned(1.0, 7.0)), "");  // nobody knows this kind
@@ -143,52 +131,29 @@ TEST(OperatorSource, TheLastInTheListThatCanSteerDoes) {
 }
 
 TEST(OperatorSource, TakesControlAndGivesItBack) {
-  Parameters p;
-  p.mode = OperatorMode::switching;
-  Driver driver(p);
-  driver.turn(1.0, 0.0);
-  EXPECT_EQ(driver.cycle(1.0).state, State::autonomy);
-  WheelMessage press = turned(1.1, 0.0);
-  press.press = true;
-  driver.machine->receive(press);  // at once after a silence: the link may have held it back
-  EXPECT_EQ(driver.cycle(1.1).state, State::autonomy);
-  driver.turn(1.25, 0.0);
-  press.received = 1.3;
-  driver.machine->receive(press);
-  EXPECT_EQ(driver.cycle(1.3).state, State::manual);
-  driver.turn(1.35, -1.0);
-  expect_intent(driver.cycle(1.35), State::manual, Influence::direct, 0.5, -1.0);
-  press.received = 1.4;
-  driver.machine->receive(press);
-  EXPECT_EQ(driver.cycle(1.4).state, State::autonomy);
+  Driver driver(in_mode(OperatorMode::switching));
+  EXPECT_EQ(driver.cycle_with_turn(1.0, 0.0).state, State::autonomy);
+  // At once after a silence the link may have held the press back.
+  EXPECT_EQ(driver.cycle_with(pressed(1.1)).state, State::autonomy);
+  driver.machine.receive(turned(1.25, 0.0));
+  EXPECT_EQ(driver.cycle_with(pressed(1.3)).state, State::manual);
+  expect_manual(driver.cycle_with_turn(1.35, -1.0), 0.5, -1.0);
+  EXPECT_EQ(driver.cycle_with(pressed(1.4)).state, State::autonomy);
 }
 
 TEST(OperatorSource, StopsAtOnceAndLetsGoStrictly) {
   Driver driver;
   driver.steer(1.0);
-  WheelMessage stop = turned(1.1, 9.0);  // faulty elsewhere
-  stop.sender = "/wheel";
+  WheelMessage stop = from("/wheel", turned(1.1, 9.0));  // faulty elsewhere
   stop.stop = true;
-  EXPECT_EQ(driver.machine->receive(stop), "turn is outside [-1, 1]");
-  expect_intent(driver.cycle(1.1), State::stopped, Influence::stop, 0.0, 0.0);
-
-  stop.stop = false;
-  stop.received = 1.2;
-  driver.machine->receive(stop);  // still faulty: it lets go of nothing
-  EXPECT_EQ(driver.cycle(1.2).state, State::stopped);
-  WheelMessage other = turned(1.3, 0.0);
-  other.sender = "/other_wheel";
-  driver.machine->receive(other);
-  EXPECT_EQ(driver.cycle(1.3).state, State::stopped);
-  StickMessage stick = stick_at(1.35, 0.0F);
-  stick.sender = "/wheel";  // one node with two devices
-  driver.machine->receive(stick);
-  EXPECT_EQ(driver.cycle(1.35).state, State::stopped);
-  EXPECT_EQ(driver.cycle(9.0).state, State::stopped);  // nor does silence
-  stop.turn = 0.0;
-  stop.received = 9.1;
-  EXPECT_EQ(driver.machine->receive(stop), "");
-  EXPECT_EQ(driver.cycle(9.1).state, State::autonomy);
+  expect_stopped(driver.cycle_with(stop));
+  EXPECT_TRUE(says(driver.machine.advice(), "turn is outside [-1, 1]"));
+  // What is still faulty lets go of nothing; nor does another wheel, another device of the same node, or silence.
+  expect_stopped(driver.cycle_with(from("/wheel", turned(1.2, 9.0))));
+  expect_stopped(driver.cycle_with(from("/other_wheel", turned(1.3, 0.0))));
+  expect_stopped(driver.cycle_with(from("/wheel", stick_at(1.35, 0.0F))));
+  expect_stopped(driver.cycle(9.0));
+  EXPECT_EQ(driver.cycle_with(from("/wheel", turned(9.1, 0.0))).state, State::autonomy);
 }
 
 TEST(OperatorSource, DiesAndComesBack) {
@@ -197,11 +162,10 @@ TEST(OperatorSource, DiesAndComesBack) {
   EXPECT_EQ(driver.cycle(1.55).state, State::shared);  // 0.5 s after the last message
   EXPECT_EQ(driver.cycle(1.56).state, State::lost);
   EXPECT_EQ(driver.wheel->losses, 1);
-  EXPECT_NE(driver.machine->advice().find("fell silent"), std::string::npos);
-  driver.turn(2.0, 0.5);
-  EXPECT_EQ(driver.cycle(2.0).state, State::lost);  // to be seen neutral
+  EXPECT_TRUE(says(driver.machine.advice(), "fell silent"));
+  EXPECT_EQ(driver.cycle_with_turn(2.0, 0.5).state, State::lost);  // to be seen neutral
   EXPECT_EQ(driver.steer(2.1).state, State::shared);
-  EXPECT_NEAR(driver.machine->input_age(2.25), 0.1, 1e-9);
+  EXPECT_NEAR(driver.machine.input_age(2.25), 0.1, 1e-9);
 }
 
 // A part of the device that is silent ends the input before the whole device is.
@@ -210,43 +174,27 @@ TEST(OperatorSource, MaySayThatItIsGone) {
   driver.steer(1.0);
   WheelMessage message = turned(1.1, 0.5);
   message.one_handed = true;
-  driver.machine->receive(message);
-  EXPECT_EQ(driver.cycle(1.1).state, State::lost);
-  EXPECT_NE(driver.machine->advice().find("Put both hands on the wheel."), std::string::npos);
+  EXPECT_EQ(driver.cycle_with(message).state, State::lost);
+  EXPECT_TRUE(says(driver.machine.advice(), "Put both hands on the wheel."));
 }
 
 TEST(OperatorSource, LateAndFaultyMessagesAreDroppedAndNamed) {
   Driver driver;
-  const auto send = [&driver](double time, double lag, double turn) {
-    WheelMessage message = turned(time, turn);
-    message.stamp = time - lag;
-    return driver.machine->receive(message);
-  };
-  EXPECT_EQ(send(1.0, 0.0, 0.0), "");
-  EXPECT_EQ(send(1.05, 0.0, 0.5), "");
-  EXPECT_EQ(driver.cycle(1.05).state, State::shared);
-  const std::string late = send(1.1, 0.6, -0.5);  // input_timeout is 0.5 s
-  EXPECT_NE(late.find("0.6 s later than the link needs at best"), std::string::npos) << late;
-  expect_intent(driver.cycle(1.1), State::shared, Influence::shared, 0.5, 0.5);
-  EXPECT_NE(send(1.15, 0.0, 2.0), "");
-  EXPECT_EQ(driver.machine->dropped(), 2U);
-  EXPECT_NE(driver.machine->advice().find("dropped: turn is outside [-1, 1]"), std::string::npos);
-  EXPECT_EQ(send(1.2, 0.0, 0.5), "");
-  EXPECT_EQ(driver.machine->advice(), "");
-}
-
-TEST(OperatorSource, AnotherSenderMustBeSeenNeutral) {
-  Driver driver;
-  driver.steer(1.0);
-  WheelMessage message = turned(1.1, 0.5);
-  message.sender = "/other_wheel";
-  driver.machine->receive(message);
-  EXPECT_EQ(driver.cycle(1.1).state, State::hold);
+  driver.machine.receive(stamped(1.0, turned(1.0, 0.0)));
+  EXPECT_EQ(driver.cycle_with(stamped(1.05, turned(1.05, 0.5))).state, State::shared);
+  // 0.6 s late, and input_timeout is 0.5 s.
+  EXPECT_TRUE(says(driver.machine.receive(stamped(0.5, turned(1.1, -0.5))), "0.6 s later than the link needs at best"));
+  expect_shared(driver.cycle(1.1), 0.5, 0.5);
+  EXPECT_NE(driver.machine.receive(stamped(1.15, turned(1.15, 2.0))), "");
+  EXPECT_EQ(driver.machine.dropped(), 2U);
+  EXPECT_TRUE(says(driver.machine.advice(), "dropped: turn is outside [-1, 1]"));
+  EXPECT_EQ(driver.machine.receive(stamped(1.2, turned(1.2, 0.5))), "");
+  EXPECT_EQ(driver.machine.advice(), "");
 }
 
 TEST(OperatorSource, LearnsOfThePlannersOwnPauses) {
   Driver driver;
-  driver.machine->heartbeat(1.0);
+  driver.machine.heartbeat(1.0);
   driver.steer(1.0);
   EXPECT_EQ(driver.cycle(1.65).state, State::shared);  // nothing was at work for 0.6 s
   EXPECT_DOUBLE_EQ(driver.wheel->pauses, 1.65 - 1.05);
@@ -254,34 +202,20 @@ TEST(OperatorSource, LearnsOfThePlannersOwnPauses) {
 
 // Records of before a device was added stay readable, and the other way round.
 TEST(OperatorSource, IsSavedByItsName) {
-  Driver driver;
+  Driver driver, other;
   driver.steer(1.0);
-  Bytes bytes;
-  ArchiveWriter write(bytes);
-  driver.machine->save(write);
-
-  Driver other;
-  ArchiveReader read(bytes);
-  other.machine->load(read);
-  EXPECT_TRUE(read.complete());
+  load(other.machine, saved(driver.machine));
   other.p.max_vel_theta = 2.0;
-  other.machine->configure(other.p);  // asks the source for its command
-  expect_intent(other.cycle(1.1), State::shared, Influence::shared, 0.5, 1.0);
+  other.configure();  // asks the source for its command
+  expect_shared(other.cycle(1.1), 0.5, 1.0);
 
-  OperatorStateMachine without;
-  ArchiveReader again(bytes);
-  without.load(again);
-  EXPECT_TRUE(again.complete());
-  expect_intent(without.update(1.1), State::shared, Influence::shared, 0.5, 0.5);
+  Person without;
+  load(without.machine, saved(driver.machine));
+  expect_shared(without.cycle(1.1), 0.5, 0.5);
 
-  Bytes of_stick;
-  ArchiveWriter write_stick(of_stick);
-  Person person;
-  person.steer(1.0);
-  person.machine.save(write_stick);
-  ArchiveReader read_stick(of_stick);
-  driver.machine->load(read_stick);
-  EXPECT_TRUE(read_stick.complete());
+  Person by_stick;
+  by_stick.steer(1.0);
+  load(driver.machine, saved(by_stick.machine));
   EXPECT_FALSE(driver.wheel->command().active);  // as at the start
 }
 
@@ -297,7 +231,7 @@ TEST(OperatorSource, WhoSubscribesIsToldWhatEachModeListensTo) {
   };
   Parameters p;
   EXPECT_EQ(described(p), "stick! joy; ");
-  p.mode = OperatorMode::gesture;
+  p = in_mode(OperatorMode::gesture);
   EXPECT_EQ(described(p), "stick joy; hand! hand_pose; ");
   p.twist_topic = "keys";
   EXPECT_EQ(described(p), "stick joy; hand! hand_pose; ");

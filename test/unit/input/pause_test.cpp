@@ -9,7 +9,6 @@
 namespace hidwa_local_planner::input {
 namespace {
 
-using State = OperatorStateId;
 constexpr double kPeriod = 0.05;  // of cycles, messages and the listener's words [s]
 
 /// Cycles, a listener and a stick, all at 20 Hz, but where one is cut.
@@ -28,7 +27,15 @@ struct Planner : Person {
     }
     return machine.state();
   }
+  /// Nothing is at work for `seconds`, until a cycle.
+  State wake_after(double seconds) { return cycle(now += seconds).state; }
+
   double now = 100.0;  // [s]
+};
+
+/// The stick has been deflected for a second.
+struct Steering : Planner {
+  Steering() { EXPECT_EQ(run(1.0, 1.0F), State::shared); }
 };
 
 TEST(PauseDetector, TellsOfWhatAnybodyNotices) {
@@ -36,20 +43,19 @@ TEST(PauseDetector, TellsOfWhatAnybodyNotices) {
   pauses.report(0.29, 10.0);
   EXPECT_EQ(pauses.advice(10.0), "");
   pauses.report(0.3, 10.0);
-  EXPECT_NE(pauses.advice(10.0).find("paused for 0.3 s"), std::string::npos);
+  EXPECT_TRUE(says(pauses.advice(10.0), "paused for 0.3 s"));
   EXPECT_NE(pauses.advice(19.99), "");
   EXPECT_EQ(pauses.advice(20.0), "");  // told of for 10 s
 }
 
 TEST(Pause, IsNoSilenceWhoWakesUpFirst) {
   for (const bool message_first : {true, false}) {
-    Planner planner;
-    ASSERT_EQ(planner.run(1.0, 1.0F), State::shared);
+    Steering planner;
     planner.now += 0.62;  // more than input_timeout
     EXPECT_TRUE(planner.machine.paused_since_last_cycle(planner.now));
     if (message_first) planner.stick(planner.now, 1.0F);
     EXPECT_TRUE(planner.machine.paused_since_last_cycle(planner.now));
-    expect_intent(planner.cycle(planner.now), State::shared, Influence::shared, 0.5, 1.0);
+    expect_shared(planner.cycle(planner.now), 0.5, 1.0);
     EXPECT_FALSE(planner.machine.paused_since_last_cycle(planner.now));
     EXPECT_EQ(planner.run(0.5, 1.0F), State::shared);
   }
@@ -57,24 +63,19 @@ TEST(Pause, IsNoSilenceWhoWakesUpFirst) {
 
 TEST(Pause, OfAMinuteTooInEveryModeWithAStick) {
   for (const OperatorMode mode : {OperatorMode::joystick, OperatorMode::switching}) {
-    Parameters p;
-    p.mode = mode;
-    Planner planner(p);
+    Planner planner(in_mode(mode));
     planner.machine.take_control(true);
     const State before = planner.run(1.0, 1.0F);
     EXPECT_EQ(before, mode == OperatorMode::switching ? State::manual : State::shared);
-    planner.now += 52.0;
-    EXPECT_EQ(planner.cycle(planner.now).state, before);
+    EXPECT_EQ(planner.wake_after(52.0), before);
     EXPECT_EQ(planner.run(0.5, 1.0F), before);
   }
 }
 
 // Who is silent after it is lost after input_timeout of cycles.
 TEST(Pause, DoesNotKeepADeadDeviceAlive) {
-  Planner planner;
-  planner.run(1.0, 1.0F);
-  planner.now += 2.0;
-  planner.cycle(planner.now);
+  Steering planner;
+  planner.wake_after(2.0);
   EXPECT_EQ(planner.run(0.45, 1.0F, false), State::shared);  // 0.45 s
   EXPECT_EQ(planner.run(0.1, 1.0F, false), State::lost);     // 0.55 s
   EXPECT_FALSE(planner.machine.lost_by_pauses(planner.now));
@@ -83,53 +84,26 @@ TEST(Pause, DoesNotKeepADeadDeviceAlive) {
 
 // Only the longest pause since the last message is excused, so that pauses without end keep nothing alive.
 TEST(Pause, AfterPauseWithoutAMessageIsALossButOfOurOwn) {
-  Planner planner;
-  planner.run(1.0, 1.0F);
-  planner.now += 0.3;
-  EXPECT_EQ(planner.cycle(planner.now).state, State::shared);
-  planner.now += 0.4;
-  EXPECT_EQ(planner.cycle(planner.now).state, State::shared);  // 0.7 - 0.4 = 0.3 s of silence
-  planner.now += 0.4;
-  EXPECT_EQ(planner.cycle(planner.now).state, State::lost);  // 1.1 - 0.4 = 0.7 s
+  Steering planner;
+  EXPECT_EQ(planner.wake_after(0.3), State::shared);
+  EXPECT_EQ(planner.wake_after(0.4), State::shared);  // 0.7 - 0.4 = 0.3 s of silence
+  EXPECT_EQ(planner.wake_after(0.4), State::lost);    // 1.1 - 0.4 = 0.7 s
   EXPECT_TRUE(planner.machine.lost_by_pauses(planner.now));
   EXPECT_EQ(planner.run(kPeriod, 1.0F), State::shared);  // no neutral
   EXPECT_FALSE(planner.machine.lost_by_pauses(planner.now));
 }
 
-TEST(Pause, AndALossOfTheLinkAfterItNeedsANeutral) {
-  Planner planner;
-  planner.run(1.0, 1.0F);
-  planner.now += 0.4;
-  planner.cycle(planner.now);
-  EXPECT_EQ(planner.run(0.6, 1.0F, false), State::lost);
-  EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);
-  planner.now += 0.4;  // another one, while it is waited for the neutral
-  planner.cycle(planner.now);
-  EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);
-  planner.run(kPeriod, 0.0F);
-  EXPECT_EQ(planner.run(kPeriod, 1.0F), State::shared);
-}
-
 // The host drove by itself, or nobody had a goal: messages could be heard all the time, and none came.
 TEST(Pause, OfTheCyclesAloneIsNone) {
-  Planner planner;
-  planner.run(1.0, 1.0F);
+  Steering planner;
   planner.run(1.0, 1.0F, false, false);
   EXPECT_EQ(planner.cycle(planner.now).state, State::lost);
   EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);
 }
 
-TEST(Pause, OfTheListenerAloneIsNone) {
-  Planner planner;
-  planner.run(1.0, 1.0F);
-  for (int i = 0; i < 20; ++i) planner.cycle(planner.now += kPeriod);
-  EXPECT_EQ(planner.machine.state(), State::lost);
-}
-
 // A listener that hangs for ever, and a host so slow that each of its cycles looks like a pause.
 TEST(Pause, OfAListenerThatHangsKeepsNothingAlive) {
-  Planner planner;
-  planner.run(1.0, 1.0F);
+  Steering planner;
   const double heard = planner.now;
   State state = State::shared;
   while (state == State::shared && planner.now < heard + 10.0) state = planner.cycle(planner.now += 0.2).state;
@@ -138,22 +112,18 @@ TEST(Pause, OfAListenerThatHangsKeepsNothingAlive) {
 }
 
 TEST(Pause, IsNamedInsteadOfTheLink) {
-  Planner planner;
-  planner.run(1.0, 1.0F);
-  planner.now += 0.62;
-  planner.cycle(planner.now);
+  Steering planner;
+  planner.wake_after(0.62);
   const std::string advice = planner.machine.advice();
-  EXPECT_NE(advice.find("The planner itself was paused for 0.62 s"), std::string::npos) << advice;
-  EXPECT_EQ(advice.find("link"), std::string::npos) << advice;
-  EXPECT_EQ(advice.find("fell silent"), std::string::npos) << advice;
+  EXPECT_TRUE(says(advice, "The planner itself was paused for 0.62 s")) << advice;
+  EXPECT_FALSE(says(advice, "link")) << advice;
+  EXPECT_FALSE(says(advice, "fell silent")) << advice;
   planner.run(11.0, 1.0F);
   EXPECT_EQ(planner.machine.advice(), "");
 }
 
 TEST(Pause, OfAHandAndItsClutch) {
-  Parameters p;
-  p.mode = OperatorMode::gesture;
-  Person person(p);
+  Person person(in_mode(OperatorMode::gesture));
   double now = 100.0;
   const auto step = [&](double seconds, bool held, double y) {
     now += seconds;
@@ -170,23 +140,16 @@ TEST(Pause, OfAHandAndItsClutch) {
 }
 
 TEST(Pause, IsKeptByAnArchive) {
-  Planner planner;
-  planner.run(1.0, 1.0F);
-  planner.now += 0.3;
-  planner.cycle(planner.now);
-  Bytes bytes;
-  ArchiveWriter write(bytes);
-  planner.machine.save(write);
-  OperatorStateMachine other;
-  other.configure(planner.p);
-  ArchiveReader read(bytes);
-  other.load(read);
-  EXPECT_TRUE(read.complete());
+  Steering planner;
+  planner.wake_after(0.3);
+  Person other(planner.p);
+  load(other.machine, saved(planner.machine));
   for (const double later : {0.4, 0.8}) {
-    EXPECT_EQ(other.update(planner.now + later).state, planner.machine.update(planner.now + later).state) << later;
-    EXPECT_EQ(other.lost_by_pauses(planner.now + later), planner.machine.lost_by_pauses(planner.now + later));
+    EXPECT_EQ(other.machine.update(planner.now + later).state, planner.machine.update(planner.now + later).state)
+        << later;
+    EXPECT_EQ(other.machine.lost_by_pauses(planner.now + later), planner.machine.lost_by_pauses(planner.now + later));
   }
-  EXPECT_EQ(other.state(), State::lost);
+  EXPECT_EQ(other.machine.state(), State::lost);
 }
 
 }  // namespace

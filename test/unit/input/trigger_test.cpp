@@ -9,8 +9,6 @@
 namespace hidwa_local_planner::input {
 namespace {
 
-using State = OperatorStateId;
-
 Parameters by_axis(double rest, int sign) {
   Parameters p;  // max_vel_x 0.5, exponent 2
   p.linear = LinearPolicy::axis;
@@ -24,16 +22,12 @@ TEST(Trigger, WithItsRestItGivesTheSpeedFromItsRest) {
   for (const double rest : {1.0, -1.0}) {
     const auto end = static_cast<float>(rest);
     Person person(by_axis(rest, rest > 0.0 ? -1 : 1));
-    person.stick(1.0, 0.0F, 0.0F);  // not touched yet
-    EXPECT_EQ(person.cycle(1.0).state, State::autonomy);
-    person.stick(1.05, 0.0F, end);
-    EXPECT_EQ(person.cycle(1.05).state, State::autonomy);
-    person.stick(1.1, 0.0F, -end);
-    expect_intent(person.cycle(1.1), State::shared, Influence::shared, 0.5, 0.0);
-    person.stick(1.15, 0.0F, 0.0F);  // half pressed: it has moved, so that 0 is 0 now
-    expect_intent(person.cycle(1.15), State::shared, Influence::shared, 0.125, 0.0);
-    person.stick(1.2, 0.0F, end);
-    EXPECT_EQ(person.cycle(1.2).state, State::hold);
+    EXPECT_EQ(person.cycle_with_stick(1.0, 0.0F, 0.0F).state, State::autonomy);  // not touched yet
+    EXPECT_EQ(person.cycle_with_stick(1.05, 0.0F, end).state, State::autonomy);
+    expect_shared(person.cycle_with_stick(1.1, 0.0F, -end), 0.5, 0.0);
+    // Half pressed: it has moved, so that 0 is 0 now.
+    expect_shared(person.cycle_with_stick(1.15, 0.0F, 0.0F), 0.125, 0.0);
+    EXPECT_EQ(person.cycle_with_stick(1.2, 0.0F, end).state, State::hold);
     EXPECT_EQ(person.machine.advice(), "");
   }
 }
@@ -43,10 +37,8 @@ TEST(Trigger, WithItsRestItGivesTheSpeedFromItsRest) {
 TEST(Trigger, AnyRestCanBeGiven) {
   Person person(by_axis(0.15, 1));
   person.stick(1.0, 0.0F, 0.15F);
-  person.stick(1.05, 0.0F, 0.725F);
-  EXPECT_NEAR(person.cycle(1.05).u_h.v, 0.125, 1e-6);
-  person.stick(1.1, 0.0F, 0.15F);
-  EXPECT_EQ(person.cycle(1.1).state, State::hold);
+  EXPECT_NEAR(person.cycle_with_stick(1.05, 0.0F, 0.725F).u_h.v, 0.125, 1e-6);
+  EXPECT_EQ(person.cycle_with_stick(1.1, 0.0F, 0.15F).state, State::hold);
 }
 
 /// A device with six axes, whose speed axis is one that no stick has.
@@ -67,41 +59,34 @@ TEST(Trigger, WithoutItsRestItIsAskedForItsCentre) {
   Person person(by_trigger());
   for (int i = 0; i < 20; ++i) person.machine.receive(pad_at(1.0 + 0.05 * i, 0.0F, 0.0F));
   for (int i = 0; i < 100; ++i) {
-    const double time = 2.0 + 0.05 * i;
-    person.machine.receive(pad_at(time, 0.0F, 1.0F));
-    ASSERT_EQ(person.cycle(time).state, State::autonomy) << time;
+    ASSERT_EQ(person.cycle_with(pad_at(2.0 + 0.05 * i, 0.0F, 1.0F)).state, State::autonomy) << i;
   }
-  EXPECT_NE(person.machine.advice().find("axes[5] led to its end 1"), std::string::npos) << person.machine.advice();
-  EXPECT_NE(person.machine.advice().find("axis_linear_rest to 1"), std::string::npos);
+  for (const char* part : {"axes[5] led to its end 1", "axis_linear_rest to 1"}) {
+    EXPECT_TRUE(says(person.machine.advice(), part)) << person.machine.advice();
+  }
   float value = 1.0F;  // pressed and let go, through its centre; beyond -0.8 it would be a pull
   for (int i = 0; i <= 34; ++i, value -= i < 17 ? 0.1F : -0.1F) {
-    person.machine.receive(pad_at(7.0 + 0.05 * i, 0.0F, value));
-    ASSERT_EQ(person.cycle(7.0 + 0.05 * i).state, State::autonomy) << value;
+    ASSERT_EQ(person.cycle_with(pad_at(7.0 + 0.05 * i, 0.0F, value)).state, State::autonomy) << value;
   }
-  person.machine.receive(pad_at(9.1, 1.0F, 1.0F));  // the other axis steers, at rest
-  expect_intent(person.cycle(9.1), State::shared, Influence::shared, 0.0, 1.0);
+  expect_shared(person.cycle_with(pad_at(9.1, 1.0F, 1.0F)), 0.0, 1.0);  // the other axis steers, at rest
 }
 
 // A key or a cross of keys: from its second pressure on it counts, once it was let go for a second.
 TEST(Trigger, WhatStandsInItsCentreForASecondIsNone) {
   Person person(by_trigger());
   person.machine.receive(pad_at(1.0, 0.0F, 0.0F));
-  person.machine.receive(pad_at(1.05, 0.0F, 1.0F));
-  EXPECT_EQ(person.cycle(1.05).state, State::autonomy);
-  person.machine.receive(pad_at(1.1, 0.0F, 0.1F));   // within dead_zone
-  person.machine.receive(pad_at(2.05, 0.0F, 1.0F));  // 0.95 s later
-  EXPECT_EQ(person.cycle(2.05).state, State::autonomy);
+  EXPECT_EQ(person.cycle_with(pad_at(1.05, 0.0F, 1.0F)).state, State::autonomy);
+  person.machine.receive(pad_at(1.1, 0.0F, 0.1F));                                // within dead_zone
+  EXPECT_EQ(person.cycle_with(pad_at(2.05, 0.0F, 1.0F)).state, State::autonomy);  // 0.95 s later
   person.machine.receive(pad_at(3.0, 0.0F, 0.0F));
-  person.machine.receive(pad_at(4.0, 0.0F, 1.0F));
-  expect_intent(person.cycle(4.0), State::shared, Influence::shared, 0.5, 0.0);
+  expect_shared(person.cycle_with(pad_at(4.0, 0.0F, 1.0F)), 0.5, 0.0);
   EXPECT_EQ(person.machine.advice(), "");
 }
 
 TEST(Trigger, WhatMovesOnItsWayIsNone) {
   Person person(by_trigger());
   person.machine.receive(pad_at(1.0, 0.0F, 0.0F));
-  person.machine.receive(pad_at(1.05, 0.0F, 0.98F));
-  EXPECT_EQ(person.cycle(1.05).state, State::shared);
+  EXPECT_EQ(person.cycle_with(pad_at(1.05, 0.0F, 0.98F)).state, State::shared);
 }
 
 // The first two axes are a stick wherever there is one: pushed to its end at once, as by a key, it drives on.
@@ -109,8 +94,7 @@ TEST(Trigger, AStickIsNeverAsked) {
   Person person(by_axis(0.0, 1));
   person.stick(1.0, 0.0F, 0.0F);
   for (int i = 1; i < 200; ++i) {
-    person.stick(1.0 + 0.05 * i, 0.0F, 1.0F);
-    ASSERT_EQ(person.cycle(1.0 + 0.05 * i).state, State::shared);
+    ASSERT_EQ(person.cycle_with_stick(1.0 + 0.05 * i, 0.0F, 1.0F).state, State::shared);
   }
 }
 
@@ -122,46 +106,36 @@ TEST(Trigger, AStopByItsRestIsNamedAndEndsWithTheMapping) {
   p.axis_linear.reversed = true;
   Person person(p);
   person.machine.receive(pad_at(1.0, 0.0F, 0.0F));
-  person.machine.receive(pad_at(1.05, 0.0F, 1.0F));
-  EXPECT_EQ(person.cycle(1.05).state, State::stopped);
-  EXPECT_NE(person.machine.advice().find("axis_linear_rest to 1"), std::string::npos);
+  EXPECT_EQ(person.cycle_with(pad_at(1.05, 0.0F, 1.0F)).state, State::stopped);
+  EXPECT_TRUE(says(person.machine.advice(), "axis_linear_rest to 1"));
   person.p.axis_linear_rest = 1.0;
-  person.machine.configure(person.p);
-  person.machine.receive(pad_at(1.1, 0.0F, 1.0F));
-  EXPECT_EQ(person.cycle(1.1).state, State::autonomy);
+  person.configure();
+  EXPECT_EQ(person.cycle_with(pad_at(1.1, 0.0F, 1.0F)).state, State::autonomy);
   EXPECT_EQ(person.machine.advice(), "");
 }
 
 // In mode switching, too: whoever has control does not drive off.
 TEST(Trigger, MovesNobodyWhoHasControl) {
-  Parameters p;
-  p.mode = OperatorMode::switching;
+  Parameters p = in_mode(OperatorMode::switching);
   p.axis_linear = {5};
   Person person(p);
-  person.machine.receive(pad_at(1.0, 0.0F, 0.0F));
-  person.cycle(1.0);
+  person.cycle_with(pad_at(1.0, 0.0F, 0.0F));
   person.machine.take_control(true);
-  person.machine.receive(pad_at(1.05, 0.0F, 1.0F));
-  expect_intent(person.cycle(1.05), State::manual, Influence::direct, 0.0, 0.0);
-  person.machine.receive(pad_at(1.1, 0.5F, 1.0F));
-  expect_intent(person.cycle(1.1), State::manual, Influence::direct, 0.0, 0.25);  // (0.5)^2 x 1 rad/s
+  expect_manual(person.cycle_with(pad_at(1.05, 0.0F, 1.0F)), 0.0, 0.0);
+  expect_manual(person.cycle_with(pad_at(1.1, 0.5F, 1.0F)), 0.0, 0.25);  // (0.5)^2 x 1 rad/s
 }
 
-// Another device begins anew.
-TEST(Trigger, AnotherDeviceIsAskedAgain) {
+TEST(Trigger, OfAnotherDeviceIsAskedForItsCentreAgain) {
   Person person(by_trigger());
   const auto send = [&person](double time, const std::string& sender, float linear) {
-    StickMessage message = pad_at(time, 0.0F, linear);
-    message.sender = sender;
-    person.machine.receive(message);
-    return person.cycle(time).state;
+    return person.cycle_with(from(sender, pad_at(time, 0.0F, linear))).state;
   };
   send(1.0, "/one", 0.0F);
   EXPECT_EQ(send(1.05, "/one", 0.5F), State::shared);
   send(1.1, "/one", 0.0F);
   send(1.15, "/other", 0.0F);
   EXPECT_NE(send(1.2, "/other", 1.0F), State::shared);
-  EXPECT_NE(person.machine.advice().find("axes[5] led to its end 1"), std::string::npos);
+  EXPECT_TRUE(says(person.machine.advice(), "axes[5] led to its end 1"));
 }
 
 }  // namespace

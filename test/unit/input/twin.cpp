@@ -122,20 +122,14 @@ void Twin::find_pauses() {
   }
 }
 
-double Twin::longest_pause(std::size_t after, std::size_t up_to) const {
-  double longest = 0.0;
+Twin::Pauses Twin::pauses_between(std::size_t after, std::size_t up_to) const {
+  Pauses pauses;
   for (const Pause& pause : pauses_) {
-    if (pause.event > after && pause.event <= up_to) longest = std::max(longest, pause.length);
+    if (pause.event <= after || pause.event > up_to) continue;
+    pauses.longest = std::max(pauses.longest, pause.length);
+    pauses.sum += pause.length;
   }
-  return longest;
-}
-
-double Twin::all_pauses(std::size_t after, std::size_t up_to) const {
-  double sum = 0.0;
-  for (const Pause& pause : pauses_) {
-    if (pause.event > after && pause.event <= up_to) sum += pause.length;
-  }
-  return sum;
+  return pauses;
 }
 
 std::optional<std::size_t> Twin::last_heard(std::size_t before_event) const {
@@ -151,7 +145,7 @@ bool Twin::broken(std::size_t first, std::size_t last) const {
   if (p_.input_timeout == 0.0) return false;
   for (std::size_t i = first; i < last; ++i) {
     const double silence = heard_[i + 1].time - heard_[i].time;
-    if (silence - all_pauses(heard_[i].event, heard_[i + 1].event) > p_.input_timeout) return true;
+    if (silence - pauses_between(heard_[i].event, heard_[i + 1].event).sum > p_.input_timeout) return true;
   }
   return false;
 }
@@ -182,7 +176,7 @@ bool Twin::silent(std::size_t heard, std::size_t event) const {
   for (std::size_t e = heard_[heard].event; e <= event; ++e) {
     if (history_[e].kind != Event::Kind::cycle) continue;
     const double silence = history_[e].time - heard_[heard].time;
-    if (silence - longest_pause(heard_[heard].event, e) > p_.input_timeout) return true;
+    if (silence - pauses_between(heard_[heard].event, e).longest > p_.input_timeout) return true;
   }
   return false;
 }

@@ -54,6 +54,9 @@ class Twin {
     std::size_t event = 0;  // that ended it
     double length = 0.0;    // [s]
   };
+  struct Pauses {
+    double longest = 0.0, sum = 0.0;  // [s]
+  };
 
   bool is_message(std::size_t event) const { return history_[event].kind == Event::Kind::message; }
   bool usable(std::size_t event) const;
@@ -61,8 +64,7 @@ class Twin {
   void judge_lags();
   void find_pauses();
   void follow_stops();
-  double longest_pause(std::size_t after, std::size_t up_to) const;
-  double all_pauses(std::size_t after, std::size_t up_to) const;
+  Pauses pauses_between(std::size_t after, std::size_t up_to) const;
   std::optional<std::size_t> last_heard(std::size_t before_event) const;
   bool broken(std::size_t first, std::size_t last) const;
   std::optional<std::size_t> centred_before(std::size_t heard) const;

@@ -6,16 +6,17 @@
 #include <gtest/gtest.h>
 
 #include "core/evaluation/tie_rule.hpp"
-#include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "record/cycle_record.hpp"
 #include "support/effort.hpp"
+#include "support/planner_bench.hpp"
 #include "support/random_scene.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
 using test::effort;
+using test::PlannerBench;
 using test::random_scene;
 using test::Scene;
 
@@ -38,24 +39,20 @@ int cheapest(const std::vector<CandidateReport>& candidates, const Parameters& p
   return best;
 }
 
-Sampling with(Report report) {
+const Decision& plan(PlannerBench& bench, Report report) {
   Sampling sampling;
   sampling.report = report;
-  return sampling;
+  const Scene& scene = bench.scene();
+  return bench.planner().plan(scene.situation, scene.grid(), scene.intent, sampling);
 }
 
 TEST(FullReport, TheDecisionIsTheSameToTheBit) {
   for (std::uint64_t seed = 0; seed < effort<std::uint64_t>(150, 400); ++seed) {
-    const Scene scene = random_scene(seed);
-    Planner legality(critics::built_in()), full(critics::built_in());
-    for (Planner* planner : {&legality, &full}) {
-      ASSERT_TRUE(planner->configure(scene.parameters).empty());
-      planner->set_footprint(scene.outline);
-    }
+    PlannerBench legality(random_scene(seed)), full(random_scene(seed));
     for (int cycle = 0; cycle < 2; ++cycle) {  // what critics remember must not have changed either
-      const Decision& a = legality.plan(scene.situation, scene.grid(), scene.intent, with(Report::legality));
-      const Decision& b = full.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
-      ASSERT_TRUE(identical(record::decision_record(a, legality.totals()), record::decision_record(b, full.totals())))
+      const Decision &a = plan(legality, Report::legality), &b = plan(full, Report::full);
+      ASSERT_TRUE(identical(record::decision_record(a, legality.planner().totals()),
+                            record::decision_record(b, full.planner().totals())))
           << seed;
     }
   }
@@ -78,10 +75,9 @@ TEST(FullReport, ExplainsTheChoice) {
   int chosen = 0, rejected_twice = 0;
   for (std::uint64_t seed = 0; seed < effort<std::uint64_t>(150, 400); ++seed) {
     const Scene scene = random_scene(seed);
-    Planner planner(critics::built_in());
-    ASSERT_TRUE(planner.configure(scene.parameters).empty());
-    planner.set_footprint(scene.outline);
-    const Decision& decision = planner.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
+    PlannerBench bench(scene);
+    const Decision& decision = plan(bench, Report::full);
+    const Planner& planner = bench.planner();
     const std::vector<CandidateReport> all = planner.candidates();
     if (decision.candidates == 0 || all.empty()) continue;
     ASSERT_EQ(all.size(), decision.candidates);
@@ -115,12 +111,10 @@ TEST(FullReport, NamesTheCriticThatGivesNoNumber) {
   registry.add("NotANumber", [] { return std::make_shared<NotANumber>(); });
   Scene scene = Scene::empty();
   scene.parameters.critics += " NotANumber";
-  Planner planner(registry);
-  ASSERT_TRUE(planner.configure(scene.parameters).empty());
-  planner.set_footprint(scene.outline);
-  planner.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
+  PlannerBench bench(scene, registry);
+  plan(bench, Report::full);
   int fast = 0;
-  for (const CandidateReport& candidate : planner.candidates()) {
+  for (const CandidateReport& candidate : bench.planner().candidates()) {
     if (candidate.sample.v <= 0.2) continue;
     ++fast;
     ASSERT_FALSE(candidate.legal());
@@ -130,16 +124,13 @@ TEST(FullReport, NamesTheCriticThatGivesNoNumber) {
 }
 
 TEST(FullReport, IsEmptyWhereNothingWasScored) {
-  const Scene scene = Scene::empty();
-  Planner planner(critics::built_in());
-  planner.configure(scene.parameters);
-  planner.set_footprint(scene.outline);
-  planner.plan(scene.situation, scene.grid(), scene.intent, with(Report::full));
+  PlannerBench bench(Scene::empty());
+  const Planner& planner = bench.planner();
+  plan(bench, Report::full);
   EXPECT_EQ(planner.candidates().size(), planner.totals().size());
   EXPECT_FALSE(planner.candidates().empty());
-  OperatorIntent stop;
-  stop.influence = Influence::stop;
-  planner.plan(scene.situation, scene.grid(), stop, with(Report::full));
+  bench.scene().intent.influence = Influence::stop;
+  plan(bench, Report::full);
   EXPECT_TRUE(planner.candidates().empty());
   EXPECT_EQ(planner.choice().rule, ChoiceReport::Rule::none);
 }

@@ -81,19 +81,12 @@ TEST(GridChain, ADamagedPatchIsRefused) {
   grid = next(grid, random);
   GridChain writer, reader;
   const GridPatch whole = writer.advance_to(grid.view(), true);
-  GridPatch bad = whole;
-  bad.changes.resize(bad.changes.size() / 2);
-  EXPECT_FALSE(reader.advance_by(bad));
-  bad = whole;
-  bad.size_x = 1 << 30;
-  bad.size_y = 1 << 30;
-  EXPECT_FALSE(reader.advance_by(bad));
-  bad = whole;
-  bad.size_x = -1;
-  EXPECT_FALSE(reader.advance_by(bad));
-  bad = whole;
-  bad.whole = false;  // and there is none before it
-  EXPECT_FALSE(reader.advance_by(bad));
+  GridPatch cut = whole, vast = whole, negative = whole, first = whole;
+  cut.changes.resize(cut.changes.size() / 2);
+  vast.size_x = vast.size_y = 1 << 30;
+  negative.size_x = -1;
+  first.whole = false;  // and there is none before it
+  for (const GridPatch* bad : {&cut, &vast, &negative, &first}) EXPECT_FALSE(reader.advance_by(*bad));
   EXPECT_TRUE(reader.present().costs.empty());
   EXPECT_TRUE(reader.advance_by(whole));
 }

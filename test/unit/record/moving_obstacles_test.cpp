@@ -16,6 +16,22 @@ record::CycleRecord faulty_cycle() {
   return cycle;
 }
 
+Bytes encoded(const record::CycleRecord& cycle) {
+  Bytes bytes;
+  record::encode(cycle, bytes);
+  return bytes;
+}
+
+// Into a record that held something else before.
+record::CycleRecord decoded(const Bytes& bytes) {
+  record::CycleRecord read;
+  read.observation.moving_obstacles.resize(3);
+  read.observation.sensor_sectors.resize(3);
+  EXPECT_EQ(record::decode(bytes, read), "");
+  EXPECT_TRUE(read.unknown.empty());
+  return read;
+}
+
 bool holds(const Bytes& bytes, const std::string& text) {
   return std::search(bytes.begin(), bytes.end(), text.begin(), text.end()) != bytes.end();
 }
@@ -32,11 +48,7 @@ TEST(RecordedMovers, ComeBackToTheBit) {
   mover.age = 0.05;
   mover.points = {{0.5, 0.25}, {0.1, 0.2}};
   cycle.observation.moving_obstacles = {mover};
-  Bytes bytes;
-  record::encode(cycle, bytes);
-  record::CycleRecord read;
-  EXPECT_EQ(record::decode(bytes, read), "");
-  EXPECT_TRUE(read.unknown.empty());
+  const record::CycleRecord read = decoded(encoded(cycle));
   ASSERT_EQ(read.observation.moving_obstacles.size(), 1U);
   Bytes before, after;
   ArchiveWriter{before}(mover);
@@ -44,31 +56,18 @@ TEST(RecordedMovers, ComeBackToTheBit) {
   EXPECT_EQ(before, after);
 }
 
-TEST(RecordedMovers, TakeNoRoomWhereNothingMoves) {
-  Bytes bytes;
-  record::encode(faulty_cycle(), bytes);
+TEST(RecordedMovers, AndSectorsTakeNoRoomWhereThereAreNone) {
+  const Bytes bytes = encoded(faulty_cycle());
   EXPECT_FALSE(holds(bytes, "moving_obstacles"));
-  record::CycleRecord read;
-  read.observation.moving_obstacles.resize(3);  // of the record read before
-  EXPECT_EQ(record::decode(bytes, read), "");
-  EXPECT_TRUE(read.observation.moving_obstacles.empty());
+  EXPECT_FALSE(holds(bytes, "sensor_sectors"));
+  EXPECT_TRUE(decoded(bytes).observation.moving_obstacles.empty());
+  EXPECT_TRUE(decoded(bytes).observation.sensor_sectors.empty());
 }
 
-TEST(RecordedSectors, ComeBackToTheBitAndTakeNoRoomWhereNobodyTellsThem) {
+TEST(RecordedSectors, ComeBackToTheBit) {
   record::CycleRecord cycle = faulty_cycle();
-  Bytes bytes;
-  record::encode(cycle, bytes);
-  EXPECT_FALSE(holds(bytes, "sensor_sectors"));
   cycle.observation.sensor_sectors = {{{0.1, -1.0 / 3.0, 0.7}, 4.7, 12.0}, {{-0.2, 0.0, 3.1}, 1.5, 4.0}};
-  record::encode(cycle, bytes);
-  record::CycleRecord read;
-  EXPECT_EQ(record::decode(bytes, read), "");
-  EXPECT_TRUE(read.unknown.empty());
-  EXPECT_TRUE(read.observation.sensor_sectors == cycle.observation.sensor_sectors);
-  cycle.observation.sensor_sectors.clear();
-  record::encode(cycle, bytes);
-  EXPECT_EQ(record::decode(bytes, read), "");
-  EXPECT_TRUE(read.observation.sensor_sectors.empty());
+  EXPECT_TRUE(decoded(encoded(cycle)).observation.sensor_sectors == cycle.observation.sensor_sectors);
 }
 
 }  // namespace

@@ -19,6 +19,13 @@ Outline outline(const std::string& inside) {
   return reading.model ? outline_of(*reading.model) : Outline();
 }
 
+/// How far it extends ahead and to the left.
+Point extent(const Outline& outline) {
+  Point most(0.0, 0.0);
+  for (const Point& corner : outline.corners) most = most.cwiseMax(corner);
+  return most;
+}
+
 TEST(Outline, OfABoxOffTheBase) {
   // Turned by a quarter about z at (0.1, 0): 0.4 m long across, 0.2 m wide along.
   const Outline result = outline("<link name='base_link'/>" +
@@ -36,14 +43,10 @@ TEST(Outline, OfABoxOffTheBase) {
 
 TEST(Outline, OfALyingCylinderIsARectangle) {
   const Outline result = outline(link_text("base_link", "<cylinder radius='0.1' length='0.5'/>", kAcross));
-  double widest = 0.0, longest = 0.0;
-  for (const Point& corner : result.corners) {
-    longest = std::max(longest, corner.x());
-    widest = std::max(widest, corner.y());
-  }
-  EXPECT_NEAR(widest, 0.25, 1e-9);
-  EXPECT_NEAR(longest, 0.1, 0.0005);
-  EXPECT_GE(longest, 0.1 - 1e-12);
+  const Point most = extent(result);
+  EXPECT_NEAR(most.y(), 0.25, 1e-9);
+  EXPECT_NEAR(most.x(), 0.1, 0.0005);
+  EXPECT_GE(most.x(), 0.1 - 1e-12);
 }
 
 TEST(Outline, ARoundRobotIsACircleThatContainsIt) {
@@ -58,13 +61,8 @@ TEST(Outline, CoversEveryLinkWhateverItsHeight) {
   const Outline result = outline(link_text("base_link", "<sphere radius='0.1'/>") +
                                  joint_text("j", "continuous", "base_link", "screen", "0.2 0 1.2", "0 0 0", kAxisY) +
                                  link_text("screen", "<box size='0.02 0.36 0.24'/>"));
-  double widest = 0.0, longest = 0.0;
-  for (const Point& corner : result.corners) {
-    longest = std::max(longest, corner.x());
-    widest = std::max(widest, corner.y());
-  }
-  EXPECT_NEAR(longest, 0.21, 1e-9);
-  EXPECT_NEAR(widest, 0.18, 1e-9);
+  EXPECT_NEAR(extent(result).x(), 0.21, 1e-9);  // 0.2 + 0.5 x 0.02 m
+  EXPECT_NEAR(extent(result).y(), 0.18, 1e-9);  // 0.5 x 0.36 m
 }
 
 TEST(Outline, MeshesAndShapesWithoutSizeAreSkippedAndNamed) {

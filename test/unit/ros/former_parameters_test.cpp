@@ -10,24 +10,12 @@
 
 #include "hidwa_local_planner/core/parameter_text.hpp"
 #include "ros/parameter_loading.hpp"
+#include "unit/ros/parameter_files.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
 using XmlRpc::XmlRpcValue;
-
-bool contains(const std::vector<std::string>& texts, const std::string& part) {
-  for (const std::string& text : texts) {
-    if (text.find(part) != std::string::npos) return true;
-  }
-  return false;
-}
-
-XmlRpcValue file_of(const std::vector<std::pair<std::string, XmlRpcValue>>& all) {
-  XmlRpcValue content;
-  for (const auto& [key, value] : all) content[key] = value;
-  return content;
-}
 
 /// Both drive the same, the former one with `lines` lines that say what to write.
 void expect_same(const XmlRpcValue& former, const XmlRpcValue& present, const std::vector<std::string>& lines) {
@@ -107,11 +95,8 @@ TEST(FormerParameters, AWeightThatOnlySwitchedACriticOffLeavesItOut) {
   expect_same(file_of({{"critics", "RotateToGoal, Oscillation, PathDist"}, {"Oscillation_scale", 0.0}}),
               file_of({{"critics", "RotateToGoal, PathDist"}}),
               {"Oscillation_scale: 0 is taken as critics: RotateToGoal, PathDist: write that instead"});
-  XmlRpcValue list = file_of({{"Oscillation_scale", 0}});
-  list["critics"].setSize(2);
-  list["critics"][0] = std::string("Oscillation");
-  list["critics"][1] = std::string("PathDist");
-  EXPECT_EQ(load_parameters(list).parameters.critics, "PathDist");
+  const XmlRpcValue critics = list_of<std::string>({"Oscillation", "PathDist"});
+  EXPECT_EQ(load_parameters(file_of({{"Oscillation_scale", 0}, {"critics", critics}})).parameters.critics, "PathDist");
   expect_same(file_of({{"Oscillation_scale", 2.0}}), file_of({{"max_vel_x", 0.5}}),
               {"unknown parameter Oscillation_scale: 2 has no effect: Oscillation only rejects: remove it"});
 }
@@ -125,12 +110,11 @@ TEST(FormerParameters, ACriticWithoutParametersTakesNoneUnnoticed) {
 }
 
 TEST(FormerParameters, AWeightOfTermsWithWeightsGoesIntoThem) {
-  XmlRpcValue nested = file_of({{"PreferForward_theta_scale", 4.0}});
-  nested["PreferForward"]["scale"] = 3.0;
-  nested["PreferForward"]["penalty"] = 2;
-  expect_same(nested, file_of({{"PreferForward_penalty", 6.0}, {"PreferForward_theta_scale", 12.0}}),
-              {"PreferForward_scale: 3 is taken as PreferForward_penalty: 6 and PreferForward_theta_scale: 12: write "
-               "those instead"});
+  expect_same(
+      file_of({{"PreferForward_theta_scale", 4.0}, {"PreferForward", file_of({{"scale", 3.0}, {"penalty", 2}})}}),
+      file_of({{"PreferForward_penalty", 6.0}, {"PreferForward_theta_scale", 12.0}}),
+      {"PreferForward_scale: 3 is taken as PreferForward_penalty: 6 and PreferForward_theta_scale: 12: write "
+       "those instead"});
 }
 
 TEST(FormerParameters, WhatIsFixedNowSaysWhatItIs) {
@@ -184,18 +168,18 @@ TEST(FormerParameters, WhatWasTakenOverIsNamed) {
 
 /// What paper.yaml set before `method` took its place.
 XmlRpcValue former_paper_switches() {
-  XmlRpcValue content;
-  for (const char* name : {"sample_zero", "sample_operator", "sample_previous", "hold_ends_when_refused"}) {
-    content[name] = false;
-  }
-  for (const char* name : {"oscillation_while_steering", "operator_in_goal_window"}) content[name] = true;
-  content["plan_hysteresis"] = 0.0;
-  content["tie_break"] = "first";
-  content["command"] = "target";
-  content["integration"] = "euler";
-  content["map_grid"] = "l1";
-  content["hold_linear"] = "operator";
-  return content;
+  return file_of({{"sample_zero", false},
+                  {"sample_operator", false},
+                  {"sample_previous", false},
+                  {"hold_ends_when_refused", false},
+                  {"oscillation_while_steering", true},
+                  {"operator_in_goal_window", true},
+                  {"plan_hysteresis", 0.0},
+                  {"tie_break", "first"},
+                  {"command", "target"},
+                  {"integration", "euler"},
+                  {"map_grid", "l1"},
+                  {"hold_linear", "operator"}});
 }
 
 TEST(FormerParameters, TheFormerSwitchesOfThePaperAreItsMethod) {

@@ -8,36 +8,38 @@
 namespace hidwa_local_planner {
 namespace {
 
-std::vector<std::string> complaints_of(const Parameters& p, double map_width, double map_height, double radius) {
-  return horizon_complaints(p, VelocityLimits::from(p).x, map_width, map_height, radius);
-}
-
-TEST(HorizonCheck, TheDefaultsFitAFourMetreMap) {
-  // 0.5 x 1.85 + 0.30 = 1.225 m <= 2 m; 0.5 / 2.5 + 0.1 = 0.3 s <= 1.85 s
-  EXPECT_TRUE(complaints_of(Parameters(), 4.0, 4.0, 0.30).empty());
-  EXPECT_TRUE(complaints_of(Parameters(), 2.46, 2.46, 0.30).empty());
-}
-
-TEST(HorizonCheck, ASmallMapIsReported) {
-  const auto complaints = complaints_of(Parameters(), 4.0, 2.2, 0.30);
-  ASSERT_EQ(complaints.size(), 1u);
-  EXPECT_NE(complaints[0].find("reaches 1.10 m"), std::string::npos) << complaints[0];
-  EXPECT_NE(complaints[0].find("1.2"), std::string::npos) << complaints[0];
-}
-
-TEST(HorizonCheck, AShortHorizonIsReported) {
+Parameters with(double sim_time, double acc_lim_x, double min_vel_x) {
   Parameters p;
-  p.sim_time = 0.5;
-  p.acc_lim_x = 1.0;  // 0.5 / 1.0 + 0.1 = 0.6 s
-  const auto complaints = complaints_of(p, 4.0, 4.0, 0.30);
-  ASSERT_EQ(complaints.size(), 1u);
-  EXPECT_NE(complaints[0].find("0.60 s"), std::string::npos) << complaints[0];
+  p.sim_time = sim_time;
+  p.acc_lim_x = acc_lim_x;
+  p.min_vel_x = min_vel_x;
+  return p;
 }
 
-TEST(HorizonCheck, ReverseCountsAsWell) {
-  Parameters p;
-  p.min_vel_x = -1.0;  // 1.0 x 1.85 + 0.3 = 2.15 m
-  EXPECT_EQ(complaints_of(p, 4.2, 4.2, 0.30).size(), 1u);
+// Of a robot of 0.3 m, whose other parameters are the defaults. The farthest that it gets is its fastest speed times
+// sim_time, and its radius: 0.5 x 1.85 + 0.3 = 1.225 m. It rests after 0.5 / 2.5 + 0.1 = 0.3 s.
+TEST(HorizonCheck, ReportsASmallMapAndAShortHorizon) {
+  struct Row {
+    const char* name;
+    Parameters parameters;
+    double width, height;            // of the map [m]
+    std::vector<std::string> words;  // of the one complaint, if any
+  };
+  for (const Row& row :
+       {Row{"a map of 4 m holds the defaults", Parameters(), 4.0, 4.0, {}},
+        Row{"so does one of 2 x 1.23 m", Parameters(), 2.46, 2.46, {}},
+        Row{"a map that is low reaches 1.1 m", Parameters(), 4.0, 2.2, {"reaches 1.10 m", "1.2"}},
+        Row{"at 1 m/s^2 it rests after 0.5 + 0.1 s", with(0.5, 1.0, 0.0), 4.0, 4.0, {"0.60 s"}},
+        Row{"backwards it gets 1.0 x 1.85 + 0.3 = 2.15 m", with(1.85, 2.5, -1.0), 4.2, 4.2, {"reaches 2.10 m"}}}) {
+    SCOPED_TRACE(row.name);
+    const Parameters& p = row.parameters;
+    const std::vector<std::string> complaints =
+        horizon_complaints(p, VelocityLimits::from(p).x, row.width, row.height, 0.30);
+    ASSERT_EQ(complaints.size(), row.words.empty() ? 0u : 1u);
+    for (const std::string& words : row.words) {
+      EXPECT_NE(complaints[0].find(words), std::string::npos) << complaints[0];
+    }
+  }
 }
 
 }  // namespace

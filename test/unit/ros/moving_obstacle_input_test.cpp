@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <boost/make_shared.hpp>
@@ -45,6 +46,12 @@ class MovingObstacleInputs : public ::testing::Test {
     transform.transform.translation.y = 2.0;
     transform.transform.rotation.z = transform.transform.rotation.w = std::sqrt(0.5);
     tf_.setTransform(transform, "test");
+  }
+  /// As a message of now.
+  void receive(const std::string& frame, double now, const std::vector<MovingObstacle>& obstacles) {
+    const MovingObstacles::Ptr made = message(frame, now);
+    made->obstacles = obstacles;
+    input_.receive(made, at(now));
   }
   const MovingObstacleEstimates& read(double now) {
     input_.read(now, 0.5, tf_, "odom", obstacles_);
@@ -121,39 +128,30 @@ TEST_F(MovingObstacleInputs, SectorsAreBroughtToTheRobotAndCountUntilOthersAreTo
 
 TEST_F(MovingObstacleInputs, WhereTfIsLateTheNewestTransformIsTaken) {
   place_laser(9.9);
-  const auto made = message("laser", 10.0);
-  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, at(10.0));
+  receive("laser", 10.0, {obstacle(3.0, 1.0, 0.0, 0.0)});
   EXPECT_EQ(read(10.1).size(), 1U);
 }
 
 TEST_F(MovingObstacleInputs, WithoutATransformNothingCountsAndItSaysSo) {
-  const auto made = message("nowhere", 10.0);
-  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, at(10.0));
+  receive("nowhere", 10.0, {obstacle(3.0, 1.0, 0.0, 0.0)});
   EXPECT_TRUE(read(10.1).empty());
   EXPECT_NE(input_.status().fault.find("nowhere"), std::string::npos) << input_.status().fault;
 }
 
 TEST_F(MovingObstacleInputs, WhatIsOldDoesNotCount) {
-  const auto made = message("odom", 10.0);
-  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, at(10.0));
+  receive("odom", 10.0, {obstacle(3.0, 1.0, 0.0, 0.0)});
   EXPECT_EQ(read(10.4).size(), 1U);
   EXPECT_TRUE(read(10.6).empty());
   EXPECT_NE(input_.status().fault.find("0.60 s old"), std::string::npos) << input_.status().fault;
 }
 
 TEST_F(MovingObstacleInputs, NonsenseIsRefusedAndTheRestCounts) {
-  const auto made = message("odom", 10.0);
-  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
-  made->obstacles.push_back(obstacle(std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0, 0.0));
-  made->obstacles.push_back(obstacle(1.0, 1.0, 0.0, 0.0));
-  made->obstacles.back().radius = -0.1;
-  made->obstacles.push_back(obstacle(1.0, 1.0, 0.0, std::numeric_limits<double>::infinity()));
-  made->obstacles.push_back(obstacle(1.0, 1.0, 0.0, 0.0));
-  made->obstacles.back().velocity_deviation = std::numeric_limits<double>::quiet_NaN();
-  input_.receive(made, at(10.0));
+  MovingObstacle too_small = obstacle(1.0, 1.0, 0.0, 0.0), unsure = obstacle(1.0, 1.0, 0.0, 0.0);
+  too_small.radius = -0.1;
+  unsure.velocity_deviation = std::numeric_limits<double>::quiet_NaN();
+  receive("odom", 10.0,
+          {obstacle(3.0, 1.0, 0.0, 0.0), obstacle(std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0, 0.0), too_small,
+           obstacle(1.0, 1.0, 0.0, std::numeric_limits<double>::infinity()), unsure});
   EXPECT_EQ(read(10.1).size(), 1U);
   EXPECT_EQ(input_.status().refused, 4U);
   EXPECT_EQ(input_.status().count, 1U);
@@ -161,19 +159,15 @@ TEST_F(MovingObstacleInputs, NonsenseIsRefusedAndTheRestCounts) {
 }
 
 TEST_F(MovingObstacleInputs, TooManyAreNoList) {
-  const auto made = message("odom", 10.0);
-  made->obstacles.assign(MovingObstacleInput::kMost + 1, obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, at(10.0));
+  receive("odom", 10.0, std::vector<MovingObstacle>(MovingObstacleInput::kMost + 1, obstacle(3.0, 1.0, 0.0, 0.0)));
   EXPECT_TRUE(read(10.1).empty());
   EXPECT_NE(input_.status().fault, "");
 }
 
 TEST_F(MovingObstacleInputs, AnEmptyMessageSaysThatNothingMoves) {
-  auto made = message("odom", 10.0);
-  made->obstacles.push_back(obstacle(3.0, 1.0, 0.0, 0.0));
-  input_.receive(made, at(10.0));
+  receive("odom", 10.0, {obstacle(3.0, 1.0, 0.0, 0.0)});
   EXPECT_EQ(read(10.1).size(), 1U);
-  input_.receive(message("odom", 10.1), at(10.1));
+  receive("odom", 10.1, {});
   EXPECT_TRUE(read(10.2).empty());
   EXPECT_EQ(input_.status().fault, "");
 }

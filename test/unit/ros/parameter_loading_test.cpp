@@ -3,24 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/ros/parameter_files.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
 using XmlRpc::XmlRpcValue;
-
-XmlRpcValue list(const std::vector<std::string>& names) {
-  XmlRpcValue value;
-  value.setSize(static_cast<int>(names.size()));
-  for (int i = 0; i < value.size(); ++i) value[i] = names[static_cast<std::size_t>(i)];
-  return value;
-}
-
-bool contains(const std::vector<std::string>& texts, const std::string& part) {
-  for (const std::string& text : texts) {
-    if (text.find(part) != std::string::npos) return true;
-  }
-  return false;
-}
 
 TEST(ParameterLoading, AnEmptyNamespaceIsAllDefaults) {
   const LoadedParameters loaded = load_parameters(XmlRpcValue());
@@ -33,14 +21,12 @@ TEST(ParameterLoading, AnEmptyNamespaceIsAllDefaults) {
 }
 
 TEST(ParameterLoading, TakesEveryKindOfValue) {
-  XmlRpcValue content;
-  content["max_vel_x"] = 1;  // a whole number for a real one
-  content["acc_lim_x"] = 1.25;
-  content["vx_samples"] = 7;
-  content["escape"] = false;
-  content["odom_topic"] = "wheels";
-  content["generator"] = "dwa";
-  const LoadedParameters loaded = load_parameters(content);
+  const LoadedParameters loaded = load_parameters(file_of({{"max_vel_x", 1},  // a whole number for a real one
+                                                           {"acc_lim_x", 1.25},
+                                                           {"vx_samples", 7},
+                                                           {"escape", false},
+                                                           {"odom_topic", "wheels"},
+                                                           {"generator", "dwa"}}));
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_EQ(loaded.parameters.max_vel_x, 1.0);
   EXPECT_EQ(loaded.parameters.acc_lim_x, 1.25);
@@ -52,41 +38,29 @@ TEST(ParameterLoading, TakesEveryKindOfValue) {
 }
 
 TEST(ParameterLoading, CriticsAreAListOrAText) {
-  XmlRpcValue content;
-  content["critics"] = list({"PathDist", "GoalDist"});
-  EXPECT_EQ(split_names(load_parameters(content).parameters.critics),
-            (std::vector<std::string>{"PathDist", "GoalDist"}));
-  content["critics"] = "GoalDist, PathDist";
-  EXPECT_EQ(split_names(load_parameters(content).parameters.critics),
-            (std::vector<std::string>{"GoalDist", "PathDist"}));
-  content["critics"] = list({});
-  EXPECT_TRUE(contains(load_parameters(content).faults, "critics"));
-  XmlRpcValue mixed = list({"PathDist", "GoalDist"});
+  const auto loaded = [](const XmlRpcValue& critics) { return load_parameters(file_of({{"critics", critics}})); };
+  const std::vector<std::string> two{"PathDist", "GoalDist"};
+  EXPECT_EQ(split_names(loaded(list_of(two)).parameters.critics), two);
+  EXPECT_EQ(split_names(loaded("PathDist, GoalDist").parameters.critics), two);
+  EXPECT_TRUE(contains(loaded(list_of<std::string>({})).faults, "critics"));
+  XmlRpcValue mixed = list_of(two);
   mixed[1] = 3;
-  content["critics"] = mixed;
-  EXPECT_TRUE(contains(load_parameters(content).faults, "list of names"));
+  EXPECT_TRUE(contains(loaded(mixed).faults, "list of names"));
 }
 
 // YAML 1.1 makes `mode: off` a boolean.
 TEST(ParameterLoading, TheBareWordOffIsAName) {
-  XmlRpcValue content;
-  content["mode"] = false;
-  const LoadedParameters loaded = load_parameters(content);
+  const LoadedParameters loaded = load_parameters(file_of({{"mode", false}}));
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_EQ(loaded.parameters.mode, OperatorMode::off);
-  content["mode"] = true;
-  EXPECT_TRUE(contains(load_parameters(content).faults, "mode"));
-  content.clear();
-  content["generator"] = false;  // has no off
-  EXPECT_TRUE(contains(load_parameters(content).faults, "generator"));
+  EXPECT_TRUE(contains(load_parameters(file_of({{"mode", true}})).faults, "mode"));
+  EXPECT_TRUE(contains(load_parameters(file_of({{"generator", false}})).faults, "generator"));  // has no off
 }
 
 TEST(ParameterLoading, NestedCriticParametersStandForFlatOnes) {
-  XmlRpcValue content;
-  content["PathAlign"]["scale"] = 16.0;
-  content["SocialDistance"]["fading_time"] = 0.2;
-  content["PathAlign_scale"] = 8.0;
-  const LoadedParameters loaded = load_parameters(content);
+  const LoadedParameters loaded = load_parameters(file_of({{"PathAlign", file_of({{"scale", 16.0}})},
+                                                           {"SocialDistance", file_of({{"fading_time", 0.2}})},
+                                                           {"PathAlign_scale", 8.0}}));
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_TRUE(loaded.warnings.empty());
   EXPECT_EQ(loaded.parameters.PathAlign_scale, 16.0);
@@ -95,13 +69,11 @@ TEST(ParameterLoading, NestedCriticParametersStandForFlatOnes) {
 }
 
 TEST(ParameterLoading, UnknownKeysAreNamedWithTheLikelyOne) {
-  XmlRpcValue content;
-  content["max_vel_X"] = 0.4;
-  content["max_trans_vel"] = 0.4;
-  content["something_else"] = 1;
-  content["PathAlign"]["scal"] = 1.0;
-  content["PahtAlign"]["scale"] = 1.0;
-  const LoadedParameters loaded = load_parameters(content);
+  const LoadedParameters loaded = load_parameters(file_of({{"max_vel_X", 0.4},
+                                                           {"max_trans_vel", 0.4},
+                                                           {"something_else", 1},
+                                                           {"PathAlign", file_of({{"scal", 1.0}})},
+                                                           {"PahtAlign", file_of({{"scale", 1.0}})}}));
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_EQ(loaded.warnings.size(), 5u);
   EXPECT_TRUE(contains(loaded.warnings, "max_vel_X: it has no effect; do you mean max_vel_x?"));
@@ -111,20 +83,13 @@ TEST(ParameterLoading, UnknownKeysAreNamedWithTheLikelyOne) {
   EXPECT_TRUE(contains(loaded.warnings, "namespace PahtAlign"));
 }
 
-/// A parameter file's numbers.
-XmlRpcValue numbers(const std::vector<std::pair<std::string, double>>& all) {
-  XmlRpcValue content;
-  for (const auto& [key, value] : all) content[key] = value;
-  return content;
-}
-
 // The minima of dwa_local_planner bind only what is below both of them. Its window ends at min_vel_x, as ours does.
 TEST(ParameterLoading, MinimaOfAnotherPlannerBindNothing) {
   for (const bool old_names : {true, false}) {
     const std::string trans = old_names ? "min_trans_vel" : "min_vel_trans";
     const std::string rot = old_names ? "min_rot_vel" : "min_vel_theta";
     const LoadedParameters loaded =
-        load_parameters(numbers({{"min_vel_x", -0.22}, {"max_vel_theta", 2.75}, {trans, 0.11}, {rot, 1.37}}));
+        load_parameters(file_of({{"min_vel_x", -0.22}, {"max_vel_theta", 2.75}, {trans, 0.11}, {rot, 1.37}}));
     EXPECT_TRUE(loaded.faults.empty());
     EXPECT_EQ(loaded.parameters.min_vel_x, -0.22);
     EXPECT_EQ(loaded.parameters.min_vel_theta, 0.0);
@@ -135,16 +100,14 @@ TEST(ParameterLoading, MinimaOfAnotherPlannerBindNothing) {
     EXPECT_FALSE(contains(loaded.warnings, "do you mean"));
   }
   // Alone it is ours.
-  EXPECT_EQ(load_parameters(numbers({{"min_vel_theta", 0.3}})).parameters.min_vel_theta, 0.3);
+  EXPECT_EQ(load_parameters(file_of({{"min_vel_theta", 0.3}})).parameters.min_vel_theta, 0.3);
 }
 
 // base_local_planner's is the fastest turn to the right: a range that ends below 0.
 TEST(ParameterLoading, AFastestTurnToTheRightIsNoSlowestTurn) {
-  XmlRpcValue content = numbers({{"min_vel_x", 0.1}, {"max_vel_theta", 1.57}, {"min_in_place_vel_theta", 0.314}});
-  for (const bool whole : {false, true}) {
-    if (whole) content["min_vel_theta"] = -1;
-    if (!whole) content["min_vel_theta"] = -1.57;
-    const LoadedParameters loaded = load_parameters(content);
+  for (const XmlRpcValue& fastest : {XmlRpcValue(-1), XmlRpcValue(-1.57)}) {
+    const LoadedParameters loaded = load_parameters(file_of(
+        {{"min_vel_x", 0.1}, {"max_vel_theta", 1.57}, {"min_in_place_vel_theta", 0.314}, {"min_vel_theta", fastest}}));
     EXPECT_TRUE(loaded.faults.empty());
     EXPECT_EQ(loaded.parameters.min_vel_theta, 0.0);
     EXPECT_EQ(loaded.parameters.min_in_place_vel_theta, 0.314);
@@ -175,32 +138,28 @@ TEST(ParameterLoading, WhatOtherPlannersHaveIsToldWithWhatToDo) {
       {"PathAlign.forward_point_distance", "do you mean forward_point_distance?"},
       {"short_circuit_trajectory_evaluation", "remove it"}};
   for (const auto& [key, part] : told) {
-    const LoadedParameters loaded = load_parameters(numbers({{key, 1.0}}));
+    const LoadedParameters loaded = load_parameters(file_of({{key, 1.0}}));
     ASSERT_EQ(loaded.warnings.size(), 1u) << key;
     EXPECT_TRUE(contains(loaded.warnings, part)) << loaded.warnings.front();
   }
-  XmlRpcValue teb;
-  teb["footprint_model"]["type"] = "point";
+  const XmlRpcValue teb = file_of({{"footprint_model", file_of({{"type", "point"}})}});
   EXPECT_TRUE(contains(load_parameters(teb).warnings, "the footprint is the local costmap's"));
 }
 
 TEST(ParameterLoading, NamespacesOfListedCriticsAreTheirs) {
-  XmlRpcValue content;
-  content["critics"] = list({"PathDist", "some_package/TurnLimit"});
-  content["TurnLimit"]["limit"] = 0.5;
-  EXPECT_TRUE(load_parameters(content).warnings.empty());
-  content["critics"] = list({"PathDist"});
-  EXPECT_EQ(load_parameters(content).warnings.size(), 1u);
+  const auto warnings = [](const std::string& critics) {
+    return load_parameters(file_of({{"critics", critics}, {"TurnLimit", file_of({{"limit", 0.5}})}})).warnings;
+  };
+  EXPECT_TRUE(warnings("PathDist, some_package/TurnLimit").empty());
+  EXPECT_EQ(warnings("PathDist").size(), 1u);
 }
 
 TEST(ParameterLoading, FaultsNameTheValueAndTheRemedy) {
-  XmlRpcValue content;
-  content["max_vel_x"] = "fast";
-  content["sim_time"] = "1e0";  // YAML 1.1 takes it for a text
-  content["vx_samples"] = 20.5;
-  content["generator"] = "teb";
-  content["min_in_place_vel_theta"] = -1.0;  // outside its range
-  const LoadedParameters loaded = load_parameters(content);
+  const LoadedParameters loaded = load_parameters(file_of({{"max_vel_x", "fast"},
+                                                           {"sim_time", "1e0"},  // YAML 1.1 takes it for a text
+                                                           {"vx_samples", 20.5},
+                                                           {"generator", "teb"},
+                                                           {"min_in_place_vel_theta", -1.0}}));  // outside its range
   EXPECT_EQ(loaded.faults.size(), 5u);
   EXPECT_TRUE(contains(loaded.faults, "max_vel_x: fast"));
   EXPECT_TRUE(contains(loaded.faults, "1.0e-3"));
@@ -211,8 +170,7 @@ TEST(ParameterLoading, FaultsNameTheValueAndTheRemedy) {
 }
 
 TEST(ParameterLoading, WhatIsKnownBesidesCountsInTheValidation) {
-  XmlRpcValue content;
-  content["max_wheel_speed"] = 0.5;
+  const XmlRpcValue content = file_of({{"max_wheel_speed", 0.5}});
   EXPECT_TRUE(contains(load_parameters(content).faults, "belong together"));
   const LoadedParameters loaded = load_parameters(content, [](Parameters p) {
     p.wheel_separation = 0.4;
@@ -229,11 +187,10 @@ TEST(ParameterLoading, SomethingElseThanParametersIsAFault) {
 
 // As a dump of the planner's namespace lands that is loaded into its host's.
 TEST(ParameterLoading, ParametersInTheHostsNamespaceAreNamed) {
-  XmlRpcValue host;
-  host["controller_frequency"] = 20.0;  // what move_base itself reads
-  host["base_local_planner"] = "hidwa_local_planner/HIDWAPlannerROS";
-  host["odom_topic"] = "odom";
-  host["HIDWAPlannerROS"]["max_vel_x"] = 0.4;
+  XmlRpcValue host = file_of({{"controller_frequency", 20.0},  // what move_base itself reads
+                              {"base_local_planner", "hidwa_local_planner/HIDWAPlannerROS"},
+                              {"odom_topic", "odom"},
+                              {"HIDWAPlannerROS", file_of({{"max_vel_x", 0.4}})}});
   EXPECT_TRUE(misplaced_parameters(host).empty());
   EXPECT_TRUE(misplaced_parameters(XmlRpcValue()).empty());
   host["max_vel_x"] = 0.3;

@@ -6,30 +6,22 @@
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "ros/critic_loading.hpp"
 #include "ros/parameter_set.hpp"
+#include "unit/ros/parameter_files.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
 using XmlRpc::XmlRpcValue;
 
-template <typename T>
-XmlRpcValue list(const std::vector<T>& elements) {
-  XmlRpcValue value;
-  value.setSize(static_cast<int>(elements.size()));
-  for (int i = 0; i < value.size(); ++i) value[i] = XmlRpcValue(elements[static_cast<std::size_t>(i)]);
-  return value;
-}
-
 TEST(StoredParameters, ValuesOfEveryTypeWithFallbacks) {
-  XmlRpcValue content;
-  content["limit"] = 0.5;
-  content["count"] = 3;
-  content["strict"] = true;
-  content["side"] = "left";
-  content["speeds"] = list<double>({0.25, 0.5});
-  content["steps"] = list<int>({1, 2});
-  content["zones"] = list<std::string>({"door", "ramp"});
-  content["none"] = list<int>({});
+  const XmlRpcValue content = file_of({{"limit", 0.5},
+                                       {"count", 3},
+                                       {"strict", true},
+                                       {"side", "left"},
+                                       {"speeds", list_of<double>({0.25, 0.5})},
+                                       {"steps", list_of<int>({1, 2})},
+                                       {"zones", list_of<std::string>({"door", "ramp"})},
+                                       {"none", list_of<int>({})}});
   const StoredParameters own("TurnLimit", content);
   EXPECT_EQ(own.number("limit", 1.0), 0.5);
   EXPECT_EQ(own.number("count", 1.0), 3.0);
@@ -54,7 +46,7 @@ TEST(StoredParameters, AnotherTypeIsAFaultThatNamesWhatIsExpectedAndWhatWasFound
   content["strict"] = 1;
   content["side"] = false;
   content["speeds"] = 0.5;
-  content["zones"] = list<int>({1});
+  content["zones"] = list_of<int>({1});
   const StoredParameters own("TurnLimit", content);
   EXPECT_EQ(own.number("limit", 2.5), 2.5);
   EXPECT_FALSE(own.flag("strict", false));
@@ -95,7 +87,7 @@ TEST(TryOut, KeysThatACriticDoesNotAskForAreNamedWithTheLikelyRightOne) {
   ParameterSet set;
   set.parameters.critics = "PathDist, a/Choosy, b/Choosy";
   set.content["Choosy"]["scale"] = 2.0;
-  set.content["Choosy"]["spedes"] = list<double>({0.5});
+  set.content["Choosy"]["spedes"] = list_of<double>({0.5});
   set.content["Choosy"]["weather"] = "fine";
   set.content["PathDist"]["scale"] = 7.0;  // in DWB's layout: load_parameters() judges it
   const Trial trial = try_out(set, with_choosy());
@@ -113,7 +105,7 @@ TEST(TryOut, WrongTypesAndWordsAreFaults) {
   set.content["Choosy"]["speeds"] = "fast";
   EXPECT_EQ(try_out(set, with_choosy()).faults,
             std::vector<std::string>{"Choosy/speeds: expected a list of numbers, found fast"});
-  set.content["Choosy"]["speeds"] = list<double>({0.5});
+  set.content["Choosy"]["speeds"] = list_of<double>({0.5});
   set.content["Choosy"]["side"] = "right";
   const std::vector<std::string> faults = try_out(set, with_choosy()).faults;
   ASSERT_EQ(faults.size(), 1u);
@@ -137,19 +129,20 @@ TEST(ParameterSet, ForeignCriticsGoThroughXml) {
   set.content["TurnLimit"]["limit"] = 1.0 / 3.0;
   set.content["TurnLimit"]["strict"] = true;
   set.content["TurnLimit"]["side"] = "<left & right>";
-  set.content["TurnLimit"]["speeds"] = list<double>({1.0 / 7.0, 2.0});
-  set.content["TurnLimit"]["zones"] = list<std::string>({"door", "ramp"});
+  set.content["TurnLimit"]["speeds"] = list_of<double>({1.0 / 7.0, 2.0});
+  set.content["TurnLimit"]["zones"] = list_of<std::string>({"door", "ramp"});
   set.content["PathDist"]["scale"] = 7.0;
   set.content["sim_time"] = 1.0;
   const std::string text = foreign_content(set);
   EXPECT_EQ(text.find("PathDist"), std::string::npos);
   EXPECT_EQ(text.find("sim_time"), std::string::npos);
   const ParameterSet read = with_foreign_content(text);
-  EXPECT_EQ(read.source_for("some_package/TurnLimit")->number("limit", 0.0), 1.0 / 3.0);
-  EXPECT_TRUE(read.source_for("some_package/TurnLimit")->flag("strict", false));
-  EXPECT_EQ(read.source_for("some_package/TurnLimit")->word("side", ""), "<left & right>");
-  EXPECT_EQ(read.source_for("some_package/TurnLimit")->numbers("speeds", {}), (std::vector<double>{1.0 / 7.0, 2.0}));
-  EXPECT_EQ(read.source_for("some_package/TurnLimit")->words("zones", {}), (std::vector<std::string>{"door", "ramp"}));
+  const auto own = read.source_for("some_package/TurnLimit");
+  EXPECT_EQ(own->number("limit", 0.0), 1.0 / 3.0);
+  EXPECT_TRUE(own->flag("strict", false));
+  EXPECT_EQ(own->word("side", ""), "<left & right>");
+  EXPECT_EQ(own->numbers("speeds", {}), (std::vector<double>{1.0 / 7.0, 2.0}));
+  EXPECT_EQ(own->words("zones", {}), (std::vector<std::string>{"door", "ramp"}));
   set.parameters.critics = "PathDist";
   EXPECT_EQ(foreign_content(set), "");
   EXPECT_EQ(foreign_content(ParameterSet()), "");

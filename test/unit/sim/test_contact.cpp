@@ -6,34 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "random_scene.hpp"
+#include "support/naive_collision.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {
 namespace {
-
-/// What is left of the polygon on the side of a line where axis * sign >= limit * sign.
-Polygon cut(const Polygon& polygon, int axis, double limit, double sign) {
-  Polygon result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d& a = polygon[i];
-    const Eigen::Vector2d& b = polygon[(i + 1) % polygon.size()];
-    const double da = sign * (a[axis] - limit);
-    const double db = sign * (b[axis] - limit);
-    if (da >= 0.0) result.push_back(a);
-    if ((da > 0.0 && db < 0.0) || (da < 0.0 && db > 0.0)) result.push_back(a + (b - a) * (da / (da - db)));
-  }
-  return result;
-}
-
-double area(const Polygon& polygon) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d& a = polygon[i];
-    const Eigen::Vector2d& b = polygon[(i + 1) % polygon.size()];
-    sum += 0.5 * (a.x() * b.y() - b.x() * a.y());
-  }
-  return std::abs(sum);
-}
 
 /// The slow and obvious way: every cell of the map is cut with the polygon, and what remains is measured.
 bool naive_overlap(const OccupancyMap& map, const Polygon& polygon) {
@@ -42,9 +19,7 @@ bool naive_overlap(const OccupancyMap& map, const Polygon& polygon) {
       if (!map.occupied(column, row)) continue;
       const double x = map.origin_x + column * map.resolution;
       const double y = map.origin_y + row * map.resolution;
-      const Polygon common =
-          cut(cut(cut(cut(polygon, 0, x, 1), 0, x + map.resolution, -1), 1, y, 1), 1, y + map.resolution, -1);
-      if (area(common) > 0.0) return true;
+      if (test::naive_shared_area(polygon, x, y, map.resolution) > 0.0) return true;
     }
   }
   return false;
@@ -70,12 +45,6 @@ TEST(Contact, AgreesWithTheNaiveTwin) {
   // Neither answer is rare.
   EXPECT_GT(overlaps, kScenes / 10);
   EXPECT_LT(overlaps, kScenes * 9 / 10);
-}
-
-TEST(Contact, ACellWithinTheFootprintCounts) {
-  OccupancyMap map = make_map(20, 20, 0.05);
-  map.cells[map.index(10, 10)] = Cell::kOccupied;  // [0.50, 0.55] x [0.50, 0.55]
-  EXPECT_TRUE(overlaps_occupied(map, transformed(circle_polygon(0.3), {0.52, 0.52, 0})));
 }
 
 TEST(Contact, UnknownCellsAreNoObstacles) {

@@ -16,12 +16,7 @@ namespace {
 
 std::string fault_of(const std::string& text) {
   TemporaryFolder folder;
-  try {
-    load_dynabarn_worlds(folder.write("worlds.txt", text));
-  } catch (const std::runtime_error& e) {
-    return e.what();
-  }
-  return "";
+  return error_of([&] { load_dynabarn_worlds(folder.write("worlds.txt", text)); });
 }
 
 TEST(DynabarnWorlds, AreReadLineByLine) {

@@ -68,6 +68,40 @@ class StudyFolder : public ::testing::Test {
     return all;
   }
 
+  /// The cell in this column of each line, or of the line with this id.
+  std::vector<std::string> column(const std::string& out, const std::string& name) const {
+    const std::vector<Row> lines = lines_of(out);
+    std::vector<std::string> cells;
+    for (std::size_t k = 1; k < lines.size(); ++k) cells.push_back(cell(lines[k], name, lines[0]));
+    return cells;
+  }
+  std::string at(const std::string& out, const std::string& id, const std::string& name) const {
+    const std::vector<Row> lines = lines_of(out);
+    for (const Row& line : lines) {
+      if (line.front() == id) return cell(line, name, lines.front());
+    }
+    return "none";
+  }
+
+  /// A line that makes no sense ends with 2 and names what is wrong, or the remedy.
+  void expect_refused(const std::string& line, const std::string& part,
+                      const std::vector<std::string>& more = {}) const {
+    const Ended ended = run(line, more);
+    EXPECT_EQ(ended.code, 2) << line;
+    EXPECT_NE(ended.errors.find(part), std::string::npos) << line << ": " << ended.errors;
+  }
+
+  /// The study that `line` makes in `out`, made in two parts as well and joined, is the same.
+  void expect_sum_of_its_parts(const std::string& line, const std::string& out,
+                               const std::vector<std::string>& more = {}) const {
+    ASSERT_EQ(run(line + " --out @part1 --shard 1/2", more).code, 0);
+    ASSERT_EQ(run(line + " --out @part2 --shard 2/2", more).code, 0);
+    EXPECT_EQ(lines_of("part1").size() + lines_of("part2").size(), lines_of(out).size() + 1) << "each has a head";
+    const Ended merged = run("merge --out @joined @part2 @part1");
+    ASSERT_EQ(merged.code, 0) << merged.errors;
+    expect_same(out, "joined");
+  }
+
   /// Every file that holds no time of the computer's.
   void expect_same(const std::string& a, const std::string& b) const {
     for (const char* name : {"/runs.csv", "/summary.json", "/study.json", "/plan.csv"}) {

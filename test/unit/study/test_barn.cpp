@@ -2,7 +2,6 @@
 // BARN-2D in two small worlds of the test's own.
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,104 +41,73 @@ class Barn : public StudyFolder {
     StudyFolder::SetUp();
     write("worlds.txt", "# two\n" + world(3, 9) + world(8, 17));
   }
-
-  // Coarse, to be quick.
-  Ended study(const std::string& line) const {
-    const bool drives = line.rfind("barn", 0) == 0 && line.find("--worlds @worlds.txt") != std::string::npos;
-    return run(line + (drives ? " --set plan.resolution=0.05 --set vx_samples=10 --set vth_samples=20" : ""));
-  }
-
-  // By the names in the first line.
-  std::vector<std::vector<std::string>> table(const std::string& out, const std::vector<std::string>& names) const {
-    const std::vector<Row> lines = lines_of(out);
-    std::vector<std::vector<std::string>> all;
-    for (std::size_t line = 1; line < lines.size(); ++line) {
-      all.emplace_back();
-      for (const std::string& name : names) {
-        for (std::size_t k = 0; k < lines[0].size(); ++k) {
-          if (lines[0][k] == name) all.back().push_back(lines[line].at(k));
-        }
-      }
-      EXPECT_EQ(all.back().size(), names.size());
-    }
-    return all;
-  }
 };
 
+// Coarse, to be quick.
+const std::string kBarn =
+    "barn --worlds @worlds.txt --set plan.resolution=0.05 --set vx_samples=10 --set vth_samples=20";
+
 TEST_F(Barn, DrivesInEveryModeWithoutAContact) {
-  const Ended ended = study("barn --worlds @worlds.txt --out @a");
+  const Ended ended = run(kBarn + " --out @a");
   ASSERT_EQ(ended.code, 0) << ended.errors;
   EXPECT_NE(ended.out.find("6 of 6 runs"), std::string::npos) << ended.out;
-  const auto rows = table("a", {"world", "mode", "contacts", "collision", "success", "operator_active"});
-  ASSERT_EQ(rows.size(), 6u);
-  for (const auto& row : rows) {
-    EXPECT_EQ(row[2], "0") << row[1] << " in world " << row[0];
-    EXPECT_EQ(row[3], "0");
-    if (row[1] == "AUTONOMY") {
-      EXPECT_EQ(row[4], "1") << "world " << row[0];
-      EXPECT_EQ(std::stod(row[5]), 0.0);
-    } else {
-      EXPECT_GT(std::stod(row[5]), 0.0) << row[1] << " in world " << row[0];
-    }
+  for (const char* measure : {"contacts", "collision"}) {
+    EXPECT_EQ(column("a", measure), std::vector<std::string>(6, "0")) << measure;
+  }
+  const std::vector<std::string> ids = column("a", "id");
+  for (const std::string& id : ids) {
+    const bool alone = at("a", id, "mode") == "AUTONOMY";
+    EXPECT_TRUE(!alone || at("a", id, "success") == "1") << id;
+    EXPECT_EQ(std::stod(at("a", id, "operator_active")) == 0.0, alone) << id;
   }
   EXPECT_EQ(read("a/summary.json").find("wall"), std::string::npos);
   EXPECT_NE(read("a/timing.json").find("wall_time"), std::string::npos);
 }
 
 TEST_F(Barn, TwiceAndInPartsGivesTheSameBytes) {
-  const std::string line = "barn --worlds @worlds.txt --mode AUTONOMY,HOSTILE ";
-  ASSERT_EQ(study(line + "--out @a --threads 1").code, 0);
-  ASSERT_EQ(study(line + "--out @b --threads 3").code, 0);
+  const std::string line = kBarn + " --mode AUTONOMY,HOSTILE";
+  ASSERT_EQ(run(line + " --out @a --threads 1").code, 0);
+  ASSERT_EQ(run(line + " --out @b --threads 3").code, 0);
   expect_same("a", "b");
-  ASSERT_EQ(study(line + "--out @p1 --shard 1/2").code, 0);
-  ASSERT_EQ(study(line + "--out @p2 --shard 2/2").code, 0);
-  EXPECT_EQ(table("p1", {"id"}).size() + table("p2", {"id"}).size(), 4u);
-  const Ended merged = study("merge --out @m @p2 @p1");
-  ASSERT_EQ(merged.code, 0) << merged.errors;
-  expect_same("a", "m");
+  expect_sum_of_its_parts(line, "a");
   fs::remove(folder_ / "a/rows/barn-P0003-HOSTILE-S00001.csv");
-  const Ended again = study(line + "--out @a");
+  const Ended again = run(line + " --out @a");
   ASSERT_EQ(again.code, 0) << again.errors;
   EXPECT_NE(again.errors.find("3 runs are finished already"), std::string::npos) << again.errors;
   expect_same("a", "b");
 }
 
 TEST_F(Barn, SetReachesPlannerAndCostmap) {
-  const std::string line = "barn --worlds @worlds.txt --mode AUTONOMY ";
-  const Ended ended = study(line + "--out @a --vary max_vel_x=0.4,1.0 --no-paths");
+  const std::string line = kBarn + " --mode AUTONOMY";
+  const Ended ended = run(line + " --out @a --vary max_vel_x=0.4,1.0 --no-paths");
   ASSERT_EQ(ended.code, 0) << ended.errors;
-  const auto rows = table("a", {"world", "setting", "time"});
-  ASSERT_EQ(rows.size(), 6u);
+  const std::vector<std::string> times = column("a", "time");
+  ASSERT_EQ(times.size(), 6u);
   for (std::size_t w = 0; w < 2; ++w) {  // as it is (0.5), then 0.4, then 1.0
-    EXPECT_GT(std::stod(rows[3 * w + 1][2]), 1.1 * std::stod(rows[3 * w][2]));
-    EXPECT_LT(std::stod(rows[3 * w + 2][2]), 0.8 * std::stod(rows[3 * w][2]));
+    EXPECT_GT(std::stod(times[3 * w + 1]), 1.1 * std::stod(times[3 * w]));
+    EXPECT_LT(std::stod(times[3 * w + 2]), 0.8 * std::stod(times[3 * w]));
   }
   EXPECT_NE(read("a/ranking.csv").find("1,AUTONOMY,max_vel_x=1.0"), std::string::npos) << read("a/ranking.csv");
-  const Ended coarse = study(line + "--out @c --set costmap.resolution=0.1");
+  const Ended coarse = run(line + " --out @c --set costmap.resolution=0.1");
   ASSERT_EQ(coarse.code, 0) << coarse.errors;
-  EXPECT_NE(table("c", {"length"})[0], table("a", {"length"})[0]);
+  EXPECT_NE(column("c", "length")[0], column("a", "length")[0]);
 }
 
 TEST_F(Barn, FaultsEndWithTwoAndNameTheRemedy) {
-  const auto expect = [this](const std::string& line, const std::string& part) {
-    const Ended ended = study(line);
-    EXPECT_EQ(ended.code, 2) << line;
-    EXPECT_NE(ended.errors.find(part), std::string::npos) << line << ": " << ended.errors;
-  };
   const std::string line = "barn --out @a --worlds @worlds.txt ";
-  std::ofstream(folder_ / "cut.txt") << "# head\n3 | 0:0 0:1";
-  expect("barn --out @a --worlds @cut.txt", "cut.txt' line 2: it has 2 parts");
-  expect("barn --out @a --worlds @none.txt", "none.txt' cannot be read");
-  expect("barn --out @a", "--worlds is missing");
-  expect(line + "--mode SWITCHING", "AUTONOMY,HELPFUL,HOSTILE");
-  expect(line + "--participants 3", "--participants is for run, pilot and sweep");
-  expect("run --out @a --worlds @worlds.txt", "--worlds is for barn");
-  expect(line + "--set costmap.colour=1", "there is no costmap.colour");
-  expect(line + "--set costmap.resolution=9", "costmap.resolution needs a number");
-  expect(line + "--set participant.look_ahead=1", "barn has no participants");
-  expect(line + "--set mode=off", "--mode");
-  expect(line + "--set min_vel_x=2", "min_vel_x");
-  expect(line + "--grid sim_time=1,2 --vary vx_samples=5", "not both");
+  write("cut.txt", "# head\n3 | 0:0 0:1");
+  expect_refused("barn --out @a --worlds @cut.txt", "cut.txt' line 2: it has 2 parts");
+  expect_refused("barn --out @a --worlds @none.txt", "none.txt' cannot be read");
+  expect_refused("barn --out @a", "--worlds is missing");
+  expect_refused(line + "--mode SWITCHING", "AUTONOMY,HELPFUL,HOSTILE");
+  expect_refused(line + "--participants 3", "--participants is for run, pilot and sweep");
+  expect_refused("run --out @a --worlds @worlds.txt", "--worlds is for barn");
+  expect_refused(line + "--set costmap.colour=1", "there is no costmap.colour");
+  expect_refused(line + "--set costmap.resolution=9", "costmap.resolution needs a number");
+  expect_refused(line + "--set participant.look_ahead=1", "barn has no participants");
+  expect_refused(line + "--set mode=off", "--mode");
+  expect_refused(line + "--set min_vel_x=2", "min_vel_x");
+  expect_refused(line + "--grid sim_time=1,2 --vary vx_samples=5", "not both");
   EXPECT_FALSE(fs::exists(folder_ / "a"));
 }
 

@@ -24,26 +24,15 @@ const char* const kWorlds =
 // One that comes towards the robot from in front, at 0.8 m/s, again and again.
 const char* const kChase = "9 hard | a 0:6:0 10:14:0\n";
 
+const std::string kQuick = " --set vx_samples=10 --set vth_samples=20 --set costmap.resolution=0.1";
+
 class Encounters : public StudyFolder {
  protected:
   void SetUp() override {
     StudyFolder::SetUp();
     write("worlds.txt", kWorlds);
   }
-  Ended study(const std::string& line) const {
-    return run(line + " --set vx_samples=10 --set vth_samples=20 --set costmap.resolution=0.1");
-  }
-  // Of the line with this id.
-  std::string at(const std::string& out, const std::string& id, const std::string& column) const {
-    const std::vector<Row> lines = lines_of(out);
-    for (const Row& row : lines) {
-      if (row.front() != id) continue;
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        if (lines.front()[k] == column) return row[k];
-      }
-    }
-    return "none";
-  }
+  Ended study(const std::string& line) const { return run(line + kQuick); }
 };
 
 TEST_F(Encounters, AnEmptyWayIsDrivenAndAFullOneIsNot) {
@@ -79,19 +68,15 @@ TEST_F(Encounters, ASlowRobotIsAsSlowBackwards) {
 }
 
 TEST_F(Encounters, ShardsAndResumedStudiesAreTheSame) {
-  const std::string all = "dynabarn --worlds @worlds.txt --seeds 1 --out ";
-  ASSERT_EQ(study(all + "@whole").code, 0);
+  const std::string all = "dynabarn --worlds @worlds.txt --seeds 1" + kQuick;
+  ASSERT_EQ(run(all + " --out @whole").code, 0);
   EXPECT_EQ(lines_of("whole").size(), 7U);  // two worlds in three modes, and the head
-  ASSERT_EQ(study(all + "@one --shard 1/2").code, 0);
-  ASSERT_EQ(study(all + "@two --shard 2/2").code, 0);
-  const Ended merged = run("merge --out @merged @one @two");
-  ASSERT_EQ(merged.code, 0) << merged.errors;
-  expect_same("whole", "merged");
-  const Ended resumed = study(all + "@one");
+  expect_sum_of_its_parts(all, "whole");
+  const Ended resumed = run(all + " --out @part1");
   ASSERT_EQ(resumed.code, 0) << resumed.errors;
   EXPECT_NE(resumed.errors.find("3 runs are finished already"), std::string::npos) << resumed.errors;
-  expect_same("whole", "one");
-  EXPECT_EQ(study(all + "@one --motion spline").code, 2);  // another study
+  expect_same("whole", "part1");
+  EXPECT_EQ(run(all + " --out @part1 --motion spline").code, 2);  // another study
 }
 
 TEST_F(Encounters, ACrowdIsMetAndItsMeasuresAreKept) {
@@ -111,24 +96,19 @@ TEST_F(Encounters, ACrowdIsMetAndItsMeasuresAreKept) {
 
 TEST_F(Encounters, WhatMakesNoSenseIsRefused) {
   write("broken.txt", "4 easy | a 0:0:8\n");
-  const std::vector<std::pair<std::string, std::string>> wrong{
-      {"dynabarn --out @o", "--worlds is missing: a file of DynaBARN worlds"},
-      {"dynabarn --out @o --worlds @broken.txt", "line 1: the obstacle 'a'"},
-      {"dynabarn --out @o --worlds @worlds.txt --mode AFTERMATH", "--mode AFTERMATH is for barn"},
-      {"dynabarn --out @o --worlds @worlds.txt --tracking maybe", "--tracking is none"},
-      {"dynabarn --out @o --worlds @worlds.txt --motion jumps", "--motion is linear or spline"},
-      {"dynabarn --out @o --worlds @worlds.txt --speed 3", "--speed needs a number from 0.1 to 2"},
-      {"dynabarn --out @o --worlds @worlds.txt --seeds 101", "--seeds is at most 100"},
-      {"dynabarn --out @o --worlds @worlds.txt --people 3", "--people is for crowd"},
-      {"barn --out @o --worlds @worlds.txt --seeds 3", "--seeds is for dynabarn, crowd and passage"},
-      {"crowd --out @o --motion spline", "--motion is for dynabarn"},
-      {"crowd --out @o --yielding 2", "--yielding needs a number from 0 to 1"},
-      {"crowd --out @o --people 150 --seeds 1 --map @worlds.txt", "worlds.txt"}};
-  for (const auto& [line, part] : wrong) {
-    const Ended ended = run(line);
-    EXPECT_EQ(ended.code, 2) << line;
-    EXPECT_NE(ended.errors.find(part), std::string::npos) << line << ": " << ended.errors;
-  }
+  const std::string line = "dynabarn --out @o --worlds @worlds.txt ";
+  expect_refused("dynabarn --out @o", "--worlds is missing: a file of DynaBARN worlds");
+  expect_refused("dynabarn --out @o --worlds @broken.txt", "line 1: the obstacle 'a'");
+  expect_refused(line + "--mode AFTERMATH", "--mode AFTERMATH is for barn");
+  expect_refused(line + "--tracking maybe", "--tracking is none");
+  expect_refused(line + "--motion jumps", "--motion is linear or spline");
+  expect_refused(line + "--speed 3", "--speed needs a number from 0.1 to 2");
+  expect_refused(line + "--seeds 101", "--seeds is at most 100");
+  expect_refused(line + "--people 3", "--people is for crowd");
+  expect_refused("barn --out @o --worlds @worlds.txt --seeds 3", "--seeds is for dynabarn, crowd and passage");
+  expect_refused("crowd --out @o --motion spline", "--motion is for dynabarn");
+  expect_refused("crowd --out @o --yielding 2", "--yielding needs a number from 0 to 1");
+  expect_refused("crowd --out @o --people 150 --seeds 1 --map @worlds.txt", "worlds.txt");
 }
 
 TEST(EncounterRow, TellsTouchesApart) {

@@ -76,46 +76,32 @@ class Doorway : public StudyFolder {
           "image: doorway.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
           "free_thresh: 0.196\n");
   }
-  std::string said(const Row& names, const Row& line, const std::string& column) const {
-    return cell(line, column, names);
-  }
 };
 
 // The short form of the bar: all arrive, none stands for more than 3 s, none stops more than twice.
 TEST_F(Doorway, IsPassedSteadilyInSpiteOfNoise) {
   const Ended ended = run("passage --map @doorway.yaml --out @out --start 1,1.1,0.3 --goal 5,1.9,0 --seeds 6");
   ASSERT_EQ(ended.code, 0) << ended.errors;
-  const std::vector<Row> lines = lines_of("out");
-  ASSERT_EQ(lines.size(), 7U);
-  for (std::size_t k = 1; k < lines.size(); ++k) {
-    EXPECT_EQ(said(lines[0], lines[k], "arrived"), "1") << to_line(lines[k]);
-    EXPECT_EQ(said(lines[0], lines[k], "contacts"), "0") << to_line(lines[k]);
-    EXPECT_LE(std::stod(said(lines[0], lines[k], "longest_stand")), kLongestStand) << to_line(lines[k]);
-    EXPECT_LE(std::stoi(said(lines[0], lines[k], "stops")), kMostStops) << to_line(lines[k]);
-    EXPECT_EQ(said(lines[0], lines[k], "steady"), "1") << to_line(lines[k]);
-  }
+  using Cells = std::vector<std::string>;
+  EXPECT_EQ(column("out", "arrived"), Cells(6, "1"));
+  EXPECT_EQ(column("out", "contacts"), Cells(6, "0"));
+  EXPECT_EQ(column("out", "steady"), Cells(6, "1"));
+  for (const std::string& longest : column("out", "longest_stand")) EXPECT_LE(std::stod(longest), kLongestStand);
+  for (const std::string& stops : column("out", "stops")) EXPECT_LE(std::stoi(stops), kMostStops);
 }
 
 TEST_F(Doorway, ShardsAreTheSame) {
-  const std::string all = "passage --map @doorway.yaml --start 1,1.5,0 --goal 2.5,1.5,0 --seeds 2 --out ";
-  ASSERT_EQ(run(all + "@whole").code, 0);
-  ASSERT_EQ(run(all + "@one --shard 1/2").code, 0);
-  ASSERT_EQ(run(all + "@two --shard 2/2").code, 0);
-  ASSERT_EQ(run("merge --out @merged @one @two").code, 0);
-  expect_same("whole", "merged");
+  const std::string all = "passage --map @doorway.yaml --start 1,1.5,0 --goal 2.5,1.5,0 --seeds 2";
+  ASSERT_EQ(run(all + " --out @whole").code, 0);
+  expect_sum_of_its_parts(all, "whole");
 }
 
 TEST_F(Doorway, WhatMakesNoSenseIsRefused) {
-  const std::vector<std::pair<std::string, std::string>> wrong{
-      {"passage --out @o --map @doorway.yaml --goal 5,1.5,0", "there is no start"},
-      {"passage --out @o --map @doorway.yaml --start 3.1,0.5,0 --goal 5,1.5,0", "the robot does not fit at its start"},
-      {"passage --out @o --people 3", "--people is for crowd"},
-      {"passage --out @o --mode AUTONOMY", "--mode is for barn, dynabarn and crowd"}};
-  for (const auto& [line, part] : wrong) {
-    const Ended ended = run(line);
-    EXPECT_EQ(ended.code, 2) << line;
-    EXPECT_NE(ended.errors.find(part), std::string::npos) << line << ": " << ended.errors;
-  }
+  const std::string line = "passage --out @o --map @doorway.yaml ";
+  expect_refused(line + "--goal 5,1.5,0", "there is no start");
+  expect_refused(line + "--start 3.1,0.5,0 --goal 5,1.5,0", "the robot does not fit at its start");
+  expect_refused("passage --out @o --people 3", "--people is for crowd");
+  expect_refused("passage --out @o --mode AUTONOMY", "--mode is for barn, dynabarn and crowd");
 }
 
 }  // namespace

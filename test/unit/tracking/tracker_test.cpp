@@ -34,17 +34,18 @@ ScanWorld crossing(double stops_at = 1e9) {
 }
 
 struct Watch {
-  explicit Watch(ScanWorld w, std::uint64_t seed = 3) : world(std::move(w)), random(seed) {}
+  explicit Watch(ScanWorld w, const Pose2& from = kPlace) : world(std::move(w)), place(from) {}
   RangeScan next() {
     time += kStep;
     std::vector<int> seen;
-    return world.scan(time, kPlace, kPlace, random, seen);
+    return world.scan(time, place, place, random, seen);
   }
   void run(double duration) {
     for (double end = time + duration - 0.5 * kStep; time < end;) EXPECT_EQ(tracker.update(next()), ScanUse::used);
   }
   ScanWorld world;
-  Random random;
+  Pose2 place;  // of the laser
+  Random random{3};
   Tracker tracker;
   double time = 0.0;
 };
@@ -74,18 +75,12 @@ TEST(Tracker, KnowsWhoComesFromFarAway) {
   Walker walker;
   walker.at = [](double time) { return Point(13.0 - 1.5 * time, 0.5); };
   world.walkers.push_back(walker);
-  Random random(6);
-  std::vector<int> seen;
-  Tracker tracker;
-  const Pose2 origin;
-  double time = 0.0;
-  while (tracker.obstacles().empty() && time < 4.0) {
-    time += kStep;
-    tracker.update(world.scan(time, origin, origin, random, seen));
-  }
-  ASSERT_EQ(tracker.obstacles().size(), 1u);
-  EXPECT_GT(tracker.obstacles()[0].position.norm(), 9.0);
-  EXPECT_LT((tracker.obstacles()[0].position - walker.at(time)).norm(), 0.2);
+  Watch watch(world, {});
+  while (watch.tracker.obstacles().empty() && watch.time < 4.0) watch.run(kStep);
+  ASSERT_EQ(watch.tracker.obstacles().size(), 1u);
+  const Point found = watch.tracker.obstacles()[0].position;
+  EXPECT_GT(found.norm(), 9.0);
+  EXPECT_LT((found - walker.at(watch.time)).norm(), 0.2);
 }
 
 TEST(Tracker, WhoStopsIsTheCostmapsAgain) {
@@ -170,13 +165,10 @@ TEST(Tracker, WhatHasOnlyStirredIsTheCostmapsSoon) {
 TEST(Tracker, WhatStandsFromTheBeginningIsNoMover) {
   ScanWorld world = test::office();
   world.laser.noise = 0.03;
-  Random random(9);
-  Tracker tracker;
-  std::vector<int> seen;
+  Watch watch(world, {3.5, 3.0, 1.0});
   for (int i = 1; i < 400; ++i) {
-    const Pose2 pose{3.5, 3.0, 1.0};
-    tracker.update(world.scan(kStep * i, pose, pose, random, seen));
-    ASSERT_TRUE(tracker.obstacles().empty()) << i;
+    watch.run(kStep);
+    ASSERT_TRUE(watch.tracker.obstacles().empty()) << i;
   }
 }
 
@@ -200,11 +192,7 @@ TEST(Tracker, NeverListsPointsOfAWall) {
 
 // Nobody may be made out of a person who stood there from the start: his place was never seen free.
 TEST(Tracker, WhoStandsFromTheStartHasNoPoints) {
-  ScanWorld world = test::hall();
-  Walker walker;
-  walker.at = [](double time) { return Point(7.0 + std::max(0.0, time - 3.0), 7.0); };  // goes after 3 s
-  world.walkers.push_back(walker);
-  Watch watch(world);
+  Watch watch(hall_with([](double time) { return Point(7.0 + std::max(0.0, time - 3.0), 7.0); }));  // goes after 3 s
   watch.run(3.0);
   EXPECT_TRUE(watch.tracker.obstacles().empty());
   watch.run(1.0);
@@ -213,8 +201,7 @@ TEST(Tracker, WhoStandsFromTheStartHasNoPoints) {
 }
 
 TEST(Tracker, TheSameScansGiveTheSameBits) {
-  Watch one(test::hall()), other(test::hall());
-  one.world = other.world = crossing();
+  Watch one(crossing()), other(crossing());
   for (int i = 0; i < 80; ++i) {
     one.tracker.update(one.next());
     other.tracker.update(other.next());

@@ -70,14 +70,6 @@ class Hangs : public hidwa_local_planner::Critic {
   int cycles_ = 0;
 };
 
-class NotANumber : public hidwa_local_planner::Critic {
- public:
-  double configure(const Parameters& /*parameters*/, const ParameterSource& /*own*/) override { return 1.0; }
-  void score(const CycleView& /*cycle*/, const Tile& /*tile*/, TileScores& scores) override {
-    for (std::size_t c = 0; c < scores.count(); ++c) scores.set(c, std::numeric_limits<double>::quiet_NaN());
-  }
-};
-
 /// Of what is faster than 0.2 m/s alone.
 class HalfNotANumber : public hidwa_local_planner::Critic {
  public:
@@ -94,7 +86,6 @@ class HalfNotANumber : public hidwa_local_planner::Critic {
 PLUGINLIB_EXPORT_CLASS(hidwa_broken_critics::Throws, hidwa_local_planner::Critic)
 PLUGINLIB_EXPORT_CLASS(hidwa_broken_critics::ThrowsAtTheEnd, hidwa_local_planner::Critic)
 PLUGINLIB_EXPORT_CLASS(hidwa_broken_critics::Hangs, hidwa_local_planner::Critic)
-PLUGINLIB_EXPORT_CLASS(hidwa_broken_critics::NotANumber, hidwa_local_planner::Critic)
 PLUGINLIB_EXPORT_CLASS(hidwa_broken_critics::HalfNotANumber, hidwa_local_planner::Critic)
 PLUGINLIB_EXPORT_CLASS(hidwa_broken_critics::CannotBeMade, hidwa_local_planner::Critic)
 PLUGINLIB_EXPORT_CLASS(hidwa_broken_critics::CannotBeConfigured, hidwa_local_planner::Critic)

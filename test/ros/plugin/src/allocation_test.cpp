@@ -17,8 +17,6 @@ using hidwa_local_planner::test::allocations_of_this_thread;
 // Nothing may grow any more.
 constexpr long kGrowth = 0;
 
-std::string ns(const std::string& name) { return ros::this_node::getName() + "/" + name + "/"; }
-
 /// What the planner asks the host for in either call.
 std::size_t of_the_host(const std::string& plan_frame) {
   Stage& stage = Stage::get();
@@ -148,7 +146,9 @@ TEST_F(Allocations, NoneWhileThePersonIsRejected) {
   ros::param::set(ns("Rejects") + "cycle_budget", -1.0);  // a busy machine would be told so, in the log
   // A wall across the grid marks other cells as the robot turns, with corners nearer to it than the wall: it would be
   // told that it collides, again and again. Along the grid's columns it marks the same cells from anywhere.
-  Stage::get().robot.face(0.0);
+  Pose along_x = Stage::get().robot.pose();
+  along_x.theta = 0.0;
+  Stage::get().robot.put(along_x);
   ASSERT_TRUE(Stage::get().pass_until(faces_along_x));
   Host host("Rejects", Host::Listens::no);
   Stick stick;
@@ -182,10 +182,3 @@ TEST_F(Allocations, NoneWhereEverythingIsRejectedButToSaySo) {
 
 }  // namespace
 }  // namespace hidwa_plugin_tests
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "allocation_test");
-  ros::NodeHandle node;
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <ros/service.h>
-#include <ros/this_node.h>
 
 #include "stage.hpp"
 
@@ -15,30 +15,10 @@ namespace hidwa_plugin_tests {
 /// A change of parameters by dynamic_reconfigure.
 class Change {
  public:
-  Change& set(const std::string& name, double value) {
-    dynamic_reconfigure::DoubleParameter parameter;
-    parameter.name = name;
-    parameter.value = value;
-    call_.request.config.doubles.push_back(parameter);
-    return *this;
-  }
-  Change& set(const std::string& name, int value) {
-    dynamic_reconfigure::IntParameter parameter;
-    parameter.name = name;
-    parameter.value = value;
-    call_.request.config.ints.push_back(parameter);
-    return *this;
-  }
-  Change& set(const std::string& name, const std::string& value) {
-    dynamic_reconfigure::StrParameter parameter;
-    parameter.name = name;
-    parameter.value = value;
-    call_.request.config.strs.push_back(parameter);
-    return *this;
-  }
-  bool send(const Host& host) {
-    return ros::service::call(ros::this_node::getName() + "/" + host.name() + "/set_parameters", call_);
-  }
+  Change& set(const std::string& name, double value) { return add(call_.request.config.doubles, name, value); }
+  Change& set(const std::string& name, int value) { return add(call_.request.config.ints, name, value); }
+  Change& set(const std::string& name, const std::string& value) { return add(call_.request.config.strs, name, value); }
+  bool send(const Host& host) { return ros::service::call(ns(host.name()) + "set_parameters", call_); }
   /// What the answer says is in force.
   double number(const std::string& name) const {
     for (const auto& parameter : call_.response.config.doubles) {
@@ -54,6 +34,15 @@ class Change {
   }
 
  private:
+  template <typename Parameter, typename Value>
+  Change& add(std::vector<Parameter>& all, const std::string& name, const Value& value) {
+    Parameter parameter;
+    parameter.name = name;
+    parameter.value = value;
+    all.push_back(parameter);
+    return *this;
+  }
+
   dynamic_reconfigure::Reconfigure call_;
 };
 

@@ -48,8 +48,13 @@ class ControllerTest : public ::testing::Test {
     return false;
   }
 
-  bool full_speed() {
-    return cycle_until([this](ControllerOutcome) { return sent_.linear.x > 0.45; });
+  bool comes_to(ControllerOutcome wanted) {
+    return cycle_until([wanted](ControllerOutcome outcome) { return outcome == wanted; });
+  }
+
+  void drive_at_full_speed() {
+    ASSERT_TRUE(controller_.set_plan(straight_plan(6.0)));
+    ASSERT_TRUE(cycle_until([this](ControllerOutcome) { return sent_.linear.x > 0.45; })) << message_;
   }
 
   /// Cycles to the goal; what is left to it [m], negative where it is not reached.
@@ -77,36 +82,32 @@ class ControllerTest : public ::testing::Test {
 };
 
 TEST_F(ControllerTest, CancelledItBrakesToRestAndThenSaysSo) {
-  ASSERT_TRUE(controller_.set_plan(straight_plan(6.0)));
-  ASSERT_TRUE(full_speed()) << message_;
+  drive_at_full_speed();
   controller_.cancel();
   int brakes = 0;
-  const auto canceled = [&](ControllerOutcome outcome) {
+  EXPECT_TRUE(cycle_until([&](ControllerOutcome outcome) {
     brakes += outcome == ControllerOutcome::success && sent_.linear.x > 0.0 ? 1 : 0;
     return outcome == ControllerOutcome::canceled;
-  };
-  EXPECT_TRUE(cycle_until(canceled)) << message_;
+  })) << message_;
   EXPECT_EQ(message_, "canceled: the robot stands");
   // From 0.45 m/s or more by 0.125 m/s a cycle: at least three commands on the way.
   EXPECT_GE(brakes, 3);
   expect_rest();
-  // What comes next is driven.
-  ASSERT_TRUE(controller_.set_plan(straight_plan(6.0)));
-  EXPECT_TRUE(full_speed()) << message_;
+  drive_at_full_speed();  // what comes next is driven
   controller_.cancel();
-  EXPECT_TRUE(cycle_until(canceled));
+  EXPECT_TRUE(comes_to(ControllerOutcome::canceled));
 }
 
 TEST_F(ControllerTest, APlanWhileItBrakesDoesNotMakeItDriveOn) {
-  ASSERT_TRUE(controller_.set_plan(straight_plan(6.0)));
-  ASSERT_TRUE(full_speed()) << message_;
+  drive_at_full_speed();
   controller_.cancel();
   ASSERT_TRUE(controller_.set_plan(straight_plan(5.0)));
-  EXPECT_TRUE(cycle_until([](ControllerOutcome o) { return o == ControllerOutcome::canceled; })) << message_;
+  EXPECT_TRUE(comes_to(ControllerOutcome::canceled)) << message_;
   expect_rest();
 }
 
-TEST_F(ControllerTest, ArrivesAtRestWithinTheHostsTolerance) {
+// The planner's own tolerance is 0.25 m.
+TEST_F(ControllerTest, ArrivesAtRestWithinANarrowToleranceOfTheHost) {
   const double left = arrive(2.0, 0.1);
   EXPECT_GE(left, 0.0) << message_;
   EXPECT_LE(left, 0.1);
@@ -114,7 +115,6 @@ TEST_F(ControllerTest, ArrivesAtRestWithinTheHostsTolerance) {
 }
 
 TEST_F(ControllerTest, AWiderToleranceEndsEarlier) {
-  // The planner's own is 0.25 m.
   const double left = arrive(2.0, 0.6);
   EXPECT_GT(left, 0.3) << message_;
   EXPECT_LE(left, 0.6);
@@ -123,16 +123,9 @@ TEST_F(ControllerTest, AWiderToleranceEndsEarlier) {
 
 TEST_F(ControllerTest, APlanThatCannotBeUsedIsToldOfByTheCycle) {
   EXPECT_TRUE(controller_.set_plan({}));
-  EXPECT_TRUE(cycle_until([](ControllerOutcome o) { return o == ControllerOutcome::invalid_path; })) << message_;
+  EXPECT_TRUE(comes_to(ControllerOutcome::invalid_path)) << message_;
   EXPECT_NE(message_.find("empty"), std::string::npos) << message_;
 }
 
 }  // namespace
 }  // namespace hidwa_plugin_tests
-
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "controller_test");
-  ros::NodeHandle keep;
-  return RUN_ALL_TESTS();
-}

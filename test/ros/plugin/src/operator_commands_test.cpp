@@ -9,28 +9,6 @@
 namespace hidwa_plugin_tests {
 namespace {
 
-/// The newest message of a topic, of those that came after it was made.
-template <typename Message>
-class Newest {
- public:
-  explicit Newest(const std::string& topic) {
-    subscriber_ = node_.subscribe<Message>(topic, 10, [this](const typename Message::ConstPtr& message) {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      message_ = message;
-    });
-  }
-  typename Message::ConstPtr get() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return message_;
-  }
-
- private:
-  ros::NodeHandle node_;
-  mutable std::mutex mutex_;
-  typename Message::ConstPtr message_;
-  ros::Subscriber subscriber_;
-};
-
 std::string mode_in(const dynamic_reconfigure::Config& config) {
   for (const auto& parameter : config.strs) {
     if (parameter.name == "mode") return parameter.value;
@@ -43,17 +21,21 @@ class Commands : public Operated {
   bool say_mode(const std::string& mode) { return say<std_msgs::String>("set_mode", mode); }
   /// What a client that subscribes now is told.
   bool late_subscriber_reads(const std::string& mode) {
-    const Newest<std_msgs::String> shown(in_namespace("mode"));
-    return wait_for([&] { return shown.get() && shown.get()->data == mode; });
+    const Messages<std_msgs::String> shown(in_namespace("mode"));
+    return wait_for([&] { return shown.newest().data == mode; });
   }
-  bool clients_see(const std::string& mode) {
-    const Newest<dynamic_reconfigure::Config> config(in_namespace("parameter_updates"));
-    return wait_for([&] { return config.get() && mode_in(*config.get()) == mode; });
+  /// That client, one of dynamic_reconfigure, and the parameter server.
+  void expect_everywhere(const std::string& mode) {
+    EXPECT_TRUE(late_subscriber_reads(mode)) << mode;
+    const Messages<dynamic_reconfigure::Config> config(in_namespace("parameter_updates"));
+    EXPECT_TRUE(wait_for([&] { return mode_in(config.newest()) == mode; })) << mode;
+    EXPECT_EQ(ros::param::param<std::string>(in_namespace("mode"), ""), mode);
   }
-  std::string stored_mode() const {
-    std::string mode;
-    ros::param::get(in_namespace("mode"), mode);
-    return mode;
+  /// The robot drives, and the stick steers it.
+  void expect_the_stick_steers() {
+    ASSERT_TRUE(all_cycles([](const Host::Cycle& c) { return c.success; }, 0.3));
+    person().left = 1.0f;
+    EXPECT_TRUE(reaches("SHARED"));
   }
 };
 
@@ -63,8 +45,8 @@ TEST_F(Commands, SetModeSwitchesWhileItDrives) {
   EXPECT_EQ(state().mode_name, "joystick");
   EXPECT_EQ(state().mode, OperatorState::MODE_JOYSTICK);
   EXPECT_TRUE(late_subscriber_reads("joystick"));
-  const Newest<dynamic_reconfigure::Config> updates(in_namespace("parameter_updates"));
-  const Newest<std_msgs::String> shown(in_namespace("mode"));
+  const Messages<dynamic_reconfigure::Config> updates(in_namespace("parameter_updates"));
+  const Messages<std_msgs::String> shown(in_namespace("mode"));
 
   person().left = 1.0f;
   ASSERT_TRUE(reaches("SHARED"));
@@ -77,16 +59,10 @@ TEST_F(Commands, SetModeSwitchesWhileItDrives) {
   for (const char* mode : {"switching", "gesture", "joystick"}) {
     ASSERT_TRUE(say_mode(mode));
     EXPECT_TRUE(cycle_until([&](const Host::Cycle& c) { return c.success && state().mode_name == mode; })) << mode;
-    EXPECT_TRUE(wait_for([&] { return updates.get() && mode_in(*updates.get()) == mode; })) << mode;
-    EXPECT_TRUE(wait_for([&] { return shown.get() && shown.get()->data == mode; })) << mode;
-    EXPECT_TRUE(late_subscriber_reads(mode));
-    EXPECT_TRUE(clients_see(mode));
-    EXPECT_EQ(stored_mode(), mode);
+    EXPECT_TRUE(wait_for([&] { return mode_in(updates.newest()) == mode && shown.newest().data == mode; })) << mode;
+    expect_everywhere(mode);
   }
-  // And the mode that was set is the one that counts.
-  ASSERT_TRUE(all_cycles([](const Host::Cycle& c) { return c.success; }, 0.3));
-  person().left = 1.0f;
-  EXPECT_TRUE(reaches("SHARED"));
+  expect_the_stick_steers();  // the mode that was set is the one that counts
 }
 
 TEST_F(Commands, TheModeIsToldWhileNoCyclesRun) {
@@ -107,18 +83,16 @@ TEST_F(Commands, WhatIsNoModeIsRefused) {
   press();
   ASSERT_EQ(state().state_name, "MANUAL");
   for (const char* wrong : {"sideways", "", "Joystick"}) {
+    SCOPED_TRACE(wrong);
     const int before = log.times("set_mode: ");
     ASSERT_TRUE(say_mode(wrong));
-    EXPECT_TRUE(cycle_until([&](const Host::Cycle&) { return log.times("set_mode: ") > before; })) << wrong;
+    EXPECT_TRUE(cycle_until([&](const Host::Cycle&) { return log.times("set_mode: ") > before; }));
     EXPECT_TRUE(all_cycles(
         [this](const Host::Cycle& c) {
           return c.success && state().mode_name == "switching" && state().state_name == "MANUAL";
         },
-        0.3))
-        << wrong;
-    EXPECT_TRUE(late_subscriber_reads("switching"));
-    EXPECT_TRUE(clients_see("switching"));
-    EXPECT_EQ(stored_mode(), "switching");
+        0.3));
+    expect_everywhere("switching");
   }
 }
 
@@ -142,18 +116,8 @@ TEST_F(Commands, AModeWhoseTopicCannotBeHadIsRefused) {
   ASSERT_TRUE(say_mode("gesture"));
   EXPECT_TRUE(cycle_until([&](const Host::Cycle&) { return log.said("set_mode: a topic cannot be listened to"); }));
   EXPECT_TRUE(late_subscriber_reads("joystick"));
-  // The stick steers as before.
-  ASSERT_TRUE(all_cycles([](const Host::Cycle& c) { return c.success; }, 0.3));
-  person().left = 1.0f;
-  EXPECT_TRUE(reaches("SHARED"));
+  expect_the_stick_steers();
 }
 
 }  // namespace
 }  // namespace hidwa_plugin_tests
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "operator_commands_test");
-  ros::NodeHandle node;
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -12,30 +12,31 @@
 namespace hidwa_plugin_tests {
 namespace {
 
-class Feedback : public Operated {
- protected:
-  static constexpr double kToWall = 1.8;  // [m]
+constexpr double kToWall = 1.8;  // [m]
 
-  void feel(const std::string& topic) {
-    motor_ = node_.subscribe<sensor_msgs::JoyFeedbackArray>(
-        topic, 100, [this](const sensor_msgs::JoyFeedbackArray::ConstPtr& message) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          for (const sensor_msgs::JoyFeedback& part : message->array) {
-            EXPECT_EQ(part.type, sensor_msgs::JoyFeedback::TYPE_RUMBLE);
-            felt_.push_back(part.intensity);
-          }
-        });
-  }
+/// The stick's motor.
+class Motor {
+ public:
+  explicit Motor(const std::string& topic) : heard_(topic) {}
   std::vector<float> felt() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return felt_;
+    std::vector<float> intensities;
+    for (const sensor_msgs::JoyFeedbackArray& message : heard_.all()) {
+      for (const sensor_msgs::JoyFeedback& part : message.array) {
+        EXPECT_EQ(part.type, sensor_msgs::JoyFeedback::TYPE_RUMBLE);
+        intensities.push_back(part.intensity);
+      }
+    }
+    return intensities;
   }
-  void forget() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    felt_.clear();
-  }
+  void forget() { heard_.forget(); }
   bool silent() const { return felt().empty() || felt().back() == 0.0f; }
 
+ private:
+  Messages<sensor_msgs::JoyFeedbackArray> heard_;
+};
+
+class Feedback : public Operated {
+ protected:
   /// On at the wall, hardly turning, until the robot stands before it.
   void steer_at_the_wall() {
     Stage::get().robot.wall_ahead(kToWall);
@@ -44,11 +45,14 @@ class Feedback : public Operated {
     ASSERT_TRUE(cycle_until(
         [this](const Host::Cycle& c) { return !state().refused_by.empty() && std::abs(c.command.linear.x) < 0.05; }));
   }
-
-  ros::NodeHandle node_;
-  mutable std::mutex mutex_;
-  std::vector<float> felt_;
-  ros::Subscriber motor_;
+  /// The motor falls silent, not merely for want of messages, and nothing follows.
+  void expect_ends(const Motor& motor) {
+    ASSERT_TRUE(cycle_until([&](const Host::Cycle&) { return motor.silent(); }));
+    const std::size_t ended = motor.felt().size();
+    EXPECT_GT(ended, 0u);
+    pass_cycles(0.3);
+    EXPECT_EQ(motor.felt().size(), ended);
+  }
 };
 
 TEST_F(Feedback, TheStateTellsEverything) {
@@ -83,7 +87,7 @@ TEST_F(Feedback, TheStateTellsEverything) {
   ASSERT_TRUE(reaches("AUTONOMY"));
 
   steer_at_the_wall();
-  EXPECT_EQ(state().refused_by == "Collision" || state().refused_by == "Braking", true) << state().refused_by;
+  EXPECT_TRUE(state().refused_by == "Collision" || state().refused_by == "Braking") << state().refused_by;
   EXPECT_LT(state().agreement, 0.7);
   for (const OperatorState& each : person().states()) {
     EXPECT_GE(each.agreement, 0.0);
@@ -93,77 +97,58 @@ TEST_F(Feedback, TheStateTellsEverything) {
 
 TEST_F(Feedback, TheStickRumblesTheMoreTheLessIsDone) {
   start();
-  feel("joy/set_feedback");
+  Motor motor("joy/set_feedback");
   drive();
-  EXPECT_TRUE(felt().empty());
+  EXPECT_TRUE(motor.felt().empty());
   person().left = 0.3f;
   ASSERT_TRUE(
-      cycle_until([this](const Host::Cycle&) { return state().active && state().agreement > 0.98 && silent(); }));
-  forget();
+      cycle_until([&](const Host::Cycle&) { return state().active && state().agreement > 0.98 && motor.silent(); }));
+  motor.forget();
   EXPECT_TRUE(all_cycles([](const Host::Cycle& c) { return c.success; }, 0.5));
-  EXPECT_TRUE(felt().empty());  // silent where the robot does what is wanted
+  EXPECT_TRUE(motor.felt().empty());  // silent where the robot does what is wanted
   person().left = 0.0f;
   ASSERT_TRUE(reaches("AUTONOMY"));
-  forget();
+  motor.forget();
 
   steer_at_the_wall();
-  const std::vector<float> rising = felt();
+  const std::vector<float> rising = motor.felt();
   ASSERT_GT(rising.size(), 3u);
   EXPECT_LT(rising.front(), 0.3f);
   EXPECT_GT(rising.back(), 0.4f);
   // As strong as the newest disagreement.
-  ASSERT_TRUE(cycle_until([this](const Host::Cycle&) {
-    return !felt().empty() && std::abs(felt().back() - (1.0 - state().agreement)) < 1e-6;
+  ASSERT_TRUE(cycle_until([&](const Host::Cycle&) {
+    return !motor.felt().empty() && std::abs(motor.felt().back() - (1.0 - state().agreement)) < 1e-6;
   }));
 
   person().left = 0.0f;
-  ASSERT_TRUE(cycle_until([this](const Host::Cycle&) { return !state().active && silent(); }));
-  const std::size_t ended = felt().size();
-  EXPECT_EQ(felt().back(), 0.0f);  // not merely no more messages
-  EXPECT_TRUE(all_cycles([](const Host::Cycle&) { return true; }, 0.3));
-  EXPECT_EQ(felt().size(), ended);
+  ASSERT_TRUE(cycle_until([this](const Host::Cycle&) { return !state().active; }));
+  expect_ends(motor);
 }
 
 TEST_F(Feedback, AnotherMotorTakesOver) {
   set("rumble_topic", in_namespace("first"));
   start();
-  feel(in_namespace("first"));
+  const Motor first(in_namespace("first"));
   drive();
   steer_at_the_wall();
-  ASSERT_FALSE(silent());
+  ASSERT_FALSE(first.silent());
   ASSERT_TRUE(Change().set("rumble_topic", in_namespace("second")).send(host()));
-  ASSERT_TRUE(cycle_until([this](const Host::Cycle&) { return silent(); }));
-  const std::size_t ended = felt().size();
-  EXPECT_TRUE(all_cycles([](const Host::Cycle&) { return true; }, 0.3));
-  EXPECT_EQ(felt().size(), ended);
+  expect_ends(first);
 }
 
 TEST_F(Feedback, MarkersArePublished) {
   start();
-  std::vector<visualization_msgs::MarkerArray> shown;
-  const ros::Subscriber subscriber = node_.subscribe<visualization_msgs::MarkerArray>(
-      in_namespace("operator_markers"), 10, [&](const visualization_msgs::MarkerArray::ConstPtr& message) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        shown.push_back(*message);
-      });
+  const Messages<visualization_msgs::MarkerArray> shown(in_namespace("operator_markers"));
   drive();
   person().left = 1.0f;
   ASSERT_TRUE(reaches("SHARED"));
-  const auto says_shared = [&](const Host::Cycle&) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return !shown.empty() && std::any_of(shown.back().markers.begin(), shown.back().markers.end(), [](const auto& m) {
-      return m.header.frame_id == "base_link" && m.text.find("SHARED") != std::string::npos;
+  EXPECT_TRUE(cycle_until([&](const Host::Cycle&) {
+    const visualization_msgs::MarkerArray newest = shown.newest();
+    return std::any_of(newest.markers.begin(), newest.markers.end(), [](const auto& marker) {
+      return marker.header.frame_id == "base_link" && marker.text.find("SHARED") != std::string::npos;
     });
-  };
-  EXPECT_TRUE(cycle_until(says_shared));
+  }));
 }
 
 }  // namespace
 }  // namespace hidwa_plugin_tests
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "operator_feedback_test");
-  ros::NodeHandle node;
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -10,17 +10,16 @@ namespace {
 
 using namespace hidwa_local_planner;
 
-class ParameterFile : public ::testing::TestWithParam<const char*> {
- protected:
-  LoadedParameters load() const {
-    XmlRpc::XmlRpcValue content;
-    EXPECT_TRUE(ros::param::get("/files/" + std::string(GetParam()) + "/HIDWAPlannerROS", content)) << GetParam();
-    return load_parameters(content);
-  }
-};
+LoadedParameters load(const std::string& file) {
+  XmlRpc::XmlRpcValue content;
+  EXPECT_TRUE(ros::param::get("/files/" + file + "/HIDWAPlannerROS", content)) << file;
+  return load_parameters(content);
+}
+
+class ParameterFile : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ParameterFile, IsKnownAndValid) {
-  const LoadedParameters loaded = load();
+  const LoadedParameters loaded = load(GetParam());
   EXPECT_FALSE(loaded.found.empty());
   for (const std::string& fault : loaded.faults) ADD_FAILURE() << fault;
   for (const std::string& warning : loaded.warnings) ADD_FAILURE() << warning;
@@ -32,9 +31,7 @@ INSTANTIATE_TEST_SUITE_P(All, ParameterFile,
                          [](const auto& file) { return std::string(file.param); });
 
 TEST(ParameterFiles, HidwaHoldsTheDefaults) {
-  XmlRpc::XmlRpcValue content;
-  ASSERT_TRUE(ros::param::get("/files/hidwa/HIDWAPlannerROS", content));
-  const Parameters parameters = load_parameters(content).parameters;
+  const Parameters parameters = load("hidwa").parameters;
   for (const ParameterInfo& info : parameter_table()) {
     EXPECT_EQ(get_parameter(parameters, info.name), info.value) << info.name;
   }
@@ -42,10 +39,3 @@ TEST(ParameterFiles, HidwaHoldsTheDefaults) {
 
 }  // namespace
 }  // namespace hidwa_plugin_tests
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "parameter_files_test");
-  ros::NodeHandle node;
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

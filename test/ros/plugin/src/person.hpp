@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -18,15 +17,14 @@ namespace hidwa_plugin_tests {
 
 using hidwa_local_planner::OperatorState;
 
-/// A stick with three axes and two buttons on the topic `joy` that repeats itself once a period, and what the
+/// A stick with two axes and two buttons on the topic `joy` that repeats itself once a period, and what the
 /// planner tells its holder.
 class Person {
  public:
   explicit Person(const Host& host);
-  ~Person();
 
-  float left = 0.0f, ahead = 0.0f, trigger = 0.0f;  // axes 0, 1 and 2
-  bool button = false, second_button = false;       // buttons 0 and 1
+  float left = 0.0f, ahead = 0.0f;             // axes 0 and 1
+  bool button = false, second_button = false;  // buttons 0 and 1
   bool sends = true;
   /// Waits until the planner listens to the stick.
   bool heard() const;
@@ -36,16 +34,14 @@ class Person {
   void vanish();
 
   /// The newest.
-  OperatorState state() const;
+  OperatorState state() const { return states_.newest(); }
   /// All since the start.
-  std::vector<OperatorState> states() const;
+  std::vector<OperatorState> states() const { return states_.all(); }
 
  private:
   ros::NodeHandle node_;
   ros::Publisher publisher_;
-  ros::Subscriber subscriber_;
-  mutable std::mutex mutex_;
-  std::vector<OperatorState> states_;
+  Messages<OperatorState> states_;
   Ticking ticking_;
 };
 
@@ -57,7 +53,7 @@ class Operated : public ::testing::Test {
   ~Operated() override;
 
   /// A name in the planner's namespace.
-  std::string in_namespace(const std::string& name) const;
+  std::string in_namespace(const std::string& name) const { return ns(name_) + name; }
   template <typename Value>
   void set(const std::string& parameter, const Value& value) {
     ros::param::set(in_namespace(parameter), value);
@@ -74,6 +70,14 @@ class Operated : public ::testing::Test {
   bool reaches(const std::string& state, double seconds = kPatience);
   /// Runs cycles for a simulated time [s]; whether all of them were so.
   bool all_cycles(const Done& so, double seconds);
+  /// Runs cycles for a simulated time [s].
+  void pass_cycles(double seconds) {
+    all_cycles([](const Host::Cycle&) { return true; }, seconds);
+  }
+  /// Whether in none of these cycles [s] the person's input counts.
+  bool nobody_steers(double seconds) {
+    return all_cycles([this](const Host::Cycle&) { return !state().active; }, seconds);
+  }
   /// A press of the button and its release, by a stick that the planner has heard for a while; with cycles, as
   /// while driving.
   void press();

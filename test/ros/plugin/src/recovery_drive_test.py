@@ -1,89 +1,49 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """A goal inside a wall: move_base recovers twice, without a move, and not while somebody holds the robot."""
+import os
 import sys
-import threading
 import unittest
 
-import actionlib
-import rospy
-import rostest
-from actionlib_msgs.msg import GoalStatus
-from geometry_msgs.msg import Twist
-from hidwa_local_planner.msg import OperatorState
-from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal, RecoveryStatus
-from std_msgs.msg import Bool
+ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.realpath(__file__)), *4 * ('..',)))
+sys.path[0:0] = [os.path.join(ROOT, 'test', 'support'), os.path.join(ROOT, 'scripts', 'lib')]
+import rospy  # noqa: E402
+import rostest  # noqa: E402
+from actionlib_msgs.msg import GoalStatus  # noqa: E402
+from geometry_msgs.msg import Twist  # noqa: E402
+from move_base_msgs.msg import RecoveryStatus  # noqa: E402
+from std_msgs.msg import Bool  # noqa: E402
+
+from command_watch import PLANNER  # noqa: E402
+from hidwa_tools.waiting import wait_for  # noqa: E402
+from running_host import RunningHost  # noqa: E402
 
 WALL = (0.0, 2.5)  # the room's edge [m]
-PATIENCE = 300.0   # [s] of simulated time
-
-
-class Seen:
-    """Messages of the topics that matter, in order."""
-
-    def __init__(self):
-        self.lock = threading.Lock()
-        self.messages = {}
-
-    def listen(self, topic, kind):
-        self.messages[topic] = []
-        rospy.Subscriber(topic, kind, self._keep, topic, queue_size=None)
-
-    def _keep(self, message, topic):
-        with self.lock:
-            self.messages[topic].append(message)
-
-    def of(self, topic):
-        with self.lock:
-            return list(self.messages[topic])
-
-
-def wait_for(condition, seconds=PATIENCE):
-    """Until `condition` holds; False after so many seconds of simulated time."""
-    end = rospy.Time.now() + rospy.Duration(seconds)
-    while not condition():
-        if rospy.is_shutdown() or rospy.Time.now() > end:
-            return False
-        rospy.sleep(0.05)
-    return True
 
 
 class RecoveryDriveTest(unittest.TestCase):
     def test_recovers_without_a_move_and_yields(self):
-        seen = Seen()
-        seen.listen('/cmd_vel', Twist)
-        seen.listen('/move_base/recovery_status', RecoveryStatus)
-        seen.listen('/move_base/HIDWAPlannerROS/operator_state', OperatorState)
-        stop = rospy.Publisher('/move_base/HIDWAPlannerROS/stop', Bool, queue_size=1)
-        client = actionlib.SimpleActionClient('move_base', MoveBaseAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(PATIENCE)))
-        self.assertTrue(wait_for(lambda: stop.get_num_connections() > 0))
+        tried, commands, host = [], [], RunningHost((WALL,))
+        rospy.Subscriber('/move_base/recovery_status', RecoveryStatus, tried.append, queue_size=None)
+        rospy.Subscriber('/cmd_vel', Twist, commands.append, queue_size=None)
+        stop = rospy.Publisher(PLANNER + '/stop', Bool, queue_size=1)
+        self.assertTrue(host.wait_until_ready(), 'move_base does not come up')
+        self.assertTrue(wait_for(stop.get_num_connections), 'nobody listens to stop')
         stop.publish(True)
-
-        goal = MoveBaseGoal()
-        goal.target_pose.header.frame_id = 'map'
-        goal.target_pose.pose.position.x, goal.target_pose.pose.position.y = WALL
-        goal.target_pose.pose.orientation.w = 1.0
-        client.send_goal(goal)
-
-        def tried():
-            return [status.recovery_behavior_name for status in seen.of('/move_base/recovery_status')]
-
-        def held():
-            states = seen.of('/move_base/HIDWAPlannerROS/operator_state')
-            return bool(states) and states[-1].state_name == 'STOPPED'
-        self.assertTrue(wait_for(tried), 'nothing recovers')
-        self.assertTrue(wait_for(held), 'the recovery does not hear the person')
+        host.send_goal(*WALL)
+        self.assertTrue(wait_for(lambda: tried), 'nothing recovers')
+        self.assertTrue(wait_for(lambda: host.state_name() == 'STOPPED'), 'the recovery does not hear the person')
         # planner_patience is 1 s: without the person the second one would have begun.
-        self.assertFalse(wait_for(lambda: len(tried()) > 1, 4), 'the recovery does not wait')
-        self.assertTrue(held())
+        end = rospy.get_time() + 4.0
+        self.assertTrue(wait_for(lambda: rospy.get_time() > end), 'the clock stands still')
+        self.assertEqual(len(tried), 1, 'the recovery does not wait')
+        self.assertEqual(host.state_name(), 'STOPPED')
 
         stop.publish(False)
-        self.assertTrue(client.wait_for_result(rospy.Duration(PATIENCE)), 'no result')
-        self.assertEqual(client.get_state(), GoalStatus.ABORTED)
-        self.assertEqual(tried(), ['clear_far', 'clear_near'])
-        moves = [c for c in seen.of('/cmd_vel') if c.linear.x or c.angular.z]
-        self.assertEqual(moves, [])
+        self.assertTrue(wait_for(lambda: host.result is not None), 'no result')
+        self.assertEqual(host.result, GoalStatus.ABORTED)
+        self.assertEqual([status.recovery_behavior_name for status in tried], ['clear_far', 'clear_near'])
+        self.assertEqual([c for c in commands if c.linear.x or c.angular.z], [])
 
 
 if __name__ == '__main__':

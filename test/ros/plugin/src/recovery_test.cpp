@@ -28,25 +28,22 @@ pluginlib::ClassLoader<nav_core::RecoveryBehavior>& loader() {
 /// What is sent on cmd_vel, and the robot that hears it.
 class Commands {
  public:
+  struct Sent {
+    ros::Time time;  // when it arrived, simulated
+    geometry_msgs::Twist twist;
+  };
   Commands() {
     subscriber_ = ros::NodeHandle().subscribe<geometry_msgs::Twist>(
         "cmd_vel", 100, [this](const geometry_msgs::Twist::ConstPtr& twist) {
           const std::lock_guard<std::mutex> lock(mutex_);
           Stage::get().robot.command(*twist);
-          all_.push_back(*twist);
-          times_.push_back(ros::Time::now());
+          all_.push_back({ros::Time::now(), *twist});
         });
   }
-  /// When each arrived, in simulated time.
-  std::vector<ros::Time> times() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return times_;
-  }
-  std::vector<geometry_msgs::Twist> all() const {
+  std::vector<Sent> all() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return all_;
   }
-  bool any() const { return !all().empty(); }
   /// Waits until what is sent from now on arrives.
   void expect_connected() const {
     EXPECT_TRUE(wait_for([this] { return subscriber_.getNumPublishers() > 0; }));
@@ -54,16 +51,15 @@ class Commands {
 
  private:
   mutable std::mutex mutex_;
-  std::vector<geometry_msgs::Twist> all_;
-  std::vector<ros::Time> times_;
+  std::vector<Sent> all_;
   ros::Subscriber subscriber_;
 };
 
 /// A recovery with the stage's costmap in both places.
 boost::shared_ptr<nav_core::RecoveryBehavior> recovery(const std::string& name, double patience,
                                                        double reset_distance = 3.0) {
-  ros::param::set(ros::this_node::getName() + "/" + name + "/patience", patience);
-  ros::param::set(ros::this_node::getName() + "/" + name + "/reset_distance", reset_distance);
+  ros::param::set(ns(name) + "patience", patience);
+  ros::param::set(ns(name) + "reset_distance", reset_distance);
   const auto behavior = loader().createInstance("hidwa_local_planner/YieldingRecovery");
   Stage& stage = Stage::get();
   behavior->initialize(name, &stage.tf, stage.costmap.get(), stage.costmap.get());
@@ -92,11 +88,11 @@ class Running {
 
 class RecoveryTest : public Operated {
  protected:
-  static void expect_rest(const Commands& commands) {
-    for (const geometry_msgs::Twist& twist : commands.all()) {
-      EXPECT_EQ(twist.linear.x, 0.0);
-      EXPECT_EQ(twist.angular.z, 0.0);
-    }
+  void start_stopped() {
+    start();
+    host().plan_ahead(2.0);
+    ASSERT_TRUE(say<std_msgs::Bool>("stop", true));
+    ASSERT_TRUE(reaches("STOPPED"));
   }
 };
 
@@ -109,28 +105,23 @@ TEST_F(RecoveryTest, BrakesWithinTheLimitsAndNeverTurns) {
   ros::Time before = ros::Time::now() - ros::Duration(kPeriod);  // of the last cycle
   Running running(behavior);
   ASSERT_TRUE(running.ends());
-  ASSERT_TRUE(wait_for([&] { return commands.any() && commands.all().back().linear.x == 0.0; }));
-  const std::vector<geometry_msgs::Twist> all = commands.all();
-  const std::vector<ros::Time> times = commands.times();
+  ASSERT_TRUE(wait_for([&] { return !commands.all().empty() && commands.all().back().twist.linear.x == 0.0; }));
   double last = 0.5;  // [m/s]
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (const Commands::Sent& sent : commands.all()) {
     // A cycle that is late brakes by more.
-    const double passed = std::max(kPeriod, (times[i] - before).toSec()) + 0.5 * kPeriod;
-    EXPECT_GE(all[i].linear.x, last - 2.5 * passed - 1e-3);
-    EXPECT_LE(all[i].linear.x, last + 1e-9);
-    EXPECT_EQ(all[i].angular.z, 0.0);
-    last = all[i].linear.x;
-    before = times[i];
+    const double passed = std::max(kPeriod, (sent.time - before).toSec()) + 0.5 * kPeriod;
+    EXPECT_GE(sent.twist.linear.x, last - 2.5 * passed - 1e-3);
+    EXPECT_LE(sent.twist.linear.x, last + 1e-9);
+    EXPECT_EQ(sent.twist.angular.z, 0.0);
+    last = sent.twist.linear.x;
+    before = sent.time;
   }
   // 0.5 m/s at 2.5 m/s2 and 20 Hz are 4 cycles.
-  EXPECT_GE(all.size(), 3u);
+  EXPECT_GE(commands.all().size(), 3u);
 }
 
 TEST_F(RecoveryTest, WaitsWhileSomebodyStopsTheRobot) {
-  start();
-  host().plan_ahead(2.0);
-  ASSERT_TRUE(say<std_msgs::Bool>("stop", true));
-  ASSERT_TRUE(reaches("STOPPED"));
+  start_stopped();
   const Commands commands;
   const auto behavior = recovery("Stopped", 20.0);
   commands.expect_connected();
@@ -140,29 +131,14 @@ TEST_F(RecoveryTest, WaitsWhileSomebodyStopsTheRobot) {
   EXPECT_EQ(state().state_name, "STOPPED");
   ASSERT_TRUE(say<std_msgs::Bool>("stop", false));
   EXPECT_TRUE(running.ends());
-  expect_rest(commands);
-}
-
-TEST_F(RecoveryTest, WaitsWhileSomebodySteers) {
-  start();
-  drive();
-  person().left = 1.0f;
-  ASSERT_TRUE(reaches("SHARED"));
-  const Commands commands;
-  const auto behavior = recovery("Steered", 20.0);
-  commands.expect_connected();
-  Running running(behavior);
-  EXPECT_FALSE(running.ends(1.5));
-  EXPECT_EQ(commands.all().back().angular.z, 0.0);  // what the person wants is not done meanwhile
-  person().left = 0.0f;
-  EXPECT_TRUE(running.ends());
+  for (const Commands::Sent& sent : commands.all()) {
+    EXPECT_EQ(sent.twist.linear.x, 0.0);
+    EXPECT_EQ(sent.twist.angular.z, 0.0);
+  }
 }
 
 TEST_F(RecoveryTest, ItsPatienceEnds) {
-  start();
-  host().plan_ahead(2.0);
-  ASSERT_TRUE(say<std_msgs::Bool>("stop", true));
-  ASSERT_TRUE(reaches("STOPPED"));
+  start_stopped();
   const ros::Time before = ros::Time::now();
   Running running(recovery("Patience", 1.0));
   ASSERT_TRUE(running.ends());
@@ -172,10 +148,7 @@ TEST_F(RecoveryTest, ItsPatienceEnds) {
 
 // The host looks at a cancel only after the recovery.
 TEST_F(RecoveryTest, ACancelEndsTheWait) {
-  start();
-  host().plan_ahead(2.0);
-  ASSERT_TRUE(say<std_msgs::Bool>("stop", true));
-  ASSERT_TRUE(reaches("STOPPED"));
+  start_stopped();
   Running running(recovery("Cancelled", 20.0));
   const ros::Publisher cancel = ros::NodeHandle().advertise<actionlib_msgs::GoalID>("move_base/cancel", 1);
   ASSERT_TRUE(wait_for([&] { return cancel.getNumSubscribers() > 0; }));
@@ -191,15 +164,11 @@ TEST(Recovery, WithoutAPlannerItDoesNotWait) {
   EXPECT_EQ(ros::Time::now(), before);
 }
 
-int lethal_cells() {
-  costmap_2d::Costmap2DROS& costmap = *Stage::get().costmap;
-  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap.getCostmap()->getMutex());
-  const costmap_2d::Costmap2D& map = *costmap.getCostmap();
-  int count = 0;
-  for (unsigned int y = 0; y < map.getSizeInCellsY(); ++y) {
-    for (unsigned int x = 0; x < map.getSizeInCellsX(); ++x) count += map.getCost(x, y) == costmap_2d::LETHAL_OBSTACLE;
-  }
-  return count;
+long lethal_cells() {
+  costmap_2d::Costmap2D& map = *Stage::get().costmap->getCostmap();
+  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*map.getMutex());
+  const unsigned char* cells = map.getCharMap();
+  return std::count(cells, cells + map.getSizeInCellsX() * map.getSizeInCellsY(), costmap_2d::LETHAL_OBSTACLE);
 }
 
 /// Marks the cell `behind` [m] behind the robot, where no beam clears it.
@@ -219,31 +188,25 @@ void mark_behind(double behind) {
   }
 }
 
-// Remembered 0.7 m and 1.5 m behind the robot: a square of 3.6 m, 1.8 m to each side, keeps both; one of 2 m the near
-// one; none is kept by one of no width.
+// Remembered 0.7 m and 1.5 m behind the robot: a square of 3.6 m, 1.8 m to each side, keeps both; one of 2 m keeps the
+// near one; one without a side keeps none.
 TEST(Recovery, ForgetsWhatLiesFarFromTheRobot) {
   Stage::get().clear();
   mark_behind(0.7);
   mark_behind(1.5);
-  const auto lethal_are = [](int count) {
-    return Stage::get().pass_until([count] { return lethal_cells() == count; });
+  struct Row {
+    const char* name;
+    double side;
+    long kept;
   };
-  ASSERT_TRUE(lethal_are(2));
-  recovery("KeepsBoth", 1.0, 3.6)->runBehavior();
-  EXPECT_FALSE(Stage::get().pass_until([] { return lethal_cells() != 2; }, 0.5));
-  recovery("KeepsOne", 1.0, 2.0)->runBehavior();
-  EXPECT_TRUE(lethal_are(1));
-  EXPECT_FALSE(Stage::get().pass_until([] { return lethal_cells() != 1; }, 0.5));
-  recovery("KeepsNone", 1.0, 0.0)->runBehavior();
-  EXPECT_TRUE(lethal_are(0));
+  ASSERT_TRUE(Stage::get().pass_until([] { return lethal_cells() == 2; }));
+  for (const Row& row : {Row{"KeepsBoth", 3.6, 2}, Row{"KeepsOne", 2.0, 1}, Row{"KeepsNone", 0.0, 0}}) {
+    SCOPED_TRACE(row.name);
+    recovery(row.name, 1.0, row.side)->runBehavior();
+    EXPECT_TRUE(Stage::get().pass_until([&row] { return lethal_cells() == row.kept; }));
+    EXPECT_FALSE(Stage::get().pass_until([&row] { return lethal_cells() != row.kept; }, 0.5));
+  }
 }
 
 }  // namespace
 }  // namespace hidwa_plugin_tests
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "recovery_test");
-  ros::NodeHandle node;
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -14,7 +14,6 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
 #include <ros/poll_manager.h>
-#include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/LaserScan.h>
 
 namespace hidwa_plugin_tests {
@@ -89,9 +88,9 @@ Pose Robot::pose() const {
   return pose_;
 }
 
-void Robot::face(double theta) {
+void Robot::put(const Pose& pose) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  pose_.theta = theta;
+  pose_ = pose;
 }
 
 void Robot::wall_ahead(double ahead) {
@@ -255,13 +254,8 @@ Host::Host(const std::string& name, Listens listens) : name_(name) {
   planner_ = loader().createInstance("hidwa_local_planner/HIDWAPlannerROS");
   planner_->initialize(name, &stage.tf, stage.costmap.get());
   if (listens == Listens::no) return;
-  ros::NodeHandle node("~/" + name);
-  subscriber_ = node.subscribe<hidwa_local_planner::Cycle>("cycle", 10,
-                                                           [this](const hidwa_local_planner::Cycle::ConstPtr& message) {
-                                                             const std::lock_guard<std::mutex> lock(mutex_);
-                                                             report_ = *message;
-                                                           });
-  wait_for([this] { return subscriber_.getNumPublishers() > 0; });
+  reports_ = std::make_unique<Messages<hidwa_local_planner::Cycle>>(ns(name) + "cycle");
+  reports_->connected();
 }
 
 Host::~Host() { stop(); }
@@ -299,9 +293,14 @@ bool Host::cycle_until(const std::function<bool(const Cycle&)>& done, double sec
   return false;
 }
 
-hidwa_local_planner::Cycle Host::report() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return report_;
+bool Host::refuses_to_drive() {
+  bool rests = true;
+  Cycle last;
+  for (int i = 0; i < 20; ++i) {
+    last = cycle();
+    rests = rests && last.command.linear.x == 0.0;
+  }
+  return rests && !last.success;
 }
 
 void Host::stop() { Stage::get().robot.command(geometry_msgs::Twist()); }
@@ -315,21 +314,31 @@ bool wait_for(const std::function<bool()>& done) {
   return true;
 }
 
-LogListener::LogListener() {
-  ros::NodeHandle node;
-  subscriber_ = node.subscribe<rosgraph_msgs::Log>("/rosout", 1000, [this](const rosgraph_msgs::Log::ConstPtr& line) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    lines_.push_back(line->msg);
-  });
-}
+std::string ns(const std::string& name) { return ros::this_node::getName() + "/" + name + "/"; }
 
 int LogListener::times(const std::string& part) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  int count = 0;
-  for (const std::string& line : lines_) {
-    if (line.find(part) != std::string::npos) ++count;
+  const std::vector<rosgraph_msgs::Log> lines = lines_.all();
+  return static_cast<int>(std::count_if(lines.begin(), lines.end(), [&part](const rosgraph_msgs::Log& line) {
+    return line.msg.find(part) != std::string::npos;
+  }));
+}
+
+diagnostic_msgs::DiagnosticStatus Diagnosis::status() const {
+  diagnostic_msgs::DiagnosticStatus newest;
+  for (const diagnostic_msgs::DiagnosticArray& array : heard_.all()) {
+    for (const diagnostic_msgs::DiagnosticStatus& status : array.status) {
+      if (status.name == name_) newest = status;
+    }
   }
-  return count;
+  return newest;
+}
+
+std::string Diagnosis::value(const std::string& key) const {
+  const diagnostic_msgs::DiagnosticStatus newest = status();
+  for (const diagnostic_msgs::KeyValue& pair : newest.values) {
+    if (pair.key == key) return pair.value;
+  }
+  return "there is no " + key;
 }
 
 }  // namespace hidwa_plugin_tests

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -11,11 +12,13 @@
 #include <vector>
 
 #include <costmap_2d/costmap_2d_ros.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <hidwa_local_planner/Cycle.h>
 #include <nav_core/base_local_planner.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <tf2_ros/buffer.h>
 #include <boost/make_shared.hpp>
 #include <pluginlib/class_loader.hpp>
@@ -45,6 +48,47 @@ void deliver(const ros::Publisher& publisher, Message message) {
   wait_for([&sent] { return sent.expired(); });
 }
 
+/// The namespace of a planner of this process, with a slash at its end.
+std::string ns(const std::string& name);
+
+/// What came on a topic since it was made.
+template <typename Message>
+class Messages {
+ public:
+  explicit Messages(const std::string& topic) {
+    subscriber_ = ros::NodeHandle().subscribe<Message>(topic, 1000, [this](const typename Message::ConstPtr& message) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      all_.push_back(*message);
+    });
+  }
+  /// Waits until somebody publishes there.
+  bool connected() const {
+    return wait_for([this] { return subscriber_.getNumPublishers() > 0; });
+  }
+  std::vector<Message> all() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return all_;
+  }
+  bool any() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return !all_.empty();
+  }
+  /// An empty one where none came.
+  Message newest() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return all_.empty() ? Message() : all_.back();
+  }
+  void forget() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    all_.clear();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Message> all_;
+  ros::Subscriber subscriber_;
+};
+
 /// A robot without inertia that does at once what it is told, with odometry, laser and transforms that can be
 /// silenced one by one.
 class Robot {
@@ -52,8 +96,8 @@ class Robot {
   explicit Robot(tf2_ros::Buffer& tf);
   void command(const geometry_msgs::Twist& twist);
   Pose pose() const;
-  /// Turns it at once to this heading [rad].
-  void face(double theta);
+  /// Somebody carries it there.
+  void put(const Pose& pose);
   /// A wall that only the laser sees, `ahead` [m] of the robot's centre and across its way; without end, and
   /// the robot drives through it.
   void wall_ahead(double ahead);
@@ -63,6 +107,8 @@ class Robot {
   /// It moves for `dt` [s] and sends what it measures then.
   void step(double dt);
 
+  /// It sends all that it measures.
+  void mend() { odometry = laser = base_transform = map_transform = true; }
   std::atomic<bool> odometry{true}, laser{true}, base_transform{true}, map_transform{true};
   std::atomic<double> transforms_ahead{0.0};  // of the clock that stamps the transforms [s]
 
@@ -153,20 +199,24 @@ class Host {
   Cycle cycle();
   /// Runs cycles until `done` is true of one; false once the simulated time [s] is over.
   bool cycle_until(const std::function<bool(const Cycle&)>& done, double seconds = kPatience);
-  /// The largest change from one command to the next [m/s, rad/s], both of successful cycles, so far.
-  /// From one command to the next; where a cycle was late, in the share of a period.
+  /// Cycles until one drives faster ahead than this [m/s].
+  bool drives(double speed = 0.2) {
+    return cycle_until([speed](const Cycle& c) { return c.success && c.command.linear.x > speed; });
+  }
+  /// Whether the robot rests for 20 cycles, the last of which fails.
+  bool refuses_to_drive();
+  /// The largest change from one command to the next [m/s, rad/s], both of successful cycles, so far; where a cycle was
+  /// late, in the share of a period.
   geometry_msgs::Twist largest_change() const { return largest_change_; }
   /// The newest message about a cycle.
-  hidwa_local_planner::Cycle report() const;
+  hidwa_local_planner::Cycle report() const { return reports_->newest(); }
   /// Brings the robot to rest.
   void stop();
 
  private:
   std::string name_;
   boost::shared_ptr<nav_core::BaseLocalPlanner> planner_;
-  ros::Subscriber subscriber_;
-  mutable std::mutex mutex_;
-  hidwa_local_planner::Cycle report_;
+  std::unique_ptr<Messages<hidwa_local_planner::Cycle>> reports_;
   Cycle last_;
   geometry_msgs::Twist largest_change_;
   ros::Time begun_;  // the last cycle
@@ -175,14 +225,27 @@ class Host {
 /// What the process logs, while it exists.
 class LogListener {
  public:
-  LogListener();
   bool said(const std::string& part) const { return times(part) > 0; }
   int times(const std::string& part) const;
 
  private:
-  ros::Subscriber subscriber_;
-  mutable std::mutex mutex_;
-  std::vector<std::string> lines_;
+  Messages<rosgraph_msgs::Log> lines_{"/rosout"};
+};
+
+/// What /diagnostics says, once a second, of a planner, or of a part of it: "Planner operator".
+class Diagnosis {
+ public:
+  explicit Diagnosis(const std::string& part) : name_(ros::this_node::getName().substr(1) + ": " + part) {}
+  diagnostic_msgs::DiagnosticStatus status() const;
+  int level() const { return status().level; }
+  std::string message() const { return status().message; }
+  bool says(const std::string& words) const { return message().find(words) != std::string::npos; }
+  std::string value(const std::string& key) const;
+  double number(const std::string& key) const { return std::atof(value(key).c_str()); }
+
+ private:
+  std::string name_;
+  Messages<diagnostic_msgs::DiagnosticArray> heard_{"/diagnostics"};
 };
 
 }  // namespace hidwa_plugin_tests

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The person stops the robot: by a button, by the stick, in words.
-#include <limits>
+// The operator stops the robot, or takes control of it and gives it back: by a button, or in words.
+#include <cmath>
 
 #include <std_msgs/Bool.h>
 
@@ -17,7 +17,8 @@ class Stop : public Operated {
     start();
     drive();
   }
-  void expect_stops() {
+  void stop_by_the_button() {
+    person().second_button = true;
     ASSERT_TRUE(reaches("STOPPED"));
     int cycles = 0;
     bool success = true;
@@ -32,15 +33,14 @@ class Stop : public Operated {
   /// The goal survived.
   void expect_goes_on() {
     EXPECT_TRUE(reaches("AUTONOMY"));
-    EXPECT_TRUE(cycle_until([](const Host::Cycle& c) { return c.command.linear.x > 0.49; }));
+    EXPECT_TRUE(host().drives(0.49));
     expect_within_limits();
   }
 };
 
 TEST_F(Stop, ByTheButton) {
   start_driving();
-  person().second_button = true;
-  expect_stops();
+  stop_by_the_button();
   person().left = 1.0f;  // steers nothing meanwhile
   EXPECT_TRUE(all_cycles(at_rest, 0.3));
   person().left = 0.0f;
@@ -49,44 +49,10 @@ TEST_F(Stop, ByTheButton) {
   expect_goes_on();
 }
 
-TEST_F(Stop, ByTheButtonOutOfATurn) {
-  start_driving();
-  person().left = 1.0f;
-  ASSERT_TRUE(cycle_until([](const Host::Cycle& c) { return c.command.angular.z > 0.95; }));
-  person().second_button = true;
-  ASSERT_TRUE(reaches("STOPPED"));
-  EXPECT_TRUE(cycle_until(at_rest));
-  EXPECT_TRUE(all_cycles(at_rest, 0.3));
-  expect_within_limits();
-}
-
-TEST_F(Stop, ByTheStickPulledBack) {
-  start_driving();
-  person().ahead = -0.7f;  // not as far as stop_pull
-  EXPECT_TRUE(all_cycles([this](const Host::Cycle& c) { return c.success && state().state_name == "AUTONOMY"; }, 0.3));
-  person().ahead = -1.0f;
-  expect_stops();
-  person().ahead = 0.0f;
-  expect_goes_on();
-}
-
-// The message is dropped for its steering, not for its stop.
-TEST_F(Stop, ByTheButtonOfAFaultyDevice) {
-  start_driving();
-  person().left = std::numeric_limits<float>::quiet_NaN();
-  person().second_button = true;
-  expect_stops();
-  person().second_button = false;
-  EXPECT_TRUE(all_cycles(at_rest, 0.3));  // faulty messages do not let go
-  person().left = 0.0f;
-  expect_goes_on();
-}
-
 TEST_F(Stop, OfADeviceThatDiedEndsInWords) {
   const LogListener log;
   start_driving();
-  person().second_button = true;
-  expect_stops();
+  stop_by_the_button();
   person().vanish();
   EXPECT_TRUE(all_cycles(at_rest, 1.1));
   ASSERT_TRUE(say<std_msgs::Bool>("stop", false));
@@ -94,24 +60,7 @@ TEST_F(Stop, OfADeviceThatDiedEndsInWords) {
   EXPECT_TRUE(wait_for([&] { return log.said("The stop of " + ros::this_node::getName()); }));
 }
 
-TEST_F(Stop, InWords) {
-  start_driving();
-  ASSERT_TRUE(say<std_msgs::Bool>("stop", true));
-  expect_stops();
-  ASSERT_TRUE(say<std_msgs::Bool>("stop", false));
-  expect_goes_on();
-}
-
-TEST_F(Stop, HoldsWithoutAPlanToo) {
-  start_driving();
-  host().planner().setPlan({});
-  ASSERT_TRUE(cycle_until([](const Host::Cycle& c) { return !c.success; }));  // at rest it fails, else
-  person().second_button = true;
-  ASSERT_TRUE(reaches("STOPPED"));
-  EXPECT_TRUE(all_cycles(at_rest, 0.5));
-}
-
-TEST_F(Stop, BrakesWithoutAPlanToo) {
+TEST_F(Stop, BrakesAndHoldsWithoutAPlanToo) {
   start_driving();
   host().planner().setPlan({});
   person().second_button = true;
@@ -124,12 +73,64 @@ TEST_F(Stop, BrakesWithoutAPlanToo) {
   expect_within_limits();
 }
 
+class Switching : public Operated {
+ protected:
+  void start_switching() {
+    set("mode", "switching");
+    start();
+    drive();
+  }
+  /// At rest, since nobody moves the stick.
+  void take_control_by_the_button() {
+    press();
+    ASSERT_EQ(state().state_name, "MANUAL");
+    ASSERT_TRUE(cycle_until(at_rest));
+  }
+};
+
+TEST_F(Switching, TheButtonTakesControlAndGivesItBack) {
+  start_switching();
+  person().left = 1.0f;  // not in control
+  EXPECT_TRUE(nobody_steers(0.4));
+  person().left = 0.0f;
+
+  take_control_by_the_button();
+  EXPECT_EQ(state().mode, OperatorState::MODE_SWITCHING);
+  EXPECT_TRUE(all_cycles(at_rest, 0.5));
+  person().ahead = 0.8f;  // 0.8^2 of 0.5 m/s
+  person().left = -0.5f;  // 0.5^2 of 1 rad/s
+  EXPECT_TRUE(cycle_until([](const Host::Cycle& c) {
+    return std::abs(c.command.linear.x - 0.32) < 1e-6 && std::abs(c.command.angular.z + 0.25) < 1e-6;
+  }));
+  EXPECT_EQ(state().state_name, "MANUAL");
+  person().ahead = person().left = 0.0f;
+  ASSERT_TRUE(cycle_until(at_rest));
+
+  press();
+  EXPECT_EQ(state().state_name, "AUTONOMY");
+  EXPECT_TRUE(host().drives(0.49));  // its goal is kept
+  expect_within_limits();
+}
+
+TEST_F(Switching, TheTopicTakesControlAndGivesItBack) {
+  start_switching();
+  ASSERT_TRUE(say<std_msgs::Bool>("take_control", true));
+  ASSERT_TRUE(reaches("MANUAL"));
+  EXPECT_TRUE(cycle_until(at_rest));
+  ASSERT_TRUE(say<std_msgs::Bool>("take_control", false));
+  ASSERT_TRUE(reaches("AUTONOMY"));
+  EXPECT_TRUE(host().drives(0.49));
+}
+
+TEST_F(Switching, TheGoalIsNotReachedWhileThePersonIsInControl) {
+  start_switching();
+  take_control_by_the_button();
+  ASSERT_TRUE(host().plan_ahead(0.1));  // there already
+  EXPECT_TRUE(all_cycles([this](const Host::Cycle& c) { return c.success && !host().planner().isGoalReached(); }, 0.7));
+  press();
+  ASSERT_EQ(state().state_name, "AUTONOMY");
+  EXPECT_TRUE(cycle_until([this](const Host::Cycle&) { return host().planner().isGoalReached(); }));
+}
+
 }  // namespace
 }  // namespace hidwa_plugin_tests
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "stop_test");
-  ros::NodeHandle node;
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
