@@ -7,7 +7,7 @@ import unittest
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
 sys.path.insert(0, os.path.join(ROOT, 'test', 'support'))
-from command_watch import Limits, Step, changes_beyond, values_beyond  # noqa: E402
+from command_watch import Limits, Step, changes_beyond, values_beyond, zeros_at_once  # noqa: E402
 
 LIMITS = Limits(0.0, 0.5, 2.5, 1.0)
 PERIOD = 0.05
@@ -46,6 +46,13 @@ class Changes(unittest.TestCase):
 
     def test_without_a_pause_it_does_not(self):
         self.assertEqual(beyond((0.0, 0.5), (0.05, 0.1, 0.0)), 1)
+
+
+class Zeros(unittest.TestCase):
+    def test_out_of_more_than_either_axis_may_brake_by(self):
+        rest = (0.0, 0.0)
+        self.assertEqual(zeros_at_once([(0.5, 0.0), rest, (0.1, 0.9), rest], (0.15, 0.5)), 2)
+        self.assertEqual(zeros_at_once([(0.1, 0.4), rest, rest, (0.5, 0.0), (0.1, 0.0)], (0.15, 0.5)), 0)
 
 
 class Values(unittest.TestCase):

@@ -56,6 +56,12 @@ def values_beyond(values, limits):
             if not (math.isfinite(value) and limits.low - EPSILON <= value <= limits.high + EPSILON)]
 
 
+def zeros_at_once(commands, most):
+    """How often zero follows a command of which one axis, (v, omega), is beyond `most`."""
+    return sum(after == (0.0, 0.0) and any(abs(value) > bound for value, bound in zip(before, most))
+               for before, after in zip(commands, commands[1:]))
+
+
 class CommandWatch:
     """Use begin() before a fault and faults() after it."""
 
@@ -112,13 +118,12 @@ class CommandWatch:
             return any(part in cycle.fault for cycle in self._cycles)
 
     def abrupt_stops(self):
-        """Zeros out of more speed than a cycle may brake by: those that the host sends itself."""
+        """Zeros out of more speed than a cycle may brake by, but for the planner's own after a late cycle: those of the host."""
         with self._lock:
-            commands = list(self._commands)
-        most = 3.0 * self.period
-        return sum(after[:2] == (0.0, 0.0)
-                   and (abs(before[0]) > self.x.deceleration * most or abs(before[1]) > self.theta.deceleration * most)
-                   for before, after in zip(commands, commands[1:]))
+            sent = [command[:2] for command in self._commands]
+            own = [(cycle.command.linear.x, cycle.command.angular.z) for cycle in self._cycles]
+        most = [3.0 * self.period * axis.deceleration for axis in (self.x, self.theta)]
+        return max(0, zeros_at_once(sent, most) - zeros_at_once(own, most))
 
     def faults(self):
         """All that is wrong with what was sent since begin(), in words."""
