@@ -11,9 +11,7 @@ import sys
 
 # What the innermost loops must hold: packed operations, without the v of AVX. In the clone for AVX2 on 256 bits.
 PACKED = {
-    'bound_rows': ('subpd', 'addpd'),
-    'find_cells': ('subpd', 'mulpd', 'cvttpd2dq'),         # of CellClasses
-    'find_corners': ('mulpd', 'addpd', 'cvttpd2dq'),
+    'find_cells': ('subpd', 'mulpd', 'cvttpd2dq'),  # of CellClasses
     'gather': ('por',),
     'keep_smaller': ('pminsw',),
     'keep_sure': ('pcmpeqd',),
@@ -26,8 +24,7 @@ PACKED = {
     'least_inside': ('mulpd', 'subpd'),
     'least_of_rows': ('paddw', 'pminsw'),
     'take_from': ('paddw', 'pminsw'),
-    'critics::least_gaps': ('subpd',),
-    'critics::place_sides': ('mulpd', 'addpd'),
+    'critics::add_side': ('mulpd', 'addpd', 'subpd'),
 }
 CLONES = {'avx2': ('v', '%ymm'), 'default': ('', '%xmm')}
 SKIPPED = 77
