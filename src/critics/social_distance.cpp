@@ -20,8 +20,9 @@ constexpr double kTimesApart = 0.25;
 // For rounding [m].
 constexpr double kSpare = 0.01;
 
-// Memory is kept for this many candidates of a tile, movers, and times.
+// Memory is kept for this many candidates of a tile, sides of a footprint, movers, and times.
 constexpr std::size_t kUsualCandidates = 256;
+constexpr std::size_t kUsualSides = 32;
 constexpr std::size_t kUsualMovers = 64;
 constexpr std::size_t kUsualTimes = 16;
 
@@ -30,13 +31,14 @@ struct Disc {
   double radius;  // [m]
 };
 
-// How far beyond a side, whose normal is (nx, ny), something lies that is `beyond` along it for an outline at the
-// origin: the most of that and of what other sides gave, at each place of the outline.
+// Raises `most` to how far a point lies in front of a side [m], for each place (x, y) of the outline. `along` is the
+// point's coordinate along the side's normal.
 HIDWA_VECTOR_CLONES
-void add_side(double nx, double ny, double offset, double beyond, const std::vector<double>& x,
-              const std::vector<double>& y, std::vector<double>& most) {
+void add_side(const Footprint::Side& side, double along, const std::vector<double>& x, const std::vector<double>& y,
+              std::vector<double>& most) {
+  const double nx = side.normal.x(), ny = side.normal.y(), offset = side.offset;
   for (std::size_t i = 0; i < most.size(); ++i) {
-    const double gap = beyond - (nx * x[i] + ny * y[i] + offset);
+    const double gap = along - (nx * x[i] + ny * y[i] + offset);
     most[i] = most[i] < gap ? gap : most[i];
   }
 }
@@ -88,6 +90,7 @@ class SocialDistance : public Critic {
   SpeedKnots knots_;
   // Of the knots, at one time:
   std::vector<double> x_, y_;                                 // [m]
+  std::vector<Footprint::Side> sides_;                        // of the footprint, turned
   std::vector<Disc> near_;                                    // there
   std::vector<double> off_;                                   // from the outline to the middle of one of them [m]
   std::vector<double> gap_;                                   // to the nearest of them [m]
@@ -102,6 +105,7 @@ double SocialDistance::configure(const Parameters& parameters, const ParameterSo
   times_.reserve(kUsualTimes);
   in_reach_.reserve(kUsualTimes * kUsualMovers);
   near_.reserve(kUsualMovers);
+  sides_.reserve(kUsualSides);
   knots_.reserve(kUsualCandidates);
   for (std::vector<double>* values : {&x_, &y_, &off_, &gap_, &sum_}) values->reserve(kUsualCandidates);
   return kept_ > 0.0 ? parameters.SocialDistance_scale : 0.0;
@@ -176,9 +180,15 @@ bool SocialDistance::near_at(const Tile& tile, const TimeStep& at, const Footpri
     if (!far_from_row(in_reach_[i])) near_.push_back(in_reach_[i]);
   }
   if (near_.empty()) return false;
+  const double cosine = tile.cos_heading[at.step], sine = tile.sin_heading[at.step];
+  sides_.clear();
+  for (const Footprint::Side& side : footprint.sides()) {
+    const double x = side.normal.x(), y = side.normal.y();
+    sides_.push_back({{cosine * x - sine * y, sine * x + cosine * y}, side.offset});
+  }
   std::fill(gap_.begin(), gap_.end(), std::numeric_limits<double>::infinity());
   for (const Disc& disc : near_) {
-    measure(disc, footprint, tile.cos_heading[at.step], tile.sin_heading[at.step]);
+    measure(disc, footprint, cosine, sine);
     for (std::size_t i = 0; i < gap_.size(); ++i) gap_[i] = std::min(gap_[i], off_[i] - disc.radius);
   }
   return true;
@@ -186,12 +196,10 @@ bool SocialDistance::near_at(const Tile& tile, const TimeStep& at, const Footpri
 
 void SocialDistance::measure(const Disc& disc, const Footprint& footprint, double cosine, double sine) {
   std::fill(off_.begin(), off_.end(), -own_radius_);
-  for (const Footprint::Side& side : footprint.sides()) {
-    const double nx = cosine * side.normal.x() - sine * side.normal.y();
-    const double ny = sine * side.normal.x() + cosine * side.normal.y();
-    add_side(nx, ny, side.offset, nx * disc.x + ny * disc.y, x_, y_, off_);
+  for (const Footprint::Side& side : sides_) {
+    add_side(side, side.normal.x() * disc.x + side.normal.y() * disc.y, x_, y_, off_);
   }
-  if (!footprint.sides().empty()) return;
+  if (!sides_.empty()) return;
   for (std::size_t i = 0; i < off_.size(); ++i) {
     const double dx = disc.x - x_[i], dy = disc.y - y_[i];
     off_[i] = footprint.distance_to({cosine * dx + sine * dy, cosine * dy - sine * dx});
