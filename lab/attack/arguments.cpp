@@ -2,8 +2,9 @@
 #include "arguments.hpp"
 
 #include <cstdlib>
-#include <sstream>
 #include <stdexcept>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_attack {
 
@@ -25,8 +26,7 @@ std::vector<std::string> Arguments::list(const std::string& name) const {
   std::vector<std::string> all;
   if (!has(name)) return all;
   for (const std::string& one : given_.at(name)) {
-    std::istringstream parts(one);
-    for (std::string part; std::getline(parts, part, ',');) {
+    for (const std::string& part : hidwa_local_planner::split(one, ',')) {
       if (!part.empty()) all.push_back(part);
     }
   }

@@ -60,7 +60,7 @@ std::vector<Condition> conditions_of(bool promised) {
   return conditions;
 }
 
-// Of the person's device.
+// How the person steers, and how well the messages come through.
 void give_device(Spec& s, Random& r) {
   if (r.chance(0.4)) return;
   s.link = r.of({Link::prompt, Link::late, Link::frozen, Link::silent, Link::nonsense});

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "attack/drive.hpp"
+#include "attack/floor.hpp"
 #include "attack/hostile.hpp"
 #include "hostile_folder.hpp"
 #include "manifest.hpp"
@@ -44,16 +45,9 @@ std::vector<std::string> maps_of(const Options& options) {
   return maps;
 }
 
-// What is not known to be free is lethal.
 Ground ground_of_map(const std::string& yaml) {
   try {
-    const sim::OccupancyMap map = sim::load_map(yaml);
-    auto world = std::make_shared<World>(map.width * map.resolution, map.height * map.resolution, map.resolution);
-    for (int row = 0; row < map.height; ++row) {
-      for (int column = 0; column < map.width; ++column) {
-        world->set(column, row, map.cells[map.index(column, row)] != sim::Cell::kFree);
-      }
-    }
+    auto world = std::make_shared<World>(hidwa_attack::world_of(sim::load_map(yaml)));
     // Many maps are called map.yaml: their folder tells them apart.
     const std::filesystem::path path = std::filesystem::absolute(yaml);
     return {(path.parent_path().filename() / path.stem()).string(), world};

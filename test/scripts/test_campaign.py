@@ -47,6 +47,12 @@ class Run(unittest.TestCase):
     def test_what_it_found_is_its_exit_status(self):
         self.assertEqual(self.called('ways', 1, '--kinds', 'posts')[0], 1)
 
+    def test_help_builds_nothing(self):
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            self.assertEqual(campaign.main('attack', ['--help']), 0)
+        self.assertIn('--no-build', said.getvalue())
+        self.assertFalse(os.path.exists(os.path.join(self.space, 'build')))
+
     def test_nothing_built(self):
         with contextlib.redirect_stderr(io.StringIO()) as complaints:
             self.assertEqual(campaign.main('attack', ['--no-build']), 2)

@@ -5,13 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/occupancy_map.hpp"
 #include "ways/drawing.hpp"
 
 namespace hidwa_ways {
 namespace {
-
-namespace sim = hidwa_local_planner::sim;
 
 constexpr double kPart = 12.0;                // [m]
 constexpr double kNarrow = 0.5, kWide = 1.2;  // of gaps [m]
@@ -64,15 +61,6 @@ Site part_about(const World& map, const Spot& at) {
 }
 
 }  // namespace
-
-World read_map(const std::string& yaml) {
-  const sim::OccupancyMap map = sim::load_map(yaml);
-  World world(map.width * map.resolution, map.height * map.resolution, map.resolution);
-  for (int j = 0; j < map.height; ++j) {
-    for (int i = 0; i < map.width; ++i) world.set(i, j, map.cells[map.index(i, j)] != sim::Cell::kFree);
-  }
-  return world;
-}
 
 Site gap_of(const World& map, Random& random) {
   for (int attempt = 0; attempt < 200000; ++attempt) {

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
 #include "ways/site.hpp"
 
 namespace hidwa_ways {
-
-/// A map as sim::load_map() reads it: what is not known to be free is lethal.
-World read_map(const std::string& yaml);
 
 /// A part of 12 m about a random gap, between 0.5 m and 1.2 m wide.
 Site gap_of(const World& map, Random& random);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "floor.hpp"
 #include "ways/barn_field.hpp"
 #include "ways/floor_map.hpp"
 #include "ways/grid_plan.hpp"
@@ -111,7 +112,7 @@ Kind barn_kind(const std::string& file) {
 }
 
 Kind map_kind(const std::string& yaml) {
-  const auto map = std::make_shared<const World>(read_map(yaml));
+  const auto map = std::make_shared<const World>(hidwa_attack::world_of(hidwa_local_planner::sim::load_map(yaml)));
   const std::size_t begin = yaml.rfind('/') + 1;
   std::string name = yaml.substr(begin, yaml.rfind('.') - begin);
   // bwi_common calls every map's file map.yaml: its folder has the name.

@@ -9,6 +9,9 @@ from .plain_build import CORES, BuildError, build
 
 ALWAYS = {'attack': [], 'ways': ['--map', os.path.join(ROOT, 'maps', 'office.yaml')]}
 NO_BUILD = '--no-build'
+HELP = """scripts/{0} [--no-build] [OPTION...]: installs what is missing, builds hidwa_{0} without ROS and runs it.
+--no-build: run what is built; all other options are the program's (docs/evidence/{0}.md has examples).
+environment: HIDWA_SPACE and HIDWA_INSTALL: scripts/build --help"""
 
 
 def main(name, arguments):
@@ -16,8 +19,10 @@ def main(name, arguments):
     folder = os.path.join(SPACE, 'build', name)
     program = os.path.join(folder, 'test', name, f'hidwa_{name}')
     try:
-        helps = '--help' in arguments and os.path.exists(program)
-        if NO_BUILD not in arguments and not helps:
+        if '--help' in arguments or '-h' in arguments:
+            print(HELP.format(name), flush=True)
+            return subprocess.run([program, '--help'], check=False).returncode if os.path.exists(program) else 0
+        if NO_BUILD not in arguments:
             print('==> building', file=sys.stderr, flush=True)
             build(f'hidwa_{name}', folder, ['-DHIDWA_TOOLS=demo', '-DHIDWA_TESTS=ON', f'-DHIDWA_TEST_SUITES={name}'])
         own = [argument for argument in arguments if argument != NO_BUILD]
