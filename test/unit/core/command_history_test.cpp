@@ -133,7 +133,7 @@ struct Played {
   std::vector<std::pair<double, double>> legs;
 };
 
-// Legs last so long [s] and end with this velocity [m/s]. The limit is 2.5 * 0.05 = 0.125 m/s a cycle.
+// A leg is its duration [s] and its final velocity [m/s]. The limit is 2.5 * 0.05 = 0.125 m/s a cycle.
 TEST(Play, EachCommandTakesEffectALatencyAfterItWasSent) {
   for (const Played& row :
        {Played{"one command for long is one leg", {0.3, 0.3, 0.3, 0.3}, 0.1, 0.0, 0.3, {{0.1, 0.3}}},

@@ -414,7 +414,7 @@ Twist2 drive_among(PlannerBench& bench) {
   return command;
 }
 
-// The least gap between the outline and the one that moves over so many cycles [m].
+// The smallest gap between the outline and the mover during this number of cycles [m].
 double least_gap(const Scene& scene, int cycles) {
   PlannerBench bench(scene);
   const Situation& s = bench.scene().situation;

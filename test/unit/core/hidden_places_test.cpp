@@ -43,7 +43,7 @@ Scene wall_that_ends() {
   return scene;
 }
 
-// Likewise without an end, but for an opening of so many cells around y = 0. Its ends are hypot(1, 3) = 3.16 m away.
+// A wall with an opening around y = 0; `cells` is its width. The ends of the wall are hypot(1, 3) = 3.16 m away.
 Scene wall_with_opening(int cells) {
   Scene scene = room();
   scene.fill(0.98, -3.1, 1.02, 3.1);
@@ -51,7 +51,7 @@ Scene wall_with_opening(int cells) {
   return scene;
 }
 
-// The leg of a table 1 m ahead, so many cells wide.
+// The leg of a table 1 m ahead; `cells` is its width.
 Scene table_leg(int cells) {
   Scene scene = room();
   scene.fill(0.98, -0.02, 1.02, 0.05 * cells - 0.03);

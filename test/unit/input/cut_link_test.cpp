@@ -67,7 +67,7 @@ struct Steerer {
   Device device;
   std::string name = device.name;
   void (*after_cut)(Person&, double) = [](Person&, double) {};  // sends what is still heard
-  double heard_on = 0.0;                                        // what counts is still heard for so long [s]
+  double heard_on = 0.0;                                        // time after the cut in which messages still come [s]
   bool manual() const { return device.p.mode == OperatorMode::switching; }
 };
 

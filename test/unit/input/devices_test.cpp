@@ -98,7 +98,7 @@ struct Sticks {
   const char* name;
   const char* parameters;   // the file's name
   std::vector<float> rest;  // the axes at rest
-  std::size_t buttons;      // so many it has
+  std::size_t buttons;      // their number
   double rate;              // [Hz]
   bool stamped;
   float left;  // what axis 0 sends for it

@@ -24,7 +24,7 @@ struct Remote : Person {
   }
   struct Played {
     State state;  // of the last cycle
-    int taken;    // so many messages were
+    int taken;    // number of messages that were taken
   };
   /// For `seconds`; each message arrives `lag` [s] later than it is sent.
   Played play(double seconds, float angular, double lag) {
@@ -76,7 +76,7 @@ TEST(SlowLink, MayBeForbidden) {
   p.input_lag_max = 0.0;
   Remote remote(p);
   remote.play(1.0, 0.0F, 0.02);
-  EXPECT_EQ(remote.play(0.5, 1.0F, 0.42).state, State::shared);  // input_timeout allows so much
+  EXPECT_EQ(remote.play(0.5, 1.0F, 0.42).state, State::shared);  // less than input_timeout
   EXPECT_EQ(remote.play(20.0, 1.0F, 0.62).state, State::lost);
   EXPECT_TRUE(says(remote.fault, "more than input_timeout (0.5 s): the link holds messages back, or")) << remote.fault;
 }

@@ -205,8 +205,8 @@ class Host {
   }
   /// Whether the robot rests for 20 cycles, the last of which fails.
   bool refuses_to_drive();
-  /// The largest change from one command to the next [m/s, rad/s], both of successful cycles, so far; where a cycle was
-  /// late, in the share of a period.
+  /// The largest change between two successful commands that follow each other [m/s, rad/s]. After a late cycle the
+  /// change counts per control period.
   geometry_msgs::Twist largest_change() const { return largest_change_; }
   /// The newest message about a cycle.
   hidwa_local_planner::Cycle report() const { return reports_->newest(); }
