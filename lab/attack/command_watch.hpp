@@ -26,13 +26,13 @@ class CommandWatch {
     worst_.omega = std::max(worst_.omega, omega);
   }
   /// A command differs from the last one by no more than the larger acceleration limit allows within the longest recent
-  /// period [s]. Where the planner may start from odometry, the difference counts from the interval that holds the last
+  /// period [s]. The paper's method starts from odometry: the difference counts from the interval that holds the last
   /// command, the reading, and what may replace a doubted reading (`other`).
   void judge_acceleration(const Parameters& in_force, double longest, const Twist2& last, const Twist2& reading,
                           const Twist2& other, const Twist2& command) {
     const double x = longest * std::max(in_force.acc_lim_x, braking_x(in_force));
     const double theta = longest * std::max(in_force.acc_lim_theta, braking_theta(in_force));
-    const bool reads = in_force.velocity_reference == hidwa_local_planner::VelocityReference::odometry;
+    const bool reads = in_force.method == hidwa_local_planner::Method::paper;
     const Twist2 a = reads ? reading : last, b = reads ? other : last;
     if (outside(command.v, {last.v, a.v, b.v}) > x + kRounding ||
         outside(command.omega, {last.omega, a.omega, b.omega}) > theta + kRounding)

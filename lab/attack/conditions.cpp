@@ -10,7 +10,6 @@ using hidwa_local_planner::Admissibility;
 using hidwa_local_planner::Generator;
 using hidwa_local_planner::LinearPolicy;
 using hidwa_local_planner::Method;
-using hidwa_local_planner::VelocityReference;
 
 void rate(Spec& s, int hertz) { s.period = 1000 / hertz; }
 void latency(Spec& s, int milliseconds) {
@@ -94,8 +93,7 @@ void anything(Spec& s, Random& r) {
   s.odometry = r.of(
       {Odometry::exact, Odometry::noisy, Odometry::outliers, Odometry::outliers, Odometry::delayed, Odometry::silent});
   if (r.chance(0.4)) s.pose_age = 50;
-  if (r.chance(0.3)) s.parameters.velocity_reference = VelocityReference::odometry;
-  if (r.chance(0.2)) s.parameters.method = Method::paper;
+  if (r.chance(0.3)) s.parameters.method = Method::paper;
   if (r.chance(0.3)) s.parameters.generator = Generator::dwa;
   if (r.chance(0.2)) s.parameters.sim_time = 0.2;
   if (r.chance(0.2)) s.limits_change = true;
@@ -256,21 +254,19 @@ std::vector<Condition> sensing() {
 // Options for which the claim is made.
 std::vector<Condition> options() {
   return {
-      {"reference_odometry", true, "velocity_reference: odometry",
-       [](Spec& s, Random&) { s.parameters.velocity_reference = VelocityReference::odometry; }},
-      {"reference_odometry_delayed", true, "the same, odometry late by the latency",
+      {"method_paper", true, "method: paper, the braking check on",
+       [](Spec& s, Random&) { s.parameters.method = Method::paper; }},
+      {"method_paper_odometry_delayed", true, "the same, odometry late by the latency",
        [](Spec& s, Random& r) {
-         s.parameters.velocity_reference = VelocityReference::odometry;
+         s.parameters.method = Method::paper;
          s.odometry = Odometry::delayed;
          latency(s, r.of({100, 300}));
        }},
-      {"reference_odometry_outliers", true, "the same, with outliers",
+      {"method_paper_odometry_outliers", true, "the same, with outliers",
        [](Spec& s, Random&) {
-         s.parameters.velocity_reference = VelocityReference::odometry;
+         s.parameters.method = Method::paper;
          s.odometry = Odometry::outliers;
        }},
-      {"method_paper", true, "method: paper, the braking check on",
-       [](Spec& s, Random&) { s.parameters.method = Method::paper; }},
       {"generator_dwa", true, "generator: dwa", [](Spec& s, Random&) { s.parameters.generator = Generator::dwa; }},
       {"short_sim_time", true, "sim_time 0.2 s: the braking check alone decides",
        [](Spec& s, Random& r) {

@@ -7,12 +7,10 @@
 namespace hidwa_attack {
 namespace {
 
-constexpr std::size_t kSecond = 1000;  // [ms]
-constexpr double kNear = 0.10;         // [m]
-constexpr double kAway = 0.15;         // [m]
-constexpr double kSight = 0.30;        // farther is not measured [m]
-constexpr double kFinest = 2e-5;       // between two looks [m]
-constexpr double kCoarse = 0.005;      // where it is about to come near [m]
+constexpr double kNear = 0.10;     // [m]
+constexpr double kSight = 0.30;    // farther is not measured [m]
+constexpr double kFinest = 2e-5;   // between two looks [m]
+constexpr double kCoarse = 0.005;  // where it is about to come near [m]
 
 }  // namespace
 
@@ -20,8 +18,6 @@ ContactWatch::ContactWatch(const World& world, const Shape& padded_shape)
     : world_(world), shape_(padded_shape), outermost_(outermost(padded_shape)) {}
 
 void ContactWatch::observe(int now, const Pose2& pose, const Twist2& velocity) {
-  speeds_.push_back(std::abs(velocity.v));
-  if (speeds_.size() > kSecond) speeds_.pop_front();
   moved_ += 1e-3 * (std::abs(velocity.v) + outermost_ * std::abs(velocity.omega));
   const double gap = -depth_;
   const double due = gap > kNear ? std::max(gap - kNear, kCoarse) : std::max(0.9 * gap, kFinest);
@@ -33,12 +29,6 @@ void ContactWatch::look(int now, const Pose2& pose) {
   depth_ = deepest(world_, Placed(shape_, pose), kSight);
   if (depth_ > kTouch && touched_at_ < 0) touched_at_ = now;
   deepest_ = std::max(deepest_, depth_);
-  if (-depth_ > kAway) away_ = true;
-  if (!away_ || -depth_ >= kNear) return;
-  away_ = false;
-  meetings_.push_back(fastest_of_late());
 }
-
-double ContactWatch::fastest_of_late() const { return *std::max_element(speeds_.begin(), speeds_.end()); }
 
 }  // namespace hidwa_attack

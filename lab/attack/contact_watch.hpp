@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <deque>
-#include <vector>
-
 #include "spec.hpp"
 #include "world.hpp"
 
@@ -12,7 +9,7 @@ namespace hidwa_attack {
 /// Deeper than this is a touch [m].
 constexpr double kTouch = 1e-4;
 
-/// Watches a robot that began free: touches, and how fast it was when it came near something.
+/// Watches a robot that began free for touches.
 class ContactWatch {
  public:
   ContactWatch(const World& world, const Shape& padded_shape);
@@ -22,25 +19,19 @@ class ContactWatch {
   bool touched() const { return deepest_ > kTouch; }
   double deepest_touch() const { return deepest_ > 0.0 ? deepest_ : 0.0; }  // [m]
   int touched_at() const { return touched_at_; }                            // [ms]
-  /// The largest |v| in the second before the clearance fell below 0.10 m, of each approach [m/s].
-  const std::vector<double>& meetings() const { return meetings_; }
   /// Minus the distance to the nearest cell, or the depth [m], at the last look.
   double depth_now() const { return depth_; }
 
  private:
   void look(int now, const Pose2& pose);
-  double fastest_of_late() const;
 
   const World& world_;
   Shape shape_;
-  double outermost_;           // [m]
-  double moved_ = 1e9;         // of any of its points since the last look, at most [m]
-  double depth_ = -1.0;        // at the last look; minus the distance to the nearest cell where it is clear [m]
-  double deepest_ = -1.0;      // [m]
-  int touched_at_ = -1;        // [ms]
-  bool away_ = false;          // it was, since the last approach
-  std::deque<double> speeds_;  // |v|, each millisecond of the last second [m/s]
-  std::vector<double> meetings_;
+  double outermost_;       // [m]
+  double moved_ = 1e9;     // of any of its points since the last look, at most [m]
+  double depth_ = -1.0;    // at the last look; minus the distance to the nearest cell where it is clear [m]
+  double deepest_ = -1.0;  // [m]
+  int touched_at_ = -1;    // [ms]
 };
 
 }  // namespace hidwa_attack

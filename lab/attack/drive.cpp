@@ -315,7 +315,6 @@ class Run {
     result_.seconds = driven_;
     result_.stood = stand_.longest();
     result_.encounters = walkers_.encounters();
-    result_.meetings = contacts_.meetings();
     result_.stood_in = stands_in();
     if (!stands_in()) return result_;
     result_.touched = escape_.broken();

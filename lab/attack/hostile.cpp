@@ -97,8 +97,6 @@ void take_goal(Spec& s, Random& r) {
   s.goalless = r.of({0.5, 1.0});
 }
 
-const char* place_of(const Spec& spec) { return name_of(spec.place); }
-
 }  // namespace
 
 HostileDrive hostile_drive(std::uint64_t study_seed, std::uint64_t index, const std::vector<Ground>& grounds) {
@@ -115,7 +113,7 @@ HostileDrive hostile_drive(std::uint64_t study_seed, std::uint64_t index, const 
   const bool has_speed = drive.spec.parameters.max_vel_x > 1.0;
   add(drive.spec, has_speed, random);
   if (index % kGoallessEvery == kGoallessEvery - 1) take_goal(drive.spec, random);
-  drive.place = place_of(drive.spec);
+  drive.place = name_of(drive.spec.place);
   if (!grounds.empty() && random.chance(0.5)) {
     const Ground& ground = grounds[static_cast<std::size_t>(random.whole(0, static_cast<int>(grounds.size()) - 1))];
     drive.spec.ground = ground.world;

@@ -46,11 +46,6 @@ nlohmann::json json_of(const Summary& s) {
           {"hard", s.hard},
           {"moving", s.moving},
           {"threatened", s.threatened},
-          {"meetings", s.meetings.size()},
-          {"met_p10", s.meeting(0.1)},
-          {"met_p50", s.meeting(0.5)},
-          {"met_p90", s.meeting(0.9)},
-          {"met_max", s.meeting(1.0)},
           {"stood_in", s.stood_in},
           {"came_out", s.came_out},
           {"entered", s.entered},
@@ -63,16 +58,14 @@ nlohmann::json json_of(const Summary& s) {
 }  // namespace
 
 std::string table_head() {
-  return format("%-28s %-8s %6s %8s %8s %9s %8s %9s %9s %7s %10s %6s %22s\n", "condition", "", "drives", "cycles",
-                "contacts", "worst mm", "beyond", "m/s", "rad/s", "moving", "threatened", "met",
-                "at m/s 10/50/90/100 %");
+  return format("%-28s %-8s %6s %8s %8s %9s %8s %9s %9s %7s %10s\n", "condition", "", "drives", "cycles", "contacts",
+                "worst mm", "beyond", "m/s", "rad/s", "moving", "threatened");
 }
 
 std::string table_line(const Summary& s) {
-  return format("%-28s %-8s %6d %8d %8d %9.2f %8d %9.3f %9.3f %6.0f%% %10d %6zu   %.2f %.2f %.2f %.2f",
-                s.condition.c_str(), verdict(s).c_str(), s.drives, s.cycles, s.contacts, 1e3 * s.worst_depth, s.beyond,
-                s.beyond_v, s.beyond_omega, 100.0 * s.moving, s.threatened, s.meetings.size(), s.meeting(0.1),
-                s.meeting(0.5), s.meeting(0.9), s.meeting(1.0)) +
+  return format("%-28s %-8s %6d %8d %8d %9.2f %8d %9.3f %9.3f %6.0f%% %10d", s.condition.c_str(), verdict(s).c_str(),
+                s.drives, s.cycles, s.contacts, 1e3 * s.worst_depth, s.beyond, s.beyond_v, s.beyond_omega,
+                100.0 * s.moving, s.threatened) +
          in_collision(s) + "\n";
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "hidwa_local_planner/core/types.hpp"
 #include "walkers.hpp"
@@ -20,7 +19,6 @@ struct DriveResult {
   int touched_at = -1;                       // [ms]
   int beyond = 0;                            // commands beyond the bound
   hidwa_local_planner::Twist2 beyond_worst;  // by how much [m/s, rad/s]
-  std::vector<double> meetings;              // speeds at which obstacles were met [m/s]
   int hard = 0;                              // commands beyond the acceleration limits
   double seconds = 0.0;                      // [s]
   double stood = 0.0;     // the longest, with the next metre of the plan open and nobody steering [s]

@@ -26,7 +26,6 @@ Summary::Summary(const Condition& of, const std::vector<DriveResult>& all)
       worst_beyond = one.beyond_worst.v + one.beyond_worst.omega;
       beyond_seed = one.seed;
     }
-    meetings.insert(meetings.end(), one.meetings.begin(), one.meetings.end());
     stood_in += one.stood_in;
     came_out += one.came_out;
     entered += one.entered > 0;
@@ -36,12 +35,6 @@ Summary::Summary(const Condition& of, const std::vector<DriveResult>& all)
     if (one.touched || one.beyond > 0 || one.hard > 0) found.push_back(one.seed);
   }
   moving = cycles > 0 ? static_cast<double>(moved) / cycles : 0.0;
-  std::sort(meetings.begin(), meetings.end());
-}
-
-double Summary::meeting(double share) const {
-  if (meetings.empty()) return 0.0;
-  return meetings[static_cast<std::size_t>(share * static_cast<double>(meetings.size() - 1))];
 }
 
 }  // namespace hidwa_attack

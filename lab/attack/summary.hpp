@@ -22,16 +22,13 @@ struct Summary {
   int beyond = 0;                             // commands beyond the bound
   double beyond_v = 0.0, beyond_omega = 0.0;  // by how much at most [m/s, rad/s]
   std::uint64_t beyond_seed = 0;
-  int hard = 0;                  // commands beyond the acceleration limits
-  double moving = 0.0;           // share of cycles
-  int threatened = 0;            // moving cycles with an obstacle inside the stopping distance
-  std::vector<double> meetings;  // speeds at which obstacles were met, ascending [m/s]
+  int hard = 0;         // commands beyond the acceleration limits
+  double moving = 0.0;  // share of cycles
+  int threatened = 0;   // moving cycles with an obstacle inside the stopping distance
   int stood_in = 0, came_out = 0, entered = 0, too_fast = 0;  // drives; `entered`: with forbidden cells
   double worst_growth = 0.0, worst_excess = 0.0;              // [m]
   std::vector<std::uint64_t> found;                           // seeds of what it found
 
-  /// Of the speeds at which obstacles were met, `share` in [0, 1]; 0 where none was met [m/s].
-  double meeting(double share) const;
   bool held() const { return found.empty(); }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -56,6 +57,10 @@ class World {
 
 /// The deepest depth in any lethal cell [m], or, where it touches none, minus the distance to the nearest, at most
 /// `cap`.
-double deepest(const World& world, const Placed& placed, double cap);
+inline double deepest(const World& world, const Placed& placed, double cap) {
+  double most = -cap;
+  world.near(placed, cap, [&most](int, int, double depth) { most = std::max(most, depth); });
+  return most;
+}
 
 }  // namespace hidwa_attack

@@ -6,6 +6,7 @@
 #include "drive/rolling_grid.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 #include "sim/laser.hpp"
+#include "sim/polygon.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {

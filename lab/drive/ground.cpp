@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/contact.hpp"
+#include "sim/laser.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {
@@ -16,13 +17,6 @@ namespace {
 std::shared_ptr<const sim::OccupancyMap> required(std::shared_ptr<const sim::OccupancyMap> map) {
   if (!map || map->cells.empty()) throw std::invalid_argument("a drive needs a map");
   return map;
-}
-
-double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a;
-  const double squared = along.squaredNorm();
-  const double t = squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
 }
 
 double distance_to_box(const Eigen::Vector2d& p, const Eigen::Vector2d& low, double size) {
@@ -38,7 +32,7 @@ double gap(const sim::Polygon& polygon, const Eigen::Vector2d& low, double size)
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     least = std::min(least, distance_to_box(polygon[i], low, size));
     for (const Eigen::Vector2d& corner : corners) {
-      least = std::min(least, distance_to_segment(corner, polygon[j], polygon[i]));
+      least = std::min(least, sim::distance_to_segment(corner, polygon[j], polygon[i]));
     }
   }
   return least;
@@ -47,14 +41,11 @@ double gap(const sim::Polygon& polygon, const Eigen::Vector2d& low, double size)
 }  // namespace
 
 Ground::Ground(std::shared_ptr<const sim::OccupancyMap> map, std::shared_ptr<const sim::DiscField> discs)
-    : map_(required(std::move(map))),
-      discs_(std::move(discs)),
-      caster_(*map_),
-      distance_(sim::DistanceField::to_obstacles(*map_)) {}
+    : map_(required(std::move(map))), discs_(std::move(discs)), distance_(sim::DistanceField::to_obstacles(*map_)) {}
 
 double Ground::range(double x, double y, double angle, double range_max) const {
-  const double to_map = caster_.range(x, y, angle, range_max);
-  return discs_ ? std::min(to_map, discs_->range(x, y, angle, range_max)) : to_map;
+  const double to_disc = discs_ ? discs_->range(x, y, angle, range_max) : std::numeric_limits<double>::infinity();
+  return std::min(to_disc, sim::range_in(*map_, x, y, angle, std::min(to_disc, range_max), &distance_));
 }
 
 double Ground::clearance(const sim::Polygon& outline, const sim::Pose& pose, double at_most) const {

@@ -8,7 +8,6 @@
 #include "sim/grid_route.hpp"
 #include "sim/occupancy_map.hpp"
 #include "sim/polygon.hpp"
-#include "sim/ray_caster.hpp"
 
 namespace hidwa_local_planner {
 namespace drive {
@@ -35,7 +34,6 @@ class Ground {
 
   std::shared_ptr<const sim::OccupancyMap> map_;
   std::shared_ptr<const sim::DiscField> discs_;
-  sim::RayCaster caster_;
   sim::DistanceField distance_;
 };
 

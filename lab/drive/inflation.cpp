@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace hidwa_local_planner {
 namespace drive {
@@ -17,73 +16,35 @@ std::uint8_t inflated_cost(double distance, double inscribed_radius, double cost
 
 Inflation::Inflation(const InflationSettings& settings, double inscribed_radius, double resolution)
     : radius_(std::max(0, static_cast<int>(std::ceil(settings.inflation_radius / resolution)))) {
-  const auto cells = static_cast<std::size_t>(radius_);
-  const std::size_t beyond = cells * cells + 1;
-  cost_.assign(beyond + 1, cost::kFree);
-  for (std::size_t squared = 0; squared < beyond; ++squared) {
-    const double distance = std::sqrt(static_cast<double>(squared)) * resolution;
-    cost_[squared] = inflated_cost(distance, inscribed_radius, settings.cost_scaling_factor);
+  for (int j = -radius_; j <= radius_; ++j) {
+    for (int i = -radius_; i <= radius_; ++i) {
+      const int squared = i * i + j * j;
+      const double distance = std::sqrt(static_cast<double>(squared)) * resolution;
+      const bool within = squared <= radius_ * radius_;
+      stamp_.push_back(within ? inflated_cost(distance, inscribed_radius, settings.cost_scaling_factor) : cost::kFree);
+    }
   }
 }
 
-void Inflation::inflate(const RollingGrid& obstacles, RollingGrid& costs) {
-  measure_columns(obstacles);
-  for (int j = 0; j < cells_; ++j) inflate_row(j, costs.row(j));
-}
-
-void Inflation::measure_columns(const RollingGrid& obstacles) {
-  cells_ = obstacles.cells();
-  const auto far = static_cast<std::uint16_t>(radius_ + 1);
-  const auto width = static_cast<std::size_t>(cells_);
-  column_.resize(width * width);
-  row_has_any_.resize(width);
-  squared_.assign(width, far);  // the row before
-  for (int j = 0; j < cells_; ++j) {
-    const std::uint8_t* costs = obstacles.row(j);
-    std::uint16_t* row = column_.data() + static_cast<std::size_t>(j) * width;
-    for (std::size_t i = 0; i < width; ++i) {
-      const auto farther = static_cast<std::uint16_t>(squared_[i] + 1);
-      row[i] = costs[i] == cost::kLethal ? std::uint16_t{0} : std::min(far, farther);
-      squared_[i] = row[i];
+// Costs fall with the distance: the greatest of all stamps on a cell is that of the nearest lethal one.
+void Inflation::inflate(const RollingGrid& obstacles, RollingGrid& costs) const {
+  const int cells = obstacles.cells();
+  for (int j = 0; j < cells; ++j) std::fill_n(costs.row(j), cells, cost::kFree);
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < cells; ++i) {
+      if (obstacles.row(j)[i] == cost::kLethal) stamp(i, j, costs);
     }
-  }
-  squared_.assign(width, far);
-  for (int j = cells_ - 1; j >= 0; --j) {
-    std::uint16_t* row = column_.data() + static_cast<std::size_t>(j) * width;
-    std::uint16_t least = far;
-    for (std::size_t i = 0; i < width; ++i) {
-      row[i] = std::min(row[i], static_cast<std::uint16_t>(squared_[i] + 1));
-      squared_[i] = row[i];
-      least = std::min(least, row[i]);
-    }
-    row_has_any_[static_cast<std::size_t>(j)] = least < far;
   }
 }
 
-void Inflation::inflate_row(int j, std::uint8_t* costs) {
-  const auto width = static_cast<std::size_t>(cells_), radius = static_cast<std::size_t>(radius_);
-  if (row_has_any_[static_cast<std::size_t>(j)] == 0) {
-    std::fill_n(costs, width, cost::kFree);
-    return;
+void Inflation::stamp(int i, int j, RollingGrid& costs) const {
+  const int side = 2 * radius_ + 1, last = costs.cells() - 1;
+  const int first_i = std::max(0, i - radius_), last_i = std::min(last, i + radius_);
+  for (int row = std::max(0, j - radius_); row <= std::min(last, j + radius_); ++row) {
+    const std::uint8_t* from = stamp_.data() + (row - j + radius_) * side + (first_i - i + radius_);
+    std::uint8_t* to = costs.row(row) + first_i;
+    for (int k = 0; k <= last_i - first_i; ++k) to[k] = std::max(to[k], from[k]);
   }
-  const auto beyond = static_cast<std::uint16_t>(radius_ * radius_ + 1);
-  squared_.assign(width + 2 * radius, beyond);
-  const std::uint16_t* column = column_.data() + static_cast<std::size_t>(j) * width;
-  for (std::size_t i = 0; i < width; ++i) {
-    squared_[i + radius] = std::min(beyond, static_cast<std::uint16_t>(column[i] * column[i]));
-  }
-  nearest_.assign(squared_.begin() + radius_, squared_.begin() + radius_ + cells_);
-  for (std::size_t d = 1; d <= radius; ++d) {
-    const std::uint16_t* left = squared_.data() + radius - d;
-    const std::uint16_t* right = squared_.data() + radius + d;
-    std::uint16_t* nearest = nearest_.data();
-    const auto across = static_cast<std::uint16_t>(d * d);
-    for (std::size_t i = 0; i < width; ++i) {
-      const auto beside = static_cast<std::uint16_t>(std::min(left[i], right[i]) + across);
-      nearest[i] = std::min(nearest[i], beside);
-    }
-  }
-  for (std::size_t i = 0; i < width; ++i) costs[i] = cost_[std::min(nearest_[i], beyond)];
 }
 
 }  // namespace drive

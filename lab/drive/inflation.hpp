@@ -27,19 +27,13 @@ class Inflation {
 
   /// Fills `costs` from the lethal cells of `obstacles`, a grid of the same geometry; other costs of it do
   /// not count.
-  void inflate(const RollingGrid& obstacles, RollingGrid& costs);
+  void inflate(const RollingGrid& obstacles, RollingGrid& costs) const;
 
  private:
-  void measure_columns(const RollingGrid& obstacles);
-  void inflate_row(int j, std::uint8_t* costs);
+  void stamp(int i, int j, RollingGrid& costs) const;
 
-  int radius_;                             // [cells]
-  std::vector<std::uint8_t> cost_;         // by squared distance [cells^2]; the last one is for all beyond
-  int cells_ = 0;                          // along a side
-  std::vector<std::uint16_t> column_;      // distance to the nearest lethal cell of the column, at most radius_ + 1
-  std::vector<std::uint8_t> row_has_any_;  // some column distance of the row lies within the radius
-  std::vector<std::uint16_t> squared_;     // one row's, with radius_ cells of room on both sides
-  std::vector<std::uint16_t> nearest_;     // one row's squared distances
+  int radius_;                       // [cells]
+  std::vector<std::uint8_t> stamp_;  // what one lethal cell costs around it, row by row
 };
 
 }  // namespace drive

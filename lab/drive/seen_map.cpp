@@ -7,18 +7,10 @@
 
 namespace hidwa_local_planner {
 namespace drive {
-namespace {
-
-sim::OccupancyMap without_cells(sim::OccupancyMap map) {
-  map.cells.clear();
-  return map;
-}
-
-}  // namespace
 
 // A grid's corner lies at its frame's origin: beams are brought there.
-SeenMap::SeenMap(const sim::OccupancyMap& geometry, double range)
-    : geometry_(without_cells(geometry)),
+SeenMap::SeenMap(const sim::GridGeometry& geometry, double range)
+    : geometry_(geometry),
       range_(range),
       grid_(std::max(geometry.width, geometry.height) * geometry.resolution, geometry.resolution) {}
 

@@ -14,7 +14,7 @@ class SeenMap {
  public:
   /// A grid of this map's geometry; its cells do not count. Beam ends farther away than `range` [m] are not
   /// marked.
-  SeenMap(const sim::OccupancyMap& geometry, double range);
+  SeenMap(const sim::GridGeometry& geometry, double range);
 
   /// One scan, map frame.
   void add(const Beams& beams);
@@ -23,9 +23,9 @@ class SeenMap {
   sim::OccupancyMap map() const;
 
  private:
-  sim::OccupancyMap geometry_;  // no cells
-  double range_;                // [m]
-  RollingGrid grid_;            // its first cell is the map's
+  sim::GridGeometry geometry_;
+  double range_;      // [m]
+  RollingGrid grid_;  // its first cell is the map's
 };
 
 }  // namespace drive

@@ -89,9 +89,9 @@ const char* reason_besides_total(ChoiceReport::Rule rule) {
       return "it leads out of the collision that the robot stands in";
     case ChoiceReport::Rule::way:
       return "it gets farthest along the way that a search has found, or nearly as far and is the cheapest "
-             "(turn_when_stuck)";
+             "(method: hidwa)";
     case ChoiceReport::Rule::rest:
-      return "the robot rests while a way is searched (turn_when_stuck)";
+      return "the robot rests while a way is searched (method: hidwa)";
     case ChoiceReport::Rule::evasion:
       return "it gets out of the way of what moves (evasion_time)";
     case ChoiceReport::Rule::none:

@@ -83,13 +83,6 @@ Left for_each_record(CycleBag& bag, CycleReplay& replay, const Call& call) {
 
 void say(const std::string& fault) { std::fprintf(stderr, "hidwa_replay: %s\n", fault.c_str()); }
 
-// Parts of records that came after this release: the cycles were repeated without them.
-void tell_unknown(const CycleReplay& replay) {
-  for (const std::string& part : replay.unknown()) {
-    say("the records hold '" + part + "', which this release does not know: cycles that depended on it differ");
-  }
-}
-
 // The status to end with: what is wrong with the bag goes before differences.
 int conclude(const CycleBag& bag, const Left& left, long cycles, long differences) {
   std::fputs(left.in_words().c_str(), stdout);
@@ -139,7 +132,6 @@ int replay_all(const Options& options) {
   }
   if (changes) std::printf("%s\n", csv.c_str());
   const double recorded = first ? last - *first : 0.0;
-  tell_unknown(replay);
   if (recorded > 0.0) std::printf("%.0f bytes of records, %.1f kB/s\n", left.bytes, left.bytes / recorded / 1e3);
   std::printf("%.1f s replayed in %.2f s, %.0f times faster than real time\n", recorded, spent.count(),
               recorded / spent.count());
@@ -181,7 +173,6 @@ int explain_one(const Options& options) {
     std::printf("%s\n", (options.out + (options.picture && fault.empty() ? "/cycle.png" : "/cycle.json")).c_str());
     return false;
   });
-  tell_unknown(replay);
   return conclude(bag, Left{0, 0, left.damaged, 0.0, left.fault}, 1, identical ? 0 : 1);
 }
 

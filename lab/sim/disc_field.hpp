@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,24 +31,11 @@ class DiscField {
   /// none within `range_max` [m]; 0 inside a disc.
   double range(double x, double y, double angle, double range_max) const;
 
-  const std::vector<Eigen::Vector2d>& centres() const { return centres_; }  // [m]
-  double radius() const { return radius_; }                                 // [m]
-
  private:
   static constexpr double kTouching = 1e-9;  // [m]
 
-  int column(double x) const;
-  int row(double y) const;
-  const std::vector<std::uint32_t>& bucket(int column, int row) const;
-  // Calls visit(centre) for the discs that may come within `reach` [m] of a box, some of them more than once.
-  template <typename Visit>
-  void visit_near(const Box& box, double reach, Visit&& visit) const;
-
   std::vector<Eigen::Vector2d> centres_;
   double radius_;
-  Eigen::Vector2d low_;  // corner of the first bucket [m]
-  int columns_ = 0, rows_ = 0;
-  std::vector<std::vector<std::uint32_t>> buckets_;  // which discs overlap each square
 };
 
 }  // namespace sim

@@ -47,16 +47,10 @@ class Envelope {
   std::vector<double> border_;
 };
 
-OccupancyMap without_cells(const OccupancyMap& map) {
-  OccupancyMap geometry = map;
-  geometry.cells = {};
-  return geometry;
-}
-
 }  // namespace
 
 DistanceField::DistanceField(const OccupancyMap& map, const std::vector<std::uint8_t>& marked)
-    : map_(without_cells(map)), distance_(marked.size()) {
+    : map_(map), distance_(marked.size()) {
   const auto width = static_cast<std::size_t>(map.width);
   const auto height = static_cast<std::size_t>(map.height);
   std::vector<double> line(std::max(width, height));

@@ -27,7 +27,7 @@ class DistanceField {
  private:
   DistanceField(const OccupancyMap& map, const std::vector<std::uint8_t>& marked);
 
-  OccupancyMap map_;             // its geometry alone; no cells
+  GridGeometry map_;
   std::vector<float> distance_;  // [m]
 };
 

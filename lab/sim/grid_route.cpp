@@ -31,21 +31,14 @@ double inflation_cost(double distance, const RouteClearance& clearance) {
              : std::exp(-clearance.cost_scaling_factor * (distance - clearance.robot_radius));
 }
 
-GridRoute::GridRoute(const OccupancyMap& map, const RouteClearance& clearance, const Eigen::Vector2d& goal)
-    : map_(map), toward_goal_(map.cells.size(), kNone) {
-  map_.cells = {};
-  const int column = map.column(goal.x());
-  const int row = map.row(goal.y());
-  if (map.inside(column, row)) search(DistanceField::to_obstacles(map), clearance, column, row, kNoCell);
-}
-
 GridRoute::GridRoute(const OccupancyMap& map, const RouteClearance& clearance, const Eigen::Vector2d& goal,
-                     const Eigen::Vector2d& start)
+                     const std::optional<Eigen::Vector2d>& start)
     : map_(map), toward_goal_(map.cells.size(), kNone) {
-  map_.cells = {};
+  std::size_t last = kNoCell;
+  if (start && map.inside(map.column(start->x()), map.row(start->y()))) {
+    last = map.index(map.column(start->x()), map.row(start->y()));
+  }
   const int column = map.column(goal.x()), row = map.row(goal.y());
-  const int last_column = map.column(start.x()), last_row = map.row(start.y());
-  const std::size_t last = map.inside(last_column, last_row) ? map.index(last_column, last_row) : kNoCell;
   if (map.inside(column, row)) search(DistanceField::to_obstacles(map), clearance, column, row, last);
 }
 

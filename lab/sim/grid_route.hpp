@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -31,11 +32,9 @@ double inflation_cost(double distance, const RouteClearance& clearance);
 /// 8-connected grid, once; each route then only follows the way found.
 class GridRoute {
  public:
-  GridRoute(const OccupancyMap& map, const RouteClearance& clearance, const Eigen::Vector2d& goal);
-
-  /// The same, for one start: the search ends when its way is found.
+  /// For one `start` alone, where it is given: the search ends when its way is found.
   GridRoute(const OccupancyMap& map, const RouteClearance& clearance, const Eigen::Vector2d& goal,
-            const Eigen::Vector2d& start);
+            const std::optional<Eigen::Vector2d>& start = std::nullopt);
 
   /// From `start` to the goal, one point a cell; empty where there is no way. A start too near to an obstacle
   /// is served from the nearest cell within 0.5 m that has a way.
@@ -48,7 +47,7 @@ class GridRoute {
   bool reached(int column, int row) const;
   bool find_start(int& column, int& row) const;
 
-  OccupancyMap map_;                       // its geometry alone; no cells
+  GridGeometry map_;
   std::vector<std::uint8_t> toward_goal_;  // index of the neighbour to go to; kNone: no way; kGoal: arrived
 };
 

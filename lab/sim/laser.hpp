@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "sim/polygon.hpp"
+#include "sim/distance_field.hpp"
+#include "sim/occupancy_map.hpp"
 #include "sim/random.hpp"
-#include "sim/ray_caster.hpp"
 
 namespace hidwa_local_planner {
 namespace sim {
@@ -29,9 +29,11 @@ struct LaserSpec {
 void scan(const std::function<double(double angle)>& range, const LaserSpec& spec, double sensor_heading,
           Random& random, std::vector<float>& ranges);
 
-/// The same in a map, from `sensor` (map frame).
-void scan(const RayCaster& caster, const LaserSpec& spec, const Pose& sensor, Random& random,
-          std::vector<float>& ranges);
+/// Distance from (x, y) in direction `angle` [rad, map frame] to where a ray enters the first occupied cell of a map
+/// [m]; infinite if none within `range_max` [m]. 0 inside an occupied cell. Nothing outside the map is occupied.
+/// `to_obstacles`, the distances of the map, makes it faster and changes nothing.
+double range_in(const OccupancyMap& map, double x, double y, double angle, double range_max,
+                const DistanceField* to_obstacles = nullptr);
 
 }  // namespace sim
 }  // namespace hidwa_local_planner

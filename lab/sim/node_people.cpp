@@ -120,13 +120,13 @@ NodePeople::NodePeople(ros::NodeHandle& node, std::string frame, bool tell_truth
   at_rest_ = node.advertise<std_msgs::UInt32>("contacts_at_rest", 10, true);
 }
 
-void NodePeople::scan(const RayCaster& caster, const LaserSpec& spec, const Pose& sensor,
+void NodePeople::scan(const OccupancyMap& map, const LaserSpec& spec, const Pose& sensor,
                       const std::vector<Mover>& movers, Random& random, std::vector<float>& ranges) {
   constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
   const Silhouettes people(movers);
   std::vector<std::size_t> met;
   const auto range = [&](double angle) {
-    const double to_map = caster.range(sensor.x, sensor.y, angle, spec.range_max);
+    const double to_map = range_in(map, sensor.x, sensor.y, angle, spec.range_max);
     const Silhouettes::Hit hit = people.cast(sensor.x, sensor.y, angle, spec.range_max);
     met.push_back(hit.range < to_map ? hit.mover : kNobody);
     return std::min(to_map, hit.range);

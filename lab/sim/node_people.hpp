@@ -12,7 +12,6 @@
 #include "sim/crowd.hpp"
 #include "sim/laser.hpp"
 #include "sim/people_watch.hpp"
-#include "sim/ray_caster.hpp"
 #include "sim/world.hpp"
 
 namespace hidwa_local_planner {
@@ -31,7 +30,7 @@ class NodePeople {
   NodePeople(ros::NodeHandle& node, std::string frame, bool tell_truth);
 
   /// A scan of the map and of everybody in it.
-  void scan(const RayCaster& caster, const LaserSpec& spec, const Pose& sensor, const std::vector<Mover>& movers,
+  void scan(const OccupancyMap& map, const LaserSpec& spec, const Pose& sensor, const std::vector<Mover>& movers,
             Random& random, std::vector<float>& ranges);
 
   /// Where everybody is now, with what the last scan saw of them.

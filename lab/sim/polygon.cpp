@@ -93,6 +93,13 @@ bool touch(const Polygon& a, const Polygon& b) {
   return contains(a, b.front()) || contains(b, a.front());
 }
 
+double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const Eigen::Vector2d along = b - a;
+  const double squared = along.squaredNorm();
+  const double t = squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
+  return (p - a - t * along).norm();
+}
+
 Pose compose(const Pose& a, const Pose& b) {
   const double c = std::cos(a.theta);
   const double s = std::sin(a.theta);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -45,6 +48,18 @@ bool segments_touch(const Eigen::Vector2d& a0, const Eigen::Vector2d& a1, const 
 
 /// Whether two polygons share a point: borders that cross or touch, or one inside the other.
 bool touch(const Polygon& a, const Polygon& b);
+
+/// From a point to the nearest one of a segment [m].
+double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+
+/// Along a ray of direction (c, s) to where it enters a disc, whose centre is at `to` from its origin [m]; 0 inside;
+/// infinite where it passes by.
+inline double ray_to_disc(const Eigen::Vector2d& to, double c, double s, double radius) {
+  if (to.squaredNorm() <= radius * radius) return 0.0;
+  const double along = to.x() * c + to.y() * s, across = to.y() * c - to.x() * s;
+  if (along < 0.0 || std::abs(across) > radius) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, along - std::sqrt(radius * radius - across * across));
+}
 
 /// Pose of `b`, given in the frame of pose `a`, in the frame that `a` is given in.
 Pose compose(const Pose& a, const Pose& b);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/polygon.hpp"
+
 namespace hidwa_local_planner {
 namespace sim {
 namespace {
@@ -16,15 +18,6 @@ void add_legs(const Mover& person, std::size_t index, std::vector<Silhouettes::D
   const double swing = kLegSwing * std::min(1.0, person.velocity.norm() / kBriskWalk) * std::sin(person.gait);
   discs.push_back({person.position + 0.5 * kLegSpacing * left + swing * ahead, kLegRadius, index});
   discs.push_back({person.position - 0.5 * kLegSpacing * left - swing * ahead, kLegRadius, index});
-}
-
-// Along a ray of direction (c, s) to where it enters a disc at `to` from its origin [m]; infinite where it passes by.
-double ray_into(const Eigen::Vector2d& to, double c, double s, double radius) {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  if (to.squaredNorm() <= radius * radius) return 0.0;
-  const double along = to.x() * c + to.y() * s, across = to.y() * c - to.x() * s;
-  if (along < 0.0 || std::abs(across) > radius) return kNever;
-  return along - std::sqrt(radius * radius - across * across);
 }
 
 }  // namespace
@@ -44,7 +37,7 @@ Silhouettes::Hit Silhouettes::cast(double x, double y, double angle, double rang
   if (discs_.empty()) return hit;
   const double c = std::cos(angle), s = std::sin(angle);
   for (const Disc& disc : discs_) {
-    const double range = ray_into(disc.centre - Eigen::Vector2d(x, y), c, s, disc.radius);
+    const double range = ray_to_disc(disc.centre - Eigen::Vector2d(x, y), c, s, disc.radius);
     if (range <= range_max && range < hit.range) hit = {range, disc.mover};
   }
   return hit;

@@ -43,7 +43,6 @@ class SimNode {
   explicit SimNode(const SimNodeParameters& parameters)
       : p_(parameters),
         world_(p_.world),
-        caster_(world_.map()),
         random_(p_.world.seed + 1),
         odom_due_(p_.odom_rate),
         truth_due_(p_.ground_truth_rate),
@@ -135,7 +134,7 @@ class SimNode {
 
   void publish_scan() {
     if (scan_.getNumSubscribers() == 0) return;
-    people_.scan(caster_, p_.laser, compose(world_.pose(), p_.laser_pose), world_.movers(), random_,
+    people_.scan(world_.map(), p_.laser, compose(world_.pose(), p_.laser_pose), world_.movers(), random_,
                  scan_message_.ranges);
     scan_message_.header.stamp = stamp();
     scan_.publish(scan_message_);
@@ -154,7 +153,6 @@ class SimNode {
 
   SimNodeParameters p_;
   World world_;
-  RayCaster caster_;
   Random random_;  // of the laser
   Every odom_due_;
   Every truth_due_;

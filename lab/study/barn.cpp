@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "execution.hpp"
-#include "manifest.hpp"
-#include "share.hpp"
+#include "files.hpp"
 #include "study/barn_drive.hpp"
 #include "study/barn_table.hpp"
 #include "study/seed.hpp"
@@ -22,18 +21,6 @@ namespace {
 const char* const kJackal = "launch/params/jackal.yaml";
 const char* const kBarn = "launch/params/barn.yaml";
 
-std::string manifest(const Options& o) {
-  const nlohmann::json manifest = {
-      {"version", HIDWA_VERSION},
-      {"experiment", "barn"},
-      {"seed", o.seed},
-      {"set", json_of(o.sets)},
-      {"worlds", fingerprint_of_file(o.worlds)},
-      {"parameters", fingerprint_of_file(share_file(kJackal)) + " " + fingerprint_of_file(share_file(kBarn))},
-      {"paths", o.paths}};
-  return manifest.dump(2) + '\n';
-}
-
 }  // namespace
 
 int barn(const Options& options, std::ostream& out, std::ostream& errors) {
@@ -45,15 +32,16 @@ int barn(const Options& options, std::ostream& out, std::ostream& errors) {
   const BarnSubject jackal = barn_subject(share_file(kJackal), share_file(kBarn));
   const std::vector<BarnSubject> subjects = drivers_of(options, plan, jackal, assign_barn);
   const auto make = [&](const Run& run) {
-    // A world's noise is the same in all modes and settings.
-    const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;
-    const std::uint64_t person = seed_for(options.seed, run.participant, "person " + run.condition);
+    const Seeds seeds = seeds_of(options.seed, run);
     const sim::BarnWorld& world = worlds.at(run.participant);
-    drive::DriveResult result = drive_barn(world, subjects[run.setting], run.condition, seed, person);
-    Row row = barn_row(plan, run, seed, result, score_barn(world, result));
+    drive::DriveResult result = drive_barn(world, subjects[run.setting], run.condition, seeds.world, seeds.person);
+    Row row = barn_row(plan, run, seeds.world, result, score_barn(world, result));
     return Made{std::move(row), std::move(result)};
   };
-  return execute(options, plan, manifest(options), make, out, errors);
+  const nlohmann::json deciding = {
+      {"worlds", fingerprint_of_file(options.worlds)},
+      {"parameters", fingerprint_of_file(share_file(kJackal)) + " " + fingerprint_of_file(share_file(kBarn))}};
+  return execute(options, plan, deciding, make, out, errors);
 }
 
 }  // namespace study

@@ -6,12 +6,10 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 
 #include <yaml-cpp/yaml.h>
 
-#include "core/util/words.hpp"
-#include "study/barn_person.hpp"
+#include "study/bystander.hpp"
 #include "study/error.hpp"
 #include "study/jackal.hpp"
 #include "study/table.hpp"
@@ -65,27 +63,7 @@ void assign_entry(BarnSubject& subject, const std::string& name, const std::stri
     throw UsageError("there is no " + name + ": there are" + known);
   }
   const auto& [member, least, greatest] = found->second;
-  const std::optional<double> value = number_in(text);
-  if (!value || *value < least || *value > greatest) {
-    throw UsageError(name + " needs a number from " + shortest(least) + " to " + shortest(greatest) + ", not '" + text +
-                     "'");
-  }
-  member(subject) = *value;
-}
-
-// How long the person of AFTERMATH attacks [s].
-constexpr double kAttacked = 20.0;
-
-std::shared_ptr<sim::Operator> person_of(const std::string& mode, const Parameters& parameters,
-                                         const std::shared_ptr<const sim::DiscField>& discs, std::uint64_t seed) {
-  const FullDeflection full{parameters.max_vel_x, parameters.max_vel_theta, parameters.exponent};
-  const Room room = [discs](const Eigen::Vector2d& point, double /*ahead*/, double at_most) {
-    return discs->distance(point, at_most);
-  };
-  if (mode == "HELPFUL") return std::make_shared<HelpfulPerson>(room, full);
-  if (mode == "HOSTILE") return std::make_shared<HostilePerson>(room, full, seed);
-  if (mode == "AFTERMATH") return std::make_shared<HostilePerson>(room, full, seed, kAttacked);
-  return nullptr;
+  member(subject) = number_within(name, text, least, greatest);
 }
 
 }  // namespace
@@ -135,7 +113,10 @@ drive::DriveResult drive_barn(const sim::BarnWorld& world, const BarnSubject& su
   setup.start = sim::barn_start();
   setup.goal = sim::barn_goal();
   setup.explore = true;
-  setup.person = person_of(mode, setup.parameters, discs, person_seed);
+  const Room room = [discs](const Eigen::Vector2d& point, double /*ahead*/, double at_most) {
+    return discs->distance(point, at_most);
+  };
+  setup.person = person_among(mode, setup.parameters, room, person_seed);
   setup.odometry_seed = world_seed;
   setup.laser_seed = world_seed + 1;
   setup.goal_radius = kGoalRadius;

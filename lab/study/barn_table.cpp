@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/barn_table.hpp"
 
-#include "core/util/words.hpp"
-
 namespace hidwa_local_planner {
 namespace study {
 namespace {
@@ -23,15 +21,6 @@ std::vector<double> barn_merit(const Group& group) {
   return {group.mean("contacts"), -group.mean("metric"), -group.mean("success")};
 }
 
-std::string barn_line(const Group& group) {
-  return group.name() + format(
-                            ": n %zu, success %.3f, collision %.3f, timeout %.3f, %.1f s, metric %.3f, contacts %ld, "
-                            "least clearance %.3f m\n",
-                            group.rows.size(), group.mean("success"), group.mean("collision"), group.mean("timeout"),
-                            group.time_of_successes(), group.mean("metric"), group.count("contacts"),
-                            statistics(group.values("clearance")).min);
-}
-
 }  // namespace
 
 Tables barn_tables() {
@@ -47,36 +36,23 @@ Tables barn_tables() {
   tables.figures = barn_figures;
   tables.merit = barn_merit;
   tables.ranked = {"success", "collision", "timeout", "time_of_successes", "metric"};
-  tables.digest_line = barn_line;
+  tables.told = {"success", "collision", "timeout", "time_of_successes", "metric", "contacts", "least_clearance"};
   return tables;
 }
 
 Row barn_row(const Plan& plan, const Run& run, std::uint64_t world_seed, const drive::DriveResult& r,
              const BarnScore& score) {
   const bool collision = r.contacts > 0;
-  return {run.id,
-          std::to_string(run.participant),
-          run.condition,
-          to_string(plan.settings[run.setting]),
-          std::to_string(world_seed),
-          drive::to_string(r.ending),
-          score.success ? "1" : "0",
-          collision ? "1" : "0",
-          score.success || collision ? "0" : "1",
-          number(r.duration),
-          number(score.metric),
-          number(score.optimal_time),
-          number(score.path_clearance),
-          number(r.length),
-          std::to_string(r.contacts),
-          number(r.clearance),
-          number(r.operator_active),
-          std::to_string(r.interventions),
-          number(r.v_change),
-          number(r.omega_change),
-          number(r.agreement),
-          std::to_string(r.failures),
-          std::to_string(r.brakes)};
+  return row_in(barn_tables().columns, plan, run, world_seed, r,
+                {{"world", std::to_string(run.participant)},
+                 {"mode", run.condition},
+                 {"success", score.success ? "1" : "0"},
+                 {"collision", collision ? "1" : "0"},
+                 {"timeout", score.success || collision ? "0" : "1"},
+                 {"time", number(r.duration)},
+                 {"metric", number(score.metric)},
+                 {"optimal_time", number(score.optimal_time)},
+                 {"path_clearance", number(score.path_clearance)}});
 }
 
 }  // namespace study

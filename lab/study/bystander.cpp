@@ -6,6 +6,11 @@
 
 namespace hidwa_local_planner {
 namespace study {
+namespace {
+
+constexpr double kAttacked = 20.0;  // [s]
+
+}  // namespace
 
 Room room_among(std::shared_ptr<const sim::People> people, Room walls) {
   return [people = std::move(people), walls = std::move(walls)](const Eigen::Vector2d& point, double ahead,
@@ -23,6 +28,7 @@ std::shared_ptr<sim::Operator> person_among(const std::string& mode, const Param
   const FullDeflection full{parameters.max_vel_x, parameters.max_vel_theta, parameters.exponent};
   if (mode == "HELPFUL") return std::make_shared<HelpfulPerson>(std::move(room), full);
   if (mode == "HOSTILE") return std::make_shared<HostilePerson>(std::move(room), full, seed);
+  if (mode == "AFTERMATH") return std::make_shared<HostilePerson>(std::move(room), full, seed, kAttacked);
   return nullptr;
 }
 

@@ -16,7 +16,7 @@ namespace study {
 /// Room among people who walk on as they do now, and among the obstacles that `walls` knows, which may be empty.
 Room room_among(std::shared_ptr<const sim::People> people, Room walls);
 
-/// Who steers in a mode: AUTONOMY nobody (null), HELPFUL, HOSTILE.
+/// Who steers in a mode: AUTONOMY nobody (null), HELPFUL, HOSTILE, AFTERMATH: HOSTILE for 20 s.
 std::shared_ptr<sim::Operator> person_among(const std::string& mode, const Parameters& parameters, Room room,
                                             std::uint64_t seed);
 

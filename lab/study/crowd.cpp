@@ -9,7 +9,6 @@
 
 #include "execution.hpp"
 #include "floor.hpp"
-#include "manifest.hpp"
 #include "study/crowd_drive.hpp"
 #include "study/encounter_table.hpp"
 #include "study/seed.hpp"
@@ -25,14 +24,6 @@ Subject usual_robot() {
   return subject;
 }
 
-std::string manifest_of_crowd(const Options& options, const Scene& scene) {
-  nlohmann::json manifest = json_of_floor("crowd", options, scene);
-  manifest["people"] = options.people;
-  manifest["yielding"] = options.yielding;
-  manifest["tracking"] = to_string(options.tracking);
-  return manifest.dump(2) + '\n';
-}
-
 }  // namespace
 
 int crowd(const Options& asked, std::ostream& out, std::ostream& errors) {
@@ -46,15 +37,18 @@ int crowd(const Options& asked, std::ostream& out, std::ostream& errors) {
   const Passers passers{options.people, options.yielding, options.tracking};
   const std::string name = std::filesystem::path(options.map).stem().string();
   const auto make = [&](const Run& run) {
-    // The people and the noise are the same in all modes and settings.
-    const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;
-    const std::uint64_t person = seed_for(options.seed, run.participant, "person " + run.condition);
-    drive::DriveResult result = drive_among(scene, ways, subjects[run.setting], passers, run.condition, seed, person);
-    const Scenery scenery{name, std::to_string(options.people) + " people", seed, 0.0};
+    const Seeds seeds = seeds_of(options.seed, run);
+    drive::DriveResult result =
+        drive_among(scene, ways, subjects[run.setting], passers, run.condition, seeds.world, seeds.person);
+    const Scenery scenery{name, std::to_string(options.people) + " people", seeds.world, 0.0};
     Row row = encounter_row(plan, run, scenery, result);
     return Made{std::move(row), std::move(result)};
   };
-  return execute(options, plan, manifest_of_crowd(options, scene), make, out, errors);
+  nlohmann::json deciding = json_of_floor(options, scene);
+  deciding["people"] = options.people;
+  deciding["yielding"] = options.yielding;
+  deciding["tracking"] = to_string(options.tracking);
+  return execute(options, plan, deciding, make, out, errors);
 }
 
 }  // namespace study

@@ -10,8 +10,7 @@
 
 #include "core/util/words.hpp"
 #include "execution.hpp"
-#include "manifest.hpp"
-#include "share.hpp"
+#include "files.hpp"
 #include "study/dynabarn_drive.hpp"
 #include "study/encounter_table.hpp"
 #include "study/seed.hpp"
@@ -50,19 +49,13 @@ std::vector<DynabarnCourt> courts_of(const Options& options, const Plan& plan) {
   return courts;
 }
 
-std::string court_manifest(const Options& o) {
-  const nlohmann::json manifest = {
-      {"version", HIDWA_VERSION},
-      {"experiment", "dynabarn"},
-      {"seed", o.seed},
+nlohmann::json what_decides(const Options& o) {
+  return {
       {"tracking", to_string(o.tracking)},
       {"motion", o.motion == sim::KeyMotion::linear ? "linear" : "spline"},
       {"speed", o.speed},
-      {"set", json_of(o.sets)},
       {"worlds", fingerprint_of_file(o.worlds)},
-      {"parameters", fingerprint_of_file(share_file(kRobotFile)) + " " + fingerprint_of_file(share_file(kCourtFile))},
-      {"paths", o.paths}};
-  return manifest.dump(2) + '\n';
+      {"parameters", fingerprint_of_file(share_file(kRobotFile)) + " " + fingerprint_of_file(share_file(kCourtFile))}};
 }
 
 }  // namespace
@@ -72,16 +65,14 @@ int dynabarn(const Options& options, std::ostream& out, std::ostream& errors) {
   const Plan plan = make_world_plan("dynabarn", numbers_of(worlds, options.seeds), options.modes, settings_of(options));
   const std::vector<DynabarnCourt> courts = courts_of(options, plan);
   const auto make = [&](const Run& run) {
-    // The release and the noise are the same in all modes and settings.
-    const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;
-    const std::uint64_t person = seed_for(options.seed, run.participant, "person " + run.condition);
+    const Seeds seeds = seeds_of(options.seed, run);
     const sim::DynabarnWorld& world = worlds.at(run.participant / kSeedsOfWorld);
-    const double release = release_time(seed);
-    drive::DriveResult result = courts[run.setting].drive(world, run.condition, release, seed, person);
-    Row row = encounter_row(plan, run, {std::to_string(world.index), world.difficulty, seed, release}, result);
+    const double release = release_time(seeds.world);
+    drive::DriveResult result = courts[run.setting].drive(world, run.condition, release, seeds.world, seeds.person);
+    Row row = encounter_row(plan, run, {std::to_string(world.index), world.difficulty, seeds.world, release}, result);
     return Made{std::move(row), std::move(result)};
   };
-  return execute(options, plan, court_manifest(options), make, out, errors);
+  return execute(options, plan, what_decides(options), make, out, errors);
 }
 
 }  // namespace study

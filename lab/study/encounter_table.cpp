@@ -34,16 +34,6 @@ std::vector<double> encounter_merit(const Group& group) {
   return {group.share("touched_moving"), -group.mean("success"), group.mean("time")};
 }
 
-std::string encounter_line(const Group& group) {
-  return group.name() +
-         format(
-             ": n %zu, success %.3f, touched moving %.3f, at rest %.3f, timeout %.3f, %.1f s, %ld encounters, "
-             "%ld touches moving, %ld at rest\n",
-             group.rows.size(), group.mean("success"), group.share("touched_moving"), group.share("touched_at_rest"),
-             group.mean("timeout"), group.time_of_successes(), group.count("encounters"), group.count("touched_moving"),
-             group.count("touched_at_rest"));
-}
-
 // Each touch as time:id:moved:by_robot:robot's speed:mover's speed:time since its leap, with bars between them.
 std::string words_of(const std::vector<sim::Touch>& touches) {
   std::string words;
@@ -71,7 +61,8 @@ Tables encounter_tables() {
   tables.figures = encounter_figures;
   tables.merit = encounter_merit;
   tables.ranked = {"success", "touched_moving", "touched_at_rest", "timeout", "time_of_successes"};
-  tables.digest_line = encounter_line;
+  tables.told = {"success",           "touched_moving", "touched_at_rest", "timeout",
+                 "time_of_successes", "encounters",     "touches_moving",  "touches_at_rest"};
   return tables;
 }
 
@@ -85,34 +76,24 @@ Row encounter_row(const Plan& plan, const Run& run, const Scenery& scenery, cons
     leapt += touch.since_leap <= kJustLeapt;
     moved_into += touch.by_robot;
   }
-  return {run.id,
-          scenery.world,
-          scenery.klass,
-          run.condition,
-          to_string(plan.settings[run.setting]),
-          std::to_string(scenery.seed),
-          number(scenery.release),
-          drive::to_string(r.ending),
-          success ? "1" : "0",
-          std::to_string(p.contacts_moving),
-          std::to_string(p.contacts_at_rest),
-          std::to_string(r.contacts),
-          r.arrived || r.ending == drive::Ending::contact ? "0" : "1",
-          number(r.duration),
-          number(r.length),
-          std::to_string(leapt),
-          std::to_string(moved_into),
-          std::to_string(p.encounters),
-          number(std::min(kNobody, p.closest)),
-          number(p.personal_space),
-          number(p.standing),
-          number(r.clearance),
-          number(r.operator_active),
-          std::to_string(r.interventions),
-          number(r.agreement),
-          std::to_string(r.failures),
-          std::to_string(r.brakes),
-          words_of(p.touches)};
+  return row_in(encounter_tables().columns, plan, run, scenery.seed, r,
+                {{"world", scenery.world},
+                 {"class", scenery.klass},
+                 {"mode", run.condition},
+                 {"release", number(scenery.release)},
+                 {"success", success ? "1" : "0"},
+                 {"touched_moving", std::to_string(p.contacts_moving)},
+                 {"touched_at_rest", std::to_string(p.contacts_at_rest)},
+                 {"touched_wall", std::to_string(r.contacts)},
+                 {"timeout", r.arrived || r.ending == drive::Ending::contact ? "0" : "1"},
+                 {"time", number(r.duration)},
+                 {"touched_after_leap", std::to_string(leapt)},
+                 {"moved_into", std::to_string(moved_into)},
+                 {"encounters", std::to_string(p.encounters)},
+                 {"closest", number(std::min(kNobody, p.closest))},
+                 {"personal_space", number(p.personal_space)},
+                 {"standing", number(p.standing)},
+                 {"touches", words_of(p.touches)}});
 }
 
 std::string to_string(drive::Tracking tracking) {

@@ -6,8 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "progress.hpp"
 #include "study/error.hpp"
 #include "study/runner.hpp"
@@ -21,6 +19,21 @@ struct Timing {
   double planning = 0.0;   // [s]
   std::size_t cycles = 0;
 };
+
+nlohmann::json json_of(const std::vector<Assignment>& sets) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Assignment& set : sets) list.push_back(set.name + "=" + set.value);
+  return list;
+}
+
+std::string manifest(const Options& options, const Plan& plan, nlohmann::json all) {
+  all["version"] = HIDWA_VERSION;
+  all["experiment"] = plan.experiment;
+  all["seed"] = options.seed;
+  all["set"] = json_of(options.sets);
+  all["paths"] = options.paths;
+  return all.dump(2) + '\n';
+}
 
 std::string timing_json(std::size_t threads, std::size_t made, std::size_t kept, double wall, const Timing& timing) {
   const double cycle = timing.cycles > 0 ? timing.planning / static_cast<double>(timing.cycles) : 0.0;
@@ -57,11 +70,11 @@ Found find_run(const Run& run, const std::vector<Store>& parts) {
 
 }  // namespace
 
-int execute(const Options& options, const Plan& plan, const std::string& manifest,
+int execute(const Options& options, const Plan& plan, const nlohmann::json& deciding,
             const std::function<Made(const Run&)>& make, std::ostream& out, std::ostream& errors) {
   const Tables tables = tables_of(plan.experiment);
   const Store store(options.out, tables);
-  store.begin(manifest, plan, options.resume);
+  store.begin(manifest(options, plan, deciding), plan, options.resume);
   std::vector<Run> wanted;
   std::size_t kept = 0;
   for (const Run& run : shard(plan.runs, options.shard, options.shards)) {

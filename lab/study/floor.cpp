@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "floor.hpp"
 
-#include "manifest.hpp"
-#include "share.hpp"
+#include "files.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
@@ -19,11 +18,8 @@ Scene scene_of(const Options& options) { return load_scene(options.map, options.
 
 nlohmann::json json_of(const sim::Pose& pose) { return {pose.x, pose.y, pose.theta}; }
 
-nlohmann::json json_of_floor(const std::string& experiment, const Options& options, const Scene& scene) {
-  return {{"version", HIDWA_VERSION},      {"experiment", experiment},
-          {"seed", options.seed},          {"map", fingerprint_of_file(options.map)},
-          {"start", json_of(scene.start)}, {"goal", json_of(scene.goal)},
-          {"set", json_of(options.sets)},  {"paths", options.paths}};
+nlohmann::json json_of_floor(const Options& options, const Scene& scene) {
+  return {{"map", fingerprint_of_file(options.map)}, {"start", json_of(scene.start)}, {"goal", json_of(scene.goal)}};
 }
 
 }  // namespace study

@@ -20,7 +20,7 @@ Scene scene_of(const Options& options);
 nlohmann::json json_of(const sim::Pose& pose);
 
 /// What decides about drives across a floor, for study.json.
-nlohmann::json json_of_floor(const std::string& experiment, const Options& options, const Scene& scene);
+nlohmann::json json_of_floor(const Options& options, const Scene& scene);
 
 }  // namespace study
 }  // namespace hidwa_local_planner

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "execution.hpp"
-#include "manifest.hpp"
-#include "share.hpp"
 #include "study/gap_drive.hpp"
 #include "study/gap_table.hpp"
 #include "study/seed.hpp"
@@ -30,12 +28,6 @@ GapSubject robot_at_gaps() {
   return subject;
 }
 
-std::string manifest_of_gaps(const Options& o) {
-  const nlohmann::json manifest = {{"version", HIDWA_VERSION}, {"experiment", "gap"},    {"seed", o.seed},
-                                   {"phases", o.phases},       {"set", json_of(o.sets)}, {"paths", o.paths}};
-  return manifest.dump(2) + '\n';
-}
-
 }  // namespace
 
 int gap(const Options& options, std::ostream& out, std::ostream& errors) {
@@ -45,13 +37,12 @@ int gap(const Options& options, std::ostream& out, std::ostream& errors) {
   const std::vector<GapSubject> subjects = drivers_of(options, plan, robot_at_gaps(), assign_gap);
   const auto make = [&](const Run& run) {
     const double phase = static_cast<double>(run.participant - 1) / options.phases;
-    const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;
     const GapSubject& subject = subjects[run.setting];
-    Narrowest narrowest = narrowest_gap(subject, run.condition, phase, seed);
+    Narrowest narrowest = narrowest_gap(subject, run.condition, phase, seeds_of(options.seed, run).world);
     Row row = gap_row(plan, run, phase, subject, narrowest);
     return Made{std::move(row), std::move(narrowest.result)};
   };
-  return execute(options, plan, manifest_of_gaps(options), make, out, errors);
+  return execute(options, plan, {{"phases", options.phases}}, make, out, errors);
 }
 
 }  // namespace study

@@ -6,12 +6,10 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
+#include <stdexcept>
 #include <utility>
 
-#include "core/util/words.hpp"
 #include "drive/outline.hpp"
-#include "study/error.hpp"
 #include "study/table.hpp"
 
 namespace hidwa_local_planner {
@@ -96,12 +94,8 @@ void assign_gap(GapSubject& subject, const Assignment& assignment) {
                                              {"laser.noise", {&subject.noise, 0.0, 0.2}}};
   const auto found = entries.find(assignment.name);
   if (found == entries.end()) return assign(subject.subject, assignment);
-  const std::optional<double> value = number_in(assignment.value);
-  if (!value || *value < found->second.least || *value > found->second.greatest) {
-    throw UsageError(assignment.name + " needs a number from " + shortest(found->second.least) + " to " +
-                     shortest(found->second.greatest) + ", not '" + assignment.value + "'");
-  }
-  *found->second.member = *value;
+  const Entry& entry = found->second;
+  *entry.member = number_within(assignment.name, assignment.value, entry.least, entry.greatest);
 }
 
 const std::vector<std::string>& gap_outlines() {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/gap_table.hpp"
 
-#include "core/util/words.hpp"
-
 namespace hidwa_local_planner {
 namespace study {
 namespace {
@@ -22,13 +20,6 @@ nlohmann::json gap_figures(const Group& group) {
 
 std::vector<double> gap_merit(const Group& group) { return {statistics(group.values("width")).mean}; }
 
-std::string gap_line(const Group& group) {
-  const Statistics width = statistics(group.values("width"));
-  return format("%-7s  %.3f   %.3f   %.3f                  %.2f   %.3f  %.2f\n", group.names.front().c_str(),
-                length_in(group, "padded"), length_in(group, "resolution"), length_in(group, "noise"), width.min,
-                width.mean, width.max);
-}
-
 }  // namespace
 
 Tables gap_tables() {
@@ -42,8 +33,7 @@ Tables gap_tables() {
   tables.figures = gap_figures;
   tables.merit = gap_merit;
   tables.ranked = {"least", "mean", "most"};
-  tables.digest_head = "outline  padded  cells   noise   narrowest gap: least  mean   most [m]\n";
-  tables.digest_line = gap_line;
+  tables.told = {"padded", "resolution", "noise", "least", "mean", "most"};
   return tables;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/util/words.hpp"
+
 namespace hidwa_local_planner {
 namespace study {
 namespace {
@@ -24,6 +26,18 @@ std::vector<std::ptrdiff_t> place_of(const Group& group, const Tables& tables, c
     place.push_back(std::find(order.begin(), order.end(), name) - order.begin());
   }
   return place;
+}
+
+// Those of ranking.csv too.
+nlohmann::json all_figures(const Group& group, const Tables& tables) {
+  nlohmann::json figures = tables.figures(group);
+  figures.update(tables.only_ranked(group));
+  return figures;
+}
+
+// Whole numbers have no decimals.
+std::string written(const nlohmann::json& figure, int decimals) {
+  return figure.is_number_float() ? fixed(figure.get<double>(), decimals) : figure.dump();
 }
 
 }  // namespace
@@ -119,20 +133,21 @@ std::string ranking_csv(const Tables& tables, const Plan& plan, const std::vecto
   int rank = 0;
   for (const Group& group : ranked) {
     csv += std::to_string(++rank) + ',' + to_line(group.names) + ',' + std::to_string(group.rows.size());
-    nlohmann::json figures = tables.figures(group);
-    figures.update(tables.only_ranked(group));
-    for (const std::string& name : tables.ranked) {
-      const nlohmann::json& figure = figures.at(name);
-      csv += ',' + (figure.is_number_float() ? number(figure.get<double>()) : figure.dump());
-    }
+    const nlohmann::json figures = all_figures(group, tables);
+    for (const std::string& name : tables.ranked) csv += ',' + written(figures.at(name), 6);
     csv += '\n';
   }
   return csv;
 }
 
 std::string digest(const Tables& tables, const Plan& plan, const std::vector<Row>& rows) {
-  std::string lines = tables.digest_head;
-  for (const Group& group : groups(tables, plan, rows)) lines += tables.digest_line(group);
+  std::string lines;
+  for (const Group& group : groups(tables, plan, rows)) {
+    const nlohmann::json figures = all_figures(group, tables);
+    lines += group.name() + ": " + tables.count_name + ' ' + std::to_string(group.rows.size());
+    for (const std::string& name : tables.told) lines += ", " + name + ' ' + written(figures.at(name), 3);
+    lines += '\n';
+  }
   return lines;
 }
 

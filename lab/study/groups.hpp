@@ -53,8 +53,7 @@ struct Tables {
   std::vector<std::string> ranked;                         // names of the figures there
   // Figures there that summary.json does not have, by name.
   std::function<nlohmann::json(const Group&)> only_ranked = [](const Group&) { return nlohmann::json::object(); };
-  std::string digest_head;  // what is told at the end, before the lines of the groups
-  std::function<std::string(const Group&)> digest_line;
+  std::vector<std::string> told;  // names of the figures that are told at the end
 };
 
 /// Groups whose order the tables do not say come as their first runs do.

@@ -17,10 +17,9 @@
 #include "attack/drive.hpp"
 #include "attack/floor.hpp"
 #include "attack/hostile.hpp"
+#include "files.hpp"
 #include "hostile_folder.hpp"
-#include "manifest.hpp"
 #include "progress.hpp"
-#include "share.hpp"
 #include "sim/barn_world.hpp"
 #include "sim/occupancy_map.hpp"
 #include "study/error.hpp"
@@ -113,24 +112,23 @@ std::uint64_t drives_for(const Options& options, const std::vector<Ground>& grou
   return index;
 }
 
-std::string digest(const std::string& json, const std::string& folder) {
-  const nlohmann::json all = nlohmann::json::parse(json);
+// Tells what a study came to; returns the program's exit code.
+int conclude(const nlohmann::json& all, const std::string& folder, std::ostream& out) {
   const nlohmann::json& s = all.at("within");
-  std::ostringstream text;
-  text << s.at("cycles").get<long long>() << " cycles in " << s.at("drives").get<long long>()
-       << " drives within the promise: "
-       << "moving " << std::lround(100.0 * s.at("moving").get<double>()) << " %, threatened "
-       << std::lround(100.0 * s.at("threatened").get<double>()) << " %; contacts " << s.at("contacts") << " (worst "
-       << s.at("worst_depth_mm") << " mm), commands beyond " << s.at("commands_beyond_limits") << "; "
-       << s.at("encounters") << " encounters, touched while moving " << s.at("touched_moving") << ", while leaving "
-       << s.at("touched_leaving") << '\n';
+  out << s.at("cycles").get<long long>() << " cycles in " << s.at("drives").get<long long>()
+      << " drives within the promise: "
+      << "moving " << std::lround(100.0 * s.at("moving").get<double>()) << " %, threatened "
+      << std::lround(100.0 * s.at("threatened").get<double>()) << " %; contacts " << s.at("contacts") << " (worst "
+      << s.at("worst_depth_mm") << " mm), commands beyond " << s.at("commands_beyond_limits") << "; "
+      << s.at("encounters") << " encounters, touched while moving " << s.at("touched_moving") << ", while leaving "
+      << s.at("touched_leaving") << '\n';
   for (const auto& [name, sum] : all.at("outside").items()) {
-    text << "outside, " << name << ": " << sum.at("contacts") << " of " << sum.at("drives")
-         << " drives touched something, " << sum.at("touched_moving") << " of " << sum.at("encounters") << " people\n";
+    out << "outside, " << name << ": " << sum.at("contacts") << " of " << sum.at("drives")
+        << " drives touched something, " << sum.at("touched_moving") << " of " << sum.at("encounters") << " people\n";
   }
-  for (const auto& index : s.at("found")) text << "found: --drive " << index << '\n';
-  text << folder << "/summary.json\n";
-  return text.str();
+  for (const auto& index : s.at("found")) out << "found: --drive " << index << '\n';
+  out << folder << "/summary.json" << std::endl;
+  return all.at("held").get<bool>() ? 0 : 1;
 }
 
 int drive_alone(const Options& options, const std::vector<Ground>& grounds, std::ostream& out) {
@@ -167,9 +165,7 @@ int hostile(const Options& options, std::ostream& out, std::ostream& errors) {
     folder.keep(index, hostile_line(index, drive, result));
   };
   make_runs(wanted.size(), threads_for(options.threads), make_and_keep, [&progress] { progress.step(); });
-  const std::string summary = folder.finish();
-  out << digest(summary, options.out) << std::flush;
-  return nlohmann::json::parse(summary).at("held").get<bool>() ? 0 : 1;
+  return conclude(folder.finish(), options.out, out);
 }
 
 bool are_hostile(const std::vector<std::string>& parts) {
@@ -193,9 +189,7 @@ int merge_hostile(const Options& options, std::ostream& out) {
       if (there == all.lines().end()) all.keep(index, line);
     }
   }
-  const std::string summary = all.finish();
-  out << digest(summary, options.out) << std::flush;
-  return nlohmann::json::parse(summary).at("held").get<bool>() ? 0 : 1;
+  return conclude(all.finish(), options.out, out);
 }
 
 }  // namespace study

@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "core/util/words.hpp"
+#include "files.hpp"
 #include "study/error.hpp"
+#include "study/groups.hpp"
 #include "study/store.hpp"
 
 namespace hidwa_local_planner {
@@ -22,111 +21,63 @@ namespace {
 
 const char* const kManifest = "hostile.json";
 const char* const kDrives = "drives.csv";
-constexpr double kTouch = 1e-4;  // deeper than this counts [m]
+constexpr double kTouch = 0.1;  // deeper than this counts [mm]
 
-// The columns of drives.csv, in their order.
-struct Column {
-  enum Index : std::size_t {
-    index,
-    condition,
-    promised,
-    place,
-    outline,
-    link,
-    seed,
-    cycles,
-    moving,
-    threatened,
-    depth_mm,
-    touched_at_s,
-    beyond,
-    beyond_v,
-    beyond_omega,
-    hard,
-    stood_s,
-    walkers,
-    met,
-    touched_moving,
-    touched_leaving,
-    touched_at_rest,
-    columns
-  };
-};
-constexpr const char* kHead =
-    "index,condition,promised,place,outline,link,seed,cycles,moving,threatened,depth_mm,touched_at_s,beyond,beyond_v,"
-    "beyond_omega,hard,stood_s,walkers,met,touched_moving,touched_leaving,touched_at_rest";
+const std::vector<std::string> kColumns{
+    "index",  "condition",      "promised",        "place",          "outline",  "link",
+    "seed",   "cycles",         "moving",          "threatened",     "depth_mm", "touched_at_s",
+    "beyond", "beyond_v",       "beyond_omega",    "hard",           "stood_s",  "walkers",
+    "met",    "touched_moving", "touched_leaving", "touched_at_rest"};
 
-std::string read(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return file ? text.str() : "";
-}
+double figure(const Row& drive, const char* column) { return value(drive, column, kColumns); }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
+std::uint64_t index_of(const Row& drive) { return std::strtoull(drive.front().c_str(), nullptr, 10); }
+
+bool is_found(const Row& drive) {
+  return figure(drive, "depth_mm") > kTouch || figure(drive, "beyond") > 0.0 || figure(drive, "hard") > 0.0 ||
+         figure(drive, "touched_moving") > 0.0;
 }
 
 // What is counted over drives.
-class Sum {
- public:
-  void add(const std::vector<std::string>& cells) {
-    const auto number = [&cells](std::size_t column) { return std::strtod(cells[column].c_str(), nullptr); };
-    const auto count = [&number](std::size_t column) { return static_cast<long long>(number(column)); };
-    ++drives_;
-    cycles_ += count(Column::cycles);
-    moving_ += count(Column::moving);
-    threatened_ += count(Column::threatened);
-    const double depth = 1e-3 * number(Column::depth_mm);
-    contacts_ += depth > kTouch;
-    worst_depth_ = std::max(worst_depth_, depth);
-    beyond_ += count(Column::beyond);
-    hard_ += count(Column::hard);
-    if (number(Column::stood_s) > stood_) {
-      stood_ = number(Column::stood_s);
-      stood_index_ = cells[Column::index];
-    }
-    met_ += count(Column::met);
-    touched_moving_ += count(Column::touched_moving);
-    touched_leaving_ += count(Column::touched_leaving);
-    touched_at_rest_ += count(Column::touched_at_rest);
-    const bool too_much = count(Column::beyond) > 0 || count(Column::hard) > 0;
-    if (depth > kTouch || too_much || count(Column::touched_moving) > 0)
-      found_.push_back(std::strtoull(cells[Column::index].c_str(), nullptr, 10));
+nlohmann::json json_of(const Group& drives) {
+  std::vector<std::uint64_t> found;
+  double stood = 0.0;  // [s]
+  std::string longest;
+  for (const Row& drive : drives.rows) {
+    if (is_found(drive)) found.push_back(index_of(drive));
+    if (figure(drive, "stood_s") <= stood) continue;
+    stood = figure(drive, "stood_s");
+    longest = drive.front();
   }
+  const double cycles = std::max(1.0, drives.sum("cycles"));
+  return {{"drives", drives.rows.size()},
+          {"cycles", drives.count("cycles")},
+          {"moving", drives.sum("moving") / cycles},
+          {"threatened", drives.sum("threatened") / cycles},
+          {"contacts", drives.above("depth_mm", kTouch)},
+          {"worst_depth_mm", statistics(drives.values("depth_mm")).max},
+          {"commands_beyond_limits", drives.count("beyond")},
+          {"commands_beyond_accelerations", drives.count("hard")},
+          {"longest_stand_with_a_way_open_s", stood},
+          {"longest_stand_drive", longest},
+          {"encounters", drives.count("met")},
+          {"touched_moving", drives.count("touched_moving")},
+          {"touched_leaving", drives.count("touched_leaving")},
+          {"touched_at_rest", drives.count("touched_at_rest")},
+          {"found", found}};
+}
 
-  nlohmann::json json() const {
-    const auto share = [](long long part, long long of) {
-      return of > 0 ? static_cast<double>(part) / static_cast<double>(of) : 0.0;
-    };
-    return {{"drives", drives_},
-            {"cycles", cycles_},
-            {"moving", share(moving_, cycles_)},
-            {"threatened", share(threatened_, cycles_)},
-            {"contacts", contacts_},
-            {"worst_depth_mm", 1e3 * worst_depth_},
-            {"commands_beyond_limits", beyond_},
-            {"commands_beyond_accelerations", hard_},
-            {"longest_stand_with_a_way_open_s", stood_},
-            {"longest_stand_drive", stood_index_},
-            {"encounters", met_},
-            {"touched_moving", touched_moving_},
-            {"touched_leaving", touched_leaving_},
-            {"touched_at_rest", touched_at_rest_},
-            {"found", found_}};
+nlohmann::json by_condition(const Group& drives) {
+  std::map<std::string, Group> groups;
+  for (const Row& drive : drives.rows) {
+    Group& group = groups[cell(drive, "condition", kColumns)];
+    group.columns = &kColumns;
+    group.rows.push_back(drive);
   }
-  bool held() const { return found_.empty(); }
-
- private:
-  long long drives_ = 0, cycles_ = 0, moving_ = 0, threatened_ = 0, contacts_ = 0, beyond_ = 0, hard_ = 0, met_ = 0;
-  long long touched_moving_ = 0, touched_leaving_ = 0, touched_at_rest_ = 0;
-  double worst_depth_ = 0.0, stood_ = 0.0;  // [m], [s]
-  std::string stood_index_;
-  std::vector<std::uint64_t> found_;
-};
+  nlohmann::json all = nlohmann::json::object();
+  for (const auto& [condition, group] : groups) all[condition] = json_of(group);
+  return all;
+}
 
 }  // namespace
 
@@ -135,7 +86,7 @@ HostileFolder::HostileFolder(std::string folder, const std::string& manifest)
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw std::runtime_error("'" + folder_.string() + "' cannot be made: " + error.message());
-  const std::string present = read(folder_ / kManifest);
+  const std::string present = read_file(folder_ / kManifest).value_or("");
   if (!present.empty() && present != manifest_) {
     throw UsageError("'" + folder_.string() +
                      "' holds another study (its hostile.json differs): give another --out, or remove it");
@@ -144,7 +95,8 @@ HostileFolder::HostileFolder(std::string folder, const std::string& manifest)
   read_lines();
 }
 
-HostileFolder::HostileFolder(std::string folder) : folder_(std::move(folder)), manifest_(read(folder_ / kManifest)) {
+HostileFolder::HostileFolder(std::string folder)
+    : folder_(std::move(folder)), manifest_(read_file(folder_ / kManifest).value_or("")) {
   if (manifest_.empty())
     throw UsageError("'" + folder_.string() + "' is no folder of hidwa_study hostile: it has no hostile.json");
   read_lines();
@@ -152,12 +104,10 @@ HostileFolder::HostileFolder(std::string folder) : folder_(std::move(folder)), m
 
 // A line that was cut short is made again.
 void HostileFolder::read_lines() {
-  std::istringstream text(read(folder_ / kDrives));
+  std::istringstream text(read_file(folder_ / kDrives).value_or(""));
   for (std::string line; std::getline(text, line);) {
-    const std::vector<std::string> cells = cells_of(line);
-    if (line != kHead && cells.size() == Column::columns && !text.eof()) {
-      lines_[std::strtoull(cells[Column::index].c_str(), nullptr, 10)] = line;
-    }
+    const Row drive = from_line(line);
+    if (line != hostile_head() && drive.size() == kColumns.size() && !text.eof()) lines_[index_of(drive)] = line;
   }
 }
 
@@ -166,33 +116,29 @@ void HostileFolder::keep(std::uint64_t drive, const std::string& line) {
   std::error_code error;
   const bool fresh = std::filesystem::file_size(folder_ / kDrives, error) == 0 || error;
   std::ofstream file(folder_ / kDrives, std::ios::app);
-  if (fresh) file << kHead << '\n';
+  if (fresh) file << hostile_head() << '\n';
   file << line << '\n';
   if (!file.flush()) throw std::runtime_error("'" + (folder_ / kDrives).string() + "' cannot be written");
 }
 
-std::string HostileFolder::finish() {
-  Sum within;
-  std::map<std::string, Sum> by_condition, outside;
-  std::string text = std::string(kHead) + '\n';
-  for (const auto& [drive, line] : lines_) {
-    const std::vector<std::string> cells = cells_of(line);
-    if (cells[Column::promised] == "1") within.add(cells);
-    (cells[Column::promised] == "1" ? by_condition : outside)[cells[Column::condition]].add(cells);
+nlohmann::json HostileFolder::finish() {
+  Group within, outside;
+  within.columns = outside.columns = &kColumns;
+  std::string text = hostile_head() + '\n';
+  for (const auto& [index, line] : lines_) {
+    const Row drive = from_line(line);
+    (cell(drive, "promised", kColumns) == "1" ? within : outside).rows.push_back(drive);
     text += line + '\n';
   }
-  nlohmann::json conditions = nlohmann::json::object(), beyond = nlohmann::json::object();
-  for (const auto& [name, sum] : by_condition) conditions[name] = sum.json();
-  for (const auto& [name, sum] : outside) beyond[name] = sum.json();
-  nlohmann::json summary = {{"study", nlohmann::json::parse(manifest_)},
-                            {"held", within.held()},
-                            {"within", within.json()},
-                            {"conditions", conditions},
-                            {"outside", beyond}};
+  const bool held = std::none_of(within.rows.begin(), within.rows.end(), is_found);
+  const nlohmann::json summary = {{"study", nlohmann::json::parse(manifest_)},
+                                  {"held", held},
+                                  {"within", json_of(within)},
+                                  {"conditions", by_condition(within)},
+                                  {"outside", by_condition(outside)}};
   Store(folder_).write(kDrives, text);
-  std::string json = summary.dump(2) + '\n';
-  Store(folder_).write("summary.json", json);
-  return json;
+  Store(folder_).write("summary.json", summary.dump(2) + '\n');
+  return summary;
 }
 
 std::string hostile_line(std::uint64_t drive_index, const hidwa_attack::HostileDrive& drive,
@@ -207,7 +153,7 @@ std::string hostile_line(std::uint64_t drive_index, const hidwa_attack::HostileD
          whole(e.met) + "," + whole(e.moving) + "," + whole(e.leaving) + "," + whole(e.at_rest);
 }
 
-std::string hostile_head() { return kHead; }
+std::string hostile_head() { return to_line(kColumns); }
 
 }  // namespace study
 }  // namespace hidwa_local_planner

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "attack/hostile.hpp"
 #include "attack/result.hpp"
 
@@ -26,8 +28,8 @@ class HostileFolder {
   const std::map<std::uint64_t, std::string>& lines() const { return lines_; }  // by the drive's index
   /// Adds a drive; one at a time.
   void keep(std::uint64_t index, const std::string& line);
-  /// Writes drives.csv in the order of the drives, and summary.json. Returns the summary's text.
-  std::string finish();
+  /// Writes drives.csv in the order of the drives, and summary.json. Returns the summary.
+  nlohmann::json finish();
 
  private:
   void read_lines();

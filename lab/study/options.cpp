@@ -71,14 +71,9 @@ Reader whole(Number Options::*member, std::uint64_t least, std::uint64_t greates
   };
 }
 
-Reader number_within(double Options::*member, double least, double greatest) {
+Reader number(double Options::*member, double least, double greatest) {
   return [member, least, greatest](Options& o, const std::string& name, const std::string& text) {
-    const std::optional<double> value = number_in(text);
-    if (!value || *value < least || *value > greatest) {
-      throw UsageError(name + " needs a number from " + shortest(least) + " to " + shortest(greatest) + ", not '" +
-                       text + "'");
-    }
-    o.*member = *value;
+    o.*member = number_within(name, text, least, greatest);
   };
 }
 
@@ -126,18 +121,6 @@ Reader some_of(std::vector<std::string> Options::*member,
   };
 }
 
-void read_outlines(Options& options, const std::string& name, const std::string& text) {
-  std::vector<std::string> outlines;
-  for (const std::string& outline : list(text)) {
-    if (std::count(gap_outlines().begin(), gap_outlines().end(), outline) == 0) {
-      throw UsageError(name + " needs some of circle,square,long, not '" + text + "'");
-    }
-    if (std::count(outlines.begin(), outlines.end(), outline) == 0) outlines.push_back(outline);
-  }
-  if (outlines.empty()) throw UsageError(name + " needs some of circle,square,long");
-  options.outlines = outlines;
-}
-
 void read_set(Options& options, const std::string&, const std::string& text) {
   options.sets.push_back(parse_assignment(text));
 }
@@ -159,13 +142,14 @@ struct Option {
 
 const char* const kPeople = "run pilot sweep";
 const char* const kFloor = "run pilot sweep crowd passage";
+const char* const kVaried = "sweep barn dynabarn crowd passage gap";  // for one value there is --set
 const std::uint64_t kGreatest = 999999999999ULL;
 
 // In the order of --help.
 const std::vector<Option> kOptions{
     {"--out", "", "DIR", text(&Options::out), std::nullopt},
-    {"--grid", "", "NAME=V1,V2,...", texts(&Options::grid), std::nullopt},
-    {"--vary", "", "NAME=V1,V2,...", texts(&Options::vary), std::nullopt},
+    {"--grid", kVaried, "NAME=V1,V2,...", texts(&Options::grid), std::nullopt},
+    {"--vary", kVaried, "NAME=V1,V2,...", texts(&Options::vary), std::nullopt},
     {"--worlds", "barn dynabarn hostile", "FILE", text(&Options::worlds), std::nullopt},
     {"--map", "run pilot sweep crowd passage hostile", "FILE.yaml", text(&Options::map),
      "the map; default: the package's office"},
@@ -194,18 +178,21 @@ const std::vector<Option> kOptions{
     {"--seeds", "dynabarn crowd passage", "N", whole(&Options::seeds, 1, 9999),
      "dynabarn: drives in each world and mode; crowd: drives in each mode; passage: drives;\n"
      "default 10"},
-    {"--outline", "gap", "circle,square,long", read_outlines, "gap: some of them; default all"},
+    {"--outline", "gap", "circle,square,long",
+     some_of(&Options::outlines, {{"circle", {"circle"}}, {"square", {"square"}}, {"long", {"long"}}},
+             "circle,square,long"),
+     "gap: some of them; default all"},
     {"--phases", "gap", "N", whole(&Options::phases, 1, 1000),
      "gap: places on the grid, of each outline and setting; default 8"},
     {"--motion", "dynabarn", "linear|spline",
      one_of(&Options::motion, {{"linear", sim::KeyMotion::linear}, {"spline", sim::KeyMotion::spline}}),
      "dynabarn: between key frames; default linear"},
-    {"--speed", "dynabarn", "V", number_within(&Options::speed, 0.1, 2.0),
+    {"--speed", "dynabarn", "V", number(&Options::speed, 0.1, 2.0),
      "dynabarn: max_vel_x, and the most that it drives backwards [m/s]; default 2.0"},
     {"--people", "crowd", "N", whole(&Options::people, 0, 200), "crowd; default 20"},
-    {"--yielding", "crowd", "SHARE", number_within(&Options::yielding, 0.0, 1.0),
+    {"--yielding", "crowd", "SHARE", number(&Options::yielding, 0.0, 1.0),
      "crowd: of the people, who keep away from the robot; the others do not mind it; default 0.5"},
-    {"--hours", "soak", "H", number_within(&Options::hours, 0.01, 1000.0), "soak: simulated; default 1"},
+    {"--hours", "soak", "H", number(&Options::hours, 0.01, 1000.0), "soak: simulated; default 1"},
     {"--cycles", "hostile", "N", whole(&Options::cycles, 1, kGreatest),
      "hostile: control cycles, at least; default 100000"},
     {"--drive", "hostile", "N", whole(&Options::drive, 0, kGreatest),
@@ -285,13 +272,7 @@ void check(const Options& o) {
   if (o.command != "barn" && std::count(o.modes.begin(), o.modes.end(), "AFTERMATH") > 0) {
     throw UsageError("--mode AFTERMATH is for barn: take some of AUTONOMY,HELPFUL,HOSTILE");
   }
-  const std::vector<std::string> varied{"sweep", "barn", "dynabarn", "crowd", "passage", "gap"};
-  const bool several = std::count(varied.begin(), varied.end(), o.command) > 0;
-  if (several && o.command != "sweep" && !o.grid.empty() && !o.vary.empty())
-    throw UsageError(o.command + " takes --grid or --vary, not both");
-  const std::string others = " is for " + in_words(varied, " and ") + "; for one value take --set";
-  if (!several && !o.grid.empty()) throw UsageError("--grid" + others);
-  if (!several && !o.vary.empty()) throw UsageError("--vary" + others);
+  if (!o.grid.empty() && !o.vary.empty()) throw UsageError(o.command + " takes --grid or --vary, not both");
   if (o.command == "pilot") {
     for (const Assignment& set : o.sets) {
       if (set.name == "s_v" || set.name == "s_omega" || set.name == "delta") {

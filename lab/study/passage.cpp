@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "execution.hpp"
+#include "files.hpp"
 #include "floor.hpp"
-#include "manifest.hpp"
-#include "share.hpp"
 #include "study/passage_table.hpp"
 #include "study/scene.hpp"
 #include "study/seed.hpp"
@@ -37,16 +36,14 @@ int passage(const Options& asked, std::ostream& out, std::ostream& errors) {
   const Plan plan = make_world_plan("passage", numbers, {"AUTONOMY"}, settings_of(options));
   const std::vector<Subject> drivers = drivers_of(options, plan, demo_robot(), assign);
   const auto make = [&](const Run& run) {
-    // The noise is the same in all settings.
-    const std::uint64_t seed = seed_for(options.seed, run.participant, "world") % kSeeds;
+    const std::uint64_t seed = seeds_of(options.seed, run).world;
     const Subject& driver = drivers[run.setting];
     drive::DriveResult result = drive::drive(drive_setup(scene, driver, seed));
     const Passage seen = passage_of(result, scene.goal, driver.parameters.xy_goal_tolerance);
     Row row = passage_row(plan, run, seed, result, seen);
     return Made{std::move(row), std::move(result)};
   };
-  const std::string manifest = json_of_floor("passage", options, scene).dump(2) + '\n';
-  return execute(options, plan, manifest, make, out, errors);
+  return execute(options, plan, json_of_floor(options, scene), make, out, errors);
 }
 
 }  // namespace study

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/passage_table.hpp"
 
-#include "core/util/words.hpp"
-
 namespace hidwa_local_planner {
 namespace study {
 namespace {
@@ -34,16 +32,6 @@ std::vector<double> passage_merit(const Group& group) {
 
 nlohmann::json passage_ranked(const Group& group) { return {{"steady", group.mean("steady")}}; }
 
-std::string passage_line(const Group& group) {
-  return group.name() +
-         format(
-             ": n %zu, arrived %ld, %.1f s, worst stand %.2f s (%ld above %.0f s), stops %.2f, at most %.0f (%ld "
-             "above %d), contacts %ld\n",
-             group.rows.size(), group.count("arrived"), group.mean("duration"), most(group, "longest_stand"),
-             stood_long(group), kLongestStand, group.mean("stops"), most(group, "stops"), stopped_often(group),
-             kMostStops, group.count("contacts"));
-}
-
 }  // namespace
 
 Tables passage_tables() {
@@ -57,7 +45,8 @@ Tables passage_tables() {
   tables.merit = passage_merit;
   tables.ranked = {"arrived", "steady", "duration", "mean_stops", "longest_stand"};
   tables.only_ranked = passage_ranked;
-  tables.digest_line = passage_line;
+  tables.told = {"arrived",    "duration",   "longest_stand", "stood_long",
+                 "mean_stops", "most_stops", "stopped_often", "contacts"};
   return tables;
 }
 
@@ -65,25 +54,13 @@ Row passage_row(const Plan& plan, const Run& run, std::uint64_t world_seed, cons
                 const Passage& passage) {
   const bool steady =
       r.arrived && r.contacts == 0 && passage.longest_stand <= kLongestStand && passage.stops <= kMostStops;
-  return {run.id,
-          std::to_string(run.participant),
-          to_string(plan.settings[run.setting]),
-          std::to_string(world_seed),
-          drive::to_string(r.ending),
-          r.arrived ? "1" : "0",
-          steady ? "1" : "0",
-          number(r.duration),
-          std::to_string(passage.stops),
-          number(passage.longest_stand),
-          number(passage.standing),
-          number(r.length),
-          std::to_string(r.contacts),
-          number(r.v_change),
-          number(r.omega_change),
-          number(r.gentleness.acc_rms),
-          number(r.gentleness.at_limit),
-          std::to_string(r.failures),
-          std::to_string(r.brakes)};
+  return row_in(passage_tables().columns, plan, run, world_seed, r,
+                {{"drive", std::to_string(run.participant)},
+                 {"steady", steady ? "1" : "0"},
+                 {"stops", std::to_string(passage.stops)},
+                 {"longest_stand", number(passage.longest_stand)},
+                 {"standing", number(passage.standing)},
+                 {"share_at_limit", number(r.gentleness.at_limit)}});
 }
 
 }  // namespace study

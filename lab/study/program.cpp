@@ -9,9 +9,8 @@
 #include "core/util/words.hpp"
 #include "execution.hpp"
 #include "experiments.hpp"
+#include "files.hpp"
 #include "floor.hpp"
-#include "manifest.hpp"
-#include "share.hpp"
 #include "study/error.hpp"
 #include "study/options.hpp"
 #include "study/scene.hpp"
@@ -21,27 +20,21 @@ namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-std::string fingerprint(const sim::OccupancyMap& map) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const sim::Cell cell : map.cells) hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x100000001b3ULL;
-  return format("%d x %d, %.4f m, %.4f %.4f, %016llx", map.width, map.height, map.resolution, map.origin_x,
-                map.origin_y, static_cast<unsigned long long>(hash));
+std::string fingerprint_of(const sim::OccupancyMap& map) {
+  std::string cells;
+  for (const sim::Cell cell : map.cells) cells += static_cast<char>(cell);
+  return format("%d x %d, %.4f m, %.4f %.4f, ", map.width, map.height, map.resolution, map.origin_x, map.origin_y) +
+         fingerprint(cells);
 }
 
-std::string manifest(const Options& o, const Plan& plan, const Scene& scene) {
-  const nlohmann::json manifest = {{"version", HIDWA_VERSION},
-                                   {"experiment", plan.experiment},
-                                   {"participants", o.participants},
-                                   {"seed", o.seed},
-                                   {"profile", o.profile},
-                                   {"guard", o.guard == Guard::none ? "none" : "nearest"},
-                                   {"set", json_of(o.sets)},
-                                   {"map", fingerprint(*scene.ground->map())},
-                                   {"regions", fingerprint_of_file(o.regions)},
-                                   {"start", json_of(scene.start)},
-                                   {"goal", json_of(scene.goal)},
-                                   {"paths", o.paths}};
-  return manifest.dump(2) + '\n';
+nlohmann::json what_decides(const Options& o, const Scene& scene) {
+  return {{"participants", o.participants},
+          {"profile", o.profile},
+          {"guard", o.guard == Guard::none ? "none" : "nearest"},
+          {"map", fingerprint_of(*scene.ground->map())},
+          {"regions", fingerprint_of_file(o.regions)},
+          {"start", json_of(scene.start)},
+          {"goal", json_of(scene.goal)}};
 }
 
 Parameters profile(const std::string& name) {
@@ -89,15 +82,13 @@ int people(const Options& asked, std::ostream& out, std::ostream& errors) {
   check_settings(options, base, plan);
   const Scene scene = scene_of(options);
   const auto make = [&](const Run& run) {
-    // Everybody has the same world in all conditions and settings, and their own luck in each condition.
-    const std::uint64_t world = seed_for(options.seed, run.participant, "world") % kSeeds;
-    const std::uint64_t person = seed_for(options.seed, run.participant, "person " + run.condition);
+    const Seeds seeds = seeds_of(options.seed, run);
     const Subject subject = subject_of(options, base, plan.settings[run.setting], run.condition, run.participant);
-    Driven driven = drive_once(scene, subject, world, person);
-    Row row = row_of(plan, run, world, driven);
+    Driven driven = drive_once(scene, subject, seeds.world, seeds.person);
+    Row row = row_of(plan, run, seeds.world, driven);
     return Made{std::move(row), std::move(driven.result)};
   };
-  return execute(options, plan, manifest(options, plan, scene), make, out, errors);
+  return execute(options, plan, what_decides(options, scene), make, out, errors);
 }
 
 int join(const Options& options, std::ostream& out, std::ostream&) {

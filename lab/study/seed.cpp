@@ -21,5 +21,11 @@ std::uint64_t seed_for(std::uint64_t study_seed, int participant, const std::str
   return seed;
 }
 
+Seeds seeds_of(std::uint64_t study_seed, const Run& run) {
+  constexpr std::uint64_t kWorlds = 1000000000ULL;
+  return {seed_for(study_seed, run.participant, "world") % kWorlds,
+          seed_for(study_seed, run.participant, "person " + run.condition)};
+}
+
 }  // namespace study
 }  // namespace hidwa_local_planner

@@ -56,13 +56,19 @@ Assignment parse_assignment(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+double number_within(const std::string& name, const std::string& text, double least, double greatest) {
+  const std::optional<double> value = number_in(text);
+  if (value && *value >= least && *value <= greatest) return *value;
+  throw UsageError(name + " needs a number from " + shortest(least) + " to " + shortest(greatest) + ", not '" + text +
+                   "'");
+}
+
 void assign(Subject& subject, const Assignment& assignment) {
   const std::string& name = assignment.name;
   if (name == "mode") throw UsageError("mode is what the condition says: choose with --conditions");
   if (name == "guard") throw UsageError("guard counts in SW only: choose with --guard");
   if (name == "link_delay") {
-    subject.link_delay = to_number(name, assignment.value);
-    if (subject.link_delay < 0.0 || subject.link_delay > 60.0) throw UsageError("link_delay must be within 0 to 60");
+    subject.link_delay = number_within(name, assignment.value, 0.0, 60.0);
   } else if (name.compare(0, kTrait.size(), kTrait) == 0) {
     const std::string fault =
         set_trait(subject.participant, name.substr(kTrait.size()), to_number(name, assignment.value));

@@ -32,6 +32,9 @@ std::string to_string(const Setting& setting);
 /// Reads NAME=VALUE. Throws UsageError.
 Assignment parse_assignment(const std::string& text);
 
+/// The number that a text is; throws UsageError, which calls it `name`, where it is none from `least` to `greatest`.
+double number_within(const std::string& name, const std::string& text, double least, double greatest);
+
 /// Makes one assignment. Throws UsageError naming what is wrong.
 void assign(Subject& subject, const Assignment& assignment);
 

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
+#include "files.hpp"
 #include "study/error.hpp"
 
 namespace hidwa_local_planner {
@@ -19,16 +19,8 @@ namespace fs = std::filesystem;
 const char* const kManifest = "study.json";
 const char* const kPlan = "plan.csv";
 
-std::optional<std::string> read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 std::string read_or_fail(const fs::path& path) {
-  const std::optional<std::string> text = read(path);
+  const std::optional<std::string> text = read_file(path);
   if (!text) throw UsageError("'" + path.string() + "' cannot be read: is its folder one of hidwa_study?");
   return *text;
 }
@@ -44,8 +36,8 @@ void Store::begin(const std::string& manifest, const Plan& plan, bool resume) co
     fs::create_directories(fs::path(folder_) / part, error);
     if (error) throw std::runtime_error("'" + folder_ + "' cannot be made: " + error.message());
   }
-  const std::optional<std::string> present = read(fs::path(folder_) / kManifest);
-  const std::optional<std::string> present_plan = read(fs::path(folder_) / kPlan);
+  const std::optional<std::string> present = read_file(fs::path(folder_) / kManifest);
+  const std::optional<std::string> present_plan = read_file(fs::path(folder_) / kPlan);
   const bool other = (present && *present != manifest) || (present_plan && *present_plan != to_csv(plan));
   if (other) {
     throw UsageError("'" + folder_ + "' holds another study (its study.json differs): give another --out, or " +
@@ -62,7 +54,7 @@ void Store::begin(const std::string& manifest, const Plan& plan, bool resume) co
 }
 
 std::optional<Row> Store::row(const Run& run) const {
-  const std::optional<std::string> text = read(fs::path(folder_) / row_name(run.id));
+  const std::optional<std::string> text = read_file(fs::path(folder_) / row_name(run.id));
   if (!text || text->empty() || text->back() != '\n') return std::nullopt;
   const Row row = from_line(*text);
   if (row.size() != tables_.columns.size() || row.front() != run.id) return std::nullopt;
@@ -75,7 +67,7 @@ void Store::keep(const Row& row, const std::string& path) const {
   write(row_name(row.front()), to_line(row) + '\n');
 }
 
-std::string Store::path(const Run& run) const { return read(fs::path(folder_) / path_name(run.id)).value_or(""); }
+std::string Store::path(const Run& run) const { return read_file(fs::path(folder_) / path_name(run.id)).value_or(""); }
 
 std::vector<Row> Store::rows(const Plan& plan) const {
   std::vector<Row> rows;

@@ -32,38 +32,44 @@ const std::vector<std::string>& measures() {
 
 std::string number(double value) { return fixed(value, 6); }
 
+Row row_in(const std::vector<std::string>& names, const Plan& plan, const Run& run, std::uint64_t world_seed,
+           const drive::DriveResult& r, std::map<std::string, std::string> own) {
+  own.insert({{"id", run.id},
+              {"experiment", plan.experiment},
+              {"participant", std::to_string(run.participant)},
+              {"condition", run.condition},
+              {"order", std::to_string(run.order)},
+              {"setting", to_string(plan.settings[run.setting])},
+              {"seed", std::to_string(world_seed)},
+              {"ending", drive::to_string(r.ending)},
+              {"arrived", r.arrived ? "1" : "0"},
+              {"duration", number(r.duration)},
+              {"length", number(r.length)},
+              {"regions_crossed", std::to_string(r.regions_crossed)},
+              {"contacts", std::to_string(r.contacts)},
+              {"operator_active", number(r.operator_active)},
+              {"interventions", std::to_string(r.interventions)},
+              {"v_change", number(r.v_change)},
+              {"omega_change", number(r.omega_change)},
+              {"agreement", number(r.agreement)},
+              {"clearance", number(r.clearance)},
+              {"failures", std::to_string(r.failures)},
+              {"brakes", std::to_string(r.brakes)},
+              {"acc_rms", number(r.gentleness.acc_rms)},
+              {"acc_p99", number(r.gentleness.acc_p99)},
+              {"bend_acc_rms", number(r.gentleness.bend_acc_rms)},
+              {"jerk_rms", number(r.gentleness.jerk_rms)},
+              {"jerk_p99", number(r.gentleness.jerk_p99)},
+              {"at_limit", number(r.gentleness.at_limit)},
+              {"bend_at_limit", number(r.gentleness.bend_at_limit)},
+              {"mean_clearance", number(r.mean_clearance)}});
+  Row row;
+  for (const std::string& name : names) row.push_back(own.at(name));
+  return row;
+}
+
 Row row_of(const Plan& plan, const Run& run, std::uint64_t world_seed, const Driven& driven) {
-  const drive::DriveResult& r = driven.result;
-  return {run.id,
-          plan.experiment,
-          std::to_string(run.participant),
-          run.condition,
-          std::to_string(run.order),
-          to_string(plan.settings[run.setting]),
-          std::to_string(world_seed),
-          drive::to_string(r.ending),
-          r.arrived ? "1" : "0",
-          number(r.duration),
-          number(r.length),
-          std::to_string(r.regions_crossed),
-          std::to_string(r.contacts),
-          number(r.operator_active),
-          std::to_string(r.interventions),
-          number(r.v_change),
-          number(r.omega_change),
-          number(r.agreement),
-          number(r.clearance),
-          std::to_string(driven.errors),
-          std::to_string(r.failures),
-          std::to_string(r.brakes),
-          number(r.gentleness.acc_rms),
-          number(r.gentleness.acc_p99),
-          number(r.gentleness.bend_acc_rms),
-          number(r.gentleness.jerk_rms),
-          number(r.gentleness.jerk_p99),
-          number(r.gentleness.at_limit),
-          number(r.gentleness.bend_at_limit),
-          number(r.mean_clearance)};
+  return row_in(columns(), plan, run, world_seed, driven.result, {{"mode_errors", std::to_string(driven.errors)}});
 }
 
 const std::string& cell(const Row& row, const std::string& column, const std::vector<std::string>& names) {

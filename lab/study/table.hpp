@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,12 @@ const std::vector<std::string>& measures();
 /// A number as it is written everywhere: six decimals, and no negative zero.
 std::string number(double value);
 
-/// The line of one run.
+/// The line of one run in a table with the columns `names`. `own`: the cells of columns that only this table has; the
+/// others are of the run and of what became of it, in the words of columns().
+Row row_in(const std::vector<std::string>& names, const Plan& plan, const Run& run, std::uint64_t world_seed,
+           const drive::DriveResult& result, std::map<std::string, std::string> own);
+
+/// The line of one run of the study with simulated people.
 Row row_of(const Plan& plan, const Run& run, std::uint64_t world_seed, const Driven& driven);
 
 /// A cell by its column's name; a measure as a number. `names`: of the table's columns.

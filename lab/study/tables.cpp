@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/tables.hpp"
 
-#include "core/util/words.hpp"
 #include "study/barn_table.hpp"
 #include "study/encounter_table.hpp"
 #include "study/gap_table.hpp"
@@ -31,12 +30,6 @@ nlohmann::json people_ranked(const Group& group) {
   return means;
 }
 
-std::string people_line(const Group& group) {
-  return group.name() + format(": n %zu, arrived %ld, %.2f s, %.3f regions crossed, contacts %ld in all\n",
-                               group.rows.size(), group.count("arrived"), group.mean("duration"),
-                               group.mean("regions_crossed"), group.count("contacts"));
-}
-
 }  // namespace
 
 Tables people_tables() {
@@ -50,7 +43,7 @@ Tables people_tables() {
   tables.ranked = {"arrived"};
   for (const std::string& measure : measures()) tables.ranked.push_back("mean_" + measure);
   tables.only_ranked = people_ranked;
-  tables.digest_line = people_line;
+  tables.told = {"arrived", "mean_duration", "mean_regions_crossed", "mean_contacts"};
   return tables;
 }
 

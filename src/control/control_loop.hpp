@@ -70,7 +70,7 @@ struct Observation {
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.timing, self.fault, self.velocity, self.velocity_time, self.pose, self.pose_age, self.from_plan.origin,
-       self.resumed, self.host_stops, self.goalless);
+       self.moving_obstacles, self.sensor_sectors, self.resumed, self.host_stops, self.goalless);
   }
 };
 

@@ -170,9 +170,6 @@ void check_limits(std::vector<std::string>& faults, const Parameters& p) {
     faults.push_back("min_vel_x = " + shortest(p.min_vel_x) + " m/s is above max_vel_x = " + shortest(p.max_vel_x) +
                      " m/s: lower min_vel_x (0, or negative for reverse)");
   }
-  if (p.min_vel_theta > p.max_vel_theta) {
-    faults.push_back("min_vel_theta is above max_vel_theta: the robot could never turn; lower min_vel_theta");
-  }
   if (p.min_in_place_vel_theta > p.max_vel_theta) {
     faults.push_back(
         "min_in_place_vel_theta is above max_vel_theta: the robot could never turn on the spot; lower "

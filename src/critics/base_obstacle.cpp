@@ -6,8 +6,8 @@ namespace hidwa_local_planner::critics {
 namespace {
 
 /// The cost of the cell under the robot's centre at the last pose, in [0, 252].
-/// Rejects candidates whose centre enters lethal, inscribed or (by policy) unknown cells or leaves the map; not where
-/// the robot already stands in one and `escape` is on, or it could never leave.
+/// Rejects candidates whose centre enters lethal, inscribed or (by policy) unknown cells or leaves the map. With
+/// method: hidwa a robot that already stands in one may leave: nothing is rejected there.
 class BaseObstacle : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;
@@ -23,7 +23,7 @@ class BaseObstacle : public Critic {
 };
 
 double BaseObstacle::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  escape_ = parameters.escape;
+  escape_ = parameters.method == Method::hidwa;
   unknown_is_obstacle_ = parameters.unknown_is_obstacle;
   return parameters.BaseObstacle_scale;
 }

@@ -24,7 +24,6 @@ class MapGridCritic final : public Critic {
   MapGridCritic(To to, From from, double Parameters::*scale) : to_(to), from_(from), scale_(scale) {}
 
   double configure(const Parameters& parameters, const ParameterSource& own) override;
-  double reach() const override { return forward_; }
   void prepare(const CycleView& cycle) override;
   void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
 

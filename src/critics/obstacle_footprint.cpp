@@ -32,8 +32,8 @@ void trace_outline(const Footprint& footprint, double spacing, Polygon& points) 
 }
 
 /// The largest cost under the footprint's outline at the last pose. Rejects candidates whose
-/// outline touches a lethal or (by policy) unknown cell or leaves the map; not where it already does and `escape` is
-/// on.
+/// outline touches a lethal or (by policy) unknown cell or leaves the map; not where it already does, with method:
+/// hidwa.
 class ObstacleFootprint : public Critic {
  public:
   double configure(const Parameters& parameters, const ParameterSource& own) override;
@@ -51,7 +51,7 @@ class ObstacleFootprint : public Critic {
 };
 
 double ObstacleFootprint::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  escape_ = parameters.escape;
+  escape_ = parameters.method == Method::hidwa;
   unknown_is_obstacle_ = parameters.unknown_is_obstacle;
   return parameters.ObstacleFootprint_scale;
 }

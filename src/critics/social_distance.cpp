@@ -20,11 +20,10 @@ constexpr double kTimesApart = 0.25;
 // For rounding [m].
 constexpr double kSpare = 0.01;
 
-// Memory is kept for this many candidates of a tile, sides of a footprint, movers, and times.
+// Memory is kept for this many candidates of a tile, sides of a footprint, and movers.
 constexpr std::size_t kUsualCandidates = 256;
 constexpr std::size_t kUsualSides = 32;
 constexpr std::size_t kUsualMovers = 64;
-constexpr std::size_t kUsualTimes = 16;
 
 struct Disc {
   double x, y;    // [m]
@@ -64,29 +63,18 @@ class SocialDistance : public Critic {
     Point velocity;  // [m/s]
     double radius;   // [m]
   };
-  // One time at which the distance is measured, and what any candidate may come near then.
-  struct TimeStep {
-    std::size_t step = 0;
-    double share = 0.0;              // of the integral [s]
-    std::size_t first = 0, end = 0;  // of in_reach_
-  };
-  void choose_times(const CycleView& cycle, const Tile& tile);
   void begin_tile(const Tile& tile);
   void take_row(const Tile& tile, std::size_t k);
   bool far_from_row(const Disc& disc) const;
-  bool near_at(const Tile& tile, const TimeStep& at, const Footprint& footprint);
+  bool near_at(const Tile& tile, std::size_t k, double time, const Footprint& footprint);
   void measure(const Disc& disc, const Footprint& footprint, double cosine, double sine);
 
   double kept_ = 0.5;        // social_distance [m]
   double fading_ = 1.5;      // [s]
   double own_radius_ = 0.0;  // of the footprint, circumscribed [m]
+  double horizon_ = 0.0;     // no tile lasts longer [s]
+  double fastest_ = 0.0;     // of the candidates [m/s]
   std::vector<Mover> movers_;
-  // The times of a cycle's tiles, which mostly are alike.
-  std::vector<TimeStep> times_;
-  std::vector<Disc> in_reach_;  // at these times
-  double dt_ = 0.0;             // of the tiles [s]
-  std::size_t steps_ = 0;
-  double fastest_ = -1.0;  // of their candidates [m/s]
   SpeedKnots knots_;
   // Of the knots, at one time:
   std::vector<double> x_, y_;                                 // [m]
@@ -101,9 +89,9 @@ class SocialDistance : public Critic {
 double SocialDistance::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
   kept_ = parameters.social_distance;
   fading_ = parameters.SocialDistance_fading_time;
+  horizon_ = parameters.sim_time;
+  fastest_ = std::max(parameters.max_vel_x, -parameters.min_vel_x);
   movers_.reserve(kUsualMovers);
-  times_.reserve(kUsualTimes);
-  in_reach_.reserve(kUsualTimes * kUsualMovers);
   near_.reserve(kUsualMovers);
   sides_.reserve(kUsualSides);
   knots_.reserve(kUsualCandidates);
@@ -113,37 +101,14 @@ double SocialDistance::configure(const Parameters& parameters, const ParameterSo
 
 void SocialDistance::prepare(const CycleView& cycle) {
   movers_.clear();
-  fastest_ = -1.0;
   own_radius_ = cycle.footprint->circumscribed_radius();
+  const double own = std::max({fastest_, std::abs(cycle.velocity.v), std::abs(cycle.last_command.v)});
+  const Point pose(cycle.pose.x, cycle.pose.y);
   for (const MovingObstacleEstimate& mover : *cycle.moving_obstacles) {
+    // Who is so far away that they do not meet scores nothing.
+    const double meet = (own + mover.velocity.norm()) * horizon_ + own_radius_ + mover.radius + kept_ + kSpare;
+    if ((mover.position_now() - pose).norm() > meet) continue;
     movers_.push_back({mover.position_now(), mover.velocity, mover.radius});
-  }
-}
-
-// A rollout is no faster than its sample, or than the robot was when it began. What is farther away at one time than it
-// comes until then is not near: leaving it out changes nothing.
-void SocialDistance::choose_times(const CycleView& cycle, const Tile& tile) {
-  double fastest = std::max(std::abs(cycle.velocity.v), std::abs(cycle.last_command.v));
-  for (std::size_t c = 0; c < tile.count; ++c) fastest = std::max(fastest, std::abs(tile.v[c]));
-  if (fastest <= fastest_ && tile.dt == dt_ && tile.steps == steps_) return;
-  fastest_ = fastest;
-  dt_ = tile.dt;
-  steps_ = tile.steps;
-  times_.clear();
-  in_reach_.clear();
-  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(kTimesApart / dt_)));
-  const double lasts = static_cast<double>(stride) * dt_;
-  for (std::size_t k = stride; k <= steps_; k += stride) {
-    const double time = static_cast<double>(k) * dt_;
-    const double own = fastest * time + own_radius_ + kept_ + kSpare;
-    TimeStep moment{k, lasts * std::exp(-(time - 0.5 * lasts) / fading_), in_reach_.size(), 0};
-    for (const Mover& mover : movers_) {
-      const Point at = mover.position + time * mover.velocity;
-      const double dx = at.x() - cycle.pose.x, dy = at.y() - cycle.pose.y, most = own + mover.radius;
-      if (dx * dx + dy * dy < most * most) in_reach_.push_back({at.x(), at.y(), mover.radius});
-    }
-    moment.end = in_reach_.size();
-    if (moment.end > moment.first) times_.push_back(moment);
   }
 }
 
@@ -172,15 +137,17 @@ bool SocialDistance::far_from_row(const Disc& disc) const {
   return dx * dx + dy * dy >= most * most;
 }
 
-// The gap to the nearest mover; false where none is near.
-bool SocialDistance::near_at(const Tile& tile, const TimeStep& at, const Footprint& footprint) {
-  take_row(tile, at.step);
+// The gap to the nearest mover at a step; false where none is near.
+bool SocialDistance::near_at(const Tile& tile, std::size_t k, double time, const Footprint& footprint) {
+  take_row(tile, k);
   near_.clear();
-  for (std::size_t i = at.first; i < at.end; ++i) {
-    if (!far_from_row(in_reach_[i])) near_.push_back(in_reach_[i]);
+  for (const Mover& mover : movers_) {
+    const Point at = mover.position + time * mover.velocity;
+    const Disc disc{at.x(), at.y(), mover.radius};
+    if (!far_from_row(disc)) near_.push_back(disc);
   }
   if (near_.empty()) return false;
-  const double cosine = tile.cos_heading[at.step], sine = tile.sin_heading[at.step];
+  const double cosine = tile.cos_heading[k], sine = tile.sin_heading[k];
   sides_.clear();
   for (const Footprint::Side& side : footprint.sides()) {
     const double x = side.normal.x(), y = side.normal.y();
@@ -208,16 +175,18 @@ void SocialDistance::measure(const Disc& disc, const Footprint& footprint, doubl
 
 void SocialDistance::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
   if (movers_.empty() || tile.steps == 0 || tile.count == 0) return;
-  choose_times(cycle, tile);
-  if (times_.empty()) return;
   begin_tile(tile);
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(kTimesApart / tile.dt)));
+  const double lasts = static_cast<double>(stride) * tile.dt;
   bool any = false;
-  for (const TimeStep& at : times_) {
-    if (!near_at(tile, at, *cycle.footprint)) continue;
+  for (std::size_t k = stride; k <= tile.steps; k += stride) {
+    const double time = static_cast<double>(k) * tile.dt;
+    if (!near_at(tile, k, time, *cycle.footprint)) continue;
     any = true;
+    const double share = lasts * std::exp(-(time - 0.5 * lasts) / fading_);  // of the integral [s]
     for (std::size_t i = 0; i < knots_.size(); ++i) {
       const double nearness = 1.0 - std::max(0.0, gap_[i]) / kept_;
-      sum_[i] += at.share * std::max(0.0, nearness);
+      sum_[i] += share * std::max(0.0, nearness);
     }
   }
   if (any) knots_.interpolate(tile, sum_, scores.set_all());

@@ -43,6 +43,8 @@ class InputChannel {
   bool lost() const { return lost_; }         // active input fell silent and has not come back
   /// The input is lost at `now` [s], and it is the planner that did not listen.
   bool lost_by_pauses(double now) const { return fell_silent_ && now - time_ - pauses_ <= timeout_; }
+  /// The input is lost at `now` [s] by its sender's silence, which goes on.
+  bool fell_silent(double now) const { return fell_silent_ && !lost_by_pauses(now); }
   bool waits_for_neutral() const { return deflected_ && !armed_; }
   /// When the input that counted last ended [s]. A sender that repeats itself: its last active message. One
   /// that sends only changes (timeout 0) was active until the message that ended it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/message_stream.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 #include "core/util/words.hpp"
@@ -13,13 +14,15 @@ constexpr double kWorthSaying = 0.1;  // [s], of a delay
 // Where silence is no loss, another device may steer after so long.
 constexpr double kPatience = 1.0;  // [s]
 
-constexpr std::size_t kRemembered = 16;  // devices
+constexpr std::size_t kRememberedDevices = 16;  // devices
+
+// Two nodes take turns where no more lies between their messages.
+constexpr double kInTurn = 3.0;  // [s]
 
 }  // namespace
 
 MessageStream::Arrival MessageStream::judge(const OperatorMessage& message, const Use& use, double received,
                                             const BacklogGate::Limits& limits) {
-  senders_.note(message.sender);
   std::size_t from = find(message);
   const bool known = from < devices_.size();
   if (!known) {
@@ -37,6 +40,7 @@ MessageStream::Arrival MessageStream::judge(const OperatorMessage& message, cons
   device.armed = use.idle || (device.armed && same_link);
   device.was_idle = known && device.idle;
   device.idle = use.idle;
+  if (!known || received - device.heard > kInTurn) device.begun = received;
   device.heard = received;
   if (from != in_use_) return choose(from, known, use, received, limits.late > 0.0 ? limits.late : kPatience);
   if (same_link) return Arrival::live;
@@ -71,7 +75,7 @@ std::size_t MessageStream::find(const OperatorMessage& message) const {
 
 // Nodes with a new name at every start must not fill the memory. The oldest goes; the one in use stays.
 void MessageStream::remember(const OperatorMessage& message) {
-  if (devices_.size() >= kRemembered) {
+  if (devices_.size() >= kRememberedDevices) {
     const std::size_t oldest = in_use_ == 0 ? 1 : 0;
     devices_.erase(devices_.begin() + static_cast<std::ptrdiff_t>(oldest));
     if (oldest < in_use_) --in_use_;
@@ -100,10 +104,20 @@ std::string MessageStream::advice(const std::string& topic) const {
     text = "What comes on " + topic + " arrives " + worded(slowness, 2) +
            " s later than at best: the robot answers the operator with that delay. Check the link.";
   }
-  if (!senders_.contested()) return text;
+  const Device* const other = rival();
+  if (other == nullptr) return text;
   if (!text.empty()) text += ' ';
-  return text + "Two nodes send on " + topic + ", " + senders_.rival() + " and " + senders_.sender() +
+  return text + "Two nodes send on " + topic + ", " + other->sender + " and " + in_use().sender +
          ": while one of them steers, the other does not count. Let only one of them send.";
+}
+
+const MessageStream::Device* MessageStream::rival() const {
+  const Device& own = in_use();
+  for (const Device& other : devices_) {
+    const bool in_turn = other.heard > own.begun && own.heard > other.begun;
+    if (other.sender != own.sender && in_turn && std::abs(other.heard - own.heard) <= kInTurn) return &other;
+  }
+  return nullptr;
 }
 
 }  // namespace hidwa_local_planner::input

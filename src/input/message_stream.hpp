@@ -8,7 +8,6 @@
 
 #include "input/backlog_gate.hpp"
 #include "input/catch_up_watch.hpp"
-#include "input/device_watch.hpp"
 #include "input/operator_message.hpp"
 
 namespace hidwa_local_planner::input {
@@ -44,6 +43,7 @@ class MessageStream {
     bool idle = false;      // its newest message asked for nothing
     bool was_idle = false;  // nor did the one before
     double heard = 0.0;     // [s]
+    double begun = 0.0;     // since then it was never silent for long [s]
     std::shared_ptr<const void> connection;  // of its newest message
   };
 
@@ -69,8 +69,9 @@ class MessageStream {
   std::size_t find(const OperatorMessage& message) const;
   Arrival choose(std::size_t from, bool known, const Use& use, double received, double patience);
   void remember(const OperatorMessage& message);
+  /// Of another node, and its messages come in turn with those of the device in use; null: there is none.
+  const Device* rival() const;
 
-  DeviceWatch senders_;
   std::vector<Device> devices_;
   Device none_;
   std::size_t in_use_ = 0;

@@ -39,7 +39,7 @@ struct SourceReading {
 
 /// What kind of device a source is.
 struct SourceKind {
-  std::string name;           // short and unique: records and the subscriptions of src/ros find the source by it
+  std::string name;           // short and unique: the subscriptions of src/ros find the source by it
   bool has_buttons = false;   // its messages are taken for their buttons also while another source steers
   bool needs_clutch = false;  // its command counts only while the clutch is held, a button of another source
 };

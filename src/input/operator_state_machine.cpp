@@ -33,6 +33,12 @@ std::string late(double excess, const BacklogGate::Limits& limits) {
          worded(std::ceil(BacklogGate::proving_gap(excess, limits)), 6) + " s, or restart the sender";
 }
 
+std::string silent(double timeout) {
+  return "The device fell silent for more than input_timeout (" + worded(timeout, 3) +
+         " s) while it steered. If it sends only changes, as joy_node does without autorepeat, set joy_node's "
+         "autorepeat_rate to 20, or input_timeout to 0; if it repeats by itself, look at the link.";
+}
+
 std::string fault_of_times(const OperatorMessage& message) {
   if (std::isfinite(message.stamp) && std::isfinite(message.received)) return {};
   return "its time is not a finite number: look at the sender";
@@ -44,7 +50,6 @@ OperatorStateMachine::OperatorStateMachine(Sources sources) : sources_(std::move
 
 void OperatorStateMachine::configure(const Parameters& parameters) {
   const bool other_mode = parameters.mode != parameters_.mode;
-  if (parameters.input_timeout != parameters_.input_timeout) rhythm_.reset();
   parameters_ = parameters;
   channel_.configure(parameters_.input_timeout, parameters_.require_neutral);
   const SourceList::Change change = sources_.configure(source_parameters());
@@ -53,17 +58,11 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
     handover_ = {};
     pauses_.restart();
     stop_.dismiss();  // who stopped the robot did not let go of it; but whoever is gone cannot
-  } else if (change == SourceList::Change::device) {
-    sources_.forget_lags();
+  } else if (change != SourceList::Change::none) {
+    if (change == SourceList::Change::device) sources_.forget_lags();
     sources_.demand_neutral();
     expect_new_device();
     stop_.demand_neutral();
-  } else if (change == SourceList::Change::mapping) {
-    sources_.demand_neutral();
-    channel_.demand_neutral();
-    stop_.demand_neutral();
-    handover_.forget_button();
-    sources_.steering().lose();
   } else {
     channel_.remap(sources_.steering().command());
   }
@@ -128,7 +127,6 @@ OperatorIntent OperatorStateMachine::update(double now) {
   handover_.apply_request(now - now_ < kDriving);
   now_ = std::max(now_, now);
   channel_.check(now_);
-  rhythm_.check(now_, parameters_.input_timeout);
   check_steering_source(now_);
   add_sentence(warnings_, stop_.end_dismissed(now_, unattended_after()));
   return control_.update({now_, stop_.requested(), manual(), goalless_, channel_, parameters_});
@@ -136,13 +134,6 @@ OperatorIntent OperatorStateMachine::update(double now) {
 
 void OperatorStateMachine::debrief(double now, const CycleFeedback& feedback) {
   control_.debrief(now, feedback, parameters_);
-}
-
-void OperatorStateMachine::reset() {
-  restart();
-  stop_ = {};
-  handover_ = {};
-  pauses_ = {};
 }
 
 double OperatorStateMachine::input_age(double now) const {
@@ -161,7 +152,7 @@ std::string OperatorStateMachine::advice() const {
   std::string text = sources_.faults();
   add_sentence(text, pauses_.advice(now));
   if (timeout > 0.0) add_sentence(text, stop_.advice(now, unattended_after()));
-  add_sentence(text, rhythm_.advice(timeout));
+  if (timeout > 0.0 && channel_.fell_silent(now)) add_sentence(text, silent(timeout));
   add_sentence(text, sources_.link_advice());
   const std::string of_source = sources_.steering().advice();
   if (!of_source.empty()) {
@@ -238,7 +229,7 @@ std::string OperatorStateMachine::take(SourceList::Connection& connection, const
   }
   const bool catching_up = connection.stream.catching_up(received_, parameters_.input_timeout);
   if (reading.buttons) take_buttons(*reading.buttons, catching_up);
-  if (reading.command && steers) accept(*reading.command);
+  if (reading.command && steers) channel_.accept(*reading.command, received_);
   return {};
 }
 
@@ -246,12 +237,7 @@ void OperatorStateMachine::take_buttons(const Buttons& buttons, bool catching_up
   const bool switching = parameters_.mode == OperatorMode::switching;
   if (switching) handover_.take_button(buttons.toggle, cycles_run() && !catching_up);
   const std::optional<OperatorCommand> command = sources_.steering().take_buttons(buttons, received_);
-  if (command) accept(*command);
-}
-
-void OperatorStateMachine::accept(const OperatorCommand& command) {
-  channel_.accept(command, received_);
-  rhythm_.take(received_, command.active, parameters_.input_timeout);
+  if (command) channel_.accept(*command, received_);
 }
 
 void OperatorStateMachine::check_steering_source(double now) {
@@ -266,7 +252,6 @@ void OperatorStateMachine::expect_new_device() {
   channel_.demand_neutral();
   handover_.forget_button();
   sources_.steering().lose();
-  rhythm_.reset();
 }
 
 // A device that is known takes the place of another one that does not steer.
@@ -277,7 +262,6 @@ void OperatorStateMachine::change_device(const SourceList::Connection& connectio
   if (connection.source.get() != &sources_.steering()) return;
   channel_.change_device(device.armed);
   sources_.steering().lose();
-  rhythm_.reset();
 }
 
 void OperatorStateMachine::note_alive(double now) {
@@ -285,7 +269,6 @@ void OperatorStateMachine::note_alive(double now) {
   if (pause == 0.0) return;
   channel_.exclude_pause(pause);
   sources_.exclude_pause(pause);
-  rhythm_.exclude_pause(pause);
   if (channel_.active() || channel_.lost()) pauses_.report(pause, now);
 }
 
@@ -312,7 +295,6 @@ void OperatorStateMachine::set_back(double now) {
 void OperatorStateMachine::restart() {
   sources_.reset();
   channel_.reset();
-  rhythm_.reset();
   control_ = {};
   now_ = received_ = kNever;
 }

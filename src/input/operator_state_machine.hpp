@@ -23,7 +23,6 @@
 #include "input/control_handover.hpp"
 #include "input/control_state.hpp"
 #include "input/input_channel.hpp"
-#include "input/input_rhythm.hpp"
 #include "input/pause_detector.hpp"
 #include "input/source_list.hpp"
 #include "input/stop_request.hpp"
@@ -74,8 +73,6 @@ class OperatorStateMachine {
   /// A new goal: the old one's latch no longer keeps the operator from steering, and a blockage is measured
   /// anew. Steering, holding and a loss go on: the goal changed, the hand on the stick did not.
   void new_goal() { control_.new_goal(); }
-  /// As at the start, except for dropped(): AUTONOMY, and the device must be seen neutral.
-  void reset();
 
   /// That of the cycle just run.
   OperatorStateId state() const { return control_.state(); }
@@ -109,7 +106,6 @@ class OperatorStateMachine {
   std::string admit(SourceList::Connection& connection, const OperatorMessage& message, bool idle, bool& beside);
   std::string take(SourceList::Connection& connection, const OperatorMessage& message);
   void take_buttons(const Buttons& buttons, bool catching_up);
-  void accept(const OperatorCommand& command);
   void check_steering_source(double now);
   void expect_new_device();
   void change_device(const SourceList::Connection& connection);
@@ -125,7 +121,6 @@ class OperatorStateMachine {
   StopRequest stop_;
   ControlHandover handover_;
   InputChannel channel_;  // of what steers
-  InputRhythm rhythm_;    // of what steers
   ControlState control_;
   PauseDetector pauses_;
   // Newest times [s]: of a cycle, of any message.

@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/source_list.hpp"
 
-#include <algorithm>
-#include <cstdint>
 #include <utility>
 
 namespace hidwa_local_planner::input {
-namespace {
-
-/// A source's state under its name.
-struct SavedSource {
-  std::string name;
-  Bytes state;
-
-  template <typename Self, typename Archive>
-  static void archive(Self& self, Archive& io) {
-    io(self.name, self.state);
-  }
-};
-
-}  // namespace
 
 SourceList::SourceList(Sources sources) {
   for (std::unique_ptr<OperatorSource>& source : sources) {
@@ -105,26 +89,13 @@ std::string SourceList::link_advice() const {
 }
 
 void SourceList::save(ArchiveWriter& state) const {
-  std::vector<SavedSource> all;
-  for (const Connection& connection : connections_) {
-    all.push_back({connection.source->kind().name, {}});
-    ArchiveWriter part(all.back().state);
-    connection.source->save(part);
-  }
-  state(all);
+  for (const Connection& connection : connections_) connection.source->save(state);
 }
 
 void SourceList::load(ArchiveReader& state) {
-  std::vector<SavedSource> all;
-  state(all);
   for (Connection& connection : connections_) {
-    OperatorSource& source = *connection.source;
-    source.reset();
-    const auto saved =
-        std::find_if(all.begin(), all.end(), [&](const SavedSource& s) { return s.name == source.kind().name; });
-    if (saved == all.end()) continue;
-    ArchiveReader part(saved->state);
-    source.load(part);
+    connection.source->reset();  // a source may know more than it saves
+    connection.source->load(state);
   }
 }
 

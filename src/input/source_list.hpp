@@ -65,8 +65,7 @@ class SourceList {
   /// What each link does to the messages, with the remedy; else empty.
   std::string link_advice() const;
 
-  /// Each source by its name: states of sources that the machine does not have are passed over, and a source whose
-  /// state was not saved is as at the start.
+  /// What each source saves, in their order.
   void save(ArchiveWriter& state) const;
   void load(ArchiveReader& state);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/stick_reading.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "core/util/words.hpp"
-#include "input/joystick_map.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {
@@ -133,6 +133,12 @@ Twist2 mapped(float angular, float linear, const Parameters& parameters) {
 }
 
 }  // namespace
+
+double map_axis(double deflection, double dead_zone, double exponent, double maximum) {
+  const double size = std::min(std::abs(deflection), 1.0);
+  if (!(size > dead_zone)) return 0.0;  // what is not a number is no deflection either
+  return std::copysign(std::pow(size, exponent), deflection) * maximum;
+}
 
 bool AxisStart::Of::is(const StickMessage& message, const Parameters& parameters) const {
   return sender == message.sender && axes == message.axes.size() && index == parameters.axis_linear.index &&

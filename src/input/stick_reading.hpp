@@ -94,6 +94,11 @@ bool reads_linear_axis(const StickUse& use);
 /// it asks for reverse, and in mode `gesture`.
 StopReading stop_reading_of(const StickMessage& message, const StickUse& use);
 
+/// One axis: 0 where |deflection| <= dead_zone, else |deflection|^exponent with its sign, times maximum.
+/// Kalliokoski 2022, the maps of (p_x, p_y) to (v_h, omega_h) in section IV-A. Deflections beyond [-1, 1] are
+/// clipped.
+double map_axis(double deflection, double dead_zone, double exponent, double maximum);
+
 /// What a reading asks for (Kalliokoski 2022, section IV-A): in SJ u_h = (max_vel_x, map(angular)), or with
 /// `linear: axis`, as in SW, (map(linear), map(angular)). Active while the mapped command is not zero; where
 /// there is an enable button, while that is held: a centred stick then means straight on.

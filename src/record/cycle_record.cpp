@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cstring>
 #include <string_view>
-#include <utility>
-
-#include "record/parts.hpp"
 
 namespace hidwa_local_planner {
 namespace record {
@@ -106,37 +103,6 @@ bool identical(const OperatorIntent& a, const OperatorIntent& b) { return bytes_
 
 namespace {
 
-// There only where anything moves.
-constexpr const char* kMovingObstacles = "moving_obstacles";
-// There only where it is told what the sensors look at.
-constexpr const char* kSensorSectors = "sensor_sectors";
-
-// In the order in which they are written.
-template <typename Record, typename Parts>
-void parts_of(Record& record, Parts& io) {
-  io.input("cycle", record.sequence);
-  io.input("setup", record.setup);
-  io.input("plan", record.plan);
-  io.input("observation", record.observation);
-  io.input("costmap", record.costmap);
-  io.input("sampling", record.sampling);
-  io.input("loop", record.loop_state);
-  io.input("operator", record.operator_state);
-  io.result("intent", record.intent);
-  io.result("verdict", record.decision);
-}
-
-// Formats 1 to 3 began with the record's number and, in key records, with the release.
-std::string of_other_format(std::uint16_t format, ArchiveReader& read) {
-  std::uint32_t sequence = 0;
-  bool key = false;
-  std::string release;
-  if (format <= 3) read(sequence, key);
-  if (key) read(release);
-  return "the record's format is " + std::to_string(format) + ", this release reads format " + std::to_string(kFormat) +
-         ": replay it with the release that recorded it" + (release.empty() ? "" : ", " + release);
-}
-
 // More than parameters may ask for (validate()).
 constexpr double kMostSamples = 200000.0;
 constexpr int kMostSearchPoses = 1000000;
@@ -148,11 +114,10 @@ bool plausible(const Sampling& s) {
 
 // What ControlLoop::step() relies on.
 std::string lacking(const CycleRecord& record) {
-  const auto no = [](const char* part) { return std::string("the record has no part '") + part + "'"; };
-  if (record.setup && !record.plan) return no("plan");
+  if (record.setup && !record.plan) return "the record is damaged: it has parameters, but no plan";
   if (!plausible(record.sampling)) return "the record is damaged: no planner tries so many samples";
   if (!record.observation.fault.empty()) return "";
-  if (!record.costmap) return no("costmap");
+  if (!record.costmap) return "the record is damaged: it has no costmap, and no fault that explains it";
   if (!record.observation.velocity) return "the record is damaged: it has no velocity, and no fault that explains it";
   return "";
 }
@@ -160,14 +125,9 @@ std::string lacking(const CycleRecord& record) {
 }  // namespace
 
 void encode(const CycleRecord& record, Bytes& bytes) {
-  bytes.resize(sizeof(kFormat));
-  std::memcpy(bytes.data(), &kFormat, sizeof(kFormat));
-  PartWriter parts(bytes);
-  parts_of(record, parts);
-  const MovingObstacleEstimates& moving = record.observation.moving_obstacles;
-  if (!moving.empty()) parts.input(kMovingObstacles, moving);
-  const SensorSectors& sectors = record.observation.sensor_sectors;
-  if (!sectors.empty()) parts.input(kSensorSectors, sectors);
+  bytes.clear();
+  ArchiveWriter write(bytes);
+  write(kFormat, record);
 }
 
 std::string decode(const Bytes& bytes, CycleRecord& record) {
@@ -175,17 +135,12 @@ std::string decode(const Bytes& bytes, CycleRecord& record) {
   std::uint16_t format = 0;
   read(format);
   if (read.failed()) return "the record is empty";
-  if (format != kFormat) return of_other_format(format, read);
-  PartReader parts(bytes.data() + sizeof(format), bytes.size() - sizeof(format));
-  parts_of(record, parts);
-  std::optional<MovingObstacleEstimates> moving;
-  parts.input(kMovingObstacles, moving);
-  record.observation.moving_obstacles = moving ? std::move(*moving) : MovingObstacleEstimates();
-  std::optional<SensorSectors> sectors;
-  parts.input(kSensorSectors, sectors);
-  record.observation.sensor_sectors = sectors ? std::move(*sectors) : SensorSectors();
-  record.unknown = parts.unknown();
-  return parts.fault().empty() ? lacking(record) : parts.fault();
+  if (format != kFormat) {
+    return "the record's format is " + std::to_string(format) + ", this release reads format " +
+           std::to_string(kFormat) + ": replay it with the release that recorded it";
+  }
+  read(record);
+  return read.complete() ? lacking(record) : "the record is cut short or damaged";
 }
 
 }  // namespace record

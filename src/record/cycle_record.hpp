@@ -1,19 +1,7 @@
 // One control cycle as bytes: the arguments of ControlLoop::step(), all that it depends on besides, and what it came
 // to. Replay gives the same to the same function.
 //
-// A record is the format's number and named parts (parts.hpp):
-//
-//   cycle        its number
-//   setup        release, parameters, footprint: in key records alone
-//   plan         whole, in its own frame: in key records, and where it is another than a cycle before
-//   observation  what was known of the robot, but for the costmap
-//   moving_obstacles  what moves; absent where nothing does
-//   sensor_sectors  what the sensors look at; absent where nobody tells it
-//   costmap      what changed of it; absent where an input was missing, for then nothing reads it
-//   sampling     samples in force
-//   loop         what ControlLoop remembered before the cycle
-//   operator     what the operator's state machine remembered before the cycle
-//   intent, verdict  what came of it
+// The bytes are the format's number and the members of CycleRecord, one behind the other (archive.hpp).
 //
 // The whole plan takes less than its window in each cycle: it comes about once a second, and a window is a tenth of it.
 #pragma once
@@ -28,14 +16,14 @@
 #include "hidwa_local_planner/core/planner.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 #include "hidwa_local_planner/core/util/archive.hpp"
-#include "record/grid_chain.hpp"
+#include "record/recorded_grid.hpp"
 
 namespace hidwa_local_planner {
 namespace record {
 
-/// Of the container and the layout of its parts. The planner's state in `loop` has a number of its own besides, kLayout
-/// in planner.cpp. A new kind of part is no new format.
-constexpr std::uint16_t kFormat = 6;
+/// Of the layout of all that CycleRecord holds. Whoever changes that layout changes this number. The planner's state in
+/// `loop_state` has a number of its own besides, kLayout in planner.cpp.
+constexpr std::uint16_t kFormat = 7;
 
 /// What stays the same over many cycles.
 struct Setup {
@@ -90,21 +78,25 @@ bool identical(const OperatorIntent& a, const OperatorIntent& b);
 /// One control cycle: all that it was decided from, and what was decided.
 struct CycleRecord {
   std::uint32_t sequence = 0;              // one more than that of the record before, or it is a key record
-  std::optional<Setup> setup;              // a key record has it, a whole plan and a whole costmap
-  std::optional<std::vector<Pose2>> plan;  // in its own frame; empty where there is none to follow
+  std::optional<Setup> setup;              // a key record has it, and a plan
+  std::optional<std::vector<Pose2>> plan;  // where it changed; in its own frame; empty: there is none to follow
   control::Observation observation;        // without its costmap
-  std::optional<GridPatch> costmap;
+  std::optional<RecordedGrid> costmap;     // none where an input was missing, for then nothing reads it
   RecordedSampling sampling;
-  Bytes loop_state;      // see ControlLoop::save()
-  Bytes operator_state;  // see OperatorStateMachine::save()
+  Bytes loop_state;      // before the cycle, see ControlLoop::save()
+  Bytes operator_state;  // before the cycle, see OperatorStateMachine::save()
   OperatorIntent intent;
   DecisionRecord decision;
-  std::vector<std::string> unknown;  // critical parts that this release does not know; decode() fills it
 
+  template <typename Self, typename Archive>
+  static void archive(Self& self, Archive& io) {
+    io(self.sequence, self.setup, self.plan, self.observation, self.costmap, self.sampling, self.loop_state,
+       self.operator_state, self.intent, self.decision);
+  }
   double time() const { return observation.timing.now; }  // [s]
 };
 
-/// As bytes: the format's number, then the parts.
+/// As bytes.
 void encode(const CycleRecord& record, Bytes& bytes);
 /// The fault in words, empty when the record was read. A record without a fault can be given to a ControlLoop.
 std::string decode(const Bytes& bytes, CycleRecord& record);

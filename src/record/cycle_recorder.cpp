@@ -28,10 +28,7 @@ void CycleRecorder::begin(const control::ControlLoop& loop, const control::Obser
   record_.observation = observation;
   record_.observation.costmap = {};
   record_.costmap.reset();
-  if (key) grids_.clear();
-  if (observation.fault.empty()) {
-    record_.costmap = grids_.advance_to(observation.costmap, grids_.present().costs.empty());
-  }
+  if (observation.fault.empty()) record_.costmap = packed(observation.costmap);
   record_.sampling = {sampling};
   record_.loop_state.clear();
   loop.save(record_.loop_state);

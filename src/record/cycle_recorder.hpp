@@ -40,7 +40,6 @@ class CycleRecorder {
   std::string critics_;
   CycleRecord record_;
   std::vector<Pose2> plan_;  // of the record before
-  GridChain grids_;
   Bytes bytes_;
   int cycles_since_key_ = kKeyEvery;
 };

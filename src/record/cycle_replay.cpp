@@ -53,10 +53,9 @@ CycleReplay::Reading CycleReplay::take(const Bytes& bytes) {
   };
   fault_ = decode(bytes, record_);
   if (!fault_.empty()) return give_up(Reading::damaged);
-  unknown_.insert(record_.unknown.begin(), record_.unknown.end());
   if (record_.setup) {
     fault_ = set_up(*record_.setup);
-    grids_.clear();
+    grid_ = StoredGrid();
   } else if (!following_ || record_.sequence != sequence_ + 1) {
     return give_up(Reading::waits_for_key);
   }
@@ -70,7 +69,7 @@ CycleReplay::Reading CycleReplay::take(const Bytes& bytes) {
 // Goes from the record before to this one.
 std::string CycleReplay::follow() {
   if (record_.plan) plan_ = *record_.plan;
-  if (record_.costmap && !grids_.advance_by(*record_.costmap)) return "the costmap in the record is damaged";
+  if (record_.costmap && !unpack(*record_.costmap, grid_)) return "the costmap in the record is damaged";
   if (!load()) return "the state before the cycle cannot be read: replay it with release " + setup_.version;
   return "";
 }
@@ -88,7 +87,7 @@ bool CycleReplay::load() {
 ReplayedCycle CycleReplay::run(bool explain) {
   load();
   control::Observation observation = record_.observation;
-  observation.costmap = grids_.present().view();
+  observation.costmap = grid_.view();
   Sampling sampling = record_.sampling;
   if (changes_samples(changes_, "vx_samples")) sampling.vx_samples = 0;
   if (changes_samples(changes_, "vth_samples")) sampling.vth_samples = 0;

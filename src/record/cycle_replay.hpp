@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,12 +42,10 @@ class CycleReplay {
   Reading take(const Bytes& bytes);
   /// Why the last record was damaged, or could not be set up.
   const std::string& fault() const { return fault_; }
-  /// The parts, of all records so far, that this release does not know but a faithful repetition may need.
-  const std::set<std::string>& unknown() const { return unknown_; }
 
   /// The record taken, its costmap, and the parameters it is replayed with.
   const CycleRecord& record() const { return record_; }
-  const StoredGrid& grid() const { return grids_.present(); }
+  const StoredGrid& grid() const { return grid_; }
   const Parameters& parameters() const { return loop_.parameters(); }
   const Setup& setup() const { return setup_; }
 
@@ -69,12 +66,11 @@ class CycleReplay {
   input::OperatorStateMachine machine_;
   control::ControlLoop loop_;
   std::vector<Pose2> plan_;  // that was followed before the cycle, in its own frame
-  GridChain grids_;
+  StoredGrid grid_;
   Setup setup_;
   Parameters recorded_, changed_;
   CycleRecord record_;
   std::string fault_;
-  std::set<std::string> unknown_;
   bool following_ = false;  // since a key record nothing was missing
   std::uint32_t sequence_ = 0;
   const Decision* decision_ = nullptr;

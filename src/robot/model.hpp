@@ -40,7 +40,6 @@ struct Joint {
 
 /// What a URDF says of a robot, as far as the planner needs it.
 struct Model {
-  std::string name;
   std::string base;  // the link whose frame everything is in
   std::vector<Link> links;
   std::vector<Joint> joints;

@@ -100,7 +100,6 @@ Model model_of(const urdf::ModelInterface& urdf, const std::string& base_frame, 
   std::map<std::string, std::size_t> index;
   std::vector<Visit> visits = walk(urdf, index);
   Model model;
-  model.name = urdf.getName();
   model.base = base_frame.substr(base_frame.find_last_of('/') + 1);
   if (index.count(model.base) == 0) {
     warning = "there is no link " + model.base + " (the costmap's robot_base_frame): the root link " +

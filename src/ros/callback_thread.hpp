@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
-#include <future>
-
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
-#include <boost/make_shared.hpp>
 
 namespace hidwa_local_planner {
 
@@ -26,14 +22,6 @@ class CallbackThread {
     return handle;
   }
   void start() { spinner_.start(); }
-  /// Waits until the callbacks that are due now have run, at most for `patience`. Not from one of them, and not while
-  /// holding a lock that one of them needs.
-  void catch_up(std::chrono::microseconds patience) {
-    const auto mark = boost::make_shared<Mark>();
-    const std::future<void> reached = mark->reached.get_future();
-    queue_.addCallback(mark);
-    reached.wait_for(patience);
-  }
   /// No callback runs after it returns.
   void stop() {
     spinner_.stop();
@@ -42,14 +30,6 @@ class CallbackThread {
   }
 
  private:
-  struct Mark : ros::CallbackInterface {
-    CallResult call() override {
-      reached.set_value();
-      return Success;
-    }
-    std::promise<void> reached;
-  };
-
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_;
 };

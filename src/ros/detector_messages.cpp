@@ -3,11 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
+#include <stdexcept>
+#include <vector>
 
+#include <geometry_msgs/Point.h>
+#include <geometry_msgs/Polygon.h>
+#include <geometry_msgs/Quaternion.h>
+#include <geometry_msgs/TwistWithCovariance.h>
+#include <ros/serialization.h>
+#include <std_msgs/Header.h>
 #include <boost/make_shared.hpp>
-
-#include "foreign_messages.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -34,14 +41,29 @@ MovingObstacle with_usual_deviations() {
   return one;
 }
 
-MovingObstacle to_mover(const foreign::Person& person) {
+using Wire = ros::serialization::IStream;
+
+/// What comes next over the wire. Throws where nothing more comes.
+template <typename T>
+T next(Wire& wire) {
+  T value{};
+  wire.next(value);
+  return value;
+}
+
+/// Reads a people_msgs/Person.
+void add_person(Wire& wire, MovingObstacles& to) {
   MovingObstacle one = with_usual_deviations();
-  one.id = number_of(person.name);
-  one.position = person.position;
-  one.velocity.x = person.velocity.x;
-  one.velocity.y = person.velocity.y;
+  one.id = number_of(next<std::string>(wire));
+  one.position = next<geometry_msgs::Point>(wire);
+  const auto velocity = next<geometry_msgs::Point>(wire);
+  one.velocity.x = velocity.x;
+  one.velocity.y = velocity.y;
   one.radius = kPersonRadius;
-  return one;
+  next<double>(wire);                    // reliability
+  next<std::vector<std::string>>(wire);  // tagnames
+  next<std::vector<std::string>>(wire);  // tags
+  to.obstacles.push_back(one);
 }
 
 // The larger half axis of the velocity's ellipse [m/s].
@@ -51,64 +73,65 @@ double deviation_of(const geometry_msgs::TwistWithCovariance& velocities) {
   return untold ? kVelocityDeviation : std::sqrt(0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy));
 }
 
-// A disc round the middle of the vertices that holds them. Without vertices its place is no number.
-MovingObstacle to_mover(const foreign::Obstacle& obstacle) {
+/// Reads a costmap_converter/ObstacleMsg: a disc round the middle of the vertices that holds them. Without vertices its
+/// place is no number.
+void add_obstacle(Wire& wire, MovingObstacles& to) {
+  next<std_msgs::Header>(wire);
+  const auto polygon = next<geometry_msgs::Polygon>(wire);
+  const auto radius = next<double>(wire);  // around the vertices [m]
+  const auto id = next<std::int64_t>(wire);
+  next<geometry_msgs::Quaternion>(wire);
+  const auto velocities = next<geometry_msgs::TwistWithCovariance>(wire);
+
   MovingObstacle one = with_usual_deviations();
-  const std::vector<geometry_msgs::Point32>& vertices = obstacle.polygon.points;
-  const auto count = static_cast<double>(vertices.size());
-  for (const geometry_msgs::Point32& vertex : vertices) {
+  const auto count = static_cast<double>(polygon.points.size());
+  for (const geometry_msgs::Point32& vertex : polygon.points) {
     one.position.x += static_cast<double>(vertex.x);
     one.position.y += static_cast<double>(vertex.y);
   }
   one.position.x /= count;
   one.position.y /= count;
-  for (const geometry_msgs::Point32& vertex : vertices) {
+  for (const geometry_msgs::Point32& vertex : polygon.points) {
     const double x = static_cast<double>(vertex.x) - one.position.x, y = static_cast<double>(vertex.y) - one.position.y;
     one.radius = std::max(one.radius, std::hypot(x, y));
   }
-  one.radius += obstacle.radius;
-  one.id = static_cast<std::uint32_t>(obstacle.id);
-  one.velocity.x = obstacle.velocities.twist.linear.x;
-  one.velocity.y = obstacle.velocities.twist.linear.y;
-  one.velocity_deviation = deviation_of(obstacle.velocities);
-  return one;
+  one.radius += radius;
+  one.id = static_cast<std::uint32_t>(id);
+  one.velocity.x = velocities.twist.linear.x;
+  one.velocity.y = velocities.twist.linear.y;
+  one.velocity_deviation = deviation_of(velocities);
+  const bool stands = std::hypot(one.velocity.x, one.velocity.y) < kStands;
+  if (!stands) to.obstacles.push_back(one);
 }
 
-bool stands(const MovingObstacle& one) { return std::hypot(one.velocity.x, one.velocity.y) < kStands; }
-
-MovingObstacles::ConstPtr convert(const foreign::People& from) {
+/// A header and a list, each element of which `add` reads. `sum`: of the type's definition (rosmsg md5).
+MovingObstacles::ConstPtr read_list(const topic_tools::ShapeShifter& from, const char* sum,
+                                    void (*add)(Wire& wire, MovingObstacles& to)) {
+  if (from.getMD5Sum() != sum) throw std::runtime_error("its definition is another one");
+  std::vector<std::uint8_t> bytes(from.size());
+  ros::serialization::OStream copy(bytes.data(), from.size());
+  from.write(copy);
+  Wire wire(bytes.data(), from.size());
   const auto to = boost::make_shared<MovingObstacles>();
-  to->header = from.header;
-  for (const foreign::Person& person : from.people) to->obstacles.push_back(to_mover(person));
+  to->header = next<std_msgs::Header>(wire);
+  for (auto left = next<std::uint32_t>(wire); left > 0; --left) add(wire, *to);
   return to;
-}
-
-MovingObstacles::ConstPtr convert(const foreign::ObstacleArray& from) {
-  const auto to = boost::make_shared<MovingObstacles>();
-  to->header = from.header;
-  for (const foreign::Obstacle& obstacle : from.obstacles) {
-    const MovingObstacle one = to_mover(obstacle);
-    if (!stands(one)) to->obstacles.push_back(one);
-  }
-  return to;
-}
-
-template <typename Message>
-bool is(const topic_tools::ShapeShifter& from) {
-  return from.getDataType() == ros::message_traits::datatype<Message>();
 }
 
 }  // namespace
 
 DetectedObstacles read_detected(const topic_tools::ShapeShifter& from) {
+  const std::string& type = from.getDataType();
   try {
-    if (is<MovingObstacles>(from)) return {from.instantiate<MovingObstacles>(), ""};
-    if (is<foreign::People>(from)) return {convert(*from.instantiate<foreign::People>()), ""};
-    if (is<foreign::ObstacleArray>(from)) return {convert(*from.instantiate<foreign::ObstacleArray>()), ""};
+    if (type == ros::message_traits::datatype<MovingObstacles>()) return {from.instantiate<MovingObstacles>(), ""};
+    if (type == "people_msgs/People") return {read_list(from, "18722f4b8db20cc2369740732357847b", add_person), ""};
+    if (type == "costmap_converter/ObstacleArrayMsg") {
+      return {read_list(from, "8a1bdcde72c65ca7d3ce8ebf52d43516", add_obstacle), ""};
+    }
   } catch (const std::exception& error) {
-    return {nullptr, "what says that it is " + from.getDataType() + " cannot be read as that: " + error.what()};
+    return {nullptr, "what says that it is " + type + " cannot be read as that: " + error.what()};
   }
-  return {nullptr, from.getDataType() +
+  return {nullptr, type +
                        " came: send hidwa_local_planner/MovingObstacles, people_msgs/People or "
                        "costmap_converter/ObstacleArrayMsg"};
 }

@@ -216,6 +216,12 @@ constexpr Former kFormer[] = {
     {"s_nv", "1", divide, ""},
     {"velocity_reference_tolerance_x", "0.2", drop, "it is 0.2 m/s: remove it"},
     {"velocity_reference_tolerance_theta", "0.5", drop, "it is 0.5 rad/s: remove it"},
+    {"min_vel_theta", "0", drop,
+     "max_vel_theta holds to both sides: remove it. Where the motors cannot turn slowly on the spot, set "
+     "min_in_place_vel_theta"},
+    {"velocity_reference", "command", follow_method, "odometry"},
+    {"escape", "true", follow_method, "false"},
+    {"turn_when_stuck", "true", follow_method, "false"},
     {"prune_distance", "1", drop, "it is 1 m: remove it"},
     {"forward_prune_auto", "true", follow_method, "false"},
     {"Oscillation_reset_dist", "0.05", drop, "it is 0.05 m: remove it"},

@@ -76,12 +76,6 @@ double GuardedCritic::configure(const Parameters& parameters, const ParameterSou
   throw std::runtime_error(name_ + ": " + *reason + "; mend them, or take it out of the parameter critics");
 }
 
-double GuardedCritic::reach() const {
-  double reach = 0.0;
-  succeeds("reach", [&] { reach = critic_->reach(); });
-  return reach;
-}
-
 void GuardedCritic::prepare(const CycleView& cycle) {
   spent_ = 0.0;
   prepared_ = succeeds_in_time("prepare", [&] { critic_->prepare(cycle); });

@@ -17,7 +17,6 @@ class GuardedCritic : public Critic {
   GuardedCritic(std::string name, std::shared_ptr<Critic> critic);
 
   double configure(const Parameters& parameters, const ParameterSource& own) override;
-  double reach() const override;
   void prepare(const CycleView& cycle) override;
   void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
   void debrief(const CycleView& cycle, const Twist2& command) override;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -9,12 +12,12 @@
 
 #include "control/control_loop.hpp"
 #include "control/frame_watch.hpp"
+#include "control/response_watch.hpp"
 #include "ros/callback_thread.hpp"
 #include "ros/cycle_result.hpp"
 #include "ros/loop_time.hpp"
 #include "ros/moving_obstacle_input.hpp"
 #include "ros/odometry_input.hpp"
-#include "ros/odometry_watch.hpp"
 
 namespace hidwa_local_planner {
 
@@ -30,8 +33,8 @@ struct RobotObservation : control::Observation {
 };
 
 /// What is observed: odometry and moving obstacles as messages, with a thread of their own, the robot's pose and the
-/// plan's frame by tf, and the local costmap. listen() comes from the thread that changes parameters, everything else
-/// from the host's control thread.
+/// plan's frame by tf, and the local costmap. Says in the log what is odd about the odometry. listen() comes from the
+/// thread that changes parameters, everything else from the host's control thread.
 class Inputs {
  public:
   /// `name`: of the planner. `tf` and `costmap` must outlive it.
@@ -52,12 +55,12 @@ class Inputs {
   Twist2 velocity_after_pause(double now, const Planner& planner) const;
 
   /// Compares the odometry with what a cycle came to.
-  void watch(const control::Observation& observation, const control::Result& result) {
-    odometry_watch_.observe(observation, result);
-  }
-  /// Looks at who sends the odometry, after a cycle.
-  void watch_sender(const control::ControlLoop& loop) { odometry_watch_.watch_sender(odometry_, tf_, loop); }
-  const OdometryWatch& odometry_watch() const { return odometry_watch_; }
+  void watch(const control::Observation& observation, const control::Result& result);
+  /// Looks once a second at who sends the odometry, and at once where the loop begins or ceases to doubt the velocity.
+  void watch_sender(const control::ControlLoop& loop);
+  const std::string& odometry_advice() const { return said_; }  // by watch_sender(); empty where nothing is odd
+  std::uint64_t doubted_readings() const { return doubted_; }   // that no command explains
+  std::optional<double> base_latency() const { return response_.latency(); }  // [s]
   const MovingObstacleInput& moving_obstacles() const { return moving_obstacles_; }
 
  private:
@@ -66,15 +69,20 @@ class Inputs {
                                  RobotObservation& observation) const;
   double pose_ahead_of(const LoopTime& now, const ros::Time& stamp) const;
 
+  const std::string name_;
   const tf2_ros::Buffer& tf_;
   costmap_2d::Costmap2DROS& costmap_;
   // A call of dynamic_reconfigure may wait for the parameter server or load a library: odometry waits for none.
   CallbackThread thread_;
   OdometryInput odometry_;
   MovingObstacleInput moving_obstacles_;
-  OdometryWatch odometry_watch_;
   std::string odom_topic_, moving_obstacles_topic_;  // listened to
   control::FrameWatch frame_watch_;
+  ResponseWatch response_;
+  std::uint64_t doubted_ = 0;
+  bool doubts_ = false;  // the velocity, when watch_sender() looked last
+  std::chrono::steady_clock::time_point looked_;
+  std::string said_;
 };
 
 }  // namespace hidwa_local_planner

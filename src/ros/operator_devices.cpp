@@ -2,14 +2,12 @@
 #include "ros/operator_devices.hpp"
 
 #include <memory>
-#include <utility>
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <geometry_msgs/TwistStamped.h>
 #include <ros/console.h>
 #include <ros/message_event.h>
-#include <ros/subscriber.h>
 #include <sensor_msgs/Joy.h>
 #include <topic_tools/shape_shifter.h>
 
@@ -19,12 +17,6 @@
 
 namespace hidwa_local_planner {
 namespace {
-
-/// What a device is called in the log, and the name of its source.
-struct DeviceName {
-  const char* kind;
-  std::string source;
-};
 
 /// Why a ROS message cannot be used as a message of the device; `what` is empty where it can.
 struct Misfit {
@@ -38,60 +30,34 @@ std::shared_ptr<const void> connection_of(const boost::shared_ptr<ros::M_string>
   return {header.get(), [header](const void*) {}};
 }
 
-/// Subscribes to messages of type RosMessage and makes a Message of each.
+/// Makes a Message of each RosMessage. `kind`: what the device is called in the log.
 template <typename RosMessage, typename Message>
-class DeviceTopic : public OperatorDevice {
- public:
-  using Convert = Misfit (*)(const RosMessage& from, const LoopTime& now, Message& to);
-
-  DeviceTopic(DeviceName name, Convert convert, DeliverMessage deliver)
-      : name_(std::move(name)), convert_(convert), deliver_(std::move(deliver)) {}
-
-  const std::string& source() const override { return name_.source; }
-
-  void follow(ros::NodeHandle handle, const std::string& topic) override {
-    if (topic == topic_) return;
-    subscriber_.shutdown();
-    topic_.clear();
-    if (topic.empty()) return;
-    const boost::function<void(const Event&)> callback = [this, topic](const Event& event) { take(event, topic); };
-    // Size 1 and no delay: an old deflection must not count late.
-    subscriber_ =
-        handle.subscribe<RosMessage, const Event&>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
-    topic_ = topic;
-  }
-
- private:
+OperatorDevice device(const char* kind, const char* source,
+                      Misfit (*convert)(const RosMessage& from, const LoopTime& now, Message& to),
+                      const DeliverMessage& deliver) {
   using Event = ros::MessageEvent<const RosMessage>;
-
-  void take(const Event& event, const std::string& topic) {
+  const auto take = [=](const Event& event, const std::string& topic) {
     const LoopTime now = LoopTime::now();
     if (now.stamp.isZero()) return;  // a simulated clock that has not begun: nothing can be said about lateness
     Message message;
     message.sender = event.getPublisherName();
     message.received = now.seconds;
     message.connection = connection_of(event.getConnectionHeaderPtr());
-    const Misfit misfit = convert_(*event.getConstMessage(), now, message);
+    const Misfit misfit = convert(*event.getConstMessage(), now, message);
     if (!misfit.what.empty()) {
       ROS_WARN_THROTTLE(5.0, "%s carries %s from %s: %s", topic.c_str(), misfit.what.c_str(), message.sender.c_str(),
                         misfit.why.c_str());
       return;
     }
-    const std::string fault = deliver_(name_.source, message);
-    if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "%s message dropped: %s", name_.kind, fault.c_str());
-  }
-
-  DeviceName name_;
-  Convert convert_;
-  DeliverMessage deliver_;
-  std::string topic_;
-  ros::Subscriber subscriber_;
-};
-
-template <typename RosMessage, typename Message>
-std::unique_ptr<OperatorDevice> device(DeviceName name, Misfit (*convert)(const RosMessage&, const LoopTime&, Message&),
-                                       const DeliverMessage& deliver) {
-  return std::make_unique<DeviceTopic<RosMessage, Message>>(std::move(name), convert, deliver);
+    const std::string fault = deliver(source, message);
+    if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "%s message dropped: %s", kind, fault.c_str());
+  };
+  const auto subscribe = [=](ros::NodeHandle handle, const std::string& topic) {
+    const boost::function<void(const Event&)> callback = [=](const Event& event) { take(event, topic); };
+    // Size 1 and no delay: an old deflection must not count late.
+    return handle.subscribe<RosMessage, const Event&>(topic, 1, callback, nullptr, ros::TransportHints().tcpNoDelay());
+  };
+  return {source, subscribe, "", {}};
 }
 
 Misfit to_stick(const sensor_msgs::Joy& from, const LoopTime& now, input::StickMessage& to) {
@@ -139,12 +105,9 @@ Misfit to_hand(const geometry_msgs::PoseStamped& from, const LoopTime& now, inpu
 
 }  // namespace
 
-OperatorDevices operator_devices(const DeliverMessage& deliver) {
-  OperatorDevices devices;
-  devices.push_back(device({"joystick", "stick"}, to_stick, deliver));
-  devices.push_back(device({"Twist", "twist"}, to_twist_message, deliver));
-  devices.push_back(device<geometry_msgs::PoseStamped, input::HandMessage>({"hand pose", "hand"}, to_hand, deliver));
-  return devices;
+std::vector<OperatorDevice> operator_devices(const DeliverMessage& deliver) {
+  return {device("joystick", "stick", to_stick, deliver), device("Twist", "twist", to_twist_message, deliver),
+          device<geometry_msgs::PoseStamped, input::HandMessage>("hand pose", "hand", to_hand, deliver)};
 }
 
 input::HandMessage to_hand(const geometry_msgs::TransformStamped& from, const LoopTime& now) {

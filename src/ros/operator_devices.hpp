@@ -3,12 +3,12 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
+#include <ros/subscriber.h>
 
 #include "input/gesture_source.hpp"
 #include "input/operator_message.hpp"
@@ -17,24 +17,21 @@
 namespace hidwa_local_planner {
 
 /// The topic of one OperatorSource.
-class OperatorDevice {
- public:
-  virtual ~OperatorDevice() = default;
-  /// The source whose messages it makes (SourceKind::name).
-  virtual const std::string& source() const = 0;
-  /// From now on the messages of `topic` are taken; empty: none. `handle` decides namespace and callback queue. The
-  /// same topic again changes nothing. Throws what roscpp throws at a name that is none.
-  virtual void follow(ros::NodeHandle handle, const std::string& topic) = 0;
+struct OperatorDevice {
+  std::string source;  // whose messages it makes (SourceKind::name)
+  /// Makes messages of those of a topic. `handle` decides namespace and callback queue. Throws what roscpp throws at a
+  /// name that is none.
+  std::function<ros::Subscriber(ros::NodeHandle handle, const std::string& topic)> subscribe;
+  std::string topic;  // whose messages are taken; empty: none
+  ros::Subscriber subscriber;
 };
-
-using OperatorDevices = std::vector<std::unique_ptr<OperatorDevice>>;
 
 /// Takes a message for the source of that name; returns the fault in words where it was dropped. Called in the thread
 /// that serves the handle.
 using DeliverMessage = std::function<std::string(const std::string& source, const input::OperatorMessage& message)>;
 
 /// One for each source that has a topic: the list to which another device is added.
-OperatorDevices operator_devices(const DeliverMessage& deliver);
+std::vector<OperatorDevice> operator_devices(const DeliverMessage& deliver);
 
 /// The hand as tf has it.
 input::HandMessage to_hand(const geometry_msgs::TransformStamped& hand, const LoopTime& now);

@@ -17,8 +17,7 @@ namespace {
 const ros::WallDuration kHeartbeat(0.05);
 
 // After a pause messages may still be on their way from the sockets. The control thread waits for them this long.
-constexpr std::chrono::microseconds kPatience(1000);
-constexpr int kTries = 5;
+constexpr std::chrono::milliseconds kPatience(5);
 
 // How far ROS's clock is ahead of one that nobody can set and that goes on while the machine sleeps [s]. None with a
 // simulated clock, whose steps are no fault.
@@ -26,6 +25,16 @@ std::optional<double> clock_ahead(const ros::Time& stamp) {
   timespec time{};
   if (ros::Time::isSimTime() || clock_gettime(CLOCK_BOOTTIME, &time) != 0) return std::nullopt;
   return stamp.toSec() - static_cast<double>(time.tv_sec) - 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// The same topic again changes nothing; an empty one: none.
+void follow(OperatorDevice& device, const std::string& topic, const ros::NodeHandle& handle) {
+  if (topic == device.topic) return;
+  device.subscriber.shutdown();
+  device.topic.clear();
+  if (topic.empty()) return;
+  device.subscriber = device.subscribe(handle, topic);
+  device.topic = topic;
 }
 
 }  // namespace
@@ -53,10 +62,10 @@ void OperatorInput::listen(const ros::NodeHandle& handle, const Parameters& para
     show_device(sources);
   }
   start_heartbeat(handle);
-  for (const std::unique_ptr<OperatorDevice>& device : devices_) {
+  for (OperatorDevice& device : devices_) {
     for (const input::ListedSource& source : sources) {
-      if (source.kind.name != device->source()) continue;
-      device->follow(thread_.serve(handle), source.listened_to ? source.topic.topic : "");
+      if (source.kind.name != device.source) continue;
+      follow(device, source.listened_to ? source.topic.topic : "", thread_.serve(handle));
     }
   }
 }
@@ -107,18 +116,14 @@ void OperatorInput::start_heartbeat(const ros::NodeHandle& handle) {
 }
 
 std::string OperatorInput::take(const std::string& source, const input::OperatorMessage& message) {
-  std::string fault;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    fault = machine_.receive(message);
-    if (fault.empty() && source == steering_) {
-      ++device_.messages;
-      device_.sender = machine_.sender();
-    } else if (fault.empty()) {
-      ++device_.clutch_messages;
-    }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::string fault = machine_.receive(message);
+  if (fault.empty() && source == steering_) {
+    ++device_.messages;
+    device_.sender = machine_.sender();
+  } else if (fault.empty()) {
+    ++device_.clutch_messages;
   }
-  ++taken_;
   return fault;
 }
 
@@ -149,12 +154,7 @@ void OperatorInput::catch_up(double now) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!machine_.paused_since_last_cycle(now)) return;
   }
-  const std::uint64_t taken = taken_;
-  const auto end = std::chrono::steady_clock::now() + kTries * kPatience;
-  while (taken_ == taken && std::chrono::steady_clock::now() < end) {
-    thread_.catch_up(kPatience);
-    std::this_thread::sleep_for(kPatience / 10);
-  }
+  std::this_thread::sleep_for(kPatience);
 }
 
 OperatorIntent OperatorInput::update(double now, Bytes* before) {

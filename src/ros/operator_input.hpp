@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -83,12 +82,11 @@ class OperatorInput {
   input::OperatorStateMachine machine_;
   OperatorMode mode_ = OperatorMode::off;
   Device device_;
-  std::string steering_;                 // the source that steers, by the parameters last listened by
-  ros::Time hand_stamp_;                 // of the newest transform
-  std::atomic<std::uint64_t> taken_{0};  // messages, dropped ones too
-  CallbackThread thread_;                // outlives the subscribers and the timer that it serves
-  ros::SteadyTimer heartbeat_;           // of that thread
-  OperatorDevices devices_;
+  std::string steering_;        // the source that steers, by the parameters last listened by
+  ros::Time hand_stamp_;        // of the newest transform
+  CallbackThread thread_;       // outlives the subscribers and the timer that it serves
+  ros::SteadyTimer heartbeat_;  // of that thread
+  std::vector<OperatorDevice> devices_;
   ros::Subscriber take_control_, stop_;
 };
 

@@ -3,20 +3,39 @@
 
 #include <string_view>
 
+#include <nav_msgs/Path.h>
 #include <ros/console.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "ros/conversions.hpp"
+#include "ros/evaluation_message.hpp"
 
 namespace hidwa_local_planner {
 
-Outputs::Outputs(const Names& names, const ros::NodeHandle& handle, const ros::NodeHandle& diagnostics,
+Outputs::Outputs(const Names& names, ros::NodeHandle handle, const ros::NodeHandle& diagnostics,
                  const OperatorInput& person, const MovingObstacleInput& moving_obstacles)
     : name_(names.planner),
-      publishing_(handle, names.frame),
+      frame_(names.frame),
       feedback_(handle, ros::NodeHandle(), names.frame, names.base_frame),
-      diagnostics_(diagnostics, name_, person, moving_obstacles) {}
+      diagnostics_(diagnostics, name_, person, moving_obstacles) {
+  global_plan_ = handle.advertise<nav_msgs::Path>("global_plan", 1);
+  local_plan_ = handle.advertise<nav_msgs::Path>("local_plan", 1);
+  predicted_path_ = handle.advertise<nav_msgs::Path>("predicted_path", 1);
+  cycle_ = handle.advertise<Cycle>("cycle", 50);
+  evaluation_ = handle.advertise<Evaluation>("evaluation", 1);
+  trajectories_ = handle.advertise<visualization_msgs::MarkerArray>("trajectories", 1);
+}
+
+bool Outputs::new_cycle_subscriber() {
+  const std::uint32_t count = cycle_.getNumSubscribers();
+  const bool more = count > cycle_subscribers_;
+  cycle_subscribers_ = count;
+  return more;
+}
 
 void Outputs::predict(const control::ControlLoop& loop, const control::Observation& observation,
                       const control::Result& result) {
-  predicted_ = publishing_.prediction_wanted() || feedback_.state_wanted();
+  predicted_ = predicted_path_.getNumSubscribers() > 0 || feedback_.state_wanted();
   if (predicted_) prediction_.update(loop, observation, result);
 }
 
@@ -24,15 +43,16 @@ void Outputs::tell(const LoopTime& now, const control::ControlLoop& loop, const 
                    const OperatorInput::Status& status) {
   explain(now.seconds, result);
   feedback_.publish(now.stamp, loop.parameters(), result, predicted_ ? &prediction_ : nullptr, status);
-  if (predicted_) publishing_.publish_prediction(now.stamp, prediction_.poses());
+  if (predicted_) publish_prediction(now.stamp);
   if (result.decision == nullptr) return;
-  publishing_.publish_paths(now.stamp, loop.situation().plan, result.decision->trajectory);
-  if (result.sampling.report != Report::chosen) publishing_.publish_evaluation(now.stamp, loop.planner());
+  publish_path(global_plan_, now.stamp, loop.situation().plan);
+  publish_path(local_plan_, now.stamp, result.decision->trajectory);
+  if (result.sampling.report != Report::chosen) publish_evaluation(now.stamp, loop.planner());
 }
 
 void Outputs::finish(const ros::Time& stamp, const CycleResult& result, double duration, double period,
                      const Bytes* record) {
-  publishing_.publish_cycle(stamp, result, result.intent.state, duration, record);
+  publish_cycle(stamp, result, duration, record);
   diagnostics_.add(duration, period);
 }
 
@@ -57,6 +77,73 @@ void Outputs::explain(double now, const CycleResult& result) {
                             : result.outcome == Outcome::brake ? "; braking"
                                                                : "";
   ROS_WARN("%s: %s%s", name_.c_str(), message.c_str(), consequence);
+}
+
+void Outputs::publish_cycle(const ros::Time& stamp, const CycleResult& result, double duration, const Bytes* record) {
+  if (!cycle_wanted()) return;
+  Cycle& message = cycle_message_;
+  message.header.stamp = stamp;
+  message.header.frame_id = frame_;
+  message.outcome = static_cast<std::uint8_t>(result.outcome);
+  message.outcome_name = to_string(result.outcome);
+  message.command = to_message(result.command);
+  message.duration = duration;
+  message.state = static_cast<std::uint8_t>(result.intent.state);
+  message.vx_samples = static_cast<std::uint32_t>(result.sampling.vx_samples);
+  message.vth_samples = static_cast<std::uint32_t>(result.sampling.vth_samples);
+  const Decision* decision = result.decision;
+  message.fault = decision ? decision->problem : result.fault;
+  message.reference = to_message(decision ? decision->reference : Twist2{});
+  message.candidates = decision ? static_cast<std::uint32_t>(decision->candidates) : 0;
+  message.legal = decision ? static_cast<std::uint32_t>(decision->legal) : 0;
+  const std::size_t count = decision ? decision->rejections.size() : 0;
+  message.rejection_names.resize(count);
+  message.rejection_counts.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    message.rejection_names[i] = decision->rejections[i].name;
+    message.rejection_counts[i] = static_cast<std::uint32_t>(decision->rejections[i].count);
+  }
+  message.record.clear();
+  if (record != nullptr) message.record = *record;
+  cycle_.publish(message);
+}
+
+void Outputs::publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose2>& poses) {
+  if (publisher.getNumSubscribers() == 0) return;
+  nav_msgs::Path path;
+  path.header.stamp = stamp;
+  path.header.frame_id = frame_;
+  path.poses.resize(poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    path.poses[i].header = path.header;
+    path.poses[i].pose = to_message(poses[i]);
+  }
+  publisher.publish(path);
+}
+
+// Each pose's stamp is when the robot is predicted to be there.
+void Outputs::publish_prediction(const ros::Time& stamp) {
+  if (predicted_path_.getNumSubscribers() == 0) return;
+  const std::vector<control::TimedPose>& poses = prediction_.poses();
+  nav_msgs::Path path;
+  path.header.stamp = stamp;
+  path.header.frame_id = frame_;
+  path.poses.resize(poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    path.poses[i].header.frame_id = frame_;
+    path.poses[i].header.stamp = stamp + ros::Duration(poses[i].time);
+    path.poses[i].pose = to_message(poses[i].pose);
+  }
+  predicted_path_.publish(path);
+}
+
+void Outputs::publish_evaluation(const ros::Time& stamp, const Planner& planner) {
+  const bool scores = evaluation_.getNumSubscribers() > 0;
+  const bool lines = trajectories_.getNumSubscribers() > 0;
+  if (!scores && !lines) return;
+  const std::vector<CandidateReport> candidates = planner.candidates();
+  if (scores) evaluation_.publish(to_evaluation(candidates, planner.marked(), frame_, stamp));
+  if (lines) trajectories_.publish(to_markers(candidates, planner.marked(), frame_, stamp));
 }
 
 }  // namespace hidwa_local_planner

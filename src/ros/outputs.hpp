@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <ros/node_handle.h>
+#include <ros/publisher.h>
 
 #include "control/control_loop.hpp"
 #include "control/prediction.hpp"
+#include "hidwa_local_planner/Cycle.h"
+#include "ros/cycle_result.hpp"
 #include "ros/diagnostics.hpp"
 #include "ros/loop_time.hpp"
 #include "ros/operator_feedback.hpp"
 #include "ros/operator_input.hpp"
-#include "ros/publishing.hpp"
 
 namespace hidwa_local_planner {
 
-/// What a planner tells of its cycles: topics, the log, diagnostics. From the host's control thread.
+/// What a planner tells of its cycles: the topics below its name, the log, diagnostics. From the host's control thread.
+/// A message is built only if it has a subscriber.
 class Outputs {
  public:
   struct Names {
@@ -24,11 +29,16 @@ class Outputs {
   };
   /// `handle`: the planner's namespace; `diagnostics`: a handle whose callback queue serves the diagnostics. The last
   /// two must outlive it.
-  Outputs(const Names& names, const ros::NodeHandle& handle, const ros::NodeHandle& diagnostics,
-          const OperatorInput& person, const MovingObstacleInput& moving_obstacles);
+  Outputs(const Names& names, ros::NodeHandle handle, const ros::NodeHandle& diagnostics, const OperatorInput& person,
+          const MovingObstacleInput& moving_obstacles);
 
-  /// Tells whether records, candidates and predictions are wanted.
-  Publishing& publishing() { return publishing_; }
+  bool cycle_wanted() const { return cycle_.getNumSubscribers() > 0; }
+  /// A topic that shows all candidates has a subscriber.
+  bool candidates_wanted() const {
+    return cycle_wanted() || evaluation_.getNumSubscribers() > 0 || trajectories_.getNumSubscribers() > 0;
+  }
+  /// Somebody subscribed to the cycles since the last call.
+  bool new_cycle_subscriber();
   /// Shows the mode, from whatever thread changes it.
   OperatorFeedback& feedback() { return feedback_; }
   Diagnostics& diagnostics() { return diagnostics_; }
@@ -39,18 +49,25 @@ class Outputs {
   /// Tells of the cycle just run: its topics and, in the log, why the robot does not just drive.
   void tell(const LoopTime& now, const control::ControlLoop& loop, const CycleResult& result,
             const OperatorInput::Status& status);
-  /// The cycle took `duration` of its `period` [s]. `record`: see Publishing.
+  /// The cycle took `duration` of its `period` [s]. `record`: of the cycle; null where none was made.
   void finish(const ros::Time& stamp, const CycleResult& result, double duration, double period, const Bytes* record);
   /// Time jumped back.
   void forget() { said_.clear(); }
 
  private:
   void explain(double now, const CycleResult& result);
+  void publish_cycle(const ros::Time& stamp, const CycleResult& result, double duration, const Bytes* record);
+  void publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose2>& poses);
+  void publish_prediction(const ros::Time& stamp);
+  void publish_evaluation(const ros::Time& stamp, const Planner& planner);
 
   const std::string name_;
-  Publishing publishing_;
+  const std::string frame_;
+  ros::Publisher global_plan_, local_plan_, predicted_path_, cycle_, evaluation_, trajectories_;
   OperatorFeedback feedback_;
   Diagnostics diagnostics_;
+  Cycle cycle_message_;                  // kept from cycle to cycle for its memory
+  std::uint32_t cycle_subscribers_ = 0;  // as of the last look
   std::string said_;      // what explain() said last, up to its first digit; empty once the robot drives again
   double said_at_ = 0.0;  // [s]
   control::Prediction prediction_;  // of the last cycle, where somebody watched

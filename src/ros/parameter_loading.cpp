@@ -84,22 +84,6 @@ std::string unknown(const std::string& key) {
                        : ": it has no effect; do you mean " + near + "?");
 }
 
-/// Why a value is not taken that another planner means in another way; else empty. Two planners share the name
-/// min_vel_theta: base_local_planner means the fastest turn to the right, dwa_local_planner bounds what hardly drives.
-std::string meant_otherwise(const XmlRpcValue& content, const std::string& key, const XmlRpcValue& value) {
-  if (key != "min_vel_theta") return "";
-  const std::string what = key + ": " + as_text(value) + " is not taken: ";
-  const bool is_int = value.getType() == XmlRpcValue::TypeInt, is_double = value.getType() == XmlRpcValue::TypeDouble;
-  if ((is_int && static_cast<const int&>(value) < 0) || (is_double && static_cast<const double&>(value) < 0.0)) {
-    return what + "here it is the slowest turn while driving. max_vel_theta holds to both sides: remove min_vel_theta";
-  }
-  if (!content.hasMember("min_vel_trans") && !content.hasMember("min_trans_vel")) return "";
-  return what +
-         "beside a least translational velocity it bounds only what hardly drives, here it would bound every turn "
-         "while "
-         "driving. Remove it; where the motors cannot turn slowly on the spot, set min_in_place_vel_theta";
-}
-
 /// DWB's layout, `PathAlign: {scale: 32}`.
 void take_nested(LoadedParameters& loaded, const std::string& group, const XmlRpcValue& members,
                  const std::set<std::string>& former) {
@@ -152,10 +136,7 @@ LoadedParameters load_parameters(const XmlRpcValue& content,
   std::vector<std::pair<std::string, const XmlRpcValue*>> groups;
   for (const auto& [key, value] : present.content) {
     if (present.former.count(key) != 0) continue;
-    if (const std::string why = meant_otherwise(present.content, key, value); !why.empty()) {
-      loaded.warnings.push_back(why);
-      loaded.aliases.push_back(key);
-    } else if (const ParameterInfo* info = find_parameter(key)) {
+    if (const ParameterInfo* info = find_parameter(key)) {
       take(loaded, *info, key, value);
     } else if (value.getType() == XmlRpcValue::TypeStruct) {
       groups.emplace_back(key, &value);

@@ -139,8 +139,8 @@ CycleResult PlannerNode::run_cycle(bool stop, bool goalless) {
   if (parameters_.take()) check_horizon();
   const control::Timing timing = begin_cycle(now.seconds);
   operator_.look_for_hand(loop_.parameters(), now);
-  const bool recorded = loop_.parameters().record_cycles && outputs_.publishing().cycle_wanted();
-  if (outputs_.publishing().new_cycle_subscriber() || !recorded) recorder_.demand_key();
+  const bool recorded = loop_.parameters().record_cycles && outputs_.cycle_wanted();
+  if (outputs_.new_cycle_subscriber() || !recorded) recorder_.demand_key();
   RobotObservation observation = observe(now, timing, goalless);
   observation.host_stops = stop;
   const CycleResult result = decide(now, observation, recorded);
@@ -150,7 +150,7 @@ CycleResult PlannerNode::run_cycle(bool stop, bool goalless) {
                   recorded ? &recorder_.finish(result, loop_.planner()) : nullptr);
   inputs_.watch_sender(loop_);
   adapt_sample_count(duration, timing.period, result);
-  outputs_.diagnostics().set(result.fault, inputs_.odometry_watch().said(), load());
+  outputs_.diagnostics().set(result.fault, inputs_.odometry_advice(), load());
   return result;
 }
 
@@ -162,8 +162,6 @@ control::Timing PlannerNode::begin_cycle(double now) {
     inputs_.forget();
     outputs_.forget();
   }
-  const std::string complaint = host_.complaint();
-  if (!complaint.empty()) ROS_WARN("%s: %s", name_.c_str(), complaint.c_str());
   return timing;
 }
 
@@ -172,7 +170,7 @@ CycleResult PlannerNode::decide(const LoopTime& now, RobotObservation& observati
   observation.costmap = view_of(*costmap_.getCostmap());
   CycleResult result;
   result.sampling = budget_.in_force();
-  if (outputs_.publishing().candidates_wanted()) result.sampling.report = Report::legality;
+  if (outputs_.candidates_wanted()) result.sampling.report = Report::legality;
   if (loop_.goal_begins() && !observation.goalless) operator_.new_goal();
   const OperatorIntent intent = operator_.update(now.seconds, recorded ? &recorder_.operator_state() : nullptr);
   if (recorded) recorder_.begin(loop_, observation, result.sampling);
@@ -301,8 +299,8 @@ Diagnostics::Load PlannerNode::load() const {
   const double nominal = nominal_period();
   return {nominal,
           host_.longest_period(nominal),
-          inputs_.odometry_watch().doubted(),
-          inputs_.odometry_watch().latency(),
+          inputs_.doubted_readings(),
+          inputs_.base_latency(),
           loop_.parameters().control_latency,
           cycle_budget(loop_.parameters(), nominal),
           budget_.in_force(),

@@ -100,7 +100,7 @@ void FreeMemory::judge(Beams& beams, const Travel& now) const {
   }
 }
 
-// The cells that a line crosses, in order (Amanatides and Woo 1987). The visitor ends it by returning false.
+// The cells that a line crosses, in order (Amanatides and Woo 1987).
 template <typename Visit>
 void FreeMemory::walk(const Point& from, const Point& to, Visit visit) const {
   std::int64_t ix = cell_of(from.x());

@@ -286,7 +286,7 @@ TEST(CommandWatch, WithinReachOfTheLastCommand) {
 
 TEST(CommandWatch, WithinReachOfWhatLiesBetweenLastCommandAndReadingWhereItStartsFromThat) {
   Parameters p;
-  p.velocity_reference = hidwa_local_planner::VelocityReference::odometry;
+  p.method = hidwa_local_planner::Method::paper;
   CommandWatch watch;
   // Between 0.2 and 0.3 m/s, 2.5 x 0.1 either way: -0.05 to 0.55; between 0 and 0 rad/s, 3.2 x 0.1: -0.32 to 0.32.
   watch.judge_acceleration(p, 0.1, {0.3, 0.0}, {0.2, 0.0}, {0.2, 0.0}, {0.55, 0.32});
@@ -303,7 +303,7 @@ TEST(CommandWatch, WithinReachOfWhatLiesBetweenLastCommandAndReadingWhereItStart
   EXPECT_EQ(watch.hard(), 4);
 }
 
-TEST(ContactWatch, ATouchAndTheSpeedAtWhichItWasMet) {
+TEST(ContactWatch, SeesATouch) {
   World world(3.0, 2.0, kSquare);
   world.set(40, 20, true);  // x from 2.00
   ContactWatch watch(world, {{}, 0.25});
@@ -314,8 +314,6 @@ TEST(ContactWatch, ATouchAndTheSpeedAtWhichItWasMet) {
   for (; x < 1.753; x += 0.1e-3) watch.observe(now++, {x, 1.02, 0.0}, {0.1, 0.0});
   ASSERT_TRUE(watch.touched());
   EXPECT_NEAR(watch.deepest_touch(), 0.003, 2e-4);
-  ASSERT_EQ(watch.meetings().size(), 1u);
-  EXPECT_NEAR(watch.meetings().front(), 0.4, 1e-12);
 }
 
 // Pushes a robot of 0.25 m forwards through a world, 0.1 m/s, a cycle each 50 ms.

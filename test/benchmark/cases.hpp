@@ -14,12 +14,6 @@ void register_cycles(const Effort& effort);
 /// naive_cycle/...: the same situations by naive_cycle().
 void register_naive_cycles(const Effort& effort);
 
-/// part/<part>/<candidates>/...: the parts of those cycles. sampling; rollout, of all candidates; obstacles,
-/// what cells mean to the robot; classes, of all poses; admissibility, of all candidates; geodesic and l1,
-/// the distance grids. A tile lives only while it is looked at: classes and admissibility include the
-/// rollout, and admissibility the classes.
-void register_parts(const Effort& effort);
-
 /// drive/office/alone|steered: whole drives through the office and back, without and with a person. The
 /// counter times_real_time is the simulated time over that by the wall clock.
 void register_drives(const Effort& effort);
@@ -28,8 +22,5 @@ void register_drives(const Effort& effort);
 /// omega from command to command of autonomy [rad/s]; deviation and excess, where the person's own command is rejected:
 /// the mean deviation of what is chosen instead, and its J above that with the finest samples.
 void register_samples(const Effort& effort);
-
-/// calibration/pose/<candidates>: the least that a pose can cost.
-void register_calibration(const Effort& effort);
 
 }  // namespace hidwa_local_planner::test

@@ -48,7 +48,7 @@ Course open_corridor(Random& random) {
   return course;
 }
 
-Course barn_course(const BarnWorld& world) {
+Course barn_course(const sim::BarnWorld& world) {
   Course course;
   for (const Point& centre : world.cylinders) {
     for (const double dx : {-0.05, 0.0, 0.05}) {

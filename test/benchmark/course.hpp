@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "benchmark/barn_worlds.hpp"
 #include "hidwa_local_planner/core/types.hpp"
+#include "sim/barn_world.hpp"
 #include "support/random.hpp"
 
 namespace hidwa_local_planner::test {
@@ -24,6 +24,6 @@ struct Course {
 Course open_corridor(Random& random);
 
 /// The field's reference path, from 2 m before the field to 3.5 m beyond it.
-Course barn_course(const BarnWorld& world);
+Course barn_course(const sim::BarnWorld& world);
 
 }  // namespace hidwa_local_planner::test

@@ -35,18 +35,11 @@ class CycleTimes {
   /// cycle takes, one counts allocations.
   template <typename Cycle>
   void measure(benchmark::State& state, const Effort& effort, std::size_t round, const Cycle& cycle) {
-    measure(
-        state, effort, round, [](std::size_t /*k*/) {}, cycle);
-  }
-  /// The same with before(k), not timed, before each cycle(k).
-  template <typename Before, typename Cycle>
-  void measure(benchmark::State& state, const Effort& effort, std::size_t round, const Before& before,
-               const Cycle& cycle) {
-    for (std::size_t k = 0; k < round; ++k) time(before, cycle, k);
-    count_allocations(round, before, cycle);
+    for (std::size_t k = 0; k < round; ++k) time(cycle, k);
+    count_allocations(round, cycle);
     const std::size_t count = worth(effort);
     while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(count))) {
-      for (std::size_t k = 0; k < count; ++k) time(before, cycle, k);
+      for (std::size_t k = 0; k < count; ++k) time(cycle, k);
     }
   }
 
@@ -54,20 +47,18 @@ class CycleTimes {
   void report(benchmark::State& state, std::size_t candidates, std::size_t poses) const;
 
  private:
-  template <typename Before, typename Cycle>
-  void time(const Before& before, const Cycle& cycle, std::size_t k) {
-    before(k);
+  template <typename Cycle>
+  void time(const Cycle& cycle, std::size_t k) {
     const Moment begin = Moment::now();
     cycle(k);
     const Moment end = Moment::now();
     wall_.push_back(end.wall - begin.wall);
     cpu_.push_back(end.cpu - begin.cpu);
   }
-  template <typename Before, typename Cycle>
-  void count_allocations(std::size_t round, const Before& before, const Cycle& cycle) {
+  template <typename Cycle>
+  void count_allocations(std::size_t round, const Cycle& cycle) {
     std::size_t count = 0;
     for (std::size_t k = 0; k < round; ++k) {
-      before(k);
       const AllocationCounter counter;
       cycle(k);
       count += counter.count();

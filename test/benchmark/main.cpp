@@ -29,8 +29,6 @@ int main(int argc, char** argv) {
   const Effort naive_cycles = quick ? Effort{64, 64, 60.0} : Effort{256, 64, 60.0};
   hidwa_local_planner::test::register_cycles(cycles);
   hidwa_local_planner::test::register_naive_cycles(naive_cycles);
-  hidwa_local_planner::test::register_parts(cycles);
-  hidwa_local_planner::test::register_calibration(cycles);
   hidwa_local_planner::test::register_drives(cycles);
   hidwa_local_planner::test::register_samples(cycles);
   if (benchmark::RunSpecifiedBenchmarks() == 0) return 1;  // nothing is named so

@@ -3,35 +3,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "benchmark/naive_footprint.hpp"
-#include "benchmark/naive_terms.hpp"
+#include "support/naive_critics.hpp"
 #include "support/naive_motion.hpp"
-#include "support/naive_planner.hpp"
 #include "support/naive_trail.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
 
-// From `start` at `reference` towards a sample, at the largest number of steps any candidate of its omega
-// needs.
-void roll_out(const Scene& scene, const Twist2& reference, double fastest, const Twist2& sample,
-              std::vector<Pose2>& poses) {
+// From the scene's pose at `reference` towards the candidate's velocity, at the largest number of steps any candidate
+// of its omega needs. `fastest`: of all candidates [m/s].
+void roll_out(const Scene& scene, const Twist2& reference, double fastest, NaiveCandidate& c) {
   const Parameters& p = scene.parameters;
   const double steps = std::ceil(std::max(
-      {1.0, fastest * p.sim_time / p.linear_granularity, std::abs(sample.omega) * p.sim_time / p.angular_granularity}));
-  const double dt = p.sim_time / steps;
+      {1.0, fastest * p.sim_time / p.linear_granularity, std::abs(c.u.omega) * p.sim_time / p.angular_granularity}));
+  c.dt = p.sim_time / steps;
   Twist2 now = reference;
   Pose2 q = scene.situation.pose;
-  poses.assign(1, q);
+  c.poses.assign(1, q);
   for (int k = 0; k < static_cast<int>(steps); ++k) {
-    const Twist2 next{naive_ramp_v(p, now.v, sample.v, dt), naive_ramp_omega(p, now.omega, sample.omega, dt)};
+    const Twist2 next{naive_ramp_v(p, now.v, c.u.v, c.dt), naive_ramp_omega(p, now.omega, c.u.omega, c.dt)};
     const double v = 0.5 * (now.v + next.v), omega = 0.5 * (now.omega + next.omega);
-    q.x += v * std::cos(q.theta + 0.5 * omega * dt) * dt;
-    q.y += v * std::sin(q.theta + 0.5 * omega * dt) * dt;
-    q.theta += omega * dt;
-    poses.push_back(q);
+    q.x += v * std::cos(q.theta + 0.5 * omega * c.dt) * c.dt;
+    q.y += v * std::sin(q.theta + 0.5 * omega * c.dt) * c.dt;
+    q.theta += omega * c.dt;
+    c.poses.push_back(q);
     now = next;
   }
 }
@@ -59,6 +58,8 @@ class Cycle {
       : scene_(scene),
         grid_(scene.grid()),
         robot_(grid_, body, scene.parameters.unknown_is_obstacle),
+        critics_(scene, body),
+        names_(split_names(scene.parameters.critics)),
         reference_(scene.situation.last_command),
         // One velocity for the latency: what is under way is the last command.
         under_way_(naive_outlook({scene.parameters, scene.situation.period, reference_}, 0.0,
@@ -84,16 +85,28 @@ class Cycle {
 
   void judge() {
     const std::vector<NaiveCandidate> candidates = naive_candidates(scene_, reference_);
-    const NaiveTerms terms(scene_);
     double fastest = 0.0;
     for (const NaiveCandidate& c : candidates) fastest = std::max(fastest, std::abs(c.u.v));
-    std::vector<Pose2> poses;
+    NaiveCandidate rolled;  // kept for its memory
     for (const NaiveCandidate& c : candidates) {
-      roll_out(scene_, reference_, fastest, c.u, poses);
-      if (!rollout_free(robot_, poses, grid_.resolution / 2)) continue;
+      rolled.u = c.u;
+      roll_out(scene_, reference_, fastest, rolled);
+      if (!rollout_free(robot_, rolled.poses, grid_.resolution / 2)) continue;
       if (!can_brake(c.u, false)) continue;
-      if (const std::optional<double> total = terms.total(c.u, poses)) legal_.push_back({c.u, *total});
+      if (const std::optional<double> total = total_of(rolled)) legal_.push_back({c.u, *total});
     }
+  }
+  // J of a rollout; nothing where a critic rejects it.
+  std::optional<double> total_of(const NaiveCandidate& c) const {
+    const Parameters& p = scene_.parameters;
+    const Twist2& wanted = scene_.intent.u_h;
+    double total = p.s_v * std::abs(wanted.v - c.u.v) + p.s_omega * std::abs(wanted.omega - c.u.omega);
+    for (const std::string& critic : names_) {
+      bool rejects = false;
+      total += NaiveCritics::weight(critic, p) * critics_.raw(critic, c, rejects);
+      if (rejects) return std::nullopt;
+    }
+    return total;
   }
   Twist2 command(const Twist2& sample) const {
     return naive_command(scene_.parameters, reference_, sample, scene_.situation.period);
@@ -119,6 +132,8 @@ class Cycle {
   const Scene& scene_;
   GridView grid_;
   NaiveFootprint robot_;
+  NaiveCritics critics_;  // with their distance grids
+  std::vector<std::string> names_;
   Twist2 reference_;
   NaiveOutlook under_way_;
   double keep_;  // the room that the robot has now [m]

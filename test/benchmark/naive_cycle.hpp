@@ -16,9 +16,9 @@ struct NaiveChoice {
   double total = 0.0;  // J
 };
 
-/// One candidate at a time, a sine and a cosine a pose, no sharing between candidates, every check left at
-/// its first answer. For the default profile, a robot that stands free and a plan on the map; the same choice
-/// as the planner's.
+/// One candidate at a time, a sine and a cosine a pose, no sharing between candidates, a check left at its first
+/// answer; critics and distance grids are the slow twins. For the default profile, a robot that stands free, a person
+/// who steers, and a plan on the map; the same choice as the planner's.
 std::optional<NaiveChoice> naive_cycle(const Scene& scene, const NaiveBody& body);
 
 }  // namespace hidwa_local_planner::test

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
+#include <string>
 #include <tuple>
 
-#include "benchmark/barn_worlds.hpp"
 #include "benchmark/course.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "support/naive_inflation.hpp"
@@ -94,9 +95,15 @@ bool could_stop(const Scene& scene) {
   });
 }
 
+// $HIDWA_DATA/barn/worlds.txt, or the same beside the source tree.
+std::string barn_worlds_file() {
+  const char* folder = std::getenv("HIDWA_DATA");
+  return std::string(folder != nullptr ? folder : HIDWA_DATA_DEFAULT) + "/barn/worlds.txt";
+}
+
 Course pick_course(Random& random, Ground ground) {
   if (ground == Ground::open) return open_corridor(random);
-  static const std::vector<BarnWorld> worlds = sim::load_barn_worlds(barn_worlds_file());
+  static const std::vector<sim::BarnWorld> worlds = sim::load_barn_worlds(barn_worlds_file());
   return barn_course(worlds[static_cast<std::size_t>(random.integer(0, static_cast<int>(worlds.size()) - 1))]);
 }
 

@@ -23,10 +23,9 @@ const std::string kBurger =
     "max_vel_x=0.22 max_vel_theta=2.75 acc_lim_x=2.5 acc_lim_theta=3.2 xy_goal_tolerance=0.05 yaw_goal_tolerance=0.17 "
     "sim_time=1.5 vx_samples=20 vth_samples=40 ";
 
-// `min_vel_theta` is what a user gets who takes a rotational minimum over by its name.
 const File kFiles[] = {
     {"TurtleBot 3 burger", 10.0, kBurger + "min_vel_x=-0.22"},
-    {"TurtleBot 3 burger, minima by the hints of old", 10.0, kBurger + "min_vel_x=0.11 min_vel_theta=1.37"},
+    {"TurtleBot 3 burger, minima by the hints of old", 10.0, kBurger + "min_vel_x=0.11 min_in_place_vel_theta=1.37"},
     {"TurtleBot 3 waffle_pi", 10.0,
      "max_vel_x=0.26 min_vel_x=-0.26 max_vel_theta=1.82 acc_lim_x=2.5 acc_lim_theta=3.2 xy_goal_tolerance=0.05 "
      "yaw_goal_tolerance=0.17 sim_time=2.0 vx_samples=20 vth_samples=40"},

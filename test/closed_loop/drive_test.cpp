@@ -70,7 +70,6 @@ TEST(ClosedLoop, PaperProfileArrives) {
   p.max_vel_x = 0.26;
   p.method = Method::paper;
   p.admissibility = Admissibility::horizon;
-  p.escape = p.turn_when_stuck = false;
   p.forward_prune_distance = 1.0;
   p.trans_stopped_velocity = p.rot_stopped_velocity = 0.25;
   arrives(setup);

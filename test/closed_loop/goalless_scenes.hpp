@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes that an operator meets without a goal, drawn at random; and the rule of Nav2's AssistedTeleop, to compare
-// with.
+// Scenes that an operator meets without a goal, drawn at random.
 #pragma once
 
 #include <string>
@@ -61,44 +60,5 @@ inline GoallessScene make_scene(const std::string& kind, int outline, Random& ra
   }
   return scene;
 }
-
-/// Nav2's AssistedTeleop as documented: the operator's command is projected for 1 s in steps of 0.1 s, without
-/// acceleration limits. Where a pose collides, the command is scaled by the share of that time that is free.
-class AssistedTeleop {
- public:
-  explicit AssistedTeleop(const GoallessScene& scene) : scene_(scene) {}
-  Twist2 operator()(const control::Observation& seen) const {
-    constexpr double kStep = 0.1, kProjected = 1.0;
-    Pose2 pose = seen.pose;
-    for (int k = 1; k * kStep <= kProjected + 1e-9; ++k) {
-      pose.theta += 0.5 * scene_.stick.omega * kStep;
-      pose.x += scene_.stick.v * kStep * std::cos(pose.theta);
-      pose.y += scene_.stick.v * kStep * std::sin(pose.theta);
-      pose.theta += 0.5 * scene_.stick.omega * kStep;
-      if (!collides(seen.costmap, pose)) continue;
-      const double share = k == 1 ? 0.0 : k * kStep / kProjected;
-      return {share * scene_.stick.v, share * scene_.stick.omega};
-    }
-    return scene_.stick;
-  }
-
- private:
-  // A corner or a side of the outline is in a lethal cell.
-  bool collides(const GridView& grid, const Pose2& pose) const {
-    const double c = std::cos(pose.theta), s = std::sin(pose.theta);
-    for (std::size_t i = 0; i < scene_.outline.size(); ++i) {
-      const Point a = scene_.outline[i], b = scene_.outline[(i + 1) % scene_.outline.size()];
-      const int parts = 1 + static_cast<int>((b - a).norm() / (0.5 * grid.resolution));
-      for (int k = 0; k < parts; ++k) {
-        const Point p = a + (b - a) * k / parts;
-        const Cell cell = grid.cell_at(pose.x + c * p.x() - s * p.y(), pose.y + s * p.x() + c * p.y());
-        if (!grid.contains(cell) || grid.at(cell) == cost::kLethal) return true;
-      }
-    }
-    return false;
-  }
-
-  const GoallessScene& scene_;
-};
 
 }  // namespace hidwa_local_planner::test

@@ -20,6 +20,7 @@
 #include "sim/diff_drive.hpp"
 #include "sim/laser.hpp"
 #include "support/drive_limits.hpp"
+#include "support/naive_gap.hpp"
 #include "support/random.hpp"
 #include "support/scan_world.hpp"
 
@@ -41,26 +42,19 @@ struct TrueWorld {
 
   /// A robot with this outline (robot frame) overlaps something.
   bool touches(const Polygon& outline, const Pose2& pose) const {
-    Polygon placed;
-    const double c = std::cos(pose.theta), s = std::sin(pose.theta);
-    for (const Point& p : outline) placed.emplace_back(pose.x + c * p.x() - s * p.y(), pose.y + s * p.x() + c * p.y());
+    const Polygon placed = naive_place(outline, pose);
     for (std::size_t i = 0; i < placed.size(); ++i) {
       const Wall side{placed[i], placed[(i + 1) % placed.size()]};
       for (const Wall& wall : walls) {
         if (crosses(side, wall)) return true;
       }
       for (const Post& post : posts) {
-        if (distance_to(side, post.centre) < post.radius) return true;
+        if (naive_to_segment(post.centre, side.a, side.b) < post.radius) return true;
       }
     }
     return false;
   }
 
-  static double distance_to(const Wall& side, const Point& p) {
-    const Point along = side.b - side.a;
-    const double t = std::clamp((p - side.a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
-    return (side.a + t * along - p).norm();
-  }
   static bool crosses(const Wall& p, const Wall& q) {
     const auto turn = [](const Point& a, const Point& b, const Point& c) {
       return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
@@ -168,7 +162,6 @@ class GoallessPlanner {
   }
   /// What rejected the operator command in the last cycle.
   const std::string& rejected_by() const { return rejected_by_; }
-  const control::ControlLoop& loop() const { return loop_; }
 
  private:
   const GoallessScene& scene_;

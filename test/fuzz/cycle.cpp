@@ -32,11 +32,8 @@ Parameters parameters_of(Input& input) {
   const unsigned choices = static_cast<unsigned>(input.integer(0, 65535));
   p.generator = (choices & 1U) != 0 ? Generator::dwa : Generator::standard;
   p.method = (choices & 2U) != 0 ? Method::paper : Method::hidwa;
-  p.velocity_reference = (choices & 4U) != 0 ? VelocityReference::odometry : VelocityReference::command;
   p.admissibility = (choices & 16U) != 0 ? Admissibility::horizon : Admissibility::braking;
-  p.escape = (choices & 64U) == 0;
   p.unknown_is_obstacle = (choices & 128U) == 0;
-  p.turn_when_stuck = (choices & 256U) == 0;
   p.moving_obstacles_clear_cells = (choices & 512U) == 0;
   if ((choices & 1024U) != 0) {
     p.critics =

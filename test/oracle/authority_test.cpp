@@ -7,8 +7,8 @@
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "support/naive_collision.hpp"
 #include "support/paper_scene.hpp"
+#include "support/planner_bench.hpp"
 #include "support/renewed_planner.hpp"
-#include "support/scene.hpp"
 
 namespace hidwa_local_planner::test {
 namespace {
@@ -78,10 +78,8 @@ TEST(Authority, TheBlendIsACandidate) {
   scene.situation.velocity = scene.situation.last_command = {0.5, 0.0};
   scene.parameters.authority = 0.5;
   scene.steer({0.5, 0.6137});
-  Planner planner(critics::built_in());
-  ASSERT_TRUE(planner.configure(scene.parameters).empty());
-  planner.set_footprint(scene.outline);
-  const Decision decision = planner.plan(scene.situation, scene.grid(), scene.intent);
+  PlannerBench bench(scene);
+  const Decision& decision = bench.cycle();
   // Straight on is autonomy's choice on a straight plan: u_ref = 0.5 (0.5, 0) + 0.5 (0.5, 0.6137).
   EXPECT_DOUBLE_EQ(decision.sample.v, 0.5);
   EXPECT_DOUBLE_EQ(decision.sample.omega, 0.30685);  // grid samples lie 2 / 19 = 0.105 rad/s apart
@@ -116,23 +114,11 @@ TEST(Authority, NoneIsAutonomyThroughoutADrive) {
   Scene steered = scene;
   steered.parameters.authority = 0.0;
   steered.steer({0.5, -1.0});
-  Planner alone(critics::built_in()), with_person(critics::built_in());
-  ASSERT_TRUE(alone.configure(scene.parameters).empty());
-  ASSERT_TRUE(with_person.configure(steered.parameters).empty());
-  alone.set_footprint(scene.outline);
-  with_person.set_footprint(scene.outline);
+  PlannerBench alone(scene), with_person(steered);
   for (int k = 0; k < 40; ++k) {
-    const Decision one = alone.plan(scene.situation, scene.grid(), scene.intent);
-    const Decision two = with_person.plan(steered.situation, steered.grid(), steered.intent);
+    const Decision &one = alone.drive(), &two = with_person.drive();
     ASSERT_TRUE(one.command == two.command) << k;
     ASSERT_EQ(one.outcome, two.outcome);
-    for (Scene* s : {&scene, &steered}) {
-      s->situation.velocity = s->situation.last_command = one.command;
-      s->situation.pose.theta += 0.05 * one.command.omega;
-      s->situation.pose.x += 0.05 * one.command.v * std::cos(s->situation.pose.theta);
-      s->situation.pose.y += 0.05 * one.command.v * std::sin(s->situation.pose.theta);
-      s->situation.time += 0.05;
-    }
   }
 }
 

@@ -11,18 +11,17 @@ import sys
 
 # What the innermost loops must hold: packed operations, without the v of AVX. In the clone for AVX2 on 256 bits.
 PACKED = {
-    'find_cells': ('subpd', 'mulpd', 'cvttpd2dq'),  # of CellClasses
+    'add_deviation': ('mulpd', 'addpd', 'andpd'),
+    'add_weighted': ('mulpd', 'addpd'),
+    'cells_of_points': ('subpd', 'mulpd', 'cvttpd2dq'),
+    'find_cells': ('subpd', 'mulpd', 'cvttpd2dq'),
     'gather': ('por',),
     'keep_smaller': ('pminsw',),
-    'keep_sure': ('pcmpeqd',),
-    'keep_sure_of_one': ('paddd', 'pcmpgtd', 'pcmpeqd'),
-    'kernel::find_cells': ('subpd', 'mulpd', 'cvttpd2dq'),
-    'kernel::ramp_rows': ('mulpd', 'addpd'),
-    'kernel::steady_rows': ('mulpd', 'addpd'),
-    'kernel::sum_up': ('mulpd', 'addpd', 'andpd'),
     'least_beyond': ('mulpd', 'addpd'),
     'least_inside': ('mulpd', 'subpd'),
     'least_of_rows': ('paddw', 'pminsw'),
+    'ramp_rows': ('mulpd', 'addpd'),
+    'steady_rows': ('mulpd', 'addpd'),
     'take_from': ('paddw', 'pminsw'),
     'critics::add_side': ('mulpd', 'addpd', 'subpd'),
 }
@@ -35,7 +34,7 @@ TARGET = re.compile(r'^(?P<to>[0-9a-f]+) <')
 
 
 def short(name):
-    """kernel::ramp_rows of hidwa_local_planner::kernel::(anonymous namespace)::ramp_rows(...)."""
+    """critics::add_side of hidwa_local_planner::critics::(anonymous namespace)::add_side(...)."""
     name = name.replace('(anonymous namespace)::', '').replace('hidwa_local_planner::', '')
     return name.split('(')[0].strip()
 

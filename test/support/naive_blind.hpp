@@ -28,7 +28,7 @@ inline std::vector<NaivePlace> naive_places(const NaiveBody& body) {
     }
     return places;
   }
-  const double left_round = naive_area(body.corners) < 0.0 ? -1.0 : 1.0;
+  const double left_round = naive_twice_area(body.corners) < 0.0 ? -1.0 : 1.0;
   for (std::size_t i = 0; i < body.corners.size(); ++i) {
     const Point from = body.corners[i], to = body.corners[(i + 1) % body.corners.size()], way = to - from;
     const int steps = static_cast<int>(std::ceil(way.norm() / 0.02));

@@ -19,15 +19,17 @@ struct NaiveBody {
   double radius = 0.0;  // [m]
 };
 
-inline double naive_area(const Polygon& p) {
+/// Above 0 where the corners go left round [m^2].
+inline double naive_twice_area(const Polygon& p) {
   double twice = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Point& a = p[i];
     const Point& b = p[(i + 1) % p.size()];
     twice += a.x() * b.y() - b.x() * a.y();
   }
-  return std::abs(twice) / 2.0;
+  return twice;
 }
+inline double naive_area(const Polygon& p) { return std::abs(naive_twice_area(p)) / 2.0; }
 
 /// Keeps what lies where inside(point) >= 0 (Sutherland and Hodgman 1974). `inside` is a signed distance.
 /// Where the polygon is not convex, parts stay joined by lines of no width, which add no area.

@@ -151,7 +151,8 @@ class NaiveCritics {
     return value == 253 || value == 254 || (value == 255 && scene_.parameters.unknown_is_obstacle);
   }
   double base_obstacle(const NaiveCandidate& c, bool& rejects) const {
-    const bool may_leave = scene_.parameters.escape && bad_centre(scene_.situation.pose.x, scene_.situation.pose.y);
+    const bool may_leave =
+        scene_.parameters.method == Method::hidwa && bad_centre(scene_.situation.pose.x, scene_.situation.pose.y);
     double last = 0.0;
     for (const Pose2& q : c.poses) {
       if (!may_leave && bad_centre(q.x, q.y)) rejects = true;
@@ -196,7 +197,7 @@ class NaiveCritics {
   double obstacle_footprint(const NaiveCandidate& c, bool& rejects) const {
     bool stands_in_one = false;
     outline_cost(scene_.situation.pose, stands_in_one);
-    const bool may_leave = scene_.parameters.escape && stands_in_one;
+    const bool may_leave = scene_.parameters.method == Method::hidwa && stands_in_one;
     double last = 0.0;
     for (const Pose2& q : c.poses) {
       bool hits = false;

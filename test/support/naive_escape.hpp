@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/naive_collision.hpp"
+#include "support/naive_gap.hpp"
 #include "support/naive_padding.hpp"
 #include "support/scene.hpp"
 
@@ -18,22 +19,18 @@ namespace hidwa_local_planner::test {
 /// How much the robot shares with a square: the root of an area, or for a disc a length [m].
 inline double naive_overlap_of(const NaiveBody& body, const Pose2& pose, double x, double y, double side) {
   if (body.radius <= 0.0) return std::sqrt(naive_shared_area(naive_place(body.corners, pose), x, y, side));
-  const double dx = pose.x - std::min(std::max(pose.x, x), x + side);
-  const double dy = pose.y - std::min(std::max(pose.y, y), y + side);
-  return std::max(0.0, body.radius - std::hypot(dx, dy));
+  return std::max(0.0, body.radius - naive_to_square(pose, x, y, side));
 }
 
 /// The shortest move that takes the robot out of the square [x, x + side] x [y, y + side] [m]; 0 where it shares no
 /// area. An outline that is not convex counts as its hull once it shares area.
 inline double naive_depth(const NaiveBody& body, const Pose2& pose, double x, double y, double side) {
-  const Polygon square{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+  const Polygon square = naive_square(x, y, side);
   if (body.radius > 0.0) {
     const Point centre(pose.x, pose.y);
     double nearest = INFINITY;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Point &a = square[k], &b = square[(k + 1) % 4];
-      const double t = std::min(std::max((centre - a).dot(b - a) / (b - a).squaredNorm(), 0.0), 1.0);
-      nearest = std::min(nearest, (centre - (a + t * (b - a))).norm());
+      nearest = std::min(nearest, naive_to_segment(centre, square[k], square[(k + 1) % 4]));
     }
     const bool within = pose.x > x && pose.x < x + side && pose.y > y && pose.y < y + side;
     return std::max(0.0, within ? body.radius + nearest : body.radius - nearest);
@@ -98,10 +95,7 @@ class NaiveEscape {
   double clearance(const Pose2& pose) const {
     double nearest = INFINITY;
     for (const auto& [cell, depth] : overlapped_) {
-      const double x = corner_x(cell.first), y = corner_y(cell.second);
-      const double dx = pose.x - std::min(std::max(pose.x, x), x + grid_.resolution);
-      const double dy = pose.y - std::min(std::max(pose.y, y), y + grid_.resolution);
-      nearest = std::min(nearest, std::hypot(dx, dy));
+      nearest = std::min(nearest, naive_to_square(pose, corner_x(cell.first), corner_y(cell.second), grid_.resolution));
     }
     return nearest;
   }

@@ -25,15 +25,12 @@ inline Polygon naive_square(double x, double y, double side) {
 
 /// The outer normals of the sides, each side beginning at the corner of its number.
 inline std::vector<Point> naive_normals(const Polygon& p) {
-  double twice = 0.0;
+  const double left_round = naive_twice_area(p) > 0.0 ? 1.0 : -1.0;
   std::vector<Point> normals;
   for (std::size_t k = 0; k < p.size(); ++k) {
-    const Point &a = p[k], &b = p[(k + 1) % p.size()];
-    const Point d = (b - a).normalized();
-    twice += a.x() * b.y() - b.x() * a.y();
-    normals.emplace_back(d.y(), -d.x());
+    const Point d = (p[(k + 1) % p.size()] - p[k]).normalized();
+    normals.emplace_back(left_round * d.y(), -left_round * d.x());
   }
-  for (Point& normal : normals) normal *= twice > 0.0 ? 1.0 : -1.0;
   return normals;
 }
 

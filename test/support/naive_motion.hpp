@@ -109,7 +109,7 @@ inline std::vector<double> naive_values(double lo, double hi, int count) {
 }
 
 inline double naive_dead_band(const Parameters& p, double v) {
-  return std::abs(v) < 0.01 ? p.min_in_place_vel_theta : p.min_vel_theta;
+  return std::abs(v) < 0.01 ? p.min_in_place_vel_theta : 0.0;
 }
 
 /// Driving forward, but more slowly than min_vel_x and than the window allows.

@@ -78,12 +78,8 @@ inline Polygon naive_moved(const Polygon& p, double padding, bool& folded) {
 /// Everything within `padding` [m] of the body. Corners in any order, an area; a dent that closes is filled.
 inline NaiveBody naive_padded(const NaiveBody& body, double padding) {
   if (body.radius > 0.0) return {{}, body.radius + padding};
-  double twice = 0.0;
-  for (std::size_t i = 0; i < body.corners.size(); ++i) {
-    const Point &a = body.corners[i], &b = body.corners[(i + 1) % body.corners.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  const Polygon left = twice > 0.0 ? body.corners : Polygon(body.corners.rbegin(), body.corners.rend());
+  const bool left_round = naive_twice_area(body.corners) > 0.0;
+  const Polygon left = left_round ? body.corners : Polygon(body.corners.rbegin(), body.corners.rend());
   bool folded = false;
   const Polygon moved = naive_moved(left, padding, folded);
   if (padding == 0.0) return body;

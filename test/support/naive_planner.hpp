@@ -58,7 +58,7 @@ class NaivePlanner {
     stands_in_collision_ = collides(scene_.situation.pose);
     Scene slow = scene_;
     if (stands_in_collision_) {
-      if (!scene_.parameters.escape) return;
+      if (scene_.parameters.method == Method::paper) return;
       slow_down(slow.parameters);
       find_clusters(slow.parameters);
       if (!clusters_->overlaps()) slow = scene_;  // only its centre's cell is inscribed
@@ -190,6 +190,13 @@ class NaivePlanner {
     return false;
   }
 
+  // Between two poses it may go deeper for so short a time that a look at nearby poses decides: doubtful.
+  bool goes_deeper(const Twist2& sample) {
+    if (sinks(sample, grid_.resolution / 8)) return true;
+    if (sinks(sample, grid_.resolution / 128)) doubtful_ = true;
+    return false;
+  }
+
   bool collides(const Pose2& q) {
     const double overlap = naive_overlap(grid_, body_, q, scene_.parameters.unknown_is_obstacle);
     if (overlap > 0.0 && overlap < kDoubtfulOverlap) doubtful_ = true;
@@ -288,7 +295,7 @@ class NaivePlanner {
     const Parameters& p = scene_.parameters;
     if ((escapes() && (!slow_enough(c.u) || !leads_out(c))) || rollout_collides(c)) {
       c.rejected_by = "Collision";
-    } else if (cannot_brake(c.u, false) || (escapes() && sinks(c.u, grid_.resolution / 8))) {
+    } else if (cannot_brake(c.u, false) || (escapes() && goes_deeper(c.u))) {
       c.rejected_by = "Braking";
     } else if (blind_.too_fast(c.u)) {
       c.rejected_by = "Blind";

@@ -83,7 +83,7 @@ class NaiveHistory {
     }
     if (axis == &Twist2::v) return all;
     // Inside its dead band a robot stands though it is told to turn.
-    const double dead_band = std::max(p_.min_vel_theta, p_.min_in_place_vel_theta);
+    const double dead_band = p_.min_in_place_vel_theta;
     all.tolerance = 0.5 + (std::abs(last.omega) <= dead_band ? std::abs(last.omega) : 0.0);
     return all;
   }
@@ -218,7 +218,7 @@ class NaiveReference {
         doubted_ = true;
       }
       go_otherwise(axis, measured, held);
-    } else if (p_.velocity_reference == VelocityReference::odometry) {
+    } else if (p_.method == Method::paper) {
       // No start is beyond both the limits and the last command.
       const double highest = is_v ? p_.max_vel_x : p_.max_vel_theta,
                    lowest = is_v ? std::min(0.0, p_.min_vel_x) : -p_.max_vel_theta;

@@ -23,9 +23,6 @@ inline Parameters paper_parameters() {
   p.vth_samples = 20;
   p.comfort_acc_lim_theta = 0.0;
   p.admissibility = Admissibility::horizon;
-  p.escape = false;
-  p.turn_when_stuck = false;
-  p.velocity_reference = VelocityReference::odometry;
   p.forward_prune_distance = 1.0;
   return p;
 }

@@ -107,7 +107,6 @@ inline void randomise_robot(Random& random, Parameters& p) {
   }
   p.footprint_padding = random.chance(0.3) ? random.uniform(0.005, 0.03) : 0.0;
   if (random.chance(0.15)) {
-    p.min_vel_theta = random.uniform(0.02, 0.1);
     p.min_in_place_vel_theta = random.uniform(0.1, 0.4);
   }
 }
@@ -121,9 +120,7 @@ inline void randomise_search(Random& random, Parameters& p) {
   if (random.chance(0.1)) p.vx_samples = p.vth_samples = 20;
   p.linear_granularity = random.uniform(0.04, 0.1);
   p.angular_granularity = random.uniform(0.025, 0.1);
-  p.velocity_reference = random.chance(0.7) ? VelocityReference::command : VelocityReference::odometry;
   p.control_latency = random.chance(0.3) ? 0.0 : random.uniform(0.02, 0.3);
-  p.escape = random.chance(0.8);
   p.unknown_is_obstacle = random.chance(0.7);
 }
 
@@ -164,7 +161,7 @@ inline void randomise_motion(Random& random, Scene& scene) {
   s.velocity = s.last_command;
   s.velocity.v += random.uniform(-0.05, 0.05);
   s.velocity.omega += random.uniform(-0.1, 0.1);
-  if (p.velocity_reference == VelocityReference::odometry) s.velocity = random_velocity(random, p);
+  if (p.method == Method::paper) s.velocity = random_velocity(random, p);
   s.time = random.uniform(0.0, 100.0);
   if (random.chance(0.75)) {
     scene.steer({random.chance(0.7) ? p.max_vel_x : random.uniform(-0.2, 1.2), random.uniform(-2.0, 2.0)});

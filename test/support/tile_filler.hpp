@@ -51,7 +51,7 @@ class TileFiller {
       for (std::size_t c = 0; c < tile.count; ++c) reach = std::max(reach, distance(start, tile.pose(k, c)));
     }
     if (reach > reach_ || distance(start, centre_) > 0.0) look_around(start, 1.5 * reach + 0.5);
-    tile.cells = classes_.under(tile);
+    tile.cells = classes_.under(checker_, tile);
     tile.surroundings = &surroundings_;
   }
 
@@ -59,7 +59,6 @@ class TileFiller {
   void look_around(const Pose2& centre, double reach) {
     const bool unknown = scene_->parameters.unknown_is_obstacle;
     checker_.prepare(grid_, footprint_, unknown, centre, reach, grid_.resolution, 2.0 * grid_.resolution);
-    classes_.prepare(checker_, grid_, unknown, centre, reach);
     centre_ = centre;
     reach_ = reach;
   }

@@ -21,9 +21,8 @@ constexpr const char* kHelp =
     "where there is none?\n"
     "  [--scenes N] [--first-seed N] [--kinds NAME[,NAME...]] [--barn FILE] [--map FILE.yaml]... [--jobs N] [--out "
     "DIR]\n"
-    "                   5,000 scenes of all kinds, BARN worlds and gaps of maps among them; summary.json, scenes.csv "
-    "and\n"
-    "                   table.txt go to DIR\n"
+    "                   5,000 scenes of all kinds, BARN worlds and gaps of maps among them; scenes.csv and table.txt "
+    "go to DIR\n"
     "  --scene KIND --seed N [--trace FILE.csv] [--picture FILE.svg]\n"
     "                   one scene alone: what happened each cycle; map, plan, way found and way driven\n"
     "  --list           the kinds of scenes\n"
@@ -68,14 +67,14 @@ int all_scenes(const std::vector<Kind>& kinds, const Arguments& arguments) {
   });
   const std::vector<Summary> summaries = summaries_of(results);
   const std::string lines = failures(results);
-  std::printf("%s", table(summaries).c_str());
-  if (!lines.empty()) std::printf("\nnot as asked; each alone: hidwa_ways and\n%s", lines.c_str());
+  const std::string told =
+      table(summaries) + (lines.empty() ? "" : "\nnot as asked; each alone: hidwa_ways and\n" + lines);
+  std::printf("%s", told.c_str());
   if (arguments.has("--out")) {
     const std::string out = arguments.text("--out");
     std::filesystem::create_directories(out);
-    write_file(out + "/summary.json", as_json(summaries, results));
     write_file(out + "/scenes.csv", scenes_csv(results));
-    write_file(out + "/table.txt", table(summaries));
+    write_file(out + "/table.txt", told);
   }
   return summaries.back().held() ? 0 : 1;
 }

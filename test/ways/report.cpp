@@ -11,15 +11,6 @@ using hidwa_local_planner::format;
 // "97.3 %" of those; "-" where there are none.
 std::string share(int part, int whole) { return whole == 0 ? "-" : format("%.1f %%", 100.0 * part / whole); }
 
-std::string object(const Summary& s) {
-  return format("{\"kind\": \"%s\", \"body\": \"%s\", \"held\": %s, \"scenes\": %d, \"sure\": %d, \"nearer\": %d, ",
-                s.kind.c_str(), s.body.c_str(), s.held() ? "true" : "false", s.scenes, s.sure, s.nearer) +
-         format("\"through\": %d, \"unverified\": %d, \"none\": %d, \"failed\": %d, \"none_through\": %d, ", s.through,
-                s.unverified, s.none, s.failed, s.none_through) +
-         format("\"open\": %d, \"open_through\": %d, \"contacts\": %d, \"worst_mm\": %.4f, \"worst_cycle_ms\": %.3f}",
-                s.open, s.open_through, s.contacts, 1e3 * s.worst_depth, 1e3 * s.worst_cycle);
-}
-
 std::string quoted(const std::string& words) {
   std::string line = "\"";
   for (const char c : words) line += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
@@ -57,20 +48,6 @@ std::string failures(const std::vector<Result>& results) {
     if (!r.good()) lines += "  " + r.repeat + "   # " + in_words(r) + "\n";
   }
   return lines;
-}
-
-std::string as_json(const std::vector<Summary>& summaries, const std::vector<Result>& results) {
-  std::string lines = "{\"summaries\": [\n";
-  for (std::size_t k = 0; k < summaries.size(); ++k)
-    lines += "  " + object(summaries[k]) + (k + 1 < summaries.size() ? ",\n" : "\n");
-  lines += "], \"failures\": [";
-  const char* between = "\n";
-  for (const Result& r : results) {
-    if (r.good()) continue;
-    lines += between + ("  {\"repeat\": " + quoted(r.repeat) + ", \"what\": " + quoted(in_words(r)) + "}");
-    between = ",\n";
-  }
-  return lines + "\n]}\n";
 }
 
 std::string scenes_csv(const std::vector<Result>& results) {

@@ -9,12 +9,10 @@
 namespace hidwa_ways {
 
 std::string table(const std::vector<Summary>& summaries);
-/// An object of all summaries, and the arguments that repeat each scene which was not as asked.
-std::string as_json(const std::vector<Summary>& summaries, const std::vector<Result>& results);
 std::string scenes_csv(const std::vector<Result>& results);
 /// What became of one scene, in words.
 std::string in_words(const Result& result);
-/// A line for each scene that was not as asked.
+/// A line for each scene that was not as asked, with the arguments that repeat it.
 std::string failures(const std::vector<Result>& results);
 
 }  // namespace hidwa_ways

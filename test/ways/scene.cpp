@@ -106,8 +106,9 @@ const std::vector<Kind>& drawn_kinds() {
 }
 
 Kind barn_kind(const std::string& file) {
-  const auto fields = std::make_shared<const std::vector<BarnField>>(read_barn_fields(file));
-  return {"barn", [fields](const Measure& measure, Random& random) { return barn(*fields, measure, random); }, true,
+  namespace sim = hidwa_local_planner::sim;
+  const auto worlds = std::make_shared<const std::vector<sim::BarnWorld>>(sim::load_barn_worlds(file));
+  return {"barn", [worlds](const Measure& measure, Random& random) { return barn(*worlds, measure, random); }, true,
           "--barn " + file};
 }
 

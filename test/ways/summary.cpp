@@ -8,7 +8,6 @@ namespace hidwa_ways {
 void Summary::add(const Result& result) {
   ++scenes;
   contacts += result.touched ? 1 : 0;
-  worst_depth = std::max(worst_depth, result.depth);
   worst_cycle = std::max(worst_cycle, result.worst_cycle);
   switch (result.answer) {
     case Class::sure:

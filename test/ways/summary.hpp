@@ -16,7 +16,6 @@ struct Summary {
   int none = 0, failed = 0, none_through = 0;  // without a way: said so in time; got through nevertheless
   int open = 0, open_through = 0;
   int contacts = 0;
-  double worst_depth = 0.0;  // [m]
   double worst_cycle = 0.0;  // [s]
 
   void add(const Result& result);

@@ -124,9 +124,6 @@ class Critic {
   /// Takes its parameters and returns its weight; 0 turns it off, rejections included. With values that it cannot work
   /// with it throws a std::exception: the set of parameters is not taken, and what() is logged.
   virtual double configure(const Parameters& parameters, const ParameterSource& own) = 0;
-  /// The farthest point ahead of a candidate's last pose that the critic asks about [m]. The planner measures all
-  /// distances up to there at once. A critic may ask farther away, too; that takes longer.
-  virtual double reach() const { return 0.0; }
   /// Once a cycle, before any score: what all candidates share.
   virtual void prepare(const CycleView& /*cycle*/) {}
   /// Sets the raw score of the candidates of a tile, or rejects them. Adds weight * raw score to the total.

@@ -12,7 +12,6 @@ namespace hidwa_local_planner {
 // The order of the enumerators is the order of the names in parameter_list.inc.
 enum class Method { hidwa, paper };
 enum class Generator { standard, dwa };
-enum class VelocityReference { command, odometry };
 enum class Admissibility { braking, horizon };
 enum class Occlusion { off, cost, bound };
 enum class OperatorMode { off, joystick, gesture, switching };

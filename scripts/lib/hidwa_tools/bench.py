@@ -141,9 +141,7 @@ def parse(arguments):
         'straightforward cycle that chooses the same (naive_cycle), and which bounds are met.',
         epilog='cases: cycle/CANDIDATES/CELLS/circle|polygon/open|tight, cycle_cached/... (one situation again and again),\n'
         'cycle_watched/... (collisions of all candidates, as for subscribers), naive_cycle/...,\n'
-        'part/sampling|rollout|obstacles|classes|admissibility|geodesic|l1/... (parts of those cycles; classes and\n'
-        'admissibility include the rollout), calibration/pose/CANDIDATES (the least a pose can cost), and whole drives in\n'
-        'simulated time: drive/office/alone|steered. samples/VxOMEGA: what so many samples buy.\n'
+        'and whole drives in simulated time: drive/office/alone|steered. samples/VxOMEGA: what so many samples buy.\n'
         'p50 and p99 are of single cycles by the wall clock; "cpu" are the same by the thread\'s own time, which others on\n'
         'the machine do not lengthen: by it ns/pose and ratios are made. A missed bound does not change the exit status.\n'
         'exit status: 0 everything ran; 2 something did not\n'

@@ -24,6 +24,7 @@ void Autonomy::reset() {
   forget();
   trapped_.reset();
   unturned_.reset();
+  end_evasion();
 }
 
 void Autonomy::interrupt() {
@@ -81,7 +82,7 @@ void Autonomy::judge_collision(const Cycle& cycle, bool trapped, Conclusion& con
 
 // Who stands for moving obstacles is not stuck, for some time.
 bool Autonomy::yields(const Driven& driven, double now) const {
-  return driven.yields && stall_.standing_time(now) < MoverWait::kLongest;
+  return driven.yields && stall_.standing_time(now) < Recovery::kLongestWait;
 }
 
 // True when the critics must forget.
@@ -93,7 +94,7 @@ bool Autonomy::observe(const Cycle& cycle, bool autonomous, const Driven& driven
   motion.creeps = conclusion.outcome == Outcome::drive && conclusion.sample.v == 0.0 &&
                   std::abs(conclusion.sample.omega) < kCreeping * cycle.start.limits.theta.max;
   motion.yields = driven.yields;
-  if (!autonomous || !p.turn_when_stuck) {
+  if (!autonomous || p.method == Method::paper) {
     stall_.observe_rest(autonomous && motion.stands, now);
     escape_.reset();
     recovery_.reset();
@@ -133,7 +134,7 @@ bool Autonomy::judge_last_turn(const Cycle& cycle, bool steered, Conclusion& con
   const bool forget = long_enough && !unturned_reset_;
   unturned_reset_ = long_enough;
   if (unturned_.time(situation.time) <= p.stall_time || recovery_.leads_to_goal()) return forget;
-  if (p.turn_when_stuck) {
+  if (p.method == Method::hidwa) {
     recovery_.begin_at_goal(situation.time);
   } else {
     fail_if_stopped(cycle, Problem::stuck, kTurnStuck, conclusion);

@@ -13,7 +13,7 @@
 // 3. The last turn: at the goal's position only a turn is left. Where a critic forbids its direction (one that the
 //    operator had the robot turn from, for example), the other one is longer, and standing still is cheaper for ever.
 //    After half of stall_time the critics forget. After all of it the outline cannot turn there, and Recovery leads
-//    to the goal's pose by another way; with turn_when_stuck off the cycle fails.
+//    to the goal's pose by another way; with method: paper the cycle fails.
 //
 // Why it is safe: commit() changes the outcome to failing or braking, and resets critics. It makes no command.
 #pragma once
@@ -38,7 +38,6 @@ class Autonomy {
   const EscapeTurn& escape() const { return escape_; }
   const Recovery& recovery() const { return recovery_; }
   Evasion& evasion() { return evasion_; }
-  const Evasion& evasion() const { return evasion_; }
   /// Escape or recovery may decide what is driven: all candidates must be checked.
   bool active() const { return escape_.active() || recovery_.active(); }
   /// Nobody steers, and more is left than to turn at the goal.
@@ -71,10 +70,9 @@ class Autonomy {
   /// A cycle without: there is nothing to evade.
   void end_evasion() { evasion_.commit({}); }
 
-  /// Without evasion_: Planner::save() writes it, and only if there is anything in it.
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.stall_, self.escape_, self.recovery_, self.trapped_, self.unturned_, self.unturned_reset_);
+    io(self.stall_, self.escape_, self.recovery_, self.trapped_, self.unturned_, self.unturned_reset_, self.evasion_);
   }
 
  private:

@@ -38,8 +38,6 @@ class Evasion {
   /// Once a cycle: what it had the robot do, if anything. To go on it asks for less than to begin.
   void commit(const Step& step);
 
-  /// What it remembers: written only where there is anything.
-  bool goes_on() const { return goes_on_; }
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
     io(self.goes_on_, self.motion_);

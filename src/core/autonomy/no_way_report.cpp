@@ -20,18 +20,16 @@ void NoWayReport::tell(const char* what) {
   problem_ = what;
 }
 
-void NoWayReport::note_ahead(const char* what, const WaySearch::End& end, const Pose2& start) {
-  describe(what, end, noted_);
-  noted_at_ = start;
-}
-
-void NoWayReport::tell_noted() {
-  if (problem_.empty()) problem_ = noted_;
-  noted_.clear();
-}
-
-void NoWayReport::forget_noted_far_from(const Pose2& pose) {
-  if (distance(noted_at_, pose) >= WayFinder::kSamePlace) noted_.clear();
+void NoWayReport::tell(const char* what, const WaySearch::End& end) {
+  std::array<char, kLongestText> said{};
+  if (end.obstacle_known) {
+    std::snprintf(said.data(), said.size(),
+                  "%s: no farther than (%.2f, %.2f); nearest %s there %.3f m away, at (%.2f, %.2f)", what, end.pose.x,
+                  end.pose.y, end.unknown ? "unknown cell" : "obstacle", end.gap, end.obstacle.x(), end.obstacle.y());
+  } else {
+    std::snprintf(said.data(), said.size(), "%s: no farther than (%.2f, %.2f)", what, end.pose.x, end.pose.y);
+  }
+  tell(said.data());
 }
 
 bool NoWayReport::tells_late(bool long_search, const Pose2& start, double now) {
@@ -43,19 +41,6 @@ bool NoWayReport::tells_late(bool long_search, const Pose2& start, double now) {
     told_at_ = start;
   }
   return told_late_;
-}
-
-void NoWayReport::describe(const char* what, const WaySearch::End& end, std::string& text) {
-  std::array<char, kLongestText> said{};
-  if (end.obstacle_known) {
-    std::snprintf(said.data(), said.size(),
-                  "%s: no farther than (%.2f, %.2f); nearest %s there %.3f m away, at (%.2f, %.2f)", what, end.pose.x,
-                  end.pose.y, end.unknown ? "unknown cell" : "obstacle", end.gap, end.obstacle.x(), end.obstacle.y());
-  } else {
-    std::snprintf(said.data(), said.size(), "%s: no farther than (%.2f, %.2f)", what, end.pose.x, end.pose.y);
-  }
-  text.reserve(kLongestText);
-  text = said.data();
 }
 
 }  // namespace hidwa_local_planner

@@ -14,15 +14,8 @@ class NoWayReport {
   const std::string& problem() const { return problem_; }
   void clear() { problem_.clear(); }
   /// From now on this is told. `end`: where the search came to.
-  void tell(const char* what, const WaySearch::End& end) { describe(what, end, problem_); }
+  void tell(const char* what, const WaySearch::End& end);
   void tell(const char* what);
-
-  /// A search ahead of the robot found no way from `start`: it is told as soon as the robot stands there.
-  void note_ahead(const char* what, const WaySearch::End& end, const Pose2& start);
-  void tell_noted();
-  void forget_noted() { noted_.clear(); }
-  /// The robot is at `pose`: what was noted far from there holds no more.
-  void forget_noted_far_from(const Pose2& pose);
 
   /// That a search takes long is told in one cycle, and again only elsewhere or after 20 s: a host that plans anew
   /// each time, and begins afresh then, would be told again and again. `long_search`: the search takes long now, from
@@ -33,15 +26,11 @@ class NoWayReport {
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.problem_, self.noted_, self.noted_at_, self.told_late_, self.told_at_time_, self.told_at_);
+    io(self.problem_, self.told_late_, self.told_at_time_, self.told_at_);
   }
 
  private:
-  static void describe(const char* what, const WaySearch::End& end, std::string& text);
-
   std::string problem_;
-  std::string noted_;
-  Pose2 noted_at_;
   bool told_late_ = false;      // in the last cycle
   double told_at_time_ = -1e9;  // the last time [s]
   Pose2 told_at_;

@@ -27,7 +27,7 @@ constexpr const char* kNoWay = "no way for this outline through the local map";
 constexpr const char* kLate = "no way was found in time through the local map";
 constexpr const char* kNoMemory = "no way was found through the local map, and the memory for more is used up";
 constexpr const char* kBlocked = "what moves has blocked the only way for 30 s";
-static_assert(MoverWait::kLongest == 30.0, "the text says so");
+static_assert(Recovery::kLongestWait == 30.0, "the text says so");
 
 int rest(Evaluation& evaluated) {
   return least_legal(evaluated, [](const Tile& tile, std::size_t c) {
@@ -39,7 +39,6 @@ int rest(Evaluation& evaluated) {
 
 void Recovery::reset() {
   enter(Phase::idle, 0.0);
-  report_.forget_noted();
   follower_.note_tight(false);
   back_.reset();
 }
@@ -69,7 +68,7 @@ void Recovery::interrupt(double now) {
 }
 
 bool Recovery::waiting() const {
-  return report_.problem().empty() && wait_.waits() && (phase_ == Phase::waits || phase_ == Phase::searches);
+  return report_.problem().empty() && wait_.holds() && (phase_ == Phase::waits || phase_ == Phase::searches);
 }
 
 bool Recovery::undecided() const {
@@ -102,7 +101,6 @@ void Recovery::commit(const Step& step, StallWatch& stall, double now) {
 void Recovery::observe(const Cycle& cycle, bool stands, bool tight) {
   follower_.note_tight(tight);
   back_.observe(cycle.start.pose, blocked_by_movers(cycle, stands), cycle.situation.time);
-  report_.forget_noted_far_from(cycle.start.pose);
 }
 
 void Recovery::advance(const Cycle& cycle, const StallWatch& stall, const Outlook& outlook) {
@@ -132,7 +130,6 @@ void Recovery::change_phase(const Cycle& cycle, const StallWatch& stall, const O
   const bool found_out = phase_ != Phase::follows && finder_.searching() && finder_.began_near(cycle.start.pose);
   if (settled && found_out && phase_ != Phase::searches) {
     phase_ = Phase::searches;  // without enter(): the time of this search counts from its beginning
-    report_.tell_noted();
   } else if (settled && (ordinary || phase_ == Phase::stops || again)) {
     begin_search(cycle, Phase::searches, cycle.start.pose);
   } else if (phase_ == Phase::idle && outlook.tight && elapsed(searched_ahead_, kSearchPause, now)) {
@@ -144,7 +141,7 @@ void Recovery::change_phase(const Cycle& cycle, const StallWatch& stall, const O
 // No way leads on, and a moving obstacle is at the plan ahead.
 bool Recovery::blocked_by_movers(const Cycle& cycle, bool stands) const {
   if (!stands || goes_back_ || (phase_ != Phase::waits && phase_ != Phase::searches)) return false;
-  if (wait_.waits()) return true;
+  if (wait_.holds()) return true;
   if (report_.problem().empty()) return false;
   const std::vector<Pose2>& plan = cycle.situation.plan;
   double along = 0.0;
@@ -175,7 +172,6 @@ WayFinder::Target Recovery::target() const {
 
 void Recovery::begin_search(const Cycle& cycle, Phase phase, const Pose2& start) {
   enter(phase, cycle.situation.time);
-  if (phase == Phase::searches) report_.tell_noted();
   finder_.begin(cycle, start, target(), back_);
 }
 
@@ -193,17 +189,12 @@ bool Recovery::searches_in_vain(const Cycle& cycle, bool stands) {
 }
 
 void Recovery::follow_way(double now, bool while_driving) {
-  report_.forget_noted();
   enter(Phase::follows, now);
   follower_.begin(now, while_driving);
 }
 
 void Recovery::look_ahead(const Cycle& cycle, bool stands) {
-  if (!searches_in_vain(cycle, stands)) return;
-  if (finder_.state() == WaySearch::State::no_way && !finder_.with_movers()) {
-    report_.note_ahead(kNoWay, finder_.end(), finder_.start());
-  }
-  enter(Phase::idle, cycle.situation.time);
+  if (searches_in_vain(cycle, stands)) enter(Phase::idle, cycle.situation.time);
 }
 
 // Where no way leads back the robot waits on.
@@ -216,7 +207,7 @@ void Recovery::search_back(const Cycle& cycle, bool stands) {
 void Recovery::search(const Cycle& cycle, bool may_follow) {
   const double now = cycle.situation.time;
   const bool found = !follower_.way().empty();
-  const bool long_search = now - since_ >= kPromptSearch && !finder_.with_movers() && !wait_.waits();
+  const bool long_search = now - since_ >= kPromptSearch && !finder_.with_movers() && !wait_.holds();
   switch (found ? WaySearch::State::found : finder_.run(cycle, follower_.way())) {
     case WaySearch::State::found:
       follow_found_way(cycle, may_follow);
@@ -280,9 +271,9 @@ void Recovery::fail(double now, const char* why) {
 }
 
 void Recovery::wait_for_movers(double now) {
-  wait_.begin(now);
+  wait_.observe(now, true);
   enter(Phase::waits, now);
-  report_.tell(wait_.over(now) ? kBlocked : "");
+  report_.tell(wait_.for_at_least(kLongestWait, now) ? kBlocked : "");
 }
 
 }  // namespace hidwa_local_planner

@@ -8,7 +8,7 @@
 //   searches     The robot rests. A way that is found is followed once its patience is over.
 //   follows      The way (WayFollower). At its end the phase is idle; where the robot stalls, stops.
 //   waits        There is no way. The cycle fails and says why, and the robot searches again after two seconds. Where
-//                only moving obstacles block the way, it waits for them instead (MoverWait), and the cheapest candidate
+//                only moving obstacles block the way, it waits for them instead, for 30 s, and the cheapest candidate
 //                may move up to them: people who give way to robots see that it wants to pass. Who waits may be waiting
 //                for the robot: after step_back_after it goes back where it has come from (StepBack).
 //
@@ -20,18 +20,21 @@
 
 #include <cstdint>
 
-#include "core/autonomy/mover_wait.hpp"
 #include "core/autonomy/no_way_report.hpp"
 #include "core/autonomy/proposal.hpp"
 #include "core/autonomy/stall_watch.hpp"
 #include "core/autonomy/step_back.hpp"
 #include "core/autonomy/way_finder.hpp"
 #include "core/autonomy/way_follower.hpp"
+#include "hidwa_local_planner/core/util/condition_timer.hpp"
 
 namespace hidwa_local_planner {
 
 class Recovery {
  public:
+  /// It waits no longer for moving obstacles that alone block the way [s].
+  static constexpr double kLongestWait = 30.0;
+
   void reserve() { finder_.reserve(); }
   void reset();
   /// The robot rests at the goal's position and cannot turn there: it searches a way to the goal's pose. `now` [s].
@@ -110,8 +113,8 @@ class Recovery {
   double renewed_ = 0.0;         // the last search for a better way began [s]
   WayFinder finder_;
   WayFollower follower_;
-  Way other_;  // that may take the place of the one that is followed; of this cycle alone
-  MoverWait wait_;
+  Way other_;            // that may take the place of the one that is followed; of this cycle alone
+  ConditionTimer wait_;  // moving obstacles alone block the way
   StepBack back_;
   NoWayReport report_;
 };

@@ -35,7 +35,6 @@ class WayFinder {
   WaySearch::State run(const Cycle& cycle, Way& way);
 
   bool searching() const { return search_.state() == WaySearch::State::searching; }
-  WaySearch::State state() const { return search_.state(); }
   /// The search under way began near to `pose`, so that what it finds holds there.
   bool began_near(const Pose2& pose) const { return distance(start(), pose) < kSamePlace; }
   const Pose2& start() const { return search_.task().start; }

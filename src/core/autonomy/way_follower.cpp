@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/autonomy/least_legal.hpp"
-#include "core/autonomy/way_room.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -112,7 +111,7 @@ WayFollower::Step WayFollower::propose(const Cycle& cycle, Evaluation& evaluated
 
 WayFollower::PoseOnWay WayFollower::pose_on_way(const Cycle& cycle, const CollisionChecker& collision) const {
   const Pose2& pose = cycle.start.pose;
-  const double room = room_ahead(way_, progress_.part, collision, cycle.grid.resolution);
+  const double room = way_.room_ahead(progress_.part, collision, cycle.grid.resolution);
   const std::size_t end = way_.end_of_parts(pose, progress_.part, kWayAhead, std::max(room, kNearTurn));
   return {way_.nearest(pose, progress_.part, end, room), end, room};
 }

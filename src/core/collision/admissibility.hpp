@@ -40,8 +40,8 @@ class AdmissibilityCheck {
   /// Nothing that moves is near, and nobody may come out: can_rest() and rests_before_hidden() need not be called.
   bool all_can_rest() const { return setup_.movers == nullptr && setup_.hidden == nullptr; }
   /// Whether the robot can come to rest in free space after the first command towards a sample, however the base
-  /// reaches its commands: poses at most half a cell apart. `column`: of the sample among those of its omega.
-  bool can_brake(const Twist2& sample, std::size_t column) { return braking_.can_brake(sample, column); }
+  /// reaches its commands: poses at most half a cell apart.
+  bool can_brake(const Twist2& sample) { return braking_.can_brake(sample); }
   /// Whether the robot can come to rest, likewise, before anything that moves can touch it.
   bool can_rest(const Twist2& sample) {
     return setup_.movers == nullptr || setup_.movers->can_rest(braking_.command_for(sample));

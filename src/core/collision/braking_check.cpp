@@ -15,9 +15,6 @@ constexpr double kFineDepthSpacing = 1.0 / 128.0;
 // They are so many at most: a robot that spins, and takes a minute to stop, would be looked at without end.
 constexpr double kMostDepthPoses = 2048.0;
 
-// Columns of samples that room is made for at once.
-constexpr std::size_t kUsualColumns = 128;
-
 // Two clearances that differ by less than this are the same [m].
 constexpr double kSameDistance = 1e-6;
 
@@ -51,9 +48,7 @@ void BrakingCheck::prepare(const Parameters& parameters, const CheckSetup& setup
   commands_the_sample_ = parameters.commands_the_sample();
   radius_ = radius;
   resolution_ = resolution;
-  if (cache_.size() < kUsualColumns) cache_.resize(kUsualColumns);
-  for (CachedResult& cached : cache_) cached.known = cached.v_known = false;
-  turn_.known = false;
+  coarse_results_.forget();
   coarse_.forget();
   coarse_.depth_spacing = kDepthSpacing;
   fine_.forget();
@@ -78,53 +73,23 @@ bool BrakingCheck::nothing_in_reach() const {
 
 Twist2 BrakingCheck::command_for(const Twist2& sample) const {
   if (commands_the_sample_) return sample;
+  const Twist2& from = start_->reference;
   VelocityLimits limits = start_->limits;
-  limits.theta = turn_limits(sample.omega, sample == Twist2{});
-  return limits.step(start_->reference, sample, start_->period);
+  limits.theta = sample == Twist2{} ? setup_->comfort.to_rest(limits.theta, from.omega)
+                                    : setup_->comfort.towards(limits.theta, from.omega, sample.omega);
+  return limits.step(from, sample, start_->period);
 }
 
-bool BrakingCheck::can_brake(const Twist2& sample, std::size_t column) {
+bool BrakingCheck::can_brake(const Twist2& sample) {
   if (all_can_brake()) return true;
-  if (cache_.size() <= column) cache_.resize(column + 1);
-  CachedResult& cached = cache_[column];
-  const Twist2 command = quick_command_for(sample, cached);
-  const CachedResult* before = column > 0 ? &cache_[column - 1] : nullptr;
-  if (cached.known && cached.command == command) return cached.free;
-  cached.command = command;
-  cached.known = true;
-  if (before != nullptr && before->known && before->command == command) {
-    cached.free = before->free;
-  } else {
-    cached.free =
-        (all_clear_ || stops_freely(command, coarse_)) && !(setup_->escaping() && goes_deeper(command, coarse_));
-  }
-  return cached.free;
-}
-
-AxisLimits BrakingCheck::turn_limits(double target, bool brakes) const {
-  const double from = start_->reference.omega;
-  return brakes ? setup_->comfort.to_rest(start_->limits.theta, from)
-                : setup_->comfort.towards(start_->limits.theta, from, target);
-}
-
-// As command_for(): where no wheel couples the axes, a column shares its speed and a tile its turn.
-Twist2 BrakingCheck::quick_command_for(const Twist2& sample, CachedResult& cached) {
-  if (start_->limits.wheel_speed > 0.0 || commands_the_sample_ || sample == Twist2{}) return command_for(sample);
-  if (!cached.v_known || cached.sample_v != sample.v) {
-    cached.v_known = true;
-    cached.sample_v = sample.v;
-    cached.command_v = start_->limits.x.ramp(start_->reference.v, sample.v, start_->period);
-  }
-  if (!turn_.known || turn_.sample != sample.omega) {
-    turn_ = {true, sample.omega,
-             turn_limits(sample.omega, false).ramp(start_->reference.omega, sample.omega, start_->period)};
-  }
-  return {cached.command_v, turn_.command};
-}
-
-bool BrakingCheck::confirm_braking(const Twist2& sample) {
   const Twist2 command = command_for(sample);
-  return (all_clear_ || stops_freely(command, fine_)) && !(setup_->escaping() && goes_deeper(command, fine_));
+  return coarse_results_.free(command, [&] { return brakes_freely(command, coarse_); });
+}
+
+bool BrakingCheck::confirm_braking(const Twist2& sample) { return brakes_freely(command_for(sample), fine_); }
+
+bool BrakingCheck::brakes_freely(const Twist2& command, CheckPass& pass) {
+  return (all_clear_ || stops_freely(command, pass)) && !(setup_->escaping() && goes_deeper(command, pass));
 }
 
 ManoeuvreRoller BrakingCheck::roller_at(const Pose2& start, double spacing) const {

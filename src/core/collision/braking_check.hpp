@@ -22,13 +22,12 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "core/collision/check_setup.hpp"
 #include "core/collision/clearance_lookup.hpp"
 #include "core/motion/brake_manoeuvre.hpp"
+#include "core/motion/command_results.hpp"
 #include "core/motion/cycle_start.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -50,8 +49,7 @@ class BrakingCheck {
 
   /// Every command can.
   bool all_can_brake() const { return all_clear_ && !setup_->escaping(); }
-  /// `column`: of the sample among those of its omega.
-  bool can_brake(const Twist2& sample, std::size_t column);
+  bool can_brake(const Twist2& sample);
   bool confirm_braking(const Twist2& sample);
   /// The first command towards a sample [m/s, rad/s].
   Twist2 command_for(const Twist2& sample) const;
@@ -79,20 +77,9 @@ class BrakingCheck {
     EscapeEnds escape_ends;
     void forget();
   };
-  // The last result in a column of samples.
-  struct CachedResult {
-    Twist2 command;
-    bool known = false, free = false;
-    bool v_known = false;
-    double sample_v = 0.0, command_v = 0.0;  // of the column [m/s]
-  };
-  // What the samples of a tile share.
-  struct Turn {
-    bool known = false;
-    double sample = 0.0, command = 0.0;  // [rad/s]
-  };
 
   bool nothing_in_reach() const;
+  bool brakes_freely(const Twist2& command, CheckPass& pass);
   bool stops_freely(const Twist2& command, CheckPass& pass);
   bool free_all_along(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end, double& growth);
   void roll_pending(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end);
@@ -101,8 +88,6 @@ class BrakingCheck {
   bool goes_deeper(const Twist2& command, CheckPass& pass) const;
   bool goes_deeper(const BrakeManoeuvre& manoeuvre, double spacing, EscapeEnd& pending_end) const;
   ManoeuvreRoller roller_at(const Pose2& start, double spacing) const;
-  AxisLimits turn_limits(double target, bool brakes) const;
-  Twist2 quick_command_for(const Twist2& sample, CachedResult& cached);
 
   const CycleStart* start_ = nullptr;
   const CheckSetup* setup_ = nullptr;
@@ -112,9 +97,8 @@ class BrakingCheck {
   double resolution_ = 0.05;          // [m]
   double clearance_now_ = 0.0;        // no more is asked for: what the robot has now [m]
   bool all_clear_ = false;            // no manoeuvre can hit anything
-  Turn turn_;
-  std::vector<CachedResult> cache_;  // [columns]
   CheckPass coarse_, fine_;
+  CommandResults coarse_results_;
 };
 
 }  // namespace hidwa_local_planner

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/collision/rounding.hpp"
 #include "core/util/segment.hpp"
@@ -13,6 +14,26 @@ namespace {
 
 // Clearances are told up to so many cells at least.
 constexpr double kLeastClearance = 2.0;
+
+// Flags of a cell beside its classes: an obstacle, of cost inscribed, and an obstacle with something else beside it.
+// Obstacles in the midst of others are never nearest.
+constexpr std::uint8_t kSolid = 8;
+constexpr std::uint8_t kCore = 16;
+constexpr std::uint8_t kEdge = 32;
+
+// What its cost says of a cell.
+constexpr std::uint8_t kSolidBlocks = kSolid | cell_class::kBlocked;
+constexpr std::uint8_t kCoreBlocks = kCore | cell_class::kBlocked;
+
+void flag_costs(const std::uint8_t* __restrict costs, int count, bool unknown_is_obstacle,
+                std::uint8_t* __restrict flags) {
+  const std::uint8_t other = unknown_is_obstacle ? cost::kUnknown : cost::kLethal;
+  for (int i = 0; i < count; ++i) {
+    const bool solid = (costs[i] == cost::kLethal) | (costs[i] == other);
+    const std::uint8_t beside = costs[i] == cost::kInscribed ? kCoreBlocks : std::uint8_t{0};
+    flags[i] = solid ? kSolidBlocks : beside;
+  }
+}
 
 // Clips the parameter range [t0, t1] of the segment a + t d to the open slab (lo, hi).
 bool clip(double a, double d, double lo, double hi, double& t0, double& t1) {
@@ -89,51 +110,48 @@ void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint,
     spread_marks();
     prepare_lists();
   } else {
-    lists_.move_to(grid_.origin_x + first_.i * grid_.resolution, grid_.origin_y + first_.j * grid_.resolution);
+    lists_.move_to(corner());
   }
 }
 
 // Where its centre lies inside, an outline that touches the midst of obstacles touches their edge too.
 void CollisionChecker::prepare_lists() {
   ObstacleLists::Window window;
-  window.solid = footprint_->inscribed_radius() > 0.0 ? &edges_ : &marks_.obstacles;
-  window.core = footprint_->is_circle() ? &marks_.inscribed : nullptr;
+  window.cells = &cells_;
+  window.solid = footprint_->inscribed_radius() > 0.0 ? kEdge : kSolid;
+  window.core = footprint_->is_circle() ? kCore : std::uint8_t{0};
   window.solid_reach = footprint_->circumscribed_radius() + shape_.margin + shape_.largest_clearance;
   window.core_reach = shape_.largest_clearance + kRounding;
-  window.corner_x = grid_.origin_x + first_.i * grid_.resolution;
-  window.corner_y = grid_.origin_y + first_.j * grid_.resolution;
+  window.corner = corner();
   window.resolution = grid_.resolution;
   lists_.prepare(window);
 }
 
-// Marks the window's cells that hold one cost or the other, and those beyond the map's edge where it counts.
-void CollisionChecker::mark(std::uint8_t one, std::uint8_t other, bool edge, BitGrid& marked) const {
-  const int size = marked.width();
+// What the costs say of the window's cells; beyond the map's edge are obstacles.
+void CollisionChecker::mark_costs(CellFlags& cells) const {
+  const int size = cells.width();
   const int begin = std::clamp(-first_.i, 0, size), end = std::clamp(grid_.size_x - first_.i, begin, size);
   for (int j = 0; j < size; ++j) {
+    std::uint8_t* flags = cells.row(j);
     const int row = first_.j + j;
     if (row < 0 || row >= grid_.size_y || begin == end) {
-      if (edge) marked.fill(j, 0, size);
+      std::fill_n(flags, size, kSolidBlocks);
       continue;
     }
-    if (edge) {
-      marked.fill(j, 0, begin);
-      marked.fill(j, end, size);
-    }
-    marked.set_where(j, begin, end, grid_.costs + grid_.index({first_.i + begin, row}), one, other);
+    std::fill_n(flags, begin, kSolidBlocks);
+    flag_costs(grid_.costs + grid_.index({first_.i + begin, row}), end - begin, unknown_is_obstacle_, flags + begin);
+    std::fill_n(flags + end, size - end, kSolidBlocks);
   }
 }
 
 // False where the robot sees around itself what it saw in the cycle before: then all that follows from it still holds.
 bool CollisionChecker::mark_obstacles(const Shape& shape) {
   const int size = 2 * shape.radius + 1;
-  fresh_.obstacles.reset(size, size);
-  mark(cost::kLethal, unknown_is_obstacle_ ? cost::kUnknown : cost::kLethal, true, fresh_.obstacles);
-  fresh_.inscribed.reset(shape.circle ? size : 0, shape.circle ? size : 0);
-  if (shape.circle) mark(cost::kInscribed, cost::kInscribed, false, fresh_.inscribed);
-  if (shape == shape_ && fresh_ == marks_) return false;
+  fresh_.reset(size, size);
+  mark_costs(fresh_);
+  if (shape == shape_ && fresh_.same(cells_, kSolid | kCore | cell_class::kBlocked)) return false;
   shape_ = shape;
-  marks_ = fresh_;
+  cells_ = fresh_;  // no swap: both keep room for the largest window
   return true;
 }
 
@@ -141,21 +159,21 @@ bool CollisionChecker::mark_obstacles(const Shape& shape) {
 void CollisionChecker::spread_marks() {
   disc_reach(shape_.outer, shape_.resolution, 1, reach_);
   rim_ = static_cast<int>(reach_.size());
-  marks_.obstacles.dilate(reach_, near_);
+  cells_.spread(kSolid, reach_, cell_class::kNear);
   disc_reach(shape_.inscribed - kRounding, shape_.resolution, 0, reach_);
-  marks_.obstacles.dilate(reach_, hit_);
+  cells_.spread(kSolid, reach_, cell_class::kHit);
   if (shape_.circle) {
     disc_reach(shape_.margin + kRounding, shape_.resolution, 1, reach_);
-    marks_.inscribed.dilate_into(reach_, near_);
+    cells_.spread(kCore, reach_, cell_class::kNear);
     reach_.assign(1, 0);
-    marks_.inscribed.dilate_into(reach_, hit_);
+    cells_.spread(kCore, reach_, cell_class::kHit);
   }
-  marks_.obstacles.find_edges(edges_);
+  cells_.mark_edges(kSolid, kEdge);
 }
 
 bool CollisionChecker::clear(double x, double y) const {
   const Cell cell = grid_.cell_at(x, y);
-  return in_reach(cell) && !near_.test(cell.i - first_.i, cell.j - first_.j);
+  return in_reach(cell) && (flags_of(cell) & cell_class::kNear) == 0;
 }
 
 bool CollisionChecker::clear_around(double x, double y, double distance) const {
@@ -163,7 +181,8 @@ bool CollisionChecker::clear_around(double x, double y, double distance) const {
   const Cell hi = grid_.cell_at(x + distance, y + distance);
   if (!in_reach(lo) || !in_reach(hi)) return false;
   for (int j = lo.j; j <= hi.j; ++j) {
-    if (near_.any(j - first_.j, lo.i - first_.i, hi.i - first_.i)) return false;
+    const int last = hi.i - first_.i;
+    if (cells_.find(cell_class::kNear, j - first_.j, lo.i - first_.i, last) <= last) return false;
   }
   return true;
 }
@@ -198,13 +217,13 @@ double CollisionChecker::clearance(const Pose2& pose, const Rotation& heading, c
   constexpr double kFree = std::numeric_limits<double>::min();
   const Cell cell = grid_.cell_at(pose.x, pose.y);
   const bool reached = in_reach(cell);
-  const int i = cell.i - first_.i, j = cell.j - first_.j;
-  if (reached && cap <= 0.0 && !near_.test(i, j)) return kFree;
-  if (reached && &outline == footprint_ && hit_.test(i, j)) return 0.0;
+  if (reached && cap <= 0.0 && (flags_of(cell) & cell_class::kNear) == 0) return kFree;
+  if (reached && &outline == footprint_ && surely_collides(cell)) return 0.0;
   if (centre_collides(cell, outline)) return 0.0;
   const bool listed = reached && (outline.is_circle() || !outline.sides().empty());
   cap = std::min(std::max(cap, kRounding), shape_.largest_clearance);
-  const double least = listed ? lists_.smallest_gap(i, j, pose, heading, outline, cap)
+  const Cell inside{cell.i - first_.i, cell.j - first_.j};
+  const double least = listed ? lists_.smallest_gap(inside, pose, heading, outline, cap)
                               : smallest_gap(place(pose, heading, outline), cap);
   return least <= 0.0 ? 0.0 : std::max(least - kRounding, kFree);
 }

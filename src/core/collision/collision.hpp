@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/collision/bit_grid.hpp"
+#include "core/collision/cell_flags.hpp"
 #include "core/collision/obstacle_lists.hpp"
 #include "core/util/rotation.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
+#include "hidwa_local_planner/core/tile.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
 namespace hidwa_local_planner {
@@ -53,18 +54,23 @@ class CollisionChecker {
     return value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle_);
   }
 
-  /// Whether near_bits() and hit_bits() know the cell.
+  /// Whether the classes of the cell are known.
   bool in_reach(Cell cell) const {
-    return static_cast<unsigned>(cell.i - first_.i - rim_) < static_cast<unsigned>(near_.width() - 2 * rim_) &&
-           static_cast<unsigned>(cell.j - first_.j - rim_) < static_cast<unsigned>(near_.height() - 2 * rim_);
+    return static_cast<unsigned>(cell.i - first_.i - rim_) < static_cast<unsigned>(cells_.width() - 2 * rim_) &&
+           static_cast<unsigned>(cell.j - first_.j - rim_) < static_cast<unsigned>(cells_.height() - 2 * rim_);
   }
-  /// For 64 cells of a row from `cell` on, the first one lowest: not clear.
-  std::uint64_t near_bits(Cell cell) const { return near_.bits(cell.j - first_.j, cell.i - first_.i); }
-  /// Likewise: colliding at any heading, wherever in the cell the robot's centre is.
-  std::uint64_t hit_bits(Cell cell) const { return hit_.bits(cell.j - first_.j, cell.i - first_.i); }
+  /// The robot collides at any heading, wherever in the cell its centre is. The cell must be in reach.
+  bool surely_collides(Cell cell) const { return (flags_of(cell) & cell_class::kHit) != 0; }
+
+  /// The cells of a window around the centre, with their classes (cell_class) among other flags.
+  const CellFlags& cells() const { return cells_; }
+  /// The window's lower left corner [m].
+  Point corner() const {
+    return {grid_.origin_x + first_.i * grid_.resolution, grid_.origin_y + first_.j * grid_.resolution};
+  }
+  double resolution() const { return grid_.resolution; }  // a cell's side [m]
 
  private:
-  void mark(std::uint8_t one, std::uint8_t other, bool edge, BitGrid& marked) const;
   // What the marks depend on, besides the cells.
   struct Shape {
     int radius = 0;  // of the window [cells]
@@ -75,11 +81,8 @@ class CollisionChecker {
              largest_clearance == other.largest_clearance && resolution == other.resolution && circle == other.circle;
     }
   };
-  // Cells of the window.
-  struct Marks {
-    BitGrid obstacles, inscribed;  // the latter for circles only
-    bool operator==(const Marks& other) const { return obstacles == other.obstacles && inscribed == other.inscribed; }
-  };
+  std::uint8_t flags_of(Cell cell) const { return cells_.at(cell.i - first_.i, cell.j - first_.j); }
+  void mark_costs(CellFlags& cells) const;
   bool mark_obstacles(const Shape& shape);
   void spread_marks();
   void prepare_lists();
@@ -101,12 +104,9 @@ class CollisionChecker {
   bool unknown_is_obstacle_ = true;
   Cell first_;  // of the window, map cells
   Shape shape_;
-  int rim_ = 0;  // cells at the window's rim that near_ does not answer for
-  Marks marks_;
-  Marks fresh_;    // this cycle's, before they are taken
-  BitGrid edges_;  // obstacles with something else beside them: those in their midst are never nearest
-  BitGrid near_;   // centre cells where the robot may overlap an obstacle
-  BitGrid hit_;    // centre cells where it surely does
+  int rim_ = 0;      // cells at the window's rim whose classes are not known
+  CellFlags cells_;  // of the window
+  CellFlags fresh_;  // this cycle's costs, before they are taken
   std::vector<int> reach_;
   mutable ObstacleLists lists_;
   mutable Polygon corners_;

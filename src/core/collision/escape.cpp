@@ -39,7 +39,7 @@ void EscapeRule::look(const Parameters& parameters, const GridView& grid, const 
   start_ = &start;
   overlaps_.clear();
   centre_inscribed_ = false;
-  if (!parameters.escape) return;
+  if (parameters.method == Method::paper) return;
   depth_.prepare(footprint, grid.resolution);
   find_overlaps();
   const Cell centre = grid.cell_at(start.pose.x, start.pose.y);

@@ -56,7 +56,7 @@ void ObstacleLists::prepare(const Window& window) {
   window_ = window;
   disc_reach(window.solid_reach, window.resolution, 1, solid_reach_);
   disc_reach(window.core_reach, window.resolution, 1, core_reach_);
-  spans_.assign(static_cast<std::size_t>(window.solid->width()) * static_cast<std::size_t>(window.solid->height()),
+  spans_.assign(static_cast<std::size_t>(window.cells->width()) * static_cast<std::size_t>(window.cells->height()),
                 Span{});
   x_.clear();
   y_.clear();
@@ -65,39 +65,36 @@ void ObstacleLists::prepare(const Window& window) {
   planes_.reserve();
 }
 
-void ObstacleLists::move_to(double corner_x, double corner_y) {
-  window_.corner_x = corner_x;
-  window_.corner_y = corner_y;
+void ObstacleLists::move_to(const Point& corner) {
+  window_.corner = corner;
   // Lists pile up for as long as nothing changes: anew before they need more room than a usual cycle's.
   if (x_.size() > kUsualCells / 2) prepare(Window(window_));
 }
 
-const ObstacleLists::Span& ObstacleLists::span_of(int i, int j) {
-  Span& span = spans_[static_cast<std::size_t>(j) * static_cast<std::size_t>(window_.solid->width()) +
-                      static_cast<std::size_t>(i)];
+const ObstacleLists::Span& ObstacleLists::span_of(Cell cell) {
+  Span& span = spans_[static_cast<std::size_t>(cell.j) * static_cast<std::size_t>(window_.cells->width()) +
+                      static_cast<std::size_t>(cell.i)];
   if (span.known) return span;
   span.known = true;
   span.first = static_cast<std::uint32_t>(x_.size());
-  collect(*window_.solid, i, j, solid_reach_);
+  collect(window_.solid, cell, solid_reach_);
   span.solid = static_cast<std::uint32_t>(x_.size()) - span.first;
-  if (window_.core != nullptr) collect(*window_.core, i, j, core_reach_);
+  if (window_.core != 0) collect(window_.core, cell, core_reach_);
   span.core = static_cast<std::uint32_t>(x_.size()) - span.first - span.solid;
   return span;
 }
 
-void ObstacleLists::collect(const BitGrid& marks, int i, int j, const std::vector<int>& reach) {
+void ObstacleLists::collect(std::uint8_t flag, Cell around, const std::vector<int>& reach) {
+  const CellFlags& cells = *window_.cells;
   const int rows = static_cast<int>(reach.size()) - 1;
   const std::size_t before = x_.size();
-  for (int row = std::max(0, j - rows); row <= std::min(marks.height() - 1, j + rows); ++row) {
-    const int columns = reach[static_cast<std::size_t>(std::abs(row - j))];
-    const int last = std::min(marks.width() - 1, i + columns);
-    for (int from = std::max(0, i - columns); from <= last; from += 64) {
-      std::uint64_t bits = marks.bits(row, from);
-      if (last - from < 63) bits &= ~std::uint64_t{0} >> (63 - (last - from));
-      for (; bits != 0; bits &= bits - 1) {
-        x_.push_back((from + __builtin_ctzll(bits) + 0.5) * window_.resolution);
-        y_.push_back((row + 0.5) * window_.resolution);
-      }
+  for (int row = std::max(0, around.j - rows); row <= std::min(cells.height() - 1, around.j + rows); ++row) {
+    const int columns = reach[static_cast<std::size_t>(std::abs(row - around.j))];
+    const int last = std::min(cells.width() - 1, around.i + columns);
+    int i = cells.find(flag, row, std::max(0, around.i - columns), last);
+    for (; i <= last; i = cells.find(flag, row, i + 1, last)) {
+      x_.push_back((i + 0.5) * window_.resolution);
+      y_.push_back((row + 0.5) * window_.resolution);
     }
   }
   if (x_.size() == before) return;
@@ -107,9 +104,9 @@ void ObstacleLists::collect(const BitGrid& marks, int i, int j, const std::vecto
   }
 }
 
-double ObstacleLists::smallest_gap(int i, int j, const Pose2& pose, const Rotation& heading, const Footprint& outline,
+double ObstacleLists::smallest_gap(Cell cell, const Pose2& pose, const Rotation& heading, const Footprint& outline,
                                    double cap) {
-  const Span span = span_of(i, j);
+  const Span span = span_of(cell);
   if (outline.is_circle()) return gap_of_circle(span, pose, outline.radius() - kRounding, cap);
   return gap_of_polygon(span, pose, heading, outline, cap);
 }
@@ -118,14 +115,14 @@ double ObstacleLists::gap_of_polygon(const Span& span, const Pose2& pose, const 
                                      const Footprint& outline, double cap) {
   if (span.solid == 0) return cap;
   // Lists count from the window's corner: small numbers, little rounding.
-  planes_.turn(outline, {pose.x - window_.corner_x, pose.y - window_.corner_y, pose.theta}, heading,
+  planes_.turn(outline, {pose.x - window_.corner.x(), pose.y - window_.corner.y(), pose.theta}, heading,
                0.5 * window_.resolution);
   return least_beyond(planes_, x_.data() + span.first, y_.data() + span.first, span.solid, cap);
 }
 
 double ObstacleLists::gap_of_circle(const Span& span, const Pose2& pose, double radius, double cap) const {
   const double half = 0.5 * window_.resolution;
-  const double from_x = pose.x - window_.corner_x, from_y = pose.y - window_.corner_y;
+  const double from_x = pose.x - window_.corner.x(), from_y = pose.y - window_.corner.y();
   const auto nearest2 = [&](std::size_t first, std::size_t count) {
     double least2 = std::numeric_limits<double>::infinity();
     for (std::size_t k = first; k < first + count; ++k) {

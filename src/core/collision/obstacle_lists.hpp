@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/collision/bit_grid.hpp"
+#include "core/collision/cell_flags.hpp"
 #include "core/collision/outline_planes.hpp"
 #include "core/util/rotation.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
@@ -18,22 +18,23 @@ namespace hidwa_local_planner {
 /// first asked for, so that many poses in a cell share the search.
 class ObstacleLists {
  public:
-  /// Marks of the window's cells: `solid` ones no part of the robot may enter, `core` ones only its centre may not.
-  /// `solid_reach` and `core_reach` [m] say how near counts. All must outlive the questions; `core` may be null.
+  /// The window's cells, which must outlive the questions: those with the flag `solid` no part of the robot may enter,
+  /// those with the flag `core`, where it is not 0, only its centre may not. `solid_reach` and `core_reach` [m] say how
+  /// near counts.
   struct Window {
-    const BitGrid* solid = nullptr;
-    const BitGrid* core = nullptr;
+    const CellFlags* cells = nullptr;
+    std::uint8_t solid = 0, core = 0;
     double solid_reach = 0.0, core_reach = 0.0;
-    double corner_x = 0.0, corner_y = 0.0;  // of the window's first cell [m]
-    double resolution = 0.05;               // [m]
+    Point corner{0.0, 0.0};    // of the first cell [m]
+    double resolution = 0.05;  // [m]
   };
   void prepare(const Window& window);
   /// The window has moved, but it shows the same cells: the lists stay valid.
-  void move_to(double corner_x, double corner_y);
+  void move_to(const Point& corner);
 
-  /// How far a convex outline, or a circle, at a pose in cell (i, j) of the window is from the nearest obstacle [m], at
+  /// How far a convex outline, or a circle, at a pose in a cell of the window is from the nearest obstacle [m], at
   /// least and up to `cap`; not positive where it overlaps one.
-  double smallest_gap(int i, int j, const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap);
+  double smallest_gap(Cell cell, const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap);
 
  private:
   struct Span {
@@ -41,8 +42,8 @@ class ObstacleLists {
     std::uint32_t solid = 0, core = 0;  // so many of each, one after the other
     bool known = false;
   };
-  const Span& span_of(int i, int j);
-  void collect(const BitGrid& marks, int i, int j, const std::vector<int>& reach);
+  const Span& span_of(Cell cell);
+  void collect(std::uint8_t flag, Cell around, const std::vector<int>& reach);
   double gap_of_polygon(const Span& span, const Pose2& pose, const Rotation& heading, const Footprint& outline,
                         double cap);
   double gap_of_circle(const Span& span, const Pose2& pose, double radius, double cap) const;

@@ -77,7 +77,7 @@ void StartEstimator::skip(const Situation& measured, const VelocityLimits& limit
   remember_command(measured, limits, std::numeric_limits<double>::infinity());
 }
 
-// A command starts from the last one; from a reading only where that agrees and is asked for.
+// A command starts from the last one; in the paper's method from a reading that agrees.
 void StartEstimator::judge_axis(const Axis& axis, const Situation& measured, const Parameters& parameters) {
   const auto u = axis.member;
   const double last = start_.last_command.*u;
@@ -87,7 +87,7 @@ void StartEstimator::judge_axis(const Axis& axis, const Situation& measured, con
   const OdometryReading judged = axis.belief.judge(now, heard, reading, commands_.range(u), tolerance, axis.limits);
   const bool fast = judged == OdometryReading::faster, agrees = judged == OdometryReading::agrees;
   const bool doubted = judged == OdometryReading::doubted || judged == OdometryReading::maybe_slower;
-  const bool from_reading = agrees && parameters.velocity_reference == VelocityReference::odometry;
+  const bool from_reading = agrees && parameters.method == Method::paper;
   const double otherwise = fast ? axis.belief.believed() : reading;
   start_.reference.*u = from_reading ? axis.limits.start_from(reading, last) : last;
   start_.velocity.*u = doubted ? last : otherwise;

@@ -98,13 +98,6 @@ bool keep_smaller(const std::int16_t* __restrict rightward, const std::int16_t* 
 
 }  // namespace
 
-void DistanceSweep::reserve(int width, int height) {
-  const std::size_t stride = static_cast<std::size_t>(width) + 2, rows = static_cast<std::size_t>(height) + 2;
-  for (std::vector<std::int16_t>* cells : {&units_, &mask_}) cells->reserve(kLanes * stride * rows);
-  for (std::vector<std::int16_t>* row : {&taken_, &rightward_, &leftward_}) row->reserve(kLanes * stride);
-  for (std::vector<std::uint8_t>* due : {&due_down_, &due_up_}) due->reserve(rows);
-}
-
 void DistanceSweep::reset(int width, int height, const Steps& steps) {
   width_ = width;
   height_ = height;

@@ -24,8 +24,6 @@ class DistanceSweep {
     std::int16_t diagonal = 7;
   };
 
-  /// Makes room for grids up to this size, so that reset() needs none.
-  void reserve(int width, int height);
   /// A grid of free cells that nothing reaches.
   void reset(int width, int height, const Steps& steps);
   /// Nothing passes through a blocked cell nor into it; `costs` is one row.
@@ -38,12 +36,6 @@ class DistanceSweep {
   void settle_blocked();
 
   std::int16_t units(int lane, Cell cell) const { return units_[at(cell) + static_cast<std::size_t>(lane)]; }
-  /// The values of all cells from one on, kLanes a cell and values_a_row() a row.
-  const std::int16_t* table_from(Cell cell) const { return units_.data() + at(cell); }
-  /// Likewise: other than open() where a cell is blocked.
-  const std::int16_t* mask_from(Cell cell) const { return mask_.data() + at(cell); }
-  std::size_t values_a_row() const { return kLanes * stride_; }
-  std::int16_t open() const { return open_; }
   bool blocked(Cell cell) const { return mask_[at(cell)] != open_; }
 
  private:

@@ -37,12 +37,6 @@ void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, Me
   distances_.set_sources(kGoal, last_cell_);
 }
 
-void PlanGrids::expect(const Pose2& centre, double reach) {
-  const Cell lo = grid_.cell_at(centre.x - reach, centre.y - reach);
-  const Cell hi = grid_.cell_at(centre.x + reach, centre.y + reach);
-  distances_.set_interest({lo.i, lo.j, hi.i - lo.i + 1, hi.j - lo.j + 1});
-}
-
 // The cells of the plan's first stretch on the map. Poses in the same or neighbouring cells need nothing between them;
 // wider gaps are filled at half a cell's spacing.
 void PlanGrids::find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Cell>& cells) const {
@@ -97,9 +91,7 @@ const DistanceGrid& PlanGrids::to_goal_ahead(double ahead, const Pose2& from, co
 
 double PlanGrids::at(const DistanceGrid& distances, const GridView& grid, double x, double y) {
   const Cell cell = grid.cell_at(x, y);
-  if (!grid.contains(cell)) return -1.0;
-  const std::int32_t units = distances.units(cell);
-  return units == DistanceGrid::kUnreached ? -1.0 : units * distances.metres_per_unit();
+  return grid.contains(cell) ? distances.metres(cell) : -1.0;
 }
 
 }  // namespace hidwa_local_planner

@@ -22,9 +22,6 @@ class PlanGrids {
   /// Once per evaluation; `method` says how distances are measured; `grid` and `plan` must outlive the cycle.
   void prepare(const GridView& grid, const std::vector<Pose2>& plan, Method method, bool unknown_is_obstacle);
 
-  /// The points that will be asked about lie within `reach` [m] of `centre`, mostly: saves looking farther.
-  void expect(const Pose2& centre, double reach);
-
   /// Around obstacles, or as Nav2's map grids.
   MapGridDistance measures() const { return distances_.measures(); }
 

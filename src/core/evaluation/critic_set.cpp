@@ -61,14 +61,6 @@ std::string_view CriticSet::name_of(Rejecter rejecter) const {
   return entries_[static_cast<std::size_t>(rejecter - kFirstCritic)].name;
 }
 
-double CriticSet::reach() const {
-  double farthest = 0.0;
-  for (const Entry& entry : entries_) {
-    if (entry.weight != 0.0) farthest = std::max(farthest, entry.critic->reach());
-  }
-  return farthest;
-}
-
 void CriticSet::prepare(const CycleView& view) const {
   for (const Entry& entry : entries_) {
     if (entry.weight != 0.0) entry.critic->prepare(view);

@@ -37,8 +37,6 @@ class CriticSet {
   /// "Collision", "Braking", "Moving obstacle", "Blind", "Occlusion" or a critic's name; empty for nobody.
   std::string_view name_of(Rejecter rejecter) const;
 
-  /// How far beyond the end of a candidate any of them looks [m].
-  double reach() const;
   void prepare(const CycleView& view) const;
   void debrief(const CycleView& view, const Twist2& command) const;
   void reset() const;

@@ -11,7 +11,7 @@ Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& stee
   const ComfortTurn bound = obstacles_.in_collision() ? ComfortTurn{} : mode.comfort;
   candidates_.make(cycle, window_limits, steering, bound, mode.sim_time);
   const Rollout& rollout = candidates_.rollout();
-  scores_.resize(rollout.candidate_count(), rollout.tile_count(), critics_.size());
+  scores_.resize(rollout.candidate_count(), critics_.size());
   obstacles_.prepare(cycle, rollout, bound, steering.active, recovering);
   prepare_grids(cycle);
   const CycleView view = view_of(cycle, steering, mode.to_goal);
@@ -27,7 +27,6 @@ Evaluation::Result Evaluation::evaluate(const Cycle& cycle, const Steering& stee
 void Evaluation::prepare_grids(const Cycle& cycle) {
   const Parameters& p = cycle.parameters;
   grids_.prepare(cycle.grid, cycle.situation.plan, p.method, p.unknown_is_obstacle);
-  grids_.expect(cycle.start.pose, obstacles_.reach() + critics_.reach());
   const Situation& situation = cycle.situation;
   const Pose2& aim = situation.turns_back ? situation.plan.back() : situation.goal;
   surroundings_.prepare({&cycle.grid, &grids_, &obstacles_.collision(), cycle.start.pose, aim});
@@ -59,7 +58,7 @@ void Evaluation::score_tiles(const Cycle& cycle, const Steering& steering, const
     const Tile tile = checks_.tile(t);
     scores_.begin(tile);
     checks_.check_before_scoring(tile, t, check_closely);
-    scores_.score(view, tile, t, critics_, cycle, steering);
+    scores_.score(view, tile, critics_, cycle, steering);
   }
 }
 

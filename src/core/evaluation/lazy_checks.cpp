@@ -11,19 +11,10 @@ void LazyChecks::begin(const BlindMotion& blind) {
   resize_with_spare(states_, rollout.tile_count());
   const AdmissibilityCheck& admissibility = obstacles_.admissibility();
   const bool rests = !admissibility.checks_braking() || admissibility.all_can_rest();
-  double omega = 0.0;
-  std::size_t first = 0;    // candidate of that omega
   std::size_t largest = 0;  // tile
   for (std::size_t t = 0; t < states_.size(); ++t) {
-    const Tile tile = rollout.extent(t);
-    if (t == 0 || tile.omega != omega) {
-      omega = tile.omega;
-      first = tile.first;
-    }
-    states_[t].column = tile.first - first;
-    states_[t].done = false;
-    states_[t].rests = rests;
-    largest = std::max(largest, tile.count);
+    states_[t] = {false, rests};
+    largest = std::max(largest, rollout.extent(t).count);
   }
   resize_with_spare(found_, largest);
 }
@@ -74,7 +65,7 @@ void LazyChecks::check_closely(const Tile& tile, TileState& state) {
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (found_[c] != nullptr) {
       scores_.reject(tile.first + c, kCollision, found_[c]);
-    } else if (braking && !admissibility.can_brake(tile.sample(c), state.column + c)) {
+    } else if (braking && !admissibility.can_brake(tile.sample(c))) {
       scores_.reject(tile.first + c, kBraking, kCannotBrake);
     }
   }

@@ -58,9 +58,8 @@ class LazyChecks {
  private:
   // What is known of a tile.
   struct TileState {
-    std::size_t column = 0;  // of its first candidate among those of the same omega
-    bool done = false;       // no rollout or braking is left to check
-    bool rests = false;      // nothing that moves is left to check
+    bool done = false;   // no rollout or braking is left to check
+    bool rests = false;  // nothing that moves is left to check
   };
   void check_cells(const Tile& tile, TileState& state);
   void check_sight(const Tile& tile);

@@ -29,12 +29,10 @@ Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout)
 
 void Obstacles::prepare(const Cycle& cycle, const Rollout& rollout, const ComfortTurn& comfort, bool steered,
                         bool turn_out) {
-  const Pose2& pose = cycle.start.pose;
-  const bool unknown_blocks = cycle.parameters.unknown_is_obstacle;
-  reach_ = reach_of(cycle, rollout);
-  collision_.prepare(cycle.grid, cycle.footprint, unknown_blocks, pose, reach_.all, reach_.margin, reach_.clearance);
-  classes_.prepare(collision_, cycle.grid, unknown_blocks, pose, reach_.all);
-  if (escape_.applies()) escape_.prepare(reach_.all, reach_.margin, reach_.clearance);
+  const Reach reach = reach_of(cycle, rollout);
+  collision_.prepare(cycle.grid, cycle.footprint, cycle.parameters.unknown_is_obstacle, cycle.start.pose, reach.all,
+                     reach.margin, reach.clearance);
+  if (escape_.applies()) escape_.prepare(reach.all, reach.margin, reach.clearance);
   admissibility_.prepare(
       cycle.parameters, escape_.applies() ? escape_.rest() : collision_, cycle.footprint, cycle.grid.resolution,
       {&cycle.start, turn_out, steered, escape_.applies() ? &escape_ : nullptr, comfort, cycle.movers, cycle.hidden});

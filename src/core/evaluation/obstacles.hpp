@@ -10,9 +10,9 @@
 
 namespace hidwa_local_planner {
 
-/// What the robot may hit, and all that is asked about it: the obstacles within reach (CollisionChecker), their cells
-/// in a table (CellClasses), the collision the robot may stand in (EscapeRule), and what is free of collision and can
-/// brake (AdmissibilityCheck).
+/// What the robot may hit, and all that is asked about it: the obstacles within reach (CollisionChecker), what their
+/// cells say of a tile's poses (CellClasses), the collision the robot may stand in (EscapeRule), and what is free of
+/// collision and can brake (AdmissibilityCheck).
 class Obstacles {
  public:
   /// Finds what the robot overlaps, and returns the limits of the dynamic window: in collision all candidates must be
@@ -22,9 +22,7 @@ class Obstacles {
   void prepare(const Cycle& cycle, const Rollout& rollout, const ComfortTurn& comfort, bool steered, bool turn_out);
 
   /// The classes of the cells under a tile's candidates. Valid until the next call.
-  TileCells cells_under(const Tile& tile) { return classes_.under(tile); }
-  /// How far the robot's centre gets in any rollout or brake manoeuvre, with what is asked around it, at most [m].
-  double reach() const { return reach_.all; }
+  TileCells cells_under(const Tile& tile) { return classes_.under(collision_, tile); }
   /// The robot overlaps an obstacle.
   bool in_collision() const { return escape_.overlaps(); }
   const CollisionChecker& collision() const { return collision_; }
@@ -33,7 +31,7 @@ class Obstacles {
 
  private:
   struct Reach {
-    double all = 0.0;        // see reach() [m]
+    double all = 0.0;        // of the robot's centre in any rollout or brake manoeuvre, with its growth, at most [m]
     double margin = 0.0;     // around a clear position [m]
     double clearance = 0.0;  // the largest that is told [m]
   };
@@ -43,7 +41,6 @@ class Obstacles {
   CollisionChecker collision_;
   CellClasses classes_;
   AdmissibilityCheck admissibility_;
-  Reach reach_;
 };
 
 }  // namespace hidwa_local_planner

@@ -4,21 +4,31 @@
 #include <algorithm>
 #include <limits>
 
-namespace hidwa_local_planner {
+#include "hidwa_local_planner/core/util/vector_clones.hpp"
 
-void Scores::resize(std::size_t candidates, std::size_t tiles, std::size_t critics) {
+namespace hidwa_local_planner {
+namespace {
+
+HIDWA_VECTOR_CLONES
+void add_weighted(double weight, const double* __restrict raw, std::size_t count, double* __restrict total) {
+  for (std::size_t c = 0; c < count; ++c) total[c] += weight * raw[c];
+}
+
+// Of samples of one omega: `of_turn` is its part of the deviation.
+HIDWA_VECTOR_CLONES
+void add_deviation(double s_v, double target_v, double of_turn, const double* __restrict v, std::size_t count,
+                   double* __restrict total) {
+  for (std::size_t c = 0; c < count; ++c) total[c] += s_v * std::abs(target_v - v[c]) + of_turn;
+}
+
+}  // namespace
+
+void Scores::resize(std::size_t candidates, std::size_t critics) {
   resize_with_spare(totals_, candidates);
   resize_with_spare(rejected_by_, candidates);
   resize_with_spare(reasons_, candidates);
   raw_.resize(critics);
   for (std::vector<double>& raw : raw_) resize_with_spare(raw, candidates);
-  weighted_.resize(critics);
-  resize_with_spare(lowest_, tiles);
-}
-
-void Scores::clear() {
-  totals_.clear();
-  lowest_.clear();
 }
 
 void Scores::begin(const Tile& tile) {
@@ -26,28 +36,28 @@ void Scores::begin(const Tile& tile) {
   std::fill_n(reasons_.begin() + static_cast<std::ptrdiff_t>(tile.first), tile.count, nullptr);
 }
 
-void Scores::score(const CycleView& view, const Tile& tile, std::size_t index, const CriticSet& critics,
-                   const Cycle& cycle, const Steering& steering) {
-  const std::size_t scored = ask_critics(view, tile, critics);
+void Scores::score(const CycleView& view, const Tile& tile, const CriticSet& critics, const Cycle& cycle,
+                   const Steering& steering) {
   // Direct control takes the legal candidate nearest to the operator command: critics only reject.
-  sum_up(tile, cycle.intent.influence != Influence::direct ? scored : 0, steering);
+  ask_critics(view, tile, critics, cycle.intent.influence != Influence::direct);
+  if (steering.active) {
+    add_deviation(steering.s_v, steering.target.v, steering.s_omega * std::abs(steering.target.omega - tile.omega),
+                  tile.v, tile.count, totals_.data() + tile.first);
+  }
   reject_infinite(tile, critics);
-  const double* totals = totals_.data() + tile.first;
-  lowest_[index] = *std::min_element(totals, totals + tile.count);
 }
 
-// How many critics scored anything: those alone are summed.
-std::size_t Scores::ask_critics(const CycleView& view, const Tile& tile, const CriticSet& critics) {
-  std::size_t scored = 0;
+void Scores::ask_critics(const CycleView& view, const Tile& tile, const CriticSet& critics, bool scores_count) {
+  double* total = totals_.data() + tile.first;
+  std::fill_n(total, tile.count, 0.0);
   for (std::size_t i = 0; i < critics.size(); ++i) {
     double* own = raw_[i].data() + tile.first;
     TileScores scores(own, reasons_.data() + tile.first, tile.count);
     if (critics[i].weight != 0.0) critics[i].critic->score(view, tile, scores);
-    if (scores.any_set()) {
-      weighted_[scored].raw = own;
-      weighted_[scored++].weight = critics[i].weight;
-    } else {
+    if (!scores.any_set()) {
       std::fill_n(own, tile.count, 0.0);
+    } else if (scores_count) {
+      add_weighted(critics[i].weight, own, tile.count, total);
     }
     if (!scores.any_rejected()) continue;
     for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
@@ -56,16 +66,6 @@ std::size_t Scores::ask_critics(const CycleView& view, const Tile& tile, const C
       }
     }
   }
-  return scored;
-}
-
-void Scores::sum_up(const Tile& tile, std::size_t scored, const Steering& steering) {
-  kernel::Deviation deviation;
-  if (steering.active) {
-    deviation = {tile.v, steering.target.v, steering.s_v,
-                 steering.s_omega * std::abs(steering.target.omega - tile.omega)};
-  }
-  kernel::sum_up(weighted_.data(), scored, deviation, tile.count, totals_.data() + tile.first);
 }
 
 void Scores::reject_infinite(const Tile& tile, const CriticSet& critics) {

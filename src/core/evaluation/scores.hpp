@@ -4,7 +4,7 @@
 // For one tile (score()):
 // 1. every critic gives raw scores or rejects (ask_critics());
 // 2. the total is J = the sum of weight * raw, + the deviation from the operator command, in the order of the
-//    critics: Kalliokoski 2022, section III (sum_kernel.hpp);
+//    critics: Kalliokoski 2022, section III;
 // 3. a total that is no finite number is a rejection by the critic that made it so: critics of other packages may
 //    answer anything;
 // 4. the total of a rejected candidate is infinite, so that no search for the cheapest finds it.
@@ -18,21 +18,20 @@
 #include "core/cycle/cycle.hpp"
 #include "core/evaluation/critic_set.hpp"
 #include "core/evaluation/rejection.hpp"
-#include "core/evaluation/sum_kernel.hpp"
 
 namespace hidwa_local_planner {
 
 class Scores {
  public:
   /// Makes room; what is in it is set tile by tile, first by begin(), then by score().
-  void resize(std::size_t candidates, std::size_t tiles, std::size_t critics);
+  void resize(std::size_t candidates, std::size_t critics);
   /// Nothing was scored.
-  void clear();
+  void clear() { totals_.clear(); }
 
   /// Nobody has rejected any candidate of the tile.
   void begin(const Tile& tile);
-  /// Scores tile number `index`. Who was rejected before stays so.
-  void score(const CycleView& view, const Tile& tile, std::size_t index, const CriticSet& critics, const Cycle& cycle,
+  /// Scores a tile. Who was rejected before stays so.
+  void score(const CycleView& view, const Tile& tile, const CriticSet& critics, const Cycle& cycle,
              const Steering& steering);
   /// Collision and braking reject, whoever did so before: they come first.
   void reject(std::size_t candidate, Rejecter rejecter, const char* reason);
@@ -42,8 +41,6 @@ class Scores {
   /// J; infinite where it is rejected.
   double total(std::size_t candidate) const { return totals_[candidate]; }
   const std::vector<double>& totals() const { return totals_; }
-  /// Of each tile, the smallest total as it was scored: later rejections leave it as it is.
-  const std::vector<double>& lowest() const { return lowest_; }
   double raw(std::size_t critic, std::size_t candidate) const { return raw_[critic][candidate]; }
 
   /// [candidates] by whom, and why: null where by nobody.
@@ -53,17 +50,14 @@ class Scores {
   const std::vector<const char*>& reasons() const { return reasons_; }
 
  private:
-  std::size_t ask_critics(const CycleView& view, const Tile& tile, const CriticSet& critics);
-  void sum_up(const Tile& tile, std::size_t scored, const Steering& steering);
+  void ask_critics(const CycleView& view, const Tile& tile, const CriticSet& critics, bool scores_count);
   void reject_infinite(const Tile& tile, const CriticSet& critics);
   Rejecter maker_of_infinite(std::size_t candidate, const CriticSet& critics) const;
 
-  std::vector<double> totals_;                    // [candidates]
-  std::vector<Rejecter> rejected_by_;             // [candidates]
-  std::vector<const char*> reasons_;              // [candidates]
-  std::vector<std::vector<double>> raw_;          // [critics][candidates]
-  std::vector<kernel::WeightedScores> weighted_;  // [critics] of the tile, those that scored any candidate first
-  std::vector<double> lowest_;                    // [tiles]
+  std::vector<double> totals_;            // [candidates]
+  std::vector<Rejecter> rejected_by_;     // [candidates]
+  std::vector<const char*> reasons_;      // [candidates]
+  std::vector<std::vector<double>> raw_;  // [critics][candidates]
 };
 
 }  // namespace hidwa_local_planner

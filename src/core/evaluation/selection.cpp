@@ -3,80 +3,47 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace hidwa_local_planner {
 
 int Selection::cheapest(const TieRule& tie) {
-  reserve_with_spare(queue_, scores_.count());  // for the cycles that need it
-  reserve_with_spare(equals_, scores_.count());
-  const std::vector<double>& lowest = scores_.lowest();
-  const std::vector<double>& totals = scores_.totals();
   const Rollout& rollout = candidates_.rollout();
-  const auto least = std::min_element(lowest.begin(), lowest.end());
-  if (least == lowest.end() || !std::isfinite(*least)) return -1;
-  const Tile cheapest = rollout.extent(static_cast<std::size_t>(least - lowest.begin()));
-  std::size_t best = cheapest.first;
-  while (best + 1 < cheapest.first + cheapest.count && totals[best] != *least) ++best;
-  const double equal = *least + kEqual;
-  // If the totals differ, the cheapest candidate was rejected after its tile was scored.
-  if (totals[best] != *least || !checks_.legal(best)) return cheapest_of_remaining(tie);
-  for (std::size_t t = 0; t < lowest.size(); ++t) {
-    if (lowest[t] > equal) continue;
-    const Tile tile = rollout.extent(t);
+  resize_with_spare(lowest_, scores_.count() > 0 ? rollout.tile_count() : 0);
+  for (std::size_t t = 0; t < lowest_.size(); ++t) lowest_[t] = scores_.total(cheapest_of(rollout.extent(t)));
+  for (;;) {
+    const auto least = std::min_element(lowest_.begin(), lowest_.end());
+    if (least == lowest_.end() || !std::isfinite(*least)) return -1;
+    const Tile tile = rollout.extent(static_cast<std::size_t>(least - lowest_.begin()));
+    const std::size_t best = cheapest_of(tile);
+    // If the totals differ, the cheapest candidate was rejected in the meantime.
+    if (scores_.total(best) == *least && checks_.legal(best)) {
+      const std::size_t preferred = preferred_to(best, tie);
+      if (checks_.confirm(preferred)) return static_cast<int>(preferred);
+    }
+    *least = scores_.total(cheapest_of(tile));
+  }
+}
+
+// Of equals the first.
+std::size_t Selection::cheapest_of(const Tile& tile) const {
+  const double* totals = scores_.totals().data() + tile.first;
+  return tile.first + static_cast<std::size_t>(std::min_element(totals, totals + tile.count) - totals);
+}
+
+// The legal candidate of equal total that the tie rule prefers: `best`, which is legal, or another one.
+std::size_t Selection::preferred_to(std::size_t best, const TieRule& tie) {
+  const double equal = scores_.total(best) + kEqual;
+  for (std::size_t t = 0; t < lowest_.size(); ++t) {
+    if (lowest_[t] > equal) continue;
+    const Tile tile = candidates_.rollout().extent(t);
     for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
-      if (totals[c] <= equal && tie.prefers(candidates_.sample(c), candidates_.sample(best)) && checks_.legal(c)) {
+      if (scores_.total(c) <= equal && tie.prefers(candidates_.sample(c), candidates_.sample(best)) &&
+          checks_.legal(c)) {
         best = c;
       }
     }
   }
-  return checks_.confirm(best) ? static_cast<int>(best) : cheapest_of_remaining(tie);
-}
-
-int Selection::cheapest_of_remaining(const TieRule& tie) {
-  queue_.clear();
-  for (std::size_t c = 0; c < scores_.count(); ++c) {
-    if (scores_.legal(c)) queue_.emplace_back(scores_.total(c), static_cast<std::uint32_t>(c));
-  }
-  std::make_heap(queue_.begin(), queue_.end(), std::greater<Queued>());
-  while (!queue_.empty()) {
-    if (!checks_.legal(queue_.front().second)) {
-      pop();
-      continue;
-    }
-    const std::uint32_t best = take_equals(tie);
-    if (checks_.confirm(best)) return static_cast<int>(best);
-    for (const std::uint32_t c : equals_) {
-      if (c != best) push({scores_.total(c), c});
-    }
-  }
-  return -1;
-}
-
-// Takes the cheapest candidate, which is legal, and its equals off the heap. Returns the one that the tie rule prefers.
-std::uint32_t Selection::take_equals(const TieRule& tie) {
-  std::uint32_t best = queue_.front().second;
-  const double equal = queue_.front().first + kEqual;
-  equals_.clear();
-  while (!queue_.empty() && queue_.front().first <= equal) {
-    if (checks_.legal(queue_.front().second)) equals_.push_back(queue_.front().second);
-    pop();
-  }
-  std::sort(equals_.begin(), equals_.end());
-  for (const std::uint32_t c : equals_) {
-    if (tie.prefers(candidates_.sample(c), candidates_.sample(best))) best = c;
-  }
   return best;
-}
-
-void Selection::pop() {
-  std::pop_heap(queue_.begin(), queue_.end(), std::greater<Queued>());
-  queue_.pop_back();
-}
-
-void Selection::push(const Queued& queued) {
-  queue_.push_back(queued);
-  std::push_heap(queue_.begin(), queue_.end(), std::greater<Queued>());
 }
 
 }  // namespace hidwa_local_planner

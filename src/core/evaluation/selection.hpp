@@ -3,16 +3,13 @@
 //
 // 1. The cheapest tile, and in it the cheapest candidate: its exact check comes now (LazyChecks).
 // 2. Where it is legal, those of equal total that the tie rule prefers to it are checked too; the winner is confirmed.
-// 3. Where it is not, or the winner is not confirmed, all candidates left go onto a heap. They are taken off cheapest
-//    first, equals together, until one is legal and confirmed.
+// 3. Where it is not, or the winner is not confirmed, the search begins again without what was rejected.
 //
-// Mostly 1 and 2 are enough, and no heap is made. Both give the same answer: the smallest total of all legal
-// candidates, of equals whichever the tie rule prefers. lazy_checks.hpp says why unchecked candidates cannot win.
+// The answer is the smallest total of all legal candidates, of equals whichever the tie rule prefers. lazy_checks.hpp
+// says why unchecked candidates cannot win.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "core/evaluation/candidates.hpp"
@@ -31,18 +28,13 @@ class Selection {
   int cheapest(const TieRule& tie);
 
  private:
-  using Queued = std::pair<double, std::uint32_t>;  // total, candidate
-
-  int cheapest_of_remaining(const TieRule& tie);
-  std::uint32_t take_equals(const TieRule& tie);
-  void pop();
-  void push(const Queued& queued);
+  std::size_t cheapest_of(const Tile& tile) const;
+  std::size_t preferred_to(std::size_t best, const TieRule& tie);
 
   const Candidates& candidates_;
   const Scores& scores_;
   LazyChecks& checks_;
-  std::vector<Queued> queue_;          // a heap, cheapest on top
-  std::vector<std::uint32_t> equals_;  // legal candidates of equal totals
+  std::vector<double> lowest_;  // [tiles] no candidate of the tile costs less
 };
 
 }  // namespace hidwa_local_planner

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "core/collision/collision.hpp"
 #include "core/distance/distance_grid.hpp"
 #include "core/distance/plan_grids.hpp"
@@ -32,9 +35,10 @@ class TileSurroundings final : public Surroundings {
 
  private:
   const DistanceGrid& grid_of(const PlanDistance& distance);
-  void look_up_costs(const double* x, const double* y, std::size_t count, double* found) const;
+  void find_cells(const Tile& tile, std::size_t step, double dx, double dy);
 
   Cycle cycle_;
+  std::vector<std::int32_t> i_, j_;  // cells of the tile's candidates
 };
 
 }  // namespace hidwa_local_planner

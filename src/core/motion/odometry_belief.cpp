@@ -18,21 +18,22 @@ bool follows(double after, double before, double time, double tolerance, const A
   return std::abs(after - before) <= tolerance + std::max(axis.acc, axis.braking) * std::max(time, 0.0);
 }
 
+bool is_explained(double measured, const Interval& explained, double tolerance) {
+  return measured >= explained.lo - tolerance && measured <= explained.hi + tolerance;
+}
+
+// Or it goes the other way.
+bool faster_than_explained(double measured, const Interval& explained, double tolerance) {
+  return measured < std::min(explained.lo, 0.0) - tolerance || measured > std::max(explained.hi, 0.0) + tolerance;
+}
+
 }  // namespace
 
 Twist2 reading_tolerance(const Parameters& p, const Twist2& last) {
   // Inside the motors' dead band the robot does not move yet although the command grows: such a reading agrees.
   const double omega = std::abs(last.omega);
-  const double standing = omega <= std::max(p.min_in_place_vel_theta, p.min_vel_theta) ? omega : 0.0;
+  const double standing = omega <= p.min_in_place_vel_theta ? omega : 0.0;
   return {kToleranceX, kToleranceTheta + standing};
-}
-
-bool is_explained(double measured, const Interval& explained, double tolerance) {
-  return measured >= explained.lo - tolerance && measured <= explained.hi + tolerance;
-}
-
-bool faster_than_explained(double measured, const Interval& explained, double tolerance) {
-  return measured < std::min(explained.lo, 0.0) - tolerance || measured > std::max(explained.hi, 0.0) + tolerance;
 }
 
 OdometryReading AxisBelief::judge(double now, double heard, double measured, const Interval& explained,

@@ -67,8 +67,4 @@ struct OdometryBelief {
 /// How far beyond what the commands explain a reading still agrees, by axis [m/s, rad/s]. `last`: the last command.
 Twist2 reading_tolerance(const Parameters& parameters, const Twist2& last);
 
-/// Whether the commands explain a reading, and whether it is faster than they do, or goes the other way.
-bool is_explained(double measured, const Interval& explained, double tolerance);
-bool faster_than_explained(double measured, const Interval& explained, double tolerance);
-
 }  // namespace hidwa_local_planner

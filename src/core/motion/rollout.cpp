@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/motion/roll_kernel.hpp"
 #include "core/util/rotation.hpp"
+#include "hidwa_local_planner/core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -18,9 +18,10 @@ constexpr std::size_t kMostColumns = 64;
 // Faster than any robot, so that only the accelerations bind.
 constexpr double kUnbounded = 1e6;
 
-std::size_t padded(std::size_t count) {
-  return (count + kernel::kLaneMultiple - 1) / kernel::kLaneMultiple * kernel::kLaneMultiple;
-}
+// Numbers a row of a tile is padded to: whole registers, no remainder loop.
+constexpr std::size_t kLaneMultiple = 4;
+
+std::size_t padded(std::size_t count) { return (count + kLaneMultiple - 1) / kLaneMultiple * kLaneMultiple; }
 
 // The least and the largest, where there are any.
 std::pair<double, double> speeds(const std::vector<Sample>& samples, double where_none) {
@@ -31,6 +32,61 @@ std::pair<double, double> speeds(const std::vector<Sample>& samples, double wher
     most = std::max(most, sample.u.v);
   }
   return {least, most};
+}
+
+// Positions of a tile, step by step: rows 1 to `steps` of x and y, `stride` long, follow from row 0.
+struct RollRequest {
+  std::size_t steps = 0;
+  std::size_t ramp_steps = 0;       // from here on every candidate has its own speed
+  std::size_t stride = 0;           // a multiple of kLaneMultiple
+  const double* v = nullptr;        // [stride] the samples' speeds [m/s]
+  const double* slowest = nullptr;  // [ramp_steps + 1] as far as the ramp allows [m/s]
+  const double* fastest = nullptr;  // [ramp_steps + 1]
+  const double* step_x = nullptr;   // [steps] metres along x a step at 1 m/s
+  const double* step_y = nullptr;   // [steps]
+};
+
+inline double within(double value, double lo, double hi) {
+  const double raised = value < lo ? lo : value;
+  return raised > hi ? hi : raised;
+}
+
+// The steps in which speeds still ramp; w0 and w1 weigh the speeds at the start and end of each.
+HIDWA_VECTOR_CLONES
+void ramp_rows(const RollRequest& q, double w0, double w1, double* __restrict x, double* __restrict y) {
+  const double* __restrict v = q.v;
+  const std::size_t n = q.stride;
+  for (std::size_t k = 0; k < q.ramp_steps; ++k) {
+    const double lo0 = q.slowest[k], hi0 = q.fastest[k], lo1 = q.slowest[k + 1], hi1 = q.fastest[k + 1];
+    const double dx = q.step_x[k], dy = q.step_y[k];
+    const double* __restrict x0 = x + k * n;
+    const double* __restrict y0 = y + k * n;
+    double* __restrict x1 = x + (k + 1) * n;
+    double* __restrict y1 = y + (k + 1) * n;
+    for (std::size_t c = 0; c < n; ++c) {
+      const double speed = w0 * within(v[c], lo0, hi0) + w1 * within(v[c], lo1, hi1);
+      x1[c] = x0[c] + speed * dx;
+      y1[c] = y0[c] + speed * dy;
+    }
+  }
+}
+
+// The steps after them, at the samples' own speeds.
+HIDWA_VECTOR_CLONES
+void steady_rows(const RollRequest& q, double* __restrict x, double* __restrict y) {
+  const double* __restrict v = q.v;
+  const std::size_t n = q.stride;
+  for (std::size_t k = q.ramp_steps; k < q.steps; ++k) {
+    const double dx = q.step_x[k], dy = q.step_y[k];
+    const double* __restrict x0 = x + k * n;
+    const double* __restrict y0 = y + k * n;
+    double* __restrict x1 = x + (k + 1) * n;
+    double* __restrict y1 = y + (k + 1) * n;
+    for (std::size_t c = 0; c < n; ++c) {
+      x1[c] = x0[c] + v[c] * dx;
+      y1[c] = y0[c] + v[c] * dy;
+    }
+  }
 }
 
 }  // namespace
@@ -51,8 +107,7 @@ void Rollout::run(const Parameters& p, const CycleStart& start, const std::vecto
   start_cosine_ = std::cos(start.pose.theta);
   start_sine_ = std::sin(start.pose.theta);
   turn_.known = 0;
-  const auto [slow, fast] = speeds(samples, start.reference.v);
-  const double least = slow, most = fast;
+  const auto [least, most] = speeds(samples, start.reference.v);
   fastest_ = std::max(-least, most);
   least_v_ = std::min(least, start.reference.v);
   most_v_ = std::max(most, start.reference.v);
@@ -203,17 +258,18 @@ Tile Rollout::tile(std::size_t index) const {
   std::fill_n(x_.begin(), tile.stride, start_.pose.x);
   std::fill_n(y_.begin(), tile.stride, start_.pose.y);
 
-  kernel::RollRequest request;
+  RollRequest request;
   request.steps = block.steps;
   request.ramp_steps = std::min(turn_.ramp_steps, block.steps);
   request.stride = tile.stride;
-  request.euler = settings_.euler;
   request.v = lane_v_.data();
   request.slowest = turn_.slowest.data();
   request.fastest = turn_.fastest.data();
   request.step_x = turn_.step_x.data();
   request.step_y = turn_.step_y.data();
-  kernel::roll(request, x_.data(), y_.data());
+  const double at_start = settings_.euler ? 0.0 : 0.5;  // of a step: it goes on at the mean, or at the speed reached
+  ramp_rows(request, at_start, 1.0 - at_start, x_.data(), y_.data());
+  steady_rows(request, x_.data(), y_.data());
 
   tile.x = x_.data();
   tile.y = y_.data();

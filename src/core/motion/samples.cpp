@@ -10,12 +10,8 @@ namespace {
 // A robot slower than this counts as turning on the spot: the motors' dead band for that applies [m/s].
 constexpr double kInPlace = 0.01;
 
-double dead_band(const Parameters& p, double v) {
-  return std::abs(v) < kInPlace ? p.min_in_place_vel_theta : p.min_vel_theta;
-}
-
 bool in_dead_band(const Parameters& p, const Twist2& u) {
-  return u.omega != 0.0 && std::abs(u.omega) < dead_band(p, u.v);
+  return std::abs(u.v) < kInPlace && u.omega != 0.0 && std::abs(u.omega) < p.min_in_place_vel_theta;
 }
 
 // What drives is at least as fast as min_vel_x, or as the window allows that begins below it.
@@ -58,8 +54,8 @@ Twist2 into_window(const Parameters& p, const VelocityLimits& limits, const Dyna
     u.v = u.v < 0.5 * least ? 0.0 : least;
     u = limits.clamp(u);
   }
-  const double band = dead_band(p, u.v);
   if (!in_dead_band(p, u)) return u;
+  const double band = p.min_in_place_vel_theta;
   u.omega = std::abs(u.omega) < 0.5 * band ? 0.0 : std::copysign(band, u.omega);
   u = limits.clamp(u);  // a turn raised to the band's edge may be too much for the wheels, or too fast
   if (in_dead_band(p, u)) u.omega = 0.0;
@@ -92,13 +88,10 @@ void Sampler::add_grid(const Parameters& p, const VelocityLimits& limits) {
   samples_.resize(v_.size() * omega_.size());
   std::size_t count = 0;
   for (const double omega : omega_) {
-    // Whether the dead band excludes samples that turn on the spot, and whether it excludes the others.
-    const bool no_turn = omega == 0.0 || in_dead_band(p, {0.0, omega});
-    const bool no_curve = in_dead_band(p, {kInPlace, omega});
     for (const double v : v_) {
-      const bool excluded = std::abs(v) < kInPlace ? no_turn && (omega != 0.0 || v == 0.0) : no_curve;
-      if (excluded || (v > 0.0 && v < least) || (wheels && !limits.wheels_allow({v, omega}))) continue;
-      samples_[count++] = {{v, omega}, SampleKind::grid};
+      const Twist2 u{v, omega};
+      if (is_zero(u) || in_dead_band(p, u) || (v > 0.0 && v < least) || (wheels && !limits.wheels_allow(u))) continue;
+      samples_[count++] = {u, SampleKind::grid};
     }
   }
   samples_.resize(count);

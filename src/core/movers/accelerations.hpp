@@ -20,7 +20,6 @@ class Accelerations {
   static constexpr double kBelieved = 2.5;
 
   void forget() { memory_.forget(); }
-  bool any() const { return memory_.any(); }
 
   /// Once a cycle, at its start [s]. Of more than can be remembered the first ones.
   void watch(const MovingObstacleEstimates& movers, double time);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/util/outline.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/types.hpp"
 
@@ -41,13 +42,7 @@ inline bool advances_near(const Footprint& footprint, const VelocityRange& u, do
     const double part = std::clamp((point - a).dot(way) / std::max(way.squaredNorm(), 1e-12), 0.0, 1.0);
     return (a + part * way - point).norm() <= radius;
   };
-  double area = 0.0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point& a = corners[i];
-    const Point& b = corners[(i + 1) % corners.size()];
-    area += a.x() * b.y() - b.x() * a.y();
-  }
-  const double around = area > 0.0 ? 1.0 : -1.0;
+  const double around = signed_area(corners) > 0.0 ? 1.0 : -1.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point& a = corners[i];
     const Point& b = corners[(i + 1) % corners.size()];

@@ -26,8 +26,8 @@ GridView ExplainedCells::without(const GridView& grid, const MovingObstacleEstim
   GridView copy = grid;
   copy.costs = costs_.data();
   for (const Cell& cell : taken_) costs_[grid.index(cell)] = cost::kInscribed;  // at most: mend() says what
-  measure(grid, window, reach, before_);
-  measure(copy, window, reach, after_);
+  before_.measure(grid, window, reach);
+  after_.measure(copy, window, reach);
   learn_costs(grid, window, reach);
   mend(grid, window);
   return copy;
@@ -63,6 +63,7 @@ void ExplainedCells::find_explained(const GridView& grid, const MovingObstacleEs
   taken_.erase(std::unique(taken_.begin(), taken_.end(), same), taken_.end());
 }
 
+// Whose cost may be that of what was taken.
 CellWindow ExplainedCells::window_around(const GridView& grid, int reach) const {
   CellWindow window{grid.size_x, 0, grid.size_y, 0};
   for (const Cell& cell : taken_) {
@@ -71,62 +72,37 @@ CellWindow ExplainedCells::window_around(const GridView& grid, int reach) const 
     window.j0 = std::min(window.j0, cell.j);
     window.j1 = std::max(window.j1, cell.j + 1);
   }
-  // Twice: whose cost may be theirs, and the lethal cells that these may belong to instead.
-  return {std::max(0, window.i0 - 2 * reach), std::min(grid.size_x, window.i1 + 2 * reach),
-          std::max(0, window.j0 - 2 * reach), std::min(grid.size_y, window.j1 + 2 * reach)};
-}
-
-// Costs farther from what was taken are not its own.
-void ExplainedCells::measure(const GridView& grid, const CellWindow& window, int reach,
-                             LethalDistances& distances) const {
-  distances.begin(window, reach);
-  for (const Cell& cell : taken_) distances.want_around(cell);
-  distances.measure(grid);
-}
-
-// Row by row of a strip. What costs nothing was not measured, and there is nothing to learn from it or to mend; what
-// was taken costs something before and after.
-template <typename Visit>
-void ExplainedCells::visit_measured(const GridView& grid, const CellWindow& window, const Visit& visit) const {
-  for (int strip = 0; strip < before_.strips(); ++strip) {
-    const int first = window.i0 + strip * LethalDistances::kColumns;
-    const int count = std::min(LethalDistances::kColumns, window.i1 - first);
-    for (int j = window.j0; j < window.j1; ++j) {
-      const LethalDistances::Square *before = before_.row(strip, j), *after = after_.row(strip, j);
-      if (before != nullptr) visit(before, after, grid.index({first, j}), count);
-    }
-  }
+  return {std::max(0, window.i0 - reach), std::min(grid.size_x, window.i1 + reach), std::max(0, window.j0 - reach),
+          std::min(grid.size_y, window.j1 + reach)};
 }
 
 // The largest cost that a cell at each distance has: that of inflation, or above.
 void ExplainedCells::learn_costs(const GridView& grid, const CellWindow& window, int reach) {
-  using Square = LethalDistances::Square;
   const int farthest = reach * reach;
   cost_at_.assign(static_cast<std::size_t>(farthest) + 1, cost::kFree);
-  visit_measured(grid, window, [&](const Square* before, const Square* /*after*/, std::size_t first, int count) {
-    for (int k = 0; k < count; ++k) {
-      const std::uint8_t value = grid.costs[first + static_cast<std::size_t>(k)];
-      if (before[k] > farthest || value >= cost::kLethal) continue;
+  for (int j = window.j0; j < window.j1; ++j) {
+    const LethalDistances::Square* before = before_.row(j);
+    const std::uint8_t* costs = grid.costs + grid.index({window.i0, j});
+    for (int k = 0; k < window.width(); ++k) {
+      if (before[k] > farthest || costs[k] >= cost::kLethal) continue;
       std::uint8_t& known = cost_at_[static_cast<std::size_t>(before[k])];
-      known = std::max(known, value);
+      known = std::max(known, costs[k]);
     }
-  });
+  }
   // No distance costs less than a larger one.
   for (std::size_t k = cost_at_.size() - 1; k > 0; --k) cost_at_[k - 1] = std::max(cost_at_[k - 1], cost_at_[k]);
 }
 
 void ExplainedCells::mend(const GridView& grid, const CellWindow& window) {
-  using Square = LethalDistances::Square;
-  visit_measured(grid, window, [&](const Square* before, const Square* after, std::size_t first, int count) {
-    if (std::equal(before, before + count, after)) return;
-    for (int k = 0; k < count; ++k) {
-      const std::size_t cell = first + static_cast<std::size_t>(k);
-      if (before[k] == after[k] || grid.costs[cell] == cost::kUnknown) continue;
+  for (int j = window.j0; j < window.j1; ++j) {
+    const LethalDistances::Square *before = before_.row(j), *after = after_.row(j);
+    std::uint8_t* costs = costs_.data() + grid.index({window.i0, j});
+    for (int k = 0; k < window.width(); ++k) {
+      if (before[k] == after[k] || costs[k] == cost::kUnknown) continue;
       const bool near = static_cast<std::size_t>(after[k]) < cost_at_.size();
-      const std::uint8_t value = near ? cost_at_[static_cast<std::size_t>(after[k])] : cost::kFree;
-      costs_[cell] = std::min(costs_[cell], value);
+      costs[k] = std::min(costs[k], near ? cost_at_[static_cast<std::size_t>(after[k])] : cost::kFree);
     }
-  });
+  }
 }
 
 }  // namespace hidwa_local_planner

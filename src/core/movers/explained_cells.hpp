@@ -37,11 +37,8 @@ class ExplainedCells {
   void reserve(const GridView& grid);
   void find_explained(const GridView& grid, const MovingObstacleEstimates& movers, const Parameters& parameters);
   CellWindow window_around(const GridView& grid, int reach) const;
-  void measure(const GridView& grid, const CellWindow& window, int reach, LethalDistances& distances) const;
   void learn_costs(const GridView& grid, const CellWindow& window, int reach);
   void mend(const GridView& grid, const CellWindow& window);
-  template <typename Visit>
-  void visit_measured(const GridView& grid, const CellWindow& window, const Visit& visit) const;
 
   std::vector<std::uint8_t> costs_;
   std::vector<Cell> taken_;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "core/movers/hidden_places.hpp"
 #include "core/util/segment.hpp"
@@ -22,8 +21,7 @@ constexpr double kAnySpacing = 1e3;
 // Moments that differ by less are one [s].
 constexpr double kSameMoment = 1e-9;
 
-// For rounding [m], [m/s].
-constexpr double kRounding = 1e-6;
+// For rounding [m/s].
 constexpr double kVelocityRounding = 1e-9;
 
 // What is slower stands, and may be left [m/s]; the robot's outermost point is no faster then [m/s].
@@ -38,14 +36,6 @@ constexpr double kSightAge = 0.4;
 
 // Memory is kept for so many at once.
 constexpr std::size_t kUsualMovers = 512;
-
-std::size_t hash_of(const Twist2& command) {
-  std::uint64_t v = 0, omega = 0;
-  std::memcpy(&v, &command.v, sizeof(v));
-  std::memcpy(&omega, &command.omega, sizeof(omega));
-  const std::uint64_t mixed = (v * 0x9E3779B97F4A7C15ULL) ^ ((omega + 0x632BE59BD9B4E019ULL) * 0xC2B2AE3D27D4EB4FULL);
-  return static_cast<std::size_t>(mixed >> 40U);
-}
 
 // The robot stands, and no pending command moves it.
 bool rests(const CycleStart& start, const Parameters& parameters) {
@@ -65,7 +55,6 @@ MoverCheck::MoverCheck() {
   near_.reserve(kUsualMovers);
   progress_.clear_until.reserve(kUsualMovers);
   for (CheckPass* pass : {&coarse_, &fine_}) {
-    pass->cache.resize(kCacheSize);
     for (PendingEnd& pending_end : pass->pending_ends) pending_end.progress.clear_until.reserve(kUsualMovers);
   }
   coarse_.step = kLongStep;
@@ -85,7 +74,6 @@ void MoverCheck::prepare(const Parameters& parameters, const Footprint& footprin
     add_near(set,
              around(set) && set.velocity().norm() <= kStands && departures_.admit(mover.id, rests(start, parameters)));
   }
-  divide_window();
 }
 
 void MoverCheck::prepare_hidden(const Parameters& parameters, const Footprint& footprint,
@@ -98,7 +86,6 @@ void MoverCheck::prepare_hidden(const Parameters& parameters, const Footprint& f
         ReachableSet::of_hidden(place, HiddenPlaces::kRadius, parameters.occlusion_speed, kSightAge);
     if (in_reach(set)) add_near(set, false);
   }
-  divide_window();
 }
 
 double MoverCheck::reach_of_hidden(const Parameters& parameters, const Footprint& footprint, const CycleStart& start) {
@@ -112,19 +99,11 @@ void MoverCheck::begin(const Footprint& footprint, const CycleStart& start, doub
   creep_ = creep;
   footprint_ = &footprint;
   start_ = &start;
-  ++cycle_;
   radius_ = footprint.circumscribed_radius();
   most_ = ManoeuvreBounds::of(start, radius_, kLongStep, kLeavesAt);
   for (CheckPass* pass : {&coarse_, &fine_}) {
+    pass->results.forget();
     for (PendingEnd& pending_end : pass->pending_ends) pending_end.roller.reset();
-  }
-}
-
-void MoverCheck::divide_window() {
-  if (std::any_of(near_.begin(), near_.end(), [](const Near& near) { return near.leaves; })) {
-    parts_.leave_whole();
-  } else {
-    parts_.divide(*start_);
   }
 }
 
@@ -156,95 +135,21 @@ bool MoverCheck::around(const ReachableSet& set) const {
          footprint_->distance_to(here.seen(set.position())) <= set.speed_radius(t) + allowance;
 }
 
-// Many samples share a first command.
-bool MoverCheck::cached_check(const Twist2& command, CheckPass& pass) {
-  CachedResult& known = pass.cache[hash_of(command) % kCacheSize];
-  if (known.cycle == cycle_ && known.command == command) return known.free;
-  known = {command, cycle_, (!pass.fine && part_free(command)) || rests_untouched(command, pass)};
-  return known.free;
-}
-
-LateTimes MoverCheck::late_times(const CheckPass& pass) const {
-  return {start_->latest_hold(), start_->period, pass.fine};
-}
-
 // For each pending motion, and for commands to brake that come after a period or as late as they may: see
 // BrakingCheck.
-template <typename Visit>
-bool MoverCheck::all_manoeuvres(const Twist2& command, CheckPass& pass, const Visit& visit) {
+bool MoverCheck::rests_untouched(const Twist2& command, CheckPass& pass) {
   const std::size_t motions = pass.fine ? start_->pending->all() : start_->pending->likely();
-  const LateTimes times = late_times(pass);
+  const LateTimes times(start_->latest_hold(), start_->period, pass.fine);
+  // Who brakes between two of these times is elsewhere by half of what the robot does between them.
+  const double between = pass.fine ? 0.5 * times.apart() : 0.0;
+  const double elsewhere = between * (speed_at(command, radius_) + std::abs(command.omega) * most_.reach);
   for (std::size_t motion = 0; motion < motions; ++motion) {
-    const bool free = times.all_of(
-        [&](double hold) { return visit(start_->manoeuvre(motion, command, hold), pass.pending_ends[motion]); });
+    const bool free = times.all_of([&](double hold) {
+      return rolls_free(start_->manoeuvre(motion, command, hold), pass, elsewhere, pass.pending_ends[motion]);
+    });
     if (!free) return false;
   }
   return true;
-}
-
-// Whether all commands of its part of the window are free.
-bool MoverCheck::part_free(const Twist2& command) {
-  WindowParts::Part* part = parts_.find(command);
-  if (part == nullptr || part->looked_at) return part != nullptr && part->free;
-  part->looked_at = true;
-  part->free = all_manoeuvres(part->middle, coarse_, [&](const BrakeManoeuvre& manoeuvre, PendingEnd& pending_end) {
-    return pending_free(manoeuvre, coarse_, pending_end) &&
-           free_with_margin(manoeuvre, part_margin(manoeuvre.pending), *pending_end.roller);
-  });
-  return part->free;
-}
-
-// How much farther than in the middle one's manoeuvre a point of the robot may be in another one's, at equal times,
-// and what can_rest() asks of that one beside it: see brake_manoeuvre.hpp.
-double MoverCheck::part_margin(const PendingMotion& pending) const {
-  const Twist2 apart = parts_.apart(pending.end(), most_.duration);
-  return apart.v + (radius_ + most_.reach) * apart.omega + most_.drift + 0.5 * kShortStep * most_.fastest + kRounding;
-}
-
-// Without gaps in time, up to when the last command of the part has come to rest.
-bool MoverCheck::free_with_margin(const BrakeManoeuvre& manoeuvre, double margin,
-                                  const ManoeuvreRoller& pending_end) const {
-  ManoeuvreRoller roller = pending_end;
-  TurnedPose pose = roller.at();
-  double time = roller.time();
-  const auto stands = [&](double until) {
-    while (time < until - kSameMoment) {
-      time = std::min(time + kLongStep, until);
-      if (!clear_of_all(pose, time, margin)) return false;
-    }
-    return true;
-  };
-  const auto visit = [&](const TurnedPose& at) {
-    if (!stands(roller.time() - roller.step().duration)) return false;
-    pose = at;
-    time = roller.time();
-    return clear_of_all(pose, time, margin);
-  };
-  return clear_of_all(pose, time, margin) && roller.roll_to_rest(manoeuvre, visit) && stands(most_.duration);
-}
-
-// Likewise half a long step before and after.
-bool MoverCheck::clear_of_all(const TurnedPose& at, double time, double margin) const {
-  return std::all_of(near_.begin(), near_.end(), [&](const Near& near) {
-    const ReachableSet& set = near.set;
-    const double more = margin + 0.5 * kShortStep * set.fastest();
-    const auto apart = [&](const Point& centre, double radius, double closing) {
-      const Point seen = at.seen(centre);
-      const double most = radius + more + 0.5 * kLongStep * closing;
-      return seen.norm() - radius_ > most || footprint_->distance_to(seen) > most;
-    };
-    return apart(set.centre(time), set.radius(time), near.closing_acc) ||
-           apart(set.position(), set.speed_radius(time), near.closing_speed);
-  });
-}
-
-bool MoverCheck::rests_untouched(const Twist2& command, CheckPass& pass) {
-  // Who brakes between two of these times is elsewhere by half of what the robot does between them.
-  const double between = pass.fine ? 0.5 * late_times(pass).apart() : 0.0;
-  const double elsewhere = between * (speed_at(command, radius_) + std::abs(command.omega) * most_.reach);
-  return all_manoeuvres(command, pass, [&](const BrakeManoeuvre& manoeuvre, PendingEnd& pending_end) {
-    return rolls_free(manoeuvre, pass, elsewhere, pending_end);
-  });
 }
 
 // Up to when the command takes effect: once for all commands.
@@ -267,10 +172,7 @@ bool MoverCheck::rolls_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pa
                             PendingEnd& pending_end) {
   if (!pending_free(manoeuvre, pass, pending_end)) return false;
   ManoeuvreRoller roller = *pending_end.roller;
-  progress_.clear_until = pending_end.progress.clear_until;
-  progress_.pose = pending_end.progress.pose;
-  progress_.time = pending_end.progress.time;
-  progress_.velocities = pending_end.progress.velocities;
+  progress_ = pending_end.progress;
   progress_.velocities.include(manoeuvre.command);
   return roller.roll_to_rest(manoeuvre, [&](const TurnedPose&) { return free_at(roller, elsewhere, progress_); });
 }

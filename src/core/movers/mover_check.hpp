@@ -11,10 +11,7 @@
 //    outline to where the obstacle is expected grows at every step (Departures), and no place of the outline that it
 //    may reach until rest moves outwards but very slowly (advances_near()). So the robot never moves into what it
 //    leaves. It creeps, and leaves only what has stood there for a while: who walks past is soon gone.
-// 6. Commands differ little from their neighbours in the dynamic window. So it is cut into a few parts, and the command
-//    in the middle of each is looked at first, with an allowance for all others of its part: where it is free, they
-//    are. What the allowance is made of: see part_margin().
-// 7. Where somebody may stand unseen (HiddenPlaces) is such a set, too. It may be touched by a place of the outline
+// 6. Where somebody may stand unseen (HiddenPlaces) is such a set, too. It may be touched by a place of the outline
 //    that moves outwards no faster than blind_speed: the robot comes through a doorway, and is overtaken.
 //
 // can_rest() takes long steps with a short step's allowance, and the likely pending motions; confirm() takes short
@@ -27,17 +24,15 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "core/motion/command_results.hpp"
 #include "core/motion/cycle_start.hpp"
 #include "core/movers/advance.hpp"
 #include "core/movers/departures.hpp"
 #include "core/movers/manoeuvre_bounds.hpp"
 #include "core/movers/reachable_set.hpp"
-#include "core/movers/window_parts.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/parameters.hpp"
 
@@ -61,11 +56,11 @@ class MoverCheck {
   bool none_near() const { return near_.empty(); }
 
   /// Whether nothing can touch the robot before it rests, after a first command [m/s, rad/s].
-  bool can_rest(const Twist2& command) { return cached_check(command, coarse_); }
+  bool can_rest(const Twist2& command) { return known_free(command, coarse_); }
   /// Likewise without gaps: for the candidate that is chosen.
-  bool confirm(const Twist2& command) { return cached_check(command, fine_); }
+  bool confirm(const Twist2& command) { return known_free(command, fine_); }
 
-  /// What it remembers: written only where there is anything.
+  /// Somebody stands at the robot, whether it may leave him yet or not.
   bool leaving() const { return departures_.any(); }
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
@@ -91,33 +86,21 @@ class MoverCheck {
     bool free = false;
     Progress progress;
   };
-  static constexpr std::size_t kCacheSize = 1024;
-  struct CachedResult {
-    Twist2 command;
-    std::uint32_t cycle = 0;  // of the result
-    bool free = false;
-  };
   // What the coarse or the fine check has found in this cycle.
   struct CheckPass {
     bool fine = false;
     double step = 0.0;  // the longest [s]
     std::array<PendingEnd, PendingMotionSet::kMost> pending_ends;
-    std::vector<CachedResult> cache;  // by a hash of the command
+    CommandResults results;
   };
   void begin(const Footprint& footprint, const CycleStart& start, double creep);
-  void divide_window();
   bool in_reach(const ReachableSet& set) const;
   void add_near(const ReachableSet& set, bool leaves);
   bool around(const ReachableSet& set) const;
-  bool cached_check(const Twist2& command, CheckPass& pass);
+  bool known_free(const Twist2& command, CheckPass& pass) {
+    return pass.results.free(command, [&] { return rests_untouched(command, pass); });
+  }
   bool rests_untouched(const Twist2& command, CheckPass& pass);
-  LateTimes late_times(const CheckPass& pass) const;
-  template <typename Visit>
-  bool all_manoeuvres(const Twist2& command, CheckPass& pass, const Visit& visit);
-  bool part_free(const Twist2& command);
-  double part_margin(const PendingMotion& pending) const;
-  bool free_with_margin(const BrakeManoeuvre& manoeuvre, double margin, const ManoeuvreRoller& pending_end) const;
-  bool clear_of_all(const TurnedPose& at, double time, double margin) const;
   bool pending_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, PendingEnd& pending_end);
   bool rolls_free(const BrakeManoeuvre& manoeuvre, const CheckPass& pass, double elsewhere, PendingEnd& pending_end);
   static double allowance(const ManoeuvreRoller& roller);
@@ -137,9 +120,7 @@ class MoverCheck {
   std::vector<Near> near_;
   Departures departures_;
   CheckPass coarse_, fine_;
-  WindowParts parts_;
   Progress progress_;  // of the manoeuvre that is looked at
-  std::uint32_t cycle_ = 0;
 };
 
 }  // namespace hidwa_local_planner

@@ -31,20 +31,20 @@ void Explanation::note_choice(const Proposal& proposal, const Steering& steering
 }
 
 double Explanation::deviation(std::size_t candidate) const {
-  return deviation_cost(steering_, parts_.candidates.sample(candidate));
+  return deviation_cost(steering_, evaluated_.candidates().sample(candidate));
 }
 
 void Explanation::list_terms(std::size_t candidate, std::vector<CriticTerm>& terms) const {
-  for (std::size_t i = 0; i < parts_.critics.size(); ++i) {
-    terms.push_back({parts_.critics[i].name, parts_.scores.raw(i, candidate), parts_.critics[i].weight});
+  for (std::size_t i = 0; i < critics_.size(); ++i) {
+    terms.push_back({critics_[i].name, evaluated_.scores().raw(i, candidate), critics_[i].weight});
   }
   terms.push_back({kDeviation, deviation(candidate), 1.0});
 }
 
 void Explanation::describe_choice(Decision& decision) const {
   const auto best = static_cast<std::size_t>(marked_.best);
-  const Rollout& rollout = parts_.candidates.rollout();
-  decision.total = parts_.scores.total(best);
+  const Rollout& rollout = evaluated_.candidates().rollout();
+  decision.total = evaluated_.scores().total(best);
   list_terms(best, decision.terms);
   const Tile tile = rollout.tile(rollout.tile_of(best));
   decision.step = tile.dt;
@@ -58,21 +58,21 @@ void Explanation::judge_operator(const Cycle& cycle, const Twist2& chosen, Decis
   const double omega_span = std::max(cycle.start.limits.theta.max - cycle.start.limits.theta.min, 1e-6);
   decision.agreement =
       std::max(0.0, 1.0 - std::abs(u_h.v - chosen.v) / v_span - std::abs(u_h.omega - chosen.omega) / omega_span);
-  marked_.operator_command = parts_.candidates.operator_command(u_h);
+  marked_.operator_command = evaluated_.candidates().operator_command(u_h);
   if (marked_.operator_command < 0) return;
   const auto candidate = static_cast<std::size_t>(marked_.operator_command);
-  parts_.checks.legal(candidate);  // so that what rejects it is known
-  const Rejecter rejecter = parts_.scores.rejected_by()[candidate];
-  if (rejecter != kNobody) decision.operator_rejected_by = parts_.critics.name_of(rejecter);
+  evaluated_.checks().legal(candidate);  // so that what rejects it is known
+  const Rejecter rejecter = evaluated_.scores().rejected_by()[candidate];
+  if (rejecter != kNobody) decision.operator_rejected_by = critics_.name_of(rejecter);
   // As it was meant: the window brought it to a speed that is allowed.
-  if (rejecter == kNobody && !cycle.blind.allows(u_h)) decision.operator_rejected_by = parts_.critics.name_of(kBlind);
+  if (rejecter == kNobody && !cycle.blind.allows(u_h)) decision.operator_rejected_by = critics_.name_of(kBlind);
   if (rejecter == kCollision && meets_unknown(candidate)) decision.operator_rejected_by = kUnknownCells;
 }
 
 // The first pose of the rollout that collides, and what it overlaps.
 bool Explanation::meets_unknown(std::size_t candidate) const {
-  const CollisionChecker& collision = parts_.obstacles.collision();
-  const Rollout& rollout = parts_.candidates.rollout();
+  const CollisionChecker& collision = evaluated_.obstacles().collision();
+  const Rollout& rollout = evaluated_.candidates().rollout();
   const Tile tile = rollout.tile(rollout.tile_of(candidate));
   for (std::size_t k = 0; k <= tile.steps; ++k) {
     const Pose2 pose = tile.pose(k, candidate - tile.first);
@@ -83,7 +83,7 @@ bool Explanation::meets_unknown(std::size_t candidate) const {
 }
 
 bool Explanation::mostly_meet_unknown() const {
-  const std::vector<Rejecter>& rejected_by = parts_.scores.rejected_by();
+  const std::vector<Rejecter>& rejected_by = evaluated_.scores().rejected_by();
   const auto all = static_cast<std::size_t>(std::count(rejected_by.begin(), rejected_by.end(), kCollision));
   const std::size_t stride = 1 + all / kLookedAt;
   std::size_t seen = 0, looked_at = 0, unknown = 0;
@@ -96,7 +96,7 @@ bool Explanation::mostly_meet_unknown() const {
 }
 
 void Explanation::count_rejections(bool why, Decision& decision) const {
-  const std::vector<Rejecter>& rejected_by = parts_.scores.rejected_by();
+  const std::vector<Rejecter>& rejected_by = evaluated_.scores().rejected_by();
   const auto count = [&rejected_by](Rejecter rejecter) {
     return static_cast<std::size_t>(std::count(rejected_by.begin(), rejected_by.end(), rejecter));
   };
@@ -105,8 +105,7 @@ void Explanation::count_rejections(bool why, Decision& decision) const {
   for (Rejecter rejecter = kCollision; left > 0; ++rejecter) {
     const std::size_t rejected = count(rejecter);
     const bool unknown = why && rejecter == kCollision && rejected > 0 && mostly_meet_unknown();
-    if (rejected > 0)
-      decision.rejections.push_back({unknown ? kUnknownCells : parts_.critics.name_of(rejecter), rejected});
+    if (rejected > 0) decision.rejections.push_back({unknown ? kUnknownCells : critics_.name_of(rejecter), rejected});
     left -= rejected;
   }
 }
@@ -115,23 +114,23 @@ CandidateReport Explanation::report_of(const Tile& tile, std::size_t c) const {
   const std::size_t candidate = tile.first + c;
   CandidateReport report;
   report.sample = tile.sample(c);
-  report.operator_command = parts_.candidates.is_operator_command(candidate);
+  report.operator_command = evaluated_.candidates().is_operator_command(candidate);
   report.step = tile.dt;
   for (std::size_t k = 0; k <= tile.steps; ++k) report.poses.push_back(tile.pose(k, c));
   list_terms(candidate, report.terms);
-  report.total = parts_.scores.total(candidate);
-  const Rejecter rejecter = parts_.scores.rejected_by()[candidate];
+  report.total = evaluated_.scores().total(candidate);
+  const Rejecter rejecter = evaluated_.scores().rejected_by()[candidate];
   if (rejecter != kNobody) {
-    report.rejections.push_back({parts_.critics.name_of(rejecter), parts_.scores.reasons()[candidate]});
+    report.rejections.push_back({critics_.name_of(rejecter), evaluated_.scores().reasons()[candidate]});
   }
   return report;
 }
 
 std::vector<CandidateReport> Explanation::candidates() const {
-  if (!full_.empty() || parts_.scores.count() == 0) return full_;
+  if (!full_.empty() || evaluated_.scores().count() == 0) return full_;
   std::vector<CandidateReport> reports;
-  for (std::size_t t = 0; t < parts_.candidates.rollout().tile_count(); ++t) {
-    const Tile tile = parts_.candidates.rollout().tile(t);
+  for (std::size_t t = 0; t < evaluated_.candidates().rollout().tile_count(); ++t) {
+    const Tile tile = evaluated_.candidates().rollout().tile(t);
     for (std::size_t c = 0; c < tile.count; ++c) reports.push_back(report_of(tile, c));
   }
   return reports;
@@ -140,9 +139,9 @@ std::vector<CandidateReport> Explanation::candidates() const {
 Planner::Marked Explanation::marked() const {
   Planner::Marked marked = marked_;
   double worst = -std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < parts_.scores.count(); ++c) {
-    if (!parts_.scores.legal(c) || parts_.scores.total(c) <= worst) continue;
-    worst = parts_.scores.total(c);
+  for (std::size_t c = 0; c < evaluated_.scores().count(); ++c) {
+    if (!evaluated_.scores().legal(c) || evaluated_.scores().total(c) <= worst) continue;
+    worst = evaluated_.scores().total(c);
     marked.worst = static_cast<int>(c);
   }
   return marked;
@@ -150,8 +149,8 @@ Planner::Marked Explanation::marked() const {
 
 void Explanation::ask_all_critics(const CycleView& view) {
   full_ = candidates();
-  for (std::size_t t = 0; t < parts_.candidates.rollout().tile_count(); ++t) {
-    const Tile tile = parts_.checks.tile(t);
+  for (std::size_t t = 0; t < evaluated_.candidates().rollout().tile_count(); ++t) {
+    const Tile tile = evaluated_.checks().tile(t);
     check_all(tile);
     ask_critics(view, tile);
   }
@@ -159,34 +158,35 @@ void Explanation::ask_all_critics(const CycleView& view) {
 
 // All checks of every candidate, those of braking without gaps.
 void Explanation::check_all(const Tile& tile) {
-  AdmissibilityCheck& admissibility = parts_.obstacles.admissibility();
+  AdmissibilityCheck& admissibility = evaluated_.obstacles().admissibility();
   std::vector<const char*> collides(tile.count, nullptr);
   admissibility.check_rollouts(tile, collides.data());
   for (std::size_t c = 0; c < tile.count; ++c) {
     CandidateReport& report = full_[tile.first + c];
-    const Rejecter by = parts_.scores.rejected_by()[tile.first + c];
+    const Rejecter by = evaluated_.scores().rejected_by()[tile.first + c];
     const bool checked = admissibility.checks_braking();
     const bool brakes = !checked || (by != kBraking && admissibility.confirm_braking(report.sample));
     const bool rests = !checked || (by != kMovingObstacle && admissibility.confirm_rest(report.sample));
     const bool unhidden = !checked || (by != kOcclusion && admissibility.confirm_hidden(report.sample));
     std::vector<Rejection> rejections;
-    if (collides[c] != nullptr) rejections.push_back({parts_.critics.name_of(kCollision), collides[c]});
-    if (!brakes) rejections.push_back({parts_.critics.name_of(kBraking), kCannotBrake});
-    if (!parts_.checks.slow_where_blind(report.sample)) {
-      rejections.push_back({parts_.critics.name_of(kBlind), kUnseen});
+    if (collides[c] != nullptr) rejections.push_back({critics_.name_of(kCollision), collides[c]});
+    if (!brakes) rejections.push_back({critics_.name_of(kBraking), kCannotBrake});
+    if (!evaluated_.checks().slow_where_blind(report.sample)) {
+      rejections.push_back({critics_.name_of(kBlind), kUnseen});
     }
-    if (!rests) rejections.push_back({parts_.critics.name_of(kMovingObstacle), kMayBeTouched});
-    if (!unhidden) rejections.push_back({parts_.critics.name_of(kOcclusion), kHidden});
+    if (!rests) rejections.push_back({critics_.name_of(kMovingObstacle), kMayBeTouched});
+    if (!unhidden) rejections.push_back({critics_.name_of(kOcclusion), kHidden});
     if (!rejections.empty()) report.total = std::numeric_limits<double>::infinity();
     // A total that is not a number has no critic that says so.
-    if (rejections.empty() && parts_.scores.reasons()[tile.first + c] == kNotANumber) rejections = report.rejections;
+    const bool no_number = evaluated_.scores().reasons()[tile.first + c] == kNotANumber;
+    if (rejections.empty() && no_number) rejections = report.rejections;
     report.rejections = std::move(rejections);
   }
 }
 
 void Explanation::ask_critics(const CycleView& view, const Tile& tile) {
   for (std::size_t c = 0; c < tile.count; ++c) full_[tile.first + c].terms.clear();
-  for (const CriticSet::Entry& entry : parts_.critics) {
+  for (const CriticSet::Entry& entry : critics_) {
     std::vector<double> raw(tile.count, 0.0);
     std::vector<const char*> reasons(tile.count, nullptr);
     TileScores scores(raw.data(), reasons.data(), tile.count);

@@ -10,27 +10,16 @@
 #include <vector>
 
 #include "core/autonomy/proposal.hpp"
-#include "core/evaluation/candidates.hpp"
 #include "core/evaluation/critic_set.hpp"
-#include "core/evaluation/lazy_checks.hpp"
-#include "core/evaluation/obstacles.hpp"
-#include "core/evaluation/scores.hpp"
+#include "core/evaluation/evaluation.hpp"
 #include "hidwa_local_planner/core/planner.hpp"
 
 namespace hidwa_local_planner {
 
 class Explanation {
  public:
-  /// What is explained; outlives the explanation.
-  struct Subject {
-    const Parameters& parameters;
-    const CriticSet& critics;
-    const Candidates& candidates;
-    const Scores& scores;
-    Obstacles& obstacles;
-    LazyChecks& checks;
-  };
-  explicit Explanation(const Subject& subject) : parts_(subject) {}
+  /// Of what is evaluated with these critics; both outlive it.
+  Explanation(const CriticSet& critics, Evaluation& evaluated) : critics_(critics), evaluated_(evaluated) {}
 
   /// A new cycle: nothing is chosen.
   void clear();
@@ -62,7 +51,8 @@ class Explanation {
   void check_all(const Tile& tile);
   void ask_critics(const CycleView& view, const Tile& tile);
 
-  Subject parts_;
+  const CriticSet& critics_;
+  Evaluation& evaluated_;
   Planner::Marked marked_;  // but for the worst
   ChoiceReport choice_;
   Steering steering_;

@@ -12,7 +12,7 @@ namespace {
 // The number of the layout of save(), which is the planner's state alone. Whoever changes that layout changes this
 // number: then load() refuses what was written before. The other parts of a record count under kFormat
 // (cycle_record.hpp).
-constexpr std::uint32_t kLayout = 20261130;
+constexpr std::uint32_t kLayout = 20261201;
 
 }  // namespace
 
@@ -38,7 +38,8 @@ void Planner::reset() {
   impl_->critics.reset();
   impl_->autonomy.reset();
   impl_->goalless.forget();
-  impl_->forget_movers();
+  impl_->movers.forget();
+  impl_->accelerations.forget();
 }
 
 Twist2 Planner::believed(const Twist2& measured) const {
@@ -49,13 +50,9 @@ bool Planner::leads_to_goal() const { return impl_->autonomy.recovery().leads_to
 
 void Planner::save(Bytes& state) const {
   ArchiveWriter write(state);
-  write(kLayout, impl_->start_estimator, impl_->autonomy, impl_->goalless);
+  write(kLayout, impl_->start_estimator, impl_->goalless, impl_->movers, impl_->accelerations);
   impl_->critics.save(write);
-  // Each of these needs those before it.
-  const bool accelerates = impl_->accelerations.any(), evades = impl_->autonomy.evasion().goes_on();
-  if (impl_->movers.leaving() || evades || accelerates) write(impl_->movers);
-  if (evades || accelerates) write(impl_->autonomy.evasion());
-  if (accelerates) write(impl_->accelerations);
+  write(impl_->autonomy);
 }
 
 bool Planner::load(const Bytes& state) {
@@ -67,13 +64,9 @@ bool Planner::load(const Bytes& state) {
     return false;
   }
   impl_->critics.reset();
-  impl_->forget_movers();
-  read(impl_->start_estimator, impl_->autonomy,
-       impl_->goalless);  // a search that is under way here already is gone on with
+  read(impl_->start_estimator, impl_->goalless, impl_->movers, impl_->accelerations);
   impl_->critics.load(read);
-  if (read.more()) read(impl_->movers);
-  if (read.more()) read(impl_->autonomy.evasion());
-  if (read.more()) read(impl_->accelerations);
+  read(impl_->autonomy);  // a search that is under way here already is gone on with
   if (!read.complete()) reset();
   return read.complete();
 }

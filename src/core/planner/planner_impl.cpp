@@ -6,7 +6,6 @@
 
 #include "core/autonomy/tight_ahead.hpp"
 #include "core/cycle/input_fault.hpp"
-#include "core/planner/decision_memory.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -14,14 +13,56 @@ namespace {
 // What is near so far ahead counts as a tight place [s].
 constexpr double kTightWithin = 1.5;
 
+// More than any problem has characters.
+constexpr std::size_t kLongestProblem = 200;
+
+// Every cycle uses the decision again, so that its lists and texts allocate nothing: this allocates what one with these
+// critics may need.
+void reserve(Decision& decision, const CriticSet& critics) {
+  decision.terms.reserve(critics.size() + 1);
+  decision.rejections.reserve(critics.size() + kFirstCritic);
+  decision.problem.reserve(kLongestProblem);
+  for (const CriticSet::Entry& entry : critics) {
+    decision.operator_rejected_by.reserve(std::max(kLongestProblem, entry.name.size()));
+  }
+}
+
+// As a new one, but its lists and texts keep what is allocated.
+void clear(Decision& decision) {
+  Decision empty;
+  const auto keep = [](auto& allocated, auto& list) {
+    list.swap(allocated);
+    list.clear();
+  };
+  keep(decision.trajectory, empty.trajectory);
+  keep(decision.terms, empty.terms);
+  keep(decision.rejections, empty.rejections);
+  keep(decision.operator_rejected_by, empty.operator_rejected_by);
+  keep(decision.problem, empty.problem);
+  decision = std::move(empty);
+}
+
+// What a cycle started from, and what it came to.
+void write(const CycleStart& start, const Conclusion& conclusion, Decision& decision) {
+  decision.outcome = conclusion.outcome;
+  decision.command = conclusion.command;
+  decision.sample = conclusion.sample;
+  decision.problem_kind = conclusion.problem_kind;
+  decision.problem = conclusion.problem;
+  decision.reference = start.reference;
+  decision.pose = start.pose;
+  decision.velocity = start.velocity;
+  decision.odometry_doubted = start.odometry_doubted;
+  decision.odometry_fast = start.odometry_fast;
+}
+
 }  // namespace
 
 Planner::Impl::Impl(CriticRegistry registry)
     : critics(std::move(registry)),
       evaluation(critics),
       arbiter(evaluation, autonomy),
-      explanation({parameters, critics, evaluation.candidates(), evaluation.scores(), evaluation.obstacles(),
-                   evaluation.checks()}) {}
+      explanation(critics, evaluation) {}
 
 std::vector<std::string> Planner::Impl::configure(const Parameters& given, const SourceFor& source_for) {
   std::vector<std::string> faults = validate(given);
@@ -33,7 +74,7 @@ std::vector<std::string> Planner::Impl::configure(const Parameters& given, const
   explanation.clear();
   reserve(decision, critics);
   parameters = given;
-  if (parameters.turn_when_stuck) autonomy.reserve();
+  if (parameters.method == Method::hidwa) autonomy.reserve();
   limits = VelocityLimits::from(given);
   std::string none;
   declared_sectors = parse_sensor_sectors(given.sensor_sectors, none);
@@ -87,13 +128,6 @@ bool Planner::Impl::uses_movers(const Situation& measured) const {
   const MovingObstacleEstimates& all = measured.moving_obstacles;
   return !all.empty() && parameters.admissibility == Admissibility::braking && footprint.fault() == nullptr &&
          std::all_of(all.begin(), all.end(), [](const auto& one) { return plausible(one); });
-}
-
-// What is remembered of them.
-void Planner::Impl::forget_movers() {
-  movers.forget();
-  accelerations.forget();
-  autonomy.end_evasion();
 }
 
 // Null where what moves counts as keeping its velocity.
@@ -212,7 +246,7 @@ Autonomy::Driven Planner::Impl::driven(const Cycle& cycle, const Arbiter::Choice
     driven.trapped = in_collision && must_rest;
     driven.yields = driven.yields || (by_movers && must_rest);
   }
-  if (!autonomous || !parameters.turn_when_stuck) return driven;
+  if (!autonomous || parameters.method == Method::paper) return driven;
   const Rollout& rollout = evaluation.candidates().rollout();
   const auto candidate = static_cast<std::size_t>(proposal.candidate);
   const Tile tile = rollout.tile(rollout.tile_of(candidate));

@@ -36,7 +36,6 @@ struct Planner::Impl {
 
   std::vector<std::string> configure(const Parameters& given, const SourceFor& source_for);
   void set_footprint(const Polygon& given);
-  void forget_movers();
   const Decision& plan(const Situation& measured, const GridView& grid, const OperatorIntent& intent,
                        const Sampling& sampling);
 

@@ -63,22 +63,7 @@ void EvasionSearch::find_near(const Start& scene, const State& from, const Span&
     const double most = own + half + mover.radius + std::max(mover.kept + mover.kept_grows * end, stopping_way);
     if (dx * dx + dy * dy < most * most) near_.push_back(mover);
   }
-  place_near(scene, span);
   walls_ = !scene.checker.clear_around(from.x, from.y, length * fastest_);
-}
-
-// Many motions meet them at the same times.
-void EvasionSearch::place_near(const Start& scene, const Span& span) {
-  const double own = scene.cycle.footprint.circumscribed_radius();
-  for (std::size_t k = 0; k < places_.size(); ++k) {
-    const double time = span.time(k), bent = bend(time);
-    places_[k].clear();
-    for (const Mover& mover : near_) {
-      const double kept = mover.kept + mover.kept_grows * time;
-      const double most = own + mover.radius + kept;
-      places_[k].push_back({mover.x_at(time, bent), mover.y_at(time, bent), mover.radius, kept, most * most});
-    }
-  }
 }
 
 // Until a command takes effect, two periods, and half of the braking: the robot is half as fast then.
@@ -108,17 +93,19 @@ bool EvasionSearch::must_stop(const Start& scene, const State& state, double tim
   });
 }
 
-// After the k-th step. What ends the way sets `touched`.
-double EvasionSearch::nearness(const Start& scene, const State& state, std::size_t k, bool& touched) const {
+// At `time`. What ends the way sets `touched`.
+double EvasionSearch::nearness(const Start& scene, const State& state, double time, bool& touched) const {
+  const double own = scene.cycle.footprint.circumscribed_radius(), bent = bend(time);
   double sum = 0.0;
-  for (const NearMover& place : places_[k]) {
-    const double dx = place.x - state.x, dy = place.y - state.y;
-    if (dx * dx + dy * dy >= place.squared) continue;
+  for (const Mover& mover : near_) {
+    const double kept = mover.kept + mover.kept_grows * time, most = own + mover.radius + kept;
+    const double dx = mover.x_at(time, bent) - state.x, dy = mover.y_at(time, bent) - state.y;
+    if (dx * dx + dy * dy >= most * most) continue;
     const Point seen = state.heading.undo({dx, dy});
-    const double gap = scene.cycle.footprint.distance_to(seen) - place.radius;
-    if (gap >= place.kept) continue;
+    const double gap = scene.cycle.footprint.distance_to(seen) - mover.radius;
+    if (gap >= kept) continue;
     touched = touched || gap < kTouches;
-    const double share = 1.0 - std::max(0.0, gap) / place.kept;
+    const double share = 1.0 - std::max(0.0, gap) / kept;
     sum += share * share;
   }
   return sum;

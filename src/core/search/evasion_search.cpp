@@ -22,6 +22,7 @@ constexpr double kAlikeHeading = 0.955;
 constexpr double kAlikeSpeed = 0.8;
 
 constexpr std::size_t kMoversInReach = 256;
+constexpr std::size_t kMotions = 64;
 
 // Room for so many own motions.
 constexpr std::size_t kMostOwn = 2;
@@ -33,11 +34,12 @@ constexpr double kEver = std::numeric_limits<double>::infinity();
 EvasionSearch::EvasionSearch() {
   movers_.reserve(kMoversInReach);
   near_.reserve(kMoversInReach);
-  for (std::vector<NearMover>& places : places_) places.reserve(kMoversInReach);
-  branches_.reserve(64);
+  first_motions_.reserve(kMotions);
+  next_motions_.reserve(kMotions);
+  branches_.reserve(kMotions);
   beam_.reserve(kBeam + kMostOwn);
-  next_.reserve(64 * (kBeam + kMostOwn));
-  queue_.reserve(64 * (kBeam + kMostOwn));
+  next_.reserve(kMotions * (kBeam + kMostOwn));
+  queue_.reserve(kMotions * (kBeam + kMostOwn));
 }
 
 double EvasionSearch::reach(const Parameters& parameters, const VelocityLimits& limits) {
@@ -52,8 +54,8 @@ void EvasionSearch::plan_spans(const Start& scene) {
     const double length = level > 0 ? other : first;
     Span& span = spans_[static_cast<std::size_t>(level)];
     span.from = from;
-    span.step = length / static_cast<double>(MotionFan::kSteps);
-    for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
+    span.step = length / static_cast<double>(kSteps);
+    for (std::size_t k = 0; k < kSteps; ++k) {
       span.share[k] = scene.cycle.parameters.evasion_scale * span.step * std::exp(-span.time(k) / kFading);
     }
     from += length;
@@ -73,15 +75,17 @@ bool EvasionSearch::blocked(const Start& scene, const State& state) const {
   return scene.checker.collides({state.x, state.y, 0.0}, state.heading);
 }
 
-// The k-th step of a motion, that ends at `time`. Where passive safety would not let the robot drive on, it brakes
-// instead: false.
-bool EvasionSearch::drive_on(const Start& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn,
-                             std::size_t k, double time, State& state) const {
+// A step of a motion of the speed `v`, that ends at `time`. Where passive safety would not let the robot drive on, it
+// brakes instead: false. `half_turn`: half of what it turns in the step.
+bool EvasionSearch::drive_on(const Start& scene, double v, const Rotation& half_turn, double step, double time,
+                             State& state) const {
   State next = state;
-  next.x += speed.way[k] * turn.middle[k].c;
-  next.y += speed.way[k] * turn.middle[k].s;
-  next.heading = turn.heading[k];
-  next.v = speed.v[k];
+  next.v = scene.limits.x.ramp(state.v, v, step);
+  const double driven = 0.5 * (state.v + next.v) * step;
+  const Rotation middle = state.heading.turned(half_turn);
+  next.x += driven * middle.c;
+  next.y += driven * middle.s;
+  next.heading = middle.turned(half_turn);
   if (!must_stop(scene, next, time)) {
     state = next;
     return true;
@@ -93,38 +97,38 @@ bool EvasionSearch::drive_on(const Start& scene, const MotionFan::Speed& speed, 
   return false;
 }
 
-// Along the i-th motion of the fan, which unfolds from this state. A robot that has to brake rests until the motion
-// ends. False where it is touched: then `until` says when.
-bool EvasionSearch::go(const Start& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const {
-  const MotionFan::Speed& speed = fan.speed(i);
-  const MotionFan::Turn& turn = fan.turn(i);
+// Along a motion: the robot goes to its velocity within the limits, and keeps it. A robot that has to brake rests until
+// the motion ends. False where it is touched: then `until` says when.
+bool EvasionSearch::go(const Start& scene, const Twist2& motion, const Span& span, State& state) const {
+  double omega = state.omega;
   bool drives = true;
-  for (std::size_t k = 0; k < MotionFan::kSteps; ++k) {
-    const double time = span.time(k);
-    drives = drives && drive_on(scene, speed, turn, k, time, state);
+  for (std::size_t k = 0; k < kSteps; ++k) {
+    const double time = span.time(k), next_omega = scene.limits.theta.ramp(omega, motion.omega, span.step);
+    const Rotation half_turn = Rotation::of(0.25 * (omega + next_omega) * span.step);
+    omega = next_omega;
+    drives = drives && drive_on(scene, motion.v, half_turn, span.step, time, state);
     bool touched = false;
-    if (!near_.empty()) state.nearness += span.share[k] * nearness(scene, state, k, touched);
+    if (!near_.empty()) state.nearness += span.share[k] * nearness(scene, state, time, touched);
     if (!touched && !blocked(scene, state)) continue;
     state.until = time;
     return false;
   }
-  state.omega = drives ? turn.last : 0.0;
+  state.omega = drives ? omega : 0.0;
   return true;
 }
 
 EvasionSearch::ConstantMotion EvasionSearch::keep(const Start& scene, const Twist2& motion) {
   State state{scene.from.pose.x, scene.from.pose.y, scene.from.heading, scene.velocity.v, scene.velocity.omega};
-  first_fan_.clear();
-  first_fan_.add(motion);
+  double unhindered = scene.velocity.v;  // its speed if nothing stops it [m/s]
   ConstantMotion kept;
   kept.untouched = kept.untroubled = true;
   for (const Span& span : spans_) {
     const State from = state;
     find_near(scene, from, span);
-    first_fan_.unfold(scene.limits, from.heading, {from.v, from.omega}, span.step);
-    kept.untouched = go(scene, first_fan_, 0, span, state);
+    kept.untouched = go(scene, motion, span, state);
     state.unrest += unrest(from, state);
-    const bool stopped = state.v != first_fan_.speed(0).v.back();
+    for (std::size_t k = 0; k < kSteps; ++k) unhindered = scene.limits.x.ramp(unhindered, motion.v, span.step);
+    const bool stopped = state.v != unhindered;
     kept.untroubled = kept.untroubled && kept.untouched && !stopped && state.nearness <= 0.0;
     if (!kept.untouched) break;
   }
@@ -146,16 +150,17 @@ double EvasionSearch::least(const Start& scene, const PlanGuide& guide) const {
 void EvasionSearch::list_motions(const Start& scene, const std::vector<Twist2>& own) {
   const VelocityLimits& limits = scene.limits;
   const double back = limits.x.min, ahead = limits.x.max;
-  const auto add = [&](MotionFan& fan, double v, std::initializer_list<double> turns) {
-    for (const double turn : turns) fan.add(scene.cycle.blind.slowed(limits.clamp({v, turn * limits.theta.max})));
+  const auto add = [&](std::vector<Twist2>& motions, double v, std::initializer_list<double> turns) {
+    for (const double turn : turns) {
+      motions.push_back(scene.cycle.blind.slowed(limits.clamp({v, turn * limits.theta.max})));
+    }
   };
   const auto add_speed = [&](double v) {
-    add(first_fan_, v, {-1.0, -0.5, 0.0, 0.5, 1.0});
-    add(next_fan_, v, {-1.0, 0.0, 1.0});
+    add(first_motions_, v, {-1.0, -0.5, 0.0, 0.5, 1.0});
+    add(next_motions_, v, {-1.0, 0.0, 1.0});
   };
-  first_fan_.clear();
-  next_fan_.clear();
-  for (const Twist2& motion : own) first_fan_.add(motion);
+  first_motions_ = own;
+  next_motions_.clear();
   own_ = own.size();
   for (const double v : {ahead, ahead * (2.0 / 3.0), ahead * (1.0 / 3.0), 0.0}) add_speed(v);
   if (back >= 0.0) return;
@@ -170,13 +175,13 @@ bool EvasionSearch::may_begin(const Start& scene, const Twist2& motion) {
 void EvasionSearch::run(const Start& scene, const PlanGuide& guide, const std::vector<Twist2>& own) {
   list_motions(scene, own);
   branches_.clear();
-  for (std::size_t i = 0; i < first_fan_.size(); ++i) branches_.push_back({first_fan_.motion(i), kEver});
+  for (const Twist2& motion : first_motions_) branches_.push_back({motion, kEver});
   beam_.clear();
   beam_.push_back({scene.from.pose.x, scene.from.pose.y, scene.from.heading, scene.velocity.v, scene.velocity.omega});
   for (int level = 0; level < kLevels && !beam_.empty(); ++level) {
     next_.clear();
     const Span& span = spans_[static_cast<std::size_t>(level)];
-    for (const State& from : beam_) extend(scene, guide, from, level == 0 ? first_fan_ : next_fan_, span);
+    for (const State& from : beam_) extend(scene, guide, from, level == 0 ? first_motions_ : next_motions_, span);
     if (level + 1 < kLevels) keep_best();
   }
   for (const State& state : next_) {
@@ -191,17 +196,16 @@ double EvasionSearch::cheapest() const {
   return least;
 }
 
-// By all motions of the fan. What is touched goes no farther.
-void EvasionSearch::extend(const Start& scene, const PlanGuide& guide, const State& from, MotionFan& fan,
-                           const Span& span) {
-  const bool begins = &fan == &first_fan_;
+// By all of these motions. What is touched goes no farther.
+void EvasionSearch::extend(const Start& scene, const PlanGuide& guide, const State& from,
+                           const std::vector<Twist2>& motions, const Span& span) {
+  const bool begins = &motions == &first_motions_;
   find_near(scene, from, span);
-  fan.unfold(scene.limits, from.heading, {from.v, from.omega}, span.step);
-  for (std::size_t i = 0; i < fan.size(); ++i) {
-    if (begins && i > 0 && !may_begin(scene, fan.motion(i))) continue;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (begins && i > 0 && !may_begin(scene, motions[i])) continue;
     State state = from;
     if (begins) state.first = static_cast<std::uint32_t>(i);
-    const bool free = go(scene, fan, i, span, state);
+    const bool free = go(scene, motions[i], span, state);
     state.unrest += unrest(from, state);
     state.cost = state.nearness + state.unrest + guide.time_left(state.x, state.y, state.heading);
     if (free) {

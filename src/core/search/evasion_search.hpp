@@ -31,8 +31,8 @@
 
 #include "core/collision/collision.hpp"
 #include "core/cycle/cycle.hpp"
-#include "core/search/motion_fan.hpp"
 #include "core/search/plan_guide.hpp"
+#include "core/util/rotation.hpp"
 
 namespace hidwa_local_planner {
 
@@ -87,6 +87,7 @@ class EvasionSearch {
  private:
   static constexpr int kLevels = 6;
   static constexpr std::size_t kBeam = 8;
+  static constexpr std::size_t kSteps = 4;  // of a motion
 
   struct Mover {
     double x, y, vx, vy;        // now [m], [m/s]
@@ -97,13 +98,6 @@ class EvasionSearch {
     // At a time; `bent`: what bend() says of it.
     double x_at(double time, double bent) const { return x + vx * time + ax * bent; }
     double y_at(double time, double bent) const { return y + vy * time + ay * bent; }
-  };
-  // Where something near is after a step of a motion, and from where on it counts.
-  struct NearMover {
-    double x, y;     // [m]
-    double radius;   // [m]
-    double kept;     // D then [m]
-    double squared;  // of the distance between its centre and the robot's where it may come within D [m^2]
   };
   struct State {
     double x = 0.0, y = 0.0;
@@ -118,8 +112,8 @@ class EvasionSearch {
   };
   // A motion of a level: when, and in what steps.
   struct Span {
-    double from = 0.0, step = 0.0;                  // [s]
-    std::array<double, MotionFan::kSteps> share{};  // what a step's nearness costs [s]
+    double from = 0.0, step = 0.0;       // [s]
+    std::array<double, kSteps> share{};  // what a step's nearness costs [s]
     double length() const { return static_cast<double>(share.size()) * step; }
     double end() const { return from + length(); }
     double time(std::size_t k) const { return from + static_cast<double>(k + 1) * step; }  // after the k-th step [s]
@@ -128,11 +122,11 @@ class EvasionSearch {
   void list_motions(const Start& scene, const std::vector<Twist2>& own);
   static bool may_begin(const Start& scene, const Twist2& motion);
   void plan_spans(const Start& scene);
-  bool drive_on(const Start& scene, const MotionFan::Speed& speed, const MotionFan::Turn& turn, std::size_t k,
-                double time, State& state) const;
-  bool go(const Start& scene, const MotionFan& fan, std::size_t i, const Span& span, State& state) const;
+  bool drive_on(const Start& scene, double v, const Rotation& half_turn, double step, double time, State& state) const;
+  bool go(const Start& scene, const Twist2& motion, const Span& span, State& state) const;
   bool blocked(const Start& scene, const State& state) const;
-  void extend(const Start& scene, const PlanGuide& guide, const State& from, MotionFan& fan, const Span& span);
+  void extend(const Start& scene, const PlanGuide& guide, const State& from, const std::vector<Twist2>& motions,
+              const Span& span);
   static double unrest(const State& from, const State& to);
   void note_touched(const State& state);
   void keep_best();
@@ -148,15 +142,13 @@ class EvasionSearch {
   static Stopping stopping(const Start& scene, double v);
   double bend(double time) const;
   void find_near(const Start& scene, const State& from, const Span& span);
-  void place_near(const Start& scene, const Span& span);
   bool must_stop(const Start& scene, const State& state, double time) const;
-  double nearness(const Start& scene, const State& state, std::size_t k, bool& touched) const;
+  double nearness(const Start& scene, const State& state, double time, bool& touched) const;
   double touched_early(const Start& scene, const State& state, double time) const;
 
   std::vector<Mover> movers_, near_;
-  std::array<std::vector<NearMover>, MotionFan::kSteps> places_;  // of near_, after each step
-  MotionFan first_fan_, next_fan_;                                // of a way's first motion, and of the others
-  std::size_t own_ = 0;                                           // the number of its own motions
+  std::vector<Twist2> first_motions_, next_motions_;  // of a way: the first one, and the others [m/s, rad/s]
+  std::size_t own_ = 0;                               // the number of its own motions
   std::array<Span, kLevels> spans_;
   double horizon_ = 0.0;    // [s]
   double bends_for_ = 0.0;  // velocities go on changing so long [s]

@@ -19,11 +19,8 @@ void TargetDistance::prepare(const SearchTask& task, const CollisionChecker& che
 
 void TargetDistance::block(const CollisionChecker& checker) {
   for (int j = 0; j < grid_.size_y; ++j) {
-    for (int i = 0; i < grid_.size_x; i += 64) {
-      const std::uint64_t bits = checker.hit_bits({i, j});
-      for (int k = 0; bits != 0 && k < std::min(64, grid_.size_x - i); ++k) {
-        if ((bits >> k) & 1U) blocked_[grid_.index({i + k, j})] = cost::kLethal;
-      }
+    for (int i = 0; i < grid_.size_x; ++i) {
+      if (checker.surely_collides({i, j})) blocked_[grid_.index({i, j})] = cost::kLethal;
     }
   }
 }

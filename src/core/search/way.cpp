@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/collision/collision.hpp"
+#include "core/util/rotation.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -15,6 +18,9 @@ constexpr double kBent = 0.22;
 
 // Back to a way where it is not known to have room [m/s].
 constexpr double kSlowBackSpeed = 0.04;
+
+// Stations of the next seconds count for the room of a way [s].
+constexpr double kRoomAhead = 3.0;
 
 double length_between(const Pose2& a, const Pose2& b) {
   return std::hypot(a.x - b.x, a.y - b.y, kRadianLength * wrap_angle(a.theta - b.theta));
@@ -68,6 +74,17 @@ std::size_t Way::end_of_parts(const Pose2& pose, std::size_t from, double ahead,
     if (next != 0) direction = next;
   }
   return part;
+}
+
+double Way::room_ahead(std::size_t part, const CollisionChecker& collision, double cell) const {
+  double room = cell;
+  for (std::size_t k = part + 1; k < stations_.size() && room > 0.0; ++k) {
+    const Pose2& pose = stations_[k].pose;
+    if (stations_[part].left - stations_[k].left > kRoomAhead) break;
+    if (collision.clear_around(pose.x, pose.y, cell)) continue;
+    room = std::min(room, collision.clearance(pose, Rotation::of(pose.theta), cell));
+  }
+  return room;
 }
 
 int Way::direction_from(std::size_t from) const {

@@ -8,6 +8,8 @@
 
 namespace hidwa_local_planner {
 
+class CollisionChecker;
+
 /// A way that was found: poses, and how long it takes from each of them to the end.
 ///
 /// The remaining time from a pose beside it is that from the nearest point of it, and the time to get there: the way is
@@ -57,6 +59,9 @@ class Way {
   /// Up to which part the way counts for a robot on part `from`: up to `ahead` [s] later, and up to where it turns
   /// back, forwards to backwards or the other way round, until the robot is within `near` [m] of there.
   std::size_t end_of_parts(const Pose2& pose, std::size_t from, double ahead, double near) const;
+  /// The smallest clearance of the stations that come up to three seconds after station `part`, on the map that
+  /// `collision` is prepared with; at most a cell, `cell` [m].
+  double room_ahead(std::size_t part, const CollisionChecker& collision, double cell) const;
   /// How the robot drives next from part `from` on: 1 forwards, -1 backwards, 0 not at all.
   int direction_from(std::size_t from) const;
 

@@ -7,6 +7,8 @@
 
 #include <dynamic_reconfigure/Config.h>
 
+#include "ros/host/cycle_tick.hpp"
+
 namespace hidwa_local_planner {
 namespace {
 
@@ -48,14 +50,16 @@ void HostCalls::cycle_called() {
 
 // The host's frequency may change meanwhile: a cycle asks for the period once.
 control::Timing HostCalls::begin_cycle(double now, const Parameters& parameters, const std::optional<double>& last) {
-  const CycleClock::Tick tick = clock_.tick(now, period(parameters), last);
-  was_away_ = host_was_away(tick, silence_);
-  return {now, tick.period, clock_.longest_period(tick.period), tick.paused ? 0.0 : tick.interval, tick.jumped_back};
+  const double nominal = period(parameters);
+  const CycleTick tick = cycle_tick(now, nominal, last);
+  if (!tick.paused) watch_.observe(now, tick.interval);
+  was_away_ = host_was_away(tick, nominal, silence_);
+  return {now, nominal, watch_.longest(nominal), tick.paused ? 0.0 : tick.interval, tick.jumped_back};
 }
 
 control::Timing HostCalls::between_cycles(double now, const Parameters& parameters) const {
   const double nominal = period(parameters);
-  return {now, nominal, clock_.longest_period(nominal), 0.0, false};
+  return {now, nominal, watch_.longest(nominal), 0.0, false};
 }
 
 double HostCalls::time_in_cycle() const {

@@ -3,13 +3,12 @@
 // Base Flex:
 //
 //   hidwa_planner_ros, controller     their calls, one class each
-//   host_calls, cycle_clock           their rate and its pauses, in which another node may drive; their checks of the
+//   host_calls, cycle_tick            their rate and its pauses, in which another node may drive; their checks of the
 //                                     goal between two cycles; the tolerances of Move Base Flex
 //   host_goal, goal_succession        plans of move_base to a goal that it no longer pursues
 //   drive_without_goal, host_actions  the operator drives while the host has no goal
 //   cancel_request                    Move Base Flex cancels a drive
-//   yielding_recovery, robot_keepers, move_base recovers
-//   costmap_clearing
+//   yielding_recovery, robot_keepers  move_base recovers
 #pragma once
 
 #include <atomic>
@@ -20,7 +19,7 @@
 #include <ros/subscriber.h>
 
 #include "control/control_loop.hpp"
-#include "ros/host/cycle_clock.hpp"
+#include "control/period_watch.hpp"
 
 namespace hidwa_local_planner {
 
@@ -40,13 +39,11 @@ class HostCalls {
   control::Timing begin_cycle(double now, const Parameters& parameters, const std::optional<double>& last);
   /// Of a call between two cycles.
   control::Timing between_cycles(double now, const Parameters& parameters) const;
-  double longest_period(double period) const { return clock_.longest_period(period); }  // of late [s]
+  double longest_period(double period) const { return watch_.longest(period); }  // of late [s]; see PeriodWatch
   /// Since the cycle was called, on the wall [s].
   double time_in_cycle() const;
   /// Another node may have driven before this cycle.
   bool was_away() const { return was_away_; }
-  /// What is odd about the rate, see CycleClock.
-  std::string complaint() { return clock_.complaint(); }
 
   /// Where the goal is reached, instead of what the parameters say [m], [rad]; brought into the parameters' ranges.
   /// False where nothing changed.
@@ -68,7 +65,7 @@ class HostCalls {
 
   std::atomic<double> host_frequency_{20.0};  // of its control cycle [Hz]; at first move_base's usual one
   ros::Subscriber host_parameters_;
-  CycleClock clock_;
+  PeriodWatch watch_;
   std::chrono::steady_clock::time_point called_;  // time of the last call; the epoch before the first
   double silence_ = 0.0;                          // before that [s]
   bool was_away_ = false;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/host/yielding_recovery.hpp"
 
+#include <algorithm>
+
+#include <costmap_2d/costmap_layer.h>
+#include <costmap_2d/obstacle_layer.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 #include <topic_tools/shape_shifter.h>
@@ -9,7 +13,6 @@
 #include "core/util/words.hpp"
 #include "ros/conversions.hpp"
 #include "ros/guarded.hpp"
-#include "ros/host/costmap_clearing.hpp"
 #include "ros/host/robot_keepers.hpp"
 #include "ros/loop_time.hpp"
 
@@ -27,6 +30,44 @@ void read(const ros::NodeHandle& handle, const char* key, double most, double& v
     ROS_ERROR("%s/%s is %g: give a value from 0 to %g; %g is used", handle.getNamespace().c_str(), key, wanted, most,
               value);
   }
+}
+
+// A layer's name is that of its costmap, a slash and its own.
+std::string own_name(const costmap_2d::Layer& layer) {
+  const std::string name = layer.getName();
+  return name.substr(name.rfind('/') + 1);
+}
+
+// The layer where it is meant and can be cleared.
+costmap_2d::CostmapLayer* meant(costmap_2d::Layer& layer, const std::vector<std::string>& names) {
+  if (names.empty()) return dynamic_cast<costmap_2d::ObstacleLayer*>(&layer);
+  const bool named = std::find(names.begin(), names.end(), own_name(layer)) != names.end();
+  return named ? dynamic_cast<costmap_2d::CostmapLayer*>(&layer) : nullptr;
+}
+
+void clear_outside(costmap_2d::CostmapLayer& layer, const geometry_msgs::Point& centre, double side) {
+  int left = 0, bottom = 0, right = 0, top = 0;
+  layer.worldToMapNoBounds(centre.x - 0.5 * side, centre.y - 0.5 * side, left, bottom);
+  layer.worldToMapNoBounds(centre.x + 0.5 * side, centre.y + 0.5 * side, right, top);
+  layer.clearArea(left, bottom, right, top);
+  layer.addExtraBounds(layer.getOriginX(), layer.getOriginY(), layer.getOriginX() + layer.getSizeInMetersX(),
+                       layer.getOriginY() + layer.getSizeInMetersY());
+}
+
+// Forgets what layers marked outside the square; what sensors still see comes back with their next messages. Returns
+// the names of those cleared.
+std::vector<std::string> clear_layers(costmap_2d::LayeredCostmap& costmap, const std::vector<std::string>& names,
+                                      const geometry_msgs::Point& centre, double side) {
+  std::vector<std::string> cleared;
+  // Layers are updated with this mutex held.
+  const boost::unique_lock<costmap_2d::Costmap2D::mutex_t> lock(*costmap.getCostmap()->getMutex());
+  for (const auto& layer : *costmap.getPlugins()) {
+    costmap_2d::CostmapLayer* wanted = meant(*layer, names);
+    if (wanted == nullptr) continue;
+    clear_outside(*wanted, centre, side);
+    cleared.push_back(own_name(*layer));
+  }
+  return cleared;
 }
 
 }  // namespace
@@ -121,14 +162,22 @@ void YieldingRecovery::tell(Phase phase) {
 }
 
 void YieldingRecovery::clear(costmap_2d::Costmap2DROS& costmap) const {
-  std::string fault;
+  const std::string where = costmap.getName();
+  geometry_msgs::PoseStamped robot;
+  if (!costmap.getRobotPose(robot)) {
+    ROS_WARN("%s: nothing is cleared in %s: there is no pose of the robot in %s: check tf", name_.c_str(),
+             where.c_str(), costmap.getGlobalFrameID().c_str());
+    return;
+  }
+  const std::vector<std::string>& names = settings_.layer_names;
   const std::vector<std::string> cleared =
-      clear_far_from_robot(costmap, settings_.reset_distance, settings_.layer_names, fault);
+      clear_layers(*costmap.getLayeredCostmap(), names, robot.pose.position, settings_.reset_distance);
   if (cleared.empty()) {
-    ROS_WARN("%s: nothing is cleared in %s: %s", name_.c_str(), costmap.getName().c_str(), fault.c_str());
+    const std::string wanted = names.empty() ? "obstacle layer" : "layer " + joined(names) + " that can be cleared";
+    ROS_WARN("%s: nothing is cleared in %s: it has no %s", name_.c_str(), where.c_str(), wanted.c_str());
   } else {
     ROS_WARN("%s: cleared %s in %s outside a square of %.2f m around the robot", name_.c_str(), joined(cleared).c_str(),
-             costmap.getName().c_str(), settings_.reset_distance);
+             where.c_str(), settings_.reset_distance);
   }
 }
 

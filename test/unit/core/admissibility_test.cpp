@@ -29,7 +29,7 @@ class Checked {
   }
   Checked(const Checked&) = delete;
   AdmissibilityCheck& check() { return check_; }
-  bool can_brake(const Twist2& sample) { return check_.can_brake(sample, 0); }
+  bool can_brake(const Twist2& sample) { return check_.can_brake(sample); }
   bool confirm_braking(const Twist2& sample) { return check_.confirm_braking(sample); }
   /// Why a sample's rollout is not free; null where it is.
   const char* rejection(const Twist2& sample) {

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of cells that are made and read many at a time, against one cell or one pose at a time.
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/collision/bit_grid.hpp"
 #include "core/collision/cell_classes.hpp"
+#include "core/collision/cell_flags.hpp"
 #include "core/collision/collision.hpp"
-#include "core/distance/cell_index.hpp"
 #include "support/naive_planner.hpp"
 #include "support/random.hpp"
 #include "support/random_scene.hpp"
@@ -24,98 +21,84 @@ using test::Random;
 using test::Scene;
 using test::SceneRollout;
 
-TEST(BitGrid, MarksTheCellsThatHoldOneOfTwoValues) {
-  Random random(1);
-  for (int round = 0; round < 200; ++round) {
-    const int width = random.integer(1, 200), begin = random.integer(0, width - 1), end = random.integer(begin, width);
-    std::vector<std::uint8_t> cells(static_cast<std::size_t>(width));
-    for (std::uint8_t& cell : cells) cell = static_cast<std::uint8_t>(random.integer(250, 255));
-    BitGrid grid;
-    grid.reset(width, 2);
-    grid.set_where(1, begin, end, cells.data() + begin, 254, 252);
-    for (int i = 0; i < width; ++i) {
-      const std::uint8_t cell = cells[static_cast<std::size_t>(i)];
-      EXPECT_EQ(grid.test(i, 1), i >= begin && i < end && (cell == 254 || cell == 252)) << i << " of " << width;
-      EXPECT_FALSE(grid.test(i, 0));
-    }
-  }
-}
+constexpr std::uint8_t kMarked = 8, kSpread = 2, kOnEdge = 32, kOther = 4;
 
-TEST(BitGrid, BitsBecomeBytes) {
-  Random random(2);
-  for (int round = 0; round < 200; ++round) {
-    std::uint64_t bits = 0;
-    for (int b = 0; b < 64; ++b) bits |= std::uint64_t{random.chance(0.5) ? 1U : 0U} << b;
-    std::uint8_t flags[64];
-    BitGrid::unpack(bits, flags);
-    for (int b = 0; b < 64; ++b) ASSERT_EQ(flags[b], (bits >> b) & 1U) << "bit " << b;
-  }
-}
-
-BitGrid random_bits(Random& random, int width, int height) {
-  BitGrid grid;
-  grid.reset(width, height);
+// Some cells have the flag kMarked, some have another one.
+CellFlags random_flags(Random& random) {
+  const int width = random.integer(1, 200), height = random.integer(1, 12);
+  CellFlags cells;
+  cells.reset(width, height);
   const double share = random.pick({0.02, 0.5, 0.97});
   for (int j = 0; j < height; ++j) {
     for (int i = 0; i < width; ++i) {
-      if (random.chance(share)) grid.set(i, j);
+      if (random.chance(share)) cells.row(j)[i] = kMarked;
+      if (random.chance(0.1)) cells.row(j)[i] |= kOther;
     }
   }
-  return grid;
+  return cells;
 }
 
-bool holds(const BitGrid& grid, int i, int j) {
-  return i >= 0 && i < grid.width() && j >= 0 && j < grid.height() && grid.test(i, j);
+bool marked(const CellFlags& cells, int i, int j) {
+  return i >= 0 && i < cells.width() && j >= 0 && j < cells.height() && (cells.at(i, j) & kMarked) != 0;
 }
 
-// Rows that reach 3, 1, 0 cells to the sides; below 0 a row and those after it reach nothing.
-TEST(BitGrid, DilatedAsCellByCell) {
+// Rows that reach 3, 1, 0 cells to the sides; those after them reach nothing.
+TEST(CellFlags, SpreadAsCellByCell) {
   Random random(3);
   for (int round = 0; round < 100; ++round) {
-    const int width = random.integer(1, 200), height = random.integer(1, 12);
-    const BitGrid grid = random_bits(random, width, height);
+    const CellFlags before = random_flags(random);
     std::vector<int> reach;
-    for (int widest = random.integer(-1, 70); reach.size() < 5; widest = random.integer(-1, std::max(widest, -1))) {
+    for (int widest = random.integer(0, 70), rows = random.integer(0, 5); rows > 0; --rows) {
       reach.push_back(widest);
+      widest = random.integer(0, widest);
     }
-    BitGrid out;
-    grid.dilate(reach, out);
-    for (int j = 0; j < grid.height(); ++j) {
-      for (int i = 0; i < grid.width(); ++i) {
+    CellFlags after = before;
+    after.spread(kMarked, reach, kSpread);
+    const int rows = static_cast<int>(reach.size()) - 1;
+    for (int j = 0; j < before.height(); ++j) {
+      for (int i = 0; i < before.width(); ++i) {
         bool expected = false;
-        for (int dy = -4; dy <= 4; ++dy) {
+        for (int dy = -rows; dy <= rows; ++dy) {
           const int wide = reach[static_cast<std::size_t>(std::abs(dy))];
-          for (int dx = -wide; dx <= wide; ++dx) expected = expected || holds(grid, i + dx, j + dy);
+          for (int dx = -wide; dx <= wide; ++dx) expected = expected || marked(before, i + dx, j + dy);
         }
-        ASSERT_EQ(out.test(i, j), expected) << i << ", " << j << " in round " << round;
+        ASSERT_EQ(after.at(i, j), before.at(i, j) | (expected ? kSpread : 0)) << i << ", " << j << ", round " << round;
       }
+    }
+    EXPECT_TRUE(after.same(before, 0xFF & ~kSpread));
+  }
+}
+
+TEST(CellFlags, EdgesAndTheFirstOfARangeAsCellByCell) {
+  Random random(4);
+  for (int round = 0; round < 100; ++round) {
+    const CellFlags before = random_flags(random);
+    CellFlags after = before;
+    after.mark_edges(kMarked, kOnEdge);
+    for (int j = 0; j < before.height(); ++j) {
+      for (int i = 0; i < before.width(); ++i) {
+        const bool beside = marked(before, i - 1, j) && marked(before, i + 1, j);
+        const bool surrounded = beside && marked(before, i, j - 1) && marked(before, i, j + 1);
+        const int edge = marked(before, i, j) && !surrounded ? kOnEdge : 0;
+        ASSERT_EQ(after.at(i, j), before.at(i, j) | edge) << i << ", " << j << " in round " << round;
+      }
+      const int from = random.integer(0, before.width() - 1), to = random.integer(from, before.width() - 1);
+      int first = from;
+      while (first <= to && !marked(before, first, j)) ++first;
+      EXPECT_EQ(before.find(kMarked, j, from, to), first) << from << " to " << to;
     }
   }
 }
 
-TEST(BitGrid, EdgesAndRangesAsCellByCell) {
-  Random random(4);
-  for (int round = 0; round < 100; ++round) {
-    const int width = random.integer(1, 200), height = random.integer(1, 12);
-    const BitGrid grid = random_bits(random, width, height);
-    BitGrid edges;
-    grid.find_edges(edges);
-    for (int j = 0; j < grid.height(); ++j) {
-      for (int i = 0; i < grid.width(); ++i) {
-        const bool surrounded =
-            holds(grid, i - 1, j) && holds(grid, i + 1, j) && holds(grid, i, j - 1) && holds(grid, i, j + 1);
-        ASSERT_EQ(edges.test(i, j), grid.test(i, j) && !surrounded) << i << ", " << j << " in round " << round;
-      }
-      const int from = random.integer(0, grid.width() - 1), to = random.integer(from, grid.width() - 1);
-      bool any = false;
-      for (int i = from; i <= to; ++i) any = any || grid.test(i, j);
-      EXPECT_EQ(grid.any(j, from, to), any) << from << " to " << to;
-      const std::uint64_t bits = grid.bits(j, from);
-      for (int b = 0; b < 64 && from + b < grid.width(); ++b) {
-        ASSERT_EQ((bits >> b) & 1U, grid.test(from + b, j) ? 1U : 0U);
-      }
-    }
-  }
+TEST(CellFlags, AreTheSameAsFarAsTheseFlagsAre) {
+  Random random(5);
+  const CellFlags cells = random_flags(random);
+  CellFlags other = cells;
+  other.row(cells.height() - 1)[cells.width() - 1] ^= kMarked;
+  EXPECT_FALSE(other.same(cells, kMarked | kSpread));
+  EXPECT_TRUE(other.same(cells, kSpread));
+  other.reset(cells.width(), cells.height() + 1);
+  EXPECT_FALSE(other.same(cells, kSpread));
 }
 
 std::uint8_t cost_class(const Scene& scene, const GridView& grid, double x, double y) {
@@ -131,7 +114,7 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Scene scene = test::random_scene(seed);
-    if (seed % 4 == 0) {  // a table of more than 64 cells a row: 1 m/s x 3 s = 3 m to either side
+    if (seed % 4 == 0) {  // a wide window: 1 m/s x 3 s = 3 m to either side
       scene.parameters.sim_time = 3.0;
       scene.situation.last_command.v = 1.0;
     }
@@ -141,10 +124,9 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
     CollisionChecker checker;
     checker.prepare(cycle.grid, cycle.footprint, unknown, start, cycle.reach, 0.5 * cycle.rollout.longest_step());
     CellClasses classes;
-    classes.prepare(checker, cycle.grid, unknown, start, cycle.reach);
     for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
       const Tile tile = cycle.rollout.tile(t);
-      const TileCells cells = classes.under(tile);
+      const TileCells cells = classes.under(checker, tile);
       std::uint8_t any = 0;
       for (std::size_t c = 0; c < tile.count; ++c) {
         std::uint8_t touched = 0;
@@ -170,40 +152,6 @@ TEST(CellClasses, ATileIsClassifiedAsItsPosesAre) {
     }
   }
   for (const int often : {open, near, hit, blocked}) EXPECT_GT(often, 100);
-}
-
-TEST(FindCells, AreThoseOfThePointsAhead) {
-  Random random(3);
-  int outside = 0, inside = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const Scene scene = test::random_scene(seed);
-    SceneRollout cycle(scene);
-    const kernel::CellBox box{random.integer(-3, 10), random.integer(-3, 10), random.integer(5, 60),
-                              random.integer(5, 60)};
-    for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
-      const Tile tile = cycle.rollout.tile(t);
-      const std::size_t row = tile.steps * tile.stride;
-      for (const double forward : {0.0, 0.1, 0.325}) {
-        std::vector<std::int32_t> at_i(tile.count), at_j(tile.count);
-        kernel::find_cells(cycle.grid, box, tile.x + row, tile.y + row, forward * tile.cos_heading[tile.steps],
-                           forward * tile.sin_heading[tile.steps], tile.count, at_i.data(), at_j.data());
-        for (std::size_t c = 0; c < tile.count; ++c) {
-          const Pose2 last = tile.last_pose(c);
-          const Cell cell = cycle.grid.cell_at(last.x + forward * tile.cos_heading[tile.steps],
-                                               last.y + forward * tile.sin_heading[tile.steps]);
-          const int i = cell.i - box.i, j = cell.j - box.j;
-          const bool in_box = i >= 0 && i < box.width && j >= 0 && j < box.height;
-          ASSERT_EQ(at_i[c] >= 0, in_box);
-          ++(in_box ? inside : outside);
-          if (!in_box) continue;
-          ASSERT_EQ(at_i[c], i);
-          ASSERT_EQ(at_j[c], j);
-        }
-      }
-    }
-  }
-  EXPECT_GT(inside, 1000);
-  EXPECT_GT(outside, 1000);
 }
 
 }  // namespace

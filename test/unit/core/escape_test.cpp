@@ -97,7 +97,7 @@ class Caught {
     const char* reason = nullptr;
     check_.check_rollouts(rollout.tile(0), &reason);
     if (reason != nullptr) return reason;
-    return check_.can_brake(sample, 0) && check_.confirm_braking(sample) ? "" : "cannot brake";
+    return check_.can_brake(sample) && check_.confirm_braking(sample) ? "" : "cannot brake";
   }
   bool may(const Twist2& sample) { return rejection(sample).empty(); }
 
@@ -123,7 +123,7 @@ TEST(EscapeRule, InFreeSpaceItDoesNotApply) {
   scene.fill(0.2, -9.0, 9.0, 9.0);  // from x = 0.225 on
   EXPECT_FALSE(Caught(scene, {0.02, 0.0, 0.0}).rule().applies());
   EXPECT_TRUE(Caught(scene, {0.03, 0.0, 0.0}).rule().overlaps());
-  scene.parameters.escape = false;
+  scene.parameters.method = Method::paper;
   EXPECT_FALSE(Caught(scene, {0.03, 0.0, 0.0}).rule().applies());
 }
 

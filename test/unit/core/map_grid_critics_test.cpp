@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PathDist, PathAlign, GoalDist, GoalAlign by hand; test/oracle/critic_twin_test.cpp compares them in random scenes.
+// PathDist, PathAlign, GoalDist, GoalAlign by hand; test/oracle/planner_twin_test.cpp compares them in random scenes.
 #include <gtest/gtest.h>
 
 #include "support/critic_bench.hpp"

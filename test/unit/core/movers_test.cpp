@@ -125,8 +125,8 @@ bool confirms(const Parameters& p, const MovingObstacleEstimates& movers, const 
   return check.none_near() || check.confirm(command);
 }
 
-// All over the dynamic window, and beyond: what is answered for a part of it holds for each of its commands. In each
-// other scene cycles come up to 0.1 s late, and the first command to brake up to 0.2 s.
+// All over the dynamic window, and beyond: what is found out for several commands at once holds for each of them. In
+// each other scene cycles come up to 0.1 s late, and the first command to brake up to 0.2 s.
 TEST(MoverChecks, AnswerForEachCommandAsForItAlone) {
   Random random(13);
   int refused = 0, free = 0, mixed = 0;

@@ -194,9 +194,6 @@ TEST(ReadingTolerance, InsideTheDeadBandARobotStands) {
   EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.3}).omega, 0.8);  // 0.5 + 0.3
   EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, -0.3}).omega, 0.8);
   EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.5}).omega, 0.5);  // beyond the dead band
-  p.min_in_place_vel_theta = 0.0;
-  p.min_vel_theta = 0.35;
-  EXPECT_DOUBLE_EQ(reading_tolerance(p, {0.5, 0.3}).omega, 0.8);
 }
 
 }  // namespace

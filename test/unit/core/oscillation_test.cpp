@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// By hand; test/oracle/critic_twin_test.cpp compares Oscillation on random histories.
+// By hand; test/oracle/oscillation_twin_test.cpp compares Oscillation on random histories.
 #include <gtest/gtest.h>
 
 #include "support/critic_bench.hpp"

@@ -22,7 +22,7 @@ TEST(ParameterText, ADoubleIsReadBackToTheSameBits) {
 TEST(ParameterText, LinesHoldEveryParameterOfEveryKind) {
   Parameters p;
   p.method = Method::paper;
-  p.escape = !p.escape;
+  p.unknown_is_obstacle = false;
   p.vx_samples = 7;
   p.critics = "PathDist,\n GoalDist \\n";  // a YAML text may have lines of its own
   Parameters other;
@@ -38,7 +38,7 @@ TEST(ParameterText, WhatCannotBeSetIsNamed) {
   EXPECT_EQ(set_parameter_text(p, "sim_time", "1 s"), "sim_time needs a number, not '1 s'");
   EXPECT_EQ(set_parameter_text(p, "sim_time", "nan"), "sim_time needs a number, not 'nan'");
   EXPECT_EQ(set_parameter_text(p, "vx_samples", "2.5"), "vx_samples needs a whole number, not '2.5'");
-  EXPECT_EQ(set_parameter_text(p, "escape", "yes"), "escape is true or false, not 'yes'");
+  EXPECT_EQ(set_parameter_text(p, "record_cycles", "yes"), "record_cycles is true or false, not 'yes'");
   EXPECT_EQ(set_parameter_text(p, "method", "DWB"), "method: expected one of hidwa paper");
   EXPECT_EQ(set_lines(p, "nonsense\n"), (std::vector<std::string>{"'nonsense' is not of the form name=value"}));
 }

@@ -88,9 +88,9 @@ TEST(Escape, ThereAreManySlowCandidates) {
   EXPECT_LE(decision.sample.v, 0.1404);  // 0.15 v + v^2 / 5 = 0.025
 }
 
-TEST(Escape, OffThereIsNoWayOut) {
+TEST(Escape, ThePapersMethodHasNoWayOut) {
   Scene scene = against_the_wall();
-  scene.parameters.escape = false;
+  scene.parameters.method = Method::paper;
   PlannerBench bench(scene);
   const Decision& decision = bench.cycle();
   EXPECT_EQ(decision.outcome, Outcome::fail);

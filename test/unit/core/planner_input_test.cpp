@@ -97,10 +97,10 @@ TEST(BadInput, IsNamedAndTheRobotBrakes) {
 // Such a command was never sent. No command starts from a reading that no command explains: zero it is, and a failure.
 TEST(BadInput, TheLastCommand) {
   for (const double bad : {kNan, kInf, -kInf}) {
-    for (const VelocityReference reference : {VelocityReference::odometry, VelocityReference::command}) {
+    for (const Method method : {Method::paper, Method::hidwa}) {
       Scene scene = driving();
       scene.situation.last_command.omega = bad;
-      scene.parameters.velocity_reference = reference;
+      scene.parameters.method = method;
       PlannerBench bench(scene);
       const Decision& decision = bench.cycle();
       EXPECT_EQ(decision.outcome, Outcome::fail);

@@ -76,7 +76,7 @@ TEST(ImpossibleOdometry, NorWithAPersonWhoSteersAloneOrOdometryAsTheReference) {
   guarded.intent.influence = Influence::direct;
   Scene unguarded = guarded, by_odometry = on_a_plan();
   unguarded.intent.guarded = false;
-  by_odometry.parameters.velocity_reference = VelocityReference::odometry;
+  by_odometry.parameters.method = Method::paper;
   for (Scene* scene : {&guarded, &unguarded, &by_odometry}) {
     for (const Twist2& reading : kImpossible) {
       scene->situation.velocity = reading;
@@ -215,10 +215,10 @@ TEST(LateCycles, WhatABaseHasNotReachedYetStartsNoCommand) {
 }
 
 // Three commands of `step`, 2 `step` and 3 `step` [m/s] are under way, and odometry shows none of them yet.
-Outcome outcome_near_a_wall(double step, VelocityReference reference) {
+Outcome outcome_near_a_wall(double step, Method method) {
   Scene scene = before_a_wall(0.02);
   scene.intent.influence = Influence::direct;
-  scene.parameters.velocity_reference = reference;
+  scene.parameters.method = method;
   PlannerBench bench(scene);
   for (int k = 0; k < 3; ++k) {
     bench.cycle();
@@ -229,11 +229,11 @@ Outcome outcome_near_a_wall(double step, VelocityReference reference) {
 }
 
 TEST(OdometryAsTheReference, PendingMotionIsReckonedWith) {
-  for (const VelocityReference reference : {VelocityReference::odometry, VelocityReference::command}) {
+  for (const Method method : {Method::paper, Method::hidwa}) {
     // From rest to 0.125 m/s and back: 0.05 * 0.0625 + 0.05 * 0.0625 m and the tail, 7 mm.
-    EXPECT_EQ(outcome_near_a_wall(0.0, reference), Outcome::drive);
+    EXPECT_EQ(outcome_near_a_wall(0.0, method), Outcome::drive);
     // From rest to 0.125 and 0.25 m/s in 0.1 s, and back: 0.05 * (0.0625 + 0.1875) + 0.25^2 / 5 = 25 mm.
-    EXPECT_EQ(outcome_near_a_wall(0.125, reference), Outcome::brake);
+    EXPECT_EQ(outcome_near_a_wall(0.125, method), Outcome::brake);
   }
 }
 

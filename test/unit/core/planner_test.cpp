@@ -60,10 +60,10 @@ TEST(PlannerCost, TheTotalIsTheSumOfItsTerms) {
 }
 
 TEST(PlannerOutcome, NothingLegalBrakesWhileMovingThenFails) {
-  // Obstacles everywhere, and no escape.
+  // Obstacles everywhere, and no way out of a collision.
   Scene scene = driving(0.3);
   scene.fill(-9.0, -9.0, 9.0, 9.0);
-  scene.parameters.escape = false;
+  scene.parameters.method = Method::paper;
   PlannerBench bench(scene);
   const Decision& moving = bench.drive();
   EXPECT_EQ(moving.outcome, Outcome::brake);

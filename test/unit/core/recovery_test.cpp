@@ -85,7 +85,7 @@ TEST(Recovery, PastCornersThatThePlanHugs) {
       if (test::naive_overlap(scene.grid(), body, scene.situation.pose, true) > 0.0) continue;
       ++scenes;
       EXPECT_GT(driven(scene), 0.8) << ahead << " " << y;
-      scene.parameters.turn_when_stuck = false;
+      scene.parameters.method = Method::paper;
       if (driven(scene) < 0.8) ++stuck_without;
     }
   }
@@ -112,7 +112,7 @@ TEST(Recovery, OutOfACollisionByTurningFirst) {
   scene.fill(-0.05, -0.325, 0.05, -0.275);
   scene.fill(-1.0, 0.375, 1.0, 0.425);  // 0.375 - 0.006 - 0.31 = 59 mm beside it
   Scene stays = scene;
-  stays.parameters.turn_when_stuck = false;
+  stays.parameters.method = Method::paper;
   PlannerBench bench(scene), without(stays);
   const test::NaiveBody body = test::naive_body(scene);
   const auto overlap = [&body](PlannerBench& b) {
@@ -397,7 +397,7 @@ Scene beside_a_thing() {
 TEST(Recovery, TurnsTheLongWayRound) {
   Scene scene = beside_a_thing();
   EXPECT_GT(driven(scene), 0.5);
-  scene.parameters.turn_when_stuck = false;
+  scene.parameters.method = Method::paper;
   EXPECT_LT(driven(scene), 0.1);  // or this scene shows nothing
 }
 

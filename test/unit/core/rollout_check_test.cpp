@@ -26,7 +26,6 @@ struct CheckedCycle : test::SceneRollout {
     const Situation& s = scene.situation;
     const bool unknown = scene.parameters.unknown_is_obstacle;
     checker.prepare(grid, footprint, unknown, s.pose, reach, grid.resolution, 2.0 * grid.resolution);
-    classes.prepare(checker, grid, unknown, s.pose, reach);
     start.pending = &pending;
     check.prepare(scene.parameters, checker, footprint, grid.resolution, {&start});
   }
@@ -58,7 +57,7 @@ TEST(RolloutCheck, AsEveryPoseByItself) {
     if (cycle.checker.collides(scene.situation.pose)) continue;
     for (std::size_t t = 0; t < cycle.rollout.tile_count(); ++t) {
       Tile tile = cycle.rollout.tile(t);
-      tile.cells = cycle.classes.under(tile);
+      tile.cells = cycle.classes.under(cycle.checker, tile);
       std::vector<const char*> reasons(tile.count, nullptr);
       cycle.check.check_rollouts(tile, reasons.data());
       for (std::size_t c = 0; c < tile.count; ++c) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// By hand; test/oracle/critic_twin_test.cpp compares RotateToGoal in random scenes.
+// By hand; test/oracle/planner_twin_test.cpp compares RotateToGoal in random scenes.
 #include <gtest/gtest.h>
 
 #include "support/critic_bench.hpp"

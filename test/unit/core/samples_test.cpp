@@ -89,7 +89,7 @@ TEST(Window, IsNoShorterThanAPeriod) {
 
 struct Grid {
   const char* what;
-  double min_vel_x, max_wheel_speed, min_vel_theta;
+  double min_vel_x, max_wheel_speed, min_in_place_vel_theta;
   int vx_samples, vth_samples;
   std::size_t samples;
 };
@@ -101,15 +101,15 @@ TEST(Grid, HoldsWhatTheRobotCanDrive) {
       {"-0.2, -0.1, 0 ... 0.5 m/s x -1, 0, 1 rad/s", -0.2, 0.0, 0.0, 8, 3, 8 * 3 - 1},
       // |v| + 0.2 |omega| <= 0.5 with v in {0, 0.1 ... 0.5}: v <= 0.4 with +-0.5 rad/s, v <= 0.3 with +-1 rad/s.
       {"what the wheels can do", 0.0, 0.5, 0.0, 6, 5, 5 + 2 * 5 + 2 * 4},
-      // Without +-0.25 rad/s, but on the spot.
-      {"0, 0.25, 0.5 m/s x 9 turns but the slow ones", 0.0, 0.0, 0.3, 3, 9, 3 * 7 - 1 + 2},
+      // On the spot without +-0.25 rad/s, but with the band's edges, +-0.3 rad/s.
+      {"0, 0.25, 0.5 m/s x 9 turns but the slow ones on the spot", 0.0, 0.0, 0.3, 3, 9, 3 * 9 - 1 - 2 + 2},
   };
   for (const Grid& grid : grids) {
     Parameters p = plain();
     p.min_vel_x = grid.min_vel_x;
     p.wheel_separation = grid.max_wheel_speed > 0.0 ? 0.4 : 0.0;
     p.max_wheel_speed = grid.max_wheel_speed;
-    p.min_vel_theta = grid.min_vel_theta;
+    p.min_in_place_vel_theta = grid.min_in_place_vel_theta;
     EXPECT_EQ(make(p, driving(0.0, 0.0, grid.vx_samples, grid.vth_samples)).size(), grid.samples) << grid.what;
   }
 }
@@ -139,20 +139,21 @@ struct Wish {
   Twist2 wanted, becomes;
 };
 
-// Wheels of 0.5 m/s, 0.2 m from the middle; no turns slower than 0.2 rad/s.
+// Wheels of 0.5 m/s, 0.2 m from the middle; no turns on the spot slower than 0.2 rad/s.
 TEST(IntoWindow, AxisEndsWheelsAndDeadBand) {
   Parameters p;
   p.wheel_separation = 0.4;
   p.max_wheel_speed = 0.5;
-  p.min_vel_theta = 0.2;
+  p.min_in_place_vel_theta = 0.2;
   const VelocityLimits limits = VelocityLimits::from(p);
-  const DynamicWindow window{{0.1, 0.5}, {-0.8, 0.8}};
+  const DynamicWindow window{{0.0, 0.5}, {-0.8, 0.8}};
   const Wish wishes[] = {
-      {"is slower than the window", {-1.0, 0.5}, {0.1, 0.5}},
+      {"is slower than the window", {-1.0, 0.5}, {0.0, 0.5}},
       {"turns faster: 0.5 - 0.8 * 0.2 is left to drive", {0.5, 2.0}, {0.34, 0.8}},
-      {"turns less than half of the dead band", {0.3, 0.09}, {0.3, 0.0}},
-      {"turns more than half of it", {0.3, -0.11}, {0.3, -0.2}},
-      {"fits the wheels, but not with the turn that it gets: 0.5 - 0.2 * 0.2", {0.48, 0.1}, {0.46, 0.2}},
+      {"turns slowly while it drives", {0.3, 0.09}, {0.3, 0.09}},
+      {"turns less than half of the dead band on the spot", {0.0, 0.09}, {0.0, 0.0}},
+      {"turns more than half of it", {0.0, -0.11}, {0.0, -0.2}},
+      {"hardly drives, and turns more than half of it", {0.009, -0.11}, {0.009, -0.2}},
   };
   for (const Wish& wish : wishes) {
     const Twist2 u = into_window(p, limits, window, wish.wanted);
@@ -164,13 +165,12 @@ TEST(IntoWindow, AxisEndsWheelsAndDeadBand) {
 // As in collision: what the motors cannot turn so slowly is no turn.
 TEST(IntoWindow, LimitsBelowTheDeadBandLeaveNoTurn) {
   Parameters p;
-  p.min_vel_theta = 0.4;
+  p.min_in_place_vel_theta = 0.4;
   VelocityLimits limits = VelocityLimits::from(p);
   limits.theta.min = -0.3;
   limits.theta.max = 0.3;
-  const Twist2 u = into_window(p, limits, {{0.0, 0.5}, {-0.3, 0.3}}, {0.1, 0.3});
-  EXPECT_EQ(u.omega, 0.0);
-  EXPECT_EQ(u.v, 0.1);
+  const Twist2 u = into_window(p, limits, {{0.0, 0.5}, {-0.3, 0.3}}, {0.0, 0.3});
+  EXPECT_TRUE(u == Twist2{});
 }
 
 }  // namespace

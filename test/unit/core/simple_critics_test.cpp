@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// BaseObstacle, ObstacleFootprint and PreferForward by hand; test/oracle/critic_twin_test.cpp compares them, and
+// BaseObstacle, ObstacleFootprint and PreferForward by hand; test/oracle/planner_twin_test.cpp compares them, and
 // Twirling, in random scenes.
 #include <gtest/gtest.h>
 
@@ -75,14 +75,14 @@ TEST(ObstacleCritics, TakeUnknownCellsForFreeOnesOnDemand) {
 }
 
 // At the start its centre is in an inscribed cell, and its front in a lethal one.
-TEST(ObstacleCritics, LetOutOfAnObstacleWhereEscapeIsOn) {
+TEST(ObstacleCritics, LetOutOfAnObstacleButInThePapersMethod) {
   Scene scene = Scene::empty();
   scene.at({30, 30}) = cost::kInscribed;
   scene.at({34, 30}) = cost::kLethal;
-  for (const bool escape : {true, false}) {
-    scene.parameters.escape = escape;
+  for (const Method method : {Method::hidwa, Method::paper}) {
+    scene.parameters.method = method;
     for (const char* critic : {"BaseObstacle", "ObstacleFootprint"}) {
-      EXPECT_EQ(rejects(critic, scene, {{}, {-0.1, 0.0, 0.0}}), !escape) << critic;
+      EXPECT_EQ(rejects(critic, scene, {{}, {-0.1, 0.0, 0.0}}), method == Method::paper) << critic;
     }
   }
 }

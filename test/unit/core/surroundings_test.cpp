@@ -25,7 +25,6 @@ class Asker : public Critic {
  public:
   explicit Asker(Question question) : question_(std::move(question)) {}
   double configure(const Parameters& /*parameters*/, const ParameterSource& /*own*/) override { return 1.0; }
-  double reach() const override { return 0.3; }
   void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override { question_(cycle, tile, scores); }
 
  private:

@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/autonomy/way_room.hpp"
+#include "core/collision/collision.hpp"
+#include "core/search/way.hpp"
 #include "support/scene.hpp"
 
 namespace hidwa_local_planner {
@@ -43,7 +44,7 @@ double room_of(const Scene& scene, std::size_t part) {
   const Footprint square(kSquare);
   CollisionChecker collision;
   collision.prepare(scene.grid(), square, true, {}, 2.0, 0.01, kCell);
-  return room_ahead(straight_way(), part, collision, kCell);
+  return straight_way().room_ahead(part, collision, kCell);
 }
 
 TEST(WayRoom, IsACellWhereNothingIsNear) { EXPECT_EQ(room_of(Scene::empty(81, kCell), 0), kCell); }

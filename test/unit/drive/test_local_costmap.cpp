@@ -23,7 +23,6 @@ TEST(LocalCostmap, AgreesWithTheNaiveTwinOnRandomScans) {
   sim::Random random(17);
   for (int scene = 0; scene < 6; ++scene) {
     const sim::OccupancyMap map = sim::random_map(random, 120, 90, scene % 2 == 0 ? 0.004 : 0.02);
-    const sim::RayCaster caster(map);
     sim::LaserSpec laser;
     laser.beams = 200;
     laser.field_of_view = scene % 3 == 0 ? 4.0 : 2.0 * M_PI;
@@ -43,7 +42,7 @@ TEST(LocalCostmap, AgreesWithTheNaiveTwinOnRandomScans) {
     for (int step = 0; step < 12; ++step) {
       pose = {pose.x + uniform(random, -0.1, 0.3), pose.y + uniform(random, -0.2, 0.2), uniform(random, -4.0, 4.0)};
       const sim::Pose sensor = sim::compose(pose, {0.1, 0.0, 0.0});
-      sim::scan(caster, laser, sensor, random, ranges);
+      sim::scan(map, laser, sensor, random, ranges);
       project(ranges, laser, sensor, beams);
       costmap.update(pose, beams);
       naive.update(pose, beams);

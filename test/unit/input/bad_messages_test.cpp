@@ -50,13 +50,6 @@ TEST(BadMessages, TimesThatAreNoNumbers) {
   EXPECT_EQ(person.cycle(1.1).state, State::shared);
 }
 
-TEST(BadMessages, TheCountOutlivesAReset) {
-  Person person;
-  person.stick(1.0, kNan);
-  person.machine.reset();
-  EXPECT_EQ(person.machine.dropped(), 1U);
-}
-
 struct Dice {
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(random() % n); }
   int up_to(int most) { return static_cast<int>(below(static_cast<std::size_t>(most + 1))); }

@@ -49,7 +49,7 @@ TEST(Beside, AnIdleNodeTakesNothingFromThePage) {
   EXPECT_EQ(both.machine.sender(), "/console");
   EXPECT_EQ(both.period(0.0F, 0.0F), State::hold);
   EXPECT_EQ(both.period(-0.5F, 0.0F), State::shared);  // no second centring
-  EXPECT_TRUE(says(both.machine.advice(), "/console and /joy_node")) << both.machine.advice();
+  EXPECT_TRUE(says(both.machine.advice(), "/joy_node and /console")) << both.machine.advice();
 }
 
 // 0.09 lies within the dead zone of 0.1; at 0.11 beyond it the stick trembles around its edge; 1 is a trigger, or a

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "input/joystick_map.hpp"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "input/stick_reading.hpp"
 
 namespace hidwa_local_planner::input {
 namespace {

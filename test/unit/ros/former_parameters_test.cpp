@@ -119,6 +119,10 @@ TEST(FormerParameters, AWeightOfTermsWithWeightsGoesIntoThem) {
 
 TEST(FormerParameters, WhatIsFixedNowSaysWhatItIs) {
   const std::pair<const char*, const char*> told[] = {{"Oscillation_x_only_threshold", "it is 0.05 m/s: remove it"},
+                                                      {"escape", "false with method: paper"},
+                                                      {"turn_when_stuck", "false with method: paper"},
+                                                      {"velocity_reference", "odometry with method: paper"},
+                                                      {"min_vel_theta", "max_vel_theta holds to both sides"},
                                                       {"Oscillation_reset_dist", "it is 0.05 m"},
                                                       {"Oscillation_reset_angle", "it is 0.2 rad"},
                                                       {"velocity_reference_tolerance_x", "it is 0.2 m/s"},

@@ -28,7 +28,6 @@ class Told : public Critic {
     if (prepare_throws) throw 42;
     return 2.0;
   }
-  double reach() const override { throw std::runtime_error("unknown"); }
   void prepare(const CycleView& /*cycle*/) override {
     if (prepare_throws) throw 42;
   }
@@ -90,7 +89,6 @@ TEST_F(GuardedCritics, ScoresThatAreNoNumbersAreLeftToThePlanner) {
 }
 
 TEST_F(GuardedCritics, OnlyConfigureThrows) {
-  EXPECT_EQ(guarded_.reach(), 0.0);
   EXPECT_NO_THROW(guarded_.debrief(view_, Twist2{}));
   EXPECT_NO_THROW(guarded_.reset());
   EXPECT_EQ(guarded_.configure(Parameters(), ParameterSource()), 2.0);

@@ -24,14 +24,14 @@ TEST(ParameterLoading, TakesEveryKindOfValue) {
   const LoadedParameters loaded = load_parameters(file_of({{"max_vel_x", 1},  // a whole number for a real one
                                                            {"acc_lim_x", 1.25},
                                                            {"vx_samples", 7},
-                                                           {"escape", false},
+                                                           {"record_cycles", true},
                                                            {"odom_topic", "wheels"},
                                                            {"generator", "dwa"}}));
   EXPECT_TRUE(loaded.faults.empty());
   EXPECT_EQ(loaded.parameters.max_vel_x, 1.0);
   EXPECT_EQ(loaded.parameters.acc_lim_x, 1.25);
   EXPECT_EQ(loaded.parameters.vx_samples, 7);
-  EXPECT_FALSE(loaded.parameters.escape);
+  EXPECT_TRUE(loaded.parameters.record_cycles);
   EXPECT_EQ(loaded.parameters.odom_topic, "wheels");
   EXPECT_EQ(loaded.parameters.generator, Generator::dwa);
   EXPECT_EQ(loaded.found.size(), 6u);
@@ -92,27 +92,11 @@ TEST(ParameterLoading, MinimaOfAnotherPlannerBindNothing) {
         load_parameters(file_of({{"min_vel_x", -0.22}, {"max_vel_theta", 2.75}, {trans, 0.11}, {rot, 1.37}}));
     EXPECT_TRUE(loaded.faults.empty());
     EXPECT_EQ(loaded.parameters.min_vel_x, -0.22);
-    EXPECT_EQ(loaded.parameters.min_vel_theta, 0.0);
     EXPECT_EQ(loaded.warnings.size(), 2u);
     EXPECT_TRUE(
         contains(loaded.warnings, trans + ": it has no effect; remove it. Where the motors cannot turn slowly"));
     EXPECT_TRUE(contains(loaded.warnings, rot));
     EXPECT_FALSE(contains(loaded.warnings, "do you mean"));
-  }
-  // Alone it is ours.
-  EXPECT_EQ(load_parameters(file_of({{"min_vel_theta", 0.3}})).parameters.min_vel_theta, 0.3);
-}
-
-// base_local_planner's is the fastest turn to the right: a range that ends below 0.
-TEST(ParameterLoading, AFastestTurnToTheRightIsNoSlowestTurn) {
-  for (const XmlRpcValue& fastest : {XmlRpcValue(-1), XmlRpcValue(-1.57)}) {
-    const LoadedParameters loaded = load_parameters(file_of(
-        {{"min_vel_x", 0.1}, {"max_vel_theta", 1.57}, {"min_in_place_vel_theta", 0.314}, {"min_vel_theta", fastest}}));
-    EXPECT_TRUE(loaded.faults.empty());
-    EXPECT_EQ(loaded.parameters.min_vel_theta, 0.0);
-    EXPECT_EQ(loaded.parameters.min_in_place_vel_theta, 0.314);
-    EXPECT_TRUE(contains(loaded.warnings, "min_vel_theta: -1"));
-    EXPECT_EQ(loaded.aliases, std::vector<std::string>{"min_vel_theta"});
   }
 }
 

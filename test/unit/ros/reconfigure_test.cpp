@@ -71,7 +71,7 @@ TEST(Reconfigure, ParametersThereAndBack) {
   Parameters p;
   p.max_vel_x = 0.77;
   p.vx_samples = 13;
-  p.escape = false;
+  p.record_cycles = true;
   p.critics = "PathDist";
   p.generator = Generator::dwa;
   p.method = Method::paper;

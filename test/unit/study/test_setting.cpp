@@ -21,13 +21,13 @@ std::string fault_of(const std::string& text) {
 
 TEST(Setting, SetsEveryKindOfValue) {
   Subject subject;
-  for (const char* text : {"s_v=123.5", "vx_samples=7", "escape=false", "generator=dwa", "participant.look_ahead=2",
-                           "link_delay=0.2", "critics=PathDist, GoalDist"}) {
+  for (const char* text : {"s_v=123.5", "vx_samples=7", "record_cycles=true", "generator=dwa",
+                           "participant.look_ahead=2", "link_delay=0.2", "critics=PathDist, GoalDist"}) {
     assign(subject, parse_assignment(text));
   }
   EXPECT_EQ(subject.parameters.s_v, 123.5);
   EXPECT_EQ(subject.parameters.vx_samples, 7);
-  EXPECT_FALSE(subject.parameters.escape);
+  EXPECT_TRUE(subject.parameters.record_cycles);
   EXPECT_EQ(subject.parameters.generator, Generator::dwa);
   EXPECT_EQ(subject.participant.look_ahead, 2.0);
   EXPECT_EQ(subject.link_delay, 0.2);
@@ -39,7 +39,7 @@ TEST(Setting, FaultsNameTheThingAndTheRemedy) {
   EXPECT_NE(fault_of("s_v=much").find("s_v needs a number"), std::string::npos);
   EXPECT_NE(fault_of("s_v=nan"), "");
   EXPECT_NE(fault_of("vx_samples=2.5").find("whole number"), std::string::npos);
-  EXPECT_NE(fault_of("escape=yes").find("true or false"), std::string::npos);
+  EXPECT_NE(fault_of("record_cycles=yes").find("true or false"), std::string::npos);
   EXPECT_NE(fault_of("generator=best"), "");
   EXPECT_NE(fault_of("participant.mood=1").find("there are reaction_time"), std::string::npos);
   EXPECT_NE(fault_of("link_delay=-1"), "");

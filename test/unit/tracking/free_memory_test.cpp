@@ -3,18 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/naive_gap.hpp"
 #include "support/office_scans.hpp"
 
 namespace hidwa_local_planner::tracking {
 namespace {
 
 using test::Random;
-
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point d = b - a;
-  const double share = d.squaredNorm() > 0.0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
-  return (p - a - share * d).norm();
-}
 
 // The slow twin: the polygon of all ends, closed by the sensor; a place's distance from it, and whether it is inside
 // (the crossings of a ray to the right).
@@ -28,7 +23,7 @@ struct SeenPolygon {
   double distance(const Point& p) const {  // to what was seen; the sides at the sensor are no edge
     double nearest = 1e9;
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-      nearest = std::min(nearest, distance_to_segment(p, corners[i], corners[i + 1]));
+      nearest = std::min(nearest, test::naive_to_segment(p, corners[i], corners[i + 1]));
     return nearest;
   }
   bool holds(const Point& p) const {

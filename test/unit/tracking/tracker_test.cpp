@@ -293,20 +293,6 @@ TEST(Tracker, BearsBrokenRangesAndChangingScans) {
   EXPECT_EQ(watch.tracker.obstacles().size(), 1u);
 }
 
-TEST(Tracker, AScanThatSaysNothingMakesNothing) {
-  Tracker tracker;
-  RangeScan scan;
-  scan.angle_increment = 0.01;
-  scan.range_max = 10.0;
-  for (int i = 1; i < 20; ++i) {
-    scan.stamp = kStep * i;
-    scan.ranges.assign(300, 0.0F);
-    EXPECT_EQ(tracker.update(scan), ScanUse::refused);
-    EXPECT_TRUE(tracker.obstacles().empty());
-    EXPECT_EQ(tracker.candidates(), 0u);
-  }
-}
-
 TEST(Tracker, RefusesSettingsAndNamesThem) {
   TrackerSettings settings;
   EXPECT_EQ(fault_of(settings), "");

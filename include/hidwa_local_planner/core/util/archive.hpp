@@ -90,8 +90,6 @@ class ArchiveReader {
   bool failed() const { return failed_; }
   /// Every byte was read, and none was missing.
   bool complete() const { return !failed_ && left_ == 0; }
-  /// Bytes are left: of what is written only where there is some.
-  bool more() const { return !failed_ && left_ > 0; }
 
  private:
   bool raw(void* data, std::size_t size) {

@@ -38,7 +38,6 @@ class SlowNear : public hidwa_local_planner::Critic {
     forward_ = own.word("measured_at", "centre") == "nose" ? parameters.forward_point_distance : 0.0;
     return own.number("scale", 1.0);
   }
-  double reach() const override { return forward_; }
 
   void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
     found_.resize(tile.count);

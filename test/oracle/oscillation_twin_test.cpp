@@ -1,68 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Critics by themselves on random rollouts, so that those count too which the planner's own checks would have
-// rejected. Oscillation, which remembers, on random histories.
-#include <cstdio>
+// Oscillation, which remembers, on random histories. The other critics: planner_twin_test.cpp.
+#include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "support/critic_bench.hpp"
-#include "support/naive_planner.hpp"
-#include "support/random_scene.hpp"
+#include "support/random.hpp"
 
 namespace hidwa_local_planner {
 namespace {
 
 using test::CriticBench;
-using test::NaiveCandidate;
-using test::NaiveCritics;
 using test::Random;
 using test::Scene;
-
-struct Tally {
-  int legal = 0, rejected = 0;
-};
-
-void compare_scene(const std::string& name, std::uint64_t seed, Tally& tally) {
-  SCOPED_TRACE(name + ", seed " + std::to_string(seed));
-  Scene scene = test::random_scene(seed);
-  if (seed % 2 == 0) scene.intent = OperatorIntent();
-  if (seed % 3 == 0) test::arrive(scene);
-  const test::NaiveBody body = test::naive_body(scene);
-  const NaiveCritics naive(scene, body);
-  CriticBench bench(name, scene);
-  bench.prepare();
-  ASSERT_NEAR(bench.weight(), NaiveCritics::weight(name, scene.parameters), 1e-12);
-  std::vector<NaiveCandidate> candidates = test::naive_candidates(scene, scene.situation.velocity);
-  test::naive_roll_out(scene, scene.situation.velocity, candidates);
-  for (const NaiveCandidate& c : candidates) {
-    bool rejects = false;
-    const double raw = naive.raw(name, c, rejects);
-    const test::CriticAnswer answer = bench.score(c.u, c.poses, c.dt, c.omegas);
-    ASSERT_EQ(answer.rejected(), rejects) << c.u.v << " " << c.u.omega << " " << answer.reason;
-    ++(rejects ? tally.rejected : tally.legal);
-    if (!rejects) {
-      ASSERT_NEAR(answer.raw, raw, 1e-9) << c.u.v << " " << c.u.omega;
-    }
-  }
-}
-
-class CriticTwin : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(CriticTwin, RandomScenes) {
-  Tally tally;
-  for (std::uint64_t seed = 0; seed < 400 && !HasFatalFailure(); ++seed)
-    compare_scene(GetParam(), 4000000 + seed, tally);
-  std::printf("%s: %d legal, %d rejected\n", GetParam(), tally.legal, tally.rejected);
-  EXPECT_GT(tally.legal, 1000);
-  const std::string name = GetParam();
-  if (name != "PreferForward" && name != "Twirling") {
-    EXPECT_GT(tally.rejected, 0);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Critics, CriticTwin,
-                         ::testing::Values("PathDist", "PathAlign", "GoalDist", "GoalAlign", "BaseObstacle",
-                                           "ObstacleFootprint", "RotateToGoal", "PreferForward", "Twirling"));
 
 // Keeps the whole history and reads the ban out of it each time.
 class NaiveOscillation {
