@@ -256,13 +256,13 @@ std::vector<Condition> options() {
   return {
       {"method_paper", true, "method: paper, the braking check on",
        [](Spec& s, Random&) { s.parameters.method = Method::paper; }},
-      {"method_paper_odometry_delayed", true, "the same, odometry late by the latency",
+      {"method_paper_delayed", true, "the same, odometry late by the latency",
        [](Spec& s, Random& r) {
          s.parameters.method = Method::paper;
          s.odometry = Odometry::delayed;
          latency(s, r.of({100, 300}));
        }},
-      {"method_paper_odometry_outliers", true, "the same, with outliers",
+      {"method_paper_outliers", true, "the same, with outliers",
        [](Spec& s, Random&) {
          s.parameters.method = Method::paper;
          s.odometry = Odometry::outliers;
