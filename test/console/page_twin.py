@@ -97,12 +97,12 @@ class Page:
         self.control.protocol.stream.close() if hasattr(self.control, 'protocol') and self.control.protocol else self.control.stream.close()
 
 
-async def until(condition, what):
-    """Waits for a condition, not for a time."""
+async def until(condition, what, found=lambda: 'missing'):
+    """Waits for a condition, not for a time. `found` says what there is in its place."""
     deadline = time.monotonic() + PATIENCE
     while not condition():
         if time.monotonic() > deadline:
-            raise AssertionError(f'waited {PATIENCE:.0f} s for {what}')
+            raise AssertionError(f'waited {PATIENCE:.0f} s for {what}: {found()}')
         await asyncio.sleep(0.005)
 
 

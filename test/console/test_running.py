@@ -145,7 +145,7 @@ class Driving(OnBoard):
             self.assertLessEqual({round(j.axes[0], 6) for j in W.heard.joy[before:]}, {0.0, left})
             before = len(W.heard.joy)
             self.a.stick(0.0)
-            await until(lambda: self.state() in ('HOLD', 'AUTONOMY'), 'the release')
+            await until(lambda: self.state() in ('HOLD', 'AUTONOMY'), 'the release', self.state)
             await W.heard.later(4)  # nothing may come now
             self.assertEqual([j.axes[0] for j in W.heard.joy[before:]].count(0.0), 1)
             await self.drive()

@@ -22,7 +22,7 @@ class Drive(DriveTest):
         shown = page.app('[app.scene.robot.x, app.scene.robot.y]')
         self.assertAlmostEqual(shown[0], x, delta=0.15)
         self.assertAlmostEqual(shown[1], y, delta=0.15)
-        page.wait(lambda: page.app('Boolean(app.board.base && app.board.shown)'))
+        page.wait(lambda: page.app('Boolean(app.board && app.board.base && app.board.shown)'))
         for view, hide in (('board-canvas', '(app.board.body.visible = %s, app.board.dirty = true)'),
                            ('above-canvas', '(app.above.%s, app.above.dirty = true)')):
             off, on = 'false', 'true'

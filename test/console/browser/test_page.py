@@ -103,7 +103,7 @@ class Views(PageTest):
         self.assertGreater(robot.sum(), 100)
         self.assertAlmostEqual(columns.mean(), above.width / 2, delta=6)
         self.assertAlmostEqual(rows.mean(), above.height / 2, delta=6)
-        self.browser.wait(lambda: self.browser.app('app.board.shown !== null'))
+        self.browser.wait(lambda: self.browser.app('Boolean(app.board && app.board.shown)'))
         with_robot = self.view()
         self.browser.app('(app.board.body.visible = false, app.board.dirty = true)')
 
