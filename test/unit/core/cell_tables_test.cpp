@@ -48,7 +48,8 @@ TEST(CellFlags, SpreadAsCellByCell) {
   for (int round = 0; round < 100; ++round) {
     const CellFlags before = random_flags(random);
     std::vector<int> reach;
-    for (int widest = random.integer(0, 70), rows = random.integer(0, 5); rows > 0; --rows) {
+    int widest = random.integer(0, 70);
+    for (int rows = random.integer(0, 5); rows > 0; --rows) {
       reach.push_back(widest);
       widest = random.integer(0, widest);
     }
