@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace hidwa_local_planner {
 namespace drive {
@@ -41,7 +42,7 @@ void Inflation::stamp(int i, int j, RollingGrid& costs) const {
   const int side = 2 * radius_ + 1, last = costs.cells() - 1;
   const int first_i = std::max(0, i - radius_), last_i = std::min(last, i + radius_);
   for (int row = std::max(0, j - radius_); row <= std::min(last, j + radius_); ++row) {
-    const std::uint8_t* from = stamp_.data() + (row - j + radius_) * side + (first_i - i + radius_);
+    const std::uint8_t* from = stamp_.data() + std::ptrdiff_t{row - j + radius_} * side + (first_i - i + radius_);
     std::uint8_t* to = costs.row(row) + first_i;
     for (int k = 0; k <= last_i - first_i; ++k) to[k] = std::max(to[k], from[k]);
   }

@@ -131,11 +131,11 @@ nlohmann::json HostileFolder::finish() {
     text += line + '\n';
   }
   const bool held = std::none_of(within.rows.begin(), within.rows.end(), is_found);
-  const nlohmann::json summary = {{"study", nlohmann::json::parse(manifest_)},
-                                  {"held", held},
-                                  {"within", json_of(within)},
-                                  {"conditions", by_condition(within)},
-                                  {"outside", by_condition(outside)}};
+  nlohmann::json summary = {{"study", nlohmann::json::parse(manifest_)},
+                            {"held", held},
+                            {"within", json_of(within)},
+                            {"conditions", by_condition(within)},
+                            {"outside", by_condition(outside)}};
   Store(folder_).write(kDrives, text);
   Store(folder_).write("summary.json", summary.dump(2) + '\n');
   return summary;
