@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Distances count from centre to centre: so much less is free around any point of a cell [cells].
+// A field of distances counts from centre to centre. From any point of a cell to any point of another one it is up to
+// two half diagonals less, sqrt(2), rounded up here [cells].
 constexpr double kDiagonal = 1.5;
 
 /// A ray along one axis, in cells.

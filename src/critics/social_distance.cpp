@@ -105,7 +105,7 @@ void SocialDistance::prepare(const CycleView& cycle) {
   const double own = std::max({fastest_, std::abs(cycle.velocity.v), std::abs(cycle.last_command.v)});
   const Point pose(cycle.pose.x, cycle.pose.y);
   for (const MovingObstacleEstimate& mover : *cycle.moving_obstacles) {
-    // Who is so far away that they do not meet scores nothing.
+    // A mover that is farther away cannot come within social_distance, and costs nothing.
     const double meet = (own + mover.velocity.norm()) * horizon_ + own_radius_ + mover.radius + kept_ + kSpare;
     if ((mover.position_now() - pose).norm() > meet) continue;
     movers_.push_back({mover.position_now(), mover.velocity, mover.radius});

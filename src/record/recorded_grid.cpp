@@ -24,7 +24,7 @@ bool plausible(const RecordedGrid& grid) {
 
 RecordedGrid packed(const GridView& grid) {
   if (!grid.valid()) return {};
-  RecordedGrid recorded{grid.size_x, grid.size_y, grid.resolution, grid.origin_x, grid.origin_y, {}};
+  RecordedGrid recorded{{grid.size_x, grid.size_y, grid.resolution, grid.origin_x, grid.origin_y}, {}};
   const auto cells = static_cast<uLong>(grid.cell_count());
   uLongf size = compressBound(cells);
   recorded.deflated.resize(size);
@@ -42,8 +42,7 @@ bool unpack(const RecordedGrid& recorded, StoredGrid& grid) {
   const int status =
       uncompress(costs.data(), &size, recorded.deflated.data(), static_cast<uLong>(recorded.deflated.size()));
   if (status != Z_OK || size != costs.size()) return false;
-  grid = {recorded.size_x,   recorded.size_y,   recorded.resolution,
-          recorded.origin_x, recorded.origin_y, std::move(costs)};
+  grid = {recorded, std::move(costs)};
   return true;
 }
 

@@ -9,26 +9,25 @@
 namespace hidwa_local_planner {
 namespace record {
 
-/// A costmap with costs of its own.
-struct StoredGrid {
-  int size_x = 0;           // [cells]
-  int size_y = 0;           // [cells]
-  double resolution = 0.0;  // [m]
-  double origin_x = 0.0;    // [m], costmap frame
-  double origin_y = 0.0;    // [m]
-  Bytes costs;              // row-major, row 0 at the origin
-
-  GridView view() const { return {costs.data(), size_x, size_y, resolution, origin_x, origin_y}; }
-};
-
-/// A costmap as a record holds it; without cells where there was no valid one.
-struct RecordedGrid {
+/// Where the cells of a costmap lie.
+struct GridPlace {
   std::int32_t size_x = 0;  // [cells]
   std::int32_t size_y = 0;  // [cells]
   double resolution = 0.0;  // [m]
   double origin_x = 0.0;    // [m], costmap frame
   double origin_y = 0.0;    // [m]
-  Bytes deflated;           // costs, by zlib
+};
+
+/// A costmap with costs of its own.
+struct StoredGrid : GridPlace {
+  Bytes costs;  // row-major, row 0 at the origin
+
+  GridView view() const { return {costs.data(), size_x, size_y, resolution, origin_x, origin_y}; }
+};
+
+/// A costmap as a record holds it; without cells where there was no valid one.
+struct RecordedGrid : GridPlace {
+  Bytes deflated;  // costs, by zlib
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {

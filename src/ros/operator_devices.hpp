@@ -19,8 +19,8 @@ namespace hidwa_local_planner {
 /// The topic of one OperatorSource.
 struct OperatorDevice {
   std::string source;  // whose messages it makes (SourceKind::name)
-  /// Makes messages of those of a topic. `handle` decides namespace and callback queue. Throws what roscpp throws at a
-  /// name that is none.
+  /// Makes messages of those of a topic. `handle` decides namespace and callback queue. Throws
+  /// ros::InvalidNameException where the topic's name is invalid.
   std::function<ros::Subscriber(ros::NodeHandle handle, const std::string& topic)> subscribe;
   std::string topic;  // whose messages are taken; empty: none
   ros::Subscriber subscriber;
