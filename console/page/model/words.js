@@ -24,6 +24,7 @@ const REFUSALS = {
   BaseObstacle: 'it would hit something',
   ObstacleFootprint: 'it would hit something',
   'Moving obstacle': 'somebody is in the way',
+  'Unknown cells': 'nothing has been seen there yet',
   Blind: 'no sensor sees there, so it creeps',
   Occlusion: 'somebody may step out there, so it creeps',
   RotateToGoal: 'the robot turns at its goal',

@@ -35,6 +35,15 @@ void DistanceGrids::set_sources(int set, const std::vector<Cell>& cells) {
   settled_ = false;
 }
 
+void DistanceGrids::free_metres(int set, const std::int32_t* i, const std::int32_t* j, std::size_t count,
+                                double* found) {
+  if (!settled_) settle();
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::int16_t units = i[c] < 0 ? DistanceSweep::kFar : sweep_.free_units(set, {i[c], j[c]});
+    found[c] = units == DistanceSweep::kFar ? -1.0 : units * metres_per_unit_;
+  }
+}
+
 // Manhattan distance does not look at the costs.
 bool DistanceGrids::same_content() const {
   if (swept_.size_x != grid_.size_x || swept_.size_y != grid_.size_y || swept_.distance != distance_) return false;

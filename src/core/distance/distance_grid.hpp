@@ -41,6 +41,9 @@ class DistanceGrids {
     const std::int16_t value = sweep_.units(set, cell);
     return value >= DistanceSweep::kFar ? kUnreached : value;
   }
+  /// Of many cells (i, j) [m]. Negative where there is no way, for blocked cells, and where i is negative; a cell with
+  /// another i must lie in the grid.
+  void free_metres(int set, const std::int32_t* i, const std::int32_t* j, std::size_t count, double* found);
   double metres_per_unit() const { return metres_per_unit_; }
   MapGridDistance measures() const { return distance_; }
 
@@ -79,6 +82,9 @@ class DistanceGrid {
   double metres(Cell cell) const {
     const std::int32_t found = units(cell);
     return found == kUnreached ? -1.0 : found * metres_per_unit();
+  }
+  void free_metres(const std::int32_t* i, const std::int32_t* j, std::size_t count, double* found) const {
+    grids_->free_metres(set_, i, j, count, found);
   }
 
  private:

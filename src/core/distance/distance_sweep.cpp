@@ -11,21 +11,24 @@ namespace {
 
 constexpr std::size_t kLanes = DistanceSweep::kLanes;
 
-// The lanes of a cell in one register; its upper half idles.
+// The lanes of two cells in one register.
 typedef std::int16_t Lanes __attribute__((vector_size(16)));
 typedef std::int64_t Halves __attribute__((vector_size(16)));
 
-// By way of a register: through memory the narrow store would stall the wide load.
-inline Lanes load(const std::int16_t* from) {
-  std::int64_t bits;
-  std::memcpy(&bits, from, sizeof(bits));
-  const Halves halves{bits, 0};
+// By way of a register: through memory the narrow stores would stall the wide load.
+inline Lanes load(const std::int16_t* one, const std::int16_t* other) {
+  std::int64_t first, second;
+  std::memcpy(&first, one, sizeof(first));
+  std::memcpy(&second, other, sizeof(second));
+  const Halves halves{first, second};
   return reinterpret_cast<Lanes>(halves);
 }
 
-inline void store(const Lanes& lanes, std::int16_t* to) {
-  const std::int64_t bits = reinterpret_cast<Halves>(lanes)[0];
-  std::memcpy(to, &bits, sizeof(bits));
+inline void store(const Lanes& lanes, std::int16_t* one, std::int16_t* other) {
+  const auto halves = reinterpret_cast<Halves>(lanes);
+  const std::int64_t first = halves[0], second = halves[1];
+  std::memcpy(one, &first, sizeof(first));
+  std::memcpy(other, &second, sizeof(second));
 }
 
 // Whether any of eight costs is 253 or more, inscribed, lethal or unknown: its highest bit is set, and adding 3 to the
@@ -39,7 +42,7 @@ inline bool may_block(const std::uint8_t* costs) {
 
 inline void block_some(const std::uint8_t* costs, int count, std::int16_t* mask) {
   for (int i = 0; i < count; ++i) {
-    if (costs[i] != cost::kLethal && costs[i] != cost::kInscribed) continue;
+    if (!cost::blocks(costs[i])) continue;
     std::fill_n(mask + kLanes * static_cast<std::size_t>(i), kLanes, DistanceSweep::kFar);
   }
 }
@@ -65,22 +68,17 @@ bool take_from(const std::int16_t* __restrict from, const std::int16_t* __restri
   return changed != 0;
 }
 
-// Both directions along a row at once: two independent chains, each a few cycles a cell.
+// Both directions along a row at once, in one register.
 void run_along(const std::int16_t* __restrict taken, const std::int16_t* __restrict mask,
                std::int16_t* __restrict rightward, std::int16_t* __restrict leftward, std::size_t cells,
                std::int16_t straight) {
   const Lanes step = Lanes{} + straight;
-  Lanes right = Lanes{} + DistanceSweep::kFar;
-  Lanes left = right;
+  Lanes reached = Lanes{} + DistanceSweep::kFar;
   for (std::size_t i = 0, back = kLanes * (cells - 1); i < kLanes * cells; i += kLanes, back -= kLanes) {
-    const Lanes ahead = load(taken + i);
-    right = right + (step + load(mask + i));
-    right = right < ahead ? right : ahead;
-    store(right, rightward + i);
-    const Lanes behind = load(taken + back);
-    left = left + (step + load(mask + back));
-    left = left < behind ? left : behind;
-    store(left, leftward + back);
+    const Lanes known = load(taken + i, taken + back);
+    reached = reached + (step + load(mask + i, mask + back));
+    reached = reached < known ? reached : known;
+    store(reached, rightward + i, leftward + back);
   }
 }
 
@@ -105,8 +103,10 @@ void DistanceSweep::reset(int width, int height, const Steps& steps) {
   steps_ = steps;
   open_ = 0;
   const std::size_t cells = stride_ * (static_cast<std::size_t>(height) + 2);
-  units_.assign(kLanes * cells, kFar);
-  mask_.assign(kLanes * cells, 0);
+  units_.resize(kLanes * cells);
+  mask_.resize(kLanes * cells);
+  std::memset(units_.data(), kFar & 0xFF, units_.size() * sizeof(kFar));
+  std::memset(mask_.data(), 0, mask_.size() * sizeof(kFar));
   for (std::vector<std::int16_t>* row : {&taken_, &rightward_, &leftward_}) row->resize(kLanes * stride_);
   due_down_.assign(static_cast<std::size_t>(height), 0);
   due_up_.assign(static_cast<std::size_t>(height), 0);

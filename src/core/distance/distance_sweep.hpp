@@ -16,7 +16,7 @@ class DistanceSweep {
  public:
   static constexpr int kLanes = 4;
   /// A cell that nothing reaches. Ways of more than this many units count as none.
-  static constexpr std::int16_t kFar = 0x3FF0;  // a step and a mask more still fit
+  static constexpr std::int16_t kFar = 0x3F3F;  // a step and a mask more still fit; of equal bytes, for memset
 
   /// Units of a step along an axis and of one across.
   struct Steps {
@@ -37,6 +37,8 @@ class DistanceSweep {
 
   std::int16_t units(int lane, Cell cell) const { return units_[at(cell) + static_cast<std::size_t>(lane)]; }
   bool blocked(Cell cell) const { return mask_[at(cell)] != open_; }
+  /// Blocked cells count as those that nothing reaches.
+  std::int16_t free_units(int lane, Cell cell) const { return blocked(cell) ? kFar : units(lane, cell); }
 
  private:
   // A border of one cell all around needs no bounds test.

@@ -46,12 +46,9 @@ bool TileSurroundings::distances(const Tile& tile, const PlanDistance& distance,
   const GridView grid = *cycle_.grid;
   const bool centre_counts = cycle_.grids->measures() == MapGridDistance::geodesic;
   find_cells(tile, tile.steps, forward * tile.cos_heading[tile.steps], forward * tile.sin_heading[tile.steps]);
+  known.free_metres(i_.data(), j_.data(), tile.count, found);
   bool all = true;
   for (std::size_t c = 0; c < tile.count; ++c) {
-    const Cell cell{i_[c], j_[c]};
-    // With method: hidwa a blocked cell has no distance.
-    const bool counts = cell.i >= 0 && !(centre_counts && cost::blocks(grid.at(cell)));
-    found[c] = counts ? known.metres(cell) : -1.0;
     if (found[c] < 0.0 && centre_counts && !scores.rejected(c)) {
       const Pose2 last = tile.last_pose(c);
       found[c] = PlanGrids::at(known, grid, last.x, last.y);
