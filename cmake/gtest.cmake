@@ -1,7 +1,5 @@
-# Finds what the tests take beside the planner's own libraries: GTest and, for the hostile campaign, nlohmann_json.
-# hidwa_gtest holds what a test with its own main() out of GTest links, or nothing.
-
-find_package(nlohmann_json 3.7 QUIET)
+# Finds what the tests take beside the planner's own libraries: GTest. hidwa_gtest holds what a test with its own main() out
+# of GTest links, or nothing.
 
 # CMake before 3.20 knows the libraries as GTest::GTest and GTest::Main only; GTest's own files, and CMake since then,
 # as GTest::gtest and GTest::gtest_main.

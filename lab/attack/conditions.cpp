@@ -372,9 +372,36 @@ std::vector<Condition> outside() {
   };
 }
 
+// Likewise: what slips, what flickers, and people.
+std::vector<Condition> outside_too() {
+  return {
+      {"out_slip", false, "the base slips by up to 10 %", [](Spec& s, Random&) { s.slip = 0.1; }},
+      {"out_flicker", false,
+       "a fifth of the free cells beside lethal ones flicker: the robot stands in what is not there",
+       [](Spec& s, Random&) { s.flicker = 0.2; }},
+      {"out_walkers_fast", false, "people of twice the speed and acceleration",
+       [](Spec& s, Random&) {
+         s.walkers = 4;
+         s.bounds.speed *= 2.0;
+         s.bounds.acc *= 2.0;
+       }},
+      {"out_walkers_untold", false, "people of whom the planner knows nothing",
+       [](Spec& s, Random&) {
+         s.walkers = 4;
+         s.walkers_told = false;
+       }},
+      {"out_walkers_doubtful", false, "errors thrice as large as told",
+       [](Spec& s, Random&) {
+         s.walkers = 4;
+         s.bounds.told_errors = 1.0 / 3.0;
+       }},
+  };
+}
+
 std::vector<Condition> table() {
   std::vector<Condition> table;
-  for (const auto group : {outlines, rates, reaching, lateness, sensing, options, people, starts, outside}) {
+  for (const auto group :
+       {outlines, rates, reaching, lateness, sensing, options, people, starts, outside, outside_too}) {
     for (const Condition& condition : group()) table.push_back(condition);
   }
   return table;
@@ -395,10 +422,9 @@ const Condition* find_condition(const std::string& name) {
 }
 
 // The draws of a seed are the same under every condition, so far as that leaves them: conditions compare in pairs.
-Spec spec_of(const Condition& condition, std::uint64_t seed, int seconds) {
+Spec spec_of(const Condition& condition, std::uint64_t seed) {
   Random random(seed * 2);
   Spec spec = usual(random);
-  spec.seconds = seconds;
   Random own(seed * 2 + 1);
   condition.make(spec, own);
   return spec;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ const std::vector<Condition>& all_conditions();
 /// Null where there is none of that name.
 const Condition* find_condition(const std::string& name);
 
-/// The drive of a seed under a condition: the same drive each time. Lasts `seconds` [s].
-Spec spec_of(const Condition& condition, std::uint64_t seed, int seconds);
+/// The drive of a seed under a condition: the same drive each time.
+Spec spec_of(const Condition& condition, std::uint64_t seed);
 
 }  // namespace hidwa_attack

@@ -18,7 +18,6 @@
 #include "input/operator_state_machine.hpp"
 #include "local_map.hpp"
 #include "person.hpp"
-#include "processor_time.hpp"
 #include "rhythm.hpp"
 #include "route.hpp"
 #include "sensors.hpp"
@@ -32,6 +31,7 @@ namespace control = hidwa_local_planner::control;
 namespace critics = hidwa_local_planner::critics;
 using hidwa_local_planner::Influence;
 using hidwa_local_planner::MovingObstacleEstimates;
+using hidwa_local_planner::Outcome;
 using hidwa_local_planner::Polygon;
 
 constexpr int kAfterTouch = 1000;  // how long a drive goes on [ms]
@@ -68,9 +68,8 @@ Base::Make make_of(const Spec& spec) {
 // A robot, its host and its person in a world.
 class Run {
  public:
-  Run(const Spec& spec, std::uint64_t seed, std::ostream* trace, const Onlooker& onlooker)
+  Run(const Spec& spec, std::uint64_t seed, std::ostream* trace)
       : spec_(spec),
-        onlooker_(onlooker),
         random_(seed ^ 0x5eedULL),
         shape_(shape_of(spec.outline)),
         padded_(padded(shape_, spec.parameters.footprint_padding)),
@@ -180,9 +179,7 @@ class Run {
     const bool goal_begins = route_.renew(now, pose);
     intent_ = person_.want(now, base_.pose(), parameters_);
     reading_ = sensors_.odometry(now);
-    const double begun = onlooker_ ? processor_time() : 0.0;
     const Twist2 command = plan(now, pose, goal_begins);
-    if (onlooker_) onlooker_({now, processor_time() - begun, intent_.state, outcome_});
     stand_.observe(now, {base_.pose(), base_.velocity()}, wants_to_drive(), route_.points());
     base_.send(now, command);
     last_ = command;
@@ -329,7 +326,6 @@ class Run {
   }
 
   const Spec& spec_;
-  const Onlooker& onlooker_;
   Random random_;
   Shape shape_, padded_;
   Scenery scenery_;
@@ -368,10 +364,6 @@ class Run {
 
 }  // namespace
 
-DriveResult drive(const Spec& spec, std::uint64_t seed, std::ostream* trace, const Onlooker& onlooker) {
-  DriveResult result = Run(spec, seed, trace, onlooker).go();
-  result.seed = seed;
-  return result;
-}
+DriveResult drive(const Spec& spec, std::uint64_t seed, std::ostream* trace) { return Run(spec, seed, trace).go(); }
 
 }  // namespace hidwa_attack

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-
 #include "hidwa_local_planner/core/types.hpp"
 #include "walkers.hpp"
 
@@ -10,7 +8,6 @@ namespace hidwa_attack {
 
 /// What became of one drive.
 struct DriveResult {
-  std::uint64_t seed = 0;
   int cycles = 0;
   int moving = 0;                            // cycles in which it moved
   int threatened = 0;                        // moving cycles with an obstacle inside the stopping distance

@@ -19,7 +19,7 @@ void LocalCostmap::update(const sim::Pose& robot, const Beams& beams) {
   obstacles_.follow(robot.x, robot.y);
   clear_along(beams, settings_.raytrace_range, obstacles_);
   mark_ends(beams, settings_.obstacle_range, obstacles_);
-  if (settings_.footprint_clearing) clear_polygon(sim::transformed(outline_, robot), obstacles_);
+  clear_polygon(sim::transformed(outline_, robot), obstacles_);
   costs_.take_place_of(obstacles_);
   inflation_.inflate(obstacles_, costs_);
 }

@@ -17,7 +17,6 @@ struct CostmapSettings {
   double resolution = 0.05;     // [m]
   double obstacle_range = 3.0;  // [m], beam ends farther away are not marked
   double raytrace_range = 3.5;  // [m], beams clear so far
-  bool footprint_clearing = true;
   InflationSettings inflation;
 };
 

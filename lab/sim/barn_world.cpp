@@ -58,20 +58,8 @@ void check_path(const Cells& path) {
   }
 }
 
-std::vector<std::string> parts_of(const std::string& line) {
-  std::vector<std::string> parts(1);
-  for (const char c : line) {
-    if (c == '|') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
 BarnWorld read_world(const std::string& line) {
-  const std::vector<std::string> parts = parts_of(line);
+  const std::vector<std::string> parts = parts_of(line, '|');
   if (parts.size() != 3) {
     throw LineFault{"it has " + std::to_string(parts.size()) + " parts, not three (index | cells | path)"};
   }

@@ -30,14 +30,7 @@ double figure(const std::string& text, const std::string& key, double least, dou
 }
 
 KeyFrame key_frame(const std::string& word) {
-  std::vector<std::string> parts(1);
-  for (const char c : word) {
-    if (c == ':') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
+  const std::vector<std::string> parts = parts_of(word, ':');
   if (parts.size() != 3) throw LineFault{"the key frame '" + word + "' is not three numbers, such as 2.5:-1:4.75"};
   return {figure(parts[0], word, 0.0, kLongestTrack),
           {figure(parts[1], word, -kFarthestKey, kFarthestKey), figure(parts[2], word, -kFarthestKey, kFarthestKey)}};

@@ -12,6 +12,19 @@
 namespace hidwa_local_planner {
 namespace sim {
 
+/// The parts of a text between separators, empty ones included.
+inline std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
 /// What is wrong with a line, without its place.
 struct LineFault {
   std::string text;

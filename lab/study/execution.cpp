@@ -36,14 +36,22 @@ std::string manifest(const Options& options, const Plan& plan, nlohmann::json al
 }
 
 std::string timing_json(std::size_t threads, std::size_t made, std::size_t kept, double wall, const Timing& timing) {
-  const double cycle = timing.cycles > 0 ? timing.planning / static_cast<double>(timing.cycles) : 0.0;
-  const nlohmann::json json = {{"runs_made", made},
-                               {"runs_kept", kept},
-                               {"threads", threads},
-                               {"wall_time", wall},
-                               {"simulated_time", timing.simulated},
-                               {"mean_planning_time", cycle}};
+  nlohmann::json json = {{"runs_made", made},
+                         {"runs_kept", kept},
+                         {"threads", threads},
+                         {"wall_time", wall},
+                         {"simulated_time", timing.simulated}};
+  if (timing.cycles > 0) json["mean_planning_time"] = timing.planning / static_cast<double>(timing.cycles);
   return json.dump(2) + '\n';
+}
+
+// Makes the tables of all runs that are finished, and tells of them. Returns the program's exit code.
+int conclude(const Options& options, const Plan& plan, const Tables& tables, const Store& store, std::ostream& out) {
+  const std::vector<Row> rows = store.finish(plan);
+  const Verdict verdict = tables.verdict(rows);
+  out << digest(tables, plan, rows) << verdict.told << rows.size() << " of " << plan.runs.size()
+      << " runs: " << options.out << "/summary.json" << std::endl;
+  return verdict.held ? 0 : 1;
 }
 
 // A finished run among the parts.
@@ -100,13 +108,10 @@ int execute(const Options& options, const Plan& plan, const nlohmann::json& deci
   };
   make_runs(wanted.size(), threads, make_and_keep, [&progress] { progress.step(); });
   store.write("timing.json", timing_json(threads, wanted.size(), kept, progress.elapsed(), timing));
-  const std::size_t finished = store.finish(plan);
-  out << digest(tables, plan, store.rows(plan));
-  out << finished << " of " << plan.runs.size() << " runs: " << options.out << "/summary.json" << std::endl;
-  return 0;
+  return conclude(options, plan, tables, store, out);
 }
 
-int merge(const Options& options, std::ostream& out) {
+int merge(const Options& options, std::ostream& out, std::ostream&) {
   const Plan plan = Store(options.parts.front()).plan();
   const Tables tables = tables_of(plan.experiment);
   std::vector<Store> parts;
@@ -123,10 +128,7 @@ int merge(const Options& options, std::ostream& out) {
   const Store store(options.out, tables);
   store.begin(study, plan, true);
   for (std::size_t i = 0; i < found.size(); ++i) store.keep(found[i].row, found[i].part->path(plan.runs[i]));
-  store.finish(plan);
-  out << digest(tables, plan, store.rows(plan));
-  out << plan.runs.size() << " runs: " << options.out << "/summary.json" << std::endl;
-  return 0;
+  return conclude(options, plan, tables, store, out);
 }
 
 }  // namespace study

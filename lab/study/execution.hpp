@@ -26,8 +26,8 @@ struct Made {
 int execute(const Options& options, const Plan& plan, const nlohmann::json& deciding,
             const std::function<Made(const Run&)>& make, std::ostream& out, std::ostream& errors);
 
-/// Joins the parts that `options` name.
-int merge(const Options& options, std::ostream& out);
+/// Joins the parts that `options` name. Returns the program's exit code.
+int merge(const Options& options, std::ostream& out, std::ostream& errors);
 
 }  // namespace study
 }  // namespace hidwa_local_planner

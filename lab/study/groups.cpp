@@ -76,6 +76,8 @@ double Group::sum(const std::string& column) const {
 
 double Group::mean(const std::string& column) const { return sum(column) / static_cast<double>(rows.size()); }
 
+double Group::most(const std::string& column) const { return statistics(values(column)).max; }
+
 long Group::count(const std::string& column) const { return std::lround(sum(column)); }
 
 long Group::above(const std::string& column, double bound) const {

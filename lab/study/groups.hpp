@@ -32,6 +32,7 @@ struct Group {
   std::vector<double> values(const std::string& column) const;
   double sum(const std::string& column) const;
   double mean(const std::string& column) const;
+  double most(const std::string& column) const;
   /// The sum of whole numbers.
   long count(const std::string& column) const;
   /// How many runs have more than `bound` in a column; which share of them has more than 0.
@@ -39,6 +40,12 @@ struct Group {
   double share(const std::string& column) const;
   /// The mean time of the runs that are a success; 0 where none is.
   double time_of_successes() const;
+};
+
+/// What is said of all runs together.
+struct Verdict {
+  bool held = true;  // the study ends with 1 where it is not so
+  std::string told;  // in lines
 };
 
 /// What an experiment keeps of its runs, and what it says of a group of them.
@@ -54,6 +61,7 @@ struct Tables {
   // Figures there that summary.json does not have, by name.
   std::function<nlohmann::json(const Group&)> only_ranked = [](const Group&) { return nlohmann::json::object(); };
   std::vector<std::string> told;  // names of the figures that are told at the end
+  std::function<Verdict(const std::vector<Row>&)> verdict = [](const std::vector<Row>&) { return Verdict{}; };
 };
 
 /// Groups whose order the tables do not say come as their first runs do.

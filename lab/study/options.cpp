@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/util/words.hpp"
+#include "study/attack_table.hpp"
 #include "study/barn_drive.hpp"
 #include "study/dynabarn_drive.hpp"
 #include "study/error.hpp"
@@ -121,6 +122,13 @@ Reader some_of(std::vector<std::string> Options::*member,
   };
 }
 
+// Words that stand for themselves.
+Reader some_of(std::vector<std::string> Options::*member, const std::vector<std::string>& words) {
+  std::map<std::string, std::vector<std::string>> choices;
+  for (const std::string& word : words) choices[word] = {word};
+  return some_of(member, choices, to_line(words));
+}
+
 void read_set(Options& options, const std::string&, const std::string& text) {
   options.sets.push_back(parse_assignment(text));
 }
@@ -143,6 +151,7 @@ struct Option {
 const char* const kPeople = "run pilot sweep";
 const char* const kFloor = "run pilot sweep crowd passage";
 const char* const kVaried = "sweep barn dynabarn crowd passage gap";  // for one value there is --set
+const char* const kSet = "run pilot sweep barn dynabarn crowd passage gap";
 const std::uint64_t kGreatest = 999999999999ULL;
 
 // In the order of --help.
@@ -150,16 +159,16 @@ const std::vector<Option> kOptions{
     {"--out", "", "DIR", text(&Options::out), std::nullopt},
     {"--grid", kVaried, "NAME=V1,V2,...", texts(&Options::grid), std::nullopt},
     {"--vary", kVaried, "NAME=V1,V2,...", texts(&Options::vary), std::nullopt},
-    {"--worlds", "barn dynabarn hostile", "FILE", text(&Options::worlds), std::nullopt},
-    {"--map", "run pilot sweep crowd passage hostile", "FILE.yaml", text(&Options::map),
+    {"--worlds", "barn dynabarn attack", "FILE", text(&Options::worlds), std::nullopt},
+    {"--map", "run pilot sweep crowd passage attack", "FILE.yaml", text(&Options::map),
      "the map; default: the package's office"},
     {"--regions", kFloor, "FILE.yaml", text(&Options::regions),
      "regions to avoid, with start and goal; none: no regions"},
     {"--start", kFloor, "X,Y,YAW", pose(&Options::start), "[m, m, rad]; default: the regions file's"},
     {"--goal", kFloor, "X,Y,YAW", pose(&Options::goal), ""},
     {"--participants", kPeople, "N", whole(&Options::participants, 1, 9999), ""},
-    {"--conditions", kPeople, "SJ,SG,SW",
-     some_of(&Options::conditions, {{"SJ", {"SJ"}}, {"SG", {"SG"}}, {"SW", {"SW"}}}, "SJ,SG,SW"), "some of them"},
+    {"--conditions", kPeople, "SJ,SG,SW", some_of(&Options::conditions, std::vector<std::string>{"SJ", "SG", "SW"}),
+     "some of them"},
     {"--mode", "barn dynabarn crowd", "AUTONOMY,HELPFUL,HOSTILE,AFTERMATH",
      some_of(&Options::modes,
              {{"AUTONOMY", {"AUTONOMY"}},
@@ -178,9 +187,7 @@ const std::vector<Option> kOptions{
     {"--seeds", "dynabarn crowd passage", "N", whole(&Options::seeds, 1, 9999),
      "dynabarn: drives in each world and mode; crowd: drives in each mode; passage: drives;\n"
      "default 10"},
-    {"--outline", "gap", "circle,square,long",
-     some_of(&Options::outlines, {{"circle", {"circle"}}, {"square", {"square"}}, {"long", {"long"}}},
-             "circle,square,long"),
+    {"--outline", "gap", "circle,square,long", some_of(&Options::outlines, gap_outlines()),
      "gap: some of them; default all"},
     {"--phases", "gap", "N", whole(&Options::phases, 1, 1000),
      "gap: places on the grid, of each outline and setting; default 8"},
@@ -192,17 +199,19 @@ const std::vector<Option> kOptions{
     {"--people", "crowd", "N", whole(&Options::people, 0, 200), "crowd; default 20"},
     {"--yielding", "crowd", "SHARE", number(&Options::yielding, 0.0, 1.0),
      "crowd: of the people, who keep away from the robot; the others do not mind it; default 0.5"},
-    {"--hours", "soak", "H", number(&Options::hours, 0.01, 1000.0), "soak: simulated; default 1"},
-    {"--cycles", "hostile", "N", whole(&Options::cycles, 1, kGreatest),
-     "hostile: control cycles, at least; default 100000"},
-    {"--drive", "hostile", "N", whole(&Options::drive, 0, kGreatest),
-     "hostile: this drive alone, with what happened every 10 ms in a file"},
+    {"--condition", "attack", "NAME,...", some_of(&Options::conditions, attack_conditions()),
+     "attack: some of them; default all but mixed"},
+    {"--list", "attack", "", turned(&Options::list, true), "attack: only tell the conditions, and what each is"},
+    {"--drives", "attack", "N", whole(&Options::drives, 1, 9999999), "attack: of each condition; default 300"},
+    {"--seconds", "attack", "N", whole(&Options::seconds, 1, 3600), "attack: of each drive; default 20"},
+    {"--drive", "attack", "N", whole(&Options::drive, 0, 9999999),
+     "attack: of one condition this drive alone, with what happened every 10 ms in trace.csv"},
     {"--seed", "", "N", whole(&Options::seed, 0, kGreatest), "of everything random; default 1"},
     {"--profile", kPeople, "default|paper", one_of(&Options::profile, {{"default", "default"}, {"paper", "paper"}}),
      ""},
     {"--guard", kPeople, "none|nearest", one_of(&Options::guard, {{"none", Guard::none}, {"nearest", Guard::nearest}}),
      "SW: the person's own velocity (default, the paper's), or the nearest legal one"},
-    {"--set", "", "NAME=VALUE", read_set,
+    {"--set", kSet, "NAME=VALUE", read_set,
      "a parameter of the planner (docs/use/parameters.md), participant.TRAIT (docs/use/study.md), or\n"
      "link_delay [s]; barn, dynabarn: also costmap.NAME; gap: also costmap.resolution,\n"
      "costmap.footprint_padding and laser.noise; may be repeated"},
@@ -253,7 +262,7 @@ void read_arguments(const std::vector<std::string>& arguments, Options& options)
 }
 
 void check(const Options& o) {
-  if (o.command == "help") return;
+  if (o.command == "help" || o.list) return;
   if (o.out.empty()) throw UsageError("--out is missing: the folder for the results");
   if (o.command == "merge" && o.parts.empty()) {
     throw UsageError("merge needs the folders of the parts after its options");
@@ -272,6 +281,7 @@ void check(const Options& o) {
   if (o.command != "barn" && std::count(o.modes.begin(), o.modes.end(), "AFTERMATH") > 0) {
     throw UsageError("--mode AFTERMATH is for barn: take some of AUTONOMY,HELPFUL,HOSTILE");
   }
+  if (o.drive && o.conditions.size() != 1) throw UsageError("--drive needs one --condition");
   if (!o.grid.empty() && !o.vary.empty()) throw UsageError(o.command + " takes --grid or --vary, not both");
   if (o.command == "pilot") {
     for (const Assignment& set : o.sets) {
@@ -296,13 +306,12 @@ std::string commands_help() {
   hidwa_study dynabarn --out DIR --worlds FILE
                                 DynaBARN-2D: a Jackal through courts that cylinders cross (docs/use/study.md)
   hidwa_study crowd --out DIR   the demo's robot and route among people who walk around
-  hidwa_study hostile --out DIR --cycles N [--map FILE,FILE] [--worlds FILE]
-                                people who want a collision, in the office, on these maps, in BARN fields and in drawn
-                                scenes; ends with 1 where something within the promise was found
+  hidwa_study attack --out DIR [--condition NAME,...] [--drives N]
+                                people who want a collision, faulty odometry, late cycles and bases of all kinds, one
+                                condition after the other; ends with 1 where something within the promise was found
                                 (docs/evidence/attack.md)
-  hidwa_study soak --out DIR [--hours H]
-                                one planner for hours of simulated time: memory, cycle time, states
-                                (docs/evidence/attack.md)
+  hidwa_study attack --out DIR --condition mixed --drives N [--map FILE,FILE] [--worlds FILE]
+                                conditions in turn, also in the office, on these maps and in BARN fields
   hidwa_study passage --out DIR --start X,Y,YAW --goal X,Y,YAW
                                 the demo's robot alone through a tight place, and how steadily (docs/evidence/ways.md)
   hidwa_study gap --out DIR     the narrowest gap that a robot gets through, by cells, noise, outline and where the gap
@@ -341,8 +350,8 @@ Options parse_options(const std::vector<std::string>& arguments) {
   Options options;
   options.command = arguments.empty() ? "" : arguments.front();
   if (options.command == "--help" || options.command == "-h") options.command = "help";
-  const std::vector<std::string> commands{"run",     "pilot", "sweep",   "barn", "dynabarn", "crowd",
-                                          "passage", "gap",   "hostile", "soak", "merge"};
+  const std::vector<std::string> commands{"run",   "pilot",   "sweep", "barn",   "dynabarn",
+                                          "crowd", "passage", "gap",   "attack", "merge"};
   if (options.command != "help" && std::count(commands.begin(), commands.end(), options.command) == 0) {
     throw UsageError((options.command.empty() ? "what to do is missing" : "'" + options.command + "' is unknown") +
                      ": hidwa_study " + in_words(commands, " or ") + "; see hidwa_study --help");
@@ -350,6 +359,10 @@ Options parse_options(const std::vector<std::string>& arguments) {
   if (options.command == "pilot" || options.command == "sweep") {
     options.participants = 8;
     options.conditions = {"SJ"};
+  }
+  if (options.command == "attack") {
+    options.conditions = attack_conditions();
+    options.conditions.pop_back();  // mixed is for those who ask for it
   }
   options.modes = usual_barn_modes();
   options.outlines = gap_outlines();

@@ -18,14 +18,14 @@ namespace study {
 
 /// What the command line says.
 struct Options {
-  // run, pilot, sweep, barn, dynabarn, crowd, passage, gap, hostile, soak, merge or help
+  // run, pilot, sweep, barn, dynabarn, crowd, passage, gap, attack, merge or help
   std::string command;
   std::string out;
-  std::string map;                       // empty: the package's office; hostile: further ones, with commas between them
+  std::string map;                       // empty: the package's office; attack: further ones, with commas between them
   std::string regions;                   // likewise; none: no regions
   std::optional<sim::Pose> start, goal;  // map frame; none: the regions file's
   int participants = 32;
-  std::vector<std::string> conditions{"SJ", "SG", "SW"};
+  std::vector<std::string> conditions{"SJ", "SG", "SW"};  // attack: others, attack_conditions()
   std::uint64_t seed = 1;
   std::size_t threads = 0;  // 0: as many as the computer has cores
   std::string profile = "default";
@@ -37,15 +37,16 @@ struct Options {
   bool resume = true;
   bool paths = true;
   std::vector<std::string> parts;                     // merge
-  std::string worlds;                                 // barn, dynabarn, hostile: the file
+  std::string worlds;                                 // barn, dynabarn, attack: the file
   std::vector<std::string> modes;                     // barn, dynabarn, crowd
   int seeds = 10;                                     // dynabarn: of each world; crowd, passage: in all
   drive::Tracking tracking = drive::Tracking::truth;  // dynabarn, crowd
   sim::KeyMotion motion = sim::KeyMotion::linear;     // dynabarn
   double speed = 2.0;                                 // dynabarn: max_vel_x [m/s]
-  std::uint64_t cycles = 100000;                      // hostile: at least so many control cycles
-  double hours = 1.0;                                 // soak: simulated [h]
-  std::optional<std::uint64_t> drive;                 // hostile: this one alone
+  bool list = false;                                  // attack: only say what conditions there are
+  int drives = 300;                                   // attack: of each condition
+  int seconds = 20;                                   // attack: of a drive [s]
+  std::optional<std::uint64_t> drive;                 // attack: this one alone
   int people = 20;                                    // crowd
   std::vector<std::string> outlines;                  // gap
   int phases = 8;                                     // gap

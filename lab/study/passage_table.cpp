@@ -5,7 +5,6 @@ namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-double most(const Group& group, const std::string& column) { return statistics(group.values(column)).max; }
 long stood_long(const Group& group) { return group.above("longest_stand", kLongestStand); }
 long stopped_often(const Group& group) { return group.above("stops", kMostStops); }
 
@@ -13,9 +12,9 @@ nlohmann::json passage_figures(const Group& group) {
   return {{"arrived", group.count("arrived")},
           {"stood_long", stood_long(group)},
           {"stopped_often", stopped_often(group)},
-          {"most_stops", most(group, "stops")},
+          {"most_stops", group.most("stops")},
           {"mean_stops", group.mean("stops")},
-          {"longest_stand", most(group, "longest_stand")},
+          {"longest_stand", group.most("longest_stand")},
           {"standing", group.mean("standing")},
           {"duration", group.mean("duration")},
           {"v_change", group.mean("v_change")},

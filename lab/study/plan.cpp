@@ -2,6 +2,7 @@
 #include "study/plan.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -61,23 +62,15 @@ std::string id_of(const std::string& experiment, const Run& run) {
 
 Plan make_plan(const std::string& experiment, int participants, const std::vector<std::string>& conditions,
                const std::vector<Setting>& settings, bool balanced) {
-  Plan plan{experiment, settings, {}};
-  for (int participant = 1; participant <= participants; ++participant) {
-    for (const std::string& condition : conditions) {
-      for (std::size_t setting = 0; setting < settings.size(); ++setting) {
-        Run run;
-        run.participant = participant;
-        run.condition = condition;
-        run.setting = setting;
-        const int turn = balanced ? place_of_setting(setting, settings.size(), participant) : static_cast<int>(setting);
-        run.order =
-            turn * static_cast<int>(conditions.size()) + place_of_condition(condition, conditions, participant) + 1;
-        run.id = id_of(experiment, run);
-        plan.runs.push_back(run);
-      }
-    }
+  std::vector<int> numbers(static_cast<std::size_t>(participants));
+  std::iota(numbers.begin(), numbers.end(), 1);
+  Plan plan = make_world_plan(experiment, numbers, conditions, settings);
+  for (Run& run : plan.runs) {
+    const int turn =
+        balanced ? place_of_setting(run.setting, settings.size(), run.participant) : static_cast<int>(run.setting);
+    const int place = place_of_condition(run.condition, conditions, run.participant);
+    run.order = turn * static_cast<int>(conditions.size()) + place + 1;
   }
-  std::sort(plan.runs.begin(), plan.runs.end(), [](const Run& a, const Run& b) { return a.id < b.id; });
   return plan;
 }
 

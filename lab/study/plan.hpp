@@ -21,7 +21,7 @@ struct Run {
 
 /// The drives of an experiment, whose they are and in which order.
 struct Plan {
-  std::string experiment;  // run, pilot, sweep, barn, dynabarn, crowd, passage or gap
+  std::string experiment;  // run, pilot, sweep, barn, dynabarn, crowd, passage, gap or attack
   std::vector<Setting> settings;
   std::vector<Run> runs;  // by id
 };

@@ -91,10 +91,6 @@ int people(const Options& asked, std::ostream& out, std::ostream& errors) {
   return execute(options, plan, what_decides(options, scene), make, out, errors);
 }
 
-int join(const Options& options, std::ostream& out, std::ostream&) {
-  return are_hostile(options.parts) ? merge_hostile(options, out) : merge(options, out);
-}
-
 int tell_help(const Options&, std::ostream& out, std::ostream&) {
   out << help();
   return 0;
@@ -103,10 +99,10 @@ int tell_help(const Options&, std::ostream& out, std::ostream&) {
 using Command = int (*)(const Options& options, std::ostream& out, std::ostream& errors);
 
 Command command_of(const std::string& name) {
-  static const std::map<std::string, Command> commands{{"run", people}, {"pilot", people},      {"sweep", people},
-                                                       {"barn", barn},  {"dynabarn", dynabarn}, {"crowd", crowd},
-                                                       {"gap", gap},    {"passage", passage},   {"hostile", hostile},
-                                                       {"soak", soak},  {"merge", join},        {"help", tell_help}};
+  static const std::map<std::string, Command> commands{{"run", people},  {"pilot", people},      {"sweep", people},
+                                                       {"barn", barn},   {"dynabarn", dynabarn}, {"crowd", crowd},
+                                                       {"gap", gap},     {"passage", passage},   {"attack", attack},
+                                                       {"merge", merge}, {"help", tell_help}};
   return commands.at(name);
 }
 

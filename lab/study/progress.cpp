@@ -18,7 +18,7 @@ void Progress::step() {
   if (done_ < total_ && now < told_ + kBetween) return;
   told_ = now;
   const double left = now / static_cast<double>(done_) * static_cast<double>(total_ - std::min(done_, total_));
-  stream_ << done_ << " of " << total_ << ' ' << what_ << ", " << std::lround(left) << " s left" << std::endl;
+  stream_ << done_ << " of " << total_ << " runs, " << std::lround(left) << " s left" << std::endl;
 }
 
 double Progress::elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }

@@ -11,9 +11,7 @@ namespace study {
 /// Tells how many runs are made and how long the rest may take: a line every few seconds.
 class Progress {
  public:
-  /// `what`: what is counted, in the plural.
-  Progress(std::ostream& stream, std::size_t total, const char* what = "runs")
-      : stream_(stream), total_(total), what_(what) {}
+  Progress(std::ostream& stream, std::size_t total) : stream_(stream), total_(total) {}
 
   /// One more is made.
   void step();
@@ -24,7 +22,6 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   std::ostream& stream_;
   std::size_t total_;
-  const char* what_;
   std::size_t done_ = 0;
   Clock::time_point begin_ = Clock::now();
   double told_ = 0.0;  // [s], since the begin

@@ -77,14 +77,14 @@ std::vector<Row> Store::rows(const Plan& plan) const {
   return rows;
 }
 
-std::size_t Store::finish(const Plan& plan) const {
-  const std::vector<Row> finished = rows(plan);
+std::vector<Row> Store::finish(const Plan& plan) const {
+  std::vector<Row> finished = rows(plan);
   std::string csv = to_line(tables_.columns) + '\n';
   for (const Row& row : finished) csv += to_line(row) + '\n';
   write("runs.csv", csv);
   if (plan.settings.size() > 1) write("ranking.csv", ranking_csv(tables_, plan, finished));
   write("summary.json", summary_json(tables_, plan, finished));
-  return finished.size();
+  return finished;
 }
 
 std::string Store::manifest() const { return read_or_fail(fs::path(folder_) / kManifest); }

@@ -36,8 +36,8 @@ class Store {
   /// The path kept of a run; empty where there is none.
   std::string path(const Run& run) const;
 
-  /// Makes runs.csv, summary.json and ranking.csv of all runs that are finished. Returns how many.
-  std::size_t finish(const Plan& plan) const;
+  /// Makes runs.csv, summary.json and ranking.csv of all runs that are finished. Returns their lines.
+  std::vector<Row> finish(const Plan& plan) const;
 
   std::string manifest() const;
   Plan plan() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/tables.hpp"
 
+#include "study/attack_table.hpp"
 #include "study/barn_table.hpp"
 #include "study/encounter_table.hpp"
 #include "study/gap_table.hpp"
@@ -52,6 +53,7 @@ Tables tables_of(const std::string& experiment) {
   if (experiment == "dynabarn" || experiment == "crowd") return encounter_tables();
   if (experiment == "passage") return passage_tables();
   if (experiment == "gap") return gap_tables();
+  if (experiment == "attack") return attack_tables();
   return people_tables();
 }
 

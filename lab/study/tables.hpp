@@ -11,7 +11,7 @@ namespace study {
 /// Those of the study with simulated people: by setting, then by condition.
 Tables people_tables();
 
-/// Those of an experiment: run, pilot, sweep, barn, dynabarn, crowd, passage or gap.
+/// Those of an experiment: run, pilot, sweep, barn, dynabarn, crowd, passage, gap or attack.
 Tables tables_of(const std::string& experiment);
 
 }  // namespace study

@@ -31,7 +31,7 @@ HIDWA_DEBIAN_TEST="ccache librostest-dev python3-rostest python3-rosunit libgtes
 # With the run-time libraries of the Clang that clang-tidy brings: sanitizers and fuzzing.
 HIDWA_DEBIAN_LINT="clang-format clang-tidy libclang-rt-dev cppcheck flake8 shellcheck codespell catkin-lint"
 HIDWA_DEBIAN_BENCH="build-essential cmake python3 libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev zlib1g-dev libbenchmark-dev"
-HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev nlohmann-json3-dev libgtest-dev libyaml-cpp-dev"
+HIDWA_DEBIAN_ATTACK="build-essential cmake python3 libeigen3-dev nlohmann-json3-dev libgtest-dev libyaml-cpp-dev zlib1g-dev"
 # scripts/test --long coverage, and scripts/mutate. Fuzzing takes Clang with its run-time libraries, which may be packaged apart.
 HIDWA_DEBIAN_COVERAGE="gcovr ninja-build"
 HIDWA_DEBIAN_MUTATE="build-essential cmake ninja-build ccache python3 libeigen3-dev nlohmann-json3-dev libyaml-cpp-dev

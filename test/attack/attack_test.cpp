@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The short form of the campaign: few drives under each promised condition. scripts/attack runs the long one.
-#include <algorithm>
 #include <cstdint>
-#include <cstdio>
+#include <ostream>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "campaign.hpp"
+#include "conditions.hpp"
 #include "drive.hpp"
-#include "report.hpp"
 #include "support/effort.hpp"
 
 namespace hidwa_attack {
@@ -18,15 +18,6 @@ namespace hidwa_attack {
 void PrintTo(const Condition& condition, std::ostream* out) { *out << condition.name; }
 
 namespace {
-
-constexpr int kSeconds = 20;
-
-// Under the thread sanitizer a drive takes many times as long, and a race shows in the first that run side by side.
-#ifdef HIDWA_SANITIZED_THREADS
-constexpr int kDrives = 4;
-#else
-const int kDrives = hidwa_local_planner::test::effort(2, 16);
-#endif
 
 // Seeds from here on found most of what the long form did when it was first run.
 constexpr std::uint64_t kFirst = 78;
@@ -42,18 +33,22 @@ std::vector<Condition> promised() {
 class Attack : public testing::TestWithParam<Condition> {};
 
 TEST_P(Attack, Holds) {
-  Extent extent;
-  extent.drives = kDrives;
-  extent.first_seed = kFirst;
-  extent.seconds = kSeconds;
-  const Summary summary(GetParam(), run(GetParam(), extent));
-  std::printf("%s", table_line(summary).c_str());
-  EXPECT_EQ(summary.contacts, 0) << "drives that touched, worst by " << 1e3 * summary.worst_depth << " mm; alone:\n"
-                                 << how_to_repeat(summary, kSeconds);
-  EXPECT_EQ(summary.beyond, 0) << "commands beyond the bound; alone:\n" << how_to_repeat(summary, kSeconds);
-  EXPECT_EQ(summary.hard, 0) << "commands beyond the acceleration limits; alone:\n" << how_to_repeat(summary, kSeconds);
+  const std::uint64_t drives = hidwa_local_planner::test::effort(2, 16);
+  int cycles = 0, moving = 0;
+  bool stood_in = false;
+  for (std::uint64_t seed = kFirst; seed < kFirst + drives; ++seed) {
+    const DriveResult result = drive(spec_of(GetParam(), seed), seed);
+    const std::string alone = "; alone: hidwa_study attack --out DIR --condition " + std::string(GetParam().name) +
+                              " --drive 0 --seed " + std::to_string(seed);
+    EXPECT_FALSE(result.touched) << "by " << 1e3 * result.depth << " mm" << alone;
+    EXPECT_EQ(result.beyond, 0) << "commands beyond the bound" << alone;
+    EXPECT_EQ(result.hard, 0) << "commands beyond the acceleration limits" << alone;
+    cycles += result.cycles;
+    moving += result.moving;
+    stood_in = stood_in || result.stood_in;
+  }
   // Who stands still touches nothing; of those that begin in collision some have no way out.
-  EXPECT_GT(summary.moving, summary.stood_in > 0 ? 0.05 : 0.2);
+  EXPECT_GT(moving, (stood_in ? 0.05 : 0.2) * cycles);
 }
 
 INSTANTIATE_TEST_SUITE_P(Conditions, Attack, testing::ValuesIn(promised()),
@@ -62,30 +57,32 @@ INSTANTIATE_TEST_SUITE_P(Conditions, Attack, testing::ValuesIn(promised()),
                          });
 
 TEST(Campaign, ComesNearObstaclesAtSpeed) {
-  const Condition& condition = *find_condition("speed_1");
-  Extent extent;
-  extent.drives = 6;
-  extent.seconds = kSeconds;
-  const Summary summary(condition, run(condition, extent));
-  EXPECT_GT(summary.threatened, summary.cycles / 20);
+  int cycles = 0, threatened = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const DriveResult result = drive(spec_of(*find_condition("speed_1"), seed), seed);
+    cycles += result.cycles;
+    threatened += result.threatened;
+  }
+  EXPECT_GT(threatened, cycles / 20);
 }
 
 TEST(Campaign, SeesAContactWhereTheBrakesAreWorseThanTold) {
-  const Condition& condition = *find_condition("out_latency_more");
-  Extent extent;
-  extent.drives = 40;  // a third of them touch
-  extent.seconds = kSeconds;
-  EXPECT_GT(Summary(condition, run(condition, extent)).contacts, 0);
+  int touched = 0;  // a third of them touch
+  for (std::uint64_t seed = 1; seed <= 40 && touched == 0; ++seed) {
+    touched += drive(spec_of(*find_condition("out_latency_more"), seed), seed).touched;
+  }
+  EXPECT_GT(touched, 0);
 }
 
 TEST(Campaign, TheSameSeedIsTheSameDrive) {
-  const Condition& condition = *find_condition("anything");
-  Extent one, two;
-  one.drives = two.drives = 4;
-  one.seconds = two.seconds = 5;
-  two.threads = 3;
-  const Summary a(condition, run(condition, one)), b(condition, run(condition, two));
-  EXPECT_EQ(as_json({a}, 5), as_json({b}, 5));
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Spec spec = spec_of(*find_condition("anything"), seed);
+    spec.seconds = 5;
+    std::ostringstream first, second;
+    drive(spec, seed, &first);
+    drive(spec, seed, &second);
+    EXPECT_EQ(first.str(), second.str());
+  }
 }
 
 }  // namespace

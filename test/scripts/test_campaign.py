@@ -25,7 +25,7 @@ class Run(unittest.TestCase):
 
     def called(self, name, status, *arguments):
         """(exit status, the program's arguments)."""
-        program = os.path.join(self.space, 'build', name, 'test', name, f'hidwa_{name}')
+        program = os.path.join(self.space, 'build', name, campaign.PROGRAMS[name].path)
         os.makedirs(os.path.dirname(program), exist_ok=True)
         with open(program, 'w', encoding='utf-8') as out:
             out.write(f'#!/bin/sh\necho "$@" > "{self.space}/called"\nexit {status}\n')
@@ -35,12 +35,21 @@ class Run(unittest.TestCase):
             return ended, text.read().split()
 
     def test_the_whole_campaign(self):
-        folder = os.path.join(self.space, 'build', 'attack')
-        self.assertEqual(self.called('attack', 0), (0, ['--jobs', campaign.CORES, '--out', folder]))
+        folder = os.path.join(self.space, 'build', 'attack', 'drives')
+        self.assertEqual(self.called('attack', 0), (0, ['attack', '--out', folder]))
+
+    def test_an_attack_begins_anew_and_goes_on_in_a_folder_of_the_users(self):
+        folder = os.path.join(self.space, 'build', 'attack', 'drives')
+        os.makedirs(folder)
+        _, given = self.called('attack', 0, '--out', 'mine')
+        self.assertEqual(given[-2:], ['--out', 'mine'])
+        self.assertTrue(os.path.exists(folder))
+        self.called('attack', 0)
+        self.assertFalse(os.path.exists(folder))
 
     def test_ways_have_the_office_among_their_maps(self):
         _, given = self.called('ways', 0, '--map', 'mine.yaml')
-        self.assertEqual(given[:2], campaign.ALWAYS['ways'])
+        self.assertEqual(given[0], '--map')
         self.assertEqual(given[-2:], ['--map', 'mine.yaml'])
         self.assertTrue(os.path.isfile(given[1]))
 
@@ -56,7 +65,7 @@ class Run(unittest.TestCase):
     def test_nothing_built(self):
         with contextlib.redirect_stderr(io.StringIO()) as complaints:
             self.assertEqual(campaign.main('attack', ['--no-build']), 2)
-        self.assertIn('hidwa_attack', complaints.getvalue())
+        self.assertIn('hidwa_study', complaints.getvalue())
 
 
 if __name__ == '__main__':

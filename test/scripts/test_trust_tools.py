@@ -113,7 +113,7 @@ class Threads(unittest.TestCase):
                     with open(os.path.join(folder, name), encoding='utf-8') as text:
                         if starts.search(text.read()):
                             found.add(os.path.relpath(folder, os.path.join(ROOT, top)).split(os.sep)[0])
-        self.assertEqual(found, {'attack', 'study'}, 'THREAD_SUITES of sanitize.py are the tests of these')
+        self.assertEqual(found, {'study'}, 'THREAD_SUITES of sanitize.py are the tests of these')
 
 
 class Coverage(unittest.TestCase):

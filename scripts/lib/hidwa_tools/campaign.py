@@ -1,32 +1,43 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/attack and scripts/ways, once everything needed is installed: builds hidwa_attack or hidwa_ways and runs it."""
+"""scripts/attack and scripts/ways, once everything needed is installed: builds hidwa_study or hidwa_ways and runs it."""
+import collections
 import os
+import shutil
 import subprocess
 import sys
 
 from .places import ROOT, SPACE
 from .plain_build import CORES, BuildError, build
 
-ALWAYS = {'attack': [], 'ways': ['--map', os.path.join(ROOT, 'maps', 'office.yaml')]}
+# Where a program stands in its build folder, CMake's options for it, and its arguments before the user's. out: the folder below
+# that for its results.
+Program = collections.namedtuple('Program', 'path options arguments out')
+PROGRAMS = {
+    'attack': Program(os.path.join('lab', 'study', 'hidwa_study'), ['-DHIDWA_TOOLS=ON'], ['attack'], 'drives'),
+    'ways': Program(os.path.join('test', 'ways', 'hidwa_ways'), ['-DHIDWA_TOOLS=demo', '-DHIDWA_TESTS=ON', '-DHIDWA_TEST_SUITES=ways'],
+                    ['--map', os.path.join(ROOT, 'maps', 'office.yaml'), '--jobs', CORES], '')}
 NO_BUILD = '--no-build'
-HELP = """scripts/{0} [--no-build] [OPTION...]: installs what is missing, builds hidwa_{0} without ROS and runs it.
+HELP = """scripts/{0} [--no-build] [OPTION...]: installs what is missing, builds {1} without ROS and runs it.
 --no-build: run what is built; all other options are the program's (docs/evidence/{0}.md has examples).
 environment: HIDWA_SPACE and HIDWA_INSTALL: scripts/build --help"""
 
 
 def main(name, arguments):
     """Exit status of the program; 2 where it could not run. The program says what is wrong with its arguments."""
-    folder = os.path.join(SPACE, 'build', name)
-    program = os.path.join(folder, 'test', name, f'hidwa_{name}')
+    folder, known = os.path.join(SPACE, 'build', name), PROGRAMS[name]
+    program, out = os.path.join(folder, known.path), os.path.join(folder, known.out)
+    target = os.path.basename(program)
     try:
         if '--help' in arguments or '-h' in arguments:
-            print(HELP.format(name), flush=True)
+            print(HELP.format(name, target), flush=True)
             return subprocess.run([program, '--help'], check=False).returncode if os.path.exists(program) else 0
         if NO_BUILD not in arguments:
             print('==> building', file=sys.stderr, flush=True)
-            build(f'hidwa_{name}', folder, ['-DHIDWA_TOOLS=demo', '-DHIDWA_TESTS=ON', f'-DHIDWA_TEST_SUITES={name}'])
+            build(target, folder, known.options)
         own = [argument for argument in arguments if argument != NO_BUILD]
-        return subprocess.run([program, *ALWAYS[name], '--jobs', CORES, '--out', folder, *own], check=False).returncode
+        if known.out and not {'--out', '--list'} & {argument.split('=')[0] for argument in own}:
+            shutil.rmtree(out, ignore_errors=True)  # an attack would go on with drives of another program
+        return subprocess.run([program, *known.arguments, '--out', out, *own], check=False).returncode
     except (BuildError, OSError) as fault:
         print(f'scripts/{name}: {fault}', file=sys.stderr)
         return 2

@@ -16,7 +16,7 @@ UNFIT_CASES = '-Allocations.NoneWhileThePersonSteers'
 SHORT_BUILD = ('-DHIDWA_TOOLS=demo', '-DHIDWA_TEST_SUITES=unit/robot;fuzz')
 # A program with one thread has no race to find: the thread sanitizer takes the folders whose tests start threads of their own.
 # No other library without ROS starts one; test/scripts looks.
-THREAD_SUITES = ('unit/robot', 'unit/study', 'attack', 'ways')
+THREAD_SUITES = ('unit/robot', 'unit/study', 'ways')
 SUPPRESSIONS = os.path.join('test', 'sanitize')  # what is not ours, by name
 
 # {name: (compiler, sanitizers)}: the tests that need no ROS, and host, plugin and rostests.

@@ -46,7 +46,7 @@ class NaiveCostmap {
     follow(robot);
     clear(beams);
     mark(beams);
-    if (settings_.footprint_clearing) clear_under(robot);
+    clear_under(robot);
   }
 
   int column() const { return column_; }

@@ -31,7 +31,6 @@ TEST(LocalCostmap, AgreesWithTheNaiveTwinOnRandomScans) {
     settings.width = 2.0;
     settings.obstacle_range = 0.9;
     settings.raytrace_range = scene < 3 ? 1.1 : 3.5;
-    settings.footprint_clearing = scene != 4;
     settings.inflation = {0.4, 3.0};
     const Polygon outline = scene == 5 ? Polygon{{0.4, 0.1}, {-0.1, 0.2}, {-0.2, -0.15}} : circle_outline(0.15, 0.01);
     LocalCostmap costmap(settings, outline);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "hostile.hpp"
+#include "cases.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "braking.hpp"
-#include "conditions.hpp"
 
 namespace hidwa_attack {
 namespace {
@@ -13,36 +13,8 @@ using hidwa_local_planner::Guard;
 using hidwa_local_planner::LinearPolicy;
 using hidwa_local_planner::OperatorMode;
 
-constexpr int kSeconds = 20;  // of a drive [s]
 constexpr std::uint64_t kOutsideEvery = 20;
 constexpr std::uint64_t kGoallessEvery = 3;
-
-// What only a study does.
-const std::vector<Condition>& study_only() {
-  static const std::vector<Condition> conditions{
-      {"out_slip", false, "the base slips by up to 10 %", [](Spec& s, Random&) { s.slip = 0.1; }},
-      {"out_flicker", false,
-       "a fifth of the free cells beside lethal ones flicker: the robot stands in what is not there",
-       [](Spec& s, Random&) { s.flicker = 0.2; }},
-      {"out_walkers_fast", false, "people of twice the speed and acceleration",
-       [](Spec& s, Random&) {
-         s.walkers = 4;
-         s.bounds.speed *= 2.0;
-         s.bounds.acc *= 2.0;
-       }},
-      {"out_walkers_untold", false, "people of whom the planner knows nothing",
-       [](Spec& s, Random&) {
-         s.walkers = 4;
-         s.walkers_told = false;
-       }},
-      {"out_walkers_doubtful", false, "errors thrice as large as told",
-       [](Spec& s, Random&) {
-         s.walkers = 4;
-         s.bounds.told_errors = 1.0 / 3.0;
-       }},
-  };
-  return conditions;
-}
 
 bool starts_free(const Condition& condition) {
   Spec spec;
@@ -51,12 +23,11 @@ bool starts_free(const Condition& condition) {
   return spec.start == Start::free;
 }
 
-std::vector<Condition> conditions_of(bool promised) {
-  std::vector<Condition> conditions;
+std::vector<const Condition*> conditions_of(bool promised) {
+  std::vector<const Condition*> conditions;
   for (const Condition& condition : all_conditions()) {
-    if (condition.promised == promised && starts_free(condition)) conditions.push_back(condition);
+    if (condition.promised == promised && starts_free(condition)) conditions.push_back(&condition);
   }
-  if (!promised) conditions.insert(conditions.end(), study_only().begin(), study_only().end());
   return conditions;
 }
 
@@ -99,21 +70,22 @@ void take_goal(Spec& s, Random& r) {
 
 }  // namespace
 
-HostileDrive hostile_drive(std::uint64_t study_seed, std::uint64_t index, const std::vector<Ground>& grounds) {
-  static const std::vector<Condition> within = conditions_of(true), beyond = conditions_of(false);
-  HostileDrive drive;
-  drive.promised = index % kOutsideEvery != kOutsideEvery - 1;
-  const std::vector<Condition>& conditions = drive.promised ? within : beyond;
-  const std::uint64_t turn = drive.promised ? index - index / kOutsideEvery : index / kOutsideEvery;
-  const Condition& condition = conditions[turn % conditions.size()];
-  drive.condition = condition.name;
-  drive.seed = Random(study_seed * 1000003ULL + index).bits() >> 20;
-  drive.spec = spec_of(condition, drive.seed, kSeconds);
+Case case_of(const Condition& condition, std::uint64_t seed) {
+  Spec spec = spec_of(condition, seed);
+  const char* place = name_of(spec.place);
+  return {&condition, place, std::move(spec), seed};
+}
+
+Case mixed_case(std::uint64_t attack_seed, std::uint64_t number, const std::vector<Ground>& grounds) {
+  static const std::vector<const Condition*> within = conditions_of(true), beyond = conditions_of(false);
+  const bool promised = number % kOutsideEvery != kOutsideEvery - 1;
+  const std::vector<const Condition*>& conditions = promised ? within : beyond;
+  const std::uint64_t turn = promised ? number - number / kOutsideEvery : number / kOutsideEvery;
+  Case drive = case_of(*conditions[turn % conditions.size()], Random(attack_seed * 1000003ULL + number).bits() >> 20);
   Random random(drive.seed ^ 0xdeadbeefULL);
   const bool has_speed = drive.spec.parameters.max_vel_x > 1.0;
   add(drive.spec, has_speed, random);
-  if (index % kGoallessEvery == kGoallessEvery - 1) take_goal(drive.spec, random);
-  drive.place = name_of(drive.spec.place);
+  if (number % kGoallessEvery == kGoallessEvery - 1) take_goal(drive.spec, random);
   if (!grounds.empty() && random.chance(0.5)) {
     const Ground& ground = grounds[static_cast<std::size_t>(random.whole(0, static_cast<int>(grounds.size()) - 1))];
     drive.spec.ground = ground.world;

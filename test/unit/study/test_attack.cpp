@@ -3,31 +3,31 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "attack/drive.hpp"
-#include "attack/hostile.hpp"
 #include "attack/walkers.hpp"
+#include "study/attack_table.hpp"
 #include "study_folder.hpp"
 
 namespace hidwa_local_planner {
 namespace study {
 namespace {
 
-using hidwa_attack::HostileDrive;
+using hidwa_attack::Case;
 
-class HostileStudy : public StudyFolder {};
+class AttackStudy : public StudyFolder {};
 
-TEST(Hostile, EveryPromisedConditionHasItsTurnAndOneInTwentyIsOutside) {
+TEST(MixedAttack, EveryPromisedConditionHasItsTurnAndOneInTwentyIsOutside) {
   std::set<std::string> within, outside;
   int out = 0;
   for (std::uint64_t k = 0; k < 2000; ++k) {
-    const HostileDrive drive = hidwa_attack::hostile_drive(1, k, {});
-    (drive.promised ? within : outside).insert(drive.condition);
-    out += !drive.promised;
+    const hidwa_attack::Condition& condition = *hidwa_attack::mixed_case(1, k, {}).condition;
+    (condition.promised ? within : outside).insert(condition.name);
+    out += !condition.promised;
   }
   EXPECT_EQ(out, 100);  // 2000 / 20
   EXPECT_GE(within.size(), 30U);
@@ -36,64 +36,70 @@ TEST(Hostile, EveryPromisedConditionHasItsTurnAndOneInTwentyIsOutside) {
   for (const std::string& name : within) EXPECT_NE(name.rfind("out_", 0), 0U) << name;
 }
 
-TEST(Hostile, ADriveDependsOnSeedAndIndexAlone) {
+TEST(MixedAttack, ADriveDependsOnSeedAndNumberAlone) {
   for (std::uint64_t k = 0; k < 50; ++k) {
-    const HostileDrive a = hidwa_attack::hostile_drive(3, k, {}), b = hidwa_attack::hostile_drive(3, k, {});
+    const Case a = hidwa_attack::mixed_case(3, k, {}), b = hidwa_attack::mixed_case(3, k, {});
     EXPECT_EQ(a.seed, b.seed);
     EXPECT_EQ(a.spec.walkers, b.spec.walkers);
-    EXPECT_NE(a.seed, hidwa_attack::hostile_drive(4, k, {}).seed);
+    EXPECT_NE(a.seed, hidwa_attack::mixed_case(4, k, {}).seed);
   }
 }
 
-TEST_F(HostileStudy, PartsOfAStudyAreTheStudy) {
-  const std::string study = "hostile --cycles 2000 --seed 7 --threads 2 --out ";
-  EXPECT_EQ(run(study + "@whole").code, 0);
+// Drives that were made before: their seeds and draws stay.
+TEST(MixedAttack, ADriveIsWhatItWas) {
+  const Case first = hidwa_attack::mixed_case(1, 0, {}), outside = hidwa_attack::mixed_case(1, 19, {});
+  EXPECT_EQ(first.condition->name, std::string("octagon"));
+  EXPECT_EQ(first.seed, 1253891401689U);
+  EXPECT_EQ(outside.condition->name, std::string("out_latency_more"));
+  EXPECT_EQ(outside.seed, 2520970968058U);
+}
+
+TEST_F(AttackStudy, PartsAreTheWholeAndADriveAloneIsTheSame) {
+  const std::string study = "attack --condition late,mixed --drives 3 --seconds 5 --seed 7 --threads 2 --out ";
+  const Ended whole = run(study + "@whole");
+  EXPECT_EQ(whole.code, 0) << whole.errors;
+  EXPECT_NE(whole.out.find("\nwithin: drives 6, "), std::string::npos) << whole.out;
   EXPECT_EQ(run(study + "@one --shard 1/2").code, 0);
   EXPECT_EQ(run(study + "@two --shard 2/2").code, 0);
   EXPECT_EQ(run("merge --out @joined @one @two").code, 0);
-  EXPECT_EQ(read("joined/drives.csv"), read("whole/drives.csv"));
+  EXPECT_EQ(read("joined/runs.csv"), read("whole/runs.csv"));
   EXPECT_EQ(read("joined/summary.json"), read("whole/summary.json"));
+  for (const std::string& contacts : column("whole", "touched")) EXPECT_EQ(contacts, "0");
 
-  // Called again it keeps what is there; a line that was cut short is made again.
-  const std::string drives = read("whole/drives.csv");
-  write("whole/drives.csv", drives.substr(0, drives.size() - 20));
-  EXPECT_EQ(run(study + "@whole").code, 0);
-  EXPECT_EQ(read("whole/drives.csv"), drives);
-
-  const nlohmann::json summary = nlohmann::json::parse(read("whole/summary.json")).at("within");
-  EXPECT_GE(summary.at("cycles").get<int>(), 2000);
-  EXPECT_EQ(summary.at("contacts").get<int>(), 0);
-  EXPECT_GT(summary.at("moving").get<double>(), 0.2);
+  EXPECT_EQ(run("attack --condition late --seconds 5 --seed 7 --drive 2 --out @alone").code, 0);
+  EXPECT_EQ(at("alone", "attack-P0002-late-S00001", "seed"), "9");
+  EXPECT_EQ(lines_of("alone").at(1), lines_of("whole").at(5)) << "after two drives of late and two of mixed";
+  const std::string trace = read("alone/trace.csv");
+  EXPECT_GE(std::count(trace.begin(), trace.end(), '\n'), 500);  // 5 s, every 10 ms
 }
 
-TEST_F(HostileStudy, AnotherStudysFolderIsRefused) {
-  EXPECT_EQ(run("hostile --cycles 1 --out @study").code, 0);
-  expect_refused("hostile --cycles 1 --seed 2 --out @study", "holds another study");
-  EXPECT_EQ(run("hostile --cycles 1 --map nowhere.yaml --out @other").code, 2);
+TEST_F(AttackStudy, WhatMakesNoSenseIsRefused) {
+  expect_refused("attack --condition anything,lazy --out @a", "some of octagon,");
+  expect_refused("attack --drive 3 --out @a", "--drive needs one --condition");
+  EXPECT_EQ(run("attack --condition late --drives 1 --map nowhere.yaml --out @a").code, 2);
 }
 
-TEST_F(HostileStudy, ASoakOfSixMinutesHolds) {
-  const auto soak = run("soak --hours 0.1 --out @soak");
-  EXPECT_NE(soak.errors.find("6 of 6 minutes, 0 s left"), std::string::npos) << soak.errors;
-  const nlohmann::json summary = nlohmann::json::parse(read("soak/summary.json"));
-#ifdef HIDWA_SANITIZED  // a sanitizer's own memory grows: all but that is judged
-  for (const char* name : {"contacts", "commands_beyond_limits", "touched_moving"}) EXPECT_EQ(summary.at(name), 0);
-#else
-  EXPECT_EQ(soak.code, 0) << summary;
-#endif
-  // 360 s at 20 Hz are 7200 cycles; one in ten comes up to 0.1 s late.
-  EXPECT_GT(summary.at("cycles").get<int>(), 6000);
-  EXPECT_LE(summary.at("cycles").get<int>(), 7200);
-  EXPECT_GE(summary.at("states").size(), 5U) << summary;
-  const std::string minutes = read("soak/minutes.csv");
-  EXPECT_EQ(std::count(minutes.begin(), minutes.end(), '\n'), 7);  // the head and six minutes
+TEST_F(AttackStudy, TellsItsConditions) {
+  const Ended told = run("attack --list");
+  EXPECT_EQ(told.code, 0);
+  for (const std::string& name : attack_conditions()) EXPECT_NE(told.out.find(name), std::string::npos) << name;
+}
+
+TEST(Attack, OnlyWhatIsFoundWithinThePromiseFailsIt) {
+  hidwa_attack::DriveResult touched;
+  touched.touched = true;
+  for (const auto& [name, held] : {std::pair("late", false), std::pair("out_slip", true)}) {
+    const Case drive = hidwa_attack::case_of(*hidwa_attack::find_condition(name), 1);
+    EXPECT_EQ(attack_tables().verdict({attack_row({}, drive, touched)}).held, held) << name;
+    EXPECT_TRUE(attack_tables().verdict({attack_row({}, drive, {})}).held) << name;
+  }
 }
 
 // The check of touches can fail: people who are not told of touch the robot, or make it no encounter at all.
-TEST(Hostile, SeesThatPeopleOfWhomThePlannerKnowsNothingTouchTheRobot) {
+TEST(MixedAttack, SeesThatPeopleOfWhomThePlannerKnowsNothingTouchTheRobot) {
   std::uint64_t touched = 0, met = 0;
   for (std::uint64_t k = 0; k < 6; ++k) {
-    HostileDrive drive = hidwa_attack::hostile_drive(1, k, {});
+    Case drive = hidwa_attack::mixed_case(1, k, {});
     drive.spec.walkers = 6;
     drive.spec.walkers_told = false;
     const hidwa_attack::DriveResult result = hidwa_attack::drive(drive.spec, drive.seed);
@@ -144,10 +150,10 @@ TEST(Walkers, NobodyAppearsNearerThanHeMay) {
 
 // 2 m/s, 2.5 m/s2, 0.1 s of latency and two periods of 50 ms: 0.2 s and 0.8 s until it rests, in which it drives
 // 0.4 m + 0.8 m, and a walker of 1.8 m/s walks 1.8 m. Turning adds more.
-TEST(Hostile, WhoAppearsIsOutOfReachOfAFastRobot) {
+TEST(MixedAttack, WhoAppearsIsOutOfReachOfAFastRobot) {
   bool found = false;
   for (std::uint64_t index = 0; index < 400; ++index) {
-    const hidwa_attack::Spec spec = hidwa_attack::hostile_drive(1, index, {}).spec;
+    const hidwa_attack::Spec spec = hidwa_attack::mixed_case(1, index, {}).spec;
     const bool known = spec.parameters.max_vel_x == 2.0 && spec.parameters.decel_lim_x == 0.0 && spec.walkers > 0 &&
                        spec.period >= 50 && spec.parameters.control_latency >= 0.1;
     if (!known) continue;
