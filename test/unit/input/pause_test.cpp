@@ -61,27 +61,6 @@ TEST(Pause, IsNoSilenceWhoWakesUpFirst) {
   }
 }
 
-TEST(Pause, OfAMinuteTooInEveryModeWithAStick) {
-  for (const OperatorMode mode : {OperatorMode::joystick, OperatorMode::switching}) {
-    Planner planner(in_mode(mode));
-    planner.machine.take_control(true);
-    const State before = planner.run(1.0, 1.0F);
-    EXPECT_EQ(before, mode == OperatorMode::switching ? State::manual : State::shared);
-    EXPECT_EQ(planner.wake_after(52.0), before);
-    EXPECT_EQ(planner.run(0.5, 1.0F), before);
-  }
-}
-
-// Who is silent after it is lost after input_timeout of cycles.
-TEST(Pause, DoesNotKeepADeadDeviceAlive) {
-  Steering planner;
-  planner.wake_after(2.0);
-  EXPECT_EQ(planner.run(0.45, 1.0F, false), State::shared);  // 0.45 s
-  EXPECT_EQ(planner.run(0.1, 1.0F, false), State::lost);     // 0.55 s
-  EXPECT_FALSE(planner.machine.lost_by_pauses(planner.now));
-  EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);  // that was no doing of the planner: to be seen centred
-}
-
 // Only the longest pause since the last message is excused, so that pauses without end keep nothing alive.
 TEST(Pause, AfterPauseWithoutAMessageIsALossButOfOurOwn) {
   Steering planner;

@@ -85,14 +85,12 @@ Message stamped(double stamp, Message message) {
   return message;
 }
 
-inline CycleFeedback rejected(bool stands = false) {
+inline CycleFeedback rejected_at_rest() {
   CycleFeedback feedback;
   feedback.operator_command_rejected = true;
-  feedback.stands = stands;
+  feedback.stands = true;
   return feedback;
 }
-
-inline CycleFeedback rejected_at_rest() { return rejected(true); }
 
 inline CycleFeedback at_goal() {
   CycleFeedback feedback;
