@@ -40,7 +40,9 @@ TEST(LiveConfiguration, AnotherModeLeavesNoHold) {
 }
 
 TEST(LiveConfiguration, LostEndsWithTheMode) {
-  Person person(with_policy(OnInputLost::stop));
+  Parameters p;
+  p.on_input_lost = OnInputLost::stop;
+  Person person(p);
   person.steer(1.0);
   EXPECT_EQ(person.cycle(1.6).influence, Influence::stop);
   person.set_mode(OperatorMode::off);

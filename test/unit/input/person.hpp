@@ -35,12 +35,6 @@ inline Parameters with_stop_button(OperatorMode mode = OperatorMode::joystick) {
   return p;
 }
 
-inline Parameters with_policy(OnInputLost policy, OperatorMode mode = OperatorMode::joystick) {
-  Parameters p = in_mode(mode);
-  p.on_input_lost = policy;
-  return p;
-}
-
 inline StickMessage stick_at(double received, float angular, float linear = 0.0F) {
   StickMessage message;
   message.axes = {angular, linear};
