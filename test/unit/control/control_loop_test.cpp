@@ -317,34 +317,37 @@ TEST(ControlLoop, TheGoalIsReachedWhereTheRobotStandsAtIt) {
   EXPECT_FALSE(bench.loop().goal_reached(bench.seen(), false));
 }
 
-// A loop that loads what another saved goes on as that one does: through a plan's progress, a brake, a pause and a
-// goal.
+// One cycle of `bench`, which decides the same, to the bit, for a twin that loads what the bench saved before.
+Result step_as_a_twin(Bench& bench, Bench& twin) {
+  Bytes state;
+  bench.loop().save(state);
+  EXPECT_TRUE(twin.loop().load(state));
+  twin.seen() = bench.seen();
+  const Result a = bench.step(), b = twin.step();
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_TRUE(a.command == b.command);
+  EXPECT_EQ(bench.loop().situation().plan.size(), twin.loop().situation().plan.size());
+  EXPECT_EQ(a.feedback.goal_latched, b.feedback.goal_latched);
+  return a;
+}
+
+// Through a plan's progress, a brake, a pause and a goal.
 TEST(ControlLoop, WhatItRemembersCanBeSavedAndLoaded) {
   Bench bench, twin;
   bench.plan(straight(1.5));
   twin.plan(straight(1.5));
-  Bytes state;
   bool latched = false;
-  const auto same_as_the_twin = [&] {
-    state.clear();
-    bench.loop().save(state);
-    ASSERT_TRUE(twin.loop().load(state));
-    twin.seen() = bench.seen();
-    const Result a = bench.step(), b = twin.step();
-    ASSERT_EQ(a.outcome, b.outcome);
-    ASSERT_EQ(a.command, b.command);
-    ASSERT_EQ(bench.loop().situation().plan.size(), twin.loop().situation().plan.size());
-    latched = a.feedback.goal_latched;
-    ASSERT_EQ(latched, b.feedback.goal_latched);
-  };
   for (int k = 0; k < 80; ++k) {
+    SCOPED_TRACE(k);
     if (k == 10) bench.seen().fault = "no scan";
     if (k == 12) bench.seen().fault.clear();
     if (k == 20) bench.seen().resumed = Twist2{0.1, 0.0};
-    same_as_the_twin();
+    latched = step_as_a_twin(bench, twin).feedback.goal_latched;
     bench.seen().pose.x += kPeriod * bench.seen().velocity->v;
   }
   EXPECT_TRUE(latched);
+  Bytes state;
+  bench.loop().save(state);
   for (std::size_t n = 0; n < state.size(); ++n) {
     EXPECT_FALSE(twin.loop().load(Bytes(state.begin(), state.begin() + static_cast<std::ptrdiff_t>(n)))) << n;
   }
@@ -429,14 +432,8 @@ TEST(ControlLoopWithoutGoal, WhatIsRememberedRepeatsACycle) {
   }
   bool turned = false;
   for (int k = 0; k < 60; ++k) {
-    Bytes state;
-    bench.loop().save(state);
-    other.seen().pose = bench.seen().pose;
-    other.seen().velocity = bench.seen().velocity;
-    other.seen().timing = bench.seen().timing;
-    ASSERT_TRUE(other.loop().load(state));
-    const Twist2 command = bench.step().command, repeated = other.step().command;
-    ASSERT_TRUE(command == repeated) << k;
+    SCOPED_TRACE(k);
+    const Twist2 command = step_as_a_twin(bench, other).command;
     turned = turned || command.omega != 0.0;
     Pose2& pose = bench.seen().pose;
     pose.theta += kPeriod * command.omega;

@@ -30,16 +30,6 @@ TEST(BadMessages, AreDroppedCountedAndNamed) {
   EXPECT_EQ(person.machine.dropped(), 3U);
 }
 
-TEST(BadMessages, DoNotKeepInputAlive) {
-  Person person;
-  person.steer(1.0);  // active at 1.05
-  for (int i = 1; i < 40; ++i) {
-    const double now = 1.05 + 0.05 * i;
-    person.stick(now, kNan);
-    EXPECT_EQ(person.cycle(now + 1e-3).state, now <= 1.52 ? State::shared : State::lost) << now;  // 0.5 s from 1.05
-  }
-}
-
 TEST(BadMessages, TimesThatAreNoNumbers) {
   Person person;
   person.steer(1.0);

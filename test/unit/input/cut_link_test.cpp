@@ -218,58 +218,5 @@ TEST(CutLink, WhatALinkHeldBackHasNoEffect) {
   expect_no_effect(toggle(), in_turn, std::nullopt, 1e-4);
 }
 
-TEST(CutLink, HeldBackPressesDoNotGiveControlBackEither) {
-  Person person(in_mode(OperatorMode::switching));
-  person.cycle_with_stick(1.0, 0.0F);
-  person.machine.take_control(true);
-  EXPECT_EQ(person.cycle(1.05).state, State::manual);
-  for (int i = 0; i < 60; ++i) person.cycle(1.1 + 0.05 * i);
-  person.stick(4.1, 0.0F);
-  person.button(4.1, kToggle);
-  person.stick(4.1, 0.0F);
-  EXPECT_EQ(person.cycle(4.1).state, State::manual);
-  person.stick(4.3, 0.0F);
-  EXPECT_EQ(person.cycle_with_button(4.35, kToggle).state, State::autonomy);  // 0.25 s later a press is one again
-}
-
-// A stick that sends only changes: a press always ends a silence.
-TEST(CutLink, APressThatEndsASilenceCounts) {
-  for (const double timeout : {0.0, 0.5}) {
-    Parameters p = in_mode(OperatorMode::switching);
-    p.input_timeout = timeout;
-    Person person(p);
-    person.stick(1.0, 0.0F);
-    for (int i = 0; i <= 200; ++i) person.cycle(1.0 + 0.05 * i);
-    person.button(11.02, kToggle);
-    EXPECT_EQ(person.cycle(11.05).state, State::manual);
-    person.stick(11.15, 0.0F);
-    for (int i = 0; i <= 200; ++i) person.cycle(11.15 + 0.05 * i);
-    person.button(21.17, kToggle);
-    EXPECT_EQ(person.cycle(21.2).state, State::autonomy);
-  }
-}
-
-TEST(CutLink, AStickThatSendsOnlyChangesSteersWithoutATimeout) {
-  Parameters p;
-  p.input_timeout = 0.0;
-  Person shared(p);
-  shared.steer(1.0);
-  for (int i = 1; i < 200; ++i) expect_shared(shared.cycle(1.05 + 0.05 * i), 0.5, 1.0);
-  shared.stick(11.02, 0.0F);
-  expect_hold(shared.cycle(11.05), 0.5);
-  EXPECT_EQ(shared.cycle(13.01).state, State::hold);  // delta from the release at 11.02
-  EXPECT_EQ(shared.cycle(13.03).state, State::autonomy);
-  EXPECT_EQ(shared.machine.advice(), "");
-
-  p.mode = OperatorMode::switching;
-  Person manual(p);
-  manual.cycle_with_stick(1.0, 0.0F);
-  manual.cycle_with_button(1.3, kToggle);
-  manual.stick(1.35, -1.0F, 1.0F);
-  for (int i = 0; i < 200; ++i) expect_manual(manual.cycle(1.35 + 0.05 * i), 0.5, -1.0);
-  expect_manual(manual.cycle_with_stick(11.35, 0.0F), 0.0, 0.0);
-  EXPECT_EQ(manual.machine.advice(), "");
-}
-
 }  // namespace
 }  // namespace hidwa_local_planner::input

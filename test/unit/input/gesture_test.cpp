@@ -219,16 +219,6 @@ TEST(Gesture, LostTrackingIsLostInputUntilTheClutchIsLetGo) {
   }
 }
 
-TEST(Gesture, LostTrackingByPolicy) {
-  for (const OnInputLost policy : {OnInputLost::stop, OnInputLost::autonomy}) {
-    Hand person(with_policy(policy, OperatorMode::gesture));
-    person.steer_left();
-    const Influence wanted = policy == OnInputLost::stop ? Influence::stop : Influence::none;
-    expect_lost(person.cycle_with(untracked(1.15).front().message), wanted);
-    EXPECT_EQ(person.move(1.2, 0.15).influence, wanted);
-  }
-}
-
 TEST(Gesture, LostTrackingWithoutTheClutchLosesNothing) {
   Hand person;
   person.stick(1.0, 0.0F);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "person.hpp"
@@ -38,55 +40,43 @@ TEST(LiveConfiguration, AnotherModeLeavesNoHold) {
 }
 
 TEST(LiveConfiguration, LostEndsWithTheMode) {
-  Person person(with_policy(OnInputLost::stop));
+  Parameters p;
+  p.on_input_lost = OnInputLost::stop;
+  Person person(p);
   person.steer(1.0);
   EXPECT_EQ(person.cycle(1.6).influence, Influence::stop);
   person.set_mode(OperatorMode::off);
   EXPECT_EQ(person.cycle(1.65).influence, Influence::none);
 }
 
-TEST(LiveConfiguration, TuningDoesNotInterruptSteering) {
-  Person person;
-  person.steer(1.0, 0.5F);
-  person.p.max_vel_x = 0.4;
-  person.p.max_vel_theta = 2.0;
-  person.p.s_omega = 400.0;
-  person.configure();
-  expect_shared(person.cycle(1.1), 0.4, 0.5);  // 0.5^2 * 2, without a new message
-}
+/// A change of a parameter while the stick is held half to the left and half forward.
+struct Change {
+  const char* parameter;
+  ParameterValue value;
+  State state;      // of the next cycle, before another message comes
+  double v, omega;  // what it asks for [m/s, rad/s]
+};
 
-TEST(LiveConfiguration, TheLinearPolicyChangesWhileSteering) {
-  Person person;
-  person.steer(1.0, 1.0F, 0.5F);
-  person.p.linear = LinearPolicy::axis;
-  person.configure();
-  expect_shared(person.cycle(1.1), 0.125, 1.0);  // 0.5^2 * 0.5
-}
-
-TEST(LiveConfiguration, AWiderDeadZoneReleases) {
-  Person person;
-  person.steer(1.0, 0.5F);
-  person.p.dead_zone = 0.6;
-  person.configure();
-  EXPECT_EQ(person.cycle(1.1).state, State::hold);
-}
-
-TEST(LiveConfiguration, AnotherAxisMustBeSeenCentred) {
-  Person person;
-  person.steer(1.0);
-  person.p.axis_angular = {1};
-  person.configure();
-  EXPECT_EQ(person.cycle(1.1).state, State::hold);
-  EXPECT_EQ(person.cycle_with_stick(1.15, 0.0F, 1.0F).state, State::hold);
-  EXPECT_EQ(person.steer(1.2, 0.0F, 1.0F).state, State::shared);
-}
-
-TEST(LiveConfiguration, AnotherTopicMustBeSeenCentred) {
-  Person person;
-  person.steer(1.0);
-  person.p.joy_topic = "other_joy";
-  person.configure();
-  EXPECT_EQ(person.cycle_with_stick(1.1, 1.0F).state, State::hold);
+TEST(LiveConfiguration, TuningGoesOnAnotherMappingMustBeSeenCentred) {
+  const Change changes[] = {
+      {"max_vel_x", 0.4, State::shared, 0.4, 0.25},
+      {"max_vel_theta", 2.0, State::shared, 0.5, 0.5},  // 0.5^2 * 2
+      {"s_omega", 400.0, State::shared, 0.5, 0.25},
+      {"linear", std::string("axis"), State::shared, 0.125, 0.25},  // 0.5^2 * 0.5, 0.5^2
+      {"dead_zone", 0.6, State::hold, 0.5, 0.0},                    // a release
+      {"axis_angular", 1, State::hold, 0.5, 0.0},
+      {"joy_topic", std::string("other_joy"), State::hold, 0.5, 0.0},
+  };
+  for (const Change& change : changes) {
+    SCOPED_TRACE(change.parameter);
+    Person person;
+    person.steer(1.0, 0.5F, 0.5F);
+    EXPECT_EQ(set_parameter(person.p, change.parameter, change.value), "");
+    person.configure();
+    expect_intent(person.cycle(1.1), change.state, Influence::shared, change.v, change.omega);
+    EXPECT_EQ(person.cycle_with_stick(1.15, 0.5F, 0.5F).state, change.state);
+    EXPECT_EQ(person.steer(1.2, 1.0F, 1.0F).state, State::shared);
+  }
 }
 
 TEST(LiveConfiguration, DeltaChangesDuringHold) {

@@ -11,19 +11,18 @@ namespace {
 
 constexpr double kPeriod = 0.05;  // of cycles, messages and the listener's words [s]
 
-/// Cycles, a listener and a stick, all at 20 Hz, but where one is cut.
-struct Planner : Person {
-  explicit Planner(const Parameters& parameters = Parameters()) : Person(parameters) {
+/// Cycles, a listener and a stick, all at 20 Hz. The stick has been deflected for a second.
+struct Steering : Person {
+  Steering() {
     machine.heartbeat(now);
     run(0.5, 0.0F);
+    EXPECT_EQ(run(1.0, 1.0F), State::shared);
   }
-  State run(double seconds, float angular, bool sends = true, bool cycles = true) {
+  State run(double seconds, float angular) {
     const int count = static_cast<int>(seconds / kPeriod + 0.5);
     for (int i = 0; i < count; ++i) {
-      now += kPeriod;
-      machine.heartbeat(now);
-      if (sends) stick(now, angular, 0.0F);
-      if (cycles) cycle(now);
+      machine.heartbeat(now += kPeriod);
+      cycle_with_stick(now, angular);
     }
     return machine.state();
   }
@@ -31,11 +30,6 @@ struct Planner : Person {
   State wake_after(double seconds) { return cycle(now += seconds).state; }
 
   double now = 100.0;  // [s]
-};
-
-/// The stick has been deflected for a second.
-struct Steering : Planner {
-  Steering() { EXPECT_EQ(run(1.0, 1.0F), State::shared); }
 };
 
 TEST(PauseDetector, TellsOfWhatAnybodyNotices) {
@@ -61,27 +55,6 @@ TEST(Pause, IsNoSilenceWhoWakesUpFirst) {
   }
 }
 
-TEST(Pause, OfAMinuteTooInEveryModeWithAStick) {
-  for (const OperatorMode mode : {OperatorMode::joystick, OperatorMode::switching}) {
-    Planner planner(in_mode(mode));
-    planner.machine.take_control(true);
-    const State before = planner.run(1.0, 1.0F);
-    EXPECT_EQ(before, mode == OperatorMode::switching ? State::manual : State::shared);
-    EXPECT_EQ(planner.wake_after(52.0), before);
-    EXPECT_EQ(planner.run(0.5, 1.0F), before);
-  }
-}
-
-// Who is silent after it is lost after input_timeout of cycles.
-TEST(Pause, DoesNotKeepADeadDeviceAlive) {
-  Steering planner;
-  planner.wake_after(2.0);
-  EXPECT_EQ(planner.run(0.45, 1.0F, false), State::shared);  // 0.45 s
-  EXPECT_EQ(planner.run(0.1, 1.0F, false), State::lost);     // 0.55 s
-  EXPECT_FALSE(planner.machine.lost_by_pauses(planner.now));
-  EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);  // that was no doing of the planner: to be seen centred
-}
-
 // Only the longest pause since the last message is excused, so that pauses without end keep nothing alive.
 TEST(Pause, AfterPauseWithoutAMessageIsALossButOfOurOwn) {
   Steering planner;
@@ -96,7 +69,7 @@ TEST(Pause, AfterPauseWithoutAMessageIsALossButOfOurOwn) {
 // The host drove by itself, or nobody had a goal: messages could be heard all the time, and none came.
 TEST(Pause, OfTheCyclesAloneIsNone) {
   Steering planner;
-  planner.run(1.0, 1.0F, false, false);
+  for (int i = 0; i < 20; ++i) planner.machine.heartbeat(planner.now += kPeriod);
   EXPECT_EQ(planner.cycle(planner.now).state, State::lost);
   EXPECT_EQ(planner.run(1.0, 1.0F), State::lost);
 }

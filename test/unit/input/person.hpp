@@ -35,12 +35,6 @@ inline Parameters with_stop_button(OperatorMode mode = OperatorMode::joystick) {
   return p;
 }
 
-inline Parameters with_policy(OnInputLost policy, OperatorMode mode = OperatorMode::joystick) {
-  Parameters p = in_mode(mode);
-  p.on_input_lost = policy;
-  return p;
-}
-
 inline StickMessage stick_at(double received, float angular, float linear = 0.0F) {
   StickMessage message;
   message.axes = {angular, linear};
@@ -85,14 +79,12 @@ Message stamped(double stamp, Message message) {
   return message;
 }
 
-inline CycleFeedback rejected(bool stands = false) {
+inline CycleFeedback rejected_at_rest() {
   CycleFeedback feedback;
   feedback.operator_command_rejected = true;
-  feedback.stands = stands;
+  feedback.stands = true;
   return feedback;
 }
-
-inline CycleFeedback rejected_at_rest() { return rejected(true); }
 
 inline CycleFeedback at_goal() {
   CycleFeedback feedback;

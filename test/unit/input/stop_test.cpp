@@ -11,41 +11,6 @@
 namespace hidwa_local_planner::input {
 namespace {
 
-TEST(Stop, ButtonFromAutonomyWhileItIsHeld) {
-  Person person(with_stop_button());
-  expect_autonomy(person.cycle_with_stick(1.0, 0.0F));
-  expect_stopped(person.cycle_with_button(1.05, kStop));
-  expect_stopped(person.cycle_with_button(2.0, kStop));
-  expect_autonomy(person.cycle_with_stick(2.05, 0.0F));
-}
-
-TEST(Stop, ButtonWhileSharedAndSharedAgainOnRelease) {
-  Person person(with_stop_button());
-  person.steer(1.0);
-  expect_stopped(person.cycle_with_button(1.1, kStop, 1.0F));
-  expect_shared(person.cycle_with_stick(1.15, 1.0F), 0.5, 1.0);  // the stick was deflected all along
-}
-
-TEST(Stop, ButtonDuringHoldAndTheHoldDoesNotComeBack) {
-  Person person(with_stop_button());
-  person.steer(1.0);
-  EXPECT_EQ(person.cycle_with_stick(1.1, 0.0F).state, State::hold);
-  expect_stopped(person.cycle_with_button(1.15, kStop));
-  expect_autonomy(person.cycle_with_stick(1.2, 0.0F));  // 1.2 - 1.05 < delta
-}
-
-TEST(Stop, AButtonHeldAtTheStartCountsAtOnceAndANewGoalDoesNotEndIt) {
-  Person person(with_stop_button());
-  expect_stopped(person.cycle_with_button(1.0, kStop));
-  person.machine.new_goal();
-  expect_stopped(person.cycle(1.05));
-}
-
-TEST(Stop, WithoutAStopButtonNoButtonStops) {
-  Person person;
-  EXPECT_EQ(person.cycle_with_button(1.0, kStop).state, State::autonomy);
-}
-
 // stop_pull is 0.8: a pull begins there and goes on down to 0.75 * 0.8 = 0.6.
 TEST(Stop, PulledBackWithHysteresis) {
   struct Step {
@@ -80,15 +45,6 @@ TEST(Stop, PulledByTheSignOfTheAxis) {
   expect_stopped(person.cycle_with_stick(1.1, 0.0F, 1.0F));
 }
 
-TEST(Stop, AStickPulledAtTheStartMustBeSeenOtherwiseOnce) {
-  Person person;
-  for (const double time : {1.0, 1.05, 2.0}) {
-    EXPECT_EQ(person.cycle_with_stick(time, 0.0F, -1.0F).state, State::autonomy);
-  }
-  EXPECT_EQ(person.cycle_with_stick(2.05, 0.0F, -0.7F).state, State::autonomy);  // below the threshold is otherwise
-  expect_stopped(person.cycle_with_stick(2.1, 0.0F, -1.0F));
-}
-
 TEST(Stop, PullsOnlyWhereTheyAskForNothingElse) {
   const auto state_when_pulled = [](const Parameters& p) {
     Person person(p);
@@ -111,20 +67,6 @@ TEST(Stop, PullsOnlyWhereTheyAskForNothingElse) {
   EXPECT_EQ(state_when_pulled(p), State::shared);
 }
 
-TEST(Stop, InWordsForAsLongAsItIsSaid) {
-  Person person(with_stop_button());
-  person.machine.stop(true);  // no stick is needed
-  expect_stopped(person.cycle(1.0));
-  expect_stopped(person.cycle_with_stick(1.05, 0.0F));  // nor does a stick that lies still take it back
-  expect_stopped(person.cycle(100.0));
-  person.machine.stop(false);
-  EXPECT_EQ(person.cycle(100.05).state, State::autonomy);
-  person.machine.stop(true);
-  person.button(100.1, kStop);
-  person.machine.stop(false);
-  expect_stopped(person.cycle(100.1));  // the button is still held
-}
-
 TEST(Stop, InWordsCountsInEveryModeAndOutlivesItsChange) {
   Person person;
   person.steer(1.0);
@@ -141,41 +83,6 @@ TEST(Stop, InWordsCountsInEveryModeAndOutlivesItsChange) {
   expect_stopped(person.cycle(9.15));
   person.machine.stop(false);
   EXPECT_EQ(person.cycle(9.2).state, State::autonomy);
-}
-
-TEST(Stop, SilenceKeepsItWhateverThePolicy) {
-  for (const OnInputLost policy : {OnInputLost::hold, OnInputLost::stop, OnInputLost::autonomy}) {
-    Parameters p = with_stop_button();
-    p.on_input_lost = policy;
-    Person person(p);
-    person.steer(1.0);
-    expect_stopped(person.cycle_with_button(1.1, kStop, 1.0F));
-    for (double time = 1.2; time < 20.0; time += 0.1) expect_stopped(person.cycle(time));
-    expect_stopped(person.cycle_with_button(20.0, kStop));  // the input returns ...
-    expect_autonomy(person.cycle_with_stick(20.05, 0.0F));  // ... and releases
-  }
-}
-
-TEST(Stop, ALossDuringItOutlivesIt) {
-  Parameters p = with_stop_button();
-  p.on_input_lost = OnInputLost::stop;
-  Person person(p);
-  person.steer(1.0);
-  expect_stopped(person.cycle_with_button(1.1, kStop, 1.0F));
-  expect_stopped(person.cycle(2.0));
-  expect_lost(person.cycle_with_stick(3.0, 1.0F), Influence::stop);  // released, but the stick was not seen centred
-  EXPECT_EQ(person.cycle_with_stick(3.05, 0.0F).state, State::autonomy);
-}
-
-// Whoever stops and lets go of a robot that brakes because its link is cut has not mended the link.
-TEST(Stop, InWordsDuringALossDoesNotEndTheLoss) {
-  Person person(with_policy(OnInputLost::stop));
-  person.steer(1.0);
-  expect_lost(person.cycle(1.6), Influence::stop);
-  person.machine.stop(true);
-  expect_stopped(person.cycle(1.65));
-  person.machine.stop(false);
-  expect_lost(person.cycle(1.7), Influence::stop);
 }
 
 TEST(Stop, OutlivesAChangeOfMode) {
@@ -257,25 +164,6 @@ StickMessage stop_of(const std::string& sender, double time, bool held) {
   return message;
 }
 
-// A link that became 0.6 s slower for good: the first message with the stop in it counts.
-TEST(Stop, FromALateMessageAtOnce) {
-  Person person(with_stop_button());
-  const auto send = [&](double sent, double received, bool held) {
-    return person.machine.receive(stamped(sent, stop_of("/joy", received, held)));
-  };
-  for (int i = 0; i < 20; ++i) EXPECT_EQ(send(1.0 + 0.05 * i, 1.0 + 0.05 * i, false), "");
-  EXPECT_NE(send(2.0, 2.6, true), "");
-  expect_stopped(person.cycle(2.6));
-  // Late messages do not let go. After 2 s the link is known to be so slow, and then they are not late any more.
-  for (int i = 1; i <= 45; ++i) {
-    const bool late = !send(2.0 + 0.05 * i, 2.6 + 0.05 * i, false).empty();
-    if (i != 40) {
-      EXPECT_EQ(late, i < 40) << i;
-    }
-    EXPECT_EQ(person.cycle(2.6 + 0.05 * i).state, late ? State::stopped : State::autonomy) << i;
-  }
-}
-
 TEST(Stop, BesideATwistAndAHandToo) {
   Parameters p = with_stop_button();
   p.twist_topic = "operator_twist";
@@ -335,18 +223,6 @@ TEST(Stop, OfADeviceThatDiedEndsInWords) {
             "released it.");
   EXPECT_EQ(person.machine.take_warnings(), "");
   EXPECT_FALSE(says(person.machine.advice(), "/joy_1 goes on"));
-}
-
-// Who still holds the button has not let go, whatever others say; once they fall silent, the words count.
-TEST(Stop, OfADeviceThatLivesDoesNotEndInWords) {
-  Person person(with_stop_button());
-  person.machine.receive(stop_of("/joy", 1.0, true));
-  person.machine.stop(false);
-  expect_stopped(person.cycle(1.9));
-  person.machine.receive(stop_of("/joy", 1.95, true));
-  expect_stopped(person.cycle(10.0));
-  person.machine.stop(false);
-  EXPECT_EQ(person.cycle(10.05).state, State::autonomy);
 }
 
 TEST(Stop, NamesWithoutNumberDoNotPileUp) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// One stick in the modes joystick and switching: neutral, silence, late and faulty messages, presses, stops, words,
+// holds, blockages, goals, pauses of the planner. The tests beside this one hold what these stories lack: other devices
+// and several senders, clocks that are set, parameters that change, and what is told in words.
 #include "twin.hpp"
 
 #include <algorithm>

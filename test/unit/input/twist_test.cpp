@@ -86,14 +86,6 @@ TEST(Twist, IsTheControlItselfInManual) {
   }
 }
 
-TEST(Twist, MustBeSeenZeroOnce) {
-  Person person(by_twist());
-  EXPECT_EQ(person.cycle_with_twist(1.0, 0.3, 0.0).state, State::autonomy);
-  EXPECT_TRUE(says(person.machine.advice(), "require_neutral"));
-  person.twist(1.05, 0.0, 0.0);
-  EXPECT_EQ(person.cycle_with_twist(1.1, 0.3, 0.0).state, State::shared);
-}
-
 TEST(Twist, TheStickBesideItSteersNothingButItsButtonsCount) {
   Parameters p = by_twist(OperatorMode::switching);
   p.stop_button = static_cast<int>(kStop);

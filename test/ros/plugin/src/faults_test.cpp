@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <thread>
@@ -39,8 +40,14 @@ class Faults : public ::testing::Test {
 
   static Robot& robot() { return Stage::get().robot; }
 
-  Host::Cycle cycle() {
-    const Host::Cycle c = host_.cycle();
+  Host::Cycle cycle() { return watched(host_.cycle()); }
+
+  bool cycle_until(const std::function<bool(const Host::Cycle&)>& done) {
+    return host_.cycle_until([&](const Host::Cycle& c) { return done(watched(c)); });
+  }
+
+  /// A cycle whose command is finite, and within the limits and the accelerations.
+  Host::Cycle watched(const Host::Cycle& c) {
     const geometry_msgs::Twist& t = c.command;
     for (const double value : {t.linear.x, t.linear.y, t.linear.z, t.angular.x, t.angular.y, t.angular.z}) {
       EXPECT_TRUE(std::isfinite(value));
@@ -52,15 +59,6 @@ class Faults : public ::testing::Test {
     EXPECT_LE(std::abs(t.angular.z - last_.angular.z), kAccTheta * kPeriod * c.late + kRounding);
     last_ = t;
     return c;
-  }
-
-  template <typename Done>
-  bool cycle_until(Done done) {
-    const ros::Time end = ros::Time::now() + ros::Duration(kPatience);
-    while (ros::Time::now() < end) {
-      if (done(cycle())) return true;
-    }
-    return false;
   }
 
   /// At full speed, on a new plan.
