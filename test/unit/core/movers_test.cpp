@@ -21,19 +21,11 @@ namespace hidwa_local_planner {
 namespace {
 
 using test::CycleMotion;
+using test::mover_at;
 using test::PlannerBench;
 using test::Random;
 using test::rejections_by;
 using test::Scene;
-
-MovingObstacleEstimate mover_at(double x, double y, double vx = 0.0, double vy = 0.0) {
-  MovingObstacleEstimate mover;
-  mover.id = 7;
-  mover.position = {x, y};
-  mover.velocity = {vx, vy};
-  mover.radius = 0.3;
-  return mover;
-}
 
 TEST(ReachableSets, AreWhatAccelerationAndSpeedAllow) {
   Parameters p;
