@@ -103,13 +103,6 @@ Found watch(Robot& robot, int cycles) {
   return found;
 }
 
-Scene at_rest_in(const Polygon& outline) {
-  Scene scene = Scene::empty(121);
-  scene.parameters = Parameters();
-  scene.outline = outline;
-  return scene;
-}
-
 void aim_at(Scene& scene, double angle) {
   const Pose2& from = scene.situation.pose;
   scene.situation.plan = {from};
@@ -121,11 +114,13 @@ void aim_at(Scene& scene, double angle) {
 Scene random_start(std::uint64_t seed) {
   Random random(seed);
   const int shape = random.integer(0, 3);
-  Scene scene = at_rest_in(shape == 0   ? round_outline(0.3)
-                           : shape == 1 ? round_outline(0.3, 8)
-                           : shape == 2 ? rectangle(-0.25, 0.25, 0.2)
-                                        : rectangle(-0.2, 0.6, 0.2));
+  Scene scene = Scene::empty(121);
+  scene.outline = shape == 0   ? round_outline(0.3)
+                  : shape == 1 ? round_outline(0.3, 8)
+                  : shape == 2 ? rectangle(-0.25, 0.25, 0.2)
+                               : rectangle(-0.2, 0.6, 0.2);
   Parameters& p = scene.parameters;
+  p = Parameters();
   p.vx_samples = 12;
   p.vth_samples = 20;
   p.min_vel_x = random.chance(0.5) ? -0.3 : 0.0;
