@@ -251,14 +251,6 @@ TEST(AmongMovers, HorizonAsksNothingOfThem) {
   EXPECT_EQ(rejections_by(bench.cycle(), "Moving obstacle"), 0U);
 }
 
-TEST(AmongMovers, NonsenseIsAFaultAndTheRobotBrakes) {
-  Scene scene = among({mover_at(std::nan(""), 0.0)}, 0.4);
-  PlannerBench bench(scene);
-  const Decision& decision = bench.cycle();
-  EXPECT_EQ(decision.outcome, Outcome::brake);
-  EXPECT_NE(decision.problem.find("moving obstacle"), std::string::npos) << decision.problem;
-}
-
 TEST(AmongMovers, ARobotAtRestLeavesWhoStandsAtItAndNeverDrivesTowardsHim) {
   // The disc begins 0.01 m before the robot's front: 0.51 - 0.3 - 0.2.
   Scene scene = among({mover_at(0.51, 0.0)}, 0.0);
