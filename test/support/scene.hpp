@@ -8,6 +8,16 @@
 
 namespace hidwa_local_planner::test {
 
+/// Somebody at a place who keeps his velocity.
+inline MovingObstacleEstimate mover_at(double x, double y, double vx = 0.0, double vy = 0.0) {
+  MovingObstacleEstimate mover;
+  mover.id = 1;
+  mover.position = {x, y};
+  mover.velocity = {vx, vy};
+  mover.radius = 0.3;
+  return mover;
+}
+
 /// Everything that one cycle depends on, with the map's memory.
 struct Scene {
   Parameters parameters;

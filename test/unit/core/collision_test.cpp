@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// By hand; test/oracle/collision_twin_test.cpp compares random outlines, obstacles and poses.
 #include "core/collision/collision.hpp"
-
-#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -28,25 +27,6 @@ CollisionChecker prepared(const Scene& scene, const Footprint& footprint, double
   CollisionChecker checker;
   checker.prepare(scene.grid(), footprint, true, {}, 1.0, scene.resolution, room);
   return checker;
-}
-
-TEST(Collision, ARectangleBesideACell) {
-  Scene scene = Scene::empty(61);
-  scene.at({40, 30}) = cost::kLethal;  // x from 0.475 to 0.525
-  const Footprint footprint(kRectangle);
-  const CollisionChecker checker = prepared(scene, footprint);
-  EXPECT_FALSE(checker.collides({0.2749, 0.0, 0.0}));  // front at 0.4749
-  EXPECT_TRUE(checker.collides({0.2751, 0.0, 0.0}));
-  EXPECT_FALSE(checker.collides({0.37, 0.0, M_PI / 2}));  // front at 0.37 + 0.1
-  EXPECT_TRUE(checker.collides({0.38, 0.0, M_PI / 2}));
-}
-
-TEST(Collision, InscribedCellsMatterToADiscAlone) {
-  Scene scene = Scene::empty(61);
-  scene.at({20, 20}) = cost::kInscribed;  // the middle of it is (-0.5, -0.5)
-  const Footprint disc({}, 0.2), rectangle(kRectangle);
-  EXPECT_TRUE(prepared(scene, disc).collides({-0.5, -0.5, 0.0}));
-  EXPECT_FALSE(prepared(scene, rectangle).collides({-0.5, -0.5, 0.0}));
 }
 
 // The body lies 0.3 to 0.5 m ahead of the origin: an obstacle under the origin itself does not matter.

@@ -64,22 +64,6 @@ TEST(ShownByOdometry, BeforeTheFirstCycleRest) {
   EXPECT_EQ(cycles.history().elapsed(), 0.0);
 }
 
-TEST(ShownByOdometry, LatencyExplainsWhatWasCommandedAMomentAgo) {
-  Cycles cycles;
-  cycles.ramp(0.0, 0.5, 0.125);  // 2.5 * 0.05 a cycle
-  // The last command, 0.5, was sent 0.05 s ago; 0.25 was sent 0.15 s ago, a latency and a period, and started from
-  // 0.125.
-  expect_range(cycles.range(), 0.125, 0.5);
-  EXPECT_EQ(cycles.history().size(), 3u);  // sent 0.15, 0.1 and 0.05 s ago
-  cycles.observe({0.5, 0.0});
-  expect_range(cycles.range(), 0.25, 0.5);
-  cycles.observe({0.5, 0.0});
-  expect_range(cycles.range(), 0.375, 0.5);
-  // Now 0.5 was in force all the time.
-  cycles.observe({0.5, 0.0});
-  expect_range(cycles.range(), 0.5, 0.5);
-}
-
 TEST(CommandHistory, TimesThatAreNoNumbersLeaveTheLastCommandOnly) {
   Cycles cycles;
   cycles.ramp(0.0, 0.5, 0.125);

@@ -22,39 +22,6 @@ AxisLimits random_axis(test::Random& random) {
   return axis(acc, braking);
 }
 
-TEST(AxisRamp, SpeedingUpIsDoneAtTheLimit) {
-  // 0.05 m/s at 2.5 m/s^2 take 0.02 s; evenly 0.05 s.
-  const AxisRamp ramp(axis(2.5, 2.5), 0.3, 0.35, kPeriod);
-  EXPECT_NEAR(ramp.reached(), 0.02, 1e-12);
-  EXPECT_NEAR(ramp.corner(), 0.02, 1e-12);
-  EXPECT_NEAR(ramp.at(0.01), 0.325, 1e-12);
-  EXPECT_EQ(ramp.at(0.02), 0.35);
-  EXPECT_EQ(ramp.at(1.0), 0.35);
-  // The triangle between the two: 0.05 * (0.05 - 0.02) / 2.
-  EXPECT_NEAR(ramp.spread(kPeriod), 0.00075, 1e-12);
-}
-
-TEST(AxisRamp, SlowingDownIsDoneEvenly) {
-  const AxisRamp ramp(axis(2.5, 2.5), 0.35, 0.3, kPeriod);
-  EXPECT_EQ(ramp.reached(), kPeriod);
-  EXPECT_NEAR(ramp.at(0.01), 0.34, 1e-12);
-}
-
-TEST(AxisRamp, FromOneDirectionToTheOther) {
-  // At the limits: 0.04 / 2 = 0.02 s to rest and 0.05 / 5 = 0.01 s on. The farthest way is evenly.
-  const AxisRamp ramp(axis(5.0, 2.0), -0.04, 0.05, kPeriod);
-  EXPECT_NEAR(ramp.at(0.025), 0.005, 1e-12);
-  // Of the two ways the differences are, after 0.02 s, |0 - (-0.04 + 0.4 * 0.09)| = 0.004; after 0.03 s,
-  // |0.05 - (-0.04 + 0.6 * 0.09)| = 0.036; none at 0 and 0.05 s. Joined by lines: 0.004 * 0.02 / 2 +
-  // (0.004 + 0.036) / 2 * 0.01 + 0.036 * 0.02 / 2 = 0.0006.
-  EXPECT_NEAR(ramp.spread(kPeriod), 0.0006, 1e-12);
-  // It lags where it goes at the limits.
-  const AxisRamp lagging(axis(5.0, 2.0), -0.04, 0.05, kPeriod, true);
-  EXPECT_NEAR(lagging.corner(), 0.02, 1e-12);
-  EXPECT_NEAR(lagging.reached(), 0.03, 1e-12);
-  EXPECT_NEAR(lagging.at(0.01), -0.02, 1e-12);
-}
-
 TEST(AxisRamp, NothingToDo) {
   const AxisRamp ramp(axis(2.5, 2.5), 0.3, 0.3, kPeriod);
   EXPECT_EQ(ramp.at(0.0), 0.3);

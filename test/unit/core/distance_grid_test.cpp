@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What distances are measured from; test/oracle/distance_twin_test.cpp compares the distances themselves.
 #include "core/distance/distance_grid.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -13,46 +11,6 @@ namespace hidwa_local_planner {
 namespace {
 
 using test::Scene;
-
-DistanceGrid distances_to(DistanceGrids& grids, const Scene& scene, const Cell& source) {
-  grids.prepare(scene.grid(), MapGridDistance::geodesic);
-  grids.set_sources(0, {source});
-  return {grids, 0};
-}
-
-TEST(GeodesicGrid, WithinEightPercentOfEuclidOnAnEmptyMap) {
-  const Scene scene = Scene::empty(101);
-  DistanceGrids grids;
-  const DistanceGrid distances = distances_to(grids, scene, {50, 50});
-  double most = 0.0, least = 1e9;
-  for (int j = 0; j < 101; ++j) {
-    for (int i = 0; i < 101; ++i) {
-      const double straight = 0.05 * std::hypot(i - 50, j - 50);
-      if (straight == 0.0) continue;
-      const double ratio = distances.units({i, j}) * distances.metres_per_unit() / straight;
-      most = std::max(most, ratio);
-      least = std::min(least, ratio);
-    }
-  }
-  // The octagon of steps 5 and 7: worst near atan(2/5), sqrt(1 + 0.4^2) = 1.077; 7 / (5 sqrt(2)) = 0.990
-  // diagonally.
-  EXPECT_LE(most, 1.08);
-  EXPECT_GE(most, 1.07);
-  EXPECT_NEAR(least, 7.0 / (5.0 * std::sqrt(2.0)), 1e-9);
-}
-
-TEST(GeodesicGrid, ABlockedSourceSeedsAndBlockedCellsGetValuesButLeadNowhere) {
-  Scene scene = Scene::empty(9);
-  for (int j = 0; j < 9; ++j) scene.at({4, j}) = scene.at({5, j}) = cost::kLethal;
-  DistanceGrids grids;
-  const DistanceGrid distances = distances_to(grids, scene, {4, 4});  // on the wall
-  EXPECT_EQ(distances.units({4, 4}), 0);
-  EXPECT_EQ(distances.units({3, 4}), 5);
-  EXPECT_EQ(distances.units({4, 5}), 5);   // beside the source
-  EXPECT_EQ(distances.units({5, 4}), 5);   // in the wall's other half
-  EXPECT_EQ(distances.units({4, 7}), 15);  // along the wall from the source: free cells are no shorter
-  EXPECT_EQ(distances.units({6, 4}), DistanceGrid::kUnreached);  // nothing passes through
-}
 
 // Cells of 0.05 m with a corner at the origin.
 Scene corner_scene() {
@@ -127,7 +85,9 @@ TEST(PlanGridsLookUp, MetresOrNegative) {
   Scene scene = corner_scene();
   for (int j = 0; j < 40; ++j) scene.at({30, j}) = cost::kLethal;
   DistanceGrids grids;
-  const DistanceGrid distances = distances_to(grids, scene, {2, 10});
+  grids.prepare(scene.grid(), MapGridDistance::geodesic);
+  grids.set_sources(0, {Cell{2, 10}});
+  const DistanceGrid distances(grids, 0);
   // Cell (12, 10): 10 straight steps of 0.05 m.
   EXPECT_NEAR(PlanGrids::at(distances, scene.grid(), 0.61, 0.54), 0.5, 1e-12);
   EXPECT_LT(PlanGrids::at(distances, scene.grid(), -0.01, 0.54), 0.0);

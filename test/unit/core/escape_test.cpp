@@ -2,8 +2,6 @@
 // What a robot may do that stands in collision.
 #include "core/collision/escape.hpp"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "core/collision/admissibility.hpp"
@@ -50,24 +48,6 @@ TEST(EscapeSpeed, WhoIsFasterBrakes) {
   EXPECT_TRUE(speed.allows({0.375, 0.0}, {0.5, 0.0}, 0.05));
   EXPECT_FALSE(speed.allows({0.4, 0.0}, {0.5, 0.0}, 0.05));
   EXPECT_FALSE(speed.allows({0.375, 0.2}, {0.5, 0.0}, 0.05));
-}
-
-double depth_of(const Footprint& footprint, const Pose2& pose, double x, double y) {
-  OutlineDepth depth;
-  depth.prepare(footprint, 0.05);
-  double found;
-  depth.of(pose, {std::cos(pose.theta), std::sin(pose.theta)}, &x, &y, 1, &found);
-  return found;
-}
-
-// Cells of 0.05 m with the centre given.
-TEST(OutlineDepth, TheShortestWayOut) {
-  const Footprint square(Polygon{{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}});
-  EXPECT_NEAR(depth_of(square, {0.0, 0.0, 0.0}, 0.215, 0.0), 0.01, 1e-12);  // 0.2 - (0.215 - 0.025)
-  EXPECT_NEAR(depth_of(square, {0.0, 0.0, 0.0}, 0.0, 0.0), 0.225, 1e-12);   // out at any side
-  EXPECT_LT(depth_of(square, {0.0, 0.0, 0.0}, 0.23, 0.0), 0.0);             // beside it
-  // Turned by 45 degrees its corner is 0.2828 ahead; the cell's side at 0.25 is 0.0328 m behind that.
-  EXPECT_NEAR(depth_of(square, {0.0, 0.0, M_PI / 4}, 0.275, 0.0), 0.2 * std::sqrt(2.0) - 0.25, 1e-12);
 }
 
 // One robot in one scene, at rest.

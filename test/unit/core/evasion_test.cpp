@@ -17,23 +17,15 @@
 namespace hidwa_local_planner {
 namespace {
 
+using test::mover_at;
 using test::PlannerBench;
 using test::Random;
 using test::Scene;
 
-MovingObstacleEstimate disc_at(double x, double y, double vx, double vy) {
-  MovingObstacleEstimate mover;
-  mover.id = 3;
-  mover.position = {x, y};
-  mover.velocity = {vx, vy};
-  mover.radius = 0.3;
-  return mover;
-}
-
 MovingObstacleEstimate random_disc(Random& random) {
   const double x = random.uniform(-2.5, 2.5), y = random.uniform(-2.5, 2.5);
   const double vx = random.uniform(-1.0, 1.0), vy = random.uniform(-1.0, 1.0);
-  return disc_at(x, y, vx, vy);
+  return mover_at(x, y, vx, vy);
 }
 
 VelocityLimits limits_of(double v, double omega) {
@@ -208,15 +200,15 @@ TEST(EvasionSearches, AMotionThatIsKeptCostsWhatItComesTo) {
     return ground.search.keep(scene, {0.5, 0.0});
   };
   const double fastest = ground.guide.time_left(0.0, 0.0, {1.0, 0.0}) - 1.482 / 0.5;
-  const EvasionSearch::ConstantMotion far = kept_beside(disc_at(2.0, 1.5, 0.0, 0.0));
+  const EvasionSearch::ConstantMotion far = kept_beside(mover_at(2.0, 1.5));
   EXPECT_TRUE(far.untouched && far.untroubled);
   EXPECT_NEAR(ground.search.least(scene, ground.guide), fastest, 1e-9);
   EXPECT_NEAR(far.cost(ground.guide), fastest + 0.2 * 0.3, 0.02);  // and 0.2 s per m/s; steps are 0.13 s long
   // Nearer he costs something, and who stands in the way more than all of that.
-  const EvasionSearch::ConstantMotion near = kept_beside(disc_at(1.3, 0.75, 0.0, 0.0));
+  const EvasionSearch::ConstantMotion near = kept_beside(mover_at(1.3, 0.75));
   EXPECT_TRUE(near.untouched && !near.untroubled);
   EXPECT_GT(near.cost(ground.guide), fastest + 0.2 * 0.3 + 0.02);
-  EXPECT_FALSE(kept_beside(disc_at(1.2, 0.0, -1.0, 0.0)).untouched);
+  EXPECT_FALSE(kept_beside(mover_at(1.2, 0.0, -1.0, 0.0)).untouched);
 }
 
 // Whatever moves, and however the robot does, along a straight plan.
@@ -238,7 +230,7 @@ TEST(EvasionSearches, NoWayCostsLessThanTheLeast) {
 TEST(EvasionSearches, WhereNoWayLeadsOutEachIsTouched) {
   OpenGround ground;
   ground.limits.x = {0.0, 0.05, 2.5, 2.5};  // it hardly moves: 0.15 m in 3 s
-  ground.branches({0.0, 0.0}, disc_at(1.6, 0.0, -1.0, 0.0), {0.0, 0.0});
+  ground.branches({0.0, 0.0}, mover_at(1.6, 0.0, -1.0, 0.0), {0.0, 0.0});
   EXPECT_GE(ground.search.cheapest(), EvasionSearch::kTouched);
 }
 
@@ -248,7 +240,7 @@ TEST(EvasionSearches, MayBackAwayFromWhatComes) {
   OpenGround ground;
   ground.limits.x.min = -0.5;
   const Twist2 back{-0.5, 0.0};
-  EXPECT_LT(ground.branches(back, disc_at(0.80, 0.0, -0.3, 0.0), back)[0].cost, EvasionSearch::kTouched);
+  EXPECT_LT(ground.branches(back, mover_at(0.80, 0.0, -0.3, 0.0), back)[0].cost, EvasionSearch::kTouched);
 }
 
 // Somebody crosses at x = 0.9 m and is in front when passive safety stops the robot: with its front at 0.5 m, 0.1 m
@@ -256,7 +248,7 @@ TEST(EvasionSearches, MayBackAwayFromWhatComes) {
 TEST(EvasionSearches, WaitWherePassiveSafetyStopsThem) {
   OpenGround ground;
   const Twist2 on{0.5, 0.0};
-  EXPECT_LT(ground.branches(on, disc_at(0.9, -0.7, 0.0, 1.0), on)[0].cost, EvasionSearch::kTouched);
+  EXPECT_LT(ground.branches(on, mover_at(0.9, -0.7, 0.0, 1.0), on)[0].cost, EvasionSearch::kTouched);
 }
 
 // The own motion, and six speeds, each with five turns.
@@ -264,7 +256,7 @@ TEST(EvasionSearches, TryAllSpeedsAndTurnsOfTheLimits) {
   OpenGround ground;
   ground.limits = limits_of(0.9, 0.4);  // and 0.2 m/s back
   const Twist2 own{0.123, 0.0};
-  const std::vector<EvasionSearch::Branch>& all = ground.branches({0.0, 0.0}, disc_at(1.6, 0.0, -1.0, 0.0), own);
+  const std::vector<EvasionSearch::Branch>& all = ground.branches({0.0, 0.0}, mover_at(1.6, 0.0, -1.0, 0.0), own);
   ASSERT_EQ(all.size(), 1u + 6u * 5u);
   EXPECT_EQ(all[0].motion, own);
   for (const double v : {0.9, 0.6, 0.3, 0.0, -0.1, -0.2}) {
@@ -283,7 +275,7 @@ TEST(EvasionSearches, OfTwoWaysTheCalmOneIsBetter) {
     OpenGround ground;
     double same_side = 1e9, other_side = 1e9;
     for (const EvasionSearch::Branch& branch :
-         ground.branches({0.3, turns}, disc_at(2.2, 0.0, -0.8, 0.0), {0.3, 0.0})) {
+         ground.branches({0.3, turns}, mover_at(2.2, 0.0, -0.8, 0.0), {0.3, 0.0})) {
       const double side = branch.motion.omega * turns;
       if (side > 0.0) same_side = std::min(same_side, branch.cost);
       if (side < 0.0) other_side = std::min(other_side, branch.cost);
@@ -323,7 +315,7 @@ TEST(EvasionSearches, BeginWithNoMotionThatThePassiveSafetyRejects) {
   start.limits = ground.limits;
   start.reference = {0.4, 0.0};
   start.pending = &pending;
-  const MovingObstacleEstimate mover = disc_at(0.9, 0.35, -0.3, 0.0);
+  const MovingObstacleEstimate mover = mover_at(0.9, 0.35, -0.3, 0.0);
   MoverCheck check;
   check.prepare(p, ground.body, {mover}, start);
   ground.cycle.movers = &check;
@@ -351,8 +343,8 @@ Scene among(const MovingObstacleEstimates& movers, double evasion_time = 3.0) {
 }
 
 // Who comes from behind faster than it can drive, and who comes towards it.
-const MovingObstacleEstimate kChaser = disc_at(-2.2, 0.0, 1.0, 0.0);
-const MovingObstacleEstimate kComer = disc_at(2.0, 0.0, -1.0, 0.0);
+const MovingObstacleEstimate kChaser = mover_at(-2.2, 0.0, 1.0, 0.0);
+const MovingObstacleEstimate kComer = mover_at(2.0, 0.0, -1.0, 0.0);
 
 // People who come across an open floor.
 Scene among_people(Random& random) {
@@ -360,7 +352,7 @@ Scene among_people(Random& random) {
   for (std::uint32_t id = 0; id < 4; ++id) {
     const double x = random.uniform(-2.0, 2.0), y = random.uniform(0.7, 2.0);
     const double vx = random.uniform(-1.0, 1.0), vy = random.uniform(-1.5, 0.0);
-    people.push_back(disc_at(x, y, vx, vy));
+    people.push_back(mover_at(x, y, vx, vy));
     people.back().id = id;
   }
   return among(people);
@@ -403,8 +395,8 @@ TEST(Evasions, StepAsideInGoodTime) {
     int touched = 0;
     for (int k = 0; k < 40; ++k) {
       const double speed = random.uniform(0.6, 1.3), across = random.uniform(-0.3, 0.3);
-      const MovingObstacleEstimate walker = behind ? disc_at(-random.uniform(1.5, 3.0), across, speed, 0.0)
-                                                   : disc_at(random.uniform(2.5, 5.0), across, -speed, 0.0);
+      const MovingObstacleEstimate walker = behind ? mover_at(-random.uniform(1.5, 3.0), across, speed, 0.0)
+                                                   : mover_at(random.uniform(2.5, 5.0), across, -speed, 0.0);
       touched += least_gap(among({walker}), 140) < 0.0;
     }
     EXPECT_LE(touched, behind ? 10 : 20) << behind;
@@ -428,7 +420,8 @@ double hardest_turn(const MovingObstacleEstimate& mover) {
 // Who comes towards it is turned away from gently; from one who comes from behind it turns as fast as the limits allow:
 // gently it would be touched. The limits are 0.8 and 3.2 rad/s2, and 50 ms a cycle.
 TEST(Evasions, TurnGentlyWhereThatIsEnough) {
-  const double gentle = hardest_turn(disc_at(4.0, 0.1, -0.6, 0.0)), urgent = hardest_turn(disc_at(-1.9, 0.0, 1.0, 0.0));
+  const double gentle = hardest_turn(mover_at(4.0, 0.1, -0.6, 0.0)),
+               urgent = hardest_turn(mover_at(-1.9, 0.0, 1.0, 0.0));
   EXPECT_GT(gentle, 0.01);
   EXPECT_LE(gentle, 0.8 * 0.05 + 1e-9);
   EXPECT_GT(urgent, 0.1);
@@ -447,7 +440,7 @@ TEST(Evasions, KnowWhoseWayBends) {
       Situation& s = bench.scene().situation;
       const double t = k * s.period;
       s.time = 100.0 + t;
-      s.moving_obstacles = {disc_at(2.5 - 0.6 * t, 1.5 - 0.5 * t * t, -0.6, -t)};
+      s.moving_obstacles = {mover_at(2.5 - 0.6 * t, 1.5 - 0.5 * t * t, -0.6, -t)};
       bench.drive();
       evasions[bends] += evades(bench);
     }

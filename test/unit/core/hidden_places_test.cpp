@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/movers/hidden_places.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -97,32 +96,6 @@ TEST(HiddenPlaces, LieBesideTheLineOfSightBehindTheEndOfAWall) {
     EXPECT_NEAR(found[i].dot(ahead), 1.15 + 0.3 * static_cast<double>(i), 1e-9);
     EXPECT_NEAR(found[i].dot(left), -0.2, 1e-9);
   }
-}
-
-TEST(HiddenPlaces, LieOnBothSidesBehindADoorway) {
-  const std::vector<Point> found = places(wall_with_opening(17));  // from -0.4 to 0.4
-  std::size_t left = 0;
-  for (const Point& place : found) {
-    left += place.y() > 0.0;
-    EXPECT_GT(place.x(), 1.1);  // in the room
-    const bool mirrored = std::any_of(found.begin(), found.end(), [&](const Point& other) {
-      return (other - Point(place.x(), -place.y())).norm() < 1e-9;
-    });
-    EXPECT_TRUE(mirrored) << place.transpose();
-  }
-  EXPECT_GT(left, 0U);
-  EXPECT_EQ(2 * left, found.size());
-}
-
-TEST(HiddenPlaces, AreNoneWhereTheSensorDoesNotLook) {
-  Scene scene = room();
-  scene.fill(-2.02, -0.52, -0.98, 0.52);
-  EXPECT_FALSE(places(scene).empty());
-  EXPECT_TRUE(places(scene, {sensor(0.0, 0.0, 0.0, 180.0)}).empty());
-  EXPECT_FALSE(places(scene, {sensor(0.0, 0.0, 180.0, 180.0)}).empty());
-  scene.situation.pose.theta = M_PI;
-  EXPECT_FALSE(places(scene, {sensor(0.0, 0.0, 0.0, 180.0)}).empty());
-  EXPECT_TRUE(places(scene, {sensor(0.0, 0.0, 180.0, 180.0)}).empty());
 }
 
 TEST(HiddenPlaces, MayBeUnknownButNotLethal) {

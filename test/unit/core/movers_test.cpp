@@ -21,19 +21,11 @@ namespace hidwa_local_planner {
 namespace {
 
 using test::CycleMotion;
+using test::mover_at;
 using test::PlannerBench;
 using test::Random;
 using test::rejections_by;
 using test::Scene;
-
-MovingObstacleEstimate mover_at(double x, double y, double vx = 0.0, double vy = 0.0) {
-  MovingObstacleEstimate mover;
-  mover.id = 7;
-  mover.position = {x, y};
-  mover.velocity = {vx, vy};
-  mover.radius = 0.3;
-  return mover;
-}
 
 TEST(ReachableSets, AreWhatAccelerationAndSpeedAllow) {
   Parameters p;
@@ -257,14 +249,6 @@ TEST(AmongMovers, HorizonAsksNothingOfThem) {
   scene.parameters.admissibility = Admissibility::horizon;
   PlannerBench bench(scene);
   EXPECT_EQ(rejections_by(bench.cycle(), "Moving obstacle"), 0U);
-}
-
-TEST(AmongMovers, NonsenseIsAFaultAndTheRobotBrakes) {
-  Scene scene = among({mover_at(std::nan(""), 0.0)}, 0.4);
-  PlannerBench bench(scene);
-  const Decision& decision = bench.cycle();
-  EXPECT_EQ(decision.outcome, Outcome::brake);
-  EXPECT_NE(decision.problem.find("moving obstacle"), std::string::npos) << decision.problem;
 }
 
 TEST(AmongMovers, ARobotAtRestLeavesWhoStandsAtItAndNeverDrivesTowardsHim) {

@@ -119,6 +119,33 @@ TEST(Escape, WithoutAWayOutItFailsAfterASecond) {
   }
 }
 
+// With one rate of turn the fastest reverse is the first of all candidates: number 0 is a candidate like any other.
+TEST(Escape, WhoDrivesOutIsNotTrapped) {
+  Scene scene = against_the_wall();
+  scene.parameters.max_vel_theta = 0.0;
+  scene.parameters.min_vel_x = -0.05;  // the 0.03 m take 0.6 s
+  scene.parameters.stall_time = 0.2;   // who is trapped for half of it, two periods, begins a turn
+  PlannerBench bench(scene);
+  int cycles = 0;
+  for (; cycles < 30 && cells_under(bench.scene()) > 0; ++cycles) {
+    const Decision& decision = bench.drive();
+    ASSERT_EQ(decision.outcome, Outcome::drive) << cycles;
+    EXPECT_TRUE(decision.sample == (Twist2{-0.05, 0.0})) << cycles;
+    EXPECT_FALSE(decision.recovering) << cycles;
+  }
+  EXPECT_EQ(cells_under(bench.scene()), 0);
+  EXPECT_GT(cycles, 10);
+}
+
+// It is steered and cannot move at all: rest is number 0, and legal, but nothing leads out.
+TEST(Escape, WhoHasOnlyRestLeftIsTrapped) {
+  Scene scene = against_the_wall();
+  scene.parameters.min_vel_x = scene.parameters.max_vel_x = scene.parameters.max_vel_theta = 0.0;
+  scene.steer({0.5, 0.0});
+  PlannerBench bench(scene);
+  for (int k = 0; k < 30; ++k) EXPECT_EQ(bench.drive().outcome == Outcome::fail, k >= 20) << k;  // after a second
+}
+
 // Nobody drives it away from where a person has it stand.
 TEST(Escape, APersonMayHaveItStand) {
   Scene scene = against_the_wall();

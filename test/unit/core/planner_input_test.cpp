@@ -74,6 +74,9 @@ const std::vector<Fault> kFaults{
        scene.situation.moving_obstacles.emplace_back();
        scene.situation.moving_obstacles.back().points = {{0.0, 0.0}, {kNan, 1e300}};
      }},
+    {"moving obstacle",
+     {kNan, kInf},
+     [](Scene& scene, double bad) { scene.situation.moving_obstacles = {test::mover_at(bad, 0.0)}; }},
     // The outline's size counts for a pose that has to be led on, and is none here.
     {"not a number",
      {kInf},

@@ -17,6 +17,7 @@
 namespace hidwa_local_planner {
 namespace {
 
+using test::mover_at;
 using test::PlannerBench;
 using test::Scene;
 
@@ -42,15 +43,6 @@ std::vector<Pose2> straight(double from, double to) {
   std::vector<Pose2> plan;
   for (int k = 0; from + 0.05 * k <= to + 1e-9; ++k) plan.push_back({from + 0.05 * k, 0.0, 0.0});
   return plan;
-}
-
-MovingObstacleEstimate somebody_at(const Point& position, const Point& velocity = {0.0, 0.0}) {
-  MovingObstacleEstimate somebody;
-  somebody.id = 1;
-  somebody.position = position;
-  somebody.velocity = velocity;
-  somebody.radius = 0.3;
-  return somebody;
 }
 
 // A plan that passes a block on its right more closely than the robot may: the block begins `ahead` of the robot's
@@ -164,7 +156,7 @@ Scene in_a_corridor(double closed_at, bool walled = false) {
   scene.fill(closed_at - 0.1, -0.6, closed_at, 0.6);
   if (walled) scene.fill(0.65, -0.6, 0.75, 0.6);
   inflate(scene);
-  scene.situation.moving_obstacles = {somebody_at({1.0, 0.0})};
+  scene.situation.moving_obstacles = {mover_at(1.0, 0.0)};
   return scene;
 }
 
@@ -321,8 +313,9 @@ Point have_somebody_walk_at(PlannerBench& bench) {
   EXPECT_EQ(failures, 40);
   Situation& s = bench.scene().situation;
   const Point ahead(std::cos(s.pose.theta), std::sin(s.pose.theta));
-  s.moving_obstacles = {somebody_at(Point(s.pose.x, s.pose.y) - 1.8 * ahead, 0.6 * ahead)};
-  return 0.6 * ahead;
+  const Point velocity = 0.6 * ahead;
+  s.moving_obstacles = {mover_at(s.pose.x - 1.8 * ahead.x(), s.pose.y - 1.8 * ahead.y(), velocity.x(), velocity.y())};
+  return velocity;
 }
 
 TEST(Recovery, DoesNotStopARobotThatEvades) {

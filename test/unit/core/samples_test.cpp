@@ -3,7 +3,6 @@
 #include "core/motion/samples.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -85,33 +84,6 @@ TEST(Window, IsNoShorterThanAPeriod) {
   EXPECT_DOUBLE_EQ(dynamic_window(p, limits, {0.0, 0.987}, 0.2).omega.lo, 0.987 - 3.2 * 0.2);
   p.sim_time = 0.25;  // 0.987 - 3.2 * 0.25 is less than the limit
   EXPECT_DOUBLE_EQ(dynamic_window(p, limits, {0.0, 0.987}, 0.2).omega.hi, 0.3);
-}
-
-struct Grid {
-  const char* what;
-  double min_vel_x, max_wheel_speed, min_in_place_vel_theta;
-  int vx_samples, vth_samples;
-  std::size_t samples;
-};
-
-// Speeds up to 0.5 m/s and turns up to 1 rad/s, without (0, 0).
-TEST(Grid, HoldsWhatTheRobotCanDrive) {
-  const Grid grids[] = {
-      {"20 speeds x (20 turns and an exact 0)", 0.0, 0.0, 0.0, 20, 20, 20 * 21 - 1},
-      {"-0.2, -0.1, 0 ... 0.5 m/s x -1, 0, 1 rad/s", -0.2, 0.0, 0.0, 8, 3, 8 * 3 - 1},
-      // |v| + 0.2 |omega| <= 0.5 with v in {0, 0.1 ... 0.5}: v <= 0.4 with +-0.5 rad/s, v <= 0.3 with +-1 rad/s.
-      {"what the wheels can do", 0.0, 0.5, 0.0, 6, 5, 5 + 2 * 5 + 2 * 4},
-      // On the spot without +-0.25 rad/s, but with the band's edges, +-0.3 rad/s.
-      {"0, 0.25, 0.5 m/s x 9 turns but the slow ones on the spot", 0.0, 0.0, 0.3, 3, 9, 3 * 9 - 1 - 2 + 2},
-  };
-  for (const Grid& grid : grids) {
-    Parameters p = plain();
-    p.min_vel_x = grid.min_vel_x;
-    p.wheel_separation = grid.max_wheel_speed > 0.0 ? 0.4 : 0.0;
-    p.max_wheel_speed = grid.max_wheel_speed;
-    p.min_in_place_vel_theta = grid.min_in_place_vel_theta;
-    EXPECT_EQ(make(p, driving(0.0, 0.0, grid.vx_samples, grid.vth_samples)).size(), grid.samples) << grid.what;
-  }
 }
 
 TEST(ExtraSamples, ThePapersMethodHasNoneButToBrake) {

@@ -15,24 +15,17 @@ namespace hidwa_local_planner {
 namespace {
 
 using test::CriticBench;
+using test::mover_at;
 using test::naive_social_distance;
 using test::PlannerBench;
 using test::Random;
 using test::Scene;
 
-MovingObstacleEstimate person_at(double x, double y, double vx = 0.0, double vy = 0.0) {
-  MovingObstacleEstimate person;
-  person.position = {x, y};
-  person.velocity = {vx, vy};
-  person.radius = 0.3;
-  return person;
-}
-
 TEST(SocialDistances, AreWeighedBySecondsAndFade) {
   Scene scene = Scene::empty();
   scene.parameters.social_distance = 0.5;
   scene.parameters.SocialDistance_fading_time = 1.5;
-  scene.situation.moving_obstacles = {person_at(0.8, 0.0)};
+  scene.situation.moving_obstacles = {mover_at(0.8, 0.0)};
   CriticBench bench("SocialDistance", scene);
   EXPECT_DOUBLE_EQ(bench.weight(), scene.parameters.SocialDistance_scale);
   bench.prepare();
@@ -44,19 +37,19 @@ TEST(SocialDistances, AreWeighedBySecondsAndFade) {
       (std::exp(-0.125 / 1.5) + std::exp(-0.375 / 1.5) + std::exp(-0.625 / 1.5) + std::exp(-0.875 / 1.5));
   EXPECT_NEAR(bench.score({0.0, 0.0}, stands, 0.125).raw, expected, 1e-12);
   // 0.75 m from the front, and going away: nothing. Standing in the person: no more than one.
-  bench.scene().situation.moving_obstacles = {person_at(1.25, 0.0, 0.5, 0.0)};
+  bench.scene().situation.moving_obstacles = {mover_at(1.25, 0.0, 0.5, 0.0)};
   bench.prepare();
   EXPECT_EQ(bench.score({0.0, 0.0}, stands, 0.125).raw, 0.0);
-  bench.scene().situation.moving_obstacles = {person_at(0.2, 0.0)};
+  bench.scene().situation.moving_obstacles = {mover_at(0.2, 0.0)};
   bench.prepare();
   EXPECT_NEAR(bench.score({0.0, 0.0}, stands, 0.125).raw, expected / share, 1e-12);
 }
 
 TEST(SocialDistances, TakeTheNearestOfAllAndWhereHeIsNow) {
   Scene scene = Scene::empty();
-  MovingObstacleEstimate old = person_at(0.6, 0.0, 1.0, 0.0);
+  MovingObstacleEstimate old = mover_at(0.6, 0.0, 1.0, 0.0);
   old.age = 0.2;  // now at 0.8
-  scene.situation.moving_obstacles = {old, person_at(0.0, -0.75)};
+  scene.situation.moving_obstacles = {old, mover_at(0.0, -0.75)};
   CriticBench bench("SocialDistance", scene);
   bench.prepare();
   const std::vector<Pose2> stands(3, Pose2{0.0, 0.0, 0.0});
@@ -84,7 +77,7 @@ TEST(SocialDistances, AreWhatASlowTwinSaysOfEveryCandidate) {
       for (int j = 0; j < 3; ++j) {
         const double angle = random.uniform(-M_PI, M_PI), away = random.uniform(0.9, 2.0);
         const double vx = random.uniform(-1.0, 1.0), vy = random.uniform(-1.0, 1.0);
-        scene.situation.moving_obstacles.push_back(person_at(away * std::cos(angle), away * std::sin(angle), vx, vy));
+        scene.situation.moving_obstacles.push_back(mover_at(away * std::cos(angle), away * std::sin(angle), vx, vy));
         scene.situation.moving_obstacles.back().id = static_cast<std::uint32_t>(j);
       }
       PlannerBench bench(scene);
