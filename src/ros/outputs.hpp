@@ -57,8 +57,8 @@ class Outputs {
  private:
   void explain(double now, const CycleResult& result);
   void publish_cycle(const ros::Time& stamp, const CycleResult& result, double duration, const Bytes* record);
-  void publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose2>& poses);
-  void publish_prediction(const ros::Time& stamp);
+  template <typename Pose>
+  void publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose>& poses);
   void publish_evaluation(const ros::Time& stamp, const Planner& planner);
 
   const std::string name_;

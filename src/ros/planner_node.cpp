@@ -105,7 +105,7 @@ bool PlannerNode::goal_reached(bool host_stops) {
   const Entry entry = enter_from_host();
   const LoopTime now = LoopTime::now();
   const RobotObservation seen = observe(now, host_.between_cycles(now.seconds, loop_.parameters()), false);
-  const bool reached = loop_.goal_reached(seen, operator_.manual());
+  const bool reached = loop_.goal_reached(seen, operator_.status(now.seconds).manual);
   if (!host_.tell_goal_reached(reached, host_stops, loop_.stands())) return false;
   loop_.finish_goal(seen.timing);
   return true;

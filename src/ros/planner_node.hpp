@@ -47,8 +47,6 @@ class PlannerNode {
     std::string topic;
   };
   WithoutGoal without_goal() const;
-  /// The operator gives input that counts. From any thread.
-  bool steered() const { return operator_.steers(); }
   /// Without a cycle: puts the newest parameters in force.
   void take_parameters();
   /// See OperatorStateMachine. From any thread.
@@ -61,8 +59,8 @@ class PlannerNode {
   void set_goal_tolerances(double xy, double yaw);
   /// The last command asked for rest, and the robot is at rest.
   bool stands() const;
-  OperatorInput::Status operator_status() const;
-  double period() const;  // nominal, of a control cycle [s]
+  OperatorInput::Status operator_status() const;  // from any thread
+  double period() const;                          // nominal, of a control cycle [s]
 
  private:
   void start_parameters();

@@ -65,7 +65,7 @@ void DriveWithoutGoal::tick() {
   planner_.set_goalless(goalless);
   if (!goalless) return end();
   planner_.take_parameters();
-  if (!driving_ && !planner_.steered()) return;
+  if (!driving_ && !planner_.operator_status().steers) return;
   if (!driving_ && (!costmap_runs() || !begin(wanted.topic))) return;
   drive(!wanted.drives);
 }
