@@ -66,8 +66,10 @@ class MessageStream {
   double excess() const { return excess_; }
   /// Two nodes that take turns, and a link that became slower, in words, with the remedy; else empty.
   std::string advice(const std::string& topic) const;
+  /// Each device's lag is learnt anew.
   void forget_lag();
-  void add_to_lag(double step);  // [s]
+  /// The clock was set forward by `step` [s]: each lag seems larger by it.
+  void add_to_lag(double step);
   void reset() { *this = MessageStream(); }
 
  private:
