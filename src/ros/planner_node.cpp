@@ -73,11 +73,6 @@ PlannerNode::Entry PlannerNode::enter_from_host() {
   return enter();
 }
 
-PlannerNode::WithoutGoal PlannerNode::without_goal() const {
-  const std::lock_guard<std::mutex> lock(without_goal_mutex_);
-  return without_goal_;
-}
-
 bool PlannerNode::stands() const {
   const Entry entry = enter();
   return loop_.stands();
@@ -251,11 +246,7 @@ void PlannerNode::start_parameters() {
   ParameterUpdates::Targets targets;
   targets.listen = [this](const Parameters& parameters) { return listen(parameters); };
   targets.configure = [this](const ParameterSet& set) { return configure(set); };
-  targets.accepted = [this](const Parameters& parameters) {
-    outputs_.feedback().show_mode(parameters.mode);
-    const std::lock_guard<std::mutex> lock(without_goal_mutex_);
-    without_goal_ = {parameters.drive_without_goal, parameters.drive_topic};
-  };
+  targets.accepted = [this](const Parameters& parameters) { outputs_.feedback().show_mode(parameters.mode); };
   report_start(parameters_.start(std::move(targets)));
   operator_.listen_to_commands(handle_of(name_));
 }
