@@ -56,12 +56,6 @@ void Outputs::tell(const LoopTime& now, const control::ControlLoop& loop, const 
   if (result.sampling.report != Report::chosen) publish_evaluation(now.stamp, loop.planner());
 }
 
-void Outputs::finish(const ros::Time& stamp, const CycleResult& result, double duration, double period,
-                     const Bytes* record) {
-  publish_cycle(stamp, result, duration, record);
-  diagnostics_.add(duration, period);
-}
-
 // What lasts for many cycles is said at once when it is new, then once a second. Figures make no difference.
 void Outputs::explain(double now, const CycleResult& result) {
   const bool rejected = result.decision && (result.outcome == Outcome::brake || result.outcome == Outcome::fail);

@@ -141,8 +141,8 @@ CycleResult PlannerNode::run_cycle(bool stop, bool goalless) {
   const CycleResult result = decide(now, observation, recorded);
   outputs_.tell(now, loop_, result, operator_.status(now.seconds));
   const double duration = host_.time_in_cycle();
-  outputs_.finish(now.stamp, result, duration, timing.period,
-                  recorded ? &recorder_.finish(result, loop_.planner()) : nullptr);
+  outputs_.publish_cycle(now.stamp, result, duration, recorded ? &recorder_.finish(result, loop_.planner()) : nullptr);
+  outputs_.diagnostics().add(duration, timing.period);
   inputs_.watch_sender(loop_);
   adapt_sample_count(duration, timing.period, result);
   outputs_.diagnostics().set(result.fault, inputs_.odometry_advice(), load());
