@@ -81,7 +81,7 @@ class OperatorInput {
   OperatorMode mode_ = OperatorMode::off;
   Device device_;
   std::string steering_;        // the source that steers, by the parameters last listened by
-  ros::Time hand_stamp_;        // of the newest transform
+  ros::Time hand_stamp_;        // of the newest transform; the thread of the cycles alone
   CallbackThread thread_;       // outlives the subscribers and the timer that it serves
   ros::SteadyTimer heartbeat_;  // of that thread
   std::vector<OperatorDevice> devices_;

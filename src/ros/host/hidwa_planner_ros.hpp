@@ -43,9 +43,9 @@ class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
   RestCommand keep();
 
   std::unique_ptr<PlannerNode> planner_;
-  GoalSuccession goals_;   // that move_base pursues
-  CallbackThread thread_;  // of these; outlives the subscriber
-  ros::Subscriber goal_;
+  GoalSuccession goals_;                        // that move_base pursues
+  CallbackThread thread_;                       // hears them; outlives the subscriber
+  ros::Subscriber goal_;                        // its topic current_goal
   FramedGoal end_;                              // of the plan
   int cycles_outdated_ = 0;                     // in which the plan led to an earlier goal, up to now
   std::unique_ptr<RobotKeepers::Entry> entry_;  // goes before what it asks
