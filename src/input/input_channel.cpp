@@ -51,15 +51,10 @@ void InputChannel::remap(const OperatorCommand& command) {
   if (active_) u_h_ = command.u_h;
 }
 
-void InputChannel::demand_neutral() {
+void InputChannel::demand_neutral(bool seen) {
   active_ = false;
-  armed_ = false;
+  armed_ = seen;
   fell_silent_ = false;
-}
-
-void InputChannel::change_device(bool armed) {
-  demand_neutral();
-  armed_ = armed;
 }
 
 void InputChannel::reset() {

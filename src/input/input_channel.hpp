@@ -28,10 +28,9 @@ class InputChannel {
   void lose();
   /// The same message asks for another command: parameters changed.
   void remap(const OperatorCommand& command);
-  /// The input must be seen inactive once (again) before it counts.
-  void demand_neutral();
-  /// Another device gives the input from now on; `armed`: it was seen inactive. A loss goes on until then.
-  void change_device(bool armed);
+  /// The input must be seen inactive once (again) before it counts, unless it was `seen` so: then another device gives
+  /// it from now on. A loss goes on until then.
+  void demand_neutral(bool seen = false);
   /// As at the start.
   void reset();
 

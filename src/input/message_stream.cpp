@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "core/util/words.hpp"
 
@@ -18,6 +19,9 @@ constexpr std::size_t kRememberedDevices = 16;  // devices
 
 // Two nodes take turns where no more lies between their messages.
 constexpr double kInTurn = 3.0;  // [s]
+
+// So long after the end of a silence comes what the link held back [s].
+constexpr double kCatchingUp = 0.2;
 
 }  // namespace
 
@@ -58,9 +62,19 @@ MessageStream::Arrival MessageStream::choose(std::size_t from, bool known, const
   devices_[before].armed = use.armed;
   in_use_ = from;
   if (known && !replaced) return Arrival::other_device;
-  devices_[from].catch_up = devices_[before].catch_up;
+  devices_[from].silence = devices_[before].silence;
   if (!use.idle) demand_neutral();
   return Arrival::new_device;
+}
+
+// The message that ends the silence is no old one: a stick may send only changes.
+bool MessageStream::catching_up(double received, double timeout) {
+  Silence& silence = devices_[in_use_].silence;
+  const double silent_for = received - std::exchange(silence.heard, received);
+  if (timeout <= 0.0) return false;
+  if (silent_for <= timeout) return received - silence.ended < kCatchingUp;
+  silence.ended = received;
+  return false;
 }
 
 std::size_t MessageStream::find(const OperatorMessage& message) const {

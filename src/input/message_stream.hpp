@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "input/backlog_gate.hpp"
-#include "input/catch_up_watch.hpp"
 #include "input/operator_message.hpp"
 
 namespace hidwa_local_planner::input {
@@ -34,11 +34,17 @@ class MessageStream {
     bool lost = false;    // it did, and fell silent
     bool armed = false;   // the device in use was seen neutral
   };
+  /// A silence of the link, as the messages show it that were taken.
+  struct Silence {
+    static constexpr double kNever = -std::numeric_limits<double>::infinity();
+    double heard = kNever;  // the newest message [s]
+    double ended = kNever;  // the last silence [s]
+  };
   struct Device {
     std::string sender;
     DeviceShape shape;
     BacklogGate backlog;
-    CatchUpWatch catch_up;
+    Silence silence;
     bool armed = false;     // seen neutral since that was demanded; while it is in use others know better
     bool idle = false;      // its newest message asked for nothing
     bool was_idle = false;  // nor did the one before
@@ -51,18 +57,19 @@ class MessageStream {
   Arrival judge(const OperatorMessage& message, const Use& use, double received, const BacklogGate::Limits& limits);
   /// The device in use; at the start one without a name.
   const Device& in_use() const { return in_use_ < devices_.size() ? devices_[in_use_] : none_; }
-  /// Whether the message of the device in use may be one that the link held back during a silence (CatchUpWatch).
-  bool catching_up(double received, double timeout) {
-    return devices_[in_use_].catch_up.catching_up(received, timeout);
-  }
+  /// A message of the device in use was taken. Whether it may be one that the link held back during a silence of more
+  /// than `timeout` [s] (0: there is none): then a press of a button in it is an old one.
+  bool catching_up(double received, double timeout);
   /// Each device must be seen neutral once (again).
   void demand_neutral();
   /// By how much the last message was later than the link was at best [s].
   double excess() const { return excess_; }
   /// Two nodes that take turns, and a link that became slower, in words, with the remedy; else empty.
   std::string advice(const std::string& topic) const;
+  /// Each device's lag is learnt anew.
   void forget_lag();
-  void add_to_lag(double step);  // [s]
+  /// The clock was set forward by `step` [s]: each lag seems larger by it.
+  void add_to_lag(double step);
   void reset() { *this = MessageStream(); }
 
  private:

@@ -59,8 +59,10 @@ void OperatorStateMachine::configure(const Parameters& parameters) {
     pauses_.restart();
     stop_.dismiss();  // who stopped the robot did not let go of it; but whoever is gone cannot
   } else if (change != SourceList::Change::none) {
-    if (change == SourceList::Change::device) sources_.forget_lags();
-    sources_.demand_neutral();
+    for (SourceList::Connection& connection : sources_.all()) {
+      if (change == SourceList::Change::device) connection.stream.forget_lag();
+      connection.stream.demand_neutral();
+    }
     expect_new_device();
     stop_.demand_neutral();
   } else {
@@ -260,7 +262,7 @@ void OperatorStateMachine::change_device(const SourceList::Connection& connectio
   handover_.forget_button();
   if (device.was_idle) handover_.take_button(false, false);
   if (connection.source.get() != &sources_.steering()) return;
-  channel_.change_device(device.armed);
+  channel_.demand_neutral(device.armed);
   sources_.steering().lose();
 }
 
@@ -268,7 +270,7 @@ void OperatorStateMachine::note_alive(double now) {
   const double pause = pauses_.observe(now);
   if (pause == 0.0) return;
   channel_.exclude_pause(pause);
-  sources_.exclude_pause(pause);
+  for (SourceList::Connection& connection : sources_.all()) connection.source->exclude_pause(pause);
   if (channel_.active() || channel_.lost()) pauses_.report(pause, now);
 }
 
@@ -277,7 +279,7 @@ void OperatorStateMachine::watch_clock(double ahead) {
   const double step = clock_ahead_ ? ahead - *clock_ahead_ : 0.0;
   clock_ahead_ = ahead;
   if (step <= kClockJitter) return;
-  sources_.add_to_lags(step);
+  for (SourceList::Connection& connection : sources_.all()) connection.stream.add_to_lag(step);
   channel_.demand_neutral();
   add_sentence(warnings_, "The robot's clock was set forward by " + worded(step, 3) +
                               " s. Centre the device. Let the clocks of the robot agree before it drives.");

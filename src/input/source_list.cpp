@@ -48,22 +48,6 @@ SourceList::Connection* SourceList::listener(const OperatorMessage& message) {
   return nullptr;
 }
 
-void SourceList::exclude_pause(double pause) {
-  for (Connection& connection : connections_) connection.source->exclude_pause(pause);
-}
-
-void SourceList::forget_lags() {
-  for (Connection& connection : connections_) connection.stream.forget_lag();
-}
-
-void SourceList::demand_neutral() {
-  for (Connection& connection : connections_) connection.stream.demand_neutral();
-}
-
-void SourceList::add_to_lags(double step) {
-  for (Connection& connection : connections_) connection.stream.add_to_lag(step);
-}
-
 void SourceList::reset() {
   for (Connection& connection : connections_) {
     connection.source->reset();

@@ -49,13 +49,7 @@ class SourceList {
   OperatorSource& steering() { return *connections_[steering_].source; }
   const OperatorSource& steering() const { return *connections_[steering_].source; }
 
-  void exclude_pause(double pause);  // [s]
-  /// Every link's lag is learnt anew.
-  void forget_lags();
-  /// The clock was set forward by `step` [s]: every lag seems larger by it.
-  void add_to_lags(double step);
-  /// Every device must be seen neutral once (again).
-  void demand_neutral();
+  std::vector<Connection>& all() { return connections_; }
   /// The node whose device of what steers is in use; empty where none is.
   const std::string& sender() const { return connections_[steering_].stream.in_use().sender; }
   void reset();

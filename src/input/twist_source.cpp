@@ -37,15 +37,15 @@ ParsedMessage TwistSource::parsed(const TwistMessage& message) {
 }
 
 SourceReading TwistSource::taken(const TwistMessage& message, double) {
-  state_.u = message.u;
+  state_ = message.u;
   SourceReading reading;
   reading.command = command();
   return reading;
 }
 
 OperatorCommand TwistSource::command() const {
-  if (is_neutral(state_.u)) return {};
-  OperatorCommand command{true, state_.u};
+  if (is_neutral(state_)) return {};
+  OperatorCommand command{true, state_};
   const bool shared = parameters().mode != OperatorMode::switching;
   if (shared && parameters().linear == LinearPolicy::current) command.u_h.v = 0.0;
   return command;

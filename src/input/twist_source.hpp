@@ -13,20 +13,11 @@ struct TwistMessage : OperatorMessage {
   Twist2 u;  // linear.x [m/s], angular.z [rad/s]
 };
 
-/// The newest velocity that was taken.
-struct TwistReading {
-  Twist2 u;  // [m/s, rad/s]
-
-  template <typename Self, typename Archive>
-  static void archive(Self& self, Archive& io) {
-    io(self.u);
-  }
-};
-
 /// A Twist is the operator command itself, whatever the linear policy; but in shared control `current` leaves v to the
 /// robot's own. Neutral below 0.005 m/s and 0.01 rad/s, else active. A message is faulty where a part is no number or
-/// beyond 100 m/s or 100 rad/s. It steers where there is a twist_topic, but not in mode gesture.
-class TwistSource : public SourceOf<TwistMessage, TwistReading> {
+/// beyond 100 m/s or 100 rad/s. It steers where there is a twist_topic, but not in mode gesture. Its state is the
+/// newest velocity that was taken.
+class TwistSource : public SourceOf<TwistMessage, Twist2> {
  public:
   SourceKind kind() const override { return {"twist", false, false}; }
   SourceTopic topic(const Parameters& p) const override { return {"twist_topic", p.twist_topic, p.twist_topic}; }

@@ -38,14 +38,6 @@ struct Setup {
   }
 };
 
-/// Sampling, as bytes.
-struct RecordedSampling : Sampling {
-  template <typename Self, typename Archive>
-  static void archive(Self& self, Archive& io) {
-    io(self.vx_samples, self.vth_samples, self.search_poses, self.report);
-  }
-};
-
 /// What a cycle came to, in so far as two are compared.
 struct DecisionRecord {
   Outcome outcome = Outcome::fail;
@@ -82,7 +74,7 @@ struct CycleRecord {
   std::optional<std::vector<Pose2>> plan;  // where it changed; in its own frame; empty: there is none to follow
   control::Observation observation;        // without its costmap
   std::optional<RecordedGrid> costmap;     // none where an input was missing, for then nothing reads it
-  RecordedSampling sampling;
+  Sampling sampling;
   Bytes loop_state;      // before the cycle, see ControlLoop::save()
   Bytes operator_state;  // before the cycle, see OperatorStateMachine::save()
   OperatorIntent intent;
@@ -90,8 +82,9 @@ struct CycleRecord {
 
   template <typename Self, typename Archive>
   static void archive(Self& self, Archive& io) {
-    io(self.sequence, self.setup, self.plan, self.observation, self.costmap, self.sampling, self.loop_state,
-       self.operator_state, self.intent, self.decision);
+    io(self.sequence, self.setup, self.plan, self.observation, self.costmap);
+    io(self.sampling.vx_samples, self.sampling.vth_samples, self.sampling.search_poses, self.sampling.report);
+    io(self.loop_state, self.operator_state, self.intent, self.decision);
   }
   double time() const { return observation.timing.now; }  // [s]
 };

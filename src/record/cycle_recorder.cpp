@@ -29,7 +29,7 @@ void CycleRecorder::begin(const control::ControlLoop& loop, const control::Obser
   record_.observation.costmap = {};
   record_.costmap.reset();
   if (observation.fault.empty()) record_.costmap = packed(observation.costmap);
-  record_.sampling = {sampling};
+  record_.sampling = sampling;
   record_.loop_state.clear();
   loop.save(record_.loop_state);
 }

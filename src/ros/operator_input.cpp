@@ -129,21 +129,17 @@ std::string OperatorInput::take(const std::string& source, const input::Operator
 
 void OperatorInput::look_for_hand(const Parameters& parameters, const LoopTime& now) {
   if (parameters.mode != OperatorMode::gesture || parameters.gesture_frame.empty()) return;
+  geometry_msgs::TransformStamped transform;
   try {
-    receive(tf_.lookupTransform(parameters.gesture_parent_frame, parameters.gesture_frame, ros::Time(0)), now);
+    transform = tf_.lookupTransform(parameters.gesture_parent_frame, parameters.gesture_frame, ros::Time(0));
   } catch (const tf2::TransformException&) {
+    return;
   }
-}
-
-void OperatorInput::receive(const geometry_msgs::TransformStamped& transform, const LoopTime& received) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (transform.header.stamp == hand_stamp_) return;
-    hand_stamp_ = transform.header.stamp;
-  }
-  input::HandMessage hand = to_hand(transform, received);
+  if (transform.header.stamp == hand_stamp_) return;
+  hand_stamp_ = transform.header.stamp;
+  input::HandMessage hand = to_hand(transform, now);
   hand.sender = "tf";
-  hand.received = received.seconds;
+  hand.received = now.seconds;
   const std::string fault = take("hand", hand);
   if (!fault.empty()) ROS_WARN_THROTTLE(1.0, "hand transform message dropped: %s", fault.c_str());
 }
@@ -187,22 +183,13 @@ void OperatorInput::set_goalless(bool goalless) {
   machine_.set_goalless(goalless);
 }
 
-bool OperatorInput::steers() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return machine_.steers();
-}
-
-bool OperatorInput::manual() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return machine_.manual();
-}
-
 OperatorInput::Status OperatorInput::status(double now) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   Status status;
   status.state = machine_.state();
   status.mode = mode_;
   status.manual = machine_.manual();
+  status.steers = machine_.steers();
   status.goalless = machine_.goalless();
   status.age = machine_.input_age(now);
   status.dropped = machine_.dropped();

@@ -45,13 +45,12 @@ class OperatorInput {
   void debrief(double now, const input::CycleFeedback& feedback);
   void new_goal();
   void set_goalless(bool goalless);
-  bool steers() const;
-  bool manual() const;
 
   struct Status {
     OperatorStateId state = OperatorStateId::autonomy;
     OperatorMode mode = OperatorMode::off;
     bool manual = false;    // SW: the operator has taken control and not given it back
+    bool steers = false;    // the operator gives input that counts
     bool goalless = false;  // the host has no goal
     double age = -1.0;      // of the last accepted message of what steers [s]; negative when none came yet
     std::uint32_t dropped = 0;
@@ -75,7 +74,6 @@ class OperatorInput {
   void start_heartbeat(const ros::NodeHandle& handle);
   std::string take(const std::string& source, const input::OperatorMessage& message);
   void catch_up(double now);
-  void receive(const geometry_msgs::TransformStamped& hand, const LoopTime& received);
 
   const tf2_ros::Buffer& tf_;
   mutable std::mutex mutex_;
@@ -83,7 +81,7 @@ class OperatorInput {
   OperatorMode mode_ = OperatorMode::off;
   Device device_;
   std::string steering_;        // the source that steers, by the parameters last listened by
-  ros::Time hand_stamp_;        // of the newest transform
+  ros::Time hand_stamp_;        // of the newest transform; the thread of the cycles alone
   CallbackThread thread_;       // outlives the subscribers and the timer that it serves
   ros::SteadyTimer heartbeat_;  // of that thread
   std::vector<OperatorDevice> devices_;

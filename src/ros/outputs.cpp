@@ -11,6 +11,12 @@
 #include "ros/evaluation_message.hpp"
 
 namespace hidwa_local_planner {
+namespace {
+
+const control::TimedPose& timed(const control::TimedPose& pose) { return pose; }
+control::TimedPose timed(const Pose2& pose) { return {pose, 0.0}; }
+
+}  // namespace
 
 Outputs::Outputs(const Names& names, ros::NodeHandle handle, const ros::NodeHandle& diagnostics,
                  const OperatorInput& person, const MovingObstacleInput& moving_obstacles)
@@ -43,17 +49,11 @@ void Outputs::tell(const LoopTime& now, const control::ControlLoop& loop, const 
                    const OperatorInput::Status& status) {
   explain(now.seconds, result);
   feedback_.publish(now.stamp, loop.parameters(), result, predicted_ ? &prediction_ : nullptr, status);
-  if (predicted_) publish_prediction(now.stamp);
+  if (predicted_) publish_path(predicted_path_, now.stamp, prediction_.poses());
   if (result.decision == nullptr) return;
   publish_path(global_plan_, now.stamp, loop.situation().plan);
   publish_path(local_plan_, now.stamp, result.decision->trajectory);
   if (result.sampling.report != Report::chosen) publish_evaluation(now.stamp, loop.planner());
-}
-
-void Outputs::finish(const ros::Time& stamp, const CycleResult& result, double duration, double period,
-                     const Bytes* record) {
-  publish_cycle(stamp, result, duration, record);
-  diagnostics_.add(duration, period);
 }
 
 // What lasts for many cycles is said at once when it is new, then once a second. Figures make no difference.
@@ -108,33 +108,21 @@ void Outputs::publish_cycle(const ros::Time& stamp, const CycleResult& result, d
   cycle_.publish(message);
 }
 
-void Outputs::publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose2>& poses) {
+// A pose's stamp is when the robot is predicted to be there, and `stamp` where nothing predicts it.
+template <typename Pose>
+void Outputs::publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose>& poses) {
   if (publisher.getNumSubscribers() == 0) return;
   nav_msgs::Path path;
   path.header.stamp = stamp;
   path.header.frame_id = frame_;
   path.poses.resize(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    path.poses[i].header = path.header;
-    path.poses[i].pose = to_message(poses[i]);
+    const control::TimedPose& pose = timed(poses[i]);
+    path.poses[i].header.frame_id = frame_;
+    path.poses[i].header.stamp = stamp + ros::Duration(pose.time);
+    path.poses[i].pose = to_message(pose.pose);
   }
   publisher.publish(path);
-}
-
-// Each pose's stamp is when the robot is predicted to be there.
-void Outputs::publish_prediction(const ros::Time& stamp) {
-  if (predicted_path_.getNumSubscribers() == 0) return;
-  const std::vector<control::TimedPose>& poses = prediction_.poses();
-  nav_msgs::Path path;
-  path.header.stamp = stamp;
-  path.header.frame_id = frame_;
-  path.poses.resize(poses.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    path.poses[i].header.frame_id = frame_;
-    path.poses[i].header.stamp = stamp + ros::Duration(poses[i].time);
-    path.poses[i].pose = to_message(poses[i].pose);
-  }
-  predicted_path_.publish(path);
 }
 
 void Outputs::publish_evaluation(const ros::Time& stamp, const Planner& planner) {

@@ -49,16 +49,15 @@ class Outputs {
   /// Tells of the cycle just run: its topics and, in the log, why the robot does not just drive.
   void tell(const LoopTime& now, const control::ControlLoop& loop, const CycleResult& result,
             const OperatorInput::Status& status);
-  /// The cycle took `duration` of its `period` [s]. `record`: of the cycle; null where none was made.
-  void finish(const ros::Time& stamp, const CycleResult& result, double duration, double period, const Bytes* record);
+  /// Publishes the cycle, which took `duration` [s]. `record`: of the cycle; null where none was made.
+  void publish_cycle(const ros::Time& stamp, const CycleResult& result, double duration, const Bytes* record);
   /// Time jumped back.
   void forget() { said_.clear(); }
 
  private:
   void explain(double now, const CycleResult& result);
-  void publish_cycle(const ros::Time& stamp, const CycleResult& result, double duration, const Bytes* record);
-  void publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose2>& poses);
-  void publish_prediction(const ros::Time& stamp);
+  template <typename Pose>
+  void publish_path(const ros::Publisher& publisher, const ros::Time& stamp, const std::vector<Pose>& poses);
   void publish_evaluation(const ros::Time& stamp, const Planner& planner);
 
   const std::string name_;

@@ -75,7 +75,7 @@ std::vector<std::string> ParameterUpdates::judge(const Parameters& wanted) {
     targets_.listen(accepted_->parameters);
     return {fault};
   }
-  accepted_ = set;
+  std::atomic_store(&accepted_, set);
   targets_.accepted(set->parameters);
   std::atomic_store(&pending_, set);
   return {};

@@ -43,6 +43,8 @@ class ParameterUpdates {
   std::size_t start(Targets targets);
   /// A set was accepted that is not in force yet. From any thread.
   bool waits() const { return std::atomic_load(&pending_) != nullptr; }
+  /// The last valid set, in force or about to be. From any thread.
+  std::shared_ptr<const ParameterSet> accepted() const { return std::atomic_load(&accepted_); }
   /// Between two cycles: puts the newest accepted set in force. True where there was one.
   bool take();
   /// Between two cycles: puts the set in force once more, since the host changed its tolerances.
@@ -70,7 +72,7 @@ class ParameterUpdates {
   RobotDescription description_;
   const CriticRegistry registry_;
   Targets targets_;
-  SharedSet accepted_;  // the last valid set, in force or about to be
+  SharedSet accepted_;  // written by std::atomic_store() once other threads may read it
   SharedSet pending_;   // accepted, in force from the next cycle on; two threads: only by std::atomic_...
   SharedSet in_force_;
   std::string fault_;

@@ -73,11 +73,6 @@ PlannerNode::Entry PlannerNode::enter_from_host() {
   return enter();
 }
 
-PlannerNode::WithoutGoal PlannerNode::without_goal() const {
-  const std::lock_guard<std::mutex> lock(without_goal_mutex_);
-  return without_goal_;
-}
-
 bool PlannerNode::stands() const {
   const Entry entry = enter();
   return loop_.stands();
@@ -105,7 +100,7 @@ bool PlannerNode::goal_reached(bool host_stops) {
   const Entry entry = enter_from_host();
   const LoopTime now = LoopTime::now();
   const RobotObservation seen = observe(now, host_.between_cycles(now.seconds, loop_.parameters()), false);
-  const bool reached = loop_.goal_reached(seen, operator_.manual());
+  const bool reached = loop_.goal_reached(seen, operator_.status(now.seconds).manual);
   if (!host_.tell_goal_reached(reached, host_stops, loop_.stands())) return false;
   loop_.finish_goal(seen.timing);
   return true;
@@ -146,8 +141,8 @@ CycleResult PlannerNode::run_cycle(bool stop, bool goalless) {
   const CycleResult result = decide(now, observation, recorded);
   outputs_.tell(now, loop_, result, operator_.status(now.seconds));
   const double duration = host_.time_in_cycle();
-  outputs_.finish(now.stamp, result, duration, timing.period,
-                  recorded ? &recorder_.finish(result, loop_.planner()) : nullptr);
+  outputs_.publish_cycle(now.stamp, result, duration, recorded ? &recorder_.finish(result, loop_.planner()) : nullptr);
+  outputs_.diagnostics().add(duration, timing.period);
   inputs_.watch_sender(loop_);
   adapt_sample_count(duration, timing.period, result);
   outputs_.diagnostics().set(result.fault, inputs_.odometry_advice(), load());
@@ -251,11 +246,7 @@ void PlannerNode::start_parameters() {
   ParameterUpdates::Targets targets;
   targets.listen = [this](const Parameters& parameters) { return listen(parameters); };
   targets.configure = [this](const ParameterSet& set) { return configure(set); };
-  targets.accepted = [this](const Parameters& parameters) {
-    outputs_.feedback().show_mode(parameters.mode);
-    const std::lock_guard<std::mutex> lock(without_goal_mutex_);
-    without_goal_ = {parameters.drive_without_goal, parameters.drive_topic};
-  };
+  targets.accepted = [this](const Parameters& parameters) { outputs_.feedback().show_mode(parameters.mode); };
   report_start(parameters_.start(std::move(targets)));
   operator_.listen_to_commands(handle_of(name_));
 }

@@ -41,14 +41,8 @@ class PlannerNode {
   /// One control cycle while the host has no goal: the operator drives, or the robot brakes to rest; with `stop` it
   /// does in any case.
   CycleResult cycle_without_goal(bool stop);
-  /// drive_without_goal and drive_topic, of the newest parameters. From any thread.
-  struct WithoutGoal {
-    bool drives = false;
-    std::string topic;
-  };
-  WithoutGoal without_goal() const;
-  /// The operator gives input that counts. From any thread.
-  bool steered() const { return operator_.steers(); }
+  /// The newest parameters, which may come into force with the next cycle. From any thread.
+  std::shared_ptr<const ParameterSet> newest_parameters() const { return parameters_.accepted(); }
   /// Without a cycle: puts the newest parameters in force.
   void take_parameters();
   /// See OperatorStateMachine. From any thread.
@@ -61,8 +55,8 @@ class PlannerNode {
   void set_goal_tolerances(double xy, double yaw);
   /// The last command asked for rest, and the robot is at rest.
   bool stands() const;
-  OperatorInput::Status operator_status() const;
-  double period() const;  // nominal, of a control cycle [s]
+  OperatorInput::Status operator_status() const;  // from any thread
+  double period() const;                          // nominal, of a control cycle [s]
 
  private:
   void start_parameters();
@@ -89,8 +83,6 @@ class PlannerNode {
   const std::string name_;
   costmap_2d::Costmap2DROS& costmap_;
   mutable std::mutex mutex_;
-  mutable std::mutex without_goal_mutex_;
-  WithoutGoal without_goal_;
   std::atomic<double> host_called_{-1.0};
   CallbackThread thread_;  // of parameters and diagnostics; outlives what it serves
   HostCalls host_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/host/drive_without_goal.hpp"
 
+#include <memory>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -59,15 +60,16 @@ bool DriveWithoutGoal::host_is_busy() const {
 }
 
 void DriveWithoutGoal::tick() {
-  const PlannerNode::WithoutGoal wanted = planner_.without_goal();
+  const std::shared_ptr<const ParameterSet> newest = planner_.newest_parameters();
+  const Parameters& wanted = newest->parameters;
   if (!ros::ok()) return;
-  const bool goalless = (wanted.drives || driving_) && !host_is_busy();
+  const bool goalless = (wanted.drive_without_goal || driving_) && !host_is_busy();
   planner_.set_goalless(goalless);
   if (!goalless) return end();
   planner_.take_parameters();
-  if (!driving_ && !planner_.steered()) return;
-  if (!driving_ && (!costmap_runs() || !begin(wanted.topic))) return;
-  drive(!wanted.drives);
+  if (!driving_ && !planner_.operator_status().steers) return;
+  if (!driving_ && (!costmap_runs() || !begin(wanted.drive_topic))) return;
+  drive(!wanted.drive_without_goal);
 }
 
 bool DriveWithoutGoal::costmap_runs() {

@@ -24,6 +24,7 @@ bool same_place(const FramedGoal& a, const FramedGoal& b) {
 }  // namespace
 
 void GoalSuccession::take(const FramedGoal& goal, double now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (present_) {
     earlier_[next_] = Earlier{*present_, now};
     next_ = (next_ + 1) % kKept;
@@ -32,12 +33,14 @@ void GoalSuccession::take(const FramedGoal& goal, double now) {
 }
 
 bool GoalSuccession::leads_to_earlier_goal(const FramedGoal& end) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (!present_ || same_place(*present_, end)) return false;
   return std::any_of(earlier_.begin(), earlier_.end(),
                      [&end](const auto& earlier) { return earlier && same_place(earlier->goal, end); });
 }
 
 bool GoalSuccession::leads_on(const FramedGoal& end, double now) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (!present_ || present_->frame != end.frame || distance(present_->pose, end.pose) > kNear) return false;
   return std::any_of(earlier_.begin(), earlier_.end(), [&](const auto& earlier) {
     return earlier && same_place(earlier->goal, end) && std::abs(now - earlier->until) <= kLately;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -18,7 +19,7 @@ struct FramedGoal {
 
 /// The goals that a host was given one after the other, and whether a plan still leads to one of the earlier ones.
 /// move_base makes plans on another thread: the one that it was making when a new goal came still goes to the local
-/// planner, and where none to the new goal is found it stays there.
+/// planner, and where none to the new goal is found it stays there. Thread-safe.
 class GoalSuccession {
  public:
   /// The host pursues `goal` from `now` on [s].
@@ -35,6 +36,7 @@ class GoalSuccession {
     double until = 0.0;  // the host pursued it [s]
   };
   static constexpr std::size_t kKept = 4;  // a plan in the making is one goal old, seldom more
+  mutable std::mutex mutex_;
   std::optional<FramedGoal> present_;
   std::array<std::optional<Earlier>, kKept> earlier_;
   std::size_t next_ = 0;

@@ -17,25 +17,43 @@ bool succeeds(const char* what, Call call) {
   return guarded("HIDWAPlannerROS", what, false, call);
 }
 
+FramedGoal to_goal(const geometry_msgs::PoseStamped& pose) {
+  return {plain_frame(pose.header.frame_id), to_planned_pose(pose.pose)};
+}
+
 }  // namespace
 
 HIDWAPlannerROS::HIDWAPlannerROS() = default;
-HIDWAPlannerROS::~HIDWAPlannerROS() = default;
+HIDWAPlannerROS::~HIDWAPlannerROS() { thread_.stop(); }
 
 void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros) {
   succeeds("initialize", [&] {
     start_planner(planner_, name, tf, costmap_ros);
     if (!planner_ || entry_) return true;
-    host_goal_ = std::make_unique<HostGoal>();
+    hear_goals();
     drive_ = std::make_unique<DriveWithoutGoal>(*planner_, name);
     entry_ = std::make_unique<RobotKeepers::Entry>(RobotKeepers::of_process(), [this] { return keep(); });
     return true;
   });
 }
 
+// Other hosts may follow a plan to another goal than the last one planned for, as the clients of Move Base Flex: only
+// move_base is listened to.
+void HIDWAPlannerROS::hear_goals() {
+  constexpr unsigned kQueue = 10;  // goals that may come between two looks
+  ros::NodeHandle host("~");
+  if (host.hasParam("controllers")) return;  // Move Base Flex
+  goal_ = thread_.serve(host).subscribe("current_goal", kQueue, &HIDWAPlannerROS::hear, this);
+  thread_.start();
+}
+
+void HIDWAPlannerROS::hear(const geometry_msgs::PoseStamped& goal) {
+  goals_.take(to_goal(goal), ros::Time::now().toSec());
+}
+
 bool HIDWAPlannerROS::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   return succeeds("setPlan", [&] {
-    if (!plan.empty()) end_ = plan.back();
+    if (!plan.empty()) end_ = to_goal(plan.back());
     if (planner_) planner_->set_plan(plan);
     return planner_ != nullptr;
   });
@@ -57,18 +75,19 @@ bool HIDWAPlannerROS::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
 // milliseconds.
 bool HIDWAPlannerROS::cycle(geometry_msgs::Twist& command) {
   constexpr int kLate = 2;  // cycles in which a goal is still on its way
-  cycles_outdated_ = plan_is_outdated() && !host_goal_->leads_on(end_) ? cycles_outdated_ + 1 : 0;
+  const bool outdated = plan_is_outdated() && !goals_.leads_on(end_, ros::Time::now().toSec());
+  cycles_outdated_ = outdated ? cycles_outdated_ + 1 : 0;
   const bool over = cycles_outdated_ > kLate;
   const CycleResult result = planner_->cycle(over);
   command = to_message(result.command);
   if (!over) return result.outcome != Outcome::fail;
   ROS_WARN_THROTTLE(1.0,
                     "the plan leads to an earlier goal, (%.2f, %.2f) in %s; no plan to the present goal has come yet",
-                    end_.pose.position.x, end_.pose.position.y, end_.header.frame_id.c_str());
+                    end_.pose.x, end_.pose.y, end_.frame.c_str());
   return !(result.command == Twist2{});
 }
 
-bool HIDWAPlannerROS::plan_is_outdated() const { return host_goal_ && host_goal_->leads_to_earlier_goal(end_); }
+bool HIDWAPlannerROS::plan_is_outdated() const { return goals_.leads_to_earlier_goal(end_); }
 
 RestCommand HIDWAPlannerROS::keep() {
   const CycleResult result = planner_->cycle(true);

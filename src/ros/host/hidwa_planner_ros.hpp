@@ -6,8 +6,10 @@
 #include <vector>
 
 #include <nav_core/base_local_planner.h>
+#include <ros/subscriber.h>
 
-#include "ros/host/host_goal.hpp"
+#include "ros/callback_thread.hpp"
+#include "ros/host/goal_succession.hpp"
 #include "ros/host/robot_keepers.hpp"
 
 namespace hidwa_local_planner {
@@ -34,13 +36,17 @@ class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
   bool isGoalReached() override;
 
  private:
+  void hear_goals();
+  void hear(const geometry_msgs::PoseStamped& goal);
   bool plan_is_outdated() const;
   bool cycle(geometry_msgs::Twist& command);
   RestCommand keep();
 
   std::unique_ptr<PlannerNode> planner_;
-  std::unique_ptr<HostGoal> host_goal_;
-  geometry_msgs::PoseStamped end_;              // of the plan
+  GoalSuccession goals_;                        // that move_base pursues
+  CallbackThread thread_;                       // hears them; outlives the subscriber
+  ros::Subscriber goal_;                        // its topic current_goal
+  FramedGoal end_;                              // of the plan
   int cycles_outdated_ = 0;                     // in which the plan led to an earlier goal, up to now
   std::unique_ptr<RobotKeepers::Entry> entry_;  // goes before what it asks
   std::unique_ptr<DriveWithoutGoal> drive_;     // likewise

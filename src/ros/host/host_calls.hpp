@@ -5,7 +5,7 @@
 //   hidwa_planner_ros, controller     their calls, one class each
 //   host_calls, cycle_tick            their rate and its pauses, in which another node may drive; their checks of the
 //                                     goal between two cycles; the tolerances of Move Base Flex
-//   host_goal, goal_succession        plans of move_base to a goal that it no longer pursues
+//   goal_succession                   plans of move_base to a goal that it no longer pursues
 //   drive_without_goal, host_actions  the operator drives while the host has no goal
 //   cancel_request                    Move Base Flex cancels a drive
 //   yielding_recovery, robot_keepers  move_base recovers
