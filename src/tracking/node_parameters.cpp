@@ -9,36 +9,14 @@ namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
-using XmlRpc::XmlRpcValue;
+const char* wanted(double) { return "a number (without quotation marks)"; }
+const char* wanted(bool) { return "true or false"; }
+const char* wanted(const std::string&) { return "a text"; }
 
-[[noreturn]] void wrong_type(const ros::NodeHandle& node, const char* name, const char* wanted) {
-  throw std::runtime_error("parameter " + node.resolveName(name) + " must be " + wanted);
-}
-
-void read_value(const ros::NodeHandle& node, const char* name, double& value) {
-  XmlRpcValue given;
-  if (!node.getParam(name, given)) return;
-  if (given.getType() == XmlRpcValue::TypeInt) {
-    value = static_cast<int&>(given);
-  } else if (given.getType() == XmlRpcValue::TypeDouble) {
-    value = static_cast<double&>(given);
-  } else {
-    wrong_type(node, name, "a number (without quotation marks)");
-  }
-}
-
-void read_value(const ros::NodeHandle& node, const char* name, bool& value) {
-  XmlRpcValue given;
-  if (!node.getParam(name, given)) return;
-  if (given.getType() != XmlRpcValue::TypeBoolean) wrong_type(node, name, "true or false");
-  value = static_cast<bool&>(given);
-}
-
-void read_value(const ros::NodeHandle& node, const char* name, std::string& value) {
-  XmlRpcValue given;
-  if (!node.getParam(name, given)) return;
-  if (given.getType() != XmlRpcValue::TypeString) wrong_type(node, name, "a text");
-  value = static_cast<std::string&>(given);
+template <typename Value>
+void read_value(const ros::NodeHandle& node, const char* name, Value& value) {
+  if (!node.hasParam(name) || node.getParam(name, value)) return;
+  throw std::runtime_error("parameter " + node.resolveName(name) + " must be " + wanted(value));
 }
 
 void require_time(const ros::NodeHandle& node, const char* name, double value) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/util/words.hpp"
 #include "tracking/range_scan.hpp"
 #include "tracking/tracker_settings.hpp"
 
@@ -22,13 +23,6 @@ struct SettingRange {
   const char* unit;
 };
 
-std::string number_text(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
 }  // namespace
 
 std::string fault_of(const TrackerSettings& s) {
@@ -46,8 +40,8 @@ std::string fault_of(const TrackerSettings& s) {
                                  {"leg_acceleration", s.leg_acceleration, 0.1, 20.0, " m/s^2"}};
   for (const SettingRange& r : ranges) {
     if (!(r.value >= r.low && r.value <= r.high)) {  // also what is not a number
-      return std::string(r.name) + " is " + (std::isfinite(r.value) ? number_text(r.value) : "not finite") +
-             ": it must be from " + number_text(r.low) + " to " + number_text(r.high) + r.unit;
+      return std::string(r.name) + " is " + (std::isfinite(r.value) ? shortest(r.value) : "not finite") +
+             ": it must be from " + shortest(r.low) + " to " + shortest(r.high) + r.unit;
     }
   }
   return "";
