@@ -66,7 +66,7 @@ void BrakingCheck::prepare(const Parameters& parameters, const CheckSetup& setup
 // The command that speeds up reaches farthest.
 bool BrakingCheck::nothing_in_reach() const {
   const double speed = std::abs(start_->reference.v) + start_->limits.x.acc * start_->period;
-  double reach = reach_of_manoeuvres(*start_, std::max(start_->pending->fastest(), speed));
+  double reach = reach_of_manoeuvres(*start_, std::max(start_->pending->fastest().v, speed));
   reach += most_growth(*start_, radius_, reach);
   return clearances_->checker().clear_around(start_->origin.x, start_->origin.y, reach);
 }

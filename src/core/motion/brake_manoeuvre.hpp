@@ -73,10 +73,7 @@ inline double most_drift(const PendingMotionSet& pending, const VelocityLimits& 
     return 0.75 * std::max(axis.acc, axis.braking) * period * period;
   };
   Twist2 spread;
-  for (std::size_t motion = 0; motion < pending.all(); ++motion) {
-    const Twist2 own = pending[motion].spread();
-    spread = {std::max(spread.v, own.v), std::max(spread.omega, own.omega)};
-  }
+  for (std::size_t motion = 0; motion < pending.all(); ++motion) spread = larger_of(spread, pending[motion].spread());
   return spread.v + of_command(limits.x) + (radius + reach) * (spread.omega + of_command(limits.theta));
 }
 
