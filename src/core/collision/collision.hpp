@@ -7,6 +7,7 @@
 
 #include "core/collision/cell_flags.hpp"
 #include "core/collision/obstacle_lists.hpp"
+#include "core/collision/outline_planes.hpp"
 #include "core/util/rotation.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
@@ -87,7 +88,7 @@ class CollisionChecker {
   void spread_marks();
   void prepare_lists();
   bool centre_collides(Cell cell, const Footprint& outline) const;
-  // An outline placed at a pose: its box, and where it is convex its sides, each moved by half a cell's reach.
+  // An outline placed at a pose, and its box.
   struct Placed {
     const Footprint* outline = nullptr;
     Pose2 pose;
@@ -109,8 +110,8 @@ class CollisionChecker {
   CellFlags fresh_;  // this cycle's costs, before they are taken
   std::vector<int> reach_;
   mutable ObstacleLists lists_;
-  mutable Polygon corners_;
-  mutable std::vector<Footprint::Side> sides_;
+  mutable OutlinePlanes planes_;  // of the outline that was placed last, from its position
+  mutable Polygon corners_;       // likewise, where it is not convex
 };
 
 /// True when a simple polygon shares area with the axis-parallel square [x, x + side] x [y, y + side].

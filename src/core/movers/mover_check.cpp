@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/movers/hidden_places.hpp"
-#include "core/util/segment.hpp"
+#include "core/util/outline.hpp"
 #include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {
