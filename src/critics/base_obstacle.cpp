@@ -32,9 +32,7 @@ class BaseObstacle : public Critic {
  private:
   bool obstacle(const GridView& grid, double x, double y) const {
     const Cell cell = grid.cell_at(x, y);
-    if (!grid.contains(cell)) return true;
-    const std::uint8_t value = grid.at(cell);
-    return cost::blocks(value) || (value == cost::kUnknown && unknown_is_obstacle_);
+    return grid.obstacle(cell, unknown_is_obstacle_) || grid.at(cell) == cost::kInscribed;
   }
 
   bool escape_ = true;

@@ -70,10 +70,8 @@ class ObstacleFootprint : public Critic {
     std::uint8_t largest = cost::kFree;
     for (const Point& p : outline_) {
       const Cell cell = grid.cell_at(x + cosine * p.x() - sine * p.y(), y + sine * p.x() + cosine * p.y());
-      if (!grid.contains(cell)) return -1.0;
-      const std::uint8_t value = grid.at(cell);
-      if (value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle_)) return -1.0;
-      if (value != cost::kUnknown) largest = std::max(largest, value);
+      if (grid.obstacle(cell, unknown_is_obstacle_)) return -1.0;
+      if (const std::uint8_t value = grid.at(cell); value != cost::kUnknown) largest = std::max(largest, value);
     }
     return largest;
   }

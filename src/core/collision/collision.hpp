@@ -49,11 +49,7 @@ class CollisionChecker {
   bool clear_around(double x, double y, double distance) const;
 
   /// An obstacle in the sense above; cells beyond the map's edge are obstacles.
-  bool obstacle(Cell cell) const {
-    if (!grid_.contains(cell)) return true;
-    const std::uint8_t value = grid_.at(cell);
-    return value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle_);
-  }
+  bool obstacle(Cell cell) const { return grid_.obstacle(cell, unknown_is_obstacle_); }
 
   /// Whether the classes of the cell are known.
   bool in_reach(Cell cell) const {
