@@ -115,6 +115,7 @@ void CollisionChecker::prepare_lists() {
   window.corner = corner();
   window.resolution = grid_.resolution;
   lists_.prepare(window);
+  planes_.reserve();
 }
 
 // What the costs say of the window's cells; beyond the map's edge are obstacles.

@@ -40,9 +40,9 @@ void PlanGrids::find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Ce
   cells.clear();
   // False where the stretch ends.
   const auto take = [&](Cell cell) {
-    const bool on_map = grid_.contains(cell) && !(stops_at_unknown_ && grid_.at(cell) == cost::kUnknown);
-    if (on_map) cells.push_back(cell);
-    return on_map || cells.empty();
+    const bool usable = grid_.contains(cell) && !(stops_at_unknown_ && grid_.at(cell) == cost::kUnknown);
+    if (usable) cells.push_back(cell);
+    return usable || cells.empty();
   };
   for (std::size_t k = 0; k < plan.size(); ++k) {
     const Cell cell = grid_.cell_at(plan[k].x, plan[k].y);
