@@ -29,19 +29,8 @@ void require_time(const ros::NodeHandle& node, const char* name, double value) {
 NodeParameters read_node_parameters(const ros::NodeHandle& node) {
   NodeParameters p;
   TrackerSettings& t = p.tracker;
-  read_value(node, "reach", t.reach);
-  read_value(node, "range_noise", t.range_noise);
+  for (const TrackerSetting& one : kTrackerSettings) read_value(node, one.name, t.*one.value);
   read_value(node, "no_return_is_free", t.no_return_is_free);
-  read_value(node, "odometry_slip", t.odometry_slip);
-  read_value(node, "free_memory", t.free_memory);
-  read_value(node, "settle_time", t.settle_time);
-  read_value(node, "stand_time", t.stand_time);
-  read_value(node, "coast_time", t.coast_time);
-  read_value(node, "min_speed", t.min_speed);
-  read_value(node, "min_radius", t.min_radius);
-  read_value(node, "max_radius", t.max_radius);
-  read_value(node, "acceleration", t.acceleration);
-  read_value(node, "leg_acceleration", t.leg_acceleration);
   read_value(node, "fixed_frame", p.fixed_frame);
   p.fixed_frame = without_slash(p.fixed_frame);
   read_value(node, "transform_timeout", p.transform_timeout);
