@@ -179,23 +179,15 @@ bool CollisionChecker::clear_around(double x, double y, double distance) const {
 }
 
 // An outline need not contain the robot's centre: only where it does, the centre's cell alone can decide.
-bool CollisionChecker::centre_collides(Cell cell, const Footprint& outline) const {
-  if (outline.inscribed_radius() <= 0.0) return false;
+bool CollisionChecker::centre_collides(Cell cell) const {
+  if (footprint_->inscribed_radius() <= 0.0) return false;
   if (obstacle(cell)) return true;
-  return outline.is_circle() && grid_.at(cell) == cost::kInscribed;
-}
-
-bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading) const {
-  return clearance(pose, heading, *footprint_, 0.0) <= 0.0;
-}
-
-bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const {
-  return clearance(pose, heading, outline, 0.0) <= 0.0;
+  return footprint_->is_circle() && grid_.at(cell) == cost::kInscribed;
 }
 
 bool CollisionChecker::meets_unknown_only(const Pose2& pose, const Rotation& heading) const {
   bool unknown = false, other = false;
-  visit_obstacles(place(pose, heading, *footprint_), 0.0, [&](double gap, Cell cell) {
+  visit_obstacles(place(pose, heading), 0.0, [&](double gap, Cell cell) {
     if (gap > 0.0) return true;
     (grid_.contains(cell) && grid_.at(cell) == cost::kUnknown ? unknown : other) = true;
     return !other;
@@ -203,56 +195,49 @@ bool CollisionChecker::meets_unknown_only(const Pose2& pose, const Rotation& hea
   return unknown && !other;
 }
 
-double CollisionChecker::clearance(const Pose2& pose, const Rotation& heading, const Footprint& outline,
-                                   double cap) const {
+double CollisionChecker::clearance(const Pose2& pose, const Rotation& heading, double cap) const {
   constexpr double kFree = std::numeric_limits<double>::min();
   const Cell cell = grid_.cell_at(pose.x, pose.y);
   const bool reached = in_reach(cell);
   if (reached && cap <= 0.0 && (flags_of(cell) & cell_class::kNear) == 0) return kFree;
-  if (reached && &outline == footprint_ && surely_collides(cell)) return 0.0;
-  if (centre_collides(cell, outline)) return 0.0;
-  const bool listed = reached && (outline.is_circle() || !outline.sides().empty());
+  if (reached && surely_collides(cell)) return 0.0;
+  if (centre_collides(cell)) return 0.0;
+  const bool listed = reached && (footprint_->is_circle() || !footprint_->sides().empty());
   cap = std::min(std::max(cap, kRounding), shape_.largest_clearance);
   const Cell inside{cell.i - first_.i, cell.j - first_.j};
-  const double least = listed ? lists_.smallest_gap(inside, pose, heading, outline, cap)
-                              : smallest_gap(place(pose, heading, outline), cap);
+  const double least =
+      listed ? lists_.smallest_gap(inside, pose, heading, *footprint_, cap) : smallest_gap(place(pose, heading), cap);
   return least <= 0.0 ? 0.0 : std::max(least - kRounding, kFree);
 }
 
-CollisionChecker::Placed CollisionChecker::place(const Pose2& pose, const Rotation& heading,
-                                                 const Footprint& outline) const {
-  if (outline.is_circle()) {
-    const double r = outline.radius();
-    return {&outline, pose, pose.x - r, pose.y - r, pose.x + r, pose.y + r};
+CollisionChecker::Placed CollisionChecker::place(const Pose2& pose, const Rotation& heading) const {
+  if (footprint_->is_circle()) {
+    const double r = footprint_->radius();
+    return {pose, pose.x - r, pose.y - r, pose.x + r, pose.y + r};
   }
   const double half = 0.5 * grid_.resolution;
-  planes_.turn(outline, {0.0, 0.0, pose.theta}, heading, half);
-  if (outline.sides().empty()) {
+  planes_.turn(*footprint_, {0.0, 0.0, pose.theta}, heading, half);
+  if (footprint_->sides().empty()) {
     corners_.clear();
-    for (const Point& p : outline.outline()) corners_.push_back(heading.placed(pose.x, pose.y, p.x(), p.y()));
+    for (const Point& p : footprint_->outline()) corners_.push_back(heading.placed(pose.x, pose.y, p.x(), p.y()));
   }
   const double* reach = planes_.offset();  // the box's come first
-  return {&outline,
-          pose,
-          pose.x - (reach[1] - half),
-          pose.y - (reach[3] - half),
-          pose.x + (reach[0] - half),
+  return {pose, pose.x - (reach[1] - half), pose.y - (reach[3] - half), pose.x + (reach[0] - half),
           pose.y + (reach[2] - half)};
 }
 
 // How far the outline is from a cell with this lower left corner, at least; not positive where they overlap.
-double CollisionChecker::gap_to(const Placed& placed, double x, double y) const {
+double CollisionChecker::gap_to(const Pose2& pose, double x, double y) const {
   const double side = grid_.resolution;
-  const Pose2& pose = placed.pose;
-  if (placed.outline->is_circle()) {
-    return distance_to_cell(pose.x, pose.y, x, y, side) - (placed.outline->radius() - kRounding);
+  if (footprint_->is_circle()) {
+    return distance_to_cell(pose.x, pose.y, x, y, side) - (footprint_->radius() - kRounding);
   }
   const double middle_x = x + 0.5 * side - pose.x, middle_y = y + 0.5 * side - pose.y;
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < planes_.count(); ++m) {
     most = std::max(most, planes_.normal_x()[m] * middle_x + planes_.normal_y()[m] * middle_y - planes_.offset()[m]);
   }
-  if (!placed.outline->sides().empty() || most > shape_.largest_clearance) return most;
+  if (!footprint_->sides().empty() || most > shape_.largest_clearance) return most;
   return overlaps_square(corners_, x, y, side) ? 0.0 : std::max(distance_to_square(corners_, x, y, side), kRounding);
 }
 
@@ -276,7 +261,7 @@ void CollisionChecker::visit_obstacles(const Placed& placed, double around, Visi
     for (int i = lo.i; i <= hi.i; ++i) {
       if (!obstacle({i, j})) continue;
       const double x = grid_.origin_x + i * grid_.resolution, y = grid_.origin_y + j * grid_.resolution;
-      if (!visit(gap_to(placed, x, y), Cell{i, j})) return;
+      if (!visit(gap_to(placed.pose, x, y), Cell{i, j})) return;
     }
   }
 }

@@ -30,17 +30,12 @@ class CollisionChecker {
 
   bool collides(const Pose2& pose) const { return collides(pose, Rotation::direction(pose.theta)); }
   /// With the cosine and sine of the heading.
-  bool collides(const Pose2& pose, const Rotation& heading) const;
-  /// As collides(), for an outline that differs from the prepared one by less than the margin.
-  bool collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
+  bool collides(const Pose2& pose, const Rotation& heading) const { return clearance(pose, heading, 0.0) <= 0.0; }
   /// The robot overlaps obstacles there, and unknown cells are all of them. Slow: to say why.
   bool meets_unknown_only(const Pose2& pose, const Rotation& heading) const;
   /// The clearance [m], see docs/understand/design.md; 0 where the robot collides. A lower bound, at most `cap`, which
   /// counts up to largest_clearance().
-  double clearance(const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap) const;
-  double clearance(const Pose2& pose, const Rotation& heading, double cap) const {
-    return clearance(pose, heading, *footprint_, cap);
-  }
+  double clearance(const Pose2& pose, const Rotation& heading, double cap) const;
   /// True when the robot is free at any heading, at this position and everywhere within the margin around it.
   bool clear(double x, double y) const;
   double margin() const { return shape_.margin; }                        // of clear() [m]
@@ -83,15 +78,14 @@ class CollisionChecker {
   bool mark_obstacles(const Shape& shape);
   void spread_marks();
   void prepare_lists();
-  bool centre_collides(Cell cell, const Footprint& outline) const;
-  // An outline placed at a pose, and its box.
+  bool centre_collides(Cell cell) const;
+  // Where the robot is placed, and the box of its outline there.
   struct Placed {
-    const Footprint* outline = nullptr;
     Pose2 pose;
     double lo_x = 0.0, lo_y = 0.0, hi_x = 0.0, hi_y = 0.0;
   };
-  Placed place(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
-  double gap_to(const Placed& placed, double x, double y) const;
+  Placed place(const Pose2& pose, const Rotation& heading) const;
+  double gap_to(const Pose2& pose, double x, double y) const;
   double smallest_gap(const Placed& placed, double cap) const;
   template <typename Visit>
   void visit_obstacles(const Placed& placed, double around, Visit&& visit) const;
@@ -106,7 +100,7 @@ class CollisionChecker {
   CellFlags fresh_;  // this cycle's costs, before they are taken
   std::vector<int> reach_;
   mutable ObstacleLists lists_;
-  mutable OutlinePlanes planes_;  // of the outline that was placed last, from its position
+  mutable OutlinePlanes planes_;  // of the outline as it was placed last, from its position
   mutable Polygon corners_;       // likewise, where it is not convex
 };
 
