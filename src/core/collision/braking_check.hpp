@@ -39,9 +39,6 @@ class BrakingCheck {
   /// How far the robot's centre gets at most in any manoeuvre of a command up to `fastest` [m/s], without the growth
   /// [m].
   static double reach_of_manoeuvres(const CycleStart& start, double fastest);
-  /// How far at most a robot with this reach can be from where a manoeuvre is rolled out [m], see
-  /// ManoeuvreRoller::growth(). `radius` [m] reaches from its centre to its farthest point.
-  static double most_growth(const CycleStart& start, double radius, double reach);
 
   /// Once per evaluation; the arguments outlive the questions.
   void prepare(const Parameters& parameters, const CheckSetup& setup, ClearanceLookup& clearances, double radius,

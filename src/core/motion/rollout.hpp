@@ -19,14 +19,9 @@ namespace hidwa_local_planner {
 class Rollout {
  public:
   /// Samples grouped by omega, as Sampler makes them, from the pose and the reference of `start` on. `comfort` binds
-  /// the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s], or for that of the
-  /// parameters.
+  /// the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s].
   void run(const Parameters& parameters, const CycleStart& start, const std::vector<Sample>& samples,
            const ComfortTurn& comfort, double sim_time);
-  void run(const Parameters& parameters, const CycleStart& start, const std::vector<Sample>& samples,
-           const ComfortTurn& comfort = {}) {
-    run(parameters, start, samples, comfort, parameters.sim_time);
-  }
 
   std::size_t tile_count() const { return tiles_.size(); }
   /// Rolls a tile out. Valid until the next tile() or run(); quickest in ascending order.

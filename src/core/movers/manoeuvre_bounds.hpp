@@ -37,7 +37,7 @@ struct ManoeuvreBounds {
     most.duration = latency + 3.0 * start.period + late +
                     std::max(limits.x.time_to_rest(fastest.v), limits.theta.time_to_rest(fastest.omega));
     most.reach = fastest.v * most.duration;
-    most.drift = most_drift(*start.pending, limits, start.period, radius, most.reach);
+    most.drift = start.most_drift(radius, most.reach);
     most.grown =
         most.drift + 0.5 * (step + late_times_apart(late, start.period)) * (most.fastest + fastest.omega * most.reach);
     return most;

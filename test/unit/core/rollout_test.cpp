@@ -25,7 +25,7 @@ Rollout run(const Parameters& p, const Pose2& start, const Twist2& reference, co
   from.pose = start;
   from.reference = reference;
   from.limits = VelocityLimits::from(p);
-  rollout.run(p, from, samples);
+  rollout.run(p, from, samples, {}, p.sim_time);
   return rollout;
 }
 
