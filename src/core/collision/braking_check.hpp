@@ -58,20 +58,18 @@ class BrakingCheck {
     bool free = false;
     double clearance = 0.0;  // that is left there [m]
   };
-  using PendingEnds = std::array<PendingEnd, PendingMotionSet::kMost>;
   // Likewise, for a robot in collision.
   struct EscapeEnd {
     std::optional<ManoeuvreRoller> roller;
     bool deeper = false;
     EscapeRule::Descent descent;
   };
-  using EscapeEnds = std::array<EscapeEnd, PendingMotionSet::kMost>;
   // Results of the coarse or of the fine check.
   struct CheckPass {
     bool fine = false;
     double depth_spacing = 0.0;  // of poses that are looked at for depth in collision, in cells at least
-    PendingEnds pending_ends;
-    EscapeEnds escape_ends;
+    std::array<PendingEnd, PendingMotionSet::kMost> pending_ends;
+    std::array<EscapeEnd, PendingMotionSet::kMost> escape_ends;
     void forget();
   };
 
