@@ -6,9 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/util/convex_hull.hpp"
 #include "core/util/outline.hpp"
-#include "core/util/segment.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -19,21 +17,6 @@ constexpr double kFarthestCorner = 20.0;
 bool is_finite_point(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 
 bool has_area(const Polygon& outline) { return std::abs(signed_area(outline)) > 1e-9; }
-
-double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-// A side crosses the x axis to the right of the origin: upwards with the origin to its left, or downwards to its right.
-bool crosses_positive_x(const Point& a, const Point& b) {
-  return (a.y() > 0.0) != (b.y() > 0.0) && (cross(a, b) > 0.0) == (b.y() > a.y());
-}
-
-bool contains_origin(const Polygon& outline) {
-  bool inside = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    if (crosses_positive_x(outline[i], outline[(i + 1) % outline.size()])) inside = !inside;
-  }
-  return inside;
-}
 
 Point left_normal(const Point& from, const Point& to) {
   const Point d = (to - from).normalized();
@@ -135,7 +118,7 @@ Footprint::Footprint(Polygon outline, double radius) : outline_(std::move(outlin
     const double length2 = way.squaredNorm();
     edges_.push_back({way, length2 > 0.0 ? 1.0 / length2 : 0.0});
   }
-  if (!contains_origin(outline_)) inscribed_ = 0.0;
+  if (!contains(outline_, Point::Zero())) inscribed_ = 0.0;
   sides_ = convex_sides(outline_);
 }
 

@@ -36,59 +36,51 @@ void trace_outline(const Footprint& footprint, double spacing, Polygon& points) 
 /// hidwa.
 class ObstacleFootprint : public Critic {
  public:
-  double configure(const Parameters& parameters, const ParameterSource& own) override;
-  void prepare(const CycleView& cycle) override;
-  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
+  double configure(const Parameters& parameters, const ParameterSource& /*own*/) override {
+    escape_ = parameters.method == Method::hidwa;
+    unknown_is_obstacle_ = parameters.unknown_is_obstacle;
+    return parameters.ObstacleFootprint_scale;
+  }
+
+  void prepare(const CycleView& cycle) override {
+    trace_outline(*cycle.footprint, 0.5 * cycle.grid->resolution, outline_);
+    const Pose2& q = cycle.pose;
+    rejects_ = !(escape_ && outline_cost(*cycle.grid, q.x, q.y, std::cos(q.theta), std::sin(q.theta)) < 0.0);
+  }
+
+  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override {
+    for (std::size_t c = 0; c < tile.count; ++c) {
+      if (scores.rejected(c)) continue;
+      double last = 0.0;
+      for (std::size_t k = 0; k <= tile.steps && last >= 0.0; ++k) {
+        last = outline_cost(*cycle.grid, tile.x_at(k, c), tile.y_at(k, c), tile.cos_heading[k], tile.sin_heading[k]);
+        if (last < 0.0 && !rejects_) last = cost::kLethal;
+      }
+      if (last < 0.0) {
+        scores.reject(c, "outline hits an obstacle");
+      } else {
+        scores.set(c, last);
+      }
+    }
+  }
 
  private:
   /// The largest cost under the outline at a pose; negative where it touches an obstacle.
-  double outline_cost(const GridView& grid, double x, double y, double cosine, double sine) const;
+  double outline_cost(const GridView& grid, double x, double y, double cosine, double sine) const {
+    std::uint8_t largest = cost::kFree;
+    for (const Point& p : outline_) {
+      const Cell cell = grid.cell_at(x + cosine * p.x() - sine * p.y(), y + sine * p.x() + cosine * p.y());
+      if (grid.obstacle(cell, unknown_is_obstacle_)) return -1.0;
+      if (const std::uint8_t value = grid.at(cell); value != cost::kUnknown) largest = std::max(largest, value);
+    }
+    return largest;
+  }
 
   bool escape_ = true;
   bool unknown_is_obstacle_ = true;
   bool rejects_ = true;
   Polygon outline_;  // points of the outline at most half a cell apart, robot frame [m]
 };
-
-double ObstacleFootprint::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  escape_ = parameters.method == Method::hidwa;
-  unknown_is_obstacle_ = parameters.unknown_is_obstacle;
-  return parameters.ObstacleFootprint_scale;
-}
-
-void ObstacleFootprint::prepare(const CycleView& cycle) {
-  trace_outline(*cycle.footprint, 0.5 * cycle.grid->resolution, outline_);
-  const Pose2& q = cycle.pose;
-  rejects_ = !(escape_ && outline_cost(*cycle.grid, q.x, q.y, std::cos(q.theta), std::sin(q.theta)) < 0.0);
-}
-
-double ObstacleFootprint::outline_cost(const GridView& grid, double x, double y, double cosine, double sine) const {
-  std::uint8_t largest = cost::kFree;
-  for (const Point& p : outline_) {
-    const Cell cell = grid.cell_at(x + cosine * p.x() - sine * p.y(), y + sine * p.x() + cosine * p.y());
-    if (!grid.contains(cell)) return -1.0;
-    const std::uint8_t value = grid.at(cell);
-    if (value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle_)) return -1.0;
-    if (value != cost::kUnknown) largest = std::max(largest, value);
-  }
-  return largest;
-}
-
-void ObstacleFootprint::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
-  for (std::size_t c = 0; c < tile.count; ++c) {
-    if (scores.rejected(c)) continue;
-    double last = 0.0;
-    for (std::size_t k = 0; k <= tile.steps && last >= 0.0; ++k) {
-      last = outline_cost(*cycle.grid, tile.x_at(k, c), tile.y_at(k, c), tile.cos_heading[k], tile.sin_heading[k]);
-      if (last < 0.0 && !rejects_) last = cost::kLethal;
-    }
-    if (last < 0.0) {
-      scores.reject(c, "outline hits an obstacle");
-    } else {
-      scores.set(c, last);
-    }
-  }
-}
 
 const BuiltInEntry entry("ObstacleFootprint", make<ObstacleFootprint>);
 

@@ -31,15 +31,56 @@ constexpr std::size_t kUsualCandidates = 256;
 ///   integral over the rollout of (1 - g / n(v)) (v - blind_speed) dt         [m], where g < n(v) and v > blind_speed
 class Occlusion : public Critic {
  public:
-  double configure(const Parameters& parameters, const ParameterSource& own) override;
-  void prepare(const CycleView& cycle) override;
-  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
+  double configure(const Parameters& parameters, const ParameterSource& /*own*/) override {
+    speed_ = parameters.occlusion_speed;
+    creep_ = parameters.blind_speed;
+    reaction_ = parameters.control_latency + kReaction;
+    braking_ = parameters.braking_x();
+    knots_.reserve(kUsualCandidates);
+    needed_.reserve(kUsualCandidates);
+    sum_.reserve(kUsualCandidates);
+    return parameters.occlusion == ::hidwa_local_planner::Occlusion::cost ? kWeight : 0.0;
+  }
+
+  void prepare(const CycleView& cycle) override {
+    places_ = cycle.hidden_places;
+    radius_ = cycle.hidden_radius + cycle.footprint->inscribed_radius();
+  }
+
+  void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
+    if (places_ == nullptr || places_->empty() || tile.steps == 0 || tile.count == 0) return;
+    knots_.choose(tile);
+    needed_.clear();
+    sum_.assign(knots_.size(), 0.0);
+    for (std::size_t i = 0; i < knots_.size(); ++i) needed_.push_back(needed(std::abs(tile.v[knots_[i]])));
+    const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(kTimesApart / tile.dt)));
+    bool any = false;
+    for (std::size_t k = stride; k <= tile.steps; k += stride) {
+      any = add_row(tile, k, static_cast<double>(stride) * tile.dt) || any;
+    }
+    if (any) knots_.interpolate(tile, sum_, scores.set_all());
+  }
 
  private:
   double needed(double speed) const {
     return speed_ * (reaction_ + speed / braking_) + speed * (reaction_ + 0.5 * speed / braking_);
   }
-  bool add_row(const Tile& tile, std::size_t step, double lasts);
+
+  bool add_row(const Tile& tile, std::size_t step, double lasts) {
+    bool any = false;
+    for (std::size_t i = 0; i < knots_.size(); ++i) {
+      const double speed = std::abs(tile.v[knots_[i]]), most = needed_[i] + radius_;
+      if (speed <= creep_) continue;
+      const Point at(tile.x_at(step, knots_[i]), tile.y_at(step, knots_[i]));
+      double nearest2 = most * most;
+      for (const Point& place : *places_) nearest2 = std::min(nearest2, (place - at).squaredNorm());
+      const double left = most - std::max(std::sqrt(nearest2), radius_);
+      if (left <= 0.0) continue;
+      sum_[i] += lasts * left / needed_[i] * (speed - creep_);
+      any = true;
+    }
+    return any;
+  }
 
   double speed_ = 0.0, creep_ = 0.0;            // [m/s]
   double reaction_ = 0.0, braking_ = 1.0;       // [s], [m/s^2]
@@ -48,52 +89,6 @@ class Occlusion : public Critic {
   SpeedKnots knots_;
   std::vector<double> needed_, sum_;  // [knots] [m]
 };
-
-double Occlusion::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  speed_ = parameters.occlusion_speed;
-  creep_ = parameters.blind_speed;
-  reaction_ = parameters.control_latency + kReaction;
-  braking_ = parameters.braking_x();
-  knots_.reserve(kUsualCandidates);
-  needed_.reserve(kUsualCandidates);
-  sum_.reserve(kUsualCandidates);
-  return parameters.occlusion == ::hidwa_local_planner::Occlusion::cost ? kWeight : 0.0;
-}
-
-void Occlusion::prepare(const CycleView& cycle) {
-  places_ = cycle.hidden_places;
-  radius_ = cycle.hidden_radius + cycle.footprint->inscribed_radius();
-}
-
-void Occlusion::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
-  if (places_ == nullptr || places_->empty() || tile.steps == 0 || tile.count == 0) return;
-  knots_.choose(tile);
-  needed_.clear();
-  sum_.assign(knots_.size(), 0.0);
-  for (std::size_t i = 0; i < knots_.size(); ++i) needed_.push_back(needed(std::abs(tile.v[knots_[i]])));
-  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(kTimesApart / tile.dt)));
-  bool any = false;
-  for (std::size_t k = stride; k <= tile.steps; k += stride) {
-    any = add_row(tile, k, static_cast<double>(stride) * tile.dt) || any;
-  }
-  if (any) knots_.interpolate(tile, sum_, scores.set_all());
-}
-
-bool Occlusion::add_row(const Tile& tile, std::size_t step, double lasts) {
-  bool any = false;
-  for (std::size_t i = 0; i < knots_.size(); ++i) {
-    const double speed = std::abs(tile.v[knots_[i]]), most = needed_[i] + radius_;
-    if (speed <= creep_) continue;
-    const Point at(tile.x_at(step, knots_[i]), tile.y_at(step, knots_[i]));
-    double nearest2 = most * most;
-    for (const Point& place : *places_) nearest2 = std::min(nearest2, (place - at).squaredNorm());
-    const double left = most - std::max(std::sqrt(nearest2), radius_);
-    if (left <= 0.0) continue;
-    sum_[i] += lasts * left / needed_[i] * (speed - creep_);
-    any = true;
-  }
-  return any;
-}
 
 const BuiltInEntry entry("Occlusion", make<Occlusion>);
 

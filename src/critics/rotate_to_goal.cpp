@@ -25,15 +25,55 @@ constexpr double kLookahead = 0.5;      // [s]
 /// comfort_acc_lim_theta from the lookahead time on: omega^2 / (2 a) farther (constant deceleration a).
 class RotateToGoal : public Critic {
  public:
-  double configure(const Parameters& parameters, const ParameterSource& own) override;
-  void prepare(const CycleView& cycle) override;
-  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
-  void reset() override;
+  double configure(const Parameters& parameters, const ParameterSource& /*own*/) override {
+    xy_goal_tolerance_ = parameters.xy_goal_tolerance;
+    trans_stopped_velocity_ = parameters.trans_stopped_velocity;
+    looks_ahead_ = parameters.method != Method::paper;
+    comfort_ = parameters.turns_gently() ? parameters.comfort_acc_lim_theta : 0.0;
+    return parameters.RotateToGoal_scale;
+  }
+
+  void prepare(const CycleView& cycle) override {
+    if (cycle.goal_next && distance(cycle.pose, cycle.goal) <= xy_goal_tolerance_) in_window_ = true;
+    if (in_window_ && std::abs(cycle.velocity.v) <= trans_stopped_velocity_) rotating_ = true;
+    speed2_ = cycle.velocity.v * cycle.velocity.v;
+    rejects_ = !cycle.steered && !cycle.operator_decides;
+  }
+
+  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override {
+    if (!in_window_) return;
+    const double error = heading_error(tile, cycle.goal.theta);
+    for (std::size_t c = 0; c < tile.count; ++c) {
+      if (scores.rejected(c)) continue;
+      const double speed2 = tile.v[c] * tile.v[c];
+      if (rejects_ && rotating_ && std::abs(tile.v[c]) > kStill) {
+        scores.reject(c, "drives on although the goal's position is reached");
+      } else if (rejects_ && !rotating_ && speed2 >= speed2_) {
+        scores.reject(c, "does not slow down at the goal");
+      } else {
+        scores.set(c, rotating_ ? error : speed2 * kSlowingFactor + error);
+      }
+    }
+  }
+
+  void reset() override { in_window_ = rotating_ = false; }
+
   void save(ArchiveWriter& state) const override { state(in_window_, rotating_); }
   void load(ArchiveReader& state) override { state(in_window_, rotating_); }
 
  private:
-  double heading_error(const Tile& tile, double goal_heading) const;
+  double heading_error(const Tile& tile, double goal_heading) const {
+    double heading = tile.heading[tile.steps], omega = tile.omega_at[tile.steps];
+    if (looks_ahead_) {
+      const double at = std::min(kLookahead / tile.dt, static_cast<double>(tile.steps));
+      const auto k = std::min(static_cast<std::size_t>(at), tile.steps - 1);
+      const double part = at - static_cast<double>(k);
+      heading = tile.heading[k] + part * (tile.heading[k + 1] - tile.heading[k]);
+      omega = tile.omega_at[k] + part * (tile.omega_at[k + 1] - tile.omega_at[k]);
+    }
+    if (rejects_ && comfort_ > 0.0) heading += omega * std::abs(omega) / (2.0 * comfort_);
+    return std::abs(wrap_angle(goal_heading - heading));
+  }
 
   double xy_goal_tolerance_ = 0.25;      // [m]
   double trans_stopped_velocity_ = 0.1;  // [m/s]
@@ -44,52 +84,6 @@ class RotateToGoal : public Critic {
   bool rejects_ = true;
   double speed2_ = 0.0;  // squared current speed [m^2/s^2]
 };
-
-double RotateToGoal::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  xy_goal_tolerance_ = parameters.xy_goal_tolerance;
-  trans_stopped_velocity_ = parameters.trans_stopped_velocity;
-  looks_ahead_ = parameters.method != Method::paper;
-  comfort_ = parameters.turns_gently() ? parameters.comfort_acc_lim_theta : 0.0;
-  return parameters.RotateToGoal_scale;
-}
-
-void RotateToGoal::prepare(const CycleView& cycle) {
-  if (cycle.goal_next && distance(cycle.pose, cycle.goal) <= xy_goal_tolerance_) in_window_ = true;
-  if (in_window_ && std::abs(cycle.velocity.v) <= trans_stopped_velocity_) rotating_ = true;
-  speed2_ = cycle.velocity.v * cycle.velocity.v;
-  rejects_ = !cycle.steered && !cycle.operator_decides;
-}
-
-double RotateToGoal::heading_error(const Tile& tile, double goal_heading) const {
-  double heading = tile.heading[tile.steps], omega = tile.omega_at[tile.steps];
-  if (looks_ahead_) {
-    const double at = std::min(kLookahead / tile.dt, static_cast<double>(tile.steps));
-    const auto k = std::min(static_cast<std::size_t>(at), tile.steps - 1);
-    const double part = at - static_cast<double>(k);
-    heading = tile.heading[k] + part * (tile.heading[k + 1] - tile.heading[k]);
-    omega = tile.omega_at[k] + part * (tile.omega_at[k + 1] - tile.omega_at[k]);
-  }
-  if (rejects_ && comfort_ > 0.0) heading += omega * std::abs(omega) / (2.0 * comfort_);
-  return std::abs(wrap_angle(goal_heading - heading));
-}
-
-void RotateToGoal::score(const CycleView& cycle, const Tile& tile, TileScores& scores) {
-  if (!in_window_) return;
-  const double error = heading_error(tile, cycle.goal.theta);
-  for (std::size_t c = 0; c < tile.count; ++c) {
-    if (scores.rejected(c)) continue;
-    const double speed2 = tile.v[c] * tile.v[c];
-    if (rejects_ && rotating_ && std::abs(tile.v[c]) > kStill) {
-      scores.reject(c, "drives on although the goal's position is reached");
-    } else if (rejects_ && !rotating_ && speed2 >= speed2_) {
-      scores.reject(c, "does not slow down at the goal");
-    } else {
-      scores.set(c, rotating_ ? error : speed2 * kSlowingFactor + error);
-    }
-  }
-}
-
-void RotateToGoal::reset() { in_window_ = rotating_ = false; }
 
 const BuiltInEntry entry("RotateToGoal", make<RotateToGoal>);
 

@@ -10,17 +10,14 @@ namespace {
 /// Penalises turning: |omega| [rad/s].
 class Twirling : public Critic {
  public:
-  double configure(const Parameters& parameters, const ParameterSource& own) override;
-  void score(const CycleView& cycle, const Tile& tile, TileScores& scores) override;
+  double configure(const Parameters& parameters, const ParameterSource& /*own*/) override {
+    return parameters.Twirling_scale;
+  }
+
+  void score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) override {
+    for (std::size_t c = 0; c < tile.count; ++c) scores.set(c, std::abs(tile.omega));
+  }
 };
-
-double Twirling::configure(const Parameters& parameters, const ParameterSource& /*own*/) {
-  return parameters.Twirling_scale;
-}
-
-void Twirling::score(const CycleView& /*cycle*/, const Tile& tile, TileScores& scores) {
-  for (std::size_t c = 0; c < tile.count; ++c) scores.set(c, std::abs(tile.omega));
-}
 
 const BuiltInEntry entry("Twirling", make<Twirling>);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/util/convex_hull.hpp"
+#include "core/util/outline.hpp"
 #include "core/util/words.hpp"
 
 namespace hidwa_local_planner::robot {

@@ -94,30 +94,26 @@ void to_beams(const RangeScan& scan, const TrackerSettings& settings, Beams& out
 bool seen_through(const Beams& beams, const Point& place, double beyond) {
   // Bearings grow or fall from beam to beam, but the sensor may turn while it scans: the nearest on each side are
   // sought.
-  double left = M_PI;
-  double right = M_PI;
-  const Beam* nearest_left = nullptr;
-  const Beam* nearest_right = nullptr;
+  struct Nearest {
+    double angle = M_PI;
+    const Beam* beam = nullptr;
+  };
+  Nearest left, right;
   for (const Beam& beam : beams.all) {
     const Point to = place - beam.origin;
     const double along = to.dot(beam.direction);
     if (along <= 0.0) continue;
     const double across = beam.direction.x() * to.y() - beam.direction.y() * to.x();
     const double angle = std::abs(across) / along;
-    if (across >= 0.0 && angle < right) {
-      right = angle;
-      nearest_right = &beam;
-    }
-    if (across < 0.0 && angle < left) {
-      left = angle;
-      nearest_left = &beam;
-    }
+    Nearest& nearest = across >= 0.0 ? right : left;
+    if (angle < nearest.angle) nearest = {angle, &beam};
   }
   const double limit = std::tan(std::min(1.5 * beams.increment, 0.2));
-  const auto passes = [&](const Beam* beam, double angle) {
-    return beam != nullptr && angle <= limit && beam->length > (place - beam->origin).norm() + beyond;
+  const auto passes = [&](const Nearest& nearest) {
+    return nearest.beam != nullptr && nearest.angle <= limit &&
+           nearest.beam->length > (place - nearest.beam->origin).norm() + beyond;
   };
-  return passes(nearest_left, left) && passes(nearest_right, right);
+  return passes(left) && passes(right);
 }
 
 }  // namespace tracking

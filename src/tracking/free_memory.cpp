@@ -146,20 +146,16 @@ void FreeMemory::mark_edges(const Beams& beams) {
     before = &beam;
     gap = 0;
   };
-  for (const Beam& beam : beams.all) {
+  // In a whole turn once more up to the first beam that says something: the last one's neighbour.
+  const std::size_t n = beams.all.size();
+  for (std::size_t k = 0; k < (beams.whole_turn ? 2 * n : n); ++k) {
+    const Beam& beam = beams.all[k % n];
     if (beam.length > 0.0) {
       connect(beam);
+      if (k >= n) return;
     } else {
       ++gap;
     }
-  }
-  if (!beams.whole_turn) return;
-  for (const Beam& beam : beams.all) {
-    if (beam.length > 0.0) {
-      connect(beam);
-      return;
-    }
-    ++gap;
   }
 }
 

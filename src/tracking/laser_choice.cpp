@@ -2,7 +2,8 @@
 #include "tracking/laser_choice.hpp"
 
 #include <cmath>
-#include <cstdio>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace tracking {
@@ -28,13 +29,10 @@ std::string LaserChoice::fault(const std::string& frame, double now) {
 std::string coarse(double increment) {
   const double angle = std::abs(increment);
   if (!(angle > kCoarse)) return "";
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "the beams are %.1f degrees apart: people farther away than %.1f m are not seen; use a finer resolution "
-      "of the laser",
+  return format(
+      "the beams are %.1f degrees apart: people farther away than %.1f m are not seen; use a finer resolution of the "
+      "laser",
       angle * 180.0 / M_PI, kBody / (kPoints * angle));
-  return text;
 }
 
 }  // namespace tracking

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/util/words.hpp"
 
 namespace hidwa_local_planner {
 namespace tracking {
@@ -63,9 +64,7 @@ visualization_msgs::Marker label(const MovingObstacles& message, const MovingObs
   m.pose.position.y = o.position.y;
   m.pose.position.z = kTextHeight;
   m.scale.z = 0.25;
-  char text[48];
-  std::snprintf(text, sizeof text, "%u: %.1f m/s", o.id, std::hypot(o.velocity.x, o.velocity.y));
-  m.text = text;
+  m.text = format("%u: %.1f m/s", o.id, std::hypot(o.velocity.x, o.velocity.y));
   m.color.r = m.color.g = m.color.b = 0.1F;
   return m;
 }

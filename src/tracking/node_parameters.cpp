@@ -9,36 +9,14 @@ namespace hidwa_local_planner {
 namespace tracking {
 namespace {
 
-using XmlRpc::XmlRpcValue;
+const char* wanted(double) { return "a number (without quotation marks)"; }
+const char* wanted(bool) { return "true or false"; }
+const char* wanted(const std::string&) { return "a text"; }
 
-[[noreturn]] void wrong_type(const ros::NodeHandle& node, const char* name, const char* wanted) {
-  throw std::runtime_error("parameter " + node.resolveName(name) + " must be " + wanted);
-}
-
-void read_value(const ros::NodeHandle& node, const char* name, double& value) {
-  XmlRpcValue given;
-  if (!node.getParam(name, given)) return;
-  if (given.getType() == XmlRpcValue::TypeInt) {
-    value = static_cast<int&>(given);
-  } else if (given.getType() == XmlRpcValue::TypeDouble) {
-    value = static_cast<double&>(given);
-  } else {
-    wrong_type(node, name, "a number (without quotation marks)");
-  }
-}
-
-void read_value(const ros::NodeHandle& node, const char* name, bool& value) {
-  XmlRpcValue given;
-  if (!node.getParam(name, given)) return;
-  if (given.getType() != XmlRpcValue::TypeBoolean) wrong_type(node, name, "true or false");
-  value = static_cast<bool&>(given);
-}
-
-void read_value(const ros::NodeHandle& node, const char* name, std::string& value) {
-  XmlRpcValue given;
-  if (!node.getParam(name, given)) return;
-  if (given.getType() != XmlRpcValue::TypeString) wrong_type(node, name, "a text");
-  value = static_cast<std::string&>(given);
+template <typename Value>
+void read_value(const ros::NodeHandle& node, const char* name, Value& value) {
+  if (!node.hasParam(name) || node.getParam(name, value)) return;
+  throw std::runtime_error("parameter " + node.resolveName(name) + " must be " + wanted(value));
 }
 
 void require_time(const ros::NodeHandle& node, const char* name, double value) {
@@ -51,19 +29,8 @@ void require_time(const ros::NodeHandle& node, const char* name, double value) {
 NodeParameters read_node_parameters(const ros::NodeHandle& node) {
   NodeParameters p;
   TrackerSettings& t = p.tracker;
-  read_value(node, "reach", t.reach);
-  read_value(node, "range_noise", t.range_noise);
+  for (const TrackerSetting& one : kTrackerSettings) read_value(node, one.name, t.*one.value);
   read_value(node, "no_return_is_free", t.no_return_is_free);
-  read_value(node, "odometry_slip", t.odometry_slip);
-  read_value(node, "free_memory", t.free_memory);
-  read_value(node, "settle_time", t.settle_time);
-  read_value(node, "stand_time", t.stand_time);
-  read_value(node, "coast_time", t.coast_time);
-  read_value(node, "min_speed", t.min_speed);
-  read_value(node, "min_radius", t.min_radius);
-  read_value(node, "max_radius", t.max_radius);
-  read_value(node, "acceleration", t.acceleration);
-  read_value(node, "leg_acceleration", t.leg_acceleration);
   read_value(node, "fixed_frame", p.fixed_frame);
   p.fixed_frame = without_slash(p.fixed_frame);
   read_value(node, "transform_timeout", p.transform_timeout);

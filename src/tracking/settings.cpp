@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/util/words.hpp"
 #include "tracking/range_scan.hpp"
 #include "tracking/tracker_settings.hpp"
 
@@ -14,40 +15,14 @@ bool says_something(const RangeScan& scan) {
                      [&scan](float r) { return r > 0.0F && static_cast<double>(r) >= scan.range_min; });
 }
 
-struct SettingRange {
-  const char* name;
-  double value;
-  double low;
-  double high;
-  const char* unit;
-};
-
-std::string number_text(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
 }  // namespace
 
-std::string fault_of(const TrackerSettings& s) {
-  const SettingRange ranges[] = {{"reach", s.reach, 1.0, 30.0, " m"},
-                                 {"range_noise", s.range_noise, 0.001, 0.2, " m"},
-                                 {"odometry_slip", s.odometry_slip, 0.0, 0.5, ""},
-                                 {"free_memory", s.free_memory, 0.5, 60.0, " s"},
-                                 {"settle_time", s.settle_time, 0.2, 10.0, " s"},
-                                 {"stand_time", s.stand_time, 0.5, 30.0, " s"},
-                                 {"coast_time", s.coast_time, 0.1, 5.0, " s"},
-                                 {"min_speed", s.min_speed, 0.05, 2.0, " m/s"},
-                                 {"min_radius", s.min_radius, 0.0, 1.5, " m"},
-                                 {"max_radius", s.max_radius, 0.1, 1.5, " m"},
-                                 {"acceleration", s.acceleration, 0.1, 20.0, " m/s^2"},
-                                 {"leg_acceleration", s.leg_acceleration, 0.1, 20.0, " m/s^2"}};
-  for (const SettingRange& r : ranges) {
-    if (!(r.value >= r.low && r.value <= r.high)) {  // also what is not a number
-      return std::string(r.name) + " is " + (std::isfinite(r.value) ? number_text(r.value) : "not finite") +
-             ": it must be from " + number_text(r.low) + " to " + number_text(r.high) + r.unit;
+std::string fault_of(const TrackerSettings& settings) {
+  for (const TrackerSetting& one : kTrackerSettings) {
+    const double value = settings.*one.value;
+    if (!(value >= one.low && value <= one.high)) {  // also what is not a number
+      return std::string(one.name) + " is " + (std::isfinite(value) ? shortest(value) : "not finite") +
+             ": it must be from " + shortest(one.low) + " to " + shortest(one.high) + one.unit;
     }
   }
   return "";

@@ -22,6 +22,29 @@ struct TrackerSettings {
   double leg_acceleration = 1.6;  // the same of who is seen by two legs [m/s^2]
 };
 
+/// One of the numbers among them, and the range that it must lie in.
+struct TrackerSetting {
+  const char* name;
+  double TrackerSettings::*value;
+  double low, high;
+  const char* unit;
+};
+
+inline constexpr TrackerSetting kTrackerSettings[] = {
+    {"reach", &TrackerSettings::reach, 1.0, 30.0, " m"},
+    {"range_noise", &TrackerSettings::range_noise, 0.001, 0.2, " m"},
+    {"odometry_slip", &TrackerSettings::odometry_slip, 0.0, 0.5, ""},
+    {"free_memory", &TrackerSettings::free_memory, 0.5, 60.0, " s"},
+    {"settle_time", &TrackerSettings::settle_time, 0.2, 10.0, " s"},
+    {"stand_time", &TrackerSettings::stand_time, 0.5, 30.0, " s"},
+    {"coast_time", &TrackerSettings::coast_time, 0.1, 5.0, " s"},
+    {"min_speed", &TrackerSettings::min_speed, 0.05, 2.0, " m/s"},
+    {"min_radius", &TrackerSettings::min_radius, 0.0, 1.5, " m"},
+    {"max_radius", &TrackerSettings::max_radius, 0.1, 1.5, " m"},
+    {"acceleration", &TrackerSettings::acceleration, 0.1, 20.0, " m/s^2"},
+    {"leg_acceleration", &TrackerSettings::leg_acceleration, 0.1, 20.0, " m/s^2"},
+};
+
 /// Why the settings cannot be used, naming the value and its range; empty: they can.
 std::string fault_of(const TrackerSettings& settings);
 

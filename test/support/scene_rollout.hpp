@@ -24,7 +24,7 @@ struct SceneRollout {
     request.vx_samples = scene.parameters.vx_samples;
     request.vth_samples = scene.parameters.vth_samples;
     sampler.make(scene.parameters, start.limits, start, request);
-    rollout.run(scene.parameters, start, sampler.samples());
+    rollout.run(scene.parameters, start, sampler.samples(), {}, scene.parameters.sim_time);
     reach = std::max(std::abs(s.last_command.v), rollout.fastest()) * scene.parameters.sim_time;
   }
   CycleStart start;

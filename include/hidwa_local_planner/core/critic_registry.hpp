@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hidwa_local_planner/core/critic.hpp"
@@ -21,11 +22,15 @@ class CriticRegistry {
   using Maker = std::function<std::shared_ptr<Critic>()>;
 
   /// Adds a critic, or replaces the one of that name.
-  void add(const std::string& name, Maker maker);
+  void add(const std::string& name, Maker maker) { makers_[name] = std::move(maker); }
   bool knows(const std::string& name) const { return makers_.count(name) != 0; }
   /// nullptr for an unknown name.
-  std::shared_ptr<Critic> make(const std::string& name) const;
-  std::vector<std::string> names() const;
+  std::shared_ptr<Critic> make(const std::string& name) const { return knows(name) ? makers_.at(name)() : nullptr; }
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, maker] : makers_) names.push_back(name);
+    return names;
+  }
 
  private:
   std::map<std::string, Maker> makers_;

@@ -48,6 +48,12 @@ struct GridView {
     return static_cast<std::size_t>(c.j) * static_cast<std::size_t>(size_x) + static_cast<std::size_t>(c.i);
   }
   std::uint8_t at(Cell c) const { return costs[index(c)]; }
+  /// Lethal, unknown where that is an obstacle, or beyond the map's edge.
+  bool obstacle(Cell c, bool unknown_is_obstacle) const {
+    if (!contains(c)) return true;
+    const std::uint8_t value = at(c);
+    return value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle);
+  }
   /// The cell that holds a point; a point on a border belongs to the higher cell.
   Cell cell_at(double x, double y) const {
     return {floor_to_int((x - origin_x) / resolution), floor_to_int((y - origin_y) / resolution)};

@@ -21,10 +21,8 @@ constexpr const char* kTurnStuck =
 }  // namespace
 
 void Autonomy::reset() {
-  forget();
-  trapped_.reset();
+  interrupt();
   unturned_.reset();
-  end_evasion();
 }
 
 void Autonomy::interrupt() {

@@ -107,7 +107,7 @@ void Recovery::advance(const Cycle& cycle, const StallWatch& stall, const Outloo
   const bool stands = stall.stands();
   change_phase(cycle, stall, outlook);
   step_back(cycle);
-  if (phase_ == Phase::looks_ahead) look_ahead(cycle, stands);
+  if (phase_ == Phase::looks_ahead && searches_in_vain(cycle, stands)) enter(Phase::idle, cycle.situation.time);
   if (phase_ == Phase::follows) renew(cycle, stall, outlook.soon);
   if (phase_ == Phase::searches && goes_back_) {
     search_back(cycle, stands);
@@ -191,10 +191,6 @@ bool Recovery::searches_in_vain(const Cycle& cycle, bool stands) {
 void Recovery::follow_way(double now, bool while_driving) {
   enter(Phase::follows, now);
   follower_.begin(now, while_driving);
-}
-
-void Recovery::look_ahead(const Cycle& cycle, bool stands) {
-  if (searches_in_vain(cycle, stands)) enter(Phase::idle, cycle.situation.time);
 }
 
 // Where no way leads back the robot waits on.

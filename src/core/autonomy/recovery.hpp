@@ -96,7 +96,6 @@ class Recovery {
   bool late(double now) const;
   bool searches_in_vain(const Cycle& cycle, bool stands);
   void follow_way(double now, bool while_driving);
-  void look_ahead(const Cycle& cycle, bool stands);
   void search_back(const Cycle& cycle, bool stands);
   void search(const Cycle& cycle, bool may_follow);
   void follow_found_way(const Cycle& cycle, bool may_follow);

@@ -26,7 +26,14 @@ class AdmissibilityCheck {
   /// Once per evaluation; `checker` is prepared (EscapeRule::rest() where that applies). All but `setup` itself must
   /// outlive the questions. `resolution` is the map's [m].
   void prepare(const Parameters& parameters, const CollisionChecker& checker, const Footprint& footprint,
-               double resolution, const Setup& setup);
+               double resolution, const Setup& setup) {
+    setup_ = setup;
+    checks_braking_ = parameters.admissibility == Admissibility::braking;
+    const double radius = footprint.circumscribed_radius();
+    clearances_.prepare(checker, radius, resolution);
+    rollouts_.prepare(setup_, clearances_, radius, resolution);
+    braking_.prepare(parameters, setup_, clearances_, radius, resolution);
+  }
 
   /// Whether the cells alone decide every rollout of a tile. Sets the reasons of those that they reject.
   bool cells_decide(const Tile& tile, const char** reasons) const { return rollouts_.decide_by_cells(tile, reasons); }

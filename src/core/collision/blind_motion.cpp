@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/util/outline.hpp"
+#include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -18,8 +19,6 @@ constexpr int kPlacesOnCircle = 180;
 constexpr double kTurnOfNormal = M_PI / 36.0;
 // Until a robot that sees somebody begins to brake: two control periods of 20 Hz, besides the latency [s].
 constexpr double kReaction = 0.1;
-// Larger than rounding, smaller than what any base resolves [m/s].
-constexpr double kVelocityRounding = 1e-9;
 
 }  // namespace
 
@@ -118,10 +117,10 @@ Interval BlindMotion::speeds(double omega) const {
   constexpr double kAny = std::numeric_limits<double>::infinity();
   Interval allowed{-kAny, kAny};
   for (const Bound& bound : bounds_) {
-    const double left = blind_speed_ + kVelocityRounding - bound.along_omega * omega;
-    if (bound.along_v > kVelocityRounding) {
+    const double left = blind_speed_ + kCommandRounding - bound.along_omega * omega;
+    if (bound.along_v > kCommandRounding) {
       allowed.hi = std::min(allowed.hi, left / bound.along_v);
-    } else if (bound.along_v < -kVelocityRounding) {
+    } else if (bound.along_v < -kCommandRounding) {
       allowed.lo = std::max(allowed.lo, left / bound.along_v);
     } else if (left < 0.0) {
       return {kAny, -kAny};

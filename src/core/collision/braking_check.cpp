@@ -31,10 +31,6 @@ double BrakingCheck::reach_of_manoeuvres(const CycleStart& start, double fastest
   return reach;
 }
 
-double BrakingCheck::most_growth(const CycleStart& start, double radius, double reach) {
-  return most_drift(*start.pending, start.limits, start.period, radius, reach);
-}
-
 void BrakingCheck::CheckPass::forget() {
   for (PendingEnd& pending_end : pending_ends) pending_end.roller.reset();
   for (EscapeEnd& pending_end : escape_ends) pending_end.roller.reset();
@@ -66,8 +62,8 @@ void BrakingCheck::prepare(const Parameters& parameters, const CheckSetup& setup
 // The command that speeds up reaches farthest.
 bool BrakingCheck::nothing_in_reach() const {
   const double speed = std::abs(start_->reference.v) + start_->limits.x.acc * start_->period;
-  double reach = reach_of_manoeuvres(*start_, std::max(start_->pending->fastest(), speed));
-  reach += most_growth(*start_, radius_, reach);
+  double reach = reach_of_manoeuvres(*start_, std::max(start_->pending->fastest().v, speed));
+  reach += start_->most_drift(radius_, reach);
   return clearances_->checker().clear_around(start_->origin.x, start_->origin.y, reach);
 }
 

@@ -39,9 +39,6 @@ class BrakingCheck {
   /// How far the robot's centre gets at most in any manoeuvre of a command up to `fastest` [m/s], without the growth
   /// [m].
   static double reach_of_manoeuvres(const CycleStart& start, double fastest);
-  /// How far at most a robot with this reach can be from where a manoeuvre is rolled out [m], see
-  /// ManoeuvreRoller::growth(). `radius` [m] reaches from its centre to its farthest point.
-  static double most_growth(const CycleStart& start, double radius, double reach);
 
   /// Once per evaluation; the arguments outlive the questions.
   void prepare(const Parameters& parameters, const CheckSetup& setup, ClearanceLookup& clearances, double radius,
@@ -61,20 +58,18 @@ class BrakingCheck {
     bool free = false;
     double clearance = 0.0;  // that is left there [m]
   };
-  using PendingEnds = std::array<PendingEnd, PendingMotionSet::kMost>;
   // Likewise, for a robot in collision.
   struct EscapeEnd {
     std::optional<ManoeuvreRoller> roller;
     bool deeper = false;
     EscapeRule::Descent descent;
   };
-  using EscapeEnds = std::array<EscapeEnd, PendingMotionSet::kMost>;
   // Results of the coarse or of the fine check.
   struct CheckPass {
     bool fine = false;
     double depth_spacing = 0.0;  // of poses that are looked at for depth in collision, in cells at least
-    PendingEnds pending_ends;
-    EscapeEnds escape_ends;
+    std::array<PendingEnd, PendingMotionSet::kMost> pending_ends;
+    std::array<EscapeEnd, PendingMotionSet::kMost> escape_ends;
     void forget();
   };
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/collision/rounding.hpp"
-#include "core/util/segment.hpp"
+#include "core/util/outline.hpp"
 
 namespace hidwa_local_planner {
 namespace {
@@ -51,16 +51,6 @@ bool segment_enters(const Point& a, const Point& b, double x, double y, double s
   return clip(a.x(), b.x() - a.x(), x, x + side, t0, t1) && clip(a.y(), b.y() - a.y(), y, y + side, t0, t1);
 }
 
-bool contains(const Polygon& polygon, double x, double y) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Point& a = polygon[i];
-    const Point& b = polygon[j];
-    if ((a.y() > y) != (b.y() > y) && x < a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y())) inside = !inside;
-  }
-  return inside;
-}
-
 double gap(double value, double lo, double hi) { return std::max({lo - value, value - hi, 0.0}); }
 
 double distance_to_cell(double x, double y, double cell_x, double cell_y, double side) {
@@ -87,7 +77,7 @@ bool overlaps_square(const Polygon& polygon, double x, double y, double side) {
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     if (segment_enters(polygon[j], polygon[i], x, y, side)) return true;
   }
-  return contains(polygon, x + 0.5 * side, y + 0.5 * side);
+  return contains(polygon, {x + 0.5 * side, y + 0.5 * side});
 }
 
 void CollisionChecker::prepare(const GridView& grid, const Footprint& footprint, bool unknown_is_obstacle,
@@ -125,6 +115,7 @@ void CollisionChecker::prepare_lists() {
   window.corner = corner();
   window.resolution = grid_.resolution;
   lists_.prepare(window);
+  planes_.reserve();
 }
 
 // What the costs say of the window's cells; beyond the map's edge are obstacles.
@@ -188,23 +179,15 @@ bool CollisionChecker::clear_around(double x, double y, double distance) const {
 }
 
 // An outline need not contain the robot's centre: only where it does, the centre's cell alone can decide.
-bool CollisionChecker::centre_collides(Cell cell, const Footprint& outline) const {
-  if (outline.inscribed_radius() <= 0.0) return false;
+bool CollisionChecker::centre_collides(Cell cell) const {
+  if (footprint_->inscribed_radius() <= 0.0) return false;
   if (obstacle(cell)) return true;
-  return outline.is_circle() && grid_.at(cell) == cost::kInscribed;
-}
-
-bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading) const {
-  return clearance(pose, heading, *footprint_, 0.0) <= 0.0;
-}
-
-bool CollisionChecker::collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const {
-  return clearance(pose, heading, outline, 0.0) <= 0.0;
+  return footprint_->is_circle() && grid_.at(cell) == cost::kInscribed;
 }
 
 bool CollisionChecker::meets_unknown_only(const Pose2& pose, const Rotation& heading) const {
   bool unknown = false, other = false;
-  visit_obstacles(place(pose, heading, *footprint_), 0.0, [&](double gap, Cell cell) {
+  visit_obstacles(place(pose, heading), 0.0, [&](double gap, Cell cell) {
     if (gap > 0.0) return true;
     (grid_.contains(cell) && grid_.at(cell) == cost::kUnknown ? unknown : other) = true;
     return !other;
@@ -212,74 +195,50 @@ bool CollisionChecker::meets_unknown_only(const Pose2& pose, const Rotation& hea
   return unknown && !other;
 }
 
-double CollisionChecker::clearance(const Pose2& pose, const Rotation& heading, const Footprint& outline,
-                                   double cap) const {
+double CollisionChecker::clearance(const Pose2& pose, const Rotation& heading, double cap) const {
   constexpr double kFree = std::numeric_limits<double>::min();
   const Cell cell = grid_.cell_at(pose.x, pose.y);
   const bool reached = in_reach(cell);
   if (reached && cap <= 0.0 && (flags_of(cell) & cell_class::kNear) == 0) return kFree;
-  if (reached && &outline == footprint_ && surely_collides(cell)) return 0.0;
-  if (centre_collides(cell, outline)) return 0.0;
-  const bool listed = reached && (outline.is_circle() || !outline.sides().empty());
+  if (reached && surely_collides(cell)) return 0.0;
+  if (centre_collides(cell)) return 0.0;
+  const bool listed = reached && (footprint_->is_circle() || !footprint_->sides().empty());
   cap = std::min(std::max(cap, kRounding), shape_.largest_clearance);
   const Cell inside{cell.i - first_.i, cell.j - first_.j};
-  const double least = listed ? lists_.smallest_gap(inside, pose, heading, outline, cap)
-                              : smallest_gap(place(pose, heading, outline), cap);
+  const double least =
+      listed ? lists_.smallest_gap(inside, pose, heading, *footprint_, cap) : smallest_gap(place(pose, heading), cap);
   return least <= 0.0 ? 0.0 : std::max(least - kRounding, kFree);
 }
 
-CollisionChecker::Placed CollisionChecker::place(const Pose2& pose, const Rotation& heading,
-                                                 const Footprint& outline) const {
-  Placed placed{&outline, pose, 0.0, 0.0, 0.0, 0.0};
-  if (outline.is_circle()) {
-    const double r = outline.radius();
-    placed.lo_x = pose.x - r;
-    placed.hi_x = pose.x + r;
-    placed.lo_y = pose.y - r;
-    placed.hi_y = pose.y + r;
-    return placed;
+CollisionChecker::Placed CollisionChecker::place(const Pose2& pose, const Rotation& heading) const {
+  if (footprint_->is_circle()) {
+    const double r = footprint_->radius();
+    return {pose, pose.x - r, pose.y - r, pose.x + r, pose.y + r};
   }
-  placed.lo_x = placed.lo_y = std::numeric_limits<double>::infinity();
-  placed.hi_x = placed.hi_y = -placed.lo_x;
-  corners_.resize(outline.outline().size());
-  for (std::size_t k = 0; k < corners_.size(); ++k) {
-    const Point& p = outline.outline()[k];
-    corners_[k] = heading.placed(pose.x, pose.y, p.x(), p.y());
-    const double x = corners_[k].x(), y = corners_[k].y();
-    placed.lo_x = std::min(placed.lo_x, x);
-    placed.hi_x = std::max(placed.hi_x, x);
-    placed.lo_y = std::min(placed.lo_y, y);
-    placed.hi_y = std::max(placed.hi_y, y);
+  const double half = 0.5 * grid_.resolution;
+  planes_.turn(*footprint_, {0.0, 0.0, pose.theta}, heading, half);
+  if (footprint_->sides().empty()) {
+    corners_.clear();
+    for (const Point& p : footprint_->outline()) corners_.push_back(heading.placed(pose.x, pose.y, p.x(), p.y()));
   }
-  sides_.resize(outline.sides().size());
-  for (std::size_t k = 0; k < sides_.size(); ++k) {
-    const Footprint::Side& side = outline.sides()[k];
-    const double x = heading.c * side.normal.x() - heading.s * side.normal.y();
-    const double y = heading.s * side.normal.x() + heading.c * side.normal.y();
-    sides_[k].normal = {x, y};
-    sides_[k].offset = side.offset + 0.5 * grid_.resolution * (std::abs(x) + std::abs(y));
-  }
-  return placed;
+  const double* reach = planes_.offset();  // the box's come first
+  return {pose, pose.x - (reach[1] - half), pose.y - (reach[3] - half), pose.x + (reach[0] - half),
+          pose.y + (reach[2] - half)};
 }
 
-// How far the outline is from a cell with this lower left corner, at least; not positive where they overlap. Two
-// convex shapes share area unless a side of one of them has the other beyond it.
-double CollisionChecker::gap_to(const Placed& placed, double x, double y) const {
+// How far the outline is from a cell with this lower left corner, at least; not positive where they overlap.
+double CollisionChecker::gap_to(const Pose2& pose, double x, double y) const {
   const double side = grid_.resolution;
-  const Pose2& pose = placed.pose;
-  if (placed.outline->is_circle()) {
-    return distance_to_cell(pose.x, pose.y, x, y, side) - (placed.outline->radius() - kRounding);
-  }
-  double most = std::max({x - placed.hi_x, placed.lo_x - (x + side), y - placed.hi_y, placed.lo_y - (y + side)});
-  if (placed.outline->sides().empty()) {
-    if (most > shape_.largest_clearance) return most;
-    return overlaps_square(corners_, x, y, side) ? 0.0 : std::max(distance_to_square(corners_, x, y, side), kRounding);
+  if (footprint_->is_circle()) {
+    return distance_to_cell(pose.x, pose.y, x, y, side) - (footprint_->radius() - kRounding);
   }
   const double middle_x = x + 0.5 * side - pose.x, middle_y = y + 0.5 * side - pose.y;
-  for (const Footprint::Side& s : sides_) {
-    most = std::max(most, s.normal.x() * middle_x + s.normal.y() * middle_y - s.offset);
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < planes_.count(); ++m) {
+    most = std::max(most, planes_.normal_x()[m] * middle_x + planes_.normal_y()[m] * middle_y - planes_.offset()[m]);
   }
-  return most;
+  if (!footprint_->sides().empty() || most > shape_.largest_clearance) return most;
+  return overlaps_square(corners_, x, y, side) ? 0.0 : std::max(distance_to_square(corners_, x, y, side), kRounding);
 }
 
 // To the nearest obstacle that it comes near; not positive where one overlaps. The slow way, for any outline anywhere.
@@ -302,7 +261,7 @@ void CollisionChecker::visit_obstacles(const Placed& placed, double around, Visi
     for (int i = lo.i; i <= hi.i; ++i) {
       if (!obstacle({i, j})) continue;
       const double x = grid_.origin_x + i * grid_.resolution, y = grid_.origin_y + j * grid_.resolution;
-      if (!visit(gap_to(placed, x, y), Cell{i, j})) return;
+      if (!visit(gap_to(placed.pose, x, y), Cell{i, j})) return;
     }
   }
 }

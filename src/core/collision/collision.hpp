@@ -7,6 +7,7 @@
 
 #include "core/collision/cell_flags.hpp"
 #include "core/collision/obstacle_lists.hpp"
+#include "core/collision/outline_planes.hpp"
 #include "core/util/rotation.hpp"
 #include "hidwa_local_planner/core/footprint.hpp"
 #include "hidwa_local_planner/core/grid_view.hpp"
@@ -29,17 +30,12 @@ class CollisionChecker {
 
   bool collides(const Pose2& pose) const { return collides(pose, Rotation::direction(pose.theta)); }
   /// With the cosine and sine of the heading.
-  bool collides(const Pose2& pose, const Rotation& heading) const;
-  /// As collides(), for an outline that differs from the prepared one by less than the margin.
-  bool collides(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
+  bool collides(const Pose2& pose, const Rotation& heading) const { return clearance(pose, heading, 0.0) <= 0.0; }
   /// The robot overlaps obstacles there, and unknown cells are all of them. Slow: to say why.
   bool meets_unknown_only(const Pose2& pose, const Rotation& heading) const;
   /// The clearance [m], see docs/understand/design.md; 0 where the robot collides. A lower bound, at most `cap`, which
   /// counts up to largest_clearance().
-  double clearance(const Pose2& pose, const Rotation& heading, const Footprint& outline, double cap) const;
-  double clearance(const Pose2& pose, const Rotation& heading, double cap) const {
-    return clearance(pose, heading, *footprint_, cap);
-  }
+  double clearance(const Pose2& pose, const Rotation& heading, double cap) const;
   /// True when the robot is free at any heading, at this position and everywhere within the margin around it.
   bool clear(double x, double y) const;
   double margin() const { return shape_.margin; }                        // of clear() [m]
@@ -48,11 +44,7 @@ class CollisionChecker {
   bool clear_around(double x, double y, double distance) const;
 
   /// An obstacle in the sense above; cells beyond the map's edge are obstacles.
-  bool obstacle(Cell cell) const {
-    if (!grid_.contains(cell)) return true;
-    const std::uint8_t value = grid_.at(cell);
-    return value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle_);
-  }
+  bool obstacle(Cell cell) const { return grid_.obstacle(cell, unknown_is_obstacle_); }
 
   /// Whether the classes of the cell are known.
   bool in_reach(Cell cell) const {
@@ -86,15 +78,14 @@ class CollisionChecker {
   bool mark_obstacles(const Shape& shape);
   void spread_marks();
   void prepare_lists();
-  bool centre_collides(Cell cell, const Footprint& outline) const;
-  // An outline placed at a pose: its box, and where it is convex its sides, each moved by half a cell's reach.
+  bool centre_collides(Cell cell) const;
+  // Where the robot is placed, and the box of its outline there.
   struct Placed {
-    const Footprint* outline = nullptr;
     Pose2 pose;
     double lo_x = 0.0, lo_y = 0.0, hi_x = 0.0, hi_y = 0.0;
   };
-  Placed place(const Pose2& pose, const Rotation& heading, const Footprint& outline) const;
-  double gap_to(const Placed& placed, double x, double y) const;
+  Placed place(const Pose2& pose, const Rotation& heading) const;
+  double gap_to(const Pose2& pose, double x, double y) const;
   double smallest_gap(const Placed& placed, double cap) const;
   template <typename Visit>
   void visit_obstacles(const Placed& placed, double around, Visit&& visit) const;
@@ -109,8 +100,8 @@ class CollisionChecker {
   CellFlags fresh_;  // this cycle's costs, before they are taken
   std::vector<int> reach_;
   mutable ObstacleLists lists_;
-  mutable Polygon corners_;
-  mutable std::vector<Footprint::Side> sides_;
+  mutable OutlinePlanes planes_;  // of the outline as it was placed last, from its position
+  mutable Polygon corners_;       // likewise, where it is not convex
 };
 
 /// True when a simple polygon shares area with the axis-parallel square [x, x + side] x [y, y + side].

@@ -19,11 +19,7 @@ class ObstacleClusters {
     Cell first;    // in the map
     int size = 0;  // rows and columns [cells]
 
-    bool obstacle(Cell cell) const {
-      if (!map.contains(cell)) return true;
-      const std::uint8_t value = map.at(cell);
-      return value == cost::kLethal || (value == cost::kUnknown && unknown_is_obstacle);
-    }
+    bool obstacle(Cell cell) const { return map.obstacle(cell, unknown_is_obstacle); }
   };
   struct Overlap {
     Cell cell;

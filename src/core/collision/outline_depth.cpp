@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/collision/collision.hpp"
-#include "core/util/convex_hull.hpp"
+#include "core/util/outline.hpp"
 #include "hidwa_local_planner/core/util/vector_clones.hpp"
 
 namespace hidwa_local_planner {

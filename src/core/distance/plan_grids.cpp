@@ -13,10 +13,7 @@ constexpr double kMostParts = 1e5;
 
 }  // namespace
 
-PlanGrids::PlanGrids()
-    : path_(distances_, kPath),
-      goal_(distances_, kGoal),
-      goal_ahead_{DistanceGrid(distances_, kGoalAhead), DistanceGrid(distances_, kGoalAhead + 1)} {
+PlanGrids::PlanGrids() {
   static_assert(kGoalAhead + kMostAhead <= DistanceGrids::kSets);
   // Plans differ in length from cycle to cycle: room for any usual one.
   path_cells_.reserve(DistanceGrids::kUsualSources);
@@ -41,8 +38,11 @@ void PlanGrids::prepare(const GridView& grid, const std::vector<Pose2>& plan, Me
 // wider gaps are filled at half a cell's spacing.
 void PlanGrids::find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Cell>& cells) const {
   cells.clear();
-  const auto usable = [this](Cell cell) {
-    return grid_.contains(cell) && !(stops_at_unknown_ && grid_.at(cell) == cost::kUnknown);
+  // False where the stretch ends.
+  const auto take = [&](Cell cell) {
+    const bool usable = grid_.contains(cell) && !(stops_at_unknown_ && grid_.at(cell) == cost::kUnknown);
+    if (usable) cells.push_back(cell);
+    return usable || cells.empty();
   };
   for (std::size_t k = 0; k < plan.size(); ++k) {
     const Cell cell = grid_.cell_at(plan[k].x, plan[k].y);
@@ -55,26 +55,19 @@ void PlanGrids::find_cells_on_map(const std::vector<Pose2>& plan, std::vector<Ce
           const double t = static_cast<double>(part) / parts;
           const Cell between = grid_.cell_at(plan[k - 1].x + t * (plan[k].x - plan[k - 1].x),
                                              plan[k - 1].y + t * (plan[k].y - plan[k - 1].y));
-          if (usable(between)) {
-            cells.push_back(between);
-          } else if (!cells.empty()) {
-            return;
-          }
+          if (!take(between)) return;
         }
       }
     }
-    if (usable(cell)) {
-      cells.push_back(cell);
-    } else if (!cells.empty()) {
-      return;
-    }
+    if (!take(cell)) return;
   }
 }
 
-const DistanceGrid& PlanGrids::to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal) {
-  if (!on_map()) return goal_ahead_[0];
+DistanceGrid PlanGrids::to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal) {
+  const auto kept = [&](std::size_t slot) { return DistanceGrid(distances_, kGoalAhead + static_cast<int>(slot)); };
+  if (!on_map()) return kept(0);
   for (std::size_t k = 0; k < known_ahead_; ++k) {
-    if (ahead_[k] == ahead) return goal_ahead_[k];
+    if (ahead_[k] == ahead) return kept(k);
   }
   known_ahead_ = std::min(known_ahead_ + 1, kMostAhead);  // the last one makes way
   const std::size_t slot = known_ahead_ - 1;
@@ -86,7 +79,7 @@ const DistanceGrid& PlanGrids::to_goal_ahead(double ahead, const Pose2& from, co
   last_cell_.assign(1, moved_cells_.empty() ? path_cells_.back() : moved_cells_.back());
   distances_.set_sources(kGoalAhead + static_cast<int>(slot), last_cell_);
   ahead_[slot] = ahead;
-  return goal_ahead_[slot];
+  return kept(slot);
 }
 
 double PlanGrids::at(const DistanceGrid& distances, const GridView& grid, double x, double y) {

@@ -16,9 +16,6 @@ namespace hidwa_local_planner {
 class PlanGrids {
  public:
   PlanGrids();
-  PlanGrids(const PlanGrids&) = delete;
-  PlanGrids& operator=(const PlanGrids&) = delete;
-
   /// Once per evaluation; `method` says how distances are measured; `grid` and `plan` must outlive the cycle.
   void prepare(const GridView& grid, const std::vector<Pose2>& plan, Method method, bool unknown_is_obstacle);
 
@@ -29,13 +26,13 @@ class PlanGrids {
   bool on_map() const { return !path_cells_.empty(); }
 
   /// Distance to the nearest cell of the plan's first stretch on the map.
-  const DistanceGrid& to_path() { return path_; }
+  DistanceGrid to_path() { return {distances_, kPath}; }
   /// Distance to the last cell of that stretch: the local goal.
-  const DistanceGrid& to_goal() { return goal_; }
+  DistanceGrid to_goal() { return {distances_, kGoal}; }
   /// Distance to the local goal after the plan's last pose was moved by `ahead` [m] along the bearing `from` -> `goal`,
   /// which are the same in a cycle. Two different `ahead` are kept: more of them are made anew whenever they are asked
   /// for.
-  const DistanceGrid& to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal);
+  DistanceGrid to_goal_ahead(double ahead, const Pose2& from, const Pose2& goal);
 
   /// The distance at a point [m], or a negative number where there is none: off the map or unreached.
   static double at(const DistanceGrid& distances, const GridView& grid, double x, double y);
@@ -52,8 +49,6 @@ class PlanGrids {
   std::vector<Cell> path_cells_, moved_cells_, last_cell_;
   std::vector<Pose2> moved_plan_;
   DistanceGrids distances_;
-  DistanceGrid path_, goal_;
-  std::array<DistanceGrid, kMostAhead> goal_ahead_;
   std::array<double, kMostAhead> ahead_{};  // how far each was moved [m]
   std::size_t known_ahead_ = 0;
 };

@@ -46,7 +46,6 @@ class Evaluation {
   const Scores& scores() const { return scores_; }
   LazyChecks& checks() { return checks_; }
   Obstacles& obstacles() { return obstacles_; }
-  PlanGrids& grids() { return grids_; }
 
  private:
   CycleView view_of(const Cycle& cycle, const Steering& steering, bool to_goal);

@@ -9,8 +9,7 @@ void LazyChecks::begin(const BlindMotion& blind) {
   blind_ = &blind;
   const Rollout& rollout = candidates_.rollout();
   resize_with_spare(states_, rollout.tile_count());
-  const AdmissibilityCheck& admissibility = obstacles_.admissibility();
-  const bool rests = !admissibility.checks_braking() || admissibility.all_can_rest();
+  const bool rests = !admissibility_.checks_braking() || admissibility_.all_can_rest();
   std::size_t largest = 0;  // tile
   for (std::size_t t = 0; t < states_.size(); ++t) {
     states_[t] = {false, rests};
@@ -35,15 +34,14 @@ void LazyChecks::check_before_scoring(const Tile& tile, std::size_t index, bool 
 }
 
 void LazyChecks::check_cells(const Tile& tile, TileState& state) {
-  AdmissibilityCheck& admissibility = obstacles_.admissibility();
   const char** reason = scores_.reasons().data() + tile.first;
-  const bool decided = admissibility.cells_decide(tile, reason);
+  const bool decided = admissibility_.cells_decide(tile, reason);
   const bool hits = (tile.cells.touched_any & cell_class::kHit) != 0;
   for (std::size_t c = 0; hits && c < tile.count; ++c) {
     if (reason[c] != nullptr) scores_.rejected_by()[tile.first + c] = kCollision;
   }
   if (blind_->bounds()) check_sight(tile);
-  state.done = decided && (!admissibility.checks_braking() || admissibility.all_can_brake());
+  state.done = decided && (!admissibility_.checks_braking() || admissibility_.all_can_brake());
 }
 
 // Candidates of a tile have one rate of turn.
@@ -58,14 +56,13 @@ void LazyChecks::check_sight(const Tile& tile) {
 void LazyChecks::check_closely(const Tile& tile, TileState& state) {
   if (state.done) return;
   state.done = true;
-  AdmissibilityCheck& admissibility = obstacles_.admissibility();
-  const bool braking = admissibility.checks_braking();
+  const bool braking = admissibility_.checks_braking();
   std::fill_n(found_.begin(), tile.count, nullptr);
-  admissibility.check_rollouts(tile, found_.data());
+  admissibility_.check_rollouts(tile, found_.data());
   for (std::size_t c = 0; c < tile.count; ++c) {
     if (found_[c] != nullptr) {
       scores_.reject(tile.first + c, kCollision, found_[c]);
-    } else if (braking && !admissibility.can_brake(tile.sample(c))) {
+    } else if (braking && !admissibility_.can_brake(tile.sample(c))) {
       scores_.reject(tile.first + c, kBraking, kCannotBrake);
     }
   }
@@ -82,11 +79,10 @@ void LazyChecks::check_rests(const Tile& tile, TileState& state) {
 void LazyChecks::check_rest(std::size_t candidate) {
   const Rejecter by = scores_.rejected_by()[candidate];
   if (by != kNobody && by < kFirstCritic) return;
-  AdmissibilityCheck& admissibility = obstacles_.admissibility();
   const Twist2& sample = candidates_.sample(candidate);
-  if (!admissibility.can_rest(sample)) {
+  if (!admissibility_.can_rest(sample)) {
     scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
-  } else if (!admissibility.rests_before_hidden(sample)) {
+  } else if (!admissibility_.rests_before_hidden(sample)) {
     scores_.reject(candidate, kOcclusion, kHidden);
   }
 }
@@ -103,28 +99,20 @@ bool LazyChecks::legal(std::size_t candidate) {
 }
 
 bool LazyChecks::confirm(std::size_t candidate) {
-  AdmissibilityCheck& admissibility = obstacles_.admissibility();
   const Twist2& sample = candidates_.sample(candidate);
-  if (!slow_where_blind(sample)) {
-    scores_.reject(candidate, kBlind, kUnseen);
+  const auto reject = [&](Rejecter rejecter, const char* reason) {
+    scores_.reject(candidate, rejecter, reason);
     return false;
-  }
-  if (!admissibility.checks_braking()) return true;
-  if (!admissibility.confirm_braking(sample)) {
-    scores_.reject(candidate, kBraking, kCannotBrake);
-    return false;
-  }
-  if (!admissibility.confirm_rest(sample)) {
-    scores_.reject(candidate, kMovingObstacle, kMayBeTouched);
-    return false;
-  }
-  if (admissibility.confirm_hidden(sample)) return true;
-  scores_.reject(candidate, kOcclusion, kHidden);
-  return false;
+  };
+  if (!slow_where_blind(sample)) return reject(kBlind, kUnseen);
+  if (!admissibility_.checks_braking()) return true;
+  if (!admissibility_.confirm_braking(sample)) return reject(kBraking, kCannotBrake);
+  if (!admissibility_.confirm_rest(sample)) return reject(kMovingObstacle, kMayBeTouched);
+  return admissibility_.confirm_hidden(sample) || reject(kOcclusion, kHidden);
 }
 
 bool LazyChecks::slow_where_blind(const Twist2& sample) const {
-  return blind_->allows(sample) && blind_->allows_braking_from(obstacles_.admissibility().command_for(sample));
+  return blind_->allows(sample) && blind_->allows_braking_from(admissibility_.command_for(sample));
 }
 
 void LazyChecks::check_all() {

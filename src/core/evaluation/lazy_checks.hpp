@@ -33,7 +33,11 @@ namespace hidwa_local_planner {
 class LazyChecks {
  public:
   LazyChecks(const Candidates& candidates, Obstacles& obstacles, TileSurroundings& surroundings, Scores& scores)
-      : candidates_(candidates), obstacles_(obstacles), surroundings_(surroundings), scores_(scores) {}
+      : candidates_(candidates),
+        obstacles_(obstacles),
+        admissibility_(obstacles.admissibility()),
+        surroundings_(surroundings),
+        scores_(scores) {}
 
   /// New candidates: nothing is checked.
   void begin(const BlindMotion& blind);
@@ -45,8 +49,7 @@ class LazyChecks {
   /// Whether a scored candidate is legal; checks it and its tile if need be.
   bool legal(std::size_t candidate);
   /// The last check of the candidate that is to be chosen: is it slow enough where nobody sees, also while it brakes;
-  /// can it brake, and rest before anything
-  /// that moves can touch it, checked without gaps between the poses?
+  /// can it brake, and rest before anything that moves can touch it, checked without gaps between the poses?
   bool confirm(std::size_t candidate);
   /// Whether a sample, the first command towards it and the braking after that are slow enough where nobody sees.
   bool slow_where_blind(const Twist2& sample) const;
@@ -70,6 +73,7 @@ class LazyChecks {
 
   const Candidates& candidates_;
   Obstacles& obstacles_;
+  AdmissibilityCheck& admissibility_;  // theirs
   TileSurroundings& surroundings_;
   Scores& scores_;
   const BlindMotion* blind_ = nullptr;

@@ -13,10 +13,10 @@ VelocityLimits Obstacles::find_overlaps(const Cycle& cycle) {
 
 Obstacles::Reach Obstacles::reach_of(const Cycle& cycle, const Rollout& rollout) {
   const GridView& grid = cycle.grid;
-  const double fastest = std::max(cycle.start.pending->fastest(), rollout.fastest());
+  const double fastest = std::max(cycle.start.pending->fastest().v, rollout.fastest());
   const double manoeuvres = BrakingCheck::reach_of_manoeuvres(cycle.start, fastest);
   const double radius = cycle.footprint.circumscribed_radius();
-  const double growth = BrakingCheck::most_growth(cycle.start, radius, manoeuvres);
+  const double growth = cycle.start.most_drift(radius, manoeuvres);
   // Nothing lies beyond the map's edge but more of it.
   const double across = std::hypot(grid.size_x, grid.size_y) * grid.resolution + radius;
   Reach reach;

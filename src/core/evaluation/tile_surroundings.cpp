@@ -30,7 +30,7 @@ void cells_of_points(const GridView& grid, const double* __restrict x, const dou
 
 }  // namespace
 
-const DistanceGrid& TileSurroundings::grid_of(const PlanDistance& distance) {
+DistanceGrid TileSurroundings::grid_of(const PlanDistance& distance) {
   if (distance.to == PlanDistance::To::path) return cycle_.grids->to_path();
   if (distance.ahead == 0.0) return cycle_.grids->to_goal();
   return cycle_.grids->to_goal_ahead(distance.ahead, cycle_.pose, cycle_.goal);

@@ -34,7 +34,7 @@ class TileSurroundings final : public Surroundings {
   void clearances(const Tile& tile, std::size_t step, double* found) override;
 
  private:
-  const DistanceGrid& grid_of(const PlanDistance& distance);
+  DistanceGrid grid_of(const PlanDistance& distance);
   void find_cells(const Tile& tile, std::size_t step, double dx, double dy);
 
   Cycle cycle_;

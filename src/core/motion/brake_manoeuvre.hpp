@@ -30,7 +30,6 @@
 
 #include "core/motion/command_ramp.hpp"
 #include "core/motion/pending_motion.hpp"
-#include "core/motion/pending_motion_set.hpp"
 #include "core/motion/velocity_limits.hpp"
 #include "core/util/rotation.hpp"
 #include "hidwa_local_planner/core/types.hpp"
@@ -62,22 +61,6 @@ inline double brake_tail(const AxisLimits& axis, double velocity, double period)
 inline double tail_spread(const AxisLimits& axis, double velocity, double period) {
   const double tail = brake_tail(axis, velocity, period);
   return 0.5 * tail * (period - tail / axis.braking);
-}
-
-/// What a manoeuvre's drift comes to at most [m], for a robot with this radius [m] whose centre gets no farther than
-/// `reach` [m]; see ManoeuvreRoller::drift().
-inline double most_drift(const PendingMotionSet& pending, const VelocityLimits& limits, double period, double radius,
-                         double reach) {
-  // One ramp and one tail: no way to them is farther off than half of what the limits allow in a period.
-  const auto of_command = [period](const AxisLimits& axis) {
-    return 0.75 * std::max(axis.acc, axis.braking) * period * period;
-  };
-  Twist2 spread;
-  for (std::size_t motion = 0; motion < pending.all(); ++motion) {
-    const Twist2 own = pending[motion].spread();
-    spread = {std::max(spread.v, own.v), std::max(spread.omega, own.omega)};
-  }
-  return spread.v + of_command(limits.x) + (radius + reach) * (spread.omega + of_command(limits.theta));
 }
 
 /// Rolls manoeuvres out pose by pose, from one pose on.

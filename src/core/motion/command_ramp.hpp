@@ -16,7 +16,6 @@ namespace hidwa_local_planner {
 /// `lags`, it is the other one. A change that takes longer than a period is made at the limit.
 class AxisRamp {
  public:
-  AxisRamp() = default;
   AxisRamp(const AxisLimits& axis, double from, double to, double period, bool lags = false)
       : axis_(axis), from_(from), to_(to), period_(period) {
     const bool turns_round = from * to < 0.0;

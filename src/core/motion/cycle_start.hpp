@@ -41,6 +41,17 @@ struct CycleStart {
   BrakeManoeuvre manoeuvre(std::size_t motion, const Twist2& command, double hold) const {
     return {origin, (*pending)[motion], command, period, hold};
   }
+  /// What a manoeuvre's drift, and its growth, come to at most [m], for a robot with this radius [m] whose centre gets
+  /// no farther than `reach` [m]; see ManoeuvreRoller.
+  double most_drift(double radius, double reach) const {
+    // One ramp and one tail: no way to them is farther off than half of what the limits allow in a period.
+    const auto of_command = [this](const AxisLimits& axis) {
+      return 0.75 * std::max(axis.acc, axis.braking) * period * period;
+    };
+    Twist2 spread;
+    for (std::size_t i = 0; i < pending->all(); ++i) spread = larger_of(spread, (*pending)[i].spread());
+    return spread.v + of_command(limits.x) + (radius + reach) * (spread.omega + of_command(limits.theta));
+  }
   /// By the likeliest pending motion. `radius` [m] reaches from the robot's centre to its farthest point.
   CommandStart command_start(double radius) const {
     constexpr double kAnyDistance = 1e3;   // [m]

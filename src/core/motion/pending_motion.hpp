@@ -13,6 +13,12 @@
 
 namespace hidwa_local_planner {
 
+/// Of each axis the larger one.
+inline Twist2 larger_of(const Twist2& a, const Twist2& b) { return {std::max(a.v, b.v), std::max(a.omega, b.omega)}; }
+
+/// Of a point `radius` [m] from the robot's centre, at most [m/s].
+inline double speed_at(const Twist2& u, double radius) { return std::abs(u.v) + radius * std::abs(u.omega); }
+
 /// The motion until a command that is sent now takes effect: commands that were sent before are still pending. It
 /// begins with a velocity and has legs, in each of which both axes change evenly. Allocates nothing while it has at
 /// most kMostLegs legs.
@@ -80,18 +86,18 @@ class PendingMotion {
   const Twist2& end() const { return legs_.empty() ? begin_ : legs_.back().end; }
   const std::vector<Leg>& legs() const { return legs_; }
 
-  /// The largest |v| [m/s].
-  double fastest() const {
-    double v = std::abs(begin_.v);
-    for (const Leg& leg : legs_) v = std::max(v, std::abs(leg.end.v));
-    return v;
+  /// The largest |v| and the largest |omega| [m/s, rad/s].
+  Twist2 fastest() const {
+    Twist2 most{std::abs(begin_.v), std::abs(begin_.omega)};
+    for (const Leg& leg : legs_) most = larger_of(most, {std::abs(leg.end.v), std::abs(leg.end.omega)});
+    return most;
   }
   /// How far a point `radius` [m] from the robot's centre gets, at most [m].
   double reach(double radius = 0.0) const {
-    double u = speed(begin_, radius), way = 0.0;
+    double u = speed_at(begin_, radius), way = 0.0;
     for (const Leg& leg : legs_) {
-      way += std::max(u, speed(leg.end, radius)) * leg.duration;
-      u = speed(leg.end, radius);
+      way += std::max(u, speed_at(leg.end, radius)) * leg.duration;
+      u = speed_at(leg.end, radius);
     }
     return way;
   }
@@ -106,8 +112,6 @@ class PendingMotion {
   }
 
  private:
-  static double speed(const Twist2& u, double radius) { return std::abs(u.v) + radius * std::abs(u.omega); }
-
   Twist2 begin_;
   std::vector<Leg> legs_;
   std::size_t past_ = 0;

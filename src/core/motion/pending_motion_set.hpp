@@ -43,11 +43,11 @@ class PendingMotionSet {
   std::size_t all() const { return count_ + unlikely_; }
   std::size_t with_lagging() const { return all() + lagging_; }
   const PendingMotion& operator[](std::size_t i) const { return motions_[i]; }
-  /// The largest |v| of all motions [m/s].
-  double fastest() const {
-    double v = 0.0;
-    for (std::size_t i = 0; i < all(); ++i) v = std::max(v, motions_[i].fastest());
-    return v;
+  /// The largest |v| and the largest |omega| of all motions [m/s, rad/s].
+  Twist2 fastest() const {
+    Twist2 most;
+    for (std::size_t i = 0; i < all(); ++i) most = larger_of(most, motions_[i].fastest());
+    return most;
   }
 
  private:

@@ -149,7 +149,7 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
       longest_step_ = std::max(longest_step_, top_speed * block.dt);
     }
     Block& block = tiles_.back();
-    ++block.count;
+    block.stride = padded(++block.count);
     v_[i] = sample.u.v;
   }
 }
@@ -229,19 +229,6 @@ void Rollout::roll_speed(const Block& block) const {
     slowest = start_.limits.x.ramp(slowest, -kUnbounded, block.dt);
     fastest = start_.limits.x.ramp(fastest, kUnbounded, block.dt);
   }
-}
-
-Tile Rollout::extent(std::size_t index) const {
-  const Block& block = tiles_[index];
-  Tile tile;
-  tile.omega = block.omega;
-  tile.dt = block.dt;
-  tile.steps = block.steps;
-  tile.first = block.first;
-  tile.count = block.count;
-  tile.stride = padded(block.count);
-  tile.v = v_.data() + block.first;
-  return tile;
 }
 
 Tile Rollout::tile(std::size_t index) const {

@@ -19,20 +19,19 @@ namespace hidwa_local_planner {
 class Rollout {
  public:
   /// Samples grouped by omega, as Sampler makes them, from the pose and the reference of `start` on. `comfort` binds
-  /// the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s], or for that of the
-  /// parameters.
+  /// the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s].
   void run(const Parameters& parameters, const CycleStart& start, const std::vector<Sample>& samples,
            const ComfortTurn& comfort, double sim_time);
-  void run(const Parameters& parameters, const CycleStart& start, const std::vector<Sample>& samples,
-           const ComfortTurn& comfort = {}) {
-    run(parameters, start, samples, comfort, parameters.sim_time);
-  }
 
   std::size_t tile_count() const { return tiles_.size(); }
   /// Rolls a tile out. Valid until the next tile() or run(); quickest in ascending order.
   Tile tile(std::size_t index) const;
   /// Which candidates a tile holds, and their turn: without poses, at no cost.
-  Tile extent(std::size_t index) const;
+  Tile extent(std::size_t index) const {
+    Tile tile = tiles_[index];
+    tile.v = v_.data() + tile.first;
+    return tile;
+  }
   /// The tile that holds a candidate.
   std::size_t tile_of(std::size_t candidate) const;
   std::size_t candidate_count() const { return v_.size(); }
@@ -43,9 +42,8 @@ class Rollout {
   double fastest() const { return fastest_; }
 
  private:
-  struct Block {
-    double omega = 0.0, dt = 0.0;
-    std::size_t steps = 0, first = 0, count = 0;
+  // A tile without poses.
+  struct Block : Tile {
     std::size_t turn = 0;  // blocks of the same turn share their headings
     bool ramped = true;    // velocities ramp from the reference; else they are the sample's from the start
     bool brake = false;

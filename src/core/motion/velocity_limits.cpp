@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hidwa_local_planner/core/rest.hpp"
+
 namespace hidwa_local_planner {
-namespace {
-
-// Velocities closer than this are one: smaller than any actuator's step, larger than rounding.
-constexpr double kVelocityEpsilon = 1e-9;
-
-}  // namespace
 
 double AxisLimits::clamp(double velocity) const { return std::min(std::max(velocity, min), max); }
 
@@ -61,7 +57,7 @@ VelocityLimits VelocityLimits::from(const Parameters& p) {
 
 bool VelocityLimits::wheels_allow(const Twist2& u) const {
   if (wheel_speed <= 0.0) return true;
-  return std::abs(u.v) + std::abs(u.omega) * half_separation <= wheel_speed + kVelocityEpsilon;
+  return std::abs(u.v) + std::abs(u.omega) * half_separation <= wheel_speed + kCommandRounding;
 }
 
 Twist2 VelocityLimits::clamp(const Twist2& velocity) const {

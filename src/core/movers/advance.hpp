@@ -38,9 +38,7 @@ inline bool advances_near(const Footprint& footprint, const VelocityRange& u, do
   }
   const Polygon& corners = footprint.outline();
   const auto near = [&](const Point& a, const Point& b) {
-    const Point way = b - a;
-    const double part = std::clamp((point - a).dot(way) / std::max(way.squaredNorm(), 1e-12), 0.0, 1.0);
-    return (a + part * way - point).norm() <= radius;
+    return std::sqrt(squared_distance_to_segment(point, a, b)) <= radius;
   };
   const double around = signed_area(corners) > 0.0 ? 1.0 : -1.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -9,9 +9,6 @@
 
 namespace hidwa_local_planner {
 
-/// Of the outermost point of a robot with this radius [m], at most [m/s].
-inline double speed_at(const Twist2& u, double radius) { return std::abs(u.v) + radius * std::abs(u.omega); }
-
 /// What the manoeuvres of a cycle come to at most, whatever is commanded.
 struct ManoeuvreBounds {
   double reach = 0.0;       // of the robot's centre until rest [m]
@@ -25,12 +22,11 @@ struct ManoeuvreBounds {
   /// than `creeping` [m/s].
   static ManoeuvreBounds of(const CycleStart& start, double radius, double step, double creeping) {
     const VelocityLimits& limits = start.limits;
-    Twist2 fastest{std::abs(start.reference.v) + limits.x.acc * start.period,
-                   std::abs(start.reference.omega) + limits.theta.acc * start.period};
+    const Twist2 fastest =
+        larger_of(start.pending->fastest(), {std::abs(start.reference.v) + limits.x.acc * start.period,
+                                             std::abs(start.reference.omega) + limits.theta.acc * start.period});
     double latency = 0.0;
     for (std::size_t motion = 0; motion < start.pending->all(); ++motion) {
-      const Twist2 own = fastest_of((*start.pending)[motion]);
-      fastest = {std::max(fastest.v, own.v), std::max(fastest.omega, own.omega)};
       latency = std::max(latency, duration_of((*start.pending)[motion]));
     }
     ManoeuvreBounds most;
@@ -41,7 +37,7 @@ struct ManoeuvreBounds {
     most.duration = latency + 3.0 * start.period + late +
                     std::max(limits.x.time_to_rest(fastest.v), limits.theta.time_to_rest(fastest.omega));
     most.reach = fastest.v * most.duration;
-    most.drift = most_drift(*start.pending, limits, start.period, radius, most.reach);
+    most.drift = start.most_drift(radius, most.reach);
     most.grown =
         most.drift + 0.5 * (step + late_times_apart(late, start.period)) * (most.fastest + fastest.omega * most.reach);
     return most;
@@ -53,15 +49,6 @@ struct ManoeuvreBounds {
     double sum = 0.0;
     for (std::size_t i = pending.past(); i < pending.legs().size(); ++i) sum += pending.legs()[i].duration;
     return sum;
-  }
-
-  // The largest component of a motion [m/s, rad/s].
-  static Twist2 fastest_of(const PendingMotion& pending) {
-    Twist2 fastest{std::abs(pending.begin().v), std::abs(pending.begin().omega)};
-    for (const PendingMotion::Leg& leg : pending.legs()) {
-      fastest = {std::max(fastest.v, std::abs(leg.end.v)), std::max(fastest.omega, std::abs(leg.end.omega))};
-    }
-    return fastest;
   }
 };
 

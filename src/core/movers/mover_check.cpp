@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/movers/hidden_places.hpp"
-#include "core/util/segment.hpp"
+#include "core/util/outline.hpp"
 #include "hidwa_local_planner/core/rest.hpp"
 
 namespace hidwa_local_planner {
@@ -20,9 +20,6 @@ constexpr double kAnySpacing = 1e3;
 
 // Moments that differ by less are one [s].
 constexpr double kSameMoment = 1e-9;
-
-// For rounding [m/s].
-constexpr double kVelocityRounding = 1e-9;
 
 // What is slower stands, and may be left [m/s]; the robot's outermost point is no faster then [m/s].
 constexpr double kStands = 0.3;
@@ -80,7 +77,7 @@ void MoverCheck::prepare_hidden(const Parameters& parameters, const Footprint& f
                                 const std::vector<Point>& places, const CycleStart& start) {
   near_.clear();
   if (places.empty()) return;
-  begin(footprint, start, parameters.blind_speed + kVelocityRounding);
+  begin(footprint, start, parameters.blind_speed + kCommandRounding);
   for (const Point& place : places) {
     const ReachableSet set =
         ReachableSet::of_hidden(place, HiddenPlaces::kRadius, parameters.occlusion_speed, kSightAge);

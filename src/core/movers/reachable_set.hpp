@@ -25,7 +25,7 @@ class ReachableSet {
       : position_(mover.position),
         velocity_(mover.velocity),
         age_(mover.age),
-        base_(radius_then(mover, parameters)),
+        base_(mover.radius + parameters.moving_obstacle_deviations * mover.position_deviation),
         spread_(parameters.moving_obstacle_deviations * mover.velocity_deviation),
         half_acc_(0.5 * parameters.moving_obstacle_acc),
         fastest_(std::max(parameters.moving_obstacle_speed, mover.velocity.norm() + spread_)) {}
@@ -40,10 +40,6 @@ class ReachableSet {
     return set;
   }
 
-  /// The least disc that holds it at the estimate [m].
-  static double radius_then(const MovingObstacleEstimate& mover, const Parameters& parameters) {
-    return mover.radius + parameters.moving_obstacle_deviations * mover.position_deviation;
-  }
   /// Where it was estimated.
   const Point& position() const { return position_; }
   const Point& velocity() const { return velocity_; }
@@ -70,7 +66,7 @@ class ReachableSet {
  private:
   Point position_{0.0, 0.0}, velocity_{0.0, 0.0};  // [m], [m/s]
   double age_ = 0.0;                               // [s]
-  double base_ = 0.0;                              // [m]
+  double base_ = 0.0;                              // of the least disc that holds it at the estimate [m]
   double spread_ = 0.0;                            // [m/s]
   double half_acc_ = 0.0;                          // [m/s^2]
   double fastest_ = 0.0;                           // [m/s]

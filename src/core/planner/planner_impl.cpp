@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/autonomy/tight_ahead.hpp"
 #include "core/cycle/input_fault.hpp"
 
 namespace hidwa_local_planner {
@@ -40,6 +39,21 @@ void clear(Decision& decision) {
   keep(decision.operator_rejected_by, empty.operator_rejected_by);
   keep(decision.problem, empty.problem);
   decision = std::move(empty);
+}
+
+// Whether the robot comes nearer than a cell to something soon on a rollout. `checker` is prepared for it.
+bool tight_ahead(const CollisionChecker& checker, const Tile& tile, std::size_t c, double resolution) {
+  for (std::size_t k = 0; k <= tile.steps && static_cast<double>(k) * tile.dt <= kTightWithin; ++k) {
+    if (checker.clear_around(tile.x_at(k, c), tile.y_at(k, c), resolution)) continue;
+    const Rotation heading{tile.cos_heading[k], tile.sin_heading[k]};
+    if (checker.clearance(tile.pose(k, c), heading, resolution) < resolution) return true;
+  }
+  return false;
+}
+
+// The last pose of a rollout that the robot comes to within `time` [s].
+Pose2 pose_within(const Tile& tile, std::size_t c, double time) {
+  return tile.pose(std::min(static_cast<std::size_t>(time / tile.dt), tile.steps), c);
 }
 
 // What a cycle started from, and what it came to.
@@ -251,7 +265,7 @@ Autonomy::Driven Planner::Impl::driven(const Cycle& cycle, const Arbiter::Choice
   const auto candidate = static_cast<std::size_t>(proposal.candidate);
   const Tile tile = rollout.tile(rollout.tile_of(candidate));
   const std::size_t c = candidate - tile.first;
-  driven.tight = tight_ahead(evaluation.obstacles().collision(), tile, c, kTightWithin, cycle.grid.resolution);
+  driven.tight = tight_ahead(evaluation.obstacles().collision(), tile, c, cycle.grid.resolution);
   driven.soon = pose_within(tile, c, parameters.control_latency + cycle.start.period);
   return driven;
 }

@@ -47,9 +47,7 @@ void TargetDistance::find_sources() {
 
 double TargetDistance::at(double x, double y) {
   const Cell cell = grid_.cell_at(x, y);
-  if (!grid_.contains(cell) || sources_.empty()) return -1.0;
-  const std::int32_t units = distances_.units(0, cell);
-  return units < 0 ? -1.0 : units * distances_.metres_per_unit();
+  return grid_.contains(cell) && !sources_.empty() ? DistanceGrid(distances_, 0).metres(cell) : -1.0;
 }
 
 }  // namespace hidwa_local_planner

@@ -284,15 +284,12 @@ void WaySearch::write(Way& way) const {
     node = before;
   }
   way.reverse();
-  for (int k = 0; k < kSmoothings; ++k) smooth(way);
-}
-
-// The headings of a way step by step are those of its moves: a robot that keeps to them weaves. No station comes nearer
-// to anything.
-void WaySearch::smooth(Way& way) const {
-  way.smooth([&](const Pose2& from, const Pose2& to) {
+  // Its headings step by step are those of its moves: a robot that keeps to them weaves. No station comes nearer to
+  // anything.
+  const auto may_go = [&](const Pose2& from, const Pose2& to) {
     return clearance_at(to, Rotation::of(to.theta)) >= clearance_at(from, Rotation::of(from.theta));
-  });
+  };
+  for (int k = 0; k < kSmoothings; ++k) way.smooth(may_go);
 }
 
 // At the limits: what clearances and changes count besides is for choosing a way [s].

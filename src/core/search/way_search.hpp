@@ -132,7 +132,6 @@ class WaySearch {
   double turn_left(const Node& node) const;
   Rotation rotation(int heading) const;
   double heading_of(int heading) const;
-  void smooth(Way& way) const;
   double time_between(const Node& a, const Node& b) const;
 
   SearchTask task_;

@@ -33,7 +33,7 @@ class Checked {
   bool confirm_braking(const Twist2& sample) { return check_.confirm_braking(sample); }
   /// Why a sample's rollout is not free; null where it is.
   const char* rejection(const Twist2& sample) {
-    rollout_.run(parameters_, start_, {{sample, SampleKind::grid}});
+    rollout_.run(parameters_, start_, {{sample, SampleKind::grid}}, {}, parameters_.sim_time);
     Tile tile = rollout_.tile(0);
     test::TileFiller tiles;
     tiles.prepare(scene_);

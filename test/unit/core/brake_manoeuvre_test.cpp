@@ -49,12 +49,12 @@ PendingMotion motion_of(const Twist2& begin, const std::vector<PendingMotion::Le
 TEST(PendingMotions, AreBoundedLegByLeg) {
   const PendingMotion motion =
       motion_of({0.1, 0.0}, {{{0.5, 0.0}, 1.0, {0.01, 0.0}}, {{-0.7, 0.0}, 1.0, {0.02, 0.03}}, {{0.2, 0.4}, 1.0, {}}});
-  EXPECT_EQ(motion.fastest(), 0.7);
+  EXPECT_EQ(motion.fastest(), (Twist2{0.7, 0.4}));
   EXPECT_NEAR(motion.reach(), 0.5 + 0.7 + 0.7, 1e-12);
   EXPECT_NEAR(motion.reach(2.0), 0.5 + 0.7 + 1.0, 1e-12);  // 0.2 + 2 x 0.4 m/s in the last
   EXPECT_NEAR(motion.spread().v, 0.01 + 0.02, 1e-12);
   EXPECT_NEAR(motion.spread().omega, 0.03, 1e-12);
-  EXPECT_EQ(PendingMotion({-0.3, 0.0}, 1.0).fastest(), 0.3);
+  EXPECT_EQ(PendingMotion({-0.3, 0.0}, 1.0).fastest().v, 0.3);
 }
 
 // A cycle that comes 0.15 s after the last one, at 0.05 s, and another such: 2 (0.15 - 0.05) = 0.2 s later.

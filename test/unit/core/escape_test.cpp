@@ -73,7 +73,7 @@ class Caught {
   /// Why it may not; empty where it may.
   std::string rejection(const Twist2& sample) {
     Rollout rollout;
-    rollout.run(scene_.parameters, start_, {{sample, SampleKind::grid}});
+    rollout.run(scene_.parameters, start_, {{sample, SampleKind::grid}}, {}, scene_.parameters.sim_time);
     const char* reason = nullptr;
     check_.check_rollouts(rollout.tile(0), &reason);
     if (reason != nullptr) return reason;

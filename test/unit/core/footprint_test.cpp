@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/util/convex_hull.hpp"
+#include "core/util/outline.hpp"
 #include "support/naive_padding.hpp"
 #include "support/random_scene.hpp"
 #include "support/round_outline.hpp"

@@ -11,7 +11,7 @@ Rollout run(const Parameters& p, const std::vector<Sample>& samples) {
   Rollout rollout;
   CycleStart start;
   start.limits = VelocityLimits::from(p);
-  rollout.run(p, start, samples);
+  rollout.run(p, start, samples, {}, p.sim_time);
   return rollout;
 }
 
