@@ -13,7 +13,7 @@ int Selection::cheapest(const TieRule& tie) {
   for (;;) {
     const auto least = std::min_element(lowest_.begin(), lowest_.end());
     if (least == lowest_.end() || !std::isfinite(*least)) return -1;
-    const Tile tile = rollout.extent(static_cast<std::size_t>(least - lowest_.begin()));
+    const Tile& tile = rollout.extent(static_cast<std::size_t>(least - lowest_.begin()));
     const std::size_t best = cheapest_of(tile);
     // If the totals differ, the cheapest candidate was rejected in the meantime.
     if (scores_.total(best) == *least && checks_.legal(best)) {
@@ -35,7 +35,7 @@ std::size_t Selection::preferred_to(std::size_t best, const TieRule& tie) {
   const double equal = scores_.total(best) + kEqual;
   for (std::size_t t = 0; t < lowest_.size(); ++t) {
     if (lowest_[t] > equal) continue;
-    const Tile tile = candidates_.rollout().extent(t);
+    const Tile& tile = candidates_.rollout().extent(t);
     for (std::size_t c = tile.first; c < tile.first + tile.count; ++c) {
       if (scores_.total(c) <= equal && tie.prefers(candidates_.sample(c), candidates_.sample(best)) &&
           checks_.legal(c)) {

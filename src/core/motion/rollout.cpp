@@ -142,6 +142,7 @@ void Rollout::make_tiles(const std::vector<Sample>& samples) {
       block.steps = steps;
       block.dt = settings_.sim_time / static_cast<double>(steps);
       block.first = i;
+      block.v = v_.data() + i;
       block.turn = same_turn ? turns : ++turns;
       block.ramped = ramped;
       block.brake = brake;

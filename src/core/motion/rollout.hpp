@@ -27,11 +27,7 @@ class Rollout {
   /// Rolls a tile out. Valid until the next tile() or run(); quickest in ascending order.
   Tile tile(std::size_t index) const;
   /// Which candidates a tile holds, and their turn: without poses, at no cost.
-  Tile extent(std::size_t index) const {
-    Tile tile = tiles_[index];
-    tile.v = v_.data() + tile.first;
-    return tile;
-  }
+  const Tile& extent(std::size_t index) const { return tiles_[index]; }
   /// The tile that holds a candidate.
   std::size_t tile_of(std::size_t candidate) const;
   std::size_t candidate_count() const { return v_.size(); }
