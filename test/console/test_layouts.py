@@ -258,11 +258,12 @@ class Words(unittest.TestCase):
         keys = {quoted or plain for quoted, plain in re.findall(r"^ *(?:'([^']+)'|(\w+)):", refusals, re.M)}
         checks = re.search(r'kNames\[\] = \{(.*?)\};', text('src', 'core', 'evaluation', 'critic_set.cpp')).group(1)
         names = set(re.findall(r'"([^"]*)"', checks))
+        names.update(re.findall(r'kUnknownCells = "([^"]*)"', text('src', 'core', 'planner', 'explanation.cpp')))
         for path in glob.glob(os.path.join(paths.ROOT, 'src', 'critics', '*.cpp')):
             names.update(re.findall(r'BuiltInEntry entry\("(\w+)"', text(path)))
         self.assertGreater(len(names), 10)
         self.assertEqual(keys - names, set(), 'words that the planner never says')
-        self.assertEqual({'Collision', 'Braking', 'Moving obstacle'} - keys, set(), 'checks of the planner without words')
+        self.assertEqual({'Collision', 'Unknown cells', 'Braking', 'Moving obstacle'} - keys, set(), 'checks of the planner without words')
 
 
 if __name__ == '__main__':

@@ -12,8 +12,8 @@ NAME = 'hidwa_local_planner'
 LIBRARIES = {'hidwa_core', 'hidwa_tracking', NAME}
 COMPILED = {'hidwa_tracker', 'hidwa_plan_follower'}
 PROGRAMS = COMPILED | {'joy_reader', 'quest2ros_joy', 'record_drive', 'measure_base', 'bag_test', 'console'}
-# What package.xml names for tools and tests alone: a robot may lack it.
-OF_TOOLS = ('GTest', 'nlohmann_json', 'rosbag_storage', 'yaml-cpp')
+# What package.xml names for tools alone: a robot may lack it.
+OF_TOOLS = ('nlohmann_json', 'rosbag_storage', 'yaml-cpp')
 
 
 def run(*command):
@@ -37,13 +37,8 @@ class RobotBuild(unittest.TestCase):
         self.assertEqual({os.path.basename(path) for paths in installed for path in re.findall('"([^"]*)"', paths)}, PROGRAMS)
         self.assertNotRegex(rules, r'/maps"|/urdf"|/(demo|two_robots)\.launch"')
 
-    def test_a_robot_needs_nothing_that_tools_and_tests_alone_need(self):
+    def test_it_needs_nothing_of_tools_and_its_tests_wait_for_run_tests(self):
         build = self.configured(*(f'-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON' for name in OF_TOOLS))
-        self.assert_of_robot(build)
-        self.assertEqual(build.tests(), [])
-
-    def test_tests_of_all_that_a_robot_has_wait_for_run_tests(self):
-        build = self.configured()
         self.assert_of_robot(build)
         waiting = {name for name in build.built_by('tests') if name.startswith('hidwa_')}
         self.assertLessEqual({'hidwa_unit_ros', 'hidwa_attack_test', 'hidwa_replay_messages'}, waiting)
