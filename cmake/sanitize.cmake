@@ -7,13 +7,9 @@ option(HIDWA_FUZZ "Build the targets of test/fuzz with libFuzzer, which takes Cl
 # Beyond `undefined`: what only some compilers count to it. The first finding ends the program.
 set(hidwa_sanitize_flags)
 if(HIDWA_SANITIZE)
-  add_compile_definitions(HIDWA_SANITIZED)
   set(hidwa_sanitize_flags -fsanitize=${HIDWA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
   if(HIDWA_SANITIZE MATCHES "undefined")
     list(APPEND hidwa_sanitize_flags -fsanitize=float-cast-overflow)
-  endif()
-  if(HIDWA_SANITIZE MATCHES "thread")
-    add_compile_definitions(HIDWA_SANITIZED_THREADS)
   endif()
 endif()
 if(HIDWA_FUZZ)

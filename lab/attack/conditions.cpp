@@ -390,7 +390,7 @@ std::vector<Condition> outside_too() {
          s.walkers = 4;
          s.walkers_told = false;
        }},
-      {"out_walkers_doubtful", false, "errors thrice as large as told",
+      {"out_walkers_doubtful", false, "errors of people thrice as large as told",
        [](Spec& s, Random&) {
          s.walkers = 4;
          s.bounds.told_errors = 1.0 / 3.0;

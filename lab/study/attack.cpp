@@ -114,6 +114,7 @@ int attack(const Options& asked, std::ostream& out, std::ostream& errors) {
   Options options = asked;
   options.paths = false;  // a drive alone leaves a trace, and is driven each time that it is asked for
   options.resume = asked.resume && !asked.drive;
+  if (asked.drive) options.shard = options.shards = 1;  // it is the whole of this plan
   std::vector<int> numbers(static_cast<std::size_t>(asked.drive ? 1 : asked.drives));
   std::iota(numbers.begin(), numbers.end(), static_cast<int>(asked.drive.value_or(0)));
   const Plan plan = make_world_plan("attack", numbers, options.conditions, settings_of(options));

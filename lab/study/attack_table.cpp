@@ -35,6 +35,13 @@ nlohmann::json attack_figures(const Group& group) {
           {"found", group.count("found")}};
 }
 
+// The options that repeat the drive of a run's id, attack-P0017-late-S00001.
+std::string alone(const std::string& id) {
+  const std::size_t number = id.find("-P") + 2, condition = id.find('-', number) + 1;
+  return "--condition " + id.substr(condition, id.rfind("-S") - condition) + " --drive " +
+         std::to_string(std::stoi(id.substr(number)));
+}
+
 // All that lies within the promise, all outside, and what was found within.
 Verdict attack_verdict(const std::vector<Row>& rows) {
   Tables by_promise = attack_tables();
@@ -46,15 +53,15 @@ Verdict attack_verdict(const std::vector<Row>& rows) {
     const std::vector<std::string>& names = by_promise.columns;
     if (cell(row, "promise", names) != kWithin || cell(row, "found", names) == "0") continue;
     verdict.held = false;
-    verdict.told += "found: " + row.front() + '\n';
+    verdict.told += "found: " + row.front() + "; alone: the same with " + alone(row.front()) + " and another --out\n";
   }
   return verdict;
 }
 
-// People are within the promise only where nobody appears within reach.
+// Within the promise people count only where nobody appears within reach.
 bool is_found(const hidwa_attack::Case& drive, const hidwa_attack::DriveResult& r) {
-  const bool touched_by_somebody = drive.spec.bounds.appear > 0.0 && r.encounters.moving > 0;
-  return r.touched || r.beyond > 0 || r.hard > 0 || touched_by_somebody;
+  const bool people_count = !drive.condition->promised || drive.spec.bounds.appear > 0.0;
+  return r.touched || r.beyond > 0 || r.hard > 0 || (people_count && r.encounters.moving > 0);
 }
 
 }  // namespace
@@ -80,8 +87,8 @@ Tables attack_tables() {
   tables.order = attack_conditions();
   tables.count_name = "drives";
   tables.figures = attack_figures;
-  tables.told = {"cycles",     "contacts", "worst_mm",       "beyond",          "hard", "moving",
-                 "threatened", "met",      "touched_moving", "touched_leaving", "found"};
+  tables.told = {"cycles",        "contacts", "worst_mm",       "beyond",          "hard",    "moving",    "threatened",
+                 "longest_stand", "met",      "touched_moving", "touched_leaving", "entered", "growth_mm", "found"};
   tables.verdict = attack_verdict;
   return tables;
 }

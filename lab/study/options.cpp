@@ -110,14 +110,16 @@ Reader one_of(Value Options::*member, const std::vector<std::pair<std::string, V
 Reader some_of(std::vector<std::string> Options::*member,
                const std::map<std::string, std::vector<std::string>>& choices, const std::string& listed) {
   return [member, choices, listed](Options& o, const std::string& name, const std::string& text) {
-    const UsageError fault(name + " needs some of " + listed + ", not '" + text + "'");
+    const auto fault = [&](const std::string& word) {
+      return UsageError(name + " knows no '" + word + "': it needs some of " + listed);
+    };
     std::set<std::string> names;
     for (const std::string& word : list(text)) {
       const auto choice = choices.find(word);
-      if (choice == choices.end()) throw fault;
+      if (choice == choices.end()) throw fault(word);
       names.insert(choice->second.begin(), choice->second.end());
     }
-    if (names.empty()) throw fault;
+    if (names.empty()) throw fault(text);
     (o.*member).assign(names.begin(), names.end());
   };
 }
@@ -161,7 +163,7 @@ const std::vector<Option> kOptions{
     {"--vary", kVaried, "NAME=V1,V2,...", texts(&Options::vary), std::nullopt},
     {"--worlds", "barn dynabarn attack", "FILE", text(&Options::worlds), std::nullopt},
     {"--map", "run pilot sweep crowd passage attack", "FILE.yaml", text(&Options::map),
-     "the map; default: the package's office"},
+     "the map; default: the package's office; attack: further ones for mixed drives, with commas between them"},
     {"--regions", kFloor, "FILE.yaml", text(&Options::regions),
      "regions to avoid, with start and goal; none: no regions"},
     {"--start", kFloor, "X,Y,YAW", pose(&Options::start), "[m, m, rad]; default: the regions file's"},
@@ -282,6 +284,13 @@ void check(const Options& o) {
     throw UsageError("--mode AFTERMATH is for barn: take some of AUTONOMY,HELPFUL,HOSTILE");
   }
   if (o.drive && o.conditions.size() != 1) throw UsageError("--drive needs one --condition");
+  const bool mixed = std::count(o.conditions.begin(), o.conditions.end(), kMixed) > 0;
+  if (mixed && o.conditions.size() > 1) {
+    throw UsageError("--condition mixed stands alone: it takes the conditions in turn");
+  }
+  if (o.command == "attack" && !mixed && !(o.map.empty() && o.worlds.empty())) {
+    throw UsageError("attack takes --map and --worlds with --condition mixed alone");
+  }
   if (!o.grid.empty() && !o.vary.empty()) throw UsageError(o.command + " takes --grid or --vary, not both");
   if (o.command == "pilot") {
     for (const Assignment& set : o.sets) {
@@ -339,8 +348,9 @@ std::string options_help() {
     if (option.help) all += help_of(option);
   }
   return all + R"(
-In DIR: runs.csv, summary.json, ranking.csv (several settings), paths/, timing.json.
-Ends with 0; 1 where a run could not be made; 2 where the arguments make no sense.
+In DIR: runs.csv, summary.json, ranking.csv (several settings), paths/, timing.json, trace.csv (attack --drive).
+Ends with 0; 1 where a run could not be made, or an attack found something within the promise; 2 where the arguments
+make no sense.
 )";
 }
 

@@ -40,8 +40,8 @@ void Store::begin(const std::string& manifest, const Plan& plan, bool resume) co
   const std::optional<std::string> present_plan = read_file(fs::path(folder_) / kPlan);
   const bool other = (present && *present != manifest) || (present_plan && *present_plan != to_csv(plan));
   if (other) {
-    throw UsageError("'" + folder_ + "' holds another study (its study.json differs): give another --out, or " +
-                     "remove it");
+    throw UsageError("'" + folder_ + "' holds another study (its study.json or plan.csv differs): give another " +
+                     "--out, or remove it");
   }
   if (!resume) {
     for (const Run& run : plan.runs) {

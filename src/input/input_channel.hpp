@@ -28,8 +28,8 @@ class InputChannel {
   void lose();
   /// The same message asks for another command: parameters changed.
   void remap(const OperatorCommand& command);
-  /// The input must be seen inactive once (again) before it counts, unless it was `seen` so: then another device gives
-  /// it from now on. A loss goes on until then.
+  /// The input must be seen inactive once (again) before it counts. `seen`: another device gives it from now on, which
+  /// was seen inactive already. A loss goes on until the input counts.
   void demand_neutral(bool seen = false);
   /// As at the start.
   void reset();

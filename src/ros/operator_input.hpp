@@ -20,8 +20,8 @@
 namespace hidwa_local_planner {
 
 /// The operator: the topics of the input devices with their own queue and thread, and the state machine
-/// behind them. Thread-safe; the control thread waits at most for one message to be taken, and for a few milliseconds
-/// after a pause of the whole process, so that what arrived meanwhile is taken first.
+/// behind them. Thread-safe but for look_for_hand(). The control thread waits at most for one message to be taken, and
+/// for a few milliseconds after a pause of the whole process, so that what arrived meanwhile is taken first.
 class OperatorInput {
  public:
   /// `tf` must outlive it.
@@ -35,7 +35,7 @@ class OperatorInput {
   /// `take_control` and `stop` (std_msgs/Bool).
   void listen_to_commands(const ros::NodeHandle& handle);
   /// Takes the hand as tf has it, in mode gesture where it is a frame; the same transform again is no message. A
-  /// transform that cannot be looked up counts as silence of the device.
+  /// transform that cannot be looked up counts as silence of the device. One call at a time.
   void look_for_hand(const Parameters& parameters, const LoopTime& now);
 
   /// What the operator asks for now. `before`, where it is not null, takes what the machine remembered until then
@@ -81,7 +81,7 @@ class OperatorInput {
   OperatorMode mode_ = OperatorMode::off;
   Device device_;
   std::string steering_;        // the source that steers, by the parameters last listened by
-  ros::Time hand_stamp_;        // of the newest transform; the thread of the cycles alone
+  ros::Time hand_stamp_;        // of the newest transform; look_for_hand() alone
   CallbackThread thread_;       // outlives the subscribers and the timer that it serves
   ros::SteadyTimer heartbeat_;  // of that thread
   std::vector<OperatorDevice> devices_;

@@ -15,7 +15,7 @@ const char* wanted(const std::string&) { return "a text"; }
 
 template <typename Value>
 void read_value(const ros::NodeHandle& node, const char* name, Value& value) {
-  if (!node.hasParam(name) || node.getParam(name, value)) return;
+  if (node.getParam(name, value) || !node.hasParam(name)) return;
   throw std::runtime_error("parameter " + node.resolveName(name) + " must be " + wanted(value));
 }
 

@@ -21,8 +21,8 @@ std::string fault_of(const TrackerSettings& settings) {
   for (const TrackerSetting& one : kTrackerSettings) {
     const double value = settings.*one.value;
     if (!(value >= one.low && value <= one.high)) {  // also what is not a number
-      return std::string(one.name) + " is " + (std::isfinite(value) ? shortest(value) : "not finite") +
-             ": it must be from " + shortest(one.low) + " to " + shortest(one.high) + one.unit;
+      return std::string(one.name) + " is " + (std::isfinite(value) ? worded(value, 6) : "not finite") +
+             ": it must be from " + worded(one.low) + " to " + worded(one.high) + one.unit;
     }
   }
   return "";

@@ -34,18 +34,13 @@ class Run(unittest.TestCase):
         with open(os.path.join(self.space, 'called'), encoding='utf-8') as text:
             return ended, text.read().split()
 
-    def test_the_whole_campaign(self):
+    def test_an_attack_has_a_folder_of_its_own(self):
         folder = os.path.join(self.space, 'build', 'attack', 'drives')
-        self.assertEqual(self.called('attack', 0), (0, ['attack', '--out', folder]))
-
-    def test_an_attack_begins_anew_and_goes_on_in_a_folder_of_the_users(self):
-        folder = os.path.join(self.space, 'build', 'attack', 'drives')
-        os.makedirs(folder)
+        with mock.patch.object(campaign.time, 'strftime', side_effect=['first', 'second']):
+            self.assertEqual(self.called('attack', 0), (0, ['attack', '--out', os.path.join(folder, 'first')]))
+            self.assertEqual(self.called('attack', 0), (0, ['attack', '--out', os.path.join(folder, 'second')]))
         _, given = self.called('attack', 0, '--out', 'mine')
         self.assertEqual(given[-2:], ['--out', 'mine'])
-        self.assertTrue(os.path.exists(folder))
-        self.called('attack', 0)
-        self.assertFalse(os.path.exists(folder))
 
     def test_ways_have_the_office_among_their_maps(self):
         _, given = self.called('ways', 0, '--map', 'mine.yaml')

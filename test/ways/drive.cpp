@@ -10,18 +10,17 @@
 
 #include "attack/base.hpp"
 #include "attack/contact_watch.hpp"
-#include "attack/processor_time.hpp"
 #include "control/control_loop.hpp"
 #include "hidwa_local_planner/critics/built_in.hpp"
 #include "ways/grid_plan.hpp"
 #include "ways/novelty.hpp"
+#include "ways/processor_time.hpp"
 
 namespace hidwa_ways {
 namespace {
 
 namespace control = hidwa_local_planner::control;
 namespace critics = hidwa_local_planner::critics;
-using hidwa_attack::processor_time;
 using hidwa_local_planner::Outcome;
 using hidwa_local_planner::Twist2;
 

@@ -4,16 +4,13 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "arguments.hpp"
+#include "ways/arguments.hpp"
 #include "ways/campaign.hpp"
 #include "ways/picture.hpp"
 #include "ways/report.hpp"
 
 namespace hidwa_ways {
 namespace {
-
-using hidwa_attack::Arguments;
-using hidwa_attack::write_file;
 
 constexpr const char* kHelp =
     "A robot alone in tight places: does autonomy find the way where an exhaustive search finds one, and does it say "

@@ -10,7 +10,8 @@
 
 namespace hidwa_local_planner {
 
-/// Commands up to this size are zero: larger than rounding, smaller than any actuator's step [m/s, rad/s].
+/// Velocities that differ by no more are equal, and commands up to this size are zero: larger than rounding, smaller
+/// than any actuator's step [m/s, rad/s].
 constexpr double kCommandRounding = 1e-9;
 
 /// A measured velocity [m/s, rad/s] is no more than noise: at most trans_stopped_velocity and rot_stopped_velocity.

@@ -115,12 +115,13 @@ bool BlindMotion::sees_beside(const Point& place, const Point& normal) const {
 
 Interval BlindMotion::speeds(double omega) const {
   constexpr double kAny = std::numeric_limits<double>::infinity();
+  constexpr double kNone = 1e-9;  // part of a normal along the heading
   Interval allowed{-kAny, kAny};
   for (const Bound& bound : bounds_) {
     const double left = blind_speed_ + kCommandRounding - bound.along_omega * omega;
-    if (bound.along_v > kCommandRounding) {
+    if (bound.along_v > kNone) {
       allowed.hi = std::min(allowed.hi, left / bound.along_v);
-    } else if (bound.along_v < -kCommandRounding) {
+    } else if (bound.along_v < -kNone) {
       allowed.lo = std::max(allowed.lo, left / bound.along_v);
     } else if (left < 0.0) {
       return {kAny, -kAny};

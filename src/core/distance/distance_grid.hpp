@@ -74,7 +74,6 @@ class DistanceGrid {
  public:
   static constexpr std::int32_t kUnreached = DistanceGrids::kUnreached;
 
-  DistanceGrid() = default;
   DistanceGrid(DistanceGrids& grids, int set) : grids_(&grids), set_(set) {}
   std::int32_t units(Cell cell) const { return grids_->units(set_, cell); }
   double metres_per_unit() const { return grids_->metres_per_unit(); }

@@ -18,6 +18,10 @@ namespace hidwa_local_planner {
 /// A tile is rolled out when it is first needed. Keeps its memory between cycles.
 class Rollout {
  public:
+  Rollout() = default;
+  Rollout(Rollout&&) = default;  // tiles point into it: it is not copied
+  Rollout& operator=(Rollout&&) = default;
+
   /// Samples grouped by omega, as Sampler makes them, from the pose and the reference of `start` on. `comfort` binds
   /// the brake sample as ComfortTurn::to_rest() says. They are rolled out for `sim_time` [s].
   void run(const Parameters& parameters, const CycleStart& start, const std::vector<Sample>& samples,
@@ -26,7 +30,7 @@ class Rollout {
   std::size_t tile_count() const { return tiles_.size(); }
   /// Rolls a tile out. Valid until the next tile() or run(); quickest in ascending order.
   Tile tile(std::size_t index) const;
-  /// Which candidates a tile holds, and their turn: without poses, at no cost.
+  /// Which candidates a tile holds, and their turn: without poses, at no cost. Valid until the next run().
   const Tile& extent(std::size_t index) const { return tiles_[index]; }
   /// The tile that holds a candidate.
   std::size_t tile_of(std::size_t candidate) const;

@@ -24,13 +24,15 @@ FramedGoal to_goal(const geometry_msgs::PoseStamped& pose) {
 }  // namespace
 
 HIDWAPlannerROS::HIDWAPlannerROS() = default;
-HIDWAPlannerROS::~HIDWAPlannerROS() { thread_.stop(); }
+HIDWAPlannerROS::~HIDWAPlannerROS() {
+  if (thread_) thread_->stop();
+}
 
 void HIDWAPlannerROS::initialize(std::string name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros) {
   succeeds("initialize", [&] {
     start_planner(planner_, name, tf, costmap_ros);
     if (!planner_ || entry_) return true;
-    hear_goals();
+    if (!thread_) hear_goals();
     drive_ = std::make_unique<DriveWithoutGoal>(*planner_, name);
     entry_ = std::make_unique<RobotKeepers::Entry>(RobotKeepers::of_process(), [this] { return keep(); });
     return true;
@@ -43,8 +45,9 @@ void HIDWAPlannerROS::hear_goals() {
   constexpr unsigned kQueue = 10;  // goals that may come between two looks
   ros::NodeHandle host("~");
   if (host.hasParam("controllers")) return;  // Move Base Flex
-  goal_ = thread_.serve(host).subscribe("current_goal", kQueue, &HIDWAPlannerROS::hear, this);
-  thread_.start();
+  thread_ = std::make_unique<CallbackThread>();
+  goal_ = thread_->serve(host).subscribe("current_goal", kQueue, &HIDWAPlannerROS::hear, this);
+  thread_->start();
 }
 
 void HIDWAPlannerROS::hear(const geometry_msgs::PoseStamped& goal) {

@@ -44,7 +44,7 @@ class HIDWAPlannerROS : public nav_core::BaseLocalPlanner {
 
   std::unique_ptr<PlannerNode> planner_;
   GoalSuccession goals_;                        // that move_base pursues
-  CallbackThread thread_;                       // hears them; outlives the subscriber
+  std::unique_ptr<CallbackThread> thread_;      // hears them; outlives the subscriber
   ros::Subscriber goal_;                        // its topic current_goal
   FramedGoal end_;                              // of the plan
   int cycles_outdated_ = 0;                     // in which the plan led to an earlier goal, up to now

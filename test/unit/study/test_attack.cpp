@@ -55,7 +55,7 @@ TEST(MixedAttack, ADriveIsWhatItWas) {
 }
 
 TEST_F(AttackStudy, PartsAreTheWholeAndADriveAloneIsTheSame) {
-  const std::string study = "attack --condition late,mixed --drives 3 --seconds 5 --seed 7 --threads 2 --out ";
+  const std::string study = "attack --condition late,late_10hz --drives 3 --seconds 5 --seed 7 --threads 2 --out ";
   const Ended whole = run(study + "@whole");
   EXPECT_EQ(whole.code, 0) << whole.errors;
   EXPECT_NE(whole.out.find("\nwithin: drives 6, "), std::string::npos) << whole.out;
@@ -66,17 +66,19 @@ TEST_F(AttackStudy, PartsAreTheWholeAndADriveAloneIsTheSame) {
   EXPECT_EQ(read("joined/summary.json"), read("whole/summary.json"));
   for (const std::string& contacts : column("whole", "touched")) EXPECT_EQ(contacts, "0");
 
-  EXPECT_EQ(run("attack --condition late --seconds 5 --seed 7 --drive 2 --out @alone").code, 0);
+  EXPECT_EQ(run("attack --condition late --seconds 5 --seed 7 --drive 2 --shard 2/8 --out @alone").code, 0);
   EXPECT_EQ(at("alone", "attack-P0002-late-S00001", "seed"), "9");
-  EXPECT_EQ(lines_of("alone").at(1), lines_of("whole").at(5)) << "after two drives of late and two of mixed";
+  EXPECT_EQ(lines_of("alone").at(1), lines_of("whole").at(5)) << "after two drives of each";
   const std::string trace = read("alone/trace.csv");
   EXPECT_GE(std::count(trace.begin(), trace.end(), '\n'), 500);  // 5 s, every 10 ms
 }
 
 TEST_F(AttackStudy, WhatMakesNoSenseIsRefused) {
-  expect_refused("attack --condition anything,lazy --out @a", "some of octagon,");
+  expect_refused("attack --condition anything,lazy --out @a", "no 'lazy': it needs some of octagon,");
+  expect_refused("attack --condition late,mixed --out @a", "mixed stands alone");
+  expect_refused("attack --condition late --map office.yaml --out @a", "with --condition mixed alone");
   expect_refused("attack --drive 3 --out @a", "--drive needs one --condition");
-  EXPECT_EQ(run("attack --condition late --drives 1 --map nowhere.yaml --out @a").code, 2);
+  EXPECT_EQ(run("attack --condition mixed --drives 1 --map nowhere.yaml --out @a").code, 2);
 }
 
 TEST_F(AttackStudy, TellsItsConditions) {
@@ -88,10 +90,14 @@ TEST_F(AttackStudy, TellsItsConditions) {
 TEST(Attack, OnlyWhatIsFoundWithinThePromiseFailsIt) {
   hidwa_attack::DriveResult touched;
   touched.touched = true;
+  Run run;
+  run.id = "attack-P0017-late-S00001";
   for (const auto& [name, held] : {std::pair("late", false), std::pair("out_slip", true)}) {
     const Case drive = hidwa_attack::case_of(*hidwa_attack::find_condition(name), 1);
-    EXPECT_EQ(attack_tables().verdict({attack_row({}, drive, touched)}).held, held) << name;
-    EXPECT_TRUE(attack_tables().verdict({attack_row({}, drive, {})}).held) << name;
+    const Verdict verdict = attack_tables().verdict({attack_row(run, drive, touched)});
+    EXPECT_EQ(verdict.held, held) << name;
+    EXPECT_EQ(verdict.told.find("the same with --condition late --drive 17 and") == std::string::npos, held);
+    EXPECT_TRUE(attack_tables().verdict({attack_row(run, drive, {})}).held) << name;
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <ctime>
 
-namespace hidwa_attack {
+namespace hidwa_ways {
 
 /// What this thread has used of a processor [s].
 inline double processor_time() {
@@ -12,4 +12,4 @@ inline double processor_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-}  // namespace hidwa_attack
+}  // namespace hidwa_ways

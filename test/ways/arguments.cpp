@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "arguments.hpp"
+#include "ways/arguments.hpp"
 
 #include <cstdlib>
 #include <stdexcept>
 
 #include "core/util/words.hpp"
 
-namespace hidwa_attack {
+namespace hidwa_ways {
 
 Arguments::Arguments(int count, char** words, const std::set<std::string>& valued, const std::set<std::string>& alone,
                      const std::map<std::string, std::string>& needs) {
@@ -58,4 +58,4 @@ void write_file(const std::string& path, const std::string& content) {
   if (!out.flush()) throw std::invalid_argument("cannot write " + path);
 }
 
-}  // namespace hidwa_attack
+}  // namespace hidwa_ways

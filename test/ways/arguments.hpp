@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace hidwa_attack {
+namespace hidwa_ways {
 
 /// A campaign's command line. All throw std::invalid_argument, which names what is wrong.
 class Arguments {
@@ -34,4 +34,4 @@ class Arguments {
 /// Throws std::invalid_argument where it cannot be written.
 void write_file(const std::string& path, const std::string& content);
 
-}  // namespace hidwa_attack
+}  // namespace hidwa_ways
