@@ -90,7 +90,7 @@ TEST_F(AttackStudy, TellsItsConditions) {
 TEST(Attack, OnlyWhatIsFoundWithinThePromiseFailsIt) {
   hidwa_attack::DriveResult touched;
   touched.touched = true;
-  Run run;
+  study::Run run;
   run.id = "attack-P0017-late-S00001";
   for (const auto& [name, held] : {std::pair("late", false), std::pair("out_slip", true)}) {
     const Case drive = hidwa_attack::case_of(*hidwa_attack::find_condition(name), 1);
