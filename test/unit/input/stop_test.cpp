@@ -225,6 +225,18 @@ TEST(Stop, OfADeviceThatDiedEndsInWords) {
   EXPECT_FALSE(says(person.machine.advice(), "/joy_1 goes on"));
 }
 
+// A stick that sends only changes is silent while its button is held: that is no fault.
+TEST(Stop, OfADeviceThatMayBeSilentIsNoFault) {
+  for (const double timeout : {0.0, 0.5}) {
+    Parameters p = with_stop_button();
+    p.input_timeout = timeout;
+    Person person(p);
+    expect_stopped(person.cycle_with_button(1.0, kStop));
+    expect_stopped(person.cycle(100.0));
+    EXPECT_EQ(says(person.machine.advice(), "goes on, though no message of it came lately"), timeout > 0.0);
+  }
+}
+
 TEST(Stop, NamesWithoutNumberDoNotPileUp) {
   Person person(with_stop_button());
   person.machine.receive(stop_of("/holds", 1.0, true));
