@@ -20,7 +20,7 @@ constexpr std::size_t kRememberedDevices = 16;  // devices
 // Two nodes take turns where no more lies between their messages.
 constexpr double kInTurn = 3.0;  // [s]
 
-// So long after the end of a silence comes what the link held back [s].
+// What the link held back arrives within this time after the end of a silence [s].
 constexpr double kCatchingUp = 0.2;
 
 }  // namespace
