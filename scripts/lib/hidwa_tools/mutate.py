@@ -4,7 +4,6 @@ tests that need no ROS whether they notice."""
 import argparse
 import csv
 import filecmp
-import functools
 import json
 import os
 import re
@@ -82,24 +81,20 @@ class Tests:
         return sorted({re.sub('_long$', '', name) for name in self.names})
 
     def find_programs(self):
-        """Once they are built."""
-        self._commands = {test['name']: test['command'] for test in self._listing() if test['name'] in self.names and 'command' in test}
-
-    def linked(self):
-        """Tests whose program has the library in it that the faults are put into."""
-        return [name for name, words in self._commands.items() if LIBRARY in self._libraries(words)]
-
-    @functools.lru_cache(maxsize=None)
-    def _libraries_of(self, program):
-        return subprocess.run(['ldd', program], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False).stdout
+        """Those that have the library in them that the faults are put into; once they are built."""
+        self._commands = {test['name']: test['command'] for test in self._listing()
+                          if test['name'] in self.names and 'command' in test and LIBRARY in self._libraries(test['command'])}
+        if not self._commands:
+            raise MutateError(f'no test has {LIBRARY} in it: nothing would find a fault')
 
     def _libraries(self, words):
-        return ' '.join(self._libraries_of(word) for word in words if word.startswith(self._build) and os.path.isfile(word))
+        programs = [word for word in words if word.startswith(self._build) and os.path.isfile(word)]
+        return subprocess.run(['ldd', *programs], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False).stdout
 
-    def measure(self, names, quick):
-        """Runs these; one that fails without a fault finds nothing. Of a program whose cases take seconds, those become a test
+    def measure(self, quick):
+        """Runs them; one that fails without a fault finds nothing. Of a program whose cases take seconds, those become a test
         of their own that comes later; with `quick` none at all."""
-        for name in sorted(names):
+        for name in sorted(self._commands):
             begin = time.monotonic()
             if self._run(name, 3600.0):
                 raise MutateError(f'{name} fails without any fault: see {self._build}/{name}.log')
@@ -139,7 +134,7 @@ class Tests:
 
         def worth(name):
             return (self._kills.get((folder, name), 0) + 0.1) / (self.time[name] + 0.5)
-        return sorted(self.linked(), key=worth, reverse=True)
+        return sorted(self._commands, key=worth, reverse=True)
 
     def finds(self, path):
         """The test that fails now, with a fault in this file; None where all pass."""
@@ -241,9 +236,7 @@ def run(options):
         raise MutateError(f'the build failed: see {FOLDER}/build.log')
     tests.find_programs()
     print('==> the tests without a fault', flush=True)
-    if not tests.linked():
-        raise MutateError(f'no test has {LIBRARY} in it: nothing would find a fault')
-    tests.measure(tests.linked(), options.quick)
+    tests.measure(options.quick)
     counts = {'found': 0, 'survived': 0, 'no code': 0}
     with open(results, 'w', encoding='utf-8', newline='') as out:
         table = csv.DictWriter(out, ['outcome', 'test', 'seconds', 'line', 'mutant'])

@@ -27,7 +27,7 @@ Polygon without_repeats(const Polygon& outline) {
 }
 
 Polygon convex_hull(Polygon points) {
-  constexpr double kStraight = 1e-9;  // twice the area of a corner that is none [m^2]
+  constexpr double kStraight = 1e-9;  // a corner that spans a smaller parallelogram is straight [m^2]
   std::sort(points.begin(), points.end(),
             [](const Point& a, const Point& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
   points.erase(std::unique(points.begin(), points.end()), points.end());
