@@ -35,15 +35,8 @@ nlohmann::json attack_figures(const Group& group) {
           {"found", group.count("found")}};
 }
 
-// The options that repeat the drive of a run's id, attack-P0017-late-S00001.
-std::string alone(const std::string& id) {
-  const std::size_t number = id.find("-P") + 2, condition = id.find('-', number) + 1;
-  return "--condition " + id.substr(condition, id.rfind("-S") - condition) + " --drive " +
-         std::to_string(std::stoi(id.substr(number)));
-}
-
 // All that lies within the promise, all outside, and what was found within.
-Verdict attack_verdict(const std::vector<Row>& rows) {
+Verdict attack_verdict(const Plan& plan, const std::vector<Row>& rows) {
   Tables by_promise = attack_tables();
   by_promise.keys = by_promise.sorted_by = {"promise"};
   by_promise.order = {kWithin, kOutside};
@@ -53,7 +46,10 @@ Verdict attack_verdict(const std::vector<Row>& rows) {
     const std::vector<std::string>& names = by_promise.columns;
     if (cell(row, "promise", names) != kWithin || cell(row, "found", names) == "0") continue;
     verdict.held = false;
-    verdict.told += "found: " + row.front() + "; alone: the same with " + alone(row.front()) + " and another --out\n";
+    const auto run =
+        std::find_if(plan.runs.begin(), plan.runs.end(), [&row](const Run& one) { return one.id == row.front(); });
+    verdict.told += "found: " + run->id + "; alone: the same with --condition " + run->condition + " --drive " +
+                    std::to_string(run->participant) + " and another --out\n";
   }
   return verdict;
 }

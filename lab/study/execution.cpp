@@ -48,7 +48,7 @@ std::string timing_json(std::size_t threads, std::size_t made, std::size_t kept,
 // Makes the tables of all runs that are finished, and tells of them. Returns the program's exit code.
 int conclude(const Options& options, const Plan& plan, const Tables& tables, const Store& store, std::ostream& out) {
   const std::vector<Row> rows = store.finish(plan);
-  const Verdict verdict = tables.verdict(rows);
+  const Verdict verdict = tables.verdict(plan, rows);
   out << digest(tables, plan, rows) << verdict.told << rows.size() << " of " << plan.runs.size()
       << " runs: " << options.out << "/summary.json" << std::endl;
   return verdict.held ? 0 : 1;

@@ -61,7 +61,7 @@ struct Tables {
   // Figures there that summary.json does not have, by name.
   std::function<nlohmann::json(const Group&)> only_ranked = [](const Group&) { return nlohmann::json::object(); };
   std::vector<std::string> told;  // names of the figures that are told at the end
-  std::function<Verdict(const std::vector<Row>&)> verdict = [](const std::vector<Row>&) { return Verdict{}; };
+  std::function<Verdict(const Plan&, const std::vector<Row>&)> verdict = [](const auto&...) { return Verdict{}; };
 };
 
 /// Groups whose order the tables do not say come as their first runs do.

@@ -90,14 +90,14 @@ TEST_F(AttackStudy, TellsItsConditions) {
 TEST(Attack, OnlyWhatIsFoundWithinThePromiseFailsIt) {
   hidwa_attack::DriveResult touched;
   touched.touched = true;
-  study::Run run;
-  run.id = "attack-P0017-late-S00001";
+  const Plan plan = make_world_plan("attack", {17}, {"late"}, {{}});
+  const study::Run& run = plan.runs.front();
   for (const auto& [name, held] : {std::pair("late", false), std::pair("out_slip", true)}) {
     const Case drive = hidwa_attack::case_of(*hidwa_attack::find_condition(name), 1);
-    const Verdict verdict = attack_tables().verdict({attack_row(run, drive, touched)});
+    const Verdict verdict = attack_tables().verdict(plan, {attack_row(run, drive, touched)});
     EXPECT_EQ(verdict.held, held) << name;
     EXPECT_EQ(verdict.told.find("the same with --condition late --drive 17 and") == std::string::npos, held);
-    EXPECT_TRUE(attack_tables().verdict({attack_row(run, drive, {})}).held) << name;
+    EXPECT_TRUE(attack_tables().verdict(plan, {attack_row(run, drive, {})}).held) << name;
   }
 }
 
